@@ -29,8 +29,8 @@
 //!
 //! # Promises
 //!
-//! * The same world and the same calls give the same bits on every machine, whatever the number of threads and the width of
-//!   the processor's registers.
+//! * The same world and the same calls give the same bits on every machine, for any number of threads and any
+//!   width of the processor's registers.
 //! * No value makes a function of this crate panic or corrupts other bodies: invalid values are refused with an
 //!   error, or ignored with a warning through the `log` crate. Only indexing a set with a stale handle panics.
 //!   The re-exported constructors of the geometry library panic on some values;
@@ -42,7 +42,7 @@
 //! types serialisable, `debug-render` draws debug lines. `dim3`, `f32`, `std`, `simd-stable` and
 //! `enhanced-determinism` are accepted for compatibility and have no effect.
 
-// No value panics: whoever knows better says why (docs/panics.md).
+// No value panics: exceptions give their reason (docs/panics.md).
 #![warn(clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::unreachable)]
 #![warn(clippy::todo, clippy::unimplemented, clippy::exit, clippy::string_slice)]
 

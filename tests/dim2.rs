@@ -4,7 +4,7 @@ use rapier::prelude::*;
 
 #[path = "ghosts/dim2.rs"]
 pub mod grounds;
-#[path = "continuous/dim2.rs"]
+#[path = "ccd/dim2.rs"]
 pub mod thin;
 #[path = "characters/dim2.rs"]
 pub mod floors;

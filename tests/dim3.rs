@@ -4,7 +4,7 @@ use rapier::prelude::*;
 
 #[path = "ghosts/dim3.rs"]
 pub mod grounds;
-#[path = "continuous/dim3.rs"]
+#[path = "ccd/dim3.rs"]
 pub mod thin;
 #[path = "characters/dim3.rs"]
 pub mod floors;

@@ -10,7 +10,7 @@ mod api;
 pub mod ghosts;
 pub mod characters;
 mod complaints;
-mod continuous;
+mod ccd;
 pub mod hostile;
 pub mod joints;
 pub mod multibody;

@@ -20,7 +20,7 @@ use crate::step::{self, StepParts, StepScratch};
 /// Make one and keep it: it holds no state, but buffers that steps use again.
 #[derive(Default)]
 pub struct CollisionPipeline {
-    /// How long the last step took, and how much it had to do.
+    /// Times and counts of the last step.
     pub counters: Counters,
     scratch: StepScratch,
 }
@@ -31,7 +31,7 @@ impl CollisionPipeline {
         Self::default()
     }
 
-    /// Lets steps run on these threads, and not on those of the caller's pool (the default).
+    /// Runs steps on these threads, and not on those of the caller's pool (the default).
     pub fn set_threads(&mut self, threads: Threads) {
         self.scratch.set_threads(threads);
     }
@@ -39,8 +39,8 @@ impl CollisionPipeline {
     /// Brings all contacts and intersections up to date and sends the events of those that began or
     /// stopped. Impulses of contacts are 0: nothing is solved.
     ///
-    /// `handle_user_changes` says whether edits of bodies and colliders since the last step are taken
-    /// in first; without it, what was inserted, moved or removed since then is not seen.
+    /// `handle_user_changes` selects whether edits of bodies and colliders since the last step are applied
+    /// first. Without it, insertions, moves and removals since then have no effect.
     ///
     /// Parameters that are not valid (see [`IntegrationParameters::validate`]) are logged as an error,
     /// and the step changes nothing.

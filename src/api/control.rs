@@ -1,4 +1,4 @@
-//! What moves bodies by asking the world: characters and feedback controllers.
+//! Controllers that move bodies by queries: characters and feedback controllers.
 
 pub use crate::controllers::character::{
     CharacterAutostep, CharacterCollision, CharacterContacts, CharacterGround, CharacterHooks,

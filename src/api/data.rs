@@ -1,3 +1,3 @@
-//! What handles are made of.
+//! Elements of handles.
 
 pub use crate::base::arena::Index;

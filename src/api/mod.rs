@@ -1,9 +1,8 @@
 //! # API — the public face
 //!
-//! The documented module paths (`dynamics`, `geometry`, `pipeline`, `control`, `math`, `prelude`) gather public
-//! names from the rooms where they live; the facades [`pipeline::PhysicsPipeline`],
-//! [`pipeline::CollisionPipeline`] and [`pipeline::PhysicsWorld`] unpack the documented parameter lists once, and
-//! do nothing else.
+//! The documented module paths (`dynamics`, `geometry`, `pipeline`, `control`, `math`, `prelude`) re-export
+//! public names from their rooms. The facades [`pipeline::PhysicsPipeline`], [`pipeline::CollisionPipeline`]
+//! and [`pipeline::PhysicsWorld`] unpack the documented parameter lists once, and do nothing else.
 
 mod collision_pipeline;
 mod physics_pipeline;

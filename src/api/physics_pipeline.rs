@@ -24,7 +24,7 @@ use core::borrow::Borrow;
 /// together.
 #[derive(Default)]
 pub struct PhysicsPipeline {
-    /// How long the last step took, and how much it had to do.
+    /// Times and counts of the last step.
     pub counters: Counters,
     scratch: StepScratch,
 }
@@ -35,13 +35,13 @@ impl PhysicsPipeline {
         Self::default()
     }
 
-    /// Lets steps run on these threads, and not on those of the caller's pool (the default).
+    /// Runs steps on these threads, and not on those of the caller's pool (the default).
     pub fn set_threads(&mut self, threads: Threads) {
         self.scratch.set_threads(threads);
     }
 
-    /// Lets the solver use the widest instructions that the machine has (the default), or only those
-    /// that every machine of its kind has.
+    /// Selects the widest instructions of the machine for the solver (the default), or the baseline of its
+    /// architecture.
     ///
     /// This changes the speed and no bit of the results; it is there to check just that.
     pub fn set_wide_instructions(&mut self, wide: bool) {
@@ -72,14 +72,15 @@ impl PhysicsPipeline {
 
     /// Moves the simulation forward by [`IntegrationParameters::dt`].
     ///
-    /// `gravity` is an acceleration in world space (length/s²), such as `(0, -9.81)` or
-    /// `(0, -9.81, 0)`; both `gravity` and `&gravity` will do. The sets, `islands`, `broad_phase` and `narrow_phase` belong together
-    /// from the first step on: what one of them knows of another would be wrong of a third. A step that finds another one than
-    /// that of the last step warns in the log, and goes on with what there is as if it were new: everybody wakes, colliders and
-    /// joints of bodies that are gone go, too, and what touched parts and begins to touch again.
+    /// `gravity` is an acceleration in world space (length/s²), such as `(0, -9.81)` or `(0, -9.81, 0)`; both
+    /// `gravity` and `&gravity` will do. The sets, `islands`, `broad_phase` and `narrow_phase` belong
+    /// together from the first step on: they refer to each other, and the references are invalid in other
+    /// sets. If one of them is not that of the last step, the step logs a warning, and continues as if
+    /// everything were new. All bodies wake, colliders and joints of missing bodies are removed, and contacts
+    /// end and begin again.
     ///
-    /// Parameters that are not valid (see [`IntegrationParameters::validate`]), or a gravity that is
-    /// not finite (or beyond 1e15), are logged as an error, and the step changes nothing.
+    /// Parameters that are not valid (see [`IntegrationParameters::validate`]), or a gravity that is not
+    /// finite (or beyond 1e15), are logged as an error, and the step changes nothing.
     #[expect(
         clippy::too_many_arguments,
         reason = "the documented signature; unpacked here once, named fields from here on"

@@ -1,4 +1,4 @@
-//! The step, and where the user takes part in it.
+//! The step, and its user interfaces.
 
 pub use super::collision_pipeline::CollisionPipeline;
 pub use super::physics_pipeline::PhysicsPipeline;

@@ -153,8 +153,8 @@ fn thrown_at_platform(height: Real, velocity: Real) -> (PhysicsWorld, RigidBodyH
     (world, ball)
 }
 
-/// Everything with hooks is a one-way platform, whose normal as seen from the first collider is up
-/// if that is the platform.
+/// Every collider with hooks is a one-way platform. Its normal relative to the first collider is up if that
+/// is the platform.
 struct OneWay;
 
 impl PhysicsHooks for OneWay {
@@ -227,7 +227,8 @@ fn events_tell_of_begin_end_and_force() {
     assert!([ended[0].collider1(), ended[0].collider2()].contains(&ground));
 }
 
-/// What was kept of a mesh goes with its shape: a body sinks to the new floor, though the boxes of old and new overlap.
+/// The triangle cache is discarded with its shape: a body sinks to the new floor, although the boxes of old
+/// and new overlap.
 #[test]
 fn a_new_floor_is_felt_at_once() {
     fn high(at: Vector) -> Real {
@@ -254,8 +255,8 @@ fn a_new_floor_is_felt_at_once() {
     assert!(height(&world, body).abs() < 0.01, "{}", height(&world, body));
 }
 
-/// What the solver keeps of contacts from step to step saves time, and changes nothing: a world that loses it before each step goes on
-/// in the same way.
+/// The solver's persistent lanes save time, and change nothing: a world that loses them before each step
+/// continues in the same way.
 #[test]
 fn a_world_does_without_what_its_solver_kept() {
     let heap = || {

@@ -28,7 +28,7 @@ pub struct PhysicsWorld {
     pub gravity: Vector,
     /// Length of a step, and how accurate it is.
     pub integration_parameters: IntegrationParameters,
-    /// Which bodies are awake, and which move and sleep together.
+    /// Awake bodies and islands.
     pub islands: IslandManager,
     /// Finds pairs of colliders that are close.
     pub broad_phase: BroadPhaseBvh,
@@ -56,9 +56,9 @@ impl Default for PhysicsWorld {
 
 /// Copies all state of a world. The copy continues bit for bit as the original does.
 ///
-/// `clone_from` reuses the memory of an earlier copy: this is the fast way to save a world and to return to it, for rollback.
-/// It asks for no memory unless a list has grown since. Pipelines hold buffers and settings and no state: a clone has new ones, and `clone_from` keeps
-/// those of the target.
+/// `clone_from` reuses the memory of an earlier copy: this is the fast way to save a world and to return to
+/// it, for rollback. It allocates no memory unless a list has grown since. Pipelines hold buffers and
+/// settings and no state: a clone has new ones, and `clone_from` keeps those of the target.
 ///
 /// ```
 /// # use rapier3d::prelude::*;
@@ -236,8 +236,8 @@ impl PhysicsWorld {
     /// The same as [`Self::insert_impulse_joint`].
     ///
     /// # Errors
-    /// If one of the bodies is not there, if they are the same or none of them is dynamic, or if a number of the joint is not
-    /// usable.
+    /// One of the bodies is missing, they are the same or none of them is dynamic, or a number of the joint
+    /// is not usable.
     ///
     /// ```
     /// # use rapier3d::prelude::*;
@@ -256,7 +256,7 @@ impl PhysicsWorld {
         self.impulse_joints.try_insert(body1, body2, joint, true)
     }
 
-    /// Can a joint hold these bodies?
+    /// Returns whether a joint can connect these bodies.
     fn check_joined(
         &self,
         body1: RigidBodyHandle,
@@ -270,7 +270,7 @@ impl PhysicsWorld {
         Ok(())
     }
 
-    /// Removes a joint and returns it; the bodies that it held wake. `None` if the handle is stale.
+    /// Removes a joint and returns it; its bodies wake. `None` if the handle is stale.
     pub fn remove_impulse_joint(&mut self, handle: ImpulseJointHandle) -> Option<ImpulseJoint> {
         self.impulse_joints.remove(handle, true)
     }
@@ -302,8 +302,8 @@ impl PhysicsWorld {
     /// The same as [`Self::insert_multibody_joint`].
     ///
     /// # Errors
-    /// If one of the bodies is not there, if they are the same or none of them is dynamic, if `body2` has a parent already or is
-    /// an ancestor of `body1`, or if a number of the joint is not usable.
+    /// One of the bodies is missing, they are the same or none of them is dynamic, `body2` has a parent
+    /// already or is an ancestor of `body1`, or a number of the joint is not usable.
     pub fn try_insert_multibody_joint(
         &mut self,
         body1: RigidBodyHandle,
@@ -314,7 +314,7 @@ impl PhysicsWorld {
         self.multibody_joints.try_insert(body1, body2, joint, true)
     }
 
-    /// Removes a multibody joint and returns it; the bodies that it held wake. `None` if the handle is stale.
+    /// Removes a multibody joint and returns it; its bodies wake. `None` if the handle is stale.
     pub fn remove_multibody_joint(
         &mut self,
         handle: MultibodyJointHandle,
@@ -357,7 +357,7 @@ impl PhysicsWorld {
         self.islands.active_bodies()
     }
 
-    /// All pairs of solid colliders whose enlarged boxes overlap, as (first collider, second collider, pair).
+    /// All pairs of solid colliders whose fat AABBs overlap, as (first collider, second collider, pair).
     pub fn contact_pairs(
         &self,
     ) -> impl Iterator<Item = (ColliderHandle, ColliderHandle, &ContactPair)> {
@@ -382,15 +382,16 @@ impl PhysicsWorld {
         self.narrow_phase.contact_pairs_with(collider)
     }
 
-    /// All pairs with a sensor whose enlarged boxes overlap, as (first collider, second collider, do they intersect?).
+    /// All pairs with a sensor whose fat AABBs overlap, as (first collider, second collider, whether they
+    /// intersect).
     pub fn intersection_pairs(
         &self,
     ) -> impl Iterator<Item = (ColliderHandle, ColliderHandle, bool)> {
         self.narrow_phase.intersection_pairs()
     }
 
-    /// Do two colliders, at least one of them a sensor, intersect? `None` if they are nowhere near
-    /// each other.
+    /// Returns whether two colliders intersect, at least one of them a sensor. `None` if they are nowhere
+    /// near each other.
     pub fn intersection_pair(
         &self,
         collider1: ColliderHandle,

@@ -23,7 +23,7 @@ use parry::shape::{FeatureId, Shape};
 /// assert_eq!(hit, Some((ball, 4.0)));
 /// ```
 impl PhysicsWorld {
-    /// All colliders, to be asked.
+    /// Queries of all colliders.
     ///
     /// As of the last step: a collider that was inserted since is not found, and one that was moved since only where
     /// its box was. A [`QueryPipeline`](crate::query::QueryPipeline) of one's own sees such changes at once.
@@ -31,13 +31,13 @@ impl PhysicsWorld {
         self.query_pipeline_with_filter(QueryFilter::default())
     }
 
-    /// Those colliders that a filter lets pass, to be asked.
+    /// Queries of the colliders that pass a filter.
     pub fn query_pipeline_with_filter<'a>(&'a self, filter: QueryFilter<'a>) -> QueryView<'a> {
         let dispatcher = self.narrow_phase.query_dispatcher();
         self.broad_phase.as_query_pipeline(dispatcher, &self.bodies, &self.colliders, filter)
     }
 
-    /// Those colliders that a filter lets pass, to be asked, and all bodies, to be pushed: what controllers want.
+    /// Queries of the colliders that pass a filter, with mutable bodies: the input of controllers.
     pub fn query_pipeline_mut<'a>(&'a mut self, filter: QueryFilter<'a>) -> QueryPipelineMut<'a> {
         let Self { broad_phase, narrow_phase, bodies, colliders, .. } = self;
         let dispatcher = narrow_phase.query_dispatcher();
@@ -77,7 +77,7 @@ impl PhysicsWorld {
         self.query_pipeline_with_filter(filter).intersect_ray(ray, max_toi, solid)
     }
 
-    /// The first collider in the way of a shape: see [`QueryView::cast_shape`].
+    /// The first collider in the path of a shape: see [`QueryView::cast_shape`].
     pub fn cast_shape(
         &self,
         shape_pos: &Pose,
@@ -89,7 +89,7 @@ impl PhysicsWorld {
         self.query_pipeline_with_filter(filter).cast_shape(shape_pos, shape_vel, shape, options)
     }
 
-    /// The first collider in the way of a shape that turns: see [`QueryView::cast_shape_nonlinear`].
+    /// The first collider in the path of a rotating shape: see [`QueryView::cast_shape_nonlinear`].
     pub fn cast_shape_nonlinear(
         &self,
         shape_motion: &NonlinearRigidMotion,

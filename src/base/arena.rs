@@ -10,7 +10,7 @@ use super::in_place::clone_in_place;
 use super::loading::{Loaded, check_when_loaded};
 use super::wide::prefetch_front;
 
-/// Where an element of an arena stands, and which of the slot's successive tenants it is.
+/// The slot of an element of an arena, and the generation of the slot.
 #[derive(Copy, Clone, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub struct Index {
@@ -46,7 +46,7 @@ impl Index {
 
 #[derive(Debug)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
-// With a tag of its own the generation stands in front: whoever looks into a slot reads it, and the front of the value.
+// With a separate tag the generation is in front: every access reads it, and the front of the value.
 #[repr(u32)]
 enum Slot<T> {
     Free { generation: u32, next: Option<u32> },
@@ -125,10 +125,10 @@ impl<T> Arena<T> {
         Self { slots: Vec::new(), first_free: None, len: 0 }
     }
 
-    /// An empty arena with room for `capacity` elements, unless there is no memory for so many.
+    /// An empty arena with the given `capacity`, unless there is not enough memory.
     pub fn with_capacity(capacity: usize) -> Self {
         let mut arena = Self::new();
-        // A wish, and not more: who inserts fewer than he said never notices.
+        // The capacity is a hint: a failed allocation has no effect until the elements are inserted.
         let _ = arena.slots.try_reserve_exact(capacity);
         arena
     }
@@ -138,7 +138,7 @@ impl<T> Arena<T> {
         self.len
     }
 
-    /// Is there no element?
+    /// Returns whether the arena is empty.
     pub fn is_empty(&self) -> bool {
         self.len == 0
     }
@@ -190,7 +190,7 @@ impl<T> Arena<T> {
         }
     }
 
-    /// Does the index lead to an element?
+    /// Returns whether the index refers to an element.
     pub fn contains(&self, index: Index) -> bool {
         self.get(index).is_some()
     }
@@ -303,13 +303,13 @@ impl<'a, T> SharedArena<'a, T> {
     /// The element at an index, for writing; `None` if the index is stale or foreign.
     ///
     /// # Safety
-    /// Nobody else may have a reference to what stands in the slot while this one lives.
+    /// The caller has exclusive access to the slot while the reference lives.
     #[inline]
     pub unsafe fn get_mut(&self, index: Index) -> Option<&'a mut T> {
         if index.slot() >= self.slots.len() {
             return None;
         }
-        // SAFETY: in range, and the caller promises that the slot is his alone.
+        // SAFETY: in range, and the caller owns the slot exclusively.
         match unsafe { self.slots.get_mut(index.slot()) } {
             Slot::Taken { generation, value } if *generation == index.generation => Some(value),
             _ => None,

@@ -33,7 +33,7 @@ impl BestAxis {
     }
 }
 
-/// How far a range is apart from the one within `limit` of zero, and on which side of it (1 or -1).
+/// The distance of a range from the one within `limit` of zero, and its side (1 or -1).
 #[inline(always)]
 pub fn apart<W: Wide>(low: W, high: W, limit: W) -> (W, W) {
     let (above, below) = (low - limit, -limit - high);

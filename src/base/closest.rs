@@ -1,34 +1,34 @@
 //! Closest points of two convex shapes, also of shapes that overlap a little.
 //!
-//! For shapes that are apart this is parry's GJK. When they overlap, the direction of least overlap
-//! takes a search ten times as expensive (EPA, expanding polytopes); but bodies in contact overlap
-//! hardly and touch almost as they did a step ago. So the second shape is first moved out along the
-//! last normal, just so far that the shapes are apart, and then the closest points are searched and
-//! moved back. The nearest point of a polytope from close outside lies on the same face as from close
-//! inside, so the result is the direction of least overlap near the last normal.
+//! For shapes that are apart this is parry's GJK. When they overlap, the direction of least overlap needs a
+//! search ten times as expensive (EPA, expanding polytopes). But bodies in contact overlap hardly, and touch
+//! almost as they did a step ago. The second shape is therefore first moved out along the last normal, until
+//! the shapes are separated. Then the closest points are searched and moved back. The nearest point of a
+//! polytope from close outside lies on the same face as from close inside. The result is therefore the
+//! direction of least overlap near the last normal.
 
 use parry::math::{DIM, Pose, Real, Vector};
 use parry::query::epa::EPA;
 use parry::query::gjk::{CsoPoint, GJKResult, VoronoiSimplex, closest_points};
 use parry::shape::SupportMap;
 
-/// Shapes that overlap by more than this share of their thickness are searched anew.
-const DEEP: Real = 0.25;
-/// How far apart the shapes are moved for the search, as a share of their thickness: much more than
-/// GJK's tolerance, much less than any feature that matters.
+/// Shapes that overlap by more than this fraction of their thickness are searched again.
+const OVERLAP_RATIO_MAX: Real = 0.25;
+/// Separation of the shapes for the search, as a fraction of their thickness: much more than GJK's tolerance,
+/// much less than any relevant feature.
 const MOVED_APART: Real = 0.02;
 
-/// Within what distance contacts are asked for in a world of metres (length units).
+/// Typical prediction distance in a world of metres (length units).
 const USUAL_REACH: Real = 0.02;
 /// Worlds that are smaller than that by this factor are enlarged.
 const ENLARGED_FROM: Real = 8.0;
 
-/// What is known of two shapes, all in the frame of the first.
+/// Result for two shapes, all in the frame of the first.
 #[derive(Copy, Clone, Debug)]
 pub enum Closest {
-    /// They are farther apart than was asked for, as seen along this unit vector.
+    /// They are farther apart than the prediction distance, along this unit vector.
     Apart(Vector),
-    /// Where they are closest, or overlap least.
+    /// The closest points, or those of least overlap.
     Near {
         /// The point of the first shape.
         point1: Vector,
@@ -41,9 +41,9 @@ pub enum Closest {
     },
 }
 
-/// Where the support points of two shapes along a direction are.
+/// The support points of two shapes along a direction.
 pub struct Extents {
-    /// How far the shapes are apart along the direction; negative if they overlap.
+    /// Distance of the shapes along the direction; negative if they overlap.
     pub gap: Real,
     /// The smaller of the extents of the two along the direction.
     pub thickness: Real,
@@ -71,8 +71,8 @@ pub fn extents(
 /// Finds where two convex shapes are closest, if they are within `reach`. `last_normal` is the normal
 /// of last time, or zero.
 ///
-/// The search has tolerances that are lengths, made for shapes of a metre. Who asks for contacts within
-/// a fraction of a millimetre has a world of millimetres: there the shapes are searched enlarged.
+/// The search has tolerances that are lengths, made for shapes of a metre. A prediction distance of a
+/// fraction of a millimetre indicates a world of millimetres: the shapes are enlarged for the search.
 pub fn closest(
     pos12: &Pose,
     shape1: &(impl SupportMap + ?Sized),
@@ -121,7 +121,7 @@ fn closest_as_is(
         if extents.gap > reach {
             return Closest::Apart(normal);
         }
-        if extents.gap < 0.0 && -extents.gap < DEEP * extents.thickness {
+        if extents.gap < 0.0 && -extents.gap < OVERLAP_RATIO_MAX * extents.thickness {
             let shift = normal * (MOVED_APART * extents.thickness - extents.gap);
             if let Some(found) = closest_apart(pos12, shape1, shape2, shift) {
                 return found;
@@ -138,19 +138,20 @@ fn closest_as_is(
         }
         GJKResult::NoIntersection(direction) => Closest::Apart(direction),
         GJKResult::Intersection => least_overlap(pos12, shape1, shape2, simplex),
-        // Not returned when points are asked for.
+        // Not returned when points are required.
         GJKResult::Proximity(_) => Closest::Apart(Vector::ZERO),
     }
 }
 
-/// Where shapes overlap least, from the simplex with which the search of closest points ended.
+/// The points of least overlap, from the final simplex of the closest-point search.
 fn least_overlap(
     pos12: &Pose,
     shape1: &(impl SupportMap + ?Sized),
     shape2: &(impl SupportMap + ?Sized),
     simplex: &mut VoronoiSimplex,
 ) -> Closest {
-    // From an edge EPA looks for a third point across it, and reads that even if the edge is too long to have a direction in numbers.
+    // EPA searches a third point across an edge, and reads that even if the edge is too long for a finite
+    // direction.
     if simplex.dimension() <= 1 && !spans_numbers(pos12, shape1, shape2) {
         return Closest::Apart(Vector::X);
     }
@@ -169,7 +170,7 @@ fn least_overlap(
     }
 }
 
-/// Are the differences of any two points of the shapes such that one can calculate with their squares?
+/// Returns whether the squared distances of any two points of the shapes are finite.
 fn spans_numbers(
     pos12: &Pose,
     shape1: &(impl SupportMap + ?Sized),
@@ -223,9 +224,9 @@ mod tests {
         Vector::from_array(sizes.map(|size| random.within(-1.0, 1.0) * size))
     }
 
-    /// Hulls of any size, needles and flakes among them, in a world of any unit: the search ends, and says something as long as one can
-    /// calculate with squares. (EPA read a third point beside edges without a direction in numbers, as those of 10²⁰ m are, and
-    /// there was none.)
+    /// Hulls of any size, needles and flakes among them, in a world of any unit: the search ends with a
+    /// result as long as squares are finite. (EPA read a third point beside edges without a direction in
+    /// numbers, as those of 10²⁰ m are, and there was none.)
     #[test]
     fn hulls_of_any_size_are_searched_to_an_end() {
         let mut random = Random(51);

@@ -1,9 +1,8 @@
 //! One slice, several writers: each element belongs to one of them at a time.
 //!
-//! The borrow checker sees a slice as a whole. The solver knows better: within one colour no two
-//! constraints share a body, so workers may each write the bodies of their own constraints. This is
-//! the type in which it says so. What the compiler cannot check is the caller's promise, written down
-//! as the safety contract of each function.
+//! The borrow checker sees a slice as a whole. Within one colour no two constraints have a common body, so
+//! workers may each write the bodies of their own constraints. This is the type in which it says so. The
+//! compiler cannot check that; it is the safety contract of each function.
 
 use super::wide::{prefetch, prefetch_front};
 use core::cell::UnsafeCell;
@@ -14,12 +13,12 @@ pub struct DisjointMut<'a, T> {
     elements: &'a [UnsafeCell<T>],
 }
 
-// SAFETY: through a shared `DisjointMut` a thread can get at elements that another thread made
-// (`T: Send`), and several threads at the same element for reading (`T: Sync`). That no thread reads
-// what another one writes is the contract of `get` and `get_mut`.
+// SAFETY: through a shared `DisjointMut` a thread can access elements of another thread (`T: Send`), and
+// several threads the same element for reading (`T: Sync`). The contract of `get` and `get_mut` excludes
+// concurrent writes.
 unsafe impl<T: Send + Sync> Sync for DisjointMut<'_, T> {}
 
-// SAFETY: as above; a copy in another thread is no more than a reference to this one.
+// SAFETY: as above; a copy in another thread is equivalent to a reference.
 unsafe impl<T: Send + Sync> Send for DisjointMut<'_, T> {}
 
 impl<T> Copy for DisjointMut<'_, T> {}
@@ -38,7 +37,7 @@ impl<'a, T> DisjointMut<'a, T> {
         Self { elements: unsafe { &*elements } }
     }
 
-    /// How many elements there are.
+    /// The number of elements.
     pub fn len(&self) -> usize {
         self.elements.len()
     }
@@ -73,7 +72,7 @@ impl<'a, T> DisjointMut<'a, T> {
     /// An element, for reading. The index is checked in debug builds only.
     ///
     /// # Safety
-    /// `index < self.len()`, and nobody may write to the element while the reference lives.
+    /// `index < self.len()`, and no thread writes the element while the reference lives.
     #[inline(always)]
     pub unsafe fn get(&self, index: usize) -> &'a T {
         // SAFETY: the caller promises the range, and that there is no `&mut` to the element.
@@ -83,7 +82,7 @@ impl<'a, T> DisjointMut<'a, T> {
     /// An element, for writing. The index is checked in debug builds only.
     ///
     /// # Safety
-    /// `index < self.len()`, and nobody else may have a reference to the element while this one lives.
+    /// `index < self.len()`, and no other reference to the element exists while this one lives.
     #[inline(always)]
     pub unsafe fn get_mut(&self, index: usize) -> &'a mut T {
         // SAFETY: the caller promises the range, and that there is no other reference to the element.
@@ -93,14 +92,14 @@ impl<'a, T> DisjointMut<'a, T> {
     /// Some elements, for writing. The range is checked in debug builds only.
     ///
     /// # Safety
-    /// The range must be one of this slice, and nobody else may have a reference to one of its elements while this
+    /// The range must be one of this slice, and no other reference to one of its elements exists while this
     /// one lives.
     #[inline(always)]
     pub unsafe fn range_mut(&self, range: Range<usize>) -> &'a mut [T] {
         debug_assert!(range.start <= range.end && range.end <= self.len(), "{range:?}");
         let first = self.elements.as_ptr().wrapping_add(range.start);
-        // SAFETY: the caller promises the range, and that its elements are his alone; cells have the layout of what
-        // is in them.
+        // SAFETY: the caller guarantees the range, and owns its elements exclusively; cells have the layout
+        // of their contents.
         unsafe { core::slice::from_raw_parts_mut(UnsafeCell::raw_get(first), range.len()) }
     }
 }

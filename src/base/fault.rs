@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-/// What is inconsistent, in words, with the values.
+/// The inconsistency, in words, with the values.
 #[derive(Debug)]
 pub struct Fault(Box<str>);
 

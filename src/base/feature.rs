@@ -1,7 +1,7 @@
 //! Names for vertices, edges and faces.
 //!
-//! What parry's functions of these names give, which are calls into another crate for two instructions: names are made for each
-//! contact point in each step, and there they took up to three hundredths of it.
+//! Inline versions of parry's functions of the same names, which are calls into another crate for two
+//! instructions. They are called for each contact point in each step, and took up to 3 % of it.
 
 use parry::shape::PackedFeatureId;
 

@@ -1,13 +1,12 @@
 //! A hash map for keys of a few machine words, equal on every machine and run.
 //!
-//! The standard map's SipHash guards against hostile keys at five times the cost, and its random seed
-//! would make iteration order (which we never use) differ between runs. Ours are slot numbers that the
-//! engine hands out.
+//! The standard map's SipHash resists hostile keys at five times the cost, and its random seed would make the
+//! (unused) iteration order differ between runs. Ours are slot numbers that the engine hands out.
 
 use core::hash::{BuildHasherDefault, Hasher};
 use std::collections::HashMap;
 
-/// A map whose hash depends on the keys alone. Never iterate it: order it some other way.
+/// A map whose hash depends on the keys alone. It is never iterated; order comes from elsewhere.
 pub(crate) type FastHashMap<K, V> = HashMap<K, V, BuildHasherDefault<MixHasher>>;
 
 /// Folds each word in by a 64 × 64 → 128-bit multiplication (the mixing step of wyhash).

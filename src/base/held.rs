@@ -21,7 +21,7 @@ impl HeldPanic {
         }
     }
 
-    /// Holds what another one held, too.
+    /// Adds the panic of another one.
     pub fn join(&mut self, other: Self) {
         match self.0 {
             None => self.0 = other.0,
@@ -30,7 +30,7 @@ impl HeldPanic {
         }
     }
 
-    /// Lets the panic go on, if there was one.
+    /// Resumes the panic, if there was one.
     pub fn release(self) {
         if let Some(panic) = self.0 {
             resume_unwind(panic);

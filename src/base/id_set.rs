@@ -1,8 +1,8 @@
 //! A set of small numbers that is walked in their order.
 //!
-//! A bit per number, and above it a bit for each word that is not empty: what is walked is what is in the set, and of what is
-//! not a few bits in 512 numbers. The alternative, a list from which the last takes the place of what goes, is
-//! in another order after each change, and who follows it into memory jumps about.
+//! One bit per number, and one bit per non-zero word above it. Iteration visits the members, and otherwise a
+//! few bits per 512 numbers. The alternative, a list with swap-removal, has another order after each change,
+//! and its memory access is random.
 
 use super::in_place::clone_in_place;
 use core::ops::Range;
@@ -11,7 +11,7 @@ const BITS: u32 = u64::BITS;
 /// Words on a page. Divides the bits of a word.
 const PAGE: usize = 8;
 
-/// A set of `u32`s. Takes an eighth of a byte for each number up to the largest that it ever held.
+/// A set of `u32`s. It occupies an eighth of a byte for each number up to its largest member so far.
 ///
 /// Saved as its words alone: which of them are filled follows from them.
 #[derive(Debug, Default)]
@@ -19,7 +19,7 @@ const PAGE: usize = 8;
 #[cfg_attr(feature = "serde-serialize", serde(from = "Vec<u64>", into = "Vec<u64>"))]
 pub struct IdSet {
     words: Vec<u64>,
-    /// A bit for each word: is anything in it?
+    /// One bit per word, set if the word is not zero.
     filled: Vec<u64>,
 }
 
@@ -56,7 +56,7 @@ fn ones(mut word: u64) -> impl Iterator<Item = u32> {
 }
 
 impl IdSet {
-    /// Is the number in the set?
+    /// Returns whether the set contains the number.
     pub fn contains(&self, number: u32) -> bool {
         let (word, bit) = place(number);
         self.words.get(word).is_some_and(|word| word & bit != 0)
@@ -84,7 +84,7 @@ impl IdSet {
         self.fill(last, bits);
     }
 
-    /// Puts in what stands for these bits of a word.
+    /// Sets the summary bits of these bits of a word.
     fn fill(&mut self, index: usize, bits: u64) {
         if bits == 0 {
             return;
@@ -127,8 +127,8 @@ impl IdSet {
         self.iter_in(0..self.page_count())
     }
 
-    /// Returns whether the set never held a number of `bound` or above: it has words for smaller numbers only. A loaded set with more than
-    /// 2²⁶ words would yield numbers modulo 2³².
+    /// Returns whether the set never contained a number of `bound` or above: it has words for smaller numbers
+    /// only. A loaded set with more than 2²⁶ words would yield numbers modulo 2³².
     pub fn is_below(&self, bound: usize) -> bool {
         self.words.len() <= bound.div_ceil(BITS as usize)
     }

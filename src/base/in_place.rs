@@ -5,7 +5,7 @@
 
 /// Implements `Clone` for a struct whose fields are all listed. `clone_from` calls that of every field.
 ///
-/// Fields behind `unless_equal` are compared first: a map that is copied asks for memory even if the copy is equal.
+/// Fields after `unless_equal` are compared first: a copied map allocates memory even if the copy is equal.
 macro_rules! clone_in_place {
     ($type:ident $(<$parameter:ident>)? { $($field:ident),* $(,)? } $(unless_equal { $($map:ident),* })?) => {
         impl$(<$parameter: Clone>)? Clone for $type$(<$parameter>)? {

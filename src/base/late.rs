@@ -1,16 +1,16 @@
-//! A value that is completed when somebody looks at it, behind a shared reference.
+//! A value that is completed at its first read, behind a shared reference.
 
 use core::cell::UnsafeCell;
 use std::panic::RefUnwindSafe;
 
-/// A value of which a part may be written late: by whoever has it for himself, or, by promise, behind a shared reference before
-/// anybody looks.
+/// A value of which a part may be written late: by its exclusive owner, or, under a contract, behind a shared
+/// reference before the first read.
 #[derive(Debug, Default)]
 #[repr(transparent)]
 pub struct Late<T>(UnsafeCell<T>);
 
-// SAFETY: through a shared `Late` a thread can get at a value that another thread made (`T: Send`), and several threads at the same
-// one for reading (`T: Sync`). That nobody reads while it is written is the contract of `write`.
+// SAFETY: through a shared `Late` a thread can access a value of another thread (`T: Send`), and several
+// threads the same one for reading (`T: Sync`). The contract of `write` excludes reads meanwhile.
 unsafe impl<T: Send + Sync> Sync for Late<T> {}
 
 // A panic within `write` may leave a part unwritten, as it may behind a mutable reference.
@@ -49,7 +49,7 @@ impl<T> Late<T> {
     /// The value as it is.
     #[inline(always)]
     pub fn get(&self) -> &T {
-        // SAFETY: who writes behind a shared reference promises that nobody reads.
+        // SAFETY: the contract of `write` excludes reads meanwhile.
         unsafe { &*self.0.get() }
     }
 
@@ -62,7 +62,7 @@ impl<T> Late<T> {
     /// Writes to the value behind a shared reference.
     ///
     /// # Safety
-    /// Nobody may have a reference to the value, or ask for one, until `write` returns.
+    /// No reference to the value exists, or is requested, until `write` returns.
     pub unsafe fn write(&self, write: impl FnOnce(&mut T)) {
         // SAFETY: the caller's promise.
         write(unsafe { &mut *self.0.get() });

@@ -5,25 +5,25 @@
 #[derive(Clone, Debug)]
 pub struct Marks {
     /// Never 0, so that what was never marked is not.
-    turn: u32,
+    generation: u32,
     /// By number: the last turn in which it was marked.
     marked: Vec<u32>,
 }
 
 impl Default for Marks {
     fn default() -> Self {
-        Self { turn: 1, marked: Vec::new() }
+        Self { generation: 1, marked: Vec::new() }
     }
 }
 
 impl Marks {
     /// Takes all marks off.
     pub fn clear(&mut self) {
-        self.turn = self.turn.wrapping_add(1);
-        if self.turn == 0 {
+        self.generation = self.generation.wrapping_add(1);
+        if self.generation == 0 {
             // After four billion turns old marks would count again.
             self.marked.fill(0);
-            self.turn = 1;
+            self.generation = 1;
         }
     }
 
@@ -33,13 +33,13 @@ impl Marks {
         if index >= self.marked.len() {
             self.marked.resize((index + 1).next_power_of_two(), 0);
         }
-        self.marked[index] = self.turn;
+        self.marked[index] = self.generation;
     }
 
-    /// Is the number marked?
+    /// Returns whether the number is marked.
     #[inline(always)]
     pub fn has(&self, number: u32) -> bool {
-        self.marked.get(number as usize) == Some(&self.turn)
+        self.marked.get(number as usize) == Some(&self.generation)
     }
 }
 
@@ -55,7 +55,7 @@ mod tests {
         assert!(marks.has(3) && marks.has(70) && !marks.has(4) && !marks.has(1000));
         marks.clear();
         assert!(!marks.has(3) && !marks.has(70));
-        marks.turn = u32::MAX;
+        marks.generation = u32::MAX;
         marks.mark(5);
         marks.clear();
         assert!(!marks.has(3) && !marks.has(5), "old marks count again");

@@ -11,11 +11,11 @@ pub const SIZE_MAX: Real = 1.0e15;
 const _: () = assert!(SIZE_MIN * SIZE_MIN > 0.0 && 1.0 / (SIZE_MIN * SIZE_MIN) < Real::MAX);
 const _: () = assert!(SIZE_MAX * SIZE_MAX < Real::MAX);
 
-/// Velocities and displacements, masses and the stiffness of motors up to this one are calm: what grows beyond all bounds
-/// is seen to come this way, and what falls for a day is still below.
-pub const CALM: Real = 1.0e6;
-/// Who is no farther away and moves calmly does not leave the world within a step.
-pub const FAR: Real = 0.5 * SIZE_MAX;
+/// Velocities, displacements, masses and motor stiffnesses up to this one are moderate. A diverging value
+/// passes this limit before it overflows, and a free fall of a day stays below it.
+pub const MODERATE_MAX: Real = 1.0e6;
+/// A body at most this far away with a moderate velocity stays in the world within a step.
+pub const COORDINATE_MODERATE_MAX: Real = 0.5 * SIZE_MAX;
 
 /// A number or list of numbers that a shape is made of, under the name that its constructor gives it.
 #[derive(Copy, Clone, Debug)]
@@ -34,25 +34,25 @@ pub enum Measure<'a> {
     Coordinates(&'static str, &'a [Real]),
 }
 
-/// Is it a usable positive length?
+/// Returns whether the value is a usable positive length.
 #[inline]
 pub fn is_length(value: Real) -> bool {
     (SIZE_MIN..=SIZE_MAX).contains(&value)
 }
 
-/// Is it zero or a usable positive length?
+/// Returns whether the value is zero or a usable positive length.
 #[inline]
 pub fn is_margin(value: Real) -> bool {
     (0.0..=SIZE_MAX).contains(&value)
 }
 
-/// Is it a usable coordinate?
+/// Returns whether the value is a usable coordinate.
 #[inline]
 pub fn is_coordinate(value: Real) -> bool {
     value.abs() <= SIZE_MAX
 }
 
-/// Are all coordinates usable?
+/// Returns whether all coordinates are usable.
 #[inline]
 pub fn is_point(point: Vector) -> bool {
     point.abs().max_element() <= SIZE_MAX && point.is_finite()

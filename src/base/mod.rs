@@ -1,6 +1,6 @@
 //! # Base — tools that know no physics
 //!
-//! Knows nobody: nothing here may import another room.
+//! The lowest level: no import of another room.
 
 pub mod arena;
 pub mod axis;

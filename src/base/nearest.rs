@@ -16,16 +16,18 @@ pub struct Nearest {
     pub feature: PackedFeatureId,
 }
 
-/// How far a corner may be above the plane of the nearest place, as a share of its distance from there.
-const BULGE: Real = 2.0e-3;
+/// Largest height of a corner above the plane of the nearest point, as a fraction of its distance from there.
+const BULGE_RATIO_MAX: Real = 2.0e-3;
 
 impl Nearest {
-    /// Is it true of the hull of these corners: is none above the plane through the place?
+    /// Returns whether no corner of the hull lies above the plane through the nearest point.
     pub fn is_proven_by(&self, corners: &[Vector]) -> bool {
         corners.iter().all(|corner| {
             let from_place = *corner - self.point;
             let height = self.normal.dot(from_place);
-            height <= 0.0 || height * height <= BULGE * BULGE * from_place.length_squared()
+            height <= 0.0
+                || height * height
+                    <= BULGE_RATIO_MAX * BULGE_RATIO_MAX * from_place.length_squared()
         })
     }
 }

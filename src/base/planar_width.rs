@@ -6,16 +6,17 @@
 //! w(n) = h(n) + h(-n),  h(n) = max n·x over x in K;   w is the support function of K - K
 //! ```
 //!
-//! So the minimum width is the radius of the largest disc about the origin inside `K - K`. An inscribed polygon of `K - K` grows
-//! until its nearest side lies on the boundary: a new vertex is inserted where the difference set reaches farthest beyond that side.
-//! (The expanding polytope algorithm of van den Bergen, "Collision Detection in Interactive 3D Environments", 2003, run on one
-//! set.) Each nearest side is a lower bound of the minimum width, so the result is never too large. Of a convex polygon the
-//! result is exact: the last side is the difference of one of its sides and a vertex, as rotating calipers find it.
+//! So the minimum width is the radius of the largest disc about the origin inside `K - K`. An inscribed
+//! polygon of `K - K` grows until its nearest side lies on the boundary. Each iteration inserts the vertex
+//! where the difference set extends farthest beyond that side. (The expanding polytope algorithm of van den
+//! Bergen, "Collision Detection in Interactive 3D Environments", 2003, run on one set.) Each nearest side is
+//! a lower bound of the minimum width, so the result is never too large. The result is exact for a convex
+//! polygon: the last side is the difference of one of its sides and a vertex, as in rotating calipers.
 
 use parry::math::{Real, Rotation, Vector};
 use parry::shape::Triangle;
 
-/// By how much of itself a minimum width may be underestimated.
+/// Relative underestimate of a minimum width.
 pub const WIDTH_TOLERANCE: Real = 0.02;
 /// Vertices after which the search ends with the lower bound that it has: four times as many as a disc takes at the tolerance.
 const VERTICES_MAX: usize = 128;

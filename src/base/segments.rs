@@ -1,4 +1,4 @@
-//! Where two segments are nearest to each other (Ericson 2005, "Real-Time Collision Detection", section 5.1.9).
+//! Closest points of two segments (Ericson 2005, "Real-Time Collision Detection", section 5.1.9).
 
 use parry::math::{Real, Vector};
 
@@ -12,7 +12,7 @@ pub struct Segments {
 }
 
 impl Segments {
-    /// Of two starts, and the ways from these to the ends.
+    /// Two segments, given by their starts and directions.
     pub fn new([start1, start2]: [Vector; 2], [along1, along2]: [Vector; 2]) -> Self {
         let offset = start1 - start2;
         Self {
@@ -21,7 +21,7 @@ impl Segments {
         }
     }
 
-    /// The place on the first that is nearest to one on the second, both as shares of the lengths.
+    /// The point on the first that is nearest to one on the second, both as fractions of the lengths.
     pub fn on_first(&self, share2: Real) -> Real {
         let ([a, b, _], [d, _]) = (self.products, self.offsets);
         clamped(b * share2 - d, a)
@@ -33,7 +33,7 @@ impl Segments {
         clamped(b * share1 + e, c)
     }
 
-    /// Where the first is nearest to the line of the second, if they are not parallel.
+    /// The point of the first that is nearest to the line of the second, if they are not parallel.
     pub fn crossing(&self) -> Real {
         let ([a, b, c], [d, e]) = (self.products, self.offsets);
         clamped(b * e - c * d, a * c - b * b)
@@ -41,7 +41,7 @@ impl Segments {
 
     /// The nearest places, searched from one on the first.
     pub fn nearest_from(&self, share1: Real) -> [Real; 2] {
-        // Each share in turn is the best for the other; twice, because the first was not clamped yet.
+        // Each fraction in turn is optimal for the other; twice, because the first was not clamped yet.
         let share1 = self.on_first(self.on_second(share1));
         [share1, self.on_second(share1)]
     }

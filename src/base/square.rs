@@ -2,8 +2,7 @@
 
 use parry::math::Real;
 
-/// A pivot smaller than this share of its diagonal entry is rounding: the row says nothing that those before it
-/// did not say.
+/// A pivot smaller than this fraction of its diagonal entry is rounding: the row is redundant.
 const PIVOT_MIN: Real = 64.0 * Real::EPSILON;
 
 /// A square matrix, found by `(row, column)`.
@@ -36,8 +35,8 @@ impl SquareMatrix {
         rows.map(|row| row.iter().zip(vector).map(|(a, b)| a * b).sum()).collect()
     }
 
-    /// Solves `A x = b` for a symmetric matrix `A` without negative eigenvalues, by `A = L D Lᵀ`. What `A` leaves open
-    /// is set to zero.
+    /// Solves `A x = b` for a symmetric matrix `A` without negative eigenvalues, by `A = L D Lᵀ`.
+    /// Undetermined components are zero.
     ///
     /// # Panics
     /// If the vector has not as many numbers as the matrix has rows.

@@ -60,12 +60,12 @@ impl Timer {
         result
     }
 
-    /// What was measured, without a stretch that still runs.
+    /// The measured time, without a running interval.
     pub fn time(&self) -> Duration {
         self.total
     }
 
-    /// What was measured, without a stretch that still runs (ms).
+    /// The measured time, without a running interval (ms).
     pub fn time_ms(&self) -> f64 {
         self.total.as_secs_f64() * 1000.0
     }
@@ -107,18 +107,18 @@ mod tests {
     use super::Timer;
     use core::time::Duration;
 
-    const NAP: Duration = Duration::from_millis(2);
+    const SLEEP: Duration = Duration::from_millis(2);
 
     #[test]
     fn stretches_add_up() {
         let mut timer = Timer::new(true);
         let answer = timer.measure(|| {
-            std::thread::sleep(NAP);
+            std::thread::sleep(SLEEP);
             42
         });
         assert_eq!(answer, 42);
-        timer.measure(|| std::thread::sleep(NAP));
-        assert!(timer.time() >= 2 * NAP, "{:?}", timer.time());
+        timer.measure(|| std::thread::sleep(SLEEP));
+        assert!(timer.time() >= 2 * SLEEP, "{:?}", timer.time());
         assert!(timer.time_ms() >= 4.0);
         timer.start();
         assert_eq!(timer.time(), Duration::ZERO);
@@ -127,11 +127,11 @@ mod tests {
     #[test]
     fn disabled_timer_measures_nothing() {
         let mut timer = Timer::new(false);
-        timer.measure(|| std::thread::sleep(NAP));
+        timer.measure(|| std::thread::sleep(SLEEP));
         assert_eq!(timer.time(), Duration::ZERO);
         timer.set_enabled(true);
-        timer.measure(|| std::thread::sleep(NAP));
+        timer.measure(|| std::thread::sleep(SLEEP));
         timer.set_enabled(false);
-        assert!(timer.time() >= NAP);
+        assert!(timer.time() >= SLEEP);
     }
 }

@@ -1,7 +1,7 @@
 //! Sine, cosine and the angle of a direction, with the same bits on every machine.
 //!
-//! Those of the standard library are the platform's, whose last bits differ. Joint angles go through them in each
-//! substep, so these are made of arithmetic alone, which is the same everywhere.
+//! The standard library uses the platform's functions, whose last bits differ. Joint angles go through them
+//! in each substep, so these are made of arithmetic alone, which is the same everywhere.
 
 use core::f64::consts::{FRAC_2_PI, FRAC_PI_2, FRAC_PI_4, PI};
 use parry::math::Real;
@@ -54,8 +54,9 @@ pub fn sin_cos(angle: Real) -> (Real, Real) {
     (sine as Real, cosine as Real)
 }
 
-/// `atan(t) = t + t z P(z)/Q(z)` with `z = t²`, for `t` up to 0.66 either way: the rational approximation of Moshier's "Methods and
-/// Programs for Mathematical Functions" (1989), right to the last digit or two of a double.
+/// `atan(t) = t + t z P(z)/Q(z)` with `z = t²`, for `t` up to ±0.66: the rational approximation of Moshier's
+/// "Methods and Programs for Mathematical Functions" (1989), with an error of a unit or two in the last place
+/// of a double.
 pub const ATAN_P: [f64; 5] = [
     -64.850_219_049_420_25,
     -122.886_668_449_013_61,

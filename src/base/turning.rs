@@ -1,5 +1,5 @@
-//! Cosine and sine of the angle by which something turns in a substep, from the square of that angle: no root, no function of the
-//! platform, whose last bits differ between machines.
+//! Cosine and sine of the rotation angle in a substep, from the square of that angle. They use no root and no
+//! function of the platform, whose last bits differ between machines.
 //!
 //! An eighth of the angle is so small that its series to sixth order do, and each doubling
 //!
@@ -7,12 +7,13 @@
 //! cos 2α = cos² α - sin² α        sin 2α = 2 cos α sin α
 //! ```
 //!
-//! leads to twice that. The sine is given as a share of the whole angle: who turns about an axis has that times the angle already.
+//! leads to twice that. The sine is given relative to the angle: the rotation vector already contains the
+//! angle as a factor.
 
 use super::wide::Wide;
 use parry::math::Real;
 
-/// Of the angle `θ 2ᴰ / 8` after `D` doublings, from `θ²`: the cosine, and the sine divided by `θ`.
+/// From `θ²`, the cosine of the angle `θ 2ᴰ / 8` after `D` doublings, and its sine divided by `θ`.
 #[inline(always)]
 pub fn cosine_and_sine<const D: usize>(square: Real) -> (Real, Real) {
     let eighth = square * (1.0 / 64.0);

@@ -2,7 +2,7 @@
 
 use parry::math::Real;
 
-/// The way of a ray along one axis, from cell to cell.
+/// The path of a ray along one axis, from cell to cell.
 #[derive(Debug)]
 pub struct Walk {
     origin: Real,

@@ -8,11 +8,11 @@ use parry::shape::Capsule;
 
 /// Axes whose directions have a smaller sine (squared) than this lie along each other: about 3°.
 const PARALLEL: Real = 3.0e-3;
-/// Capsules that lie along each other touch at one point only if the overlap is shorter than this
-/// share of the shorter axis.
-const SHORT: Real = 1.0e-2;
-/// Axes that are closer than this share of the radii do not tell in which direction to separate.
-const CROSSING: Real = 1.0e-3;
+/// Parallel capsules touch at one point only if the overlap is shorter than this fraction of the shorter
+/// axis.
+const OVERLAP_RATIO_MIN: Real = 1.0e-2;
+/// Axes that are closer than this fraction of the radii do not define a separating direction.
+const AXIS_DISTANCE_RATIO_MIN: Real = 1.0e-3;
 
 /// Two segments in the frame of the first capsule.
 struct Axes {
@@ -39,7 +39,7 @@ pub(super) fn capsule_capsule(
     let offset = axes.point2(shares[1]) - axes.point1(shares[0]);
     let length = offset.length();
     // Written so that NaN is refused.
-    let is_apart = length > CROSSING * radius && length > 0.0;
+    let is_apart = length > AXIS_DISTANCE_RATIO_MIN * radius && length > 0.0;
     if !is_apart {
         return None;
     }
@@ -93,14 +93,14 @@ impl Axes {
         Segments::new([self.start1, self.start2], [self.along1, self.along2])
     }
 
-    /// Where on the axes they are closest, as shares of their lengths.
+    /// Closest points on the axes, as fractions of their lengths.
     fn closest(&self) -> [Real; 2] {
         let segments = self.segments();
         segments.nearest_from(if self.is_parallel() { 0.5 } else { segments.crossing() })
     }
 
-    /// The distance of the axes, which are `length` apart at [`Self::closest`]. Of axes that are nearly parallel that
-    /// is where they lie beside each other; they are nearer at one of the four ends.
+    /// The distance of the axes, which are `length` apart at [`Self::closest`]. For nearly parallel axes it
+    /// is within their common interval; one of the four ends may be nearer.
     fn distance(&self, length: Real) -> Real {
         if !self.is_parallel() {
             return length;
@@ -117,7 +117,7 @@ impl Axes {
         a * c - b * b <= PARALLEL * a * c
     }
 
-    /// The two ends of where the axes lie along each other, each as shares of the lengths.
+    /// The two ends of the common interval of parallel axes, each as fractions of the lengths.
     fn common_range(&self) -> Option<[[Real; 2]; 2]> {
         let [a, b, c] = self.products;
         if !self.is_parallel() || a == 0.0 || c == 0.0 {
@@ -127,7 +127,7 @@ impl Axes {
         let start = self.along1.dot(self.start2 - self.start1) / a;
         let end = start + b / a;
         let (low, high) = (start.min(end).max(0.0), start.max(end).min(1.0));
-        if (high - low) * a.sqrt() <= SHORT * a.min(c).sqrt() {
+        if (high - low) * a.sqrt() <= OVERLAP_RATIO_MIN * a.min(c).sqrt() {
             return None;
         }
         let on_second = |share: Real| ((share - start) / (end - start)).clamp(0.0, 1.0);

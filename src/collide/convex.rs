@@ -10,9 +10,9 @@ use crate::dim::math::{Pose, Real, Vector};
 use parry::query::{DefaultQueryDispatcher, PersistentQueryDispatcher};
 use parry::shape::{Capsule, Shape, TypedShape};
 
-/// What share of a computed distance is surely there, whatever the rounding.
+/// Certain fraction of a computed distance, allowing for rounding.
 pub(super) const DISTANCE_SHARE: Real = 0.99;
-/// Boxes that are closer than this share of the prediction distance touch with faces and edges only.
+/// Boxes that are closer than this fraction of the prediction distance touch with faces and edges only.
 const CORNERS_APART: Real = 0.25;
 
 /// Computes the usable contacts of two convex parts, `pos12` being the pose of the second in the frame
@@ -38,16 +38,16 @@ pub(super) fn part_manifold(
     Some(gap * DISTANCE_SHARE)
 }
 
-/// Are all numbers of the point finite?
+/// Returns whether all numbers of the point are finite.
 pub(super) fn is_sound(point: &RawPoint) -> bool {
     point.local_p1.is_finite() && point.local_p2.is_finite() && point.dist.is_finite()
 }
 
 /// Computes the points at which two convex parts are within `prediction`, into `raw`.
 ///
-/// `raw.local_n1` holds the normal of last time, or zero; afterwards the normal, or a direction in
-/// which the parts are apart if there are no points. Returns a lower bound of the distance, 0 if
-/// nothing is known of it; `None` if such shapes never touch.
+/// On entry, `raw.local_n1` contains the last normal, or zero. On exit it contains the normal, or a
+/// separating direction if there are no points. Returns a lower bound of the distance, 0 if nothing is known
+/// of it; `None` if such shapes never touch.
 pub(super) fn convex_manifold(
     pos12: &Pose,
     part1: &Part<'_>,
@@ -63,8 +63,8 @@ pub(super) fn convex_manifold(
             let (half1, half2) = (cuboid1.half_extents, cuboid2.half_extents);
             let hint = raw.local_n1;
             let gap = cuboid_cuboid(pos12, half1, half2, prediction, raw);
-            // Corners that come towards each other from afar are a contact, but corners of neighbours
-            // in a wall are none: they would catch on each other.
+            // Approaching corners at a distance are a contact. Corners of neighbours in a wall are none:
+            // bodies would catch on them.
             let meet_with_corners = raw.points.is_empty() && gap > CORNERS_APART * prediction;
             if meet_with_corners && gap <= prediction {
                 raw.local_n1 = hint;
@@ -103,7 +103,7 @@ pub(super) fn convex_manifold(
     }
 }
 
-/// The manifold of two parts that have no way of their own.
+/// The manifold of two parts without a special algorithm.
 fn others(
     pos12: &Pose,
     part1: &Part<'_>,
@@ -144,8 +144,8 @@ fn general_manifold(
         .is_ok()
 }
 
-/// Computes the contacts of two parts along a direction, from the first to the second, into `raw`: those of the
-/// face of the first or of the second that looks that way.
+/// Computes the contacts of two parts along a direction, from the first to the second, into `raw`: those of
+/// the face of the first or of the second with the most similar normal.
 ///
 /// Balls have none but those that they have anyway.
 pub(super) fn manifold_along(
@@ -172,8 +172,8 @@ fn flip(raw: &mut RawManifold) {
     }
 }
 
-/// How far two convex shapes are apart along `direction`, at least; 0 if they overlap along it or if
-/// nothing is known.
+/// Lower bound of the distance of two convex shapes along `direction`; 0 if they overlap along it or if it is
+/// unknown.
 pub(super) fn separation_along(
     pos12: &Pose,
     shape1: &dyn Shape,

@@ -1,12 +1,13 @@
 //! Culling of contacts where two shapes touch in thousands of places.
 //!
-//! A body as large as the terrain that it lies on touches every triangle of it. Internal edges are found by comparing contacts
-//! with each other, so a step would take as long as the square of their number: 74 s for 500,000 triangles. A grid of cubic cells over
-//! the region of contact bounds the number: a cell keeps the deepest items. Depth decides because the deepest contacts carry
-//! the body; the grid spreads the items, so that the body keeps its support from side to side.
+//! A body as large as the terrain that it lies on touches every triangle of it. Internal edges are found by
+//! comparing contacts with each other, in quadratic time: 74 s for 500,000 triangles. A grid of cubic cells
+//! over the region of contact bounds the number: a cell keeps the deepest items. Depth decides because the
+//! deepest contacts carry the body; the grid spreads the items, so that the body keeps its support from side
+//! to side.
 //!
-//! What is kept depends on the items alone and not on the order in which they come: an item replaces another that is less deep,
-//! and of equals the one with the lower part numbers stays.
+//! The selection depends on the items alone and not on their order. An item replaces a less deep one, and of
+//! equals the one with the lower part numbers stays.
 
 use super::manifolds::ShapePair;
 use crate::dim::math::{DIM, Real, Vector};
@@ -91,7 +92,7 @@ impl Grid {
     }
 }
 
-/// Which of six directions (in the plane four) is nearest to a normal.
+/// The direction, of six (in the plane four), that is nearest to a normal.
 pub(super) fn main_direction(normal: Vector) -> usize {
     let sizes = normal.abs();
     let axis = (1..DIM).fold(0, |best, axis| if sizes[axis] > sizes[best] { axis } else { best });

@@ -1,11 +1,11 @@
-//! What kind of shape a shape is.
+//! Kind of a shape.
 
 use super::parts::Parts;
 use crate::dim::shapes::has_curved_surface;
 use crate::model::collider::ShapeForm;
 use parry::shape::{Shape, TypedShape};
 
-/// What the narrow phase asks of a shape in each step.
+/// Cached data of a shape for the narrow phase.
 pub(crate) fn form_of(shape: &dyn Shape) -> ShapeForm {
     let mut form = ShapeForm::empty();
     form.set(ShapeForm::CONVEX, Parts::of(shape).is_convex());
@@ -13,7 +13,7 @@ pub(crate) fn form_of(shape: &dyn Shape) -> ShapeForm {
     form
 }
 
-/// Can it roll?
+/// Returns whether the shape can roll.
 fn is_round(shape: &dyn Shape) -> bool {
     match shape.as_typed_shape() {
         TypedShape::Ball(_)

@@ -1,24 +1,23 @@
 //! Contact manifolds of two shapes.
 //!
-//! Every pair of convex parts that come near each other gets a [patch](super::patches) of contacts.
-//! Contacts that are only [seams](super::seams) between the parts go, patches that look the same way
-//! are put together, and what is left are the manifolds. Nothing here remembers anything: the previous
-//! manifolds serve as a hint where to begin the search, and the buffers in [`ManifoldScratch`] only
-//! spare allocations.
+//! Every pair of convex parts that come near each other gets a [patch](super::patches) of contacts. [Ghost
+//! contacts](super::internal_edges) between the parts are removed, patches with similar normals are merged,
+//! and the rest are the manifolds. The module is stateless: the previous manifolds are a start for the
+//! search, and the buffers in [`ManifoldScratch`] only save allocations.
 
 use super::convex::{DISTANCE_SHARE, is_sound, part_manifold};
+use super::flat_parts::CulledParts;
+use super::internal_edges::InternalEdge;
 use super::matching::replace_contacts;
 use super::neighbor::Neighbor;
 use super::parts::{Part, Parts};
 use super::patches::{Patches, push_manifold, unit_normal};
-use super::seams::Seam;
 use super::search::Search;
-use super::sifting::Sifted;
 use crate::base::guard::guarded;
 use crate::base::wide::Simd;
 use crate::dim::collide::{RawManifold, RawPoint, reduce};
 use crate::dim::math::{MAX_MANIFOLD_POINTS, Pose, Real, Vector};
-use crate::model::contact::{ContactManifold, Nearby};
+use crate::model::contact::{ContactManifold, TriangleCache};
 use parry::query::{DefaultQueryDispatcher, PersistentQueryDispatcher, QueryDispatcher};
 use parry::shape::Shape;
 use smallvec::SmallVec;
@@ -28,7 +27,7 @@ use smallvec::SmallVec;
 const DISTANCE_MAX: Real = 1.0e9;
 
 /// Lengths at which nothing is extreme.
-const USUAL: (Real, Real) = (1.0e-3, 1.0e5);
+const LENGTH_RANGE: (Real, Real) = (1.0e-3, 1.0e5);
 
 /// Buffers that are reused from pair to pair. One for each thread.
 #[derive(Default)]
@@ -40,10 +39,10 @@ pub(crate) struct ManifoldScratch {
     /// The points of one manifold.
     points: Vec<RawPoint>,
     patches: Patches,
-    sifted: Sifted,
-    passing: Nearby,
-    seams: Vec<Seam>,
-    /// Were there too many pairs of parts to compute the contacts of all?
+    culled: CulledParts,
+    passing: TriangleCache,
+    internal_edges: Vec<InternalEdge>,
+    /// Whether there were too many pairs of parts to compute the contacts of all.
     are_parts_culled: bool,
 }
 
@@ -60,12 +59,12 @@ pub(crate) struct ShapePair<'a> {
     /// Pose of the second shape in the frame of the first.
     pub pos12: Pose,
     pub shapes: [&'a dyn Shape; 2],
-    /// How far the second moves against the first in a step, about, in the frame of the first.
+    /// Approximate displacement of the second relative to the first in a step, in the frame of the first.
     pub motion: Vector,
-    /// How far apart points may be (length units).
+    /// Largest distance of points (length units).
     pub prediction: Real,
-    /// How high a step may be that is none (length units).
-    pub flush: Real,
+    /// Height below which a step is ignored (length units).
+    pub step_height_tolerance: Real,
     /// The other contacts of each of the two.
     pub neighbors: [&'a [Neighbor<'a>]; 2],
     /// The instructions that kernels run on.
@@ -84,7 +83,7 @@ pub(crate) struct ShapePair<'a> {
 pub(crate) fn compute_manifolds(
     pair: &ShapePair<'_>,
     previous: &[ContactManifold],
-    kept: Option<&mut Option<Box<Nearby>>>,
+    kept: Option<&mut Option<Box<TriangleCache>>>,
     scratch: &mut ManifoldScratch,
     out: &mut SmallVec<[ContactManifold; 1]>,
 ) -> Real {
@@ -108,7 +107,8 @@ pub(crate) fn compute_manifolds(
     if parry_merges_voxels(shape1, shape2, &pos12) || parry_merges_voxels(shape2, shape1, &pos12) {
         return voxel_manifolds(pair, scratch, out);
     }
-    let ManifoldScratch { raw, patches, sifted, passing, seams, are_parts_culled, .. } = scratch;
+    let ManifoldScratch { raw, patches, culled, passing, internal_edges, are_parts_culled, .. } =
+        scratch;
     let distance = Real::INFINITY;
     let mut search = Search {
         pair,
@@ -116,7 +116,7 @@ pub(crate) fn compute_manifolds(
         previous,
         raw,
         patches,
-        sifted,
+        culled,
         kept,
         passing,
         distance,
@@ -124,17 +124,17 @@ pub(crate) fn compute_manifolds(
     };
     let bound = search.visit_near();
     for side in 0..2 {
-        search.take_out_seams(side, seams);
+        search.remove_ghost_contacts(side, internal_edges);
     }
     search.patches.merge(&pos12, prediction, out);
     bound
 }
 
-/// Computes the manifold of two convex shapes in place of the last one: what [`compute_manifolds`] does for them if they have no
-/// other contacts that matter, without a manifold that is made and taken elsewhere.
+/// Updates the manifold of two convex shapes in place: as [`compute_manifolds`] does if they have no other
+/// relevant contacts, without a temporary manifold.
 ///
-/// `manifolds` has that of last time, or none. If there are no points now it is left without. What is the same contact keeps its
-/// impulses. Returns the bound of the distance.
+/// `manifolds` has that of last time, or none. If there are no points now it is left without. Matching
+/// contacts keep their impulses. Returns the bound of the distance.
 pub(crate) fn renew_convex_manifold(
     pair: &ShapePair<'_>,
     manifolds: &mut SmallVec<[ContactManifold; 1]>,
@@ -193,7 +193,7 @@ fn outermost<'a>(
     points
 }
 
-/// A lower bound of the distance of two convex shapes by way of their closest points.
+/// A lower bound of the distance of two convex shapes by their closest points.
 fn distance_bound(pos12: &Pose, shape1: &dyn Shape, shape2: &dyn Shape) -> Real {
     match guarded(|| DefaultQueryDispatcher.distance(pos12, shape1, shape2)) {
         Some(Ok(found)) if found.distance.is_finite() => found.distance * DISTANCE_SHARE,
@@ -201,14 +201,14 @@ fn distance_bound(pos12: &Pose, shape1: &dyn Shape, shape2: &dyn Shape) -> Real 
     }
 }
 
-/// Do the two shapes intersect? `pos12` is the pose of the second in the frame of the first.
+/// Returns whether the two shapes intersect. `pos12` is the pose of the second in the frame of the first.
 pub(crate) fn shapes_intersect(pos12: &Pose, shape1: &dyn Shape, shape2: &dyn Shape) -> bool {
     let test = || DefaultQueryDispatcher.intersection_test(pos12, shape1, shape2);
     pose_is_usable(pos12)
         && guarded(test).is_some_and(|found| found.is_ok_and(|found| found.intersecting))
 }
 
-/// Is the pose one that geometry can be computed with?
+/// Returns whether geometry can be computed with the pose.
 fn pose_is_usable(pose: &Pose) -> bool {
     let distance = pose.translation.abs().max_element();
     pose.is_finite() && distance < DISTANCE_MAX
@@ -223,13 +223,13 @@ impl<'a> ShapePair<'a> {
             shapes,
             motion: Vector::ZERO,
             prediction,
-            flush: 0.0,
+            step_height_tolerance: 0.0,
             neighbors: [&[], &[]],
             simd: Simd::detect(),
         }
     }
 
-    /// How far the shape on a side moves against the other in a step, in the frame of the other.
+    /// Displacement of the shape on a side relative to the other in a step, in the frame of the other.
     pub fn motion_of(&self, side: usize) -> Vector {
         match side {
             0 => self.pos12.rotation.inverse() * -self.motion,
@@ -237,7 +237,7 @@ impl<'a> ShapePair<'a> {
         }
     }
 
-    /// Where a contact is on the obstacle on a side, in the frame of the shape on the other side.
+    /// The position of a contact on the shape on a side, in the frame of the other shape.
     pub fn on_obstacle(&self, side: usize, point: &RawPoint) -> Vector {
         match side {
             0 => self.pos12.inverse_transform_point(point.local_p1),
@@ -246,7 +246,8 @@ impl<'a> ShapePair<'a> {
     }
 }
 
-/// Does parry know a better way for voxels against the other shape than to look at them one by one?
+/// Returns whether parry has a faster algorithm for voxels against the other shape than a search of all
+/// voxels.
 ///
 /// It does for convex shapes; but it asserts what rounding can break when sizes are extreme.
 fn parry_merges_voxels(voxels: &dyn Shape, other: &dyn Shape, pos12: &Pose) -> bool {
@@ -254,16 +255,16 @@ fn parry_merges_voxels(voxels: &dyn Shape, other: &dyn Shape, pos12: &Pose) -> b
     if other.as_support_map().is_none() {
         return false;
     }
-    let usual = |length: Real| (USUAL.0..USUAL.1).contains(&length);
+    let usual = |length: Real| (LENGTH_RANGE.0..LENGTH_RANGE.1).contains(&length);
     let extents = other.compute_local_aabb().extents();
     usual(voxels.voxel_size().min_element())
         && usual(voxels.voxel_size().max_element())
-        && extents.max_element() < USUAL.1
-        && pos12.translation.abs().max_element() < USUAL.1
+        && extents.max_element() < LENGTH_RANGE.1
+        && pos12.translation.abs().max_element() < LENGTH_RANGE.1
 }
 
-/// The manifolds of a pair with voxels, which parry treats as a whole: it merges neighbouring voxels
-/// so that nothing catches on the edges between them.
+/// The manifolds of a pair with voxels, which parry processes as a whole: it merges neighbouring voxels to
+/// avoid internal edges.
 fn voxel_manifolds(
     pair: &ShapePair<'_>,
     scratch: &mut ManifoldScratch,

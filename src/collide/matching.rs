@@ -1,5 +1,5 @@
-//! Which contact of this step was which contact of the last: so that solving starts from the impulses
-//! that held the bodies apart a moment ago.
+//! Matching of this step's contacts with those of the last one, so that the solver starts with their
+//! impulses.
 
 use crate::dim::collide::RawPoint;
 use crate::dim::math::{Pose, Real, Vector};
@@ -10,14 +10,14 @@ use parry::shape::PackedFeatureId;
 const NORMAL_COSINE_MIN: Real = 0.7;
 /// Manifolds of different parts count as the same up to 8° between their normals.
 const SAME_NORMAL: Real = 0.99;
-/// Points without known features are the same if they are closer than this share of the manifold's size.
+/// Points without known features match if they are closer than this fraction of the manifold's size.
 const NEAR_FRACTION: Real = 0.25;
 
 /// Hands the impulses of the last step's manifolds to the manifolds of this step.
 ///
-/// Manifolds match by the parts they stand between or, where many parts have one manifold, by their
-/// normals; points by the features of the two shapes (so a sliding box keeps its impulses), or else by
-/// their place on either shape.
+/// Manifolds match by their parts or, where many parts have one manifold, by their normals. Points match by
+/// the features of the two shapes (so a sliding box keeps its impulses), or else by their position on either
+/// shape.
 pub(crate) fn inherit_impulses(new: &mut [ContactManifold], old: &[ContactManifold]) {
     // Both lists follow the same traversal, so the next match is most often right after the last.
     let mut start = 0;
@@ -35,7 +35,7 @@ pub(crate) fn inherit_impulses(new: &mut [ContactManifold], old: &[ContactManifo
     }
 }
 
-/// The manifold that looks the same way on both shapes: that of other parts, as a body slides over them.
+/// The manifold with similar normals on both shapes: that of other parts, when a body slides over them.
 fn with_same_normal(manifold: &ContactManifold, old: &[ContactManifold]) -> Option<usize> {
     let cosine = |index: &usize| {
         let other = &old[*index];
@@ -56,8 +56,8 @@ fn inherit_manifold(new: &mut ContactManifold, old: &ContactManifold, has_same_p
     inherit_points(&mut new.data.points, old.contacts(), has_same_parts);
 }
 
-/// Puts other contacts between the same two convex shapes in the place of those of a manifold, in the frames of the shapes. What is the
-/// same contact keeps its impulses.
+/// Puts other contacts between the same two convex shapes in the place of those of a manifold, in the frames
+/// of the shapes. Matching contacts keep their impulses.
 pub(super) fn replace_contacts(
     manifold: &mut ContactManifold,
     local_n1: Vector,
@@ -132,7 +132,7 @@ fn near_limit(old: &[Contact], new_count: usize) -> Real {
     spread.fold(0.0, Real::max) * (NEAR_FRACTION * NEAR_FRACTION)
 }
 
-/// The old point that nobody took and that is nearest on one of the shapes, within the squared distance `limit`.
+/// The unmatched old point that is nearest on one of the shapes, within the squared distance `limit`.
 fn nearest(point: &Contact, old: &[Contact], taken: u32, limit: Real) -> Option<usize> {
     let mut best = (None, limit);
     for (index, other) in old.iter().enumerate() {

@@ -1,35 +1,35 @@
-//! What a body touches besides the shape that it is asked about.
+//! The contacts of a body with other shapes than that of the current pair.
 
+use super::internal_edges::{Facet, InternalEdge, Obstacle, SAME_NORMAL, find_internal_edges};
 use super::parts::Parts;
-use super::seams::{Facet, Obstacle, SAME_NORMAL, Seam, find_seams};
 use crate::dim::math::{MAX_MANIFOLD_POINTS, Pose, Real, Vector};
 use crate::model::contact::ContactManifold;
 use arrayvec::ArrayVec;
 use parry::shape::Shape;
 
-/// Points of contacts may be this many times the height of a step beyond the edge of their obstacle.
-const NEARLY: Real = 25.0;
+/// Points of contacts may be this many times the step height beyond the edge of their piece.
+const EDGE_DISTANCE_RATIO_MAX: Real = 25.0;
 
-/// A contact of a body with an obstacle. All in the frame of the body's shape.
+/// A contact of a body with a non-dynamic collider. All in the frame of the body's shape.
 #[derive(Clone)]
 pub(crate) struct Neighbor<'a> {
     shape: &'a dyn Shape,
     part: u32,
     pose: Pose,
-    /// The body, and which part of it meets the obstacle.
+    /// The body, and its touching part.
     body: &'a dyn Shape,
     on: u32,
-    /// Unit normal, from the obstacle to the body.
+    /// Unit normal, from the collider to the body.
     normal: Vector,
-    /// The points on the obstacle, the deepest first.
+    /// The points on the collider, the deepest first.
     points: ArrayVec<Vector, MAX_MANIFOLD_POINTS>,
     /// Distance at the deepest point.
     dist: Real,
 }
 
 impl<'a> Neighbor<'a> {
-    /// What a manifold says of the obstacle that is the first or second of its shapes (`side`). `pose` is
-    /// the obstacle's, in the frame of the other. `None` if the manifold has no points.
+    /// The contacts of a manifold with the non-dynamic collider, which is the first or second of its shapes
+    /// (`side`). `pose` is that collider's, in the frame of the other. `None` if the manifold has no points.
     pub fn of(
         manifold: &ContactManifold,
         side: usize,
@@ -66,12 +66,13 @@ impl<'a> Neighbor<'a> {
     }
 }
 
-/// Is any contact, or nearly, below the plane of another? A seam is: it belongs to an obstacle that is. What lies
-/// among stones has its contacts all around, and to look at the stones' faces for nothing takes long.
-fn any_below_another(neighbors: &[Neighbor<'_>], flush: Real) -> bool {
+/// Returns whether any contact is below the plane of another, or nearly so. A ghost contact satisfies this by
+/// its collider. A body among stones has contacts all around, and the full test of the stones' faces takes
+/// long.
+fn any_below_another(neighbors: &[Neighbor<'_>], step_height_tolerance: Real) -> bool {
     neighbors.iter().enumerate().any(|(index, one)| {
         let Some(place) = one.points.first() else { return false };
-        let level = one.normal.dot(*place) + NEARLY * flush;
+        let level = one.normal.dot(*place) + EDGE_DISTANCE_RATIO_MAX * step_height_tolerance;
         let others = neighbors.iter().enumerate().filter(|(other, _)| *other != index);
         let is_below = |point: &Vector| one.normal.dot(*point) <= level;
         others.into_iter().any(|(_, other)| {
@@ -81,17 +82,20 @@ fn any_below_another(neighbors: &[Neighbor<'_>], flush: Real) -> bool {
     })
 }
 
-/// Which of the contacts of one body are only [seams](super::seams) between others, `flush` being how
-/// high a step may be that is none (length units).
-pub(crate) fn seams_among(neighbors: &[Neighbor<'_>], flush: Real) -> Vec<usize> {
-    if !any_below_another(neighbors, flush) {
+/// The ghost contacts among the contacts of one body; `step_height_tolerance` is the height (length units)
+/// below which a step is ignored.
+pub(crate) fn internal_edges_among(
+    neighbors: &[Neighbor<'_>],
+    step_height_tolerance: Real,
+) -> Vec<usize> {
+    if !any_below_another(neighbors, step_height_tolerance) {
         return Vec::new();
     }
     let facets: Vec<_> = neighbors.iter().map(Neighbor::as_facet).collect();
-    let mut seams = Vec::new();
+    let mut internal_edges = Vec::new();
     let points = |index: usize, f: &mut dyn FnMut(Vector)| {
         neighbors[index].points.iter().for_each(|point| f(*point));
     };
-    find_seams(&facets, facets.len(), &points, flush, &mut seams);
-    seams.iter().map(|seam: &Seam| seam.index).collect()
+    find_internal_edges(&facets, facets.len(), &points, step_height_tolerance, &mut internal_edges);
+    internal_edges.iter().map(|edge: &InternalEdge| edge.index).collect()
 }

@@ -72,7 +72,7 @@ impl Search<'_> {
             let near2 = Near::of(part1.shape, &(pos21 * part1.pose()), prediction);
             parts2.for_each_part(&near2, &mut |part2| {
                 if is_wanted([part1.id, part2.id]) {
-                    self.visit(part1, part2);
+                    self.search(part1, part2);
                 }
             });
         });
@@ -101,7 +101,7 @@ impl Search<'_> {
         chosen
     }
 
-    /// Where the second shape can touch the first, in the frame of the second.
+    /// The region in which the second shape can touch the first, in the frame of the second.
     fn region_of_second(&self) -> Aabb {
         let [shape1, shape2] = self.pair.shapes;
         let own = shape2.compute_local_aabb();
@@ -128,7 +128,7 @@ fn box_of(part: &Part<'_>) -> Aabb {
     part.pose.map_or_else(|| part.shape.compute_local_aabb(), |pose| part.shape.compute_aabb(pose))
 }
 
-/// How far two boxes are apart, negative where they overlap, and the middle of what they share.
+/// Distance of two boxes (negative where they overlap), and the middle of their common region.
 fn overlap(a: &Aabb, b: &Aabb) -> (Real, Vector) {
     let (mins, maxs) = (a.mins.max(b.mins), a.maxs.min(b.maxs));
     (-(maxs - mins).min_element(), mins.midpoint(maxs))

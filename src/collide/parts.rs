@@ -3,7 +3,7 @@
 //! A mesh has triangles, a compound has children, a height field has cells; any other shape is its own
 //! only part. Parts that are far from the other shape are never looked at.
 
-use super::seams::FACE;
+use super::internal_edges::FACE;
 use super::voxels::{for_each_voxel, with_voxel};
 use crate::base::bvh::SlabProbe;
 use crate::dim::collide::{
@@ -35,7 +35,7 @@ impl<'a> Part<'a> {
         Self { id: 0, pose: None, shape, constraints: None }
     }
 
-    /// Is the normal of last time of use, or is there a formula that needs no start?
+    /// Returns whether the last normal is a useful start, or a formula needs no start.
     pub fn wants_hint(&self) -> bool {
         !matches!(
             self.shape.as_typed_shape(),
@@ -43,7 +43,7 @@ impl<'a> Part<'a> {
         )
     }
 
-    /// Is it flat, and does it lie in a plane of its shape's frame?
+    /// Returns whether the part is flat and lies in a plane of its shape's frame.
     pub fn is_flat_in(&self, point: Vector, normal: Vector, tolerance: Real) -> bool {
         let is_near = |corner: Vector| {
             let corner = self.pose.map_or(corner, |pose| *pose * corner);
@@ -52,7 +52,7 @@ impl<'a> Part<'a> {
         as_flat(self.shape).is_some_and(|flat| flat_corners(flat).into_iter().all(is_near))
     }
 
-    /// Is it flat, and does it look another way than a direction in its shape's frame?
+    /// Returns whether the part is flat and its normal differs from a direction in its shape's frame.
     pub fn looks_aside(&self, direction: Vector) -> bool {
         let Some(flat) = as_flat(self.shape).and_then(Flat::new) else { return false };
         let normal = self.pose.map_or(flat.normal(), |pose| pose.rotation * flat.normal());
@@ -65,7 +65,7 @@ impl<'a> Part<'a> {
     }
 }
 
-/// A shape by the way its parts are found.
+/// A shape by the search method for its parts.
 #[derive(Copy, Clone)]
 pub(super) enum Parts<'a> {
     /// Convex: one part.
@@ -110,7 +110,7 @@ impl<'a> Parts<'a> {
         }
     }
 
-    /// Is it one convex part?
+    /// Returns whether the shape is one convex part.
     pub fn is_convex(&self) -> bool {
         matches!(self, Self::Convex(_))
     }
@@ -142,7 +142,7 @@ impl<'a> Parts<'a> {
         found
     }
 
-    /// Is it a surface, all parts being flat, that may be hit from everywhere?
+    /// Returns whether the shape is a two-sided surface of flat parts.
     pub fn is_surface(&self) -> bool {
         match *self {
             Self::Tree(shape, _) => as_flat_mesh(shape).is_some(),
@@ -197,7 +197,7 @@ impl<'a> Parts<'a> {
 pub(super) enum Near {
     /// Inside a box.
     Inside(Aabb),
-    /// In the way of something that moves along a line.
+    /// Tests against a swept line.
     Along(Line),
     /// Below a plane: where `normal · x ≤ offset`.
     Below {
@@ -229,7 +229,7 @@ impl Near {
         }
     }
 
-    /// May anything in `node` lie in the region?
+    /// Returns whether anything in `node` may lie in the region.
     #[inline]
     fn touches(&self, node: &BvhNode) -> bool {
         match self {
@@ -283,10 +283,10 @@ fn overlaps(node: &BvhNode, region: &Aabb) -> bool {
 /// Into how many boxes a line is divided at most.
 const MAX_PIECES: Real = 64.0;
 
-/// The way of something that moves along a line, whichever way it turns.
+/// The swept region of a point set that moves along a line, independent of its rotation.
 ///
-/// A box around a long way that is aslant holds nearly everything: all triangles of a terrain, of which a line passes
-/// some hundred.
+/// The box of a long diagonal path contains nearly everything: all triangles of a terrain, of which the line
+/// crosses some hundred.
 pub(super) struct Line {
     start: Vector,
     way: Vector,
@@ -296,8 +296,8 @@ pub(super) struct Line {
 }
 
 impl Line {
-    /// The way of all points within `radius` of `start`; all of it lies in `region`. `None` if it is no longer than wide
-    /// and the region says enough, or has no end.
+    /// The swept region of all points within `radius` of `start`; all of it lies in `region`. `None` if it is
+    /// no longer than wide and the region says enough, or has no end.
     pub fn new(start: Vector, way: Vector, radius: Real, region: Aabb) -> Option<Self> {
         let length = way.length();
         let is_long = radius > 0.0 && length > 2.0 * radius;

@@ -1,15 +1,15 @@
-//! What was found between convex parts of two shapes, before it becomes manifolds.
+//! Contacts between convex parts of two shapes, before they become manifolds.
 //!
 //! A body on a fine mesh touches a hundred triangles, and all of them say the same. Solving a hundred
-//! manifolds would cost a hundred times as much as solving one and would hold the body no better. So
-//! patches that look the same way are put together, and of all their points only those are kept that
-//! a single face would have: the outermost.
+//! manifolds would cost a hundred times as much as solving one and would hold the body no better. Patches
+//! with similar normals are therefore merged, and only the outermost of their points are kept, as for a
+//! single face.
 
 use super::culling::{Grid, Rank, main_direction};
+use super::internal_edges::SAME_NORMAL;
 use super::manifolds::ShapePair;
 use super::matching::set_contacts;
 use super::parts::Part;
-use super::seams::SAME_NORMAL;
 use crate::dim::collide::{FlatShape, RawManifold, RawPoint, reduce};
 use crate::dim::math::{DIM, Pose, Real, Vector};
 use crate::model::contact::ContactManifold;
@@ -21,7 +21,7 @@ use smallvec::SmallVec;
 const NORMAL_TOLERANCE: Real = 1.0e-2;
 /// Normals with at least this cosine to that of the deepest patch (5 degrees) become one manifold.
 const SAME_WAY: Real = 0.9962;
-/// Points closer to each other than this share of the manifold's size are one.
+/// Points closer to each other than this fraction of the manifold's size are one.
 const SAME_PLACE: Real = 1.0e-3;
 /// Patches are culled beyond this number. Meshes finer than the bodies on them stay far below it.
 const PATCHES_MAX: usize = 1024;
@@ -41,13 +41,14 @@ pub(super) struct Patch {
     pub normal: Vector,
     /// Distance at the deepest point.
     pub dist: Real,
-    /// Does no part meet the other with its rim alone? A [`Flat`] does, if it does not look along the normal.
+    /// Whether no part meets the other with its rim alone. A [`Flat`] does, if it does not look along the
+    /// normal.
     is_broad: bool,
-    /// Where its points are.
+    /// Range of its points.
     points: Range<usize>,
-    /// The number of the [floor](super::floors) that it is on.
+    /// The number of its [coplanar patch](super::coplanar).
     floor: Option<u32>,
-    /// Where the pieces of the floor are; none are of one part alone.
+    /// Range of the pieces of the coplanar patch; empty for one part alone.
     pieces: Range<usize>,
 }
 
@@ -75,9 +76,9 @@ pub(super) struct Patches {
     list: Vec<Patch>,
     /// Points in the frames of the two shapes.
     points: Vec<RawPoint>,
-    /// Pieces of floors, in the frame of their shape.
+    /// Pieces of coplanar patches, in the frame of their shape.
     pieces: Vec<FlatShape>,
-    /// Which patches are part of a manifold already, and the points of the next one.
+    /// The patches that are part of a manifold already, and the points of the next one.
     merged: Vec<bool>,
     gathered: Vec<RawPoint>,
     /// The grid by which patches are culled, once there are too many, and by cell and direction the patch that is kept.
@@ -102,7 +103,7 @@ impl Patches {
         &self.list
     }
 
-    /// Do all patches look the same way? Then none is a seam.
+    /// Returns whether all patches have similar normals. In that case none is a ghost contact.
     pub fn look_alike(&self) -> bool {
         let Some(first) = self.list.first() else { return true };
         let same = |patch: &Patch| patch.normal.distance_squared(first.normal) <= SAME_NORMAL;
@@ -119,7 +120,7 @@ impl Patches {
         self.add_on(pair, raw, parts, None)
     }
 
-    /// Adds contacts with a [floor](super::floors) of this number, if it is one.
+    /// Adds contacts with a [coplanar patch](super::coplanar) of this number, if it is one.
     pub fn add_on(
         &mut self,
         pair: &ShapePair<'_>,
@@ -194,8 +195,8 @@ impl Patches {
         self.points = points;
     }
 
-    /// Stores the pieces of a floor for the patch that is on it, if that was not culled.
-    pub fn lay_floor(&mut self, floor: u32, pieces: impl Iterator<Item = FlatShape>) {
+    /// Stores the pieces of a coplanar patch for its contacts, if these were not culled.
+    pub fn build_patch(&mut self, floor: u32, pieces: impl Iterator<Item = FlatShape>) {
         let on_floor = |patch: &&mut Patch| patch.floor == Some(floor);
         let Some(patch) = self.list.iter_mut().find(on_floor) else { return };
         let start = self.pieces.len();
@@ -203,7 +204,7 @@ impl Patches {
         patch.pieces = start..self.pieces.len();
     }
 
-    /// The pieces of the floor that a patch is on; none if it is on one part.
+    /// The pieces of the coplanar patch of a contact patch; none if it is on one part.
     pub fn pieces(&self, index: usize) -> &[FlatShape] {
         &self.pieces[self.list[index].pieces.clone()]
     }
@@ -247,8 +248,8 @@ impl Patches {
 
     /// Makes manifolds of the patches: one for each direction in which the shapes touch.
     ///
-    /// The normal of a manifold is the mean of the patches', each weighted with how much nearer than the
-    /// prediction it is: a body in a shallow valley is carried straight up.
+    /// The normal of a manifold is the mean of the patches', each weighted by its distance below the
+    /// prediction distance. A body in a shallow valley is thus carried vertically.
     pub fn merge(
         &mut self,
         pos12: &Pose,
@@ -277,9 +278,9 @@ impl Patches {
         }
     }
 
-    /// The patch after whose parts a manifold is named, of those that will be put together with the deepest: the deepest
-    /// that is no rim, if any. The wall of a step reaches up to the step and is touched there; but it does not go on
-    /// beneath the body, and whoever asks what the body stands on must not find that it ends there.
+    /// The patch whose parts name a manifold, among those that will be merged with the deepest: the deepest
+    /// that is no rim, if any. The wall of a step touches the body at its top edge, but does not continue
+    /// beneath the body, so it must not name the support.
     fn namesake(&self, deepest: usize) -> usize {
         let first = &self.list[deepest];
         if first.is_broad {
@@ -325,7 +326,7 @@ pub(super) fn unit_normal(raw: &RawManifold) -> Option<Vector> {
     is_unit.then(|| raw.local_n1 / length_squared.sqrt())
 }
 
-/// Adds a manifold of points, no more than the solver takes. All in the frames of the shapes.
+/// Adds a manifold of points, up to the solver's maximum. All in the frames of the shapes.
 pub(super) fn push_manifold(
     points: &[RawPoint],
     local_n1: Vector,

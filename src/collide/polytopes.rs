@@ -1,13 +1,12 @@
 //! Two polytopes: the face that separates them best, clipped against the face it meets.
 //!
-//! A contact that was there a step ago has hardly changed: the face of either polytope that looks along
-//! the last normal is tried first. If the clipped faces have a point as deep as the support point of
-//! the other polytope, no direction near by separates the two better, and for polytopes that are
-//! apart no direction at all does: the search is over. The same holds for the two edges that are
-//! farthest along the last normal, if no corner is deeper. Else the closest points are searched, which
-//! takes several times as long.
+//! A contact that was there a step ago has hardly changed: the face of either polytope that looks along the
+//! last normal is tried first. The search ends if the clipped faces have a point as deep as the support point
+//! of the other polytope: no similar direction then separates the two better. For separated polytopes, no
+//! direction does. The same holds for the two edges that are farthest along the last normal, if no corner is
+//! deeper. Else the closest points are searched, which takes several times as long.
 
-use super::seams::LOOKS_ALONG;
+use super::internal_edges::LOOKS_ALONG;
 use crate::base::axis::{BestAxis, Side};
 use crate::base::closest::{Closest, closest, extents};
 use crate::dim::collide::{
@@ -16,18 +15,18 @@ use crate::dim::collide::{
 use crate::dim::math::{Pose, Real, Vector};
 use parry::shape::PackedFeatureId;
 
-/// How much more overlap a face may have than a pair of edges and still be preferred, and how much
-/// more than another face if it is that of last time, as a share of the polytopes' thickness.
+/// Tolerances on the overlap, as a fraction of the polytopes' thickness: a face is preferred to a pair of
+/// edges, and the last face to another face, within it.
 const TOLERANCE: Real = 0.005;
-/// Of equal faces the first polytope's is taken: the share of the tolerance that decides.
+/// Of equal faces the first polytope's is taken, by this fraction of the tolerance.
 const FIRST_FACE: Real = 0.1;
 /// A face with at least this cosine to the normal of last time is the same face.
 const SAME_AXIS: Real = 0.98;
-/// Overlaps deeper than this share of the thickness are searched anew: a face on another side may
-/// have become the better one.
-pub(super) const DEEP: Real = 0.25;
+/// Overlaps deeper than this fraction of the thickness are searched again: a face on another side may have
+/// become the better one.
+pub(super) const OVERLAP_RATIO_MAX: Real = 0.25;
 
-/// How much deeper than two edges other corners may be, as a share of the shorter edge.
+/// Tolerance on the depth of other corners against two edges, as a fraction of the shorter edge.
 const EDGE_DEPTH: Real = 1.0e-3;
 
 /// Two polytopes, and how far apart contacts are wanted.
@@ -37,14 +36,14 @@ struct Pair<'a> {
     polytope1: &'a Polytope<'a>,
     polytope2: &'a Polytope<'a>,
     prediction: Real,
-    /// Is there no layer around either? With one, they touch with corners while they are apart.
+    /// Whether neither shape has a layer around it. With one, they touch with corners while they are apart.
     is_sharp: bool,
 }
 
 /// A face that may separate the polytopes.
 #[derive(Copy, Clone)]
 struct Separation {
-    /// How far the polytopes are apart along its normal.
+    /// Distance of the polytopes along its normal.
     gap: Real,
     /// The normal in the first frame, from the first polytope to the second.
     normal: Vector,
@@ -52,9 +51,9 @@ struct Separation {
     is_first: bool,
 }
 
-/// Computes the contacts of two polytopes, each with the thickness of a layer around it, into `raw`,
-/// whose `local_n1` is the normal of last time, or zero. Returns a lower bound of the distance, 0 if
-/// nothing is known of it.
+/// Computes the contacts of two polytopes, each with the thickness of a layer around it, into `raw`, whose
+/// `local_n1` is the last normal, or zero. Returns a lower bound of the distance, 0 if nothing is known of
+/// it.
 pub(super) fn polytope_polytope(
     pos12: &Pose,
     (polytope1, radius1): (Polytope<'_>, Real),
@@ -89,9 +88,9 @@ pub(super) fn contacts_on_axis(
     pair.add_along(axis, raw)
 }
 
-/// Computes the contacts of the face of one of two polytopes, the first or the second, that looks along
-/// `direction` (from the first to the second, in the first frame), whether or not another would
-/// separate the two better. None if there is no such face.
+/// Computes the contacts of the face of one polytope, the first or the second, whose normal is nearest to
+/// `direction` (from the first to the second, in the first frame). The direction need not be the best
+/// separation. The result is empty if there is no such face.
 pub(super) fn face_contacts(
     pos12: &Pose,
     [(polytope1, radius1), (polytope2, radius2)]: [(Polytope<'_>, Real); 2],
@@ -139,7 +138,7 @@ impl Pair<'_> {
                 Some(best) => self.add_face(best, raw),
                 None => None,
             };
-            // Without a last normal, only polytopes that are apart tell that the guess was right.
+            // Without a last normal, the guess is confirmed only for separated polytopes.
             match gap {
                 Some(gap) if gap > prediction => return gap,
                 Some(gap) if gap >= 0.0 || is_known && self.is_shallow(gap, raw.local_n1) => {
@@ -199,9 +198,9 @@ impl Pair<'_> {
         Some(Separation { gap, normal, face, is_first: false })
     }
 
-    /// Is the overlap small against the polytopes?
+    /// Returns whether the overlap is small against the polytopes.
     fn is_shallow(&self, gap: Real, normal: Vector) -> bool {
-        -gap < self.prediction || -gap < DEEP * self.thickness(normal)
+        -gap < self.prediction || -gap < OVERLAP_RATIO_MAX * self.thickness(normal)
     }
 
     /// The smaller of the extents of the two along a direction.
@@ -246,7 +245,7 @@ impl Pair<'_> {
         let (along1, along2) = (end1 - start1, end2 - start2);
         let normal = edge_normal(along1, along2)?;
         let normal = if normal.dot(direction) < 0.0 { -normal } else { normal };
-        // The points of the two lines that are closest, as shares of the edges.
+        // The closest points of the two lines, as fractions of the edges.
         let offset = start2 - start1;
         let (a, b, c) = (along1.length_squared(), along1.dot(along2), along2.length_squared());
         let (d, e, area) = (along1.dot(offset), along2.dot(offset), a * c - b * b);
@@ -267,7 +266,7 @@ impl Pair<'_> {
         Some(gap)
     }
 
-    /// How far the polytopes are apart along a unit vector of the first frame.
+    /// Distance of the polytopes along a unit vector of the first frame.
     fn gap_along(&self, direction: Vector) -> Real {
         let highest = self.polytope1.support(direction);
         let lowest = self.polytope2.support(self.pos21.rotation * -direction);
@@ -283,7 +282,7 @@ impl Pair<'_> {
                 // Flat shapes have no thickness, but rounding.
                 let tolerance = TOLERANCE * self.thickness(normal).max(self.prediction);
                 let best = self.best_face(normal, hint).filter(|best| best.gap >= dist - tolerance);
-                // Where the face is not where they are closest, the closest points are better.
+                // If the closest points are not on the face, they are better.
                 if best.is_some_and(|best| self.add_face(&best, raw).is_some()) {
                     return;
                 }

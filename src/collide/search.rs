@@ -1,15 +1,15 @@
-//! The search for contacts between the parts of two shapes, and for those that are only seams.
+//! The search for contacts between the parts of two shapes, and for ghost contacts.
 
 use super::convex::{is_sound, manifold_along, part_manifold};
+use super::flat_parts::CulledParts;
+use super::internal_edges::{Facet, InternalEdge, Obstacle, find_internal_edges};
 use super::manifolds::ShapePair;
 use super::neighbor::Neighbor;
 use super::parts::{Near, Part, Parts};
 use super::patches::Patches;
-use super::seams::{Facet, Obstacle, Seam, find_seams};
-use super::sifting::Sifted;
 use crate::dim::collide::RawManifold;
 use crate::dim::math::{Pose, Real, Vector};
-use crate::model::contact::{ContactManifold, Nearby};
+use crate::model::contact::{ContactManifold, TriangleCache};
 use smallvec::SmallVec;
 
 /// The search for the contacts of a pair of shapes, one of which has several parts or other contacts.
@@ -19,13 +19,13 @@ pub(super) struct Search<'a> {
     pub previous: &'a [ContactManifold],
     pub raw: &'a mut RawManifold,
     pub patches: &'a mut Patches,
-    pub sifted: &'a mut Sifted,
+    pub culled: &'a mut CulledParts,
     /// Flat parts that are kept from step to step, where there is such a place, and those of the moment.
-    pub kept: Option<&'a mut Option<Box<Nearby>>>,
-    pub passing: &'a mut Nearby,
+    pub kept: Option<&'a mut Option<Box<TriangleCache>>>,
+    pub passing: &'a mut TriangleCache,
     /// Lower bound of the distance of the parts visited so far.
     pub distance: Real,
-    /// Is set if there are too many pairs of parts to visit all.
+    /// Set if there are too many pairs of parts to visit all.
     pub are_parts_culled: &'a mut bool,
 }
 
@@ -53,12 +53,12 @@ impl Search<'_> {
         parts.for_each_part(&near, &mut |part| {
             let other = Part::whole(other);
             let [part1, part2] = if side == 0 { [part, other] } else { [other, part] };
-            self.visit(part1, part2);
+            self.search(part1, part2);
         });
     }
 
     /// Computes the contacts of two convex parts.
-    pub(super) fn visit(&mut self, part1: Part<'_>, part2: Part<'_>) {
+    pub(super) fn search(&mut self, part1: Part<'_>, part2: Part<'_>) {
         let pos12 = self.pose_of_parts(&part1, &part2);
         self.raw.local_n1 = self.hint(&part1, &part2);
         let parts = [part1, part2];
@@ -77,8 +77,8 @@ impl Search<'_> {
         }
     }
 
-    /// Where the normal of two parts pointed last time, in the frame of the first part. Flat parts that
-    /// lie in the plane of a manifold are part of it.
+    /// The last normal of two parts, in the frame of the first part. Flat parts that lie in the plane of a
+    /// manifold are part of it.
     pub(super) fn hint(&self, part1: &Part<'_>, part2: &Part<'_>) -> Vector {
         let ids = (part1.id, part2.id);
         let is_same = |m: &&ContactManifold| (m.subshape1, m.subshape2) == ids;
@@ -87,9 +87,9 @@ impl Search<'_> {
                 return false;
             }
             let Some(contact) = manifold.contacts().first() else { return false };
-            let flush = self.pair.flush;
-            part1.is_flat_in(contact.local_p1, manifold.local_n1, flush)
-                || part2.is_flat_in(contact.local_p2, manifold.local_n2, flush)
+            let step_height_tolerance = self.pair.step_height_tolerance;
+            part1.is_flat_in(contact.local_p1, manifold.local_n1, step_height_tolerance)
+                || part2.is_flat_in(contact.local_p2, manifold.local_n2, step_height_tolerance)
         };
         let last = self.previous.iter().find(is_same);
         match (last.or_else(|| self.previous.iter().find(is_in_plane)), part1.pose) {
@@ -100,27 +100,27 @@ impl Search<'_> {
     }
 }
 
-/// The search for contacts that are only seams.
+/// The search for ghost contacts.
 impl Search<'_> {
-    /// Takes contacts out that are only seams between parts of the shape on a side, or between these and
-    /// other obstacles of the shape on the other side.
-    pub fn take_out_seams(&mut self, side: usize, seams: &mut Vec<Seam>) {
-        if !self.may_have_seams(side) {
+    /// Removes ghost contacts between parts of the shape on a side, or between these and other non-dynamic
+    /// colliders.
+    pub fn remove_ghost_contacts(&mut self, side: usize, internal_edges: &mut Vec<InternalEdge>) {
+        if !self.may_have_internal_edges(side) {
             return;
         }
-        self.find_seams(side, seams);
-        for seam in &*seams {
-            self.turn(side, seam);
+        self.find_internal_edges(side, internal_edges);
+        for edge in &*internal_edges {
+            self.turn(side, edge);
         }
     }
 
-    /// Is there more than one direction, or anything else, so that a contact may be only a seam?
-    pub(super) fn may_have_seams(&self, side: usize) -> bool {
+    /// Returns whether a contact may be a ghost contact: there are several directions, or other contacts.
+    pub(super) fn may_have_internal_edges(&self, side: usize) -> bool {
         let neighbors = self.pair.neighbors[1 - side];
         !neighbors.is_empty() || !(self.parts[side].is_convex() || self.patches.look_alike())
     }
 
-    fn find_seams(&self, side: usize, seams: &mut Vec<Seam>) {
+    fn find_internal_edges(&self, side: usize, internal_edges: &mut Vec<InternalEdge>) {
         let (pair, patches) = (self.pair, &*self.patches);
         let neighbors = pair.neighbors[1 - side];
         let facets = (0..patches.list().len()).map(|patch| self.facet(side, patch));
@@ -129,10 +129,16 @@ impl Search<'_> {
         let points = |patch: usize, f: &mut dyn FnMut(Vector)| {
             patches.points(patch).iter().for_each(|point| f(pair.on_obstacle(side, point)));
         };
-        find_seams(&facets, patches.list().len(), &points, pair.flush, seams);
+        find_internal_edges(
+            &facets,
+            patches.list().len(),
+            &points,
+            pair.step_height_tolerance,
+            internal_edges,
+        );
     }
 
-    /// A patch as a contact with an obstacle on a side, in the frame of the shape on the other.
+    /// A patch as a contact with the piece on a side, in the frame of the shape on the other.
     fn facet(&self, side: usize, patch: usize) -> Facet<'_> {
         let (pair, patches, index) = (self.pair, &*self.patches, patch);
         let patch = &patches.list()[index];
@@ -141,22 +147,22 @@ impl Search<'_> {
             0 => (pair.pos12.rotation.inverse() * patch.normal, pair.pos12.inverse()),
             _ => (-patch.normal, pair.pos12),
         };
-        // From the other side it is the body that is the obstacle.
+        // From the other side the roles are exchanged.
         let floor = Obstacle::floor(patches.pieces(index), pose);
         let obstacle = floor
-            .filter(|_| side == self.sifted.side)
+            .filter(|_| side == self.culled.side)
             .unwrap_or_else(|| Obstacle::new(self.parts[side], patch.parts[side], pose));
         let place = deepest.map_or(Vector::ZERO, |point| pair.on_obstacle(side, point));
         let body = (self.parts[1 - side], patch.parts[1 - side]);
         Facet::new(obstacle, body, normal, place, patch.dist)
     }
 
-    /// Computes a patch anew along the normal with which its obstacle may still carry the body.
-    fn turn(&mut self, side: usize, seam: &Seam) {
-        let Seam { index, along, .. } = *seam;
-        if seam.is_turned {
+    /// Recomputes a patch along the normal with which its piece may still support the body.
+    fn turn(&mut self, side: usize, edge: &InternalEdge) {
+        let InternalEdge { index, along, .. } = *edge;
+        if edge.is_turned {
             let points = self.patches.points(index);
-            if points.iter().any(|point| point.dist < seam.least_dist) {
+            if points.iter().any(|point| point.dist < edge.least_dist) {
                 self.patches.empty(index);
             }
             return;
@@ -173,14 +179,14 @@ impl Search<'_> {
                 raw.points.clear();
                 manifold_along(&pos12, [&part1, &part2], side == 0, direction, prediction, raw);
                 raw.points.retain(|point| is_sound(point) && point.dist <= prediction);
-                is_too_deep = raw.points.iter().any(|point| point.dist < seam.least_dist);
+                is_too_deep = raw.points.iter().any(|point| point.dist < edge.least_dist);
                 is_carried = !raw.points.is_empty()
                     && !is_too_deep
                     && self.patches.replace(index, self.pair, raw, &[part1, part2]);
             });
         });
         // An edge that seemed hidden, and is not.
-        let stays = is_too_deep && !seam.is_behind;
+        let stays = is_too_deep && !edge.is_behind;
         if !is_carried && !stays {
             self.patches.empty(index);
         }

@@ -8,12 +8,12 @@ use crate::dim::math::{DIM, Pose, Real, Vector};
 use parry::query::details::NormalConstraintsPair;
 use parry::shape::{PackedFeatureId, PolygonalFeature, PolygonalFeatureMap, Shape};
 
-/// The closest points are a contact of their own only if they are deeper than those of the features
-/// by more than this share of the parts' thickness.
-const DEEPER: Real = 0.01;
-/// A normal that was bent towards what neighbours allow may show overlaps of far ends of the parts:
-/// points that are deeper than the true overlap by this factor are not believed.
-const BENT_DEPTH: Real = 5.0;
+/// The closest points are a contact of their own only if they are deeper than those of the features by more
+/// than this fraction of the parts' thickness.
+const DEPTH_GAIN_RATIO_MIN: Real = 0.01;
+/// A normal that was limited by neighbours may show overlaps of far ends of the parts. Points that are deeper
+/// than the true overlap by this factor are rejected.
+const DEPTH_RATIO_MAX: Real = 5.0;
 
 /// A part without its rounding.
 #[derive(Copy, Clone)]
@@ -22,7 +22,7 @@ pub(super) struct Core<'a> {
     part: &'a dyn Shape,
     /// The sharp shape.
     pub shape: &'a dyn PolygonalFeatureMap,
-    /// How thick the layer around it is (length units).
+    /// Thickness of the layer around it (length units).
     pub radius: Real,
 }
 
@@ -64,7 +64,7 @@ pub(super) fn support_manifold(
     let is_bent = local_n1 != normal;
     if is_bent {
         add_features(pos12, cores, normals, points, raw);
-        raw.points.retain(|point| point.dist >= BENT_DEPTH * dist.min(0.0));
+        raw.points.retain(|point| point.dist >= DEPTH_RATIO_MAX * dist.min(0.0));
     } else {
         let shapes = cores.map(|core| core.part);
         let sharp = cores.map(|core| core.shape);
@@ -74,8 +74,8 @@ pub(super) fn support_manifold(
     thicken(cores, [local_n1, local_n2], raw);
 }
 
-/// Computes the contacts of two parts along a unit vector of the first frame, from the first to the
-/// second, whether or not another would separate them better.
+/// Computes the contacts of two parts along a unit vector of the first frame, from the first to the second.
+/// The direction need not be the best separation.
 pub(super) fn contacts_along(
     pos12: &Pose,
     cores: [Core<'_>; 2],
@@ -88,8 +88,8 @@ pub(super) fn contacts_along(
     thicken(cores, normals, raw);
 }
 
-/// Adds the contacts of the features that lie at two points, each in the frame of its part, along a direction that need not be that in
-/// which the parts are closest.
+/// Adds the contacts of the features at two points, each in the frame of its part. The direction need not be
+/// that of the closest points.
 fn add_features(
     pos12: &Pose,
     [core1, core2]: [Core<'_>; 2],
@@ -127,7 +127,7 @@ fn add_closest(
         raw.points.is_empty() // two points are all that there can be
     } else {
         let thickness = extents(pos12, core1.shape, core2.shape, raw.local_n1).thickness;
-        dist < deepest - DEEPER * thickness
+        dist < deepest - DEPTH_GAIN_RATIO_MIN * thickness
     };
     if is_needed {
         let unknown = PackedFeatureId::UNKNOWN;

@@ -8,8 +8,8 @@ use parry::shape::{AxisMask, Cuboid, VoxelType, Voxels};
 
 /// Calls `f` with each voxel in `region` that has a free face.
 ///
-/// The grid would do to find neighbours, but a box sliding over many voxels must not catch on the
-/// faces between them: such normals are bent towards the free faces, or refused.
+/// The grid would be sufficient to find neighbours, but a box sliding over many voxels must not catch on the
+/// faces between them. Such normals are limited to the free faces, or refused.
 pub(super) fn for_each_voxel(voxels: &Voxels, region: &Aabb, f: &mut dyn FnMut(Part<'_>)) {
     let cube = Cuboid::new(voxels.voxel_size() * 0.5);
     for voxel in voxels.voxels_intersecting_local_aabb(region) {

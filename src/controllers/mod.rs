@@ -1,11 +1,11 @@
 //! # Controllers — what moves bodies by asking the world
 //!
 //! A controller looks at the world through queries and says how something should move: a velocity, a
-//! translation, an impulse. It is a user of the engine that happens to live in it. The step knows nothing of
-//! controllers, and a controller needs nothing of the step but what every program may see.
+//! translation, an impulse. It is a user of the engine that happens to live in it. The step is independent of
+//! controllers, and a controller uses only the public interface of the step.
 //!
-//! * [`character`]: somebody who walks. Where may the shape go that wants to go there?
-//! * [`pid`]: a hand that leads a body to a pose. Which velocity takes it there?
+//! * [`character`]: walking characters. It determines the admissible translation of a shape.
+//! * [`pid`]: a hand that leads a body to a pose. It determines the velocity for a target.
 //!
 //! Controllers hold settings, and what they must remember from call to call; they own no bodies, no colliders and no
 //! handles. So one controller can lead a crowd, and a world can be saved without it.

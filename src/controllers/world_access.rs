@@ -1,4 +1,4 @@
-//! The world as a controller that pushes sees it: colliders to be asked, bodies to be moved.
+//! The world for a controller that applies impulses: colliders for queries, mutable bodies.
 
 use crate::model::body::RigidBodySet;
 use crate::model::collider::ColliderSet;
@@ -6,7 +6,7 @@ use crate::model::tree::BroadPhaseBvh;
 use crate::query::{QueryFilter, QueryPipeline, QueryView};
 use parry::query::QueryDispatcher;
 
-/// Colliders that can be asked, and bodies that can be pushed in answer.
+/// Colliders for queries, and mutable bodies.
 ///
 /// Comes from [`BroadPhaseBvh::as_query_pipeline_mut`] (as of the last step), [`QueryPipeline::view_mut`] (as of
 /// its last `update`) or [`PhysicsWorld::query_pipeline_mut`](crate::pipeline::PhysicsWorld::query_pipeline_mut). Made
@@ -17,11 +17,11 @@ pub struct QueryPipelineMut<'a> {
     pub bodies: &'a mut RigidBodySet,
     /// The colliders.
     pub colliders: &'a ColliderSet,
-    /// Which of the colliders are meant.
+    /// Filter of the colliders.
     pub filter: QueryFilter<'a>,
 }
 
-/// Who keeps the trees of boxes.
+/// The owner of the trees of boxes.
 #[derive(Copy, Clone)]
 enum Trees<'a> {
     OfStep(&'a BroadPhaseBvh, &'a dyn QueryDispatcher),

@@ -1,4 +1,4 @@
-//! What the user provides: something that draws a line.
+//! The user's backend: draws lines.
 
 use super::style::DebugColor;
 use crate::dim::math::{Pose, Vector};
@@ -9,7 +9,7 @@ use crate::model::joint::{ImpulseJoint, ImpulseJointHandle};
 use crate::model::multibody::{Multibody, MultibodyJointHandle, MultibodyLink};
 use parry::bounding_volume::Aabb;
 
-/// What a line is part of.
+/// The object that a line belongs to.
 #[derive(Copy, Clone)]
 #[non_exhaustive]
 pub enum DebugRenderObject<'a> {
@@ -21,7 +21,7 @@ pub enum DebugRenderObject<'a> {
     ColliderAabb(ColliderHandle, &'a Collider, &'a Aabb),
     /// The contacts of two colliders.
     ContactPair(&'a ContactPair, &'a Collider, &'a Collider),
-    /// A joint that is held by impulses.
+    /// An impulse joint.
     ImpulseJoint(ImpulseJointHandle, &'a ImpulseJoint),
     /// A joint of a multibody: the one between this link and its parent.
     MultibodyJoint(MultibodyJointHandle, &'a Multibody, &'a MultibodyLink),
@@ -29,7 +29,7 @@ pub enum DebugRenderObject<'a> {
 
 /// Draws lines. Implement [`Self::draw_line`]; the rest follows from it.
 pub trait DebugRenderBackend {
-    /// Should the object be drawn at all? Called before any of its lines.
+    /// Returns whether the object is drawn. Called before any of its lines.
     fn filter_object(&self, object: DebugRenderObject) -> bool {
         let _ = object;
         true

@@ -1,9 +1,9 @@
 //! Joints as lines.
 //!
-//! Two lines go from the bodies to where the joint holds them, a third one from one such place to the other: what is left
-//! of it where the joint locks all translations is how far it came apart. The free axes are drawn in the joint's frame on
-//! the first body: a line with two ends along which the second slides, an arc about which it turns, and a hand at the
-//! second body that points to the angle on the arc where it stands.
+//! Two lines lead from the bodies to the anchors of the joint, a third one from one anchor to the other: if
+//! the joint locks all translations, its length is the joint's error. The free axes are drawn in the joint's
+//! frame on the first body. A translation is a line with two ends, a rotation an arc, and a pointer at the
+//! second body shows the angle on the arc.
 
 use super::backend::{DebugRenderBackend, DebugRenderObject};
 use super::pipeline::{DebugRenderMode, DebugRenderPipeline};
@@ -19,7 +19,7 @@ use crate::model::multibody::MultibodyJointSet;
 /// A quarter turn, and half a turn (rad).
 const QUARTER_TURN: Real = core::f64::consts::FRAC_PI_2 as Real;
 const HALF_TURN: Real = core::f64::consts::PI as Real;
-/// Length of the marks at the ends of a way, against the length of the axes.
+/// Length of the marks at the ends of a range, relative to the length of the axes.
 const MARK: Real = 0.2;
 
 /// A joint where it stands in the world.
@@ -105,7 +105,7 @@ impl DebugRenderPipeline {
         }
     }
 
-    /// What a joint's colours are multiplied by: it sleeps if no body of it is awake.
+    /// Colour factor of a joint: it sleeps if no body of it is awake.
     fn joint_multiplier(&self, placed: &Placed<'_>) -> [f32; 4] {
         let rests = |body: &RigidBody| body.is_sleeping() || !body.is_dynamic();
         let is_off = |body: &RigidBody| !body.is_enabled();
@@ -118,7 +118,7 @@ impl DebugRenderPipeline {
         }
     }
 
-    /// How a free axis looks, in the joint's frame on the first body.
+    /// Form of a free axis, in the joint's frame on the first body.
     fn sketch(&self, joint: &GenericJoint, axis: JointAxis) -> Outline {
         let length = self.style.joint_axes_length;
         let mut sketch = Outline::default();
@@ -147,8 +147,8 @@ impl DebugRenderPipeline {
     }
 }
 
-/// The free axes that have something to show. Coupled translations are a distance, which is the line between the anchors;
-/// and where no translation is locked, nobody thinks of a rotation as the joint's, unless it has limits or a motor.
+/// The free axes that have something to show. Coupled translations are a distance, which is the line between
+/// the anchors. If no translation is locked, rotations are drawn only with limits or a motor.
 fn free_axes(joint: &GenericJoint) -> impl Iterator<Item = JointAxis> {
     let free = !joint.locked_axes;
     let driven = joint.limit_axes | joint.motor_axes;
@@ -169,7 +169,7 @@ fn zero_of(axis: JointAxis) -> Vector {
     Vector::AXES.into_iter().find(turns).unwrap_or(Vector::X)
 }
 
-/// From where to where an axis is drawn: its limits, where it has any, or `reach` to both sides.
+/// The drawn range of an axis: its limits, if it has any, or `reach` to both sides.
 fn range(joint: &GenericJoint, axis: JointAxis, reach: Real) -> [Real; 2] {
     let shared = joint.is_measured_together(axis);
     // Limits and motor of the first of several coupled axes are those of all.

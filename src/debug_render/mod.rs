@@ -4,9 +4,9 @@
 //! Writes:  nothing but lines, to a [`DebugRenderBackend`] of the user's
 //! Never:   changes the world; decides how a line is drawn
 //!
-//! [`DebugRenderPipeline`] goes through what [`DebugRenderMode`] selects, and gives every line the
-//! object that it belongs to and a colour of the [`DebugRenderStyle`]. How each shape is sketched
-//! stands in `dim2/outline.rs` and `dim3/outline.rs`.
+//! [`DebugRenderPipeline`] goes through what [`DebugRenderMode`] selects, and gives every line the object
+//! that it belongs to and a colour of the [`DebugRenderStyle`]. The outlines of shapes are in
+//! `dim2/outline.rs` and `dim3/outline.rs`.
 
 mod backend;
 mod joints;

@@ -11,8 +11,8 @@ const KEPT_FROM: usize = 128;
 
 /// A store of sketches.
 ///
-/// Keyed by the address of the shared shape. The store holds on to the shape, so that no other one
-/// can come to that address, and nobody can change a shape that is shared.
+/// Keyed by the address of the shared shape. The store references the shape, so that its address is not
+/// reused, and a referenced shape is immutable.
 #[derive(Clone, Default)]
 pub(super) struct Outlines {
     detail: Option<Detail>,
@@ -43,7 +43,7 @@ impl Outlines {
         self.kept.len()
     }
 
-    /// Drops the sketches of shapes that nobody else holds any more.
+    /// Removes the outlines of shapes without another owner.
     pub(super) fn forget_unused(&mut self) {
         self.kept.retain(|_, (shape, _)| Arc::strong_count(&shape.0) > 1);
     }

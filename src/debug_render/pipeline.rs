@@ -13,7 +13,7 @@ use crate::model::joint::ImpulseJointSet;
 use crate::model::multibody::MultibodyJointSet;
 
 bitflags::bitflags! {
-    /// What is drawn.
+    /// The drawn parts.
     #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
     #[derive(Copy, Clone, PartialEq, Eq, Debug, Hash)]
     pub struct DebugRenderMode: u32 {
@@ -53,7 +53,7 @@ impl Default for DebugRenderMode {
 pub struct DebugRenderPipeline {
     /// Colours and lengths.
     pub style: DebugRenderStyle,
-    /// What is drawn.
+    /// The drawn parts.
     pub mode: DebugRenderMode,
     outlines: Outlines,
 }

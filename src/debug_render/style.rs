@@ -8,7 +8,7 @@ pub type DebugColor = [f32; 4];
 /// Hues of X, Y and Z (degrees): red, green, blue.
 pub(super) const AXIS_HUES: [f32; 3] = [0.0, 120.0, 220.0];
 
-/// How everything looks. The defaults are made for a dark background.
+/// Style of all drawn objects. The defaults are made for a dark background.
 ///
 /// A multiplier is applied to a colour part by part: `[1.0, 1.0, 0.5, 1.0]` halves the lightness.
 #[derive(Copy, Clone, Debug, PartialEq)]
@@ -30,8 +30,7 @@ pub struct DebugRenderStyle {
     pub collider_aabb_color: DebugColor,
     /// Multiplies the colours of what belongs to a sleeping body.
     pub sleep_color_multiplier: [f32; 4],
-    /// Multiplies the colours of what belongs to a body that would sleep, if only all others of its
-    /// island were as calm.
+    /// Colour factor of a body that is ready to sleep while its island is not.
     pub sleep_eligible_color_multiplier: [f32; 4],
     /// Multiplies the colours of what belongs to a disabled collider or body.
     pub disabled_color_multiplier: [f32; 4],

@@ -1,4 +1,4 @@
-//! What is drawn, in which colours.
+//! The drawn lines and their colours.
 
 use super::*;
 use crate::dim::joint_axes::{JointAxesMask, JointAxis};
@@ -268,7 +268,7 @@ fn arcs_and_ways_reach_as_far_as_limits() {
     assert_eq!((lines[0].0, lines[0].1), (-Vector::X, Vector::X * 2.0));
     assert_eq!(lines.len(), 3); // the way and two marks
 
-    // What is free without limits is drawn as long as the style says.
+    // The length of a free axis without limits is that of the style.
     let lines = axes_of(slider);
     assert_eq!((lines[0].0, lines[0].1), (-Vector::X * length, Vector::X * length));
     assert!(axes_of(GenericJointBuilder::new(JointAxesMask::LOCKED_FIXED_AXES)).is_empty());

@@ -1,5 +1,4 @@
-//! The axes of the plane along and about which a body can be kept from moving, and what locking them
-//! does to its inverse mass and inertia.
+//! Lockable axes of a body, and their effect on its inverse mass and inertia.
 
 use crate::dim::math::{AngularInertia, Real, Vector};
 
@@ -18,14 +17,14 @@ bitflags::bitflags! {
         const TRANSLATION_LOCKED_X = 1 << 0;
         /// No translation along Y.
         const TRANSLATION_LOCKED_Y = 1 << 1;
-        /// Nothing to lock in 2D.
+        /// There are no such axes in 2D.
         const TRANSLATION_LOCKED_Z = 1 << 2;
         /// No translation at all.
         const TRANSLATION_LOCKED = Self::TRANSLATION_LOCKED_X.bits()
             | Self::TRANSLATION_LOCKED_Y.bits();
-        /// Nothing to lock in 2D.
+        /// There are no such axes in 2D.
         const ROTATION_LOCKED_X = 1 << 3;
-        /// Nothing to lock in 2D.
+        /// There are no such axes in 2D.
         const ROTATION_LOCKED_Y = 1 << 4;
         /// No rotation: the only axis of rotation in 2D.
         const ROTATION_LOCKED_Z = 1 << 5;

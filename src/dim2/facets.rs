@@ -12,7 +12,7 @@ pub struct Facets<'a>(&'a ConvexPolygon);
 pub struct Facet {
     /// Unit outward normal.
     pub normal: Vector,
-    /// How far (length units) the face is from the origin along the normal.
+    /// Distance (length units) of the face from the origin along the normal.
     pub offset: Real,
 }
 
@@ -28,7 +28,7 @@ impl<'a> Facets<'a> {
         })
     }
 
-    /// Has it no inside, so that a layer around it is all there is of it? Polygons have.
+    /// Returns whether the shape has no interior, so that it consists of the layer around it. Polygons have.
     pub fn is_flat(&self) -> bool {
         false
     }
@@ -58,7 +58,7 @@ impl<'a> Facets<'a> {
         [points[index], points[next]]
     }
 
-    /// Is a point right above a face, or below it?
+    /// Returns whether a point is right above or below a face.
     pub fn is_over(&self, index: usize, point: Vector) -> bool {
         let [from, to] = self.ends(index);
         let along = to - from;

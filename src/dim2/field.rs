@@ -7,7 +7,7 @@ use crate::base::walk::{Walk, range};
 use parry::query::{Ray, RayCast, RayIntersection};
 use parry::shape::HeightField;
 
-/// Where a ray meets a height field, in the field's frame.
+/// The hit of a ray on a height field, in the field's frame.
 pub fn ray_on_field(field: &HeightField, ray: &Ray, limit: Real) -> Option<RayIntersection> {
     let (start, end) = field.local_aabb().clip_ray_parameters(ray)?;
     let (mut start, end) = (start.max(0.0), end.min(limit));
@@ -28,7 +28,8 @@ pub fn ray_on_field(field: &HeightField, ray: &Ray, limit: Real) -> Option<RayIn
     }
 }
 
-/// Can the ray meet the segment of a cell between two times? Not if it stays above both ends, or below.
+/// Returns whether the ray can meet the segment of a cell between two times. Not if it stays above both ends,
+/// or below.
 fn may_meet(field: &HeightField, cell: usize, ray: &Ray, times: [Real; 2]) -> bool {
     let ends = [cell, cell + 1].map(|at| field.heights()[at] * field.scale().y);
     let [low, high] = range(&ends);

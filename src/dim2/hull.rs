@@ -1,16 +1,16 @@
 //! Convex polygons from points.
 //!
-//! parry's own constructors measure with absolute tolerances and merge neighbouring edges by their
-//! angle alone, which dissolves a finely rounded outline; these measure relative to the size.
+//! parry's own constructors measure with absolute tolerances and merge neighbouring edges by their angle
+//! alone, which dissolves a finely rounded outline. These measure relative to the size.
 
 use super::math::{Real, Vector};
 use parry::shape::ConvexPolygon;
 
-/// What convex hulls are.
+/// The type of convex hulls.
 pub type ConvexShape = ConvexPolygon;
 
 /// Why points have no hull.
-pub const FLAT: &str = "its points lie on a line, or too close to one";
+pub const DEGENERATE: &str = "its points lie on a line, or too close to one";
 
 /// A corner this close to the line through its neighbours, in parts of the size, is none.
 const FLATNESS: Real = 1.0e-5;
@@ -24,8 +24,8 @@ pub fn convex_hull(points: &[Vector]) -> Option<ConvexPolygon> {
     polygon(hull_corners(points))
 }
 
-/// The polygon with the given finite corners, in order, either way round; `None` if it is not convex
-/// or has no area.
+/// The polygon with the given finite corners, in order, in either orientation; `None` if it is not convex or
+/// has no area.
 pub fn convex_outline(mut corners: Vec<Vector>) -> Option<ConvexPolygon> {
     let hull_area = signed_area(&hull_corners(&corners));
     let area = signed_area(&corners);
@@ -59,7 +59,7 @@ fn hull_corners(points: &[Vector]) -> Vec<Vector> {
     corners
 }
 
-/// Walks along sorted points and keeps those at which the way turns left.
+/// Visits sorted points and keeps the left turns.
 fn half_hull(sorted: impl Iterator<Item = Vector>) -> Vec<Vector> {
     let mut way: Vec<Vector> = Vec::new();
     for point in sorted {

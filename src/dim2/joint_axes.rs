@@ -30,19 +30,19 @@ bitflags::bitflags! {
         const LIN_AXES = Self::LIN_X.bits() | Self::LIN_Y.bits();
         /// All rotations: the one there is.
         const ANG_AXES = Self::ANG_X.bits();
-        /// What a prismatic joint locks: all but the translation along X.
+        /// Locked axes of a prismatic joint: all but the translation along X.
         const LOCKED_PRISMATIC_AXES = Self::LIN_Y.bits() | Self::ANG_X.bits();
-        /// What a revolute joint locks: the translations.
+        /// Locked axes of a revolute joint: the translations.
         const LOCKED_REVOLUTE_AXES = Self::LIN_AXES.bits();
-        /// What a pin-slot joint locks: the translation along Y.
+        /// Locked axes of a pin-slot joint: the translation along Y.
         const LOCKED_PIN_SLOT_AXES = Self::LIN_Y.bits();
-        /// What a fixed joint locks: everything.
+        /// Locked axes of a fixed joint: all.
         const LOCKED_FIXED_AXES = Self::LIN_AXES.bits() | Self::ANG_AXES.bits();
-        /// What a prismatic joint leaves free.
+        /// Free axes of a prismatic joint.
         const FREE_PRISMATIC_AXES = Self::LIN_X.bits();
-        /// What a revolute joint leaves free.
+        /// Free axes of a revolute joint.
         const FREE_REVOLUTE_AXES = Self::ANG_X.bits();
-        /// What a fixed joint leaves free: nothing.
+        /// Free axes of a fixed joint: none.
         const FREE_FIXED_AXES = 0;
     }
 }

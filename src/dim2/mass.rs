@@ -29,8 +29,7 @@ pub fn mass_from_moments(com: Vector, mass: Real, second: SecondMoment) -> MassP
     MassProperties::new(com, mass, second.max(0.0))
 }
 
-/// Are all values finite, also those that stand here as their inverse, and none negative where that would
-/// be impossible?
+/// Returns whether all values and stored inverses are finite, and none is negative where that is impossible.
 pub fn mass_is_valid(mass: &MassProperties) -> bool {
     is_point(mass.local_com)
         && mass.inv_mass >= 0.0
@@ -60,7 +59,7 @@ pub fn total_mass(parts: &[MassProperties]) -> MassProperties {
 pub(crate) fn inv_inertia_on_the_way(
     _mass: &MassProperties,
     _rotation: Rotation,
-    _turn: AngVector,
+    _rotvec: AngVector,
 ) -> Option<AngularInertia> {
     None
 }

@@ -46,7 +46,7 @@ pub fn ang_dot(a: AngVector, b: AngVector) -> Real {
     a * b
 }
 
-/// Are all components of the angular vector finite?
+/// Returns whether all components of the angular vector are finite.
 #[inline]
 pub fn ang_is_finite(w: AngVector) -> bool {
     w.is_finite()
@@ -68,8 +68,8 @@ pub fn rotation_to_angle(rotation: &Rotation) -> AngVector {
 /// The square of an angle (rad²) from which it is as good as a turn: beyond, powers of it are not worth their digits.
 pub const TURN_MAX: Real = 1.0e4;
 
-/// Rotates `rotation` by the angle `angle` (radians), by the series of [`turning`](crate::base::turning): at 1 rad nothing
-/// is missing, at a turn 10⁻⁵ rad, and at two turns 0.003.
+/// Rotates `rotation` by the angle `angle` (radians), by the series of [`turning`](crate::base::turning). The
+/// error is zero at 1 rad, 10⁻⁵ rad at a turn, and 0.003 at two turns.
 #[inline]
 pub fn integrate_rotation(rotation: Rotation, angle: AngVector) -> Rotation {
     let square = (angle * angle).min(TURN_MAX);
@@ -105,7 +105,7 @@ pub fn zero_inertia() -> AngularInertia {
     0.0
 }
 
-/// Is the rotation a finite one of unit length (within rounding)?
+/// Returns whether the rotation is finite and of unit length (within rounding).
 #[inline]
 pub fn rotation_is_valid(rotation: &Rotation) -> bool {
     rotation.is_finite() && (rotation.length_squared() - 1.0).abs() < 1.0e-2

@@ -28,6 +28,6 @@ pub(crate) mod contact;
 pub(crate) mod joint;
 pub(crate) mod state;
 pub(crate) mod motion;
-pub(crate) mod turn;
+pub(crate) mod rotation_vector;
 #[cfg(feature = "debug-render")]
 pub(crate) mod outline;

@@ -1,4 +1,4 @@
-//! How bodies move while nothing holds them, in 2D: a record of whole registers, and what integrates it lane by lane.
+//! Free motion of bodies in 2D: a record of whole registers, and its integration lane by lane.
 //!
 //! # Tumbling
 //! In 2D there is none, since there is only one axis to turn about.
@@ -13,7 +13,7 @@ use parry::mass_properties::MassProperties;
 const RECORD_LEN: usize = 8;
 const BEARS_WEIGHT: usize = 7;
 
-/// What integrates a body; no constraint reads it.
+/// Data for the integration of a body; no constraint reads it.
 #[derive(Copy, Clone, Debug)]
 #[repr(C, align(32))]
 pub(crate) struct FreeMotion([Real; RECORD_LEN]);
@@ -27,7 +27,8 @@ impl FreeMotion {
     /// A body with this orientation, linear and angular acceleration by gravity and the user's forces (length/s²,
     /// rad/s²), and linear and angular damping (1/s).
     ///
-    /// Does gravity pull it, so that it may be part of a pile? What holds piles up `bears_weight`, too.
+    /// Whether gravity acts on the body, so that it may be part of a pile. Supports of piles also have
+    /// `bears_weight`.
     pub fn new(
         rotation: Rotation,
         (linear, angular): (Vector, AngVector),
@@ -38,12 +39,12 @@ impl FreeMotion {
         Self([q.re, q.im, a.x, a.y, angular, linear_damping, angular_damping, weight])
     }
 
-    /// Lets the body tumble, unless it need not: never in 2D.
+    /// Enables gyroscopic motion if necessary: never in 2D.
     pub fn with_gyroscope(self, _: &MassProperties, _: AngVector, _: Real) -> Self {
         self
     }
 
-    /// How the body was turned when the step began.
+    /// Rotation of the body when the step began.
     pub fn rotation(&self) -> Rotation {
         Rotation { re: self.0[0], im: self.0[1] }
     }
@@ -53,17 +54,17 @@ impl FreeMotion {
         Vector::new(self.0[2], self.0[3])
     }
 
-    /// Does the angular velocity change as the body turns?
-    pub fn tumbles(&self) -> bool {
+    /// Returns whether the angular velocity changes as the body rotates.
+    pub fn is_gyroscopic(&self) -> bool {
         false
     }
 
-    /// May it be part of a pile?
+    /// Returns whether the body may be part of a pile.
     pub fn bears_weight(&self) -> bool {
         self.0[BEARS_WEIGHT] != 0.0
     }
 
-    /// Turns a tumbling body by this angle.
+    /// Rotates a gyroscopic body by this angle.
     pub fn turn(&mut self, _: AngVector) {}
 }
 
@@ -83,9 +84,9 @@ pub(crate) fn accelerated<W: Wide>(
     WideMotion { linear, angular }
 }
 
-/// Turns up to [`LANES`] bodies, if they tumble: none does in 2D.
+/// Rotates up to [`LANES`] gyroscopic bodies: there are none in 2D.
 #[inline(always)]
-pub(crate) fn tumble<W: Wide>(
+pub(crate) fn gyroscopic<W: Wide>(
     _bodies: &mut [FreeMotion],
     _velocity: &mut WideAngVector<W>,
     _before: &mut WideAngVector<W>,

@@ -9,7 +9,7 @@ use parry::shape::{
     TypedShape,
 };
 
-/// Half the length of the line that stands for an endless one (length units).
+/// Half the length of the line that represents an infinite one (length units).
 const PLANE_EXTENT: Real = 1000.0;
 
 /// The sketch of a shape, in the shape's frame. Shapes of the user's own are drawn as their box.

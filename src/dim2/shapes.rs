@@ -1,4 +1,4 @@
-//! What the shapes are made of that only two dimensions have, and how their mass is spread.
+//! Elements of shapes that exist in two dimensions only, and their mass distribution.
 
 use super::mass::no_mass;
 use super::math::{Real, Rotation, Vector};
@@ -74,7 +74,7 @@ fn farthest_point(points: &[Vector], center: Vector) -> Real {
     points.iter().map(|p| p.distance_squared(center)).fold(0.0, Real::max).sqrt()
 }
 
-/// Is the shape one of this dimension's shapes that can roll?
+/// Returns whether the shape is one of this dimension's shapes that can roll.
 pub fn has_curved_surface(shape: TypedShape<'_>) -> bool {
     matches!(shape, TypedShape::RoundConvexPolygon(_))
 }
@@ -91,10 +91,10 @@ pub fn mass_properties(shape: TypedShape<'_>, density: Real) -> Option<MassPrope
     }
 }
 
-/// Mass properties of what triangles cover, whichever way they are wound.
+/// Mass properties of the union of triangles of any orientation.
 ///
-/// About the origin, the second moment of a triangle of area `A` and corners `a, b, c` is
-/// `A/12 (a² + b² + c² + s²)`, `s = a + b + c`.
+/// About the origin, the second moment of a triangle of area `A` and corners `a, b, c` is `A/12 (a² + b² + c²
+/// + s²)`, `s = a + b + c`.
 fn mass_covered(vertices: &[Vector], triangles: &[[u32; 3]], density: Real) -> MassProperties {
     let Some(&origin) = vertices.first() else { return no_mass() };
     let (mut area, mut moment, mut second) = (0.0, Vector::ZERO, 0.0);
@@ -115,8 +115,8 @@ fn mass_covered(vertices: &[Vector], triangles: &[[u32; 3]], density: Real) -> M
     MassProperties::new(origin + com, area * density, inertia)
 }
 
-/// The surface of what triangles cover, as parry's convex decomposition wants it: in 2D the sides that
-/// belong to one triangle alone, in the direction in which it is wound.
+/// The surface of the union of triangles, in the form of parry's convex decomposition: in 2D the sides that
+/// belong to one triangle alone, in its orientation.
 pub fn surface_of(triangles: &[[u32; 3]]) -> Vec<[u32; 2]> {
     let sides = || triangles.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]);
     let ordered = |[a, b]: [u32; 2]| (a.min(b), a.max(b));
@@ -129,8 +129,8 @@ pub fn surface_of(triangles: &[[u32; 3]]) -> Vec<[u32; 2]> {
 
 /// A rotation to the directions in which some points, not none, are spread out most and least.
 ///
-/// The second moments are made diagonal by Jacobi's rotation, of the tangent
-/// `t = 1 / (h + sign(h) √(h² + 1))`, `h = (m_yy - m_xx) / 2 m_xy`.
+/// Jacobi's rotation makes the second moments diagonal. Its tangent is `t = 1 / (h + sign(h) √(h² + 1))`, `h
+/// = (m_yy - m_xx) / 2 m_xy`.
 pub fn spread_directions(points: &[Vector]) -> Rotation {
     let center = points.iter().copied().sum::<Vector>() / points.len() as Real;
     let offsets = || points.iter().map(|p| *p - center);
@@ -154,7 +154,7 @@ pub fn exact_hull(
     super::hull::convex_hull(&part.compute_exact_convex_hull(vertices, segments))
 }
 
-/// What the tests that all dimensions share need to be told.
+/// Dimension-specific data of common tests.
 #[cfg(test)]
 pub mod tests {
     use crate::dim::math::{Real, Rotation, Vector};

@@ -41,7 +41,7 @@ pub fn rotation_components(rotation: &Rotation) -> [Real; 2] {
     [rotation.re, rotation.im]
 }
 
-/// How the direction `b` changes as it turns at `a`: the axis of the plane does not turn.
+/// The rate of change of the direction `b` under the rotation `a`: the axis of the plane is constant.
 #[inline]
 pub fn ang_cross(_: AngVector, _: AngVector) -> AngVector {
     0.0

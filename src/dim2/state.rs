@@ -1,13 +1,12 @@
-//! What the solver knows of a body, in 2D: two records of whole registers.
+//! The solver's data of a body, in 2D: two records of whole registers.
 //!
-//! A constraint gathers the records of its two bodies, one lane per constraint, and a gather reads
-//! whole registers: so records are arrays of numbers, with the meaning of each stated here and
-//! nowhere else.
+//! A constraint gathers the records of its two bodies, one lane per constraint, and a gather reads whole
+//! registers. Records are therefore arrays of numbers, whose meaning is stated here only.
 
 use super::math::{
     AngVector, AngularInertia, Real, Rotation, SPATIAL_DIM, Vector, integrate_rotation,
 };
-use super::turn::rotation_by;
+use super::rotation_vector::rotation_by;
 use super::wide::{WideAngVector, WideRotation, WideSymmetric, WideVector};
 use crate::base::disjoint::DisjointMut;
 use crate::base::wide::{LANES, Wide, gather, gather_adjacent, scatter, scatter_adjacent};
@@ -16,17 +15,17 @@ use crate::base::wide::{LANES, Wide, gather, gather_adjacent, scatter, scatter_a
 /// one, or the world. Such bodies may stand in many constraints that are solved at the same time.
 pub(crate) const READ_ONLY: u32 = 1 << 31;
 
-/// Numbers in a velocity or displacement: two linear, one angular; and the real part of the turn behind the velocity, the
-/// imaginary one behind the displacement.
+/// Numbers in a velocity or displacement: two linear, one angular. The real part of the rotation follows the
+/// velocity, the imaginary one the displacement.
 const MOTION_LEN: usize = 4;
 const STATE_LEN: usize = 2 * MOTION_LEN;
 const POSE_LEN: usize = 8;
 
-/// How much of a state a write covers: its velocity and, where a register is longer than that (single
+/// The part of a state that a write covers: its velocity and, where a register is longer than that (single
 /// precision), the displacement behind it.
 const WRITTEN_LEN: usize = if LANES > MOTION_LEN { LANES } else { MOTION_LEN };
 
-/// What changes from substep to substep; read and written by every constraint in every pass.
+/// State that changes from substep to substep; read and written by every constraint in every pass.
 ///
 /// One register in single precision, one cache line in double precision.
 #[derive(Copy, Clone, Debug)]
@@ -74,7 +73,7 @@ impl BodyState {
         }
     }
 
-    /// How far the centre of mass has moved, and the body has turned, since the step began.
+    /// Displacement of the centre of mass, and rotation of the body, since the step began.
     #[inline]
     pub fn displacement(&self) -> (Vector, AngVector) {
         let s = &self.0[MOTION_LEN..];
@@ -97,7 +96,7 @@ impl BodyState {
         self.0[3] = other.0[3];
     }
 
-    /// Is no number of these states beyond a bound, or none at all?
+    /// Returns whether all numbers of these states are finite and within a bound.
     ///
     /// Counts those that are, place by place and as numbers of the same size, so that several are compared at once.
     pub fn are_within(states: &[Self], bound: Real) -> bool {
@@ -111,7 +110,7 @@ impl BodyState {
     }
 }
 
-/// What stays as it is during a step; read when constraints are prepared.
+/// Data that is constant during a step; read when constraints are prepared.
 #[derive(Copy, Clone, Debug)]
 #[repr(C, align(32))]
 pub(crate) struct BodyPose([Real; POSE_LEN]);
@@ -144,7 +143,7 @@ impl BodyPose {
         Vector::new(self.0[4], self.0[5])
     }
 
-    /// The inverse inertia that contacts know.
+    /// The inverse inertia for contacts.
     pub fn inv_inertia(&self) -> AngularInertia {
         self.0[6]
     }
@@ -157,13 +156,14 @@ pub(crate) struct WideMotion<W> {
     pub angular: WideAngVector<W>,
 }
 
-/// How far one body per lane has moved and turned since the step began.
+/// Displacement and rotation of one body per lane since the step began.
 #[derive(Copy, Clone)]
 pub(crate) struct WideDisplacement<W> {
     pub linear: WideVector<W>,
     /// The angle of the turn.
     pub angular: WideAngVector<W>,
-    /// The turn itself. It is worked out once, where the body turns: several joints of the body ask for it, many times.
+    /// The turn itself. It is computed once, when the body rotates: several joints of the body read it, many
+    /// times.
     turn: WideRotation<W>,
 }
 
@@ -187,13 +187,13 @@ impl<W: Wide> WideDisplacement<W> {
     }
 }
 
-/// How one body per lane moves, and how far it has moved.
+/// Velocity and displacement of one body per lane.
 pub(crate) type WideState<W> = (WideMotion<W>, WideDisplacement<W>);
 
 /// Reads velocity and displacement of one body per lane.
 ///
 /// # Safety
-/// Nobody may write the states of these bodies meanwhile.
+/// No other thread writes the states of these bodies.
 #[inline(always)]
 pub(crate) unsafe fn gather_states<W: Wide>(
     states: &DisjointMut<BodyState>,
@@ -207,12 +207,12 @@ pub(crate) unsafe fn gather_states<W: Wide>(
     motions(gather::<W, STATE_LEN>(rows))
 }
 
-/// Writes the velocity of one body per lane, but for the read-only ones.
+/// Writes the velocity of one body per lane, except read-only ones.
 ///
 /// The displacement must be the one that was gathered with it: half a register cannot be written.
 ///
 /// # Safety
-/// Nobody else may read or write the states of the bodies that are not read-only meanwhile.
+/// The caller has exclusive access to the states of the bodies that are not read-only.
 #[inline(always)]
 pub(crate) unsafe fn scatter_states<W: Wide>(
     states: &DisjointMut<BodyState>,

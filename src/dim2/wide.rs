@@ -150,7 +150,7 @@ impl<W: Wide> WideVector<W> {
         (Self::select(is_longer, shortened, self), W::bits(is_longer))
     }
 
-    /// Is no component larger than that of the other?
+    /// Returns whether no component is larger than that of the other.
     #[inline(always)]
     pub fn all_le(self, other: Self) -> W::Mask {
         self.x.le(other.x) & self.y.le(other.y)
@@ -289,10 +289,10 @@ impl<W: Wide> WideRotation<W> {
         less * less + self.im * self.im
     }
 
-    /// How far it moves a vector's tip, to full precision however small that is.
+    /// Displacement of a vector's tip, to full precision for any size.
     #[inline(always)]
     pub fn displacement(self, v: WideVector<W>) -> WideVector<W> {
-        // cos φ - 1 = -sin² φ / (1 + cos φ), but for half a turn, where the difference is exact.
+        // cos φ - 1 = -sin² φ / (1 + cos φ), except for half a turn, where the difference is exact.
         let one = W::splat(1.0);
         let small = W::zero().lt(self.re);
         let sum = W::select(small, one + self.re, one);
@@ -312,7 +312,7 @@ mod tests {
     use crate::base::wide::{Kernel, LANES, Simd};
     use parry::math::Real;
 
-    /// What the formulas below are applied to, and what comes out.
+    /// Input and output of the formulas below.
     #[derive(Copy, Clone, Default)]
     struct Probe {
         a: WideVector<Lane>,

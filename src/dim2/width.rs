@@ -43,5 +43,5 @@ pub fn face_normals(shape: TypedShape<'_>) -> Vec<Vector> {
     }
 }
 
-/// Does this triangle enclose an area, and not only lie in a plane?
+/// Returns whether this triangle encloses an area.
 pub const TRIANGLES_ARE_SOLID: bool = true;

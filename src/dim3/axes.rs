@@ -1,5 +1,4 @@
-//! The axes of 3D space along and about which a body can be kept from moving, and what locking them
-//! does to its inverse mass and inertia.
+//! Lockable axes of a body, and their effect on its inverse mass and inertia.
 
 use crate::dim::math::{AngularInertia, Real, Vector};
 
@@ -45,10 +44,10 @@ pub fn inv_mass_per_axis(locked: LockedAxes, inv_mass: Real) -> Vector {
 
 /// The inverse inertia that is left once no torque can turn the body about the locked world axes.
 ///
-/// Locking the axis `e` adds whatever torque along `e` keeps `ω·e` constant, which takes the part
-/// `K e (eᵀ K e)⁻¹ eᵀ K` off the inverse inertia `K`. Its row and column of `e` become zero, and what
-/// remains is the inverse of the inertia's other rows and columns. (Merely clearing the row and the
-/// column of `K` would make a body whose axes stand askew too easy to turn.)
+/// Locking the axis `e` adds the torque along `e` that keeps `ω·e` constant, which subtracts the part `K e
+/// (eᵀ K e)⁻¹ eᵀ K` from the inverse inertia `K`. Its row and column of `e` become zero, and what remains is
+/// the inverse of the inertia's other rows and columns. (Merely clearing the row and the column of `K` would
+/// make a body whose axes stand askew too easy to turn.)
 #[inline]
 pub fn lock_rotations(locked: LockedAxes, mut k: AngularInertia) -> AngularInertia {
     if !locked.intersects(LockedAxes::ROTATION_LOCKED) {
@@ -99,7 +98,7 @@ mod tests {
         let torque = Vector::new(0.4, 100.0, -0.9);
         let angvel = locked.mul_vec(torque);
         assert_eq!(angvel.y, 0.0);
-        // What is left must balance the torque about the free axes.
+        // The rest must balance the torque about the free axes.
         let back = inertia * angvel;
         assert!((back.x - torque.x).abs() < 1.0e-5 && (back.z - torque.z).abs() < 1.0e-5, "{back}");
     }

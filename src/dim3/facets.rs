@@ -3,8 +3,8 @@
 use super::math::{Real, Vector};
 use parry::shape::{ConvexPolyhedron, Triangle, TypedShape};
 
-/// How far corners may be out of the plane of their face, as a share of the size of the hull: what the rounding of
-/// coordinates and of a normal made of them comes to.
+/// Largest distance of corners from the plane of their face, as a fraction of the size of the hull: the
+/// rounding error of coordinates and of their normal.
 const FLATNESS: Real = 256.0 * Real::EPSILON;
 
 /// A hull, or a triangle, which is a hull of no thickness.
@@ -21,7 +21,7 @@ pub enum Facets<'a> {
 pub struct Facet {
     /// Unit outward normal.
     pub normal: Vector,
-    /// How far (length units) the face is from the origin along the normal.
+    /// Distance (length units) of the face from the origin along the normal.
     pub offset: Real,
 }
 
@@ -43,7 +43,7 @@ impl<'a> Facets<'a> {
         })
     }
 
-    /// Has it no inside, so that a layer around it is all there is of it?
+    /// Returns whether the shape has no interior, so that it consists of the layer around it.
     pub fn is_flat(&self) -> bool {
         matches!(self, Self::Triangle(..))
     }
@@ -72,7 +72,7 @@ impl<'a> Facets<'a> {
         Facet { normal, offset: normal.dot(point) }
     }
 
-    /// Is a point right above a face, or below it?
+    /// Returns whether a point is right above or below a face.
     pub fn is_over(&self, index: usize, point: Vector) -> bool {
         match self {
             Self::Hull(hull) => {
@@ -110,11 +110,11 @@ impl<'a> Facets<'a> {
     }
 }
 
-/// parry makes one face of triangles that are nearly in a plane, up to more than a degree. Are all faces flat but for
-/// rounding?
+/// parry makes one face of triangles that are nearly in a plane, up to more than a degree. All faces are flat
+/// within rounding.
 fn has_flat_faces(hull: &ConvexPolyhedron) -> bool {
     let points = hull.points();
-    // By Euler's formula: are all faces triangles?
+    // By Euler's formula, all faces are triangles if this holds.
     if hull.faces().len() + 4 == 2 * points.len() {
         return true;
     }
@@ -131,7 +131,7 @@ fn has_flat_faces(hull: &ConvexPolyhedron) -> bool {
     })
 }
 
-/// Is a point to the left of an edge, seen from where the normal points to?
+/// Returns whether a point is to the left of an edge, seen against the normal.
 fn is_left(from: Vector, to: Vector, normal: Vector, point: Vector) -> bool {
     normal.cross(to - from).dot(point - from) >= 0.0
 }

@@ -1,14 +1,14 @@
 //! Rays and height fields.
 //!
-//! The ray goes from cell to cell as seen from above, and looks at triangles only where it comes down to the heights of
-//! the cell's corners.
+//! The ray visits the cells below it in sequence, and tests triangles only where it descends to the heights
+//! of the cell's corners.
 
 use super::math::Real;
 use crate::base::walk::{Walk, range};
 use parry::query::{Ray, RayCast, RayIntersection};
 use parry::shape::HeightField;
 
-/// Where a ray meets a height field, in the field's frame.
+/// The hit of a ray on a height field, in the field's frame.
 pub fn ray_on_field(field: &HeightField, ray: &Ray, limit: Real) -> Option<RayIntersection> {
     let (start, end) = field.local_aabb().clip_ray_parameters(ray)?;
     let (mut start, end) = (start.max(0.0), end.min(limit));
@@ -38,7 +38,8 @@ pub fn ray_on_field(field: &HeightField, ray: &Ray, limit: Real) -> Option<RayIn
     }
 }
 
-/// Can the ray meet a triangle of the cell between two times? Not if it stays above all corners, or below.
+/// Returns whether the ray can meet a triangle of the cell between two times. Not if it stays above all
+/// corners, or below.
 fn may_meet(field: &HeightField, (i, j): (usize, usize), ray: &Ray, times: [Real; 2]) -> bool {
     let heights = field.heights();
     let corners = [(i, j), (i + 1, j), (i, j + 1), (i + 1, j + 1)];

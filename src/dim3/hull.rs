@@ -1,9 +1,9 @@
 //! Convex polyhedra from points.
 //!
-//! parry finds hulls by quickhull, with tolerances for points about the size of the unit box, and
-//! merges neighbouring triangles into faces by their angle alone, which dissolves a finely rounded
-//! surface. So points are scaled to the unit box first, and a polyhedron whose faces came out crooked
-//! is made again from fewer points.
+//! parry finds hulls by quickhull, with tolerances for points about the size of the unit box. It merges
+//! neighbouring triangles into faces by their angle alone, which dissolves a finely rounded surface. So
+//! points are scaled to the unit box first, and a polyhedron whose faces came out crooked is made again from
+//! fewer points.
 
 use super::math::{Real, Vector};
 use crate::base::guard::guarded;
@@ -12,21 +12,21 @@ use parry::shape::ConvexPolyhedron;
 use parry::transformation::try_convex_hull;
 use parry::utils::remove_unused_points;
 
-/// What convex hulls are.
+/// The type of convex hulls.
 pub type ConvexShape = ConvexPolyhedron;
 
 /// Why points have no hull.
-pub const FLAT: &str = "its points lie in a plane, or too close to one";
+pub const DEGENERATE: &str = "its points lie in a plane, or too close to one";
 
 /// Points whose box is thinner than this, in parts of its length, span no volume.
 const THINNESS: Real = 1.0e-6;
 /// A polyhedron with a smaller volume than this, in parts of its box, has none.
 const VOLUME_MIN: Real = 1.0e-4;
-/// Corners of a face may lie this far off its plane, in parts of half the length of the box. parry
-/// merges triangles up to 1.5° apart, so that much is to be expected of large faces.
+/// Largest distance of the corners of a face from its plane, as a fraction of half the length of the box.
+/// parry merges triangles up to 1.5° apart, so large faces reach it.
 const CROOKEDNESS_MAX: Real = 0.1;
-/// Half the number of steps along an edge of the cube of directions that [`thin_out`] looks in, for
-/// each attempt: some 400, 150 and 50 directions.
+/// Half the number of steps along an edge of the cube of directions that [`thin_out`] uses, for each attempt:
+/// some 400, 150 and 50 directions.
 const DIRECTION_STEPS: [i8; 3] = [4, 2, 1];
 
 /// The smallest convex polyhedron around finite points; `None` if they lie in a plane.
@@ -42,8 +42,8 @@ pub fn convex_hull(points: &[Vector]) -> Option<ConvexPolyhedron> {
     hull_of_scaled(&scaled, points, &frame).or_else(|| DIRECTION_STEPS.into_iter().find_map(of_few))
 }
 
-/// The polyhedron with the given finite corners and triangles, which must enclose a convex solid, all
-/// with the same winding; `None` if they do not enclose anything. The indices must be in range.
+/// The polyhedron with the given finite corners and triangles, which must enclose a convex solid, all with
+/// the same winding; `None` if they enclose nothing. The indices must be in range.
 pub fn convex_mesh(mut points: Vec<Vector>, triangles: &[[u32; 3]]) -> Option<ConvexPolyhedron> {
     let in_range = |corner: &u32| (*corner as usize) < points.len();
     if !triangles.iter().flatten().all(in_range) || !is_closed(triangles) {
@@ -66,7 +66,7 @@ fn hull_of_scaled(
     frame: &UnitBox,
 ) -> Option<ConvexPolyhedron> {
     let (corners, triangles) = guarded(|| try_convex_hull(scaled))?.ok()?;
-    // The hull tells its corners' coordinates, not which points they are.
+    // The hull contains its corners' coordinates, not the indices of the points.
     let key = |p: &Vector| p.to_array().map(Real::to_bits);
     let by_place: FastHashMap<_, usize> =
         scaled.iter().enumerate().rev().map(|(i, p)| (key(p), i)).collect();
@@ -103,7 +103,7 @@ impl UnitBox {
     }
 }
 
-/// What became of corners and triangles.
+/// New indices of corners and triangles.
 enum Solid {
     Fine(Box<ConvexPolyhedron>),
     /// No volume.
@@ -130,7 +130,7 @@ fn solid(points: &[Vector], triangles: &[[u32; 3]], frame: &UnitBox) -> Solid {
     }
 }
 
-/// Does each side of a triangle run along exactly one other triangle, in the opposite direction?
+/// Returns whether each side of a triangle is the reversed side of exactly one other triangle.
 fn is_closed(triangles: &[[u32; 3]]) -> bool {
     let mut sides: FastHashMap<(u32, u32), bool> = FastHashMap::default();
     for &[a, b, c] in triangles {
@@ -154,7 +154,8 @@ pub fn signed_volume(points: &[Vector], triangles: &[[u32; 3]]) -> Real {
     tetrahedra.sum::<Real>() / 6.0
 }
 
-/// Do all corners of each face lie in its plane? Two faces must be left: the sides of a thin lens.
+/// Returns whether all corners of each face lie in its plane. Two faces must be left: the sides of a thin
+/// lens.
 fn has_plane_faces(solid: &ConvexPolyhedron, frame: &UnitBox) -> bool {
     let tolerance = CROOKEDNESS_MAX * frame.half_extents.max_element();
     solid.faces().len() >= 2

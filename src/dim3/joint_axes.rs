@@ -43,23 +43,23 @@ bitflags::bitflags! {
         const LIN_AXES = Self::LIN_X.bits() | Self::LIN_Y.bits() | Self::LIN_Z.bits();
         /// All rotations.
         const ANG_AXES = Self::ANG_X.bits() | Self::ANG_Y.bits() | Self::ANG_Z.bits();
-        /// What a prismatic joint locks: all but the translation along X.
+        /// Locked axes of a prismatic joint: all but the translation along X.
         const LOCKED_PRISMATIC_AXES =
             Self::LIN_Y.bits() | Self::LIN_Z.bits() | Self::ANG_AXES.bits();
-        /// What a revolute joint locks: all but the rotation about X.
+        /// Locked axes of a revolute joint: all but the rotation about X.
         const LOCKED_REVOLUTE_AXES =
             Self::LIN_AXES.bits() | Self::ANG_Y.bits() | Self::ANG_Z.bits();
-        /// What a spherical joint locks: the translations.
+        /// Locked axes of a spherical joint: the translations.
         const LOCKED_SPHERICAL_AXES = Self::LIN_AXES.bits();
-        /// What a fixed joint locks: everything.
+        /// Locked axes of a fixed joint: all.
         const LOCKED_FIXED_AXES = Self::LIN_AXES.bits() | Self::ANG_AXES.bits();
-        /// What a prismatic joint leaves free.
+        /// Free axes of a prismatic joint.
         const FREE_PRISMATIC_AXES = Self::LIN_X.bits();
-        /// What a revolute joint leaves free.
+        /// Free axes of a revolute joint.
         const FREE_REVOLUTE_AXES = Self::ANG_X.bits();
-        /// What a fixed joint leaves free: nothing.
+        /// Free axes of a fixed joint: none.
         const FREE_FIXED_AXES = 0;
-        /// What a spherical joint leaves free.
+        /// Free axes of a spherical joint.
         const FREE_SPHERICAL_AXES = Self::ANG_AXES.bits();
     }
 }
@@ -70,7 +70,7 @@ impl JointAxis {
         [Self::LinX, Self::LinY, Self::LinZ, Self::AngX, Self::AngY, Self::AngZ];
 }
 
-/// A rotation that takes the X axis to `axis` (of unit length), the shortest way.
+/// The shortest rotation from the X axis to `axis` (of unit length).
 ///
 /// `-X` is half a turn about Y away, as good as any other.
 #[inline]
@@ -83,8 +83,7 @@ pub fn frame_along(axis: Vector) -> Rotation {
     }
 }
 
-/// The angle (radians, in `-π..=π`) by which a rotation turns about its own X axis, after the swing that
-/// takes X to where the rotation takes it.
+/// The twist (radians, in `-π..=π`) of a rotation about its own X axis, after the swing of X.
 #[inline]
 pub fn twist(rotation: &Rotation) -> Real {
     let (x, w) = (rotation.x, rotation.w);

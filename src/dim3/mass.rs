@@ -1,8 +1,8 @@
 //! Mass properties of what is made of parts, in 3D.
 //!
-//! parry can add mass properties too, but finds the principal axes by the trigonometric formula: the
-//! last bits of its sines and cosines differ between machines, and nearly equal moments cost it half
-//! of the digits. Jacobi's rotations need square roots alone and are accurate to the last few bits.
+//! parry can add mass properties too, but finds the principal axes by the trigonometric formula. The last
+//! bits of its sines and cosines differ between machines, and nearly equal moments cost it half of the
+//! digits. Jacobi's rotations need square roots alone and are accurate to the last few bits.
 
 use crate::base::measure::is_point;
 use crate::dim::math::{
@@ -48,8 +48,7 @@ pub fn mass_from_moments(com: Vector, mass: Real, second: SecondMoment) -> MassP
     MassProperties::with_principal_inertia_frame(com, mass, moments.max(Vector::ZERO), frame)
 }
 
-/// Are all values finite, also those that stand here as their inverse, and none negative where that would
-/// be impossible?
+/// Returns whether all values and stored inverses are finite, and none is negative where that is impossible.
 pub fn mass_is_valid(mass: &MassProperties) -> bool {
     is_point(mass.local_com)
         && mass.inv_mass >= 0.0
@@ -130,31 +129,31 @@ pub fn angular_momentum(mass: &MassProperties, rotation: Rotation, angvel: AngVe
     to_world * (mass.principal_inertia() * (to_world.inverse() * angvel))
 }
 
-/// The inverse inertia, in world space, of a body that turns by `turn` in a step. `None`: that with which the step
+/// The inverse inertia, in world space, of a body that turns by `rotvec` in a step. `None`: that with which the step
 /// begins will do.
 ///
-/// Contacts take one inertia for all of the step. Of a rod with the moments `A` and `C ≪ A` that turns by `θ` the moment
-/// about the axis that it had when the step began becomes `C cos² θ + A sin² θ`. With less the rod would be spun up
-/// about an axis that is its own no longer, with many times the energy that the contact knows of. So no moment
-/// counts as less than `θ²` times what is turned into it: thin rods are spun less about themselves while they are
-/// whirled about, and those that fall without a spin, lie, roll, or turn about themselves are what they are. (To count the turn that
-/// a blow will make as well keeps energy a little better, and is wrong: a rod that lands level has to be thrown aside
-/// and spun by its edge, whichever rate the world is stepped at.)
+/// Contacts take one inertia for all of the step. Let a rod with the moments `A` and `C ≪ A` rotate by `θ`.
+/// The moment about its initial axis becomes `C cos² θ + A sin² θ`. With less, contacts would accelerate the
+/// rod about an axis that is no longer its own, with many times the energy that the contact computes. Each
+/// moment therefore counts as at least `θ²` times the moments that rotate into it. Whirled thin rods get less
+/// spin about their axis, and rods that fall without spin, rest, roll, or spin about their axis are
+/// unaffected. (Including the rotation that an impact will cause keeps energy a little better, and is wrong:
+/// a rod that lands level must bounce aside and spin by its edge, independent of the step rate.)
 ///
-/// To turn the inertias of contacts in each substep, as joints do, is no better for long: a contact that takes
-/// back an impulse of the last substep would no longer take back what that one did.
+/// Rotating the inertias of contacts in each substep, as joints do, has another error: a contact that removes
+/// an impulse of the last substep would no longer remove its effect.
 pub(crate) fn inv_inertia_on_the_way(
     mass: &MassProperties,
     rotation: Rotation,
-    turn: AngVector,
+    rotvec: AngVector,
 ) -> Option<AngularInertia> {
     let inverse = mass.inv_principal_inertia;
     let (low, high) = (inverse.min_element(), inverse.max_element());
-    let matters = low > 0.0 && turn.length_squared() * high > low;
+    let matters = low > 0.0 && rotvec.length_squared() * high > low;
     if !matters {
         return None;
     }
-    let local = (rotation * mass.principal_inertia_local_frame).inverse() * turn;
+    let local = (rotation * mass.principal_inertia_local_frame).inverse() * rotvec;
     let squares = (local * local).min(Vector::ONE);
     let moments = mass.principal_inertia();
     let least = |axis: usize| {
@@ -176,11 +175,11 @@ mod tests {
     #[test]
     fn three_cubes_in_a_row_weigh_what_one_long_box_does() {
         let cube = Cuboid::new(Vector::splat(0.5)).mass_properties(2.0);
-        let turn = Pose::rotation(Vector::new(0.4, 0.1, -1.1));
-        let place = |y| cube.transform_by(&(turn * Pose::translation(0.0, y, 0.0)));
+        let rotvec = Pose::rotation(Vector::new(0.4, 0.1, -1.1));
+        let place = |y| cube.transform_by(&(rotvec * Pose::translation(0.0, y, 0.0)));
         let total = total_mass(&[place(-1.0), place(0.0), place(1.0)]);
         let whole =
-            Cuboid::new(Vector::new(0.5, 1.5, 0.5)).mass_properties(2.0).transform_by(&turn);
+            Cuboid::new(Vector::new(0.5, 1.5, 0.5)).mass_properties(2.0).transform_by(&rotvec);
         let angvel = Vector::new(1.0, 2.0, -3.0);
         let momentum = |mass| angular_momentum(mass, Rotation::IDENTITY, angvel);
         assert!((total.mass() - 6.0).abs() < 1.0e-5);
@@ -189,13 +188,13 @@ mod tests {
         assert!(mass_is_valid(&total));
     }
 
-    /// A rod that turns about its middle counts with `θ²` times the long moment about itself; one that turns about itself, or
-    /// a cube, as it is.
+    /// A rod that rotates about its middle counts with `θ²` times the large moment about its axis. One that
+    /// rotates about its axis, or a cube, is unaffected.
     #[test]
     fn what_turns_counts_with_the_moments_that_turn_into_others() {
         let rod = Cuboid::new(Vector::new(1.0, 0.03, 0.03)).mass_properties(1.0);
         let [short, long] = [rod.principal_inertia().x, rod.principal_inertia().y];
-        let felt = |turn: AngVector| inv_inertia_on_the_way(&rod, Rotation::IDENTITY, turn);
+        let felt = |rotvec: AngVector| inv_inertia_on_the_way(&rod, Rotation::IDENTITY, rotvec);
         let about_middle = felt(Vector::Y * 0.3).unwrap();
         let expected = 0.3 * 0.3 * (long - short);
         assert!((about_middle.m11 * expected - 1.0).abs() < 1.0e-4);

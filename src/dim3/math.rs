@@ -46,7 +46,7 @@ pub fn ang_dot(a: AngVector, b: AngVector) -> Real {
     a.dot(b)
 }
 
-/// Are all components of the angular vector finite?
+/// Returns whether all components of the angular vector are finite.
 #[inline]
 pub fn ang_is_finite(w: AngVector) -> bool {
     w.is_finite()
@@ -64,10 +64,10 @@ pub fn rotation_from_angle(angle: AngVector) -> Rotation {
     Rotation::from_xyzw(v.x, v.y, v.z, cosine)
 }
 
-/// Angle and axis of a rotation as one vector (radians), the shorter way round: at most half a turn.
+/// The rotation vector of a rotation (radians): at most half a turn.
 #[inline]
 pub fn rotation_to_angle(rotation: &Rotation) -> AngVector {
-    // A quaternion and its negative are the same rotation; the one with w < 0 says the longer way.
+    // A quaternion and its negative are the same rotation; the one with w < 0 has the larger angle.
     let q = if rotation.w < 0.0 { -*rotation } else { *rotation };
     let v = Vector::new(q.x, q.y, q.z);
     let length = v.length();
@@ -78,11 +78,11 @@ pub fn rotation_to_angle(rotation: &Rotation) -> AngVector {
 pub const TURN_MAX: Real = 1.0e4;
 
 /// Rotates `rotation` by the world-space rotation vector `angle` (radians), by the series of
-/// [`turning`](crate::base::turning): at 1 rad nothing is missing, at a turn 10⁻⁵ rad, and at two turns 0.003.
+/// [`turning`](crate::base::turning). The error is zero at 1 rad, 10⁻⁵ rad at a turn, and 0.003 at two turns.
 #[inline]
 pub fn integrate_rotation(rotation: Rotation, angle: AngVector) -> Rotation {
     let square = angle.length_squared().min(TURN_MAX);
-    // Of half the angle.
+    // Cosine and sine of half the angle.
     let (cosine, sine) = cosine_and_sine::<2>(square);
     let (q, a) = (rotation, angle * sine);
     Rotation::from_xyzw(
@@ -131,7 +131,7 @@ pub fn zero_inertia() -> AngularInertia {
     AngularInertia::zero()
 }
 
-/// Is the rotation a finite one of unit length (within rounding)?
+/// Returns whether the rotation is finite and of unit length (within rounding).
 #[inline]
 pub fn rotation_is_valid(rotation: &Rotation) -> bool {
     rotation.is_finite() && (rotation.length_squared() - 1.0).abs() < 1.0e-2

@@ -28,7 +28,7 @@ pub(crate) mod contact;
 pub(crate) mod joint;
 pub(crate) mod state;
 pub(crate) mod motion;
-mod top;
-pub(crate) mod turn;
+mod gyroscopic;
+pub(crate) mod rotation_vector;
 #[cfg(feature = "debug-render")]
 pub(crate) mod outline;

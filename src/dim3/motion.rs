@@ -1,66 +1,68 @@
-//! How bodies move while nothing holds them, in 3D: a record of whole registers, and what integrates it lane by lane.
+//! Free motion of bodies in 3D: a record of whole registers, and its integration lane by lane.
 //!
 //! # Tumbling
-//! Between impulses a body keeps its angular momentum `L`, not its angular velocity: as it turns, its inertia turns with it,
-//! and `ω = I⁻¹ L` changes. Where it is after a substep if nothing holds it is known ([`FreeTurn`]), and so is the mean
-//! velocity that leads there: this one goes through the solver, which turns the body by it.
+//! Between impulses a body keeps its angular momentum `L`, not its angular velocity: its inertia rotates with
+//! it, and `ω = I⁻¹ L` changes. Its free orientation after a substep is known ([`FreeTurn`]), and so is the
+//! mean angular velocity that leads there. The solver uses the latter, and rotates the body by it.
 //!
-//! An impulse acts where the substep begins: that is where joints take their levers and inertias from. A change `Δω`
-//! of the mean velocity is therefore one of `L` by `I Δω` with the inertia of the beginning. With that of the
-//! middle, thin limbs that hang from each other gain some per cent of their energy in ten seconds.
+//! An impulse acts at the start of the substep: joints take their moment arms and inertias from there. A
+//! change `Δω` of the mean velocity is therefore one of `L` by `I Δω` with the inertia of the beginning. With
+//! that of the middle, thin limbs that hang from each other gain some per cent of their energy in ten
+//! seconds.
 //!
 //! # Where impulses lead elsewhere
-//! A body that was pushed is not quite where it would have turned to freely with its new momentum, but off by an angle `δ` of
-//! second order. With the momentum as it is, its energy there is another, and for thin bodies not by a little: of a rod
-//! whose moments are `A` and `C ≪ A` by about `δ² A / C`. (Rods 27 times as long as thick landed with up to 3000 times
-//! their energy.) The energy must stay, so the momentum has to give way:
+//! The pose of a pushed body differs from its free pose with the new momentum by an angle `δ` of second
+//! order. With the same momentum, its energy is different there, considerably so for thin bodies: by about
+//! `δ² A / C` for a rod with the moments `A` and `C ≪ A`. (Rods 27 times as long as thick landed with up to
+//! 3000 times their energy.) Energy has priority, so the momentum is adjusted:
 //!
 //! * that of thin bodies turns by `δ`, so that relative to the body it is what it is in a free one. A rod, that turns
 //!   about its middle and hardly about itself, shows nothing of that.
-//! * that of others gives way along the gradient of the energy, `ω`, as far as it must. Turned by `δ` with each push of its
-//!   support, a gyroscope at 40 rad/s and 30 steps a second would precess by 8 % too slowly.
+//! * that of others is adjusted along the gradient of the energy, `ω`, by the necessary amount. With a
+//!   rotation by `δ` for each impulse of its support, a gyroscope at 40 rad/s and 30 steps a second would
+//!   precess by 8 % too slowly.
 //!
-//! The implicit Euler step of Catto, "Numerical Methods" (GDC 2015), is as stable but dissipates;
-//! explicit Euler, `ω ← ω - h I⁻¹ (ω × I ω)`, gains energy until it explodes. With the velocity at the middle of
-//! the substep in place of the mean one, thin rods at 25 rad/s have half of their energy more or less from step to step.
+//! The implicit Euler step of Catto, "Numerical Methods" (GDC 2015), is as stable but dissipates. Explicit
+//! Euler, `ω ← ω - h I⁻¹ (ω × I ω)`, gains energy until it explodes. With the velocity at the middle of the
+//! substep in place of the mean one, the energy of thin rods at 25 rad/s changes by half from step to step.
 
+use super::gyroscopic::FreeTurn;
 use super::math::{AngVector, Real, Rotation, Vector, integrate_rotation};
+use super::rotation_vector::{rotation_vector, turned_frame};
 use super::state::WideMotion;
-use super::top::FreeTurn;
-use super::turn::{rotation_vector, turned_frame};
 use super::wide::{WideAngVector, WideRotation, WideVector};
 use crate::base::wide::{Kernel, Simd, Wide, gather_adjacent, scatter_adjacent};
 use parry::mass_properties::MassProperties;
 
-/// Moments that differ by less than this share make no visible difference.
+/// Moments that differ by less than this fraction make no visible difference.
 const ISOTROPY: Real = 1.0e-3;
-/// A body that turns by less than this (rad) in a substep does not tumble.
+/// A body that rotates by less than this (rad) in a substep has no gyroscopic motion.
 const TURN_MIN: Real = 1.0e-4;
-/// Of a turn in a substep of up to this angle (rad) there is no doubt which one it was.
-const PLAIN_TURN: Real = 1.5;
+/// A rotation in a substep of up to this angle (rad) is unambiguous.
+const UNAMBIGUOUS_ANGLE_MAX: Real = 1.5;
 /// Up to this angle (rad) in a substep the velocity of the middle does for what is not thin.
-const SMALL_TURN: Real = 0.1;
+const SMALL_ANGLE_MAX: Real = 0.1;
 /// A body is thin if one of its moments of inertia is so many times another: a rod 8 times as long as thick.
-const THIN: Real = 30.0;
-/// The momentum of others gives way where that changes the energy by no more than this share.
+const INERTIA_RATIO_MAX: Real = 30.0;
+/// The momentum of others is adjusted if that changes the energy by at most this fraction.
 const LED_MAX: Real = 0.25;
 
 /// Numbers in each part of a record.
 const LEN: usize = 16;
-/// Where what stands in the first part, but for the damping at 10 and 11: rotation at 0, acceleration at 4.
-const TUMBLES: usize = 12;
+/// Offsets in the first part, besides the damping at 10 and 11: rotation at 0, acceleration at 4.
+const GYROSCOPIC: usize = 12;
 const INV_MOMENTS: usize = 13;
-/// Where what stands in the second.
+/// Offsets in the second part.
 const FRAME: usize = 0;
 const BEARS_WEIGHT: usize = 14;
 
-/// What integrates a body; no constraint reads it.
+/// Data for the integration of a body; no constraint reads it.
 #[derive(Copy, Clone, Debug)]
 #[repr(C, align(64))]
 pub(crate) struct FreeMotion {
-    /// What moves every body.
+    /// Data of every body.
     plain: [Real; LEN],
-    /// What but few need in every substep: those that tumble.
+    /// Data of gyroscopic bodies only.
     tumbling: [Real; LEN],
 }
 
@@ -73,7 +75,8 @@ impl FreeMotion {
     /// A body with this orientation, linear and angular acceleration by gravity and the user's forces (length/s²,
     /// rad/s²), and linear and angular damping (1/s).
     ///
-    /// Does gravity pull it, so that it may be part of a pile? What holds piles up `bears_weight`, too.
+    /// Whether gravity acts on the body, so that it may be part of a pile. Supports of piles also have
+    /// `bears_weight`.
     pub fn new(
         rotation: Rotation,
         (linear, angular): (Vector, AngVector),
@@ -89,13 +92,13 @@ impl FreeMotion {
         Self { plain, tumbling }
     }
 
-    /// Lets the body tumble, unless it need not: if it is round, or hardly turns in `h` seconds.
+    /// Enables gyroscopic motion, unless the body is round, or hardly rotates in `h` seconds.
     pub fn with_gyroscope(mut self, mass: &MassProperties, angvel: AngVector, h: Real) -> Self {
         let inv_moments = mass.inv_principal_inertia;
         let (low, high) = (inv_moments.min_element(), inv_moments.max_element());
         let is_round = low <= 0.0 || high - low < ISOTROPY * high;
         if !is_round && angvel.length_squared() * h * h >= TURN_MIN * TURN_MIN {
-            self.plain[TUMBLES] = 1.0;
+            self.plain[GYROSCOPIC] = 1.0;
             self.plain[INV_MOMENTS..INV_MOMENTS + 3].copy_from_slice(&inv_moments.to_array());
             let frame = mass.principal_inertia_local_frame.to_array();
             self.tumbling[FRAME..FRAME + 4].copy_from_slice(&frame);
@@ -103,7 +106,7 @@ impl FreeMotion {
         self
     }
 
-    /// Of a body that tumbles: how it is turned now. Of others: how it was when the step began.
+    /// The current rotation of a gyroscopic body. For others, the rotation when the step began.
     pub fn rotation(&self) -> Rotation {
         Rotation::from_xyzw(self.plain[0], self.plain[1], self.plain[2], self.plain[3])
     }
@@ -113,19 +116,19 @@ impl FreeMotion {
         Vector::new(self.plain[4], self.plain[5], self.plain[6])
     }
 
-    /// Does the angular velocity change as the body turns?
-    pub fn tumbles(&self) -> bool {
-        self.plain[TUMBLES] != 0.0
+    /// Returns whether the angular velocity changes as the body rotates.
+    pub fn is_gyroscopic(&self) -> bool {
+        self.plain[GYROSCOPIC] != 0.0
     }
 
-    /// May it be part of a pile?
+    /// Returns whether the body may be part of a pile.
     pub fn bears_weight(&self) -> bool {
         self.tumbling[BEARS_WEIGHT] != 0.0
     }
 
-    /// Turns a tumbling body by this rotation vector.
+    /// Rotates a gyroscopic body by this rotation vector.
     pub fn turn(&mut self, turn: AngVector) {
-        if self.tumbles() {
+        if self.is_gyroscopic() {
             let turned = integrate_rotation(self.rotation(), turn);
             self.plain[0..4].copy_from_slice(&turned.to_array());
         }
@@ -147,22 +150,23 @@ pub(crate) fn accelerated<W: Wide>(
     let linear = (linear + linear_acceleration * substep) * (one / (one + substep * own[10]));
     let mut angular =
         (angular + angular_acceleration * substep) * (one / (one + substep * own[11]));
-    if bodies.iter().any(FreeMotion::tumbles) {
+    if bodies.iter().any(FreeMotion::is_gyroscopic) {
         let rotation = rotation_of(&own);
         let mut gyroscope = Gyroscope::gather(bodies, &own);
         let on_the_way = gyroscope.velocity_on_the_way(rotation, angular, substep);
-        angular = WideVector::select(W::zero().lt(own[TUMBLES]), on_the_way, angular);
+        angular = WideVector::select(W::zero().lt(own[GYROSCOPIC]), on_the_way, angular);
         gyroscope.scatter(bodies);
     }
     WideMotion { linear, angular }
 }
 
-/// Turns up to [`LANES`] bodies, if they tumble, by `h` times their angular velocity, and it as their inertia turns.
+/// Rotates up to [`LANES`] gyroscopic bodies by `h` times their angular velocity, and updates the velocity
+/// for their rotated inertia.
 ///
-/// What turns the velocity is no impulse: the next substep must not start with it, nor with the rounding of it. Where
-/// there was no impulse, the velocity `before` any becomes the new one to the last bit.
+/// The velocity change is no impulse: the next substep must not start with it, nor with its rounding error.
+/// Without an impulse, the velocity `before` any becomes the new one to the last bit.
 #[inline(always)]
-pub(crate) fn tumble<W: Wide>(
+pub(crate) fn gyroscopic<W: Wide>(
     bodies: &mut [FreeMotion],
     velocity: &mut WideAngVector<W>,
     before: &mut WideAngVector<W>,
@@ -172,12 +176,12 @@ pub(crate) fn tumble<W: Wide>(
     let mut gyroscope = Gyroscope::gather(bodies, &own);
     let (w, end) = (*velocity, turned_frame(rotation_of(&own), *velocity * W::splat(h)));
     let at_end = gyroscope.velocity_at_end(end, w, W::splat(h));
-    let tumbles = W::zero().lt(own[TUMBLES]);
-    *velocity = WideVector::select(tumbles, at_end, w);
-    *before = WideVector::select(tumbles, at_end - (w - *before), *before);
+    let is_gyroscopic = W::zero().lt(own[GYROSCOPIC]);
+    *velocity = WideVector::select(is_gyroscopic, at_end, w);
+    *before = WideVector::select(is_gyroscopic, at_end - (w - *before), *before);
     let turned = [end.x, end.y, end.z, end.w];
     for k in 0..4 {
-        own[k] = W::select(tumbles, turned[k], own[k]);
+        own[k] = W::select(is_gyroscopic, turned[k], own[k]);
     }
     scatter_adjacent(own, bodies, |body| &mut body.plain);
     gyroscope.scatter(bodies);
@@ -190,44 +194,44 @@ pub(crate) fn angvel_after(
     angvel: AngVector,
     h: Real,
 ) -> AngVector {
-    turned_freely(mass, rotation, angvel, h).1
+    rotated_freely(mass, rotation, angvel, h).1
 }
 
-/// The angular velocity of one body that was where it is `h` seconds from now, which may be negative, turned to `there`: what a free
-/// body has relative to itself by then.
+/// The angular velocity of one body `h` seconds before (which may be negative), rotated to `there`: the
+/// body-relative velocity of free motion.
 pub(crate) fn angvel_at(
     mass: &MassProperties,
     (rotation, there): (Rotation, Rotation),
     angvel: AngVector,
     h: Real,
 ) -> AngVector {
-    let (reached, angvel) = turned_freely(mass, rotation, angvel, h);
+    let (reached, angvel) = rotated_freely(mass, rotation, angvel, h);
     there * (reached.inverse() * angvel)
 }
 
-/// How one body is turned after it has turned freely for `h` seconds, and its angular velocity.
-fn turned_freely(
+/// The rotation of one body after free rotation for `h` seconds, and its angular velocity.
+fn rotated_freely(
     mass: &MassProperties,
     rotation: Rotation,
     angvel: AngVector,
     h: Real,
 ) -> (Rotation, AngVector) {
     let body = FreeMotion::at_rest(rotation).with_gyroscope(mass, angvel, h);
-    if body.tumbles() {
-        Simd::baseline().run(TurnFreely { body, angvel, h })
+    if body.is_gyroscopic() {
+        Simd::baseline().run(RotateFreely { body, angvel, h })
     } else {
         (integrate_rotation(rotation, angvel * h), angvel)
     }
 }
 
 /// One body that turns for a while.
-struct TurnFreely {
+struct RotateFreely {
     body: FreeMotion,
     angvel: AngVector,
     h: Real,
 }
 
-impl Kernel for TurnFreely {
+impl Kernel for RotateFreely {
     type Output = (Rotation, AngVector);
 
     #[inline(always)]
@@ -236,22 +240,22 @@ impl Kernel for TurnFreely {
         let start = WideMotion { linear: WideVector::zero(), angular };
         let mut velocity = accelerated::<W>(bodies, start, self.h).angular;
         let mut before = velocity;
-        tumble(bodies, &mut velocity, &mut before, self.h);
+        gyroscopic(bodies, &mut velocity, &mut before, self.h);
         let mut lanes = WideVector::ZERO;
         velocity.store(&mut lanes);
         (bodies[0].rotation().normalize(), lanes.lane(0))
     }
 }
 
-/// What lets bodies tumble.
+/// Data of gyroscopic motion.
 struct Gyroscope<W> {
     inv_moments: WideVector<W>,
     frame: WideRotation<W>,
     /// Orientation at the beginning of the substep, where the solver's impulses act.
     start: WideRotation<W>,
-    /// The angular momentum. It is carried from substep to substep rather than computed from the
-    /// velocity each time: what rounding does to it on average goes in one direction, and 240 steps a
-    /// second in `f32` made of it 5 % of the energy in a minute.
+    /// The angular momentum. It is carried from substep to substep rather than computed from the velocity.
+    /// The rounding error of the latter is biased, and 240 steps a second in `f32` turned it into 5 % of the
+    /// energy in a minute.
     momentum: WideAngVector<W>,
     /// The angular velocity that goes with it.
     angvel: WideAngVector<W>,
@@ -286,9 +290,9 @@ impl<W: Wide> Gyroscope<W> {
         scatter_adjacent(numbers, bodies, |body| &mut body.tumbling);
     }
 
-    /// Somebody changed the angular velocity at the orientation `rotation`.
+    /// The angular velocity was changed at the orientation `rotation`.
     #[inline(always)]
-    fn take_in(&mut self, rotation: WideRotation<W>, angvel: WideAngVector<W>) {
+    fn load(&mut self, rotation: WideRotation<W>, angvel: WideAngVector<W>) {
         let (to_world, moments) = (rotation.times(self.frame), self.inv_moments);
         let change = to_world.conjugate().rotate_unscaled(angvel - self.angvel);
         let change = WideVector {
@@ -299,8 +303,8 @@ impl<W: Wide> Gyroscope<W> {
         self.momentum = self.momentum + to_world.rotate_unscaled(change);
     }
 
-    /// The mean angular velocity of a substep of `h` seconds that begins with `angvel`, if nothing holds the body. If it turns
-    /// so far that no one could tell from where it ends how often it went round, the one with which it begins.
+    /// The mean angular velocity of a substep of `h` seconds that begins with `angvel`, if nothing holds the
+    /// body. If the rotation is so large that its turns are ambiguous, the initial velocity is used.
     ///
     /// For small turns of what is not thin the velocity of the middle does, from the orientation that the old one reaches by then.
     #[inline(always)]
@@ -310,12 +314,12 @@ impl<W: Wide> Gyroscope<W> {
         angvel: WideAngVector<W>,
         h: W,
     ) -> WideAngVector<W> {
-        self.take_in(rotation, angvel);
+        self.load(rotation, angvel);
         self.start = rotation;
         let middle = turned_frame(rotation, angvel * (h * W::splat(0.5)));
         let (to_world, momentum) = self.seen_from(middle);
         self.angvel = to_world.rotate_unscaled(momentum.component_mul(self.inv_moments));
-        let is_far = W::splat(SMALL_TURN * SMALL_TURN).lt(angvel.dot(angvel) * (h * h));
+        let is_far = W::splat(SMALL_ANGLE_MAX * SMALL_ANGLE_MAX).lt(angvel.dot(angvel) * (h * h));
         let wants_mean = is_far | self.is_thin();
         if W::any(wants_mean) {
             let (to_world, momentum) = self.seen_from(rotation);
@@ -337,7 +341,7 @@ impl<W: Wide> Gyroscope<W> {
     ) -> WideAngVector<W> {
         let (change, plainly) = (angvel - self.angvel, turns_plainly(angvel, h));
         let is_free = change.dot(change).le(W::zero()) & plainly;
-        self.take_in(self.start, angvel);
+        self.load(self.start, angvel);
         let led = self.led_to(end, plainly, h);
         self.momentum = WideVector::select(is_free, self.momentum, led);
         let (to_world, momentum) = self.seen_from(end);
@@ -345,8 +349,8 @@ impl<W: Wide> Gyroscope<W> {
         self.angvel
     }
 
-    /// The angular momentum with which a body that was led to the orientation `end` has the energy that it began with. Of one that turns
-    /// too far to tell, or would be led too far, it stays what it is relative to the body.
+    /// The angular momentum with which a body that was led to the orientation `end` has the energy that it
+    /// began with. For an ambiguous or too large rotation, the velocity stays constant relative to the body.
     #[inline(always)]
     fn led_to(&self, end: WideRotation<W>, plainly: W::Mask, h: W) -> WideVector<W> {
         let (_, start) = self.seen_from(self.start);
@@ -372,7 +376,7 @@ impl<W: Wide> Gyroscope<W> {
     #[inline(always)]
     fn is_thin(&self) -> W::Mask {
         let WideVector { x, y, z } = self.inv_moments;
-        (x.min(y).min(z) * W::splat(THIN)).lt(x.max(y).max(z))
+        (x.min(y).min(z) * W::splat(INERTIA_RATIO_MAX)).lt(x.max(y).max(z))
     }
 
     /// The kinetic energy of turning with an angular momentum, in the frame of the principal axes.
@@ -389,10 +393,10 @@ impl<W: Wide> Gyroscope<W> {
     }
 }
 
-/// Is the turn in `h` seconds so small that there is no doubt which one it is?
+/// Returns whether the rotation in `h` seconds is small enough to be unambiguous.
 #[inline(always)]
 fn turns_plainly<W: Wide>(angvel: WideAngVector<W>, h: W) -> W::Mask {
-    (angvel.dot(angvel) * (h * h)).le(W::splat(PLAIN_TURN * PLAIN_TURN))
+    (angvel.dot(angvel) * (h * h)).le(W::splat(UNAMBIGUOUS_ANGLE_MAX * UNAMBIGUOUS_ANGLE_MAX))
 }
 
 #[inline(always)]

@@ -8,7 +8,7 @@ use parry::shape::{
     HeightFieldCellStatus, RoundTriangle, Triangle, TypedShape,
 };
 
-/// Half the side of the square that stands for an endless plane (length units).
+/// Half the side of the square that represents an infinite plane (length units).
 const PLANE_EXTENT: Real = 50.0;
 /// Lines across that square, in each direction.
 const PLANE_CELLS: i32 = 10;

@@ -1,4 +1,4 @@
-//! What the saved forms of shapes need to know that only three dimensions have.
+//! Saved forms of shapes that exist in three dimensions only.
 
 use super::math::{Real, Vector};
 use crate::base::fault::{Fault, ensure};

@@ -1,4 +1,4 @@
-//! What the shapes are made of that only three dimensions have, and how their mass is spread.
+//! Elements of shapes that exist in three dimensions only, and their mass distribution.
 
 use super::hull::signed_volume;
 use super::mass::{mass_from_moments, no_mass, principal_axes, second_moment};
@@ -127,7 +127,7 @@ fn farthest_point(points: &[Vector], center: Vector) -> Real {
     points.iter().map(|p| p.distance_squared(center)).fold(0.0, Real::max).sqrt()
 }
 
-/// Is the shape one of this dimension's shapes that can roll?
+/// Returns whether the shape is one of this dimension's shapes that can roll.
 pub fn has_curved_surface(shape: TypedShape<'_>) -> bool {
     matches!(
         shape,
@@ -139,8 +139,8 @@ pub fn has_curved_surface(shape: TypedShape<'_>) -> bool {
     )
 }
 
-/// Mass properties of the shapes for which parry goes through trigonometric functions, whose last bits
-/// differ between machines, to find the principal axes; `None` for the others.
+/// Mass properties of the shapes for which parry uses trigonometric functions, whose last bits differ between
+/// machines, to find the principal axes; `None` for the others.
 pub fn mass_properties(shape: TypedShape<'_>, density: Real) -> Option<MassProperties> {
     let polyhedron = |solid: &ConvexPolyhedron| {
         let (vertices, triangles) = solid.to_trimesh();
@@ -154,14 +154,13 @@ pub fn mass_properties(shape: TypedShape<'_>, density: Real) -> Option<MassPrope
     }
 }
 
-/// Mass properties of the solid that triangles enclose, whichever way they are wound; none if they
-/// enclose nothing. Of a mesh that is not closed, the result is that of the solid between its
-/// triangles and its first vertex.
+/// Mass properties of the solid that triangles enclose, in either orientation; none if they enclose nothing.
+/// For an open mesh, the result is that of the solid between its triangles and its first vertex.
 ///
-/// The solid is summed up from tetrahedra with their tips at one vertex. About its tip, the second
-/// moments of a tetrahedron of volume `V` and edges `a, b, c` are
-/// `V/20 (a aᵀ + b bᵀ + c cᵀ + s sᵀ)`, `s = a + b + c`. Source: Blow and Binstock, "How to find the
-/// inertia tensor (or other mass properties) of a 3D solid body represented by a triangle mesh" (2004).
+/// The solid is summed up from tetrahedra with their tips at one vertex. About its tip, the second moments of
+/// a tetrahedron of volume `V` and edges `a, b, c` are `V/20 (a aᵀ + b bᵀ + c cᵀ + s sᵀ)`, `s = a + b + c`.
+/// Source: Blow and Binstock, "How to find the inertia tensor (or other mass properties) of a 3D solid body
+/// represented by a triangle mesh" (2004).
 fn mass_inside(vertices: &[Vector], triangles: &[[u32; 3]], density: Real) -> MassProperties {
     let Some(&tip) = vertices.first() else { return no_mass() };
     let (mut volume, mut moment, mut second) = (0.0, Vector::ZERO, Matrix::ZERO);
@@ -185,7 +184,7 @@ fn mass_inside(vertices: &[Vector], triangles: &[[u32; 3]], density: Real) -> Ma
     mass_from_moments(tip + com, mass, second)
 }
 
-/// The surface of what triangles cover, as parry's convex decomposition wants it: in 3D they are it.
+/// The surface of triangles in the form of parry's convex decomposition: in 3D the triangles themselves.
 pub fn surface_of(triangles: &[[u32; 3]]) -> Vec<[u32; 3]> {
     triangles.to_vec()
 }
@@ -207,7 +206,7 @@ pub fn exact_hull(
     super::hull::convex_hull(&corners)
 }
 
-/// What the tests that all dimensions share need to be told.
+/// Dimension-specific data of common tests.
 #[cfg(test)]
 pub mod tests {
     use crate::dim::math::{Real, Rotation, Vector};

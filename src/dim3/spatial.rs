@@ -41,7 +41,7 @@ pub fn rotation_components(rotation: &Rotation) -> [Real; 4] {
     rotation.to_array()
 }
 
-/// How the direction `b` changes as it turns at `a` (rad/s).
+/// The rate of change of the direction `b` under the angular velocity `a` (rad/s).
 #[inline]
 pub fn ang_cross(a: AngVector, b: AngVector) -> AngVector {
     a.cross(b)
@@ -61,8 +61,8 @@ pub fn rotation_about(axis: usize, angle: Real) -> Rotation {
     Rotation::from_xyzw(v.x, v.y, v.z, cosine)
 }
 
-/// The angle (radians, at most half a turn) by which a rotation turns about one of [`ANG_AXES`], after the swing that
-/// takes this axis to where the rotation takes it.
+/// The twist (radians, at most half a turn) of a rotation about one of [`ANG_AXES`], after the swing of this
+/// axis.
 pub fn angle_about(axis: usize, rotation: Rotation) -> Real {
     let (along, w) = ([rotation.x, rotation.y, rotation.z][axis], rotation.w);
     let (along, w) = if w < 0.0 { (-along, -w) } else { (along, w) };
@@ -98,8 +98,9 @@ pub fn world_inertia(mass: &MassProperties, rotation: Rotation) -> [[Real; ANG_D
     inertia
 }
 
-/// By axis: the error if the rotation about it is locked, and the direction in the first frame along which the relative angular
-/// velocity changes it. `rotation` is the second frame's, seen from the first. See `dim3/joint/mod.rs`.
+/// By axis: the error if the rotation about it is locked, and the direction in the first frame along which
+/// the relative angular velocity changes it. `rotation` is the second frame's, seen from the first. See
+/// `dim3/joint/mod.rs`.
 pub fn locked_angles(rotation: Rotation) -> [(Real, AngVector); ANG_DIM] {
     let (x, y, z, w) = (rotation.x, rotation.y, rotation.z, rotation.w);
     [

@@ -1,11 +1,10 @@
-//! What the solver knows of a body, in 3D: two records of whole registers.
+//! The solver's data of a body, in 3D: two records of whole registers.
 //!
-//! A constraint gathers the records of its two bodies, one lane per constraint, and a gather reads
-//! whole registers: so records are arrays of numbers, with the meaning of each stated here and
-//! nowhere else.
+//! A constraint gathers the records of its two bodies, one lane per constraint, and a gather reads whole
+//! registers. Records are therefore arrays of numbers, whose meaning is stated here only.
 
 use super::math::{AngVector, AngularInertia, Real, Rotation, SPATIAL_DIM, Vector};
-use super::turn::{unit_quaternion, wide_unit_quaternion};
+use super::rotation_vector::{unit_quaternion, wide_unit_quaternion};
 use super::wide::{WideAngVector, WideRotation, WideSymmetric, WideVector};
 use crate::base::disjoint::DisjointMut;
 use crate::base::wide::{LANES, Wide, gather, gather_adjacent, scatter, scatter_adjacent};
@@ -14,13 +13,14 @@ use crate::base::wide::{LANES, Wide, gather, gather_adjacent, scatter, scatter_a
 /// one, or the world. Such bodies may stand in many constraints that are solved at the same time.
 pub(crate) const READ_ONLY: u32 = 1 << 31;
 
-/// Numbers in a velocity or displacement: three linear, three angular, two unused. Behind the displacement they are the turn
-/// as a quaternion: what the rotation vector is to be scaled by for its vector part, and its real part.
+/// Numbers in a velocity or displacement: three linear, three angular, two unused. After the displacement
+/// they are the rotation as a quaternion: the scale from the rotation vector to its vector part, and its real
+/// part.
 pub(crate) const MOTION_LEN: usize = 8;
 const STATE_LEN: usize = 2 * MOTION_LEN;
 const POSE_LEN: usize = 16;
 
-/// What changes from substep to substep; read and written by every constraint in every pass.
+/// State that changes from substep to substep; read and written by every constraint in every pass.
 ///
 /// One cache line in single precision.
 #[derive(Copy, Clone, Debug)]
@@ -72,7 +72,7 @@ impl BodyState {
         }
     }
 
-    /// How far the centre of mass has moved, and the body has turned, since the step began.
+    /// Displacement of the centre of mass, and rotation of the body, since the step began.
     #[inline]
     pub fn displacement(&self) -> (Vector, AngVector) {
         let s = &self.0[MOTION_LEN..];
@@ -94,7 +94,7 @@ impl BodyState {
         self.0[MOTION_LEN..].copy_from_slice(&other.0[MOTION_LEN..]);
     }
 
-    /// Is no number of these states beyond a bound, or none at all?
+    /// Returns whether all numbers of these states are finite and within a bound.
     ///
     /// Counts those that are, place by place and as numbers of the same size, so that several are compared at once.
     pub fn are_within(states: &[Self], bound: Real) -> bool {
@@ -108,7 +108,7 @@ impl BodyState {
     }
 }
 
-/// What stays as it is during a step; read when constraints are prepared.
+/// Data that is constant during a step; read when constraints are prepared.
 #[derive(Copy, Clone, Debug)]
 #[repr(C, align(64))]
 pub(crate) struct BodyPose([Real; POSE_LEN]);
@@ -145,7 +145,7 @@ impl BodyPose {
         Vector::new(self.0[7], self.0[8], self.0[9])
     }
 
-    /// The inverse inertia that contacts know, in world space.
+    /// The inverse inertia for contacts, in world space.
     pub fn inv_inertia(&self) -> AngularInertia {
         let [m11, m12, m13, m22, m23, m33] = [10, 11, 12, 13, 14, 15].map(|k| self.0[k]);
         AngularInertia { m11, m12, m13, m22, m23, m33 }
@@ -159,14 +159,14 @@ pub(crate) struct WideMotion<W> {
     pub angular: WideAngVector<W>,
 }
 
-/// How far one body per lane has moved and turned since the step began.
+/// Displacement and rotation of one body per lane since the step began.
 #[derive(Copy, Clone)]
 pub(crate) struct WideDisplacement<W> {
     pub linear: WideVector<W>,
     /// The rotation vector of the turn.
     pub angular: WideAngVector<W>,
-    /// The unit quaternion of the turn: what makes its vector part of the rotation vector, and its real part. They are worked
-    /// out once, where the body turns: several joints of the body ask for them, many times.
+    /// The unit quaternion of the turn: what makes its vector part of the rotation vector, and its real part.
+    /// They are computed once, when the body rotates: several joints of the body read them, many times.
     scale: W,
     real: W,
 }
@@ -200,13 +200,13 @@ impl<W: Wide> WideDisplacement<W> {
     }
 }
 
-/// How one body per lane moves, and how far it has moved.
+/// Velocity and displacement of one body per lane.
 pub(crate) type WideState<W> = (WideMotion<W>, WideDisplacement<W>);
 
 /// Reads velocity and displacement of one body per lane.
 ///
 /// # Safety
-/// Nobody may write the states of these bodies meanwhile.
+/// No other thread writes the states of these bodies.
 #[inline(always)]
 pub(crate) unsafe fn gather_states<W: Wide>(
     states: &DisjointMut<BodyState>,
@@ -220,10 +220,10 @@ pub(crate) unsafe fn gather_states<W: Wide>(
     motions(gather::<W, STATE_LEN>(rows))
 }
 
-/// Writes the velocity of one body per lane, but for the read-only ones.
+/// Writes the velocity of one body per lane, except read-only ones.
 ///
 /// # Safety
-/// Nobody else may read or write the states of the bodies that are not read-only meanwhile.
+/// The caller has exclusive access to the states of the bodies that are not read-only.
 #[inline(always)]
 pub(crate) unsafe fn scatter_velocities<W: Wide>(
     states: &DisjointMut<BodyState>,
@@ -242,8 +242,8 @@ pub(crate) unsafe fn scatter_velocities<W: Wide>(
     scatter::<W, MOTION_LEN>([v.x, v.y, v.z, w.x, w.y, w.z, W::zero(), W::zero()], rows);
 }
 
-/// Writes the velocity of one body per lane, but for the read-only ones. The displacement, which must be
-/// the one that was gathered with it, stays.
+/// Writes the velocity of one body per lane, except read-only ones. The displacement, which must be the one
+/// that was gathered with it, stays.
 ///
 /// # Safety
 /// As [`scatter_velocities`].

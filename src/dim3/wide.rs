@@ -180,7 +180,7 @@ impl<W: Wide> WideVector<W> {
         (Self::select(is_longer, shortened, self), W::bits(is_longer))
     }
 
-    /// Is no component larger than that of the other?
+    /// Returns whether no component is larger than that of the other.
     #[inline(always)]
     pub fn all_le(self, other: Self) -> W::Mask {
         self.x.le(other.x) & self.y.le(other.y) & self.z.le(other.z)
@@ -367,7 +367,7 @@ impl<W: Wide> WideRotation<W> {
         W::splat(4.0) * (self.x * self.x + self.y * self.y + self.z * self.z)
     }
 
-    /// How far it moves a vector's tip, to full precision however small that is.
+    /// Displacement of a vector's tip, to full precision for any size.
     #[inline(always)]
     pub fn displacement(self, v: WideVector<W>) -> WideVector<W> {
         let u = WideVector { x: self.x, y: self.y, z: self.z };
@@ -387,7 +387,7 @@ mod tests {
     use crate::base::wide::{Kernel, LANES, Simd};
     use parry::math::Real;
 
-    /// What the formulas below are applied to, and what comes out.
+    /// Input and output of the formulas below.
     #[derive(Copy, Clone, Default)]
     struct Probe {
         a: WideVector<Lane>,

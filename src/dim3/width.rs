@@ -1,9 +1,10 @@
 //! The axes along which a convex shape is narrowest, in 3D.
 //!
-//! As in `src/base/planar_width.rs` the minimum width of `K` is the radius of the largest ball about the origin inside `K - K`. An
-//! inscribed polytope of `K - K` grows until its nearest face lies on the boundary. Of a polyhedron that face is the difference
-//! of a face and a vertex, or of two edges: the two kinds of pairs that can attain the minimum width (Houle and
-//! Toussaint, "Computing the Width of a Set", 1988). The search looks at a few dozen supports instead of all pairs.
+//! As in `src/base/planar_width.rs` the minimum width of `K` is the radius of the largest ball about the
+//! origin inside `K - K`. An inscribed polytope of `K - K` grows until its nearest face lies on the boundary.
+//! Of a polyhedron that face is the difference of a face and a vertex, or of two edges. These are the two
+//! kinds of pairs that can attain the minimum width (Houle and Toussaint, "Computing the Width of a Set",
+//! 1988). The search looks at a few dozen supports instead of all pairs.
 
 use super::math::{Real, Rotation, Vector, tangents};
 use crate::base::planar_width::{
@@ -61,7 +62,7 @@ struct Face {
     corners: [u32; 3],
     /// Outward unit normal.
     normal: Vector,
-    /// How far its plane is from the origin.
+    /// Distance of its plane from the origin.
     dist: Real,
 }
 
@@ -165,14 +166,15 @@ pub fn aligned(shape: TypedShape<'_>) -> Option<(Vector, Vector, Real)> {
     }
 }
 
-/// At an angle to the axis with sine `s` and cosine `c` a cylinder is `2 (r s + h c)` wide, least at one of the ends.
+/// At an angle to the axis with sine `s` and cosine `c`, the width of a cylinder is `2 (r s + h c)`, with the
+/// minimum at one of the ends.
 fn of_cylinder(cylinder: &Cylinder) -> (Vector, Vector, Real) {
     let (r, h) = (cylinder.radius, cylinder.half_height);
     (Vector::ZERO, Vector::new(r, h, r), r.min(h))
 }
 
-/// A cone of height `H` is `r s + max(H c, r s)` wide, least along its axis (`H`) or where the two are equal, between a side
-/// and the rim across: `2 r H / √(r² + H²)`.
+/// The width of a cone of height `H` is `r s + max(H c, r s)`. The minimum is along its axis (`H`) or where
+/// the two are equal, between a side and the opposite rim: `2 r H / √(r² + H²)`.
 fn of_cone(cone: &Cone) -> (Vector, Vector, Real) {
     let (r, h) = (cone.radius, cone.half_height);
     let height = 2.0 * h;
@@ -187,8 +189,8 @@ fn with_layer(
     (center, half + Vector::splat(layer), thickness + layer)
 }
 
-/// The outward unit normals of all faces of a hull or triangle, and of a cone the base and one side, which say all; none of other
-/// shapes.
+/// The outward unit normals of all faces of a hull or triangle; of a cone the base and one side, which are
+/// sufficient; none of other shapes.
 pub fn face_normals(shape: TypedShape<'_>) -> Vec<Vector> {
     let of_hull = |hull: &ConvexPolyhedron| hull.faces().iter().map(|face| face.normal).collect();
     match shape {
@@ -207,5 +209,5 @@ fn normals_of_cone(cone: &Cone) -> Vec<Vector> {
     [-Vector::Y, side].into_iter().filter_map(Vector::try_normalize).collect()
 }
 
-/// Does a triangle enclose an area, and not only lie in a plane?
+/// Returns whether a triangle encloses an area.
 pub const TRIANGLES_ARE_SOLID: bool = false;

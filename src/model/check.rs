@@ -1,5 +1,5 @@
-//! Which values the sets take in. Whoever sets a value that no simulation could survive is told so
-//! in the log, and the old value stays.
+//! Validation of values in setters. A setter logs and refuses a value that no simulation can use, and keeps
+//! the old value.
 
 use crate::base::measure::is_point;
 use crate::dim::math::{Pose, Real, Rotation, rotation_is_valid};
@@ -8,8 +8,8 @@ use core::fmt::Debug;
 /// The largest error of the squared length of a saved direction or rotation. Steps leave rounding errors of 1e-6.
 const UNIT_ERROR_MAX: Real = 1.0e-3;
 
-/// Returns whether a saved direction or rotation of this squared length has unit length. Users' rotations may be less exact: they are normalized.
-/// What is loaded is used as it is.
+/// Returns whether a saved direction or rotation of this squared length has unit length. Users' rotations may
+/// be less exact: they are normalized. Loaded values are used as they are.
 pub(crate) fn is_saved_unit(length_squared: Real) -> bool {
     (length_squared - 1.0).abs() < UNIT_ERROR_MAX
 }
@@ -27,7 +27,7 @@ pub(crate) fn refuse(what: &str, value: impl Debug) {
     log::warn!("{value:?} is not valid as {what}; the old value stays");
 }
 
-/// Is the value finite and not negative?
+/// Returns whether the value is finite and not negative.
 pub(crate) fn is_non_negative(value: Real) -> bool {
     value.is_finite() && value >= 0.0
 }

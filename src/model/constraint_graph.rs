@@ -2,18 +2,18 @@
 //!
 //! Joints and contacts have a graph each: all joints are solved before all contacts.
 //!
-//! Bodies are nodes, constraints are edges, and an edge gets a colour that no other edge at either of
-//! its dynamic bodies has. So constraints of one colour can be solved in any order, in lanes or on
-//! threads, with the same result. Fixed and kinematic bodies are never moved by a constraint, so any
-//! number of constraints of one colour may share them.
+//! Bodies are nodes, constraints are edges, and an edge gets a colour that no other edge at either of its
+//! dynamic bodies has. So constraints of one colour can be solved in any order, in lanes or on threads, with
+//! the same result. Constraints never move fixed and kinematic bodies, so any number of constraints of one
+//! colour may involve them.
 //!
-//! Colours are kept up to date as constraints come and go (the lowest free one is taken) and are
-//! never computed anew: a settled pile pays nothing. Constraints with only one dynamic body have
-//! colours of their own that are solved last, so that the ground has the last word.
+//! Colours are updated as constraints come and go (the lowest free one is taken) and are never recomputed: a
+//! settled pile costs nothing. Constraints with only one dynamic body have colours of their own that are
+//! solved last, so that the ground has the last word.
 //!
-//! A constraint that finds no free colour is put into the overflow, whose members are solved one by
-//! one. The alternative, unlimited colours, makes the rare hub body (a floor that is dynamic, say)
-//! cost one pass per constraint for everybody.
+//! A constraint that finds no free colour is put into the overflow, whose members are solved one by one. The
+//! alternative, unlimited colours, makes the rare hub body (a dynamic floor, say) cost one pass per
+//! constraint in the whole world.
 //!
 //! Sources: Catto, "SIMD Matters" (box2d.org, 2024) for the incremental graph.
 
@@ -35,7 +35,7 @@ pub(crate) struct ManifoldRef {
     pub manifold: u32,
 }
 
-/// Where a constraint stands in the graph.
+/// Position of a constraint in the graph.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) struct ColorSlot {
@@ -83,10 +83,11 @@ impl<C: Copy> ConstraintGraph<C> {
         ColorSlot { color, position: list.len() as u32 - 1 }
     }
 
-    /// Takes a constraint out. Returns the one that now stands in its slot, whose owner must be told.
+    /// Takes a constraint out. Returns the constraint that now has its slot. The caller must update that
+    /// constraint's owner.
     ///
-    /// `bodies` are the slots of both bodies, dynamic or not: the bits of others are not set anyway,
-    /// and one that was removed can no longer tell what it was.
+    /// `bodies` are the slots of both bodies, dynamic or not. The bits of others are not set anyway, and the
+    /// type of a removed body is unknown.
     #[must_use]
     pub fn remove(&mut self, slot: ColorSlot, bodies: [u32; 2]) -> Option<C> {
         if slot.color != OVERFLOW {

@@ -1,4 +1,4 @@
-//! How long the last step took, and how much it had to do.
+//! Times and counts of the last step.
 
 use crate::base::timer::Timer;
 
@@ -56,8 +56,8 @@ pub struct CollisionDetectionCounters {
     /// [`max_sensor_neighbors_per_collider`](crate::model::params::IntegrationParameters::max_sensor_neighbors_per_collider): some of
     /// these pairs are not reported.
     pub ncrowded_sensors: usize,
-    /// Number of contact pairs, computed in this step, that touch in so many places that only the deepest contacts of each region
-    /// were kept: a body as large as the fine mesh that it lies on.
+    /// Number of computed contact pairs with so many contacts that only the deepest of each region were kept:
+    /// for example a large body on a fine mesh.
     pub nculled_pairs: usize,
 }
 
@@ -76,10 +76,10 @@ pub struct SolverCounters {
     pub ncontacts: usize,
     /// Number of bodies that were disabled because their numbers left the range in which one can calculate.
     pub nquarantined: usize,
-    /// Number of bodies that were faster than
-    /// [`normalized_max_linear_velocity`](crate::model::params::IntegrationParameters::normalized_max_linear_velocity) allows and
-    /// were slowed down, a multibody counting as one: the most in one substep, of each group of bodies with the same
-    /// substeps. There is no other limit of speeds.
+    /// Number of bodies that exceeded
+    /// [`normalized_max_linear_velocity`](crate::model::params::IntegrationParameters::normalized_max_linear_velocity)
+    /// and were slowed down, a multibody counting as one. The value is the maximum over the substeps of each
+    /// group. There is no other limit of speeds.
     pub nlimited_bodies: usize,
 }
 
@@ -119,12 +119,12 @@ impl Counters {
         counters
     }
 
-    /// Do the timers run?
+    /// Returns whether the timers run.
     pub fn enabled(&self) -> bool {
         self.enabled
     }
 
-    /// Lets the timers run from the next step on.
+    /// Enables the timers from the next step on.
     pub fn enable(&mut self) {
         self.set_enabled(true);
     }

@@ -1,9 +1,10 @@
 //! Edit marks: whether a record that was handed out for changing is still the one that it was.
 //!
-//! A `&mut` to a body or collider allows more than its setters: the user may assign a copy, or swap two of them, of one world or of two. The record
-//! brings along where *it* stood, and which partners it had. So a record that is handed out gets a [unique number](crate::base::unique), and the set
-//! stores the number with its note of the edit. The next step takes a record whose number is another as new. Attaching a collider edits two sets: it
-//! renews the numbers, so that an older copy of the record differs, too.
+//! A `&mut` to a body or collider allows more than its setters: the user may assign a copy, or swap two of
+//! them, of one world or of two. The record brings along where *it* stood, and which partners it had. So a
+//! record that is handed out gets a [unique number](crate::base::unique), and the set stores the number with
+//! its note of the edit. The next step takes a record whose number is another as new. Attaching a collider
+//! edits two sets: it renews the numbers, so that an older copy of the record differs, too.
 //!
 //! A removed record leaves its set before the step compares it with its note. Its removal therefore retires its number. A note whose record is gone and
 //! whose number is not retired belongs to a record that was replaced first: the removed one had other partners. A copy that was made before
@@ -15,7 +16,7 @@ use crate::base::unique::unique_number;
 /// The number of a note whose own record was removed. No record has it.
 const RETIRED: u64 = u64::MAX;
 
-/// The mark of a record. It means nothing once the step has taken in the note.
+/// The mark of a record. It is meaningless once the step has applied the note.
 #[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
 pub(crate) struct EditMark {
     number: u64,
@@ -73,7 +74,7 @@ impl EditMarks {
         self.is_of(mark, mark.note as usize)
     }
 
-    /// All notes were taken in.
+    /// Marks all notes as applied.
     pub fn clear(&mut self) {
         self.0.clear();
     }

@@ -1,19 +1,22 @@
 //! The world stamp: which sets belong together.
 //!
-//! The sets of a world refer to each other by position: a body stores its place in the list of awake bodies, a manifold its place in the
-//! constraint graph, a collider its place in a tree. Replacing one set (`mem::take`, an older copy, the set of a similar world) invalidates
-//! these references: positions may lie beyond the end of a list, and constraints of one colour may share bodies.
+//! The sets of a world refer to each other by position: a body stores its place in the list of awake bodies,
+//! a manifold its place in the constraint graph, a collider its place in a tree. Replacing one set
+//! (`mem::take`, an older copy, the set of a similar world) invalidates these references. Positions may lie
+//! beyond the end of a list, and constraints of one colour may have a common body.
 //!
-//! Every step leaves the same stamp on all sets that it worked on, made of [unique numbers](crate::base::unique). So sets fit each other if
-//! and only if the same step was the last one that changed them, however similar other worlds are. Copies of a set keep its stamp: copies of all
-//! sets, made at one time, fit each other, and get a stamp of their own by their own next step.
+//! Every step leaves the same stamp on all sets that it worked on, made of [unique
+//! numbers](crate::base::unique). So sets fit each other if and only if the same step was the last one that
+//! changed them, however similar other worlds are. Copies of a set keep its stamp. Copies of all sets, made
+//! at one time, fit each other, and get their own stamp by their own next step.
 //!
 //! Edits between steps are noted in the edited set, relative to the state after the last step, and need no stamp. Attaching a
 //! collider is the exception: it edits the bodies and the colliders at once. Neither set fits the other's earlier copies afterwards.
 //!
-//! The numbers are not saved: saved worlds have the same bytes in every run. What is saved is a fingerprint of the world's history, which is the same
-//! in every run, too. It distinguishes sets of different times, but not those of similar worlds. So a loaded set is unverified until a step has
-//! checked all references between the sets ([`Structure::check_world`](crate::model::structure::Structure::check_world)).
+//! The numbers are not saved: saved worlds have the same bytes in every run. The saved value is a fingerprint
+//! of the world's history, which is the same in every run, too. It distinguishes sets of different times, but
+//! not those of similar worlds. So a loaded set is unverified until a step has checked all references between
+//! the sets ([`Structure::check_world`](crate::model::structure::Structure::check_world)).
 
 use crate::base::hash::MixHasher;
 use crate::base::unique::unique_number;
@@ -97,8 +100,8 @@ impl WorldStamp {
         self.detection != 0
     }
 
-    /// Marks two sets that are edited together. If other sets were edited together with one of them before, the two do not fit each other
-    /// afterwards: each contains attachments that the other lacks.
+    /// Marks two sets that are edited together. If other sets were edited together with one of them before,
+    /// the two do not fit each other afterwards: each contains attachments that the other lacks.
     pub fn note_attachment([one, two]: [&mut Self; 2]) {
         let fit = one.attachment == two.attachment;
         one.attachment = unique_number();

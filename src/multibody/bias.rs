@@ -1,8 +1,9 @@
-//! What inertia does without any force: recursive Newton–Euler.
+//! Bias forces by inertia alone: recursive Newton–Euler.
 //!
-//! If no degree of freedom accelerates, links accelerate all the same, because they go round curves (Featherstone 2008,
-//! section 5.3). From the parent `p` to a link, with the joint's origin at `reach` from the parent's centre of mass and the
-//! link's centre of mass at `arm` from there, the slide `u` along the joint's axes and the relative angular velocity `ω_r`:
+//! Links accelerate on curved paths even if no degree of freedom accelerates (Featherstone 2008, section
+//! 5.3). Consider the parent `p` and a link, with the joint's origin at `reach` from the parent's centre of
+//! mass and the link's centre of mass at `arm` from there. With the translation velocity `u` along the
+//! joint's axes and the relative angular velocity `ω_r`:
 //!
 //! ```text
 //! α = α_p + ω_p × ω_r (+ a₁ × a₂ q̇₁ q̇₂ for two free rotations, the second about an axis that the first takes along)
@@ -65,7 +66,8 @@ impl Kinematics {
         join(c, alpha)
     }
 
-    /// How a link moves against its parent: slide, angular velocity, and how the latter's axes turn each other.
+    /// Motion of a link relative to its parent: translation velocity, angular velocity, and the rate of
+    /// change of the latter's axes.
     fn relative(&self, link: &LinkFrame, rates: &[Real]) -> (Vector, AngVector, AngVector) {
         let first_turn = link.dofs.start + link.slides;
         let (mut slide, mut spin, mut spin_turn) = (Vector::ZERO, ANG_ZERO, ANG_ZERO);

@@ -1,36 +1,37 @@
 //! `M⁻¹ τ` in time proportional to the number of links: articulated bodies.
 //!
-//! The articulated inertia `I^A` of a link is the one that it seems to have for somebody who pushes it at its centre of mass,
-//! with all that hangs on it. It follows from the tips to the root. Let `s` be the axis of the last degree of freedom of a
-//! link's joint. For it (Featherstone 2008, section 7.3)
+//! The articulated inertia `I^A` of a link is its apparent inertia against a force at its centre of mass,
+//! with all its descendants. It follows from the tips to the root. Let `s` be the axis of the last degree of
+//! freedom of a link's joint. For it (Featherstone 2008, section 7.3)
 //!
 //! ```text
 //! U = I^A s        D = sᵀ U + a        I^A ← I^A - U Uᵀ / D        (once that axis gives way)
 //! I^A_parent = I_parent + Σ Xᵀ I^A X
 //! ```
 //!
-//! with the armature `a`. A joint with several degrees of freedom is a chain of such, without mass in between, so that no
-//! matrix has to be inverted: that is an `L D Lᵀ` decomposition of the joint's block, column by column. Then forces become accelerations:
+//! with the armature `a`. A joint with several degrees of freedom is a chain of massless ones, so that no
+//! matrix is inverted: an `L D Lᵀ` decomposition of the joint's block, column by column. Then forces become
+//! accelerations:
 //!
 //! ```text
 //! up     u = τ + sᵀ f        f ← f - U u / D        f_parent += Xᵀ f
 //! down   a = X a_parent      q̈ = (u - Uᵀ a) / D     a ← a + s q̈
 //! ```
 //!
-//! Impulses become velocities the same way. Damping `d` of a degree of freedom, integrated implicitly over `h`,
-//! and a spring of stiffness `k` taken where it is after the share `θ` of that (`motion/`), add `h d + θ h² k` to its armature: they are
-//! stable however stiff, and cost nothing.
+//! Velocities follow from impulses the same way. The damping `d` of a degree of freedom is integrated
+//! implicitly over `h`, and a spring of stiffness `k` is evaluated after the fraction `θ` of that
+//! (`motion/`). They add `h d + θ h² k` to its armature: they are stable for any stiffness, without cost.
 
 use super::kinematics::{Kinematics, LinkFrame};
 use super::spatial::{SpatialMatrix, ZERO, add_scaled, carry, carry_back, dot};
 use crate::dim::math::{ANG_DIM, Real, SpatialVector, ang_length_squared};
 use crate::dim::spatial::{angular, linear};
 
-/// An inertia below this share of what hangs on the joint is rounding: nothing determines how that degree of freedom moves,
-/// and it is held.
+/// An inertia below this fraction of its subtree's is rounding: the motion of that degree of freedom is
+/// undetermined, and it is locked.
 const INERTIA_MIN: Real = 64.0 * Real::EPSILON;
 
-/// What hangs on each degree of freedom.
+/// The subtree of each degree of freedom.
 #[derive(Copy, Clone, Debug)]
 struct Pivot {
     u: SpatialVector,
@@ -45,15 +46,15 @@ pub struct Factor {
     inertias: Vec<SpatialMatrix>,
     /// By link: about how much mass and angular inertia there is from it to the tips.
     sizes: Vec<[Real; 2]>,
-    /// Of the last [`Self::solve`]: the wrenches on the way up.
+    /// Wrenches of the upward pass of the last [`Self::solve`].
     wrenches: Vec<SpatialVector>,
     accelerations: Vec<SpatialVector>,
 }
 
-/// What is known of the degrees of freedom when their inertias are added up.
+/// Data of the degrees of freedom when their inertias are summed up.
 #[derive(Copy, Clone, Debug)]
 pub struct Resistance<'a> {
-    /// Inertia beyond that of the links; infinite for those that move as they are told.
+    /// Inertia in addition to that of the links; infinite for prescribed ones.
     pub armature: &'a [Real],
     /// By link: what its mass and its angular inertia are multiplied by, for the damping of its body.
     pub drag: &'a [[Real; 2]],
@@ -69,9 +70,9 @@ impl Factor {
             SpatialMatrix::rigid(link.mass * along, &link.inertia.map(|row| row.map(|m| m * about)))
         }));
         self.measure(kinematics);
-        let nobody = Pivot { u: ZERO, inv_inertia: 0.0 };
+        let none = Pivot { u: ZERO, inv_inertia: 0.0 };
         self.pivots.clear();
-        self.pivots.resize(kinematics.ndofs(), nobody);
+        self.pivots.resize(kinematics.ndofs(), none);
         for (id, link) in links.iter().enumerate().rev() {
             let mut inertia = self.inertias[id];
             for dof in link.dofs.clone().rev() {
@@ -88,7 +89,7 @@ impl Factor {
                 self.pivots[dof] = Pivot { u, inv_inertia };
             }
             if let Some(parent) = link.parent {
-                let felt = inertia.carried_back(link.lever);
+                let felt = inertia.carried_back(link.offset);
                 self.inertias[parent].add(&felt);
             }
         }
@@ -102,18 +103,18 @@ impl Factor {
             let Some(parent) = link.parent else { continue };
             let [mass, moment] = self.sizes[id];
             self.sizes[parent][0] += mass;
-            self.sizes[parent][1] += moment + mass * link.lever.length_squared();
+            self.sizes[parent][1] += moment + mass * link.offset.length_squared();
         }
     }
 
-    /// By degree of freedom: the acceleration by a force of 1 if all that comes later in the tree is free to move, and nothing
-    /// before.
+    /// By degree of freedom: the acceleration by a unit force if all descendants are free to move, and no
+    /// ancestors.
     pub fn ease(&self) -> impl Iterator<Item = Real> {
         self.pivots.iter().map(|pivot| pivot.inv_inertia)
     }
 
-    /// Turns forces on the degrees of freedom and wrenches on the links into accelerations (or impulses into velocities):
-    /// `forces` become `M⁻¹ (forces + Σ Jᵀ wrench)`. There may be no wrenches at all.
+    /// Computes accelerations from forces on the degrees of freedom and wrenches on the links (or velocities
+    /// from impulses): `forces` become `M⁻¹ (forces + Σ Jᵀ wrench)`. There may be no wrenches at all.
     pub fn solve(
         &mut self,
         kinematics: &Kinematics,
@@ -137,7 +138,7 @@ impl Factor {
                 add_scaled(&mut wrench, &pivot.u, -(pivot.inv_inertia * forces[dof]));
             }
             if let Some(parent) = link.parent {
-                let felt = carry_back(&wrench, link.lever);
+                let felt = carry_back(&wrench, link.offset);
                 add_scaled(&mut self.wrenches[parent], &felt, 1.0);
             }
         }
@@ -148,7 +149,7 @@ impl Factor {
         self.accelerations.clear();
         for link in &kinematics.links {
             let mut acceleration = match link.parent {
-                Some(parent) => carry(&self.accelerations[parent], link.lever),
+                Some(parent) => carry(&self.accelerations[parent], link.offset),
                 None => ZERO,
             };
             for dof in link.dofs.clone() {

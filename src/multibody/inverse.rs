@@ -1,8 +1,8 @@
-//! Which coordinates bring a link to a pose: inverse kinematics by damped least squares.
+//! Inverse kinematics by damped least squares: coordinates that bring a link to a pose.
 //!
-//! To first order a displacement `Δq` moves the link by `J Δq`. Of all that reduce the error `e`, the smallest is wanted, and none
-//! that grows without bound where the link cannot go (Buss, "Introduction to Inverse Kinematics with Jacobian Transpose,
-//! Pseudoinverse and Damped Least Squares methods", 2004):
+//! To first order a displacement `Δq` moves the link by `J Δq`. Of all steps that reduce the error `e`, the
+//! smallest is selected, and it must be bounded where the link cannot go (Buss, "Introduction to Inverse
+//! Kinematics with Jacobian Transpose, Pseudoinverse and Damped Least Squares methods", 2004):
 //!
 //! ```text
 //! Δq = Jᵀ (J Jᵀ + λ² 1)⁻¹ e        minimises  |J Δq - e|² + λ² |Δq|²
@@ -20,11 +20,11 @@ use crate::model::body::RigidBodySet;
 use crate::model::check::checked_pose;
 use crate::model::multibody::{Multibody, MultibodyLink};
 
-/// The largest angle (rad) of a joint in one step of the search. What the Jacobian says is of no use much beyond it, and a target
-/// out of reach asks for more in each step.
+/// The largest angle (rad) of a joint in one step of the search. The Jacobian is inaccurate beyond it, and a
+/// target out of reach requests more in each step.
 const TURN_MAX: Real = 0.3;
 
-/// How [`Multibody::inverse_kinematics`] searches, and when it is content.
+/// Search parameters and tolerances of [`Multibody::inverse_kinematics`].
 #[derive(Copy, Clone, Debug, PartialEq)]
 pub struct InverseKinematicsOption {
     /// The damping `λ` (default 1): large values make small, safe steps; small ones converge in fewer of them, and jerk where
@@ -102,7 +102,7 @@ impl Multibody {
         *displacements = start.displacements_to(&posed);
     }
 
-    /// Lets a step turn no joint by more than [`TURN_MAX`].
+    /// Limits the rotation of each joint in a step to [`TURN_MAX`].
     fn shorten(&self, step: &mut [Real]) {
         let turns = self.dofs.iter().zip(step.iter()).filter(|(dof, _)| dof.axis as usize >= DIM);
         let largest = turns.map(|(_, turn)| turn.abs()).fold(0.0, Real::max);
@@ -111,9 +111,9 @@ impl Multibody {
         }
     }
 
-    /// Adds to `displacements` (one per degree of freedom) the damped least-squares step that moves a link's body by
-    /// `desired_movement`: how far its origin is to go, and how far it is to turn, in world space. Nothing happens if there is
-    /// no such link.
+    /// Adds to `displacements` (one per degree of freedom) the damped least-squares step that moves a link's
+    /// body by `desired_movement`: the translation of its origin, and its rotation, in world space. Nothing
+    /// happens if there is no such link.
     pub fn inverse_kinematics_delta(
         &self,
         link_id: usize,
@@ -184,7 +184,7 @@ impl Multibody {
     }
 }
 
-/// How far a pose is from the target, along and about some axes of the world.
+/// The difference of a pose from the target, along and about some axes of the world.
 fn error_to(target: &Pose, pose: &Pose, axes: JointAxesMask) -> SpatialVector {
     let turn = target.rotation * pose.rotation.inverse();
     let mut error = join(target.translation - pose.translation, rotation_to_angle(&turn));

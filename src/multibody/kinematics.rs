@@ -1,4 +1,4 @@
-//! Where the links are, and how the degrees of freedom move them.
+//! Forward kinematics: poses and velocities of the links.
 
 use super::spatial::{AngularMatrix, ZERO, add_scaled, carry, carry_back, dot, turn};
 use crate::dim::joint_axes::{JointAxesMask, JointAxis};
@@ -15,7 +15,7 @@ use core::ops::Range;
 pub struct LinkFrame {
     pub parent: Option<usize>,
     pub dofs: Range<usize>,
-    /// How many of them, the first ones, are translations.
+    /// Number of translations among them, which come first.
     pub slides: usize,
     pub rotation: Rotation,
     /// The centre of mass.
@@ -25,7 +25,7 @@ pub struct LinkFrame {
     /// From the joint's origin on the link to the link's centre of mass.
     pub arm: Vector,
     /// From the parent's centre of mass to the link's: the sum of both.
-    pub lever: Vector,
+    pub offset: Vector,
     pub mass: Real,
     pub inertia: AngularMatrix,
 }
@@ -46,8 +46,8 @@ pub struct Kinematics {
 }
 
 impl Kinematics {
-    /// The links as the coordinates say, from the root on, which stands where it stands. None of a multibody whose links were put
-    /// in the place of others.
+    /// The links as the coordinates say, from the root on, which stands where it stands. Empty for a
+    /// multibody whose links were replaced.
     pub fn of(multibody: &Multibody) -> Self {
         let mut kinematics = Self::default();
         if multibody.is_whole() {
@@ -78,7 +78,7 @@ impl Kinematics {
             center: *pose * mass.local_com,
             reach: Vector::ZERO,
             arm: Vector::ZERO,
-            lever: Vector::ZERO,
+            offset: Vector::ZERO,
             mass: mass.mass(),
             inertia: world_inertia(mass, pose.rotation),
         });
@@ -98,8 +98,8 @@ impl Kinematics {
         let reach = anchor + base * link.joint.slide();
         let rotation = (base * link.joint.joint_rot() * frame2.rotation.inverse()).normalize();
         let arm = rotation * (mass.local_com - frame2.translation);
-        let lever = reach + arm;
-        let center = before.center + lever;
+        let offset = reach + arm;
+        let center = before.center + offset;
         for axis in JointAxis::ALL.into_iter().take(DIM) {
             if link.free.contains(mask_of(axis)) {
                 let along = base * Vector::AXES[axis as usize];
@@ -118,7 +118,7 @@ impl Kinematics {
             center,
             reach,
             arm,
-            lever,
+            offset,
             mass: mass.mass(),
             inertia: world_inertia(mass, rotation),
         });
@@ -135,7 +135,7 @@ impl Kinematics {
         out.clear();
         for link in &self.links {
             let mut velocity = match link.parent {
-                Some(parent) => carry(&out[parent], link.lever),
+                Some(parent) => carry(&out[parent], link.offset),
                 None => *root,
             };
             for dof in link.dofs.clone() {
@@ -153,13 +153,13 @@ impl Kinematics {
             for dof in link.dofs.clone() {
                 out[dof] += dot(&self.axes[dof], &wrench);
             }
-            wrench = carry_back(&wrench, link.lever);
+            wrench = carry_back(&wrench, link.offset);
             next = link.parent;
         }
     }
 
-    /// The same, and to `sizes` how large the force on each degree of freedom could be: the product of lengths whose vectors may
-    /// stand across each other. What is far below that is rounding.
+    /// The same, and adds to `sizes` the largest possible force on each degree of freedom: the product of
+    /// lengths whose vectors may be perpendicular. Values far below that are rounding.
     pub fn add_measured_force(
         &self,
         id: usize,
@@ -178,7 +178,7 @@ impl Kinematics {
                 sizes[dof] += linear(axis).length() * force
                     + ang_length_squared(angular(axis)).sqrt() * couple;
             }
-            wrench = carry_back(&wrench, link.lever);
+            wrench = carry_back(&wrench, link.offset);
             next = link.parent;
         }
     }
@@ -186,13 +186,13 @@ impl Kinematics {
     /// `J` of a link: for each degree of freedom the spatial velocity that it gives the link at the rate 1.
     pub fn jacobian(&self, id: usize) -> Vec<SpatialVector> {
         let mut columns = vec![ZERO; self.axes.len()];
-        let mut lever = Vector::ZERO;
+        let mut offset = Vector::ZERO;
         let mut next = Some(id);
         while let Some(link) = next.map(|id| &self.links[id]) {
             for dof in link.dofs.clone() {
-                columns[dof] = carry(&self.axes[dof], lever);
+                columns[dof] = carry(&self.axes[dof], offset);
             }
-            lever += link.lever;
+            offset += link.offset;
             next = link.parent;
         }
         columns
@@ -205,8 +205,8 @@ impl Kinematics {
 }
 
 impl Multibody {
-    /// The Jacobian of a link: for each degree of freedom the velocity that it gives the link's body at the rate 1, that of
-    /// the centre of mass and the angular one, in world space. Empty if there is no such link.
+    /// The Jacobian of a link: for each degree of freedom the velocity of the link's body at the rate 1
+    /// (centre of mass and angular), in world space. Empty if there is no such link.
     ///
     /// It is that of the poses that the coordinates say now, with the root where it was in the last step.
     pub fn body_jacobian(&self, link_id: usize) -> Vec<SpatialVector> {

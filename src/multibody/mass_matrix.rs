@@ -1,8 +1,8 @@
 //! The mass matrix: composite rigid bodies.
 //!
-//! If only the degree of freedom `j` accelerates, all that hangs on it moves like one rigid body, whose inertia `I^C` is the sum
-//! of the links'. The wrench `I^C sⱼ` that this takes is felt, through the levers, by each degree of freedom on the way to the
-//! root (Featherstone 2008, section 6.2):
+//! If only the degree of freedom `j` accelerates, its subtree moves like one rigid body, whose inertia `I^C`
+//! is the sum of the links'. The required wrench `I^C sⱼ` acts, through the moment arms, on each degree of
+//! freedom up to the root (Featherstone 2008, section 6.2):
 //!
 //! ```text
 //! I^C_parent += Xᵀ I^C X        M_ij = sᵢᵀ Xᵀ … Xᵀ I^C sⱼ
@@ -16,8 +16,8 @@ use crate::dim::math::Real;
 use crate::model::multibody::Multibody;
 
 impl Multibody {
-    /// The mass matrix `M`, one row and column per degree of freedom: `½ q̇ᵀ M q̇` is the kinetic energy, and `M q̈` the forces
-    /// that accelerate. Symmetric; [armature](Self::armature) stands on the diagonal.
+    /// The mass matrix `M`, one row and column per degree of freedom: `½ q̇ᵀ M q̇` is the kinetic energy, and
+    /// `M q̈` the accelerating forces. Symmetric; [armature](Self::armature) stands on the diagonal.
     pub fn mass_matrix(&self) -> SquareMatrix {
         let kinematics = Kinematics::of(self);
         let mut matrix = SquareMatrix::zeros(self.ndofs());
@@ -29,7 +29,7 @@ impl Multibody {
                 fill_column(&mut matrix, &kinematics, id, dof, &composites[id]);
             }
             if let Some(parent) = link.parent {
-                let felt = composites[id].carried_back(link.lever);
+                let felt = composites[id].carried_back(link.offset);
                 composites[parent].add(&felt);
             }
         }
@@ -39,8 +39,8 @@ impl Multibody {
         matrix
     }
 
-    /// `M⁻¹ τ`: how much the degrees of freedom accelerate under these forces on them (or how much velocity impulses give
-    /// them), in time proportional to their number. Forces that are missing are taken for 0.
+    /// `M⁻¹ τ`: the accelerations of the degrees of freedom by these forces on them (or velocities by
+    /// impulses), in time proportional to their number. Forces that are missing are taken for 0.
     pub fn accelerations_of(&self, forces: &[Real]) -> Vec<Real> {
         if !self.is_whole() {
             return vec![0.0; self.ndofs()];
@@ -77,7 +77,7 @@ fn fill_column(
             matrix[(other, dof)] = entry;
             matrix[(dof, other)] = entry;
         }
-        wrench = carry_back(&wrench, link.lever);
+        wrench = carry_back(&wrench, link.offset);
         next = link.parent;
     }
 }

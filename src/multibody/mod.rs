@@ -1,13 +1,14 @@
 //! # Multibodies — the laws of motion of an articulated whole
 //!
-//! What follows from a [`Multibody`](crate::model::multibody::Multibody) alone: where its links are, how they resist and
-//! respond. No contacts, no world, no time step but the one that [`Motion`] is told; the solver puts them together.
+//! Dynamics of a single [`Multibody`](crate::model::multibody::Multibody): poses of its links, inertia and
+//! response. It is independent of contacts and of the world, and of the time step except in [`Motion`]; the
+//! solver combines them.
 //!
 //! ## Notation
-//! The state is `q` (coordinates) and `q̇` (velocities of the degrees of freedom). A link's spatial velocity `v` is that of its
-//! centre of mass and its angular velocity, its wrench `f` a force at the centre of mass and a torque about it, both in
-//! world axes. In these, a link's inertia is `diag(m, m, m, I)`, and the only change of frame there is goes along a
-//! *lever* `r`, from the parent's centre of mass to the link's:
+//! The state is `q` (coordinates) and `q̇` (velocities of the degrees of freedom). A link's spatial velocity
+//! `v` is that of its centre of mass and its angular velocity. Its wrench `f` is a force at the centre of
+//! mass and a torque about it. Both are in world axes. In these, a link's inertia is `diag(m, m, m, I)`, and
+//! the only change of frame is a shift by the vector `r` from the parent's centre of mass to the link's:
 //!
 //! ```text
 //! v = X v_parent + Σ sⱼ q̇ⱼ        X: (v, ω) ↦ (v + ω × r, ω)        Xᵀ: (F, N) ↦ (F, N + r × F)
@@ -24,18 +25,19 @@
 //! | `bias.rs` | `C(q, q̇) q̇` in `O(n)`: recursive Newton–Euler | Featherstone 2008, chapter 5 |
 //! | `mass_matrix.rs` | `M` in `O(n²)`: composite rigid bodies | Featherstone 2008, chapter 6 |
 //! | `motion/` | one substep without contacts | Hairer, Lubich, Wanner 2006, chapter VI |
-//! | `whole.rs` | all links as one rigid body: what a change of shape leaves as it is | Marsden, Ratiu 1999 |
-//! | `course.rs` | the way through a step, and back | |
+//! | `locked_inertia.rs` | all links as one rigid body: what a change of shape leaves as it is | Marsden, Ratiu 1999 |
+//! | `trajectory.rs` | the way through a step, and back | |
 //! | `inverse.rs` | `q` for a link to be somewhere | Buss 2004 |
 //!
-//! Featherstone's articulated-body algorithm computes accelerations from forces in three passes. We cut it where it depends
-//! on the velocity: the *factorisation* is made once per configuration, and then turns any number of forces and impulses into
-//! accelerations and velocities, those of contacts among them.
+//! Featherstone's articulated-body algorithm computes accelerations from forces in three passes. The
+//! articulated-body algorithm is split where it depends on the velocity. The *factorisation* is made once per
+//! configuration, and then gives accelerations and velocities for any number of forces and impulses,
+//! including contacts.
 //!
 //! Sources: Featherstone, "Rigid Body Dynamics Algorithms" (2008).
 
 mod bias;
-mod course;
+mod trajectory;
 mod factor;
 mod inverse;
 mod kinematics;
@@ -45,9 +47,9 @@ mod spatial;
 mod sync;
 #[cfg(test)]
 mod tests;
-mod whole;
+mod locked_inertia;
 
-pub(crate) use course::Station;
 pub use inverse::InverseKinematicsOption;
 pub(crate) use mass_matrix::usable;
 pub(crate) use motion::{Drive, LinkForce, Motion};
+pub(crate) use trajectory::LinkSample;

@@ -68,7 +68,7 @@ impl SpatialMatrix {
     /// No inertia.
     pub const ZERO: Self = Self([ZERO; SPATIAL_DIM]);
 
-    /// That of a rigid body about its centre of mass.
+    /// The spatial inertia of a rigid body about its centre of mass.
     pub fn rigid(mass: Real, inertia: &AngularMatrix) -> Self {
         let mut matrix = Self::ZERO;
         for k in 0..DIM {

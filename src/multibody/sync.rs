@@ -1,4 +1,4 @@
-//! What the user did to the bodies of a multibody, and what the multibody does to its bodies.
+//! Synchronisation of a multibody with its bodies, in both directions.
 
 use crate::dim::joint_axes::JointAxesMask;
 use crate::dim::math::SpatialVector;
@@ -9,8 +9,8 @@ use crate::model::check::checked_pose;
 use crate::model::multibody::Multibody;
 
 impl Multibody {
-    /// Brings the poses of the links up to date with the joints' coordinates, and with what was done to the bodies since the
-    /// last time: a body that was moved gives its joint new coordinates, as far as its free axes allow. Bodies are not
+    /// Updates the poses of the links by the joints' coordinates and by edits of the bodies since the last
+    /// call. A moved body gives its joint new coordinates, as far as its free axes allow. Bodies are not
     /// touched: [`Self::update_rigid_bodies`] does that.
     ///
     /// The root stays where it is unless `read_root_pose_from_rigid_body`, or its body was moved. Nothing happens if a
@@ -29,17 +29,17 @@ impl Multibody {
             self.links[0].pose = root.pose;
         }
         for id in 0..self.links.len() {
-            self.take_in(id, bodies);
+            self.load(id, bodies);
         }
     }
 
-    /// Where a link is, as of its body and its joint.
-    fn take_in(&mut self, id: usize, bodies: &RigidBodySet) {
+    /// Position of a link by its body and its joint.
+    fn load(&mut self, id: usize, bodies: &RigidBodySet) {
         let parent = self.links[id].parent.map(|parent| self.links[parent].pose);
         let link = &mut self.links[id];
         let Some(body) = bodies.get(link.body) else { return };
         link.mass = *body.mass_properties().local_mprops();
-        // Coordinates that are no numbers are forgotten: the body knows better.
+        // Coordinates that are not finite are recomputed from the body.
         let is_sound = link.joint.is_sound() && checked_pose(link.pose).is_some();
         let was_moved = link.seen_pose != Some(body.pose) || !is_sound;
         link.seen_pose = Some(body.pose);
@@ -57,7 +57,7 @@ impl Multibody {
 
     /// Moves the bodies to where the links are, and wakes them. A root that is not dynamic stays.
     ///
-    /// `update_mass_properties` is there because other engines ask for it; bodies know their centre of mass anyway.
+    /// `update_mass_properties` exists for compatibility; bodies always have their centre of mass.
     pub fn update_rigid_bodies(&mut self, bodies: &mut RigidBodySet, update_mass_properties: bool) {
         let _ = update_mass_properties;
         for link in &mut self.links {
@@ -72,7 +72,7 @@ impl Multibody {
     /// Brings only the branch from the root to one link up to date, as [`Self::forward_kinematics`] does for all links.
     pub fn forward_kinematics_single_branch(&mut self, bodies: &RigidBodySet, link_id: usize) {
         for id in self.kinematic_branch(link_id) {
-            self.take_in(id, bodies);
+            self.load(id, bodies);
         }
     }
 

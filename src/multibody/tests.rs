@@ -69,7 +69,7 @@ fn forces_move_what_they_push() {
     assert!(near(rates[0], 0.0, 10.0) && near(rates[2], 2.0, 10.0), "{rates:?}");
 }
 
-/// A degree of freedom that moves as it is told takes no part: those before it carry what hangs on it as one body.
+/// A prescribed degree of freedom takes no part: its ancestors carry its subtree as one body.
 #[test]
 fn held_degrees_of_freedom_take_no_part() {
     let (_, multibody) = sliders(3);

@@ -1,4 +1,4 @@
-//! Which colliders a query is about.
+//! Filters of queries.
 
 use crate::model::body::{RigidBodyHandle, RigidBodyType};
 use crate::model::collider::{Collider, ColliderHandle, InteractionGroups};
@@ -27,7 +27,7 @@ bitflags::bitflags! {
 }
 
 impl QueryFilterFlags {
-    /// Does a collider of this kind pass?
+    /// Returns whether colliders of this kind pass the filter.
     fn test(self, traits: &Traits) -> bool {
         if self.is_empty() {
             return true;
@@ -47,7 +47,7 @@ impl QueryFilterFlags {
 /// A question that a query asks of each collider that it comes by.
 pub type QueryPredicate<'a> = &'a dyn Fn(ColliderHandle, &Collider) -> bool;
 
-/// Which colliders a query is about: all that none of its conditions leaves out.
+/// Filter of a query: the conjunction of its conditions.
 ///
 /// ```
 /// # use rapier3d::prelude::*;
@@ -176,7 +176,7 @@ impl<'a> QueryFilter<'a> {
         Self { predicate: Some(predicate), ..self }
     }
 
-    /// Does a collider pass?
+    /// Returns whether a collider passes the filter.
     ///
     /// The type of its body is the one of the last step, or of the moment when the collider was attached.
     pub fn test(&self, handle: ColliderHandle, collider: &Collider) -> bool {
@@ -193,7 +193,7 @@ impl<'a> QueryFilter<'a> {
     }
 }
 
-/// What a filter looks at.
+/// The input of a filter.
 #[derive(Copy, Clone, Debug)]
 pub(super) struct Traits {
     body: Option<RigidBodyHandle>,

@@ -1,13 +1,14 @@
 //! # Query — asks the world
 //!
-//! What does a ray hit, what is near a point, what is in the way of a shape? [`QueryView`] answers out of
-//! trees of boxes that somebody else keeps: the broad phase ([`as_query_pipeline`](crate::model::tree::BroadPhaseBvh::as_query_pipeline), as of the last step), or
-//! a [`QueryPipeline`] (as of its last `update`, without a step).
+//! Ray casts, point projections, shape casts and overlap tests. [`QueryView`] uses trees of boxes with
+//! another owner: the broad phase
+//! ([`as_query_pipeline`](crate::model::tree::BroadPhaseBvh::as_query_pipeline), as of the last step), or a
+//! [`QueryPipeline`] (as of its last `update`, without a step).
 //!
-//! Two rules hold for all questions. *The nearest answer is the one that a look at every collider would
-//! give*, to the last bit: trees only spare us those that cannot matter, and of colliders that are equally near the
-//! one with the lower slot is meant, whatever the shape of the tree. *A question that makes no sense has no answer*: a ray or a
-//! pose that is not finite, a direction of no length, a time that is not a number.
+//! Two rules hold for all questions. *The nearest result is that of a search of all colliders*, to the last
+//! bit. Trees only exclude irrelevant ones, and of equally near colliders the one with the lower slot is
+//! returned, independent of the tree. *An invalid query has no result*: a ray or a pose that is not finite, a
+//! direction of no length, a time that is not a number.
 
 mod filter;
 mod hits;

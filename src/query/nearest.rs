@@ -5,9 +5,9 @@ use crate::base::bvh::{Probe, nearest};
 use crate::dim::math::Real;
 use crate::model::collider::{Collider, ColliderHandle};
 
-/// What was found, and how far away it is.
+/// The result and its distance.
 struct Best<T> {
-    /// Nothing is nearer than this.
+    /// Lower bound of the distance.
     least: Real,
     distance: Real,
     found: Option<(ColliderHandle, T)>,
@@ -18,8 +18,8 @@ fn slot(handle: ColliderHandle) -> u32 {
 }
 
 impl<T> Best<T> {
-    /// Can nothing at this slot be better? Of what is as near as can be, only what stands at a lower slot is: the
-    /// crowd in which a shape begins need not be looked at one by one.
+    /// Returns whether the collider at this slot cannot be better. At the smallest possible distance only a
+    /// lower slot is better: the crowd in which a shape begins need not be searched one by one.
     fn beats_all_at(&self, other: u32) -> bool {
         self.distance <= self.least
             && self.found.as_ref().is_some_and(|(best, _)| slot(*best) < other)
@@ -38,19 +38,19 @@ impl<T> Best<T> {
 }
 
 impl QueryView<'_> {
-    /// The nearest of the colliders that are meant, no farther away than the second of `limits`. Nothing is nearer
-    /// than the first.
+    /// The nearest of the colliders that are meant, no farther away than the second of `limits`. The first is
+    /// the nearest.
     ///
-    /// `probe` says how near anything in a box can be; `to_collider` how far away a collider is, and what else is to be
-    /// known of it. It is not told what is known already: what a shape answers may depend on the limit in its last
-    /// bit, and no answer may depend on the tree.
+    /// `probe` returns a lower bound of the distance for a box; `to_collider` the distance of a collider and
+    /// its result. It does not receive the current limit: a shape's result may depend on the limit in its
+    /// last bit, and no result may depend on the tree.
     pub(super) fn nearest<T>(
         &self,
         [least, limit]: [Real; 2],
         probe: &impl Probe,
         to_collider: impl Fn(&Collider) -> Option<(Real, T)>,
     ) -> Option<(ColliderHandle, T)> {
-        // Where nothing is, the probes say infinity.
+        // Empty lanes have infinite distances.
         let mut best = Best { least, distance: limit.min(0.5 * Real::MAX), found: None };
         for tree in self.trees() {
             let reach = best.distance;

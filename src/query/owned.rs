@@ -1,4 +1,4 @@
-//! Trees of its own: for whoever asks between steps, or never steps at all.
+//! Queries with their own trees: between steps, or without any step.
 
 use super::filter::{QueryFilter, Traits};
 use super::hits::Dispatcher;
@@ -13,14 +13,13 @@ use parry::query::{
 };
 use parry::shape::{FeatureId, Shape};
 
-/// By how much boxes are larger than shapes, as a share of the smallest half extent: enough that rounding does
-/// not matter.
+/// Relative margin of boxes around shapes, as a fraction of the smallest half extent: more than rounding.
 const MARGIN_FRACTION: Real = 0.01;
 
-/// The same for flat boxes, as a share of how far from the origin they are.
+/// The same for flat boxes, as a fraction of their distance from the origin.
 const MARGIN_OF_PLACE: Real = 64.0 * Real::EPSILON;
 
-/// Answers questions about a set of colliders: what a ray hits, what is near, what is in the way.
+/// Queries of a set of colliders: ray casts, nearest points, shape casts.
 ///
 /// ```
 /// # use rapier3d::prelude::*;
@@ -34,9 +33,9 @@ const MARGIN_OF_PLACE: Real = 64.0 * Real::EPSILON;
 /// assert_eq!(hit, Some((ball, 4.0)));
 /// ```
 ///
-/// It knows the colliders as of the last [`Self::update`], which sees all that was inserted, removed, moved and
-/// re-shaped, and costs nothing for the others. Only where a collider *may* be is remembered; answers are
-/// computed from the collider as it is when the question is asked. Worlds that ask after each step can do without: see
+/// It contains the colliders as of the last [`Self::update`], which processes insertions, removals, moves and
+/// new shapes, without cost for other colliders. Only boxes are stored; results are computed from the current
+/// collider. Worlds that ask after each step can do without: see
 /// [`BroadPhaseBvh::as_query_pipeline`](crate::model::tree::BroadPhaseBvh::as_query_pipeline).
 #[derive(Clone, Default, Debug)]
 pub struct QueryPipeline {
@@ -46,7 +45,7 @@ pub struct QueryPipeline {
     read: Bookmark,
 }
 
-/// What is remembered of a collider.
+/// Stored data of a collider.
 #[derive(Copy, Clone, Debug)]
 struct Entry {
     handle: ColliderHandle,
@@ -67,7 +66,7 @@ impl QueryPipeline {
         match changed {
             Some([]) => {}
             Some(slots) => {
-                // Who changed often since the last update stands in the journal as often.
+                // The journal may contain a collider several times.
                 let mut slots = slots.to_vec();
                 slots.sort_unstable();
                 slots.dedup();
@@ -105,7 +104,7 @@ impl QueryPipeline {
         self.entries[slot as usize] = Some(Entry { handle, traits: Traits::of(collider) });
     }
 
-    /// The colliders as a view, which has more ways to ask. `colliders` must be the set of the last
+    /// The colliders as a view, which has more queries. `colliders` must be the set of the last
     /// [`Self::update`].
     pub fn view<'a>(
         &'a self,
@@ -116,8 +115,7 @@ impl QueryPipeline {
     }
 }
 
-/// A box that a collider will not leave unnoticed: around where it is, and where the broad phase has it, which
-/// says when it leaves that.
+/// A box that a collider cannot leave without an update: around its pose, and its box in the broad phase.
 fn whereabouts(collider: &Collider) -> Option<Aabb> {
     let tight = shape_box(collider.shape(), collider.position());
     let size = tight.mins.abs().max(tight.maxs.abs()).max_element();
@@ -130,7 +128,7 @@ fn whereabouts(collider: &Collider) -> Option<Aabb> {
     }
 }
 
-/// Calls back until somebody says `false`.
+/// Calls back until the callback returns `false`.
 fn for_each<T>(items: impl Iterator<Item = T>, mut callback: impl FnMut(T) -> bool) {
     for item in items {
         if !callback(item) {
@@ -231,9 +229,9 @@ impl QueryPipeline {
     /// Calls back for all colliders whose boxes overlap a box, in no particular order, until the answer is
     /// `false`.
     ///
-    /// These are the boxes that are remembered, and they are somewhat larger than the colliders (after a step, by a tenth
-    /// of their size and ahead of where they move). The filter's predicate is not asked, because there are no
-    /// colliders at hand to show it; [`QueryView::intersect_aabb_conservative`] asks it.
+    /// These are the stored boxes, and they are somewhat larger than the colliders (after a step, by a tenth
+    /// of their size and ahead of their motion). The filter's predicate is not called, because there are no
+    /// colliders to pass; [`QueryView::intersect_aabb_conservative`] calls it.
     pub fn colliders_with_aabb_intersecting_aabb(
         &self,
         aabb: &Aabb,
@@ -275,7 +273,7 @@ impl QueryPipeline {
         for_each(found, |(handle, _)| callback(handle));
     }
 
-    /// The first collider that a shape meets on its way at constant velocity, without turning: see
+    /// The first collider that a shape meets at constant velocity, without rotation: see
     /// [`QueryView::cast_shape`].
     ///
     /// With `stop_at_penetration`, a shape that begins inside of a collider meets it at time 0; without, only

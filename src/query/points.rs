@@ -1,4 +1,4 @@
-//! Points: what is near, and what is around them?
+//! Point projections and point containment.
 
 use super::view::QueryView;
 use crate::base::bvh::PointProbe;
@@ -27,8 +27,8 @@ impl<'a> QueryView<'a> {
         })
     }
 
-    /// The collider whose surface is nearest to a point, the nearest point on it, and the feature (vertex, edge,
-    /// face) of the shape that the point is on. No farther away than `max_distance`.
+    /// The collider whose surface is nearest to a point, the nearest point on it, and the feature (vertex,
+    /// edge, face) of the shape there. No farther away than `max_distance`.
     pub fn project_point_and_get_feature(
         &self,
         point: Vector,

@@ -1,4 +1,4 @@
-//! Rays: what do they hit?
+//! Ray casts.
 
 use super::filter::QueryFilter;
 use super::hits::{intersection, time_of_impact};
@@ -83,8 +83,8 @@ impl<'a> QueryView<'a> {
 
     /// [`Self::cast_ray`] for many rays: the answers, in the order of the rays.
     ///
-    /// With the feature `parallel` on the threads of the pool in which the caller runs, unless the filter has a
-    /// predicate, which may not be fit for several threads.
+    /// With the feature `parallel` it runs on the threads of the caller's pool, unless the filter has a
+    /// predicate, which may not be thread-safe.
     pub fn cast_rays(
         &self,
         rays: &[Ray],

@@ -1,4 +1,4 @@
-//! Shapes: what do they touch, and what is in their way?
+//! Shape casts and overlap tests.
 
 use super::view::QueryView;
 use crate::base::bvh::{BoxProbe, SlabProbe};
@@ -35,7 +35,7 @@ impl<'a> QueryView<'a> {
 
     /// All colliders that a shape intersects, in no particular order.
     ///
-    /// Pairs of shapes that the dispatcher does not know do not intersect.
+    /// Pairs of shapes without an algorithm do not intersect.
     pub fn intersect_shape(
         self,
         shape_pos: Pose,
@@ -53,7 +53,7 @@ impl<'a> QueryView<'a> {
         })
     }
 
-    /// The first collider that a shape meets on its way at constant velocity, without turning.
+    /// The first collider that a shape meets at constant velocity, without rotation.
     ///
     /// A shape without velocity hits nothing: [`Self::intersect_shape`] returns what it touches. Times are in units of
     /// `shape_vel`. `options` holds the largest time, the distance at which the shape stops, and whether a shape that begins
@@ -83,7 +83,7 @@ impl<'a> QueryView<'a> {
             let velocity12 = shape_pos.rotation.inverse() * -shape_vel;
             let (other, mut options) = (collider.shape(), options);
             if other.as_support_map().is_none() {
-                // Height fields look along all of the way, however long it is.
+                // Height fields search all of the path, of any length.
                 let end = 1.01 * sweep.span(&shape_box(other, collider.position()))[1];
                 options.max_time_of_impact = limit.min(end);
             }

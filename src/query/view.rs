@@ -1,4 +1,4 @@
-//! Trees of boxes and the colliders that they stand for.
+//! Trees of boxes and their colliders.
 
 use super::filter::QueryFilter;
 use crate::base::bvh::Probe;
@@ -8,19 +8,18 @@ use crate::model::collider::{Collider, ColliderHandle, ColliderSet};
 use crate::model::tree::{AllBoxes, BroadPhaseBvh};
 use parry::query::QueryDispatcher;
 
-/// Colliders that can be asked: borrowed trees of boxes, the colliders in them, and which of these are
-/// meant.
+/// Colliders for queries: borrowed trees of boxes, the colliders in them, and a filter.
 ///
 /// Comes from [`BroadPhaseBvh::as_query_pipeline`] or [`QueryPipeline::view`](super::QueryPipeline::view). Made and
 /// dropped at no cost.
 #[derive(Copy, Clone)]
 pub struct QueryView<'a> {
     trees: AllBoxes<'a>,
-    /// How pairs of shapes are computed.
+    /// Algorithms for pairs of shapes.
     pub dispatcher: &'a dyn QueryDispatcher,
     /// The colliders.
     pub colliders: &'a ColliderSet,
-    /// Which of them are meant.
+    /// Filter of the colliders.
     pub filter: QueryFilter<'a>,
 }
 
@@ -31,10 +30,10 @@ impl core::fmt::Debug for QueryView<'_> {
 }
 
 impl BroadPhaseBvh {
-    /// Lets its colliders be asked, without a tree of their own.
+    /// Query access to its colliders, without a separate tree.
     ///
-    /// Boxes are those of the last step: a collider that was inserted or moved by the user since is found only where a
-    /// box is that it, or what stood at its slot before, had then. [`QueryPipeline`](super::QueryPipeline) sees such changes at once.
+    /// Boxes are those of the last step. A collider that was inserted or moved since is found only within the
+    /// box that its slot had then. [`QueryPipeline`](super::QueryPipeline) sees such changes at once.
     ///
     /// ```
     /// # use rapier3d::prelude::*;

@@ -1,8 +1,7 @@
 //! # Step — the verbs, in the order they happen
 //!
-//! [`step`] is the whole pipeline; each stage's signature says what it may read and write, and its
-//! module's first lines say what it does and never does. Stages do not import each other: they leave
-//! [`notes`].
+//! [`step`] is the whole pipeline. Each stage's signature lists its inputs and outputs, and the first lines
+//! of its module are its card. Stages do not import each other: they leave [`notes`].
 
 mod notes;
 mod trace;
@@ -14,7 +13,7 @@ mod narrow_phase;
 mod islands;
 mod solver;
 mod quarantine;
-mod continuous;
+mod ccd;
 mod advance;
 mod events;
 
@@ -36,13 +35,13 @@ use crate::model::state_hash::WorldSets;
 use crate::model::structure::Structure;
 use crate::model::tree::BroadPhaseBvh;
 use broad_phase::NeighborLimits;
-use narrow_phase::{NarrowPhaseScratch, Surroundings};
+use narrow_phase::{NarrowPhaseContext, NarrowPhaseScratch};
 use notes::StepNotes;
-use quarantine::{Conditions, Quarantine, WayBack, World};
+use quarantine::{Checkpoint, Quarantine, StepConditions, World};
 use solver::SolverScratch;
 use trace::StageTrace;
 pub use trace::StepStage;
-use user_changes::{Digest, Resync, Resynced};
+use user_changes::{Resync, Resynced, UserChanges};
 
 /// A world, taken apart.
 pub(crate) struct StepParts<'a> {
@@ -58,7 +57,7 @@ pub(crate) struct StepParts<'a> {
     pub counters: &'a mut Counters,
 }
 
-/// Buffers that are reused from step to step, and how steps are to run. They hold nothing that the next step needs to know of the world.
+/// Buffers that are reused from step to step, and how steps are to run. They contain no state of the world.
 #[derive(Default)]
 pub(crate) struct StepScratch {
     notes: StepNotes,
@@ -69,7 +68,7 @@ pub(crate) struct StepScratch {
     threads: Threads,
     solver: SolverScratch,
     quarantine: Quarantine,
-    continuous: continuous::ContinuousScratch,
+    ccd: ccd::CcdScratch,
     advance: advance::AdvanceScratch,
     sleep: islands::SleepScratch,
     trace: StageTrace,
@@ -99,7 +98,7 @@ fn step_with(
     scratch.quarantine.open();
     scratch.trace.clear();
     let Resynced { parted, stamp, .. } = parts.resync().before_step(joints, multibodies);
-    // Hooks may panic. What the step has found by then is told all the same.
+    // Hooks may panic. The events found so far are reported nevertheless.
     let mut panic = HeldPanic::default();
     let moved = panic.hold(|| simulate(tasks, &mut parts, joints, multibodies, scratch));
     let taken_out = scratch.quarantine.close(parts.bodies, &mut scratch.notes);
@@ -113,7 +112,8 @@ fn step_with(
     panic.release();
 }
 
-/// All stages of the step but the last, which tells of them. Returns the panic of a hook that did not end it.
+/// All stages of the step except the last one, which reports events. Returns the panic of a hook that did not
+/// end it.
 fn simulate(
     tasks: Tasks<'_>,
     parts: &mut StepParts<'_>,
@@ -123,11 +123,11 @@ fn simulate(
 ) -> HeldPanic {
     let conditions = parts.conditions();
     let world = parts.world(joints, multibodies);
-    let way_back = quarantine::is_at_risk(&world, conditions).then(|| WayBack::new(&world));
+    let checkpoint = quarantine::is_at_risk(&world, conditions).then(|| Checkpoint::new(&world));
     while !solve(tasks, parts, joints, multibodies, scratch) {
         let StepScratch { quarantine, notes, .. } = scratch;
         let world = parts.world(joints, multibodies);
-        quarantine.take_out(world, way_back.as_ref(), conditions, notes);
+        quarantine.take_out(world, checkpoint.as_ref(), conditions, notes);
     }
     if parts.params.dt <= 0.0 {
         parts.islands.forget_motion();
@@ -151,7 +151,7 @@ fn solve(
     scratch: &mut StepScratch,
 ) -> bool {
     let edits = multibodies.settle(parts.bodies);
-    take_in_user_changes(parts, joints, edits, scratch);
+    apply_user_changes(parts, joints, edits, scratch);
     joints.settle(&mut parts.islands.joints);
     scratch.trace.add(StepStage::UserChanges, &parts.sets(joints, multibodies));
     find_contacts(tasks, parts, scratch);
@@ -162,16 +162,16 @@ fn solve(
         move_bodies(tasks, parts, joints, multibodies, scratch);
         scratch.trace.add(StepStage::Solver, &parts.sets(joints, multibodies));
     }
-    scratch.notes.lost.is_empty()
+    scratch.notes.diverged.is_empty()
 }
 
-/// The collision detection of a step, without any motion. What the user edited is taken in first if
-/// `take_in_changes`; else only removals are, and the rest waits for the next call that does.
+/// The collision detection of a step, without any motion. Applies the user's edits if `apply_changes`.
+/// Otherwise it applies removals only, and other edits stay pending.
 pub(crate) fn detect_collisions(
     mut parts: StepParts<'_>,
     joints: &ImpulseJointSet,
     scratch: &mut StepScratch,
-    take_in_changes: bool,
+    apply_changes: bool,
 ) {
     parts.counters.reset();
     parts.counters.step_time.resume();
@@ -181,19 +181,19 @@ pub(crate) fn detect_collisions(
     // Joints of another world wait for the next step.
     let none = ImpulseJointSet::new();
     let joints = if joints_fit { joints } else { &none };
-    if take_in_changes {
-        take_in_user_changes(&mut parts, joints, MultibodyEdits::default(), scratch);
+    if apply_changes {
+        apply_user_changes(&mut parts, joints, MultibodyEdits::default(), scratch);
     } else {
         let params = parts.params;
         let (structure, tree) = parts.structure();
         let events = &mut scratch.notes.events;
         let multibodies = MultibodyEdits::default();
-        Digest { structure, tree, joints, multibodies, params, events }.run_removals();
+        UserChanges { structure, tree, joints, multibodies, params, events }.run_removals();
     }
     let mut panic = HeldPanic::default();
     let threads = scratch.threads.clone();
     let found = panic.hold(|| threads.open(|tasks| find_contacts(tasks, &mut parts, scratch)));
-    // Removals have changed the lists of who is awake even if a hook has panicked since.
+    // Removals changed the list of awake bodies even if a hook panicked since.
     parts.bodies.renew_places();
     if found.is_some() {
         parts.islands.forget_motion();
@@ -205,7 +205,7 @@ pub(crate) fn detect_collisions(
     panic.release();
 }
 
-fn take_in_user_changes(
+fn apply_user_changes(
     parts: &mut StepParts<'_>,
     joints: &ImpulseJointSet,
     multibodies: MultibodyEdits,
@@ -215,7 +215,7 @@ fn take_in_user_changes(
     let params = parts.params;
     let (structure, tree) = parts.structure();
     let events = &mut scratch.notes.events;
-    Digest { structure, tree, joints, multibodies, params, events }.run();
+    UserChanges { structure, tree, joints, multibodies, params, events }.run();
     parts.counters.stages.user_changes.pause();
 }
 
@@ -234,7 +234,7 @@ fn find_contacts(tasks: Tasks<'_>, parts: &mut StepParts<'_>, scratch: &mut Step
 
     parts.counters.cd.narrow_phase_time.resume();
     let NarrowPhase { contacts, intersections, lanes, .. } = &mut *parts.narrow_phase;
-    let around = Surroundings {
+    let around = NarrowPhaseContext {
         bodies: parts.bodies,
         colliders: parts.colliders,
         islands: parts.islands,
@@ -253,7 +253,7 @@ fn find_contacts(tasks: Tasks<'_>, parts: &mut StepParts<'_>, scratch: &mut Step
     parts.counters.stages.island_construction_time.resume();
     let (mut structure, _) = parts.structure();
     islands::update(&mut structure, notes);
-    continuous::watch(parts.bodies, &notes.pressed, parts.params);
+    ccd::watch(parts.bodies, &notes.deeply_penetrating, parts.params);
     parts.counters.stages.island_construction_time.pause();
 }
 
@@ -262,7 +262,7 @@ fn find_approaches(parts: &mut StepParts<'_>, scratch: &mut StepScratch) {
     parts.counters.stages.island_construction_time.resume();
     let params = parts.params;
     let (mut structure, trees) = parts.structure();
-    continuous::find_approaches(&mut structure, trees, params, &mut scratch.notes.approaches);
+    ccd::find_approaches(&mut structure, trees, params, &mut scratch.notes.approaches);
     parts.counters.stages.island_construction_time.pause();
 }
 
@@ -274,7 +274,7 @@ fn move_bodies(
     scratch: &mut StepScratch,
 ) {
     parts.counters.stages.solver_time.resume();
-    let scene = solver::Scene {
+    let scene = solver::SolverContext {
         gravity: parts.gravity,
         params: parts.params,
         simd: scratch.simd,
@@ -285,9 +285,9 @@ fn move_bodies(
         multibodies,
         islands: parts.islands,
         fast: &mut scratch.notes.fast,
-        courses: &mut scratch.notes.courses,
+        trajectories: &mut scratch.notes.trajectories,
         broken: &mut scratch.notes.broken,
-        lost: &mut scratch.notes.lost,
+        diverged: &mut scratch.notes.diverged,
     };
     solver::solve(scene, &mut scratch.solver, &mut parts.counters.solver);
     parts.counters.stages.solver_time.pause();
@@ -305,10 +305,10 @@ fn follow_bodies(
     let mut panic = HeldPanic::default();
     panic.hold(|| find_impacts(tasks, parts, multibodies, scratch));
     parts.counters.ccd.toi_computation_time.pause();
-    let StepNotes { fast, courses, events, sleepy, .. } = &mut scratch.notes;
-    let (stops, told) = (&mut scratch.continuous, (events, &mut parts.counters.ccd));
+    let StepNotes { fast, trajectories, events, sleepy, .. } = &mut scratch.notes;
+    let (stops, reports) = (&mut scratch.ccd, (events, &mut parts.counters.ccd));
     let moved = (&mut *parts.bodies, &mut *parts.islands);
-    continuous::stop(moved, multibodies, (fast, courses), parts.params.dt, stops, told);
+    ccd::stop(moved, multibodies, (fast, trajectories), parts.params.dt, stops, reports);
     parts.counters.stages.ccd_time.pause();
 
     parts.counters.stages.update_time.resume();
@@ -325,9 +325,9 @@ fn find_impacts(
     multibodies: &MultibodyJointSet,
     scratch: &mut StepScratch,
 ) {
-    let StepScratch { notes, continuous, .. } = scratch;
-    let StepNotes { fast, courses, approaches, .. } = notes;
-    let around = continuous::Surroundings {
+    let StepScratch { notes, ccd, .. } = scratch;
+    let StepNotes { fast, trajectories, approaches, .. } = notes;
+    let around = ccd::CcdContext {
         bodies: parts.bodies,
         colliders: parts.colliders,
         multibodies,
@@ -337,10 +337,10 @@ fn find_impacts(
         params: parts.params,
         hooks: parts.hooks,
         fast: &[],
-        courses,
+        trajectories,
     };
-    continuous::add_approached(around, approaches, fast);
-    continuous::find_impacts(tasks, continuous::Surroundings { fast, ..around }, continuous);
+    ccd::add_approached(around, approaches, fast);
+    ccd::find_impacts(tasks, ccd::CcdContext { fast, ..around }, ccd);
 }
 
 fn put_to_sleep(parts: &mut StepParts<'_>, scratch: &mut StepScratch) {
@@ -350,7 +350,7 @@ fn put_to_sleep(parts: &mut StepParts<'_>, scratch: &mut StepScratch) {
     parts.counters.stages.island_construction_time.pause();
 }
 
-/// `dt` is how long the bodies moved: 0 if they did not, and then no contact pressed on anything.
+/// `dt` is the duration of the motion: 0 if bodies did not move, and then contacts have no impulses.
 fn report(parts: &mut StepParts<'_>, scratch: &mut StepScratch, dt: Real, panic: &mut HeldPanic) {
     scratch.notes.order_events();
     let StepParts { bodies, colliders, narrow_phase, events, .. } = parts;
@@ -358,7 +358,7 @@ fn report(parts: &mut StepParts<'_>, scratch: &mut StepScratch, dt: Real, panic:
 }
 
 impl StepScratch {
-    /// Lets steps run on these threads.
+    /// Runs steps on these threads.
     pub fn set_threads(&mut self, threads: Threads) {
         self.threads = threads;
     }
@@ -373,15 +373,14 @@ impl StepScratch {
         self.trace.hashes()
     }
 
-    /// Lets the solver use the widest instructions that the machine has, or those that every machine
-    /// has.
+    /// Selects the widest instructions of the machine for the solver, or the baseline of its architecture.
     pub fn set_wide_instructions(&mut self, wide: bool) {
         self.simd = if wide { Simd::detect() } else { Simd::baseline() };
     }
 }
 
 impl<'a> StepParts<'a> {
-    /// In debug builds: do bodies, pairs, islands and colours agree?
+    /// In debug builds, asserts that bodies, pairs, islands and colours agree.
     fn validate(&mut self) {
         if cfg!(debug_assertions) {
             self.structure().0.validate();
@@ -394,9 +393,9 @@ impl<'a> StepParts<'a> {
         Resync { structure, tree }
     }
 
-    /// What bodies move in.
-    fn conditions(&self) -> Conditions<'a> {
-        Conditions { gravity: self.gravity, params: self.params }
+    /// Gravity and parameters.
+    fn conditions(&self) -> StepConditions<'a> {
+        StepConditions { gravity: self.gravity, params: self.params }
     }
 
     /// All that a step changes.
@@ -416,7 +415,7 @@ impl<'a> StepParts<'a> {
         }
     }
 
-    /// What a hash covers.
+    /// The sets that a hash covers.
     fn sets<'w>(
         &'w self,
         impulse_joints: &'w ImpulseJointSet,
@@ -427,7 +426,7 @@ impl<'a> StepParts<'a> {
         WorldSets { bodies, colliders, impulse_joints, multibody_joints, narrow_phase }
     }
 
-    /// The parts that know of each other, and the trees.
+    /// The sets that refer to each other, and the trees.
     fn structure(&mut self) -> (Structure<'_>, &mut BroadPhaseBvh) {
         let structure = Structure {
             bodies: self.bodies,

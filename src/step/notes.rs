@@ -1,59 +1,60 @@
-//! What stages tell each other during a step.
+//! Data that one stage leaves for later stages of the same step.
 
 use crate::dim::math::{AngVector, Pose, Real, Vector};
 use crate::model::body::{RigidBody, RigidBodyHandle, RigidBodyVelocity};
 use crate::model::collider::ColliderHandle;
 use crate::model::contact::PairId;
 use crate::model::event::{CollisionEvent, JointBreakEvent, QuarantineEvent};
-use crate::model::multibody::Course;
+use crate::model::multibody::LinkTrajectory;
 use crate::model::params::IntegrationParameters;
 
-/// How a contact pair changed in the narrow phase.
+/// Change of a contact pair in the narrow phase.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 pub(crate) enum PairChange {
     /// Its manifolds were computed anew: how many there are, and whether they are to be solved, may
     /// differ from before.
     Computed,
-    /// The enlarged boxes no longer overlap.
+    /// The fat AABBs no longer overlap.
     Apart,
 }
 
-/// A body is fast if it moves farther than this share of its thickness in one step: what was not in contact might else
-/// end with its middle on the other side of something thin.
+/// A body is fast if it moves farther than this fraction of its thickness in one step. A separated body might
+/// otherwise end with its middle behind a thin obstacle.
 const FAST: Real = 0.5;
 
-/// How a body moved in this step that moved so far that it could have passed through something.
+/// Motion of a body that moved far enough to pass through something.
 #[derive(Copy, Clone, Debug)]
 pub(crate) struct FastMotion {
     pub body: RigidBodyHandle,
-    /// Where it was.
+    /// Pose at the start.
     pub start: Pose,
-    /// Where its centre of mass was, and how far this moved.
+    /// Centre of mass at the start, and its displacement.
     pub center: Vector,
     pub shift: Vector,
     /// The rotation vector of its turn (rad).
-    pub turn: AngVector,
-    /// By how much forces accelerate it.
+    pub rotvec: AngVector,
+    /// Acceleration by forces.
     pub acceleration: Vector,
     /// For a link of a multibody: the position of that in the list of fast ones, and the link's.
     pub link: Option<(usize, usize)>,
 }
 
 impl FastMotion {
-    /// Is a body fast that moved by no more than `bound`? What has no inside (a thickness of 0) is if it moved farther than
-    /// contacts are looked for, and what something presses into a wall is if it moved at all. Nobody is where nobody is looked after.
+    /// Returns whether a body is fast that moved by at most `bound`. A body without interior (thickness 0) is
+    /// fast if it moved farther than the prediction distance. A deeply penetrating body is fast if it moved
+    /// at all. No body is fast if CCD is off.
     pub fn is_one(body: &RigidBody, bound: Real, params: &IntegrationParameters) -> bool {
         let is_solid = body.thickness > 0.0;
         let little = if is_solid { FAST * body.thickness } else { params.prediction_distance() };
-        params.max_ccd_substeps > 0 && bound > if body.pressed { 0.0 } else { little }
+        params.max_ccd_substeps > 0 && bound > if body.deeply_penetrating { 0.0 } else { little }
     }
 
-    /// The velocity when a share of the motion was left, if it is `end` at its end: what forces do on the way that is
-    /// left, they have not done yet.
+    /// Velocity when a fraction of the motion was left, for a velocity of `end` at the end. It excludes the
+    /// work of forces on the remaining path.
     pub fn velocity_before(&self, left: Real, end: Vector) -> Vector {
         let square = end.length_squared();
         let earlier = square - 2.0 * left * self.acceleration.dot(self.shift);
-        // Of what hardly moves any more nobody knows where it came from.
+        // The direction of a nearly stopped body is unknown.
         let faster = (earlier.max(0.0) / square).sqrt();
         if faster.is_finite() { end * faster } else { end }
     }
@@ -66,13 +67,13 @@ pub(crate) struct Approach {
     pub kinematic: RigidBodyHandle,
 }
 
-/// A body that came out of the solver with numbers with which nobody can calculate.
+/// A body whose state after the solver is not storable.
 #[derive(Copy, Clone, Debug)]
-pub(crate) struct Lost {
+pub(crate) struct Diverged {
     pub body: RigidBodyHandle,
     /// The velocity that was found.
     pub velocity: RigidBodyVelocity,
-    /// Is it a link that its multibody moves?
+    /// Whether it is a link that its multibody moves.
     pub is_link: bool,
 }
 
@@ -84,48 +85,50 @@ pub(crate) struct StepNotes {
     /// The same for pairs with a sensor.
     pub intersections: Vec<(PairId, PairChange)>,
     /// Bodies that were found deep in something that is not dynamic, in any order.
-    pub pressed: Vec<RigidBodyHandle>,
-    /// What began and stopped touching, as it was found; see [`Self::order_events`].
+    pub deeply_penetrating: Vec<RigidBodyHandle>,
+    /// Touch events in the order of discovery; see [`Self::order_events`].
     pub events: Vec<CollisionEvent>,
     /// Bodies that moved far, in the order in which the solver has them.
     pub fast: Vec<FastMotion>,
-    /// Dynamic bodies near the ways of kinematic ones, in the order of their handles.
+    /// Dynamic bodies near the paths of kinematic ones, in the order of their handles.
     pub approaches: Vec<Approach>,
     /// Multibodies with a link that moved far. All their links stand in the list of fast bodies.
-    pub courses: Vec<Course>,
-    /// In the order of the awake bodies: has each been still for long enough to sleep? Empty until all of them have moved.
+    pub trajectories: Vec<LinkTrajectory>,
+    /// In the order of the awake bodies: whether each has been at rest for long enough to sleep. Empty until
+    /// all of them have moved.
     pub sleepy: Vec<bool>,
     /// Joints that broke, in the order of the constraint graph.
     pub broken: Vec<JointBreakEvent>,
     /// Bodies that the solver could not store. If there are any, it has stored nothing.
-    pub lost: Vec<Lost>,
+    pub diverged: Vec<Diverged>,
     /// Contacts with impossible numbers, in the order of their colliders; then, at the end of the step, bodies.
     pub quarantined: Vec<QuarantineEvent>,
 }
 
 impl StepNotes {
-    /// Nothing happened yet.
+    /// Clears all notes.
     pub fn clear(&mut self) {
         self.clear_attempt();
         self.events.clear();
         self.broken.clear();
     }
 
-    /// The step begins again, in a world that knows already what began and stopped touching and what broke.
+    /// Restarts the step in a world that already contains the touch and break events so far.
     pub fn clear_attempt(&mut self) {
         self.contacts.clear();
-        self.pressed.clear();
+        self.deeply_penetrating.clear();
         self.intersections.clear();
         self.fast.clear();
         self.approaches.clear();
         self.sleepy.clear();
-        self.courses.clear();
-        self.lost.clear();
+        self.trajectories.clear();
+        self.diverged.clear();
         self.quarantined.clear();
     }
 
-    /// Puts what began and stopped touching in the order of the colliders. As it was found it depends on why: who is taken out
-    /// in a step that fails parts later than who was taken out before it. What one pair did stays in order.
+    /// Puts what began and stopped touching in the order of the colliders. The order of discovery depends on
+    /// the cause: an object that is removed during a failed step parts later than one that was removed
+    /// before. The events of one pair stay in order.
     pub fn order_events(&mut self) {
         let rank = |handle: ColliderHandle| handle.into_raw_parts();
         self.events.sort_by_key(|event| (rank(event.collider1()), rank(event.collider2())));
@@ -144,20 +147,21 @@ mod tests {
             start: Pose::IDENTITY,
             center: Vector::ZERO,
             shift: Vector::X * shift,
-            turn: ANG_ZERO,
+            rotvec: ANG_ZERO,
             acceleration: Vector::X * acceleration,
             link: None,
         }
     }
 
-    /// Halfway there is what braking has not yet taken: `v² = 3² + 2 · 2 · 4`, as long as 4 of the 8 m are left.
+    /// Halfway, braking has not yet taken all speed: `v² = 3² + 2 · 2 · 4`, while 4 of the 8 m are left.
     #[test]
     fn what_was_braked_was_faster_before() {
         let before = braked(8.0, -2.0).velocity_before(0.5, Vector::X * 3.0);
         assert!((before - Vector::X * 5.0).length() < 1.0e-5, "{before}");
     }
 
-    /// What forces stopped all but entirely has a direction, and no number times that is its speed of before.
+    /// A velocity that forces reduced to almost zero has a direction, but no multiple of it is the earlier
+    /// speed.
     #[test]
     fn what_hardly_moves_stays_as_it_is() {
         for end in [0.0, Real::MIN_POSITIVE, Real::MIN_POSITIVE.sqrt()] {

@@ -2,8 +2,8 @@
 
 use crate::renderer::Quality;
 use drawing::light::{
-    BACKGROUND, FLAT_LIGHT, GLOSS, GROUND_LIGHT, HAZE, HIGHLIGHT, RIM_LIGHT, RIM_PIXELS, SHADOW_REACH,
-    SKY_LIGHT, SUN, SUN_LIGHT, sun_axes,
+    BACKGROUND, FLAT_LIGHT, GLOSS, GROUND_LIGHT, HAZE, HIGHLIGHT, RIM_LIGHT, RIM_PIXELS,
+    SHADOW_REACH, SKY_LIGHT, SUN, SUN_LIGHT, sun_axes,
 };
 use drawing::vector::{dot, normalize};
 use drawing::{Camera, Point};

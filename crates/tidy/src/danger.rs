@@ -22,7 +22,7 @@ const ALLOWED: [(&str, &str); 21] = [
     ("src/step/solver/", "lets the constraints of a colour run"),
     ("src/step/advance/mod.rs", "bodies carry their colliders at the same time"),
     ("src/step/narrow_phase/update.rs", "pairs are computed at the same time"),
-    ("src/step/narrow_phase/seams.rs", "bodies are looked at at the same time"),
+    ("src/step/narrow_phase/ghost_contacts.rs", "bodies are looked at at the same time"),
     ("crates/golden/src/web.rs", "exports functions to JavaScript by name"),
     (
         "crates/wasm/src/",

@@ -7,9 +7,9 @@ use crate::memory;
 use crate::rapier::dynamics::{IntegrationParameters, SpringCoefficients};
 use crate::rapier::math::Real;
 use crate::rapier::pipeline::PhysicsWorld;
+use crate::registry::{free_world, insert_world, read, stepped, write};
 #[cfg(feature = "threads")]
 use crate::threads::choose as choose_threads;
-use crate::registry::{free_world, insert_world, read, stepped, write};
 
 /// The parameters, in the order of `Parameter` in TypeScript.
 mod parameter {

@@ -1,4 +1,4 @@
-//! Where two recordings begin to differ.
+//! The first difference of two recordings.
 
 use super::error::RecordingError;
 use super::frame::{Frame, read_frame, read_opening};
@@ -53,7 +53,7 @@ impl core::fmt::Display for Difference {
 
 /// The first difference between two [recordings](super::Recorder) of the same run, for example on two machines. `None` if there is none.
 ///
-/// Nothing is replayed: the recorded hashes are compared.
+/// The comparison replays nothing: it compares the recorded hashes.
 ///
 /// # Errors
 /// If one of them is no recording, or if it is damaged in front of the first difference.

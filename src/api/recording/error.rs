@@ -1,4 +1,4 @@
-//! What can be wrong with a recording, and with its replay.
+//! Errors of a recording, and of its replay.
 
 use crate::api::snapshot::SnapshotError;
 use crate::model::body::RigidBodyHandle;
@@ -28,17 +28,18 @@ pub enum RecordingError {
     /// A snapshot in the recording cannot be made or restored.
     #[error(transparent)]
     Snapshot(#[from] SnapshotError),
-    /// The data of a step is damaged. A file that was cut off ends in this way: the steps in front of it can be replayed.
+    /// The data of a step is damaged. A truncated file ends in this way: the steps in front of it can be
+    /// replayed.
     #[error("step {step}: {reason}")]
     Damaged {
         /// The step, counted from 0.
         step: usize,
-        /// What is wrong, with the value.
+        /// The error, with the value.
         reason: String,
     },
 }
 
-/// Where a replay left the recorded run.
+/// The step at which a replay left the recorded run.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Divergence {

@@ -12,10 +12,10 @@ const MAGIC: [u8; 8] = *b"physrec\n";
 /// Version of the format. Snapshots in it have a version of their own.
 const FORMAT: u16 = 1;
 
-/// What stands in front of the frames.
+/// Header of the frames.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Opening {
-    /// What is recorded, in the user's words.
+    /// The user's description of the recording.
     pub title: String,
     /// The version of the engine.
     pub engine: String,

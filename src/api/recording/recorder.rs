@@ -9,8 +9,9 @@ use crate::model::hooks::PhysicsHooks;
 
 /// Records a run: a first snapshot, all edits, and the hashes after every step.
 ///
-/// Step the world with [`Self::step`] instead of its own method, and edit it in any way between the steps. The world is saved twice per step, which takes about as
-/// long as several steps: a recorder is for finding a defect, and for reporting it as one file.
+/// Step the world with [`Self::step`] instead of its own method. Edits between the steps are free. The world
+/// is saved twice per step, which takes about as long as several steps: a recorder serves to find a defect,
+/// and to report it as one file.
 ///
 /// ```
 /// # use rapier3d::prelude::*;
@@ -73,8 +74,8 @@ impl Recorder {
     /// Records the edits since the last step, steps the world, and records the hashes.
     ///
     /// # Errors
-    /// If the world cannot be saved. The recording ends in front of this step. The world is stepped all the same, in this call and in all later ones, which
-    /// return the same error.
+    /// If the world cannot be saved. The recording ends in front of this step. The world is stepped
+    /// nevertheless, in this call and in all later ones, which return the same error.
     pub fn step(&mut self, world: &mut PhysicsWorld) -> Result<(), RecordingError> {
         self.step_with_events(world, &(), &())
     }
@@ -82,8 +83,8 @@ impl Recorder {
     /// The same as [`Self::step`]. Hooks are not recorded: a replay needs the same ones.
     ///
     /// # Errors
-    /// If the world cannot be saved. The recording ends in front of this step. The world is stepped all the same, in this call and in all later ones, which
-    /// return the same error.
+    /// If the world cannot be saved. The recording ends in front of this step. The world is stepped
+    /// nevertheless, in this call and in all later ones, which return the same error.
     pub fn step_with_events(
         &mut self,
         world: &mut PhysicsWorld,

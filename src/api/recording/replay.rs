@@ -7,7 +7,7 @@ use crate::api::world::PhysicsWorld;
 use crate::model::event::EventHandler;
 use crate::model::hooks::PhysicsHooks;
 
-/// What a replay did.
+/// Result of a replay.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 pub enum Replayed {
     /// It took a step, and the world has the recorded hash.
@@ -38,7 +38,7 @@ impl<'a> Replay<'a> {
         Ok(Self { opening, frames, world, steps: 0, edited: false })
     }
 
-    /// What the recording is of, in the words of its maker.
+    /// The recorder's description.
     pub fn title(&self) -> &str {
         &self.opening.title
     }

@@ -15,7 +15,7 @@ use super::header::{checksum, open};
 
 const MAGIC: [u8; 8] = *b"physdlt\n";
 
-/// A copy of fewer bytes would take more room than the bytes.
+/// A copy of fewer bytes would be longer than the bytes.
 const COPY_BYTES_MIN: usize = 5;
 /// After so many new bytes in a row another shift is looked for.
 const LITERAL_BYTES_MAX: usize = 32;
@@ -24,7 +24,8 @@ const BLOCK_BYTES: usize = 16;
 /// A new shift must match so many bytes: fewer may do so by chance.
 const SHIFTED_BYTES_MIN: usize = 32;
 
-/// What [`apply_snapshot_delta`] needs to make `next` from `base`. Both are [snapshots](crate::pipeline::PhysicsWorld::to_snapshot), usually of the same world at two times.
+/// The input of [`apply_snapshot_delta`] to make `next` from `base`. Both are
+/// [snapshots](crate::pipeline::PhysicsWorld::to_snapshot), usually of the same world at two times.
 ///
 /// # Errors
 /// If one of them is no snapshot of this engine.
@@ -149,7 +150,7 @@ impl<'a> Differ<'a> {
         0
     }
 
-    /// How many bytes from here on equal those of the base from a position on.
+    /// The number of bytes from here on that equal those of the base from a position on.
     fn matching(&self, from: usize) -> usize {
         let base = self.base.get(from..).unwrap_or_default();
         let pairs = self.next[self.at..].iter().zip(base);

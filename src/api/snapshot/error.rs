@@ -55,7 +55,7 @@ pub enum SnapshotError {
     Invalid {
         /// The part of the world.
         part: &'static str,
-        /// What is wrong, with the value.
+        /// The error, with the value.
         reason: String,
     },
     /// A delta was applied to another snapshot than the one that it was made from.

@@ -13,7 +13,7 @@ const MAGIC: [u8; 8] = *b"physnap\n";
 /// Number of bytes in front of the saved parts.
 pub const HEADER_BYTES: usize = 28;
 
-/// What the header states about the bytes that follow it.
+/// Description of the bytes that follow the header.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 pub struct Header {
     format: u16,

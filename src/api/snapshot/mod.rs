@@ -1,7 +1,8 @@
 //! # Snapshots — whole worlds as bytes
 //!
-//! A snapshot is a [header](header) and the nine parts of a world, one after the other, in the [format](codec) of this room. Each part checks itself when it is
-//! read; references between the sets are checked by the first step (`src/model/structure/check/`).
+//! A snapshot is a [header](header) and the nine parts of a world, in sequence, in the [format](codec) of
+//! this room. Each part checks itself when it is read; references between the sets are checked by the first
+//! step (`src/model/structure/check/`).
 
 pub(super) mod codec;
 mod delta;
@@ -74,8 +75,8 @@ impl PhysicsWorld {
     /// The world of a [snapshot](Self::to_snapshot), with new pipelines.
     ///
     /// # Errors
-    /// If another version of the format, another dimension or another precision wrote it; if it is damaged or cut off; or if its
-    /// data describes no valid world.
+    /// Another version of the format, another dimension or another precision wrote it; it is damaged or
+    /// truncated; or its data describes no valid world.
     ///
     /// ```
     /// # use rapier3d::prelude::*;

@@ -1,8 +1,8 @@
 //! The whole tree at once.
 //!
-//! From the root down: the boxes of a node are cut in two, then the larger part again, until there is a part for each
-//! lane or none is worth a cut. Where to cut is decided by the surface area heuristic over a few bins per axis (Wald, "On
-//! fast Construction of SAH-based Bounding Volume Hierarchies", 2007).
+//! The build is top-down: the boxes of a node are split in two, then the larger part again, until there is a
+//! part for each lane or no split pays. The surface area heuristic over a few bins per axis selects the
+//! splits (Wald, "On fast Construction of SAH-based Bounding Volume Hierarchies", 2007).
 
 use super::node::{Child, Entry, Node, Place};
 use super::{BoxTree, measure};
@@ -13,7 +13,7 @@ use parry::math::{DIM, Real};
 /// Bins per axis.
 const BINS: usize = 16;
 
-/// Buffers that are reused from one tree to the next. Who copies a world does not copy them.
+/// Buffers that are reused from one tree to the next. Copies of a world exclude them.
 #[derive(Debug, Default)]
 pub struct BuildScratch {
     leaves: Vec<Entry>,

@@ -1,4 +1,4 @@
-//! What must hold of a tree, whatever happened to it, and wherever it comes from.
+//! Invariants of a tree after any edits, and of a loaded tree.
 
 use super::BoxTree;
 use super::node::{Node, Place, Target};
@@ -9,7 +9,8 @@ use parry::bounding_volume::{Aabb, BoundingVolume};
 
 check_when_loaded!(BoxTree);
 
-/// Each node but the root is the child of one other, or free; each box stands where its slot says; and the box of a child contains the boxes below.
+/// Each node except the root is the child of one other, or free; each box is at the place that its slot
+/// stores; and the box of a child contains the boxes below.
 impl Loaded for BoxTree {
     fn check_loaded(&self) -> Result<(), Fault> {
         let mut is_seen = vec![false; self.nodes.len()];

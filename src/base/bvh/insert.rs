@@ -1,9 +1,9 @@
 //! One box comes, goes or changes.
 //!
-//! A box goes down to where it adds least to the boxes on its way, and into a node that has no nodes below it. A
-//! node that is full becomes two, and its parent has one child more; so new levels begin at the root alone, as in a
-//! B-tree (and the R-tree: Guttman, "R-Trees: A Dynamic Index Structure for Spatial Searching", 1984), and no order of
-//! insertions makes the tree deep.
+//! A box descends to the node whose boxes it enlarges least, and is inserted into a node without child nodes.
+//! A full node is split in two, and its parent gets one more child. New levels therefore begin at the root
+//! alone, as in a B-tree (and the R-tree: Guttman, "R-Trees: A Dynamic Index Structure for Spatial
+//! Searching", 1984), and no order of insertions makes the tree deep.
 
 use super::node::{Child, Entry, Node, Place, Planes, Target};
 use super::{BoxTree, measure, measure_of};
@@ -12,11 +12,11 @@ use core::cmp::Ordering;
 use parry::bounding_volume::{Aabb, BoundingVolume};
 use parry::math::{DIM, Real};
 
-/// How much the growth of a box counts against its size, when a new box looks for its place: what the box holds
-/// already will be looked at in vain as often as it grows, what is new as often as it is large.
+/// Weight of a box's growth against its size when a new box is inserted: existing contents are visited in
+/// vain in proportion to the growth, the new box in proportion to the size.
 const WEIGHT_OF_GROWTH: Real = 4.0;
-/// How large the box around a node may become before a child that makes it grow is put elsewhere: this share of the measures of its
-/// children, together. Eight squares side by side are a third, as many cubes a half.
+/// Limit on the box of a node before a growing child is moved elsewhere: this fraction of the sum of its
+/// children's measures. Eight squares side by side are a third, as many cubes a half.
 const LOOSENESS: Real = 0.8;
 
 /// The children of a full node, and one more.
@@ -54,11 +54,11 @@ impl BoxTree {
         }
     }
 
-    /// Lets a box that has changed stay where it is, if it may: if none of the boxes above need grow, or those that must are small
-    /// all the same. What moves together stays together, and finding a new place is ten times the work.
-    /// (Lee et al., "Supporting Frequent Updates in R-Trees: A Bottom-Up Approach", 2003.)
+    /// Keeps a changed box in its place, if no box above must grow, or those that must are small. Boxes that
+    /// move together thus stay together, and a new search would be ten times the work. (Lee et al.,
+    /// "Supporting Frequent Updates in R-Trees: A Bottom-Up Approach", 2003.)
     ///
-    /// All boxes above are asked: what leaves with its neighbours would else drag them across the world.
+    /// All boxes above are tested: a group that leaves would otherwise enlarge them across the world.
     fn stay(&mut self, place: Place) -> bool {
         let node = &self.nodes[place.node()];
         let own = node.around();
@@ -83,7 +83,7 @@ impl BoxTree {
         true
     }
 
-    /// The node that a box should go into. The boxes on the way there grow.
+    /// The node that a box should go into. The boxes on the path there grow.
     fn descend(&mut self, aabb: &Aabb) -> usize {
         Simd::detect().run(Descend { nodes: &mut self.nodes, aabb })
     }
@@ -136,7 +136,7 @@ impl BoxTree {
         }
     }
 
-    /// Puts a child into a lane, and tells it.
+    /// Sets a child of a lane, and the child's parent.
     pub(super) fn put(&mut self, place: Place, entry: &Entry) {
         self.nodes[place.node()].set_entry(place.lane(), entry);
         match entry.child.target() {
@@ -200,7 +200,7 @@ impl BoxTree {
     }
 }
 
-/// The way of a box down to the node that it should go into.
+/// The path of a box down to its node.
 struct Descend<'a> {
     nodes: &'a mut [Node],
     aabb: &'a Aabb,
@@ -223,7 +223,7 @@ impl Kernel for Descend<'_> {
                     best = Some((costs.0[lane], lane, below));
                 }
             }
-            // Where all children are leaves it has arrived.
+            // The descent ends if all children are leaves.
             let Some((_, lane, below)) = best else { return at };
             node.set_box(lane, &node.lane_box(lane).merged(self.aabb));
             at = below;
@@ -231,7 +231,7 @@ impl Kernel for Descend<'_> {
     }
 }
 
-/// What it costs to put a box into each child: how large it is then, and how much it grows.
+/// The cost of a box in each child: the size after insertion, and the growth.
 #[inline(always)]
 fn cost_of_growth<W: Wide>(planes: &Planes, aabb: &Aabb) -> W {
     let (mut before, mut after) = ([W::zero(); DIM], [W::zero(); DIM]);
@@ -246,8 +246,9 @@ fn cost_of_growth<W: Wide>(planes: &Planes, aabb: &Aabb) -> W {
 
 /// Sorts the children of an overfull node so that it is best divided before the one whose number is the answer.
 ///
-/// Tries all axes and all cuts that leave two on each side: the sum of the measures times the numbers decides
-/// (the surface area heuristic: Goldsmith, Salmon, "Automatic Creation of Object Hierarchies for Ray Tracing", 1987).
+/// Tests all axes and all splits that leave two on each side. The sum of the measures times the numbers
+/// decides (the surface area heuristic: Goldsmith, Salmon, "Automatic Creation of Object Hierarchies for Ray
+/// Tracing", 1987).
 fn divide(all: &mut Overfull) -> usize {
     let mut best = (Real::INFINITY, 0, 2);
     for axis in 0..DIM {
@@ -268,7 +269,7 @@ fn sort(all: &mut Overfull, axis: usize) {
     all.sort_by(|a, b| middle(a).partial_cmp(&middle(b)).unwrap_or(Ordering::Equal));
 }
 
-/// What it costs to cut before each child.
+/// The cost of a split before each child.
 fn costs(all: &Overfull) -> [Real; LANES + 1] {
     let (mut costs, mut around) = ([0.0; LANES + 1], all[0].aabb);
     for first in 1..all.len() {

@@ -36,7 +36,7 @@ impl<P: Probe> Iterator for Leaves<'_, P> {
                 Target::Slot(slot) => return Some(slot),
                 Target::Node(node) => &self.nodes[node],
             };
-            let look = Look { node, probe: &self.probe, reach: self.reach };
+            let look = Query { node, probe: &self.probe, reach: self.reach };
             let mut bits = self.simd.run(look) & node.taken();
             while bits != 0 {
                 self.stack.push(node.children[bits.trailing_zeros() as usize % LANES]);
@@ -47,8 +47,8 @@ impl<P: Probe> Iterator for Leaves<'_, P> {
 }
 
 impl BoxTree {
-    /// Calls back for the slots whose boxes the probe finds, in no particular order: the quick way, for who has no
-    /// use for an iterator.
+    /// Calls back for the slots whose boxes the probe finds, in no particular order; faster than the
+    /// iterator.
     pub fn for_each_leaf<P: Probe>(&self, probe: &P, visit: impl FnMut(u32)) {
         if self.len > 0 {
             Simd::detect().run(Walk { nodes: &self.nodes, probe, visit });
@@ -86,13 +86,13 @@ impl<P: Probe, V: FnMut(u32)> Kernel for Walk<'_, P, V> {
 }
 
 /// One bit for each child that the probe finds.
-struct Look<'a, P> {
+struct Query<'a, P> {
     node: &'a Node,
     probe: &'a P,
     reach: Real,
 }
 
-impl<P: Probe> Kernel for Look<'_, P> {
+impl<P: Probe> Kernel for Query<'_, P> {
     type Output = u32;
 
     #[inline(always)]

@@ -1,8 +1,8 @@
 //! # Bvh — a tree of boxes with as many children per node as a register has lanes
 //!
-//! Numbered boxes come, go and change; which of them does a ray, a point, a box come by? A node holds the boxes of
-//! its children plane by plane, a child per lane, so that one pass of a handful of instructions tests all of them
-//! (Wald, Benthin, Boulos, "Getting Rid of Packets", 2008). Children are nodes or leaves, as it comes: a large box
+//! A dynamic set of numbered boxes, queried by ray, point and box. A node contains the boxes of its children
+//! plane by plane, a child per lane, so that one pass of a handful of instructions tests all of them (Wald,
+//! Benthin, Boulos, "Getting Rid of Packets", 2008). Children are nodes or leaves, as it comes: a large box
 //! among many small ones stands near the root.
 //!
 //! | file | what |
@@ -15,8 +15,8 @@
 //! | `leaves.rs` | all that a probe comes by |
 //! | `check.rs` | what must hold of a tree |
 //!
-//! The shape of the tree follows from the history of calls, and from nothing else. What is found does not
-//! depend on it; the order may.
+//! The shape of the tree follows from the history of calls, and from nothing else. The set of results does
+//! not depend on it; the order may.
 
 mod build;
 mod check;
@@ -48,7 +48,7 @@ pub struct BoxTree {
     /// The root comes first. Nodes that are free stand in `free`.
     nodes: Vec<Node>,
     free: Vec<u32>,
-    /// Where the box of each slot is.
+    /// The place of each slot's box.
     places: Vec<Option<Place>>,
     len: usize,
     /// Boxes that came since the tree was built as a whole, were put elsewhere, or had those above them grow.
@@ -63,7 +63,7 @@ impl BoxTree {
         self.len
     }
 
-    /// Is there no box?
+    /// Returns whether the tree is empty.
     #[cfg(test)]
     pub fn is_empty(&self) -> bool {
         self.len == 0
@@ -77,7 +77,7 @@ impl BoxTree {
         (self.len, self.wear) = (0, 0);
     }
 
-    /// How many boxes came, were put elsewhere, or had those above them grow, since the tree was built as a whole.
+    /// The number of insertions, moves and growths since the last complete build.
     pub fn wear(&self) -> usize {
         self.wear
     }
@@ -100,7 +100,8 @@ impl BoxTree {
     }
 }
 
-/// What the chance of a random line to meet a box is proportional to: half the surface, or half the outline.
+/// Measure proportional to the probability that a random line meets a box: half the surface, or half the
+/// outline.
 fn measure(aabb: &Aabb) -> Real {
     let extents = aabb.extents();
     measure_of(core::array::from_fn(|axis| extents[axis]))

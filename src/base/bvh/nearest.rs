@@ -9,7 +9,8 @@ use parry::math::Real;
 
 /// Visits the slots whose boxes are no farther away than `reach`, the nearest box first, as far as that is known.
 ///
-/// `prepare` is told of slots that will most likely be visited, a little before. `visit` says how far away the rest may be to matter from then on: what is *as* far away still does.
+/// `prepare` receives slots that will probably be visited, for prefetching. `visit` returns the new limit of
+/// the distance; equal distances still count.
 pub fn nearest<P: Probe>(
     tree: &BoxTree,
     probe: &P,
@@ -32,7 +33,7 @@ struct Search<'a, P, H, V> {
 }
 
 impl<P: Probe, H: Fn(u32), V: FnMut(u32) -> Real> Kernel for Search<'_, P, H, V> {
-    /// How far away the rest may be in the end.
+    /// Final limit of the distance.
     type Output = Real;
 
     #[inline(always)]
@@ -72,11 +73,11 @@ fn prepare_leaves(node: &Node, mut bits: u32, prepare: &impl Fn(u32)) {
     }
 }
 
-/// Puts the children that matter on the stack, the nearest on top. Of equally near ones the first lane comes first.
+/// Puts the children that matter on the stack, the nearest on top. The first lane precedes equally near ones.
 #[inline(always)]
 fn push_sorted(stack: &mut Stack<(Real, Child)>, node: &Node, distances: &Lane, mut bits: u32) {
     if bits & bits.wrapping_sub(1) == 0 {
-        // None, or a single one, as it is most often.
+        // Usually there is none or one.
         if bits != 0 {
             let lane = bits.trailing_zeros() as usize % LANES;
             stack.push((distances.0[lane], node.children[lane]));

@@ -8,12 +8,12 @@ use parry::math::{DIM, Real, Vector};
 /// Lower bounds of all children per axis, then upper bounds per axis.
 pub type Planes = [Lane; 2 * DIM];
 
-/// What a lane leads to: another node, or the slot of a box.
+/// The child of a lane: another node, or the slot of a box.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub struct Child(u32);
 
-/// What it leads to, to be matched.
+/// The child, to be matched.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 pub enum Target {
     Node(usize),
@@ -22,7 +22,7 @@ pub enum Target {
 
 impl Child {
     const LEAF: u32 = 1 << 31;
-    /// Stands where nothing is; nobody looks at it.
+    /// Marks an empty lane; it is never read.
     pub const NONE: Self = Self(u32::MAX);
 
     pub fn of_slot(slot: u32) -> Self {
@@ -76,7 +76,7 @@ pub struct Entry {
 pub struct Node {
     pub planes: Planes,
     pub children: [Child; LANES],
-    /// Where the node is a child; `None` for the root.
+    /// The parent and lane of the node; `None` for the root.
     pub parent: Option<Place>,
     pub count: u32,
 }

@@ -1,4 +1,4 @@
-//! What is looked for, as the boxes of a node see it.
+//! Probes: tests of the boxes of a node.
 //!
 //! No test misses a box that it should find: where a rounding error could decide, it decides for the box.
 
@@ -9,13 +9,13 @@ use parry::math::{DIM, Real, Vector};
 
 /// Tests all boxes of a node at once.
 pub trait Probe: Copy {
-    /// How near anything in each box can be, and which boxes have anything within `reach`.
+    /// Lower bounds of the distance for each box, and the boxes with anything within `reach`.
     ///
     /// Must be `#[inline(always)]`, see [`Kernel`](crate::base::wide::Kernel).
     fn look<W: Wide>(&self, planes: &Planes, reach: Real) -> (W, W::Mask);
 }
 
-/// A box, for what overlaps it. Touching counts. It knows no distances: everything is as near as can be.
+/// A box, for what overlaps it. Touching counts. It has no distances: all are zero.
 #[derive(Copy, Clone, Debug)]
 pub struct BoxProbe(pub Aabb);
 
@@ -46,22 +46,22 @@ impl Probe for PointProbe {
             let outside = (mins - place).max(place - maxs).max(W::zero());
             squared = squared + outside * outside;
         }
-        // What is as far away as the box is must not be farther by rounding.
+        // Rounding must not make the distance of an equal box larger.
         let distance = squared.sqrt() * W::splat(1.0 - 4.0 * Real::EPSILON);
         (distance, distance.le(W::splat(reach)))
     }
 }
 
-/// A ray, or a box that moves along one: when does it come by?
+/// A ray or a swept box, with the time at which it enters another box.
 ///
-/// A box in motion is a ray from its middle for boxes that are larger by its half extents, or, which is one addition less,
-/// two rays: from its front for the planes where it enters, and from its back for those where it leaves.
+/// A swept box is a ray from its middle against boxes that are larger by its half extents. With one addition
+/// less it is two rays: from its front for the entry planes, and from its back for the exit planes.
 #[derive(Copy, Clone, Debug)]
 pub struct SlabProbe {
     front: Vector,
     back: Vector,
     inv_dir: Vector,
-    /// Which of a node's planes are met first, per axis, and which last.
+    /// The first planes of a node per axis, and the last ones.
     near: [usize; DIM],
     far: [usize; DIM],
 }
@@ -85,8 +85,8 @@ impl SlabProbe {
         Self { front, back, inv_dir, near, far }
     }
 
-    /// When it enters a box and when it has left it, at the earliest and the latest: a box that it never enters it has
-    /// left before, or at time zero.
+    /// The time interval in a box, limited to the earliest and the latest time. A box that is never entered
+    /// has an exit before the entry, or at time zero.
     pub fn span(&self, aabb: &Aabb) -> [Real; 2] {
         let (mut start, mut end) = (0.0, Real::INFINITY);
         for axis in 0..DIM {
@@ -100,8 +100,8 @@ impl SlabProbe {
 }
 
 impl Probe for SlabProbe {
-    /// The end is late by the rounding errors of both (Ize, "Robust BVH Ray Traversal", JCGT 2013): a ray along a face is not
-    /// to miss the box.
+    /// The exit is late by the rounding errors of both (Ize, "Robust BVH Ray Traversal", JCGT 2013): a ray
+    /// along a face must not miss the box.
     #[inline(always)]
     fn look<W: Wide>(&self, planes: &Planes, reach: Real) -> (W, W::Mask) {
         let (mut start, mut end) = (W::zero(), W::splat(Real::INFINITY));

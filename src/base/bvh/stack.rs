@@ -1,11 +1,11 @@
-//! What is still to be looked at.
+//! Stack of pending nodes.
 
 /// Entries that fit without asking for memory: for all trees but those that an adversary grew.
-const ROOM: usize = 64;
+const INLINE_CAPACITY: usize = 64;
 
 /// Last in, first out. Without allocation while it is short.
 pub struct Stack<T> {
-    first: [T; ROOM],
+    first: [T; INLINE_CAPACITY],
     len: usize,
     rest: Vec<T>,
 }
@@ -14,7 +14,7 @@ impl<T: Copy> Stack<T> {
     /// Empty. `filler` is what stands where nothing is.
     #[inline(always)]
     pub fn new(filler: T) -> Self {
-        Self { first: [filler; ROOM], len: 0, rest: Vec::new() }
+        Self { first: [filler; INLINE_CAPACITY], len: 0, rest: Vec::new() }
     }
 
     #[inline(always)]
@@ -30,7 +30,7 @@ impl<T: Copy> Stack<T> {
 
     #[inline(always)]
     pub fn pop(&mut self) -> Option<T> {
-        if self.len < ROOM || self.rest.is_empty() {
+        if self.len < INLINE_CAPACITY || self.rest.is_empty() {
             self.len = self.len.checked_sub(1)?;
             return Some(self.first[self.len]);
         }
@@ -40,17 +40,17 @@ impl<T: Copy> Stack<T> {
 
 #[cfg(test)]
 mod tests {
-    use super::{ROOM, Stack};
+    use super::{INLINE_CAPACITY, Stack};
 
     #[test]
     fn what_came_last_goes_first_beyond_the_room_too() {
         let (mut stack, mut plain) = (Stack::new(0), Vec::new());
         for round in 0..5 {
-            for entry in 0..(ROOM / 2 + 3 * round) {
+            for entry in 0..(INLINE_CAPACITY / 2 + 3 * round) {
                 stack.push(entry);
                 plain.push(entry);
             }
-            for _ in 0..ROOM / 4 {
+            for _ in 0..INLINE_CAPACITY / 4 {
                 assert_eq!(stack.pop(), plain.pop());
             }
         }

@@ -1,4 +1,4 @@
-//! Does the tree find what a look at all boxes finds, whatever happened to it?
+//! Compares the tree with a search of all boxes after arbitrary edits.
 
 use super::node::{Node, Planes, Target};
 use super::{BoxProbe, BoxTree, BuildScratch, PointProbe, Probe, SlabProbe, nearest};
@@ -76,7 +76,7 @@ impl Twins {
         found
     }
 
-    /// What must hold of the tree whatever happened: boxes contain what is below them, and everybody knows their place.
+    /// Invariants of the tree after any edits: boxes contain their descendants, and every place is stored.
     fn validate(&self) {
         let mut depths = vec![0];
         let (mut open, mut leaves) = (vec![(0, 1)], 0);
@@ -152,7 +152,7 @@ fn check_points(twins: &Twins, random: &mut Random) {
     assert_eq!(least, expected.unwrap_or((Real::INFINITY, u32::MAX)), "{point}");
 }
 
-/// Whether a box in motion meets another: sampled along the way, which finds nothing that is not there.
+/// Whether a swept box meets another: sampled along the path, which has no false positives.
 fn check_sweeps(twins: &Twins, random: &mut Random) {
     let (origin, mut dir, half) =
         (vector(random, 25.0), vector(random, 1.0), vector(random, 0.5).abs());
@@ -265,7 +265,7 @@ impl Probe for Counting<'_> {
     }
 }
 
-/// A large box does not lie in the way of those who look for small ones, nor do boxes that moved.
+/// A large box does not affect searches for small ones, nor do moved boxes.
 #[test]
 fn few_nodes_are_looked_at() {
     let (mut twins, mut random) = (Twins::default(), Random(8));
@@ -296,8 +296,8 @@ fn few_nodes_are_looked_at() {
     }
 }
 
-/// Boxes that lie on each other, eight by eight, and leave for the other end of the world do not each drag the boxes of those that stay behind
-/// them: where they are, they find each other.
+/// Boxes that lie on each other, eight by eight, and leave for the other end of the world do not each enlarge
+/// the boxes of the others: at their new place, they are grouped again.
 #[test]
 fn who_leaves_drags_nobody() {
     let at = |x: Real, y: Real| {
@@ -315,7 +315,7 @@ fn who_leaves_drags_nobody() {
     };
     (0..400).for_each(|slot| tree.insert(&at(place(slot).0, place(slot).1), slot));
     leavers(0).for_each(|(slot, aabb)| tree.insert(&aabb, slot));
-    // Now each eight of them share a node.
+    // Now each eight of them have a common node.
     tree.rebuild(&mut BuildScratch::default());
     for step in 1..3000 {
         leavers(step).for_each(|(slot, aabb)| tree.insert(&aabb, slot));

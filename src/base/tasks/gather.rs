@@ -5,11 +5,11 @@ use crate::base::pool::Pool;
 use core::ops::Range;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
-/// Puts what threads find in ranges of a loop into one list, in the order of the ranges, whoever was first. Keeps its memory.
+/// Concatenates the results of threads for ranges of a loop, in the order of the ranges. Keeps its memory.
 #[derive(Debug)]
 pub struct Gather<T> {
     idle: Pool<Vec<T>>,
-    /// What was found, with the first index of each range.
+    /// Results, with the first index of each range.
     found: Mutex<Vec<(usize, Vec<T>)>>,
 }
 
@@ -31,7 +31,7 @@ impl<T: Send> Gather<T> {
         if tasks.are_alone() {
             return find(0..count, list);
         }
-        // Of a loop that panicked something may be left.
+        // Results of a panicked loop may be left.
         self.found.get_mut().unwrap_or_else(PoisonError::into_inner).clear();
         let Self { idle, found } = &*self;
         tasks.par_for(count, grain, |range| {

@@ -1,11 +1,12 @@
-//! Spreading work over threads. The only folder that knows the feature `parallel`.
+//! Spreading work over threads. The only folder that uses the feature `parallel`.
 //!
-//! With the feature, work runs in the rayon pool of the thread that steps the simulation, or on the [`Threads`] that the
-//! pipeline was given. Without it, or with one thread, all is a plain loop in order. Which thread does what differs from run to run, so tasks must not care: each
-//! item is worked on once, by itself, and results go to a place that depends on the item alone.
+//! With the feature, work runs in the rayon pool of the thread that steps the simulation, or on the
+//! [`Threads`] that the pipeline was given. Without it, or with one thread, all is a plain loop in order. The
+//! assignment of items to threads differs from run to run. Each item is therefore processed once,
+//! independently, and its result goes to a place that depends on the item alone.
 
 #[cfg(feature = "parallel")]
-mod crew;
+mod team;
 mod gather;
 mod threads;
 
@@ -13,23 +14,23 @@ use super::disjoint::DisjointMut;
 use core::marker::PhantomData;
 use core::ops::Range;
 #[cfg(feature = "parallel")]
-use crew::Crew;
-#[cfg(feature = "parallel")]
 use std::sync::Arc;
+#[cfg(feature = "parallel")]
+use team::WorkerTeam;
 
 pub use gather::Gather;
 pub use threads::{Threads, ThreadsError};
 
-/// How many pieces the work of one thread is cut into, so that the quick ones can help the slow.
+/// Number of pieces per thread, so that fast threads can take work of slow ones.
 #[cfg(feature = "parallel")]
 const PIECES_PER_THREAD: usize = 4;
 
 /// The threads that a step may use. Only the thread that opened them can hand out work.
 #[derive(Copy, Clone)]
 pub struct Tasks<'a> {
-    /// None for a single thread.
+    /// `None` for a single thread.
     #[cfg(feature = "parallel")]
-    crew: Option<(&'a Crew, &'a dyn Fn(usize))>,
+    team: Option<(&'a WorkerTeam, &'a dyn Fn(usize))>,
     /// Neither sent to nor shared with another thread.
     unshared: PhantomData<(&'a (), *const ())>,
 }
@@ -38,14 +39,14 @@ impl Tasks<'_> {
     /// The calling thread alone.
     pub const SERIAL: Self = Self {
         #[cfg(feature = "parallel")]
-        crew: None,
+        team: None,
         unshared: PhantomData,
     };
 
     /// Calls `work` with the threads of the pool in which the caller runs.
     #[cfg(feature = "parallel")]
     pub fn open<R>(work: impl FnOnce(Tasks<'_>) -> R) -> R {
-        let hire = |crew: Arc<Crew>, number| rayon::spawn(move || crew.help(number));
+        let hire = |team: Arc<WorkerTeam>, number| rayon::spawn(move || team.help(number));
         Self::open_with(rayon::current_num_threads(), hire, work)
     }
 
@@ -53,17 +54,17 @@ impl Tasks<'_> {
     #[cfg(feature = "parallel")]
     fn open_with<R>(
         count: usize,
-        hire: impl Fn(Arc<Crew>, usize),
+        hire: impl Fn(Arc<WorkerTeam>, usize),
         work: impl FnOnce(Tasks<'_>) -> R,
     ) -> R {
         if count <= 1 {
             return work(Tasks::SERIAL);
         }
-        let crew = Arc::new(Crew::new(count));
-        // No scope of rayon: that would wait for helpers whom nobody has let begin, or do strange work meanwhile.
-        let hire = |number| hire(Arc::clone(&crew), number);
-        let _owner = crew.own();
-        work(Tasks { crew: Some((&crew, &hire)), unshared: PhantomData })
+        let team = Arc::new(WorkerTeam::new(count));
+        // A scope of rayon would wait for workers that never start, or run other tasks meanwhile.
+        let hire = |number| hire(Arc::clone(&team), number);
+        let _owner = team.own();
+        work(Tasks { team: Some((&team, &hire)), unshared: PhantomData })
     }
 
     /// Calls `work` with the calling thread alone: there are others with the feature `parallel`.
@@ -72,29 +73,29 @@ impl Tasks<'_> {
         work(Tasks::SERIAL)
     }
 
-    /// Is there but one thread?
+    /// Returns whether there is only one thread.
     pub fn are_alone(&self) -> bool {
         #[cfg(feature = "parallel")]
-        return self.crew.is_none();
+        return self.team.is_none();
         #[cfg(not(feature = "parallel"))]
         true
     }
 
     /// Calls `work` with ranges that together are `0..count`, each item in one of them.
     ///
-    /// `grain` is the smallest number of items that is worth the handing over to another thread
-    /// (some microseconds of work). Ranges begin at multiples of the grain. With one thread, or no
-    /// more than one grain of work, there is one call with the whole range.
+    /// `grain` is the smallest number of items that is worth the handing over to another thread (some
+    /// microseconds of work). Ranges begin at multiples of the grain. With one thread, or at most one grain
+    /// of work, there is one call with the whole range.
     pub fn par_for(&self, count: usize, grain: usize, work: impl Fn(Range<usize>) + Sync) {
         if count == 0 {
             return;
         }
         #[cfg(feature = "parallel")]
-        if let Some((crew, hire)) = self.crew.filter(|_| count > grain) {
-            let pieces = crew.threads() * PIECES_PER_THREAD;
+        if let Some((team, hire)) = self.team.filter(|_| count > grain) {
+            let pieces = team.threads() * PIECES_PER_THREAD;
             let piece = count.div_ceil(pieces).next_multiple_of(grain.max(1));
             // SAFETY: a `Tasks` stays with the thread that opened it, and work that can be shared does not hold one.
-            return unsafe { crew.run(count, piece, &work, hire) };
+            return unsafe { team.run(count, piece, &work, hire) };
         }
         let _ = grain; // of no use to one thread
         work(0..count);
@@ -282,7 +283,7 @@ mod tests {
             in_time.expect("the step waits for the pool");
         }
 
-        /// What panics carry may panic when it is dropped. Nobody must wait for pieces that ended so.
+        /// The payload of a panic may panic when it is dropped. No thread may wait for pieces that ended so.
         #[test]
         fn panics_may_carry_anything() {
             struct Bomb;

@@ -1,16 +1,17 @@
-//! Which threads steps run on: a setting of the pipelines.
+//! Threads of a step: a setting of the pipelines.
 
 use super::Tasks;
 #[cfg(feature = "parallel")]
-use super::crew::{Crew, MAX_THREADS};
+use super::team::{MAX_THREADS, WorkerTeam};
 #[cfg(feature = "parallel")]
 use std::sync::Arc;
 
-/// Which threads steps run on.
+/// Threads of a step.
 ///
-/// By default those of the rayon pool in which the step is called; outside of any that is rayon's global pool, with a thread
-/// per core if nobody has said otherwise. Rays that are cast by the thousand go to these, whatever a pipeline was given. The number of threads does not change a bit of the results. Without the feature `parallel` there is the calling
-/// thread alone, whatever is asked for.
+/// By default the threads of the rayon pool that calls the step. Outside of any pool that is rayon's global
+/// pool, with a thread per core by default. Rays that are cast by the thousand go to these, whatever a
+/// pipeline was given. The number of threads does not change a bit of the results. Without the feature
+/// `parallel` there is the calling thread alone, for any request.
 ///
 /// ```
 /// # use rapier3d::prelude::*;
@@ -22,10 +23,10 @@ use std::sync::Arc;
 #[derive(Clone, Debug, Default)]
 pub struct Threads {
     #[cfg(feature = "parallel")]
-    crew: Option<Helpers>,
+    team: Option<Helpers>,
 }
 
-/// Who helps the calling thread.
+/// The helpers of the calling thread.
 #[cfg(feature = "parallel")]
 #[derive(Clone, Debug)]
 enum Helpers {
@@ -38,9 +39,9 @@ enum Helpers {
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("{count} threads cannot be created: {reason}")]
 pub struct ThreadsError {
-    /// How many were asked for.
+    /// The requested number.
     pub count: usize,
-    /// What the system says to that.
+    /// The system's error.
     pub reason: String,
 }
 
@@ -56,12 +57,12 @@ impl Threads {
         let cores = || std::thread::available_parallelism().map_or(1, usize::from);
         let count = if count == 0 { cores() } else { count }.min(MAX_THREADS);
         if count == 1 {
-            return Ok(Self { crew: Some(Helpers::Nobody) });
+            return Ok(Self { team: Some(Helpers::Nobody) });
         }
-        let helpers = rayon::ThreadPoolBuilder::new().num_threads(count - 1);
-        let pool = helpers.thread_name(|index| format!("physics {}", index + 1)).build();
+        let workers = rayon::ThreadPoolBuilder::new().num_threads(count - 1);
+        let pool = workers.thread_name(|index| format!("physics {}", index + 1)).build();
         let pool = pool.map_err(|error| ThreadsError { count, reason: error.to_string() })?;
-        Ok(Self { crew: Some(Helpers::Of(Arc::new(pool), count)) })
+        Ok(Self { team: Some(Helpers::Of(Arc::new(pool), count)) })
     }
 
     /// The calling thread: there are others with the feature `parallel`.
@@ -78,16 +79,16 @@ impl Threads {
     #[cfg(feature = "parallel")]
     pub fn of_pool(pool: Arc<rayon::ThreadPool>) -> Self {
         let count = pool.current_num_threads();
-        Self { crew: Some(Helpers::Of(pool, count)) }
+        Self { team: Some(Helpers::Of(pool, count)) }
     }
 
     /// Calls `work` with these threads.
     pub(crate) fn open<R>(&self, work: impl FnOnce(Tasks<'_>) -> R) -> R {
         #[cfg(feature = "parallel")]
-        match &self.crew {
+        match &self.team {
             Some(Helpers::Nobody) => return work(Tasks::SERIAL),
             Some(Helpers::Of(pool, count)) => {
-                let hire = |crew: Arc<Crew>, number| pool.spawn(move || crew.help(number));
+                let hire = |team: Arc<WorkerTeam>, number| pool.spawn(move || team.help(number));
                 return Tasks::open_with(*count, hire, work);
             }
             None => {}

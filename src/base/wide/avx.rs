@@ -1,7 +1,7 @@
 //! Registers of 32 bytes: one AVX register each.
 //!
-//! Nothing outside [`super::dispatch`] names these types, and that names them only where the machine
-//! has AVX2. This is what makes the intrinsics below sound to call; each `SAFETY` comment refers to it.
+//! Only [`super::dispatch`] uses these types, on machines with AVX2. This is what makes the intrinsics below
+//! sound to call; each `SAFETY` comment refers to it.
 
 use super::{Lane, Wide};
 use core::arch::x86_64 as x86;
@@ -29,7 +29,7 @@ macro_rules! operator {
     };
 }
 
-/// What the two registers have in common: the same instructions under two endings.
+/// The common part of the two registers: the same instructions under two endings.
 macro_rules! register {
     ($register:ident, $scalar:ty, $lanes:literal,
      $load:ident $store:ident $set1:ident $setzero:ident $sqrt:ident $min:ident $max:ident
@@ -148,9 +148,9 @@ register!(F64x4, f64, 4,
     _mm256_load_pd _mm256_store_pd _mm256_set1_pd _mm256_setzero_pd _mm256_sqrt_pd _mm256_min_pd _mm256_max_pd
     _mm256_cmp_pd _mm256_blendv_pd _mm256_movemask_pd _mm256_xor_pd _mm256_andnot_pd);
 
-// Transposing a square that is as wide as the register would need instructions that cross its middle.
-// Instead each half of a register is loaded from a record of its own, so that halves never mix: the
-// loads and stores do the crossing, and half-wide squares are left to transpose.
+// Transposing a square that is as wide as the register would need instructions that cross its middle. Instead
+// each half of a register is loaded from its own record, so that halves never mix: the loads and stores
+// exchange halves, and half-wide squares are left to transpose.
 
 impl F32x8 {
     /// Transposes the 4×4 square in each half.

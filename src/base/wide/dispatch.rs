@@ -1,4 +1,4 @@
-//! Which instruction set a kernel runs on: chosen once, when the program runs.
+//! Instruction set of kernels, selected once at run time.
 
 use super::Wide;
 use parry::math::Real;
@@ -23,13 +23,12 @@ use parry::math::Real;
 /// ```
 ///
 /// # Why everything is `#[inline(always)]`
-/// The compiler may use AVX instructions only inside a function that says so
-/// (`#[target_feature(enable = "avx2")]`), and a function that says so cannot be inlined into one
-/// that does not. There is exactly one such function, in this file. `run` and all that it calls
-/// with registers in hand say nothing and are `#[inline(always)]`: so their code ends up *inside*
-/// that function, and there the intrinsics become single instructions. What is not inlined stays
-/// behind in a function without AVX, where each `+` is a call that passes registers through memory:
-/// right, but ten times slower. Hence:
+/// The compiler may use AVX instructions only inside a function with `#[target_feature(enable = "avx2")]`,
+/// and such a function cannot be inlined into one without it. There is exactly one such function, in this
+/// file. `run` and all callees with register arguments are plain `#[inline(always)]` functions. Their code
+/// ends up *inside* that function, and there the intrinsics become single instructions. A function that is
+/// not inlined has no AVX, and each `+` in it is a call that passes registers through memory: correct, but
+/// ten times slower. Hence:
 ///
 /// * `#[inline(always)]` on `run` and on every function that takes, makes or returns a `W`;
 /// * no closure that touches a `W`, and so no `map` or `fold` over registers: closures cannot be
@@ -38,7 +37,7 @@ use parry::math::Real;
 /// WebAssembly selects its instructions at compile time, and its modules are downloaded. Large functions that kernels call from several places are
 /// `#[cfg_attr(not(target_arch = "wasm32"), inline(always))]`: there the compiler decides, and keeps one copy.
 pub trait Kernel {
-    /// What the kernel returns.
+    /// Result of the kernel.
     type Output;
     /// Does the work in registers of type `W`. Must be `#[inline(always)]`.
     fn run<W: Wide>(self) -> Self::Output;
@@ -50,7 +49,7 @@ pub struct Simd(Level);
 
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 enum Level {
-    /// Stands for a promise: this value exists only where the machine was asked and has AVX2.
+    /// Proof token: this value exists only if the machine has AVX2.
     #[cfg(target_arch = "x86_64")]
     Avx2,
     Baseline,
@@ -72,7 +71,7 @@ impl Simd {
         Self::baseline()
     }
 
-    /// What every machine of this architecture has.
+    /// The baseline of this architecture.
     pub const fn baseline() -> Self {
         Self(Level::Baseline)
     }

@@ -16,9 +16,9 @@
 //! defined by one comparison, which fixes what they do with NaN and with zeros of either sign. The
 //! one thing left open is *which* NaN comes out where a NaN comes out of arithmetic.
 //!
-//! **In memory** the numbers stand in a [`Lane`]; the solver's constraints are blocks of lanes.
-//! Records that are met in any order (the states of bodies) are read by [`gather`], which transposes
-//! one record per lane into one register per component, and written back by [`scatter`].
+//! **In memory** the numbers stand in a [`Lane`]; the solver's constraints are blocks of lanes. [`gather`]
+//! reads records in random order (the states of bodies) and transposes one record per lane into one register
+//! per component; [`scatter`] writes them back.
 
 #[cfg(target_arch = "x86_64")]
 mod avx;
@@ -55,7 +55,7 @@ use parry::math::Real;
 pub use dispatch::{Kernel, Simd};
 pub use prefetch::{prefetch, prefetch_front};
 
-/// How many numbers a register holds: 8 single-precision or 4 double-precision ones.
+/// The number of lanes of a register: 8 single-precision or 4 double-precision numbers.
 pub const LANES: usize = 32 / size_of::<Real>();
 
 /// [`LANES`] numbers in memory, one per lane: what the constraint blocks are made of.
@@ -127,28 +127,29 @@ pub trait Wide<S = Real, const N: usize = LANES>:
     fn le(self, other: Self) -> Self::Mask;
     /// `yes` in the lanes where the mask says yes, `no` in the others.
     fn select(mask: Self::Mask, yes: Self, no: Self) -> Self;
-    /// Does the mask say yes in any lane?
+    /// Returns whether the mask is set in any lane.
     fn any(mask: Self::Mask) -> bool;
     /// One bit per lane, set where the mask says yes; the first lane is the lowest bit.
     fn bits(mask: Self::Mask) -> u32;
 
-    /// Reads `N` numbers from each of `N` places; register `k` of the result holds the `k`-th number
-    /// of each. [`gather`] is the safe way to say it.
+    /// Reads `N` numbers from each of `N` places; register `k` of the result holds the `k`-th number of each.
+    /// [`gather`] is the safe form.
     ///
     /// # Safety
     /// Each pointer must be good for reading `N` numbers.
     unsafe fn load_transposed(rows: [*const S; N]) -> [Self; N];
 
-    /// Writes `N` numbers to each of `N` places; register `k` holds the `k`-th number of each.
-    /// [`scatter`] is the safe way to say it. Where places overlap, either number may remain.
+    /// Writes `N` numbers to each of `N` places; register `k` holds the `k`-th number of each. [`scatter`] is
+    /// the safe form. If places overlap, either number may remain.
     ///
     /// # Safety
     /// Each pointer must be good for writing `N` numbers.
     unsafe fn store_transposed(columns: [Self; N], rows: [*mut S; N]);
 }
 
-/// Does a piece of work for each group of [`LANES`] components of a record. The lines stand side by side instead of in a loop: compilers
-/// unroll a loop around so much work late or not at all, and keep all registers of the record in memory meanwhile.
+/// Does a piece of work for each group of [`LANES`] components of a record. The lines are unrolled by hand:
+/// compilers unroll a loop around so much work late or not at all, and meanwhile keep all registers of the
+/// record in memory.
 macro_rules! for_each_group {
     ($first:ident < $length:ident, $work:block) => {
         for_each_group!($first < $length, $work, 0 1 2 3 4 5 6 7);
@@ -200,8 +201,8 @@ pub fn scatter<W: Wide, const N: usize>(
         }
         let mut group = [W::zero(); LANES];
         group.copy_from_slice(&components[first..first + LANES]);
-        // SAFETY: `N` is a multiple of `LANES`, so each record has room for `LANES` numbers from
-        // `first` on, and so has the sink.
+        // SAFETY: `N` is a multiple of `LANES`, so each record contains `LANES` numbers from `first` on, and
+        // so does the sink.
         unsafe { W::store_transposed(group, rows) };
     });
 }
@@ -212,7 +213,7 @@ pub fn gather_adjacent<W: Wide, R, const N: usize>(
     records: &[R],
     numbers: impl Fn(&R) -> &[Real; N],
 ) -> [W; N] {
-    // Where all are there, their places follow from that of the first.
+    // If all are present, their places follow from that of the first.
     if let Ok(all) = <&[R; LANES]>::try_from(records) {
         return gather(all.each_ref().map(numbers));
     }

@@ -110,8 +110,9 @@ macro_rules! binary {
     )*};
 }
 
-/// What registers of both precisions have in common. A square of the full width is four squares of half the width: one per half of
-/// the registers (records `half`, `half + 1`, …) and half of the records (numbers `first`, `first + 1`, …).
+/// The common part of registers of both precisions. A square of the full width is four squares of half the
+/// width: one per half of the registers (records `half`, `half + 1`, …) and half of the records (numbers
+/// `first`, `first + 1`, …).
 macro_rules! register {
     ($scalar:ident, $lanes:literal) => {
         impl<H: Half<Scalar = $scalar, Square = [H; $lanes / 2]>> Wide<$scalar, $lanes>
@@ -190,7 +191,8 @@ macro_rules! register {
                         square = H::transpose(square);
                         for k in 0..$lanes / 2 {
                             let row = rows[$lanes / 2 * half + k];
-                            // SAFETY: rows have room for as many numbers as there are lanes, and half of them begin at `first`.
+                            // SAFETY: rows contain as many numbers as there are lanes, and half of them begin
+                            // at `first`.
                             unsafe { square[k].store_unaligned(row.add(first)) };
                         }
                     }

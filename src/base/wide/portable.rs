@@ -51,7 +51,7 @@ impl<T: Copy + Neg<Output = T>, const N: usize> Neg for Array<T, N> {
     }
 }
 
-/// What the two registers have in common.
+/// The common part of the two registers.
 macro_rules! register {
     ($register:ident, $scalar:ident, $lanes:literal) => {
         impl Wide<$scalar, $lanes> for $register {
@@ -130,7 +130,8 @@ macro_rules! register {
             unsafe fn store_transposed(columns: [Self; $lanes], rows: [*mut $scalar; $lanes]) {
                 for (lane, row) in rows.into_iter().enumerate() {
                     for (k, column) in columns.iter().enumerate() {
-                        // SAFETY: the caller promises that each row has room for as many numbers as there are lanes.
+                        // SAFETY: the caller guarantees that each row contains as many numbers as there are
+                        // lanes.
                         unsafe { *row.add(k) = column.0[lane] };
                     }
                 }

@@ -30,7 +30,7 @@ macro_rules! instructions {
     )*};
 }
 
-/// What halves of both precisions have in common: the same instructions under two names.
+/// The common part of halves of both precisions: the same instructions under two names.
 macro_rules! half {
     ($half:ident, $scalar:ident, $numbers:literal, $splat:ident
      $add:ident $sub:ident $mul:ident $div:ident $neg:ident $sqrt:ident $abs:ident $pmin:ident $pmax:ident

@@ -20,7 +20,7 @@ macro_rules! instructions {
     )*};
 }
 
-/// What halves of both precisions have in common: the same instructions under two endings.
+/// The common part of halves of both precisions: the same instructions under two endings.
 macro_rules! half {
     ($half:ident, $scalar:ident, $numbers:literal, $transpose:ident,
      $load:ident $store:ident $loadu:ident $storeu:ident $set1:ident

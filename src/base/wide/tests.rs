@@ -1,4 +1,4 @@
-//! Do all registers do what the same formulas do to one number, to the last bit? Do they transpose?
+//! Every register type gives the bits of the scalar formulas. Transposition is checked, too.
 
 use super::{Kernel, LANES, Lane, Simd, Wide, gather, portable, scatter};
 use parry::math::Real;
@@ -14,7 +14,7 @@ fn run_on_all<K: Kernel>(kernel: impl Fn() -> K) -> Vec<(&'static str, K::Output
     ]
 }
 
-/// What an operation does to one number. NaN of an arithmetic operation may be any NaN.
+/// The scalar form of an operation. NaN of an arithmetic operation may be any NaN.
 struct Operation {
     name: &'static str,
     arithmetic: bool,
@@ -161,12 +161,12 @@ fn any_finds_a_yes_in_each_lane() {
 /// Adds to each component of the records its own number and writes them back.
 struct AddToRecords<'a, const N: usize> {
     records: &'a mut [[Real; N]],
-    /// Which record each lane has; every record at most once.
+    /// The record of each lane; every record at most once.
     lanes: [Option<usize>; LANES],
 }
 
 impl<const N: usize> Kernel for AddToRecords<'_, N> {
-    /// What register `k` held when the records were read.
+    /// The content of register `k` when the records were read.
     type Output = [Lane; N];
 
     #[inline(always)]

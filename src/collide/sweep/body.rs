@@ -70,7 +70,8 @@ impl<'a> Body<'a> {
         Some(Self { sharp, radius, whole: Some(part), flat })
     }
 
-    /// What of a whole box is within a region of its frame. A search of closest points has few digits for a floor of a kilometre.
+    /// The part of a whole box within a region of its frame. The closest-point search has few digits for a
+    /// floor of a kilometre.
     pub fn within(self, region: &Aabb) -> Self {
         let cuboid = self.whole.and_then(|part| part.as_cuboid());
         let Some((half, shrunk)) = cuboid.map(|cuboid| cuboid.half_extents).zip(self.convex())
@@ -79,7 +80,7 @@ impl<'a> Body<'a> {
         };
         let (low, high) = (region.mins.max(-half), region.maxs.min(half));
         let scale = (high - low) / (half + half);
-        // Nothing to take off, or nothing left.
+        // There is no layer, or no core.
         let cuts = scale.cmplt(Vector::ONE) & scale.cmpgt(Vector::ZERO);
         let scale = Vector::select(cuts, scale, Vector::ONE);
         let center = (low + high) * 0.5 / (Vector::ONE - scale);
@@ -112,7 +113,7 @@ impl<'a> Body<'a> {
         Self { sharp, whole: None, flat: None, ..self }
     }
 
-    /// A part without its outer layer: on the way from the part (`depth` 0) to its skeleton (1).
+    /// A part without its outer layer: interpolated from the part (`depth` 0) to its skeleton (1).
     pub fn core(shape: &'a dyn Shape, widths: &Widths, depth: Real) -> Option<Self> {
         let Self { sharp, radius, .. } = Self::whole(shape)?;
         let Sharp::Convex(shrunk) = sharp else { return None };
@@ -177,7 +178,8 @@ impl<'a> Body<'a> {
                         widest(&pos12, shape1, shape2, directions)?
                     }
                 };
-                // Of a triangle that is much larger than the other one the search may say that they overlap where they do not.
+                // For a triangle that is much larger than the other shape, the search may report an overlap
+                // of separated shapes.
                 let flats = [self.flat, other.flat.map(|normal| pos12.rotation * normal)];
                 let across = flats.into_iter().flatten().flat_map(|normal| [normal, -normal]);
                 let apart = widest(&pos12, shape1, shape2, across);
@@ -197,8 +199,8 @@ impl<'a> Body<'a> {
         Some((normal, dist - radius)).filter(|&(_, dist)| dist <= reach)
     }
 
-    /// How fast a turn by an angle of one moves the points of the sharp body (length units), about a centre. The layer around it is as
-    /// thick everywhere, so turning does not move that.
+    /// Speed of the points of the sharp body (length units) for a rotation by an angle of one about a centre.
+    /// The layer around it is as thick everywhere, so turning does not move that.
     pub fn reach_about(&self, center: Vector) -> Real {
         let Sharp::Convex(shape) = &self.sharp else { return Real::MAX };
         let farthest = directions().map(|direction| {
@@ -210,16 +212,17 @@ impl<'a> Body<'a> {
     }
 }
 
-/// By what share of it a distance that the search of closest points finds may be too large: it ends where an upper and a lower bound
-/// differ by no more. On a way of 30 m that is 3 cm in `f32`, and who jumped ahead by that was on the other side.
+/// Relative error of the closest-point search, which ends when an upper and a lower bound differ by at most
+/// this. On a path of 30 m that is 3 cm in `f32`, and a jump by that would pass a thin obstacle.
 fn search_error() -> Real {
     (10.0 * Real::EPSILON).sqrt()
 }
 
-/// The one of some directions along which two shapes are farthest apart, and how far: no more than their distance.
+/// The direction, among some, along which two shapes are farthest apart, and that distance: a lower bound of
+/// their distance.
 ///
-/// Between a wide floor and something thin and near the search may lose itself and say that they are far apart. This is what is
-/// certain.
+/// The search may diverge for a wide floor and a thin object near it, and return a large distance. This is
+/// what is certain.
 fn widest(
     pos12: &Pose,
     shape1: &Shrunk<'_>,

@@ -1,7 +1,8 @@
-//! When do two shapes that move first touch?
+//! Time of impact of two moving shapes.
 //!
-//! Conservative advancement (Mirtich, "Impulse-based Dynamic Simulation of Rigid Body Systems", 1996): two convex
-//! parts that are `d` apart along the direction `n` between their closest points cannot touch before
+//! Conservative advancement (Mirtich, "Impulse-based Dynamic Simulation of Rigid Body Systems", 1996). Two
+//! convex parts at the distance `d`, along the direction `n` between their closest points, cannot touch
+//! before
 //!
 //! ```text
 //! t + d / ((v1 - v2)·n + |ω1| r1 + |ω2| r2)
@@ -11,16 +12,18 @@
 //! it turns. So the search jumps ahead by that, and ends where the parts are within a tolerance or cannot meet any
 //! more. Shapes of several parts are searched part by part, those that the path comes near.
 //!
-//! Root finding on a chosen pair of features (Catto, "Continuous Collision", GDC 2013) takes fewer steps where a
-//! thing spins; jumps need no features, so that everything with a support function takes part.
+//! Root finding on a selected pair of features (Catto, "Continuous Collision", GDC 2013) takes fewer steps
+//! for fast rotations. Conservative advancement needs no features, so every shape with a support function
+//! works.
 //!
 //! ## Cores
-//! What slides over a floor of many pieces touches the next piece all the time, and must not be stopped by it; and what
-//! sinks into something at the end of a step is pushed out by its contacts, to where it came from as long as its middle
-//! is still outside. What must never happen is that the middle gets through. So it is the *core* that is searched with
-//! first: the shape without an outer layer nearly as deep as its thickness, half its minimum width ([`CORE_DEPTH`], [`Widths`]). Where the core would hit, the body is
-//! stopped, and then not so late but where its surface touches, if it did not do so from the beginning. If it did, it is stopped where it is
-//! a quarter deep ([`PRESSED_DEPTH`]): what something heavy presses into a wall stays on the side from which contacts push it out.
+//! A body that slides over a floor of many pieces touches the next piece all the time, and must not be
+//! stopped by it. A body that penetrates something at the end of a step is pushed out by its contacts to the
+//! original side, as long as its middle is outside. The middle must never pass through. The search therefore
+//! uses the *core* first: the shape without an outer layer nearly as deep as its thickness, half its minimum
+//! width ([`CORE_DEPTH`], [`Widths`]). If the core would hit, the body is stopped where its surface touches,
+//! unless it touched from the beginning. In that case it is stopped where it is a quarter deep
+//! ([`PENETRATION_FRACTION_MAX`]), so that contacts push a pressed body out on the original side.
 //!
 //! A rod may have an end of its core in the wall already, because it was turned into it. Then the middle half of the core is searched with, and if
 //! that is in, the centre.
@@ -29,14 +32,14 @@
 //! corners did, its middle half is searched with, and then its centre.
 //!
 //! ## Sensors
-//! Nothing is stopped by a sensor, but who passes through wants to be known: [`passes`] says whether two shapes are apart when the motion
-//! begins and when it ends, and meet in between.
+//! Sensors stop nothing, but crossings are reported: [`passes`] returns whether two shapes are apart at both
+//! ends of the motion, and meet in between.
 
 mod body;
 mod motion;
 mod touch;
 
-pub(crate) use motion::{Leg, Sweep, turned};
+pub(crate) use motion::{Segment, Sweep, turned};
 pub(crate) use touch::{Touch, find_touches};
 
 use super::manifolds::shapes_intersect;
@@ -48,32 +51,32 @@ use motion::reach_about;
 use parry::bounding_volume::{Aabb, BoundingVolume};
 use parry::shape::Shape;
 
-/// How deep below its surface a shape's core begins, as a share of the shape's thickness: of a ball a point is left, of a
-/// capsule its axis, of a board a thin one.
+/// Depth of a shape's core below its surface, as a fraction of the shape's thickness: the core of a ball is a
+/// point, of a capsule its axis, of a board a thin one.
 const CORE_DEPTH: Real = 0.98;
-/// The sizes of cores that are searched with, as shares of that of the first: what has an end of itself in something already may still
-/// not get its middle in.
+/// Sizes of the searched cores, as fractions of the first. A body with one end in an obstacle must still keep
+/// its middle outside.
 const CORES: [Real; 3] = [1.0, 0.5, 0.0];
-/// How deep contacts may be pressed before somebody looks after them, as a share of the shape's thickness.
-pub(crate) const PRESSED_DEPTH: Real = 0.25;
-/// What is deeper already goes this share of the way that is left until its middle is in. Who spins while deep in a wall must be able to
-/// turn, or would stand still for ever.
-const HALT: Real = 0.5;
-/// How near a core comes to what it hits, as a share of the shape's thickness.
+/// Depth of contacts, as a fraction of the shape's thickness, above which CCD limits the motion.
+pub(crate) const PENETRATION_FRACTION_MAX: Real = 0.25;
+/// A deeper body moves by this fraction of the path that is left until its middle is inside. A body that
+/// spins while deep in a wall must be able to rotate, or it would stop for ever.
+const REMAINING_FRACTION: Real = 0.5;
+/// Final distance of a core from its obstacle, as a fraction of the shape's thickness.
 const CORE_TOLERANCE: Real = 0.05;
-/// A core that is nearer than this share of that when the step begins comes no nearer: halves of halves would be lost in rounding,
-/// and the core would be inside.
+/// A core that is initially nearer than this fraction of it comes no nearer: repeated halving would be lost
+/// in rounding, and the core would be inside.
 const NEAREST: Real = 0.6;
-/// Jumps after which a search ends where it is: more than it takes to come near, at the tolerance, by turning through
-/// hundreds of times the thickness. Each leg allows one more.
+/// Largest number of jumps of a search: more than an approach at the tolerance needs that rotates through
+/// hundreds of times the thickness. Each segment allows one more.
 const MAX_JUMPS: usize = 256;
 
-/// What the search is to find.
+/// Goal of the search.
 #[derive(Copy, Clone, Debug)]
 pub(crate) struct SweepGoal {
     /// The gap at which shapes touch (length units).
     pub gap: Real,
-    /// What becomes of what is in contact from the beginning?
+    /// Treatment of parts in contact at the beginning.
     pub overlap: Overlap,
 }
 
@@ -111,12 +114,12 @@ pub(crate) enum Overlap {
     Passes,
     /// It is stopped where its core arrives.
     StopsMiddle,
-    /// It is stopped before, where contacts would be deeper than [`PRESSED_DEPTH`]: so deep they no longer know the side on which to
-    /// push it out.
+    /// It is stopped before contacts would be deeper than [`PENETRATION_FRACTION_MAX`]: deeper contacts may
+    /// push it out on the wrong side.
     StopsEarly,
 }
 
-/// When the first shape is stopped by the second, as a share of the step; `None` if not before `until`.
+/// The fraction of the step at which the second shape stops the first; `None` if not before `until`.
 pub(crate) fn first_impact(
     (solid, other): (Solid<'_>, &dyn Shape),
     sweeps: [&Sweep<'_>; 2],
@@ -142,7 +145,7 @@ fn for_each_pair(
     visit: &mut dyn FnMut([MovingPart<'_, '_>; 2]),
 ) {
     let parts = shapes.map(Parts::of);
-    // What of one shape may be met by the whole of the other.
+    // The parts of one shape that the whole of the other may meet.
     let near = [0, 1].map(|side| match parts[side] {
         Parts::Convex(_) => Near::Inside(Aabb::new_invalid()), // its only part, wherever the other goes
         _ => path_of_other(shapes, sweeps, side),
@@ -156,7 +159,8 @@ fn for_each_pair(
     });
 }
 
-/// Do two shapes meet on their ways that do not where these begin and end? What comes nearer than `tolerance` meets.
+/// Returns whether two shapes meet during their motion although they are apart at both ends. A distance below
+/// `tolerance` counts as meeting.
 pub(crate) fn passes(
     shapes: [&dyn Shape; 2],
     sweeps: [&Sweep<'_>; 2],
@@ -179,7 +183,8 @@ pub(crate) fn passes(
     meet && !met && !shapes_intersect(&end1.inv_mul(&end2), shapes[0], shapes[1])
 }
 
-/// Is the first shape deeper in the second than [`PRESSED_DEPTH`] at the end of its way?
+/// Returns whether the first shape is deeper in the second than [`PENETRATION_FRACTION_MAX`] at the end of
+/// its motion.
 pub(crate) fn ends_deep((solid, other): (Solid<'_>, &dyn Shape), sweeps: [&Sweep<'_>; 2]) -> bool {
     let ends = sweeps.map(|sweep| Sweep::at_rest(sweep.at(1.0)));
     let (mut deep, mut last) = (false, None);
@@ -194,7 +199,9 @@ pub(crate) fn ends_deep((solid, other): (Solid<'_>, &dyn Shape), sweeps: [&Sweep
             return;
         }
         let other = other_of((part1, sweep1), (part2, sweep2), 0.0);
-        let Some((own, other)) = Body::core(part1.shape, &widths, PRESSED_DEPTH).zip(other) else {
+        let Some((own, other)) =
+            Body::core(part1.shape, &widths, PENETRATION_FRACTION_MAX).zip(other)
+        else {
             return;
         };
         let poses = [sweep1, sweep2].map(|sweep| sweep.at(1.0));
@@ -213,8 +220,8 @@ fn path_of_other(shapes: [&dyn Shape; 2], sweeps: [&Sweep<'_>; 2], side: usize) 
     if angle == 0.0 {
         let together = way == 0.0 || own.stop == other.stop;
         let straight = own.straight().zip(other.straight()).filter(|_| together);
-        let line = straight.and_then(|(own, leg)| {
-            let way = start.rotation.inverse() * ((leg.shift - own.shift) * other.stop);
+        let line = straight.and_then(|(own, segment)| {
+            let way = start.rotation.inverse() * ((segment.shift - own.shift) * other.stop);
             Line::new(center, way, reach_about(shape, other.local_center), region)
         });
         return line.map_or(Near::Inside(region), Near::Along);
@@ -225,12 +232,12 @@ fn path_of_other(shapes: [&dyn Shape; 2], sweeps: [&Sweep<'_>; 2], side: usize) 
         let path = Aabb::new(center.min(end), center.max(end));
         return Near::Inside(path.loosened(bend + reach_about(shape, other.local_center)));
     }
-    // As seen from something that turns, the other moves by no more than both do.
+    // In a rotating frame, the other shape moves by at most the sum of both motions.
     let away = center.length() + other.travel()[0];
     Near::Inside(region.loosened(angle * (away + own.local_center.length())))
 }
 
-/// The second part, as far as the first comes within `near` of it. What moves is taken as a whole.
+/// The second part, as far as the first comes within `near` of it. The moving shape is treated as a whole.
 fn other_of<'a>(
     (part, sweep): (&Part<'_>, &Sweep<'_>),
     (other, other_sweep): (&Part<'a>, &Sweep<'_>),
@@ -244,15 +251,15 @@ fn other_of<'a>(
     Some(body.within(&region.transform_by(&other_sweep.at(0.0).inverse())))
 }
 
-/// How far the centre of one is from its chord, as seen from the other that turns by `θ`, if both go straight. With `d` from one centre of
-/// rotation to the other, `p = R(-θs) d(s)` has the second derivative `θ² d + 2 θ ḋ` at most, and a curve is no farther from its chord
-/// than an eighth of that.
+/// Deviation of one centre from its chord, in the frame of the other that rotates by `θ`, if both move
+/// straight. With `d` from one centre of rotation to the other, `p = R(-θs) d(s)` has a second derivative of
+/// at most `θ² d + 2 θ ḋ`. A curve is within an eighth of that from its chord.
 fn bend_of_other(own: &Sweep<'_>, other: &Sweep<'_>) -> Option<Real> {
-    let (leg, other_leg) = own.straight().zip(other.straight())?;
-    let speed = (other_leg.shift - leg.shift).length();
-    let away = (other_leg.center - leg.center).length() + speed;
+    let (segment, other_segment) = own.straight().zip(other.straight())?;
+    let speed = (other_segment.shift - segment.shift).length();
+    let away = (other_segment.center - segment.center).length() + speed;
     let is_whole = own.stop >= 1.0 && other.stop >= 1.0;
-    is_whole.then(|| leg.angle() * (leg.angle() * away + 2.0 * speed) / 8.0)
+    is_whole.then(|| segment.angle() * (segment.angle() * away + 2.0 * speed) / 8.0)
 }
 
 /// When the first part is stopped by the second.
@@ -295,12 +302,12 @@ fn impact_of_parts(
             Overlap::Passes => None,
             Overlap::StopsMiddle => Some(latest),
             Overlap::StopsEarly => {
-                let shallow = Body::core(part1.shape, widths, PRESSED_DEPTH)?;
+                let shallow = Body::core(part1.shape, widths, PENETRATION_FRACTION_MAX)?;
                 let goal = Goal::new(0.0, goal_of_whole.tolerance, true);
                 Some(match advance([&shallow, &other], sweeps, goal, latest) {
                     Meeting::At(share) => share,
                     Meeting::Never => latest,
-                    Meeting::FromTheBeginning => HALT * latest,
+                    Meeting::FromTheBeginning => REMAINING_FRACTION * latest,
                 })
             }
         },
@@ -312,9 +319,9 @@ fn impact_of_parts(
 struct Goal {
     gap: Real,
     tolerance: Real,
-    /// Does it count as a meeting, if parts that are near from the beginning come half as near, or nearer than [`NEAREST`]?
+    /// Whether initially near parts count as meeting when they come half as near, or nearer than [`NEAREST`].
     counts_at_once: bool,
-    /// The share of the step after which the search begins.
+    /// The fraction of the step at which the search begins.
     from: Real,
     jumps_max: usize,
 }
@@ -326,19 +333,19 @@ impl Goal {
     }
 }
 
-/// How two parts come together.
+/// Closing motion of two parts.
 #[derive(Copy, Clone, Debug, PartialEq)]
 enum Meeting {
     /// They do not.
     Never,
     /// They have met when the step begins.
     FromTheBeginning,
-    /// After this share of the step.
+    /// After this fraction of the step.
     At(Real),
 }
 
 impl Meeting {
-    /// After what share of the step they meet that have not met yet.
+    /// The fraction of the step after which separated parts meet.
     fn share(self) -> Option<Real> {
         match self {
             Self::At(share) => Some(share),
@@ -356,7 +363,7 @@ fn advance(
 ) -> Meeting {
     let reaches = [0, 1].map(|k| bodies[k].reach_about(sweeps[k].local_center));
     let closing_max = closing_max(sweeps, reaches, until);
-    let jumps = goal.jumps_max + sweeps[0].legs().len() + sweeps[1].legs().len();
+    let jumps = goal.jumps_max + sweeps[0].segments().len() + sweeps[1].segments().len();
     let (mut share, mut last_normal, tolerance) = (goal.from, Vector::ZERO, goal.tolerance);
     for _ in 0..jumps {
         let poses = sweeps.map(|sweep| sweep.at(share));
@@ -383,7 +390,7 @@ fn advance(
             // It has left what it was near to, and is to be stopped early again.
             goal.tolerance = tolerance;
         }
-        let closing = nearing + turning(sweeps.map(|sweep| sweep.leg(share).angle()), reaches);
+        let closing = nearing + turning(sweeps.map(|sweep| sweep.segment(share).angle()), reaches);
         // Not so far that they would touch: closest points of what touches are not always found.
         let next = share + (dist - goal.gap - 0.5 * goal.tolerance) / closing.max(0.0);
         let change = sweeps[0].next_change(share).min(sweeps[1].next_change(share));
@@ -398,21 +405,22 @@ fn advance(
     Meeting::At(share)
 }
 
-/// How fast two bodies can come together at most (length units per step), until a share of the step.
+/// Bound on the closing speed of two bodies (length units per step), until a fraction of the step.
 fn closing_max(sweeps: [&Sweep<'_>; 2], reaches: [Real; 2], until: Real) -> Real {
     let [legs1, legs2] = sweeps.map(|sweep| sweep.straight().filter(|_| sweep.stop >= until));
     if let Some((leg1, leg2)) = legs1.zip(legs2) {
         let turning = turning([leg1.angle(), leg2.angle()], reaches);
         return (leg1.shift - leg2.shift).length() + turning;
     }
-    let fastest = |speed: fn(&Leg) -> Real| {
-        sweeps.map(|sweep| sweep.legs().iter().map(speed).fold(0.0, Real::max))
+    let fastest = |speed: fn(&Segment) -> Real| {
+        sweeps.map(|sweep| sweep.segments().iter().map(speed).fold(0.0, Real::max))
     };
-    let shifts = fastest(|leg| leg.shift.length());
-    shifts[0] + shifts[1] + turning(fastest(Leg::angle), reaches)
+    let shifts = fastest(|segment| segment.shift.length());
+    shifts[0] + shifts[1] + turning(fastest(Segment::angle), reaches)
 }
 
-/// How fast turns can bring bodies together that reach so far. What does not turn may reach to infinity.
+/// Bound on the closing speed by rotation of bodies with this extent. A shape without rotation may be
+/// infinite.
 fn turning(angles: [Real; 2], reaches: [Real; 2]) -> Real {
     let of = |k: usize| if angles[k] > 0.0 { angles[k] * reaches[k] } else { 0.0 };
     of(0) + of(1)

@@ -12,23 +12,23 @@ use parry::shape::Shape;
 const WHOLE_TURN: Real = 1.0;
 const PIECE: Real = 0.25;
 /// Without turning more than this (rad², squared) what a shape passes is around where it begins and ends.
-const LITTLE_TURN: Real = 1.0e-4;
+const SMALL_ANGLE_SQUARED_MAX: Real = 1.0e-4;
 
 /// A piece of a motion, at constant velocity.
 #[derive(Copy, Clone, Debug)]
-pub(crate) struct Leg {
-    /// The shares of the step between which it lasts.
+pub(crate) struct Segment {
+    /// The fractions of the step at which it begins and ends.
     pub from: Real,
     pub until: Real,
-    /// How what moves is turned when the leg begins, and where the centre is about which it turns.
+    /// Rotation of the moving frame when the segment begins, and its centre of rotation.
     pub rotation: Rotation,
     pub center: Vector,
-    /// How far the centre moves, and the rotation vector of the turn (rad), per step.
+    /// Displacement of the centre, and rotation vector (rad), per step.
     pub shift: Vector,
-    pub turn: AngVector,
+    pub rotvec: AngVector,
 }
 
-impl Leg {
+impl Segment {
     /// All the step at the origin.
     pub const AT_REST: Self = Self {
         from: 0.0,
@@ -36,12 +36,12 @@ impl Leg {
         rotation: Rotation::IDENTITY,
         center: Vector::ZERO,
         shift: Vector::ZERO,
-        turn: ANG_ZERO,
+        rotvec: ANG_ZERO,
     };
 
-    /// How fast it turns (rad per step).
+    /// Angular speed (rad per step).
     pub fn angle(&self) -> Real {
-        match ang_length_squared(self.turn) {
+        match ang_length_squared(self.rotvec) {
             0.0 => 0.0,
             square => square.sqrt(),
         }
@@ -52,38 +52,49 @@ impl Leg {
     }
 }
 
-/// The legs of a motion, in the order of time, from the beginning of the step to its end.
+/// The segments of a motion, in order of time, from the beginning of the step to its end.
 #[derive(Copy, Clone, Debug)]
-enum Way<'a> {
-    Straight(Leg),
-    Bent(&'a [Leg]),
+enum Trajectory<'a> {
+    Straight(Segment),
+    Bent(&'a [Segment]),
 }
 
 /// The motion of a shape through a step, as far as `stop`.
 #[derive(Copy, Clone, Debug)]
 pub(crate) struct Sweep<'a> {
-    way: Way<'a>,
-    /// How the shape is turned against what moves, and the centre of rotation in the shape's frame.
+    trajectory: Trajectory<'a>,
+    /// Rotation of the shape relative to the moving frame, and the centre of rotation in the shape's frame.
     rotation: Rotation,
     pub(super) local_center: Vector,
-    /// The share of the motion that happens.
+    /// The executed fraction of the motion.
     pub(super) stop: Real,
 }
 
 impl<'a> Sweep<'a> {
     /// The motion at constant velocity of a shape that stands at `start` when the step begins, with the centre of rotation at
     /// `center`.
-    pub fn new(start: Pose, center: Vector, shift: Vector, turn: AngVector) -> Self {
-        let leg = Leg { from: 0.0, until: 1.0, rotation: start.rotation, center, shift, turn };
+    pub fn new(start: Pose, center: Vector, shift: Vector, rotvec: AngVector) -> Self {
+        let segment =
+            Segment { from: 0.0, until: 1.0, rotation: start.rotation, center, shift, rotvec };
         let local_center = start.inverse_transform_point(center);
-        Self { way: Way::Straight(leg), rotation: Rotation::IDENTITY, local_center, stop: 1.0 }
+        Self {
+            trajectory: Trajectory::Straight(segment),
+            rotation: Rotation::IDENTITY,
+            local_center,
+            stop: 1.0,
+        }
     }
 
-    /// The motion of a shape that stands at `place` in the frame of what moves by these legs, of which there is at least one.
-    /// `local_center` is the centre of rotation in that frame.
-    pub fn along(legs: &'a [Leg], place: &Pose, local_center: Vector) -> Self {
+    /// The motion of a shape at `place` in a frame that moves by these segments, of which there is at least
+    /// one. `local_center` is the centre of rotation in that frame.
+    pub fn along(segments: &'a [Segment], place: &Pose, local_center: Vector) -> Self {
         let local_center = place.inverse_transform_point(local_center);
-        Self { way: Way::Bent(legs), rotation: place.rotation, local_center, stop: 1.0 }
+        Self {
+            trajectory: Trajectory::Bent(segments),
+            rotation: place.rotation,
+            local_center,
+            stop: 1.0,
+        }
     }
 
     /// The same motion, as far as `stop`.
@@ -97,47 +108,48 @@ impl<'a> Sweep<'a> {
         Self::new(pose, pose.translation, zero, ANG_ZERO)
     }
 
-    /// The legs, in the order of time.
-    pub fn legs(&self) -> &[Leg] {
-        match &self.way {
-            Way::Straight(leg) => slice::from_ref(leg),
-            Way::Bent(legs) => legs,
+    /// The segments, in order of time.
+    pub fn segments(&self) -> &[Segment] {
+        match &self.trajectory {
+            Trajectory::Straight(segment) => slice::from_ref(segment),
+            Trajectory::Bent(segments) => segments,
         }
     }
 
-    /// The only leg, if there is one only.
-    pub(super) fn straight(&self) -> Option<&Leg> {
-        match &self.way {
-            Way::Straight(leg) => Some(leg),
-            Way::Bent(_) => None,
+    /// The segment, if there is exactly one.
+    pub(super) fn straight(&self) -> Option<&Segment> {
+        match &self.trajectory {
+            Trajectory::Straight(segment) => Some(segment),
+            Trajectory::Bent(_) => None,
         }
     }
 
-    /// The leg that begins or is under way after a share of the step.
-    pub fn leg(&self, share: Real) -> &Leg {
-        let legs = self.legs();
-        let over = legs.partition_point(|leg| leg.until <= share);
-        &legs[over.min(legs.len() - 1)]
+    /// The segment that begins or is in progress at a fraction of the step.
+    pub fn segment(&self, share: Real) -> &Segment {
+        let segments = self.segments();
+        let over = segments.partition_point(|segment| segment.until <= share);
+        &segments[over.min(segments.len() - 1)]
     }
 
-    /// How fast the centre moves (length units per step) after a share of the step.
+    /// The speed of the centre (length units per step) at a fraction of the step.
     pub(super) fn velocity(&self, share: Real) -> Vector {
-        if share < self.stop { self.leg(share).shift } else { Vector::ZERO }
+        if share < self.stop { self.segment(share).shift } else { Vector::ZERO }
     }
 
     /// When it changes its velocity next: infinity if it does not any more.
     pub(super) fn next_change(&self, share: Real) -> Real {
-        let end = self.leg(share).until;
+        let end = self.segment(share).until;
         let next = if share < self.stop { end.min(self.stop) } else { Real::INFINITY };
         if next < 1.0 { next } else { Real::INFINITY }
     }
 
-    /// The pose after a share of the motion.
+    /// The pose after a fraction of the motion.
     pub fn at(&self, share: Real) -> Pose {
         let share = share.min(self.stop);
-        let leg = self.leg(share);
-        let rotation = turned(leg.rotation, leg.turn * (share - leg.from)) * self.rotation;
-        Pose::from_parts(leg.center_at(share) - rotation * self.local_center, rotation)
+        let segment = self.segment(share);
+        let rotation =
+            turned(segment.rotation, segment.rotvec * (share - segment.from)) * self.rotation;
+        Pose::from_parts(segment.center_at(share) - rotation * self.local_center, rotation)
     }
 
     /// The same motion of something that stands at `place` in the frame of what moves.
@@ -151,20 +163,21 @@ impl<'a> Sweep<'a> {
         self.travel() != [0.0; 2]
     }
 
-    /// How far the centre goes, and by what angle (rad) the shape turns.
+    /// Displacement of the centre, and rotation angle (rad) of the shape.
     pub(super) fn travel(&self) -> [Real; 2] {
-        let lasts = |leg: &Leg| leg.until - leg.from;
-        let way = self.legs().iter().map(|leg| leg.shift.length() * lasts(leg)).sum();
-        let angle = self.legs().iter().map(|leg| leg.angle() * lasts(leg)).sum();
-        [way, angle]
+        let lasts = |segment: &Segment| segment.until - segment.from;
+        let trajectory =
+            self.segments().iter().map(|segment| segment.shift.length() * lasts(segment)).sum();
+        let angle = self.segments().iter().map(|segment| segment.angle() * lasts(segment)).sum();
+        [trajectory, angle]
     }
 
-    /// Where the centre is when the step begins.
+    /// The centre when the step begins.
     pub(super) fn center(&self) -> Vector {
-        self.legs()[0].center
+        self.segments()[0].center
     }
 
-    /// A box around everything that a shape's core passes: a floor that the shape lies on is outside.
+    /// A box around the swept region of a shape's core: the floor under the shape is outside.
     pub fn region_of_core(&self, solid: Solid<'_>) -> Aabb {
         self.region_of(solid.shape, &|pose| box_of_core(solid, pose))
     }
@@ -176,20 +189,25 @@ impl<'a> Sweep<'a> {
 
     /// A box around everything that a shape passes, or a part of it with a box `box_at` a pose.
     fn region_of(&self, shape: &dyn Shape, box_at: &dyn Fn(&Pose) -> Aabb) -> Aabb {
-        let regions = self.legs().iter().filter(|leg| leg.from <= self.stop);
-        let regions = regions.map(|leg| self.region_of_leg(leg, shape, box_at));
+        let regions = self.segments().iter().filter(|segment| segment.from <= self.stop);
+        let regions = regions.map(|segment| self.region_of_segment(segment, shape, box_at));
         regions.reduce(|all, region| all.merged(&region)).unwrap_or_else(Aabb::new_invalid)
     }
 
-    fn region_of_leg(&self, leg: &Leg, shape: &dyn Shape, box_at: &dyn Fn(&Pose) -> Aabb) -> Aabb {
-        let end = leg.until.min(self.stop);
-        let angle = leg.angle() * (leg.until - leg.from);
-        if angle * angle < LITTLE_TURN {
-            let boxes = [leg.from, end].map(|share| box_at(&self.at(share)));
+    fn region_of_segment(
+        &self,
+        segment: &Segment,
+        shape: &dyn Shape,
+        box_at: &dyn Fn(&Pose) -> Aabb,
+    ) -> Aabb {
+        let end = segment.until.min(self.stop);
+        let angle = segment.angle() * (segment.until - segment.from);
+        if angle * angle < SMALL_ANGLE_SQUARED_MAX {
+            let boxes = [segment.from, end].map(|share| box_at(&self.at(share)));
             return boxes[0].merged(&boxes[1]);
         }
-        let end = leg.center_at(end);
-        let path = Aabb::new(leg.center.min(end), leg.center.max(end));
+        let end = segment.center_at(end);
+        let path = Aabb::new(segment.center.min(end), segment.center.max(end));
         path.loosened(reach_about(shape, self.local_center))
     }
 }
@@ -203,14 +221,14 @@ pub(crate) fn turned(rotation: Rotation, angle: AngVector) -> Rotation {
     while ang_length_squared(angle) > PIECE * PIECE && halvings < 64 {
         (angle, halvings) = (angle * 0.5, halvings + 1);
     }
-    let mut turn = integrate_rotation(Rotation::IDENTITY, angle);
+    let mut rotvec = integrate_rotation(Rotation::IDENTITY, angle);
     for _ in 0..halvings {
-        turn = (turn * turn).normalize();
+        rotvec = (rotvec * rotvec).normalize();
     }
-    (turn * rotation).normalize()
+    (rotvec * rotation).normalize()
 }
 
-/// How far a shape reaches from a point of its frame.
+/// The extent of a shape from a point of its frame.
 pub(super) fn reach_about(shape: &dyn Shape, center: Vector) -> Real {
     let sphere = shape.compute_local_bounding_sphere();
     (sphere.center - center).length() + sphere.radius

@@ -1,11 +1,11 @@
-//! When does a shape on its way touch another one, and with which of their parts? For queries: nothing is stopped here, and a graze
-//! counts as much as a blow.
+//! Time at which a moving shape touches another one, and the parts that touch. For queries: nothing is
+//! stopped here, and a graze counts as much as an impact.
 //!
-//! A thing may be asked to spin a million times. Three things keep the search short however long the motion is:
+//! The motion may contain a million turns. Three things keep the search short however long the motion is:
 //!
-//! * Nothing of a part is ever farther from its centre of rotation than at the start. While a box around this ball passes the box of
-//!   what stands still, something may be touched; before and after that nothing is.
-//! * What spins in its place has been everywhere after one turn.
+//! * No point of a part gets farther from its centre of rotation than at the start. While a box around this
+//!   ball passes the box of what stands still, something may be touched; before and after that nothing is.
+//! * A shape that rotates in place has swept its full region after one turn.
 //! * After [`JUMPS_MAX`] jumps the search ends where it is, at a time before which nothing was touched.
 
 use super::body::Body;
@@ -19,15 +19,15 @@ use crate::dim::math::{Pose, Real, Vector};
 use crate::model::collider::Widths;
 use parry::shape::Shape;
 
-/// What makes a turn of one about something as long as itself come near to within a hundred thousandth, where it grazes with a tenth
-/// of its speed.
+/// The number of jumps for a turn of one radian about a shape of the same length, up to a relative distance
+/// of 10⁻⁵, for a graze with a tenth of its speed.
 const JUMPS_MAX: usize = 1024;
 /// A full turn, and a bit (rad).
 const FULL_TURN: Real = 6.3;
 
-/// Two shapes that touch on their ways.
+/// Two shapes that touch during their motion.
 pub(crate) struct Touch<'a> {
-    /// The share of the motions after which they do.
+    /// The fraction of the motions at which they touch.
     pub share: Real,
     pub sides: [TouchedPart<'a>; 2],
 }
@@ -46,8 +46,9 @@ impl<'a> TouchedPart<'a> {
     }
 }
 
-/// Calls `found` with touches, each earlier than the one before it: the last one is the first of all. What comes nearer than
-/// `tolerance` touches; what does so from the beginning touches `at_once`, or only when its middle gets in.
+/// Calls `found` with touches, each earlier than the one before it: the last one is the first of all. A
+/// distance below `tolerance` counts as touching. Shapes that touch from the beginning touch `at_once`, or
+/// only when its middle penetrates.
 pub(crate) fn find_touches(
     shapes: [&dyn Shape; 2],
     sweeps: [&Sweep<'_>; 2],
@@ -87,13 +88,13 @@ fn touch_of_parts(
     }
 }
 
-/// The shares between which two parts may touch.
+/// The fractions between which two parts may touch.
 fn window(
     [(part1, sweep1), (part2, sweep2)]: [MovingPart<'_, '_>; 2],
     tolerance: Real,
     until: Real,
 ) -> Option<[Real; 2]> {
-    let (Some(leg), true) = (sweep1.straight(), sweep2.travel() == [0.0; 2]) else {
+    let (Some(segment), true) = (sweep1.straight(), sweep2.travel() == [0.0; 2]) else {
         return Some([0.0, until]);
     };
     let reach = reach_about(part1.shape, sweep1.local_center) + tolerance;
@@ -101,9 +102,10 @@ fn window(
         return Some([0.0, until]);
     }
     let other = part2.shape.compute_aabb(&sweep2.at(0.0));
-    let probe = SlabProbe::new(leg.center, leg.shift, Vector::splat(reach));
+    let probe = SlabProbe::new(segment.center, segment.shift, Vector::splat(reach));
     let [enter, leave] = probe.span(&other);
-    let turned = if leg.shift == Vector::ZERO { FULL_TURN / leg.angle() } else { Real::INFINITY };
+    let turned =
+        if segment.shift == Vector::ZERO { FULL_TURN / segment.angle() } else { Real::INFINITY };
     let until = until.min(leave).min(turned);
     (enter <= until).then_some([enter.max(0.0), until])
 }

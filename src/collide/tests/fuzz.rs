@@ -27,7 +27,7 @@ fn extreme_sizes_and_places_do_no_harm() {
         let kinds = [random.below(KINDS), random.below(KINDS)];
         let mut size =
             |smallest: i32| 10.0_f64.powi(random.below((11 - smallest) as usize) as i32 + smallest);
-        // Hulls of points that are all the same to their makers are refused long before.
+        // Hulls of nearly equal points are refused long before.
         let [size1, size2] = kinds.map(|kind| size(if kind < samples::HULL { -25 } else { -6 }));
         let range = size(-25);
         let shape1 = samples::shape(kinds[0], &mut random, size1);

@@ -1,4 +1,4 @@
-//! Parts in the way of something that moves along a line: all of them, and not many others.
+//! Parts near a swept line: all of them, and few others.
 
 use crate::base::random::Random;
 use crate::collide::parts::{Line, Near, Parts};
@@ -10,7 +10,8 @@ use parry::shape::{Compound, Shape, SharedShape, Voxels};
 
 const SIDE: usize = 64;
 
-/// Is there a box? The black fields of a chess board: none is closed in by others, which would make it no part.
+/// Returns whether the cell is filled. The black fields of a chess board: none is closed in by others, which
+/// would make it no part.
 fn is_black([x, y]: [usize; 2]) -> bool {
     (x + y).is_multiple_of(2)
 }
@@ -34,7 +35,7 @@ fn squares() -> [SharedShape; 2] {
     [SharedShape::new(Compound::new(boxes)), SharedShape::new(Voxels::new(Vector::ONE, &grid))]
 }
 
-/// How many parts are looked at for a line, and is each one among them that the line comes near to?
+/// Returns the number of parts visited for a line. Checks that they include each part near the line.
 fn count_near(shape: &dyn Shape, start: Vector, way: Vector, radius: Real) -> usize {
     let path = Aabb::new(start.min(start + way), start.max(start + way));
     let region = Aabb::new(path.mins - Vector::splat(radius), path.maxs + Vector::splat(radius));

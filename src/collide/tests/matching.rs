@@ -1,4 +1,4 @@
-//! Which contacts of one step are recognised in the next.
+//! Matching of the contacts of successive steps.
 
 use super::{Scene, just_touching, manifolds};
 use crate::base::random::Random;
@@ -8,7 +8,7 @@ use crate::dim::math::{MAX_MANIFOLD_POINTS, Pose, Real, Vector};
 use crate::model::contact::{Contact, ContactManifold};
 use parry::shape::PackedFeatureId;
 
-/// Gives every point an impulse that tells where it is.
+/// Gives every point an impulse that encodes its position.
 fn mark(manifolds: &mut [ContactManifold]) {
     for manifold in manifolds {
         manifold.data.user_data = 7;
@@ -18,7 +18,7 @@ fn mark(manifolds: &mut [ContactManifold]) {
     }
 }
 
-/// How many points carry the impulse of the point that was at the same place of the second shape.
+/// The number of points with the impulse of the point at the same place of the second shape.
 fn recognised(manifolds: &[ContactManifold]) -> usize {
     let contacts = manifolds.iter().flat_map(ContactManifold::contacts);
     let expected = |contact: &Contact| 10.0 + contact.local_p2.dot(Vector::ONE);
@@ -101,6 +101,6 @@ fn contacts_with_meshes_keep_their_impulses() {
         let recognised = recognised(&scene.found);
         (recognised_all, all) = (recognised_all + recognised, all + count);
     }
-    // Where faces meet in a valley, another of them may carry the box a moment later.
+    // In a valley of faces, another one may support the box a moment later.
     assert!(all >= 30 && recognised_all * 10 >= all * 9, "{recognised_all} of {all}");
 }

@@ -2,7 +2,7 @@
 
 mod boxes;
 mod capsules;
-mod floors;
+mod coplanar;
 mod fuzz;
 mod hulls;
 mod lines;

@@ -27,6 +27,6 @@ fn small_shapes_touch_like_large_ones() {
         let dist = (large.deepest_dist() - small.deepest_dist() / scale).abs();
         agreed += u32::from(turn < 0.05 && dist < 2.0e-3);
     }
-    // Where two directions are equally good, rounding chooses.
+    // Of two equally good directions, rounding selects one.
     assert!(compared > 1_500 && agreed * 100 > compared * 92, "{agreed} of {compared}");
 }

@@ -1,4 +1,4 @@
-//! How long contact generation takes. Run with `--release -- --ignored --nocapture timing`.
+//! Running time of contact generation. Run with `--release -- --ignored --nocapture timing`.
 
 use crate::base::random::Random;
 use crate::collide::manifolds::{ManifoldScratch, ShapePair, compute_manifolds};
@@ -58,7 +58,7 @@ fn time(name: &str, shape1: &dyn Shape, shape2: &dyn Shape, poses: &[Pose]) {
     println!("{name:28} {nanoseconds:7.0} ns, {:.2} points", points as f64 / count);
 }
 
-/// How often everything is done; the fastest counts. More for a profile.
+/// Repetitions; the fastest counts. More for a profile.
 fn rounds() -> usize {
     std::env::var("ROUNDS").ok().and_then(|rounds| rounds.parse().ok()).unwrap_or(20)
 }

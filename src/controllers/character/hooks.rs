@@ -11,11 +11,11 @@ use crate::model::hooks::{
 };
 use core::cell::RefCell;
 
-/// What hooks remember of the contacts of one character: the
-/// [`user_data`](ContactModificationContext::user_data) of each, for as long as it touches.
+/// State of the hooks for the contacts of one character: the
+/// [`user_data`](ContactModificationContext::user_data) of each touching contact.
 ///
-/// One-way platforms need it: whoever jumps through one must not be held while still inside. Keep one for each character, from
-/// call to call.
+/// One-way platforms need it: a character that jumps through one must not be stopped while inside. Keep one
+/// for each character, from call to call.
 #[derive(Clone, Debug, Default)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub struct CharacterContacts {
@@ -28,12 +28,12 @@ struct Entry {
     obstacle: ColliderHandle,
     subshapes: [u32; 2],
     user_data: u32,
-    /// Did the two touch during the last call?
+    /// Whether the two touched during the last call.
     is_current: bool,
 }
 
 impl CharacterContacts {
-    /// Nothing to remember yet.
+    /// Empty state.
     pub fn new() -> Self {
         Self::default()
     }
@@ -71,9 +71,9 @@ pub struct CharacterHooks<'a> {
     pub hooks: &'a dyn PhysicsHooks,
     /// All bodies.
     pub bodies: &'a RigidBodySet,
-    /// The collider that stands for the character in the world.
+    /// The collider that represents the character in the world.
     pub character: ColliderHandle,
-    /// What the hooks remember of this character's contacts.
+    /// State of the hooks for this character's contacts.
     pub contacts: &'a mut CharacterContacts,
 }
 
@@ -115,8 +115,8 @@ impl<'a> Advisor<'a> {
         (obstacle.active_hooks() | own).contains(hooks)
     }
 
-    /// Returns whether the filter lets the obstacle stop the character. Flags without impulses let the character pass,
-    /// as a refusal does.
+    /// Returns whether the filter lets the obstacle stop the character. Flags without impulses let the
+    /// character pass, as a refusal does.
     pub fn lets_meet(&self, handle: ColliderHandle, obstacle: &Collider) -> bool {
         if !self.is_asked(obstacle, ActiveHooks::FILTER_CONTACT_PAIRS) {
             return true;
@@ -132,7 +132,7 @@ impl<'a> Advisor<'a> {
         lets_solver_push(self.hooks, &pair)
     }
 
-    /// May the hooks change contacts with this obstacle?
+    /// Returns whether the hooks may change contacts with this obstacle.
     fn modifies(&self, obstacle: &Collider) -> bool {
         self.is_asked(obstacle, ActiveHooks::MODIFY_SOLVER_CONTACTS)
     }

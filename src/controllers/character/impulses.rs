@@ -1,8 +1,9 @@
 //! Pushing what was met: the impulses of a character on dynamic bodies.
 //!
-//! Each collision is treated as a perfectly inelastic one of a point of the mass `m` at the character's velocity with the
-//! body, without friction. With the velocity of approach `v` along the unit normal `n` and the body's response
-//! `k = 1/mᵦ + (r × n)·I⁻¹(r × n)` to a unit impulse there, the impulse that makes both go on together is
+//! Each collision is treated as a perfectly inelastic one of a point of the mass `m` at the character's
+//! velocity with the body, without friction. With the velocity of approach `v` along the unit normal `n` and
+//! the body's response `k = 1/mᵦ + (r × n)·I⁻¹(r × n)` to a unit impulse there, the impulse after which both
+//! continue together is
 //!
 //! ```text
 //! j = v / (1/m + k)  <=  m v
@@ -18,8 +19,8 @@ use crate::model::body::RigidBody;
 use parry::shape::Shape;
 
 impl KinematicCharacterController {
-    /// Pushes the dynamic bodies that a character met on its way, as one of mass `character_mass` does whose velocity is what
-    /// was left of its wish, over `dt`.
+    /// Applies impulses to the dynamic bodies that a character met: those of a body of mass `character_mass`
+    /// with the velocity of the character's remaining translation over `dt`.
     ///
     /// ```
     /// # use rapier3d::prelude::*;
@@ -39,9 +40,10 @@ impl KinematicCharacterController {
     /// assert!(world.bodies[crate_handle].linvel().x > 0.1);
     /// ```
     ///
-    /// No impulse is larger than `character_mass` times the velocity of approach, and nothing is pushed to be faster than the
-    /// character where they met: a light character does not shove a truck. Bodies that are pushed wake. Colliders that the
-    /// filter of the queries leaves out are not pushed. The shape is not asked: collisions know where they were.
+    /// No impulse is larger than `character_mass` times the velocity of approach, and no body gets faster
+    /// than the character at the contact: a light character does not push a truck. Bodies that are pushed
+    /// wake. Colliders that the filter of the queries leaves out are not pushed. The shape is unused:
+    /// collisions contain their positions.
     ///
     /// A mass or a `dt` that is not positive pushes nothing, with a warning in the log.
     pub fn solve_character_collision_impulses<'a>(
@@ -81,8 +83,8 @@ fn push(collision: &CharacterCollision, queries: &mut QueryPipelineMut<'_>, dt: 
     }
 }
 
-/// The size of the impulse along `normal` (into the body) after which a point of this mass and velocity and the body do
-/// not approach each other any more.
+/// The impulse along `normal` (into the body) after which the body and a point of this mass and velocity no
+/// longer approach each other.
 fn inelastic_impulse(
     body: &RigidBody,
     point: Vector,

@@ -2,12 +2,12 @@
 
 use crate::dim::math::Real;
 
-/// A length, as it is or as a share of the character's size.
+/// A length, absolute or as a fraction of the character's size.
 #[derive(Copy, Clone, PartialEq, Debug)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub enum CharacterLength {
-    /// A share of the character's height or width, whichever the setting is about. The height is the extent of the shape
-    /// along the up direction, the width its largest extent across.
+    /// A fraction of the character's height or width, depending on the setting. The height is the extent of
+    /// the shape along the up direction, the width its largest extent across.
     Relative(Real),
     /// A length (length units).
     Absolute(Real),

@@ -1,31 +1,31 @@
-//! What a move comes to: the translation, the ground, and what was met.
+//! Result of a move: the translation, the ground, and the collisions.
 
 use crate::dim::math::{Pose, Real, Vector};
 use crate::model::body::{RigidBody, RigidBodySet, RigidBodyType};
 use crate::model::collider::{ColliderHandle, ColliderSet};
 use parry::query::ShapeCastHit;
 
-/// How far a character can really go.
+/// The admissible part of a move.
 #[derive(Copy, Clone, PartialEq, Debug, Default)]
 pub struct EffectiveCharacterMovement {
     /// The translation to apply, in world space. Exactly zero if there is nothing to do.
     pub translation: Vector,
-    /// Does the character stand on something at the end? Never while its wish is upwards.
+    /// Whether the character stands on something at the end. Never while the desired translation is upwards.
     pub grounded: bool,
-    /// Did it slide down a slope that is too steep to stand on?
+    /// Whether the character slid down a slope that is too steep to stand on.
     pub is_sliding_down_slope: bool,
-    /// What it stands on, if it is [`grounded`](Self::grounded).
+    /// The ground, if the character is [`grounded`](Self::grounded).
     pub ground: Option<CharacterGround>,
 }
 
-/// What a character stands on.
+/// The ground under a character.
 #[derive(Copy, Clone, PartialEq, Debug)]
 pub struct CharacterGround {
     /// The collider.
     pub collider: ColliderHandle,
     /// The unit normal there, in world space, from the ground to the character.
     pub normal: Vector,
-    /// Where the character is on the ground, in world space: below the origin of its shape, in the plane that it
+    /// The ground point in world space: below the origin of the character's shape, in the plane that it
     /// touches.
     pub point: Vector,
 }
@@ -37,12 +37,12 @@ impl CharacterGround {
 
     /// The velocity of the ground at [`Self::point`], in world space (length/s). Zero for ground that has no body, or is gone.
     ///
-    /// To be added to the velocity of somebody who jumps off. To ride, use [`Self::displacement`].
+    /// A jump adds it to its velocity. To ride, use [`Self::displacement`].
     pub fn velocity(&self, bodies: &RigidBodySet, colliders: &ColliderSet) -> Vector {
         self.body(bodies, colliders).map_or(Vector::ZERO, |body| body.velocity_at_point(self.point))
     }
 
-    /// How far the ground will carry the character in the next step, in world space: to be added to
+    /// Displacement by the ground in the next step, in world space: to be added to
     /// [`EffectiveCharacterMovement::translation`].
     ///
     /// ```
@@ -76,10 +76,11 @@ impl CharacterGround {
     /// assert!((feet - floor - 0.018).abs() < 1.0e-3, "at the offset, still");
     /// ```
     ///
-    /// That is where [`Self::point`] goes with the body: for position-based kinematic bodies by their next position, so set that
-    /// first; for others by their velocity, turning included, so that a turntable does not throw off who stands on
-    /// it. What is in the way meanwhile is seen by the next move, which pushes the character back. Zero for ground that has no body,
-    /// or is gone, and for a `dt` that is not finite.
+    /// It is the displacement of [`Self::point`] with the body. For position-based kinematic bodies it
+    /// follows from the next position, so set that first. For others it follows from the velocity including
+    /// rotation, so that a character stays on a turntable. The next move detects obstacles on that path, and
+    /// pushes the character back. Zero for ground that has no body, or is gone, and for a `dt` that is not
+    /// finite.
     pub fn displacement(&self, bodies: &RigidBodySet, colliders: &ColliderSet, dt: Real) -> Vector {
         let Some(body) = self.body(bodies, colliders) else { return Vector::ZERO };
         let next = match body.body_type() {
@@ -94,19 +95,19 @@ impl CharacterGround {
     }
 }
 
-/// Something that a character met on its way.
+/// An obstacle that a character met.
 #[derive(Copy, Clone, Debug)]
 pub struct CharacterCollision {
     /// The collider that was met.
     pub handle: ColliderHandle,
-    /// Where the character was then.
+    /// Pose of the character at that time.
     pub character_pos: Pose,
-    /// How far it had come, in world space.
+    /// Translation so far, in world space.
     pub translation_applied: Vector,
-    /// What was left of its wish, in world space.
+    /// The remaining desired translation, in world space.
     pub translation_remaining: Vector,
-    /// Where the two met. Side 1 is the collider, in world space; side 2 is the character, in the frame of its shape. The
-    /// time of impact is 0: the character is there.
+    /// The contact point. Side 1 is the collider, in world space; side 2 is the character, in the frame of
+    /// its shape. The time of impact is 0: the character is there.
     pub hit: ShapeCastHit,
 }
 
@@ -116,7 +117,7 @@ impl CharacterCollision {
         self.hit.normal1
     }
 
-    /// Where the character's surface met the other one, in world space.
+    /// The contact point on the character's surface, in world space.
     pub fn point(&self) -> Vector {
         self.character_pos * self.hit.witness2
     }

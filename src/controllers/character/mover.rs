@@ -1,21 +1,21 @@
-//! The move: recover, then look, solve and sweep until the wish is used up.
+//! The move: recover, then repeat contacts, solve and sweep until the desired translation is used up.
 
-use super::gait::Gait;
 use super::movement::{CharacterCollision, CharacterGround, EffectiveCharacterMovement};
 use super::obstacles::Obstacles;
 use super::planes::Plane;
+use super::resolved::ResolvedSettings;
 use super::sweep::Swept;
 use crate::dim::math::{Pose, Real, Vector};
 use crate::model::collider::ColliderHandle;
 
-/// How often a move may change its direction.
+/// Largest number of direction changes of a move.
 const TURNS_MAX: usize = 8;
 /// Normals whose cosine is larger than this are the same.
 const SAME_NORMAL: Real = 0.999;
 
-/// A character on its way.
+/// A moving character.
 pub(super) struct Mover<'a> {
-    pub gait: Gait,
+    pub settings: ResolvedSettings,
     pub obstacles: Obstacles<'a>,
     pub start: Pose,
     /// The translation so far. Added to the start only where the pose is wanted, so that it is exactly zero when nothing
@@ -25,20 +25,20 @@ pub(super) struct Mover<'a> {
     pub planes: Vec<Plane>,
     /// A buffer.
     pub scratch: Vec<Plane>,
-    /// What was reported.
+    /// Reported collisions.
     met: Vec<(ColliderHandle, Vector)>,
     events: &'a mut dyn FnMut(CharacterCollision),
 }
 
 impl<'a> Mover<'a> {
     pub fn new(
-        gait: Gait,
+        settings: ResolvedSettings,
         obstacles: Obstacles<'a>,
         start: Pose,
         events: &'a mut dyn FnMut(CharacterCollision),
     ) -> Self {
         Self {
-            gait,
+            settings,
             obstacles,
             start,
             moved: Vector::ZERO,
@@ -56,15 +56,15 @@ impl<'a> Mover<'a> {
     /// Learns which planes are around.
     pub fn look(&mut self, reach: Real) {
         let pose = self.pose();
-        self.obstacles.planes(&pose, reach, &self.gait, &mut self.planes);
+        self.obstacles.planes(&pose, reach, &self.settings, &mut self.planes);
     }
 
-    pub fn run(&mut self, wish: Vector) -> EffectiveCharacterMovement {
+    pub fn run(&mut self, desired: Vector) -> EffectiveCharacterMovement {
         self.recover();
-        self.find_steps(wish);
-        let rises = wish.dot(self.gait.up) > self.gait.tolerance;
+        self.find_steps(desired);
+        let rises = desired.dot(self.settings.up) > self.settings.tolerance;
         let stood = !rises && self.is_held();
-        let slides = self.go(wish, stood);
+        let slides = self.go(desired, stood);
         let floor = if rises { None } else { self.floor() };
         EffectiveCharacterMovement {
             translation: self.moved,
@@ -75,13 +75,14 @@ impl<'a> Mover<'a> {
     }
 
     fn is_held(&self) -> bool {
-        self.planes.iter().any(|plane| plane.holds(&self.gait))
+        self.planes.iter().any(|plane| plane.holds(&self.settings))
     }
 
-    /// Goes where the wish leads. Leaves the planes around the place where it ends. Returns whether it slid down a slope.
-    fn go(&mut self, wish: Vector, stood: bool) -> bool {
-        let sticks = stood && self.gait.snap > 0.0;
-        let (mut left, mut slides, mut turned) = (wish, false, false);
+    /// Moves along the desired translation. Leaves the planes around the place where it ends. Returns whether
+    /// it slid down a slope.
+    fn go(&mut self, desired: Vector, stood: bool) -> bool {
+        let sticks = stood && self.settings.snap > 0.0;
+        let (mut left, mut slides, mut turned) = (desired, false, false);
         for _ in 0..TURNS_MAX {
             if stood && let Some(share) = self.step_up(left) {
                 left *= 1.0 - share;
@@ -89,12 +90,12 @@ impl<'a> Mover<'a> {
                 self.look_for(left);
                 continue;
             }
-            let way = self.gait.way(left, &self.planes, sticks);
+            let way = self.settings.way(left, &self.planes, sticks);
             slides |= way.slides;
             self.report_planes(left);
             let length = way.translation.length();
-            // Between planes that lie farther out than squares can be computed, there is no way that is a number.
-            if length <= self.gait.nothing() || !length.is_finite() {
+            // Between planes beyond the range of squares, there is no finite move.
+            if length <= self.settings.nothing() || !length.is_finite() {
                 break;
             }
             let pose = self.pose();
@@ -108,7 +109,7 @@ impl<'a> Mover<'a> {
             left *= 1.0 - swept.fraction;
             self.report(&plane, left);
             self.look_for(left);
-            if swept.fraction * way.translation.length() <= self.gait.tolerance {
+            if swept.fraction * way.translation.length() <= self.settings.tolerance {
                 self.believe(plane);
             }
         }
@@ -122,25 +123,25 @@ impl<'a> Mover<'a> {
         slides
     }
 
-    fn look_for(&mut self, wish: Vector) {
-        self.look(self.gait.reach());
-        self.find_steps(wish);
+    fn look_for(&mut self, desired: Vector) {
+        self.look(self.settings.reach());
+        self.find_steps(desired);
     }
 
-    /// Takes a hit for a plane that is around. Where a sweep is stopped by something that is no plane at the place where it was
-    /// taken back to, the character would try the same way again and again.
+    /// Takes a hit for a plane that is around. If a sweep is stopped by an obstacle that has no plane at the
+    /// final pose, the character would repeat the same move.
     fn believe(&mut self, plane: Plane) {
         let is_known = |other: &Plane| {
             other.collider == plane.collider && other.normal.dot(plane.normal) > SAME_NORMAL
         };
         if !self.planes.iter().any(is_known) {
-            self.planes.push(Plane { gap: self.gait.offset, ..plane });
+            self.planes.push(Plane { gap: self.settings.offset, ..plane });
         }
     }
 
-    /// Goes down to a floor that is not far below.
+    /// Moves down to a floor that is not far below.
     fn snap(&mut self) {
-        let (pose, down) = (self.pose(), -self.gait.up * self.gait.snap);
+        let (pose, down) = (self.pose(), -self.settings.up * self.settings.snap);
         let swept = self.sweep_from(&pose, down);
         if swept.hit.is_none() {
             return;
@@ -156,42 +157,43 @@ impl<'a> Mover<'a> {
 
     /// Sweeps the shape from a pose.
     pub fn sweep_from(&mut self, pose: &Pose, way: Vector) -> Swept {
-        // What is closer already than a sweep should stop at must not stop it before it begins.
-        let gaps = self.planes.iter().map(|plane| plane.gap - self.gait.tolerance);
-        let within = gaps.fold(self.gait.offset - 2.0 * self.gait.tolerance, Real::min).max(0.0);
-        self.obstacles.sweep(pose, way, within, &self.gait)
+        // An obstacle that is already closer than the stopping distance must not stop the sweep at its start.
+        let gaps = self.planes.iter().map(|plane| plane.gap - self.settings.tolerance);
+        let within =
+            gaps.fold(self.settings.offset - 2.0 * self.settings.tolerance, Real::min).max(0.0);
+        self.obstacles.sweep(pose, way, within, &self.settings)
     }
 
     /// The most level thing that the character stands on.
     fn floor(&self) -> Option<&Plane> {
-        let floors = self.planes.iter().filter(|plane| plane.holds(&self.gait));
+        let floors = self.planes.iter().filter(|plane| plane.holds(&self.settings));
         floors.max_by(|a, b| a.rise.total_cmp(&b.rise))
     }
 
-    /// What standing on a floor means for the user.
+    /// The ground in the user's form.
     fn ground(&self, floor: &Plane) -> CharacterGround {
         let origin = self.pose().translation;
         let height = (origin - floor.points[0]).dot(floor.normal) / floor.rise;
         CharacterGround {
             collider: floor.collider,
             normal: floor.normal,
-            point: origin - self.gait.up * height,
+            point: origin - self.settings.up * height,
         }
     }
 
-    /// Tells of the planes that take something from the wish.
-    fn report_planes(&mut self, wish: Vector) {
+    /// Reports the planes that reduce the desired translation.
+    fn report_planes(&mut self, desired: Vector) {
         for index in 0..self.planes.len() {
             let plane = &self.planes[index];
-            let into = wish.dot(plane.normal);
-            if into < -self.gait.nothing() && into < plane.slack(&self.gait) {
+            let into = desired.dot(plane.normal);
+            if into < -self.settings.nothing() && into < plane.slack(&self.settings) {
                 let plane = plane.clone();
-                self.report(&plane, wish);
+                self.report(&plane, desired);
             }
         }
     }
 
-    /// Tells of a collision, unless it was told already.
+    /// Reports a collision, unless it was reported already.
     fn report(&mut self, plane: &Plane, left: Vector) {
         let is_same = |&(handle, normal): &(_, Vector)| {
             handle == plane.collider && normal.dot(plane.normal) > SAME_NORMAL

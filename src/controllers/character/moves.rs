@@ -1,10 +1,10 @@
 //! The controller's questions, as users ask them.
 
-use super::gait::Gait;
 use super::hooks::{Advisor, CharacterHooks};
 use super::movement::{CharacterCollision, EffectiveCharacterMovement};
 use super::mover::Mover;
 use super::obstacles::Obstacles;
+use super::resolved::ResolvedSettings;
 use super::settings::KinematicCharacterController;
 use crate::base::measure::is_point;
 use crate::dim::math::{Pose, Real, Vector};
@@ -13,20 +13,21 @@ use crate::query::QueryView;
 use parry::shape::Shape;
 
 impl KinematicCharacterController {
-    /// How far a shape gets that wants to move by `desired_translation` within `dt` seconds.
+    /// Computes the admissible part of `desired_translation` of a shape within `dt` seconds.
     ///
     /// * `queries`: the world, less what the character does not collide with. Exclude its own body:
     ///   `world.query_pipeline_with_filter(QueryFilter::default().exclude_rigid_body(player))`. Sensors never count.
     /// * `character_shape`, `character_pos`: usually those of the character's collider.
     /// * `desired_translation`: in world space. Give it a part downwards, such as gravity's, or the character does not
     ///   fall; an upward part is a jump.
-    /// * `events`: hears of everything that was in the way, once for each collider and direction; see
+    /// * `events` receives each obstacle once for each collider and direction; see
     ///   [`Self::solve_character_collision_impulses`].
     ///
-    /// Nothing is changed: the user applies the [`translation`](EffectiveCharacterMovement::translation), to a kinematic body by
+    /// The world stays unchanged: the user applies the
+    /// [`translation`](EffectiveCharacterMovement::translation), to a kinematic body by
     /// [`set_next_kinematic_translation`](crate::dynamics::RigidBody::set_next_kinematic_translation).
     ///
-    /// Numbers that make no sense (a translation or pose that is not finite, a `dt` that is not positive, impossible
+    /// Invalid numbers (a translation or pose that is not finite, a `dt` that is not positive, impossible
     /// settings) give no movement, with a warning in the log.
     pub fn move_shape(
         &self,
@@ -41,17 +42,19 @@ impl KinematicCharacterController {
             return EffectiveCharacterMovement::default();
         };
         let obstacles = Obstacles::new(*queries, character_shape, None);
-        Mover::new(trip.gait, obstacles, trip.start, &mut events).run(desired_translation)
+        Mover::new(trip.settings, obstacles, trip.start, &mut events).run(desired_translation)
     }
 
     /// [`Self::move_shape`] for a character that is subject to the world's hooks.
     ///
-    /// The hooks are called as the narrow phase calls them, for the [`ActiveHooks`](crate::model::collider::ActiveHooks) of the
-    /// obstacle and of the character's collider. `contact_pair_flags`, and with it `filter_contact_pair`, decides about the pair.
-    /// `modify_solver_contact` receives each manifold and may change it. The character passes where the filter refuses the pair,
-    /// where the modified manifold has no points, and where either leaves out
-    /// [`COMPUTE_RIGID_IMPULSES`](crate::model::contact::SolverFlags::COMPUTE_RIGID_IMPULSES). The obstacle is always the
-    /// first collider, the character the second. Solver groups count where `modify_solver_contact` is called.
+    /// The hooks are called as in the narrow phase, for the
+    /// [`ActiveHooks`](crate::model::collider::ActiveHooks) of the obstacle and of the character's collider.
+    /// `contact_pair_flags`, and with it `filter_contact_pair`, decides about the pair.
+    /// `modify_solver_contact` receives each manifold and may change it. The character passes where the
+    /// filter refuses the pair, where the modified manifold has no points, and where either leaves out
+    /// [`COMPUTE_RIGID_IMPULSES`](crate::model::contact::SolverFlags::COMPUTE_RIGID_IMPULSES). The obstacle
+    /// is always the first collider, the character the second. Solver groups count where
+    /// `modify_solver_contact` is called.
     ///
     /// ```
     /// use rapier3d::prelude::*;
@@ -118,7 +121,7 @@ impl KinematicCharacterController {
         };
         let advisor = Advisor::new(hooks, queries.colliders);
         let obstacles = Obstacles::new(*queries, character_shape, Some(advisor));
-        let mut mover = Mover::new(trip.gait, obstacles, trip.start, &mut events);
+        let mut mover = Mover::new(trip.settings, obstacles, trip.start, &mut events);
         let movement = mover.run(desired_translation);
         if let Some(advisor) = mover.obstacles.advisor {
             advisor.finish();
@@ -127,31 +130,31 @@ impl KinematicCharacterController {
     }
 
     /// Checks everything; `None`, with a warning, if there can be no move.
-    fn trip(&self, dt: Real, shape: &dyn Shape, pose: &Pose, wish: Vector) -> Option<Trip> {
+    fn trip(&self, dt: Real, shape: &dyn Shape, pose: &Pose, desired: Vector) -> Option<Trip> {
         if !(dt > 0.0 && dt.is_finite()) {
             log::warn!(
                 "the time step {dt} of a character is not a positive number: the character does not move"
             );
             return None;
         }
-        let Some(start) = checked_pose(*pose).filter(|_| is_point(wish)) else {
+        let Some(start) = checked_pose(*pose).filter(|_| is_point(desired)) else {
             log::warn!(
-                "the pose {pose:?} or the translation {wish:?} of a character is not finite: the character does not move"
+                "the pose {pose:?} or the translation {desired:?} of a character is not finite: the character does not move"
             );
             return None;
         };
-        let gait = Gait::of(self, shape, &start);
-        if gait.is_none() {
+        let settings = ResolvedSettings::of(self, shape, &start);
+        if settings.is_none() {
             log::warn!(
                 "the settings {self:?} or the size of a character are invalid: the character does not move"
             );
         }
-        Some(Trip { gait: gait?, start })
+        Some(Trip { settings: settings?, start })
     }
 }
 
-/// What a move begins with.
+/// Start of a move.
 struct Trip {
-    gait: Gait,
+    settings: ResolvedSettings,
     start: Pose,
 }

@@ -1,10 +1,10 @@
-//! What is around the character: colliders that a query finds, as planes.
+//! The surroundings of the character: colliders that a query finds, as planes.
 
-use super::gait::Gait;
 use super::hooks::Advisor;
+use super::plane_pruning::prune_planes;
 use super::planes::Plane;
+use super::resolved::ResolvedSettings;
 use super::touch::Touch;
-use super::weld::weld;
 use crate::base::wide::Simd;
 use crate::collide::{ManifoldScratch, ShapePair, compute_manifolds};
 use crate::dim::math::{Pose, Real, Vector};
@@ -34,20 +34,32 @@ impl<'a> Obstacles<'a> {
         Self { queries, shape, advisor, scratch, manifolds }
     }
 
-    /// Can the character collide with this collider, as far as that does not depend on where they touch?
+    /// Returns whether the character can collide with this collider, independent of the contact point.
     pub fn may_meet(&self, handle: ColliderHandle, collider: &Collider) -> bool {
         let lets_meet = |advisor: &Advisor<'_>| advisor.lets_meet(handle, collider);
         !collider.is_sensor() && self.advisor.as_ref().is_none_or(lets_meet)
     }
 
-    /// All planes within `reach` of the shape, welded.
-    pub fn planes(&mut self, pose: &Pose, reach: Real, gait: &Gait, out: &mut Vec<Plane>) {
-        self.near(pose, reach, gait, out);
-        weld(out, gait);
+    /// All planes within `reach` of the shape, pruned.
+    pub fn planes(
+        &mut self,
+        pose: &Pose,
+        reach: Real,
+        settings: &ResolvedSettings,
+        out: &mut Vec<Plane>,
+    ) {
+        self.near(pose, reach, settings, out);
+        prune_planes(out, settings);
     }
 
     /// All planes within `reach` of the shape.
-    pub fn near(&mut self, pose: &Pose, reach: Real, gait: &Gait, out: &mut Vec<Plane>) {
+    pub fn near(
+        &mut self,
+        pose: &Pose,
+        reach: Real,
+        settings: &ResolvedSettings,
+        out: &mut Vec<Plane>,
+    ) {
         out.clear();
         let around = self.shape.compute_aabb(pose).loosened(reach);
         let mut near: SmallVec<[(ColliderHandle, &Collider); 8]> =
@@ -56,14 +68,14 @@ impl<'a> Obstacles<'a> {
         near.sort_unstable_by_key(|(handle, _)| handle.into_raw_parts().0);
         for (handle, collider) in near {
             if self.may_meet(handle, collider) {
-                self.compute(collider, pose, reach, gait);
+                self.compute(collider, pose, reach, settings);
                 for manifold in &mut self.manifolds {
-                    // Hooks are asked about what is touched; what is not yet is in the way.
-                    let is_touched = manifold.deepest_dist() <= gait.reach();
+                    // Hooks are called for touching obstacles; other obstacles block.
+                    let is_touched = manifold.deepest_dist() <= settings.reach();
                     let is_solid = |a: &Advisor<'_>| a.is_solid(handle, collider, manifold, pose);
                     if !is_touched || self.advisor.as_ref().is_none_or(is_solid) {
                         let touch = Touch { handle, collider, pose, shape: self.shape };
-                        out.extend(touch.plane(manifold, reach, gait));
+                        out.extend(touch.plane(manifold, reach, settings));
                     }
                 }
             }
@@ -87,13 +99,19 @@ impl<'a> Obstacles<'a> {
         Some((normal, self.queries.colliders.get(handle).is_some_and(is_dynamic)))
     }
 
-    fn compute(&mut self, collider: &Collider, pose: &Pose, reach: Real, gait: &Gait) {
+    fn compute(
+        &mut self,
+        collider: &Collider,
+        pose: &Pose,
+        reach: Real,
+        settings: &ResolvedSettings,
+    ) {
         let pair = ShapePair {
             pos12: collider.position().inv_mul(pose),
             shapes: [collider.shape(), self.shape],
             motion: Vector::ZERO,
             prediction: reach,
-            flush: gait.tolerance,
+            step_height_tolerance: settings.tolerance,
             neighbors: [&[], &[]],
             simd: Simd::detect(),
         };

@@ -1,21 +1,21 @@
-//! A plane that the character must stay in front of, and what it is for somebody who walks.
+//! A plane that the character must stay in front of, and its kind for walking.
 
-use super::gait::Gait;
 use super::polyhedron::HalfSpace;
+use super::resolved::ResolvedSettings;
 use crate::dim::math::{MAX_MANIFOLD_POINTS, Pose, Real, Vector};
 use crate::model::collider::ColliderHandle;
 use arrayvec::ArrayVec;
 use parry::query::{ShapeCastHit, ShapeCastStatus};
 
 /// Walls may lean over by this much (sine of the angle) and still be walls; what leans over more is a ceiling.
-pub(super) const LEAN: Real = 0.05;
+pub(super) const WALL_LEAN_MAX: Real = 0.05;
 
-/// Planes at which the character is looked at as walking, standing and being held.
+/// Kind of a plane for walking, standing and support.
 #[derive(Copy, Clone, PartialEq, Eq, Debug)]
 pub(super) enum Kind {
     /// Not too steep to walk up.
     Floor,
-    /// The edge of something low enough to step up on: holds whoever stands on it, and blocks until the step is taken.
+    /// The edge of a low step: it supports the character, and blocks until the step is taken.
     Step,
     /// Too steep to walk up.
     Wall,
@@ -41,78 +41,79 @@ pub(super) struct Plane {
 }
 
 impl Plane {
-    /// What a plane with such a normal is, before anybody looks for steps.
-    pub fn kind_of(rise: Real, gait: &Gait) -> Kind {
-        if rise >= gait.climb_cos {
+    /// Kind of a plane with this normal, before steps are detected.
+    pub fn kind_of(rise: Real, settings: &ResolvedSettings) -> Kind {
+        if rise >= settings.climb_cos {
             Kind::Floor
-        } else if rise < -LEAN {
+        } else if rise < -WALL_LEAN_MAX {
             Kind::Ceiling
         } else {
             Kind::Wall
         }
     }
 
-    /// Does it block whoever walks into it?
+    /// Returns whether it blocks horizontal motion.
     pub fn is_upright(&self) -> bool {
         matches!(self.kind, Kind::Wall | Kind::Step)
     }
 
-    /// Does it hold up whoever stands on it, against gravity?
-    pub fn holds(&self, gait: &Gait) -> bool {
+    /// Returns whether it supports the character against gravity.
+    pub fn holds(&self, settings: &ResolvedSettings) -> bool {
         match self.kind {
             Kind::Floor => true,
-            Kind::Step => self.rise > LEAN,
-            Kind::Wall => self.rise > LEAN && self.rise >= gait.slide_cos,
+            Kind::Step => self.rise > WALL_LEAN_MAX,
+            Kind::Wall => self.rise > WALL_LEAN_MAX && self.rise >= settings.slide_cos,
             Kind::Ceiling => false,
         }
     }
 
-    /// Does gravity make whoever stands on it slide?
-    pub fn is_slippery(&self, gait: &Gait) -> bool {
-        self.kind != Kind::Step && self.rise < gait.slide_cos
+    /// Returns whether gravity makes the character slide on it.
+    pub fn is_slippery(&self, settings: &ResolvedSettings) -> bool {
+        self.kind != Kind::Step && self.rise < settings.slide_cos
     }
 
-    /// How far the character may still come closer, as a translation along the normal: 0, or less. Gaps about as wide as the
+    /// The admissible approach, as a translation along the normal: 0, or less. Gaps about as wide as the
     /// offset leave exactly nothing.
-    pub fn slack(&self, gait: &Gait) -> Real {
-        let slack = gait.offset - self.gap;
-        if slack > -gait.tolerance { 0.0 } else { slack }
+    pub fn slack(&self, settings: &ResolvedSettings) -> Real {
+        let slack = settings.offset - self.gap;
+        if slack > -settings.tolerance { 0.0 } else { slack }
     }
 
-    /// By how much the character is too close; 0 if it is not.
-    pub fn excess(&self, gait: &Gait) -> Real {
-        let excess = gait.offset - self.gap;
-        if excess > gait.tolerance { excess } else { 0.0 }
+    /// Missing distance; 0 if the character is far enough.
+    pub fn excess(&self, settings: &ResolvedSettings) -> Real {
+        let excess = settings.offset - self.gap;
+        if excess > settings.tolerance { excess } else { 0.0 }
     }
 
-    /// Where the character may go.
-    pub fn half_space(&self, gait: &Gait) -> HalfSpace {
-        HalfSpace { normal: self.normal, at_least: self.slack(gait) }
+    /// The half space of admissible translations.
+    pub fn half_space(&self, settings: &ResolvedSettings) -> HalfSpace {
+        HalfSpace { normal: self.normal, at_least: self.slack(settings) }
     }
 
-    /// Where the character may go if the plane were upright; `None` for a level one.
-    pub fn upright_half_space(&self, gait: &Gait) -> Option<HalfSpace> {
-        let (_, across) = gait.split(self.normal);
+    /// The half space of admissible translations for an upright plane; `None` for a level one.
+    pub fn upright_half_space(&self, settings: &ResolvedSettings) -> Option<HalfSpace> {
+        let (_, across) = settings.split(self.normal);
         let length = across.length();
-        (length > LEAN)
-            .then(|| HalfSpace { normal: across / length, at_least: self.slack(gait) / length })
+        (length > WALL_LEAN_MAX)
+            .then(|| HalfSpace { normal: across / length, at_least: self.slack(settings) / length })
     }
 
     /// The height of its lowest contact point, as a coordinate along the up direction.
-    pub fn lowest(&self, gait: &Gait) -> Real {
-        self.points.iter().map(|point| point.dot(gait.up)).fold(Real::INFINITY, Real::min)
+    pub fn lowest(&self, settings: &ResolvedSettings) -> Real {
+        self.points.iter().map(|point| point.dot(settings.up)).fold(Real::INFINITY, Real::min)
     }
 
-    /// Do all of its contact points lie behind another plane?
+    /// Returns whether all of its contact points lie behind another plane.
     ///
-    /// Then the character, which stays in front of that plane, cannot come closer to this obstacle here than to that one.
+    /// In this case the character, which stays in front of that plane, cannot come closer to this obstacle
+    /// than to that one.
     pub fn is_behind(&self, other: &Self, tolerance: Real) -> bool {
         self.points.iter().all(|point| (*point - other.points[0]).dot(other.normal) <= tolerance)
     }
 
     /// The plane as the hit of a shape at `pose`: side 1 is the collider, in world space.
     pub fn hit(&self, pose: &Pose) -> ShapeCastHit {
-        // Where two faces meet, a push in their middle turns nothing.
+        // Between two faces, a push in their middle causes no rotation.
         let middle = self.points.iter().sum::<Vector>() / self.points.len() as Real;
         ShapeCastHit {
             time_of_impact: 0.0,

@@ -1,10 +1,10 @@
 //! The point of a polyhedron that is nearest to a target: an exact solver for a handful of planes.
 //!
 //! `min |t - target|²` subject to `nᵢ·t ≥ bᵢ`. The solution lies on some planes, and in space at most three
-//! independent ones decide where: on none (the target itself), one (a wall), two (a crease) or three
-//! (a corner). There are few planes, so all combinations are tried, smaller ones first; the nearest candidate that satisfies
-//! all planes is the solution. No iteration, hence no creeping towards an acute corner, and the same answer
-//! to the same question to the last bit.
+//! independent ones determine it: none (the target itself), one (a wall), two (a crease) or three (a corner).
+//! There are few planes, so all combinations are tried, smaller ones first; the nearest candidate that
+//! satisfies all planes is the solution. No iteration, hence no creeping towards an acute corner, and the
+//! same answer to the same question to the last bit.
 
 use crate::dim::math::{Real, Vector};
 
@@ -17,9 +17,9 @@ pub(super) struct HalfSpace {
 
 /// Squared sine of the angle below which two planes are parallel.
 const PARALLEL: Real = 1.0e-5;
-/// How far outside of a plane a candidate may be by rounding, as a share of the lengths that are around.
+/// Rounding tolerance of a candidate outside of a plane, as a fraction of the involved lengths.
 const ROUNDING: Real = 64.0 * Real::EPSILON;
-/// Bisections of the search for how far contradicting planes give way: each halves what is unknown.
+/// Bisections of the search for the common relaxation of contradicting planes: each halves the interval.
 const BISECTIONS: usize = 12;
 
 /// The point nearest to `target` that satisfies all half spaces; `None` if there is none.
@@ -40,10 +40,10 @@ pub(super) fn nearest(target: Vector, spaces: &[HalfSpace]) -> Option<Vector> {
     search.best.map(|(_, point)| point)
 }
 
-/// The point nearest to the origin that violates no half space by more than it must: where planes contradict
-/// each other, as in a corridor that is too narrow, all that demand a push give way by the same length.
+/// The point nearest to the origin with the least violation of the half spaces. If planes contradict each
+/// other, as in a corridor that is too narrow, all pushing ones are relaxed by the same length.
 ///
-/// Giving way by the largest demand satisfies the origin, so there always is an answer.
+/// A relaxation by the largest demand admits the origin, so a solution always exists.
 pub(super) fn least_violation(spaces: &[HalfSpace]) -> Vector {
     if let Some(point) = nearest(Vector::ZERO, spaces) {
         return point;
@@ -64,7 +64,7 @@ pub(super) fn least_violation(spaces: &[HalfSpace]) -> Vector {
     best
 }
 
-/// What is left of a demand. What demands nothing does not give way.
+/// The relaxed demand. A plane without a demand is not relaxed.
 fn yielded(at_least: Real, yielding: Real) -> Real {
     if at_least > 0.0 { at_least - yielding } else { at_least }
 }
@@ -99,9 +99,9 @@ impl Search<'_> {
 
 /// The point nearest to `target` on up to three planes; `None` if they are (nearly) parallel.
 ///
-/// It differs from the target by a combination of the normals. Instead of solving for the factors, the normals are made
-/// orthogonal one after the other (Gram-Schmidt): `eₖ = nₖ - Σ (nₖ·eᵢ) eᵢ` lies in all earlier planes, so moving
-/// along it reaches the next plane and leaves none.
+/// It differs from the target by a combination of the normals. Instead of solving for the factors, the
+/// normals are orthogonalised in sequence (Gram-Schmidt). `eₖ = nₖ - Σ (nₖ·eᵢ) eᵢ` lies in all earlier
+/// planes, so a motion along it reaches the next plane and leaves none.
 fn on_planes(target: Vector, planes: &[&HalfSpace]) -> Option<Vector> {
     let mut directions = [Vector::ZERO; 3];
     let mut point = target;
@@ -134,7 +134,7 @@ mod tests {
         vector
     }
 
-    /// What the definition says: no feasible point is nearer. Tried with many feasible points.
+    /// The definition: no feasible point is nearer. Tried with many feasible points.
     #[test]
     fn nothing_feasible_is_nearer() {
         let random = &mut Random(7);

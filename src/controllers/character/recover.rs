@@ -1,10 +1,10 @@
 //! Getting out of what has come too close: a wall that moves, a lift that rises, a place where the user put the
 //! character.
 
-use super::gait::Gait;
 use super::mover::Mover;
 use super::planes::{Kind, Plane};
 use super::polyhedron::{HalfSpace, least_violation};
+use super::resolved::ResolvedSettings;
 use crate::dim::math::Vector;
 
 /// After each push the character looks again: what is pushed out of one thing may come too close to the next.
@@ -14,37 +14,37 @@ impl Mover<'_> {
     /// Pushes the character out of everything that is closer than the offset, and leaves the planes around the place where
     /// it ends up.
     ///
-    /// No push is longer than half of the shape's thickness, and everything within that reach takes part, so nothing is
-    /// pushed through anything.
+    /// Each push is at most half of the shape's thickness, and every obstacle within that reach is included,
+    /// so the shape is pushed through nothing.
     pub fn recover(&mut self) {
-        self.look(self.gait.reach());
-        let stride = self.gait.half_thickness.max(self.gait.offset);
+        self.look(self.settings.reach());
+        let step_up = self.settings.half_thickness.max(self.settings.offset);
         for _ in 0..PUSHES_MAX {
-            if self.planes.iter().all(|plane| plane.excess(&self.gait) == 0.0) {
+            if self.planes.iter().all(|plane| plane.excess(&self.settings) == 0.0) {
                 return;
             }
-            self.look(self.gait.offset + stride);
+            self.look(self.settings.offset + step_up);
             let spaces: Vec<_> =
-                self.planes.iter().map(|plane| escape(plane, &self.gait)).collect();
+                self.planes.iter().map(|plane| escape(plane, &self.settings)).collect();
             let push: Vector = least_violation(&spaces);
             let length = push.length();
-            self.moved += if length > stride { push * (stride / length) } else { push };
-            self.look(self.gait.reach());
-            if length <= self.gait.nothing() {
+            self.moved += if length > step_up { push * (step_up / length) } else { push };
+            self.look(self.settings.reach());
+            if length <= self.settings.nothing() {
                 return;
             }
         }
     }
 }
 
-/// Where the character is far enough from what is behind a plane. Floors push straight up, so that a lift does not carry
-/// anybody aside.
-fn escape(plane: &Plane, gait: &Gait) -> HalfSpace {
-    let excess = plane.excess(gait);
+/// The half space in which the character is far enough from the obstacle behind a plane. Floors push straight
+/// up, so that a lift does not displace the character horizontally.
+fn escape(plane: &Plane, settings: &ResolvedSettings) -> HalfSpace {
+    let excess = plane.excess(settings);
     if excess == 0.0 {
-        HalfSpace { normal: plane.normal, at_least: plane.slack(gait) }
+        HalfSpace { normal: plane.normal, at_least: plane.slack(settings) }
     } else if plane.kind == Kind::Floor {
-        HalfSpace { normal: gait.up, at_least: excess / plane.rise }
+        HalfSpace { normal: settings.up, at_least: excess / plane.rise }
     } else {
         HalfSpace { normal: plane.normal, at_least: excess }
     }

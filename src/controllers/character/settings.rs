@@ -1,4 +1,4 @@
-//! What a character can do: its settings.
+//! Settings of a character.
 
 use super::length::CharacterLength;
 use crate::dim::math::{Real, Vector};
@@ -7,13 +7,13 @@ use crate::dim::math::{Real, Vector};
 #[derive(Copy, Clone, PartialEq, Debug)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub struct CharacterAutostep {
-    /// How high a step may be; relative to the character's height.
+    /// Largest height of a step; relative to the character's height.
     pub max_height: CharacterLength,
-    /// How much room there must be on the step, in the direction of the motion, for the character to go up; relative to its
-    /// width. Measured from where it stands below, so a pole or the rim of a fence is stepped over if what is
-    /// behind is free.
+    /// Free depth of a step, in the direction of the motion, that the character needs to step up; relative to
+    /// its width. Measured from where it stands below, so a pole or the rim of a fence is stepped over if
+    /// what is behind is free.
     pub min_width: CharacterLength,
-    /// Are dynamic bodies steps, too? If not, they are walls.
+    /// Whether the character also steps onto dynamic bodies. If not, they are walls.
     pub include_dynamic_bodies: bool,
 }
 
@@ -28,24 +28,26 @@ impl Default for CharacterAutostep {
     }
 }
 
-/// How fast a character walks up and down a slope that it can climb.
+/// Speed of a character on walkable slopes.
 ///
 /// `v` is the speed that the wished translation has across the up direction, θ the angle of the slope.
 #[derive(Copy, Clone, PartialEq, Eq, Debug, Default, Hash)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub enum CharacterSlopeSpeed {
-    /// `v` along the surface, so walking takes the same time for the same way everywhere. The default, because nobody who
-    /// sets a walking speed expects another one.
+    /// `v` along the surface, so walking takes the same time for the same path length everywhere. The
+    /// default: a walking speed usually means this.
     #[default]
     Constant,
-    /// `v` on the map: `v / cos θ` along the surface. What a platformer wants whose jumps are measured in tiles.
+    /// `v` on the map: `v / cos θ` along the surface. For platformers with jumps measured in tiles.
     Horizontal,
-    /// `v · cos θ` along the surface: the part of the wish that is along it. Slower on slopes, as a sliding
-    /// body's velocity is that is cut off at the surface. Other controllers do this; take it where a game was tuned for it.
+    /// `v · cos θ` along the surface: the component of the desired translation along it. Slower on slopes, as
+    /// a sliding body's velocity is that is cut off at the surface. Other controllers do this; take it where
+    /// a game was tuned for it.
     Projected,
 }
 
-/// Moves a shape through the world as somebody walks: up slopes and steps, along walls, down with gravity.
+/// Moves a shape through the world like a walking character: up slopes and steps, along walls, down with
+/// gravity.
 ///
 /// ```
 /// use rapier3d::prelude::*;
@@ -78,39 +80,41 @@ pub enum CharacterSlopeSpeed {
 /// ```
 ///
 /// It holds settings only, so one controller can move a crowd. The shape does not turn; turning it is up to
-/// the user. Everything happens within one call, in the world as it is then: what moves by itself, such as a lift, is met
-/// where it was at the last step, and [`EffectiveCharacterMovement::ground`](super::EffectiveCharacterMovement::ground) says how
-/// to ride it.
+/// the user. Everything happens within one call, in the current world. Moving obstacles, such as a lift, are
+/// at their pose of the last step, and
+/// [`EffectiveCharacterMovement::ground`](super::EffectiveCharacterMovement::ground) returns the data to ride
+/// them.
 ///
-/// A setting that makes no sense (no up direction, a negative or infinite length, an angle that is no number) has
-/// the character stand where it is, with a warning in the log.
+/// With an invalid setting (no up direction, a negative or infinite length, an angle that is no number) the
+/// character does not move, with a warning in the log.
 #[derive(Copy, Clone, PartialEq, Debug)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub struct KinematicCharacterController {
-    /// Where up is, in world space. Need not have unit length.
+    /// The up direction, in world space. Need not have unit length.
     pub up: Vector,
-    /// The gap that the character keeps to everything; relative to its height. It makes room for rounding and for what
-    /// moves towards the character, so it should not be much smaller than a hundredth of the character.
+    /// The gap that the character keeps to everything; relative to its height. It allows for rounding and for
+    /// approaching obstacles, so it should not be much smaller than a hundredth of the character.
     pub offset: CharacterLength,
-    /// Does the character slide along what it meets? If not, it stops there; gravity still does not keep it
+    /// Whether the character slides along obstacles. If not, it stops there; gravity still does not keep it
     /// from walking on a floor.
     pub slide: bool,
-    /// Stepping up on what is low. None by default.
+    /// Stepping up on what is low. `None` by default.
     pub autostep: Option<CharacterAutostep>,
     /// The steepest slope that the character can walk up (rad, from level ground). Steeper ones are walls. 45° by
     /// default.
     pub max_slope_climb_angle: Real,
-    /// The least steep slope that the character slides down by the downward part of its wish (rad, from level
-    /// ground): on less steep ones it stands. 45° by default.
+    /// The smallest slope angle at which the downward component of the desired translation makes the
+    /// character slide (rad, from level ground): on smaller ones it stands. 45° by default.
     pub min_slope_slide_angle: Real,
-    /// How far below the feet a floor may be to which the character is pulled down when it has just walked off
-    /// another; relative to its height. Keeps it on the ground on its way down slopes and stairs. A fifth by default.
-    /// Not while the wish is upwards.
+    /// Distance below the feet within which the character is pulled down to a floor after it has walked off
+    /// another; relative to its height. Keeps it on the ground on its path down slopes and stairs. A fifth by
+    /// default. Disabled while the desired translation is upwards.
     pub snap_to_ground: Option<CharacterLength>,
-    /// By how much a gap may differ from [`Self::offset`] and count as right (length units). The character does not move for
-    /// less, so that it does not tremble. Never taken for less than what rounding does, nor for more than a quarter of the offset.
+    /// Tolerance of a gap around [`Self::offset`] (length units). The character does not move for less, so
+    /// that it does not tremble. Never taken for less than what rounding does, nor for more than a quarter of
+    /// the offset.
     pub normal_nudge_factor: Real,
-    /// How fast the character walks up and down slopes.
+    /// Speed of the character on slopes.
     pub slope_speed: CharacterSlopeSpeed,
 }
 

@@ -1,8 +1,8 @@
-//! Which way a wish leads, given the planes around the character.
+//! Solution of a desired translation for the planes around the character.
 
-use super::gait::Gait;
-use super::planes::{Kind, LEAN, Plane};
+use super::planes::{Kind, Plane, WALL_LEAN_MAX};
 use super::polyhedron::{HalfSpace, nearest};
+use super::resolved::ResolvedSettings;
 use super::settings::CharacterSlopeSpeed;
 use crate::dim::math::{Real, Vector};
 use smallvec::SmallVec;
@@ -11,32 +11,32 @@ type HalfSpaces = SmallVec<[HalfSpace; 12]>;
 
 /// A translation, and what it is.
 #[derive(Copy, Clone, Debug)]
-pub(super) struct Way {
+pub(super) struct SolvedMove {
     pub translation: Vector,
-    /// Does it lead down a slope that does not hold?
+    /// Whether the move leads down a slope that is too steep to stand on.
     pub slides: bool,
 }
 
-/// What a floor makes of the horizontal part of a wish.
+/// Effect of a floor on the horizontal part of a desired translation.
 struct Lift<'a> {
     plane: &'a Plane,
-    /// By how much the floor lifts the character that goes there.
+    /// Height by which the floor lifts the character.
     height: Real,
 }
 
-impl Gait {
-    /// Turns a wish into a translation that no plane forbids.
+impl ResolvedSettings {
+    /// Converts a desired translation into one that no plane forbids.
     ///
-    /// `sticks`: the character stands on the ground and does not want to leave it, so it follows floors downwards, too.
-    pub fn way(&self, wish: Vector, planes: &[Plane], sticks: bool) -> Way {
-        let (fall, ahead) = self.split(wish);
+    /// `sticks`: the character is grounded without an upward motion, so it follows floors downwards, too.
+    pub fn way(&self, desired: Vector, planes: &[Plane], sticks: bool) -> SolvedMove {
+        let (fall, ahead) = self.split(desired);
         let uprights: HalfSpaces = planes
             .iter()
             .filter(|plane| plane.is_upright())
             .filter_map(|plane| plane.upright_half_space(self))
             .collect();
         let free = self.slid(ahead, &uprights);
-        // Who does not slide along walls does not slide up on them, either.
+        // Without sliding along walls, there is no sliding up on them.
         let is_stopped = !self.slide && free != ahead;
         let (ahead, fall) = (free, if is_stopped { fall.min(0.0) } else { fall });
         let (translation, slides) = match self.lift(ahead, planes) {
@@ -46,13 +46,13 @@ impl Gait {
         let spaces: HalfSpaces = planes.iter().map(|plane| plane.half_space(self)).collect();
         let solved = self.slid(translation, &spaces);
         // Down a slope that is too steep to stand on, because nothing else is below.
-        let is_steep = |p: &Plane| p.kind == Kind::Wall && p.rise > LEAN && !p.holds(self);
+        let is_steep = |p: &Plane| p.kind == Kind::Wall && p.rise > WALL_LEAN_MAX && !p.holds(self);
         let is_down = fall < 0.0 && solved.dot(self.up) < -self.nothing();
         let slides = slides || (is_down && planes.iter().any(is_steep));
-        Way { translation: solved, slides }
+        SolvedMove { translation: solved, slides }
     }
 
-    /// The nearest translation that is allowed, or, for who does not slide, as much of it as is allowed.
+    /// The nearest admissible translation or, without sliding, its admissible part.
     fn slid(&self, translation: Vector, spaces: &[HalfSpace]) -> Vector {
         if self.slide {
             return nearest(translation, spaces).unwrap_or(Vector::ZERO);
@@ -67,7 +67,7 @@ impl Gait {
         translation * share.max(0.0)
     }
 
-    /// The floor that lifts the character highest: that satisfies all others, too.
+    /// The floor that lifts the character highest, which satisfies all others, too.
     fn lift<'a>(&self, ahead: Vector, planes: &'a [Plane]) -> Option<Lift<'a>> {
         let floors = planes.iter().filter(|plane| plane.holds(self));
         let lifts = floors.map(|plane| Lift {
@@ -77,8 +77,8 @@ impl Gait {
         lifts.max_by(|a, b| a.height.total_cmp(&b.height))
     }
 
-    /// The translation of somebody on a floor. Vertically, the floor alone decides: a wish to go down has no part along
-    /// it, or who stands on a slope would creep.
+    /// The translation of a character on a floor. Vertically, the floor alone decides. A downward desired
+    /// translation has no component along it, or a standing character would creep down slopes.
     fn on_floor(&self, ahead: Vector, fall: Real, lift: &Lift<'_>, sticks: bool) -> (Vector, bool) {
         let plane = lift.plane;
         let is_held = fall <= lift.height || (sticks && lift.height >= -self.snap);
@@ -94,7 +94,7 @@ impl Gait {
         (walk + down, true)
     }
 
-    /// Walking on a floor, at the speed that the settings ask for.
+    /// Walking on a floor, at the speed of the settings.
     fn walk(&self, ahead: Vector, lift: &Lift<'_>) -> Vector {
         let plane = lift.plane;
         let speed = match plane.kind {

@@ -1,122 +1,123 @@
 //! Stepping up.
 //!
-//! What blocks the way is a step if the character, raised by as much as it can step, could go on for as far as it needs and would
-//! stand on a floor there. A shape with a round bottom does not reach the top of the step at once: it rests on the edge for
-//! a while, against which its normal is steep. So an edge of a step holds like a floor ([`Kind::Step`]), and every move into it
-//! ends where the shape comes to rest on it: a capsule rolls over the edge, a box is put on top.
+//! An obstacle is a step if the raised character can continue far enough, and would stand on a floor there. A
+//! shape with a round bottom does not reach the top of the step at once: it rests on the edge for a while,
+//! with a steep normal. An edge of a step therefore supports like a floor ([`Kind::Step`]), and every move
+//! into it ends where the shape rests on it: a capsule rolls over the edge, a box is placed on top.
 
-use super::gait::Stride;
 use super::mover::Mover;
-use super::planes::{Kind, LEAN, Plane};
+use super::planes::{Kind, Plane, WALL_LEAN_MAX};
 use super::polyhedron::nearest;
+use super::resolved::StepUp;
 use crate::dim::math::{Pose, Real, Vector};
 
 impl Mover<'_> {
-    /// Finds out which walls are steps for somebody who wants to go somewhere.
+    /// Finds the walls that are steps for a desired translation.
     ///
-    /// Only walls matter that the wish leads into, or that alone could hold the character.
-    pub fn find_steps(&mut self, wish: Vector) {
-        let Some(stride) = self.gait.stride else { return };
-        let (_, ahead) = self.gait.split(wish);
-        let on_floor = self.planes.iter().any(|plane| plane.holds(&self.gait));
+    /// Only walls that the desired translation leads into matter, or walls that are the only support.
+    pub fn find_steps(&mut self, desired: Vector) {
+        let Some(step_up) = self.settings.step_up else { return };
+        let (_, ahead) = self.settings.split(desired);
+        let on_floor = self.planes.iter().any(|plane| plane.holds(&self.settings));
         for index in 0..self.planes.len() {
             let plane = &self.planes[index];
-            let blocks = on_floor && ahead.dot(plane.normal) < -self.gait.nothing();
-            let may_hold = !on_floor && plane.rise > LEAN;
-            if (blocks || may_hold) && self.is_low(plane, stride) {
-                let (_, across) = self.gait.split(plane.normal);
+            let blocks = on_floor && ahead.dot(plane.normal) < -self.settings.nothing();
+            let may_hold = !on_floor && plane.rise > WALL_LEAN_MAX;
+            if (blocks || may_hold) && self.is_low(plane, step_up) {
+                let (_, across) = self.settings.split(plane.normal);
                 let direction = -across.normalize_or_zero();
                 let edge = plane.points[0];
-                if direction != Vector::ZERO && self.has_room(direction, edge, stride) {
+                if direction != Vector::ZERO && self.has_room(direction, edge, step_up) {
                     self.planes[index].kind = Kind::Step;
                 }
             }
         }
     }
 
-    /// Could this be a step, as far as one can see from here?
-    fn is_low(&self, plane: &Plane, stride: Stride) -> bool {
-        let foot = self.pose().translation.dot(self.gait.up) - self.gait.foot;
+    /// Returns whether the obstacle could be a step, by its contact alone.
+    fn is_low(&self, plane: &Plane, step_up: StepUp) -> bool {
+        let foot = self.pose().translation.dot(self.settings.up) - self.settings.foot;
         plane.kind == Kind::Wall
-            && (stride.include_dynamic_bodies || !plane.is_dynamic)
-            && plane.lowest(&self.gait) < foot + stride.max_height
+            && (step_up.include_dynamic_bodies || !plane.is_dynamic)
+            && plane.lowest(&self.settings) < foot + step_up.max_height
     }
 
-    /// Is there, one step up in this direction and behind this point of the wall, a floor to stand on, and room enough to
-    /// get there?
-    fn has_room(&mut self, direction: Vector, edge: Vector, stride: Stride) -> bool {
-        let raised = self.raised(stride);
+    /// Returns whether there is a floor one step up behind this point of the wall, and enough room on the
+    /// path.
+    fn has_room(&mut self, direction: Vector, edge: Vector, step_up: StepUp) -> bool {
+        let raised = self.raised(step_up);
         // Far enough for the middle of the shape to be above the step, where its normal is that of the top.
-        let middle = self.gait.half_width + 2.0 * self.gait.offset;
-        let far = middle.max(stride.min_width);
+        let middle = self.settings.half_width + 2.0 * self.settings.offset;
+        let far = middle.max(step_up.min_width);
         let swept = self.sweep_from(&raised, direction * far);
         let free = swept.fraction * far;
-        if free + self.gait.tolerance < stride.min_width || free <= self.gait.offset {
+        if free + self.settings.tolerance < step_up.min_width || free <= self.settings.offset {
             return false;
         }
         let ahead = shifted(&raised, direction * free);
-        self.lands_on_floor(&ahead, stride) || self.has_tread(direction, edge, stride)
+        self.lands_on_floor(&ahead, step_up) || self.has_tread(direction, edge, step_up)
     }
 
-    /// Does the shape, let down from a pose, stand on a floor?
-    fn lands_on_floor(&mut self, raised: &Pose, stride: Stride) -> bool {
+    /// Returns whether the shape stands on a floor when it is lowered from a pose.
+    fn lands_on_floor(&mut self, raised: &Pose, step_up: StepUp) -> bool {
         let Some(landing) = self.lowered(raised) else { return false };
         let mut planes = core::mem::take(&mut self.scratch);
-        let reach = self.gait.reach();
-        self.obstacles.planes(&landing, reach, &self.gait, &mut planes);
+        let reach = self.settings.reach();
+        self.obstacles.planes(&landing, reach, &self.settings, &mut planes);
         let holds = |plane: &Plane| {
             plane.kind == Kind::Floor
-                && !plane.is_slippery(&self.gait)
-                && (stride.include_dynamic_bodies || !plane.is_dynamic)
+                && !plane.is_slippery(&self.settings)
+                && (step_up.include_dynamic_bodies || !plane.is_dynamic)
         };
         let found = planes.iter().any(holds);
         self.scratch = planes;
         found
     }
 
-    /// Is there a level or gently sloped surface right behind an edge? On narrow stairs a shape does not find room to stand on one
-    /// step: it rests on the edge of the next.
-    fn has_tread(&self, direction: Vector, edge: Vector, stride: Stride) -> bool {
-        let gait = &self.gait;
-        let foot = self.pose().translation.dot(gait.up) - gait.foot;
-        let height = stride.max_height + gait.offset;
-        let behind = edge + direction * (2.0 * gait.offset);
-        let origin = behind + gait.up * (foot + height - behind.dot(gait.up));
-        let found = self.obstacles.surface_below(origin, gait.up, height + gait.offset);
+    /// Returns whether there is a level or gently sloped surface right behind an edge. On narrow stairs a
+    /// shape is too wide for one step: it rests on the edge of the next.
+    fn has_tread(&self, direction: Vector, edge: Vector, step_up: StepUp) -> bool {
+        let settings = &self.settings;
+        let foot = self.pose().translation.dot(settings.up) - settings.foot;
+        let height = step_up.max_height + settings.offset;
+        let behind = edge + direction * (2.0 * settings.offset);
+        let origin = behind + settings.up * (foot + height - behind.dot(settings.up));
+        let found = self.obstacles.surface_below(origin, settings.up, height + settings.offset);
         found.is_some_and(|(normal, is_dynamic)| {
-            normal.dot(gait.up) >= gait.climb_cos.max(gait.slide_cos)
-                && (stride.include_dynamic_bodies || !is_dynamic)
+            normal.dot(settings.up) >= settings.climb_cos.max(settings.slide_cos)
+                && (step_up.include_dynamic_bodies || !is_dynamic)
         })
     }
 
-    /// Takes the step that the wish leads into, if there is one. Returns the share of the wish that this took.
-    pub fn step_up(&mut self, wish: Vector) -> Option<Real> {
-        let stride = self.gait.stride?;
-        let (_, ahead) = self.gait.split(wish);
-        let is_in_the_way = |plane: &Plane| ahead.dot(plane.normal) < -self.gait.nothing();
+    /// Takes the step in the path of the desired translation, if there is one. Returns the fraction of the
+    /// desired translation that this took.
+    pub fn step_up(&mut self, desired: Vector) -> Option<Real> {
+        let step_up = self.settings.step_up?;
+        let (_, ahead) = self.settings.split(desired);
+        let is_in_the_way = |plane: &Plane| ahead.dot(plane.normal) < -self.settings.nothing();
         if !self.planes.iter().any(|plane| plane.kind == Kind::Step && is_in_the_way(plane)) {
             return None;
         }
         let walls = self.planes.iter().filter(|plane| plane.kind == Kind::Wall);
         let walls: Vec<_> =
-            walls.filter_map(|plane| plane.upright_half_space(&self.gait)).collect();
+            walls.filter_map(|plane| plane.upright_half_space(&self.settings)).collect();
         let ahead = nearest(ahead, &walls)?;
-        if ahead.length() <= self.gait.nothing() {
+        if ahead.length() <= self.settings.nothing() {
             return None;
         }
-        let raised = self.raised(stride);
-        // A flat bottom that is not over the step yet comes down before it. So that who walks slowly gets up, too, it is then
-        // put as far ahead as the gap to the step is wide.
-        let past_the_gap = ahead + ahead.normalize_or_zero() * (2.0 * self.gait.offset);
-        let least = self.moved.dot(self.gait.up) + self.gait.tolerance;
+        let raised = self.raised(step_up);
+        // A flat bottom that is not over the step yet comes down before it. A slow character must reach the
+        // step, too, so it is moved ahead by the gap to the step.
+        let past_the_gap = ahead + ahead.normalize_or_zero() * (2.0 * self.settings.offset);
+        let least = self.moved.dot(self.settings.up) + self.settings.tolerance;
         for ahead in [ahead, past_the_gap] {
             let fraction = self.sweep_from(&raised, ahead).fraction;
-            if fraction * ahead.length() <= self.gait.nothing() {
+            if fraction * ahead.length() <= self.settings.nothing() {
                 return None;
             }
             let landing = self.lowered(&shifted(&raised, ahead * fraction))?;
             let moved = landing.translation - self.start.translation;
-            if moved.dot(self.gait.up) > least {
+            if moved.dot(self.settings.up) > least {
                 self.moved = moved;
                 return Some(fraction);
             }
@@ -124,17 +125,17 @@ impl Mover<'_> {
         None
     }
 
-    /// The pose one step up, or as far up as there is room.
-    fn raised(&mut self, stride: Stride) -> Pose {
-        let (pose, way) = (self.pose(), self.gait.up * stride.max_height);
+    /// The pose one step up, or as far up as possible.
+    fn raised(&mut self, step_up: StepUp) -> Pose {
+        let (pose, way) = (self.pose(), self.settings.up * step_up.max_height);
         let fraction = self.sweep_from(&pose, way).fraction;
         shifted(&pose, way * fraction)
     }
 
-    /// Where a shape ends up that is let down from a pose, no lower than where the character is now.
+    /// The final pose of a shape that is lowered from a pose, not below the character's current height.
     fn lowered(&mut self, pose: &Pose) -> Option<Pose> {
-        let height = (pose.translation - self.pose().translation).dot(self.gait.up);
-        let way = -self.gait.up * (height + self.gait.offset);
+        let height = (pose.translation - self.pose().translation).dot(self.settings.up);
+        let way = -self.settings.up * (height + self.settings.offset);
         let swept = self.sweep_from(pose, way);
         swept.hit.is_some().then(|| shifted(pose, way * swept.fraction))
     }

@@ -1,40 +1,41 @@
-//! Going straight until something is in the way.
+//! Sweep: straight motion until an obstacle.
 //!
-//! Conservative advancement with separating planes (B. Mirtich 1996, "Impulse-based Dynamic Simulation of Rigid Body Systems"):
-//! the manifold of two convex parts has a normal along which they are a gap apart, and while one of them moves by `way`, that gap
-//! shrinks by no more than `-way·n`. So until the gap of some plane would be used up, the way is free; there the contacts are
-//! computed again. Along a floor no gap shrinks, and one look is enough. Everything rests on the contacts that also hold the
-//! character when it stands, so the two never contradict each other; a search for the time of impact alone would sometimes see a
-//! floor in the way of who walks on it.
+//! Conservative advancement with separating planes (B. Mirtich 1996, "Impulse-based Dynamic Simulation of
+//! Rigid Body Systems"). The manifold of two convex parts has a normal along which they are a gap apart.
+//! While one of them moves by `way`, that gap shrinks by at most `-way·n`. The path is free until the gap of
+//! some plane would be used up; there the contacts are recomputed. Along a floor no gap shrinks, and one
+//! evaluation is sufficient. Support and sweep use the same contacts, so the two never contradict each other.
+//! A search for the time of impact alone would sometimes find a floor in the path of a walking character.
 
-use super::gait::Gait;
 use super::obstacles::Obstacles;
 use super::planes::Plane;
+use super::resolved::ResolvedSettings;
 use crate::dim::math::{Pose, Real, Vector};
 
-/// Who goes along a plane at less than this sine goes past it.
-const GRAZING: Real = 1.0e-4;
-/// So often are contacts computed on a piece of the way.
+/// A motion along a plane at less than this sine passes it.
+const SINE_MIN: Real = 1.0e-4;
+/// Largest number of contact computations on a piece of the path.
 const LOOKS_MAX: usize = 32;
-/// A way is gone in pieces that are as long as the shape is thick, so that only what is near is looked at, or in so many.
+/// A path is divided into pieces of the shape's thickness, so that only near obstacles are evaluated, up to
+/// this number.
 const PIECES_MAX: Real = 32.0;
 
-/// How far a sweep came.
+/// Result of a sweep.
 pub(super) struct Swept {
     /// Share of the translation.
     pub fraction: Real,
-    /// What was in the way, at this place.
+    /// The obstacle at this pose.
     pub hit: Option<Plane>,
 }
 
-/// A sweep: from a pose along a way, up to a distance of `within`.
+/// A sweep: from a pose along a path, up to a distance of `within`.
 #[derive(Copy, Clone)]
 struct Sweep<'a> {
     pose: &'a Pose,
     way: Vector,
     length: Real,
     within: Real,
-    gait: &'a Gait,
+    settings: &'a ResolvedSettings,
 }
 
 impl Sweep<'_> {
@@ -42,14 +43,15 @@ impl Sweep<'_> {
         Pose::from_parts(self.pose.translation + self.way * time, self.pose.rotation)
     }
 
-    /// Length by which a translation by the whole way shortens the gap of a plane.
+    /// Length by which a translation by the whole path shortens the gap of a plane.
     fn approach(&self, plane: &Plane) -> Real {
         -self.way.dot(plane.normal)
     }
 
     /// The plane whose gap is used up first, and when, if all normals stay.
     fn first_of(&self, planes: &[Plane], time: Real) -> Option<(Real, Plane)> {
-        let in_the_way = planes.iter().filter(|plane| self.approach(plane) > GRAZING * self.length);
+        let in_the_way =
+            planes.iter().filter(|plane| self.approach(plane) > SINE_MIN * self.length);
         let times = in_the_way.map(|plane| {
             let room = (plane.gap - self.within).max(0.0);
             (time + room / self.approach(plane), plane)
@@ -60,23 +62,30 @@ impl Sweep<'_> {
 }
 
 impl Obstacles<'_> {
-    /// Moves along `way` until the gap to something that is in the way has become the offset.
+    /// Moves along `way` until the gap to an obstacle has become the offset.
     ///
-    /// The sweep looks for what comes `within` less than the offset, and is taken back: what the character goes along at
-    /// the offset itself is then no hit, however it is rounded.
-    pub fn sweep(&mut self, pose: &Pose, way: Vector, within: Real, gait: &Gait) -> Swept {
+    /// The sweep stops at `within` less than the offset, and is moved back. An obstacle along the path at the
+    /// offset itself is then no hit, independent of rounding.
+    pub fn sweep(
+        &mut self,
+        pose: &Pose,
+        way: Vector,
+        within: Real,
+        settings: &ResolvedSettings,
+    ) -> Swept {
         let length = way.length();
         let free = Swept { fraction: 1.0, hit: None };
         if length == 0.0 {
             return free;
         }
-        let sweep = Sweep { pose, way, length, within, gait };
-        let piece = (2.0 * gait.half_thickness).max(4.0 * gait.offset).max(length / PIECES_MAX);
+        let sweep = Sweep { pose, way, length, within, settings };
+        let piece =
+            (2.0 * settings.half_thickness).max(4.0 * settings.offset).max(length / PIECES_MAX);
         let mut time: Real = 0.0;
         loop {
             let end = (time + piece / length).min(1.0);
             if let Some((time, plane)) = self.first_plane(&sweep, time, end) {
-                let back = (gait.offset - within) / sweep.approach(&plane);
+                let back = (settings.offset - within) / sweep.approach(&plane);
                 return Swept { fraction: (time - back).max(0.0), hit: Some(plane) };
             }
             time = end;
@@ -88,15 +97,16 @@ impl Obstacles<'_> {
 
     /// The first time in `time..end` when a plane is as close as `within`, and the plane.
     ///
-    /// Contacts that are looked for from afar may be planes that separate two parts without being closest to them. Before such
-    /// a plane ends the way, contacts are looked for from so near that only what is really there shows up.
+    /// Contacts that are looked for from afar may be planes that separate two parts without being closest to
+    /// them. Before such a plane ends the path, contacts are computed at a small distance, where only real
+    /// ones exist.
     fn first_plane(&mut self, sweep: &Sweep<'_>, time: Real, end: Real) -> Option<(Real, Plane)> {
         let (mut time, mut planes) = (time, Vec::new());
-        let (near, tolerance) = (sweep.gait.reach(), sweep.gait.tolerance);
+        let (near, tolerance) = (sweep.settings.reach(), sweep.settings.tolerance);
         let mut reach = sweep.within + (end - time) * sweep.length + tolerance;
         let mut first = None;
         for _ in 0..LOOKS_MAX {
-            self.near(&sweep.pose_at(time), reach, sweep.gait, &mut planes);
+            self.near(&sweep.pose_at(time), reach, sweep.settings, &mut planes);
             let horizon = time + (reach - sweep.within) / sweep.length;
             first = sweep.first_of(&planes, time).filter(|&(then, _)| then < horizon.min(end));
             let then = first.as_ref().map_or(horizon, |&(then, _)| then);

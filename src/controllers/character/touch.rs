@@ -1,10 +1,12 @@
 //! From a contact manifold to a plane.
 //!
-//! A manifold may say more than is there: the plane of a face is taken to reach a little beyond its edges. A body that falls does not mind; a character that walks over a ridge would follow the plane into
-//! the air. So contact points that are not on the obstacle do not count, and where none does, the closest points are taken.
+//! A manifold may say more than is there: the plane of a face is taken to reach a little beyond its edges. A
+//! body that falls does not mind; a character that walks over a ridge would follow the plane into the air.
+//! Contact points outside the obstacle are therefore ignored, and the closest points are used if none
+//! remains.
 
-use super::gait::Gait;
 use super::planes::Plane;
+use super::resolved::ResolvedSettings;
 use crate::base::guard::guarded;
 use crate::dim::math::{Pose, Real, Vector};
 use crate::model::body::RigidBodyType;
@@ -26,31 +28,41 @@ pub(super) struct Touch<'a> {
 
 impl Touch<'_> {
     /// A manifold as a plane; `None` if nothing of it is there within `reach`.
-    pub fn plane(&self, manifold: &ContactManifold, reach: Real, gait: &Gait) -> Option<Plane> {
-        let is_genuine = |contact: &&Contact| self.is_genuine(contact, gait);
+    pub fn plane(
+        &self,
+        manifold: &ContactManifold,
+        reach: Real,
+        settings: &ResolvedSettings,
+    ) -> Option<Plane> {
+        let is_genuine = |contact: &&Contact| self.is_genuine(contact, settings);
         let genuine: Vec<&Contact> = manifold.contacts().iter().filter(is_genuine).collect();
         if !genuine.is_empty() {
-            return Some(self.of_contacts(manifold, &genuine, gait));
+            return Some(self.of_contacts(manifold, &genuine, settings));
         }
         let start = manifold.find_deepest_contact()?;
-        let Some((point, away)) = self.closest(self.collider.position() * start.local_p1, gait)
+        let Some((point, away)) = self.closest(self.collider.position() * start.local_p1, settings)
         else {
             // They overlap: the manifold is all that is known.
             let all: Vec<&Contact> = manifold.contacts().iter().collect();
-            return Some(self.of_contacts(manifold, &all, gait));
+            return Some(self.of_contacts(manifold, &all, settings));
         };
         let gap = away.length();
         let subshapes = [manifold.subshape1, manifold.subshape2];
         let points = core::iter::once(point);
-        (gap <= reach).then(|| self.with_normal(away / gap, gap, points, subshapes, gait))
+        (gap <= reach).then(|| self.with_normal(away / gap, gap, points, subshapes, settings))
     }
 
-    fn of_contacts(&self, manifold: &ContactManifold, contacts: &[&Contact], gait: &Gait) -> Plane {
+    fn of_contacts(
+        &self,
+        manifold: &ContactManifold,
+        contacts: &[&Contact],
+        settings: &ResolvedSettings,
+    ) -> Plane {
         let pose = self.collider.position();
         let gap = contacts.iter().map(|contact| contact.dist).fold(Real::INFINITY, Real::min);
         let points = contacts.iter().map(|contact| pose * contact.local_p1);
         let subshapes = [manifold.subshape1, manifold.subshape2];
-        self.with_normal(pose.rotation * manifold.local_n1, gap, points, subshapes, gait)
+        self.with_normal(pose.rotation * manifold.local_n1, gap, points, subshapes, settings)
     }
 
     fn with_normal(
@@ -59,9 +71,9 @@ impl Touch<'_> {
         gap: Real,
         points: impl Iterator<Item = Vector>,
         subshapes: [u32; 2],
-        gait: &Gait,
+        settings: &ResolvedSettings,
     ) -> Plane {
-        let rise = normal.dot(gait.up);
+        let rise = normal.dot(settings.up);
         Plane {
             collider: self.handle,
             subshapes,
@@ -69,26 +81,26 @@ impl Touch<'_> {
             normal,
             gap,
             points: points.collect(),
-            kind: Plane::kind_of(rise, gait),
+            kind: Plane::kind_of(rise, settings),
             rise,
         }
     }
 
-    /// Are the two points of a contact really on the obstacle and on the character?
-    fn is_genuine(&self, contact: &Contact, gait: &Gait) -> bool {
+    /// Returns whether the two points of a contact lie on the obstacle and on the character.
+    fn is_genuine(&self, contact: &Contact, settings: &ResolvedSettings) -> bool {
         let is_on = |shape: &dyn Shape, point: Vector| {
             guarded(|| shape.distance_to_local_point(point, true))
-                .is_none_or(|distance| distance <= gait.tolerance)
+                .is_none_or(|distance| distance <= settings.tolerance)
         };
         is_on(self.collider.shape(), contact.local_p1) && is_on(self.shape, contact.local_p2)
     }
 
-    /// The closest points, near a given one: that on the obstacle, and the vector from there to the character. `None` if they
-    /// overlap.
+    /// The closest points, near a given one: that on the obstacle, and the vector from there to the
+    /// character. `None` if they overlap.
     ///
     /// Projects to and fro between the two, which for convex parts converges to the closest points (W. Cheney, A.
     /// Goldstein 1959, "Proximity maps for convex sets").
-    fn closest(&self, near: Vector, gait: &Gait) -> Option<(Vector, Vector)> {
+    fn closest(&self, near: Vector, settings: &ResolvedSettings) -> Option<(Vector, Vector)> {
         let obstacle = self.collider.shape();
         let on_obstacle = |point: Vector| {
             guarded(|| obstacle.project_point(self.collider.position(), point, true).point)
@@ -101,10 +113,10 @@ impl Touch<'_> {
             let next = on_obstacle(to)?;
             let moved = (next - from).length();
             (from, away) = (next, to - next);
-            if moved <= gait.nothing() {
+            if moved <= settings.nothing() {
                 break;
             }
         }
-        (away.length() > gait.nothing()).then_some((from, away))
+        (away.length() > settings.nothing()).then_some((from, away))
     }
 }

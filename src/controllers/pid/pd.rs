@@ -6,13 +6,13 @@ use crate::dim::math::{
 };
 use crate::model::body::{RigidBody, RigidBodyVelocity};
 
-/// How far something is from where it should be; or how much too slow it is.
+/// Error of a pose or of a velocity.
 #[derive(Copy, Clone, PartialEq, Debug)]
 pub struct PdErrors {
     /// Target position minus actual position (length), or target velocity minus actual velocity (length/s).
     pub linear: Vector,
-    /// The rotation that leads from the actual to the target rotation, as axis times angle in world space (rad), or target
-    /// minus actual angular velocity (rad/s).
+    /// The rotation vector from the actual to the target rotation in world space (rad), or target minus
+    /// actual angular velocity (rad/s).
     pub angular: AngVector,
 }
 
@@ -30,8 +30,8 @@ impl From<RigidBodyVelocity> for PdErrors {
 
 /// Leads a dynamic body to a pose: says by how much its velocity should change before the next step.
 ///
-/// `change = kp · (target pose - pose) + kd · (target velocity - velocity)`, along and about the [`axes`](Self::axes) only. The
-/// body keeps colliding on its way, which sets it apart from a kinematic one.
+/// `change = kp · (target pose - pose) + kd · (target velocity - velocity)`, along and about the
+/// [`axes`](Self::axes) only. The body keeps colliding on its path, unlike a kinematic one.
 ///
 /// ```
 /// use rapier3d::prelude::*;
@@ -52,9 +52,9 @@ impl From<RigidBodyVelocity> for PdErrors {
 /// assert!((world.bodies[hand].translation() - target.translation).length() < 1.0e-3);
 /// ```
 ///
-/// The gains are per axis, and mean the same at any mass. At a time step `dt`, `kp = (1 - √(1 - kd))² / dt` comes home without
-/// swinging; `kd = 1` and `kp = 1 / dt` are there in one step. Anything with `0 < kd < 2` and `0 < kp·dt < 2·(2 - kd)` comes home in
-/// the end.
+/// The gains are per axis, and mean the same at any mass. At a time step `dt`, `kp = (1 - √(1 - kd))² / dt`
+/// gives critical damping; `kd = 1` and `kp = 1 / dt` reach the target in one step. Anything with `0 < kd <
+/// 2` and `0 < kp·dt < 2·(2 - kd)` comes home in the end.
 #[derive(Copy, Clone, PartialEq, Debug)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub struct PdController {
@@ -84,7 +84,7 @@ impl PdController {
         Self { lin_kp: lin * kp, lin_kd: lin * kd, ang_kp: ang * kp, ang_kd: ang * kd, axes }
     }
 
-    /// By how much the body's linear velocity should change for its origin to get to `target_pos` (world space) and to move at
+    /// The change of the body's linear velocity that moves its origin to `target_pos` (world space) with
     /// `target_linvel` (length/s) there.
     pub fn linear_rigid_body_correction(
         &self,
@@ -97,7 +97,8 @@ impl PdController {
         self.rigid_body_correction(rb, target, target_vels).linvel
     }
 
-    /// By how much the body's angular velocity should change for it to turn to `target_rot`, and to turn at `target_angvel` (rad/s) there.
+    /// The change of the body's angular velocity that rotates it to `target_rot` with `target_angvel` (rad/s)
+    /// there.
     pub fn angular_rigid_body_correction(
         &self,
         rb: &RigidBody,
@@ -109,7 +110,7 @@ impl PdController {
         self.rigid_body_correction(rb, target, target_vels).angvel
     }
 
-    /// By how much the body's velocity should change for it to get to a pose, and to move at `target_vels` there.
+    /// The change of the body's velocity that moves it to a pose with `target_vels` there.
     ///
     /// Poses are those of the body's frame; `target_vels.linvel` is the velocity of its origin. Zero where a number is not finite.
     pub fn rigid_body_correction(
@@ -121,7 +122,7 @@ impl PdController {
         self.correction(&pose_errors(rb, &target_pose), &velocity_errors(rb, &target_vels))
     }
 
-    /// By how much a velocity should change, given how far off pose and velocity are. Zero where a number is not finite.
+    /// The change of velocity for given errors of pose and velocity. Zero where a number is not finite.
     pub fn correction(&self, pose_errors: &PdErrors, vel_errors: &PdErrors) -> RigidBodyVelocity {
         let linear = self.lin_kp * pose_errors.linear + self.lin_kd * vel_errors.linear;
         let angular = self.ang_kp * pose_errors.angular + self.ang_kd * vel_errors.angular;
@@ -129,7 +130,7 @@ impl PdController {
     }
 }
 
-/// How far the frame of a body is from a pose.
+/// The difference of a pose and the frame of a body.
 pub(super) fn pose_errors(rb: &RigidBody, target: &Pose) -> PdErrors {
     PdErrors {
         linear: target.translation - rb.translation(),
@@ -137,7 +138,7 @@ pub(super) fn pose_errors(rb: &RigidBody, target: &Pose) -> PdErrors {
     }
 }
 
-/// How much the velocity of a body's origin, and its angular velocity, differ from these.
+/// The difference of these velocities and those of a body's origin.
 pub(super) fn velocity_errors(rb: &RigidBody, target: &RigidBodyVelocity) -> PdErrors {
     PdErrors {
         linear: target.linvel - rb.velocity_at_point(rb.translation()),

@@ -7,8 +7,8 @@ use crate::model::body::{RigidBody, RigidBodyVelocity};
 
 /// A [`PdController`] that also learns which constant push, such as gravity, it has to work against.
 ///
-/// `change = PD + ki · ∫ error dt`. A PD controller that holds a body up against gravity hangs a little low, because only an error
-/// makes it push; the integral grows until there is none.
+/// `change = PD + ki · ∫ error dt`. A PD controller that carries a body against gravity has a steady-state
+/// error, because only an error causes a force; the integral term removes it.
 ///
 /// ```
 /// use rapier3d::prelude::*;
@@ -69,7 +69,7 @@ impl PidController {
         self.pd.axes
     }
 
-    /// Sets the world axes along and about which the controller acts. What it remembers of the others is forgotten.
+    /// Sets the world axes along and about which the controller acts. The state of other axes is reset.
     pub fn set_axes(&mut self, axes: AxesMask) {
         self.pd.axes = axes;
         self.lin_integral *= axes.linear();

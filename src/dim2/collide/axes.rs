@@ -1,9 +1,9 @@
 //! The axes that separate a box and segments best, a segment per lane.
 //!
-//! A box and a segment are apart exactly if they are along one of three axes: the two of the box and the normal
-//! of the segment. If they are not, the axis of least overlap is the contact normal. Chains and height fields
-//! are made of nothing but segments, and most of those near a body are in its way for the first time. So
-//! nothing is remembered of them, and as many are tried at once as a register has lanes.
+//! A box and a segment are apart exactly if they are separated along one of three axes: the two of the box
+//! and the normal of the segment. If they are not, the axis of least overlap is the contact normal. Chains
+//! and height fields consist of segments, and most of those near a body are new candidates. So nothing is
+//! remembered of them, and as many are tried at once as a register has lanes.
 
 use super::flat::{FlatBlock, FlatShape, set_flat_lane};
 use super::polytope::Polytope;
@@ -13,10 +13,10 @@ use crate::dim::math::{Pose, Real, Vector};
 use crate::dim::wide::WideVector;
 use parry::bounding_volume::Aabb;
 
-/// How much more overlap the segment's axis may have and still be preferred, as a share of the smallest
-/// half extent.
+/// Tolerance on the overlap within which the segment's axis is preferred, as a fraction of the smallest half
+/// extent.
 const TOLERANCE: Real = 0.001;
-/// How much the axis of last time is preferred, in the same measure.
+/// Preference of the last axis, in the same measure.
 const SAME_AXIS_BONUS: Real = 0.01;
 /// An axis with at least this cosine to the normal of last time is the same axis.
 const SAME_AXIS: Real = 0.98;
@@ -57,8 +57,8 @@ pub fn best_axis(
     let of = |half: Vector, flat: &FlatShape, pose: &Pose, hint: Vector| {
         let (mut block, mut axes) = (FlatBlock::default(), FlatAxes::default());
         set_flat_lane(&mut block, 0, flat);
-        let sieve = Sieve::new(&Aabb::from_half_extents(Vector::ZERO, half), pose, 0.0);
-        sieve.near(&block, Simd::baseline(), &mut axes);
+        let culling = TriangleCulling::new(&Aabb::from_half_extents(Vector::ZERO, half), pose, 0.0);
+        culling.near(&block, Simd::baseline(), &mut axes);
         flat.normal().map(|_| axes.best(0, half, hint))
     };
     match (polytope1, polytope2) {
@@ -75,7 +75,7 @@ pub fn best_axis(
 }
 
 /// A box, and how near is near.
-pub struct Sieve {
+pub struct TriangleCulling {
     half: Vector,
     reach: Real,
     /// The axes of the segments' frame and its origin, as seen from the middle of the box.
@@ -83,7 +83,7 @@ pub struct Sieve {
     origin: Vector,
 }
 
-impl Sieve {
+impl TriangleCulling {
     /// For segments in a frame that stands at `pose` in the frame of the box.
     pub fn new(around: &Aabb, pose: &Pose, reach: Real) -> Self {
         Self {
@@ -96,12 +96,12 @@ impl Sieve {
 
     /// Finds the axes of each segment. Returns a bit for each that is no farther than `reach` along any.
     pub fn near(&self, flats: &FlatBlock, simd: Simd, axes: &mut FlatAxes) -> u32 {
-        simd.run(Pass { sieve: self, flats, axes })
+        simd.run(Pass { culling: self, flats, axes })
     }
 }
 
 struct Pass<'a> {
-    sieve: &'a Sieve,
+    culling: &'a TriangleCulling,
     flats: &'a FlatBlock,
     axes: &'a mut FlatAxes,
 }
@@ -111,9 +111,9 @@ impl Kernel for Pass<'_> {
 
     #[inline(always)]
     fn run<W: Wide>(self) -> u32 {
-        let half = WideVector::<W>::splat(self.sieve.half);
+        let half = WideVector::<W>::splat(self.culling.half);
         let (a, b): (WideVector<W>, WideVector<W>) = (self.end(0), self.end(1));
-        // Of the box.
+        // An axis of the box.
         let (x, sign_x) = apart(a.x.min(b.x), a.x.max(b.x), half.x);
         let (y, sign_y) = apart(a.y.min(b.y), a.y.max(b.y), half.y);
         let (is_y, zero) = (x.lt(y), W::zero());
@@ -122,7 +122,7 @@ impl Kernel for Pass<'_> {
             WideVector { x: W::select(is_y, zero, sign_x), y: W::select(is_y, sign_y, zero) };
         of_box.store(&mut self.axes.gaps[0]);
         normal.store(&mut self.axes.normals[0]);
-        // Of the segment: the box is on the side on which its centre is.
+        // The normal of the segment: the box is on the side of its centre.
         let along = b - a;
         let scale = W::splat(1.0) / along.dot(along).sqrt();
         let normal = WideVector { x: -along.y, y: along.x } * scale;
@@ -131,7 +131,7 @@ impl Kernel for Pass<'_> {
         let of_segment = height.abs() - (half.x * normal.x.abs() + half.y * normal.y.abs());
         of_segment.store(&mut self.axes.gaps[1]);
         outward.store(&mut self.axes.normals[1]);
-        W::bits(of_segment.max(of_box).le(W::splat(self.sieve.reach)))
+        W::bits(of_segment.max(of_box).le(W::splat(self.culling.reach)))
     }
 }
 
@@ -140,8 +140,8 @@ impl Pass<'_> {
     #[inline(always)]
     fn end<W: Wide>(&self, index: usize) -> WideVector<W> {
         let end = WideVector::load(&self.flats[index]);
-        let [x, y] = self.sieve.axes;
-        WideVector::splat(self.sieve.origin)
+        let [x, y] = self.culling.axes;
+        WideVector::splat(self.culling.origin)
             + WideVector::splat(x) * end.x
             + WideVector::splat(y) * end.y
     }
@@ -149,7 +149,7 @@ impl Pass<'_> {
 
 #[cfg(test)]
 mod tests {
-    use super::{FlatAxes, FlatBlock, Sieve, set_flat_lane};
+    use super::{FlatAxes, FlatBlock, TriangleCulling, set_flat_lane};
     use crate::base::random::Random;
     use crate::base::wide::{LANES, Simd};
     use crate::dim::math::{Pose, Real, Vector};
@@ -157,7 +157,7 @@ mod tests {
     use parry::bounding_volume::Aabb;
     use parry::shape::Segment;
 
-    /// How far a box and a segment are apart along the best of all axes, one after the other.
+    /// Distance of a box and a segment along the best of all axes, in sequence.
     fn gap(half: Vector, pose: &Pose, segment: &Segment) -> Real {
         let [a, b] = [segment.a, segment.b].map(|end| *pose * end);
         let normal = (b - a).perp().normalize();
@@ -182,10 +182,11 @@ mod tests {
                 set_flat_lane(&mut block, lane, segment);
             }
             let reach = 0.05;
-            let sieve = Sieve::new(&Aabb::from_half_extents(Vector::ZERO, half), &pose, reach);
+            let culling =
+                TriangleCulling::new(&Aabb::from_half_extents(Vector::ZERO, half), &pose, reach);
             let (mut wide, mut baseline) = (FlatAxes::default(), FlatAxes::default());
-            let near = sieve.near(&block, Simd::detect(), &mut wide);
-            assert_eq!(near, sieve.near(&block, Simd::baseline(), &mut baseline));
+            let near = culling.near(&block, Simd::detect(), &mut wide);
+            assert_eq!(near, culling.near(&block, Simd::baseline(), &mut baseline));
             for (lane, segment) in segments.iter().enumerate() {
                 let expected = gap(half, &pose, segment);
                 let found = wide.gaps.iter().map(|gap| gap.0[lane]).fold(Real::MIN, Real::max);

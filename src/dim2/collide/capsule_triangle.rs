@@ -1,10 +1,10 @@
-//! A capsule and a triangle have no way of their own in the plane.
+//! A capsule and a triangle have no special algorithm in the plane.
 
 use super::RawManifold;
 use crate::dim::math::{Pose, Real};
 use parry::shape::{Capsule, Triangle};
 
-/// Computes nothing: the two go the way of all polytopes.
+/// Computes nothing: the two use the algorithm of all polytopes.
 pub fn capsule_triangle(
     _pos12: &Pose,
     _capsule: &Capsule,

@@ -18,7 +18,7 @@ pub fn for_each_cell(field: &HeightField, region: &Aabb, f: &mut CellVisitor<'_>
     field.map_elements_in_local_aabb(region, &mut |id, segment| f(id, segment, None));
 }
 
-/// May the segments be hit from everywhere?
+/// Returns whether the segments are two-sided.
 pub fn has_free_cells(_field: &HeightField) -> bool {
     true
 }

@@ -4,9 +4,9 @@ use super::polytope::{Face, Polytope};
 use super::{RawManifold, RawPoint};
 use crate::dim::math::{Pose, Real};
 
-/// Points that stick out of a face by up to this share of it still count as inside: faces of equal
-/// size meet often, and rounding must not decide what their ends are. The same share above the
-/// deepest point is still as deep.
+/// Points outside a face by up to this fraction of it still count as inside: faces of equal size meet often,
+/// and rounding must not determine their ends. Points above the deepest by the same fraction count as equally
+/// deep.
 pub(super) const RIM: Real = 5.0e-3;
 
 /// A face, whose normal is the contact normal, and the polytope that it meets.
@@ -25,7 +25,7 @@ pub struct FaceContact<'a> {
 pub struct Deepest {
     /// Its distance from the face.
     pub dist: Real,
-    /// How much deeper another point would have to be to matter.
+    /// Minimum additional depth of another relevant point.
     pub tolerance: Real,
 }
 
@@ -54,7 +54,7 @@ pub fn clip_faces(
     for index in 0..2 {
         let face = contact.polytope.face_feature(contact.face.id);
         let (mut point, mut id, mut other_id) = (points[index], face, other_ends[index].vertex);
-        // Which end of the face, if any, cuts the other face off here?
+        // The end of the face, if any, that cuts the other face off here.
         let is_before = places[index] < range[0] - rim;
         if is_before || places[index] > range[1] + rim {
             let end = usize::from(!is_before);

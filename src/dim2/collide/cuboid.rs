@@ -1,22 +1,21 @@
 //! Two boxes: separating axes, then the overlap of the two faces that meet.
 //!
-//! Boxes are apart exactly if they are apart along a face normal of one of them. If they are not, the
-//! normal of least overlap is the contact normal. Of normals that are nearly as good, that of last
-//! time is taken, so that a resting box does not flicker between them.
+//! Boxes are apart exactly if they are apart along a face normal of one of them. If they are not, the normal
+//! of least overlap is the contact normal. Of nearly equal normals, the last one is preferred, so that a
+//! resting box does not alternate between them.
 
 use super::features::box_feature;
 use super::{RawManifold, RawPoint};
 use crate::dim::math::{Matrix, Pose, Real, Vector};
 
-/// How much more overlap an axis may have and still be preferred, as a share of the smallest half
-/// extent.
+/// Tolerance on the overlap within which an axis is preferred, as a fraction of the smallest half extent.
 const TOLERANCE: Real = 0.01;
-/// Of equal faces the first box's is taken: the share of the tolerance that decides.
+/// Of equal faces the first box's is taken, by this fraction of the tolerance.
 const FIRST_FACE: Real = 0.1;
 /// An axis with at least this cosine to the normal of last time is the same axis.
 const SAME_AXIS: Real = 0.98;
-/// Corners that stick out of the other face by up to this share of its size still count as inside.
-/// Boxes of equal size are stacked often, and rounding must not decide what their corners are.
+/// Corners outside the other face by up to this fraction of its size still count as inside. Boxes of equal
+/// size are stacked often, and rounding must not decide what their corners are.
 const RIM: Real = 5.0e-3;
 
 /// Computes the contacts of two boxes into `raw`, whose `local_n1` is the normal of last time, or zero.
@@ -92,7 +91,7 @@ struct FacePair {
     rotation: Matrix,
     /// The other box's centre in this frame.
     center: Vector,
-    /// Is the reference face on the second box?
+    /// Whether the reference face is on the second box.
     flipped: bool,
 }
 
@@ -131,8 +130,8 @@ impl FacePair {
         }
     }
 
-    /// A point of the other box's face, given as seen along the normal; `side` is the end of the
-    /// reference face that it lies at, or 0.
+    /// A point of the other box's face, given relative to the normal; `side` is its end of the reference
+    /// face, or 0.
     fn point(&self, seen: Vector, side: Real, other_signs: Vector) -> RawPoint {
         let (normal, along) = (Vector::AXES[self.axis] * self.sign, Vector::AXES[1 - self.axis]);
         let on_face = along * seen.x + normal * self.half[self.axis];

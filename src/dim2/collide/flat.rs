@@ -1,4 +1,4 @@
-//! What surfaces are made of: segments.
+//! Elements of surfaces: segments.
 
 use super::polytope::Polytope;
 use crate::base::wide::Lane;
@@ -84,7 +84,7 @@ impl Flat {
         self.segment.a
     }
 
-    /// How far it reaches along a direction.
+    /// The extent along a direction.
     pub fn height(&self, direction: Vector) -> Real {
         let [a, b] = flat_corners(&self.segment).map(|corner| corner.dot(direction));
         a.max(b)

@@ -2,17 +2,17 @@
 //!
 //! Inside, it is on the side that is least deep; outside, on the nearest of the sides that the point is beyond.
 //!
-//! parry makes one side of neighbours that are nearly in a line, and keeps the normal of one of them. So what was
-//! found must prove itself: no corner may be above the line through the place. Else the answer is left to a
-//! search that knows nothing of sides.
+//! parry makes one side of neighbours that are nearly in a line, and keeps the normal of one of them. So what
+//! was found must prove itself: no corner may be above the line through the place. Otherwise a general
+//! closest-point search is used.
 
 use crate::base::feature;
 use crate::base::nearest::{Nearest, direction_and_length};
 use crate::dim::math::{Real, Vector};
 use parry::shape::{ConvexPolygon, PackedFeatureId, TypedShape};
 
-/// The nearest place, if the shape is a convex polygon whose normals are good enough to tell. If it is surely farther than `reach`, a place in whose line
-/// the polygon is apart from the point will do.
+/// The nearest point, if the shape is a convex polygon with sufficiently exact normals. If it is surely
+/// farther than `reach`, a place in whose line the polygon is apart from the point will do.
 pub fn nearest_on_hull(shape: TypedShape<'_>, point: Vector, reach: Real) -> Option<Nearest> {
     let TypedShape::ConvexPolygon(polygon) = shape else { return None };
     nearest_by_sides(polygon, point, reach).filter(|nearest| nearest.is_proven_by(polygon.points()))

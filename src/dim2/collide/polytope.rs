@@ -16,7 +16,7 @@ pub enum Polytope<'a> {
     Hull(&'a ConvexPolygon),
     /// A triangle, and whether its corners come counter-clockwise.
     Triangle(&'a Triangle, bool),
-    /// A segment: one face each way.
+    /// A segment: one face for each direction.
     Segment(&'a Segment),
 }
 
@@ -27,7 +27,7 @@ pub struct Face {
     pub id: usize,
     /// Unit outward normal.
     pub normal: Vector,
-    /// How far it is from the origin along the normal.
+    /// Distance from the origin along the normal.
     pub offset: Real,
 }
 
@@ -43,7 +43,7 @@ pub struct Edge {
 /// An end of a face.
 #[derive(Copy, Clone)]
 pub(super) struct Corner {
-    /// Where it is.
+    /// Its position.
     pub point: Vector,
     /// Its feature.
     pub vertex: PackedFeatureId,

@@ -1,4 +1,4 @@
-//! What lies over a segment, a segment per lane.
+//! Points over a segment, a segment per lane.
 
 use super::clip::RIM;
 use super::flat::FlatBlock;
@@ -18,8 +18,8 @@ pub struct Rims<W> {
 }
 
 impl<W: Wide> Rims<W> {
-    /// Those of the segments of a block. No rim is wider than `tolerance`: a share of a long segment could be more
-    /// than the size of the body.
+    /// The rims of the segments of a block. No rim is wider than `tolerance`: a fraction of a long segment
+    /// could be more than the size of the body.
     #[inline(always)]
     pub fn of(block: &FlatBlock, _normal: Vector, tolerance: Real) -> Self {
         let (start, end) = (WideVector::load(&block[0]), WideVector::load(&block[1]));
@@ -29,7 +29,8 @@ impl<W: Wide> Rims<W> {
         Self { start, along, length, rim }
     }
 
-    /// Is a point over the segment? On the rim, as [`clip_faces`](super::clip_faces) has it, is inside.
+    /// Returns whether a point is over the segment. On the rim, as [`clip_faces`](super::clip_faces) has it,
+    /// is inside.
     #[inline(always)]
     pub fn contain(&self, point: WideVector<W>) -> W::Mask {
         let place = self.along.dot(point - self.start);

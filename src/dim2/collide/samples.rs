@@ -6,7 +6,7 @@ use parry::shape::{Segment, Shape, SharedShape, TriMeshFlags, Voxels};
 
 /// Number of kinds of shapes that [`shape`] makes.
 pub const KINDS: usize = 15;
-/// How many of these are convex and bounded; they come first.
+/// The number of convex and bounded ones; they come first.
 pub const CONVEX_KINDS: usize = 9;
 /// The kind that is a mesh.
 pub const MESH: usize = 10;
@@ -96,8 +96,7 @@ pub fn surface(hull: &dyn Shape) -> Vec<Segment> {
     points.iter().zip(next).map(|(start, end)| Segment::new(*start, *end)).collect()
 }
 
-/// A line, twice over, that is long and slants; how a box stands on it, and the way out over its end, which is the
-/// origin.
+/// A long slanted line, twice: a box on it, and the separation over its end, which is the origin.
 pub fn long_edge(length: Real) -> (SharedShape, Rotation, Vector) {
     let points = vec![Vector::splat(-length), Vector::ZERO];
     let line = SharedShape::polyline(points, Some(vec![[0, 1], [1, 0]]));

@@ -23,7 +23,7 @@ pub(crate) struct PointRow {
 }
 
 impl PointRow {
-    /// Where the point is along the tangent, from the first centre of mass.
+    /// Position of the point along the tangent, from the first centre of mass.
     #[inline(always)]
     pub fn place<W: Wide>(&self) -> [W; 1] {
         [W::load(&self.x)]
@@ -32,8 +32,8 @@ impl PointRow {
 
 /// [`LANES`] contact constraints of one colour.
 ///
-/// The order of the fields is the order of use: the solve pass reads up to `coupling`, the relax
-/// pass the rest but for the places, which nobody reads until the end.
+/// The order of the fields is the order of use. The solve pass reads up to `coupling`, and the relax pass the
+/// rest except the places, which are read at the end only.
 #[derive(Clone, Debug)]
 #[repr(C)]
 pub(crate) struct ContactBlock {
@@ -100,7 +100,7 @@ impl ContactBlock {
         }
     };
 
-    /// Copies what normal impulses need to know from a lane of another block.
+    /// Copies the input of normal impulses from a lane of another block.
     pub fn copy_normal_lane(&mut self, lane: usize, from: &Self, source: usize) {
         let copy = |to: &mut Lane, from: &Lane| to.0[lane] = from.0[source];
         let copy_vector = |to: &mut WideVector<Lane>, from: &WideVector<Lane>| {

@@ -10,9 +10,9 @@
 //! K = t·(M1⁻¹ + M2⁻¹) t + ρₙ² I1⁻¹ + (ρₙ + cₙ)² I2⁻¹
 //! ```
 //!
-//! An impulse along a line acts the same wherever on the line it attacks. So of the friction centre
-//! only its height `ρₙ` matters, and one row does what a row per point would do, but for points of
-//! different heights.
+//! An impulse along a line acts the same wherever on the line it attacks. Only the height `ρₙ` of the
+//! friction centre matters, and one row is equivalent to one per point, except for points of different
+//! heights.
 //!
 //! Source: Catto, "Modeling and Solving Constraints" (GDC 2009); the central row is Bepu's.
 
@@ -61,7 +61,7 @@ pub(super) fn prepare<W: Wide>(
 /// The coordinate of the friction centre along the normal.
 #[inline(always)]
 fn center_height<W: Wide>(points: &[Point<W>; MAX_MANIFOLD_POINTS], prediction: W) -> W {
-    // Weights fade out as points move apart; the floor keeps a manifold that hovers well defined.
+    // Weights decrease as points move apart; the lower bound keeps a separated manifold well defined.
     let floor = (prediction * W::splat(0.01)).max(W::splat(Real::EPSILON));
     let (mut sum, mut height) = (W::zero(), W::zero());
     for point in points {

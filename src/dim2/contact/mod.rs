@@ -1,29 +1,28 @@
 //! # Contact constraints in 2D
 //!
 //! One constraint is one manifold: one or two points with one normal. [`LANES`](crate::base::wide::LANES)
-//! constraints that share no dynamic body stand side by side in a [`ContactBlock`].
+//! constraints without a common dynamic body fill the lanes of a [`ContactBlock`].
 //!
 //! ## The contact frame
-//! All of a constraint happens in the right-handed frame `(t, n)` of its tangent and its normal. Let
-//! `x1, x2` be the centres of mass, `p` a contact point and `ρ = p - x1`; then `p - x2 = ρ + c` with
-//! `c = x1 - x2`, the same for both points. The relative normal velocity at a point is
+//! All of a constraint happens in the right-handed frame `(t, n)` of its tangent and its normal. Let `x1, x2`
+//! be the centres of mass, `p` a contact point and `ρ = p - x1`. Then `p - x2 = ρ + c` with `c = x1 - x2`,
+//! the same for both points. The relative normal velocity at a point is
 //!
 //! ```text
 //! Ċ = n·(v2 - v1) + ((ρ + c) × n) ω2 - (ρ × n) ω1,        ρ × n = ρₜ in the contact frame
 //!   = [n·(v2 - v1) + cₜ ω2] + ρₜ (ω2 - ω1)
 //! ```
 //!
-//! The bracket is shared by the points, so a point costs one multiplication and stores one number of
-//! its Jacobian. The separation is followed during the step by the same row, applied to displacements
-//! instead of velocities: `C = C₀ + J·Δx`. (Turning the lever arms with the bodies instead, as other
-//! engines do, costs two rotations per point and substep and is no nearer to the truth for anything
-//! that rolls.)
+//! The bracket is shared by the points, so a point costs one multiplication and stores one number of its
+//! Jacobian. The separation is followed during the step by the same row, applied to displacements instead of
+//! velocities: `C = C₀ + J·Δx`. (Other engines rotate the moment arms with the bodies. That costs two
+//! rotations per point and substep and is not more exact for rolling bodies.)
 //!
 //! ## Sequential impulses without the bodies
-//! Gauss–Seidel over the points needs the second point to see the impulse of the first. Rather than
-//! apply it to the bodies, we keep the coupling `K₀₁ = J₀ M⁻¹ J₁ᵀ` and update the relative velocity of
-//! the second point: `Ċ₁ += K₀₁ Δλ₀`. The bodies get the sum of both impulses at the end. In exact
-//! arithmetic this is the same method.
+//! Gauss–Seidel over the points needs the second point to see the impulse of the first. Instead of applying
+//! it to the bodies, the solver stores the coupling `K₀₁ = J₀ M⁻¹ J₁ᵀ` and updates the relative velocity of
+//! the second point: `Ċ₁ += K₀₁ Δλ₀`. The bodies get the sum of both impulses at the end. In exact arithmetic
+//! this is the same method.
 //!
 //! ## The soft row
 //! With the softness of [`Softness`](crate::model::params::Softness) (bias rate `b`, mass scale `m`,
@@ -48,6 +47,6 @@ mod tests;
 
 pub(crate) use block::ContactBlock;
 pub(crate) use coulomb::CoulombBlock;
-pub(crate) use prepare::{Surroundings, prepare};
+pub(crate) use prepare::{PrepareContext, prepare};
 pub(crate) use rows::{Frame, NormalImpulse, NormalRow};
-pub(crate) use solve::{Bodies, relax, rub_block, solve, values_at};
+pub(crate) use solve::{Bodies, relax, solve, solve_block_friction, values_at};

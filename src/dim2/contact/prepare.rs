@@ -13,7 +13,7 @@ use crate::dim2::state::{
 use crate::dim2::wide::WideVector;
 use crate::model::contact::{ContactInput, MotionSince};
 
-/// One contact point on its way from a manifold to a row.
+/// One contact point between manifold and row.
 #[derive(Copy, Clone)]
 pub(super) struct Point<W> {
     /// In the contact frame, from the first centre of mass.
@@ -33,7 +33,7 @@ pub(super) struct Pair<W> {
 
 /// The bodies as constraints are prepared.
 #[derive(Copy, Clone)]
-pub(crate) struct Surroundings<'a> {
+pub(crate) struct PrepareContext<'a> {
     pub poses: &'a [BodyPose],
     pub states: &'a DisjointMut<'a, BodyState>,
 }
@@ -43,13 +43,13 @@ pub(crate) struct Surroundings<'a> {
 /// `prediction` is how far apart points may be.
 ///
 /// # Safety
-/// Nobody else may touch the states of the block's bodies meanwhile.
+/// The caller has exclusive access to the states of the block's bodies.
 #[inline(always)]
 pub(crate) unsafe fn prepare<W: Wide>(
     input: &ContactInput,
     block: &mut ContactBlock,
     _coulomb: Option<&mut CoulombBlock>,
-    Surroundings { poses, states }: Surroundings<'_>,
+    PrepareContext { poses, states }: PrepareContext<'_>,
     prediction: Real,
 ) {
     let (pair, points) = read_geometry::<W>(input, block, poses);
@@ -61,12 +61,12 @@ pub(crate) unsafe fn prepare<W: Wide>(
     unsafe { warm_start(block, &pair, &points, &friction, states) };
 }
 
-/// Where the points are in the world and in the contact frame, as the bodies stand now: the frame, `c` and the points
-/// in it.
+/// The points in the world and in the contact frame, at the bodies' current poses: the frame, `c` and the
+/// points in it.
 ///
-/// Frame, levers and `c` of contacts that are [held](crate::model::contact::Placement) are those of their placement.
-/// Positions in the world are subtracted from each other before anything small is added: far from the origin they have
-/// few digits behind the point, and their differences have all that are left.
+/// [Frozen](crate::model::contact::AnchorFrame) contacts keep the frame, the moment arms and `c` of their
+/// last transformation. World positions are subtracted from each other before anything small is added: far
+/// from the origin they have few fractional digits, and their differences keep all of them.
 #[inline(always)]
 fn read_geometry<W: Wide>(
     input: &ContactInput,
@@ -77,7 +77,7 @@ fn read_geometry<W: Wide>(
         scaled(gather_poses::<W>(poses, &input.bodies[0]), &input.mass_factors[0]),
         scaled(gather_poses::<W>(poses, &input.bodies[1]), &input.mass_factors[1]),
     ];
-    let motion = MotionSince::new(&input.placement, &input.is_world, &poses);
+    let motion = MotionSince::new(&input.anchor_frame, &input.is_world, &poses);
     let (n, c) = (motion.normal, motion.offset());
     let frame = Frame::about(n);
 
@@ -86,12 +86,12 @@ fn read_geometry<W: Wide>(
         Point { local: WideVector::zero(), separation: zero, present: zero, impulse: zero };
     let mut points = [absent; MAX_MANIFOLD_POINTS];
     for k in 0..MAX_MANIFOLD_POINTS {
-        let placed = WideVector::load(&input.levers[k]);
-        let (lever, moved) = motion.at(placed);
+        let placed = WideVector::load(&input.arms[k]);
+        let (arm, moved) = motion.at(placed);
         let separation = W::load(&input.placed_separations[k]) + n.dot(moved);
-        (motion.origin + lever).store(&mut block.places[k]);
+        (motion.origin + arm).store(&mut block.places[k]);
         points[k] = Point {
-            local: frame.local(WideVector::select(motion.is_held, placed, lever)),
+            local: frame.local(WideVector::select(motion.is_frozen, placed, arm)),
             separation,
             present: W::load(&input.present[k]),
             impulse: W::load(&input.impulses[k]),

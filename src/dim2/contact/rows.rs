@@ -1,4 +1,5 @@
-//! The contact frame, and what all rows in it share: velocities out of the bodies, impulses into them.
+//! The contact frame, and the common operations of its rows: velocities out of the bodies, impulses into
+//! them.
 
 use super::block::ContactBlock;
 use crate::base::wide::Wide;

@@ -1,6 +1,6 @@
 //! The frame of the plane, and the friction row that looks at heights alone.
 //!
-//! What both dimensions have is tested where the passes are driven from, in `step/solver/tests`.
+//! Tests of both dimensions are in `step/solver/tests`, where the passes are called.
 
 use super::friction::{self, WideFriction};
 use super::prepare::{Pair, Point};
@@ -55,7 +55,7 @@ struct Touch {
     normal_impulse: Real,
 }
 
-/// One visit of the friction row: the impulse in world space.
+/// One iteration of the friction row: the impulse in world space.
 struct Visit<'a>(&'a Touch);
 
 impl Kernel for Visit<'_> {

@@ -3,7 +3,7 @@
 use crate::dim2::joint_axes::{JointAxesMask, JointAxis, twist};
 use crate::dim2::math::{AngVector, Real, Rotation, SpatialVector};
 
-/// Which rotations of a joint are free, and which of these are measured together.
+/// Free rotations of a joint, and groups of them that are measured together.
 #[derive(Copy, Clone, Debug)]
 pub(crate) struct FreeRotations {
     free: JointAxesMask,
@@ -15,7 +15,7 @@ impl FreeRotations {
         Self { free }
     }
 
-    /// Is there only one free rotation? Then its turns can be counted.
+    /// Returns whether there is only one free rotation. Then its turns can be counted.
     pub fn is_single(&self) -> bool {
         self.free.contains(JointAxesMask::ANG_X)
     }

@@ -12,7 +12,7 @@ pub(crate) fn inertia_about(inv_inertia: &AngularInertia) -> Option<Real> {
     (*inv_inertia > 0.0).then(|| 1.0 / inv_inertia)
 }
 
-/// Are the moments of inertia about all axes the same? In 2D there is one.
+/// Returns whether the moments of inertia about all axes are equal. In 2D there is one.
 pub(crate) fn is_round(_inv_inertia: &AngularInertia) -> bool {
     true
 }
@@ -30,23 +30,24 @@ impl JointedInertias {
         set_symmetric_lane(&mut self.0[side], lane, value);
     }
 
-    /// Does the inertia of a body of this lane turn with it? It is a number.
-    pub fn tumble(&self, _lane: usize) -> bool {
+    /// Returns, as a number, whether the world-space inertia of this lane's body changes with its rotation.
+    /// It is a number.
+    pub fn gyroscopic(&self, _lane: usize) -> bool {
         false
     }
 
-    /// That of one lane's first or second body as it stands now.
+    /// The current inertia of one lane's first or second body.
     pub fn lane(&self, side: usize, lane: usize) -> AngularInertia {
         symmetric_lane(&self.0[side], lane)
     }
 
-    /// Those of all lanes, in memory.
+    /// The inertias of all lanes, in memory.
     #[inline(always)]
     pub fn lanes(&self) -> &[WideSymmetric<Lane>; 2] {
         &self.0
     }
 
-    /// Those of all lanes.
+    /// The inertias of all lanes.
     #[inline(always)]
     pub fn load<W: Wide>(&self) -> [WideSymmetric<W>; 2] {
         [load_symmetric(&self.0[0]), load_symmetric(&self.0[1])]

@@ -1,21 +1,21 @@
 //! # Joint frames in 2D
 //!
-//! What a joint needs to know of rotations, lane by lane and for one joint at a time. There is one axis of
-//! rotation. If it is locked, the error is `2 tan(φ/2)` of the angle `φ` between the frames: the angle
-//! for small ones, and without a jump up to half a turn.
+//! Rotations of joints, lane by lane and for one joint at a time. There is one axis of rotation. If it is
+//! locked, the error is `2 tan(φ/2)` of the angle `φ` between the frames: the angle for small ones, and
+//! continuous up to half a turn.
 
 mod angle;
 mod frame;
-mod gauge;
+mod angle_tracker;
 mod inertia;
 mod point;
 
 pub(crate) use angle::{FreeRotations, angle_about, couple_of, set_couple};
+pub(crate) use angle_tracker::AngleTracker;
 pub(crate) use frame::{
     angular_to_frame, angular_to_world, axes, components, frame_between, from_components,
     linear_to_world, locked_rotations,
 };
-pub(crate) use gauge::AngleGauge;
 #[cfg(test)]
 pub(crate) use inertia::unit_inertia;
 pub(crate) use inertia::{JointedInertias, inertia_about, is_round};

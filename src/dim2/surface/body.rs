@@ -55,7 +55,7 @@ impl RigidBody {
         self.set_enabled_rotations(enabled, wake_up);
     }
 
-    /// Is the body kept from turning?
+    /// Returns whether the rotation of the body is locked.
     pub fn is_rotation_locked(&self) -> bool {
         self.locked_axes().contains(LockedAxes::ROTATION_LOCKED_Z)
     }

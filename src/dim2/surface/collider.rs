@@ -20,7 +20,7 @@ impl ColliderBuilder {
 }
 
 impl ColliderBuilder {
-    /// A convex polygon from its corners in order, either way round, without looking for the hull.
+    /// A convex polygon from its corners in order, in either orientation, without a hull computation.
     ///
     /// `None` if a coordinate is not finite, or if the polygon is not convex or has no area.
     pub fn convex_polyline(points: Vec<Vector>) -> Option<Self> {
@@ -41,9 +41,8 @@ impl ColliderBuilder {
         Self::round(convex_outline(points).ok(), border_radius)
     }
 
-    /// A chain of segments that is solid on one side: on the left of each segment, seen along its
-    /// direction, so that a closed chain that goes round counter-clockwise is solid inside. Without
-    /// indices, each vertex is joined to the next one.
+    /// A one-sided chain of segments: solid on the left of each segment, seen along its direction. A closed
+    /// counter-clockwise chain is thus solid inside. Without indices, each vertex is joined to the next one.
     pub fn oriented_polyline(vertices: Vec<Vector>, indices: Option<Vec<[u32; 2]>>) -> Self {
         Self::polyline_with_flags(vertices, indices, PolylineFlags::ORIENTED)
     }

@@ -19,21 +19,21 @@ impl Default for RevoluteJointBuilder {
 }
 
 impl RevoluteJoint {
-    /// A pin through the origins of the bodies.
+    /// A revolute joint through the origins of the bodies.
     pub fn new() -> Self {
         Self { data: GenericJoint::new(JointAxesMask::LOCKED_REVOLUTE_AXES) }
     }
 }
 
 impl RevoluteJointBuilder {
-    /// A pin through the origins of the bodies.
+    /// A revolute joint through the origins of the bodies.
     pub fn new() -> Self {
         Self(RevoluteJoint::new())
     }
 }
 
 joint_kind! {
-    /// Lets a pin of the second body slide in a slot of the first one, and turn there: a wheel on a
+    /// A pin of the second body slides in a slot of the first one, and rotates there: a wheel on a
     /// suspension.
     PinSlotJoint, PinSlotJointBuilder
 }

@@ -1,10 +1,10 @@
 //! The axes that separate a box and triangles best, a triangle per lane.
 //!
-//! A box and a triangle are apart exactly if they are along one of 13 axes: the three of the box, the
-//! normal of the triangle, and nine products of edges (Akenine-Möller 2001, "Fast 3D triangle-box overlap
-//! testing"). If they are not, the axis of least overlap is the contact normal. Meshes are made of nothing
-//! but triangles; a body has dozens of them around it and touches a few, most of which are in its way for the
-//! first time. So nothing is remembered of them, and as many are tried at once as a register has lanes.
+//! A box and a triangle are apart exactly if they are separated along one of 13 axes: the three of the box,
+//! the normal of the triangle, and nine products of edges (Akenine-Möller 2001, "Fast 3D triangle-box overlap
+//! testing"). If they are not, the axis of least overlap is the contact normal. A body has dozens of mesh
+//! triangles around it and touches a few, and most of them are new candidates. So nothing is remembered of
+//! them, and as many are tried at once as a register has lanes.
 
 use super::flat::{FlatBlock, FlatShape, set_flat_lane};
 use super::polytope::Polytope;
@@ -14,10 +14,10 @@ use crate::dim::math::{Pose, Real, Vector};
 use crate::dim::wide::{WideVector, cross};
 use parry::bounding_volume::Aabb;
 
-/// How much more overlap a face may have than another axis and still be preferred, as a share of the
-/// smallest half extent.
+/// Tolerance on the overlap within which a face is preferred to another axis, as a fraction of the smallest
+/// half extent.
 const TOLERANCE: Real = 0.01;
-/// Of equal faces the triangle's is taken: the share of the tolerance that decides.
+/// Of equal faces the triangle's is taken, by this fraction of the tolerance.
 const FIRST_FACE: Real = 0.1;
 /// An axis with at least this cosine to the normal of last time is the same axis.
 const SAME_AXIS: Real = 0.98;
@@ -70,8 +70,8 @@ pub fn best_axis(
     let of = |half: Vector, flat: &FlatShape, pose: &Pose, hint: Vector| {
         let (mut block, mut axes) = (FlatBlock::default(), FlatAxes::default());
         set_flat_lane(&mut block, 0, flat);
-        let sieve = Sieve::new(&Aabb::from_half_extents(Vector::ZERO, half), pose, 0.0);
-        sieve.near(&block, Simd::baseline(), &mut axes);
+        let culling = TriangleCulling::new(&Aabb::from_half_extents(Vector::ZERO, half), pose, 0.0);
+        culling.near(&block, Simd::baseline(), &mut axes);
         axes.best(0, half, hint)
     };
     match (polytope1, polytope2) {
@@ -88,7 +88,7 @@ pub fn best_axis(
 }
 
 /// A box, and how near is near.
-pub struct Sieve {
+pub struct TriangleCulling {
     half: Vector,
     reach: Real,
     /// The axes of the triangles' frame and its origin, as seen from the middle of the box.
@@ -96,7 +96,7 @@ pub struct Sieve {
     origin: Vector,
 }
 
-impl Sieve {
+impl TriangleCulling {
     /// For triangles in a frame that stands at `pose` in the frame of the box.
     pub fn new(around: &Aabb, pose: &Pose, reach: Real) -> Self {
         Self {
@@ -109,12 +109,12 @@ impl Sieve {
 
     /// Finds the axes of each triangle. Returns a bit for each that is no farther than `reach` along any.
     pub fn near(&self, flats: &FlatBlock, simd: Simd, axes: &mut FlatAxes) -> u32 {
-        simd.run(Pass { sieve: self, flats, axes })
+        simd.run(Pass { culling: self, flats, axes })
     }
 }
 
 struct Pass<'a> {
-    sieve: &'a Sieve,
+    culling: &'a TriangleCulling,
     flats: &'a FlatBlock,
     axes: &'a mut FlatAxes,
 }
@@ -124,7 +124,7 @@ impl Kernel for Pass<'_> {
 
     #[inline(always)]
     fn run<W: Wide>(self) -> u32 {
-        let half = WideVector::<W>::splat(self.sieve.half);
+        let half = WideVector::<W>::splat(self.culling.half);
         let [a, b, c] = [self.corner(0), self.corner(1), self.corner(2)];
         let edges = [b - a, c - b, a - c];
         let of_box = Axis::of_box(half, [a, b, c]);
@@ -139,7 +139,7 @@ impl Kernel for Pass<'_> {
         of_triangle.store(1, self.axes);
         of_edges.store(2, self.axes);
         let gap = of_box.gap.max(of_triangle.gap).max(of_edges.gap);
-        W::bits(gap.le(W::splat(self.sieve.reach)))
+        W::bits(gap.le(W::splat(self.culling.reach)))
     }
 }
 
@@ -148,8 +148,8 @@ impl Pass<'_> {
     #[inline(always)]
     fn corner<W: Wide>(&self, index: usize) -> WideVector<W> {
         let corner = WideVector::load(&self.flats[index]);
-        let [x, y, z] = self.sieve.axes;
-        WideVector::splat(self.sieve.origin)
+        let [x, y, z] = self.culling.axes;
+        WideVector::splat(self.culling.origin)
             + WideVector::splat(x) * corner.x
             + WideVector::splat(y) * corner.y
             + WideVector::splat(z) * corner.z
@@ -179,8 +179,8 @@ impl<W: Wide> Axis<W> {
         best
     }
 
-    /// The triangle's normal. All corners are at one height along it, but for those of needles, whose normal is
-    /// made of rounding.
+    /// The triangle's normal. All corners have one height along it, except for needles, whose normal consists
+    /// of rounding.
     #[inline(always)]
     fn of_triangle(
         half: WideVector<W>,
@@ -247,13 +247,13 @@ impl<W: Wide> Axis<W> {
     }
 }
 
-/// The product of an axis of the box and an edge, as seen along the axis: a direction at right angles to the
-/// edge's shadow, and as long.
+/// The product of an axis of the box and an edge, projected along the axis: perpendicular to the edge's
+/// projection, with the same length.
 #[derive(Copy, Clone)]
 struct Product<W> {
     edge: [W; 2],
     length_squared: W,
-    /// How high the edge is along it, and how far the box reaches.
+    /// Height of the edge along it, and extent of the box.
     on_edge: W,
     radius: W,
 }
@@ -278,7 +278,7 @@ impl<W: Wide> Product<W> {
 
 #[cfg(test)]
 mod tests {
-    use super::{FlatAxes, FlatBlock, Sieve, set_flat_lane};
+    use super::{FlatAxes, FlatBlock, TriangleCulling, set_flat_lane};
     use crate::base::random::Random;
     use crate::base::wide::{LANES, Simd};
     use crate::dim::math::{Pose, Real, Vector};
@@ -286,7 +286,7 @@ mod tests {
     use parry::bounding_volume::Aabb;
     use parry::shape::Triangle;
 
-    /// How far a box and a triangle are apart along the best of all axes, one after the other.
+    /// Distance of a box and a triangle along the best of all axes, in sequence.
     fn gap(half: Vector, pose: &Pose, triangle: &Triangle) -> Real {
         let [a, b, c] = [triangle.a, triangle.b, triangle.c].map(|corner| *pose * corner);
         let edges = [b - a, c - b, a - c];
@@ -317,10 +317,11 @@ mod tests {
                 set_flat_lane(&mut block, lane, triangle);
             }
             let reach = 0.05;
-            let sieve = Sieve::new(&Aabb::from_half_extents(Vector::ZERO, half), &pose, reach);
+            let culling =
+                TriangleCulling::new(&Aabb::from_half_extents(Vector::ZERO, half), &pose, reach);
             let (mut wide, mut baseline) = (FlatAxes::default(), FlatAxes::default());
-            let near = sieve.near(&block, Simd::detect(), &mut wide);
-            assert_eq!(near, sieve.near(&block, Simd::baseline(), &mut baseline));
+            let near = culling.near(&block, Simd::detect(), &mut wide);
+            assert_eq!(near, culling.near(&block, Simd::baseline(), &mut baseline));
             for (lane, triangle) in triangles.iter().enumerate() {
                 let expected = gap(half, &pose, triangle);
                 let found = wide.gaps.iter().map(|gap| gap.0[lane]).fold(Real::MIN, Real::max);
@@ -340,7 +341,7 @@ mod tests {
         }
     }
 
-    /// The normal of a needle is made of rounding, and must not tell apart what touches.
+    /// The normal of a needle consists of rounding, and must not separate touching shapes.
     #[test]
     fn needles_are_as_near_as_segments() {
         let mut random = Random(8);
@@ -353,8 +354,9 @@ mod tests {
             let needle = Triangle::new(a, b, a + (b - a) * between.clamp(0.0, 1.0));
             let mut block = FlatBlock::default();
             set_flat_lane(&mut block, 0, &needle);
-            let sieve = Sieve::new(&Aabb::from_half_extents(Vector::ZERO, half), &pose, 0.05);
-            let found = sieve.near(&block, Simd::detect(), &mut FlatAxes::default());
+            let culling =
+                TriangleCulling::new(&Aabb::from_half_extents(Vector::ZERO, half), &pose, 0.05);
+            let found = culling.near(&block, Simd::detect(), &mut FlatAxes::default());
             let cuboid = parry::shape::Cuboid::new(half);
             let segment = parry::shape::Segment::new(a, b);
             let distance = parry::query::distance(&Pose::IDENTITY, &cuboid, &pose, &segment);

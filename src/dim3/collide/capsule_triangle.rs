@@ -1,8 +1,8 @@
 //! A capsule and a triangle: the part of the axis above the face, or the point where the axis is
 //! nearest to an edge.
 //!
-//! The axis, a segment, is nearest to the triangle at one of its ends, above the face, or at an edge
-//! (Ericson 2005, "Real-Time Collision Detection", section 5.1.10), or it goes through.
+//! The axis, a segment, is nearest to the triangle at one of its ends, above the face, or at an edge (Ericson
+//! 2005, "Real-Time Collision Detection", section 5.1.10), or it passes through.
 
 use super::clip::{FaceContact, clip_faces};
 use super::polytope::Polytope;
@@ -70,8 +70,8 @@ pub fn capsule_triangle(
     Some(bound.max(0.0))
 }
 
-/// How far what of the axis is above the face or below it is from it, 0 if it goes through, and whether it is
-/// below; `None` if nothing is. What goes through leaves on the side of its longer end.
+/// Distance of the part of the axis above or below the face, 0 if it passes through, and whether it is below;
+/// `None` if there is no such part. An axis that passes through leaves on the side of its longer end.
 fn nearest_to_face(
     axis: [Vector; 2],
     corners: [Vector; 3],
@@ -95,7 +95,7 @@ fn nearest_to_face(
     Some((heights[nearest].abs(), heights[nearest] < 0.0))
 }
 
-/// Where the axis is nearest to the edges.
+/// The points of the axis and the edges that are nearest to each other.
 fn nearest_to_edges([start, end]: [Vector; 2], corners: [Vector; 3]) -> Nearest {
     let mut best = (Real::INFINITY, Vector::ZERO, Vector::ZERO, 0);
     for index in 0..3 {

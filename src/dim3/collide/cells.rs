@@ -21,7 +21,7 @@ pub fn for_each_cell(field: &HeightField, region: &Aabb, f: &mut CellVisitor<'_>
     });
 }
 
-/// May the triangles be hit from everywhere?
+/// Returns whether the triangles are two-sided.
 pub fn has_free_cells(field: &HeightField) -> bool {
     !field.flags().contains(HeightFieldFlags::FIX_INTERNAL_EDGES)
 }

@@ -1,8 +1,8 @@
 //! The overlap of two faces of polytopes.
 //!
-//! Sutherland and Hodgman 1974: one polygon is cut by the planes through the edges of the other, one
-//! after the other. Each edge of what is left remembers whether it is an edge of the cut polygon or
-//! lies in one of the planes; where two edges meet, these tell which features of the polytopes do.
+//! Sutherland and Hodgman 1974: one polygon is cut by the planes through the edges of the other, one after
+//! the other. Each remaining edge stores whether it is an edge of the cut polygon or lies in one of the
+//! planes. The two edges of a corner define its features.
 
 use super::polytope::{Corner, Corners, Face, Polytope};
 use super::{RawManifold, RawPoint};
@@ -11,9 +11,9 @@ use crate::dim::math::{Pose, Real, Vector};
 use arrayvec::ArrayVec;
 use parry::shape::PackedFeatureId;
 
-/// Points that stick out of a face by up to this share of its edge still count as inside: faces of
-/// equal size meet often, and rounding must not decide what their corners are. The same share above
-/// the deepest point is still as deep.
+/// Points outside a face by up to this fraction of its edge still count as inside: faces of equal size meet
+/// often, and rounding must not determine their corners. Points above the deepest by the same fraction count
+/// as equally deep.
 pub(super) const RIM: Real = 5.0e-3;
 /// Most corners of an overlap.
 const MAX_OVERLAP: usize = 64;
@@ -34,7 +34,7 @@ pub struct FaceContact<'a> {
 pub struct Deepest {
     /// Its distance from the face.
     pub dist: Real,
-    /// How much deeper another point would have to be to matter.
+    /// Minimum additional depth of another relevant point.
     pub tolerance: Real,
 }
 
@@ -105,7 +105,7 @@ pub fn clip_faces(
     Some(Deepest { dist: deepest, tolerance: tolerance(&cutting) })
 }
 
-/// How much deeper another point of the other polytope must be to matter.
+/// Minimum additional depth of another relevant point of the other polytope.
 fn tolerance(face: &Corners) -> Real {
     match face.as_slice() {
         [first, second, ..] => RIM * first.point.distance(second.point),
@@ -160,8 +160,8 @@ fn clip_line(
     Some(Deepest { dist: deepest, tolerance: tolerance(&cutting) })
 }
 
-/// Puts into `result` the part of a polygon that lies below a plane, `outward` being its normal, of the
-/// length of the edge that it contains.
+/// Writes to `result` the part of a polygon below a plane; `outward` is the plane's normal, with the length
+/// of the edge that it contains.
 fn cut_by(polygon: &Overlap, index: u8, on_plane: Vector, outward: Vector, result: &mut Overlap) {
     let rim = RIM * outward.length_squared();
     let height = |vertex: &Vertex| outward.dot(vertex.point - on_plane);
@@ -192,11 +192,11 @@ fn cut_by(polygon: &Overlap, index: u8, on_plane: Vector, outward: Vector, resul
 }
 
 fn push(polygon: &mut Overlap, point: Vector, edge: Edge) {
-    // More corners than there is room for cannot come from two faces of the size they have.
+    // Two faces of this size have no more corners than the capacity.
     let _ = polygon.try_push(Vertex { point, edge });
 }
 
-/// What the edges of the overlap are called.
+/// Names of the edges of the overlap.
 struct Names<'a> {
     cutting: &'a Corners,
     cut: &'a Corners,

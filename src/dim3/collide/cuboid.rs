@@ -1,20 +1,18 @@
 //! Two boxes: separating axes, then the overlap of the two faces that meet, or the two edges.
 //!
-//! Boxes are apart exactly if they are apart along one of 15 axes: three face normals of each, and
-//! nine products of edges (Gottschalk, Lin, Manocha 1996, "OBBTree", section 5). If they are not, the
-//! axis of least overlap is the contact normal. Of axes that are nearly as good, a face is taken
-//! rather than a pair of edges, and the axis of last time rather than another, so that a resting box
-//! does not flicker between them.
+//! Boxes are apart exactly if they are separated along one of 15 axes: three face normals of each, and nine
+//! products of edges (Gottschalk, Lin, Manocha 1996, "OBBTree", section 5). If they are not, the axis of
+//! least overlap is the contact normal. Of nearly equal axes, a face is preferred to a pair of edges, and the
+//! last axis to another, so that a resting box does not alternate between them.
 
 use super::cuboid_faces::{FacePair, face_points};
 use super::features::box_feature;
 use super::{RawManifold, RawPoint};
 use crate::dim::math::{Matrix, Pose, Real, Vector};
 
-/// How much more overlap an axis may have and still be preferred, as a share of the smallest half
-/// extent.
+/// Tolerance on the overlap within which an axis is preferred, as a fraction of the smallest half extent.
 const TOLERANCE: Real = 0.01;
-/// Of equal faces the first box's is taken: the share of the tolerance that decides.
+/// Of equal faces the first box's is taken, by this fraction of the tolerance.
 const FIRST_FACE: Real = 0.1;
 /// An axis with at least this cosine to the normal of last time is the same axis.
 const SAME_AXIS: Real = 0.98;
@@ -99,7 +97,7 @@ pub fn cuboid_cuboid(
 }
 
 impl Boxes {
-    /// How far the boxes are apart along the face normals of each.
+    /// Distances of the boxes along the face normals of each.
     fn face_gaps(&self) -> [Vector; 2] {
         let (columns, rows) = (abs(self.rotation), abs(self.rotation.transpose()));
         [
@@ -108,7 +106,7 @@ impl Boxes {
         ]
     }
 
-    /// How far the boxes are apart along the best product of two edges, and which these are.
+    /// Distance of the boxes along the best product of two edges, and these edges.
     fn edge_gap(&self) -> (Real, (usize, usize)) {
         let rows = self.rotation.transpose();
         let rows = [rows.x_axis, rows.y_axis, rows.z_axis];

@@ -1,19 +1,19 @@
-//! The overlap of two faces of boxes: the reference face, whose normal is the contact normal, and the
-//! face of the other box that looks at it most.
+//! The overlap of two faces of boxes: the reference face, whose normal is the contact normal, and the face of
+//! the other box that opposes it most.
 //!
-//! Seen along the normal, one is a rectangle and the other a parallelogram. Their overlap has three
-//! kinds of corners: corners of the parallelogram, crossings of edges, and corners of the rectangle.
-//! All three know which features of the boxes they lie on, whichever of the two faces is the
-//! reference, so a contact is recognised in the next step even if the roles have changed.
+//! Seen along the normal, one is a rectangle and the other a parallelogram. Their overlap has three kinds of
+//! corners: corners of the parallelogram, crossings of edges, and corners of the rectangle. All three contain
+//! the features of the boxes, independent of the reference face, so a contact is matched in the next step
+//! even if the roles have changed.
 
 use super::cuboid::{Boxes, unit};
 use super::features::box_feature;
 use super::{RawManifold, RawPoint};
 use crate::dim::math::{Matrix, Real, Vector};
 
-/// By what share the rectangle is enlarged. Boxes of equal size are stacked often: then all corners of
-/// the parallelogram are inside, and rounding does not decide which of them are. What sticks out by
-/// that share is put on the true rim.
+/// Relative enlargement of the rectangle. Boxes of equal size are stacked often: then all corners of the
+/// parallelogram are inside, and rounding does not decide which of them are. Points outside by up to that
+/// fraction are moved to the true rim.
 const RIM: Real = 5.0e-3;
 
 /// A reference face and the box that it meets.
@@ -30,7 +30,7 @@ pub(super) struct FacePair {
     rotation: Matrix,
     /// The other box's centre in this frame.
     center: Vector,
-    /// Is the reference face on the second box?
+    /// Whether the reference face is on the second box.
     flipped: bool,
 }
 
@@ -154,7 +154,7 @@ struct Overlap<'a> {
 }
 
 impl Overlap<'_> {
-    /// Does the point lie in the rectangle?
+    /// Returns whether the point lies in the rectangle.
     fn contains(&self, point: Vector) -> bool {
         point.x.abs() <= self.size[0] && point.y.abs() <= self.size[1]
     }
@@ -215,8 +215,8 @@ impl Overlap<'_> {
         }
     }
 
-    /// Adds a point of the incident face, given as seen along the normal; `sides` are the sides of the
-    /// rectangle that it lies on, `other_signs` the feature of the other box.
+    /// Adds a point of the incident face, given relative to the normal; `sides` are its sides of the
+    /// rectangle, `other_signs` the feature of the other box.
     fn add(&mut self, seen: Vector, sides: [Real; 2], other_signs: Vector) {
         let dist = seen.z;
         if dist > self.prediction {

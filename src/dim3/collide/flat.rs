@@ -1,4 +1,4 @@
-//! What surfaces are made of: triangles.
+//! Elements of surfaces: triangles.
 
 use super::polytope::Polytope;
 use crate::base::wide::Lane;
@@ -85,7 +85,7 @@ impl Flat {
         self.triangle.a
     }
 
-    /// How far it reaches along a direction.
+    /// The extent along a direction.
     pub fn height(&self, direction: Vector) -> Real {
         let [a, b, c] = flat_corners(&self.triangle).map(|corner| corner.dot(direction));
         a.max(b).max(c)

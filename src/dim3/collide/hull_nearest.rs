@@ -1,12 +1,13 @@
 //! The place on a convex hull that is nearest to a point.
 //!
-//! Inside, it is on the face that is least deep. Outside, it is on a face that can be seen from the point; if
-//! the point is above the inside of the one that it is highest above, it is there, else at the rim of that one or
-//! on another one. Faces that the point is higher above than it is away from what was found need not be looked at.
+//! Inside, it is on the face that is least deep. Outside, it is on a face that is visible from the point. If
+//! the point projects into the face with the largest distance, it is there, else at the rim of that face or
+//! on another one. Faces that the point is higher above than it is away from what was found need not be
+//! looked at.
 //!
-//! parry makes one face of neighbours that are nearly in a plane, and on thin hulls "nearly" is not near: such a
-//! face bulges through the plane of its normal. So what was found must prove itself: no corner of the hull may
-//! be above the plane through the place. Else the answer is left to a search that knows nothing of faces.
+//! parry makes one face of nearly coplanar neighbours, and its tolerance is large for thin hulls: such a face
+//! bulges through the plane of its normal. So what was found must prove itself: no corner of the hull may be
+//! above the plane through the place. Otherwise a general closest-point search is used.
 
 use crate::base::feature;
 use crate::base::nearest::{Nearest, direction_and_length};
@@ -14,7 +15,7 @@ use crate::dim::math::{Real, Vector};
 use parry::shape::{ConvexPolyhedron, PackedFeatureId, TypedShape};
 use smallvec::SmallVec;
 
-/// The nearest place, if the shape is a hull whose faces are good enough to tell. If it is surely farther than
+/// The nearest point, if the shape is a hull with sufficiently flat faces. If it is surely farther than
 /// `reach`, a place in whose plane the hull is apart from the point will do.
 pub fn nearest_on_hull(shape: TypedShape<'_>, point: Vector, reach: Real) -> Option<Nearest> {
     let TypedShape::ConvexPolyhedron(hull) = shape else { return None };
@@ -56,7 +57,7 @@ fn on_plane(hull: &ConvexPolyhedron, (face, height): (usize, Real), point: Vecto
     Nearest { point: point - normal * height, normal, dist: height, feature }
 }
 
-/// How high a point is above a face.
+/// Height of a point above a face.
 fn height(hull: &ConvexPolyhedron, face: usize, point: Vector) -> Real {
     let face = &hull.faces()[face];
     let corner = hull.vertices_adj_to_face()[face.first_vertex_or_edge as usize];
@@ -69,14 +70,14 @@ struct OnFace {
     place: Vector,
     distance_squared: Real,
     feature: PackedFeatureId,
-    /// Is it within the face, not at its rim?
+    /// Whether it is within the face, not at its rim.
     is_inside: bool,
 }
 
 /// The place on a face that is nearest to a point above it.
 ///
-/// In the plane of the face, the nearest place of a convex polygon lies on a side that the point is beyond, or
-/// there is none. Below the face (then all others are deeper) only the plane matters.
+/// In the plane of the face, the nearest point of a convex polygon lies on a side that the point is beyond,
+/// or there is none. Below the face (then all others are deeper) only the plane matters.
 fn on_face(hull: &ConvexPolyhedron, id: usize, height: Real, point: Vector) -> OnFace {
     let face = &hull.faces()[id];
     let (first, count) = (face.first_vertex_or_edge as usize, face.num_vertices_or_edges as usize);

@@ -17,7 +17,7 @@ mod rims;
 #[cfg(test)]
 pub mod samples;
 
-pub use axes::{FlatAxes, Sieve, best_axis};
+pub use axes::{FlatAxes, TriangleCulling, best_axis};
 pub use capsule_triangle::capsule_triangle;
 pub use cells::{cell_count, for_each_cell, for_each_free_cell, has_free_cells, with_cell};
 pub use clip::{FaceContact, clip_faces};

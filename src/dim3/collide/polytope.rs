@@ -9,7 +9,7 @@ use parry::shape::{
     ConvexPolyhedron, Cuboid, PackedFeatureId, Segment, Shape, SupportMap, Triangle, TypedShape,
 };
 
-/// Most corners of a face that are looked at. Of faces with more, some are left out evenly.
+/// Most corners of a face that are looked at. Faces with more corners lose some of them evenly.
 const MAX_CORNERS: usize = 32;
 
 /// A convex shape with flat faces.
@@ -32,7 +32,7 @@ pub struct Face {
     pub id: usize,
     /// Unit outward normal.
     pub normal: Vector,
-    /// How far it is from the origin along the normal.
+    /// Distance from the origin along the normal.
     pub offset: Real,
 }
 
@@ -48,7 +48,7 @@ pub struct Edge {
 /// A corner of a face. Few corners become contacts, so features are named when they do.
 #[derive(Copy, Clone)]
 pub(super) struct Corner {
-    /// Where it is.
+    /// Its position.
     pub point: Vector,
     /// The number of its feature, and that of the edge to the next corner.
     numbers: [u32; 2],
@@ -70,8 +70,8 @@ impl Corner {
 pub(super) type Corners = ArrayVec<Corner, MAX_CORNERS>;
 
 impl<'a> Polytope<'a> {
-    /// The polytope that a shape is, and how thick (length units) the layer around it is; `None` if it
-    /// is none, or has neither inside nor normal.
+    /// The polytope of a shape, and the thickness (length units) of the layer around it; `None` if it is no
+    /// polytope, or has neither interior nor normal.
     pub fn of(shape: &'a dyn Shape) -> Option<(Self, Real)> {
         let flat = |triangle: &'a Triangle| Some(Self::Triangle(triangle, triangle.normal()?));
         Some(match shape.as_typed_shape() {
@@ -226,7 +226,7 @@ const BOX_CORNERS: [[UnitCorner; 4]; 6] = {
 /// A corner of a face of a box, counter-clockwise as seen from outside.
 const fn box_corner(face: usize, index: usize) -> UnitCorner {
     let (axis, is_negative) = (face / 2, face % 2 == 1);
-    // Counter-clockwise about +axis; the other way round for the negative face.
+    // Counter-clockwise about +axis; reversed for the negative face.
     let turn = if is_negative { [2, 1] } else { [1, 2] };
     let (u, v) = ((axis + turn[0]) % 3, (axis + turn[1]) % 3);
     let mut at = [0.0; 3];
@@ -287,7 +287,7 @@ fn hull_corners(hull: &ConvexPolyhedron, id: usize) -> Corners {
 
 fn triangle_corners(triangle: &Triangle, is_back: bool) -> Corners {
     let points = [triangle.a, triangle.b, triangle.c];
-    // From behind the corners come the other way round, but keep their names.
+    // From behind, the order of the corners is reversed, but their names stay.
     let [order, edges] = if is_back { [[0, 2, 1], [2, 1, 0]] } else { [[0, 1, 2], [0, 1, 2]] };
     (0..3)
         .map(|index| Corner {

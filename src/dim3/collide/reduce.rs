@@ -3,18 +3,18 @@
 use super::RawPoint;
 use crate::dim::math::{MAX_MANIFOLD_POINTS, Real, Vector, tangents};
 
-/// Points whose depths differ by less than this share of the manifold's size are as deep as each other.
-const FLAT: Real = 5.0e-3;
+/// Points whose depths differ by less than this fraction of the manifold's size count as equally deep.
+const DEPTH_TOLERANCE: Real = 5.0e-3;
 
 /// Keeps the deepest point and the three others that span the largest area with it.
 ///
-/// Bodies that rest on many points need no more than four to stand as firmly: the deepest, so that
-/// nothing sinks in, the one farthest from it, the one farthest from the line through these two, and
-/// the one farthest from the third on the other side of that line. If all are equally deep, rounding
-/// must not choose: then the first is the one that is farthest along a fixed direction.
+/// Bodies on many points need four of them for stability. These are the deepest, to prevent penetration; the
+/// one farthest from it; the one farthest from the line through these two; and the one farthest from the
+/// third on the other side of that line. If all are equally deep, rounding must not choose: then the first is
+/// the one that is farthest along a fixed direction.
 ///
-/// On a face all points count the same, on a bumpy surface those that bear: lengths are weighted with
-/// how much nearer than `reach` a point is, the deepest with 1. An infinite `reach` weights nothing.
+/// On a face all points count equally. On a bumpy surface load-carrying points count: lengths are weighted
+/// with the distance below `reach`, the deepest point with 1. An infinite `reach` weights nothing.
 pub fn reduce(points: &mut Vec<RawPoint>, normal: Vector, reach: Real) {
     if points.len() <= MAX_MANIFOLD_POINTS {
         return;
@@ -52,7 +52,7 @@ fn first_point(points: &[RawPoint], normal: Vector) -> Option<usize> {
     let (low, high) = depths.fold((Real::INFINITY, Real::NEG_INFINITY), |(low, high), dist| {
         (low.min(dist), high.max(dist))
     });
-    if high - low > FLAT * size_squared.sqrt() {
+    if high - low > DEPTH_TOLERANCE * size_squared.sqrt() {
         return best(points, |point| -point.dist);
     }
     let [tangent1, tangent2] = tangents(normal);

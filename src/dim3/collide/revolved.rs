@@ -1,11 +1,13 @@
 //! The features of shapes of revolution: cylinders and cones.
 //!
-//! A cap is flat, a side is a line as seen from any direction, and rim and apex are points. A direction shows the cap or the
-//! side if it is within [`FEATURE_SINE`] of their normal; contacts farther away along a feature that leans more are out of reach
-//! anyway. All other directions show a point of the rim or the apex, where the closest points of the two shapes are the only contact.
+//! A cap is flat, a side is a line as seen from any direction, and rim and apex are points. A direction
+//! selects the cap or the side if it is within [`FEATURE_SINE`] of their normal; contacts farther away along
+//! a feature with a larger angle are out of reach anyway. All other directions show a point of the rim or the
+//! apex, where the closest points of the two shapes are the only contact.
 //!
-//! What was before: every direction showed a cap or a side, up to 60° from its normal. A rim that lay on a line then had four contacts
-//! within millimetres of each other, and one in the next step, with other features; a pile of 250 cylinders never came to rest.
+//! In the earlier form, every direction selected a cap or a side, up to 60° from its normal. A rim on a line
+//! then had four contacts within millimetres of each other, and one in the next step, with other features; a
+//! pile of 250 cylinders never came to rest.
 
 use super::RawManifold;
 use crate::base::facing::FacingParts;
@@ -19,9 +21,9 @@ const FEATURE_SINE: Real = 0.2;
 const FEATURE_COSINE: Real = 0.98;
 /// Tilt (sine of 0.6°) up to which a cap lies flat: the azimuth of its lowest point is rounding then.
 const FLAT_SINE: Real = 0.01;
-/// A cap that lies flat has at least this many contacts, if the four points that stand for its rim do not miss the other shape.
+/// A flat cap has at least this many contacts, if the four points of its rim do not miss the other shape.
 const FLAT_POINTS: usize = 3;
-/// Contacts of one line that are closer than this share of its length are one.
+/// Contacts of one line that are closer than this fraction of its length are one.
 const SAME_POINT: Real = 1.0e-3;
 
 /// Half of the outline of a shape of revolution about the second axis.

@@ -1,4 +1,4 @@
-//! What lies over a triangle, a triangle per lane.
+//! Points over a triangle, a triangle per lane.
 
 use super::clip::RIM;
 use super::flat::FlatBlock;
@@ -10,13 +10,13 @@ use crate::dim::wide::{WideVector, cross};
 #[derive(Copy, Clone)]
 pub struct Rims<W> {
     corners: [WideVector<W>; 3],
-    /// Out of the triangle, as long as the edge, and how far that way is still inside.
+    /// Outward vector of the length of the edge, and the tolerance along it.
     outward: [WideVector<W>; 3],
     limits: [W; 3],
 }
 
 impl<W: Wide> Rims<W> {
-    /// Those of the triangles of a block. No rim is wider than `tolerance`.
+    /// The rims of the triangles of a block. No rim is wider than `tolerance`.
     #[inline(always)]
     pub fn of(block: &FlatBlock, normal: Vector, tolerance: Real) -> Self {
         let corners =
@@ -24,7 +24,7 @@ impl<W: Wide> Rims<W> {
         let [a, b, c] = corners;
         let normal = WideVector::splat(normal);
         let outward = [cross(b - a, normal), cross(c - b, normal), cross(a - c, normal)];
-        // Clockwise, everything is the other way round.
+        // For clockwise triangles, all signs are reversed.
         let is_clockwise = W::zero().lt(outward[0].dot(c - a));
         let sign = W::select(is_clockwise, W::splat(-1.0), W::splat(1.0));
         let outward = [outward[0] * sign, outward[1] * sign, outward[2] * sign];
@@ -33,7 +33,8 @@ impl<W: Wide> Rims<W> {
         Self { corners, outward, limits }
     }
 
-    /// Is a point over the triangle? On the rim, as [`clip_faces`](super::clip_faces) has it, is inside.
+    /// Returns whether a point is over the triangle. On the rim, as [`clip_faces`](super::clip_faces) has it,
+    /// is inside.
     #[inline(always)]
     pub fn contain(&self, point: WideVector<W>) -> W::Mask {
         self.is_inside(0, point) & self.is_inside(1, point) & self.is_inside(2, point)
@@ -45,8 +46,8 @@ impl<W: Wide> Rims<W> {
     }
 }
 
-/// How far beyond an edge is still inside, times the length of the edge. A share of a long edge could be more than
-/// the size of the body, which nothing else would keep from standing there.
+/// Tolerance beyond an edge, times the length of the edge. A fraction of a long edge could be more than the
+/// size of the body, which would then be supported beyond the edge.
 #[inline(always)]
 fn rim<W: Wide>(outward: WideVector<W>, tolerance: Real) -> W {
     let squared = outward.dot(outward);

@@ -7,7 +7,7 @@ use parry::utils::Array2;
 
 /// Number of kinds of shapes that [`shape`] makes.
 pub const KINDS: usize = 17;
-/// How many of these are convex and bounded; they come first.
+/// The number of convex and bounded ones; they come first.
 pub const CONVEX_KINDS: usize = 11;
 /// The kind that is a mesh.
 pub const MESH: usize = 12;
@@ -99,8 +99,9 @@ pub fn shape(kind: usize, random: &mut Random, size: f64) -> SharedShape {
     }
 }
 
-/// A flat surface of squares of the given size, in the plane through the first and the third axis: `count` in a
-/// row, each of two triangles, one of which goes round the other way. Only those whose middle is to be kept.
+/// A flat surface of squares of the given size, in the plane through the first and the third axis: `count` in
+/// a row, each of two triangles, one of which has the opposite winding. Only those whose middle is to be
+/// kept.
 pub fn carpet(
     count: u32,
     size: Real,
@@ -125,8 +126,8 @@ pub fn carpet(
     SharedShape::trimesh(points, triangles.collect()).expect("these indices are in range")
 }
 
-/// A surface, twice over, one of whose edges is long and slants; how a box stands on it, and the way out over the
-/// edge, on which the origin lies.
+/// A surface, twice, with a long slanted edge: a box on it, and the separation over the edge, which contains
+/// the origin.
 pub fn long_edge(length: Real) -> (SharedShape, Rotation, Vector) {
     let [a, b] = [Vector::new(length, 0.0, -length), Vector::new(-length, 0.0, length)];
     let points = vec![a, b, Vector::new(-length, 0.0, -length)];

@@ -24,7 +24,7 @@ pub(crate) struct PointRow {
 }
 
 impl PointRow {
-    /// Where the point is in the contact plane, from the first centre of mass.
+    /// Position of the point in the contact plane, from the first centre of mass.
     #[inline(always)]
     pub fn place<W: Wide>(&self) -> [W; 2] {
         [W::load(&self.x), W::load(&self.y)]
@@ -33,8 +33,8 @@ impl PointRow {
 
 /// [`LANES`] contact constraints of one colour.
 ///
-/// The order of the fields is the order of use: the solve pass reads up to `inv_inertia`, the relax
-/// pass the rest but for the places, which nobody reads until the end.
+/// The order of the fields is the order of use. The solve pass reads up to `inv_inertia`, and the relax pass
+/// the rest except the places, which are read at the end only.
 #[derive(Clone, Debug)]
 #[repr(C)]
 pub(crate) struct ContactBlock {
@@ -47,8 +47,8 @@ pub(crate) struct ContactBlock {
     pub points: [PointRow; MAX_MANIFOLD_POINTS],
     /// `K_ij` for i < j: 01 02 03 12 13 23.
     pub coupling: [Lane; COUPLINGS],
-    /// The angular velocities, in world space, that the two bodies get per unit of moment about each
-    /// axis of the contact frame: `I⁻¹ t1`, `I⁻¹ t2`, `I⁻¹ n`. Normal impulses need the first two.
+    /// The angular velocities, in world space, of the two bodies per unit of moment about each axis of the
+    /// contact frame: `I⁻¹ t1`, `I⁻¹ t2`, `I⁻¹ n`. Normal impulses need the first two.
     pub inv_inertia: [[WideVector<Lane>; 2]; 3],
 
     pub friction: FrictionRow,
@@ -72,8 +72,8 @@ pub(crate) struct FrictionRow {
     /// Inverse of the 2×2 effective-mass matrix of the tangents: 11, 12, 22.
     pub tangent_mass: [Lane; 3],
     pub twist_mass: Lane,
-    /// Mean distance of the points from the friction centre: the lever of twist friction.
-    pub lever: Lane,
+    /// Mean distance of the points from the friction centre: the radius of torsional friction.
+    pub radius: Lane,
     /// `K_13` and `K_23`: what a twist does to the velocities along the two tangents.
     pub twist_coupling: [Lane; 2],
     /// Wanted relative velocity along the two tangents.
@@ -93,7 +93,7 @@ impl ContactBlock {
             coefficient: zero,
             tangent_mass: [zero; 3],
             twist_mass: zero,
-            lever: zero,
+            radius: zero,
             twist_coupling: [zero; 2],
             surface_velocity: [zero; 2],
             impulse: [zero; 3],
@@ -113,7 +113,7 @@ impl ContactBlock {
         }
     };
 
-    /// Copies what normal impulses need to know from a lane of another block.
+    /// Copies the input of normal impulses from a lane of another block.
     pub fn copy_normal_lane(&mut self, lane: usize, from: &Self, source: usize) {
         let copy = |to: &mut Lane, from: &Lane| to.0[lane] = from.0[source];
         let copy_vector = |to: &mut WideVector<Lane>, from: &WideVector<Lane>| {

@@ -6,10 +6,9 @@
 //! |λt_k| ≤ μ λ_k        rows, matrix and signs as in `friction`, with the point for the centre
 //! ```
 //!
-//! Torque about the normal comes out of the points by itself. The points are visited in turn and each
-//! sees what those before it did, by way of the bodies: four small solves in sequence, about twice the
-//! work of the [central rows](super::friction). Kept out of [`ContactBlock`] so that worlds with the
-//! standard model do not carry it through the caches.
+//! Torque about the normal comes out of the points by itself. The points are solved in sequence, coupled
+//! through the bodies: four small solves, about twice the work of the [central rows](super::friction). Kept
+//! out of [`ContactBlock`] so that worlds with the standard model do not carry it through the caches.
 
 use super::block::ContactBlock;
 use super::friction::{self, tangent_mass, to_cone};
@@ -47,7 +46,7 @@ impl CoulombBlock {
 
     /// Keeps the impulses with which the points start the next step; those that are not finite are none.
     #[inline(always)]
-    pub fn keep<W: Wide>(&self, impulses: &mut [[Lane; 2]; MAX_MANIFOLD_POINTS]) {
+    pub fn store_impulses<W: Wide>(&self, impulses: &mut [[Lane; 2]; MAX_MANIFOLD_POINTS]) {
         let zero = W::zero();
         for (rows, kept) in self.0.iter().zip(impulses) {
             let (x, y) = (W::load(&rows.impulse[0]), W::load(&rows.impulse[1]));

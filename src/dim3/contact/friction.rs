@@ -1,9 +1,8 @@
 //! Friction of a whole manifold: two tangential rows and a twist row at the friction centre.
 //!
-//! The friction centre is the mean of the points, weighted by how close they are to touching. At it
-//! acts a tangential impulse `λt` (two rows, solved together) and about the normal a twist impulse
-//! `λw`, with the sum `N` of the normal impulses and the mean distance `r` of the points from the
-//! centre:
+//! The friction centre is the mean of the points, weighted by how close they are to touching. A tangential
+//! impulse `λt` (two rows, solved together) acts there, and a torsional impulse `λw` about the normal. With
+//! the sum `N` of the normal impulses and the mean distance `r` of the points from the centre:
 //!
 //! ```text
 //! |λt| ≤ μ N        |λw| ≤ μ N r
@@ -27,8 +26,8 @@ use crate::dim3::state::WideMotion;
 use crate::dim3::wide::{WideSymmetric, WideVector};
 use crate::model::contact::ContactInput;
 
-/// Of two eigenvalues, the smaller one counts if it is at least about this share of the larger one.
-/// Bodies that can slide freely stay above a hundredth, whatever their shape.
+/// Of two eigenvalues, the smaller one counts if it is at least about this fraction of the larger one. Bodies
+/// that can slide freely stay above a hundredth, whatever their shape.
 const EIGENVALUE_RATIO_MIN: Real = 1.0e-3;
 
 /// A [`FrictionRow`] in registers.
@@ -38,7 +37,7 @@ pub(super) struct WideFriction<W> {
     pub coefficient: W,
     pub tangent_mass: [W; 3],
     pub twist_mass: W,
-    pub lever: W,
+    pub radius: W,
     pub twist_coupling: [W; 2],
     pub surface_velocity: [W; 2],
     pub impulse: [W; 3],
@@ -52,7 +51,7 @@ pub(super) fn prepare<W: Wide>(
     points: &[Point<W>; MAX_MANIFOLD_POINTS],
     prediction: W,
 ) -> WideFriction<W> {
-    let (center, lever) = center(points, prediction);
+    let (center, radius) = center(points, prediction);
     let frame = &pair.frame;
     let [x, y] = frame.tangential(WideVector::load(&input.friction_impulse));
     let (tangents, twist_coupling) = tangent_matrix(pair, center);
@@ -61,7 +60,7 @@ pub(super) fn prepare<W: Wide>(
         coefficient: W::load(&input.friction),
         tangent_mass: invert_matrix(tangents),
         twist_mass: invert(pair.inv_inertia[0].m33 + pair.inv_inertia[1].m33),
-        lever,
+        radius,
         twist_coupling,
         surface_velocity: frame.tangential(WideVector::load(&input.tangent_velocity)),
         impulse: [x, y, W::load(&input.twist_impulse)],
@@ -71,7 +70,7 @@ pub(super) fn prepare<W: Wide>(
 /// The friction centre, and the mean distance of the points from it.
 #[inline(always)]
 fn center<W: Wide>(points: &[Point<W>; MAX_MANIFOLD_POINTS], prediction: W) -> (WideVector<W>, W) {
-    // Weights fade out as points move apart; the floor keeps a manifold that hovers well defined.
+    // Weights decrease as points move apart; the lower bound keeps a separated manifold well defined.
     let floor = (prediction * W::splat(0.01)).max(W::splat(Real::EPSILON));
     let mut weights = [W::zero(); MAX_MANIFOLD_POINTS];
     let mut sum = W::zero();
@@ -84,12 +83,12 @@ fn center<W: Wide>(points: &[Point<W>; MAX_MANIFOLD_POINTS], prediction: W) -> (
     }
     let inv_sum = invert(sum);
     let center = center * inv_sum;
-    let mut lever = W::zero();
+    let mut radius = W::zero();
     for k in 0..MAX_MANIFOLD_POINTS {
         let arm = points[k].local - center;
-        lever = lever + weights[k] * (arm.x * arm.x + arm.y * arm.y).sqrt();
+        radius = radius + weights[k] * (arm.x * arm.x + arm.y * arm.y).sqrt();
     }
-    (center, lever * inv_sum)
+    (center, radius * inv_sum)
 }
 
 /// The matrix `K` of the two tangential rows (11, 12, 22), and their coupling with the twist row.
@@ -144,7 +143,7 @@ impl<W: Wide> WideFriction<W> {
             coefficient: W::load(&row.coefficient),
             tangent_mass: load(&row.tangent_mass),
             twist_mass: W::load(&row.twist_mass),
-            lever: W::load(&row.lever),
+            radius: W::load(&row.radius),
             twist_coupling: load(&row.twist_coupling),
             surface_velocity: load(&row.surface_velocity),
             impulse: load(&row.impulse),
@@ -157,7 +156,7 @@ impl<W: Wide> WideFriction<W> {
         self.coefficient.store(&mut row.coefficient);
         store(self.tangent_mass, &mut row.tangent_mass);
         self.twist_mass.store(&mut row.twist_mass);
-        self.lever.store(&mut row.lever);
+        self.radius.store(&mut row.radius);
         store(self.twist_coupling, &mut row.twist_coupling);
         store(self.surface_velocity, &mut row.surface_velocity);
         store(self.impulse, &mut row.impulse);
@@ -174,7 +173,7 @@ impl<W: Wide> WideFriction<W> {
     ) -> [W; 3] {
         let limit = self.coefficient * normal_impulse;
         let spin = frame.n.dot(m2.angular - m1.angular);
-        let twist = self.solve_twist(spin, limit * self.lever);
+        let twist = self.solve_twist(spin, limit * self.radius);
         let [vx, vy] = slip(frame, self.center, c, [m1, m2]);
         let slip = [
             vx + self.twist_coupling[0] * twist - self.surface_velocity[0],

@@ -1,29 +1,28 @@
 //! # Contact constraints in 3D
 //!
 //! One constraint is one manifold: up to four points with one normal. [`LANES`](crate::base::wide::LANES)
-//! constraints that share no dynamic body stand side by side in a [`ContactBlock`].
+//! constraints without a common dynamic body fill the lanes of a [`ContactBlock`].
 //!
 //! ## The contact frame
-//! All of a constraint happens in the frame `(t1, t2, n)` of its tangents and its normal. Let `x1, x2`
-//! be the centres of mass, `p` a contact point and `ρ = p - x1`; then `p - x2 = ρ + c` with
-//! `c = x1 - x2`, the same for all points. The relative normal velocity at a point is
+//! All of a constraint happens in the frame `(t1, t2, n)` of its tangents and its normal. Let `x1, x2` be the
+//! centres of mass, `p` a contact point and `ρ = p - x1`. Then `p - x2 = ρ + c` with `c = x1 - x2`, the same
+//! for all points. The relative normal velocity at a point is
 //!
 //! ```text
 //! Ċ = n·(v2 - v1) + ((ρ + c) × n)·ω2 - (ρ × n)·ω1,        ρ × n = (ρ₂, -ρ₁, 0) in the contact frame
 //!   = [n·(v2 - v1) + c₂ ω2₁ - c₁ ω2₂] + ρ₂ (ω2₁ - ω1₁) - ρ₁ (ω2₂ - ω1₂)
 //! ```
 //!
-//! The bracket is shared by the four points, so a point costs two multiplications and stores two
-//! numbers of its Jacobian instead of twelve. The separation is followed during the step by the same
-//! row, applied to displacements instead of velocities: `C = C₀ + J·Δx`. (Turning the lever arms with
-//! the bodies instead, as other engines do, costs two rotations per point and substep and is no
-//! nearer to the truth for anything that rolls.)
+//! The bracket is shared by the four points, so a point costs two multiplications and stores two numbers of
+//! its Jacobian instead of twelve. The separation is followed during the step by the same row, applied to
+//! displacements instead of velocities: `C = C₀ + J·Δx`. (Other engines rotate the moment arms with the
+//! bodies. That costs two rotations per point and substep and is not more exact for rolling bodies.)
 //!
 //! ## Sequential impulses without the bodies
-//! Gauss–Seidel over the four points needs each point to see the impulses of those before it. Rather
-//! than apply each impulse to the bodies (some thirty multiplications), we keep the coupling
-//! `K_ij = J_i M⁻¹ J_jᵀ` and update the relative velocities of the points: `Ċ_j += K_ij Δλ_i`. The
-//! bodies get the sum of all impulses at the end. In exact arithmetic this is the same method.
+//! Gauss–Seidel over the four points needs each point to see the impulses of those before it. Instead of
+//! applying each impulse to the bodies (some thirty multiplications), the solver stores the coupling `K_ij =
+//! J_i M⁻¹ J_jᵀ` and updates the relative velocities of the points: `Ċ_j += K_ij Δλ_i`. The bodies get the
+//! sum of all impulses at the end. In exact arithmetic this is the same method.
 //!
 //! ## The soft row
 //! With the softness of [`Softness`](crate::model::params::Softness) (bias rate `b`, mass scale `m`,
@@ -48,6 +47,6 @@ mod tests;
 
 pub(crate) use block::ContactBlock;
 pub(crate) use coulomb::CoulombBlock;
-pub(crate) use prepare::{Surroundings, prepare};
+pub(crate) use prepare::{PrepareContext, prepare};
 pub(crate) use rows::{Frame, NormalImpulse, NormalRow};
-pub(crate) use solve::{Bodies, relax, rub_block, solve, values_at};
+pub(crate) use solve::{Bodies, relax, solve, solve_block_friction, values_at};

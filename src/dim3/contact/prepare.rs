@@ -13,7 +13,7 @@ use crate::dim3::state::{
 use crate::dim3::wide::{WideSymmetric, WideVector};
 use crate::model::contact::{ContactInput, MotionSince};
 
-/// One contact point on its way from a manifold to a row.
+/// One contact point between manifold and row.
 #[derive(Copy, Clone)]
 pub(super) struct Point<W> {
     /// In the contact frame, from the first centre of mass.
@@ -36,7 +36,7 @@ pub(super) struct Pair<W> {
 
 /// The bodies as constraints are prepared.
 #[derive(Copy, Clone)]
-pub(crate) struct Surroundings<'a> {
+pub(crate) struct PrepareContext<'a> {
     pub poses: &'a [BodyPose],
     pub states: &'a DisjointMut<'a, BodyState>,
 }
@@ -47,13 +47,13 @@ pub(crate) struct Surroundings<'a> {
 /// Friction is at each point if there is a place for its rows in `coulomb`.
 ///
 /// # Safety
-/// Nobody else may touch the states of the block's bodies meanwhile.
+/// The caller has exclusive access to the states of the block's bodies.
 #[inline(always)]
 pub(crate) unsafe fn prepare<W: Wide>(
     input: &ContactInput,
     block: &mut ContactBlock,
     coulomb: Option<&mut CoulombBlock>,
-    Surroundings { poses, states }: Surroundings<'_>,
+    PrepareContext { poses, states }: PrepareContext<'_>,
     prediction: Real,
 ) {
     let poses =
@@ -77,19 +77,19 @@ pub(crate) unsafe fn prepare<W: Wide>(
     unsafe { scatter_both(states, block, velocities) };
 }
 
-/// Where the points are in the world and in the contact frame, as the bodies stand now: the frame, `c` and the points
-/// in it.
+/// The points in the world and in the contact frame, at the bodies' current poses: the frame, `c` and the
+/// points in it.
 ///
-/// Frame, levers and `c` of contacts that are [held](crate::model::contact::Placement) are those of their placement.
-/// Positions in the world are subtracted from each other before anything small is added: far from the origin they have
-/// few digits behind the point, and their differences have all that are left.
+/// [Frozen](crate::model::contact::AnchorFrame) contacts keep the frame, the moment arms and `c` of their
+/// last transformation. World positions are subtracted from each other before anything small is added: far
+/// from the origin they have few fractional digits, and their differences keep all of them.
 #[inline(always)]
 fn read_geometry<W: Wide>(
     input: &ContactInput,
     block: &mut ContactBlock,
     poses: &[WidePose<W>; 2],
 ) -> (Frame<W>, WideVector<W>, [Point<W>; MAX_MANIFOLD_POINTS]) {
-    let motion = MotionSince::new(&input.placement, &input.is_world, poses);
+    let motion = MotionSince::new(&input.anchor_frame, &input.is_world, poses);
     let (n, c) = (motion.normal, motion.offset());
     let frame = Frame::about(n);
 
@@ -98,12 +98,12 @@ fn read_geometry<W: Wide>(
         Point { local: WideVector::zero(), separation: zero, present: zero, impulse: zero };
     let mut points = [absent; MAX_MANIFOLD_POINTS];
     for k in 0..MAX_MANIFOLD_POINTS {
-        let placed = WideVector::load(&input.levers[k]);
-        let (lever, moved) = motion.at(placed);
+        let placed = WideVector::load(&input.arms[k]);
+        let (arm, moved) = motion.at(placed);
         let separation = W::load(&input.placed_separations[k]) + n.dot(moved);
-        (motion.origin + lever).store(&mut block.places[k]);
+        (motion.origin + arm).store(&mut block.places[k]);
         points[k] = Point {
-            local: frame.local(WideVector::select(motion.is_held, placed, lever)),
+            local: frame.local(WideVector::select(motion.is_frozen, placed, arm)),
             separation,
             present: W::load(&input.present[k]),
             impulse: W::load(&input.impulses[k]),
@@ -112,7 +112,7 @@ fn read_geometry<W: Wide>(
     (frame, frame.local(c), points)
 }
 
-/// What a block keeps of its bodies.
+/// Data of its bodies that a block stores.
 #[inline(always)]
 fn write_pair<W: Wide>(
     block: &mut ContactBlock,
@@ -174,13 +174,13 @@ fn write_points<W: Wide>(
 fn angular_part<W: Wide>(pair: &Pair<W>, i: &Point<W>, j: &Point<W>) -> W {
     let (a, b, c) = (i.local, j.local, pair.offset);
     let [i1, i2] = pair.inv_inertia;
-    lever_product(i1, [a.x, a.y], [b.x, b.y])
-        + lever_product(i2, [a.x + c.x, a.y + c.y], [b.x + c.x, b.y + c.y])
+    arm_product(i1, [a.x, a.y], [b.x, b.y])
+        + arm_product(i2, [a.x + c.x, a.y + c.y], [b.x + c.x, b.y + c.y])
 }
 
 /// `(a₂, -a₁, 0) I⁻¹ (b₂, -b₁, 0)ᵀ`.
 #[inline(always)]
-fn lever_product<W: Wide>(inv_inertia: WideSymmetric<W>, a: [W; 2], b: [W; 2]) -> W {
+fn arm_product<W: Wide>(inv_inertia: WideSymmetric<W>, a: [W; 2], b: [W; 2]) -> W {
     inv_inertia.m11 * a[1] * b[1] - inv_inertia.m12 * (a[1] * b[0] + a[0] * b[1])
         + inv_inertia.m22 * a[0] * b[0]
 }

@@ -1,4 +1,5 @@
-//! The contact frame, and what all rows in it share: velocities out of the bodies, impulses into them.
+//! The contact frame, and the common operations of its rows: velocities out of the bodies, impulses into
+//! them.
 
 use super::block::ContactBlock;
 use crate::base::wide::Wide;
@@ -49,8 +50,8 @@ impl<W: Wide> Frame<W> {
         [self.t1.dot(v), self.t2.dot(v)]
     }
 
-    /// `I⁻¹ t1`, `I⁻¹ t2` and `I⁻¹ n` of an inverse inertia in world space: the angular velocities, in
-    /// world space, that moments about the axes of the contact frame give.
+    /// `I⁻¹ t1`, `I⁻¹ t2` and `I⁻¹ n` of an inverse inertia in world space: the angular velocities, in world
+    /// space, per moment about the axes of the contact frame.
     #[inline(always)]
     pub fn columns(&self, inv_inertia: WideSymmetric<W>) -> [WideVector<W>; 3] {
         [

@@ -31,7 +31,7 @@ impl<W: Wide> Bodies<W> {
         Self { velocities: [v1, v2], displacements: [d1, d2] }
     }
 
-    /// How far the bodies have moved since the step began.
+    /// Displacements of the bodies since the step began.
     #[inline(always)]
     pub fn moved(&self) -> [WideMotion<W>; 2] {
         [self.displacements[0].motion(), self.displacements[1].motion()]
@@ -54,7 +54,7 @@ impl<W: Wide> Bodies<W> {
 /// come no closer than to touch.
 ///
 /// # Safety
-/// Nobody else may touch the states of the block's bodies meanwhile.
+/// The caller has exclusive access to the states of the block's bodies.
 #[inline(always)]
 pub(crate) unsafe fn solve<W: Wide>(
     block: &mut ContactBlock,
@@ -68,15 +68,15 @@ pub(crate) unsafe fn solve<W: Wide>(
     unsafe { bodies.scatter(states, block) };
 }
 
-/// The normal rows without bias, which takes out the velocity that the bias of the solve pass put in
-/// to move bodies apart; then friction.
+/// The normal rows without bias, which removes the velocity that the bias of the solve pass added; then
+/// friction.
 ///
-/// In this order friction is bounded by the impulses that carry the bodies. Those of the solve pass
-/// are less while a soft contact gives way, and more while it undoes overlap: with them a box that
-/// was just put down slides 5 % too far.
+/// In this order friction is bounded by the impulses that carry the bodies. The impulses of the solve pass
+/// are smaller while a soft contact is compressed, and larger while it removes overlap: with them a new box
+/// slides 5 % too far.
 ///
 /// # Safety
-/// Nobody else may touch the states of the block's bodies meanwhile.
+/// The caller has exclusive access to the states of the block's bodies.
 #[inline(always)]
 pub(crate) unsafe fn relax<W: Wide>(
     block: &mut ContactBlock,
@@ -87,8 +87,8 @@ pub(crate) unsafe fn relax<W: Wide>(
     // SAFETY: the caller's promise.
     let mut bodies = unsafe { Bodies::<W>::gather(states, block) };
     solve_normals::<W, false>(block, &mut bodies, pass);
-    rub_block(block, coulomb, &mut bodies);
-    if pass.is_last_visit {
+    solve_block_friction(block, coulomb, &mut bodies);
+    if pass.is_last_iteration {
         for k in 0..MAX_MANIFOLD_POINTS {
             let total = W::load(&block.totals[k]) + W::load(&block.points[k].impulse);
             total.store(&mut block.totals[k]);
@@ -100,7 +100,7 @@ pub(crate) unsafe fn relax<W: Wide>(
 
 /// Solves the friction rows once, central ones or those of the points, under the normal impulses as they are.
 #[inline(always)]
-pub(crate) fn rub_block<W: Wide>(
+pub(crate) fn solve_block_friction<W: Wide>(
     block: &mut ContactBlock,
     coulomb: Option<&mut CoulombBlock>,
     bodies: &mut Bodies<W>,
@@ -199,12 +199,12 @@ impl<W: Wide> SoftRow<W> {
         }
     }
 
-    /// By how much the impulse of a point should fall.
+    /// Decrease of a point's impulse.
     #[inline(always)]
     fn wanted<const BIAS: bool>(&self, velocity: W, separation: W, mass: W, impulse: W) -> W {
         let zero = W::zero();
         let apart = zero.lt(separation);
-        // Those that are apart may close the gap within the substep, and no more.
+        // Separated points may close the gap within the substep, and no more.
         let closing = separation * self.inv_substep;
         if !BIAS {
             return mass * (velocity + W::select(apart, closing, zero));

@@ -1,6 +1,6 @@
 //! The rows that 3D alone has: two tangents that are solved together, and the twist about the normal.
 //!
-//! What both dimensions have is tested where the passes are driven from, in `step/solver/tests`.
+//! Tests of both dimensions are in `step/solver/tests`, where the passes are called.
 
 use super::friction::{self, WideFriction};
 use super::prepare::{Pair, Point};
@@ -111,7 +111,7 @@ fn slip(
     (v - touch.normal * touch.normal.dot(v), (w2 - w1).dot(touch.normal))
 }
 
-/// One visit of the friction rows: the impulse in world space and the twist.
+/// One iteration of the friction rows: the impulse in world space and the torsional impulse.
 struct Visit<'a>(&'a Touch);
 
 impl Kernel for Visit<'_> {
@@ -204,8 +204,8 @@ fn a_single_point_has_no_lever_to_twist() {
     assert!(impulse.length() > 0.0);
 }
 
-/// Where the load is far from enough to stop it, the whole of it goes against the sliding, whatever the
-/// direction. (Of bodies that do not turn: else a push in one direction also starts the other.)
+/// A friction limit far below the necessary impulse is fully used against the sliding direction. (Of bodies
+/// that do not turn: else a push in one direction also starts the other.)
 #[test]
 fn the_cone_is_round() {
     let mut random = Random(5);

@@ -4,7 +4,7 @@ use crate::base::trig::atan2;
 use crate::dim3::joint_axes::{JointAxesMask, JointAxis, twist};
 use crate::dim3::math::{AngVector, Real, Rotation, SpatialVector, Vector, rotation_to_angle};
 
-/// Which rotations of a joint are free, and which of these are measured together.
+/// Free rotations of a joint, and groups of them that are measured together.
 #[derive(Copy, Clone, Debug)]
 pub(crate) struct FreeRotations {
     free: JointAxesMask,
@@ -17,27 +17,27 @@ impl FreeRotations {
         Self { free, coupled }
     }
 
-    /// Is this the only free one? Then its turns can be counted.
+    /// Returns whether this is the only free rotation. Then its turns can be counted.
     pub fn is_single(&self) -> bool {
         (self.free & JointAxesMask::ANG_AXES).bits().count_ones() == 1
     }
 }
 
-/// What the angle of an axis is: see the head of this folder.
+/// The definition of the angle of an axis: see the head of this folder.
 #[derive(Copy, Clone, Debug)]
 pub(super) enum Angle {
-    /// That of the whole rotation.
+    /// The angle of the whole rotation.
     Whole,
-    /// How far the second frame is twisted about this axis.
+    /// Twist of the second frame about this axis.
     Twist(Vector),
-    /// How far this axis was swung, in any direction.
+    /// Swing of this axis, in any direction.
     Swing(Vector),
-    /// How far X was swung towards this axis.
+    /// Swing of X towards this axis.
     Tilt(Vector),
 }
 
 impl Angle {
-    /// That of an axis of a joint.
+    /// The angle of an axis of a joint.
     pub(super) fn of(axis: JointAxis, rotations: FreeRotations) -> Self {
         let coupled = rotations.coupled & rotations.free & JointAxesMask::ANG_AXES;
         let own = JointAxesMask::from_bits_truncate(1 << axis as u8);
@@ -94,7 +94,7 @@ fn twist_about(e: Vector, rotation: &Rotation) -> (Real, AngVector) {
     (angle, if sum > 1.0e-3 { (e + f) / sum } else { e })
 }
 
-/// How far `e` was swung, in any direction.
+/// Swing of `e`, in any direction.
 fn swing_of(e: Vector, rotation: &Rotation) -> (Real, AngVector) {
     let f = *rotation * e;
     let across = e.cross(f);
@@ -102,7 +102,7 @@ fn swing_of(e: Vector, rotation: &Rotation) -> (Real, AngVector) {
     (atan2(sin, cos), if sin > 0.0 { across / sin } else { e.any_orthonormal_vector() })
 }
 
-/// How far X was swung towards `g`.
+/// Swing of X towards `g`.
 fn tilt_towards(g: Vector, rotation: &Rotation) -> (Real, AngVector) {
     let f = *rotation * Vector::X;
     let (sin, cos) = (f.dot(g), f.x);

@@ -2,8 +2,8 @@
 
 use crate::base::wide::{Lane, Wide};
 use crate::dim3::math::{AngularInertia, Real};
+use crate::dim3::rotation_vector::turned_inertia;
 use crate::dim3::state::WideDisplacement;
-use crate::dim3::turn::turned_inertia;
 use crate::dim3::wide::{
     WideSymmetric, ZERO_INERTIA, load_symmetric, set_symmetric_lane, store_symmetric,
     symmetric_lane,
@@ -15,10 +15,10 @@ pub(crate) fn inertia_about(inv_inertia: &AngularInertia) -> Option<Real> {
     (sum > 0.0).then(|| 3.0 / sum)
 }
 
-/// Moments that differ by less than this share make no visible difference.
+/// Moments that differ by less than this fraction make no visible difference.
 const ROUNDNESS: Real = 1.0e-3;
 
-/// Are the moments of inertia about all axes the same?
+/// Returns whether the moments of inertia about all axes are equal.
 pub(crate) fn is_round(inv_inertia: &AngularInertia) -> bool {
     let m = inv_inertia;
     let differences = [m.m11 - m.m22, m.m22 - m.m33, m.m33 - m.m11, m.m12, m.m13, m.m23];
@@ -34,11 +34,11 @@ pub(crate) struct JointedInertias {
     start: [WideSymmetric<Lane>; 2],
     /// As they stand where they were relaxed last.
     now: [WideSymmetric<Lane>; 2],
-    /// One where a body turns so much that its inertia must turn with it, otherwise zero. That does not depend on
-    /// who is in the other lanes; and the joints of a body know the same inertia to the last bit.
-    tumbles: [Lane; 2],
-    /// Is there any?
-    has_tumbling: bool,
+    /// One where a body turns so much that its inertia must turn with it, otherwise zero. The result is
+    /// independent of the other lanes, and all joints of a body get the same inertia to the last bit.
+    is_gyroscopic: [Lane; 2],
+    /// Whether any lane is gyroscopic.
+    any_gyroscopic: bool,
 }
 
 impl JointedInertias {
@@ -46,37 +46,43 @@ impl JointedInertias {
     pub const NONE: Self = Self {
         start: [ZERO_INERTIA; 2],
         now: [ZERO_INERTIA; 2],
-        tumbles: [Lane::ZERO; 2],
-        has_tumbling: false,
+        is_gyroscopic: [Lane::ZERO; 2],
+        any_gyroscopic: false,
     };
 
     /// Sets the inverse inertia of one lane's first (0) or second (1) body, and whether it will turn with the body.
-    pub fn set_lane(&mut self, side: usize, lane: usize, value: &AngularInertia, tumbles: bool) {
+    pub fn set_lane(
+        &mut self,
+        side: usize,
+        lane: usize,
+        value: &AngularInertia,
+        is_gyroscopic: bool,
+    ) {
         set_symmetric_lane(&mut self.start[side], lane, value);
         set_symmetric_lane(&mut self.now[side], lane, value);
-        if tumbles {
-            self.tumbles[side].0[lane] = 1.0;
-            self.has_tumbling = true;
+        if is_gyroscopic {
+            self.is_gyroscopic[side].0[lane] = 1.0;
+            self.any_gyroscopic = true;
         }
     }
 
-    /// Does the inertia of a body of this lane turn with it?
-    pub fn tumble(&self, lane: usize) -> bool {
-        self.tumbles.iter().any(|tumbles| tumbles.0[lane] != 0.0)
+    /// Returns, as a number, whether the world-space inertia of this lane's body changes with its rotation.
+    pub fn gyroscopic(&self, lane: usize) -> bool {
+        self.is_gyroscopic.iter().any(|is_gyroscopic| is_gyroscopic.0[lane] != 0.0)
     }
 
-    /// That of one lane's first or second body as it stands now.
+    /// The current inertia of one lane's first or second body.
     pub fn lane(&self, side: usize, lane: usize) -> AngularInertia {
         symmetric_lane(&self.now[side], lane)
     }
 
-    /// Those of all lanes as they stand now, in memory.
+    /// The current inertias of all lanes, in memory.
     #[inline(always)]
     pub fn lanes(&self) -> &[WideSymmetric<Lane>; 2] {
         &self.now
     }
 
-    /// Those of all lanes as they stand now.
+    /// The current inertias of all lanes.
     #[inline(always)]
     pub fn load<W: Wide>(&self) -> [WideSymmetric<W>; 2] {
         [load_symmetric(&self.now[0]), load_symmetric(&self.now[1])]
@@ -85,12 +91,12 @@ impl JointedInertias {
     /// The bodies have moved by so much since the step began.
     #[inline(always)]
     pub fn turn<W: Wide>(&mut self, displacements: &[WideDisplacement<W>; 2]) {
-        if !self.has_tumbling {
+        if !self.any_gyroscopic {
             return;
         }
         for side in 0..2 {
-            let tumbles = W::zero().lt(W::load(&self.tumbles[side]));
-            let rotation = displacements[side].rotation_where(tumbles);
+            let is_gyroscopic = W::zero().lt(W::load(&self.is_gyroscopic[side]));
+            let rotation = displacements[side].rotation_where(is_gyroscopic);
             let turned = turned_inertia(load_symmetric::<W>(&self.start[side]), rotation);
             store_symmetric(turned, &mut self.now[side]);
         }

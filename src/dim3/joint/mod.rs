@@ -1,8 +1,7 @@
 //! # Joint frames in 3D
 //!
-//! What a joint needs to know of rotations, lane by lane and for one joint at a time. Let `q1, q2` be the
-//! world rotations of the joint's frames on its bodies, and `q = q1* q2 = (v, w)` the second one seen
-//! from the first.
+//! Rotations of joints, lane by lane and for one joint at a time. Let `q1, q2` be the world rotations of the
+//! joint's frames on its bodies, and `q = q1* q2 = (v, w)` the second one relative to the first.
 //!
 //! ## Locked rotations
 //! The error about axis `k` is `C_k = 2 v_k`: the angle, for small ones. With the relative angular
@@ -12,14 +11,14 @@
 //! Ċ = w ω + ω × v,        rows   (w, v₃, -v₂)   (-v₃, w, v₁)   (v₂, -v₁, w)
 //! ```
 //!
-//! If two rotations are locked, `q` is a turn about the third axis, `w² + v₃² = 1`, and the two rows are
-//! unit vectors at right angles however far the joint has turned: nothing happens at half a turn.
+//! If two rotations are locked, `q` is a rotation about the third axis, `w² + v₃² = 1`. The two rows are
+//! perpendicular unit vectors for any angle, without a singularity at half a turn.
 //!
 //! ## Free rotations
 //! A free axis has an angle, and a direction along which the relative angular velocity changes it. Let
 //! `e` be the axis and `f = q e` where the second body has taken it.
 //!
-//! * *Twist* about `e`: `2 atan2(v·e, w)`. The bodies share it fairly: the direction is `(e + f)/(1 + e·f)`.
+//! * *Twist* about `e`: `2 atan2(v·e, w)`. The direction is symmetric in both bodies: `(e + f)/(1 + e·f)`.
 //! * *Swing* of `e` in any direction: the angle between `e` and `f`, about `e × f`.
 //! * *Swing about another axis*: where the projection of `f` points in the plane across that axis. For
 //!   `Y`: `s = -f₃`, `c = f₁`, the angle `atan2(s, c)` and the direction its gradient.
@@ -29,16 +28,16 @@
 
 mod angle;
 mod frame;
-mod gauge;
+mod angle_tracker;
 mod inertia;
 mod point;
 
 pub(crate) use angle::{FreeRotations, angle_about, couple_of, set_couple};
+pub(crate) use angle_tracker::AngleTracker;
 pub(crate) use frame::{
     angular_to_frame, angular_to_world, axes, components, frame_between, from_components,
     linear_to_world, locked_rotations,
 };
-pub(crate) use gauge::AngleGauge;
 #[cfg(test)]
 pub(crate) use inertia::unit_inertia;
 pub(crate) use inertia::{JointedInertias, inertia_about, is_round};

@@ -87,14 +87,14 @@ impl RigidBody {
         .map(|axis| self.locked_axes().contains(axis))
     }
 
-    /// Do gyroscopic forces act on the body?
+    /// Returns whether gyroscopic forces act on the body.
     pub fn gyroscopic_forces_enabled(&self) -> bool {
         self.gyroscopic_forces_enabled
     }
 
-    /// Says whether gyroscopic forces act on the body: those that keep the angular momentum constant
-    /// while a body that is not round turns, so that a spinning top precesses and a thrown box
-    /// tumbles. Without them the angular velocity stays constant instead.
+    /// Sets whether gyroscopic forces act on the body. They keep the angular momentum of a rotating body
+    /// constant: a spinning top precesses, and a thrown box tumbles. Without them the angular velocity stays
+    /// constant instead.
     pub fn enable_gyroscopic_forces(&mut self, enabled: bool) {
         self.gyroscopic_forces_enabled = enabled;
     }
@@ -158,7 +158,7 @@ mod tests {
         }
     }
 
-    /// A quaternion and its negative are one rotation: no reason to turn all the way round.
+    /// A quaternion and its negative are one rotation, so the smaller angle is used.
     #[test]
     fn a_kinematic_body_turns_the_shorter_way() {
         let mut body = RigidBodyBuilder::kinematic_position_based().build();

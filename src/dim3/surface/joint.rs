@@ -79,8 +79,8 @@ impl SphericalJoint {
         Some(limits.max)
     }
 
-    /// Sets the largest angle (radians) between the X axes of the two frames. From now on `AngY` stands
-    /// for the swing in any direction.
+    /// Sets the largest angle (radians) between the X axes of the two frames. From now on `AngY` is the swing
+    /// in any direction.
     pub fn set_swing_limit(&mut self, angle: Real) -> &mut Self {
         self.data.coupled_axes |= SWING_AXES;
         self.data.set_limits(JointAxis::AngY, [0.0, angle]);

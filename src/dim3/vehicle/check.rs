@@ -1,4 +1,4 @@
-//! Which wheels can be used: their fields are public, so each update has to look.
+//! Validation of wheels: their fields are public, so each update checks them.
 
 use super::wheel::Wheel;
 use crate::base::measure::{is_coordinate, is_length, is_margin, is_point};
@@ -6,7 +6,7 @@ use crate::dim::math::{Real, Vector};
 
 /// The shortest vector that has a direction, and the least sine of the angle between axle and suspension, whose plane must be
 /// a plane.
-const LEAST: Real = 1.0e-3;
+const LENGTH_MIN: Real = 1.0e-3;
 
 /// The directions of a wheel in the frame of the chassis, of unit length.
 #[derive(Copy, Clone, Debug)]
@@ -20,7 +20,7 @@ pub(super) fn directions(wheel: &Wheel) -> Result<Directions, String> {
     check_numbers(wheel)?;
     let suspension = direction("direction", wheel.direction_cs)?;
     let axle = direction("axle", wheel.axle_cs)?;
-    if suspension.cross(axle).length_squared() < LEAST * LEAST {
+    if suspension.cross(axle).length_squared() < LENGTH_MIN * LENGTH_MIN {
         return Err(format!("axle along its suspension, {:?}", wheel.axle_cs));
     }
     Ok(Directions { suspension, axle })
@@ -31,7 +31,7 @@ fn direction(name: &str, vector: Vector) -> Result<Vector, String> {
     unit.ok_or_else(|| format!("{name} of {vector:?}"))
 }
 
-/// Is a number usable?
+/// Whether a number is usable.
 type Check = fn(Real) -> bool;
 
 fn check_numbers(wheel: &Wheel) -> Result<(), String> {

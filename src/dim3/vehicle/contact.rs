@@ -7,12 +7,12 @@
 //! inverse mass   w = J M⁻¹ Jᵀ
 //! ```
 //!
-//! The normal row and the row along the direction of rolling act on both bodies where the wheel stands. The row to
-//! the side acts on the chassis higher up, towards the height of the centre of mass
+//! The normal row and the row along the direction of rolling act on both bodies where the wheel stands. The
+//! row to the side acts on the chassis higher up, towards the height of the centre of mass
 //! ([`Wheel::roll_influence`](super::wheel::Wheel::roll_influence)). It also *measures* there: a row that
-//! measured elsewhere than it pushes could do work and rock the car up. Both bodies get equal and
-//! opposite impulses, so no momentum is lost; what the lever arms differ is angular momentum that
-//! is taken out of the car's roll.
+//! measured elsewhere than it pushes could do work and rock the car up. Both bodies get equal and opposite
+//! impulses, so momentum is conserved. The difference of the moment arms is an angular momentum that is
+//! subtracted from the car's roll.
 
 use super::grip::Drive;
 use super::spring::Spring;
@@ -34,7 +34,7 @@ pub(super) struct Mover {
 }
 
 impl Mover {
-    /// What no impulse moves.
+    /// Bodies that no impulse moves.
     pub fn fixed() -> Self {
         Self {
             center: Vector::ZERO,
@@ -52,7 +52,7 @@ impl Mover {
 #[derive(Copy, Clone, Debug)]
 pub(super) struct Row {
     direction: Vector,
-    /// Of the chassis and of the ground: the moment of the direction, and what an impulse does.
+    /// For the chassis and the ground: the moment of the direction, and the response to an impulse.
     moment: [Vector; 2],
     linear: [Vector; 2],
     angular: [Vector; 2],
@@ -125,7 +125,7 @@ pub(super) struct WheelContact {
     pub is_sliding: bool,
 }
 
-/// What is the same for all wheels of a vehicle in one update.
+/// Common data of all wheels of a vehicle in one update.
 #[derive(Copy, Clone, Debug)]
 pub(super) struct Vehicle {
     /// Up, as the chassis has it, in world space.
@@ -135,8 +135,8 @@ pub(super) struct Vehicle {
 }
 
 impl WheelContact {
-    /// A wheel that stands on the mover with this index, or will in the next step. `None` if it will not, or if its
-    /// axle points into the ground: such a wheel knows no forwards.
+    /// A wheel that stands on the mover with this index, or will in the next step. `None` if it has no
+    /// contact, or if its axle points into the ground, so that it has no rolling direction.
     pub fn new(
         (index, wheel): (usize, &Wheel),
         below: &Below,

@@ -15,8 +15,8 @@ use crate::model::collider::ColliderSet;
 
 /// A vehicle: a dynamic body on wheels that are rays.
 ///
-/// Once a step, before or after it, [`Self::update_vehicle`] looks for the ground below each wheel and lets
-/// suspension, engine, brakes and tyres push the chassis through the next step, and the ground the other way.
+/// Once a step, before or after it, [`Self::update_vehicle`] casts a ray for each wheel. Suspension, engine,
+/// brakes and tyres then apply impulses to the chassis during the next step, and opposite ones to the ground.
 ///
 /// ```
 /// # use rapier3d::prelude::*;
@@ -42,7 +42,7 @@ use crate::model::collider::ColliderSet;
 ///
 /// # Frames and units
 ///
-/// Which way a wheel rolls follows from its axle: up × axle is forward. The fields of [`Wheel`] say
+/// The rolling direction of a wheel follows from its axle: up × axle is forward. The fields of [`Wheel`] say
 /// what they mean; forces are forces at the ground, not torques.
 ///
 /// # What an update keeps to
@@ -50,7 +50,8 @@ use crate::model::collider::ColliderSet;
 /// * A suspension pushes and never pulls. It is integrated implicitly, and stiff springs are stable at any rate.
 /// * Drive, brake and grip to the side of a wheel are together at most [`Wheel::friction_slip`] times its load. No brake
 ///   stops a car on ice.
-/// * Brakes hold a standing car, on a slope as well, as long as they and the tyres can; it does not creep.
+/// * Brakes stop a standing car, on a slope as well, within their force and the tyres' grip; it does not
+///   creep.
 /// * Rays see neither the chassis nor sensors, whatever the filter says.
 /// * The ground is pushed as the chassis is, with opposite impulses. Wheels go with ground that moves.
 /// * A sleeping chassis stays asleep until a wheel's controls or its ground change. On dynamic ground none sleeps.
@@ -63,14 +64,13 @@ use crate::model::collider::ColliderSet;
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub struct DynamicRayCastVehicleController {
     wheels: Vec<Wheel>,
-    /// How fast the chassis moved at the last update (length/s), negative if against its forward axis.
+    /// Speed of the chassis at the last update (length/s), negative if against its forward axis.
     pub current_vehicle_speed: Real,
     /// The chassis.
     pub chassis: RigidBodyHandle,
-    /// Which axis of the chassis points up: 0, 1 or 2 for x, y or z. 1 by default.
+    /// The up axis of the chassis: 0, 1 or 2 for x, y or z. 1 by default.
     pub index_up_axis: usize,
-    /// Which axis of the chassis points forward. 0 by default. Only for the sign of
-    /// [`Self::current_vehicle_speed`].
+    /// The forward axis of the chassis. 0 by default. Only for the sign of [`Self::current_vehicle_speed`].
     pub index_forward_axis: usize,
     memory: Memory,
     gives: Vec<Give>,
@@ -96,9 +96,10 @@ impl DynamicRayCastVehicleController {
 
     /// Adds a wheel and returns it.
     ///
-    /// Its suspension hangs at `chassis_connection_cs`, points along `direction_cs` (down), and holds the wheel
-    /// at `suspension_rest_length` when nothing presses; its axle without steering is `axle_cs`, all in the frame of
-    /// the chassis. See [`Wheel`], whose fields have these names, for what happens to values that cannot be.
+    /// Its suspension starts at `chassis_connection_cs`, points along `direction_cs` (down), and has the
+    /// length `suspension_rest_length` without load. Its axle without steering is `axle_cs`. All are in the
+    /// frame of the chassis. See [`Wheel`], whose fields have these names, for what happens to values that
+    /// cannot be.
     pub fn add_wheel(
         &mut self,
         chassis_connection_cs: Vector,
@@ -130,12 +131,12 @@ impl DynamicRayCastVehicleController {
         &mut self.wheels
     }
 
-    /// Lets the wheels act on the chassis and the ground during the next step, which is to take `dt` seconds.
+    /// Applies the wheels to the chassis and the ground during the next step of `dt` seconds.
     ///
-    /// `queries` have the colliders that are ground, as their filter says, and the bodies. To be called once for each step.
-    /// With a `dt` of 0 the wheels are placed, and nothing else happens. If there is no chassis, or it is disabled, or `dt`
-    /// is negative, no number or more than 10¹⁵, or an axis is none of the three, nothing happens; of all but the disabled one `log`
-    /// gets a warning, once.
+    /// `queries` have the colliders that are ground, as their filter says, and the bodies. To be called once
+    /// for each step. With a `dt` of 0 the wheels are placed, and nothing else happens. Nothing happens if
+    /// there is no chassis, or it is disabled, or `dt` is negative, no number or more than 10¹⁵, or an axis
+    /// is none of the three. Except for a disabled chassis, `log` contains one warning.
     pub fn update_vehicle(&mut self, dt: Real, queries: QueryPipelineMut<'_>) {
         let Some(chassis) = self.checked_chassis(dt, queries.bodies) else { return };
         if !chassis.is_enabled() {
@@ -185,7 +186,7 @@ impl DynamicRayCastVehicleController {
         });
     }
 
-    /// Is the chassis awake, or is there a reason to wake it?
+    /// Returns whether the chassis is awake, or there is a reason to wake it.
     fn is_awake(&mut self, bodies: &mut RigidBodySet, colliders: &ColliderSet) -> bool {
         let Some(chassis) = bodies.get(self.chassis) else { return false };
         let is_asleep = chassis.is_sleeping();

@@ -1,40 +1,41 @@
 //! The grip of a tyre: drive, brake and hold to the side, out of one circle of friction.
 //!
-//! Friction at a wheel that is pressed down with N pushes with no more than µ N in all (Coulomb; for tyres the "friction
-//! circle", Milliken and Milliken, "Race Car Vehicle Dynamics", 1995, chapter 2). Which way depends on what the wheel does. It has no mass, so its
-//! torques are in balance: what the ground does along the direction of rolling is what engine and brake do. In impulses,
-//! with E that of the engine and B the most that the brake holds against:
+//! Friction at a wheel under the load N is at most µ N in all (Coulomb; for tyres the "friction circle",
+//! Milliken and Milliken, "Race Car Vehicle Dynamics", 1995, chapter 2). Its direction depends on the state
+//! of the wheel. It has no mass, so its torques are in balance: what the ground does along the direction of
+//! rolling is what engine and brake do. In impulses, with E that of the engine and B the most that the brake
+//! holds against:
 //!
-//! * *It stands still, or is locked* while the ground takes less of the brake than it can hold: |f − E| ≤ B. Then the tyre is a
-//!   block on the ground: it sticks if the impulse that stops it is within the circle, and otherwise slides with µ N
-//!   against its velocity.
-//! * *It rolls* otherwise, with f = E ± B. What the circle leaves is for the side: √((µ N)² − f²).
+//! * *It stands still, or is locked* while the ground takes less of the brake than it can hold: |f − E| ≤ B.
+//!   Then the tyre is a block on the ground: it sticks if the impulse that stops it is within the circle, and
+//!   otherwise slides with µ N against its velocity.
+//! * *It rolls* otherwise, with f = E ± B. The rest of the circle is available to the side: √((µ N)² − f²).
 //! * *It spins* if E alone is more than the circle, and has no hold to the side at all.
 
 use crate::dim::math::Real;
 
-/// What engine and brake want of the ground in one update, as impulses.
+/// Demand of engine and brake on the ground in one update, as impulses.
 #[derive(Copy, Clone, Debug)]
 pub(super) struct Drive {
-    /// What the engine pushes with.
+    /// Impulse of the engine.
     pub engine: Real,
     /// The most that the brake holds against.
     pub brake: Real,
 }
 
-/// What the ground gives.
+/// Friction impulse of the ground.
 #[derive(Copy, Clone, Debug, PartialEq)]
 pub(super) struct Grip {
     /// The impulse along the direction of rolling.
     pub forward: Real,
     /// The impulse along the axle.
     pub side: Real,
-    /// Is it at the limit?
+    /// Whether the tyre is at the limit of its grip.
     pub is_sliding: bool,
 }
 
 impl Drive {
-    /// What the ground gives if `forward` and `side` are what would stop the tyre, and `limit` is µ N.
+    /// The friction impulse if `forward` and `side` would stop the tyre, and `limit` is µ N.
     pub fn grip(&self, forward: Real, side: Real, limit: Real) -> Grip {
         let Self { engine, brake } = *self;
         let wanted = forward.clamp(engine - brake, engine + brake);
@@ -50,13 +51,13 @@ impl Drive {
         Grip { forward, side: side.clamp(-rest, rest), is_sliding: true }
     }
 
-    /// What is left of the engine's impulse behind the brake, and what the ground gives.
-    pub fn surplus(&self, forward: Real) -> Real {
+    /// The rest of the engine's impulse after braking, and the friction impulse.
+    pub fn excess(&self, forward: Real) -> Real {
         let left = (self.engine.abs() - self.brake - forward.abs()).max(0.0);
         if self.engine < 0.0 { -left } else { left }
     }
 
-    /// Does the brake hold the wheel fast, given what the ground gives?
+    /// Returns whether the brake locks the wheel against the friction of the ground.
     pub fn is_locked(&self, forward: Real) -> bool {
         (forward - self.engine).abs() < self.brake
     }

@@ -1,10 +1,10 @@
-//! What the wheels stand on, and how much it gives way.
+//! The ground below the wheels, and its compliance.
 //!
-//! A dynamic body below a wheel moves when the wheel pushes, if it is free to: a plank in space does, the same plank lying
-//! on the floor does not, because the floor pushes back within the same step. A solver that knows nothing of the floor would
-//! take the plank for something that flees from the wheel, and let the car sink. So we look: per world axis, which share of
-//! the velocity that our pushes should have given it did it take on? That share of its inverse mass (`D^½ M⁻¹ D^½` for the
-//! inertia) is what the rows count with.
+//! A dynamic body below a wheel moves under the wheel's load if it is free: a plank in space does, the same
+//! plank on a floor does not, because the floor supports it within the same step. A solver without the floor
+//! would treat the plank as free, and let the car sink. The estimate is measured per world axis: the fraction
+//! of the expected velocity change that the ground took on. The rows use that fraction of its inverse mass
+//! (`D^½ M⁻¹ D^½` for the inertia).
 
 use super::contact::Mover;
 use super::place::velocities_ahead;
@@ -20,7 +20,7 @@ pub(super) struct Ground {
     pub mover: Mover,
 }
 
-/// How much a dynamic body gives way.
+/// Compliance of a dynamic body.
 #[derive(Copy, Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub(super) struct Give {
@@ -78,7 +78,7 @@ fn mover_of(body: &RigidBody, give: Option<&Give>, dt: Real) -> Mover {
         mover.inv_mass *= give.shares[0];
         mover.inv_inertia = scaled(&mover.inv_inertia, give.shares[1]);
     }
-    // What other vehicles do to it in this step.
+    // Effect of other vehicles on it in this step.
     let (force, torque) = body.pending_push();
     mover.linvel += mover.inv_mass * force * dt;
     mover.angvel += mul_inertia(&mover.inv_inertia, torque) * dt;
@@ -134,7 +134,8 @@ impl Give {
     }
 }
 
-/// Half of what was thought, and half of what is seen now: a body that bounces does not make the share jump.
+/// Half of the old estimate, and half of the new measurement: a bouncing body does not make the fraction
+/// jump.
 fn next_share(share: Real, changed: Real, expected: Real) -> Real {
     let seen = changed / expected;
     if expected != 0.0 && seen.is_finite() { 0.5 * (share + seen.clamp(0.0, 1.0)) } else { share }

@@ -1,22 +1,23 @@
-//! What pulls at the chassis that is none of the vehicle's doing: gravity, a trailer, a wall.
+//! External loads on the chassis: gravity, a trailer, a wall.
 //!
-//! Nobody tells a controller about gravity. But it knows what velocity the chassis should have by now, had only its own
-//! pushes and the user's forces acted: what is missing came from elsewhere, and will most likely come again (a
-//! "disturbance observer": Kouhei Ohnishi, "A new servo method in mechatronics", 1987). Blows come once, so an acceleration counts as far as the last two
-//! updates agree on it (per axis, the smaller one; nothing if the signs differ).
+//! The controller has no input for gravity. It predicts the velocity of the chassis from its own impulses and
+//! the user's forces. The difference is an external load that will probably persist (a "disturbance
+//! observer": Kouhei Ohnishi, "A new servo method in mechatronics", 1987). Impacts are singular, so an
+//! acceleration counts only as far as the last two updates agree (per axis, the smaller one; zero if the
+//! signs differ).
 
 use crate::dim::math::{Real, Vector};
 use crate::model::body::RigidBody;
 
-/// What a vehicle remembers of its chassis from update to update.
+/// State of the chassis from update to update.
 #[derive(Copy, Clone, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub(super) struct Memory {
     /// The velocity that the chassis should have after the step, and how long that takes.
     expected: Option<(Vector, Real)>,
-    /// What was missing last time (length/s²).
+    /// The last missing acceleration (length/s²).
     last: Vector,
-    /// What was missing the last two times.
+    /// The common part of the last two.
     steady: Vector,
 }
 

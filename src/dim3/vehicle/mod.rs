@@ -1,29 +1,29 @@
 //! # Vehicle — a chassis on rays
 //!
-//! A car whose wheels are rays: each looks for the ground below its place on the chassis, and what a suspension and
-//! a tyre would do there pushes the chassis, and the other way round the ground. Wheels have no mass and no shape, so
-//! nothing can tear them off or make them shake, and a car costs one ray per wheel. (A common model; a good
-//! account of a game that stands on it is Jared Cone, "It IS Rocket Science! The Physics of Rocket League Detailed", GDC 2018.)
+//! Ray-cast vehicles: each wheel casts a ray from its place on the chassis, and the forces of its suspension
+//! and tyre act on the chassis and the ground. Wheels have no mass and no shape, so nothing can tear them off
+//! or make them shake, and a car costs one ray per wheel. (A common model; a good account of a game that
+//! stands on it is Jared Cone, "It IS Rocket Science! The Physics of Rocket League Detailed", GDC 2018.)
 //!
 //! One update, in this order:
 //!
 //! 1. [`place`](self::place): where each wheel hangs, and what its ray hits.
 //! 2. [`memory`]: what pulled at the chassis since the last update that was none of our doing: gravity,
 //!    say. It will pull again.
-//! 3. [`ground`]: what the wheels stand on, and how much that gives way.
-//! 4. [`contact`], [`spring`], [`grip`]: per wheel on the ground one spring, which only pushes, and two rows of friction
-//!    with one bound; solved together by projected Gauss–Seidel iteration ([`solve`]).
+//! 3. [`ground`]: the ground below the wheels, and its compliance.
+//! 4. [`contact`], [`spring`], [`grip`]: per wheel on the ground one spring, which only pushes, and two rows
+//!    of friction with one bound; solved together by projected Gauss–Seidel iteration ([`solve`]).
 //! 5. [`spin`]: the wheels turn.
 //! 6. The impulses become pushes: forces that last for the next step alone.
 //!
 //! A vehicle that sleeps does the first alone ([`rest`]).
 //!
-//! **Why pushes.** An impulse before a step is there at once, while gravity comes little by little: of a car that
-//! stands still, each would be undone only at the step's end, and the body would report a speed that it has not. A
+//! **Why pushes.** An impulse before a step acts at once, while gravity acts gradually. The impulses of a
+//! standing car would be compensated only at the end of the step, and the body would report a wrong speed. A
 //! force that acts as long as gravity does cancels it at all times, and what stands still has no velocity.
 //!
-//! **Why memory.** Friction holds what would otherwise begin to move *during* the step, so the solver has to know what
-//! pulls. It asks what the velocities will be at the end of the step, not what they are.
+//! **Why memory.** Friction prevents motion that would begin *during* the step, so the solver needs the
+//! external loads. It asks what the velocities will be at the end of the step, not what they are.
 
 mod check;
 mod contact;

@@ -1,4 +1,4 @@
-//! Where the wheels hang, and what is below them.
+//! Poses of the wheels, and the ground below them.
 
 use super::check::{Directions, directions};
 use super::wheel::{Below, RayCastInfo, Wheel};
@@ -21,8 +21,8 @@ impl Wheel {
         }
     }
 
-    /// Follows the chassis, and looks for the ground as far as it may come within `dt` seconds. `queries` do not know
-    /// the chassis.
+    /// Follows the chassis, and looks for the ground as far as it may come within `dt` seconds. `queries` do
+    /// not contain the chassis.
     pub(super) fn place(&mut self, chassis: &RigidBody, dt: Real, queries: &QueryView<'_>) {
         self.below = None;
         match directions(self) {
@@ -44,7 +44,7 @@ impl Wheel {
         self.is_sliding = false;
     }
 
-    /// Can it be used?
+    /// Returns whether the pose is usable.
     pub(super) fn is_usable(&self) -> bool {
         !self.is_reported
     }
@@ -96,8 +96,8 @@ impl Wheel {
     }
 }
 
-/// The normal of the side that the ray came to. A ray that begins inside of something solid has none: it is pushed
-/// out the way it came.
+/// The normal of the side that the ray came to. A ray that begins inside a solid shape has none: the shape is
+/// pushed out along the ray.
 fn normal_against(normal: Vector, along: Vector) -> Vector {
     match normal.try_normalize() {
         Some(unit) if unit.dot(along) > 0.0 => -unit,
@@ -106,14 +106,13 @@ fn normal_against(normal: Vector, along: Vector) -> Vector {
     }
 }
 
-/// A question that only knows what the wheels of a chassis can stand on: what the user's filter lets pass, but neither the
-/// chassis itself nor sensors.
+/// A query with the filter for wheels: the user's filter, without the chassis itself and without sensors.
 pub(super) fn with_ground_alone<R>(
     filter: QueryFilter<'_>,
     chassis: RigidBodyHandle,
     ask: impl FnOnce(QueryFilter<'_>) -> R,
 ) -> R {
-    // A filter leaves out one body, which may be the user's: the chassis needs a way of its own.
+    // A filter excludes one body, which may be the user's: the chassis needs a second exclusion.
     let users = filter.predicate;
     let predicate = |handle: ColliderHandle, collider: &Collider| {
         collider.parent() != Some(chassis)

@@ -1,7 +1,7 @@
 //! Vehicles that sleep, and what wakes them.
 //!
-//! A ray is no contact: the step does not know what a vehicle stands on, and that a pedal was touched it does not know either.
-//! So a vehicle that sleeps still looks for its ground at each update, and wakes when that is not what it was.
+//! A ray is no contact: the step has neither the support of a vehicle nor the state of its pedals. So a
+//! vehicle that sleeps still looks for its ground at each update, and wakes when that is not what it was.
 
 use super::wheel::Wheel;
 use crate::dim::math::Real;
@@ -32,7 +32,7 @@ impl Seen {
         }
     }
 
-    /// Is the wheel, but for rounding, as it was?
+    /// Returns whether the wheel is unchanged, apart from rounding.
     fn is_still(&self, wheel: &Wheel) -> bool {
         let now = Self::of(wheel);
         let moved = (now.length - self.length).abs();
@@ -40,7 +40,7 @@ impl Seen {
     }
 }
 
-/// Is there a reason to wake a sleeping vehicle?
+/// Returns whether there is a reason to wake a sleeping vehicle.
 pub(super) fn is_disturbed(
     wheels: &[Wheel],
     seen: &[Seen],

@@ -6,16 +6,16 @@ use super::ground::{Ground, Grounds};
 use super::wheel::Wheel;
 use crate::dim::math::{Real, Vector};
 
-/// The most visits of each row. Springs yield and couple weakly; what takes its time is a car held fast by all
-/// wheels, whose rows say the same thing several times over.
-const VISITS: usize = 50;
-/// When no row changes its velocity by more than this share of what suspensions do in the step, all are solved: of the
-/// 0.2 m/s of a step of gravity, that is less than what rounding leaves.
-const SETTLED: Real = 1.0e-5;
+/// Largest number of iterations over the rows. Springs are compliant and couple weakly. The slowest case is a
+/// car with all wheels locked, whose rows are redundant.
+const ITERATIONS_MAX: usize = 50;
+/// The iteration has converged when no row changes its velocity by more than this fraction of the
+/// suspensions' effect in the step: of the 0.2 m/s of a step of gravity, that is less than rounding.
+const CONVERGENCE_TOLERANCE: Real = 1.0e-5;
 
 /// Finds the impulses of all wheels.
 pub(super) fn solve(contacts: &mut [WheelContact], chassis: &mut Mover, grounds: &mut Grounds) {
-    for _ in 0..VISITS {
+    for _ in 0..ITERATIONS_MAX {
         let (mut change, mut scale): (Real, Real) = (0.0, 0.0);
         for contact in contacts.iter_mut() {
             let ground = &mut grounds.all[contact.ground].mover;
@@ -26,7 +26,7 @@ pub(super) fn solve(contacts: &mut [WheelContact], chassis: &mut Mover, grounds:
             let ground = &mut grounds.all[contact.ground].mover;
             change = change.max(contact.hold(chassis, ground));
         }
-        if change <= SETTLED * scale {
+        if change <= CONVERGENCE_TOLERANCE * scale {
             break;
         }
     }
@@ -43,7 +43,7 @@ impl WheelContact {
         }
     }
 
-    /// Lets the suspension press. Returns by how much it changed its velocity.
+    /// Applies the suspension. Returns by how much it changed its velocity.
     fn press(&mut self, chassis: &mut Mover, ground: &mut Mover) -> Real {
         let row = &mut self.normal;
         let (old, inv_mass) = (row.impulse, row.inv_mass);
@@ -52,7 +52,7 @@ impl WheelContact {
         (impulse - old).abs() * inv_mass
     }
 
-    /// Lets the tyre hold. Returns by how much it changed its velocities.
+    /// Applies the friction of the tyre. Returns by how much it changed its velocities.
     fn hold(&mut self, chassis: &mut Mover, ground: &mut Mover) -> Real {
         let limit = self.friction * self.normal.impulse;
         let forward = self.forward.impulse_for(0.0, chassis, ground);
@@ -66,7 +66,7 @@ impl WheelContact {
         change
     }
 
-    /// Are all impulses numbers?
+    /// Returns whether all impulses are finite.
     pub fn is_finite(&self) -> bool {
         self.rows().iter().all(|row| row.impulse.is_finite())
     }
@@ -97,7 +97,7 @@ fn sum(wrenches: impl Iterator<Item = (Vector, Vector)>) -> (Vector, Vector) {
 }
 
 impl Grounds {
-    /// Those that can be pushed.
+    /// The movable bodies.
     pub fn dynamic(&self) -> impl Iterator<Item = (usize, &Ground)> {
         self.all.iter().enumerate().filter(|(_, ground)| ground.is_dynamic)
     }

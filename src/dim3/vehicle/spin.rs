@@ -1,29 +1,29 @@
-//! How the wheels turn.
+//! Spin of the wheels.
 //!
-//! Wheels have no mass: nothing of what follows pushes the chassis. On the ground a wheel rolls, so its spin is the
-//! velocity of the chassis over the ground by its radius, and over a step it turns by what lies between the
-//! velocities before and after. Locked, it stands. In the air it goes on turning. When the engine asks for more than the tyre
-//! can bring to the ground, or the wheel is in the air, the rest of its force spins the wheel up, as if it were a solid disc
-//! of a [`SHARE`] of the mass of the chassis; the brake slows it in the air in the same way.
+//! Wheels have no mass: nothing of what follows pushes the chassis. On the ground a wheel rolls. Its spin is
+//! the ground velocity of the chassis divided by its radius, and its angle integrates the velocities before
+//! and after the step. Locked, it stands. In the air it goes on turning. If the engine exceeds the grip of
+//! the tyre, or the wheel is in the air, the rest of its force accelerates the wheel, as a solid disc of a
+//! [`WHEEL_MASS_FRACTION`] of the mass of the chassis. The brake slows it in the air in the same way.
 
 use super::contact::{Mover, WheelContact};
 use super::wheel::Wheel;
 use crate::dim::math::Real;
 
-/// What a wheel, with its part of what turns in the engine, is taken to weigh against the chassis.
-const SHARE: Real = 0.1;
+/// Mass of a wheel, with its part of the rotating engine, relative to the chassis.
+const WHEEL_MASS_FRACTION: Real = 0.1;
 /// A spin (rad/s) at which no engine goes any faster.
-const FASTEST: Real = 1.0e4;
+const SPIN_MAX: Real = 1.0e4;
 
 impl Wheel {
-    /// By how much an impulse at its rim changes its spin: r / I with I = ½ M r².
+    /// Change of spin per impulse at the rim: r / I with I = ½ M r².
     fn spin_of_impulse(&self, chassis_mass: Real) -> Real {
-        let change = 2.0 / (SHARE * chassis_mass * self.radius);
+        let change = 2.0 / (WHEEL_MASS_FRACTION * chassis_mass * self.radius);
         if change.is_finite() { change } else { 0.0 }
     }
 
     fn turn(&mut self, spin: Real, dt: Real) {
-        let spin = if spin.is_finite() { spin.clamp(-FASTEST, FASTEST) } else { 0.0 };
+        let spin = if spin.is_finite() { spin.clamp(-SPIN_MAX, SPIN_MAX) } else { 0.0 };
         self.spin = spin;
         let rotation = self.rotation + spin * dt;
         if rotation.is_finite() {
@@ -50,15 +50,15 @@ impl WheelContact {
         let after = self.forward.velocity(chassis, ground);
         let rolling = 0.5 * (before + after) / wheel.radius;
         let given = self.forward.impulse;
-        let surplus = self.drive.surplus(given);
+        let excess = self.drive.excess(given);
         let spin = if !self.is_sliding {
             rolling
         } else if self.drive.is_locked(given) {
             0.0
-        } else if surplus != 0.0 {
+        } else if excess != 0.0 {
             // Never slower than the ground below it.
-            let faster = wheel.spin + surplus * wheel.spin_of_impulse(chassis_mass);
-            if surplus > 0.0 { faster.max(rolling) } else { faster.min(rolling) }
+            let faster = wheel.spin + excess * wheel.spin_of_impulse(chassis_mass);
+            if excess > 0.0 { faster.max(rolling) } else { faster.min(rolling) }
         } else {
             rolling
         };

@@ -1,15 +1,16 @@
 //! The suspension as a row: a spring and a damper that only push, integrated implicitly.
 //!
-//! A suspension of the length L points along the unit vector d from the hard point to the ground, whose normal is n. The
-//! ground gives way along n only, so if the chassis moves with v at the contact (relative to the ground),
+//! A suspension of the length L points along the unit vector d from the hard point to the ground, whose
+//! normal is n. The ground is compliant along n only. If the chassis moves with v at the contact (relative to
+//! the ground),
 //!
 //! ```text
 //! compression   x = L₀ − L,    ẋ = −vₙ / cosφ,    vₙ = n·v,    cosφ = −n·d
 //! force         F = k x + c ẋ   along d,          0 ≤ F ≤ Fₘₐₓ
 //! ```
 //!
-//! and by virtual work the ground presses with N = F / cosφ along n. (Where φ comes near a right angle cosφ
-//! is held at [`LEAST_COSINE`]: the wheel scrapes along a wall.)
+//! and by virtual work the ground presses with N = F / cosφ along n. (Near a right angle of φ, cosφ is
+//! limited to [`LEAST_COSINE`]: the wheel scrapes along a wall.)
 //!
 //! **Over a step.** From beginning (₀) to end (₁) the force is to be that of a moment in between,
 //!
@@ -17,24 +18,25 @@
 //! F = k (x₀ + α dt ẋ₀ + β dt (ẋ₁ − ẋ₀)) + c (ẋ₀ + γ (ẋ₁ − ẋ₀))
 //! ```
 //!
-//! The means of a motion with constant acceleration are α = γ = ½, β = ⅙: second order, so a soft spring swings with
-//! its own frequency and its own damping at any rate. But such a scheme explodes on stiff springs. All ones is
-//! implicit Euler, which takes anything and kills every swing. We go from one to the other with how stiff the
-//! spring is for this step (exponential fitting: Werner Liniger, Ralph Willoughby, "Efficient integration
-//! methods for stiff systems of ordinary differential equations", SIAM J. Numer. Anal. 1970; ours are rational functions of the
-//! same limits): with q = dt² k w and r = dt c w, w the inverse mass that the row meets,
+//! The means of a motion with constant acceleration are α = γ = ½, β = ⅙: second order, so a soft spring
+//! oscillates with its own frequency and damping at any rate. But such a scheme explodes on stiff springs.
+//! All ones is implicit Euler, which takes anything and kills every swing. The method interpolates from one
+//! to the other by the stiffness of the spring for this step (exponential fitting: Werner Liniger, Ralph
+//! Willoughby, "Efficient integration methods for stiff systems of ordinary differential equations", SIAM J.
+//! Numer. Anal. 1970; ours are rational functions of the same limits): with q = dt² k w and r = dt c w, w the
+//! inverse mass of the row,
 //!
 //! ```text
 //! t = q / (q + 4)     α = ½ + ½ t     β = ⅙ + ⅚ t     γ = ½ + ½ r / (r + 6)
 //! ```
 //!
-//! For one mass, pushes integrated in 1 to 32 substeps, and all q up to 10⁶ and r up to 10⁵ the swing dies out (largest
-//! eigenvalue of the step below 1), also if w is wrong by a factor of four, as it is for a car on four wheels.
-//! At 60 Hz a swing of 1.5 Hz has its frequency to 0.02 % and its damping ratio to 0.01.
+//! For one mass, impulses in 1 to 32 substeps, and all q up to 10⁶ and r up to 10⁵, the oscillation decays
+//! (largest eigenvalue of the step below 1). It also does if w is wrong by a factor of four, as it is for a
+//! car on four wheels. At 60 Hz a swing of 1.5 Hz has its frequency to 0.02 % and its damping ratio to 0.01.
 //!
-//! **Before it touches.** A wheel that is above the ground by less than the step may bring it down counts with its
-//! negative compression: it takes part only if it gets there. One that came into play when it has sunk in would find a stiff
-//! spring wound up, and hop for ever.
+//! **Before it touches.** A wheel above the ground by less than the possible motion of the step counts with
+//! its negative compression: it takes part only if it arrives. One that came into play when it has sunk in
+//! would find a stiff spring wound up, and hop for ever.
 //!
 //! As an impulse λ = dt N, with ẋ₁ = −v₁ / cosφ:  λ = b − G v₁, where
 //!
@@ -50,8 +52,8 @@ use crate::dim::math::Real;
 /// The least cosine of the angle between suspension and normal that counts.
 const LEAST_COSINE: Real = 0.1;
 
-/// The impulse λ of a suspension on its contact, as it depends on the velocity v along the normal at the end of
-/// the step: `λ = bias − softness · v`, from 0 to `limit`.
+/// The impulse λ of a suspension on its contact, as a function of the velocity v along the normal at the end
+/// of the step: `λ = bias − softness · v`, from 0 to `limit`.
 #[derive(Copy, Clone, Debug)]
 pub(super) struct Spring {
     bias: Real,
@@ -62,9 +64,9 @@ pub(super) struct Spring {
 }
 
 impl Spring {
-    /// The suspension of a wheel with something below it. The `velocities` are those of the chassis against the
-    /// ground along the normal: now, and at the end of the step if no wheel pushes; `inv_mass` is what the row meets.
-    /// `None` if the wheel will not touch the ground.
+    /// The suspension of a wheel with something below it. The `velocities` are those of the chassis relative
+    /// to the ground along the normal: now, and at the end of the step without wheel forces. `inv_mass` is
+    /// that of the row. `None` if the wheel will not touch the ground.
     pub fn new(
         wheel: &Wheel,
         below: &Below,
@@ -105,8 +107,8 @@ impl Spring {
     }
 }
 
-/// The share of the step in which the wheel touches the ground, if the compression grows by `closing` in it: a damper
-/// that is not on the ground yet does not damp. `None` if the wheel does not get there.
+/// The fraction of the step in which the wheel touches the ground, if the compression grows by `closing` in
+/// it: a damper acts on the ground only. `None` if the wheel does not get there.
 fn share_of_step(compression: Real, closing: Real) -> Option<Real> {
     if compression >= 0.0 {
         return Some(1.0);

@@ -1,4 +1,4 @@
-//! The records of a wheel: what it is made of, what the driver wants of it, and what became of it.
+//! The records of a wheel: its parameters, its controls, and its state.
 
 use crate::dim::math::{Real, Rotation, Vector, rotation_from_angle};
 use crate::model::collider::ColliderHandle;
@@ -40,100 +40,102 @@ impl Default for WheelTuning {
     }
 }
 
-/// What the ray of a wheel found at the last update.
+/// Ray-cast result of a wheel at the last update.
 #[derive(Copy, Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub struct RayCastInfo {
     /// Normal of the ground, in world space: out of the ground, of unit length. In the air: against the suspension.
     pub contact_normal_ws: Vector,
-    /// Where the wheel stands, in world space. In the air: the lowest point of the wheel.
+    /// Contact point of the wheel, in world space. In the air: the lowest point of the wheel.
     pub contact_point_ws: Vector,
     /// From the hard point to the middle of the wheel (length). In the air: the rest length.
     pub suspension_length: Real,
-    /// Where the suspension hangs on the chassis, and the ray begins, in world space.
+    /// Start of suspension and ray on the chassis, in world space.
     pub hard_point_ws: Vector,
-    /// Is the wheel on the ground?
+    /// Whether the wheel is on the ground.
     pub is_in_contact: bool,
-    /// What it stands on.
+    /// The collider below it.
     pub ground_object: Option<ColliderHandle>,
 }
 
-/// What is below a wheel, also if it may touch it only during the next step.
+/// The ground below the wheel, also if it touches only during the next step.
 #[derive(Copy, Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub(super) struct Below {
     pub collider: ColliderHandle,
     pub normal: Vector,
     pub point: Vector,
-    /// How far the spring is pressed together (length); negative if the wheel is above the ground.
+    /// Compression of the spring (length); negative if the wheel is above the ground.
     pub compression: Real,
 }
 
 /// One wheel of a vehicle.
 ///
-/// What it is made of and what is wanted of it are public fields; both may change at any time. Lengths are in the
-/// units of the world, vectors that end in `_cs` in the frame of the chassis. Stiffness and damping are *per
-/// mass of the chassis*, so a car that is loaded sinks no deeper.
+/// Parameters and controls are public fields; both may change at any time. Lengths are in the units of the
+/// world, vectors that end in `_cs` in the frame of the chassis. Stiffness and damping are *per mass of the
+/// chassis*, so a car that is loaded sinks no deeper.
 ///
-/// A wheel whose values cannot be used (not finite, no radius, an axle of no length, a negative stiffness…) hangs idle as if it
-/// were in the air, and `log` gets a warning with the value; the other wheels go on.
+/// A wheel with unusable values (not finite, no radius, an axle of no length, a negative stiffness…) is
+/// inactive as if it were in the air, and `log` contains a warning with the value; the other wheels are
+/// unaffected.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub struct Wheel {
-    /// Where the suspension hangs on the chassis (the "hard point"), in the frame of the chassis.
+    /// Start of the suspension on the chassis (the "hard point"), in the frame of the chassis.
     pub chassis_connection_point_cs: Vector,
-    /// Where the suspension points, down for most, in the frame of the chassis. Its length means nothing.
+    /// Direction of the suspension, down for most, in the frame of the chassis. Its length means nothing.
     pub direction_cs: Vector,
     /// The axle without steering, in the frame of the chassis. Its length means nothing; its sign says what
     /// is forward: up × axle. For a car that is to drive along +x with y up, +z.
     pub axle_cs: Vector,
     /// From the hard point to the middle of the wheel when nothing presses (length, at least 0).
     pub suspension_rest_length: Real,
-    /// How far the suspension gives way from its rest length, at most (length, at least 0). Beyond that the spring presses
-    /// no harder, and it is for the colliders of the chassis to stop it.
+    /// Largest compression of the suspension from its rest length (length, at least 0). Beyond that the
+    /// spring presses no harder, and it is for the colliders of the chassis to stop it.
     pub max_suspension_travel: Real,
     /// The radius of the wheel (length).
     pub radius: Real,
     /// Force of the spring per compression, per mass of the chassis (1/s²).
     ///
     /// A car of mass m on n such wheels sinks by g / (n · stiffness) and bounces with √(n · stiffness) / 2π
-    /// hertz. A soft family car has 25 to 50 (1.6 to 2.2 Hz on four wheels), a sports car 60 to 100, a racing car 200
-    /// and more. The default of 5.88 is very soft: it sinks by 0.42 m on earth, which the rest length must have room for.
+    /// hertz. A soft family car has 25 to 50 (1.6 to 2.2 Hz on four wheels), a sports car 60 to 100, a racing
+    /// car 200 and more. The default of 5.88 is very soft: it sinks by 0.42 m on earth, which the rest length
+    /// must allow.
     pub suspension_stiffness: Real,
-    /// Force of the damper per speed while the suspension is pressed together, per mass of the chassis (1/s).
+    /// Force of the damper per speed during compression, per mass of the chassis (1/s).
     ///
-    /// The bounce of n such wheels has the damping ratio ½ · damping · √(n / stiffness); 1 does not swing at
-    /// all, cars have 0.2 to 0.5.
+    /// The damping ratio of n such wheels is ½ · damping · √(n / stiffness); 1 is critical, cars have 0.2 to
+    /// 0.5.
     pub damping_compression: Real,
-    /// The same while the suspension stretches. Often a little more than when it is pressed together.
+    /// The same while the suspension stretches. It is often a little more than during compression.
     pub damping_relaxation: Real,
     /// Largest force of the suspension along its direction (mass·length/s², at least 0).
     pub max_suspension_force: Real,
-    /// Coefficient of friction µ of the tyre: drive, brakes and grip to the side together can push with no more than µ
-    /// times what the ground presses with. Tyres have 1 on dry and 0.1 on icy roads; the default of 10.5 sticks to
-    /// everything. The friction of the colliders does not count.
+    /// Coefficient of friction µ of the tyre: drive, brakes and lateral grip together are at most µ times the
+    /// load. Tyres have 1 on dry and 0.1 on icy roads; the default of 10.5 sticks to everything. The friction
+    /// of the colliders does not count.
     pub friction_slip: Real,
-    /// Which share of the slip to the side the tyre tries to remove in one update, from 0 (drifts as
-    /// on ice) to 1; more counts as 1.
+    /// Fraction of the lateral slip that the tyre aims to remove in one update, from 0 (drifts as on ice) to
+    /// 1; larger values count as 1.
     pub side_friction_stiffness: Real,
-    /// How much grip to the side makes the car roll, from 0 to 1.
+    /// The fraction of lateral grip that makes the car roll, from 0 to 1.
     ///
-    /// Friction on the ground acts below the centre of mass and leans a car out of its curve, or turns it over. At
-    /// 1 it does so as it should. At 0 it acts at the height of the centre of mass and the car stays level;
-    /// in between, in between. 0.1 by default: games want cars that stay on their wheels.
+    /// Friction on the ground acts below the centre of mass and leans a car out of its curve, or turns it
+    /// over. At 1 it does so as it should. At 0 it acts at the height of the centre of mass and the car stays
+    /// level; in between, in between. 0.1 by default, so that cars stay on their wheels.
     pub roll_influence: Real,
     /// Angle of steering about the direction opposite to [`Self::direction_cs`] (rad): positive to the left.
     pub steering: Real,
-    /// What the engine pushes with, along the direction of rolling (mass·length/s²); negative to go
-    /// backwards. It reaches the ground as far as the tyre grips.
+    /// Force of the engine along the rolling direction (mass·length/s²); negative to go backwards. It reaches
+    /// the ground as far as the tyre grips.
     pub engine_force: Real,
-    /// How hard the brake holds: the largest impulse against rolling *in one update* (mass·length/s, at least 0, may
-    /// be infinite). For a braking force set `force * dt`.
+    /// The largest braking impulse *in one update* (mass·length/s, at least 0, may be infinite). For a
+    /// braking force set `force * dt`.
     ///
     /// It reaches the ground as far as the tyre grips: a wheel that is braked harder is locked and slides.
     pub brake: Real,
-    /// How far the wheel has rolled (rad), positive forwards, by the last update. It grows without end; take whole turns
-    /// off whenever you like. See [`Self::rotation_cs`].
+    /// Rolling angle of the wheel (rad), positive forwards, by the last update. It grows without end; take
+    /// whole turns off whenever you like. See [`Self::rotation_cs`].
     pub rotation: Real,
     /// The force of the suspension in the last update (mass·length/s²).
     pub wheel_suspension_force: Real,
@@ -146,12 +148,12 @@ pub struct Wheel {
     pub(super) below: Option<Below>,
     pub(super) suspension_ws: Vector,
     pub(super) axle_ws: Vector,
-    /// How fast it turns (rad/s).
+    /// Spin (rad/s).
     pub(super) spin: Real,
     pub(super) is_sliding: bool,
     /// The impulses of the last update: along the normal, forward, to the side.
     pub(super) last_impulses: [Real; 3],
-    /// Has the log been told that it cannot be used?
+    /// Whether the log already contains that the wheel cannot be used.
     pub(super) is_reported: bool,
 }
 
@@ -190,12 +192,12 @@ impl Wheel {
         }
     }
 
-    /// What its ray found at the last update.
+    /// Ray-cast result of the last update.
     pub fn raycast_info(&self) -> &RayCastInfo {
         &self.raycast_info
     }
 
-    /// Where the suspension points, in world space (unit length), as of the last update.
+    /// Direction of the suspension, in world space (unit length), as of the last update.
     pub fn suspension(&self) -> Vector {
         self.suspension_ws
     }
@@ -218,7 +220,7 @@ impl Wheel {
         self.chassis_connection_point_cs + down * self.raycast_info.suspension_length
     }
 
-    /// How the wheel is turned in the frame of the chassis, by rolling and then by steering.
+    /// Rotation of the wheel in the frame of the chassis, by rolling and then by steering.
     ///
     /// For a wheel that is drawn with its axle along [`Self::axle_cs`]. Rolling forwards turns about the axle
     /// backwards: its angle is `-rotation`.
@@ -237,12 +239,13 @@ impl Wheel {
         steered * rolled
     }
 
-    /// How fast the wheel turns (rad/s), positive forwards, as of the last update.
+    /// Spin of the wheel (rad/s), positive forwards, as of the last update.
     pub fn spin(&self) -> Real {
         self.spin
     }
 
-    /// Was the tyre at the limit of its grip in the last update: locked, spinning or drifting?
+    /// Returns whether the tyre was at the limit of its grip in the last update: locked, spinning or
+    /// drifting.
     pub fn is_sliding(&self) -> bool {
         self.is_sliding
     }

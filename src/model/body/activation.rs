@@ -1,29 +1,30 @@
 //! When a body may fall asleep, and whether it does.
 //!
-//! A body is a candidate for sleep while it does not drift: while none of its points gets farther from its
-//! position at the start of a window of time than the thresholds allow, nor takes a longer path. Once every body of an
-//! island has been a candidate for long enough, the whole island sleeps and costs nothing.
+//! A body is a candidate for sleep while it does not drift. None of its points may move farther from its
+//! position at the start of a window of time than the threshold allows, nor take a longer path. Once every
+//! body of an island has been a candidate for long enough, the whole island sleeps and costs nothing.
 
 use crate::dim::math::Real;
 
-/// Whether a body sleeps, and how calm it must be to fall asleep.
+/// Whether a body sleeps, and its thresholds for sleep.
 #[derive(Copy, Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub struct RigidBodyActivation {
     /// Mean speed below which every point of the body must stay for the body to fall asleep, as a multiple of
     /// `IntegrationParameters::length_unit` per second. Negative: never.
     ///
-    /// The mean is taken over windows of a quarter of a second, one after the other, for [`Self::time_until_sleep`]: no point may get
-    /// farther from its position at the start of a window than the threshold times the length of the window, nor take a longer path. A
-    /// turn counts with the size of the body. Velocities that alternate from step to step cancel: a body that trembles may be faster.
+    /// The mean is taken over windows of a quarter of a second for [`Self::time_until_sleep`]. In a window no
+    /// point may move farther from its start than the threshold times the length of the window, nor take a
+    /// longer path. A turn counts with the size of the body. Velocities that alternate from step to step
+    /// cancel: a body that trembles may be faster.
     pub normalized_linear_threshold: Real,
     /// Mean angular speed below which the body must stay to fall asleep (rad/s), whatever its size. Negative: never.
     pub angular_threshold: Real,
-    /// How long the body must stay below both thresholds before it may sleep (seconds).
+    /// Time below both thresholds after which the body may sleep (seconds).
     pub time_until_sleep: Real,
-    /// How long the body has been below both thresholds (seconds).
+    /// Time that the body has been below both thresholds (seconds).
     pub time_since_can_sleep: Real,
-    /// Does the body sleep?
+    /// Whether the body sleeps.
     pub sleeping: bool,
 }
 
@@ -36,8 +37,8 @@ impl Default for RigidBodyActivation {
 impl RigidBodyActivation {
     /// The default of [`Self::normalized_linear_threshold`]: 0.05 length units per second.
     ///
-    /// A ball that rolls has no resistance, and the top of it is twice as fast as its centre: at 0.01, heaps of balls with
-    /// one that rolls at 1 cm/s do not sleep.
+    /// A ball that rolls has no resistance, and its top is twice as fast as its centre. At 0.01, heaps of
+    /// balls do not sleep while one ball rolls at 1 cm/s.
     pub const fn default_normalized_linear_threshold() -> Real {
         0.05
     }
@@ -50,8 +51,8 @@ impl RigidBodyActivation {
 
     /// The default of [`Self::time_until_sleep`]: a second.
     ///
-    /// It has to outlast whatever is slow for a moment only: a body at the top of its flight, a rocking box or a pendulum at its
-    /// turning point, a domino that begins to tip.
+    /// It must exceed momentary slow motions: a body at the top of its flight, a rocking box or a pendulum at
+    /// its turning point, a domino that begins to tip.
     pub const fn default_time_until_sleep() -> Real {
         1.0
     }
@@ -81,7 +82,7 @@ impl RigidBodyActivation {
         Self { normalized_linear_threshold: -1.0, angular_threshold: -1.0, ..Self::active() }
     }
 
-    /// Is the body awake?
+    /// Returns whether the body is awake.
     pub const fn is_active(&self) -> bool {
         !self.sleeping
     }

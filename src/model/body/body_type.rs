@@ -1,40 +1,40 @@
-//! What moves a body.
+//! The cause of a body's motion.
 
-/// What moves a body.
+/// The cause of a body's motion.
 #[derive(Copy, Clone, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub enum RigidBodyType {
     /// Forces, gravity, contacts and joints move it.
     #[default]
     Dynamic,
-    /// Nothing moves it: the ground, a wall.
+    /// It never moves: the ground, a wall.
     Fixed,
     /// The user says where it is at the end of the next step
     /// ([`RigidBody::set_next_kinematic_position`](super::RigidBody::set_next_kinematic_position)).
     /// The step derives its velocity, so that it pushes and carries what it touches.
     KinematicPositionBased,
-    /// The user says how fast it moves ([`RigidBody::set_linvel`](super::RigidBody::set_linvel)).
-    /// Nothing that it touches slows it down.
+    /// The user says how fast it moves ([`RigidBody::set_linvel`](super::RigidBody::set_linvel)). Contacts do
+    /// not slow it down.
     KinematicVelocityBased,
 }
 
 impl RigidBodyType {
-    /// Is it moved by forces?
+    /// Returns whether forces move the body.
     pub const fn is_dynamic(self) -> bool {
         matches!(self, Self::Dynamic)
     }
 
-    /// Does it never move?
+    /// Returns whether the body never moves.
     pub const fn is_fixed(self) -> bool {
         matches!(self, Self::Fixed)
     }
 
-    /// Is it moved by the user alone?
+    /// Returns whether the user alone moves the body.
     pub const fn is_kinematic(self) -> bool {
         matches!(self, Self::KinematicPositionBased | Self::KinematicVelocityBased)
     }
 
-    /// Can it move?
+    /// Returns whether the body can move.
     pub const fn is_dynamic_or_kinematic(self) -> bool {
         !self.is_fixed()
     }

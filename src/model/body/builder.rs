@@ -36,35 +36,35 @@ pub struct RigidBodyBuilder {
     pub linvel: Vector,
     /// World-space angular velocity (rad/s). Default: zero.
     pub angvel: AngVector,
-    /// How many times gravity acts on the body. Default: 1.
+    /// Factor on gravity for the body. Default: 1.
     pub gravity_scale: Real,
     /// Share of the linear velocity lost per second, to first order (1/s). Default: 0.
     pub linear_damping: Real,
     /// Share of the angular velocity lost per second, to first order (1/s). Default: 0.
     pub angular_damping: Real,
-    /// What moves the body.
+    /// Type of the body: the cause of its motion.
     pub body_type: RigidBodyType,
     /// The world axes along and about which the body cannot be pushed. Default: none.
     pub locked_axes: LockedAxes,
     /// Mass beyond that of the colliders. Default: none.
     pub additional_mass_properties: Option<RigidBodyAdditionalMassProps>,
-    /// May the body fall asleep? Default: yes.
+    /// Whether the body may fall asleep. Default: yes.
     pub can_sleep: bool,
-    /// Does the body begin asleep? Default: no.
+    /// Whether the body begins asleep. Default: no.
     pub sleeping: bool,
-    /// Is continuous collision detection on? Default: no.
+    /// Whether continuous collision detection is on. Default: no.
     pub ccd_enabled: bool,
-    /// How far ahead of its surface the body looks for contacts (length units). Default: 0, off.
+    /// Prediction distance of the body's contacts (length units). Default: 0, off.
     pub soft_ccd_prediction: Real,
     /// The dominance group: the higher group wins contacts. Default: 0.
     pub dominance_group: i8,
-    /// Does the body take part in the simulation? Default: yes.
+    /// Whether the body takes part in the simulation. Default: yes.
     pub enabled: bool,
     /// Substeps of the solver beyond those of the integration parameters. Default: 0.
     pub additional_solver_iterations: usize,
-    /// Does the body wobble as its inertia demands? Default: yes. Means nothing in 2D.
+    /// Whether gyroscopic forces act on the body. Default: yes. Means nothing in 2D.
     pub gyroscopic_forces_enabled: bool,
-    /// Whatever the user wants to find again. Default: 0.
+    /// User data. Default: 0.
     pub user_data: u128,
 }
 
@@ -155,8 +155,7 @@ impl RigidBodyBuilder {
         self
     }
 
-    /// Sets how the body's frame is turned: by the angle (in 2D), or about the direction and by the
-    /// length of the vector (in 3D), in radians.
+    /// Sets the orientation of the body's frame, in radians: the angle (in 2D), or a rotation vector (in 3D).
     pub fn rotation(mut self, angle: AngVector) -> Self {
         self.position.rotation = rotation_from_angle(angle);
         self
@@ -180,13 +179,13 @@ impl RigidBodyBuilder {
         self
     }
 
-    /// Sets the share of the linear velocity lost per second, to first order (1/s, at least 0).
+    /// Sets the fraction of the linear velocity lost per second, to first order (1/s, at least 0).
     pub fn linear_damping(mut self, factor: Real) -> Self {
         self.linear_damping = factor;
         self
     }
 
-    /// Sets the share of the angular velocity lost per second, to first order (1/s, at least 0).
+    /// Sets the fraction of the angular velocity lost per second, to first order (1/s, at least 0).
     pub fn angular_damping(mut self, factor: Real) -> Self {
         self.angular_damping = factor;
         self
@@ -257,7 +256,7 @@ impl RigidBodyBuilder {
         self
     }
 
-    /// Says whether the body takes part in the simulation.
+    /// Sets whether the body takes part in the simulation.
     pub fn enabled(mut self, enabled: bool) -> Self {
         self.enabled = enabled;
         self

@@ -1,7 +1,7 @@
 //! Notes on what the user changed since the last step, so that a step looks at the changed bodies alone.
 
 bitflags::bitflags! {
-    /// What the user changed about a body since the last step.
+    /// Edits of a body since the last step.
     #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
     #[derive(Copy, Clone, PartialEq, Eq, Debug, Default)]
     pub struct RigidBodyChanges: u32 {
@@ -11,7 +11,7 @@ bitflags::bitflags! {
         const POSITION = 1 << 1;
         /// Whether the body sleeps.
         const SLEEP = 1 << 2;
-        /// Which colliders are attached, or where on the body they are.
+        /// The attached colliders, or their poses on the body.
         const COLLIDERS = 1 << 3;
         /// The body type.
         const TYPE = 1 << 4;
@@ -25,7 +25,7 @@ bitflags::bitflags! {
 }
 
 impl RigidBodyChanges {
-    /// What decides in which lists of the step a body stands, and which of its colliders' pairs there are.
+    /// Edits that affect the lists of the body and the pairs of its colliders.
     pub(crate) const KIND: Self = Self::TYPE.union(Self::ENABLED_OR_DISABLED);
 
     /// The notes of a body that the step has never seen.

@@ -8,11 +8,11 @@ use crate::model::collider::{Collider, ColliderEnabled, ColliderHandle, Collider
 use parry::mass_properties::MassProperties;
 use smallvec::SmallVec;
 
-/// The colliders of one body. One or two, as nearly all bodies have, stand in the body itself: the step asks for them when it has
-/// the body at hand, and a list elsewhere would be one more wait for memory for every body that moves.
+/// The colliders of one body. Up to two, as in nearly all bodies, are stored in the body itself: the step
+/// reads them together with the body, and a separate list would cost another cache miss per moving body.
 pub(crate) type AttachedColliders = SmallVec<[ColliderHandle; 2]>;
 
-/// What a collider adds to its body's mass, in the body's frame. Nothing if the user disabled it.
+/// Contribution of a collider to its body's mass, in the body's frame. Zero if the user disabled it.
 fn mass_in_body(collider: &Collider) -> MassProperties {
     match &collider.parent {
         Some(parent) if collider.flags.enabled != ColliderEnabled::Disabled => {
@@ -44,8 +44,8 @@ impl RigidBody {
         }
     }
 
-    /// Adds the mass of a collider that was just attached, so that the body can be pushed before the
-    /// next step sums all of them up.
+    /// Adds the mass of an attached collider, so that impulses act on it before the next step sums up all
+    /// masses.
     pub(crate) fn add_collider_mass(&mut self, collider: &Collider) {
         let part = mass_in_body(collider);
         if part.inv_mass == 0.0 && part == no_mass() {
@@ -119,7 +119,7 @@ impl RigidBody {
         self.update_mass();
     }
 
-    /// Lets the extent reach around these colliders, too, and the thickness be no more than theirs.
+    /// Enlarges the extent to include these colliders, and limits the thickness to theirs.
     fn update_extent<'a>(&mut self, colliders: impl Iterator<Item = &'a Collider>) {
         let center = self.local_center_of_mass();
         for collider in colliders {

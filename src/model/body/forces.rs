@@ -1,4 +1,4 @@
-//! Pushing a body: forces that last, impulses that strike, and the energy that comes of it.
+//! Persistent forces, impulses, and energies of a body.
 //!
 //! Only dynamic bodies can be pushed; the others ignore all of it.
 
@@ -119,11 +119,10 @@ impl RigidBody {
 
     /// The energy of height in the given gravity (length/s²), zero at the world's origin.
     ///
-    /// Each substep moves a body with the velocity that it has at the substep's end, so pose and
-    /// velocity belong to moments half a substep apart. Given the length of a substep as `dt`
-    /// (seconds; that of a step over the number of solver iterations), this is the energy half a
-    /// substep before, and the sum with [`Self::kinetic_energy`] stays constant in free fall. Given 0,
-    /// it is that of the current pose.
+    /// Each substep moves a body with the velocity at its end, so pose and velocity belong to times half a
+    /// substep apart. With the length of a substep as `dt` (seconds; that of a step over the number of solver
+    /// iterations), this is the energy half a substep before. The sum with [`Self::kinetic_energy`] is then
+    /// constant in free fall. Given 0, it is that of the current pose.
     pub fn gravitational_potential_energy(&self, dt: Real, gravity: Vector) -> Real {
         let center_of_mass = self.mprops.world_com - self.linvel * (dt * 0.5);
         -self.mass() * self.gravity_scale * gravity.dot(center_of_mass)
@@ -133,11 +132,11 @@ impl RigidBody {
 /// Forces for one step alone.
 #[allow(dead_code, reason = "those who push drive in 3D only")]
 impl RigidBody {
-    /// Pushes the body throughout the next step, and in that step alone, with a world-space force and torque on
-    /// its centre of mass. Pushes add up. Nothing wakes.
+    /// Pushes the body throughout the next step, and in that step alone, with a world-space force and torque
+    /// on its centre of mass. Pushes add up. The body does not wake.
     ///
-    /// Unlike an impulse before the step, which is there before gravity has begun to pull, a push that
-    /// balances gravity leaves no velocity behind and moves nothing.
+    /// The push acts together with gravity, unlike an impulse before the step. A push that balances gravity
+    /// leaves no velocity and moves nothing.
     pub(crate) fn push(&mut self, force: Vector, torque: AngVector) {
         let (old_force, old_torque) = self.push;
         let (new_force, new_torque) = (old_force + force, old_torque + torque);
@@ -153,7 +152,7 @@ impl RigidBody {
         self.push
     }
 
-    /// Are there pushes that wait for the next step?
+    /// Returns whether pushes wait for the next step.
     pub(crate) fn is_pushed(&self) -> bool {
         self.pushed
     }

@@ -1,4 +1,4 @@
-//! What finds a rigid body.
+//! Handle of a rigid body.
 
 use crate::base::arena::Index;
 

@@ -1,4 +1,4 @@
-//! What a body weighs: its own record and what the solver sees of it.
+//! Mass of a body: its record, and the solver's view of it.
 
 use super::RigidBodyType;
 use crate::base::measure::is_point;
@@ -12,8 +12,8 @@ use crate::model::check::refuse;
 use crate::model::collider::MassSpread;
 use parry::mass_properties::MassProperties;
 
-/// Can a body have this mass? Zero stands for "none"; otherwise the inverse must be finite, too, and its
-/// own inverse.
+/// Returns whether a body can have this mass. Zero means "none". Otherwise the inverse must be finite, too,
+/// and its own inverse.
 pub(super) fn mass_is_usable(mass: Real) -> bool {
     let inv_mass = 1.0 / mass;
     mass == 0.0 || (mass > 0.0 && inv_mass.is_finite() && (1.0 / inv_mass).is_finite())
@@ -48,11 +48,12 @@ pub struct RigidBodyMassProps {
     pub(crate) inv_inertia: AngularInertia,
     /// Colliders and additional mass together, in the body's frame.
     pub local_mprops: MassProperties,
-    /// What the body is kept from doing.
+    /// Locks of the body's degrees of freedom.
     pub(crate) locked_axes: LockedAxes,
     /// The colliders' part of [`Self::local_mprops`].
     pub(crate) from_colliders: MassProperties,
-    /// How colliders without mass spread a mass. `None` if [`Self::from_colliders`] has one. Boxed because few bodies have it.
+    /// Distribution of a mass over colliders without mass. `None` if [`Self::from_colliders`] has one. Boxed
+    /// because few bodies have it.
     pub(crate) spread: Option<Box<MassSpread>>,
     /// Boxed because few bodies have it.
     pub(crate) additional: Option<Box<RigidBodyAdditionalMassProps>>,
@@ -107,8 +108,9 @@ impl RigidBodyMassProps {
         self.locked_axes
     }
 
-    /// May the body turn about every axis? If so its inertia turns with it. Where axes of the world are locked it does not.
-    pub(crate) fn turns_freely(&self) -> bool {
+    /// Returns whether the body may rotate about every axis. If so its inertia turns with it. With locked
+    /// axes of the world it does not.
+    pub(crate) fn rotates_freely(&self) -> bool {
         !self.locked_axes.intersects(LockedAxes::ROTATION_LOCKED)
     }
 
@@ -134,8 +136,8 @@ impl RigidBodyMassProps {
         &self.inv_inertia
     }
 
-    /// The mass that impulses meet along each world axis. Zero stands for an infinite mass: along
-    /// locked axes, and altogether unless the body is dynamic.
+    /// The mass that impulses meet along each world axis. Zero means an infinite mass: along locked axes, and
+    /// altogether unless the body is dynamic.
     pub fn effective_mass(&self) -> Vector {
         self.inv_mass.map(|inv_mass| if inv_mass > 0.0 { 1.0 / inv_mass } else { 0.0 })
     }

@@ -1,8 +1,8 @@
 //! # Rigid bodies — what moves
 //!
-//! A [`RigidBody`] is the user's record of one body; a [`RigidBodySet`] owns them. Setters refuse what
-//! no simulation could survive (a value that is not finite, a negative mass) and leave a note of what
-//! changed, so that the next step looks at changed bodies alone. The laws of motion are the step's.
+//! A [`RigidBody`] is the user's record of one body; a [`RigidBodySet`] owns them. Setters refuse values that
+//! no simulation can use (not finite, a negative mass), and note each change, so that the next step visits
+//! changed bodies alone. The laws of motion are the step's.
 
 mod activation;
 mod body_type;

@@ -1,4 +1,4 @@
-//! Where a body is, how fast it moves, and where that leads.
+//! Pose and velocity of a body, and their prediction.
 
 use super::{RigidBody, RigidBodyChanges, RigidBodyType, RigidBodyVelocity};
 use crate::dim::math::{
@@ -21,7 +21,7 @@ impl RigidBody {
 
     /// The angular velocity that the body will have in `h` seconds, which may lie in the past, turned to `there`, if nothing acts on it.
     pub(crate) fn angvel_at(&self, there: Rotation, h: Real) -> AngVector {
-        if !self.gyroscopic_forces_enabled || !self.mprops.turns_freely() {
+        if !self.gyroscopic_forces_enabled || !self.mprops.rotates_freely() {
             return self.angvel;
         }
         let angvel =
@@ -29,7 +29,7 @@ impl RigidBody {
         if ang_is_finite(angvel) { angvel } else { self.angvel }
     }
 
-    /// How the body's frame is turned in world space.
+    /// Rotation of the body's frame in world space.
     pub fn rotation(&self) -> &Rotation {
         &self.pose.rotation
     }
@@ -137,7 +137,7 @@ impl RigidBody {
         RigidBodyVelocity::new(self.linvel, self.angvel)
     }
 
-    /// Does it have a velocity?
+    /// Returns whether the body has a velocity.
     pub fn is_moving(&self) -> bool {
         !self.vels().is_zero()
     }
@@ -178,7 +178,7 @@ impl RigidBody {
 
     // ---- Prediction ----
 
-    /// Where the body will be in `dt` seconds if its velocity stays as it is.
+    /// The pose in `dt` seconds at constant velocity.
     ///
     /// It turns about its centre of mass. If that leads to no finite pose (a `dt` that is not finite),
     /// the current pose.
@@ -186,8 +186,8 @@ impl RigidBody {
         self.predict(&self.vels(), dt)
     }
 
-    /// Where the body will be in `dt` seconds if its forces and torques stay as they are, with its
-    /// damping. Gravity, which the body does not know, and contacts are left out.
+    /// The pose in `dt` seconds under constant forces and torques, with damping. Gravity, which the body does
+    /// not store, and contacts are excluded.
     ///
     /// One step of the symplectic Euler method: first the velocity changes, then the pose.
     pub fn predict_position_using_velocity_and_forces(&self, dt: Real) -> Pose {

@@ -1,11 +1,11 @@
-//! Bodies that were taken out of the simulation because their numbers had left the range in which one can calculate.
+//! Bodies that were disabled because a number of theirs left the usable range.
 
 use super::{RigidBody, RigidBodyChanges, RigidBodyVelocity};
 use crate::dim::math::{AngVector, Pose, Real, Vector, ang_is_finite};
 use crate::model::check::checked_pose;
 use core::fmt;
 
-/// What could not be calculated with, and the value that was found.
+/// The unusable quantity, and its value.
 ///
 /// Positions and speeds beyond 1e15 cannot be calculated with: their squares would soon be infinite in single precision.
 ///
@@ -37,8 +37,8 @@ pub enum QuarantineCause {
     /// The body's velocity when the step began: impossible by itself, or so large that it leads out of the world within
     /// the step.
     Velocity(RigidBodyVelocity),
-    /// The user's force (mass·length/s²) and torque (mass·length²/s²) on the body: with its mass, and in a step of this
-    /// length, they lead out of the world.
+    /// The user's force (mass·length/s²) and torque (mass·length²/s²) on the body: within a step of this
+    /// length they exceed the range of numbers.
     Force {
         /// The force on the centre of mass.
         force: Vector,
@@ -49,18 +49,18 @@ pub enum QuarantineCause {
     Gravity(Vector),
     /// The body's inverse mass along each axis.
     Mass(Vector),
-    /// Where a kinematic body was to be at the end of the step: so far away that its speed would be impossible.
+    /// The target of a kinematic body at the end of the step, too far away for a finite speed.
     KinematicTarget(Pose),
     /// The velocity that contacts and joints, or the gyroscopic torque, gave to the body in the solver.
     Constraints(RigidBodyVelocity),
-    /// The body is a link of a multibody, and that is the velocity which its joints gave to the first link that left the
-    /// range of numbers. All links that move are taken out together.
+    /// The body is a link of a multibody. The value is the velocity that its joints gave to the first
+    /// diverged link. All moving links are disabled together.
     Multibody(RigidBodyVelocity),
-    /// Of a contact: its coefficient of restitution.
+    /// A contact's coefficient of restitution.
     Restitution(Real),
-    /// Of a contact: the velocity along its plane that a hook gave it (length/s).
+    /// A contact's velocity along its plane, as set by a hook (length/s).
     TangentVelocity(Vector),
-    /// Of a contact: its normal, and the distance at one of its points.
+    /// A contact's normal, and the distance at one of its points.
     Contact {
         /// From the first collider to the second, in world space.
         normal: Vector,
@@ -88,9 +88,9 @@ impl fmt::Display for QuarantineCause {
 }
 
 impl RigidBody {
-    /// Why the step has disabled the body, if it did: in the last one of its life so far, some number of it would have
-    /// become infinite. It stands where that step found it. [`Self::set_enabled`] takes it back into the simulation,
-    /// and forgets the cause; what caused it is still there, unless it was changed. Saved worlds do not keep the cause.
+    /// The cause for which the step disabled the body, if it did. It stands where that step found it.
+    /// [`Self::set_enabled`] takes it back into the simulation, and forgets the cause; what caused it is
+    /// still there, unless it was changed. Saved worlds do not keep the cause.
     pub fn quarantine(&self) -> Option<QuarantineCause> {
         self.quarantine.as_deref().copied()
     }

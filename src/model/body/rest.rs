@@ -1,4 +1,5 @@
-//! How a body moves within a drift window: how far it drifts from its pose at the beginning, and how long its smoothed path is.
+//! Motion of a body within a drift window: its drift from the initial pose, and the length of its smoothed
+//! path.
 
 use super::{RigidBody, RigidBodyVelocity};
 use crate::base::measure::is_point;
@@ -58,8 +59,9 @@ impl RestPose {
 
     /// Adds a step of the body to the path.
     ///
-    /// The step counts with the mean of the velocities at its two ends. A velocity that alternates from step to step, as in a pile
-    /// that trembles, therefore adds nothing, but a motion that lasts for several steps adds its whole length.
+    /// The step counts with the mean of the velocities at its two ends. A velocity that alternates from step
+    /// to step, as in a trembling pile, therefore adds nothing, but a motion over several steps adds its
+    /// whole length.
     pub fn extend_path(&mut self, body: &RigidBody, dt: Real) {
         let half = 0.5 * dt;
         let shift = (body.linvel + self.velocity.linvel).length() * half;

@@ -27,8 +27,9 @@ use parry::mass_properties::MassProperties;
 /// Setters with a `wake_up` argument wake a sleeping body if it is `true`. Setters refuse values that
 /// are not finite or not possible: the old value stays, and `log` gets a warning with the value.
 //
-// The order of the fields is fixed (`repr(C)`): what each step reads of every awake body and writes back to it stands together at the
-// front, up to and including the first fields of `mprops`, in five cache lines (3D, `f32`). What few bodies use comes last.
+// The order of the fields is fixed (`repr(C)`). The fields that each step reads and writes are at the front,
+// up to and including the first fields of `mprops`, in five cache lines (3D, `f32`). Rarely used fields come
+// last.
 #[derive(Debug)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde-serialize", serde(remote = "Self"))]
@@ -53,37 +54,38 @@ pub struct RigidBody {
     /// Largest distance from the centre of mass to any point of the colliders: bounds how far a turn
     /// can move a point of the surface.
     pub(crate) extent: Real,
-    /// How deep one can get into the thinnest of the colliders; infinite without any.
+    /// Thickness of the thinnest collider; infinite without any.
     pub(crate) thickness: Real,
     pub(crate) soft_ccd_prediction: Real,
     /// Length (s) of the substeps in which the impulses of its contacts and joints were found; 0: none was.
     pub(crate) substep: Real,
     pub(crate) activation: RigidBodyActivation,
     pub(crate) changes: RigidBodyChanges,
-    /// Where the body stands in the step's lists.
+    /// Positions of the body in the step's lists.
     pub(crate) link: BodyLink,
     pub(crate) body_type: RigidBodyType,
     pub(crate) dominance: i8,
     pub(crate) enabled: bool,
     pub(crate) ccd_enabled: bool,
     pub(crate) ccd_active: bool,
-    /// Is it so deep in something fixed that a little more would bring its middle in? Its path is searched then, however short.
-    pub(crate) pressed: bool,
+    /// Whether the body penetrates a fixed collider almost up to its middle. Its path is searched then,
+    /// however short.
+    pub(crate) deeply_penetrating: bool,
     pub(crate) gyroscopic_forces_enabled: bool,
-    /// Is there anything in [`Self::push`]?
+    /// Whether [`Self::push`] is not zero.
     pub(super) pushed: bool,
     pub(crate) colliders: AttachedColliders,
     pub(crate) mprops: RigidBodyMassProps,
     // From here on: cold.
     /// The pose from which drift is measured, while the body rests.
     pub(crate) rest: RestPose,
-    /// Where a position-based kinematic body will be after the next step. Means nothing for others:
-    /// [`RigidBody::next_position`] knows.
+    /// Target of a position-based kinematic body after the next step. It is undefined for others: see
+    /// [`RigidBody::next_position`].
     pub(crate) next_pose: Pose,
     pub(crate) additional_solver_iterations: usize,
     /// Force and torque on the centre of mass in the next step alone.
     pub(crate) push: (Vector, AngVector),
-    /// Of the note of an edit, if there is one.
+    /// Mark of a pending edit, if there is one.
     #[cfg_attr(feature = "serde-serialize", serde(skip))]
     pub(super) edit: EditMark,
     /// Why the step has disabled the body. Not saved: it may hold numbers that are none.
@@ -92,7 +94,7 @@ pub struct RigidBody {
     /// Whether the log contains the warning that the body has solid colliders and no mass. A loaded world warns again.
     #[cfg_attr(feature = "serde-serialize", serde(skip))]
     pub(super) warned_without_mass: bool,
-    /// Whatever the user wants to find again. The engine never reads it.
+    /// User data. The engine never reads it.
     pub user_data: u128,
 }
 
@@ -117,7 +119,7 @@ clone_in_place!(RigidBody {
     enabled,
     ccd_enabled,
     ccd_active,
-    pressed,
+    deeply_penetrating,
     gyroscopic_forces_enabled,
     pushed,
     colliders,
@@ -195,7 +197,7 @@ impl RigidBody {
             enabled: true,
             ccd_enabled: false,
             ccd_active: false,
-            pressed: false,
+            deeply_penetrating: false,
             gyroscopic_forces_enabled: true,
             pushed: false,
             mprops: RigidBodyMassProps::default(),
@@ -227,7 +229,7 @@ impl RigidBody {
         self.update_mass();
     }
 
-    /// Forgets the set that the body stood in, and all that it held there.
+    /// Resets all references to the set that contained the body.
     pub(super) fn detach_from_set(&mut self) -> (AttachedColliders, BodyLink) {
         self.changes = RigidBodyChanges::everything();
         let colliders = core::mem::take(&mut self.colliders);
@@ -240,7 +242,7 @@ impl RigidBody {
         (colliders, core::mem::take(&mut self.link))
     }
 
-    /// What moves the body.
+    /// Type of the body: the cause of its motion.
     pub fn body_type(&self) -> RigidBodyType {
         self.body_type
     }
@@ -261,33 +263,33 @@ impl RigidBody {
         self.wake_if(wake_up);
     }
 
-    /// Do forces, gravity and contacts move it?
+    /// Returns whether forces, gravity and contacts move the body.
     pub fn is_dynamic(&self) -> bool {
         self.body_type.is_dynamic()
     }
 
-    /// Is it moved by the user alone?
+    /// Returns whether the user alone moves the body.
     pub fn is_kinematic(&self) -> bool {
         self.body_type.is_kinematic()
     }
 
-    /// Does it never move?
+    /// Returns whether the body never moves.
     pub fn is_fixed(&self) -> bool {
         self.body_type.is_fixed()
     }
 
-    /// Can it move?
+    /// Returns whether the body can move.
     pub fn is_dynamic_or_kinematic(&self) -> bool {
         self.body_type.is_dynamic_or_kinematic()
     }
 
-    /// Does it take part in the simulation?
+    /// Returns whether the body takes part in the simulation.
     pub fn is_enabled(&self) -> bool {
         self.enabled
     }
 
-    /// Takes the body and its colliders out of the simulation, or puts them back in. Its state is kept, but for why the step
-    /// [took it out](Self::quarantine).
+    /// Takes the body and its colliders out of the simulation, or puts them back in. Its state is kept,
+    /// except the cause of its [quarantine](Self::quarantine).
     pub fn set_enabled(&mut self, enabled: bool) {
         if enabled != self.enabled {
             self.enabled = enabled;
@@ -307,18 +309,18 @@ impl RigidBody {
 
     // ---- Sleep ----
 
-    /// Whether the body sleeps, and how calm it must be to fall asleep.
+    /// Whether the body sleeps, and its thresholds for sleep.
     pub fn activation(&self) -> &RigidBodyActivation {
         &self.activation
     }
 
-    /// Whether the body sleeps, and how calm it must be to fall asleep, for changing it.
+    /// Mutable access to the sleep state and its thresholds.
     pub fn activation_mut(&mut self) -> &mut RigidBodyActivation {
         self.changes.insert(RigidBodyChanges::SLEEP);
         &mut self.activation
     }
 
-    /// Does the body sleep?
+    /// Returns whether the body sleeps.
     pub fn is_sleeping(&self) -> bool {
         self.activation.sleeping
     }

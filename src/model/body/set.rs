@@ -14,11 +14,11 @@ use std::collections::BTreeSet;
 
 /// Bodies that are worth handing over to another thread together.
 pub(crate) const BODIES_PER_TASK: usize = 64;
-/// How many turns before it is needed a body's record is asked for: they are spread over memory.
+/// Prefetch distance for body records, which are spread over memory.
 const TURNS_AHEAD: usize = 3;
 
-/// What the step needs to know of a body that was removed: its colliders, which go with it (`None`: the
-/// colliders must be asked), and its place in the step's lists.
+/// Data of a removed body for the step: its colliders, which are removed with it (`None`: read from the
+/// colliders), and its place in the step's lists.
 pub(crate) type RemovedBody = (RigidBodyHandle, Option<AttachedColliders>, BodyLink);
 
 /// All rigid bodies of a simulation, each found by its handle.
@@ -35,7 +35,7 @@ pub struct RigidBodySet {
 
 clone_in_place!(RigidBodySet { bodies, notes, stamp });
 
-/// What is remembered of changes.
+/// Lists of changes.
 #[derive(Debug, Default)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 struct Notes {
@@ -53,8 +53,8 @@ clone_in_place!(Notes { modified, places, marks, removed });
 impl Notes {
     /// The user may be about to change a body.
     ///
-    /// Whoever has a body in hand can put another one in its place (assign a copy, swap two of them),
-    /// and with it what that one knew of *its* place. So the note says where the body really is.
+    /// A `&mut` to a body lets the user replace it (assign a copy, swap two bodies), including its record of
+    /// its *own* position. So the note says where the body really is.
     fn change(&mut self, handle: RigidBodyHandle, body: &mut RigidBody) {
         if !body.changes.contains(RigidBodyChanges::IN_MODIFIED_SET) {
             body.changes.insert(RigidBodyChanges::IN_MODIFIED_SET);
@@ -71,7 +71,7 @@ impl RigidBodySet {
         Self::default()
     }
 
-    /// An empty set with room for `capacity` bodies.
+    /// An empty set with the given `capacity`.
     pub fn with_capacity(capacity: usize) -> Self {
         Self { bodies: Arena::with_capacity(capacity), ..Self::default() }
     }
@@ -81,12 +81,12 @@ impl RigidBodySet {
         self.bodies.len()
     }
 
-    /// Is there no body?
+    /// Returns whether the set is empty.
     pub fn is_empty(&self) -> bool {
         self.bodies.is_empty()
     }
 
-    /// Does the handle find a body?
+    /// Returns whether the handle refers to a body.
     pub fn contains(&self, handle: RigidBodyHandle) -> bool {
         self.bodies.contains(handle.0)
     }
@@ -135,8 +135,8 @@ impl RigidBodySet {
         Some(body)
     }
 
-    /// Two bodies at once, for changing them; `None` in place of each that its handle does not find,
-    /// and of the second one if both handles are the same.
+    /// Mutable access to two bodies. `None` for each handle that refers to no body, and for the second one if
+    /// both are equal.
     pub fn get_pair_mut(
         &mut self,
         handle1: RigidBodyHandle,
@@ -160,7 +160,7 @@ impl RigidBodySet {
         Some(body)
     }
 
-    /// Begins to bring what a step reads of the body in a slot near to the processor, for who will ask for it soon.
+    /// Prefetches the front of the body in a slot for the step.
     #[inline(always)]
     pub(crate) fn prefetch(&self, slot: u32) {
         self.bodies.prefetch_front(slot, RigidBody::FRONT);
@@ -199,8 +199,8 @@ impl RigidBodySet {
         })
     }
 
-    /// Takes the colliders of bodies that were moved since the last step along, so that queries find
-    /// them where they are before the next step does the same.
+    /// Moves the colliders of bodies that were moved since the last step, so that queries find them at their
+    /// new pose before the next step does the same.
     pub fn propagate_modified_body_positions_to_colliders(&self, colliders: &mut ColliderSet) {
         let moved = self.notes.modified.iter().filter_map(|handle| self.get(*handle));
         for body in moved.filter(|body| body.changes.contains(RigidBodyChanges::POSITION)) {
@@ -215,15 +215,15 @@ impl RigidBodySet {
 
     // ---- For the step ----
 
-    /// The bodies that the user may have changed, in the order of the first change; some of them may
-    /// be gone. Whoever takes the list clears the `changes` of each.
+    /// The bodies that the user may have changed, in the order of the first change; some of them may be gone.
+    /// The caller must clear the `changes` of each.
     pub(crate) fn take_modified(&mut self) -> Vec<RigidBodyHandle> {
         self.notes.places.clear();
         self.notes.marks.clear();
         core::mem::take(&mut self.notes.modified)
     }
 
-    /// The same list, as long as nobody has taken it.
+    /// The same list, without taking it.
     pub(crate) fn modified(&self) -> &[RigidBodyHandle] {
         &self.notes.modified
     }
@@ -277,7 +277,7 @@ impl RigidBodySet {
         self.notes.removed.iter().map(|(handle, ..)| *handle)
     }
 
-    /// What [`Self::take_removed`] will return.
+    /// The list that [`Self::take_removed`] will return.
     pub(crate) fn removed_notes(&self) -> Vec<RemovedBody> {
         let mut removed = self.notes.removed.clone();
         self.correct_places(&mut removed);
@@ -350,7 +350,8 @@ impl RigidBodySet {
         });
     }
 
-    /// The same, with a list to which each visit may add: what they add comes into `list`, in the order of the bodies.
+    /// The same, with a list to which each visit may add. The additions are appended to `list` in the order
+    /// of the bodies.
     ///
     /// # Safety
     /// No handle may occur twice.
@@ -386,7 +387,7 @@ impl RigidBodySet {
 /// Visits the bodies at some positions of a list.
 ///
 /// # Safety
-/// Nobody else may use these bodies meanwhile, and none may occur twice.
+/// The caller has exclusive access to these bodies, and none occurs twice.
 unsafe fn visit_range(
     bodies: &SharedArena<'_, RigidBody>,
     handles: &[RigidBodyHandle],

@@ -12,7 +12,7 @@ impl RigidBody {
         self.linear_damping
     }
 
-    /// Sets the share of the linear velocity lost per second, to first order (1/s, at least 0).
+    /// Sets the fraction of the linear velocity lost per second, to first order (1/s, at least 0).
     pub fn set_linear_damping(&mut self, damping: Real) {
         if !is_non_negative(damping) {
             return refuse("the linear damping of a rigid body", damping);
@@ -25,7 +25,7 @@ impl RigidBody {
         self.angular_damping
     }
 
-    /// Sets the share of the angular velocity lost per second, to first order (1/s, at least 0).
+    /// Sets the fraction of the angular velocity lost per second, to first order (1/s, at least 0).
     pub fn set_angular_damping(&mut self, damping: Real) {
         if !is_non_negative(damping) {
             return refuse("the angular damping of a rigid body", damping);
@@ -33,7 +33,7 @@ impl RigidBody {
         self.angular_damping = damping;
     }
 
-    /// How many times gravity acts on the body.
+    /// The factor on gravity for the body.
     pub fn gravity_scale(&self) -> Real {
         self.gravity_scale
     }
@@ -90,7 +90,7 @@ impl RigidBody {
         }
     }
 
-    /// Is the body kept from moving along every axis?
+    /// Returns whether the translation is locked along every axis.
     pub fn is_translation_locked(&self) -> bool {
         self.mprops.locked_axes.contains(LockedAxes::TRANSLATION_LOCKED)
     }
@@ -111,32 +111,32 @@ impl RigidBody {
         self.set_locked_axes(locked_axes, wake_up);
     }
 
-    /// Is continuous collision detection against dynamic bodies on?
+    /// Returns whether continuous collision detection against dynamic bodies is on.
     pub fn is_ccd_enabled(&self) -> bool {
         self.ccd_enabled
     }
 
-    /// Says whether the body, when it is fast, stops at dynamic bodies that it would pass through between two steps.
-    /// Nothing dynamic passes through fixed and kinematic colliders, whatever this says.
+    /// Says whether the body, when it is fast, stops at dynamic bodies that it would pass through between two
+    /// steps. Fixed and kinematic colliders stop every dynamic body, independent of this setting.
     pub fn enable_ccd(&mut self, enabled: bool) {
         self.ccd_enabled = enabled;
     }
 
-    /// Was the body's path searched in the last step, because it moved or turned so far that it could have passed through
-    /// something: farther than half its thickness, or as far as you like while it is a quarter of that deep in a wall?
+    /// Returns whether the last step searched the body's path. A path is searched if the body moves by more
+    /// than half its thickness, or at all while it is a quarter of its thickness deep in a wall.
     /// [`Self::is_ccd_enabled`] says what is searched for, and changes nothing about this.
     pub fn is_ccd_active(&self) -> bool {
         self.ccd_active && self.is_dynamic()
     }
 
-    /// How far ahead of its surface the body looks for contacts (length units).
+    /// The prediction distance of the body's contacts (length units).
     pub fn soft_ccd_prediction(&self) -> Real {
         self.soft_ccd_prediction
     }
 
-    /// Sets how far ahead of its surface the body looks for contacts (length units, at least 0; 0
-    /// switches soft continuous collision detection off). A cheaper and softer way than
-    /// [`Self::enable_ccd`] to keep fast bodies from passing through each other.
+    /// Sets how far ahead of its surface the body looks for contacts (length units, at least 0; 0 switches
+    /// soft continuous collision detection off). It is cheaper and softer than [`Self::enable_ccd`] for fast
+    /// bodies that must not pass through each other.
     pub fn set_soft_ccd_prediction(&mut self, prediction_distance: Real) {
         if !is_non_negative(prediction_distance) {
             return refuse("the soft CCD prediction of a rigid body", prediction_distance);
@@ -149,9 +149,8 @@ impl RigidBody {
         self.additional_solver_iterations
     }
 
-    /// Sets how many more substeps the solver takes for this body while it is awake, and for all that touches it,
-    /// directly or through other dynamic bodies; at most 1000. Where light bodies carry heavy ones it takes more
-    /// of itself.
+    /// Sets the number of additional substeps for this body while it is awake, and for its whole island; at
+    /// most 1000. The solver adds substeps itself where light bodies carry heavy ones.
     pub fn set_additional_solver_iterations(&mut self, additional_iterations: usize) {
         if additional_iterations > ITERATIONS_MAX {
             let what = "the number of additional solver iterations of a rigid body";

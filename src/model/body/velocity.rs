@@ -6,7 +6,7 @@ use crate::dim::math::{
     rotation_from_angle,
 };
 
-/// How fast a body moves: the velocity of its centre of mass, and its rotation about it.
+/// Velocity of a body: that of its centre of mass, and its angular velocity.
 #[derive(Copy, Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub struct RigidBodyVelocity {
@@ -33,17 +33,17 @@ impl RigidBodyVelocity {
         Self { linvel: Vector::ZERO, angvel: ANG_ZERO }
     }
 
-    /// Is it the velocity of a body at rest?
+    /// Returns whether the velocity is zero.
     pub fn is_zero(&self) -> bool {
         *self == Self::zero()
     }
 
-    /// Are all components finite?
+    /// Returns whether all components are finite.
     pub fn is_finite(&self) -> bool {
         self.linvel.is_finite() && ang_is_finite(self.angvel)
     }
 
-    /// Are all components finite and so small that their squares are finite, too?
+    /// Returns whether all components and their squares are finite.
     pub(crate) fn is_usable(&self) -> bool {
         is_point(self.linvel) && ang_length_squared(self.angvel) <= SIZE_MAX * SIZE_MAX
     }
@@ -54,15 +54,15 @@ impl RigidBodyVelocity {
         self.linvel + cross(self.angvel, point - center_of_mass)
     }
 
-    /// Where a body at `pose` gets within `dt` seconds at this velocity, turning about its centre of
-    /// mass, which is at `local_center_of_mass` in the body's frame.
+    /// The pose after `dt` seconds at this velocity, from `pose`. The rotation is about the centre of mass,
+    /// at `local_center_of_mass` in the body's frame.
     pub fn integrate(&self, dt: Real, pose: &Pose, local_center_of_mass: Vector) -> Pose {
         let center_of_mass = pose * local_center_of_mass + self.linvel * dt;
         let rotation = (rotation_from_angle(self.angvel * dt) * pose.rotation).normalize();
         Pose::from_parts(center_of_mass - rotation * local_center_of_mass, rotation)
     }
 
-    /// What is left of the velocity after `dt` seconds of damping (both factors in 1/s).
+    /// The velocity after `dt` seconds of damping (both factors in 1/s).
     ///
     /// The implicit Euler step `v / (1 + dt·c)`: no factor, however large, turns the body around.
     #[must_use]

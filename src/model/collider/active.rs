@@ -1,32 +1,30 @@
-//! What is done with the pairs of a collider: between which kinds of bodies it collides, which hooks
-//! of the user are called and which events are sent.
+//! Options of a collider's pairs: the body types it collides with, the user's hooks, and the events.
 
 use crate::model::body::RigidBodyType;
 
 bitflags::bitflags! {
-    /// Between which kinds of bodies a collider's pairs are looked at. A collider without a body
-    /// counts as attached to a fixed one.
+    /// Pairs of body types for which a collider's pairs are computed. A collider without a body counts as
+    /// attached to a fixed one.
     ///
-    /// A pair is looked at if either of its two colliders asks for it. The default is dynamic against
-    /// everything; the other combinations exert no forces and only serve events, queries of contacts
-    /// and sensors.
+    /// A pair is computed if either of its colliders requests it. The default is dynamic against everything;
+    /// the other combinations exert no forces and only serve events, queries of contacts and sensors.
     #[derive(Copy, Clone, Debug, PartialEq, Eq, Hash)]
     #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
     pub struct ActiveCollisionTypes: u16 {
-        /// Between two dynamic bodies.
+        /// Two dynamic bodies.
         const DYNAMIC_DYNAMIC = bit(DYNAMIC, DYNAMIC);
-        /// Between a dynamic and a kinematic body.
+        /// A dynamic and a kinematic body.
         const DYNAMIC_KINEMATIC = bit(DYNAMIC, POSITION_BASED) | bit(DYNAMIC, VELOCITY_BASED);
-        /// Between a dynamic and a fixed body.
+        /// A dynamic and a fixed body.
         const DYNAMIC_FIXED = bit(DYNAMIC, FIXED);
-        /// Between two kinematic bodies.
+        /// Two kinematic bodies.
         const KINEMATIC_KINEMATIC = bit(POSITION_BASED, POSITION_BASED)
             | bit(POSITION_BASED, VELOCITY_BASED)
             | bit(VELOCITY_BASED, POSITION_BASED)
             | bit(VELOCITY_BASED, VELOCITY_BASED);
-        /// Between a kinematic and a fixed body.
+        /// A kinematic and a fixed body.
         const KINEMATIC_FIXED = bit(POSITION_BASED, FIXED) | bit(VELOCITY_BASED, FIXED);
-        /// Between two fixed bodies.
+        /// Two fixed bodies.
         const FIXED_FIXED = bit(FIXED, FIXED);
     }
 }
@@ -51,7 +49,7 @@ const fn row(body_type: RigidBodyType) -> u16 {
 }
 
 impl ActiveCollisionTypes {
-    /// Is the pair of two bodies of these types looked at? The order does not matter.
+    /// Returns whether pairs of bodies of these types are computed. The order does not matter.
     #[inline]
     pub const fn test(self, type1: RigidBodyType, type2: RigidBodyType) -> bool {
         let (row1, row2) = (row(type1), row(type2));
@@ -66,7 +64,7 @@ impl Default for ActiveCollisionTypes {
 }
 
 bitflags::bitflags! {
-    /// Which of the user's hooks are called for the pairs of a collider. None by default.
+    /// The user's hooks for the pairs of a collider. The default is none.
     #[derive(Copy, Clone, Debug, Default, PartialEq, Eq, Hash)]
     #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
     pub struct ActiveHooks: u32 {
@@ -80,7 +78,7 @@ bitflags::bitflags! {
 }
 
 bitflags::bitflags! {
-    /// Which events are sent for the pairs of a collider. None by default.
+    /// The events of the pairs of a collider. The default is none.
     #[derive(Copy, Clone, Debug, Default, PartialEq, Eq, Hash)]
     #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
     pub struct ActiveEvents: u32 {

@@ -15,8 +15,9 @@ use crate::model::tree::ColliderProxy;
 use parry::mass_properties::MassProperties;
 use parry::shape::SharedShape;
 
-/// Describes a collider. A program starts with a shape's constructor, chains the properties that differ from the defaults, and
-/// calls [`build`](Self::build) or inserts the builder itself into the collider set.
+/// Describes a collider. A program starts with a shape's constructor and chains the properties that differ
+/// from the defaults. It then calls [`build`](Self::build), or inserts the builder itself into the collider
+/// set.
 ///
 /// Constructors accept any numbers. [`Self::try_build`] returns an error for invalid ones (a negative radius, a NaN, an empty
 /// mesh). [`Self::build`] logs the error and makes a disabled collider, so one invalid value from a level file does not stop
@@ -52,7 +53,7 @@ pub struct ColliderBuilder {
     pub collision_groups: InteractionGroups,
     /// The groups with which its contacts exert forces.
     pub solver_groups: InteractionGroups,
-    /// Whether it takes part in the simulation. True by default.
+    /// Whether the collider takes part in the simulation. True by default.
     pub enabled: bool,
     /// Thickness (length units) of an invisible layer around the shape. 0 by default.
     pub contact_skin: Real,
@@ -112,9 +113,9 @@ impl ColliderBuilder {
 
     /// Makes the collider.
     ///
-    /// If a value is invalid (see [`Self::try_build`]), a warning in the log names it, and the
-    /// result is a disabled ball without mass, at the same place if that is valid, with the same
-    /// user data. Enabling it makes it a ball.
+    /// For an invalid value (see [`Self::try_build`]) the log contains a warning. The result is then a
+    /// disabled ball without mass, with the same user data, at the same place if that is valid. Enabling it
+    /// makes it a ball.
     pub fn build(&self) -> Collider {
         self.try_build().unwrap_or_else(|reason| {
             log::warn!("an invalid collider is built as a disabled ball: {reason}");
@@ -135,9 +136,10 @@ impl ColliderBuilder {
     /// Makes the collider, or returns the reason why it is invalid.
     ///
     /// # Errors
-    /// If the shape has sizes that are not positive, coordinates that are not finite, indices out of
-    /// range or no elements, or if it is a convex shape that cannot collide; if the position is not finite; if friction, restitution, contact skin,
-    /// density, mass or the force threshold is negative or not finite (the threshold may be infinite).
+    /// The shape has sizes that are not positive, coordinates that are not finite, indices out of range or no
+    /// elements, or is a convex shape that cannot collide; the position is not finite; friction, restitution,
+    /// contact skin, density, mass or the force threshold is negative or not finite (the threshold may be
+    /// infinite).
     pub fn try_build(&self) -> Result<Collider, InvalidCollider> {
         self.try_shape()?;
         check_pose(&self.position)?;
@@ -158,9 +160,9 @@ impl ColliderBuilder {
 
     /// The shape, checked as by [`Self::try_build`]: for compounds and for queries.
     ///
-    /// The constructors of [`SharedShape`] belong to parry. Some of them panic on sizes that are not positive, on indices out
-    /// of range and on empty lists: `ColliderBuilder::cylinder(h, r).try_shape()` is `SharedShape::cylinder(h, r)` without the
-    /// panic.
+    /// The constructors of [`SharedShape`] belong to parry. Some of them panic on sizes that are not
+    /// positive, on indices out of range and on empty lists. `ColliderBuilder::cylinder(h, r).try_shape()` is
+    /// `SharedShape::cylinder(h, r)` without the panic.
     ///
     /// # Errors
     /// If the shape has sizes that are not positive, coordinates that are not finite, indices out of range or nothing in it.
@@ -356,7 +358,7 @@ impl ColliderBuilder {
         self
     }
 
-    /// Sets whether it takes part in the simulation.
+    /// Sets whether the collider takes part in the simulation.
     pub fn enabled(mut self, enabled: bool) -> Self {
         self.enabled = enabled;
         self

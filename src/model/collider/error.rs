@@ -3,7 +3,7 @@
 use crate::dim::math::{Pose, Real, Vector};
 use parry::shape::TriMeshBuilderError;
 
-/// Why a collider cannot be built, with the parameter and the value that stands in the way.
+/// The reason why a collider cannot be built, with the parameter and its value.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum InvalidCollider {
@@ -12,9 +12,9 @@ pub enum InvalidCollider {
     Number {
         /// The parameter.
         parameter: &'static str,
-        /// What it was set to.
+        /// The refused value.
         value: Real,
-        /// What it may be.
+        /// The admissible values.
         expected: &'static str,
     },
     /// A point or vector has a coordinate that is not finite, or too large to calculate with.
@@ -24,7 +24,7 @@ pub enum InvalidCollider {
     Point {
         /// The parameter.
         parameter: &'static str,
-        /// Which point of the list, from 0.
+        /// Index of the point, from 0.
         position: usize,
         /// The point.
         value: Vector,
@@ -52,17 +52,17 @@ pub enum InvalidCollider {
         parameter: &'static str,
         /// Its length.
         count: usize,
-        /// What is needed.
+        /// The necessary elements.
         least: usize,
     },
-    /// More cells are asked for than can be stored.
+    /// The grid has more cells than can be stored.
     #[error("{parameter} results in {cells} cells, but at most {most} are possible")]
     TooFine {
         /// The parameter.
         parameter: &'static str,
-        /// How many cells it leads to.
+        /// Resulting number of cells.
         cells: Real,
-        /// How many are possible.
+        /// Largest possible number.
         most: Real,
     },
     /// An element names a vertex that does not exist.
@@ -72,31 +72,31 @@ pub enum InvalidCollider {
     IndexOutOfRange {
         /// The list of elements.
         parameter: &'static str,
-        /// Which element, from 0.
+        /// Index of the element, from 0.
         position: usize,
         /// The vertex it names.
         index: u32,
-        /// How many vertices there are.
+        /// Number of vertices.
         count: usize,
     },
     /// The shape has no extent where it needs one.
     #[error("the {shape} is degenerate: {reason}")]
     Degenerate {
-        /// Which kind of shape.
+        /// Kind of shape.
         shape: &'static str,
-        /// What is missing.
+        /// The missing elements.
         reason: &'static str,
     },
     /// A part of a compound is itself made of parts.
     #[error("part {part} of the compound is a composite shape, which is not supported")]
     NestedCompound {
-        /// Which part, from 0.
+        /// Index of the part, from 0.
         part: usize,
     },
     /// A part of a compound is invalid.
     #[error("part {part} of the compound: {reason}")]
     Part {
-        /// Which part, from 0.
+        /// Index of the part, from 0.
         part: usize,
         /// Why.
         reason: Box<InvalidCollider>,

@@ -1,4 +1,4 @@
-//! How far a shape reaches.
+//! Extent of a shape.
 
 use crate::dim::math::{Real, Vector};
 use crate::dim::shapes;

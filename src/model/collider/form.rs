@@ -1,7 +1,7 @@
-//! What the narrow phase asks of a shape in each step, kept where it need not go to the shape for it.
+//! The data of a shape that the narrow phase reads in each step, stored in the collider to save a cache miss.
 
 bitflags::bitflags! {
-    /// What kind of shape a collider has.
+    /// Kind of a collider's shape.
     #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
     #[derive(Copy, Clone, PartialEq, Eq, Debug)]
     pub(crate) struct ShapeForm: u8 {
@@ -13,6 +13,6 @@ bitflags::bitflags! {
 }
 
 impl ShapeForm {
-    /// Of a shape that the step has not looked at yet: nothing is taken for granted.
+    /// Default for a shape that the step has not measured yet.
     pub const UNKNOWN: Self = Self::ROUND;
 }

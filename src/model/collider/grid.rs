@@ -6,16 +6,17 @@ use crate::dim::math::{DIM, Real, Vector};
 use parry::math::IVector;
 use parry::shape::Voxels;
 
-/// Grid coordinates beyond this are refused: in single precision, cells this far from the origin
-/// could not be told from their neighbours.
+/// Grid coordinates beyond this are refused: in single precision, cells this far from the origin coincide
+/// with their neighbours.
 const COORDINATE_MAX: Real = 4_194_304.0;
 /// Cells that a grid over a whole shape may have: some 300 megabytes while it is filled.
 const CELLS_MAX: Real = 67_108_864.0;
 
 /// Voxels whose tree of chunks is the same on every machine.
 ///
-/// parry's constructors insert chunks in the order of a hash map, which depends on the machine, and the order in which voxels are visited follows from it. Setting cells
-/// one by one inserts chunks in the order of the cells. The cells are sorted, so voxels that are saved and loaded are visited in the same order as before.
+/// parry's constructors insert chunks in the order of a hash map, which depends on the machine. The iteration
+/// order of voxels follows from it. Setting cells one by one inserts chunks in the order of the cells. The
+/// cells are sorted, so voxels that are saved and loaded are visited in the same order as before.
 pub(super) fn voxels_of(voxel_size: Vector, mut cells: Vec<IVector>) -> Voxels {
     cells.sort_unstable_by_key(IVector::to_array);
     let mut voxels = Voxels::new(voxel_size, &[]);

@@ -1,8 +1,8 @@
 //! Collision groups: which colliders may meet at all.
 //!
-//! Every collider is a member of some of 32 groups and names the groups it wants to meet. Two colliders
-//! are compared twice with different settings: the *collision groups* decide whether contacts are
-//! computed, the *solver groups* whether computed contacts exert forces.
+//! Every collider is a member of some of 32 groups, and has a filter of groups. Two colliders are compared
+//! twice with different settings: the *collision groups* decide whether contacts are computed, the *solver
+//! groups* whether computed contacts exert forces.
 
 bitflags::bitflags! {
     /// A set of up to 32 groups.
@@ -98,27 +98,27 @@ impl From<Group> for u32 {
     }
 }
 
-/// How the wishes of two colliders are put together.
+/// Combination of the filters of two colliders.
 #[derive(Copy, Clone, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub enum InteractionTestMode {
-    /// Both colliders must want to meet the other.
+    /// Each filter must accept the other collider.
     #[default]
     And,
-    /// It is enough that one of them wants to. Applies only where both colliders ask for it: the
-    /// stricter [`Self::And`] wins a disagreement.
+    /// One accepting filter is sufficient. Applies only if both colliders select it: the stricter
+    /// [`Self::And`] wins a disagreement.
     Or,
 }
 
-/// The groups a collider belongs to, and the groups it wants to meet.
+/// The groups of a collider, and its filter.
 #[derive(Copy, Clone, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub struct InteractionGroups {
     /// The groups it belongs to.
     pub memberships: Group,
-    /// The groups whose members it wants to meet.
+    /// The groups that the filter accepts.
     pub filter: Group,
-    /// What it takes for two colliders to meet.
+    /// The condition under which two colliders interact.
     pub test_mode: InteractionTestMode,
 }
 
@@ -129,17 +129,17 @@ impl Default for InteractionGroups {
 }
 
 impl InteractionGroups {
-    /// A member of `memberships` that meets members of `filter`, if they want to meet it as well.
+    /// A member of `memberships` that interacts with members of `filter`, if their filters accept it.
     pub const fn new(memberships: Group, filter: Group) -> Self {
         Self { memberships, filter, test_mode: InteractionTestMode::And }
     }
 
-    /// A member of every group that meets everybody.
+    /// A member of every group that accepts all groups.
     pub const fn all() -> Self {
         Self::new(Group::ALL, Group::ALL)
     }
 
-    /// A member of no group that meets nobody.
+    /// A member of no group that accepts none.
     pub const fn none() -> Self {
         Self::new(Group::NONE, Group::NONE)
     }
@@ -165,7 +165,7 @@ impl InteractionGroups {
         self
     }
 
-    /// Groups that meet whoever meets these, or the others, or both.
+    /// Groups that interact with all partners of these, of the others, or of both.
     pub(crate) const fn union(self, other: Self) -> Self {
         let test_mode = match (self.test_mode, other.test_mode) {
             (InteractionTestMode::And, InteractionTestMode::And) => InteractionTestMode::And,
@@ -178,19 +178,19 @@ impl InteractionGroups {
         }
     }
 
-    /// Does each of the two want to meet the other?
+    /// Returns whether each filter accepts the other.
     #[inline]
     pub const fn test_and(self, other: Self) -> bool {
         self.wants(other) && other.wants(self)
     }
 
-    /// Does at least one of the two want to meet the other?
+    /// Returns whether at least one filter accepts the other.
     #[inline]
     pub const fn test_or(self, other: Self) -> bool {
         self.wants(other) || other.wants(self)
     }
 
-    /// Do the two meet, given both test modes?
+    /// Returns whether the two interact, given both test modes.
     #[inline]
     pub const fn test(self, other: Self) -> bool {
         match (self.test_mode, other.test_mode) {
@@ -233,7 +233,8 @@ mod tests {
         assert!(!a.with_test_mode(or).test(neither.with_test_mode(or)));
     }
 
-    /// Whoever meets one of two meets their union: with all memberships, wishes, and modes of three groups.
+    /// Each partner of one of two is a partner of their union: with all memberships, filters, and modes of
+    /// three groups.
     #[test]
     fn a_union_meets_whom_its_parts_meet() {
         let mut all = Vec::new();

@@ -1,4 +1,4 @@
-//! What finds a collider.
+//! Handle of a collider.
 
 use crate::base::arena::Index;
 

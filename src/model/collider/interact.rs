@@ -1,12 +1,12 @@
-//! Which colliders have anything to do with each other.
+//! Test of whether two colliders can interact.
 
 use super::Collider;
 use crate::model::body::RigidBodyType;
 
-/// Is there any point in looking at the two colliders, wherever they are?
+/// Returns whether the two colliders can interact at any pose.
 ///
-/// No if they belong to the same body, if neither wants to collide with the other's kind of body, if
-/// their groups do not meet, or if one is disabled. A collider without a body counts as fixed.
+/// False if they belong to the same body, if neither accepts the other's body type, if their groups do not
+/// interact, or if one is disabled. A collider without a body counts as fixed.
 pub(crate) fn may_interact(collider1: &Collider, collider2: &Collider) -> bool {
     let (flags1, flags2) = (&collider1.flags, &collider2.flags);
     if let (Some(body1), Some(body2)) = (collider1.parent(), collider2.parent())

@@ -1,13 +1,12 @@
-//! Which colliders changed since somebody last asked: for those who keep something of each, such as the
-//! trees of queries.
+//! Journal of changed colliders, for users that cache data per collider, such as the trees of queries.
 
 use crate::base::unique::unique_number;
 
 /// Entries that are kept however few colliders there are.
 const KEPT_MIN: usize = 1024;
 
-/// How many entries are kept for each collider. Whoever is farther behind looks at all of them, which is
-/// less work than to read more entries.
+/// Number of entries per collider. A reader that is farther behind visits all colliders, which is less work
+/// than to read more entries.
 const KEPT_PER_COLLIDER: usize = 2;
 
 /// The slots of colliders in the order in which they came, went, were borrowed for changing, or got
@@ -21,7 +20,7 @@ pub(crate) struct Journal {
     slots: Vec<u32>,
 }
 
-/// How far a reader has read.
+/// Position of a reader.
 #[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Bookmark {
     journal: u64,
@@ -45,7 +44,7 @@ impl Journal {
         if bookmark.journal == self.id { self.slots.get(read as usize..) } else { None }
     }
 
-    /// The bookmark of who has read everything.
+    /// The bookmark at the end of the journal.
     pub fn end(&self) -> Bookmark {
         Bookmark { journal: self.id, next: self.first + self.slots.len() as u64 }
     }
@@ -53,12 +52,12 @@ impl Journal {
 
 impl Default for Journal {
     fn default() -> Self {
-        // Zero is nobody's, so that the default bookmark is always too old.
+        // Zero is never assigned, so that the default bookmark is always too old.
         Self { id: unique_number(), first: 0, slots: Vec::new() }
     }
 }
 
-/// A copy goes its own way.
+/// A copy has a separate history.
 impl Clone for Journal {
     fn clone(&self) -> Self {
         Self::default()

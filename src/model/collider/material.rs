@@ -1,10 +1,10 @@
-//! What a surface is like: friction and restitution, and how those of two surfaces combine.
+//! Surface material: friction and restitution, and how those of two surfaces combine.
 
 use crate::dim::math::Real;
 
-/// How the coefficients of two surfaces that touch make one.
+/// Combination rule for the coefficients of two surfaces.
 ///
-/// If the two surfaces ask for different rules, the one further down this list is used.
+/// If the two surfaces have different rules, the one further down this list is used.
 #[derive(Copy, Clone, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub enum CoefficientCombineRule {
@@ -17,7 +17,7 @@ pub enum CoefficientCombineRule {
     Multiply = 2,
     /// The larger one.
     Max = 3,
-    /// The sum, but no more than 1.
+    /// The sum, at most 1.
     ClampedSum = 4,
     /// The square root of the product.
     GeometricMean = 5,
@@ -48,9 +48,9 @@ pub struct ColliderMaterial {
     /// Ratio of the speeds of separation and approach: 0 does not bounce, 1 keeps its speed; more
     /// than 1 gains energy.
     pub restitution: Real,
-    /// How its friction combines with that of another surface.
+    /// Combination rule for friction.
     pub friction_combine_rule: CoefficientCombineRule,
-    /// How its restitution combines with that of another surface.
+    /// Combination rule for restitution.
     pub restitution_combine_rule: CoefficientCombineRule,
 }
 

@@ -9,7 +9,7 @@ use parry::bounding_volume::Aabb;
 use parry::shape::{Cuboid, SharedShape, TriMeshFlags};
 use parry::transformation::vhacd::VHACDParameters;
 
-/// What a triangle mesh, as a program that draws it has it, is to become as a collider.
+/// Conversion of a render mesh into a collider.
 #[derive(Copy, Clone, Debug, Default, PartialEq)]
 pub enum MeshConverter {
     /// A surface of the same triangles.
@@ -40,7 +40,7 @@ impl MeshConverter {
         vertices: Vec<Vector>,
         indices: Vec<[u32; 3]>,
     ) -> Result<(SharedShape, Pose), InvalidCollider> {
-        // What is no mesh is none for any of the conversions, also for those that need no triangles.
+        // An invalid mesh is invalid for all conversions, also for those that need no triangles.
         let flags =
             if let Self::TriMeshWithFlags(flags) = self { *flags } else { TriMeshFlags::empty() };
         let mesh = trimesh_shape(vertices.clone(), indices.clone(), flags)?;
@@ -74,7 +74,7 @@ fn box_around(
 }
 
 impl ColliderBuilder {
-    /// A collider made of a triangle mesh in the way that `converter` says.
+    /// A collider made of a triangle mesh by the `converter`.
     ///
     /// # Errors
     /// See [`MeshConverter::convert`].

@@ -1,9 +1,9 @@
 //! # Colliders — what touches
 //!
 //! A [`Collider`] is a shape in the world; a [`ColliderSet`] owns them. Shapes come from parry.
-//! Whatever cannot be simulated (a negative radius, an empty mesh, a coordinate that is not finite) is
-//! kept out here, by [`ColliderBuilder`] and by the setters, so that no stage of the step has to ask.
-//! Setters leave a note of what changed, so that the next step looks at changed colliders alone.
+//! [`ColliderBuilder`] and the setters refuse everything that cannot be simulated (a negative radius, an
+//! empty mesh, a coordinate that is not finite), so that no stage of the step needs a check. Setters leave a
+//! note of what changed, so that the next step looks at changed colliders alone.
 
 mod interact;
 mod journal;

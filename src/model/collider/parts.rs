@@ -14,7 +14,7 @@ pub struct ColliderParent {
     pub pos_wrt_parent: Pose,
 }
 
-/// Does a collider take part in the simulation and in queries?
+/// Whether a collider takes part in the simulation and in queries.
 #[derive(Copy, Clone, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub enum ColliderEnabled {
@@ -27,26 +27,26 @@ pub enum ColliderEnabled {
     Disabled,
 }
 
-/// With whom a collider meets and who hears of it.
+/// Interaction settings and events of a collider.
 #[derive(Copy, Clone, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub struct ColliderFlags {
-    /// Between which kinds of bodies it collides.
+    /// Pairs of body types with which it collides.
     pub active_collision_types: ActiveCollisionTypes,
-    /// With whom it has contacts.
+    /// Groups for contacts.
     pub collision_groups: InteractionGroups,
-    /// With whom its contacts exert forces.
+    /// Groups for contact forces.
     pub solver_groups: InteractionGroups,
-    /// Which hooks are called for its pairs.
+    /// Hooks for its pairs.
     pub active_hooks: ActiveHooks,
-    /// Which events are sent for its pairs.
+    /// Events of its pairs.
     pub active_events: ActiveEvents,
-    /// Does it take part at all?
+    /// Whether the collider takes part at all.
     pub enabled: ColliderEnabled,
 }
 
 bitflags::bitflags! {
-    /// What the user changed on a collider since the last step looked at it.
+    /// Edits of a collider since the last step.
     #[derive(Copy, Clone, Debug, PartialEq, Eq, Hash)]
     #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
     pub struct ColliderChanges: u32 {
@@ -86,13 +86,13 @@ impl Default for ColliderChanges {
 }
 
 impl ColliderChanges {
-    /// What makes other pairs of the same two colliders: of other bodies, or of another kind.
+    /// Edits that replace the pairs of the same two colliders: another body, or another kind.
     pub(crate) const IDENTITY: Self =
         Self::PARENT.union(Self::TYPE).union(Self::ENABLED_OR_DISABLED);
-    /// What decides with which other colliders there may be pairs.
+    /// Edits that affect the set of possible partners.
     pub(crate) const COMPANY: Self = Self::GROUPS.union(Self::INTERACTIONS);
 
-    /// What the step has to look at for a collider that it has never seen.
+    /// All changes, for a collider that is new to the step.
     pub(crate) const fn everything() -> Self {
         Self::all().difference(Self::IN_MODIFIED_SET.union(Self::UNCHECKED_SHAPE))
     }
@@ -103,7 +103,7 @@ impl ColliderChanges {
             .difference(Self::PARENT.union(Self::PARENT_EFFECTIVE_DOMINANCE).union(Self::DEFORMED))
     }
 
-    /// Did anything change that its place in the broad phase depends on?
+    /// Returns whether anything changed that affects the broad phase.
     pub const fn needs_broad_phase_update(self) -> bool {
         const WATCHED: ColliderChanges = ColliderChanges::PARENT
             .union(ColliderChanges::POSITION)
@@ -114,7 +114,7 @@ impl ColliderChanges {
         self.intersects(WATCHED)
     }
 
-    /// Did anything change that its contacts depend on?
+    /// Returns whether anything changed that affects the contacts.
     pub const fn needs_narrow_phase_update(self) -> bool {
         const UNWATCHED: ColliderChanges = ColliderChanges::IN_MODIFIED_SET
             .union(ColliderChanges::LOCAL_MASS_PROPERTIES)

@@ -1,4 +1,4 @@
-//! A collider: a shape in the world, what its surface is like and with whom it meets.
+//! A collider: a shape with a pose, a material and interaction settings.
 
 use super::form::ShapeForm;
 use super::{
@@ -21,13 +21,13 @@ use std::sync::Arc;
 
 /// A shape that collides, attached to a rigid body or alone in the world.
 ///
-/// Made by [`ColliderBuilder`](super::ColliderBuilder), kept in a
-/// [`ColliderSet`](super::ColliderSet). Setters called between steps take effect in the next step.
-/// A setter refuses a value that nothing can be computed with (not finite, negative where that has no
-/// meaning): it keeps the old one and logs a warning that names the new one.
+/// Made by [`ColliderBuilder`](super::ColliderBuilder), kept in a [`ColliderSet`](super::ColliderSet).
+/// Setters called between steps take effect in the next step. A setter refuses a value that nothing can be
+/// computed with (not finite, negative where that has no meaning). It keeps the old value, and logs a warning
+/// with the new one.
 //
-// The order of the fields is fixed (`repr(C)`): what the narrow phase asks of the colliders of each pair stands at the front, where
-// it is fetched from in time.
+// The order of the fields is fixed (`repr(C)`). The fields that the narrow phase reads for each pair are at
+// the front, which is prefetched.
 #[derive(Clone, Debug)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde-serialize", serde(remote = "Self"))]
@@ -38,7 +38,7 @@ pub struct Collider {
     /// Collider frame → world.
     pub(crate) pose: Pose,
     pub(crate) contact_skin: Real,
-    /// What is known of the shape without going to it.
+    /// Cached data of the shape.
     pub(crate) form: ShapeForm,
     pub(crate) sensor: bool,
     /// The type of the parent, for queries that do not see the bodies.
@@ -52,13 +52,13 @@ pub struct Collider {
     pub(crate) mass_props: ColliderMassProps,
     pub(crate) contact_force_event_threshold: Real,
     pub(crate) changes: ColliderChanges,
-    /// Of the note of an edit, if there is one.
+    /// Mark of a pending edit, if there is one.
     #[cfg_attr(feature = "serde-serialize", serde(skip))]
     pub(crate) edit: EditMark,
     /// The widths of the shape's parts, if looking them up is cheaper than computing them. They are not saved, but computed on loading.
     #[cfg_attr(feature = "serde-serialize", serde(skip))]
     pub(crate) widths: Option<Arc<[Widths]>>,
-    /// Whatever the user wants to keep here. The engine does not look at it.
+    /// User data. The engine does not look at it.
     pub user_data: u128,
 }
 
@@ -99,7 +99,7 @@ impl Collider {
     pub(super) const FRONT: usize = core::mem::offset_of!(Self, mass_props);
 }
 
-/// What the user configured, read back.
+/// Getters of the configuration.
 impl Collider {
     /// The number that the user keeps with it.
     pub fn user_data(&self) -> u128 {
@@ -112,49 +112,50 @@ impl Collider {
         self.parent.map(|parent| parent.handle)
     }
 
-    /// Does it only report what it intersects, without any contact forces?
+    /// Returns whether the collider is a sensor: it reports intersections and has no contact forces.
     #[inline]
     pub fn is_sensor(&self) -> bool {
         self.sensor
     }
 
-    /// Does it take part in the simulation and in queries? Not if it, or its body, is disabled.
+    /// Returns whether the collider takes part in the simulation and in queries. Not if it, or its body, is
+    /// disabled.
     #[inline]
     pub fn is_enabled(&self) -> bool {
         self.flags.enabled == ColliderEnabled::Enabled
     }
 
-    /// Which hooks are called for its pairs.
+    /// The hooks for its pairs.
     #[inline]
     pub fn active_hooks(&self) -> ActiveHooks {
         self.flags.active_hooks
     }
 
-    /// Which events are sent for its pairs.
+    /// The events of its pairs.
     #[inline]
     pub fn active_events(&self) -> ActiveEvents {
         self.flags.active_events
     }
 
-    /// Between which kinds of bodies it collides.
+    /// The pairs of body types with which it collides.
     #[inline]
     pub fn active_collision_types(&self) -> ActiveCollisionTypes {
         self.flags.active_collision_types
     }
 
-    /// With whom it has contacts.
+    /// Groups for contacts.
     #[inline]
     pub fn collision_groups(&self) -> InteractionGroups {
         self.flags.collision_groups
     }
 
-    /// With whom its contacts exert forces.
+    /// Groups for contact forces.
     #[inline]
     pub fn solver_groups(&self) -> InteractionGroups {
         self.flags.solver_groups
     }
 
-    /// How its surface rubs and bounces.
+    /// The surface material.
     #[inline]
     pub fn material(&self) -> &ColliderMaterial {
         &self.material
@@ -166,7 +167,7 @@ impl Collider {
         self.material.friction
     }
 
-    /// How its friction combines with that of another collider.
+    /// The combination rule for friction.
     #[inline]
     pub fn friction_combine_rule(&self) -> CoefficientCombineRule {
         self.material.friction_combine_rule
@@ -178,7 +179,7 @@ impl Collider {
         self.material.restitution
     }
 
-    /// How its restitution combines with that of another collider.
+    /// The combination rule for restitution.
     #[inline]
     pub fn restitution_combine_rule(&self) -> CoefficientCombineRule {
         self.material.restitution_combine_rule
@@ -199,7 +200,7 @@ impl Collider {
     }
 }
 
-/// Where it is.
+/// Pose of the collider.
 impl Collider {
     /// Collider frame → world.
     #[inline]
@@ -230,8 +231,8 @@ impl Collider {
         self.shape.compute_aabb(&self.pose)
     }
 
-    /// The box around the shape and its contact skin in world space, enlarged by `prediction` on every
-    /// side (length units; taken as 0 if it is negative or not a number).
+    /// The world-space box around the shape and its contact skin, enlarged by `prediction` on every side
+    /// (length units; taken as 0 if it is negative or not a number).
     pub fn compute_collision_aabb(&self, prediction: Real) -> Aabb {
         self.compute_aabb().loosened(self.contact_skin + prediction.max(0.0))
     }
@@ -285,7 +286,7 @@ impl Collider {
         if volume > 0.0 { mass / volume } else { 0.0 }
     }
 
-    /// What it adds to the mass of its body.
+    /// Contribution to the mass of its body.
     pub fn mass(&self) -> Real {
         match &self.mass_props {
             ColliderMassProps::Mass(mass) => *mass,

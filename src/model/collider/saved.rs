@@ -1,11 +1,12 @@
 //! The saved form of a shape.
 //!
-//! parry's own form contains what its constructors compute (trees of boxes, topology, adjacency), and believes it when it is loaded: an index out of
-//! range panics in some later query. Here, shapes made of many parts are saved as the lists that they were made of, and made again; the same
-//! lists give the same tree. Convex hulls keep parry's form, because another construction might number the faces differently: their indices are
-//! checked. (Of a compound with pseudo-normals, the tolerance with which parry found neighbouring parts is not known: it is the default.)
-//! The saved form is not recursive, so damaged data cannot exhaust the stack.
-//! Whatever was loaded is [judged](super::check) as if the user had made it.
+//! parry's own format contains derived data (trees of boxes, topology, adjacency) and loads it unchecked: an
+//! index out of range panics in some later query. Here, shapes made of many parts are saved as the lists that
+//! they were made of, and built again; the same lists give the same tree. Convex hulls keep parry's form,
+//! because another construction might number the faces differently: their indices are checked. (Of a compound
+//! with pseudo-normals, the tolerance with which parry found neighbouring parts is not known: it is the
+//! default.) The saved form is not recursive, so damaged data cannot exhaust the stack. Whatever was loaded
+//! is [judged](super::check) as if the user had made it.
 
 use super::check::{check_elements, check_parts, check_points, check_shape};
 use super::grid::filled_cells;
@@ -62,7 +63,7 @@ pub fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<SharedS
     SavedShape::deserialize(deserializer)?.restore().map_err(D::Error::custom)
 }
 
-/// Shapes that colliders of a set share are saved once.
+/// A shape that several colliders of a set use is saved once.
 impl Serialize for ColliderSet {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let _table = OpenTable::new();

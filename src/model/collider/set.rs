@@ -13,12 +13,12 @@ use crate::model::stamp::WorldStamp;
 use crate::model::tree::ColliderProxy;
 use std::collections::BTreeSet;
 
-/// What the step needs to know of a collider that was removed.
+/// Data of a removed collider for the step.
 #[derive(Copy, Clone, Debug)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) struct RemovedCollider {
     pub handle: ColliderHandle,
-    /// Are bodies that touched it to wake?
+    /// Whether touching bodies wake.
     pub wake_up: bool,
 }
 
@@ -37,7 +37,7 @@ pub struct ColliderSet {
 
 clone_in_place!(ColliderSet { colliders, notes, stamp });
 
-/// What is remembered of changes.
+/// Lists of changes.
 #[derive(Debug, Default)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 struct Notes {
@@ -70,7 +70,7 @@ impl ColliderSet {
         Self::default()
     }
 
-    /// An empty set with room for `capacity` colliders.
+    /// An empty set with the given `capacity`.
     pub fn with_capacity(capacity: usize) -> Self {
         Self { colliders: Arena::with_capacity(capacity), ..Self::default() }
     }
@@ -85,18 +85,18 @@ impl ColliderSet {
         self.colliders.len()
     }
 
-    /// Is there no collider?
+    /// Returns whether the set is empty.
     pub fn is_empty(&self) -> bool {
         self.colliders.is_empty()
     }
 
-    /// Does the handle find a collider?
+    /// Returns whether the handle refers to a collider.
     pub fn contains(&self, handle: ColliderHandle) -> bool {
         self.colliders.contains(handle.0)
     }
 
-    /// Puts a collider (or the one that a builder describes) into the set, attached to no body: it
-    /// stands where its position says, like a part of a fixed body.
+    /// Inserts a collider (or the one that a builder describes) without a body. It stays at its position,
+    /// like a part of a fixed body.
     pub fn insert(&mut self, collider: impl Into<Collider>) -> ColliderHandle {
         let mut collider = collider.into();
         collider.replace_broken_shape();
@@ -104,8 +104,8 @@ impl ColliderSet {
         self.insert_new(collider)
     }
 
-    /// Puts a collider (or the one that a builder describes) into the set, attached to a body: its
-    /// position says where on the body it is, and its mass becomes part of the body's.
+    /// Inserts a collider (or the one that a builder describes) attached to a body. Its position is relative
+    /// to the body, and its mass is added to the body's.
     ///
     /// If the handle finds no body, a warning says so, and the collider is inserted disabled and
     /// attached to nothing. [`Self::set_parent`] and [`Collider::set_enabled`] mend that.
@@ -154,9 +154,9 @@ impl ColliderSet {
 
     /// Attaches a collider to another body, or to none.
     ///
-    /// It keeps its place relative to the body, now on the new one; a collider that had no body gets
-    /// the origin of the new one. Detached, it stays where it is in the world. A stale handle of the
-    /// collider or of the body changes nothing, with a warning.
+    /// It keeps its position relative to the body, now on the new one. A collider without a body gets the
+    /// origin of the new one. Detached, it stays where it is in the world. A stale handle of the collider or
+    /// of the body changes nothing, with a warning.
     pub fn set_parent(
         &mut self,
         handle: ColliderHandle,
@@ -237,8 +237,8 @@ impl ColliderSet {
         Some(collider)
     }
 
-    /// Two colliders at once, for changing them; `None` in place of each that its handle does not
-    /// find, and of the second one if both handles are the same.
+    /// Mutable access to two colliders. `None` for each handle that refers to no collider, and for the second
+    /// one if both are equal.
     pub fn get_pair_mut(
         &mut self,
         handle1: ColliderHandle,
@@ -309,8 +309,8 @@ impl ColliderSet {
     }
 }
 
-/// Whoever has a collider in hand can put another one in its place (assign a copy, swap two of them), and with it what
-/// that one knew of *its* place.
+/// A `&mut` to a collider lets the user replace it (assign a copy, swap two colliders), including its record
+/// of its *own* position.
 impl ColliderSet {
     /// Whether the collider that a handle finds was put in the place of another one.
     fn is_replaced(&self, handle: ColliderHandle) -> bool {
@@ -321,8 +321,7 @@ impl ColliderSet {
         })
     }
 
-    /// Lets a collider that was put in the place of another one be what it is there: part of the body that it names,
-    /// and new to the step.
+    /// Registers a replaced collider: as part of the body that it names, and as new to the step.
     fn mend(&mut self, handle: ColliderHandle, bodies: &mut RigidBodySet) {
         if self.is_replaced(handle) {
             self.settle_in(handle, bodies);
@@ -351,8 +350,8 @@ impl ColliderSet {
         self.note_attachment(bodies);
     }
 
-    /// Lets the colliders settle in that were put in the place of others. One whose note is gone is an older copy of
-    /// itself, and one with two notes was put in the place of another between them.
+    /// Registers the colliders that replaced others. One whose note is gone is an older copy of itself, and
+    /// one with two notes was put in the place of another between them.
     pub(crate) fn settle_replaced(&mut self, bodies: &mut RigidBodySet) {
         for note in 0..self.notes.modified.len() {
             let handle = self.notes.modified[note];
@@ -420,14 +419,14 @@ impl ColliderSet {
         }
     }
 
-    /// The colliders that the user may have changed, in the order of the first change; some of them may
-    /// be gone. Whoever takes the list clears the `changes` of each.
+    /// The colliders that the user may have changed, in the order of the first change; some of them may be
+    /// gone. The caller must clear the `changes` of each.
     pub(crate) fn take_modified(&mut self) -> Vec<ColliderHandle> {
         self.notes.marks.clear();
         core::mem::take(&mut self.notes.modified)
     }
 
-    /// The same list, as long as nobody has taken it.
+    /// The same list, without taking it.
     pub(crate) fn modified(&self) -> &[ColliderHandle] {
         &self.notes.modified
     }
@@ -467,8 +466,8 @@ impl ColliderSet {
         self.notes.journal.note(handle.into_raw_parts().0, self.colliders.len());
     }
 
-    /// The slots of colliders that changed since a bookmark was set, some more than once, and the
-    /// bookmark for the next time; `None` if all may have.
+    /// The slots of colliders that changed since a bookmark, possibly with duplicates, and the next bookmark;
+    /// `None` if all may have changed.
     pub(crate) fn changed_since(&self, bookmark: Bookmark) -> (Option<&[u32]>, Bookmark) {
         (self.notes.journal.since(bookmark), self.notes.journal.end())
     }
@@ -491,8 +490,8 @@ impl ColliderSet {
         self.colliders.get_mut(handle.0)
     }
 
-    /// Colliders for the step's own use, to be written by several threads: leaves no notes. They are asked for by the
-    /// indices in their handles.
+    /// Colliders for the step's own use, to be written by several threads: leaves no notes. They are read by
+    /// the indices in their handles.
     pub(crate) fn share(&mut self) -> SharedArena<'_, Collider> {
         self.colliders.share()
     }
@@ -504,7 +503,7 @@ impl ColliderSet {
         Some((ColliderHandle(index), collider))
     }
 
-    /// Begins to bring the collider at a slot near to the processor, for who will ask for it soon.
+    /// Prefetches the collider at a slot.
     #[inline(always)]
     pub(crate) fn prefetch(&self, slot: u32) {
         self.colliders.prefetch_front(slot, Collider::FRONT);

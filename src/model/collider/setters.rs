@@ -21,7 +21,7 @@ fn refuse(setter: &str, reason: &InvalidCollider) {
     log::warn!("Collider::{setter} ignored: {reason}");
 }
 
-/// Is this what the setter accepts? Warns if it is not.
+/// Returns whether the setter accepts the value. Warns if it is not.
 fn accepts(setter: &str, verdict: Result<(), InvalidCollider>) -> bool {
     match verdict {
         Ok(()) => true,
@@ -32,7 +32,7 @@ fn accepts(setter: &str, verdict: Result<(), InvalidCollider>) -> bool {
     }
 }
 
-/// Where it is.
+/// Pose of the collider.
 impl Collider {
     /// Moves a collider that is not attached. An attached one follows its body: use
     /// [`Self::set_position_wrt_parent`].
@@ -92,7 +92,7 @@ pub(super) fn normalized(pose: Pose) -> Pose {
     Pose { rotation: pose.rotation.normalize(), ..pose }
 }
 
-/// With whom it meets, and who hears of it.
+/// Interaction settings and events.
 impl Collider {
     /// Enables or disables it. A collider of a disabled body stays disabled until its body is enabled.
     pub fn set_enabled(&mut self, enabled: bool) {
@@ -116,7 +116,7 @@ impl Collider {
         }
     }
 
-    /// Sets with whom it has contacts.
+    /// Sets the groups for contacts.
     pub fn set_collision_groups(&mut self, groups: InteractionGroups) {
         if self.flags.collision_groups != groups {
             self.flags.collision_groups = groups;
@@ -124,7 +124,7 @@ impl Collider {
         }
     }
 
-    /// Sets with whom its contacts exert forces.
+    /// Sets the groups for contact forces.
     pub fn set_solver_groups(&mut self, groups: InteractionGroups) {
         if self.flags.solver_groups != groups {
             self.flags.solver_groups = groups;
@@ -220,8 +220,8 @@ impl Collider {
 
     /// The shape, to be changed in place. A shape shared with other colliders is copied first.
     ///
-    /// The next step looks at what became of it: a shape that cannot be simulated any more (a negative
-    /// radius, say) disables the collider, with a warning.
+    /// The next step checks the result. A shape that cannot be simulated any more (a negative radius, say)
+    /// disables the collider, with a warning.
     pub fn shape_mut(&mut self) -> &mut dyn Shape {
         self.changes |= ColliderChanges::SHAPE
             | ColliderChanges::UNCHECKED_SHAPE
@@ -230,8 +230,8 @@ impl Collider {
         self.shape.make_mut()
     }
 
-    /// Looks at the shape if it was handed out by [`Self::shape_mut`]: if it became impossible, a small
-    /// stand-in takes its place and the collider is disabled.
+    /// Checks the shape after a use of [`Self::shape_mut`]. An invalid shape is replaced by a small one, and
+    /// the collider is disabled.
     pub(crate) fn replace_broken_shape(&mut self) {
         if !self.changes.contains(ColliderChanges::UNCHECKED_SHAPE) {
             return;
@@ -278,8 +278,8 @@ impl Collider {
         }
     }
 
-    /// Makes it the same as `other`, shape and user data included, but leaves it on its own body, at
-    /// its own place there if it has one.
+    /// Copies everything from `other`, including shape and user data, except its body, and its place there if
+    /// it has one.
     pub fn copy_from(&mut self, other: &Collider) {
         let by_parent = self.flags.enabled == ColliderEnabled::DisabledByParent;
         let enabled = match other.flags.enabled {

@@ -1,9 +1,10 @@
-//! Shapes that several colliders of a set share are saved, loaded and measured once.
+//! A shape that several colliders of a set use is saved, loaded and measured once.
 //!
-//! Serde's derived code hands no context to the fields of a value. So a set opens a table for its thread while it is saved or loaded, and the shapes of its
-//! colliders are entered in it. Both directions visit the same shapes in the same order: the number of a shape is the number of shapes in front of it.
-//! The alternative, a list of shapes beside the colliders, needs a second type for every container between the set and a shape. Colliders that are saved
-//! alone have no table, and contain their shapes.
+//! Serde's derived code hands no context to the fields of a value. So a set opens a table for its thread
+//! while it is saved or loaded, and the shapes of its colliders are entered in it. Both directions visit the
+//! same shapes in the same order: the number of a shape is the number of preceding shapes. The alternative, a
+//! list of shapes beside the colliders, needs a second type for every container between the set and a shape.
+//! Colliders that are saved alone have no table, and contain their shapes.
 
 use super::widths::Widths;
 use crate::dim::width;

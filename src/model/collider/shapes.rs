@@ -1,8 +1,8 @@
 //! One constructor for each shape.
 //!
 //! Constructors whose parameters depend on the dimension (cuboids, for example) are in `dim2/surface` and
-//! `dim3/surface`. Where parry's constructor panics on some values, they are checked before the
-//! call. The numbers of a shape without parts are checked when the collider is built.
+//! `dim3/surface`. Values on which parry's constructor panics are checked before the call. The numbers of a
+//! shape without parts are checked when the collider is built.
 
 use super::check::{check_elements, check_length, check_margin, check_parts, check_points};
 use super::{ColliderBuilder, InvalidCollider, grid};
@@ -124,7 +124,7 @@ impl ColliderBuilder {
     /// A surface of triangles, with parry's options for it.
     ///
     /// # Errors
-    /// As for [`Self::trimesh`], and if no triangle is left after the deletions asked for.
+    /// As for [`Self::trimesh`], and no triangle is left after the requested deletions.
     pub fn trimesh_with_flags(
         vertices: Vec<Vector>,
         indices: Vec<[u32; 3]>,
@@ -207,7 +207,7 @@ pub(super) fn hull_of(points: &[Vector]) -> Result<hull::ConvexShape, InvalidCol
         let count = points.len();
         return Err(InvalidCollider::TooFew { parameter: "points", count, least: DIM + 1 });
     }
-    let degenerate = InvalidCollider::Degenerate { shape: "convex hull", reason: hull::FLAT };
+    let degenerate = InvalidCollider::Degenerate { shape: "convex hull", reason: hull::DEGENERATE };
     hull::convex_hull(points).ok_or(degenerate)
 }
 
@@ -222,7 +222,7 @@ impl ColliderBuilder {
         )
     }
 
-    /// Those boxes of a grid that hold at least one of the points.
+    /// The boxes of a grid that contain at least one of the points.
     pub fn voxels_from_points(voxel_size: Vector, points: &[Vector]) -> Self {
         let checked = check_points("points", points).and_then(|()| {
             grid::check_cells(voxel_size, points.iter().map(|point| *point / voxel_size))

@@ -1,8 +1,8 @@
 //! The distribution of a mass over shapes that have none.
 //!
-//! A density gives no mass to shapes without volume. A mass that is set for such shapes, or for a body that has no
-//! others, is spread evenly over their surface, or over their length where they have no surface. Without that rule the
-//! body would have no angular inertia, and no impulse could rotate it.
+//! A density gives no mass to shapes without volume. A mass that is set for such shapes, or for a body that
+//! has no others, is distributed evenly over their surface, or over their length where they have no surface.
+//! Without that rule the body would have no angular inertia, and no impulse could rotate it.
 
 use super::mass::volume_properties;
 use super::{Collider, ColliderMassProps};
@@ -14,11 +14,12 @@ use crate::dim::shapes;
 use parry::mass_properties::MassProperties;
 use parry::shape::{Shape, SharedShape, TypedShape};
 
-/// A line has this fraction of its second moment along each axis, as if it were a rod of 1/20 of its length: an inertia of
-/// zero about itself would be ill-conditioned once it is rotated and summed.
+/// A line has this fraction of its second moment along each axis, like a rod of 1/20 of its length. An
+/// inertia of zero about itself would be ill-conditioned once it is rotated and summed.
 const ROD_FRACTION: Real = 1.0e-3;
 
-/// What a mass is spread over, in rising order. Only the elements of the highest rank carry mass.
+/// The geometry over which a mass is distributed, in rising order. Only the elements of the highest rank
+/// carry mass.
 #[derive(Copy, Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 enum Rank {
@@ -142,8 +143,8 @@ struct Moments {
 impl Moments {
     /// Adds a segment or a triangle.
     ///
-    /// About the origin, a simplex with `n` corners, their sum `s` and the measure `m` has the first moment `m s / n`
-    /// and the second moment `m / (n (n + 1)) (Σ c cᵀ + s sᵀ)`.
+    /// About the origin, let `s` be the sum of the `n` corners of a simplex with measure `m`. Its first
+    /// moment is `m s / n`, its second moment `m / (n (n + 1)) (Σ c cᵀ + s sᵀ)`.
     fn add(&mut self, corners: &[Vector]) {
         let origin = *self.origin.get_or_insert(corners[0]);
         let measure = measure(corners);

@@ -1,13 +1,14 @@
-//! How wide a convex part is: what continuous collision detection measures motions with.
+//! Width of convex parts: the measure of motion in continuous collision detection.
 //!
-//! The *width* of a convex set along a direction is the distance of the two planes across that direction between which the set lies. Its
-//! *minimum width* is the least of these over all directions: that of a ball is its diameter, that of a disc its height, that of a plate
-//! its gauge, however the plate stands in its own frame. The *thickness* of a part is half its minimum width. No point of it
-//! is deeper below the surface than that, and a body that moves less than its thickness keeps its middle on one side of everything.
+//! The *width* of a convex set along a direction is the distance of the two planes across that direction
+//! between which the set lies. Its *minimum width* is the least of these over all directions: the diameter of
+//! a ball, the height of a disc, the gauge of a plate in any orientation. The *thickness* of a part is half
+//! its minimum width. No point of it is deeper below the surface than that, and a body that moves less than
+//! its thickness keeps its middle on one side of everything.
 //!
 //! Boxes, cylinders, cones and what is round have formulas. Hulls, triangles and custom shapes are searched
-//! ([`crate::dim::width`]), with a lower bound as the result: a thickness that is too small makes a body fast too early; one that is too
-//! large lets it through.
+//! ([`crate::dim::width`]), with a lower bound as the result. A thickness that is too small makes a body fast
+//! too early; one that is too large lets it through.
 
 use super::ColliderMassProps;
 use crate::base::planar_width::NarrowFrame;
@@ -16,11 +17,12 @@ use crate::dim::width::{self, TRIANGLES_ARE_SOLID, narrow_frame};
 use parry::shape::{Shape, SupportMap, Triangle, TypedShape};
 use std::sync::Arc;
 
-/// How a convex part becomes thinner.
+/// Thinning of a convex part.
 ///
-/// The *skeleton* of a part `K` is `c + S (K - c)` with a linear map `S = R diag(skeleton) Rᵀ`: flat along the direction of minimum width,
-/// and as large as fits into `K` across it. All of `c + ((1 - t) 1 + t S)(K - c)`, for `t` from 0 to 1, lie in
-/// `(1 - t) K + t S K`, and so in the convex `K`. Of a box with half extents `h` they are the boxes with half extents `h - t min h`.
+/// The *skeleton* of a part `K` is `c + S (K - c)` with a linear map `S = R diag(skeleton) Rᵀ`. It is flat
+/// along the direction of minimum width, and as large as fits into `K` across it. All of `c + ((1 - t) 1 + t
+/// S)(K - c)`, for `t` from 0 to 1, lie in `(1 - t) K + t S K`, and so in the convex `K`. For a box with half
+/// extents `h` they are the boxes with half extents `h - t min h`.
 #[derive(Copy, Clone, Debug)]
 pub(crate) struct Widths {
     /// A point well inside, in the part's frame.
@@ -33,7 +35,8 @@ pub(crate) struct Widths {
     pub thickness: Real,
 }
 
-/// How much of the least distance from the centre to a face is kept between the skeleton and the surface.
+/// Gap between the skeleton and the surface, as a fraction of the smallest distance from the centre to a
+/// face.
 const SKELETON_MARGIN: Real = 0.5;
 
 impl Widths {
@@ -158,12 +161,12 @@ fn of_support(part: &dyn Shape) -> Option<Widths> {
     let support = part.as_support_map()?;
     let frame = narrow_frame(|along| support.local_support_point(along));
     let is_usable = frame.widths.is_finite() && frame.least.is_finite();
-    // Nothing is known of its faces: a skeleton of a point fits.
+    // Without known faces, the skeleton is a point.
     let widths = with_layer(inner_point(support), frame, 0.0);
     is_usable.then_some(Widths { skeleton: Vector::ZERO, ..widths })
 }
 
-/// Of what has no support points: what it says itself, if that is no more than its box allows.
+/// For shapes without support points: their own value, limited by their box.
 fn of_box(part: &dyn Shape) -> Widths {
     let aabb = part.compute_local_aabb();
     let half = aabb.half_extents();
@@ -177,8 +180,8 @@ fn with_layer(center: Vector, frame: NarrowFrame, layer: Real) -> Widths {
     Widths { center, axes: frame.axes, skeleton: flattened(half, thickness), thickness }
 }
 
-/// How large a part is along axes along which it has half widths `half`, once it has lost its thickness on all sides, relative to
-/// before.
+/// Relative size of a part along axes with the half widths `half`, after its thickness is removed on all
+/// sides.
 fn flattened(half: Vector, thickness: Real) -> Vector {
     let scale = (half - Vector::splat(thickness)).max(Vector::ZERO) / half;
     Vector::select(half.cmpgt(Vector::ZERO), scale, Vector::ONE)

@@ -1,12 +1,12 @@
-//! What the solver is told of contact manifolds, lane by lane.
+//! The solver's input of contact manifolds, lane by lane.
 
-use super::placement::WidePlacement;
+use super::anchor_frame::WideAnchorFrame;
 use crate::base::wide::{LANES, Lane};
 use crate::dim::math::{DIM, MAX_MANIFOLD_POINTS, Real, Vector};
 use crate::dim::state::READ_ONLY;
 use crate::dim::wide::WideVector;
 
-/// What the solver is told of a block's manifolds.
+/// The solver's input of a block's manifolds.
 #[derive(Clone, Debug)]
 pub(crate) struct ContactInput {
     /// Solver indices of the two bodies, with [`READ_ONLY`] where it applies.
@@ -15,10 +15,10 @@ pub(crate) struct ContactInput {
     pub is_world: [Lane; 2],
     /// Factors on the inverse masses of the two bodies: zero where the other one is dominant.
     pub mass_factors: [Lane; 2],
-    /// How the bodies stood when the contacts were placed.
-    pub placement: WidePlacement,
+    /// World orientation of the bodies when the anchors were transformed.
+    pub anchor_frame: WideAnchorFrame,
     /// From the first centre of mass to the points as they were placed, in world space.
-    pub levers: [WideVector<Lane>; MAX_MANIFOLD_POINTS],
+    pub arms: [WideVector<Lane>; MAX_MANIFOLD_POINTS],
     /// Separations of the points as they were placed.
     pub placed_separations: [Lane; MAX_MANIFOLD_POINTS],
     /// One for points that are there, zero for the others.
@@ -45,8 +45,8 @@ impl ContactInput {
             bodies: [[READ_ONLY; LANES]; 2],
             is_world: [Lane::splat(1.0); 2],
             mass_factors: [Lane::ZERO; 2],
-            placement: WidePlacement::NOWHERE,
-            levers: [vector; MAX_MANIFOLD_POINTS],
+            anchor_frame: WideAnchorFrame::NOWHERE,
+            arms: [vector; MAX_MANIFOLD_POINTS],
             placed_separations: [Lane::ZERO; MAX_MANIFOLD_POINTS],
             present: [Lane::ZERO; MAX_MANIFOLD_POINTS],
             impulses: [Lane::ZERO; MAX_MANIFOLD_POINTS],
@@ -73,7 +73,7 @@ impl ContactInput {
 
     /// A point that one lane does not have.
     pub fn leave_out(&mut self, point: usize, lane: usize) {
-        self.levers[point].set_lane(lane, Vector::ZERO);
+        self.arms[point].set_lane(lane, Vector::ZERO);
         self.placed_separations[point].0[lane] = 0.0;
         self.present[point].0[lane] = 0.0;
         self.impulses[point].0[lane] = 0.0;
@@ -87,7 +87,7 @@ impl ContactInput {
             self.is_world[side].0[lane] = 1.0;
             self.mass_factors[side].0[lane] = 0.0;
         }
-        self.placement.clear(lane);
+        self.anchor_frame.clear(lane);
         (self.friction.0[lane], self.restitution.0[lane]) = (0.0, 0.0);
         self.tangent_velocity.set_lane(lane, Vector::ZERO);
         self.friction_impulse.set_lane(lane, Vector::ZERO);

@@ -1,19 +1,21 @@
-//! What the solver knows of contact manifolds from step to step, lane by lane.
+//! The solver's data of contact manifolds, persistent from step to step, lane by lane.
 //!
-//! In a pile that has settled hardly a manifold is computed in a step. What the solver reads of the others is what it read in the
-//! last step, and the impulses are its own; and a pair is large, and may stand anywhere. So the lanes stay filled: a lane learns from
-//! its manifold only if it stood for another one before, or if the pair was [renewed](super::PairStore::renew).
+//! In a pile that has settled hardly a manifold is computed in a step. The data of other manifolds is that of
+//! the last step, and the impulses are the solver's own. A pair is large, and random access to it is slow. So
+//! the lanes stay filled: a lane learns from its manifold only if it stood for another one before, or if the
+//! pair was [renewed](super::PairStore::renew).
 //!
-//! For the same reason a manifold is not told by each step what became of it. Lanes are *ahead* of their pairs until somebody wants
-//! to know: the user, who looks at a pair or hears of it, or the narrow phase, which computes it anew. Then the pair is told, and once.
-//! Who takes a manifold out of its colour, or moves it to another place there, tells it before: the lane will be another's.
+//! For the same reason results are not written back to the manifolds in each step. Lanes are *ahead* of their
+//! pairs until the pair is read, by the user or by the narrow phase, which recomputes it. Then the pair is
+//! written back, once. Code that removes a manifold from its colour, or moves it to another place there,
+//! writes it back before: the lane will be reused.
 //!
-//! The alternative, all pairs told in each step, was a seventh of the step of a large pyramid.
+//! The alternative, a write-back of all pairs in each step, cost a seventh of the step of a large pyramid.
 
+use super::anchor_frame::AnchorFrame;
 use super::input::ContactInput;
 use super::manifold::{ContactManifold, ContactManifoldData};
 use super::pair::ContactPair;
-use super::placement::Placement;
 use super::report::ContactReport;
 use super::store::PairId;
 use crate::base::wide::{LANES, prefetch};
@@ -24,46 +26,46 @@ use core::sync::atomic::{AtomicU32, Ordering};
 use std::sync::{Mutex, PoisonError};
 
 /// In a lane that is empty.
-const NOBODY: ManifoldRef = ManifoldRef { pair: u32::MAX, manifold: u32::MAX };
+const NO_MANIFOLD: ManifoldRef = ManifoldRef { pair: u32::MAX, manifold: u32::MAX };
 
 /// A block's worth of manifolds.
 #[derive(Clone, Debug)]
 pub(crate) struct LaneBlock {
-    /// What the lanes were filled from.
+    /// The manifolds of the lanes.
     members: [ManifoldRef; LANES],
     /// Slots of their two bodies.
     pub slots: [[u32; LANES]; 2],
-    /// How many points each has.
+    /// Number of points of each.
     counts: [u8; LANES],
     pub input: ContactInput,
 }
 
 impl LaneBlock {
     const EMPTY: Self = Self {
-        members: [NOBODY; LANES],
+        members: [NO_MANIFOLD; LANES],
         slots: [[NONE; LANES]; 2],
         counts: [0; LANES],
         input: ContactInput::EMPTY,
     };
 
-    /// Has a lane stand for a manifold, or for none. Returns whether it did not do so before.
-    pub fn seat(&mut self, lane: usize, manifold: Option<ManifoldRef>) -> bool {
-        let manifold = manifold.unwrap_or(NOBODY);
+    /// Assigns a manifold, or none, to a lane. Returns whether it did not do so before.
+    pub fn set_lane_slot(&mut self, lane: usize, manifold: Option<ManifoldRef>) -> bool {
+        let manifold = manifold.unwrap_or(NO_MANIFOLD);
         core::mem::replace(&mut self.members[lane], manifold) != manifold
     }
 
-    /// Has a lane stand for no manifold.
+    /// Removes the manifold of a lane.
     pub fn clear(&mut self, lane: usize) {
-        if self.seat(lane, None) {
+        if self.set_lane_slot(lane, None) {
             [self.slots[0][lane], self.slots[1][lane]] = [NONE; 2];
             self.counts[lane] = 0;
             self.input.clear(lane);
         }
     }
 
-    /// Do all lanes stand for nobody?
+    /// Returns whether all lanes are empty.
     pub fn is_empty(&self) -> bool {
-        self.members == [NOBODY; LANES]
+        self.members == [NO_MANIFOLD; LANES]
     }
 
     /// Number of points in all lanes.
@@ -71,7 +73,7 @@ impl LaneBlock {
         self.counts.iter().map(|&count| usize::from(count)).sum()
     }
 
-    /// Does a lane stand for this manifold?
+    /// Returns whether a lane stores this manifold.
     pub fn is_seated(&self, lane: usize, manifold: ManifoldRef) -> bool {
         self.members[lane] == manifold
     }
@@ -82,8 +84,12 @@ impl LaneBlock {
         let data = &pair.manifolds[manifold as usize].data;
         [self.slots[0][lane], self.slots[1][lane]] = slots;
         self.counts[lane] = data.points.len() as u8;
-        let held = if pair.placement.may_hold { Placement::held_turn(data.friction) } else { 0.0 };
-        input.placement.set_lane(lane, &pair.placement, data.placed_normal, held);
+        let held = if pair.anchor_frame.may_freeze {
+            AnchorFrame::frozen_angle(data.friction)
+        } else {
+            0.0
+        };
+        input.anchor_frame.set_lane(lane, &pair.anchor_frame, data.placed_normal, held);
         input.mass_factors[0].0[lane] = if data.relative_dominance > 0 { 0.0 } else { 1.0 };
         input.mass_factors[1].0[lane] = if data.relative_dominance < 0 { 0.0 } else { 1.0 };
         input.friction.0[lane] = data.friction;
@@ -96,7 +102,7 @@ impl LaneBlock {
                 input.leave_out(k, lane);
                 continue;
             };
-            input.levers[k].set_lane(lane, point.lever);
+            input.arms[k].set_lane(lane, point.arm);
             input.placed_separations[k].0[lane] = point.placed_dist;
             input.present[k].0[lane] = 1.0;
             input.impulses[k].0[lane] = point.warmstart_impulse;
@@ -105,8 +111,8 @@ impl LaneBlock {
     }
 }
 
-/// Writes what is told of a manifold to it.
-fn tell(report: &ContactReport, data: &mut ContactManifoldData) {
+/// Writes a report to its manifold.
+fn write_back(report: &ContactReport, data: &mut ContactManifoldData) {
     if !report.is_sound() {
         return data.forget_impulses();
     }
@@ -122,26 +128,26 @@ fn tell(report: &ContactReport, data: &mut ContactManifoldData) {
 }
 
 /// By colour, the overflow last: a number of blocks.
-pub(crate) type Rooms = [usize; COLORS as usize + 1];
+pub(crate) type LaneCapacity = [usize; COLORS as usize + 1];
 
 /// All lanes; see the [module](self).
 #[derive(Debug)]
 pub(crate) struct ContactLanes {
     pub blocks: Vec<LaneBlock>,
-    /// What the last step that was stored tells of them.
+    /// Reports of the last stored step.
     pub reports: Vec<[ContactReport; LANES]>,
-    /// Has each point friction of its own?
+    /// Whether each point has its own friction.
     pub are_rough: bool,
     /// By colour: its first block, if lanes stand in the order of the constraint graph and may be ahead of their pairs; else nothing.
     starts: Vec<u32>,
-    /// How many blocks there are for each colour, though some be empty.
-    pub rooms: Rooms,
-    /// How often lanes were stored.
-    turn: u32,
-    /// By pair: the turn of which it was told last. Pairs beyond the end, that are younger, have nothing to be told.
-    told: Vec<AtomicU32>,
-    /// Held by who tells a pair behind a shared reference.
-    telling: Mutex<()>,
+    /// Number of blocks per colour, including empty ones.
+    pub capacity: LaneCapacity,
+    /// Number of times that lanes were stored.
+    stores: u32,
+    /// By pair: the store count at its last write-back. Newer pairs, beyond the end, have no results.
+    written: Vec<AtomicU32>,
+    /// Locked by a write-back behind a shared reference.
+    writing: Mutex<()>,
 }
 
 impl Default for ContactLanes {
@@ -151,10 +157,10 @@ impl Default for ContactLanes {
             reports: Vec::new(),
             are_rough: false,
             starts: Vec::new(),
-            rooms: [0; _],
-            turn: 0,
-            told: Vec::new(),
-            telling: Mutex::default(),
+            capacity: [0; _],
+            stores: 0,
+            written: Vec::new(),
+            writing: Mutex::default(),
         }
     }
 }
@@ -167,18 +173,20 @@ impl Clone for ContactLanes {
     }
 
     fn clone_from(&mut self, source: &Self) {
-        let Self { blocks, reports, are_rough, starts, rooms, turn, told, telling: _ } = source;
+        let Self { blocks, reports, are_rough, starts, capacity, stores, written, writing: _ } =
+            source;
         self.blocks.clone_from(blocks);
         self.reports.clone_from(reports);
         self.starts.clone_from(starts);
-        (self.are_rough, self.rooms, self.turn) = (*are_rough, *rooms, *turn);
-        self.told.clear();
-        self.told.extend(told.iter().map(|turn| AtomicU32::new(turn.load(Ordering::Acquire))));
+        (self.are_rough, self.capacity, self.stores) = (*are_rough, *capacity, *stores);
+        self.written.clear();
+        self.written
+            .extend(written.iter().map(|stores| AtomicU32::new(stores.load(Ordering::Acquire))));
     }
 }
 
-/// Makes room for so many blocks in all. They are large: where more are needed, an eighth more than that are asked for, and not as many
-/// again.
+/// Reserves this number of blocks in all. They are large: the reserve is an eighth more, and not twice as
+/// much.
 pub(crate) fn reserve_blocks<T>(blocks: &mut Vec<T>, count: usize) {
     if count > blocks.capacity() {
         blocks.reserve_exact(count + count / 8 - blocks.len());
@@ -186,7 +194,7 @@ pub(crate) fn reserve_blocks<T>(blocks: &mut Vec<T>, count: usize) {
 }
 
 impl ContactLanes {
-    /// Makes room for so many blocks. Lanes of earlier ones stay filled.
+    /// Reserves this number of blocks. Lanes of earlier ones stay filled.
     pub fn resize(&mut self, block_count: usize) {
         reserve_blocks(&mut self.blocks, block_count);
         self.blocks.resize_with(block_count, || LaneBlock::EMPTY);
@@ -194,13 +202,13 @@ impl ContactLanes {
         self.reports.resize(block_count, [ContactReport::EMPTY; LANES]);
     }
 
-    /// Must all be filled again. None may be ahead of its pair.
+    /// Must all be filled again. None of them is ahead of its pair.
     pub fn forget(&mut self) {
         debug_assert!(!self.are_ahead());
         self.blocks.clear();
     }
 
-    /// May lanes be ahead of their pairs?
+    /// Returns whether lanes may be ahead of their pairs.
     pub fn are_ahead(&self) -> bool {
         !self.starts.is_empty()
     }
@@ -210,58 +218,59 @@ impl ContactLanes {
         &self.starts
     }
 
-    /// All pairs have been told.
+    /// Marks all pairs as written back.
     pub fn fall_back(&mut self) {
         self.starts.clear();
     }
 
-    /// The lanes know more than their pairs now. Those of a colour, in the order of the graph, begin at one of `starts`; if there are
-    /// none, all pairs were told. `ids` is above the ids of all pairs.
+    /// Marks the lanes as ahead of their pairs. Those of a colour, in the order of the graph, begin at one of
+    /// `starts`; if there are none, all pairs are up to date. `ids` is above the ids of all pairs.
     pub fn go_ahead(&mut self, starts: &[u32], ids: usize) {
         self.starts.clear();
         self.starts.extend_from_slice(starts);
-        self.turn = self.turn.wrapping_add(1);
-        self.told.resize_with(ids, AtomicU32::default);
+        self.stores = self.stores.wrapping_add(1);
+        self.written.resize_with(ids, AtomicU32::default);
     }
 
-    /// Has `tell` tell a pair, unless it knows: it will be called by one thread at a time, and not again until lanes are stored.
-    pub fn settle(&self, id: PairId, tell: impl FnOnce()) {
-        if !self.is_told(id) {
-            let _telling = self.telling.lock().unwrap_or_else(PoisonError::into_inner);
-            if !self.is_told(id) {
-                tell();
+    /// Calls `write_back` for a pair, unless it is up to date: by one thread at a time, and not again until
+    /// lanes are stored.
+    pub fn settle(&self, id: PairId, write_back: impl FnOnce()) {
+        if !self.is_written(id) {
+            let _telling = self.writing.lock().unwrap_or_else(PoisonError::into_inner);
+            if !self.is_written(id) {
+                write_back();
             }
         }
     }
 
-    /// Tells a pair what became of it, unless it knows.
-    pub fn tell(&self, id: PairId, pair: &mut ContactPair) {
-        if self.is_told(id) {
+    /// Writes the results of a pair back, unless it is up to date.
+    pub fn write_back(&self, id: PairId, pair: &mut ContactPair) {
+        if self.is_written(id) {
             return;
         }
         for (index, manifold) in pair.manifolds.iter_mut().enumerate() {
             let at = ManifoldRef { pair: id, manifold: index as u32 };
             if let Some((block, lane)) = self.find(at, manifold) {
-                self.tell_manifold(block, lane, manifold);
+                self.write_back_manifold(block, lane, manifold);
             }
         }
-        self.told[id as usize].store(self.turn, Ordering::Release);
+        self.written[id as usize].store(self.stores, Ordering::Release);
     }
 
-    /// The normal of a manifold of a pair, as of the last step whether or not it has been told.
+    /// The normal of a manifold of a pair after the last step, whether or not it is written back.
     pub fn normal_of(&self, id: PairId, index: usize, manifold: &ContactManifold) -> Vector {
         let at = ManifoldRef { pair: id, manifold: index as u32 };
-        let ahead = if self.is_told(id) { None } else { self.find(at, manifold) };
+        let ahead = if self.is_written(id) { None } else { self.find(at, manifold) };
         let report = ahead.map(|(block, lane)| &self.reports[block][lane]);
         report
             .filter(|report| report.is_sound())
             .map_or(manifold.data.normal, ContactReport::normal)
     }
 
-    /// Tells the manifold that a lane stands for what became of it.
-    pub fn tell_manifold(&self, block: usize, lane: usize, manifold: &mut ContactManifold) {
+    /// Writes the results of a lane back to its manifold.
+    pub fn write_back_manifold(&self, block: usize, lane: usize, manifold: &mut ContactManifold) {
         let data = &mut manifold.data;
-        tell(&self.reports[block][lane], data);
+        write_back(&self.reports[block][lane], data);
         if self.are_rough {
             let input = &self.blocks[block].input;
             for (k, point) in data.points.iter_mut().enumerate() {
@@ -270,7 +279,7 @@ impl ContactLanes {
         }
     }
 
-    /// Asks for what a pair will be told, if it will be told anything, and for who stands there.
+    /// Prefetches the results and the lane of a pair that will be written back.
     pub fn prefetch(&self, pair: &ContactPair) {
         let first = pair.manifolds.first().filter(|_| self.are_ahead());
         if let Some((block, lane)) = first.and_then(|manifold| self.place_of(manifold)) {
@@ -280,17 +289,18 @@ impl ContactLanes {
     }
 
     #[inline]
-    fn is_told(&self, id: PairId) -> bool {
-        let turn = self.told.get(id as usize);
-        !self.are_ahead() || turn.is_none_or(|turn| turn.load(Ordering::Acquire) == self.turn)
+    fn is_written(&self, id: PairId) -> bool {
+        let stores = self.written.get(id as usize);
+        !self.are_ahead()
+            || stores.is_none_or(|stores| stores.load(Ordering::Acquire) == self.stores)
     }
 
-    /// The block and the lane in it that stands for a manifold.
+    /// The block and the lane of a manifold.
     fn find(&self, at: ManifoldRef, manifold: &ContactManifold) -> Option<(usize, usize)> {
         self.place_of(manifold).filter(|&(block, lane)| self.blocks[block].is_seated(lane, at))
     }
 
-    /// Where the block and the lane are that stand for a manifold, unless they stand for another by now.
+    /// The indices of the block and the lane of a manifold, unless the lane was reused.
     fn place_of(&self, manifold: &ContactManifold) -> Option<(usize, usize)> {
         let ColorSlot { color, position } = manifold.slot?;
         let start = *self.starts.get(color as usize)? as usize;

@@ -8,7 +8,7 @@ use arrayvec::ArrayVec;
 use parry::shape::PackedFeatureId;
 
 bitflags::bitflags! {
-    /// What the solver does with a manifold.
+    /// Constraints that the solver makes of a manifold.
     #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
     #[derive(Copy, Clone, PartialEq, Eq, Debug, Hash)]
     pub struct SolverFlags: u32 {
@@ -34,7 +34,7 @@ pub struct Contact {
     pub local_p2: Vector,
     /// From the first body's centre of mass to the point midway between the two surfaces, in world
     /// space, as the pair was [placed](super::Placement).
-    pub(crate) lever: Vector,
+    pub(crate) arm: Vector,
     /// [`Self::dist`] as the pair was placed.
     pub(crate) placed_dist: Real,
     /// Distance of the two points along the normal; negative when the colliders overlap.
@@ -66,7 +66,7 @@ impl Contact {
         Self {
             local_p1,
             local_p2,
-            lever: Vector::ZERO,
+            arm: Vector::ZERO,
             placed_dist: dist,
             dist,
             point: Vector::ZERO,
@@ -80,7 +80,7 @@ impl Contact {
 
     /// Returns whether all numbers can be computed with.
     fn is_sound(&self) -> bool {
-        let vectors = [self.local_p1, self.local_p2, self.lever, self.point];
+        let vectors = [self.local_p1, self.local_p2, self.arm, self.point];
         let numbers = [self.placed_dist, self.dist, self.impulse, self.warmstart_impulse];
         vectors.iter().all(|vector| vector.is_finite())
             && numbers.iter().chain(&self.warmstart_tangent_impulse).all(|it| it.is_finite())
@@ -97,9 +97,9 @@ impl Contact {
 /// The points of one manifold.
 pub type ContactPoints = ArrayVec<Contact, MAX_MANIFOLD_POINTS>;
 
-/// What the solver knows of a manifold.
+/// The solver's data of a manifold.
 ///
-/// Iterating over `&ContactManifoldData` yields its [`Contact`]s.
+/// Iteration over `&ContactManifoldData` returns its [`Contact`]s.
 #[derive(Clone, Debug)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub struct ContactManifoldData {
@@ -107,7 +107,7 @@ pub struct ContactManifoldData {
     pub rigid_body1: Option<RigidBodyHandle>,
     /// Body of the second collider, if it has one.
     pub rigid_body2: Option<RigidBodyHandle>,
-    /// What the solver does with the manifold.
+    /// Constraints that the solver makes of the manifold.
     pub solver_flags: SolverFlags,
     /// Unit normal in world space, from the first collider to the second.
     pub normal: Vector,
@@ -117,9 +117,10 @@ pub struct ContactManifoldData {
     pub friction: Real,
     /// Combined restitution coefficient.
     pub restitution: Real,
-    /// Velocity along the contact plane, in world space, at which friction makes the second body move
-    /// against the first (length/s): that of the surface of a conveyor belt that is the first body,
-    /// the opposite for one that is the second. Set by [`PhysicsHooks`](crate::model::hooks::PhysicsHooks).
+    /// Target velocity of friction: the velocity of the second body relative to the first along the contact
+    /// plane, in world space (length/s). It is the surface velocity of a conveyor belt that is the first
+    /// body, and the opposite for one that is the second. Set by
+    /// [`PhysicsHooks`](crate::model::hooks::PhysicsHooks).
     pub tangent_velocity: Vector,
     /// Dominance group of the first body minus that of the second. Positive: the first body moves
     /// the second as if it had infinite mass.
@@ -173,10 +174,12 @@ impl ContactManifoldData {
     /// Friction impulse at a contact point during the last substep, on the second body, in world space (mass·velocity). Zero for a
     /// point that does not exist.
     ///
-    /// The default model ([`FrictionModel::Standard`](crate::model::params::FrictionModel)) has one friction impulse per manifold. Each
-    /// point gets the fraction of it that its normal impulse is of the sum of all: the largest friction that a point can have is
-    /// proportional to its normal impulse. The sum over the points is exact. The torsional friction of a manifold is not included. With
-    /// [`FrictionModel::Coulomb`](crate::model::params::FrictionModel) the friction of a point is its `warmstart_tangent_impulse`.
+    /// The default model ([`FrictionModel::Standard`](crate::model::params::FrictionModel)) has one friction
+    /// impulse per manifold. Friction is distributed in proportion to the normal impulses: the largest
+    /// friction of a point is proportional to its normal impulse. The sum over the points is exact. The
+    /// torsional friction of a manifold is not included. With
+    /// [`FrictionModel::Coulomb`](crate::model::params::FrictionModel) the friction of a point is its
+    /// `warmstart_tangent_impulse`.
     pub fn friction_impulse(&self, point: usize) -> Vector {
         let Some(contact) = self.points.get(point) else { return Vector::ZERO };
         let sum: Real = self.points.iter().map(|contact| contact.warmstart_impulse).sum();
@@ -213,13 +216,13 @@ pub struct ContactManifold {
     pub local_n1: Vector,
     /// The normal in the frame of the second collider, pointing away from it.
     pub local_n2: Vector,
-    /// Which part of the first collider's shape (a triangle of a mesh, a child of a compound).
+    /// Part of the first collider's shape (a triangle of a mesh, a child of a compound).
     pub subshape1: u32,
-    /// Which part of the second collider's shape.
+    /// Part of the second collider's shape.
     pub subshape2: u32,
     /// The points, materials and impulses.
     pub data: ContactManifoldData,
-    /// Where the constraint graph has it; `None` while the solver does not handle it.
+    /// Position in the constraint graph; `None` while the solver does not handle it.
     pub(crate) slot: Option<ColorSlot>,
 }
 
@@ -244,7 +247,7 @@ impl ContactManifold {
         self.slot.map(|slot| slot.color)
     }
 
-    /// Does the solver keep the two colliders apart here?
+    /// Returns whether the solver keeps the two colliders apart here.
     pub(crate) fn is_solved(&self) -> bool {
         !self.data.points.is_empty()
             && self.data.solver_flags.contains(SolverFlags::COMPUTE_RIGID_IMPULSES)

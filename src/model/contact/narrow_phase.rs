@@ -1,4 +1,4 @@
-//! The narrow phase's state: every pair of colliders whose enlarged boxes overlap.
+//! The narrow phase's state: every pair of colliders whose fat AABBs overlap.
 
 use super::lanes::ContactLanes;
 use super::pair::{ContactPair, IntersectionPair};
@@ -9,10 +9,9 @@ use crate::model::stamp::WorldStamp;
 
 /// All contact and intersection pairs, kept from step to step.
 ///
-/// A pair of solid colliders is a [`ContactPair`]; one with a sensor in it is an
-/// [`IntersectionPair`]. Both are there from the first overlap of the colliders' enlarged boxes, so a
-/// pair may well exist without touching: see [`ContactPair::has_any_active_contact`] and
-/// [`IntersectionPair::intersecting`].
+/// A pair of solid colliders is a [`ContactPair`]; one with a sensor in it is an [`IntersectionPair`]. Both
+/// exist from the first overlap of the colliders' fat AABBs, so a pair may exist without touching: see
+/// [`ContactPair::has_any_active_contact`] and [`IntersectionPair::intersecting`].
 #[derive(Default)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Deserialize))]
 pub struct NarrowPhase {
@@ -25,7 +24,7 @@ pub struct NarrowPhase {
 
 impl Clone for NarrowPhase {
     fn clone(&self) -> Self {
-        // Somebody else may look for the first time meanwhile: once all are told nobody writes.
+        // Another thread may read for the first time meanwhile: after the write-back there are no writers.
         self.settle_all_shared();
         Self {
             contacts: self.contacts.clone(),
@@ -56,7 +55,7 @@ impl core::fmt::Debug for NarrowPhase {
     }
 }
 
-/// As a derived one would, but for pairs that have not been told yet what became of them.
+/// Like a derived one, except that pending write-backs are done first.
 #[cfg(feature = "serde-serialize")]
 impl serde::Serialize for NarrowPhase {
     fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
@@ -79,8 +78,7 @@ impl NarrowPhase {
         Self::default()
     }
 
-    /// No contact pressed on anything: what awake pairs report is zero, what the next step starts with
-    /// is kept.
+    /// Resets the contact forces: reports of awake pairs are zero, and warm-start impulses are kept.
     pub(crate) fn forget_step_impulses(&mut self) {
         self.settle_all(Tasks::SERIAL);
         self.contacts.for_each_awake_pair(Tasks::SERIAL, |_, pair| {
@@ -93,13 +91,13 @@ impl NarrowPhase {
 
     /// A contact pair with what became of it in the last step.
     ///
-    /// Every look at a pair behind a shared reference goes through here, but for those of the stages of a step, while nobody else can
-    /// look.
+    /// Every read of a pair behind a shared reference uses this function. Exceptions are the stages of a
+    /// step, which have exclusive access.
     pub(crate) fn settled(&self, id: PairId) -> &ContactPair {
         self.lanes.settle(id, || {
-            // SAFETY: the lanes let one thread write at a time, and only if nobody has looked at the pair since the lanes
-            // were stored.
-            unsafe { self.contacts.write(id, |pair| self.lanes.tell(id, pair)) }
+            // SAFETY: the lanes admit one writing thread at a time, and only if no thread has read the pair
+            // since the lanes were stored.
+            unsafe { self.contacts.write(id, |pair| self.lanes.write_back(id, pair)) }
         });
         &self.contacts[id]
     }
@@ -113,13 +111,13 @@ impl NarrowPhase {
 
     /// Tells a contact pair what became of it in the last step.
     pub(crate) fn settle(&mut self, id: PairId) {
-        self.lanes.tell(id, &mut self.contacts[id]);
+        self.lanes.write_back(id, &mut self.contacts[id]);
     }
 
     /// Tells all contact pairs.
     pub(crate) fn settle_all(&mut self, tasks: Tasks<'_>) {
         if self.lanes.are_ahead() {
-            self.contacts.for_each_awake_pair(tasks, |id, pair| self.lanes.tell(id, pair));
+            self.contacts.for_each_awake_pair(tasks, |id, pair| self.lanes.write_back(id, pair));
             self.lanes.fall_back();
         }
     }
@@ -163,7 +161,7 @@ impl NarrowPhase {
         self.intersections.iter().map(|pair| (pair.collider1, pair.collider2, pair.intersecting))
     }
 
-    /// Do two colliders, at least one of them a sensor, intersect? `None` if their boxes do not
+    /// Returns whether two colliders intersect, at least one of them a sensor. `None` if their boxes do not
     /// overlap, if neither is a sensor, or if something filters the pair out.
     pub fn intersection_pair(
         &self,

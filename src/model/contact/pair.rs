@@ -1,10 +1,10 @@
 //! Pairs of colliders whose boxes overlap, from the first overlap to the last.
 
+use super::anchor_frame::AnchorFrame;
 use super::lanes::ContactLanes;
 use super::manifold::ContactManifold;
-use super::nearby::Nearby;
-use super::placement::Placement;
 use super::store::Pair;
+use super::triangle_cache::TriangleCache;
 use crate::base::in_place::clone_in_place;
 use crate::base::wide::prefetch;
 use crate::dim::math::{Pose, Real, Vector};
@@ -13,8 +13,8 @@ use smallvec::SmallVec;
 
 /// Two colliders that are close enough to touch, and their contact manifolds.
 ///
-/// A pair lives as long as the colliders' enlarged boxes overlap. Its manifolds persist from step to
-/// step: they carry the impulses with which the next step starts.
+/// A pair exists as long as the colliders' fat AABBs overlap. Its manifolds persist from step to step: they
+/// carry the impulses with which the next step starts.
 #[derive(Debug)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub struct ContactPair {
@@ -22,22 +22,23 @@ pub struct ContactPair {
     pub collider1: ColliderHandle,
     /// The second collider.
     pub collider2: ColliderHandle,
-    /// Where the two touch or nearly touch; one manifold for each pair of convex parts.
+    /// The contacts; one manifold for each pair of convex parts.
     pub manifolds: SmallVec<[ContactManifold; 1]>,
-    /// Is any contact close enough that the solver handled it in the last step?
+    /// Whether the solver handled any contact in the last step.
     pub has_any_active_contact: bool,
 
-    /// Was the pair reported as started (and not yet as stopped)?
+    /// Whether the pair was reported as started and not yet as stopped.
     pub(crate) start_event_emitted: bool,
-    /// Is the pair part of the structure of the world: do its bodies share an island because of it?
+    /// Whether the pair is part of the structure, so that its bodies share an island.
     pub(crate) attached: bool,
     /// Pose of the second collider in the frame of the first when the manifolds were computed.
     pub(crate) pose12: Pose,
-    /// How the bodies stood when the contact points were put into the world.
-    pub(crate) placement: Placement,
-    /// What of a mesh is around the other collider, while neither shape changes. Nothing but time depends on it.
+    /// World orientation of the bodies when the contact points were transformed.
+    pub(crate) anchor_frame: AnchorFrame,
+    /// Triangles of a mesh near the other collider, while neither shape changes. Only the running time
+    /// depends on it.
     #[cfg_attr(feature = "serde-serialize", serde(skip))]
-    pub(crate) nearby: Option<Box<Nearby>>,
+    pub(crate) triangle_cache: Option<Box<TriangleCache>>,
 }
 
 clone_in_place!(ContactPair {
@@ -48,8 +49,8 @@ clone_in_place!(ContactPair {
     start_event_emitted,
     attached,
     pose12,
-    placement,
-    nearby
+    anchor_frame,
+    triangle_cache
 });
 
 impl Default for ContactPair {
@@ -69,8 +70,8 @@ impl ContactPair {
             start_event_emitted: false,
             attached: false,
             pose12: Pose::IDENTITY,
-            placement: Placement::NOWHERE,
-            nearby: None,
+            anchor_frame: AnchorFrame::NOWHERE,
+            triangle_cache: None,
         }
     }
 
@@ -79,7 +80,7 @@ impl ContactPair {
         self.has_any_active_contact
     }
 
-    /// Do the two touch (within the prediction distance)?
+    /// Returns whether the two touch (within the prediction distance).
     pub(crate) fn is_touching(&self) -> bool {
         !self.manifolds.is_empty()
     }
@@ -87,12 +88,12 @@ impl ContactPair {
     /// Returns whether all numbers can be computed with.
     pub(crate) fn is_sound(&self) -> bool {
         self.pose12.is_finite()
-            && self.placement.is_sound()
+            && self.anchor_frame.is_sound()
             && self.manifolds.iter().all(ContactManifold::is_sound)
     }
 
-    /// Sum of the impulses of all contacts during the last step, in world space: what the first
-    /// collider's body did to the second's along the normals (friction is not counted).
+    /// Sum of the normal impulses of all contacts on the second body during the last step, in world space
+    /// (without friction).
     pub fn total_impulse(&self) -> Vector {
         self.manifolds.iter().map(|m| m.data.normal * m.impulse()).sum()
     }
@@ -116,9 +117,9 @@ impl ContactPair {
         result
     }
 
-    /// The deepest contact as (normal, point, depth): the unit normal from the first collider to the
-    /// second, the point midway between the two surfaces, and how far they overlap (negative: how
-    /// far they are apart). All in world space as of the last step. `None` if there is no contact.
+    /// The deepest contact as (normal, point, depth): the unit normal from the first collider to the second,
+    /// the point midway between the two surfaces, and the overlap (negative: the distance). All in world
+    /// space as of the last step. `None` if there is no contact.
     pub fn find_deepest_contact(&self) -> Option<(Vector, Vector, Real)> {
         let manifold = self
             .manifolds
@@ -138,9 +139,9 @@ pub struct IntersectionPair {
     pub collider1: ColliderHandle,
     /// The second collider.
     pub collider2: ColliderHandle,
-    /// Do the shapes intersect?
+    /// Whether the shapes intersect.
     pub intersecting: bool,
-    /// Was the pair reported as started (and not yet as stopped)?
+    /// Whether the pair was reported as started and not yet as stopped.
     pub(crate) start_event_emitted: bool,
 }
 
@@ -166,9 +167,9 @@ impl Pair for ContactPair {
 
     #[inline]
     fn prefetch(&self, what_is_there: bool) {
-        match self.nearby.as_deref() {
-            Some(nearby) if what_is_there => nearby.prefetch(),
-            Some(nearby) => prefetch(nearby),
+        match self.triangle_cache.as_deref() {
+            Some(triangle_cache) if what_is_there => triangle_cache.prefetch(),
+            Some(triangle_cache) => prefetch(triangle_cache),
             None => {}
         }
     }

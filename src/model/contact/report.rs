@@ -1,21 +1,21 @@
-//! What the solver tells of contact manifolds, one after the other.
+//! The solver's results of contact manifolds, contiguous.
 
 use crate::base::wide::{LANES, Wide, scatter};
 use crate::dim::math::{DIM, MAX_MANIFOLD_POINTS, Real, Vector};
 use crate::dim::wide::WideVector;
 
-/// Where what stands in a report, behind the normal at 0.
+/// Offsets in a report, after the normal at 0.
 const FRICTION: usize = DIM;
 const TWIST: usize = 2 * DIM;
 const IS_SOUND: usize = TWIST + 1;
 const POINTS: usize = IS_SOUND + 1;
 const POINT_LEN: usize = DIM + 3;
-/// Where what stands in the numbers of a point, behind its place.
+/// Offsets in the numbers of a point, after its position.
 const SEPARATION: usize = DIM;
 const TOTAL: usize = DIM + 1;
 const IMPULSE: usize = DIM + 2;
 
-/// What the solver tells of one manifold, in one cache line (3D: two; single precision). Somebody may ask for any of them.
+/// The solver's results of one manifold, in one cache line (3D: two; single precision). Access is random.
 #[derive(Copy, Clone, Debug)]
 #[repr(C, align(64))]
 pub(crate) struct ContactReport([Real; Self::LEN]);
@@ -24,10 +24,10 @@ impl ContactReport {
     /// Numbers in a report.
     const LEN: usize = POINTS + MAX_MANIFOLD_POINTS * POINT_LEN;
 
-    /// Nothing.
+    /// An empty report.
     pub const EMPTY: Self = Self([0.0; Self::LEN]);
 
-    /// Did all numbers stay finite?
+    /// Returns whether all numbers are finite.
     pub fn is_sound(&self) -> bool {
         self.0[IS_SOUND] != 0.0
     }
@@ -78,7 +78,7 @@ pub(crate) struct WideReport<W> {
 }
 
 impl<W: Wide> WideReport<W> {
-    /// Of manifolds with these normals, and with these impulses of friction and of twist friction.
+    /// A report with these normals, and with these impulses of friction and torsional friction.
     #[inline(always)]
     pub fn new(normal: WideVector<W>, friction: WideVector<W>, twist: W) -> Self {
         let mut numbers = [W::zero(); ContactReport::LEN];
@@ -88,7 +88,7 @@ impl<W: Wide> WideReport<W> {
         Self { numbers }
     }
 
-    /// Of a point: where it is, its separation, and the impulses of all substeps and of the last.
+    /// Sets a point: its position, its separation, and the impulses of all substeps and of the last.
     #[inline(always)]
     pub fn set_point(&mut self, k: usize, place: WideVector<W>, separation: W, impulses: [W; 2]) {
         let numbers = &mut self.numbers[POINTS + k * POINT_LEN..][..POINT_LEN];

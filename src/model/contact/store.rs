@@ -1,20 +1,21 @@
 //! Pairs that outlive a step: found by id, by their two colliders, or by one collider.
 //!
-//! A pair's id is stable from the first overlap of the two enlarged boxes to the last. Several views of
-//! the same pairs are kept in step, each repaired in constant time when a pair goes:
+//! A pair's id is stable from the first overlap of the two fat AABBs to the last. Several views of the same
+//! pairs are kept in step, each repaired in constant time when a pair goes:
 //!
-//! * `pairs`: id → pair, with holes. Large, so who can do without does;
-//! * `states`: id → what is asked in each step of all pairs that are awake, 16 bytes side by side;
-//! * `of_collider`: collider slot → ids, and the others, for who asks with whom a collider is a pair, and `places`: id → the two
-//!   colliders, and where it stands in their lists;
-//! * `awake`: the ids that the narrow phase visits each step, in their order, which is that of memory. Pairs of sleeping
-//!   bodies are not in it;
+//! * `pairs`: id → pair, with holes. Large, so most stages avoid it;
+//! * `states`: id → the data of all awake pairs that each step reads, 16 bytes, contiguous;
+//! * `of_collider`: collider slot → ids and partners; and `places`: id → the two colliders, and the positions
+//!   in their lists;
+//! * `awake`: the ids that the narrow phase visits each step, in their order, which is that of memory. Pairs
+//!   of sleeping bodies are not in it;
 //! * `reporting`: the awake pairs whose strong forces are reported as events. Most worlds have none;
 //! * `renewed`: the ids of pairs that are not what the solver last saw of them.
 //!
-//! The alternative that lost is a hash map from two colliders to their pair. The broad phase, which finds the same neighbours
-//! step after step, asked it for each of them; now it marks those that a collider has, which are few. The map also had to be told of each
-//! pair that came or went: together a tenth of the step of 9,600 bodies in flight.
+//! The alternative that lost is a hash map from two colliders to their pair. The broad phase, which finds the
+//! same neighbours step after step, looked up each of them. Now it marks the few partners of a collider. The
+//! map also had to be updated for each new and removed pair. Together that took a tenth of the step of 9,600
+//! bodies in flight.
 
 use super::lanes::ContactLanes;
 use crate::base::disjoint::DisjointMut;
@@ -38,42 +39,42 @@ pub(crate) type PairId = u32;
 /// The slack of a pair that must be computed whether or not anything moved.
 pub(crate) const DUE: Real = Real::NEG_INFINITY;
 
-/// What a store needs to know of a pair.
+/// The store's data of a pair.
 pub(crate) trait Pair {
     /// The two colliders, in the pair's order.
     fn colliders(&self) -> [ColliderHandle; 2];
 
-    /// Was it reported as started, and not yet as stopped?
+    /// Returns whether the pair was reported as started and not yet as stopped.
     fn began(&self) -> bool;
 
-    /// Is it the pair of these two, in either order?
+    /// Returns whether it is the pair of these two, in either order.
     fn is_of(&self, [one, two]: [ColliderHandle; 2]) -> bool {
         let colliders = self.colliders();
         colliders == [one, two] || colliders == [two, one]
     }
 
-    /// Asks for what the pair will be told of the last step.
+    /// Prefetches the results of the last step for the pair.
     fn prefetch_report(&self, _lanes: &ContactLanes) {}
 
     /// Asks for what the pair keeps elsewhere in memory: for where it is, then for what is there.
     fn prefetch(&self, _what_is_there: bool) {}
 }
 
-/// What the narrow phase needs to know of a pair to decide that nothing must be done.
+/// Data of a pair with which the narrow phase decides that nothing is to do.
 #[derive(Copy, Clone, Debug)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) struct PairState {
     /// Slots of the two bodies; [`NONE`](crate::model::island::NONE) for a collider without a body.
     pub bodies: [u32; 2],
-    /// How far (length units) the two may still move against each other before the pair must be
-    /// computed again. Every step takes off a bound of what the two bodies moved.
+    /// Admissible relative motion (length units) of the two until the pair must be computed again. Every step
+    /// takes off a bound of what the two bodies moved.
     pub slack: Real,
-    /// Have contacts of a body with an obstacle ever been found? Seams are looked for among such pairs alone, and most
-    /// of a body's pairs are none.
+    /// Whether contacts of a dynamic body with a non-dynamic collider were ever found. Seams are looked for
+    /// among such pairs alone, and most of a body's pairs are none.
     pub met_obstacle: bool,
 }
 
-/// Where a pair stands in the lists of its two colliders.
+/// Positions of a pair in the lists of its two colliders.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 struct Place {
@@ -82,7 +83,7 @@ struct Place {
 }
 
 impl Place {
-    /// Of an id without a pair.
+    /// The value for an id without a pair.
     const NOWHERE: Self = Self { slots: [u32::MAX; 2], positions: [u32::MAX; 2] };
 }
 
@@ -97,9 +98,9 @@ pub(crate) struct Partners {
 
 clone_in_place!(Partners { ids, slots });
 
-/// The parts of a store that differ in who may write them.
+/// The parts of a store with separate write access.
 pub(crate) struct StoreParts<'a, P> {
-    /// What the narrow phase asks, by id.
+    /// The narrow phase's data, by id.
     pub states: &'a mut [PairState],
     pub slots: PairSlots<'a>,
     /// The pairs of each collider slot.
@@ -119,7 +120,7 @@ impl PairSlots<'_> {
         self.0[id as usize].slots
     }
 
-    /// Begins to bring near who the two colliders of a pair are.
+    /// Prefetches the two colliders of a pair.
     pub fn prefetch(&self, id: PairId) {
         prefetch(&self.0[id as usize]);
     }
@@ -191,7 +192,7 @@ impl<P: Pair> PairStore<P> {
     /// Writes to a pair behind a shared reference.
     ///
     /// # Safety
-    /// Nobody may have a reference to the pair, or ask for one, meanwhile.
+    /// The caller has exclusive access to the pair.
     pub unsafe fn write(&self, id: PairId, write: impl FnOnce(&mut P)) {
         // SAFETY: the caller's promise.
         unsafe {
@@ -262,12 +263,12 @@ impl<P: Pair> PairStore<P> {
         })
     }
 
-    /// Takes a pair out. Returns the two if somebody has heard that they began to touch, and not yet that they do not any more.
+    /// Takes a pair out. Returns the two colliders if their begin event was emitted, and no end event since.
     pub fn remove(&mut self, id: PairId) -> Option<[ColliderHandle; 2]> {
         self.sleep(id);
         self.strong.remove(id);
         let heard = self[id].began().then(|| self[id].colliders());
-        // Where it is: a pair is some hundred bytes.
+        // The address of the pair: a pair has some hundred bytes.
         *self.pairs[id as usize].get_mut() = None;
         self.free.push(id);
         let Place { slots, positions } =
@@ -290,14 +291,14 @@ impl<P: Pair> PairStore<P> {
         place.positions[side] = position;
     }
 
-    /// Has the narrow phase visit a pair. One that it did not visit is due to be computed.
+    /// Inserts a pair into the list that the narrow phase visits. A pair that was outside is due.
     pub fn wake(&mut self, id: PairId) {
         if self.awake.insert(id) {
             self.invalidate(id);
         }
     }
 
-    /// Has the narrow phase pass a pair by.
+    /// Removes a pair from the list that the narrow phase visits.
     pub fn sleep(&mut self, id: PairId) {
         self.awake.remove(id);
         self.reporting.remove(id);
@@ -323,17 +324,17 @@ impl<P: Pair> PairStore<P> {
         self.reporting.iter()
     }
 
-    /// Has the solver read pairs anew. They come in the order of the ids.
+    /// Marks pairs as changed for the solver. They come in the order of the ids.
     pub fn renew(&mut self, ids: impl Iterator<Item = PairId>) {
         self.renewed.extend(ids);
     }
 
-    /// Has the solver read all pairs anew that are awake.
+    /// Marks all awake pairs as changed for the solver.
     pub fn renew_all(&mut self) {
         self.renewed = self.awake.clone();
     }
 
-    /// Is a pair not what the solver last saw of it?
+    /// Returns whether a pair changed since the solver last read it.
     #[inline]
     pub fn is_renewed(&self, id: PairId) -> bool {
         self.renewed.contains(id)
@@ -354,7 +355,7 @@ impl<P: Pair> PairStore<P> {
         self.states.iter_mut().for_each(|state| state.slack = DUE);
     }
 
-    /// Is the pair visited by the narrow phase?
+    /// Returns whether the narrow phase visits the pair.
     pub fn is_awake(&self, id: PairId) -> bool {
         self.awake.contains(id)
     }
@@ -425,12 +426,12 @@ impl<P: Pair> PairStore<P> {
         gather.run(tasks, (awake.page_count(), PAGES_PER_TASK), find, list);
     }
 
-    /// How far the two may still move against each other before the pair must be computed again.
+    /// The admissible relative motion of the two until the pair must be computed again.
     pub fn slack(&self, id: PairId) -> Real {
         self.states[id as usize].slack
     }
 
-    /// What the narrow phase asks of a pair.
+    /// The narrow phase's data of a pair.
     pub fn state_mut(&mut self, id: PairId) -> &mut PairState {
         &mut self.states[id as usize]
     }

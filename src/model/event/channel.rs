@@ -1,4 +1,4 @@
-//! The ready-made handler: events wait in channels until somebody reads them.
+//! The ready-made handler: channels queue events until they are read.
 
 use super::{CollisionEvent, ContactForceEvent, EventHandler, QuarantineEvent};
 use crate::dim::math::Real;
@@ -76,7 +76,7 @@ impl EventHandler for ChannelEventCollector {
         event: &CollisionEvent,
         _contact_pair: Option<&ContactPair>,
     ) {
-        // Not an error: whoever dropped the receiver does not want to know.
+        // Not an error: a dropped receiver disables the events.
         let _ = self.collisions.send(*event);
     }
 

@@ -1,4 +1,4 @@
-//! How strongly two colliders pressed on each other during a step.
+//! Contact forces of two colliders during a step.
 
 use crate::dim::math::{Real, Vector};
 use crate::model::collider::ColliderHandle;

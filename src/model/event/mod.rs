@@ -1,9 +1,9 @@
-//! What a step tells the user: pairs that begin or stop to touch, strong contact forces, joints that break, and bodies that
-//! it took out because their numbers had become impossible.
+//! Events of a step: pairs that begin or stop to touch, strong contact forces, broken joints, and bodies that
+//! were disabled because of unusable numbers.
 //!
-//! Events are sent at the end of a step, on the thread that called it: those of pairs that begin or stop to touch in the order of the colliders. Which
-//! pairs send any is decided by the [`ActiveEvents`](crate::model::collider::ActiveEvents) of their
-//! colliders.
+//! Events are sent at the end of a step, on the thread that called it. Collision events have the order of the
+//! colliders. The [`ActiveEvents`](crate::model::collider::ActiveEvents) of the colliders select the pairs
+//! that send any.
 
 mod channel;
 mod force;
@@ -53,12 +53,12 @@ impl CollisionEvent {
         }
     }
 
-    /// Did the collision begin?
+    /// Returns whether the collision began.
     pub fn started(self) -> bool {
         matches!(self, Self::Started(..))
     }
 
-    /// Did the collision stop?
+    /// Returns whether the collision stopped.
     pub fn stopped(self) -> bool {
         matches!(self, Self::Stopped(..))
     }
@@ -73,12 +73,12 @@ impl CollisionEvent {
         self.parts().1
     }
 
-    /// Is one of the colliders a sensor?
+    /// Returns whether one of the colliders is a sensor.
     pub fn sensor(self) -> bool {
         self.parts().2.contains(CollisionEventFlags::SENSOR)
     }
 
-    /// Did the collision stop because a collider was removed?
+    /// Returns whether the collision stopped because a collider was removed.
     pub fn removed(self) -> bool {
         self.parts().2.contains(CollisionEventFlags::REMOVED)
     }
@@ -86,9 +86,9 @@ impl CollisionEvent {
 
 /// Receives the events of a step.
 ///
-/// The bodies and colliders it gets are those at the end of the step; to change them, take a note and
-/// act on it after the step. A handler that panics is told the rest all the same; then its first panic goes on to whoever
-/// called the step.
+/// The handler reads the bodies and colliders at the end of the step. To change them, it stores a note for
+/// use after the step. A handler that panics is called for the remaining events nevertheless; then its first
+/// panic propagates to the caller of the step.
 ///
 /// ```
 /// # use rapier3d::prelude::*;
@@ -136,7 +136,7 @@ pub trait EventHandler: Send + Sync {
         let _ = (dt, event, bodies, colliders);
     }
 
-    /// A joint broke: it bore more than its
+    /// A joint broke: its load exceeded its
     /// [thresholds](crate::model::joint::GenericJoint::set_break_thresholds). It is disabled by now. Does
     /// nothing unless implemented.
     fn handle_joint_break_event(&self, event: &JointBreakEvent, bodies: &RigidBodySet) {

@@ -13,9 +13,9 @@ pub enum QuarantineEvent {
     Body {
         /// The body.
         body: RigidBodyHandle,
-        /// What was found.
+        /// The unusable value.
         cause: QuarantineCause,
-        /// Where it is: where the step found it.
+        /// Position of the body: where the step found it.
         position: Pose,
         /// The velocity that it had then.
         velocity: RigidBodyVelocity,
@@ -27,13 +27,13 @@ pub enum QuarantineEvent {
         collider1: ColliderHandle,
         /// The second collider.
         collider2: ColliderHandle,
-        /// What was found.
+        /// The unusable value.
         cause: QuarantineCause,
     },
 }
 
 impl QuarantineEvent {
-    /// What was found.
+    /// The unusable value.
     pub fn cause(&self) -> QuarantineCause {
         match *self {
             Self::Body { cause, .. } | Self::Contact { cause, .. } => cause,

@@ -1,4 +1,4 @@
-//! What events say of themselves, and where they go.
+//! Flags of events, and their delivery.
 
 use super::{
     ChannelEventCollector, CollisionEvent, CollisionEventFlags, ContactForceEvent, EventHandler,

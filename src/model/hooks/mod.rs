@@ -1,6 +1,6 @@
-//! Where the user steps into a step: which pairs collide, and how contacts behave.
+//! Hooks: user-defined filters of pairs, and modification of contacts.
 //!
-//! A hook is called for pairs of which at least one collider asks for it with its
+//! A hook is called for pairs with at least one collider that requests it by its
 //! [`ActiveHooks`](crate::model::collider::ActiveHooks); all others cost nothing.
 
 mod modification;
@@ -14,7 +14,7 @@ use crate::model::body::{RigidBodyHandle, RigidBodySet};
 use crate::model::collider::{ColliderHandle, ColliderSet};
 use crate::model::contact::SolverFlags;
 
-/// The pair that a filter is asked about.
+/// The pair of a filter call.
 #[derive(Copy, Clone)]
 pub struct PairFilterContext<'a> {
     /// All bodies.
@@ -31,14 +31,14 @@ pub struct PairFilterContext<'a> {
     pub rigid_body2: Option<RigidBodyHandle>,
 }
 
-/// Lets the user decide about single pairs and contacts.
+/// User-defined decisions about single pairs and contacts.
 ///
-/// Hooks may be called from several threads at once and in any order, and again if a step has to be
-/// [taken again](crate::model::event::EventHandler::handle_quarantine_event), so keep the answer a function of the context
-/// alone: then results repeat.
+/// Hooks may be called from several threads at once and in any order, and again if a step is
+/// [repeated](crate::model::event::EventHandler::handle_quarantine_event). The answer should be a function of
+/// the context alone, so that results repeat.
 ///
-/// A panic of a hook goes on to whoever called the step, once all events are told that the step had found by then. The world stays in
-/// order: what the step has not done, the next one does.
+/// A panic of a hook propagates to the caller of the step, after the events found so far are sent. The world
+/// stays in order: what the step has not done, the next one does.
 ///
 /// ```
 /// # use rapier3d::prelude::*;
@@ -53,27 +53,27 @@ pub struct PairFilterContext<'a> {
 /// }
 /// ```
 pub trait PhysicsHooks: Send + Sync {
-    /// Are contacts computed for this pair? Called for pairs with
-    /// [`FILTER_CONTACT_PAIRS`](crate::model::collider::ActiveHooks::FILTER_CONTACT_PAIRS) whose boxes overlap and that
-    /// nothing else filters out. A pair that is refused neither collides nor sends events. Yes, unless
-    /// implemented.
+    /// Returns whether contacts are computed for this pair. Called for pairs with
+    /// [`FILTER_CONTACT_PAIRS`](crate::model::collider::ActiveHooks::FILTER_CONTACT_PAIRS) whose boxes
+    /// overlap and that nothing else filters out. A pair that is refused neither collides nor sends events.
+    /// Yes, unless implemented.
     fn filter_contact_pair(&self, context: &PairFilterContext) -> bool {
         let _ = context;
         true
     }
 
-    /// What the solver does with the contacts of this pair; nothing for a pair that is refused. The engine calls this in place of
-    /// [`Self::filter_contact_pair`], which decides unless this is implemented. Without
-    /// [`COMPUTE_RIGID_IMPULSES`](SolverFlags::COMPUTE_RIGID_IMPULSES), contacts are computed and reported, and the bodies pass
-    /// through each other.
+    /// Constraints that the solver makes of the contacts of this pair; none for a refused pair. The engine
+    /// calls this in place of [`Self::filter_contact_pair`], which decides unless this is implemented.
+    /// Without [`COMPUTE_RIGID_IMPULSES`](SolverFlags::COMPUTE_RIGID_IMPULSES), contacts are computed and
+    /// reported, and the bodies pass through each other.
     fn contact_pair_flags(&self, context: &PairFilterContext) -> Option<SolverFlags> {
         self.filter_contact_pair(context).then(SolverFlags::default)
     }
 
-    /// Is the intersection computed for this pair, one collider of which is a sensor? Called for
-    /// pairs with
-    /// [`FILTER_INTERSECTION_PAIR`](crate::model::collider::ActiveHooks::FILTER_INTERSECTION_PAIR) whose boxes overlap
-    /// and that nothing else filters out. Yes, unless implemented.
+    /// Returns whether the intersection is computed for this pair, one collider of which is a sensor. Called
+    /// for pairs with
+    /// [`FILTER_INTERSECTION_PAIR`](crate::model::collider::ActiveHooks::FILTER_INTERSECTION_PAIR) whose
+    /// boxes overlap and that nothing else filters out. Yes, unless implemented.
     fn filter_intersection_pair(&self, context: &PairFilterContext) -> bool {
         let _ = context;
         true
@@ -94,10 +94,10 @@ pub(crate) fn lets_solver_push(hooks: &dyn PhysicsHooks, pair: &PairFilterContex
     flags.is_some_and(|flags| flags.contains(SolverFlags::COMPUTE_RIGID_IMPULSES))
 }
 
-/// Lets everything collide as it is.
+/// Admits all pairs unchanged.
 impl PhysicsHooks for () {}
 
-/// Lets everything collide as it is.
+/// Admits all pairs unchanged.
 #[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
 pub struct DefaultHooks;
 

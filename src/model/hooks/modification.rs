@@ -1,4 +1,4 @@
-//! What a hook may change about a manifold before it is solved.
+//! Changes that a hook may make to a manifold before it is solved.
 
 use crate::dim::math::{Real, Vector};
 use crate::model::body::{RigidBodyHandle, RigidBodySet};
@@ -26,8 +26,8 @@ pub struct ContactModificationContext<'a> {
     pub(crate) manifold: &'a mut ContactManifold,
 }
 
-/// What [`ContactModificationContext::update_as_oneway_platform`] keeps in the user data. A new
-/// manifold has 0 there: nothing is decided yet.
+/// User data of [`ContactModificationContext::update_as_oneway_platform`]. A new manifold has 0 there:
+/// nothing is decided yet.
 mod oneway {
     pub const SOLID: u32 = 1;
     pub const PASSING: u32 = 2;
@@ -54,8 +54,8 @@ impl ContactModificationContext<'_> {
         self.manifold.data.points.retain(|contact| keep(contact));
     }
 
-    /// Drops all points, as if the two shapes did not touch: they pass through each other, no event
-    /// tells of it, and the user data is lost. To keep that, see [`Self::set_solver_flags`].
+    /// Removes all points: the two shapes pass through each other without an event, and the user data is
+    /// lost. To keep that, see [`Self::set_solver_flags`].
     pub fn clear_contacts(&mut self) {
         self.manifold.data.points.clear();
     }
@@ -92,10 +92,10 @@ impl ContactModificationContext<'_> {
         self.manifold.data.tangent_velocity
     }
 
-    /// Makes a surface run like a conveyor belt: sets the velocity at which friction makes the second
-    /// body move against the first, in world space (length/s). That is the velocity of the belt's
-    /// surface if the belt is the first body, and the opposite if it is the second. Only the part along
-    /// the contact plane counts. A non-finite velocity is refused: the old one stays, with a warning in the log.
+    /// Makes a surface run like a conveyor belt: sets the target velocity of friction for the second body
+    /// relative to the first, in world space (length/s). It is the velocity of the belt's surface if the belt
+    /// is the first body, and the opposite if it is the second. Only the part along the contact plane counts.
+    /// A non-finite velocity is refused: the old one stays, with a warning in the log.
     pub fn set_tangent_velocity(&mut self, velocity: Vector) {
         if velocity.is_finite() {
             self.manifold.data.tangent_velocity = velocity;
@@ -106,7 +106,7 @@ impl ContactModificationContext<'_> {
         }
     }
 
-    /// What the solver does with the manifold.
+    /// Constraints that the solver makes of the manifold.
     pub fn solver_flags(&self) -> SolverFlags {
         self.manifold.data.solver_flags
     }
@@ -131,10 +131,10 @@ impl ContactModificationContext<'_> {
     /// Makes the contact hold bodies from one side only, as a platform through which one can jump up
     /// and on which one can then stand.
     ///
-    /// The contact is solid while the normal in the frame of the first collider is within
-    /// `allowed_angle` (rad) of `allowed_local_n1`. A body that comes from elsewhere passes, until it
-    /// no longer overlaps and touches from the solid side; events tell of both. For a platform that is the second collider,
-    /// mirror the direction: it is always seen from the first one.
+    /// The contact is solid while the normal in the frame of the first collider is within `allowed_angle`
+    /// (rad) of `allowed_local_n1`. A body from the other side passes until it no longer overlaps and touches
+    /// from the solid side; both contacts emit events. For a platform that is the second collider, mirror the
+    /// direction: it is always seen from the first one.
     ///
     /// Uses [`Self::user_data`], which the hook must not use for anything else. A zero or non-finite
     /// argument is refused with a warning in the log, and the contact stays solid.

@@ -1,4 +1,4 @@
-//! What the modification context accepts, and how a one-way platform changes its mind.
+//! Input validation of the modification context, and the states of a one-way platform.
 
 use super::ContactModificationContext;
 use crate::dim::math::{Real, Vector};
@@ -21,7 +21,7 @@ fn hook(manifold: &mut ContactManifold, work: impl FnOnce(&mut ContactModificati
     });
 }
 
-/// What the narrow phase would find next, keeping the user data.
+/// The next manifold of the narrow phase, with the same user data.
 fn touch(manifold: &mut ContactManifold, local_n1: Vector, dist: Real) {
     let (zero, feature) = (Vector::ZERO, PackedFeatureId::UNKNOWN);
     manifold.local_n1 = local_n1;
@@ -30,7 +30,7 @@ fn touch(manifold: &mut ContactManifold, local_n1: Vector, dist: Real) {
     manifold.data.points.push(Contact::new(zero, zero, feature, feature, dist));
 }
 
-/// Does a platform that is solid from above hold this contact?
+/// Returns whether a platform that is solid from above keeps this contact.
 fn holds(manifold: &mut ContactManifold, local_n1: Vector, dist: Real) -> bool {
     touch(manifold, local_n1, dist);
     hook(manifold, |context| context.update_as_oneway_platform(Vector::Y * 2.0, 0.3));

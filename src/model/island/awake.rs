@@ -4,8 +4,8 @@ use crate::base::in_place::clone_in_place;
 use crate::model::body::RigidBodyHandle;
 use core::ops::Deref;
 
-/// Awake bodies: first the kinematic ones, which belong to no island, then the dynamic ones. Few stages read the former, and most
-/// worlds have few or none: no stage visits all bodies to find them.
+/// Awake bodies: first the kinematic ones, which belong to no island, then the dynamic ones. Few stages read
+/// the former, and most worlds have few or none: no stage visits all bodies to find them.
 ///
 /// A body stores its position in the list. Each change returns the positions whose bodies must be updated.
 #[derive(Debug, Default)]

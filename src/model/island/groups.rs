@@ -1,6 +1,6 @@
 //! Bodies that move and sleep as one because they are links of one multibody.
 //!
-//! The set of multibodies is the user's; this table says what the step has taken in of it.
+//! The user owns the set of multibodies; this table is the step's view of it.
 
 use super::link::NONE;
 use crate::base::fault::{Fault, ensure};
@@ -8,7 +8,7 @@ use crate::base::in_place::clone_in_place;
 use crate::model::body::RigidBodyHandle;
 use std::collections::BTreeSet;
 
-/// Which bodies belong together.
+/// Groups of bodies.
 #[derive(Debug, Default)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) struct BodyGroups {
@@ -38,7 +38,8 @@ impl BodyGroups {
         self.groups.iter().map(Vec::as_slice).filter(|group| !group.is_empty())
     }
 
-    /// Checks that each body of a group is listed once and has that group, that no other body has one, and that empty groups are free.
+    /// Checks that each body of a group is listed once and has that group, that no other body has one, and
+    /// that empty groups are free.
     pub fn check(&self) -> Result<(), Fault> {
         let mut is_free = vec![false; self.groups.len()];
         for &id in &self.free {
@@ -79,7 +80,7 @@ impl BodyGroups {
         self.groups[group as usize] = bodies;
     }
 
-    /// Takes a body out of its group. Was it in one?
+    /// Takes a body out of its group. Returns whether it was in one.
     pub fn leave(&mut self, body_slot: u32) -> bool {
         let Some(group) = self.of_body.get_mut(body_slot as usize) else { return false };
         let group = core::mem::replace(group, NONE);

@@ -1,10 +1,10 @@
-//! What a body knows of its place in the step's lists.
+//! A body's positions in the step's lists.
 
 /// "Not in this list."
 pub(crate) const NONE: u32 = u32::MAX;
 
-/// Where a body stands in the islands and in the solver. Kept inside the body, repaired by whoever
-/// moves list entries.
+/// Positions of a body in the islands and in the solver. It is stored inside the body, and updated by all
+/// code that moves list entries.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) struct BodyLink {
@@ -20,7 +20,7 @@ pub(crate) struct BodyLink {
 }
 
 impl BodyLink {
-    /// Of the body in a slot, in no list.
+    /// The link of the body in a slot, in no list.
     pub fn of_slot(slot: u32) -> Self {
         Self { awake: NONE, island: NONE, island_position: NONE, slot }
     }

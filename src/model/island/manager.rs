@@ -1,4 +1,4 @@
-//! Which bodies are awake, and which islands they form.
+//! Awake bodies and islands.
 
 use super::awake::AwakeBodies;
 use super::groups::BodyGroups;
@@ -13,16 +13,16 @@ use crate::model::stamp::WorldStamp;
 
 /// Bodies that touch, directly or through other dynamic bodies.
 ///
-/// Islands persist: they merge at once when two of them touch, and are split lazily, when one whose
-/// links were cut wants to sleep. Finding them anew each step would cost all awake contacts.
+/// Islands persist. They merge at once when two of them touch, and are split lazily, when one with cut links
+/// is ready to sleep. Finding them anew each step would cost all awake contacts.
 #[derive(Debug, Default)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) struct Island {
     /// Dynamic bodies; each one's link says at which position it stands here.
     pub bodies: Vec<RigidBodyHandle>,
-    /// Were links cut since the island was last known to be connected?
+    /// Whether links were cut since the island was last known to be connected.
     pub is_cut: bool,
-    /// Is it out of every per-step list?
+    /// Whether the island is asleep, outside of all per-step lists.
     pub sleeping: bool,
     /// The step in which it was last split, or came out of a split.
     pub split_at: u32,
@@ -44,20 +44,20 @@ pub struct IslandManager {
     /// All islands, with holes.
     islands: Vec<Island>,
     free: Vec<u32>,
-    /// Which manifold is solved in which colour.
+    /// The colours of solved manifolds.
     pub(crate) graph: ConstraintGraph,
     /// The same for joints, by their slots.
     pub(crate) joint_graph: ConstraintGraph<u32>,
-    /// The joints that have been taken in.
+    /// The joints that the step has applied.
     pub(crate) joints: JointLinks,
     /// Bodies that multibodies hold together.
     pub(crate) groups: BodyGroups,
-    /// Counts steps, to know how long ago an island was split.
+    /// Step count, for the time since an island was split.
     pub(crate) step: u32,
     /// By body slot: how far the body moved in the last step.
     pub(crate) motion: Vec<BodyMotion>,
-    /// Did some body come out of the last step so fast or so far away that it might leave the range of numbers in the next?
-    pub(crate) strained: bool,
+    /// Whether a body left the last step so fast or so far away that the next step may overflow.
+    pub(crate) ill_conditioned: bool,
     pub(crate) stamp: WorldStamp,
 }
 
@@ -71,7 +71,7 @@ clone_in_place!(IslandManager {
     groups,
     step,
     motion,
-    strained,
+    ill_conditioned,
     stamp
 });
 
@@ -94,9 +94,9 @@ impl IslandManager {
     /// Wakes a body and its island at once: all bodies that touch it, directly or through others, are awake when this returns.
     /// Nothing happens if the handle is stale.
     ///
-    /// A sleeping island stays awake for its full time until sleep, whatever `strong` says: with the old time it would fall
-    /// asleep again in the next step, before any force could move it. If the body is awake, `strong` restarts its time, and a weak
-    /// wake-up has no effect.
+    /// A woken island stays awake for its full time until sleep, independent of `strong`: with the old time
+    /// it would fall asleep again in the next step, before any force could move it. If the body is awake,
+    /// `strong` restarts its time, and a weak wake-up has no effect.
     pub fn wake_up(&mut self, bodies: &mut RigidBodySet, handle: RigidBodyHandle, strong: bool) {
         let Some(body) = bodies.get_mut(handle) else { return };
         body.wake_up(strong);
@@ -158,7 +158,7 @@ impl IslandManager {
         Ok(())
     }
 
-    /// How far the body in a slot moved in the last step.
+    /// The motion of the body in a slot in the last step.
     #[inline]
     pub(crate) fn motion_of(&self, body_slot: u32) -> &BodyMotion {
         if body_slot == NONE {
@@ -168,7 +168,7 @@ impl IslandManager {
         }
     }
 
-    /// All pairs have heard of the last motion, and no other one follows.
+    /// Marks the last motion as applied to all pairs.
     pub(crate) fn forget_motion(&mut self) {
         for position in 0..self.awake.len() {
             let slot = self.awake[position].into_raw_parts().0;

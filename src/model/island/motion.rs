@@ -2,16 +2,16 @@
 
 use crate::dim::math::{AngVector, Real, Rotation, Vector, ang_length_squared};
 
-/// How far the points of a body moved in a step: by `shift`, and by no more than `rest` besides.
+/// Motion of a body's points in a step: the displacement `shift`, plus at most `rest`.
 ///
-/// Two bodies that move together, as those of a pile that settles or slides do, move hardly against each other, and that is all
-/// that their contacts need to know. With one number for each body these had to be looked at again nearly
-/// every step.
+/// Bodies that move together, as in a settling or sliding pile, hardly move relative to each other, and only
+/// that affects their contacts. With one number for each body these had to be looked at again nearly every
+/// step.
 #[derive(Copy, Clone, Debug, Default)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) struct BodyMotion {
-    /// How far the centre of mass is from where it was: the difference of the two positions as they are stored, with what
-    /// rounding has done to them.
+    /// Displacement of the centre of mass: the difference of the two stored positions, including their
+    /// rounding.
     pub shift: Vector,
     /// In length units.
     pub rest: Real,
@@ -21,15 +21,15 @@ impl BodyMotion {
     /// Moved not at all.
     pub const NONE: Self = Self { shift: Vector::ZERO, rest: 0.0 };
 
-    /// Of a body whose points are within `extent` of its centre of mass: they move by no more than the angle times
-    /// that distance besides.
-    pub fn of(shift: Vector, turn: AngVector, extent: Real) -> Self {
-        let turn_squared = ang_length_squared(turn);
+    /// Motion of a body whose points are within `extent` of its centre of mass: the rotation moves them by at
+    /// most the angle times that distance.
+    pub fn of(shift: Vector, rotvec: AngVector, extent: Real) -> Self {
+        let turn_squared = ang_length_squared(rotvec);
         let rest = if turn_squared > 0.0 { turn_squared.sqrt() * extent } else { 0.0 };
         Self { shift, rest }
     }
 
-    /// Of a body of which it is known only that no point moved farther than this.
+    /// The motion of a body with this bound on the motion of its points.
     pub fn within(bound: Real) -> Self {
         Self { rest: bound, ..Self::NONE }
     }
@@ -46,9 +46,9 @@ impl BodyMotion {
     }
 }
 
-/// A rotation moves no unit vector farther than this factor times the farthest that it moves one of the
-/// axes: at least one axis is at 54.7 degrees or more from the axis of rotation, and 1 / sin 54.7° is
-/// the square root of 3/2.
+/// A rotation moves no unit vector farther than this factor times its largest displacement of a coordinate
+/// axis. At least one axis is at 54.7 degrees or more from the axis of rotation, and 1 / sin 54.7° is the
+/// square root of 3/2.
 const TURN_BOUND: Real = 1.225;
 
 /// A bound of how far two rotations take a unit vector apart.
@@ -76,13 +76,13 @@ mod tests {
             let mut motions = [BodyMotion::NONE; 2];
             for side in 0..2 {
                 let (center, arm) = (vector(2.0), vector(1.0).normalize_or_zero() * extent);
-                let turn = torque(vector(1.0), vector(1.0));
+                let rotvec = torque(vector(1.0), vector(1.0));
                 let pose = Pose::from_parts(
                     center + shifts[side],
-                    integrate_rotation(Rotation::IDENTITY, turn),
+                    integrate_rotation(Rotation::IDENTITY, rotvec),
                 );
                 ends[side] = [center + arm, pose * arm];
-                motions[side] = BodyMotion::of(shifts[side], turn, extent);
+                motions[side] = BodyMotion::of(shifts[side], rotvec, extent);
             }
             let apart = |when: usize| ends[0][when] - ends[1][when];
             let moved = (apart(1) - apart(0)).length();

@@ -39,7 +39,7 @@ impl GenericJointBuilder {
         self
     }
 
-    /// Sets whatever the user wants to find again.
+    /// Sets the user data.
     pub fn user_data(mut self, data: u128) -> Self {
         self.0.user_data = data;
         self
@@ -62,7 +62,7 @@ impl GenericJointBuilder {
         contacts_enabled => set_contacts_enabled(enabled: bool);
         /// Makes the locked axes a spring.
         softness => set_softness(softness: Option<SpringCoefficients>);
-        /// Lets the joint break at a force, or a torque.
+        /// Sets the force or torque at which the joint breaks.
         break_thresholds => set_break_thresholds(force: Real, torque: Real);
         /// Says how far an axis reaches.
         limits => set_limits(axis: JointAxis, limits: [Real; 2]);

@@ -4,7 +4,7 @@ use crate::dim::joint_axes::{JointAxesMask, JointAxis};
 use crate::dim::math::{Pose, Real, Vector};
 use crate::model::body::RigidBodyHandle;
 
-/// Why a joint, or a value of one, is refused, with the value that stands in the way.
+/// The reason why a joint, or one of its values, is refused, with that value.
 #[derive(Copy, Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum InvalidJoint {
@@ -51,9 +51,9 @@ pub enum InvalidJoint {
     Number {
         /// The parameter.
         parameter: &'static str,
-        /// What it was set to.
+        /// The refused value.
         value: Real,
-        /// What it may be.
+        /// The admissible values.
         expected: &'static str,
     },
     /// A link of a multibody has no degree of freedom with a coordinate of its own there.
@@ -84,7 +84,7 @@ pub enum InvalidJoint {
         /// The handle.
         body: RigidBodyHandle,
     },
-    /// Nothing can move the bodies against each other: neither is dynamic.
+    /// Neither body is dynamic, so they cannot move relative to each other.
     #[error("neither {body1:?} nor {body2:?} is dynamic")]
     NobodyDynamic {
         /// The first body.
@@ -98,8 +98,8 @@ pub enum InvalidJoint {
         /// The body that was to become a child.
         body: RigidBodyHandle,
     },
-    /// A joint of a multibody is to limit or drive the distance along several axes, as ropes and springs do. That distance is no
-    /// coordinate of the multibody; an impulse joint between its links can.
+    /// A joint of a multibody is to limit or drive the distance along several axes, as ropes and springs do.
+    /// That distance is no coordinate of the multibody; an impulse joint between its links can measure it.
     #[error("a multibody has no coordinate for the distance along {axes:?}")]
     DistanceInMultibody {
         /// The axes.

@@ -1,4 +1,4 @@
-//! What every joint is underneath: frames, and what happens on each axis.
+//! The general form of every joint: frames, and the constraint of each axis.
 
 use super::motor::check_threshold;
 use super::{InvalidJoint, JointLimits, JointMotor, MotorModel, SpringCoefficients};
@@ -7,14 +7,14 @@ use crate::dim::joint_axes::{JointAxesMask, JointAxis, frame_along};
 use crate::dim::math::{DIM, Pose, Real, Rotation, SPATIAL_DIM, Vector};
 use crate::model::check::checked_pose;
 
-/// Does a joint act?
+/// Whether a joint acts.
 #[derive(Copy, Clone, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub enum JointEnabled {
     /// It does.
     #[default]
     Enabled,
-    /// It does not, because one of its bodies does not take part. It will when the body does.
+    /// It does not act, because one of its bodies does not take part. It will when the body does.
     DisabledByAttachedBody,
     /// It does not: switched off, or broken.
     Disabled,
@@ -22,10 +22,10 @@ pub enum JointEnabled {
 
 /// A joint between two bodies, in full generality: which axes are locked, limited or driven.
 ///
-/// A frame on each body; the axes are those of the first body's frame. Positions along them are those
-/// of the second frame's origin, and angles those by which the second frame is turned against the first.
-/// Where several rotations are free, the second frame's X axis is *swung* away from the first's, and
-/// turned about itself, the *twist*: `AngX` is the twist, `AngY` and `AngZ` are the swing about these axes.
+/// A frame on each body; the axes are those of the first body's frame. Positions along them are those of the
+/// second frame's origin, and angles those by which the second frame is turned against the first. Where
+/// several rotations are free, the *swing* tilts the second frame's X axis relative to the first's, and the
+/// *twist* rotates about it: `AngX` is the twist, `AngY` and `AngZ` are the swing about these axes.
 ///
 /// Setters refuse values that no simulation could survive: they say so in the log, and the old value
 /// stays. The methods called `try_…` return the error instead.
@@ -59,22 +59,22 @@ pub struct GenericJoint {
     /// Axes that are measured together: two or three translations as one distance, two or three rotations
     /// as one angle. Limits and motor of the first of them are those of all.
     pub coupled_axes: JointAxesMask,
-    /// How soft the locked axes are (default `None`: as stiff as the solver can make them, see
+    /// Softness of the locked axes (default `None`: as stiff as possible, see
     /// [`joint_erp`](crate::model::params::IntegrationParameters::joint_erp)).
     pub softness: Option<SpringCoefficients>,
     /// The joint breaks when the force between the bodies is larger (default: infinite).
     pub break_force: Real,
     /// The joint breaks when the torque between the bodies is larger (default: infinite).
     pub break_torque: Real,
-    /// Do the two bodies' colliders touch each other (default: yes)?
+    /// Whether the colliders of the two bodies touch each other (default: yes).
     pub contacts_enabled: bool,
-    /// Does the joint act?
+    /// Whether the joint acts.
     pub enabled: JointEnabled,
     /// By axis: how far it reaches.
     pub limits: [JointLimits; SPATIAL_DIM],
     /// By axis: what drives it.
     pub motors: [JointMotor; SPATIAL_DIM],
-    /// Whatever the user wants to find again.
+    /// User data.
     pub user_data: u128,
 }
 
@@ -104,7 +104,7 @@ pub(crate) fn mask_of(axis: JointAxis) -> JointAxesMask {
     JointAxesMask::from_bits_truncate(1 << axis as u8)
 }
 
-/// What a plain setter does with a value that is refused.
+/// Treatment of a refused value in a plain setter.
 #[cold]
 fn log_refusal(error: InvalidJoint) {
     log::warn!("{error}; the old value stays");
@@ -128,13 +128,13 @@ impl GenericJoint {
         self
     }
 
-    /// Does the joint act?
+    /// Returns whether the joint acts.
     pub fn is_enabled(&self) -> bool {
         self.enabled == JointEnabled::Enabled
     }
 
-    /// Switches the joint on or off. Switching it on does not make it act while one of its bodies does
-    /// not take part.
+    /// Switches the joint on or off. An enabled joint does not act while one of its bodies does not take
+    /// part.
     pub fn set_enabled(&mut self, enabled: bool) {
         self.enabled = match (self.enabled, enabled) {
             (JointEnabled::Disabled, true) => JointEnabled::Enabled,
@@ -197,12 +197,12 @@ impl GenericJoint {
         Ok(())
     }
 
-    /// Where the joint holds the first body, in that body's frame.
+    /// The anchor on the first body, in that body's frame.
     pub fn local_anchor1(&self) -> Vector {
         self.local_frame1.translation
     }
 
-    /// Where the joint holds the second body, in that body's frame.
+    /// The anchor on the second body, in that body's frame.
     pub fn local_anchor2(&self) -> Vector {
         self.local_frame2.translation
     }
@@ -256,14 +256,14 @@ impl GenericJoint {
 
     // ---- Contacts, softness, breaking ----
 
-    /// Do the two bodies' colliders touch each other?
+    /// Returns whether the colliders of the two bodies touch each other.
     pub fn contacts_enabled(&self) -> bool {
         self.contacts_enabled
     }
 
     /// Says whether the two bodies' colliders touch each other.
     ///
-    /// Of several joints between the same bodies, one that says no is enough.
+    /// Among several joints between the same bodies, one with `false` is sufficient.
     pub fn set_contacts_enabled(&mut self, enabled: bool) -> &mut Self {
         self.contacts_enabled = enabled;
         self
@@ -278,12 +278,11 @@ impl GenericJoint {
         self
     }
 
-    /// Lets the joint break at a force larger than the first number, or a torque larger than the second.
+    /// Sets the largest force (first number) and torque (second number), above which the joint breaks.
     ///
     /// They are compared after each step with [`ImpulseJoint::force`](super::ImpulseJoint::force) and
-    /// [`ImpulseJoint::torque`](super::ImpulseJoint::torque), the mean values over that step. A joint
-    /// that breaks is disabled, and the
-    /// [`EventHandler`](crate::model::event::EventHandler) hears of it.
+    /// [`ImpulseJoint::torque`](super::ImpulseJoint::torque), the mean values over that step. A joint that
+    /// breaks is disabled, and the [`EventHandler`](crate::model::event::EventHandler) is called.
     pub fn set_break_thresholds(&mut self, force: Real, torque: Real) -> &mut Self {
         let force_is_usable = check_threshold("the force at which a joint breaks", force);
         match force_is_usable
@@ -297,7 +296,7 @@ impl GenericJoint {
 
     // ---- Limits and motors ----
 
-    /// How far an axis reaches; `None` if it has no limits.
+    /// The range of an axis; `None` if it has no limits.
     pub fn limits(&self, axis: JointAxis) -> Option<&JointLimits> {
         let has_limits = self.limit_axes.contains(mask_of(axis));
         has_limits.then(|| &self.limits[axis as usize])
@@ -326,12 +325,12 @@ impl GenericJoint {
         Ok(())
     }
 
-    /// What drives an axis; `None` if it has no motor.
+    /// The motor of an axis; `None` if it has no motor.
     pub fn motor(&self, axis: JointAxis) -> Option<&JointMotor> {
         self.motor_axes.contains(mask_of(axis)).then(|| &self.motors[axis as usize])
     }
 
-    /// What a motor's stiffness and damping are measured in; `None` if the axis has no motor.
+    /// The motor model of an axis; `None` if it has no motor.
     pub fn motor_model(&self, axis: JointAxis) -> Option<MotorModel> {
         self.motor(axis).map(|motor| motor.model)
     }
@@ -403,7 +402,7 @@ impl GenericJoint {
         Ok(())
     }
 
-    /// Is every number usable? The setters see to it; the fields are open.
+    /// Returns whether every number is usable. The setters see to it; the fields are open.
     ///
     /// A joint that is not valid does not act, until it is.
     ///
@@ -426,7 +425,7 @@ impl GenericJoint {
         check_threshold("the torque at which a joint breaks", self.break_torque)
     }
 
-    /// Is the axis measured together with others, as one distance or angle?
+    /// Returns whether the axis is measured together with others, as one distance or angle.
     pub(crate) fn is_measured_together(&self, axis: JointAxis) -> bool {
         let linear = (axis as usize) < DIM;
         let group = if linear { JointAxesMask::LIN_AXES } else { JointAxesMask::ANG_AXES };

@@ -40,7 +40,7 @@ pub struct BodyPair {
     pub body2: RigidBodyHandle,
 }
 
-/// A joint between two bodies, held by impulses.
+/// A joint between two bodies, enforced by impulses.
 ///
 /// `joint.body1` and `joint.body2` can be read, and not assigned: [`ImpulseJointSet::set_bodies`](super::ImpulseJointSet)
 /// also updates the lists of both bodies.
@@ -59,7 +59,7 @@ pub struct ImpulseJoint {
     pub(crate) torque: AngVector,
     /// The angles at the end of the last step, of which turns are counted on. `None`: not known yet.
     pub(crate) angles: Option<[crate::dim::math::Real; ANG_DIM]>,
-    /// What the joint locks, limits and drives.
+    /// Locked axes, limits and motors of the joint.
     pub data: GenericJoint,
 }
 
@@ -97,14 +97,14 @@ impl ImpulseJoint {
         self.body2
     }
 
-    /// The force (world space, mean of the last step) with which the joint pushes the second body, at the
-    /// joint's anchor; the first body gets the opposite. Locked axes, limits and motors together.
+    /// The force of the joint on the second body, at the joint's anchor (world space, mean of the last step).
+    /// The first body gets the opposite. Locked axes, limits and motors together.
     pub fn force(&self) -> Vector {
         self.force
     }
 
-    /// The torque (world space, mean of the last step) with which the joint turns the second body, about
-    /// the joint's anchor; the first body gets the opposite. Locked axes, limits and motors together.
+    /// The torque of the joint on the second body, about the joint's anchor (world space, mean of the last
+    /// step). The first body gets the opposite. Locked axes, limits and motors together.
     pub fn torque(&self) -> AngVector {
         self.torque
     }

@@ -1,9 +1,9 @@
-//! What the joints with a name have in common: macros that write their methods.
+//! Macros for the common methods of named joints.
 //!
 //! A named joint is a [`GenericJoint`](super::GenericJoint) whose axes are chosen, and methods for those
 //! that are left.
 
-/// A named joint, its builder, and the way from both to the generic joint.
+/// A named joint, its builder, and the conversions of both to the generic joint.
 macro_rules! joint_kind {
     ($(#[$doc:meta])* $joint:ident, $builder:ident) => {
         $(#[$doc])*
@@ -39,15 +39,15 @@ macro_rules! joint_kind {
 
         $crate::model::joint::kind::joint_methods! {
             $joint, $builder;
-            /// Where the joint holds the first body, in that body's frame.
+            /// Anchor on the first body, in that body's frame.
             local_anchor1() -> crate::dim::math::Vector;
             /// Sets where the joint holds the first body, in that body's frame.
             local_anchor1, set_local_anchor1(anchor: crate::dim::math::Vector);
-            /// Where the joint holds the second body, in that body's frame.
+            /// Anchor on the second body, in that body's frame.
             local_anchor2() -> crate::dim::math::Vector;
             /// Sets where the joint holds the second body, in that body's frame.
             local_anchor2, set_local_anchor2(anchor: crate::dim::math::Vector);
-            /// Do the two bodies' colliders touch each other?
+            /// Whether the colliders of the two bodies touch each other.
             contacts_enabled() -> bool;
             /// Says whether the two bodies' colliders touch each other.
             contacts_enabled, set_contacts_enabled(enabled: bool);
@@ -56,8 +56,8 @@ macro_rules! joint_kind {
             $joint, $builder;
             /// Makes the locked axes a spring; `None`: as stiff as the solver can make them.
             softness, set_softness(softness: Option<$crate::model::joint::SpringCoefficients>);
-            /// Lets the joint break at a force larger than the first number, or a torque larger than
-            /// the second: see
+            /// Sets the largest force (first number) and torque (second number), above which the joint
+            /// breaks: see
             /// [`GenericJoint::set_break_thresholds`](crate::dynamics::GenericJoint::set_break_thresholds).
             break_thresholds, set_break_thresholds(
                 force: $crate::dim::math::Real, torque: $crate::dim::math::Real
@@ -104,8 +104,8 @@ macro_rules! joint_kind {
     };
 }
 
-/// Methods that hand their arguments to the generic joint: getters of the joint, setters of the joint
-/// and of its builder. What stands before the semicolon in brackets is handed over first.
+/// Methods that hand their arguments to the generic joint: getters of the joint, setters of the joint and of
+/// its builder. The bracketed arguments before the semicolon are passed first.
 macro_rules! joint_methods {
     ($joint:ident, $builder:ident $([$($first:expr),*])?;) => {};
     (
@@ -194,7 +194,7 @@ macro_rules! joint_motor_methods {
     ($joint:ident, $builder:ident, [$($axis:expr)?], ($($name:ident: $type:ty)?)) => {
         $crate::model::joint::kind::joint_methods! {
             $joint, $builder [$($axis)?];
-            /// What drives it; `None`: it has no motor.
+            /// The motor; `None` if there is none.
             motor($($name: $type)?) -> Option<&$crate::model::joint::JointMotor>;
             /// Says what stiffness and damping of the motor are measured in.
             motor_model, set_motor_model(
@@ -241,7 +241,7 @@ macro_rules! joint_drive_methods {
     ($joint:ident, $builder:ident, [$($axis:expr)?], ($($name:ident: $type:ty)?)) => {
         $crate::model::joint::kind::joint_methods! {
             $joint, $builder [$($axis)?];
-            /// How far it reaches; `None`: it has no limits.
+            /// The range; `None` without limits.
             limits($($name: $type)?) -> Option<&$crate::model::joint::JointLimits>;
             /// Says how far it reaches (length units, or radians).
             limits, set_limits($($name: $type,)? limits: [$crate::dim::math::Real; 2]);

@@ -1,4 +1,4 @@
-//! How far a free axis of a joint reaches.
+//! Range of a free axis of a joint.
 
 use super::InvalidJoint;
 use crate::dim::joint_axes::JointAxis;
@@ -6,14 +6,14 @@ use crate::dim::math::Real;
 
 const TURN: Real = 2.0 * core::f64::consts::PI as Real;
 
-/// How far (rad) a joint may be outside of its limits by whoever put it there without another turn being meant.
-const LEEWAY: Real = 0.5;
+/// Largest violation (rad) of an angle limit by an initial pose. Beyond it, the angle is taken to be in
+/// another turn.
+const ANGLE_TOLERANCE: Real = 0.5;
 
-/// How far a free axis of a joint reaches: a range of lengths, or of angles in radians.
+/// Range of a free axis of a joint: of lengths, or of angles in radians.
 ///
-/// Angles are counted on beyond half a turn where a joint has one free axis of rotation, so a range may
-/// span several turns, or be somewhere else than around zero. `Real::MAX` (or more) is no limit on that
-/// side.
+/// Angles of joints with one free axis of rotation are continuous beyond half a turn, so a range may span
+/// several turns, or lie anywhere. `Real::MAX` (or more) is no limit on that side.
 #[derive(Copy, Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub struct JointLimits<N = Real> {
@@ -39,11 +39,11 @@ impl From<[Real; 2]> for JointLimits {
 }
 
 impl JointLimits {
-    /// An angle (in `-π..=π`) that nobody has measured before, with as many turns as bring it between the limits: who is put at
-    /// 3.25 rad between 2.5 and 4 is there, and not at -3.03. Of several readings the one nearest to zero is taken; if there is
-    /// none, the one that is least outside.
+    /// The turn count of a first measured angle (in `-π..=π`) brings it between the limits: an angle of 3.25
+    /// rad between 2.5 and 4 is measured as such, and not as -3.03. The value nearest to zero is taken among
+    /// several; if there is none, the one with the smallest violation.
     pub(crate) fn first_reading(&self, angle: Real) -> Real {
-        let (min, max) = (self.min - LEEWAY, self.max + LEEWAY);
+        let (min, max) = (self.min - ANGLE_TOLERANCE, self.max + ANGLE_TOLERANCE);
         let turns = if angle < min {
             ((min - angle) / TURN).ceil()
         } else if angle > max {
@@ -57,7 +57,7 @@ impl JointLimits {
         if outside(inside) <= outside(before) { inside } else { before }
     }
 
-    /// Is there anything between the two ends?
+    /// Returns whether the range is not empty.
     pub(crate) fn check(&self, axis: JointAxis) -> Result<(), InvalidJoint> {
         let Self { min, max, .. } = *self;
         // NaN is on neither side of anything.

@@ -1,7 +1,7 @@
-//! What the step knows of joints: who holds whom, and in which colour.
+//! The step's view of joints: their bodies and colours.
 //!
-//! The set of joints is the user's; this table says what the step has taken in of it. It changes where
-//! islands change, and only there.
+//! The user owns the set of joints; this table is the step's view of it. It changes where islands change, and
+//! only there.
 
 use super::{GenericJoint, ImpulseJoint, ImpulseJointHandle, ImpulseJointSet, JointEnabled};
 use crate::base::fault::{Fault, ensure};
@@ -11,30 +11,30 @@ use crate::model::body::{RigidBodyHandle, RigidBodySet};
 use crate::model::constraint_graph::ColorSlot;
 use std::collections::BTreeSet;
 
-/// What a joint's constraint is made of.
+/// The kind of a joint's constraint.
 #[derive(Copy, Clone, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) struct JointForm {
     /// The locked axes, one bit each.
     pub locked: u8,
-    /// How many free axes it limits or drives.
+    /// Number of its free axes with limits or motors.
     pub driven: u8,
-    /// Does it lock all translations, and nothing else happens on any axis?
-    pub is_pin: bool,
+    /// Whether it locks exactly the translations, without limits, motors and springs.
+    pub is_point_to_point: bool,
 }
 
 impl JointForm {
-    /// That of a joint.
+    /// The form of a joint.
     pub fn of(joint: &GenericJoint) -> Self {
         let drives = joint.limit_axes | joint.motor_axes;
-        let is_pin = joint.locked_axes == JointAxesMask::LIN_AXES
+        let is_point_to_point = joint.locked_axes == JointAxesMask::LIN_AXES
             && drives.is_empty()
             && joint.softness.is_none();
         let driven = if drives.is_empty() { 0 } else { joint.driven_axes().count() as u8 };
-        Self { locked: joint.locked_axes.bits(), driven, is_pin }
+        Self { locked: joint.locked_axes.bits(), driven, is_point_to_point }
     }
 
-    /// Does it lock a rotation?
+    /// Returns whether it locks a rotation.
     pub fn locks_rotations(self) -> bool {
         self.locked & JointAxesMask::ANG_AXES.bits() != 0
     }
@@ -45,7 +45,7 @@ impl JointForm {
     }
 }
 
-/// What the step knows of one joint.
+/// The step's data of one joint.
 #[derive(Copy, Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) struct JointLink {
@@ -53,14 +53,14 @@ pub(crate) struct JointLink {
     pub handle: ImpulseJointHandle,
     /// The two bodies.
     pub bodies: [RigidBodyHandle; 2],
-    /// Which constraint it will be. It is kept here so that who sorts constraints need not go through the joints, which
+    /// Kind of its constraint. It is stored here so that sorting constraints does not read the joints, which
     /// are large.
     pub form: JointForm,
-    /// Does the joint act, and can it move one of the bodies?
+    /// Whether the joint acts and can move one of the bodies.
     pub attached: bool,
-    /// Where it stands in the constraint graph.
+    /// Position in the constraint graph.
     pub slot: Option<ColorSlot>,
-    /// Does it keep the bodies' colliders from touching each other?
+    /// Whether it disables contacts between the colliders of its bodies.
     pub parts_bodies: bool,
 }
 
@@ -106,17 +106,17 @@ fn can_be_joined(joint: &ImpulseJoint, bodies: &RigidBodySet) -> bool {
         && (first.is_dynamic() || second.is_dynamic())
 }
 
-/// All joints that the step has taken in.
+/// All joints that the step has applied.
 #[derive(Debug, Default)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) struct JointLinks {
     /// By joint slot.
     links: Vec<Option<JointLink>>,
-    /// By body slot: the slots of its joints, in the order in which they were taken in.
+    /// By body slot: the slots of its joints, in the order of insertion.
     of_body: Vec<Vec<u32>>,
     /// Joints without one of their bodies, to be removed from their set.
     pub orphans: Vec<ImpulseJointHandle>,
-    /// Joints that were looked at, and whether one of their bodies takes no part: to be told so.
+    /// Joints that were checked, and whether one of their bodies takes no part; to be written back.
     pub blocked: Vec<(ImpulseJointHandle, bool)>,
 }
 
@@ -189,8 +189,8 @@ impl JointLinks {
         Ok(())
     }
 
-    /// Returns whether the joints that were taken in are those of a set, but for the joints that were edited or removed since. Their bodies
-    /// may have been edited since, too.
+    /// Returns whether the applied joints are those of a set, except joints that were edited or removed
+    /// since. Their bodies may have been edited since, too.
     pub fn are_of(&self, joints: &ImpulseJointSet, bodies: &RigidBodySet) -> bool {
         let removed: BTreeSet<_> = joints.removed().map(|(handle, _)| handle).collect();
         let orphans: BTreeSet<_> = self.orphans.iter().copied().collect();
@@ -208,7 +208,7 @@ impl JointLinks {
             })
     }
 
-    /// Does a joint keep the colliders of these two bodies from touching each other?
+    /// Returns whether a joint disables contacts between the colliders of these two bodies.
     pub fn part(&self, body_slot1: u32, body_slot2: u32) -> bool {
         self.of_body(body_slot1).iter().any(|&slot| {
             self.get(slot)

@@ -1,15 +1,16 @@
-//! What drives a free axis of a joint.
+//! The motor of a free axis of a joint.
 
 use super::InvalidJoint;
 use crate::dim::math::Real;
 
-/// What the stiffness and damping of a motor are measured in.
+/// The unit of a motor's stiffness and damping.
 #[derive(Copy, Clone, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub enum MotorModel {
-    /// They are accelerations: multiplied by the mass (or inertia) of the joint's own two bodies, as the joint lets them
-    /// move. The motion is the same whatever these weigh. What other joints hang on them is not counted: the motor at
-    /// the root of an arm whose inertia is `n` times that of its first link needs `n` times the stiffness and damping.
+    /// They are accelerations: multiplied by the mass (or inertia) of the joint's own two bodies, as the
+    /// joint lets them move. The motion is the same whatever these weigh. The inertia behind other joints is
+    /// excluded: the motor at the root of an arm with `n` times the inertia of its first link needs `n` times
+    /// the stiffness and damping.
     #[default]
     AccelerationBased,
     /// They are forces (or torques). Heavier bodies move more slowly.
@@ -17,10 +18,10 @@ pub enum MotorModel {
 }
 
 impl MotorModel {
-    /// What a motor with this stiffness and damping does in a step of `dt` seconds: the share of the distance that it covers
-    /// per second, and how much it yields, for motors of [accelerations](Self::AccelerationBased) in units of the inverse of
-    /// the mass that it moves (the second number; the third is 0), for motors of [forces](Self::ForceBased) as it is (the third
-    /// number; the second is 0).
+    /// Coefficients of a motor with this stiffness and damping in a step of `dt` seconds. The first number is
+    /// the fraction of the distance per second. The second is the compliance of
+    /// [acceleration-based](Self::AccelerationBased) motors, in units of the inverse mass that they move. The
+    /// third is the compliance of [force-based](Self::ForceBased) motors. One of the two is 0.
     ///
     /// ```
     /// # use rapier3d::prelude::*;
@@ -36,10 +37,10 @@ impl MotorModel {
         let inverse = |value: Real| if value == 0.0 { 0.0 } else { 1.0 / value };
         let resistance = dt * stiffness + damping;
         let rate = stiffness * inverse(resistance);
-        let yields = inverse(dt * resistance);
+        let compliance = inverse(dt * resistance);
         match self {
-            Self::AccelerationBased => (rate, yields, 0.0),
-            Self::ForceBased => (rate, 0.0, yields),
+            Self::AccelerationBased => (rate, compliance, 0.0),
+            Self::ForceBased => (rate, 0.0, compliance),
         }
     }
 }
@@ -67,7 +68,7 @@ pub struct JointMotor {
     pub max_force: Real,
     /// Impulse of the motor in the last substep. The next step starts with it.
     pub impulse: Real,
-    /// What stiffness and damping are measured in.
+    /// Unit of stiffness and damping.
     pub model: MotorModel,
 }
 
@@ -86,7 +87,7 @@ impl Default for JointMotor {
 }
 
 impl JointMotor {
-    /// Are all numbers usable?
+    /// Returns whether all numbers are usable.
     pub(crate) fn check(&self) -> Result<(), InvalidJoint> {
         let finite = |parameter, value: Real| match value.is_finite() {
             true => Ok(()),

@@ -6,7 +6,7 @@ use crate::dim::joint_axes::{JointAxesMask, JointAxis};
 use crate::dim::math::Vector;
 
 joint_kind! {
-    /// Lets two bodies slide along a common axis, without turning against each other.
+    /// A sliding joint: translation along a common axis, without relative rotation.
     PrismaticJoint, PrismaticJointBuilder
 }
 joint_axis_methods!(PrismaticJoint, PrismaticJointBuilder);

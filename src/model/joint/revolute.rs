@@ -6,7 +6,7 @@ use crate::dim::joint_axes::{JointAxis, twist};
 use crate::dim::math::{Real, Rotation};
 
 joint_kind! {
-    /// Lets two bodies turn about a common axis: a hinge.
+    /// A hinge: rotation about a common axis.
     ///
     /// Its angle is counted on beyond half a turn: limits may span several turns.
     RevoluteJoint, RevoluteJointBuilder

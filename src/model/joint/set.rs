@@ -23,13 +23,13 @@ pub(crate) struct Entry {
     filed: [RigidBodyHandle; 2],
 }
 
-/// What is remembered of a joint's changes. It stays with the handle, whatever the user puts there.
+/// Record of a joint's changes. It stays with the handle, whatever the user puts there.
 #[derive(Copy, Clone, Debug, Default)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 struct Note {
-    /// Does the handle stand in the list of modified joints?
+    /// Whether the list of modified joints contains the handle.
     listed: bool,
-    /// Do the bodies wake when the step takes in what was changed?
+    /// Whether the bodies wake when the step applies the change.
     wakes: bool,
 }
 
@@ -66,12 +66,12 @@ impl ImpulseJointSet {
         self.joints.len()
     }
 
-    /// Is there no joint?
+    /// Returns whether the set is empty.
     pub fn is_empty(&self) -> bool {
         self.joints.is_empty()
     }
 
-    /// Does the handle find a joint?
+    /// Returns whether the handle refers to a joint.
     pub fn contains(&self, handle: ImpulseJointHandle) -> bool {
         self.joints.contains(handle.0)
     }
@@ -138,7 +138,7 @@ impl ImpulseJointSet {
         Some(joint)
     }
 
-    /// Takes all joints of a body out of the set, wakes the bodies they held, and returns their handles.
+    /// Removes all joints of a body, wakes their bodies, and returns their handles.
     ///
     /// This need not be called for bodies that are removed: the next step does it.
     pub fn remove_joints_attached_to_rigid_body(
@@ -231,7 +231,7 @@ impl ImpulseJointSet {
         })
     }
 
-    /// Those of [`Self::attached_joints`] that are enabled.
+    /// The enabled ones of [`Self::attached_joints`].
     pub fn attached_enabled_joints(
         &self,
         body: RigidBodyHandle,
@@ -281,7 +281,8 @@ impl ImpulseJointSet {
         self.joints.get(handle.0).is_some_and(|entry| entry.note.listed)
     }
 
-    /// Checks the notes of a set that was loaded: each joint that says that it is noted stands in the list, and removed ones are gone.
+    /// Checks the change lists of a loaded set: the list contains each joint that is marked, and removed ones
+    /// are gone.
     pub(crate) fn check_notes(&self) -> Result<(), Fault> {
         let mut listed = BTreeSet::new();
         for handle in self.modified.iter().filter(|handle| self.contains(**handle)) {
@@ -309,11 +310,10 @@ impl ImpulseJointSet {
         self.removed.iter().copied()
     }
 
-    /// The step has taken in all changes: joints without a body go, and those of a body that takes no part are
-    /// told so.
+    /// Ends the step's update: removes joints without a body, and marks those with a body that takes no part.
     pub(crate) fn settle(&mut self, links: &mut JointLinks) {
         for handle in core::mem::take(&mut links.orphans) {
-            // A joint that was put in its place may hold other bodies, and has been taken in again.
+            // A joint that replaced another may have other bodies, and was applied again.
             let known = links.get(handle.into_raw_parts().0);
             if known.is_none_or(|link| link.handle != handle) {
                 self.remove(handle, false);
@@ -347,7 +347,7 @@ impl ImpulseJointSet {
         let _ = self.get_mut(handle);
     }
 
-    /// Begins to bring the front of the joint in a slot near to the processor, for who will ask for it soon.
+    /// Prefetches the front of the joint in a slot.
     #[inline(always)]
     pub(crate) fn prefetch(&self, slot: u32) {
         self.joints.prefetch_front(slot, ImpulseJoint::FRONT);
@@ -361,7 +361,7 @@ impl ImpulseJointSet {
         self.joints.get_mut(handle.0).map(|entry| &mut entry.joint)
     }
 
-    /// Joints for the step's own use, to be written by several threads: leaves no notes. They are asked for by the
+    /// Joints for the step's own use, to be written by several threads: leaves no notes. They are read by the
     /// indices in their handles.
     pub(crate) fn share(&mut self) -> SharedArena<'_, Entry> {
         self.joints.share()

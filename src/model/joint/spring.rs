@@ -5,8 +5,7 @@ use super::motor::check_factor;
 use crate::dim::math::Real;
 use crate::model::params::Softness;
 
-/// How soft the locked axes of a joint are: a spring and a damper by what one sees of them, whatever
-/// the masses.
+/// Softness of the locked axes of a joint: a spring and a damper in mass-independent form.
 ///
 /// A joint without one is as stiff as the solver can make it.
 #[derive(Copy, Clone, Debug, PartialEq)]
@@ -29,7 +28,8 @@ impl SpringCoefficients {
         self.natural_frequency * (2.0 * core::f64::consts::PI as Real)
     }
 
-    /// The share of an error that the spring removes per second, in steps of `dt` seconds: `ω / (dt ω + 2 ζ)`.
+    /// The fraction of an error that the spring removes per second, in steps of `dt` seconds: `ω / (dt ω + 2
+    /// ζ)`.
     ///
     /// ```
     /// # use rapier3d::prelude::*;
@@ -42,28 +42,28 @@ impl SpringCoefficients {
         self.in_steps_of(dt).bias_rate
     }
 
-    /// The share of an error that the spring removes in a step of `dt` seconds.
+    /// The fraction of an error that the spring removes in a step of `dt` seconds.
     pub fn erp(&self, dt: Real) -> Real {
         dt * self.erp_inv_dt(dt)
     }
 
-    /// How much the spring yields in a step of `dt` seconds, in units of the inverse of the mass that it moves:
-    /// `1 / (dt ω (2 ζ + dt ω))`. Infinite if nothing pulls.
+    /// The compliance of the spring in a step of `dt` seconds, in units of the inverse of the mass that it
+    /// moves: `1 / (dt ω (2 ζ + dt ω))`. Infinite if nothing pulls.
     pub fn cfm_coeff(&self, dt: Real) -> Real {
-        self.in_steps_of(dt).yields()
+        self.in_steps_of(dt).compliance()
     }
 
-    /// What is left of a constraint's mass by that: `1 / (1 + cfm_coeff)`.
+    /// The resulting fraction of a constraint's effective mass: `1 / (1 + cfm_coeff)`.
     pub fn cfm_factor(&self, dt: Real) -> Real {
         1.0 / (1.0 + self.cfm_coeff(dt))
     }
 
-    /// What the solver makes of it.
+    /// The solver's coefficients of the spring.
     pub(crate) fn in_steps_of(&self, dt: Real) -> Softness {
         Softness::spring(self.angular_frequency(), self.damping_ratio, dt)
     }
 
-    /// Are both numbers usable?
+    /// Returns whether both numbers are usable.
     pub(super) fn check(&self) -> Result<(), InvalidJoint> {
         check_factor("the natural frequency of a joint", self.natural_frequency)?;
         check_factor("the damping ratio of a joint", self.damping_ratio)
@@ -75,7 +75,7 @@ mod tests {
     use super::SpringCoefficients;
     use crate::dim::math::Real;
 
-    /// With `a = dt ω`: `erp = a / (a + 2 ζ)` and `cfm = 1 / (a (a + 2 ζ))`, whatever the spring; and none that is no number.
+    /// With `a = dt ω`: `erp = a / (a + 2 ζ)` and `cfm = 1 / (a (a + 2 ζ))` for every spring; all are finite.
     #[test]
     fn springs_are_those_of_the_formulas() {
         let dt = 1.0 / 240.0;

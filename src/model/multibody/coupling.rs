@@ -20,8 +20,8 @@ pub struct MultibodyDofCoupling {
     pub link2: usize,
     /// The axis of its joint.
     pub axis2: JointAxis,
-    /// How far the second coordinate moves per unit of the first: the ratio of a gear (negative if the wheels touch on the
-    /// outside), the radius of a pinion on a rack.
+    /// Displacement of the second coordinate per unit of the first: the ratio of a gear (negative if the
+    /// wheels touch on the outside), the radius of a pinion on a rack.
     pub coeff: Real,
     /// The second coordinate where the first one is 0.
     pub offset: Real,
@@ -38,8 +38,8 @@ impl MultibodyDofCoupling {
 }
 
 impl Multibody {
-    /// Lets two degrees of freedom move together, `q2 = coeff · q1 + offset`, and returns the position of the coupling in
-    /// [`Self::couplings`]. Where they are apart they are drawn together over some steps.
+    /// Couples two degrees of freedom, `q2 = coeff · q1 + offset`, and returns the position of the coupling
+    /// in [`Self::couplings`]. An initial error is corrected over some steps.
     ///
     /// Not for the rotations of a ball joint, which have no coordinate each. A coupling rests while one of its axes is
     /// locked, and goes when a link that it names becomes part of another multibody, or none.
@@ -119,7 +119,7 @@ impl Multibody {
         (usable && first != second).then_some([first, second])
     }
 
-    /// How far the coordinates of a coupling are from where it wants them: `q2 - coeff · q1 - offset`.
+    /// The error of a coupling: `q2 - coeff · q1 - offset`.
     pub(crate) fn coupling_error(&self, coupling: &MultibodyDofCoupling) -> Real {
         let q = |link: usize, axis| self.links[link].joint.coordinate(axis);
         let (q1, q2) = (q(coupling.link1, coupling.axis1), q(coupling.link2, coupling.axis2));

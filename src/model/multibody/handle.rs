@@ -1,4 +1,4 @@
-//! What finds multibodies, their joints and their links.
+//! Handles of multibodies, their joints and their links.
 
 use crate::base::arena::Index;
 

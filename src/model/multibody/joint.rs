@@ -21,19 +21,19 @@ struct Spring {
 
 /// The joint between a link and its parent.
 ///
-/// Each axis that [`GenericJoint::locked_axes`] leaves free is a degree of freedom with a coordinate: a length along an
-/// axis of translation, an angle (radians, counted on beyond whole turns) about an axis of rotation. Where all rotations
-/// are free (3D), they are kept as one rotation, which has no direction in which it gets stuck; where two are free, the
-/// second turns about the axis to which the first takes it, like a universal joint.
+/// Each axis that [`GenericJoint::locked_axes`] leaves free is a degree of freedom with a coordinate: a
+/// length along an axis of translation, or an angle (radians, continuous beyond whole turns) about an axis of
+/// rotation. Three free rotations (3D) are stored as one rotation, which has no singular direction. Of two,
+/// the second rotates about the axis that the first moves, like a universal joint.
 ///
-/// Locked axes are exact, so `softness`, `break_force` and `break_torque` mean nothing here. Coupled rotations share a
-/// limit on the swing of a ball joint; other couplings mean nothing.
+/// Locked axes are exact, so `softness`, `break_force` and `break_torque` mean nothing here. Coupled
+/// rotations have a common limit on the swing of a ball joint; other couplings have no effect.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub struct MultibodyJoint {
-    /// What the joint locks, limits and drives. The parent is its first body.
+    /// Locked axes, limits and motors of the joint. The parent is its first body.
     pub data: GenericJoint,
-    /// Does the joint move at the velocity that the user gives it, whatever pushes?
+    /// Whether the joint moves at a prescribed velocity, independent of all forces.
     pub kinematic: bool,
     /// By axis: the coordinate. Zero for locked axes, and for the rotations of a ball.
     coords: SpatialVector,
@@ -59,7 +59,7 @@ impl MultibodyJoint {
         !self.data.locked_axes
     }
 
-    /// Are the rotations those of a ball in a socket?
+    /// Returns whether the rotations are those of a ball joint.
     pub(crate) fn is_ball(&self) -> bool {
         ANG_DIM == 3 && angular_axes(self.free_axes()).len() == ANG_DIM
     }
@@ -156,7 +156,7 @@ impl MultibodyJoint {
         let data = &self.data;
         let mut set = |axis: usize, angle: Real| {
             let old = &mut self.coords[DIM + axis];
-            // What is exactly zero has hardly been measured.
+            // An exact zero is unlikely to be a measurement.
             let limits = data.limits(JointAxis::ALL[DIM + axis]).filter(|_| *old == 0.0);
             *old = match limits {
                 Some(limits) => limits.first_reading(angle),
@@ -175,7 +175,7 @@ impl MultibodyJoint {
         }
     }
 
-    /// Brings coordinates that are beyond their limits back. Those of a ball stay.
+    /// Brings coordinates that are beyond their limits back. The limits of a ball joint are kept.
     pub(crate) fn keep_limits(&mut self) {
         let free = self.free_axes();
         for axis in JointAxis::ALL.into_iter().filter(|axis| free.contains(mask_of(*axis))) {
@@ -197,7 +197,7 @@ impl MultibodyJoint {
         other.coords[axis as usize] - self.coords[axis as usize]
     }
 
-    /// Are all coordinates numbers that one can calculate with?
+    /// Returns whether all coordinates are usable.
     pub(crate) fn is_sound(&self) -> bool {
         self.coords.iter().all(|&coordinate| is_coordinate(coordinate))
             && crate::dim::math::rotation_is_valid(&self.ball)
@@ -224,8 +224,9 @@ impl MultibodyJoint {
         (stiffness, rest)
     }
 
-    /// Sets the spring along an axis: its stiffness (force per length, torque per radian; 0 for none, the default) and
-    /// the coordinate at which it is at rest. Its damping is [`Multibody::damping_mut`](super::Multibody::damping_mut).
+    /// Sets the spring along an axis: its stiffness (force per length, torque per radian; 0 for none, the
+    /// default) and its rest coordinate. Its damping is
+    /// [`Multibody::damping_mut`](super::Multibody::damping_mut).
     ///
     /// It is integrated implicitly, so no stiffness is too large.
     pub fn set_spring(&mut self, axis: JointAxis, stiffness: Real, rest: Real) {

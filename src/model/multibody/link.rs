@@ -12,7 +12,7 @@ use parry::mass_properties::MassProperties;
 #[derive(Clone, Debug)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub struct MultibodyLink {
-    /// The joint to the parent. That of a root joins it to nothing, and means nothing.
+    /// The joint to the parent. That of a root has no parent, and no effect.
     pub joint: MultibodyJoint,
     pub(crate) id: usize,
     pub(crate) parent: Option<usize>,
@@ -21,7 +21,7 @@ pub struct MultibodyLink {
     /// Links of the same group do not touch each other; 0: no group. They are of a multibody
     /// without self-contacts that was merged into this one.
     pub(super) exclusion_group: u32,
-    /// Where the link's degrees of freedom begin among the multibody's.
+    /// First of the link's degrees of freedom among the multibody's.
     pub(crate) first_dof: usize,
     /// The axes that are degrees of freedom. For a root: along and about the axes of the world, at its centre of mass.
     pub(crate) free: JointAxesMask,
@@ -83,7 +83,7 @@ impl MultibodyLink {
         self.parent
     }
 
-    /// Is it the root?
+    /// Returns whether it is the root.
     pub fn is_root(&self) -> bool {
         self.parent.is_none()
     }
@@ -93,7 +93,7 @@ impl MultibodyLink {
         self.body
     }
 
-    /// Where the link's degrees of freedom begin among the multibody's.
+    /// The first of the link's degrees of freedom among the multibody's.
     pub fn assembly_id(&self) -> usize {
         self.first_dof
     }

@@ -8,7 +8,7 @@
 //! The laws of motion are in [`crate::multibody`]; the step's part is in its solver.
 
 mod coupling;
-mod course;
+mod trajectory;
 mod handle;
 mod joint;
 mod link;
@@ -19,10 +19,10 @@ mod split;
 mod tests;
 
 pub use coupling::MultibodyDofCoupling;
-pub(crate) use course::Course;
 pub use handle::{MultibodyIndex, MultibodyJointHandle, MultibodyLinkId};
 pub use joint::MultibodyJoint;
 pub use link::MultibodyLink;
 pub use record::Multibody;
 pub(crate) use set::MultibodyEdits;
 pub use set::MultibodyJointSet;
+pub(crate) use trajectory::LinkTrajectory;

@@ -19,7 +19,7 @@ pub(crate) struct Dof {
     pub axis: JointAxis,
 }
 
-/// What is known of a degree of freedom.
+/// Data of a degree of freedom.
 #[derive(Debug, Default)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) struct DofLists {
@@ -43,17 +43,18 @@ clone_in_place!(DofLists {
 
 /// Bodies that joints hold together as a tree. Made by [`MultibodyJointSet::insert`](super::MultibodyJointSet::insert).
 ///
-/// The state is one coordinate and one velocity per *degree of freedom*. They are numbered link by link, parents first,
-/// and within a link in the order of [`JointAxis`]: translations, then rotations. A root that is dynamic can move along
-/// and about all axes of the world (but those that [`RigidBody::locked_axes`] locks); one that is fixed or kinematic has
-/// no degree of freedom and carries the others along.
+/// The state is one coordinate and one velocity per *degree of freedom*. They are numbered link by link,
+/// parents first, and within a link in the order of [`JointAxis`]: translations, then rotations. A dynamic
+/// root can move along and about all axes of the world, except those that [`RigidBody::locked_axes`] locks. A
+/// fixed or kinematic root has no degree of freedom and carries the others along.
 ///
 /// # Links and bodies
 ///
-/// Each step moves the links and writes their poses and velocities to the bodies. What the user does to the bodies in
-/// between counts: a link that was moved gives its joint new coordinates, as far as its free axes allow, and impulses
-/// and velocities given to bodies act on the whole multibody. Forces, gravity scale and damping of the bodies act on the links.
-/// Colliders touch as those of all bodies do; who is lighter by dominance gives way.
+/// Each step moves the links and writes their poses and velocities to the bodies. Edits of the bodies between
+/// steps are applied. A moved link gives its joint new coordinates, as far as its free axes allow, and
+/// impulses and velocities of bodies act on the whole multibody. Forces, gravity scale and damping of the
+/// bodies act on the links. Colliders touch as those of all bodies do; the side with the lower dominance
+/// gives way.
 ///
 /// A multibody acts while all its links (but the root) are dynamic and enabled bodies, and all its joints are valid and
 /// enabled. Otherwise the bodies move as if nothing joined them.
@@ -66,7 +67,7 @@ pub struct Multibody {
     pub(crate) lists: DofLists,
     pub(crate) couplings: Vec<MultibodyDofCoupling>,
     pub(super) self_contacts_enabled: bool,
-    /// The sum of the energy errors of free motion (J), not above 0: see `multibody/motion/flight.rs`.
+    /// The sum of the energy errors of free motion (J), not above 0: see `multibody/motion/free.rs`.
     pub(crate) flight_error: Real,
     /// The energy that impulses left beyond what they should (J), which is bounded as well.
     pub(crate) impulse_error: Real,
@@ -89,7 +90,7 @@ impl Default for Multibody {
 }
 
 impl Multibody {
-    /// A multibody without links. Those of a world come from [`MultibodyJointSet`](super::MultibodyJointSet).
+    /// A multibody without links. [`MultibodyJointSet`](super::MultibodyJointSet) owns those of a world.
     pub fn new() -> Self {
         Self {
             links: Vec::new(),
@@ -118,7 +119,7 @@ impl Multibody {
         id
     }
 
-    /// Adds all links of another multibody. Its root becomes a child of `parent`, held by `joint`.
+    /// Adds all links of another multibody. Its root becomes a child of `parent`, connected by `joint`.
     pub(super) fn append(&mut self, mut other: Self, parent: usize, joint: MultibodyJoint) {
         self.merge_self_contacts(&mut other);
         let offset = self.links.len();
@@ -134,7 +135,7 @@ impl Multibody {
             };
             self.links.push(link);
         }
-        // The root's own degrees of freedom are no more; the bodies' velocities tell what they did.
+        // The root's own degrees of freedom are removed; the bodies' velocities contain their motion.
         let root_end = other.dofs.iter().take_while(|dof| dof.link == 0).count();
         let kept: Vec<_> = (root_end..other.dofs.len()).collect();
         let known = other.dofs[root_end..].iter();
@@ -192,8 +193,8 @@ impl Multibody {
         self.links.get(id)
     }
 
-    /// The link at a position, for changing it. A multibody with a link that was put in the place of another is none any more: its
-    /// joints are removed by the next step, with a warning.
+    /// The link at a position, for changing it. If a link was replaced by another, the multibody is invalid:
+    /// the next step removes its joints, with a warning.
     pub fn link_mut(&mut self, id: usize) -> Option<&mut MultibodyLink> {
         self.links.get_mut(id)
     }
@@ -230,8 +231,8 @@ impl Multibody {
         self.self_contacts_enabled
     }
 
-    /// Sets whether the colliders of its links touch each other (default: yes). Those of a link and its parent also need their
-    /// joint's [`contacts_enabled`](GenericJoint::contacts_enabled).
+    /// Sets whether the colliders of its links touch each other (default: yes). Contacts of a link and its
+    /// parent also need their joint's [`contacts_enabled`](GenericJoint::contacts_enabled).
     ///
     /// A joint that merges two multibodies keeps the parent's setting for the whole. If the child's is `false`, the child's links still do not
     /// touch each other. A later call decides for all links.
@@ -291,8 +292,9 @@ impl Multibody {
         &mut self.lists.damping
     }
 
-    /// Inertia of each degree of freedom beyond that of the links (mass, or mass·length², default 0): that of a rotor
-    /// behind a gear, times the square of the gear's ratio. Negative ones, and those that are not finite, count as 0.
+    /// Inertia of each degree of freedom in addition to that of the links (mass, or mass·length², default 0):
+    /// that of a rotor behind a gear, times the square of the gear's ratio. Negative ones, and those that are
+    /// not finite, count as 0.
     pub fn armature(&self) -> &[Real] {
         &self.lists.armature
     }
@@ -315,8 +317,8 @@ impl Multibody {
 
     // ---- Layout ----
 
-    /// Is each link where it says, behind its parent, with the degrees of freedom that it says? Whoever holds links by `&mut`
-    /// can put them in the place of others. What is made of such links is none: the next step takes it apart.
+    /// Returns whether each link is at its index, behind its parent, with its degrees of freedom. A `&mut` to
+    /// links lets the user swap them. Such a multibody is invalid, and the next step removes it.
     pub(crate) fn is_whole(&self) -> bool {
         let mut first_dof = 0;
         let links = self.links.iter().enumerate().all(|(id, link)| {
@@ -327,7 +329,7 @@ impl Multibody {
         links && first_dof == self.dofs.len()
     }
 
-    /// Does it act, with these bodies?
+    /// Returns whether the multibody acts with these bodies.
     pub(crate) fn acts(&self, body: impl Fn(RigidBodyHandle) -> Option<bool>) -> bool {
         self.links.iter().all(|link| {
             let is_root = link.parent.is_none();
@@ -337,8 +339,8 @@ impl Multibody {
         })
     }
 
-    /// Lets the degrees of freedom be the free axes of the joints, and of the root's body. Numbers of those that stay
-    /// are kept.
+    /// Makes the free axes of the joints, and of the root's body, the degrees of freedom. Numbers of those
+    /// that stay are kept.
     pub(crate) fn follow_axes(&mut self, root: &RigidBody) {
         let mut changed = false;
         for link in &mut self.links {
@@ -369,7 +371,8 @@ impl Multibody {
 
 check_when_loaded!(Multibody);
 
-/// Links and degrees of freedom are numbered, there is a number of each kind for each degree of freedom, and all numbers can be computed with.
+/// Links and degrees of freedom are numbered, each degree of freedom has one number of each kind, and all
+/// numbers are usable.
 impl Loaded for Multibody {
     fn check_loaded(&self) -> Result<(), Fault> {
         ensure!(self.is_whole(), "the links of a multibody are not in order");

@@ -14,7 +14,7 @@ use crate::model::joint::{GenericJoint, InvalidJoint};
 use crate::model::stamp::WorldStamp;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// How multibodies changed since the last step. Each comes with whether it wakes.
+/// Changes of multibodies since the last step. Each comes with whether it wakes.
 #[derive(Debug, Default)]
 pub(crate) struct MultibodyEdits {
     /// Bodies that lost a joint.
@@ -46,8 +46,8 @@ pub(crate) struct MultibodyEdits {
 pub struct MultibodyJointSet {
     multibodies: Arena<Multibody>,
     joints: Arena<MultibodyLinkId>,
-    /// By body: which link it is. A tree, because nothing bounds the slots of handles that a user made up; the whole
-    /// handle counts, because a stale one may be of the slot of another link.
+    /// By body: which link it is. It is a tree, because slots of forged handles are unbounded. The whole
+    /// handle is the key, because a stale one may have the slot of another link.
     of_body: BTreeMap<u64, MultibodyLinkId>,
     /// By slot of a multibody: how many links are filed of it.
     link_counts: Vec<usize>,
@@ -71,12 +71,12 @@ impl MultibodyJointSet {
         self.joints.len()
     }
 
-    /// Is there no joint?
+    /// Returns whether the set is empty.
     pub fn is_empty(&self) -> bool {
         self.joints.is_empty()
     }
 
-    /// Does the handle find a joint?
+    /// Returns whether the handle refers to a joint.
     pub fn contains(&self, handle: MultibodyJointHandle) -> bool {
         self.joints.contains(handle.0)
     }
@@ -164,7 +164,7 @@ impl MultibodyJointSet {
         Ok(handle)
     }
 
-    /// May these bodies be joined?
+    /// Returns whether a joint may connect these bodies.
     fn check(
         &self,
         [body1, body2]: [RigidBodyHandle; 2],
@@ -199,7 +199,7 @@ impl MultibodyJointSet {
         MultibodyLinkId { multibody, id: 0 }
     }
 
-    /// Lets bodies and handles find the links of a multibody, from the position `first` on.
+    /// Maps bodies and handles to the links of a multibody, from the position `first` on.
     fn file(&mut self, index: MultibodyIndex, first: usize) {
         let Some(multibody) = self.multibodies.get(index.0) else { return };
         let slot = index.0.slot();
@@ -240,7 +240,7 @@ impl MultibodyJointSet {
         }
     }
 
-    /// Takes all joints of a body out of the set, and wakes the bodies that they held.
+    /// Removes all joints of a body, and wakes their bodies.
     ///
     /// This need not be called for bodies that are removed: the next step does it.
     pub fn remove_joints_attached_to_rigid_body(&mut self, body: RigidBodyHandle) {
@@ -280,7 +280,7 @@ impl MultibodyJointSet {
 
     // ---- Multibodies and links that were put in the place of others ----
 
-    /// Is the multibody at an index another one than that which was put there, or are its links?
+    /// Returns whether the multibody at an index, or its links, were replaced.
     fn is_broken(&self, index: MultibodyIndex) -> bool {
         let Some(multibody) = self.get_multibody(index) else { return false };
         let count = self.link_counts.get(index.0.slot()).copied();
@@ -347,7 +347,7 @@ impl MultibodyJointSet {
         Some((self.multibodies.get(place.multibody.0)?, place.id, MultibodyJointHandle(index)))
     }
 
-    /// Which link of which multibody a body is; `None` if it is none.
+    /// The link and the multibody of a body; `None` if it has none.
     pub fn rigid_body_link(&self, body: RigidBodyHandle) -> Option<&MultibodyLinkId> {
         self.of_body.get(&key(body))
     }
@@ -401,7 +401,7 @@ impl MultibodyJointSet {
         joints.map(move |(parent, child, _)| if child == body { parent } else { child })
     }
 
-    /// Those of [`Self::attached_bodies`] whose joint is enabled.
+    /// The subset of [`Self::attached_bodies`] with an enabled joint.
     pub fn bodies_attached_with_enabled_joint(
         &self,
         body: RigidBodyHandle,
@@ -496,7 +496,7 @@ impl MultibodyJointSet {
         Ok(())
     }
 
-    /// Has the next step look at a multibody again.
+    /// Marks a multibody as changed for the next step.
     pub(crate) fn note(&mut self, index: MultibodyIndex) {
         self.modified.push((index, false));
     }

@@ -26,7 +26,7 @@ fn tree(parents: &[Option<u32>]) -> (MultibodyJointSet, Vec<Option<MultibodyJoin
     (set, handles)
 }
 
-/// Parents stand before their children, degrees of freedom in the order of the links, and everybody is found.
+/// Parents precede their children, degrees of freedom have the order of the links, and every link is found.
 fn validate(set: &MultibodyJointSet) {
     for multibody in set.multibodies() {
         assert!(multibody.num_links() > 1);
@@ -75,7 +75,7 @@ fn trees_merge_and_split() {
     assert!(set.is_empty() && set.multibodies().count() == 0);
 }
 
-/// Which pairs of links touch, by body.
+/// The touching pairs of links, by body.
 fn touching(set: &MultibodyJointSet, bodies: &[u32]) -> Vec<[u32; 2]> {
     let pairs = bodies.iter().flat_map(|&one| bodies.iter().map(move |&two| [one, two]));
     let touch = |&[one, two]: &[u32; 2]| {
@@ -122,8 +122,8 @@ fn self_contacts_survive_merging() {
     assert_eq!(touching(&set, &[0, 1]), [[0, 1]]);
 }
 
-/// A body that is no link takes the setting of the multibody that it joins, as parent or as child; what the user sets after a
-/// merge holds for all.
+/// A body that is no link takes the setting of the multibody that it joins, as parent or as child. Settings
+/// made after a merge apply to all.
 #[test]
 fn single_bodies_take_the_setting_of_their_multibody() {
     let (mut set, _) = tree(&[None, Some(0)]);

@@ -18,13 +18,13 @@ pub use validate::InvalidParameters;
 
 use crate::dim::math::Real;
 
-/// Which shape the set of allowed friction impulses has.
+/// Shape of the set of allowed friction impulses.
 #[derive(Copy, Clone, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub enum FrictionModel {
-    /// Friction once per manifold, at the centre of its points: two directions in the contact plane
-    /// and, in 3D, one torque about the normal. All points share the load, so this needs fewer rows
-    /// and converges in fewer iterations than friction at each point.
+    /// Friction once per manifold, at the centre of its points: two directions in the contact plane and, in
+    /// 3D, one torque about the normal. All points have one common friction, so this needs fewer rows and
+    /// converges in fewer iterations than friction at each point.
     #[default]
     Standard,
     /// Friction at each point, kept within the exact cone `|friction| ≤ µ · normal` of that point.
@@ -32,7 +32,7 @@ pub enum FrictionModel {
     Coulomb,
 }
 
-/// How a step turns forces into motion: time step, accuracy, and how overlap is undone.
+/// Parameters of time integration: time step, accuracy, and correction of overlap.
 ///
 /// The defaults suit bodies of about one length unit, at 60 steps a second. Change a field or two:
 ///
@@ -48,24 +48,23 @@ pub enum FrictionModel {
 pub struct IntegrationParameters {
     /// Length of one step (s, default 1/60). At 0 the step detects collisions and moves nothing.
     ///
-    /// Keep it constant: results repeat only with the same sequence of steps, and impulses kept from
-    /// the last step fit the next one only if both are equally long.
+    /// Keep it constant. Results repeat only with the same sequence of steps, and warm-start impulses fit the
+    /// next step only if both have the same length.
     pub dt: Real,
-    /// Number of substeps of a step (default 4, at least 1). Each integrates for `dt` divided by this
-    /// number and visits every constraint once with position correction and once without.
+    /// Number of substeps of a step (default 4, at least 1). Each integrates for `dt` divided by this number,
+    /// and iterates over all constraints once with position correction and once without.
     ///
-    /// The error of stiff stacks falls with the square of it, the cost of the solver grows in
-    /// proportion; collisions are detected once per step whatever it is.
+    /// The error of stiff stacks falls with its square, the cost of the solver grows in proportion; collision
+    /// detection runs once per step.
     pub num_solver_iterations: usize,
-    /// Extra visits of all constraints without position correction, friction among them, per substep
-    /// (default 0). For loads that hang on friction
-    /// alone, such as a tower of cards or a gripper.
+    /// Additional iterations of all constraints without position correction, friction among them, per substep
+    /// (default 0). For loads that hang on friction alone, such as a tower of cards or a gripper.
     pub num_additional_friction_iterations: usize,
     /// Visits of all constraints, with position correction, per substep (default 1, at least 1).
     /// More substeps are nearly always the better use of the same time.
     pub num_internal_pgs_iterations: usize,
-    /// How much of a contact's position error a substep aims to remove (0 to 1, default 0.1): this times
-    /// [`CONTACT_SHARE`], which says why not all of it.
+    /// The fraction of a contact's position error that a substep removes (0 to 1, default 0.1): this times
+    /// [`CONTACT_SHARE`], which explains the reduction.
     ///
     /// The error is the overlap beyond [`Self::allowed_linear_error`]. At the default, 1 % of it is
     /// left after some 70 substeps. Larger values resolve overlap faster and make it burst apart
@@ -74,10 +73,10 @@ pub struct IntegrationParameters {
     /// Softness of contacts on top of the solver's own (0 or more, default 0: as hard as the solver
     /// converges well).
     ///
-    /// A damper's measure: an impulse that gives the free bodies a relative velocity `v` makes the
-    /// contact give way at about `damping_ratio · v`. The deflection at rest under gravity `g` grows by
-    /// `damping_ratio · g h² / (0.7 erp)` (`h`: length of a substep). There is always a contact, however large
-    /// the value. [`Softness`] derives this and relates it to a frequency and a damping.
+    /// The damping ratio is measured by compliance: an impulse that gives the free bodies a relative velocity
+    /// `v` moves the contact at about `damping_ratio · v`. The deflection at rest under gravity `g` grows by
+    /// `damping_ratio · g h² / (0.7 erp)` (`h`: length of a substep). There is always a contact, however
+    /// large the value. [`Softness`] derives this and relates it to a frequency and a damping.
     pub damping_ratio: Real,
     /// The same as [`Self::erp`], for joints (0 to 1, default 0.1).
     pub joint_erp: Real,
@@ -90,31 +89,30 @@ pub struct IntegrationParameters {
     pub allowed_linear_error: Real,
     /// Switches continuous collision detection off (0) or on (any other value, default 1).
     ///
-    /// Values above 1 do the same as 1, bit for bit. A step is not divided at impacts: a stopped body stays where it hit, or rides on the
-    /// kinematic body that it hit, and goes on in the next step. So there is at most one stop per body and step, and nothing that more
-    /// substeps could divide.
+    /// Values above 1 do the same as 1, bit for bit. A step is not divided at impacts: a stopped body stays
+    /// at the impact, or is carried by the kinematic body that it hit, and continues in the next step. So
+    /// there is at most one stop per body and step, and nothing that more substeps could divide.
     pub max_ccd_substeps: usize,
-    /// Does continuous collision detection also stop a body that touches or overlaps something already, before its middle
-    /// gets in (default true)? If not, contacts alone must hold it.
+    /// Whether continuous collision detection also stops a body that touches or overlaps something at the
+    /// start, before its middle penetrates (default true). If not, contacts alone must hold it.
     pub ccd_on_penetration: bool,
-    /// How friction is modelled (default [`FrictionModel::Standard`]). In 2D both agree but for the
-    /// number of rows.
+    /// Friction model (default [`FrictionModel::Standard`]). In 2D both agree except for the number of rows.
     pub friction_model: FrictionModel,
 
     /// The size of a typical moving body in the world's own units (default 1). In a world whose metre
     /// is 100 pixels, set it to 100: the lengths and velocities called `normalized_…` and
     /// [`Self::allowed_linear_error`] are multiples of it.
     pub length_unit: Real,
-    /// Gap below which a pair already gets contacts, so that an approaching body is stopped at the
-    /// surface and not inside (multiples of the length unit, default 0.02).
+    /// Gap below which a pair already has contacts, so that an approaching body stops at the surface and not
+    /// inside (multiples of the length unit, default 0.02).
     pub normalized_prediction_distance: Real,
     /// Fastest that overlap is undone (multiples of the length unit per second, default 4). Keeps
     /// bodies that were created inside each other from bursting apart.
     pub normalized_max_corrective_velocity: Real,
-    /// Largest velocity at which a joint without a softness of its own brings its anchors together (multiples of the length unit per
-    /// second, default 100). Bodies that were created far from where their joints hold them come together in many steps
-    /// and do not leave at the speed of the correction: 10 km took 165 km/s. Only joints whose anchors are farther apart than
-    /// about 0.4 length units (at the defaults) notice it.
+    /// Largest velocity at which a joint without a softness of its own brings its anchors together (multiples
+    /// of the length unit per second, default 100). Bodies that were created far from their joint anchors are
+    /// corrected over many steps, and do not leave at the speed of the correction: 10 km took 165 km/s. Only
+    /// joints whose anchors are farther apart than about 0.4 length units (at the defaults) notice it.
     pub normalized_max_joint_corrective_velocity: Real,
     /// Fastest that any body may move (multiples of the length unit per second; default
     /// `Real::MAX`: no limit).
@@ -135,23 +133,26 @@ pub struct IntegrationParameters {
     /// With how many others of its size a collider can be in contact, and with how many larger ones (default 128 each; `usize::MAX`: no
     /// limit). A size is a power of two.
     ///
-    /// Counted are those that can move and whose enlarged boxes overlap its own. Fixed bodies, sensors (which have a limit of their own), and what is smaller are not:
-    /// a floor that moves may carry any number of crates. Around a compact body there is no room for half as many, unless
-    /// bodies stand inside each other: this is for worlds in which thousands are created at one point. Their pairs would be
-    /// as many as the square of their number; so they are as many as their number times this, with about 1.5 kB for each.
-    /// Those with the nearest slots are chosen; the rest wait until there is room. The log warns when the limit is met, and
-    /// [`ncrowded`](crate::model::counters::CollisionDetectionCounters::ncrowded) says by how many. Raise it for heaps of hundreds of long
-    /// sticks, all of whose boxes overlap.
+    /// The limit applies to movable partners whose fat AABBs overlap its own. Fixed bodies, sensors (which
+    /// have a separate limit), and smaller colliders are excluded: a moving floor may carry any number of
+    /// crates. A compact body has room for less than half as many, unless bodies overlap: the limit is for
+    /// worlds in which thousands are created at one point. The number of their pairs would be the square of
+    /// their number. With the limit it is their number times this, with about 1.5 kB for each. The nearest
+    /// slots are selected; the rest are deferred. The log warns when the limit is met, and
+    /// [`ncrowded`](crate::model::counters::CollisionDetectionCounters::ncrowded) says by how many. Raise it
+    /// for heaps of hundreds of long sticks, all of whose boxes overlap.
     pub max_neighbors_per_collider: usize,
     /// Most pairs with sensors that a collider owns with others of its size, and with larger ones (default 256 each; `usize::MAX`: no
     /// limit). A size is a power of two.
     ///
-    /// The smaller of a sensor and another collider owns their pair; of two of one size, the one that is no sensor. So a sensor
-    /// reports any number of visitors that are no larger than it. Limited are the sensors in which one visitor is, and the sensors in
-    /// one sensor. Pairs with fixed colliders are not limited. 5000 sensors at one point would be 12.5 million pairs, 11 s a
-    /// step and 2 GB. Those with the nearest slots are chosen; the log warns when the limit is met, and
-    /// [`ncrowded_sensors`](crate::model::counters::CollisionDetectionCounters::ncrowded_sensors) counts the colliders. Sensors that do
-    /// not look for each other belong into different [collision groups](crate::model::collider::InteractionGroups).
+    /// The smaller of a sensor and another collider owns their pair; of two of one size, the one that is no
+    /// sensor. So a sensor reports any number of visitors that are no larger than it. Limited are the sensors
+    /// in which one visitor is, and the sensors in one sensor. Pairs with fixed colliders are not limited.
+    /// 5000 sensors at one point would be 12.5 million pairs, 11 s a step and 2 GB. The nearest slots are
+    /// selected; the log warns when the limit is reached, and
+    /// [`ncrowded_sensors`](crate::model::counters::CollisionDetectionCounters::ncrowded_sensors) counts the
+    /// colliders. Sensors that do not look for each other belong into different [collision
+    /// groups](crate::model::collider::InteractionGroups).
     pub max_sensor_neighbors_per_collider: usize,
 }
 
@@ -217,16 +218,16 @@ impl IntegrationParameters {
         self.dt / self.num_solver_iterations.max(1) as Real
     }
 
-    /// How a contact is softened in a substep of `substep` seconds.
+    /// The softness of contacts in a substep of `substep` seconds.
     ///
-    /// The substep is an argument because bodies may ask for more of them than
+    /// The substep is an argument because bodies may request more of them than
     /// [`Self::num_solver_iterations`].
     #[inline]
     pub fn contact_softness(&self, substep: Real) -> Softness {
         Softness::new(CONTACT_SHARE * self.erp, CONTACT_YIELD + self.damping_ratio, substep)
     }
 
-    /// How a joint is softened in a substep of `substep` seconds, unless it has a softness of its own.
+    /// The softness of joints without their own softness in a substep of `substep` seconds.
     #[inline]
     pub fn joint_softness(&self, substep: Real) -> Softness {
         let share = (JOINT_SHARE * self.joint_erp).min(1.0);

@@ -1,22 +1,22 @@
-//! What the solver's passes over contacts and joints are told.
+//! Parameters of the solver's passes over contacts and joints.
 
 use super::{IntegrationParameters, Softness};
 use crate::dim::math::{Real, Vector};
 
-/// The numbers that every contact constraint of a substep shares.
+/// The common numbers of all contact constraints of a substep.
 #[derive(Copy, Clone, Debug)]
 pub(crate) struct ContactPass {
     /// One over the length of a substep (1/s).
     pub inv_substep: Real,
-    /// How contacts are softened.
+    /// Softness of contacts.
     pub softness: Softness,
     /// Fastest that overlap is undone (length/s).
     pub push_velocity_max: Real,
     /// Overlap that is left alone (length).
     pub allowed_error: Real,
-    /// Is this the last visit of the constraints in the substep? Then its impulses are the substep's,
-    /// and count into those of the step.
-    pub is_last_visit: bool,
+    /// Whether this is the last iteration of the constraints in the substep. Then its impulses are the
+    /// substep's, and count into those of the step.
+    pub is_last_iteration: bool,
 }
 
 impl ContactPass {
@@ -27,12 +27,12 @@ impl ContactPass {
             softness: params.contact_softness(substep),
             push_velocity_max: params.max_corrective_velocity(),
             allowed_error: params.allowed_linear_error(),
-            is_last_visit: true,
+            is_last_iteration: true,
         }
     }
 }
 
-/// The numbers that all impacts of a substep share.
+/// The common numbers of all impacts of a substep.
 #[derive(Copy, Clone, Debug)]
 pub(crate) struct ImpactPass {
     /// Length of the step (s): nothing can have hit longer ago.
@@ -60,19 +60,19 @@ impl ImpactPass {
     }
 }
 
-/// The numbers that every joint constraint of a substep shares.
+/// The common numbers of all joint constraints of a substep.
 #[derive(Copy, Clone, Debug)]
 pub(crate) struct JointPass {
     /// Length of a substep (s).
     pub substep: Real,
     /// One over it (1/s).
     pub inv_substep: Real,
-    /// How joints without a softness of their own are softened.
+    /// Softness of joints without their own softness.
     pub softness: Softness,
     /// Largest velocity at which joints bring anchors together (length/s).
     pub correction_max: Real,
-    /// Is this the last visit of the constraints in the substep?
-    pub is_last_visit: bool,
+    /// Whether this is the last iteration of the constraints in the substep.
+    pub is_last_iteration: bool,
 }
 
 impl JointPass {
@@ -83,14 +83,14 @@ impl JointPass {
             inv_substep: if substep > 0.0 { 1.0 / substep } else { 0.0 },
             softness: params.joint_softness(substep),
             correction_max: params.max_joint_corrective_velocity(),
-            is_last_visit: true,
+            is_last_iteration: true,
         }
     }
 
     /// The factor on the bias of a joint whose anchors are `separation` apart: 1 unless the correction would be faster than it may be.
     ///
-    /// The separation is that of the beginning of the step: a factor that followed it within the step would make the bias a
-    /// constant velocity, which overshoots.
+    /// The separation is that of the start of the step. A factor that followed it within the step would make
+    /// the bias a constant velocity, which overshoots.
     pub fn bias_scale(&self, separation: Vector) -> Real {
         let correction = separation.length() * self.softness.bias_rate;
         if correction > self.correction_max { self.correction_max / correction } else { 1.0 }

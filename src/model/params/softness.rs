@@ -1,4 +1,4 @@
-//! How a constraint is softened: from "share of the error per substep" to the solver's coefficients.
+//! Soft constraints: from the fraction of the error per substep to the solver's coefficients.
 //!
 //! Source: Catto, "Soft Constraints" (2011), and "Solver2D" (2024), whose *soft step* solver is ours.
 //! Two deviations: we parametrise by what happens in a substep rather than by frequency and damping,
@@ -6,19 +6,20 @@
 //!
 //! # Derivation
 //!
-//! Symbols: `C` position error (negative: overlap), `v = Ċ` its rate, `m` effective mass of the
-//! constraint, `h` length of the substep, `λ` impulse accumulated over it.
+//! Symbols: `C` position error (negative: overlap), `v = Ċ` its rate, `m` effective mass of the constraint,
+//! `h` length of the substep, `λ` impulse accumulated over it.
 //!
-//! A spring of stiffness `k` and damper `c` in place of the hard constraint, integrated implicitly,
-//! pushes with `λ = -h (k (C + h v) + c v)`. Solved for the velocity:
+//! A spring of stiffness `k` and damper `c` in place of the hard constraint, integrated implicitly, has the
+//! impulse `λ = -h (k (C + h v) + c v)`. Solved for the velocity:
 //!
 //! ```text
 //! v + (β/h) C + (σ/m) λ = 0      with   β = h k / (c + h k)   and   σ = m / (h (c + h k))
 //! ```
 //!
-//! So all of it is two numbers without a unit: the share `β` of the error that a substep aims to
-//! remove, and the *yield* `σ`: an impulse that would change the free relative velocity by `λ/m` moves
-//! the constraint at `σ` times that. The impulse that satisfies the equation, given the `λ` so far:
+//! All of it is two numbers without a unit. The fraction `β` of the error is what a substep aims to remove.
+//! The *compliance* `σ` is the relative motion under load: an impulse that would change the free relative
+//! velocity by `λ/m` moves the constraint at `σ` times that. The impulse that satisfies the equation, given
+//! the `λ` so far:
 //!
 //! ```text
 //! Δλ = -m · mass_scale · (v + bias_rate · C) - impulse_scale · λ
@@ -34,14 +35,14 @@
 //! h ω = √(β/σ)                 ζ = (1 - β) / (2 √(σ β))
 //! ```
 //!
-//! The default contact (`β` = 0.07, `σ` = 1/16) at 240 substeps a second is a spring of 40 Hz that is
-//! damped 7 times critically. Under a load of `g` a resting body sinks in by `g/ω²` = `σ g h² / β`.
+//! The default contact (`β` = 0.07, `σ` = 1/16) at 240 substeps a second is a spring of 40 Hz with 7 times
+//! the critical damping. Under a load of `g` a resting body sinks in by `g/ω²` = `σ g h² / β`.
 //!
 //! # Limits
 //!
-//! * `σ = 0`: a hard constraint, `mass_scale` 1 and `impulse_scale` 0; only the share `β` is left. It
-//!   does not forgive an unfinished iteration: one sweep over a light stack under a weight
-//!   a hundred times as heavy adds energy until it flies apart.
+//! * `σ = 0`: a hard constraint, `mass_scale` 1 and `impulse_scale` 0; only the fraction `β` is left. It is
+//!   sensitive to unfinished iterations: one iteration over a light stack under a weight of a hundred times
+//!   its mass adds energy until the stack explodes.
 //! * `β = 0`: no position correction, a pure damper if `σ > 0`.
 //! * `β = 1`: the whole error at once.
 //! * `σ → ∞`: `mass_scale` goes to 0 as `1/σ`, so the constraint gets weak but never goes away.
@@ -49,48 +50,47 @@
 
 use crate::dim::math::Real;
 
-/// The yield of a contact that nobody asked to be softer.
+/// The compliance of a contact without user-defined softness.
 ///
-/// Box2D's contacts (30 Hz, damping ratio 10) yield 0.061 at 240 substeps a second. In a model of
-/// columns of boxes under 100-fold loads, at 30 to 240 steps a second, values up to 1/50 left stacks of 30
-/// boxes trembling, and values from 1/5 let them sag ten times the allowed error; between 1/25 and 1/12
-/// both are small.
+/// Box2D's contacts (30 Hz, damping ratio 10) have a compliance of 0.061 at 240 substeps a second. A model of
+/// columns of boxes under 100-fold loads, at 30 to 240 steps a second, gives the range. Values up to 1/50
+/// left stacks of 30 boxes trembling, and values from 1/5 let them sag ten times the allowed error; between
+/// 1/25 and 1/12 both are small.
 pub const CONTACT_YIELD: Real = 1.0 / 16.0;
 
-/// The share of a contact's overlap that a substep aims to remove, in units of
+/// The fraction of a contact's overlap that a substep aims to remove, in units of
 /// [`erp`](super::IntegrationParameters::erp).
 ///
-/// Less than one because contacts come in piles, and a sweep over a pile does not converge. What one
-/// contact corrects, its neighbours see as an error of their own in the next substep; when they answer
-/// fast enough, the pile as a whole is pumped. A pyramid of a hundred rows that is kept awake has, after 1,500
-/// steps, up to this kinetic energy (J) with `σ` = 1/16:
+/// It is less than one because an iteration over a pile of contacts does not converge. The correction of one
+/// contact is an error of its neighbours in the next substep. If they answer fast enough, the pile as a whole
+/// gains energy. A pyramid of a hundred rows that is kept awake has, after 1,500 steps, up to this kinetic
+/// energy (J) with `σ` = 1/16:
 ///
 /// ```text
 /// β     0.0378  0.05   0.06   0.07   0.08   0.09   0.10
 /// J     0.05    0.06   0.2    0.3    1.6    13     27
 /// ```
 ///
-/// Less yield does not help (`β` = 0.07 and `σ` = 0.044 falls over), and a smaller share lets piles sag
-/// and gives way under heavy tops.
+/// Less compliance does not help (`β` = 0.07 and `σ` = 0.044 falls over), and a smaller fraction lets piles
+/// sag and collapses under heavy tops.
 pub const CONTACT_SHARE: Real = 0.7;
 
-/// The share of a joint's error that a substep removes, in units of
+/// The fraction of a joint's error that a substep removes, in units of
 /// [`joint_erp`](super::IntegrationParameters::joint_erp).
 pub const JOINT_SHARE: Real = 2.0;
 
 /// The three coefficients with which the solver softens a constraint. See the source of this module,
 /// or the fields, for what they do.
 ///
-/// Per visit the solver adds the impulse
-/// `-m · mass_scale · (v + bias_rate · C) - impulse_scale · λ` to the accumulated impulse `λ`, where `m` is the
-/// effective mass, `v` the relative velocity and `C` the position error.
+/// Each iteration adds the impulse `-m · mass_scale · (v + bias_rate · C) - impulse_scale · λ` to the
+/// accumulated impulse `λ`. `m` is the effective mass, `v` the relative velocity and `C` the position error.
 #[derive(Copy, Clone, Debug, PartialEq)]
 pub struct Softness {
     /// Velocity per unit of position error (1/s).
     pub bias_rate: Real,
-    /// Share of the velocity error that one visit removes (0 to 1).
+    /// Fraction of the velocity error that one iteration removes (0 to 1).
     pub mass_scale: Real,
-    /// Share of the accumulated impulse that one visit gives back (0 to 1).
+    /// Fraction of the accumulated impulse that one iteration removes (0 to 1).
     pub impulse_scale: Real,
 }
 
@@ -98,18 +98,18 @@ impl Softness {
     /// No position correction, no softness. The relax pass uses it.
     pub const RIGID: Self = Self { bias_rate: 0.0, mass_scale: 1.0, impulse_scale: 0.0 };
 
-    /// From the share of the error to remove in a substep (0 to 1) and the yield (0: hard), for
+    /// From the fraction of the error to remove in a substep (0 to 1) and the compliance (0: hard), for
     /// substeps of `substep` seconds.
     #[inline]
-    pub fn new(share: Real, yielding: Real, substep: Real) -> Self {
+    pub fn new(share: Real, compliance: Real, substep: Real) -> Self {
         let bias_rate = if substep > 0.0 { share / substep } else { 0.0 };
-        let mass_scale = 1.0 / (1.0 + yielding);
-        Self { bias_rate, mass_scale, impulse_scale: yielding * mass_scale }
+        let mass_scale = 1.0 / (1.0 + compliance);
+        Self { bias_rate, mass_scale, impulse_scale: compliance * mass_scale }
     }
 
-    /// The yield `σ` from which [`Self::new`] made this.
+    /// The compliance `σ` from which [`Self::new`] made this.
     #[inline]
-    pub(crate) fn yields(&self) -> Real {
+    pub(crate) fn compliance(&self) -> Real {
         self.impulse_scale / self.mass_scale
     }
 

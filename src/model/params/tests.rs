@@ -13,7 +13,7 @@ fn same(a: Softness, b: Softness) {
     close(a.impulse_scale, b.impulse_scale);
 }
 
-/// The relative velocity after one visit, from rest without load.
+/// The relative velocity after one iteration, from rest without load.
 fn correction(softness: Softness, error: Real) -> Real {
     -softness.mass_scale * softness.bias_rate * error
 }
@@ -51,11 +51,11 @@ fn nothing_moves_without_time() {
 #[test]
 fn frequency_and_damping_are_another_way_to_say_it() {
     let h: Real = 1.0 / 240.0;
-    for (share, yielding) in [(0.1, CONTACT_YIELD), (0.2, 0.5), (0.5, 0.01)] {
+    for (share, compliance) in [(0.1, CONTACT_YIELD), (0.2, 0.5), (0.5, 0.01)] {
         let share: Real = share;
-        let omega = (share / yielding).sqrt() / h;
-        let damping = (1.0 - share) / (2.0 * (share * yielding).sqrt());
-        same(Softness::new(share, yielding, h), Softness::spring(omega, damping, h));
+        let omega = (share / compliance).sqrt() / h;
+        let damping = (1.0 - share) / (2.0 * (share * compliance).sqrt());
+        same(Softness::new(share, compliance, h), Softness::spring(omega, damping, h));
     }
 }
 

@@ -1,4 +1,4 @@
-//! Which parameters a step accepts.
+//! Validation of the parameters of a step.
 
 use super::IntegrationParameters;
 use crate::base::measure::{is_length, is_margin};
@@ -14,9 +14,9 @@ pub(crate) const ITERATIONS_MAX: usize = 1000;
 pub struct InvalidParameters {
     /// Name of the field.
     pub field: &'static str,
-    /// What it held.
+    /// The refused value.
     pub value: Real,
-    /// What it may hold, in words.
+    /// The admissible values, in words.
     pub expected: &'static str,
 }
 
@@ -58,7 +58,7 @@ fn limit(field: &'static str, value: Real) -> Result<(), InvalidParameters> {
 }
 
 impl IntegrationParameters {
-    /// Can a step be computed with these values?
+    /// Returns an error if no step can be computed with these values.
     ///
     /// # Errors
     /// Names the first field that holds a value outside its documented range, and that value.

@@ -1,10 +1,10 @@
-//! Multibodies in the structure: all their bodies share an island.
+//! Multibodies in the structure: all their bodies are in one island.
 
 use super::Structure;
 use crate::model::body::RigidBodyHandle;
 
 impl Structure<'_> {
-    /// Lets bodies move and sleep as one from now on. Those of them that are in a group already leave it.
+    /// Makes bodies move and sleep as one from now on. Bodies that are in another group leave it.
     pub fn group(&mut self, bodies: Vec<RigidBodyHandle>) {
         for &body in &bodies {
             self.ungroup(body);

@@ -26,8 +26,8 @@ impl Structure<'_> {
         }
     }
 
-    /// Bodies are gone, or about to be taken out of all lists: cuts their joints. The joints of those that
-    /// are gone go with them, and the bodies that they held wake.
+    /// Cuts the joints of bodies that are gone, or about to be removed from all lists. The joints of removed
+    /// bodies are removed, and their other bodies wake.
     pub fn remove_joints_of(&mut self, body: RigidBodyHandle) {
         while let Some(&slot) = self.islands.joints.of_body(body.into_raw_parts().0).last() {
             let Some(link) = self.islands.joints.get(slot) else { return };
@@ -58,7 +58,7 @@ impl Structure<'_> {
         self.for_each_joint_of(body, Self::update_joint_color);
     }
 
-    /// Does a joint lead from this body to an awake dynamic one?
+    /// Returns whether a joint connects this body to an awake dynamic one.
     pub(super) fn holds_awake_body(&self, body: RigidBodyHandle) -> bool {
         self.islands
             .joints
@@ -86,7 +86,7 @@ impl Structure<'_> {
         }
     }
 
-    /// The joint acts from now on: its dynamic bodies share an island.
+    /// Activates the joint: its dynamic bodies are in one island from now on.
     fn attach_joint(&mut self, slot: u32) {
         let Some(link) = self.islands.joints.get_mut(slot) else { return };
         link.attached = true;

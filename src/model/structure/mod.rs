@@ -1,17 +1,16 @@
 //! The operations that keep bodies, pairs, islands and colours in agreement.
 //!
-//! Four lists know of each other: a body its island and its place among the awake, a pair whether it
-//! is awake, a touching pair its islands ("attached"), its manifolds their colours. Whoever changes one
-//! goes through here; [`Structure::validate`] says what must hold between steps.
+//! Four lists reference each other: a body its island and its awake position, a pair its awake position, a
+//! touching pair its islands ("attached"), its manifolds their colours. All changes use methods of this type;
+//! [`Structure::validate`] states the invariants between steps.
 //!
 //! * A contact or intersection pair is awake if one of its bodies is. (Between an edit and the next
 //!   narrow phase, a pair that must be computed once is listed awake too.)
-//! * A contact pair that touches and is to be solved is attached: its two dynamic bodies share an
-//!   island.
+//! * A contact pair that touches and is to be solved is attached: its two dynamic bodies are in one island.
 //! * The manifolds of an attached pair have colours if one of its dynamic bodies is awake.
 //! * A joint that acts is attached like a touching pair, and has a colour under the same condition.
-//! * A kinematic body with an awake pair, or joined to an awake dynamic body, is awake: the solver needs to
-//!   know where it is.
+//! * A kinematic body with an awake pair, or joined to an awake dynamic body, is awake: the solver needs its
+//!   pose.
 
 mod check;
 mod groups;
@@ -28,7 +27,7 @@ use crate::model::constraint_graph::ManifoldRef;
 use crate::model::contact::{ContactManifold, ContactPair, IntersectionPair, NarrowPhase, PairId};
 use crate::model::island::{BodyLink, BodyMotion, IslandManager, NONE};
 
-/// How many pairs before it is added memory is asked for.
+/// Prefetch distance, in pairs.
 const PAIRS_AHEAD: usize = 4;
 
 /// Mutable access to everything that the structure spans.
@@ -94,8 +93,7 @@ impl Structure<'_> {
             self.islands.set_motion(handle.into_raw_parts().0, BodyMotion::NONE);
             self.verify_link(*handle, link);
         }
-        // Highest position first: what swap-removal moves into a gap then never is one of these,
-        // which could no longer be told.
+        // Highest position first: the element that swap-removal moves into a gap is then never one of these.
         removed.sort_unstable_by_key(|(_, link)| core::cmp::Reverse(link.awake));
         for (_, link) in removed.iter() {
             if link.awake != NONE {
@@ -110,8 +108,8 @@ impl Structure<'_> {
         }
     }
 
-    /// Drops what a removed body knew wrongly of its place: it may have been put in the place of another
-    /// one just before it was removed.
+    /// Removes outdated positions of a removed body: it may have replaced another one just before its
+    /// removal.
     fn verify_link(&self, handle: RigidBodyHandle, link: &mut BodyLink) {
         if self.islands.awake.get(link.awake as usize) != Some(&handle) {
             link.awake = NONE;
@@ -173,7 +171,8 @@ impl Structure<'_> {
         let Some(body) = self.bodies.get_unnoted_mut(handle) else { return };
         body.activation.wake_up(true);
         match body.link.island {
-            // Whose pairs are awake if it is, and many: everything that touches a kinematic body that moves asks for this.
+            // Whose pairs are awake if it is, and many: everything that touches a moving kinematic body reads
+            // this.
             NONE if body.is_kinematic() && body.is_enabled() && body.link.awake == NONE => {
                 self.list_awake(handle);
                 self.wake_pairs_of(handle);
@@ -232,7 +231,7 @@ impl Structure<'_> {
         }
     }
 
-    /// Does a contact pair or a joint of an awake dynamic body involve this body?
+    /// Returns whether a contact pair or a joint connects this body to an awake dynamic one.
     pub fn has_awake_partner(&self, handle: RigidBodyHandle) -> bool {
         let colliders = 0..self.collider_count(handle);
         let mut slots = colliders.filter_map(|c| self.collider_slot(handle, c));
@@ -261,7 +260,7 @@ impl Structure<'_> {
         }
     }
 
-    /// Puts a kinematic body to sleep: it stands still, so it is no news to anybody.
+    /// Puts a kinematic body to sleep; it is at rest, so no partner is affected.
     pub fn sleep_kinematic(&mut self, handle: RigidBodyHandle) {
         self.unlist_sleeper(handle);
         self.sleep_pairs_of(handle);
@@ -285,10 +284,10 @@ impl Structure<'_> {
             for i in 0..self.narrow_phase.contacts.ids_of(slot).len() {
                 let id = self.narrow_phase.contacts.ids_of(slot)[i];
                 self.update_colors(id);
-                // A pair that stays awake never hears of this body's last motion.
+                // A pair that stays awake would miss this body's last motion.
                 self.narrow_phase.contacts.invalidate(id);
                 // Nor is it worth the memory to keep what is around a sleeper.
-                self.narrow_phase.contacts[id].nearby = None;
+                self.narrow_phase.contacts[id].triangle_cache = None;
                 self.rest_contact(id);
             }
             for i in 0..self.narrow_phase.intersections.ids_of(slot).len() {
@@ -323,8 +322,8 @@ impl Structure<'_> {
         }
     }
 
-    /// Begins to bring near what the first of some pairs do not need yet when they are added, but the next ones. A collider names its
-    /// body, so it must be there before that can be asked for.
+    /// Begins to bring near what the first of some pairs do not need yet when they are added, but the next
+    /// ones. A collider stores its body's index, so the collider is prefetched first.
     fn prefetch_addition(&self, pairs: &[(ColliderHandle, ColliderHandle)]) {
         let contacts = &self.narrow_phase.contacts;
         contacts.prefetch_vacancy(PAIRS_AHEAD);
@@ -339,7 +338,7 @@ impl Structure<'_> {
         }
     }
 
-    /// Begins to bring near what is asked when a contact pair begins or ends.
+    /// Prefetches the data that the begin or end of a contact pair reads.
     pub fn prefetch_contact(&self, id: PairId) {
         let contacts = &self.narrow_phase.contacts;
         contacts.prefetch(id);
@@ -347,8 +346,8 @@ impl Structure<'_> {
         contacts.bodies(id).into_iter().for_each(|slot| self.bodies.prefetch(slot));
     }
 
-    /// Two colliders came close: one contact pair more, or an intersection pair if one is a sensor. Nothing if a
-    /// joint keeps their bodies apart.
+    /// Two colliders came close: one contact pair more, or an intersection pair if one is a sensor. The
+    /// result is empty if a joint disables contacts between their bodies.
     fn add_pair(&mut self, collider1: ColliderHandle, collider2: ColliderHandle) {
         let slots = self.parent_slots([collider1, collider2]);
         if self.islands.joints.part(slots[0], slots[1]) {
@@ -383,7 +382,7 @@ impl Structure<'_> {
         }
     }
 
-    /// Has all pairs of a body computed anew, because the body itself has changed.
+    /// Marks all pairs of a body as due, because the body itself has changed.
     pub fn refresh_pairs_of(&mut self, handle: RigidBodyHandle) {
         for c in 0..self.collider_count(handle) {
             if let Some(slot) = self.collider_slot(handle, c) {
@@ -401,7 +400,7 @@ impl Structure<'_> {
             self.narrow_phase.contacts.wake(id);
             self.narrow_phase.contacts.invalidate(id);
             // The shape may be another one.
-            self.narrow_phase.contacts[id].nearby = None;
+            self.narrow_phase.contacts[id].triangle_cache = None;
             if bodies.iter().any(|&body| self.is_awake(body)) {
                 self.wake_kinematic_of(bodies);
             }
@@ -450,7 +449,7 @@ impl Structure<'_> {
 
     /// Two colliders are too far apart to be watched, or one of them goes.
     ///
-    /// Returns them if somebody has heard that they began to touch.
+    /// Returns them if their begin event was emitted.
     pub fn remove_contact_pair(&mut self, id: PairId) -> Option<[ColliderHandle; 2]> {
         self.detach(id);
         self.narrow_phase.contacts.remove(id)

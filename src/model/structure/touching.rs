@@ -5,8 +5,8 @@ use crate::model::constraint_graph::ManifoldRef;
 use crate::model::contact::PairId;
 
 impl Structure<'_> {
-    /// A pair began to touch: its bodies share an island from now on, and its manifolds get colours.
-    /// A sleeping island that an awake dynamic body touches wakes.
+    /// Registers a touching pair: its bodies are in one island from now on, and its manifolds get colours. A
+    /// sleeping island that an awake dynamic body touches wakes.
     pub fn attach(&mut self, id: PairId) {
         let slots = self.narrow_phase.contacts.bodies(id);
         self.narrow_phase.contacts[id].attached = true;

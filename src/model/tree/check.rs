@@ -1,4 +1,4 @@
-//! What must hold of the lists beside the trees of a loaded world.
+//! Invariants of the lists beside the trees of a loaded world.
 //!
 //! The boxes themselves are checked with the colliders, in `structure/check/trees.rs`.
 
@@ -21,8 +21,8 @@ impl BroadPhaseBvh {
         Ok(())
     }
 
-    /// Checks what the search for pairs reads of a collider: the size of its box, whether it is a sensor, and that its groups and types are
-    /// among those that the search considers. Only the size is known of a collider with edits.
+    /// Checks the data that the pair search reads of a collider: the size of its box, whether it is a sensor,
+    /// and its groups and types. Only the size is known of a collider with edits.
     pub(crate) fn check_wishes(&self, collider: &Collider) -> Result<(), Fault> {
         let (slot, tree) = (collider.proxy.slot, collider.proxy.tree);
         let size = exponent(collider.proxy.fat_aabb.extents().max_element());

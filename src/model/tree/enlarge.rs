@@ -1,29 +1,29 @@
-//! How much larger than the collider its box is.
+//! Margin of a collider's fat AABB.
 //!
-//! A larger margin means fewer updates and more pairs. Pairs are what costs in piles, updates what
-//! costs in the air; so the margin on all sides is small, and a moving collider gets room ahead of it,
-//! for the next few steps, instead of room all around.
+//! A larger margin means fewer updates and more pairs. Pairs dominate the cost in piles, updates in the air.
+//! The margin on all sides is therefore small, and a moving collider gets a margin ahead of it for the next
+//! few steps.
 
 use super::TreeKind;
 use crate::dim::math::{Real, Vector};
 use parry::bounding_volume::{Aabb, BoundingVolume};
 
-/// Margin on all sides, as a share of the smallest half extent of the box. A tenth costs a pile of
-/// boxes no further neighbours, and a body that rocks a little does not leave it.
+/// Margin on all sides, as a fraction of the smallest half extent of the box. A tenth costs a pile of boxes
+/// no further neighbours, and a body that rocks a little does not leave it.
 const MARGIN_FRACTION: Real = 0.1;
-/// For how many steps a moving collider gets room ahead. More would sweep falling piles into pairs
-/// with everything below them.
+/// Number of steps of motion that the margin ahead covers. More would pair falling piles with everything
+/// below them.
 const STEPS_AHEAD: Real = 2.0;
-/// Room ahead is no longer than this many half extents: whatever is faster leaves its box in every
-/// step anyway, and a long box would only find more neighbours.
+/// The margin ahead is limited to this many half extents. A faster collider leaves its box in every step
+/// anyway, and a long box would only find more neighbours.
 const AHEAD_MAX: Real = 0.5;
-/// The world ends here (length units). Products of three such lengths and the number of leaves, which
-/// the trees compute, stay within `f32`, and so do the fourth powers in contact generation.
+/// The world ends here (length units). Products of three such lengths and the number of leaves, which the
+/// trees compute, stay within `f32`, and so do the fourth powers in contact generation.
 const BOX_LIMIT: Real = 1.0e10;
-/// A box this large stands for one without end, as a half-space has, and is cut at the limit.
+/// A box this large represents an infinite one, as of a half-space, and is cut at the limit.
 const UNBOUNDED: Real = Real::MAX * 0.25;
 
-/// What the size of the margin depends on.
+/// Input of the margin.
 #[derive(Copy, Clone, Debug)]
 pub(crate) struct BoxMargin {
     /// Distance at which contacts must be found, per collider: half the prediction distance plus the

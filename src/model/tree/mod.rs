@@ -1,10 +1,10 @@
 //! Trees of boxes: which colliders may touch which.
 //!
-//! Each collider stands in one of three trees, with a box somewhat larger than itself. While it stays
-//! inside, nothing is done; when it leaves, it gets a new box and is noted as moved, and only moved
-//! colliders look for new neighbours. Fixed colliders have a tree of their own, so that they never
-//! find each other. Those of kinematic bodies, which are few, have one so that who asks what is in the way of a fast body need not
-//! look at all dynamic ones to find them. A step costs nothing for colliders that rest, however many there are.
+//! Each collider stands in one of three trees, with a box somewhat larger than itself. While it stays inside,
+//! nothing is done. When it leaves, it gets a new box and is noted as moved, and only moved colliders search
+//! for new neighbours. Fixed colliders have a tree of their own, so that they never find each other. The few
+//! kinematic colliders have a tree, so that the search of obstacles for fast bodies need not visit all
+//! dynamic ones. A step costs nothing for colliders that rest, however many there are.
 
 mod check;
 mod enlarge;
@@ -16,7 +16,7 @@ mod tests;
 mod trees;
 
 pub(crate) use enlarge::BoxMargin;
-pub(crate) use placement::{Carried, carry};
+pub(crate) use placement::{MovedProxy, carry};
 pub(crate) use proxy::{ColliderProxy, TreeKind};
 pub(crate) use shape_box::shape_box;
 pub(crate) use trees::{AllBoxes, Trees};
@@ -31,22 +31,22 @@ use parry::bounding_volume::Aabb;
 /// The broad phase that a world uses. There is one.
 pub type DefaultBroadPhase = BroadPhaseBvh;
 
-/// The enlarged boxes of all colliders.
+/// The fat AABBs of all colliders.
 #[derive(Debug, Default)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub struct BroadPhaseBvh {
     trees: Trees,
     /// Slots of the colliders that have a new box since the last search for pairs.
     moved: Vec<u32>,
-    /// One bit for each slot: is it in `moved`?
+    /// One bit per slot: set if `moved` contains it.
     moved_bits: Vec<u64>,
-    /// By slot: the binary exponent of the longest side of its enlarged box.
+    /// By slot: the binary exponent of the longest side of its fat AABB.
     sizes: Vec<u16>,
-    /// Has any collider of a fixed body ever asked for pairs with others of its kind?
+    /// Whether any collider of a fixed body ever requested pairs with others of its kind.
     fixed_meet: bool,
-    /// Has any collider ever been a sensor?
+    /// Whether any collider was ever a sensor.
     has_sensors: bool,
-    /// One bit for each slot: is its collider a sensor?
+    /// One bit per slot: set if its collider is a sensor.
     sensor_bits: Vec<u64>,
     /// All memberships and wishes that colliders of these trees ever had, together.
     groups: Option<InteractionGroups>,
@@ -71,11 +71,11 @@ impl BroadPhaseBvh {
         Self::default()
     }
 
-    /// Gives a collider its place in a tree: whatever it was before, afterwards its enlarged box
-    /// covers `tight` and it stands in the tree of its kind. Returns whether the enlarged box changed.
+    /// Inserts or updates a collider in a tree: afterwards its fat AABB contains `tight`, in the tree of its
+    /// kind. Returns whether the fat AABB changed.
     ///
-    /// A box that is not finite, or beyond the limits of the world, cannot be placed: the collider is
-    /// left out, with a warning when that begins.
+    /// A box that is not finite, or beyond the limits of the world, is not inserted: the collider is left
+    /// out, with a warning when that begins.
     pub(crate) fn place(
         &mut self,
         handle: ColliderHandle,
@@ -123,14 +123,13 @@ impl BroadPhaseBvh {
         self.sizes[slot] = exponent(aabb.extents().max_element());
     }
 
-    /// How many times larger than 1 each collider is, as a power of two, from an origin that is the same for all: of the box
-    /// that it last had.
+    /// Size class of each collider's last box, as a power of two relative to a common origin.
     pub(crate) fn size(&self, slot: u32) -> u16 {
         self.sizes.get(slot as usize).copied().unwrap_or(0)
     }
 
-    /// Returns whether a collider owns the pair with another: the smaller one does; of equals the one that is no sensor, or else the
-    /// later one.
+    /// Returns whether a collider owns the pair with another: the smaller one does. Among equals it is the
+    /// one that is no sensor, or else the later one.
     pub(crate) fn bears(&self, slot: u32, other_slot: u32) -> bool {
         let order = |slot: u32, other: u32| (self.size(slot), self.is_sensor(slot), other);
         order(slot, other_slot) < order(other_slot, slot)
@@ -147,8 +146,7 @@ impl BroadPhaseBvh {
         self.trees.remove(slot);
     }
 
-    /// Lets the next search look at all neighbours of the collider again, as after a change of its
-    /// groups.
+    /// Includes all neighbours of the collider in the next search, as after a change of its groups.
     pub(crate) fn mark_moved(&mut self, slot: u32) {
         let (word, bit) = (slot as usize / 64, 1_u64 << (slot % 64));
         if word >= self.moved_bits.len() {
@@ -165,7 +163,7 @@ impl BroadPhaseBvh {
         &self.moved
     }
 
-    /// Must the collider at this slot look for neighbours?
+    /// Returns whether the collider at this slot must search for partners.
     pub(crate) fn is_moved(&self, slot: u32) -> bool {
         let word = self.moved_bits.get(slot as usize / 64).copied().unwrap_or(0);
         word & (1 << (slot % 64)) != 0
@@ -199,18 +197,18 @@ impl BroadPhaseBvh {
         word & (1 << (slot % 64)) != 0
     }
 
-    /// May any collider be a sensor?
+    /// Returns whether any collider may be a sensor.
     pub(crate) fn has_sensors(&self) -> bool {
         self.has_sensors
     }
 
-    /// Must a collider of this kind look for neighbours among those of the other?
+    /// Returns whether a collider of this kind must search for partners of the other kind.
     pub(crate) fn may_meet(&self, kind1: TreeKind, kind2: TreeKind) -> bool {
         self.fixed_meet || kind1.is_movable() || kind2.is_movable()
     }
 
-    /// May a collider of these groups meet any other? Those that are there only to be found by queries, such as debris that
-    /// nothing collides with, need not look around.
+    /// Returns whether a collider of these groups may interact with any other. Colliders that only queries
+    /// find, such as debris without collisions, need no search.
     pub(crate) fn may_meet_any(&self, groups: InteractionGroups) -> bool {
         self.groups.is_some_and(|all| groups.test(all))
     }
@@ -225,7 +223,7 @@ impl BroadPhaseBvh {
         self.trees.all()
     }
 
-    /// Calls back for the slots of the colliders of one kind whose enlarged boxes overlap a box.
+    /// Calls back for the slots of the colliders of one kind whose fat AABBs overlap a box.
     pub(crate) fn for_each_overlapping(&self, kind: TreeKind, aabb: &Aabb, visit: impl FnMut(u32)) {
         self.boxes(kind).for_each_leaf(&BoxProbe(*aabb), visit);
     }

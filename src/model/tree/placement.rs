@@ -1,4 +1,4 @@
-//! Where a collider's box goes.
+//! Updates of a collider's box.
 
 use super::{BoxMargin, BroadPhaseBvh, TreeKind, shape_box};
 use crate::dim::math::{Real, Vector};
@@ -8,8 +8,8 @@ use crate::model::params::IntegrationParameters;
 use parry::bounding_volume::Aabb;
 
 impl BroadPhaseBvh {
-    /// Lets a collider's box follow the collider. `body` is the one that it is attached to. Returns whether
-    /// the enlarged box changed.
+    /// Updates a collider's box after a motion of the collider. `body` is the one that it is attached to.
+    /// Returns whether the fat AABB changed.
     pub(crate) fn follow(
         &mut self,
         handle: ColliderHandle,
@@ -26,7 +26,7 @@ impl BroadPhaseBvh {
         self.place(handle, &mut collider.proxy, kind_of(body), &tight, &margin)
     }
 
-    /// Takes in whom a collider may meet, so that no search is spared that might find somebody.
+    /// Adds the groups of a collider to the set of groups, so that no necessary search is skipped.
     pub(crate) fn note_wishes(&mut self, collider: &Collider, body: Option<&RigidBody>) {
         self.note_sensor(collider.proxy.slot, collider.is_sensor());
         let groups = collider.collision_groups();
@@ -38,10 +38,11 @@ impl BroadPhaseBvh {
     }
 }
 
-/// Where a collider is that its body has carried, if it is not in its box.
+/// Update of the trees for a collider that its body has moved out of its box.
 #[derive(Copy, Clone, Debug)]
-pub(crate) enum Carried {
-    /// Beyond its box in this tree: it has got another one, which the tree must be [told](BroadPhaseBvh::put).
+pub(crate) enum MovedProxy {
+    /// It left its box in this tree, and has a new one, with which the tree must be
+    /// [updated](BroadPhaseBvh::put).
     Leaves(TreeKind, Aabb),
     /// In a tree where it should not be, or in none, rightly or not: it must [follow](BroadPhaseBvh::follow).
     IsElsewhere,
@@ -53,17 +54,17 @@ pub(crate) fn carry(
     collider: &mut Collider,
     body: &RigidBody,
     params: &IntegrationParameters,
-) -> Option<Carried> {
+) -> Option<MovedProxy> {
     if !collider.is_enabled() {
-        return collider.proxy.tree.map(|_| Carried::IsElsewhere);
+        return collider.proxy.tree.map(|_| MovedProxy::IsElsewhere);
     }
     let kind = kind_of(Some(body));
     let tight = shape_box(collider.shape(), &collider.pose);
     let margin = margin_of(collider, Some(body), params);
     let needed = margin.needed(&tight).filter(|_| collider.proxy.tree == Some(kind));
-    let Some(needed) = needed else { return Some(Carried::IsElsewhere) };
+    let Some(needed) = needed else { return Some(MovedProxy::IsElsewhere) };
     let is_new = collider.proxy.fit(kind, &needed, &margin);
-    is_new.then_some(Carried::Leaves(kind, collider.proxy.fat_aabb))
+    is_new.then_some(MovedProxy::Leaves(kind, collider.proxy.fat_aabb))
 }
 
 fn kind_of(body: Option<&RigidBody>) -> TreeKind {
@@ -82,7 +83,7 @@ fn margin_of(
     }
 }
 
-/// One collider's share of the distance at which contacts must be found.
+/// One collider's contribution to the prediction distance.
 fn reach(params: &IntegrationParameters, contact_skin: Real, soft_ccd: Real) -> Real {
     0.5 * params.prediction_distance() + contact_skin + soft_ccd
 }

@@ -1,11 +1,11 @@
-//! What a collider knows of its place in the trees.
+//! A collider's record of its place in the trees.
 
 use super::BoxMargin;
 use crate::dim::math::{Real, Vector};
 use crate::model::body::RigidBodyType;
 use parry::bounding_volume::{Aabb, BoundingVolume};
 
-/// Which tree a collider stands in: by the body that it is attached to.
+/// Tree of a collider, selected by its body.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) enum TreeKind {
@@ -18,7 +18,7 @@ pub(crate) enum TreeKind {
 impl TreeKind {
     pub const ALL: [Self; 3] = [Self::Fixed, Self::Kinematic, Self::Dynamic];
 
-    /// That of the colliders of a body of this type, or of none.
+    /// The kind of the colliders of a body of this type, or of none.
     pub fn of(body_type: Option<RigidBodyType>) -> Self {
         match body_type {
             None | Some(RigidBodyType::Fixed) => Self::Fixed,
@@ -27,7 +27,7 @@ impl TreeKind {
         }
     }
 
-    /// Can colliders of this kind move by themselves?
+    /// Returns whether colliders of this kind can move without an edit.
     pub fn is_movable(self) -> bool {
         self != Self::Fixed
     }
@@ -37,15 +37,14 @@ impl TreeKind {
 #[derive(Copy, Clone, Debug)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) struct ColliderProxy {
-    /// The enlarged box in world space, as it stands in the tree.
+    /// The fat AABB in world space, as in the tree.
     pub fat_aabb: Aabb,
-    /// The tree; `None` while the collider is disabled, not yet taken in, or not finite.
+    /// The tree; `None` while the collider is disabled, not yet inserted, or not finite.
     pub tree: Option<TreeKind>,
-    /// How far (length units) points of the collider may move before its box can leave the enlarged
-    /// one. Whoever moves the collider takes off a bound of the motion, and looks at the box when
-    /// nothing is left.
+    /// Distance (length units) that points of the collider may move before its tight box can leave the fat
+    /// one. Each motion subtracts its bound, and the box is checked when nothing is left.
     pub clearance: Real,
-    /// Was the last box one that cannot be placed?
+    /// Whether the last box was unusable.
     pub is_refused: bool,
     /// Whose place it is: the collider's slot.
     pub slot: u32,
@@ -58,14 +57,15 @@ impl Default for ColliderProxy {
 }
 
 impl ColliderProxy {
-    /// Of a collider that stands in no tree yet.
+    /// The proxy of a collider that is in no tree yet.
     pub fn outside(slot: u32) -> Self {
         let fat_aabb = Aabb::new_invalid();
         Self { fat_aabb, tree: None, clearance: 0.0, is_refused: false, slot }
     }
 
-    /// Becomes the place of a collider of this kind that needs this box: as it is, or with another box. Returns whether that is
-    /// another one, which the trees do not know yet. Knows how far from its walls the collider is.
+    /// Becomes the place of a collider of this kind that needs this box: as it is, or with another box.
+    /// Returns whether the box changed; the trees are not updated yet. Knows how far from its walls the
+    /// collider is.
     #[must_use]
     pub fn fit(&mut self, kind: TreeKind, needed: &Aabb, margin: &BoxMargin) -> bool {
         let stays = self.tree == Some(kind) && self.fat_aabb.contains(needed);
@@ -78,7 +78,7 @@ impl ColliderProxy {
     }
 }
 
-/// How far a box may grow on all sides before it leaves another that contains it.
+/// Margin by which a box may grow on all sides before it leaves another that contains it.
 fn clearance(inner: &Aabb, outer: &Aabb) -> Real {
     let gaps: Vector = (inner.mins - outer.mins).min(outer.maxs - inner.maxs);
     gaps.min_element().max(0.0)

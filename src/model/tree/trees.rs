@@ -47,8 +47,8 @@ impl Trees {
         TreeKind::ALL.map(|kind| self.boxes(kind))
     }
 
-    /// Gives a slot its box in the tree of a kind, whether or not it had one, there or in another: that of another collider, say, which
-    /// stood at the slot before.
+    /// Sets the box of a slot in the tree of a kind. The slot may already have a box in this or another tree,
+    /// for example that of an earlier collider.
     pub fn put(&mut self, slot: u32, kind: TreeKind, aabb: &Aabb) {
         let others = TreeKind::ALL.into_iter().filter(|&other| other != kind);
         others.for_each(|other| self.trees[other as usize].boxes.remove(slot));
@@ -60,8 +60,8 @@ impl Trees {
         self.trees.iter_mut().for_each(|tree| tree.boxes.remove(slot));
     }
 
-    /// Puts the trees in good order after many boxes came in, at a cost that these have paid for: a tree is rebuilt only when
-    /// half of its boxes are new, or all have been put elsewhere many times.
+    /// Improves the trees after many insertions, at an amortised cost: a tree is rebuilt only when half of
+    /// its boxes are new, or all have moved many times.
     pub fn tidy(&mut self) {
         for Tree { boxes, built } in &mut self.trees {
             let count = boxes.len();

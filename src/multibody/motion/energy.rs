@@ -1,35 +1,35 @@
 //! The kinetic energy of a multibody, and how surplus is removed.
 //!
-//! Free motion conserves the energy in any frame that moves evenly (`flight.rs`). Impulses of contacts with bodies at rest,
+//! Free motion conserves the energy in any frame that moves evenly (`free.rs`). Impulses of contacts with bodies at rest,
 //! of limits and of dry friction do not increase it. Numerically both may. Surplus of free motion is removed from the change
 //! of shape first, so that linear and angular momentum stay. Surplus of contacts is removed from all velocities alike: scaled
 //! velocities still lead out of a contact.
 
 use super::super::kinematics::LinkFrame;
 use super::super::spatial::{ZERO, turn};
-use super::flight::ERROR_MAX;
+use super::free::ERROR_MAX;
 use super::{Drive, Motion, add_all};
 use crate::dim::math::{ANG_ZERO, Real, SpatialVector, Vector, ang_dot, ang_length_squared};
 use crate::dim::spatial::{angular, linear};
 use crate::model::multibody::Multibody;
 
-/// The angle (rad) that a link turns in a step beyond which its contact rows are made anew in each substep: rows are made when the step
-/// begins. (Of four hundred rods on long arms that were thrown on the ground eighteen gained energy when the angle of a
-/// substep was compared, up to more than they had, and none when that of a step was.)
+/// The rotation (rad) of a link in a step beyond which its contact rows are made in each substep: rows are
+/// made when the step begins. (Four hundred rods on long arms were thrown on the ground. Eighteen gained
+/// energy, up to a factor of two, when the angle of a substep was compared, and none with that of a step.)
 const CONTACT_TURN_MAX: Real = 0.1;
-/// The largest angle (rad) that a joint turns in a substep with a wild piece.
-const WILD_TURN_MAX: Real = 0.5;
-/// Joints that turn by a larger angle (rad) in a substep are not limited: the input is beyond what can be simulated, and a
-/// [`QuarantineEvent`](crate::model::event::QuarantineEvent) reports it.
-const SENSELESS_TURN: Real = 1.0e6;
+/// The largest angle (rad) that a joint rotates in a substep with a non-converged piece.
+const JOINT_ANGLE_MAX: Real = 0.5;
+/// Joints that rotate by a larger angle (rad) in a substep are not limited: the input is beyond the simulated
+/// range, and a [`QuarantineEvent`](crate::model::event::QuarantineEvent) reports it.
+const ANGLE_MEANINGFUL_MAX: Real = 1.0e6;
 /// From this fraction of the energy on, what is too much is removed from the change of shape.
-const SMALL_SURPLUS: Real = 0.9;
+const GAIN_CONTRACTION_MAX: Real = 0.9;
 /// Relative rounding error of an energy.
 const ROUNDING: Real = 32.0 * Real::EPSILON;
 
 impl Motion {
-    /// The energy that a flight keeps; `None` if something drives the links: a root that turns, or a joint that moves as it
-    /// is told.
+    /// The energy that free motion conserves; `None` if something drives the links: a rotating root, or a
+    /// prescribed joint.
     pub(super) fn flight_energy(&mut self) -> Option<Real> {
         if angular(&self.root) != ANG_ZERO || self.is_driven() {
             return None;
@@ -40,7 +40,7 @@ impl Motion {
 
     /// Returns whether a joint moves at a velocity that the user gave it.
     fn is_driven(&self) -> bool {
-        let is_driven = |(drive, rate): (&Drive, &Real)| drive.is_told() && *rate != 0.0;
+        let is_driven = |(drive, rate): (&Drive, &Real)| drive.is_prescribed() && *rate != 0.0;
         self.drives.iter().zip(&self.rates).any(is_driven)
     }
 
@@ -59,18 +59,18 @@ impl Motion {
         if mass > 0.0 { moving / mass } else { Vector::ZERO }
     }
 
-    /// Does a link turn so far in `dt` seconds that contacts are not what they were at their beginning?
+    /// Returns whether a link rotates so far in `dt` seconds that its contacts change.
     pub fn turns_far(&mut self, dt: Real) -> bool {
         let turns_far = |v: &SpatialVector| {
             ang_length_squared(angular(v)) * dt * dt > CONTACT_TURN_MAX * CONTACT_TURN_MAX
         };
-        self.is_wild || self.link_velocities().iter().any(turns_far)
+        self.has_diverged || self.link_velocities().iter().any(turns_far)
     }
 
     /// The kinetic energy before the impulses of a substep, which these may leave; no limit if something drives the links.
     ///
-    /// It is that of the velocities before the first half of the flight: the half changes the energy in the first order of the
-    /// angle of a substep, and the second half changes it back.
+    /// It is that of the velocities before the first half of the free motion. That half changes the energy in
+    /// the first order of the angle of a substep, and the second half restores it.
     pub fn energy_before_impulses(&mut self) -> Real {
         if self.root != ZERO || self.is_driven() {
             return Real::MAX;
@@ -86,8 +86,8 @@ impl Motion {
         self.kinetic_energy() > energy_max * (1.0 + ROUNDING)
     }
 
-    /// Limits the kinetic energy that impulses left. What is above a bound enters an account, and what this has no room for is
-    /// removed. Returns the fraction that is kept.
+    /// Limits the kinetic energy that impulses left. An excess above a bound is recorded in a budget, and the
+    /// part beyond the budget is removed. Returns the fraction that is kept.
     pub fn settle_impulses(
         &mut self,
         multibody: &mut Multibody,
@@ -112,11 +112,11 @@ impl Motion {
         if kept >= 1.0 || !kept.is_finite() {
             return 1.0;
         }
-        if (kept > SMALL_SURPLUS || !touches) && self.root_dofs() > 0 {
+        if (kept > GAIN_CONTRACTION_MAX || !touches) && self.root_dofs() > 0 {
             self.keep_momentum(self.kinematics.links[0].center);
-            let surplus = self.kinetic_energy() - energy_max;
+            let energy_gain = self.kinetic_energy() - energy_max;
             let own = self.flight_energy();
-            self.limit_flight(own.map(|own| (own - surplus).max(0.0)));
+            self.limit_flight(own.map(|own| (own - energy_gain).max(0.0)));
         }
         let left = energy_max.max(0.0) / self.kinetic_energy();
         if left < 1.0 - ROUNDING {
@@ -130,17 +130,17 @@ impl Motion {
         self.kinematics.links.iter().map(|link| link.mass).sum()
     }
 
-    /// Leaves this share of all velocities but of those of degrees of freedom that move as they are told.
+    /// Scales all velocities by this fraction, except prescribed ones.
     fn slow_down(&mut self, share: Real) {
         for (rate, drive) in self.rates.iter_mut().zip(&self.drives) {
-            *rate *= if drive.is_told() { 1.0 } else { share };
+            *rate *= if drive.is_prescribed() { 1.0 } else { share };
         }
         self.follow_momentum();
     }
 
-    /// Lets the links have no more than this energy of their flight: slows the change of shape down and, if that is not enough,
-    /// the turn of the whole. Where links are moved far at once they may come to lie closer together than their angular momentum
-    /// and their energy allow.
+    /// Limits the energy of the links: it reduces the change of shape and, if that is not sufficient, the
+    /// rotation of the whole. If links move far at once, their configuration may be too compact for their
+    /// angular momentum and energy.
     pub(super) fn limit_flight(&mut self, most: Option<Real>) {
         let Some(most) = most else { return };
         self.update_velocities();
@@ -150,37 +150,40 @@ impl Motion {
             return;
         }
         let own = self.copy_of_rates();
-        self.slow_to_whole();
+        self.slow_to_locked();
         self.update_velocities();
-        let of_whole = self.energy_seen_from(frame);
-        if of_whole < most {
-            self.blend(&own, ((most - of_whole) / (energy - of_whole)).sqrt());
+        let of_locked = self.energy_seen_from(frame);
+        if of_locked < most {
+            self.blend(&own, ((most - of_locked) / (energy - of_locked)).sqrt());
         } else {
-            let whole = self.copy_of_rates();
+            let locked_inertia = self.copy_of_rates();
             self.slow_to(frame);
-            self.blend(&whole, if of_whole > 0.0 { (most / of_whole).sqrt() } else { 0.0 });
-            self.return_buffer(whole);
+            self.blend(
+                &locked_inertia,
+                if of_locked > 0.0 { (most / of_locked).sqrt() } else { 0.0 },
+            );
+            self.return_buffer(locked_inertia);
         }
         self.obey(&own);
         self.return_buffer(own);
         self.follow_momentum();
     }
 
-    /// Lets no joint turn by more than [`WILD_TURN_MAX`] in `h` seconds: slows the change of shape down.
+    /// Limits the rotation of joints to [`JOINT_ANGLE_MAX`] in `h` seconds by reducing the change of shape.
     pub(super) fn limit_whip(&mut self, h: Real) {
         let axes = self.kinematics.axes.iter().zip(&self.rates).skip(self.root_dofs());
         let turns = axes.filter(|(axis, _)| angular(axis) != ANG_ZERO);
         let fastest = turns.map(|(_, rate)| (rate * h).abs()).fold(0.0, Real::max);
-        if fastest > WILD_TURN_MAX && fastest < SENSELESS_TURN {
+        if fastest > JOINT_ANGLE_MAX && fastest < ANGLE_MEANINGFUL_MAX {
             let own = self.copy_of_rates();
-            self.slow_to_whole();
-            self.blend(&own, WILD_TURN_MAX / fastest);
+            self.slow_to_locked();
+            self.blend(&own, JOINT_ANGLE_MAX / fastest);
             self.obey(&own);
             self.return_buffer(own);
         }
     }
 
-    /// Adds a share of what is missing to these velocities.
+    /// Adds a fraction of the difference to these velocities.
     fn blend(&mut self, to: &[Real], share: Real) {
         let share = share.clamp(0.0, 1.0);
         for (rate, to) in self.rates.iter_mut().zip(to) {
@@ -188,18 +191,18 @@ impl Motion {
         }
     }
 
-    /// Degrees of freedom that move as they are told take these velocities.
-    fn obey(&mut self, told: &[Real]) {
-        for ((rate, drive), told) in self.rates.iter_mut().zip(&self.drives).zip(told) {
-            *rate = if drive.is_told() { *told } else { *rate };
+    /// Sets the velocities of prescribed degrees of freedom.
+    fn obey(&mut self, prescribed: &[Real]) {
+        for ((rate, drive), prescribed) in self.rates.iter_mut().zip(&self.drives).zip(prescribed) {
+            *rate = if drive.is_prescribed() { *prescribed } else { *rate };
         }
     }
 
     /// Leaves the motion of the whole alone.
-    fn slow_to_whole(&mut self) {
+    fn slow_to_locked(&mut self) {
         let momentum = self.root_momentum();
         self.rates.fill(0.0);
-        add_all(&mut self.rates, self.whole.rates_at(&momentum), 1.0);
+        add_all(&mut self.rates, self.locked_inertia.rates_at(&momentum), 1.0);
     }
 
     /// Leaves the whole going evenly.
@@ -260,7 +263,7 @@ impl Motion {
         };
         let of_links: Real = self.kinematics.links.iter().zip(&self.velocities).map(of).sum();
         let of_armature = |(drive, rate): (&Drive, &Real)| {
-            if drive.is_told() { 0.0 } else { 0.5 * drive.armature * rate * rate }
+            if drive.is_prescribed() { 0.0 } else { 0.5 * drive.armature * rate * rate }
         };
         of_links + self.drives.iter().zip(&self.rates).map(of_armature).sum::<Real>()
     }

@@ -1,8 +1,8 @@
-//! One multibody on its way through a step: a substep without contacts, and its response to impulses.
+//! Motion of one multibody through a step: a substep without contacts, and its response to impulses.
 //!
 //! # A substep
-//! Forces kick, then the links fly on by themselves, then forces kick again: for the flight the velocity of the middle of the
-//! substep is what counts. With the inertial forces `-C q̇` and the step `h`
+//! The scheme is kick, free motion, kick: the free motion uses the velocity in the middle of the substep.
+//! With the inertial forces `-C q̇` and the step `h`
 //!
 //! ```text
 //! q̇  ← q̇ + h M̃⁻¹ (gravity, forces of the user, springs, dampers, motors)      at q
@@ -12,16 +12,18 @@
 //! q̇  ← q̇½ - ½ h M̃⁻¹ C(q, q̇½) q̇½                                               explicit, at the new q
 //! ```
 //!
-//! The two halves of the flight are each other's mirror image, so that the whole is reversible and of second order, and its
-//! energy does not drift: the generalised leapfrog (Hairer, Lubich, Wanner, "Geometric Numerical Integration", 2006, chapter
-//! VI) in velocities. So that limits and contacts which press all the time do not break the mirror, the first half is taken with half of the
-//! impulses of the last substep: so much, once they have found themselves, is what they add before the links are moved, and the rest comes
-//! after it. (Without them, what goes round in a cone at 8 rad/s loses a tenth of its energy per second.) An explicit step `q̇ - h M⁻¹ C q̇` instead, which is what one visit of forward dynamics gives, makes a tumbling chain gain
-//! energy until it explodes. A body of its own is moved the same way (`dim3/gyro.rs`), so chains and bodies fall alike.
+//! The two halves of the free motion are each other's mirror image, so that the whole is reversible and of
+//! second order, and its energy does not drift. It is the generalised leapfrog (Hairer, Lubich, Wanner,
+//! "Geometric Numerical Integration", 2006, chapter VI) in velocities. Persistent limits and contacts must
+//! not break the symmetry. The first half therefore includes half of the impulses of the last substep, which
+//! equals their steady state, and the rest is added after it. (Without them, what goes round in a cone at 8
+//! rad/s loses a tenth of its energy per second.) An explicit step `q̇ - h M⁻¹ C q̇`, as given by one
+//! evaluation of forward dynamics, makes a tumbling chain gain energy until it explodes. A single body is
+//! integrated the same way (`dim3/gyroscopic.rs`), so chains and bodies fall alike.
 //!
-//! `M̃ = M + h D + θ h² K`: dampers `D` are taken at the end of the substep, and springs of stiffness `K` where they are after the
-//! share `θ` of it. At its beginning, `θ = 0`, they keep their energy but are stable only for `h ω < 2`; at its end they are stable
-//! always, and lose `h ω / 2` of it per radian. With `a = (h ω)²` and
+//! `M̃ = M + h D + θ h² K`: dampers `D` are evaluated at the end of the substep, and springs of stiffness `K`
+//! after the fraction `θ` of it. At its beginning, `θ = 0`, they conserve energy but are stable only for `h ω
+//! < 2`; at its end they are always stable, and lose `h ω / 2` of it per radian. With `a = (h ω)²` and
 //!
 //! ```text
 //! θ = a / (1 + a)        stable for a (1 - 2 θ) < 4, that is, always; loss per substep θ a, in fourth order
@@ -29,22 +31,22 @@
 //!
 //! springs that can be followed swing on (2 Hz at 240 substeps a second: 0.5 % in three seconds), and stiff ones hold.
 //!
-//! Free motion, what happens when it cannot be followed, and its energy account: `flight.rs`. Momentum: `balance.rs`.
+//! Free motion, what happens when it cannot be followed, and its energy account: `free.rs`. Momentum: `centroidal.rs`.
 
-mod balance;
+mod centroidal;
 mod energy;
-mod flight;
+mod free;
 
 use super::factor::{Factor, Resistance};
 use super::kinematics::Kinematics;
+use super::locked_inertia::LockedInertia;
 use super::spatial::{ZERO, add_scaled, turn};
-use super::whole::Whole;
 use crate::dim::math::{Real, SpatialVector};
 use crate::dim::spatial::{angular, join, linear};
 use crate::model::body::RigidBodySet;
 use crate::model::multibody::{Multibody, MultibodyLink};
 
-/// What acts on a link all through a step.
+/// Constant loads on a link during a step.
 #[derive(Copy, Clone, Debug)]
 pub struct LinkForce {
     /// Gravity and the user's forces.
@@ -53,10 +55,10 @@ pub struct LinkForce {
     pub damping: [Real; 2],
 }
 
-/// What acts on a degree of freedom all through a step: `pull - stiffness q - damping q̇`.
+/// Constant loads on a degree of freedom during a step: `pull - stiffness q - damping q̇`.
 #[derive(Copy, Clone, Debug, Default)]
 pub struct Drive {
-    /// Inertia beyond that of the links; infinite for a degree of freedom that moves as it is told.
+    /// Inertia in addition to that of the links; infinite for a prescribed degree of freedom.
     pub armature: Real,
     /// Force per coordinate.
     pub stiffness: Real,
@@ -67,8 +69,8 @@ pub struct Drive {
 }
 
 impl Drive {
-    /// Does the degree of freedom move as it is told?
-    fn is_told(&self) -> bool {
+    /// Returns whether the velocity of the degree of freedom is prescribed.
+    fn is_prescribed(&self) -> bool {
         self.armature == Real::INFINITY
     }
 }
@@ -78,23 +80,23 @@ impl Drive {
 pub struct Motion {
     pub kinematics: Kinematics,
     factor: Factor,
-    whole: Whole,
+    locked_inertia: LockedInertia,
     /// The velocities.
     pub rates: Vec<Real>,
     pub forces: Vec<LinkForce>,
     pub drives: Vec<Drive>,
     /// The velocity of a root without degrees of freedom.
     root: SpatialVector,
-    /// Where in a substep a spring is taken: `θ`.
+    /// Fraction of the substep at which a spring is evaluated: `θ`.
     spring_times: Vec<Real>,
-    /// How easily each degree of freedom moves if the others are free.
+    /// Inverse inertia of each degree of freedom if the others are free.
     ease: Vec<Real>,
     armature: Vec<Real>,
     drag: Vec<[Real; 2]>,
-    /// The momentum of all links about the root's centre of mass, but for [`Self::outside`].
+    /// The momentum of all links about the root's centre of mass, without [`Self::external_impulse`].
     momentum: SpatialVector,
     /// The impulses from outside since then, likewise.
-    outside: SpatialVector,
+    external_impulse: SpatialVector,
     velocities: Vec<SpatialVector>,
     accelerations: Vec<SpatialVector>,
     wrenches: Vec<SpatialVector>,
@@ -104,9 +106,9 @@ pub struct Motion {
     buffers: Vec<Vec<Real>>,
     /// The velocities before a flight.
     start: Vec<Real>,
-    /// Was a link faster than the user allows since the step began?
+    /// Whether a link exceeded the velocity limit since the step began.
     pub is_limited: bool,
-    /// What the first half of the flight changed about the velocities.
+    /// Velocity changes by the first half of the free motion.
     flown: Vec<Real>,
     /// The velocities to which it led, with half of the impulses of the last substep.
     half_rates: Vec<Real>,
@@ -114,15 +116,15 @@ pub struct Motion {
     corrected: Real,
     /// Number of pieces of this substep's flight.
     pieces: usize,
-    /// Is a piece of this substep's flight too fast to be followed?
-    pub is_wild: bool,
+    /// Whether a piece of this substep's free motion is too fast to be integrated.
+    pub has_diverged: bool,
 }
 
 impl Motion {
     /// Begins a step: links where the coordinates say, velocities as they were. `drives` are to be set before.
     ///
-    /// Velocities and impulses that the user gave to bodies since the last step count as momentum: the multibody gets the
-    /// velocities that have, at each degree of freedom, the momentum of the bodies.
+    /// Velocities and impulses that the user applied to bodies since the last step count as momentum: the
+    /// generalised velocities have, at each degree of freedom, the momentum of the bodies.
     pub fn begin(&mut self, multibody: &Multibody, bodies: &RigidBodySet) {
         self.is_limited = false;
         self.corrected = 0.0;
@@ -157,7 +159,7 @@ impl Motion {
     /// Puts the links where the coordinates say.
     fn place(&mut self, multibody: &Multibody) {
         self.kinematics.update(multibody);
-        self.whole.update(&self.kinematics);
+        self.locked_inertia.update(&self.kinematics);
     }
 
     /// Number of degrees of freedom of the root.
@@ -186,8 +188,9 @@ impl Motion {
         self.factor.solve(&self.kinematics, &[], impulses);
     }
 
-    /// Lets the forces act for `h` seconds and turns the velocities to those of the substep's middle. No link gets faster than
-    /// `speed_max`. Meanwhile they have half of what the last substep's impulses did to the rates.
+    /// Applies the forces for `h` seconds and integrates the velocities to the middle of the substep. No link
+    /// gets faster than `speed_max`. Meanwhile they have half of what the last substep's impulses did to the
+    /// rates.
     pub fn accelerate(
         &mut self,
         multibody: &mut Multibody,
@@ -204,7 +207,7 @@ impl Motion {
         self.momentum = self.root_momentum();
         add_all(&mut self.rates, pushed, 0.5);
         self.begin_flight(h, &mut change);
-        if self.is_wild {
+        if self.has_diverged {
             change.fill(0.0);
             self.limit_whip(h);
         }
@@ -216,7 +219,7 @@ impl Motion {
         self.change = change;
     }
 
-    /// What forces, springs and dampers add to the velocities.
+    /// Velocity changes by forces, springs and dampers.
     fn kick(&mut self, multibody: &Multibody, h: Real, change: &mut Vec<Real>) {
         self.update_velocities();
         self.wrenches.clear();
@@ -245,7 +248,7 @@ impl Motion {
         self.factor.solve(&self.kinematics, &self.wrenches, change);
     }
 
-    /// Ends the step. What energy the last correction of the momentum takes, it takes from the change of shape.
+    /// Ends the step. The energy of the last momentum correction is taken from the change of shape.
     pub fn finish(&mut self) {
         let energy = self.flight_energy();
         if self.keep_momentum(self.kinematics.links[0].center) > 0.0 {

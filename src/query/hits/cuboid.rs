@@ -1,14 +1,14 @@
-//! A point on its way to the layer around a box.
+//! A moving point against the layer around a box.
 
 use super::{Meeting, Touch, enter_first};
 use crate::dim::math::{DIM, Real, Vector};
 
 /// When a point meets the layer of thickness `radius` around a box about the origin.
 ///
-/// The box with its faces moved outward encloses the layer. Where the way enters right above a face, it enters the
-/// layer. Else it is in a gap that a rounded edge or corner leaves (Ericson, "Real-Time Collision Detection", 2005,
-/// section 5.5.7): lengthwise it can leave that for the gap of a corner only, and so no edges matter but those that
-/// meet there.
+/// The box with its faces moved outward encloses the layer. If the path enters right above a face, it enters
+/// the layer. Otherwise it is in a gap of a rounded edge or corner (Ericson, "Real-Time Collision Detection",
+/// 2005, section 5.5.7). It can leave the gap of an edge lengthwise only into the gap of a corner, so only
+/// the edges that meet there matter.
 pub fn enter_layer(half: Vector, origin: Vector, dir: Vector, radius: Real) -> Meeting {
     let Some((time, axis)) = enter_slabs(half + Vector::splat(radius), origin, dir) else {
         return Meeting::Never;
@@ -38,8 +38,8 @@ pub fn enter_layer(half: Vector, origin: Vector, dir: Vector, radius: Real) -> M
     enter_first(origin, dir, radius, (0..DIM).map(edge))
 }
 
-/// When a way enters a box, and along which axis. The time is below zero if it begins inside, and there is none if the box is
-/// not in its way, or behind it.
+/// The time at which a path enters a box, and the axis. The time is negative if the path begins inside;
+/// `None` if the box is not in the path, or behind it.
 fn enter_slabs(half: Vector, origin: Vector, dir: Vector) -> Option<(Real, usize)> {
     let (mut enter, mut leave) = ((Real::NEG_INFINITY, 0), Real::INFINITY);
     for axis in 0..DIM {

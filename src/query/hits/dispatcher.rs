@@ -1,4 +1,4 @@
-//! How pairs of shapes are computed, where nobody says otherwise.
+//! The default dispatcher of pairs of shapes.
 
 use super::rounded::{enter_capsule, nearest_on_segment};
 use super::turning::first_touch;
@@ -17,16 +17,16 @@ use parry::query::{
 use parry::shape::{Ball, Shape, TypedShape};
 
 impl NarrowPhase {
-    /// How pairs of shapes are computed that queries ask about.
+    /// The algorithms for pairs of shapes in queries.
     ///
-    /// As parry does it, but for casts of balls, which have formulas of their own, and of shapes that turn.
+    /// As in parry, except casts of balls, which have special formulas, and of rotating shapes.
     pub fn query_dispatcher(&self) -> &dyn QueryDispatcher {
         &Dispatcher
     }
 }
 
-/// parry's dispatcher, with formulas for casts of balls, alone and within meshes, height fields and compounds, and with a search of our own
-/// for shapes that turn.
+/// parry's dispatcher, with formulas for casts of balls, alone and within meshes, height fields and
+/// compounds, and with its own search for rotating shapes.
 #[derive(Copy, Clone, Debug)]
 pub struct Dispatcher;
 
@@ -119,7 +119,7 @@ impl Dispatcher {
         shape2: &dyn Shape,
         options: ShapeCastOptions,
     ) -> Result<Option<ShapeCastHit>, Unsupported> {
-        // A half-space asks for the support points of the other shape, and finds no parts.
+        // A half-space needs the support points of the other shape, and finds no parts.
         let is_flat =
             |shape: &dyn Shape| matches!(shape.as_typed_shape(), TypedShape::HalfSpace(_));
         if !is_flat(shape1) && !is_flat(shape2) {
@@ -151,7 +151,7 @@ impl Dispatcher {
     }
 }
 
-/// What the formulas know of a cast.
+/// Input of the formulas of a cast.
 enum Cast {
     Known(Option<ShapeCastHit>),
     Unclear,
@@ -219,7 +219,7 @@ fn meet(
     match meeting {
         Meeting::Never => Cast::Known(None),
         Meeting::At(Touch { time, normal, core }) => {
-            // Who begins inside may be let go, but not deeper.
+            // A shape that begins inside may leave, but not go deeper.
             let goes_out = time == 0.0 && !options.stop_at_penetration && normal.dot(dir) >= 0.0;
             if goes_out || time > options.max_time_of_impact {
                 return Cast::Known(None);
@@ -232,7 +232,7 @@ fn meet(
 
 /// When a point comes within `distance` of a shape; and how much of the shape is a layer around the core.
 fn enter_layer(origin: Vector, dir: Vector, distance: Real, shape: &dyn Shape) -> (Meeting, Real) {
-    // Where a velocity is too small or too large to be squared, it has no formula.
+    // A velocity that is too small or too large to be squared has no formula.
     if !dir.length_squared().is_normal() || !origin.length_squared().is_finite() {
         return (Meeting::Unclear, 0.0);
     }

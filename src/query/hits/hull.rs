@@ -1,4 +1,4 @@
-//! A point on its way to a convex shape with flat faces, and to the layer around one.
+//! A moving point against a convex shape with flat faces, and against the layer around one.
 
 use super::rounded::nearest_on_segment;
 use super::{Meeting, Touch, enter_first};
@@ -8,7 +8,7 @@ use crate::dim::math::{Real, Vector};
 /// With more borders than this, looking at all of them is slower than searching for closest points.
 const MAX_BORDERS: usize = 64;
 
-/// When a way is below all faces, and the faces where it comes in and goes out.
+/// The time interval in which a path is below all faces, with its entry and exit faces.
 pub struct Span {
     /// Minus infinity if it comes from the inside of all.
     pub enter: (Real, usize),
@@ -16,8 +16,8 @@ pub struct Span {
     pub leave: (Real, usize),
 }
 
-/// Cuts a way by the planes of all faces, each moved outward by `margin` (Cyrus, Beck, "Generalized Two- and
-/// Three-Dimensional Clipping", 1978). `None` if nothing is left of it; it is not cut where it begins.
+/// Clips a path by the planes of all faces, each moved outward by `margin` (Cyrus, Beck, "Generalized Two-
+/// and Three-Dimensional Clipping", 1978). `None` if nothing is left of it; it is not cut where it begins.
 pub fn clip(facets: &Facets<'_>, origin: Vector, dir: Vector, margin: Real) -> Option<Span> {
     let (mut enter, mut leave) = ((Real::NEG_INFINITY, 0), (Real::INFINITY, 0));
     for index in 0..facets.len() {
@@ -42,9 +42,9 @@ pub fn clip(facets: &Facets<'_>, origin: Vector, dir: Vector, margin: Real) -> O
 
 /// When a point meets the layer of thickness `radius` around the shape.
 ///
-/// The faces, moved outward, enclose the layer. Where the way enters right above a face, it enters the layer. If it
-/// comes in between them, it is in a gap that the rounded edges leave, and a gap has no other way out to the inside
-/// than through these.
+/// The faces, moved outward, enclose the layer. If the path enters right above a face, it enters the layer.
+/// If it enters between faces, it is in a gap of rounded edges, and can leave the gap to the inside only
+/// through these.
 pub fn enter_layer(facets: &Facets<'_>, origin: Vector, dir: Vector, radius: Real) -> Meeting {
     let Some(span) = clip(facets, origin, dir, radius) else { return Meeting::Never };
     let (time, face) = span.enter;

@@ -1,8 +1,8 @@
-//! What one ray, or one shape on its way, meets of one shape.
+//! Hits of one ray, or one moving shape, on one shape.
 //!
-//! The shapes that fill scenes have formulas of their own here: rays at balls, hulls and height fields, and balls that
-//! are sent at balls, boxes, capsules, triangles and hulls. A ball that moves is a point on its way to a shape with a layer
-//! around it. parry computes the rest.
+//! The common shapes have special formulas here: rays against balls, hulls and height fields, and casts of
+//! balls against balls, boxes, capsules, triangles and hulls. A moving ball is a moving point against a shape
+//! with a layer around it. parry computes the rest.
 
 mod cuboid;
 mod dispatcher;
@@ -19,7 +19,7 @@ pub(super) use rays::{intersection, time_of_impact};
 use crate::dim::math::{Real, Vector};
 use rounded::enter_capsule;
 
-/// Whether a point on its way meets a layer around a shape.
+/// Whether a moving point meets a layer around a shape.
 #[derive(Copy, Clone, Debug)]
 enum Meeting {
     /// It does not.
@@ -30,7 +30,7 @@ enum Meeting {
     Unclear,
 }
 
-/// Where a point on its way enters a layer, in the frame of the shape.
+/// The entry of a moving point into a layer, in the frame of the shape.
 #[derive(Copy, Clone, Debug)]
 struct Touch {
     /// When (units of the velocity): zero if it begins there.

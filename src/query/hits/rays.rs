@@ -22,8 +22,8 @@ pub fn time_of_impact(
         TypedShape::Cuboid(cuboid) if solid => cuboid_time(cuboid, &local(), limit),
         TypedShape::Capsule(capsule) => capsule.cast_local_ray(&local(), limit, solid),
         TypedShape::TriMesh(mesh) if solid => mesh.cast_local_ray(&local(), limit, true),
-        // Without a normal, parry's answer is wrong for hollow boxes whose wall is beyond the limit: it is the limit,
-        // where nothing is. Most shapes know no way without a normal anyway.
+        // Without a normal, parry's answer is wrong for hollow boxes whose wall is beyond the limit: it is
+        // the limit, where nothing is. Most shapes have no algorithm without a normal anyway.
         _ => intersection(shape, pose, ray, limit, solid).map(|hit| hit.time_of_impact),
     }
 }
@@ -118,7 +118,7 @@ fn hull_hit(facets: &Facets<'_>, ray: &Ray, limit: Real, solid: bool) -> Option<
 
 /// A ray on a shape for which parry searches, in the frame of the shape.
 ///
-/// The search loses digits on its way, and takes lengths for times where it looks for the way out of a hollow shape. So
+/// The search loses digits along the path, and confuses lengths with times at the exit of a hollow shape. So
 /// it begins near the shape, and with a direction of unit length.
 fn searched_hit(shape: &dyn Shape, ray: &Ray, limit: Real, solid: bool) -> Option<RayIntersection> {
     let length = ray.dir.length();

@@ -1,14 +1,15 @@
-//! A point on its way to something round: a ball, and a segment with a layer around it.
+//! A moving point against round shapes: a ball, and a segment with a layer around it.
 //!
-//! The way is `origin + dir * time`, `dir` of any length. Where it comes nearest is found first, and from there when
-//! it enters: a quadratic equation about the origin loses the radius among the digits of a distant one's distance
-//! (Haines, Günther, Akenine-Möller, "Precision Improvements for Ray/Sphere Intersection", Ray Tracing Gems, 2019).
+//! The path is `origin + dir * time`, `dir` of any length. The nearest point is computed first, and the entry
+//! relative to it. A quadratic equation about the origin would lose the radius among the digits of a large
+//! distance (Haines, Günther, Akenine-Möller, "Precision Improvements for Ray/Sphere Intersection", Ray
+//! Tracing Gems, 2019).
 
 use crate::dim::math::{Real, Vector};
 
-/// When the way enters a ball and when it leaves; `None` if it never comes by.
+/// The times at which the path enters and leaves a ball; `None` if it misses.
 ///
-/// `to_center` leads from the origin of the way to the centre of the ball.
+/// `to_center` leads from the origin of the path to the centre of the ball.
 #[inline]
 pub fn chord(to_center: Vector, dir: Vector, radius: Real) -> Option<[Real; 2]> {
     let squared = dir.length_squared();
@@ -21,9 +22,9 @@ pub fn chord(to_center: Vector, dir: Vector, radius: Real) -> Option<[Real; 2]> 
     })
 }
 
-/// When the way enters the layer around a segment, and the point of the segment that is nearest there.
+/// The time at which the path enters the layer around a segment, and the nearest point of the segment there.
 ///
-/// `None` if it never does. A time below zero says that the way begins inside, or has left already.
+/// `None` if it never does. A negative time means that the path begins inside, or has left already.
 pub fn enter_capsule(
     origin: Vector,
     dir: Vector,
@@ -39,7 +40,7 @@ pub fn enter_capsule(
     // Across the segment, the capsule is a ball.
     let across = |v: Vector| v - along * (v.dot(along) / length_squared);
     let dir_across = across(dir);
-    // Shorter than this it is nothing but rounding: the way is parallel to the segment.
+    // Shorter values are rounding: the path is parallel to the segment.
     if dir_across.length_squared() <= 64.0 * Real::EPSILON * Real::EPSILON * dir.length_squared() {
         return enter_end(if dir.dot(along) > 0.0 { a } else { b });
     }

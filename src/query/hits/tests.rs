@@ -12,9 +12,9 @@ use parry::query::{
 };
 use parry::shape::{Ball, Shape, TypedShape};
 
-/// What parry's searches for closest points are good for, between shapes of size 1 up to 10 away (length units).
+/// Precision of parry's closest-point search, between shapes of size 1 up to 10 away (length units).
 const TOLERANCE: Real = 4.0e-3;
-/// Moments at which is looked along a way.
+/// Sample times along a path.
 const MOMENTS: usize = 40;
 
 fn direction(random: &mut Random) -> Vector {
@@ -25,13 +25,13 @@ fn direction(random: &mut Random) -> Vector {
     if dir == Vector::ZERO { Vector::X } else { dir }
 }
 
-/// A way that is aimed at the surroundings of the origin.
+/// A path towards the neighbourhood of the origin.
 fn way(random: &mut Random) -> (Vector, Vector) {
     let (target, dir) = (samples::vector(random, 1.5), direction(random));
     (target - dir * random.within(0.5, 4.0), dir)
 }
 
-/// How deep (length units) a point is inside of a shape; zero outside.
+/// Depth (length units) of a point inside a shape; zero outside.
 fn depth(shape: &dyn Shape, pose: &Pose, point: Vector) -> Real {
     if !shape.contains_point(pose, point) {
         return 0.0;
@@ -157,7 +157,7 @@ fn has_cast_formula(shape: &dyn Shape) -> bool {
         || Facets::of(typed).is_some()
 }
 
-/// One cast of a ball at a shape, or the other way round: what comes out is true of the shapes at that time.
+/// One cast of a ball at a shape, or the reverse: the result is correct for the shapes at that time.
 fn check_cast(kind: usize, random: &mut Random) -> bool {
     let shape = samples::shape(kind, random, 1.0);
     if !has_cast_formula(&*shape) {
@@ -201,7 +201,7 @@ fn check_cast(kind: usize, random: &mut Random) -> bool {
     true
 }
 
-/// What a cast says of shapes that begin within each other: how they get apart.
+/// Casts of shapes that begin within each other: the separation is reported.
 fn check_start(
     kind: usize,
     pose12: &Pose,
@@ -231,8 +231,8 @@ fn balls_stop_where_they_touch() {
     assert!(hits > 1500, "{hits} hits");
 }
 
-/// Through meshes and height fields, formulas are asked for each triangle: what parry finds with its own search is found
-/// at the same time, but for what just grazes an edge.
+/// Through meshes and height fields, formulas are used for each triangle. They agree with parry's own search,
+/// except for grazing hits of an edge.
 #[test]
 fn balls_meet_meshes_when_parry_says() {
     let mut random = Random(7);

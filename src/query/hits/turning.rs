@@ -1,7 +1,7 @@
-//! Shapes that turn on their way.
+//! Casts of rotating shapes.
 //!
-//! By the search with which the step looks for impacts (`collide/sweep`), which ends after so many jumps. parry's goes back and
-//! forth between two times, and does not come to an end where something spins fast for long.
+//! They use the step's search for impacts (`collide/sweep`), which ends after a limited number of jumps.
+//! parry's bisects between two times, and does not end for fast and long rotations.
 
 use super::Dispatcher;
 use crate::collide::{Sweep, Touch, find_touches};
@@ -9,8 +9,8 @@ use crate::dim::math::{Pose, Real, Vector};
 use parry::query::{Contact, NonlinearRigidMotion, QueryDispatcher, ShapeCastHit, ShapeCastStatus};
 use parry::shape::Shape;
 
-/// Within what share of the smaller shape's size shapes touch.
-const NEAR: Real = 1.0e-4;
+/// Touching distance, as a fraction of the smaller shape's size.
+const TOUCH_TOLERANCE: Real = 1.0e-4;
 /// And within how many digits of where they are.
 const ROUNDING: Real = 32.0 * Real::EPSILON;
 
@@ -44,10 +44,10 @@ fn tolerance(shapes: [&dyn Shape; 2], sweeps: [&Sweep<'_>; 2]) -> Real {
     let sizes = shapes.map(|shape| shape.compute_local_aabb().half_extents().max_element());
     let places = sweeps.map(|sweep| sweep.at(0.0).translation.abs().max_element());
     let size = sizes[0].min(sizes[1]);
-    NEAR * size + ROUNDING * (size + places[0].max(places[1]))
+    TOUCH_TOLERANCE * size + ROUNDING * (size + places[0].max(places[1]))
 }
 
-/// What is to be known of a touch.
+/// Result of a touch.
 fn hit(
     Touch { share, sides }: &Touch<'_>,
     sweeps: [&Sweep<'_>; 2],
@@ -76,8 +76,9 @@ fn hit(
     })
 }
 
-/// The closest points of two shapes that touch, to this tolerance. Where parry's search loses itself between what is as near as
-/// that, it is asked from the other side, and then with the shapes a tolerance farther apart in one direction or another.
+/// The closest points of two shapes that touch, to this tolerance. parry's search may diverge at such small
+/// distances. It is then repeated from the other side, and with the shapes a tolerance farther apart in
+/// several directions.
 fn contact(pose12: &Pose, [shape1, shape2]: [&dyn Shape; 2], tolerance: Real) -> Option<Contact> {
     let ask = |shift: Vector| {
         let mut pose = *pose12;

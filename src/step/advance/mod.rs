@@ -15,24 +15,24 @@ use crate::model::body::{RigidBody, RigidBodySet};
 use crate::model::collider::{Collider, ColliderHandle, ColliderSet};
 use crate::model::island::IslandManager;
 use crate::model::params::IntegrationParameters;
-use crate::model::tree::{BroadPhaseBvh, Carried, carry};
+use crate::model::tree::{BroadPhaseBvh, MovedProxy, carry};
 use sleep_timer::update_sleep_timer;
 
-/// How many turns before it is needed memory is asked for.
+/// Prefetch distance, in list positions.
 const TURNS_AHEAD: usize = 4;
 
 /// Buffers that are reused from step to step.
 #[derive(Default)]
 pub(crate) struct AdvanceScratch {
-    /// The colliders that the trees must be told of.
-    leavers: Vec<Leaver>,
-    gather: Gather<Leaver>,
+    /// Colliders whose trees must be updated.
+    moved: Vec<MovedCollider>,
+    gather: Gather<MovedCollider>,
 }
 
 /// A collider that is not in its box any more, or has none.
-type Leaver = (ColliderHandle, Carried);
+type MovedCollider = (ColliderHandle, MovedProxy);
 
-/// Lets colliders, boxes and sleep timers follow the awake bodies, and notes which of these are sleepy.
+/// Updates colliders, boxes and sleep timers of the awake bodies, and notes the bodies that may sleep.
 pub(crate) fn advance(
     tasks: Tasks<'_>,
     (bodies, colliders): (&mut RigidBodySet, &mut ColliderSet),
@@ -40,44 +40,45 @@ pub(crate) fn advance(
     tree: &mut BroadPhaseBvh,
     params: &IntegrationParameters,
     sleepy: &mut Vec<bool>,
-    AdvanceScratch { leavers, gather }: &mut AdvanceScratch,
+    AdvanceScratch { moved, gather }: &mut AdvanceScratch,
 ) {
     let awake = &*islands.awake;
-    leavers.clear();
+    moved.clear();
     sleepy.clear();
     sleepy.resize(awake.len(), false);
     let (all_colliders, sleepy) = (colliders.share(), DisjointMut::new(sleepy));
-    let follow_body = |position: usize, body: Option<&mut RigidBody>, left: &mut Vec<Leaver>| {
-        let Some(body) = body else { return };
-        let motion = islands.motion_of(awake[position].into_raw_parts().0).bound();
-        let may_sleep = update_sleep_timer(body, motion, params);
-        // SAFETY: each position is one body's.
-        unsafe { *sleepy.get_mut(position) = may_sleep };
-        if motion > 0.0 {
-            // SAFETY: each collider has one body, and each body a place.
-            unsafe { carry_colliders(body, motion, &all_colliders, params, left) };
-        }
-    };
+    let follow_body =
+        |position: usize, body: Option<&mut RigidBody>, left: &mut Vec<MovedCollider>| {
+            let Some(body) = body else { return };
+            let motion = islands.motion_of(awake[position].into_raw_parts().0).bound();
+            let may_sleep = update_sleep_timer(body, motion, params);
+            // SAFETY: each position is one body's.
+            unsafe { *sleepy.get_mut(position) = may_sleep };
+            if motion > 0.0 {
+                // SAFETY: each collider has one body, and each body a place.
+                unsafe { carry_colliders(body, motion, &all_colliders, params, left) };
+            }
+        };
     // SAFETY: the list names each body once.
-    unsafe { bodies.visit_gathering(awake, tasks, gather, follow_body, leavers) };
-    for (turn, (handle, carried)) in leavers.iter().enumerate() {
-        if let Some((later, Carried::Leaves(kind, _))) = leavers.get(turn + TURNS_AHEAD) {
+    unsafe { bodies.visit_gathering(awake, tasks, gather, follow_body, moved) };
+    for (index, (handle, carried)) in moved.iter().enumerate() {
+        if let Some((later, MovedProxy::Leaves(kind, _))) = moved.get(index + TURNS_AHEAD) {
             tree.prefetch(*later, *kind);
         }
         follow(*handle, carried, (bodies, colliders), tree, params);
     }
 }
 
-/// Puts a body's colliders where they are now, and lists those that the trees must be told of.
+/// Updates the poses of a body's colliders, and lists the colliders that left their fat AABB.
 ///
 /// # Safety
-/// Nobody else may use the colliders of the body meanwhile.
+/// The caller has exclusive access to the colliders of the body.
 unsafe fn carry_colliders(
     body: &RigidBody,
     motion: Real,
     colliders: &SharedArena<'_, Collider>,
     params: &IntegrationParameters,
-    left: &mut Vec<Leaver>,
+    left: &mut Vec<MovedCollider>,
 ) {
     for &handle in &body.colliders {
         // SAFETY: the caller's promise.
@@ -94,17 +95,17 @@ unsafe fn carry_colliders(
 /// Tells the trees of a collider.
 fn follow(
     handle: ColliderHandle,
-    carried: &Carried,
+    carried: &MovedProxy,
     (bodies, colliders): (&RigidBodySet, &mut ColliderSet),
     tree: &mut BroadPhaseBvh,
     params: &IntegrationParameters,
 ) {
     let is_elsewhere = match carried {
-        Carried::Leaves(kind, aabb) => {
+        MovedProxy::Leaves(kind, aabb) => {
             tree.put(handle, *kind, aabb);
             true
         }
-        Carried::IsElsewhere => {
+        MovedProxy::IsElsewhere => {
             let Some(collider) = colliders.get_unnoted_mut(handle) else { return };
             let body = collider.parent().and_then(|parent| bodies.get(parent));
             tree.follow(handle, collider, body, params)

@@ -1,9 +1,10 @@
-//! How long each body has been at rest.
+//! Time that each body has been at rest.
 //!
-//! A body rests while no point of it gets farther than a limit from its position at the start of a window of time, and while its
-//! smoothed path within the window is no longer than that limit. Speed alone is the wrong measure: a body that trembles in a pile is
-//! faster than most motions that a user sees, and stays in its place. Drift alone is wrong too: a low bounce or a short spring stays
-//! within the limit at any speed, and would freeze, even in mid-air.
+//! A body is at rest within a window of time under two conditions. No point of it drifts farther than a limit
+//! from its position at the start of the window, and its smoothed path is no longer than that limit. Speed
+//! alone is the wrong measure: a trembling body in a pile is faster than most visible motions, and stays in
+//! its place. Drift alone is wrong too: a low bounce or a short spring stays within the limit at any speed,
+//! and would freeze, even in mid-air.
 
 use crate::dim::math::{Real, ang_length_squared};
 use crate::model::body::{RestPose, RigidBody};
@@ -13,7 +14,7 @@ use crate::model::params::IntegrationParameters;
 /// a larger amplitude; a short one counts trembling as motion. In 0.25 s, and with the default threshold, a point may get 12 mm far.
 const WINDOW_MAX: Real = 0.25;
 
-/// How far a body at rest may drift within a window, and how long its smoothed path may be.
+/// Largest drift of a body at rest within a window, and largest length of its smoothed path.
 struct Limits {
     /// Duration of the window (s).
     window: Real,
@@ -34,7 +35,7 @@ impl Limits {
         (linear >= 0.0 && angular >= 0.0).then_some(Self { window, distance, angle })
     }
 
-    /// Returns whether the body kept the limits in a step in which its points moved by no more than `motion`.
+    /// Returns whether the body kept the limits in a step in which its points moved by at most `motion`.
     ///
     /// The single step is checked first: a body that turns by whole turns from step to step would seem not to turn.
     fn are_kept(&self, body: &mut RigidBody, motion: Real, dt: Real) -> bool {
@@ -54,7 +55,8 @@ impl Limits {
     }
 }
 
-/// Updates the sleep timer of a body whose points moved by no more than `motion` in this step. Returns whether the body may sleep.
+/// Updates the sleep timer of a body whose points moved by at most `motion` in this step. Returns whether the
+/// body may sleep.
 pub(super) fn update_sleep_timer(
     body: &mut RigidBody,
     motion: Real,
@@ -79,8 +81,8 @@ pub(super) fn update_sleep_timer(
     rests && activation.is_eligible_for_sleep()
 }
 
-/// Begins a new window when the body comes to rest, and whenever one is over: a body that waits for the rest of its island may creep
-/// at less than the threshold for as long as it takes.
+/// Begins a new window when the body comes to rest, and whenever one is over. A body that is ready to sleep
+/// before its island may therefore drift slowly for any time.
 fn continue_window(body: &mut RigidBody, window: Real, dt: Real) {
     if body.activation.time_since_can_sleep == 0.0 || body.rest.age >= window {
         body.rest = RestPose::of(body);

@@ -1,18 +1,19 @@
 //! # Broad phase — who might touch whom?
 //!
-//! Reads:   enlarged boxes, collider flags, the pairs already known
-//! Writes:  the list of new pairs; the trees' notes of who moved
+//! Reads:   fat AABBs, collider flags, the pairs already known
+//! Writes:  the list of new pairs; the trees' notes of moved colliders
 //! Runs:    parallel over colliders that moved; the list is sorted by slots
-//! Never:   touches a collider that stayed in its enlarged box
+//! Never:   visits a collider that stayed in its fat AABB
 //!
-//! One of two colliders *owns* the pair: the smaller one; of equals the one that is no sensor, or else the later one. The owner finds
-//! the pair when both moved. The number of pairs that a collider owns is limited, with others of its size and with larger ones, and
-//! separately for pairs with sensors (`IntegrationParameters::max_neighbors_per_collider`,
-//! `IntegrationParameters::max_sensor_neighbors_per_collider`): the pairs of thousands of bodies at one point are the square
-//! of their number. A platform under thousands of crates owns none of these pairs, nor does a sensor that thousands of bodies of its size
-//! or smaller ones visit, so neither misses one.
+//! One of two colliders *owns* the pair: the smaller one; of equals the one that is no sensor, or else the
+//! later one. The owner finds the pair when both moved. The number of pairs that a collider owns is limited,
+//! with colliders of its size and with larger ones. Pairs with sensors have a separate limit
+//! (`IntegrationParameters::max_neighbors_per_collider`,
+//! `IntegrationParameters::max_sensor_neighbors_per_collider`). Without limits, bodies at one point have a
+//! number of pairs quadratic in their number. A platform under thousands of crates owns none of these pairs,
+//! so it misses none. The same holds for a sensor that contains thousands of bodies of at most its size.
 
-mod borne;
+mod owned_pairs;
 mod search;
 #[cfg(test)]
 mod tests;
@@ -27,7 +28,7 @@ use search::{Finds, Search};
 
 /// Colliders that are worth handing over to another thread together.
 const COLLIDERS_PER_TASK: usize = 16;
-/// How many colliders before it looks around memory is asked for.
+/// Prefetch distance, in colliders.
 const TURNS_AHEAD: usize = 4;
 
 /// Buffers that are reused from step to step.
@@ -40,7 +41,7 @@ pub(crate) struct BroadPhaseScratch {
     refused: [Vec<u32>; 2],
 }
 
-/// How many colliders own as many pairs as they may, and overlap others besides.
+/// Number of colliders that own the maximum of pairs and overlap others besides.
 #[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Crowded {
     /// Pairs of solid colliders.
@@ -49,7 +50,7 @@ pub(crate) struct Crowded {
     pub sensors: usize,
 }
 
-/// What is known of pairs before the search.
+/// The pairs that exist before the search.
 pub(crate) trait KnownPairs: Sync {
     /// The slots of all that the collider at this slot has contact pairs with.
     fn partners(&self, slot: u32) -> &[u32];
@@ -68,12 +69,12 @@ impl KnownPairs for NarrowPhase {
     }
 }
 
-/// Finds the pairs of colliders that began to overlap with their enlarged boxes.
+/// Finds the pairs of colliders whose fat AABBs began to overlap.
 ///
-/// Only colliders that have a new box look for neighbours; those that did not move are found by
-/// them. Pairs that are `known` are left out, and so
-/// are those that cannot interact: of the same body, of groups or kinds of bodies that do not meet.
-/// `out` is overwritten: the collider with the lower slot first, in the order of the slots.
+/// Only colliders that have a new box look for neighbours; those that did not move are found by them. The
+/// result excludes `known` pairs, and pairs that cannot interact: colliders of one body, and pairs that their
+/// groups or body types exclude. `out` is overwritten: the collider with the lower slot first, in the order
+/// of the slots.
 ///
 /// Colliders that own as many pairs as they may (`most`) look again in the next step. Returns how many these are.
 pub(crate) fn find_pairs(
@@ -88,12 +89,12 @@ pub(crate) fn find_pairs(
     out.clear();
     late.clear();
     tree.tidy();
-    let search = Search { tree, colliders, known, most, only_borne: false };
+    let search = Search { tree, colliders, known, most, only_owned: false };
     search.run(tasks, tree.moved(), finds);
     finds.for_each(|found| late.append(&mut found.late));
     late.sort_unstable();
     late.dedup();
-    Search { only_borne: true, ..search }.run(tasks, late, finds);
+    Search { only_owned: true, ..search }.run(tasks, late, finds);
     let had_refused = refused.each_ref().map(|list| !list.is_empty());
     refused.iter_mut().for_each(Vec::clear);
     finds.for_each(|found| {

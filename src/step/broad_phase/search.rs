@@ -1,6 +1,6 @@
 //! The neighbours of one collider.
 
-use super::borne::{Borne, HandlePair};
+use super::owned_pairs::{HandlePair, OwnedPairs};
 use super::{COLLIDERS_PER_TASK, KnownPairs, TURNS_AHEAD};
 use crate::base::marks::Marks;
 use crate::base::pool::Pool;
@@ -10,26 +10,27 @@ use crate::model::collider::{Collider, ColliderHandle, ColliderSet, may_interact
 use crate::model::params::IntegrationParameters;
 use crate::model::tree::{BroadPhaseBvh, TreeKind};
 
-/// What one thread found.
+/// Result of one thread.
 #[derive(Default)]
 pub(super) struct Finds {
     pub pairs: Vec<HandlePair>,
-    /// Colliders that did not move, and have so many pairs already that they must say themselves whether they bear more.
+    /// Colliders that did not move and own the maximum of pairs, so that they must select their partners
+    /// again.
     pub late: Vec<u32>,
     /// Colliders that would own more pairs than they may: of solids, and with sensors.
     pub refused: [Vec<u32>; 2],
     /// The pairs that one collider would own, by [`Kind`].
-    borne: [Borne; Kind::ALL.len()],
-    /// Who has a pair with it already.
+    owned: [OwnedPairs; Kind::ALL.len()],
+    /// Known partners of the collider.
     known: Marks,
 }
 
 /// Pairs that are counted together.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 struct Kind {
-    /// Is one of the two a sensor?
+    /// Whether one of the two is a sensor.
     is_sensed: bool,
-    /// Are the two of one size? Else the other one is larger than the owner.
+    /// Whether the two have the same size. Otherwise the other one is larger than the owner.
     is_alike: bool,
 }
 
@@ -49,7 +50,7 @@ impl Kind {
 /// Most pairs of each kind that a collider owns.
 #[derive(Copy, Clone, Debug)]
 pub(crate) struct NeighborLimits {
-    /// Of solid colliders.
+    /// Limit for solid colliders.
     pub solids: usize,
     /// With a sensor.
     pub sensors: usize,
@@ -68,17 +69,17 @@ impl NeighborLimits {
     }
 }
 
-/// Where to look, and for what.
+/// Context of the search.
 pub(super) struct Search<'a, K> {
     pub tree: &'a BroadPhaseBvh,
     pub colliders: &'a ColliderSet,
     pub known: &'a K,
     pub most: NeighborLimits,
-    /// Look only for pairs that the collider who looks would have to bear?
-    pub only_borne: bool,
+    /// Restricts the search to pairs that the searching collider would own.
+    pub only_owned: bool,
 }
 
-/// Who looks for neighbours.
+/// The searching collider.
 #[derive(Copy, Clone)]
 struct Seeker<'a> {
     slot: u32,
@@ -88,7 +89,7 @@ struct Seeker<'a> {
 }
 
 impl<K: KnownPairs> Search<'_, K> {
-    /// Lets the colliders at these slots look for neighbours.
+    /// Searches partners for the colliders at these slots.
     pub fn run(&self, tasks: Tasks<'_>, slots: &[u32], finds: &Pool<Finds>) {
         tasks.par_for(slots.len(), COLLIDERS_PER_TASK, |range| {
             let mut found = finds.take();
@@ -101,7 +102,7 @@ impl<K: KnownPairs> Search<'_, K> {
                 if !self.tree.may_meet_any(collider.collision_groups()) {
                     continue;
                 }
-                self.look_around(Seeker { slot, handle, collider, kind }, &mut found);
+                self.find_partners(Seeker { slot, handle, collider, kind }, &mut found);
             }
             finds.put(found);
         });
@@ -116,9 +117,9 @@ impl<K: KnownPairs> Search<'_, K> {
     }
 
     /// Adds the new pairs of one collider. Nearly all that it finds are old ones.
-    fn look_around(&self, seeker: Seeker<'_>, found: &mut Finds) {
+    fn find_partners(&self, seeker: Seeker<'_>, found: &mut Finds) {
         for kind in Kind::ALL {
-            found.borne[kind.index()].clear(self.most.of_kind(kind));
+            found.owned[kind.index()].clear(self.most.of_kind(kind));
         }
         found.known.clear();
         let partners = self.known.partners(seeker.slot);
@@ -141,18 +142,18 @@ impl<K: KnownPairs> Search<'_, K> {
 
     /// Adds the pairs of a kind that a collider owns, as many as there are places for.
     fn take_nearest(&self, slot: u32, kind: Kind, found: &mut Finds) {
-        let borne = &mut found.borne[kind.index()];
-        if borne.len() == 0 {
+        let owned = &mut found.owned[kind.index()];
+        if owned.len() == 0 {
             return;
         }
         let mut places = self.most.of_kind(kind);
-        if self.partners(slot, kind.is_sensed).len() + borne.len() > places {
-            places -= self.count_borne(slot, kind).min(places);
+        if self.partners(slot, kind.is_sensed).len() + owned.len() > places {
+            places -= self.count_owned(slot, kind).min(places);
         }
-        if borne.len() > places {
+        if owned.len() > places {
             found.refused[usize::from(kind.is_sensed)].push(slot);
         }
-        found.pairs.extend(borne.nearest(places));
+        found.pairs.extend(owned.nearest(places));
     }
 
     /// The slots of the colliders that have pairs with one: as solids, or because of a sensor.
@@ -165,14 +166,14 @@ impl<K: KnownPairs> Search<'_, K> {
     fn meet(&self, seeker: Seeker<'_>, other_slot: u32, is_movable: bool, found: &mut Finds) {
         let Seeker { slot, handle, collider, .. } = seeker;
         let bears = self.tree.bears(slot, other_slot);
-        // Of two that moved, each finds the other.
-        if !bears && (self.only_borne || self.tree.is_moved(other_slot)) {
+        // If both moved, each finds the other.
+        if !bears && (self.only_owned || self.tree.is_moved(other_slot)) {
             return;
         }
         let kind = self.kind_of(slot, other_slot);
-        let borne = &mut found.borne[kind.index()];
-        let remoteness = slot.abs_diff(other_slot);
-        if bears && is_movable && borne.leaves_out(remoteness) {
+        let owned = &mut found.owned[kind.index()];
+        let slot_distance = slot.abs_diff(other_slot);
+        if bears && is_movable && owned.leaves_out(slot_distance) {
             return;
         }
         let Some((other_handle, other)) = self.colliders.at_slot(other_slot) else { return };
@@ -180,12 +181,12 @@ impl<K: KnownPairs> Search<'_, K> {
             return;
         }
         let pair = if slot < other_slot { (handle, other_handle) } else { (other_handle, handle) };
-        if self.only_borne && !is_movable {
-            // What is new here has moved, and has found the pair in the first search.
+        if self.only_owned && !is_movable {
+            // New pairs of a moved partner were found by the first search.
             return;
         }
         if is_movable && bears {
-            borne.push(remoteness, pair);
+            owned.push(slot_distance, pair);
         } else if is_movable && self.is_full(other_slot) {
             found.late.push(other_slot);
         } else {
@@ -205,15 +206,15 @@ impl<K: KnownPairs> Search<'_, K> {
         Kind { is_sensed, is_alike: self.tree.size(slot) == self.tree.size(other_slot) }
     }
 
-    /// How many pairs of one kind the collider at a slot owns already.
-    fn count_borne(&self, slot: u32, kind: Kind) -> usize {
+    /// The number of pairs of one kind that the collider at a slot owns already.
+    fn count_owned(&self, slot: u32, kind: Kind) -> usize {
         let is_movable = |other: u32| {
             let other = self.colliders.at_slot(other);
             other.is_some_and(|(_, other)| other.proxy.tree.is_some_and(TreeKind::is_movable))
         };
-        let borne = |&other: &u32| {
+        let owned = |&other: &u32| {
             self.tree.bears(slot, other) && self.kind_of(slot, other) == kind && is_movable(other)
         };
-        self.partners(slot, kind.is_sensed).iter().copied().filter(borne).count()
+        self.partners(slot, kind.is_sensed).iter().copied().filter(owned).count()
     }
 }

@@ -25,11 +25,11 @@ struct Boxes {
     tree: BroadPhaseBvh,
     params: IntegrationParameters,
     known: BTreeSet<(u32, u32)>,
-    /// How many colliders had too many neighbours.
+    /// Number of colliders with too many neighbours.
     crowded: Crowded,
 }
 
-/// By slot, with whom it has a pair.
+/// By slot: the partners.
 #[derive(Default)]
 struct Partners(BTreeMap<u32, Vec<u32>>);
 
@@ -77,7 +77,7 @@ impl Boxes {
         self.tree.follow(handle, collider, body, &self.params);
     }
 
-    /// What the step does for a collider whose groups or kinds of partners the user changed.
+    /// Edits of the step for a collider whose groups or partner types changed.
     fn look_again(&mut self, handle: ColliderHandle) {
         let collider = self.colliders.get_mut(handle).unwrap();
         let body = collider.parent().and_then(|body| self.bodies.get(body));
@@ -241,7 +241,8 @@ fn found_pairs_are_those_of_comparing_all() {
     }
 }
 
-/// Of cubes at one point each bears as many pairs as it may, those with the nearest slots, and looks again in the next step.
+/// Each of several cubes at one point owns the maximum of pairs, the nearest slots first, and searches again
+/// in the next step.
 #[test]
 fn a_crowd_has_as_many_pairs_as_it_may() {
     const MOST: usize = 10;
@@ -258,13 +259,13 @@ fn a_crowd_has_as_many_pairs_as_it_may() {
     assert_eq!(boxes.crowded.solids, 100 - 1 - MOST);
     for (k, &cube) in cubes.iter().enumerate() {
         assert!(found.contains(&(ground, cube)), "the ground is not counted");
-        let borne = found.iter().filter(|&&(low, high)| high == cube && low != ground);
-        assert!(borne.clone().count() == k.min(MOST), "cube {k}: {found:?}");
-        assert!(borne.clone().all(|(low, _)| cubes[k.saturating_sub(MOST)..k].contains(low)));
+        let owned = found.iter().filter(|&&(low, high)| high == cube && low != ground);
+        assert!(owned.clone().count() == k.min(MOST), "cube {k}: {found:?}");
+        assert!(owned.clone().all(|(low, _)| cubes[k.saturating_sub(MOST)..k].contains(low)));
     }
     assert_eq!(boxes.find(), [], "nothing new");
     assert_eq!(boxes.crowded.solids, 100 - 1 - MOST, "but they looked");
-    // Two that one of them bore are gone: it takes the next nearest.
+    // Two owned pairs are gone: the next nearest replace them.
     let last = cubes[99];
     for gone in [cubes[98], cubes[97]] {
         boxes.remove(gone);
@@ -273,7 +274,7 @@ fn a_crowd_has_as_many_pairs_as_it_may() {
     assert_eq!(of_last, [(cubes[87], last), (cubes[88], last)]);
 }
 
-/// Large ones are never left out for the sake of small ones, whoever moves.
+/// Pairs with larger colliders are never dropped in favour of smaller ones, independent of the moving side.
 #[test]
 fn what_is_small_bears_what_is_large() {
     let mut boxes = Boxes::default();
@@ -297,14 +298,14 @@ fn what_is_small_bears_what_is_large() {
         assert!(smalls.iter().all(|&small| found.contains(&ordered(small, large))), "{found:?}");
     }
     assert!(found.contains(&(larges[0], larges[1])), "{found:?}");
-    // A third large one comes, to small ones that rest and have had their share of small ones.
+    // A third large collider overlaps small ones at rest that own the maximum of small pairs.
     let body = boxes.body(RigidBodyType::Dynamic);
     let third = boxes.cube(Vector::ZERO, Some(body));
     let expected: BTreeSet<_> =
         smalls.iter().chain(&larges).map(|&other| ordered(other, third)).collect();
     let found: BTreeSet<_> = boxes.find().into_iter().collect();
     assert!(found.is_superset(&expected), "{found:?}");
-    // And a fourth, who finds no room.
+    // A fourth large collider exceeds the limit.
     let body = boxes.body(RigidBodyType::Dynamic);
     let fourth = boxes.cube(Vector::ZERO, Some(body));
     assert_eq!(boxes.find(), [larges[0], larges[1], third].map(|large| ordered(large, fourth)));

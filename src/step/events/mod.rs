@@ -50,8 +50,8 @@ pub(crate) fn report(
     *narrow_phase.contacts.strong_mut() = strong;
 }
 
-/// From which force on the pair is to be reported: the lower of the thresholds of those colliders that
-/// want to hear of forces. `None` if neither does.
+/// The force threshold of a pair: the lower threshold of the colliders with force events. `None` if neither
+/// does.
 fn force_threshold(pair: &ContactPair, colliders: &ColliderSet) -> Option<Real> {
     let threshold = |collider: &Collider| {
         let wants = collider.active_events().contains(ActiveEvents::CONTACT_FORCE_EVENTS);

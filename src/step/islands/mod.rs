@@ -16,14 +16,14 @@ use crate::model::event::{CollisionEvent, CollisionEventFlags};
 use crate::model::structure::Structure;
 use crate::step::notes::{PairChange, StepNotes};
 
-/// How many turns before it is needed memory is asked for.
+/// Prefetch distance, in list positions.
 const TURNS_AHEAD: usize = 4;
 
 /// Links and cuts what began and stopped touching, and wakes what moving kinematic bodies touch.
 pub(crate) fn update(structure: &mut Structure<'_>, notes: &mut StepNotes) {
     let StepNotes { contacts, intersections, events, .. } = notes;
-    for (turn, &(id, change)) in contacts.iter().enumerate() {
-        if let Some(&(later, _)) = contacts.get(turn + TURNS_AHEAD) {
+    for (index, &(id, change)) in contacts.iter().enumerate() {
+        if let Some(&(later, _)) = contacts.get(index + TURNS_AHEAD) {
             structure.prefetch_contact(later);
         }
         follow_contact(structure, id, change, events);

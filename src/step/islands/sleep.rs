@@ -1,4 +1,4 @@
-//! Which islands have been still for long enough.
+//! Sleep of islands that have been at rest for long enough.
 
 use crate::model::body::RigidBodyHandle;
 use crate::model::island::NONE;
@@ -18,12 +18,12 @@ pub(crate) struct SleepScratch {
     kinematics: Vec<RigidBodyHandle>,
 }
 
-/// Puts islands to sleep all of whose bodies are ready, and kinematic bodies that have stood still
-/// with nobody awake around them.
+/// Puts islands to sleep if all their bodies are ready, and kinematic bodies at rest without an awake
+/// partner.
 ///
-/// An island with cut links may be several by now, of which some are still moving. It is split before
-/// any part of it sleeps: at once if all of it is ready, and every now and then if a part is. That does
-/// not depend on other islands: what happens far away must not decide who sleeps.
+/// An island with cut links may be several by now, of which some are still moving. It is split before any
+/// part of it sleeps: at once if all of it is ready, at intervals if a part is. The interval is independent
+/// of other islands: remote events must not affect sleep.
 ///
 /// `sleepy` says of each awake body whether it has been still for long enough.
 pub(crate) fn put_to_sleep(

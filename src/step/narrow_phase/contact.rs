@@ -1,14 +1,15 @@
-//! Pairs of solid colliders: where do the two touch?
+//! Contact manifolds of pairs of solid colliders.
 
+use super::anchors::Place;
 use super::faults;
-use super::place::Place;
-use super::seams::{self, SeamScratch, obstacle_side};
-use super::update::{Outcome, Surroundings, Update, Worker};
+use super::ghost_contacts::{self, GhostContactScratch, non_dynamic_side};
+use super::update::{NarrowPhaseContext, Outcome, Update, Worker};
 use super::view::PairView;
 use crate::base::pool::Pool;
 use crate::base::tasks::Tasks;
 use crate::collide::{
-    Neighbor, PRESSED_DEPTH, ShapePair, compute_manifolds, inherit_impulses, renew_convex_manifold,
+    Neighbor, PENETRATION_FRACTION_MAX, ShapePair, compute_manifolds, inherit_impulses,
+    renew_convex_manifold,
 };
 use crate::dim::math::{Pose, Real, Vector};
 use crate::model::body::{QuarantineCause, RigidBody, RigidBodyHandle};
@@ -21,12 +22,12 @@ use crate::model::island::turn_bound;
 use crate::step::notes::PairChange;
 use smallvec::SmallVec;
 
-/// What a computation tells of the next ones.
+/// Results of a computation that later ones read.
 struct Computed {
-    /// How far apart the shapes are beyond the prediction distance: no contact can appear before they
-    /// have moved that far.
+    /// Distance of the shapes beyond the prediction distance: no contact can appear before they have moved
+    /// that far.
     gap: Real,
-    /// How far the bodies may move before the contacts must be [placed](super::place) anew.
+    /// Admissible motion of the bodies until the anchors must be [transformed](super::anchors) again.
     left: Real,
 }
 
@@ -51,24 +52,25 @@ impl Update for ContactPair {
         if !view.boxes_overlap() {
             return Outcome::APART;
         }
-        view.around.lanes.tell(id, self);
+        view.context.lanes.write_back(id, self);
         self.renew(view, [&[], &[]], worker)
     }
 
-    fn look_again(
+    fn filter_ghost_contacts(
         tasks: Tasks<'_>,
-        around: Surroundings<'_>,
+        context: NarrowPhaseContext<'_>,
         store: &mut PairStore<Self>,
-        computed: seams::Computed<'_>,
-        scratch: &mut SeamScratch,
+        computed: ghost_contacts::Computed<'_>,
+        scratch: &mut GhostContactScratch,
         workers: &Pool<Worker>,
     ) {
-        seams::look_again(tasks, around, store, computed, scratch, workers);
+        ghost_contacts::filter_ghost_contacts(tasks, context, store, computed, scratch, workers);
     }
 }
 
 impl ContactPair {
-    /// Computes the pair, which has been told of the last step, with what else each of the two touches.
+    /// Computes a pair whose last impulses are written back, with the neighbouring contacts of both
+    /// colliders.
     pub(super) fn renew(
         &mut self,
         view: &PairView<'_>,
@@ -76,7 +78,7 @@ impl ContactPair {
         worker: &mut Worker,
     ) -> Outcome {
         let Computed { gap, left } = self.compute(view, neighbors, worker);
-        worker.pressed.extend(self.pressed_body(view));
+        worker.deeply_penetrating.extend(self.penetrating_body(view));
         let hooks = ActiveHooks::FILTER_CONTACT_PAIRS | ActiveHooks::MODIFY_SOLVER_CONTACTS;
         let slack = if view.has_hooks(hooks) {
             DUE
@@ -90,16 +92,16 @@ impl ContactPair {
             slack,
             reports_force: view.wants_events(ActiveEvents::CONTACT_FORCE_EVENTS),
             is_renewed: true,
-            obstacle: obstacle_side(view).filter(|_| self.is_touching()),
+            obstacle: non_dynamic_side(view).filter(|_| self.is_touching()),
         }
     }
 
     /// The body that is deep in the other one, if that is not dynamic.
-    fn pressed_body(&self, view: &PairView<'_>) -> Option<RigidBodyHandle> {
+    fn penetrating_body(&self, view: &PairView<'_>) -> Option<RigidBodyHandle> {
         let solved = self.manifolds.iter().filter(|manifold| manifold.is_solved());
         let depth = -solved.map(ContactManifold::deepest_dist).fold(Real::INFINITY, Real::min);
         // Nearly all pairs end here.
-        if depth <= view.around.params.prediction_distance() {
+        if depth <= view.context.params.prediction_distance() {
             return None;
         }
         let is_dynamic = view.bodies.map(|body| body.filter(|body| body.is_dynamic()));
@@ -108,12 +110,12 @@ impl ContactPair {
             [None, Some(body)] => (1, body),
             _ => return None,
         };
-        let is_deep = depth > PRESSED_DEPTH * body.thickness;
+        let is_deep = depth > PENETRATION_FRACTION_MAX * body.thickness;
         is_deep.then(|| view.colliders[side].parent()).flatten()
     }
 
-    /// Did anything change that others must be told of: islands, colours, events? In a pile that moves
-    /// most pairs are computed each step, and hardly any of them begins or ends.
+    /// Returns whether the change affects islands, colours or events. In a pile that moves most pairs are
+    /// computed each step, and hardly any of them begins or ends.
     fn needs_follow_up(&mut self, view: &PairView<'_>) -> bool {
         self.has_any_active_contact = self.is_touching();
         let is_solved = self.manifolds.iter().any(ContactManifold::is_solved);
@@ -131,11 +133,11 @@ impl ContactPair {
             || !view.is_any_body_awake()
     }
 
-    /// A bound of how far the two bodies moved against each other, in the region where they could touch,
-    /// since the contact points were computed; nothing if that is not below a limit, as for most pairs that are asked.
+    /// Bound on the relative motion of the two bodies since the contact points were computed, in the region
+    /// where they could touch. Returns zero unless the bound is below a limit, as for most pairs.
     ///
-    /// That is how far the points moved, and how far a rotation about them moves anything else within
-    /// `reach`: a body that tips over on its contact points has them stand still.
+    /// The bound includes the motion of the points, and the rotation about them of everything within `reach`.
+    /// The contact points of a tipping body do not move.
     fn drift_below(&self, limit: Real, pose12: &Pose, reach: Real) -> Option<Real> {
         let turned = turn_bound(pose12.rotation, self.pose12.rotation) * reach;
         if turned >= limit {
@@ -149,27 +151,27 @@ impl ContactPair {
         (drift < limit).then_some(drift)
     }
 
-    /// Places contacts anew that begin to be held, or are held and whose bodies have crept too far. Returns how far the
-    /// bodies may move until this must be asked again, and whether anything changed.
+    /// Transforms anchors that begin to be frozen, or are frozen and whose bodies have moved too far. Returns
+    /// the admissible motion until the next check, and whether anything changed.
     fn keep_placed(&mut self, id: PairId, view: &PairView<'_>) -> (Real, bool) {
         let place = Place::of(view);
         let friction = self.least_friction();
-        let (held, creeps) = (self.placement.may_hold, place.creeps());
-        let left = place.left(&self.placement, friction);
-        if creeps == held && left > 0.0 {
+        let (held, near_rest) = (self.anchor_frame.may_freeze, place.near_rest());
+        let left = place.left(&self.anchor_frame, friction);
+        if near_rest == held && left > 0.0 {
             return (left, false);
         }
-        view.around.lanes.tell(id, self);
-        if creeps {
-            self.placement = place.placement();
+        view.context.lanes.write_back(id, self);
+        if near_rest {
+            self.anchor_frame = place.anchor_frame();
             for manifold in &mut self.manifolds {
                 place.put(manifold);
             }
         } else {
-            // Should they creep again later, they must not be held where they were long ago.
-            self.placement.may_hold = false;
+            // If the bodies come near rest again later, outdated anchors must not be frozen.
+            self.anchor_frame.may_freeze = false;
         }
-        (place.left(&self.placement, friction), true)
+        (place.left(&self.anchor_frame, friction), true)
     }
 
     fn least_friction(&self) -> Real {
@@ -178,7 +180,7 @@ impl ContactPair {
 
     /// Computes the manifolds.
     ///
-    /// Manifolds that vanish stay, without points, until whoever gave them colours takes those away.
+    /// Vanished manifolds stay, without points, until `islands` removes their colours.
     fn compute(
         &mut self,
         view: &PairView<'_>,
@@ -187,7 +189,7 @@ impl ContactPair {
     ) -> Computed {
         let flags = if view.has_hooks(ActiveHooks::FILTER_CONTACT_PAIRS) {
             let context = view.filter_context([self.collider1, self.collider2]);
-            view.around.hooks.contact_pair_flags(&context)
+            view.context.hooks.contact_pair_flags(&context)
         } else {
             Some(SolverFlags::default())
         };
@@ -198,13 +200,13 @@ impl ContactPair {
             shapes: view.colliders.map(Collider::shape),
             motion: view.motion(),
             prediction: reach,
-            flush: view.around.params.allowed_linear_error(),
+            step_height_tolerance: view.context.params.allowed_linear_error(),
             neighbors,
-            simd: view.around.simd,
+            simd: view.context.simd,
         };
         self.pose12 = view.pose12;
         let distance = if let Some(flags) = flags {
-            self.placement = place.placement();
+            self.anchor_frame = place.anchor_frame();
             let circumstances = Circumstances { view, place: &place, flags };
             if self.is_plain(view, neighbors) {
                 self.renew_manifold(&pair, circumstances, worker)
@@ -216,11 +218,11 @@ impl ContactPair {
             reach
         };
         let gap = (distance - reach).max(0.0);
-        Computed { gap, left: place.left(&self.placement, self.least_friction()) }
+        Computed { gap, left: place.left(&self.anchor_frame, self.least_friction()) }
     }
 
-    /// Is there no more than one manifold now and before, of shapes that are their own only parts, and of which no hook will hear that
-    /// may panic half-way?
+    /// Returns whether the result can be written in place. The shapes are their own only parts, there is at
+    /// most one manifold, and no hook can panic half-way.
     fn is_plain(&self, view: &PairView<'_>, neighbors: [&[Neighbor<'_>]; 2]) -> bool {
         let is_whole =
             |manifold: &ContactManifold| [manifold.subshape1, manifold.subshape2] == [0; 2];
@@ -257,7 +259,7 @@ impl ContactPair {
     ) -> Real {
         let Worker { scratch, fresh, faults, culled, .. } = worker;
         let (old, colliders) = (&self.manifolds, [self.collider1, self.collider2]);
-        let distance = compute_manifolds(pair, old, Some(&mut self.nearby), scratch, fresh);
+        let distance = compute_manifolds(pair, old, Some(&mut self.triangle_cache), scratch, fresh);
         culled.extend(scratch.is_culled().then_some(colliders));
         inherit_impulses(fresh, old);
         for manifold in fresh.iter_mut() {
@@ -280,18 +282,18 @@ impl ContactPair {
                 None => self.manifolds.push(manifold),
             }
         }
-        for surplus in &mut self.manifolds[kept..] {
-            surplus.data.points.clear();
+        for excess in &mut self.manifolds[kept..] {
+            excess.data.points.clear();
         }
     }
 }
 
-/// What the manifolds of a pair are completed with.
+/// Input for the completion of a pair's manifolds.
 #[derive(Copy, Clone)]
 struct Circumstances<'a> {
     view: &'a PairView<'a>,
     place: &'a Place<'a>,
-    /// What the user's filter lets the solver do.
+    /// The user's filter of solver contacts.
     flags: SolverFlags,
 }
 
@@ -312,7 +314,7 @@ fn complete(
     fault
 }
 
-/// Completes a manifold with what the solver needs to know of materials and bodies.
+/// Completes a manifold with the solver's data of materials and bodies.
 fn finish(manifold: &mut ContactManifold, view: &PairView<'_>) {
     let [c1, c2] = view.colliders;
     let data = &mut manifold.data;
@@ -341,7 +343,7 @@ fn finish(manifold: &mut ContactManifold, view: &PairView<'_>) {
     };
 }
 
-/// Lets the user change the contacts.
+/// Calls the user's hook for the contacts.
 fn modify(
     manifold: &mut ContactManifold,
     collider1: ColliderHandle,
@@ -352,15 +354,15 @@ fn modify(
         return;
     }
     let mut context = ContactModificationContext {
-        bodies: view.around.bodies,
-        colliders: view.around.colliders,
+        bodies: view.context.bodies,
+        colliders: view.context.colliders,
         rigid_body1: view.colliders[0].parent(),
         rigid_body2: view.colliders[1].parent(),
         collider1,
         collider2,
         manifold,
     };
-    view.around.hooks.modify_solver_contact(&mut context);
+    view.context.hooks.modify_solver_contact(&mut context);
     manifold.data.placed_normal = manifold.data.normal;
     for contact in &mut manifold.data.points {
         contact.placed_dist = contact.dist;

@@ -1,10 +1,10 @@
-//! Contacts with numbers with which nobody can calculate.
+//! Contacts with values that are not finite.
 //!
-//! Hooks and materials may have any number, and normals of shapes at the edge of what numbers can say may be none. That is
-//! no reason to take a body out: the pair does without the number, and the world without noticing.
+//! Hooks and materials may have any number, and normals of shapes at the edge of what numbers can say may be
+//! none. The body is not disabled for that: the pair omits the value.
 
 use super::update::Worker;
-use crate::base::measure::{CALM, is_point};
+use crate::base::measure::{MODERATE_MAX, is_point};
 use crate::base::pool::Pool;
 use crate::model::body::QuarantineCause;
 use crate::model::contact::{ContactManifold, SolverFlags};
@@ -23,11 +23,11 @@ pub(super) fn leave_out(manifold: &mut ContactManifold) -> Option<QuarantineCaus
         data.solver_flags.remove(SolverFlags::COMPUTE_RIGID_IMPULSES);
         return Some(QuarantineCause::Contact { normal, dist });
     }
-    if data.restitution > CALM {
+    if data.restitution > MODERATE_MAX {
         let restitution = core::mem::take(&mut data.restitution);
         return Some(QuarantineCause::Restitution(restitution));
     }
-    if data.tangent_velocity.abs().max_element() > CALM {
+    if data.tangent_velocity.abs().max_element() > MODERATE_MAX {
         let velocity = core::mem::take(&mut data.tangent_velocity);
         return Some(QuarantineCause::TangentVelocity(velocity));
     }

@@ -1,22 +1,22 @@
 //! # Narrow phase — where exactly do they touch?
 //!
 //! Reads:   collider poses and shapes, bounds of how far bodies moved, last step's manifolds
-//! Writes:  manifolds of awake pairs; notes of what was computed, and of who is deep in a wall
+//! Writes:  manifolds of awake pairs; notes of computed pairs and of bodies deep in a wall
 //! Runs:    parallel over pairs; notes are in the order of the colliders
 //! Never:   moves a body; links islands; gives colours
 //!
-//! Most pairs of a settled pile have hardly moved since their manifolds were computed. Each awake pair
-//! has *slack*: how far its bodies may still move against each other before it must be computed again.
-//! A step takes off a bound of what the two bodies moved, which costs two loads, and only pairs whose
-//! slack is used up are looked at more closely: [`update`].
+//! Most pairs of a settled pile have hardly moved since their manifolds were computed. Each awake pair has
+//! *slack*: how far its bodies may still move against each other before it must be computed again. Each step
+//! subtracts a bound on the relative motion of the two bodies, which costs two loads. Only pairs whose slack
+//! is used up are checked: [`update`].
 
 mod contact;
 mod faults;
-mod place;
+mod anchors;
 mod recycle;
-mod seams;
+mod ghost_contacts;
 mod sensor;
 mod update;
 mod view;
 
-pub(crate) use update::{NarrowPhaseScratch, Surroundings, update};
+pub(crate) use update::{NarrowPhaseContext, NarrowPhaseScratch, update};

@@ -1,4 +1,4 @@
-//! How far a touching pair may move before its contact points are computed anew.
+//! Admissible motion of a touching pair until its contact points are recomputed.
 //!
 //! Until then the points ride along with the two bodies, which is nearly right as long as the same
 //! corners and edges touch. It is wrong at once where a round surface rolls: its point of contact moves
@@ -9,13 +9,13 @@ use crate::model::collider::ShapeForm;
 
 /// Share of the recycle distance for which the points of round surfaces ride along.
 ///
-/// With the default distance of 0.01 m, a ball of radius `r` rolls on with a point that lags by 0.2 mm
-/// at most. That changes the acceleration of a ball of `r` = 0.5 on a slope of 20° by less than
-/// 0.1 %; the full distance changed it by 2.5 %.
+/// With the default distance of 0.01 m, a ball of radius `r` rolls on with a point that lags by 0.2 mm at
+/// most. The rule changes the acceleration of a ball of `r` = 0.5 on a slope of 20° by less than 0.1 %. The
+/// full distance changed it by 2.5 %.
 const ROUND_SHARE: Real = 0.02;
 
-/// How far (length units) any point of two shapes may move against the other shape before contacts
-/// must be computed again, if `distance` is right for shapes with flat sides.
+/// Bound (length units) on the motion of any point of two shapes relative to each other until contacts must
+/// be computed again. `distance` is the bound for shapes with flat sides.
 pub(super) fn recycle_distance(forms: [ShapeForm; 2], distance: Real) -> Real {
     let [form1, form2] = forms;
     if (form1 | form2).contains(ShapeForm::ROUND) { distance * ROUND_SHARE } else { distance }

@@ -1,4 +1,4 @@
-//! Pairs with a sensor: do the two intersect?
+//! Intersection tests of pairs with a sensor.
 
 use super::update::{Outcome, Update, Worker};
 use super::view::PairView;
@@ -15,7 +15,7 @@ impl Update for IntersectionPair {
         let [c1, c2] = view.colliders;
         let wanted = !view.has_hooks(ActiveHooks::FILTER_INTERSECTION_PAIR) || {
             let context = view.filter_context([self.collider1, self.collider2]);
-            view.around.hooks.filter_intersection_pair(&context)
+            view.context.hooks.filter_intersection_pair(&context)
         };
         self.intersecting = wanted && shapes_intersect(&view.pose12, c1.shape(), c2.shape());
         // Any motion may begin or end an intersection; without motion nothing can.

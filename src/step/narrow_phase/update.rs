@@ -1,7 +1,7 @@
-//! Which pairs are due, and what becomes of them.
+//! Due pairs, and their update.
 
 use super::faults;
-use super::seams::{Computed, SeamScratch};
+use super::ghost_contacts::{Computed, GhostContactScratch};
 use super::view::PairView;
 use crate::base::disjoint::DisjointMut;
 use crate::base::pool::Pool;
@@ -28,18 +28,18 @@ const PAIRS_PER_TASK: usize = 16;
 /// And outcomes.
 const OUTCOMES_PER_TASK: usize = 512;
 
-/// How many turns before it is needed memory is asked for.
+/// Prefetch distance, in list positions.
 const TURNS_AHEAD: usize = 2;
 /// The same, where nothing else is done in a turn.
 const SLOTS_AHEAD: usize = 32;
 
-/// What the narrow phase reads.
+/// Context of the narrow phase.
 #[derive(Copy, Clone)]
-pub(crate) struct Surroundings<'a> {
+pub(crate) struct NarrowPhaseContext<'a> {
     pub bodies: &'a RigidBodySet,
     pub colliders: &'a ColliderSet,
     pub islands: &'a IslandManager,
-    /// What the last step knows of contacts that have not been told.
+    /// Impulses of the last step that are not written back yet.
     pub lanes: &'a ContactLanes,
     pub params: &'a IntegrationParameters,
     pub hooks: &'a dyn PhysicsHooks,
@@ -57,7 +57,7 @@ pub(crate) struct NarrowPhaseScratch {
     gather_changes: Gather<Change>,
     /// One for each task that runs at the same time.
     workers: Pool<Worker>,
-    seams: SeamScratch,
+    ghost_contacts: GhostContactScratch,
     culled: Culled,
 }
 
@@ -65,7 +65,7 @@ pub(crate) struct NarrowPhaseScratch {
 #[derive(Default)]
 struct Culled {
     pairs: Vec<[ColliderHandle; 2]>,
-    /// Has the log been told?
+    /// Whether the log already contains the warning.
     has_warned: bool,
 }
 
@@ -89,7 +89,7 @@ impl Culled {
 /// A pair that changed, after the slots of its colliders.
 type Change = ([u32; 2], PairId, PairChange);
 
-/// What one thread needs to compute manifolds.
+/// Buffers of one thread for the computation of manifolds.
 #[derive(Default)]
 pub(super) struct Worker {
     pub scratch: ManifoldScratch,
@@ -97,21 +97,21 @@ pub(super) struct Worker {
     /// Pairs with impossible numbers.
     pub faults: Vec<([ColliderHandle; 2], QuarantineCause)>,
     /// Bodies that are deep in something.
-    pub pressed: Vec<RigidBodyHandle>,
+    pub deeply_penetrating: Vec<RigidBodyHandle>,
     /// Pairs that touch in so many places that only some were taken.
     pub culled: Vec<[ColliderHandle; 2]>,
 }
 
-/// What a look at one pair found.
+/// Result for one pair.
 #[derive(Copy, Clone, Debug)]
 pub(super) struct Outcome {
     pub change: Option<PairChange>,
     pub slack: Real,
-    /// Does somebody want to hear of strong contact forces?
+    /// Whether events of strong contact forces are enabled.
     pub reports_force: bool,
-    /// Is anything not as it was that the solver reads?
+    /// Whether any input of the solver changed.
     pub is_renewed: bool,
-    /// Which of the two colliders is an obstacle, if contacts with it were computed.
+    /// Side of the non-dynamic collider, if contacts with it were computed.
     pub obstacle: Option<usize>,
 }
 
@@ -128,21 +128,23 @@ impl Outcome {
 /// Brings all awake pairs up to date. Returns the number of contact pairs that touch in so many places that only some were taken.
 pub(crate) fn update(
     tasks: Tasks<'_>,
-    around: Surroundings<'_>,
+    context: NarrowPhaseContext<'_>,
     (contacts, intersections): (&mut PairStore<ContactPair>, &mut PairStore<IntersectionPair>),
     scratch: &mut NarrowPhaseScratch,
     notes: &mut StepNotes,
 ) -> usize {
     let look = AssertUnwindSafe(|| {
-        update_store(tasks, around, contacts, scratch, &mut notes.contacts);
-        update_store(tasks, around, intersections, scratch, &mut notes.intersections);
+        update_store(tasks, context, contacts, scratch, &mut notes.contacts);
+        update_store(tasks, context, intersections, scratch, &mut notes.intersections);
     });
     let looked = catch_unwind(look);
     faults::report(&mut scratch.workers, &mut notes.quarantined);
-    scratch.workers.for_each(|worker| notes.pressed.append(&mut worker.pressed));
+    scratch
+        .workers
+        .for_each(|worker| notes.deeply_penetrating.append(&mut worker.deeply_penetrating));
     scratch.culled.gather(&mut scratch.workers);
     if let Err(panic) = looked {
-        // A hook did that. Some pairs are up to date and nobody will hear what became of them: all are due again.
+        // A hook did that. Some pairs are up to date, and their result is lost: all are due again.
         contacts.invalidate_all();
         contacts.renew_all();
         intersections.invalidate_all();
@@ -162,12 +164,12 @@ pub(super) trait Update: Pair + Sized + Send + Sync {
     ) -> Outcome;
 
     /// Goes over the pairs that were computed once all of them are known.
-    fn look_again(
+    fn filter_ghost_contacts(
         _tasks: Tasks<'_>,
-        _around: Surroundings<'_>,
+        _around: NarrowPhaseContext<'_>,
         _store: &mut PairStore<Self>,
         _computed: Computed<'_>,
-        _scratch: &mut SeamScratch,
+        _scratch: &mut GhostContactScratch,
         _workers: &Pool<Worker>,
     ) {
     }
@@ -175,7 +177,7 @@ pub(super) trait Update: Pair + Sized + Send + Sync {
 
 fn update_store<P: Update>(
     tasks: Tasks<'_>,
-    around: Surroundings<'_>,
+    context: NarrowPhaseContext<'_>,
     store: &mut PairStore<P>,
     scratch: &mut NarrowPhaseScratch,
     notes: &mut Vec<(PairId, PairChange)>,
@@ -187,17 +189,24 @@ fn update_store<P: Update>(
         changes,
         gather_changes,
         workers,
-        seams,
+        ghost_contacts,
         ..
     } = scratch;
-    list_due(tasks, around, store, gather_due, due);
+    list_due(tasks, context, store, gather_due, due);
     outcomes.clear();
     outcomes.resize(due.len(), Outcome::APART);
-    look_at_all(tasks, around, store, due, outcomes, workers);
-    P::look_again(tasks, around, store, Computed { due, outcomes }, seams, workers);
+    look_at_all(tasks, context, store, due, outcomes, workers);
+    P::filter_ghost_contacts(
+        tasks,
+        context,
+        store,
+        Computed { due, outcomes },
+        ghost_contacts,
+        workers,
+    );
     changes.clear();
-    take_in(tasks, store, (due, outcomes), gather_changes, changes);
-    // Which ids are free depends on all pairs of the world. Colours are given in the order of the notes, and what
+    apply(tasks, store, (due, outcomes), gather_changes, changes);
+    // The free ids depend on all pairs of the world. Colours are given in the order of the notes, and what
     // happens far away must not change them.
     changes.sort_unstable_by_key(|&(slots, ..)| slots);
     notes.extend(changes.iter().map(|&(_, id, change)| (id, change)));
@@ -206,7 +215,7 @@ fn update_store<P: Update>(
 /// Lists the awake pairs whose slack is used up.
 fn list_due<P: Pair>(
     tasks: Tasks<'_>,
-    around: Surroundings<'_>,
+    context: NarrowPhaseContext<'_>,
     store: &mut PairStore<P>,
     gather: &mut Gather<PairId>,
     due: &mut Vec<PairId>,
@@ -214,8 +223,8 @@ fn list_due<P: Pair>(
     due.clear();
     let is_due = |state: &mut PairState| {
         let [body1, body2] = state.bodies;
-        state.slack -= around.islands.motion_of(body1).against(around.islands.motion_of(body2));
-        // Two infinite ways have no difference.
+        state.slack -= context.islands.motion_of(body1).against(context.islands.motion_of(body2));
+        // The difference of two infinite displacements is not a number.
         state.slack < 0.0 || state.slack.is_nan()
     };
     store.list_awake(tasks, gather, is_due, due);
@@ -224,7 +233,7 @@ fn list_due<P: Pair>(
 /// Looks at each due pair by itself.
 fn look_at_all<P: Update>(
     tasks: Tasks<'_>,
-    around: Surroundings<'_>,
+    context: NarrowPhaseContext<'_>,
     store: &mut PairStore<P>,
     due: &[PairId],
     outcomes: &mut [Outcome],
@@ -235,22 +244,22 @@ fn look_at_all<P: Update>(
     let (results, pairs) = (DisjointMut::new(outcomes), DisjointMut::new(pairs));
     tasks.par_for(due.len(), PAIRS_PER_TASK, |range| {
         let mut worker = workers.take();
-        let ahead = Ahead { around, states, due: &due[range.clone()], pairs };
-        for (turn, index) in range.enumerate() {
-            ahead.of(turn);
+        let ahead = Ahead { context, states, due: &due[range.clone()], pairs };
+        for (position, index) in range.enumerate() {
+            ahead.of(position);
             let id = due[index];
             // SAFETY: ids of awake pairs differ, and so do the indices of different tasks.
             let (pair, result) = unsafe { (pairs.get_mut(id as usize), results.get_mut(index)) };
             let Some(pair) = pair else { continue };
             let last = Outcome::unchanged(states[id as usize].slack, reporting.contains(id));
-            *result = look_at(around, (id, pair), last, &mut worker);
+            *result = look_at(context, (id, pair), last, &mut worker);
         }
         workers.put(worker);
     });
 }
 
-/// Has the store know of all pairs what was found, and lists those that changed.
-fn take_in<P: Pair>(
+/// Stores the results of all pairs, and lists the pairs that changed.
+fn apply<P: Pair>(
     tasks: Tasks<'_>,
     store: &mut PairStore<P>,
     (due, outcomes): (&[PairId], &[Outcome]),
@@ -259,7 +268,7 @@ fn take_in<P: Pair>(
 ) {
     let StoreParts { states, slots, .. } = store.split();
     let states = DisjointMut::new(states);
-    let take_in = |range: Range<usize>, found: &mut Vec<Change>| {
+    let apply = |range: Range<usize>, found: &mut Vec<Change>| {
         for index in range {
             let later = outcomes.get(index + SLOTS_AHEAD).and_then(|later| later.change);
             if later.is_some() {
@@ -271,7 +280,7 @@ fn take_in<P: Pair>(
             found.extend(outcome.change.map(|change| (slots.of(id), id, change)));
         }
     };
-    gather.run(tasks, (due.len(), OUTCOMES_PER_TASK), take_in, changes);
+    gather.run(tasks, (due.len(), OUTCOMES_PER_TASK), apply, changes);
     let found = || due.iter().copied().zip(outcomes);
     found().for_each(|(id, outcome)| store.set_reporting(id, outcome.reports_force));
     store.renew(found().filter(|(_, outcome)| outcome.is_renewed).map(|(id, _)| id));
@@ -280,47 +289,47 @@ fn take_in<P: Pair>(
 /// Brings near what the next turns will read. Pairs, colliders and bodies are spread over memory, and waiting for
 /// them took as long as a third of the computation.
 struct Ahead<'a, P> {
-    around: Surroundings<'a>,
+    context: NarrowPhaseContext<'a>,
     states: &'a [PairState],
     due: &'a [PairId],
     pairs: DisjointMut<'a, Option<P>>,
 }
 
 impl<P: Update> Ahead<'_, P> {
-    /// A pair names its colliders, so it must be there before they can be asked for.
+    /// The pair contains the collider slots, so it is prefetched first.
     #[inline(always)]
-    fn of(&self, turn: usize) {
-        if let Some(&id) = self.due.get(turn + 2 * TURNS_AHEAD) {
-            // SAFETY: the pairs of later turns belong to this task, and nobody writes them now.
+    fn of(&self, index: usize) {
+        if let Some(&id) = self.due.get(index + 2 * TURNS_AHEAD) {
+            // SAFETY: the later pairs of the range belong to this task exclusively.
             prefetch(unsafe { self.pairs.get(id as usize) });
         }
-        if let Some(&id) = self.due.get(turn + TURNS_AHEAD) {
+        if let Some(&id) = self.due.get(index + TURNS_AHEAD) {
             // SAFETY: as above.
             let pair = unsafe { self.pairs.get(id as usize) };
             for collider in pair.iter().flat_map(Pair::colliders) {
-                self.around.colliders.prefetch(collider.into_raw_parts().0);
+                self.context.colliders.prefetch(collider.into_raw_parts().0);
             }
             for body in self.states[id as usize].bodies {
-                self.around.bodies.prefetch(body);
+                self.context.bodies.prefetch(body);
             }
             pair.iter().for_each(|pair| pair.prefetch(false));
         }
-        if let Some(&id) = self.due.get(turn + 1) {
+        if let Some(&id) = self.due.get(index + 1) {
             // SAFETY: as above.
             let pair = unsafe { self.pairs.get(id as usize) };
-            pair.iter().for_each(|pair| pair.prefetch_report(self.around.lanes));
+            pair.iter().for_each(|pair| pair.prefetch_report(self.context.lanes));
             pair.iter().for_each(|pair| pair.prefetch(true));
         }
     }
 }
 
 fn look_at<P: Update>(
-    around: Surroundings<'_>,
+    context: NarrowPhaseContext<'_>,
     (id, pair): (PairId, &mut P),
     last: Outcome,
     worker: &mut Worker,
 ) -> Outcome {
-    match PairView::of(around, pair.colliders()) {
+    match PairView::of(context, pair.colliders()) {
         Some(view) => pair.update(id, &view, last, worker),
         None => Outcome::APART,
     }

@@ -1,7 +1,7 @@
 //! A pair of colliders with all that is around it.
 
 use super::recycle::recycle_distance;
-use super::update::Surroundings;
+use super::update::NarrowPhaseContext;
 use crate::dim::math::{Pose, Real, Vector};
 use crate::model::body::RigidBody;
 use crate::model::collider::{ActiveEvents, ActiveHooks, Collider, ColliderHandle, ShapeForm};
@@ -11,7 +11,7 @@ use parry::bounding_volume::BoundingVolume;
 
 /// The two colliders of a pair and their bodies.
 pub(super) struct PairView<'a> {
-    pub around: Surroundings<'a>,
+    pub context: NarrowPhaseContext<'a>,
     pub colliders: [&'a Collider; 2],
     pub bodies: [Option<&'a RigidBody>; 2],
     /// Pose of the second collider in the frame of the first.
@@ -19,12 +19,12 @@ pub(super) struct PairView<'a> {
 }
 
 impl<'a> PairView<'a> {
-    pub fn of(around: Surroundings<'a>, handles: [ColliderHandle; 2]) -> Option<Self> {
-        let collider1 = around.colliders.get(handles[0])?;
-        let collider2 = around.colliders.get(handles[1])?;
-        let body = |collider: &Collider| around.bodies.get(collider.parent()?);
+    pub fn of(context: NarrowPhaseContext<'a>, handles: [ColliderHandle; 2]) -> Option<Self> {
+        let collider1 = context.colliders.get(handles[0])?;
+        let collider2 = context.colliders.get(handles[1])?;
+        let body = |collider: &Collider| context.bodies.get(collider.parent()?);
         Some(Self {
-            around,
+            context,
             colliders: [collider1, collider2],
             bodies: [body(collider1), body(collider2)],
             pose12: collider1.pose.inv_mul(&collider2.pose),
@@ -39,7 +39,7 @@ impl<'a> PairView<'a> {
         diameter(self.bodies[0]).min(diameter(self.bodies[1]))
     }
 
-    /// Are both shapes convex?
+    /// Returns whether both shapes are convex.
     pub fn are_convex(&self) -> bool {
         let [c1, c2] = self.colliders;
         (c1.form & c2.form).contains(ShapeForm::CONVEX)
@@ -66,8 +66,8 @@ impl<'a> PairView<'a> {
 
     pub fn filter_context(&self, pair: [ColliderHandle; 2]) -> PairFilterContext<'a> {
         PairFilterContext {
-            bodies: self.around.bodies,
-            colliders: self.around.colliders,
+            bodies: self.context.bodies,
+            colliders: self.context.colliders,
             collider1: pair[0],
             collider2: pair[1],
             rigid_body1: self.colliders[0].parent(),
@@ -75,31 +75,32 @@ impl<'a> PairView<'a> {
         }
     }
 
-    /// How far the second collider's body moves against the first's in a step, in the frame of the first collider.
+    /// Displacement of the second collider's body relative to the first's in a step, in the frame of the
+    /// first collider.
     pub fn motion(&self) -> Vector {
         let velocity = |body: Option<&RigidBody>| body.map_or(Vector::ZERO, |body| body.linvel);
         let relative = velocity(self.bodies[1]) - velocity(self.bodies[0]);
-        self.colliders[0].pose.rotation.inverse() * relative * self.around.params.dt
+        self.colliders[0].pose.rotation.inverse() * relative * self.context.params.dt
     }
 
     /// Gap below which contacts are wanted.
     pub fn prediction(&self) -> Real {
         let soft_ccd = |body: Option<&RigidBody>| body.map_or(0.0, |body| body.soft_ccd_prediction);
         let soft = soft_ccd(self.bodies[0]).max(soft_ccd(self.bodies[1]));
-        let prediction = self.around.params.prediction_distance();
+        let prediction = self.context.params.prediction_distance();
         if soft == 0.0 {
             return prediction;
         }
         // No farther than the two can come together in a step.
         let velocity = |body: Option<&RigidBody>| body.map_or(Vector::ZERO, |body| body.linvel);
         let approach = (velocity(self.bodies[1]) - velocity(self.bodies[0])).length();
-        prediction.max(soft.min(approach * self.around.params.dt))
+        prediction.max(soft.min(approach * self.context.params.dt))
     }
 
-    /// How far a touching pair may move before its contacts are computed again.
+    /// The admissible motion of a touching pair until its contacts are recomputed.
     pub fn recycle_distance(&self) -> Real {
         let forms = self.colliders.map(|collider| collider.form);
-        recycle_distance(forms, self.around.params.contact_recycle_distance())
+        recycle_distance(forms, self.context.params.contact_recycle_distance())
     }
 
     pub fn skin(&self) -> Real {

@@ -1,35 +1,37 @@
 //! # Quarantine — who leaves the range of numbers is taken out, and the step taken again
 //!
 //! Reads:   the solver's note of bodies that it could not store, and what these were given by the user and by joints
-//! Writes:  which bodies take part; the whole world, back to what it was when the step began
+//! Writes:  enabled flags of bodies; the whole world, restored to the start of the step
 //! Runs:    serial, when a step has failed; a world at risk is copied before
 //! Never:   touches a body that the solver could store
 //!
-//! Numbers overflow: forces add up, motors are stiff beyond reason, speeds grow. A body whose numbers are none would pass
-//! this on to all that it touches, and these to all that they touch. So the solver stores nobody if it cannot store
-//! everybody. Here the [culprits] are found and disabled, as a user would disable them, and the step is taken again
-//! without them: from the beginning, as if they had been disabled before it. What they hit in this step was not hit, what
-//! they woke sleeps, and no event tells of it.
+//! Numbers overflow: forces add up, motors are stiff beyond reason, speeds grow. A body whose numbers are
+//! none would pass this on to all that it touches, and these to all that they touch. The solver therefore
+//! stores no body if it cannot store all of them. This stage finds the [causes] and disables them, as a user
+//! would disable them. The step is then repeated without them from the beginning. The failed attempt leaves
+//! no impulses, wakes no body and emits no event.
 //!
-//! **The way back.** By the time when the solver has failed, pairs, islands and colours have followed the step. They are not
-//! unwound one by one: that would need a journal of everything that the structure does. Instead a step is begun with a
-//! [copy of the world](WayBack) when it might fail: after a step that left a body faster than [`CALM`] or farther than
-//! [`FAR`], or touching another of hardly any mass by comparison; when the user has just treated somebody not
-//! [gently](GENTLE); and when the step is [long](LONG). That is rare, and a step that nobody is at risk in pays for a comparison per number of the solver's
-//! states (`src/step/solver/bodies/survey.rs`). From calm numbers to impossible ones it is a factor of a thousand million:
-//! what grows there grows over several steps, and is seen.
+//! **The checkpoint.** By the time when the solver has failed, pairs, islands and colours have followed the
+//! step. They are not unwound one by one: that would need a journal of everything that the structure does. A
+//! step begins with a [copy of the world](Checkpoint) if it may fail. The conditions are: the last step left
+//! a body faster than [`MODERATE_MAX`] or farther than [`COORDINATE_MODERATE_MAX`]; a body touches a much
+//! lighter one; an edit is not [moderate](GENTLE); or the step is [long](LONG). That is rare. Other steps pay
+//! for a comparison per number of the solver's states (`src/step/solver/bodies/divergence.rs`). Moderate and
+//! non-finite numbers are a factor of 10⁹ apart. Values that grow there grow over several steps, and are
+//! detected.
 //!
-//! Should a step fail all the same that nobody foresaw (a motor that was never calm, held until now), it is taken again
-//! from where it is: bodies and impulses are as they were. Numbers are as safe then. But new contacts have been coloured,
-//! and sleepers woken, with the culprits still there: what touched them may be visited in another order than without them.
+//! A step may fail without such a sign, for example because of an extreme motor that was blocked so far. It
+//! is then repeated from the current state: bodies and impulses are unchanged. Numbers are as safe then. But
+//! new contacts are coloured already, and sleeping bodies are awake, with the causes still enabled. The order
+//! of their contacts may therefore differ.
 
-mod culprits;
-mod way_back;
+mod causes;
+mod checkpoint;
 
-pub(crate) use way_back::WayBack;
+pub(crate) use checkpoint::Checkpoint;
 
 use crate::base::hash::FastHashMap;
-use crate::base::measure::{CALM, FAR};
+use crate::base::measure::{COORDINATE_MODERATE_MAX, MODERATE_MAX};
 use crate::dim::math::{AngVector, Real, Vector, ang_length_squared, mul_inertia};
 use crate::model::body::{QuarantineCause, RigidBody, RigidBodyHandle, RigidBodySet};
 use crate::model::collider::{ColliderHandle, ColliderMassProps, ColliderSet};
@@ -41,13 +43,13 @@ use crate::model::multibody::MultibodyJointSet;
 use crate::model::params::IntegrationParameters;
 use crate::model::tree::BroadPhaseBvh;
 use crate::step::notes::StepNotes;
-use culprits::Culprits;
+use causes::Causes;
 
-/// What users set that is faster, or is to become so within a step, is worth a copy of the world (in length units, and
-/// radians, per second).
+/// A velocity set by the user above this value, or reached within a step, requires a checkpoint (in length
+/// units, and radians, per second).
 const GENTLE: Real = 1.0e3;
 
-/// A step so long (s) that what turns, turns further in it than anybody could foresee.
+/// Steps longer than this (s) always have a checkpoint: rotations within them are unpredictable.
 const LONG: Real = 0.1;
 
 /// All that a step changes.
@@ -61,21 +63,21 @@ pub(crate) struct World<'a> {
     pub multibodies: &'a mut MultibodyJointSet,
 }
 
-/// What bodies move in.
+/// Gravity and parameters of the step.
 #[derive(Copy, Clone)]
-pub(crate) struct Conditions<'a> {
+pub(crate) struct StepConditions<'a> {
     pub gravity: Vector,
     pub params: &'a IntegrationParameters,
 }
 
-/// Who has been taken out in this step.
+/// The bodies that were disabled in this step.
 #[derive(Default)]
 pub(crate) struct Quarantine {
     taken: Vec<(RigidBodyHandle, QuarantineCause)>,
-    /// How often the step has failed.
+    /// Number of failed attempts.
     failures: usize,
-    /// How many events the attempts have told that failed.
-    told: usize,
+    /// Number of events that failed attempts emitted.
+    emitted: usize,
 }
 
 impl Quarantine {
@@ -83,35 +85,35 @@ impl Quarantine {
     pub fn open(&mut self) {
         self.taken.clear();
         self.failures = 0;
-        self.told = 0;
+        self.emitted = 0;
     }
 
     /// Takes culprits out of a world in which a step has failed, and puts everything else back for it to be taken again.
     pub fn take_out(
         &mut self,
         mut world: World<'_>,
-        way_back: Option<&WayBack>,
-        conditions: Conditions<'_>,
+        checkpoint: Option<&Checkpoint>,
+        conditions: StepConditions<'_>,
         notes: &mut StepNotes,
     ) {
-        let culprits = Culprits { world: &world, conditions, lost: &notes.lost };
-        culprits.find(self.failures, &mut self.taken);
+        let causes = Causes { world: &world, conditions, diverged: &notes.diverged };
+        causes.find(self.failures, &mut self.taken);
         self.failures += 1;
-        // Not in the order in which they were found: a user who disables the same bodies need not know it.
+        // The order is that of the handles, so manual disabling of the same bodies gives the same result.
         self.taken.sort_by_key(|(handle, _)| handle.into_raw_parts());
         self.taken.dedup_by_key(|(handle, _)| *handle);
-        match way_back {
-            Some(way_back) => {
-                way_back.restore(&mut world);
+        match checkpoint {
+            Some(checkpoint) => {
+                checkpoint.restore(&mut world);
                 notes.clear();
             }
             None => {
-                // All pairs have heard of the last motion.
+                // All pairs already include the last motion.
                 world.islands.forget_motion();
                 notes.clear_attempt();
             }
         }
-        self.told = notes.events.len();
+        self.emitted = notes.events.len();
         for &(handle, cause) in &self.taken {
             if let Some(body) = world.bodies.get_mut(handle) {
                 body.put_in_quarantine(cause);
@@ -119,10 +121,10 @@ impl Quarantine {
         }
     }
 
-    /// Tells who was taken out. Returns how many.
+    /// Reports the disabled bodies. Returns how many.
     pub fn close(&self, bodies: &RigidBodySet, notes: &mut StepNotes) -> usize {
         if self.failures > 0 {
-            cancel_out(&mut notes.events, self.told);
+            cancel_out(&mut notes.events, self.emitted);
         }
         for &(handle, cause) in &self.taken {
             let Some(body) = bodies.get(handle) else { continue };
@@ -139,14 +141,15 @@ impl Quarantine {
     }
 }
 
-/// What began to touch in a failed attempt, and stopped because one of the two was taken out, did neither. Attempts that failed have told the
-/// first `told` events; what began later, and stopped in the same step all the same (a sensor was passed), did both.
-fn cancel_out(events: &mut Vec<CollisionEvent>, told: usize) {
+/// Cancels pairs of events: contacts that began in a failed attempt and ended because one body was disabled.
+/// Failed attempts emitted the first `emitted` events. Contacts that began later and ended in the same step
+/// (a crossed sensor) keep both events.
+fn cancel_out(events: &mut Vec<CollisionEvent>, emitted: usize) {
     let mut began = FastHashMap::default();
     let mut is_void = vec![false; events.len()];
     for (index, event) in events.iter().enumerate() {
         let pair = (event.collider1(), event.collider2());
-        if event.started() && index < told {
+        if event.started() && index < emitted {
             began.insert(pair, index);
         } else if let Some(start) = began.remove(&pair) {
             (is_void[start], is_void[index]) = (true, true);
@@ -156,29 +159,29 @@ fn cancel_out(events: &mut Vec<CollisionEvent>, told: usize) {
     events.retain(|_| !is_void.next().unwrap_or_default());
 }
 
-/// Might the step that is about to begin fail?
-pub(crate) fn is_at_risk(world: &World<'_>, conditions: Conditions<'_>) -> bool {
+/// Returns whether the step that is about to begin may fail.
+pub(crate) fn is_at_risk(world: &World<'_>, conditions: StepConditions<'_>) -> bool {
     let World { islands, bodies, colliders, joints, .. } = world;
-    let is_strained = |&handle: &RigidBodyHandle| {
+    let is_ill_conditioned = |&handle: &RigidBodyHandle| {
         bodies.get(handle).is_some_and(|body| !conditions.treat_gently(body))
     };
     let is_heavy = |&handle: &ColliderHandle| {
-        colliders.get(handle).is_some_and(|collider| !mass_is_calm(&collider.mass_props))
+        colliders.get(handle).is_some_and(|collider| !mass_is_moderate(&collider.mass_props))
     };
     conditions.params.dt > 0.0
-        && (islands.strained
+        && (islands.ill_conditioned
             || conditions.params.dt > LONG
             || !conditions.is_gentle(conditions.gravity * conditions.params.dt)
-            || bodies.modified().iter().any(is_strained)
+            || bodies.modified().iter().any(is_ill_conditioned)
             || colliders.modified().iter().any(is_heavy)
             || joints.modified().any(|(handle, _)| {
                 let motors = joints.get(handle).map(|joint| &joint.data.motors);
-                motors.is_some_and(|motors| !motors.iter().all(motor_is_calm))
+                motors.is_some_and(|motors| !motors.iter().all(motor_is_moderate))
             }))
 }
 
-impl Conditions<'_> {
-    /// Is everything moderate that the user may have given to a body, and the body near?
+impl StepConditions<'_> {
+    /// Returns whether all user-provided values of a body are moderate, its position included.
     fn treat_gently(self, body: &RigidBody) -> bool {
         let Self { gravity, params } = self;
         let (force, torque) = body.forces();
@@ -189,23 +192,23 @@ impl Conditions<'_> {
         self.is_gentle(body.linvel)
             && self.is_gentle(acceleration * params.dt)
             && self.is_gentle(to_target.linvel)
-            && turns_gently(body.angvel)
-            && turns_gently(twist * params.dt)
-            && turns_gently(to_target.angvel)
-            // What a new body weighs is not yet known.
-            && is_within(force, CALM)
-            && ang_length_squared(torque) <= CALM * CALM
-            && inv_mass <= CALM
-            && is_within(body.pose.translation, FAR)
+            && rotates_moderately(body.angvel)
+            && rotates_moderately(twist * params.dt)
+            && rotates_moderately(to_target.angvel)
+            // The mass of a new body is not yet computed.
+            && is_within(force, MODERATE_MAX)
+            && ang_length_squared(torque) <= MODERATE_MAX * MODERATE_MAX
+            && inv_mass <= MODERATE_MAX
+            && is_within(body.pose.translation, COORDINATE_MODERATE_MAX)
     }
 
-    /// Is it moderate as a velocity, even in a long step?
+    /// Returns whether the value is moderate as a velocity, even in a long step.
     fn is_gentle(self, velocity: Vector) -> bool {
         is_within(velocity * self.params.dt.max(1.0), GENTLE * self.params.length_unit.max(1.0))
     }
 }
 
-fn turns_gently(velocity: AngVector) -> bool {
+fn rotates_moderately(velocity: AngVector) -> bool {
     ang_length_squared(velocity) <= GENTLE * GENTLE
 }
 
@@ -213,18 +216,18 @@ fn is_within(vector: Vector, bound: Real) -> bool {
     vector.abs().max_element() <= bound
 }
 
-/// Are masses of this order, or their inverses, nothing to fear?
-fn mass_is_calm(mass: &ColliderMassProps) -> bool {
+/// Returns whether masses of this order and their inverses are harmless.
+fn mass_is_moderate(mass: &ColliderMassProps) -> bool {
     let value = match mass {
         ColliderMassProps::Density(value) | ColliderMassProps::Mass(value) => *value,
         ColliderMassProps::MassProperties(mass) => mass.inv_mass,
     };
-    value == 0.0 || (1.0 / CALM..=CALM).contains(&value)
+    value == 0.0 || (1.0 / MODERATE_MAX..=MODERATE_MAX).contains(&value)
 }
 
-fn motor_is_calm(motor: &JointMotor) -> bool {
+fn motor_is_moderate(motor: &JointMotor) -> bool {
     let numbers = [motor.stiffness, motor.damping, motor.target_pos, motor.target_vel];
-    numbers.into_iter().all(|value| value.abs() <= CALM)
+    numbers.into_iter().all(|value| value.abs() <= MODERATE_MAX)
 }
 
 #[cfg(test)]
@@ -264,7 +267,7 @@ mod tests {
         assert_eq!(events, [stopped(1), stopped(4), started(5), started(1)]);
     }
 
-    /// Nobody took back that it began: it was there, and is not any more.
+    /// The begin event was not cancelled: the contact existed before, and has ended.
     #[test]
     fn what_is_passed_after_all_attempts_is_told() {
         let mut events = vec![started(1), stopped(1), started(2), stopped(2)];

@@ -1,12 +1,12 @@
 //! Contact constraints: from manifolds to lane-wide blocks, through the passes, and back.
 
 use super::bodies::SolverBodies;
-use super::impacts::{Around, Impacts};
-use super::keep::keep;
+use super::impacts::{ImpactContext, Impacts};
 use super::layout::Layout;
 use super::multibodies::SolverMultibodies;
 use super::overflow::OverflowOrder;
 use super::recovery::{Recovery, deep_overlap};
+use super::store_impulses::store_impulses;
 use crate::base::disjoint::DisjointMut;
 use crate::base::tasks::Tasks;
 use crate::base::wide::{Kernel, LANES, Lane, Simd, Wide};
@@ -15,8 +15,8 @@ use crate::dim::math::Real;
 use crate::dim::state::{BodyPose, BodyState};
 use crate::model::constraint_graph::{ConstraintGraph, ManifoldRef, OVERFLOW};
 use crate::model::contact::{
-    ContactInput, ContactLanes, ContactPair, ContactReport, LaneBlock, NarrowPhase, PairStore,
-    Rooms, reserve_blocks,
+    ContactInput, ContactLanes, ContactPair, ContactReport, LaneBlock, LaneCapacity, NarrowPhase,
+    PairStore, reserve_blocks,
 };
 use crate::model::params::{ContactPass, FrictionModel, ImpactPass, IntegrationParameters};
 use core::ops::Range;
@@ -24,15 +24,15 @@ use core::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
 /// Blocks that are worth handing over to another thread together (a microsecond or two).
 const BLOCKS_PER_TASK: usize = 8;
-/// How many blocks before one is filled memory is asked for.
+/// Prefetch distance, in blocks.
 const BLOCKS_AHEAD: usize = 2;
 
-/// What contacts are loaded for.
+/// The context for which contacts are loaded.
 #[derive(Copy, Clone)]
 pub(super) struct LoadKind {
-    /// Are all bodies that move solved together?
+    /// Whether all moving bodies are solved together.
     pub is_only_group: bool,
-    /// Has each point friction of its own?
+    /// Whether each point has its own friction.
     pub per_point: bool,
 }
 
@@ -41,10 +41,10 @@ pub(super) struct LoadKind {
 pub(super) struct SolverContacts {
     /// Blocks of one colour stand together.
     blocks: Vec<ContactBlock>,
-    /// Those of the narrow phase while they are on loan, else its own.
+    /// The lanes of the narrow phase while they are borrowed, else an own set.
     lanes: ContactLanes,
     are_on_loan: bool,
-    /// Do they begin with but a share of the last impulses?
+    /// Whether the lanes begin with a reduced fraction of the last impulses.
     lanes_are_scaled: bool,
     /// By colour, its first block, if each colour is solved as it stands in the graph; else nothing.
     starts: Vec<u32>,
@@ -54,7 +54,7 @@ pub(super) struct SolverContacts {
     overflow: OverflowOrder,
     impacts: Impacts,
     point_count: usize,
-    /// Is a contact deep enough for its correction to throw bodies?
+    /// Whether a contact is deep enough that its correction may eject bodies.
     has_deep_overlap: bool,
 }
 
@@ -77,8 +77,8 @@ impl SolverContacts {
         self.point_count = 0;
     }
 
-    /// Fills the lanes from the manifolds of the bodies that are solved: whole lanes of a colour, and of the overflow what does
-    /// not notice each other. Those of links are left to their multibodies.
+    /// Fills the lanes from the manifolds of the solved bodies: whole lanes of a colour, and independent
+    /// constraints of the overflow. Manifolds of links are left to their multibodies.
     pub fn load(
         &mut self,
         graph: &ConstraintGraph,
@@ -88,19 +88,19 @@ impl SolverContacts {
         tasks: Tasks<'_>,
     ) {
         let LoadKind { is_only_group, per_point } = kind;
-        let are_all = is_only_group && multibodies.move_nobody();
+        let are_all = is_only_group && multibodies.move_no_body();
         let NarrowPhase { contacts, lanes, .. } = &mut *narrow_phase;
-        let rooms = is_only_group.then_some(&mut lanes.rooms);
-        self.lay_out((graph, contacts, rooms), (bodies, are_all), multibodies);
-        // What stands elsewhere than before learns from its manifold, which must have been told by then. So must those be whose
-        // impulses are about to change before they act.
+        let capacity = is_only_group.then_some(&mut lanes.capacity);
+        self.lay_out((graph, contacts, capacity), (bodies, are_all), multibodies);
+        // A lane whose manifold changed is filled from the manifold, which must be written back by then. So
+        // must those be whose impulses are about to change before they act.
         let lanes = &narrow_phase.lanes;
         let stay = is_only_group && lanes.starts() == self.starts;
-        if !stay || lanes.are_rough != per_point || bodies.any_share() {
+        if !stay || lanes.are_rough != per_point || bodies.any_scaled() {
             narrow_phase.settle_all(tasks);
         }
-        // Who is solved with whom may change from step to step: of several groups none knows what the others did.
-        self.lanes_are_scaled = bodies.any_share();
+        // The set of groups may change from step to step, and a group has no data of the others.
+        self.lanes_are_scaled = bodies.any_scaled();
         self.are_on_loan = is_only_group;
         if is_only_group {
             self.lanes = core::mem::take(&mut narrow_phase.lanes);
@@ -119,10 +119,10 @@ impl SolverContacts {
     /// Says which manifold stands in which lane: all of the graph, or those of the bodies that are solved.
     fn lay_out(
         &mut self,
-        (graph, contacts, mut rooms): (
+        (graph, contacts, mut capacity): (
             &ConstraintGraph,
             &PairStore<ContactPair>,
-            Option<&mut Rooms>,
+            Option<&mut LaneCapacity>,
         ),
         (bodies, are_all): (&SolverBodies, bool),
         multibodies: &mut SolverMultibodies,
@@ -133,7 +133,7 @@ impl SolverContacts {
             let first = self.layout.block_count();
             let slots = |at: ManifoldRef| contacts.bodies(at.pair);
             let members = list.iter().copied().filter(|&at| {
-                are_all || !multibodies.take_over(at, slots(at)) && bodies.has_one_of(slots(at))
+                are_all || !multibodies.adopt(at, slots(at)) && bodies.has_one_of(slots(at))
             });
             if color == OVERFLOW {
                 // These are solved one after the other, and their order in the list depends on the rest of the world.
@@ -142,15 +142,15 @@ impl SolverContacts {
                 let members = members.into_iter().map(|at| (at, slots(at)));
                 self.layout.add_side_by_side(members, &mut self.overflow);
             } else if are_all {
-                // Nothing is to be asked, and the list is copied as it is.
+                // All manifolds are loaded, so the list is copied as it is.
                 self.layout.add(color, list.iter().copied());
                 self.starts.push(first as u32);
             } else {
                 self.layout.add(color, members);
                 self.starts.push(first as u32);
             }
-            if let Some(rooms) = &mut rooms {
-                self.layout.keep_room(first, &mut rooms[color as usize]);
+            if let Some(capacity) = &mut capacity {
+                self.layout.keep_room(first, &mut capacity[color as usize]);
             }
         }
         if !are_all {
@@ -158,7 +158,7 @@ impl SolverContacts {
         }
     }
 
-    /// Nothing of the step is to be stored.
+    /// Discards the results of the step.
     pub fn give_back(&mut self, narrow_phase: &mut NarrowPhase) {
         if self.lanes_are_scaled {
             self.lanes.forget();
@@ -231,7 +231,7 @@ impl SolverContacts {
         if self.has_deep_overlap {
             recovery.begin(bodies);
             let deep = deep_overlap(pass);
-            // Blocks that no colour fills hold what they held in an earlier step.
+            // Blocks beyond the colour's count keep the data of an earlier step.
             for index in self.layout.colors().iter().flat_map(Clone::clone) {
                 recovery.note(&self.blocks[index], &self.lanes.blocks[index].input, deep, bodies);
             }
@@ -239,7 +239,7 @@ impl SolverContacts {
         self.has_deep_overlap
     }
 
-    /// Lets a substep start with this share of the last one's impulses, as the bodies do.
+    /// Scales the warm-start impulses of a substep by this fraction, as for bodies.
     pub fn scale_impulses(&mut self, factor: Real) {
         if factor != 1.0 {
             let factors = Lane::splat(factor);
@@ -248,7 +248,7 @@ impl SolverContacts {
         }
     }
 
-    /// Has bodies return the energy that the correction of overlap gave them, and contacts the impulses.
+    /// Removes the energy that the correction of overlap added to bodies, and the corresponding impulses.
     pub fn return_gains(&mut self, recovery: &mut Recovery, bodies: &mut SolverBodies) {
         if !recovery.limit(bodies) {
             return;
@@ -293,20 +293,25 @@ impl SolverContacts {
         });
     }
 
-    /// Does any of them bounce?
+    /// Returns whether any contact has restitution.
     pub fn bounce(&self) -> bool {
         !self.impacts.is_empty()
     }
 
-    /// Lets the contacts bounce that hit something in this substep.
-    pub fn let_bounce(&mut self, bodies: &mut SolverBodies, around: Around<'_>, pass: &ImpactPass) {
+    /// Applies restitution to the contacts that hit in this substep.
+    pub fn solve_impacts(
+        &mut self,
+        bodies: &mut SolverBodies,
+        context: ImpactContext<'_>,
+        pass: &ImpactPass,
+    ) {
         let blocks = Blocks::new(&mut self.blocks, &mut self.coulomb);
-        self.impacts.run(blocks, bodies, around, pass);
+        self.impacts.run(blocks, bodies, context, pass);
     }
 
-    /// Keeps the impulses for the next step, and tells the manifolds of those lanes that cannot be found when somebody asks.
+    /// Stores the impulses for the next step, and writes back the manifolds whose lanes are not indexed.
     pub fn store(&mut self, narrow_phase: &mut NarrowPhase, simd: Simd, tasks: Tasks<'_>) {
-        self.impacts.recall(&mut self.blocks);
+        self.impacts.restore(&mut self.blocks);
         let lanes = DisjointMut::new(&mut self.lanes.blocks);
         let reports = DisjointMut::new(&mut self.lanes.reports);
         let blocks = Blocks::new(&mut self.blocks, &mut self.coulomb);
@@ -315,8 +320,8 @@ impl SolverContacts {
             simd.run(Keep { range, layout, lanes, reports, blocks });
         });
         self.lanes.are_rough = !self.coulomb.is_empty();
-        for color in self.layout.colors().iter().take_while(|color| self.must_tell(color)) {
-            self.tell(color.clone(), narrow_phase, tasks);
+        for color in self.layout.colors().iter().take_while(|color| self.needs_write_back(color)) {
+            self.write_back(color.clone(), narrow_phase, tasks);
         }
         if self.are_on_loan {
             self.lanes.go_ahead(&self.starts, narrow_phase.contacts.id_bound());
@@ -324,12 +329,13 @@ impl SolverContacts {
         }
     }
 
-    /// Must the blocks of a colour tell their manifolds now? Those of the overflow stand at its beginning, in an order of their own.
-    fn must_tell(&self, color: &Range<usize>) -> bool {
+    /// Returns whether the blocks of a colour must write back to their manifolds now. The overflow comes
+    /// first, in an order of its own.
+    fn needs_write_back(&self, color: &Range<usize>) -> bool {
         self.starts.first().is_none_or(|&first| color.start < first as usize)
     }
 
-    fn tell(&self, color: Range<usize>, narrow_phase: &mut NarrowPhase, tasks: Tasks<'_>) {
+    fn write_back(&self, color: Range<usize>, narrow_phase: &mut NarrowPhase, tasks: Tasks<'_>) {
         let pairs = DisjointMut::new(narrow_phase.contacts.split().pairs);
         tasks.par_for(color.len(), BLOCKS_PER_TASK, |range| {
             for index in color.start + range.start..color.start + range.end {
@@ -339,7 +345,7 @@ impl SolverContacts {
                     // SAFETY: the manifolds of a pair have the same bodies, so no two of them have the same colour.
                     if let Some(pair) = unsafe { pairs.get_mut(at.pair as usize) } {
                         let manifold = &mut pair.manifolds[at.manifold as usize];
-                        self.lanes.tell_manifold(index, lane, manifold);
+                        self.lanes.write_back_manifold(index, lane, manifold);
                     }
                 }
             }
@@ -356,7 +362,7 @@ fn prefetch(lanes: &LaneBlock, chunk: &[ManifoldRef], narrow_phase: &NarrowPhase
     }
 }
 
-/// Fills the lanes of a block that do not know their manifolds yet, and tells all of them where their bodies are.
+/// Fills the lanes of a block that are not up to date, and sets the body indices of all lanes.
 fn fill(
     block: &mut LaneBlock,
     chunk: &[ManifoldRef],
@@ -368,7 +374,7 @@ fn fill(
     }
     let contacts = &narrow_phase.contacts;
     for (lane, &at) in chunk.iter().enumerate() {
-        if block.seat(lane, Some(at)) || contacts.is_renewed(at.pair) {
+        if block.set_lane_slot(lane, Some(at)) || contacts.is_renewed(at.pair) {
             block.learn(lane, at.manifold, &contacts[at.pair], contacts.bodies(at.pair));
         }
     }
@@ -376,14 +382,14 @@ fn fill(
         block.clear(lane);
     }
     for lane in 0..chunk.len() {
-        seat_bodies(block, lane, bodies);
+        assign_bodies(block, lane, bodies);
     }
-    if bodies.any_share() {
+    if bodies.any_scaled() {
         scale_impulses(&mut block.input, bodies, per_point);
     }
 }
 
-fn seat_bodies(block: &mut LaneBlock, lane: usize, bodies: &SolverBodies) {
+fn assign_bodies(block: &mut LaneBlock, lane: usize, bodies: &SolverBodies) {
     let (index1, creeps1) = bodies.find(block.slots[0][lane]);
     let (index2, creeps2) = bodies.find(block.slots[1][lane]);
     let input = &mut block.input;
@@ -391,10 +397,10 @@ fn seat_bodies(block: &mut LaneBlock, lane: usize, bodies: &SolverBodies) {
     for (side, index) in [index1, index2].into_iter().enumerate() {
         input.is_world[side].0[lane] = if index == BodyPose::WORLD_INDEX { 1.0 } else { 0.0 };
     }
-    input.placement.set_creeps(lane, creeps1 && creeps2);
+    input.anchor_frame.set_near_rest(lane, creeps1 && creeps2);
 }
 
-/// Has all lanes start with the share of their impulses with which their bodies do.
+/// Scales the warm-start impulses of all lanes by the fraction of their bodies.
 fn scale_impulses(input: &mut ContactInput, bodies: &SolverBodies, per_point: bool) {
     for lane in 0..LANES {
         let share = bodies.share([input.bodies[0][lane], input.bodies[1][lane]]);
@@ -430,7 +436,7 @@ impl<'a> Blocks<'a> {
     }
 
     /// # Safety
-    /// Nobody else may use the block with this index meanwhile.
+    /// The caller must own the block with this index exclusively.
     #[inline(always)]
     pub unsafe fn get(&self, index: usize) -> (&'a mut ContactBlock, Option<&'a mut CoulombBlock>) {
         // SAFETY: the caller's promise; every index of a colour is one of a block.
@@ -455,7 +461,7 @@ struct Prepare<'a> {
 }
 
 impl Kernel for Prepare<'_> {
-    /// Is one of the contacts deep?
+    /// Whether one of the contacts is deep.
     type Output = bool;
 
     #[inline(always)]
@@ -463,13 +469,13 @@ impl Kernel for Prepare<'_> {
         let Self { poses, states, prediction, .. } = self;
         let mut least = W::zero();
         for index in self.range {
-            // SAFETY: each block belongs to one task, and the constraints of one colour share no body
-            // that is not read-only.
+            // SAFETY: each block belongs to one task, and constraints of one colour have no common dynamic
+            // body.
             unsafe {
                 let (block, coulomb) = self.blocks.get(index);
                 let input = &self.lanes[index].input;
-                let surroundings = contact::Surroundings { poses, states: &states };
-                contact::prepare::<W>(input, block, coulomb, surroundings, prediction);
+                let context = contact::PrepareContext { poses, states: &states };
+                contact::prepare::<W>(input, block, coulomb, context, prediction);
                 for point in &block.points {
                     least = least.min(W::load(&point.separation));
                 }
@@ -479,7 +485,7 @@ impl Kernel for Prepare<'_> {
     }
 }
 
-/// See [`keep`].
+/// See [`store_impulses`].
 struct Keep<'a> {
     range: Range<usize>,
     layout: &'a Layout<ManifoldRef>,
@@ -499,7 +505,7 @@ impl Kernel for Keep<'_> {
                 let (block, coulomb) = self.blocks.get(index);
                 let input = &mut self.lanes.get_mut(index).input;
                 let reports = self.reports.get_mut(index);
-                keep::<W>(block, coulomb.as_deref(), input, reports);
+                store_impulses::<W>(block, coulomb.as_deref(), input, reports);
             }
         }
     }
@@ -522,8 +528,8 @@ macro_rules! pass_kernel {
             fn run<W: Wide>(self) {
                 let ($states, $pass) = (&self.states, self.pass);
                 for index in self.range {
-                    // SAFETY: each block belongs to one task, the constraints of one colour share no
-                    // body that is not read-only, and one colour is done before the next begins.
+                    // SAFETY: each block belongs to one task, constraints of one colour have no common
+                    // dynamic body, and the colours run in sequence.
                     unsafe {
                         let ($block, $coulomb) = self.blocks.get(index);
                         $visit

@@ -1,23 +1,24 @@
-//! Which bodies are solved with how many substeps.
+//! Groups of islands, and their numbers of substeps.
 //!
-//! What light bodies carry reaches the ground in sweeps over the contacts, and each sweep passes on what the
-//! lighter of two bodies can: under a thing `r` times as heavy, a contact is pressed by `r` times the
-//! weight for which it is stiff, and sinks in by `r σ g h² / β` ([`Softness`](crate::model::params::Softness)).
-//! More visits per substep do not help (the error that is left after one is nearly all of it, 1 - 1/r), a
-//! harder contact flies apart; but the sag falls with the square of the substep `h`, as everything in a
-//! soft step does. So islands in which light bodies carry heavy ones get more substeps, and the others do
-//! not pay for it: groups of islands are solved one after the other, each with its own `h`.
+//! An iteration transfers through a contact what the lighter of two bodies can carry. Under a body `r` times
+//! as heavy, a contact carries `r` times the load for which it is stiff, and penetrates by `r σ g h² / β`
+//! ([`Softness`](crate::model::params::Softness)). More iterations per substep do not help: the residual
+//! after one is nearly all of it, 1 - 1/r. A harder contact is unstable. But the penetration decreases with
+//! the square of the substep `h`, as everything in a soft step. Islands in which light bodies carry heavy
+//! ones therefore get more substeps, without cost for other islands. Groups of islands are solved in
+//! sequence, each with its own `h`.
 //!
-//! Joints that light bodies hold heavy ones by need them for another reason: under a load `M g` that pulls at the lever
-//! `r` a link of mass `m` and inertia `I` swings like a string, with `ω² = M g r / (I + m r²)`, and from a substep in which
-//! it turns by too much the solver does not find back (`joints/taut.rs`). So `(h ω)²` is kept below [`SWING`]: a chain
-//! under 1000 times the mass of a link gets twice the usual substeps at 30 steps a second, and no more than these at 60.
+//! Joints that connect light bodies to heavy ones need more substeps for another reason. Under a load `M g`
+//! with moment arm `r`, a link of mass `m` and inertia `I` vibrates with `ω² = M g r / (I + m r²)`. The
+//! solver does not recover from a substep in which the link rotates too far
+//! (`joints/geometric_stiffness.rs`). So `(h ω)²` is kept below [`SWING`]. A chain under 1000 times the mass
+//! of a link gets twice the usual substeps at 30 steps a second, and the usual number at 60.
 //!
-//! Four cubes under one of 1000 times the mass sink in by 0.8 m with 4 substeps, 34 mm with 16, 10 mm
-//! with 32. The alternatives were a direct solution of the contacts that press (they come and go within a
-//! substep), and bodies that count as heavier while something rests on them, which do not fall as they should.
+//! Four cubes under one of 1000 times the mass sink in by 0.8 m with 4 substeps, 34 mm with 16, 10 mm with
+//! 32. The rejected alternatives: a direct solution of loaded contacts, which change within a substep, and
+//! increased masses of supporting bodies, which then fall incorrectly.
 
-use crate::base::measure::CALM;
+use crate::base::measure::MODERATE_MAX;
 use crate::base::tasks::{Gather, Tasks};
 use crate::dim::joint::inertia_about;
 use crate::dim::joint_axes::JointAxesMask;
@@ -30,7 +31,7 @@ use crate::model::params::IntegrationParameters;
 use core::ops::Range;
 
 /// Up to this ratio of masses the usual substeps do: four cubes under one of 30 times the mass sink in by 15 mm.
-const EVEN: Real = 32.0;
+const MASS_RATIO_EVEN_MAX: Real = 32.0;
 /// No island gets more than this many times the usual substeps.
 const MAX_FACTOR: usize = 16;
 /// Nor more than this many for its joints.
@@ -44,25 +45,25 @@ const SWING: Real = 0.55;
 /// Bodies that are solved together.
 #[derive(Clone, Debug)]
 pub(super) struct Group {
-    /// Where they stand in [`Groups::order`].
+    /// Range in [`Groups::order`].
     pub members: Range<usize>,
     pub substeps: usize,
 }
 
-/// What an island needs.
+/// Requirements of an island.
 #[derive(Copy, Clone, Debug)]
-struct Need {
+struct IslandRequirement {
     /// Masses of the lightest and the heaviest of the bodies that touch another.
     masses: [Real; 2],
     /// The same for bodies that joints hold.
     joined: [Real; 2],
     /// The largest `r / (I + m r²)` of these: how fast a force turns one aside.
     agility: Real,
-    /// Substeps that its bodies ask for.
+    /// Additional substeps that its bodies request.
     extra: usize,
 }
 
-impl Need {
+impl IslandRequirement {
     const NOTHING: Self = {
         let none = [Real::INFINITY, 0.0];
         Self { masses: none, joined: none, agility: 0.0, extra: 0 }
@@ -74,36 +75,37 @@ impl Need {
     }
 
     /// Includes a body that a joint holds at this distance from its centre of mass.
-    fn include_joined(&mut self, body: &RigidBody, lever: Real) {
+    fn include_joined(&mut self, body: &RigidBody, arm: Real) {
         let Some(mass) = mass(body) else { return };
         include(&mut self.joined, mass);
         if let Some(inertia) = inertia_about(&body.mprops.inv_inertia) {
-            self.agility = self.agility.max(lever / (inertia + mass * lever * lever));
+            self.agility = self.agility.max(arm / (inertia + mass * arm * arm));
         }
     }
 
     fn is_even(&self) -> bool {
         let [lightest, heaviest] = self.masses;
-        heaviest <= EVEN * lightest
+        heaviest <= MASS_RATIO_EVEN_MAX * lightest
     }
 
-    /// Does a body touch or hold another so much heavier that a push of the one is beyond numbers for the other?
-    fn is_strained(&self) -> bool {
+    /// Returns whether a body touches or is joined to a much heavier one, so that impulses may overflow.
+    fn is_ill_conditioned(&self) -> bool {
         [self.masses, self.joined]
             .iter()
-            .any(|[lightest, heaviest]| *heaviest > CALM * CALM * lightest)
+            .any(|[lightest, heaviest]| *heaviest > MODERATE_MAX * MODERATE_MAX * lightest)
     }
 
-    /// How many times the usual substeps an island of so many bodies gets, if these take `h` seconds: a power of two,
-    /// that few groups do.
+    /// The factor on the usual number of substeps for an island of this size with substeps of `h` seconds: a
+    /// power of two, so there are few groups.
     fn factor(&self, bodies: usize, gravity: Real, h: Real) -> usize {
         let ([lightest, heaviest], [least, most]) = (self.masses, self.joined);
-        let is_uneven = most > EVEN * least;
+        let is_uneven = most > MASS_RATIO_EVEN_MAX * least;
         let swing = if is_uneven { h * h * most * gravity * self.agility } else { 0.0 };
         let mut factor = 1;
         while 2 * factor * bodies <= MAX_WORK {
             let square = (factor * factor) as Real;
-            let by_contacts = factor < MAX_FACTOR && heaviest > EVEN * lightest * square;
+            let by_contacts =
+                factor < MAX_FACTOR && heaviest > MASS_RATIO_EVEN_MAX * lightest * square;
             let by_joints = factor < MAX_JOINT_FACTOR && swing > SWING * square;
             if !by_contacts && !by_joints {
                 break;
@@ -118,16 +120,16 @@ fn include([lightest, heaviest]: &mut [Real; 2], mass: Real) {
     (*lightest, *heaviest) = (lightest.min(mass), heaviest.max(mass));
 }
 
-/// What contacts need to know of a body, side by side with that of others: they are met in any order.
+/// Contact requirements of a body, stored contiguously because access is random.
 #[derive(Copy, Clone, Debug)]
-struct Fact {
+struct BodyRequirement {
     island: u32,
     mass: Option<Real>,
     /// Additional substeps that the body requests.
     extra: usize,
 }
 
-impl Fact {
+impl BodyRequirement {
     const NONE: Self = Self { island: NONE, mass: None, extra: 0 };
 
     fn of(body: &RigidBody) -> Self {
@@ -144,16 +146,16 @@ pub(super) struct Groups {
     order: Vec<RigidBodyHandle>,
     groups: Vec<Group>,
     /// By island.
-    needs: Vec<Need>,
-    /// Of the dynamic bodies, in the order in which they are awake.
-    facts: Vec<Fact>,
+    requirements: Vec<IslandRequirement>,
+    /// By dynamic body, in the order of the awake list.
+    body_requirements: Vec<BodyRequirement>,
     /// The same by body slot. Filled only while needs are found.
-    by_slot: Vec<Fact>,
+    by_slot: Vec<BodyRequirement>,
     /// Substeps of each island, then those that occur.
     substeps: Vec<usize>,
     counts: Vec<usize>,
-    strained: bool,
-    gather: Gather<Fact>,
+    ill_conditioned: bool,
+    gather: Gather<BodyRequirement>,
 }
 
 impl Groups {
@@ -166,13 +168,13 @@ impl Groups {
         self.groups.iter()
     }
 
-    /// Are there masses in one island that might lead out of the range of numbers?
-    pub fn are_strained(&self) -> bool {
-        self.strained
+    /// Returns whether the mass ratios within an island may cause overflow.
+    pub fn are_ill_conditioned(&self) -> bool {
+        self.ill_conditioned
     }
 
-    /// How many bodies stand before the groups.
-    pub fn spectators(&self) -> usize {
+    /// The number of bodies before the groups.
+    pub fn ungrouped(&self) -> usize {
         self.groups.first().map_or(0, |group| group.members.start)
     }
 
@@ -187,7 +189,7 @@ impl Groups {
     ) {
         self.order.clear();
         self.groups.clear();
-        self.strained = false;
+        self.ill_conditioned = false;
         self.read_bodies(islands, bodies, tasks);
         if self.are_all_alike() {
             self.order.extend_from_slice(&islands.awake);
@@ -200,9 +202,10 @@ impl Groups {
         self.order.extend_from_slice(islands.awake.kinematic());
         for &substeps in &self.counts {
             let start = self.order.len();
-            let all = islands.awake.dynamic().iter().zip(&self.facts);
-            let members =
-                all.filter(|(_, fact)| self.substeps.get(fact.island as usize) == Some(&substeps));
+            let all = islands.awake.dynamic().iter().zip(&self.body_requirements);
+            let members = all.filter(|(_, body_requirement)| {
+                self.substeps.get(body_requirement.island as usize) == Some(&substeps)
+            });
             self.order.extend(members.map(|(handle, _)| handle));
             self.groups.push(Group { members: start..self.order.len(), substeps });
         }
@@ -211,22 +214,24 @@ impl Groups {
     /// Reads each dynamic body once.
     fn read_bodies(&mut self, islands: &IslandManager, bodies: &RigidBodySet, tasks: Tasks<'_>) {
         let awake = islands.awake.dynamic();
-        let read = |range: Range<usize>, facts: &mut Vec<Fact>| {
+        let read = |range: Range<usize>, body_requirements: &mut Vec<BodyRequirement>| {
             let all = awake[range].iter();
-            facts.extend(all.map(|&handle| bodies.get(handle).map_or(Fact::NONE, Fact::of)));
+            body_requirements.extend(all.map(|&handle| {
+                bodies.get(handle).map_or(BodyRequirement::NONE, BodyRequirement::of)
+            }));
         };
-        self.facts.clear();
-        self.gather.run(tasks, (awake.len(), BODIES_PER_TASK), read, &mut self.facts);
+        self.body_requirements.clear();
+        self.gather.run(tasks, (awake.len(), BODIES_PER_TASK), read, &mut self.body_requirements);
     }
 
     /// Returns whether no body requests more substeps, and no body is much heavier than another.
     fn are_all_alike(&self) -> bool {
-        let mut need = Need::NOTHING;
-        for fact in &self.facts {
-            need.extra = need.extra.max(fact.extra);
-            fact.mass.into_iter().for_each(|mass| need.include(mass));
+        let mut requirement = IslandRequirement::NOTHING;
+        for body_requirement in &self.body_requirements {
+            requirement.extra = requirement.extra.max(body_requirement.extra);
+            body_requirement.mass.into_iter().for_each(|mass| requirement.include(mass));
         }
-        need.extra == 0 && need.is_even()
+        requirement.extra == 0 && requirement.is_even()
     }
 
     /// Finds what each island needs from the bodies that touch each other.
@@ -236,29 +241,32 @@ impl Groups {
         slot_count: usize,
         narrow_phase: &NarrowPhase,
     ) {
-        self.needs.clear();
-        self.needs.resize(islands.island_bound() as usize, Need::NOTHING);
+        self.requirements.clear();
+        self.requirements.resize(islands.island_bound() as usize, IslandRequirement::NOTHING);
         // Longer, if need be: what rests costs nothing.
-        self.by_slot.resize(slot_count.max(self.by_slot.len()), Fact::NONE);
+        self.by_slot.resize(slot_count.max(self.by_slot.len()), BodyRequirement::NONE);
         let slots = islands.awake.dynamic().iter().map(|handle| handle.into_raw_parts().0 as usize);
-        for (slot, fact) in slots.clone().zip(&self.facts) {
-            if let Some(need) = self.needs.get_mut(fact.island as usize) {
-                need.extra = need.extra.max(fact.extra);
+        for (slot, body_requirement) in slots.clone().zip(&self.body_requirements) {
+            if let Some(requirement) = self.requirements.get_mut(body_requirement.island as usize) {
+                requirement.extra = requirement.extra.max(body_requirement.extra);
             }
-            self.by_slot[slot] = *fact;
+            self.by_slot[slot] = *body_requirement;
         }
-        let none = Fact::NONE;
+        let none = BodyRequirement::NONE;
         let at = |slot: u32| self.by_slot.get(slot as usize).unwrap_or(&none);
         for (_, manifolds) in islands.graph.in_solving_order() {
             for manifold in manifolds {
                 let [one, other] = narrow_phase.contacts.bodies(manifold.pair).map(at);
                 if one.island != NONE && other.island != NONE {
-                    let need = &mut self.needs[one.island as usize];
-                    [one, other].iter().filter_map(|fact| fact.mass).for_each(|m| need.include(m));
+                    let requirement = &mut self.requirements[one.island as usize];
+                    [one, other]
+                        .iter()
+                        .filter_map(|body_requirement| body_requirement.mass)
+                        .for_each(|m| requirement.include(m));
                 }
             }
         }
-        slots.for_each(|slot| self.by_slot[slot] = Fact::NONE);
+        slots.for_each(|slot| self.by_slot[slot] = BodyRequirement::NONE);
     }
 
     /// Finds what each island needs from the bodies that joints hold at a point.
@@ -278,9 +286,9 @@ impl Groups {
             let ends = [(joint.body1(), data.local_frame1), (joint.body2(), data.local_frame2)];
             for (handle, frame) in ends {
                 let Some(body) = bodies.get(handle) else { continue };
-                if let Some(need) = self.needs.get_mut(body.link.island as usize) {
-                    let lever = frame.translation - body.mprops.local_mprops.local_com;
-                    need.include_joined(body, lever.length());
+                if let Some(requirement) = self.requirements.get_mut(body.link.island as usize) {
+                    let arm = frame.translation - body.mprops.local_mprops.local_com;
+                    requirement.include_joined(body, arm.length());
                 }
             }
         }
@@ -295,13 +303,13 @@ impl Groups {
     ) {
         self.substeps.clear();
         self.counts.clear();
-        for (id, need) in self.needs.iter().enumerate() {
+        for (id, requirement) in self.requirements.iter().enumerate() {
             let island = islands.island(id as u32);
-            let usual = params.num_solver_iterations + need.extra;
+            let usual = params.num_solver_iterations + requirement.extra;
             let h = params.dt / usual as Real;
-            self.substeps.push(usual * need.factor(island.bodies.len(), gravity, h));
+            self.substeps.push(usual * requirement.factor(island.bodies.len(), gravity, h));
             if !island.bodies.is_empty() && !island.sleeping {
-                self.strained |= need.is_strained();
+                self.ill_conditioned |= requirement.is_ill_conditioned();
                 self.counts.extend(self.substeps.last());
             }
         }

@@ -1,9 +1,9 @@
 //! Sums over islands that do not depend on the rest of the world.
 //!
-//! A removed constraint leaves its place to the last one of its colour, wherever that is in the world. So the order in which
-//! the constraints of an island are visited depends on other islands, and a sum of floating-point numbers depends on the order of
-//! its terms. Sorted terms have the same sum in any order of arrival. The sort costs less than the iteration that finds the
-//! terms; a sum in wider numbers would differ less often, not never.
+//! A removed constraint leaves its place to the last one of its colour, wherever that is in the world. The
+//! order of an island's constraints therefore depends on other islands, and a floating-point sum depends on
+//! the order of its terms. Sorted terms have the same sum in any order of arrival. The sort costs less than
+//! the iteration that finds the terms; a sum in wider numbers would differ less often, not never.
 
 use crate::dim::math::Real;
 use core::cmp::Ordering;

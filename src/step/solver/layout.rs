@@ -1,5 +1,5 @@
-//! Which constraints stand in which block: whole lanes of a colour; of the overflow single constraints, or as many as do not
-//! notice each other.
+//! Layout of constraints in blocks: whole lanes of a colour, and single or independent constraints of the
+//! overflow.
 
 use super::overflow::OverflowOrder;
 use crate::base::wide::LANES;
@@ -75,10 +75,11 @@ impl<T> Layout<T> {
         }
     }
 
-    /// Adds empty blocks to those of the colour that was added last, so that it has as many as in earlier steps and those of the next
-    /// colours stay where they were.
+    /// Adds empty blocks to the last added colour up to its count of earlier steps, so that the next colours
+    /// keep their positions.
     ///
-    /// Its blocks begin with the `first`, and `room` says how many it has. If it needs more it gets an eighth more than that, seldom.
+    /// Its blocks begin with the `first`, and `room` is its capacity. If it needs more it gets an eighth more
+    /// than that, seldom.
     pub fn keep_room(&mut self, first: usize, room: &mut usize) {
         let used = self.starts.len() - first;
         if used > *room || 4 * used + SPARE < *room {

@@ -5,16 +5,17 @@
 //! Runs:    parallel within a colour; colours in order
 //! Never:   adds or removes anything: the structure is frozen
 //!
-//! The soft step of Catto's "Solver2D" (box2d.org, 2024), after Macklin et al. 2019, "Small Steps in
-//! Physics Simulation": many small substeps with one visit of each constraint beat one step with many
-//! visits. Each substep lets what hits bounce, solves the constraints with a soft bias that undoes
-//! overlap, moves the bodies, and relaxes: solves once more without bias, so that the velocity that undid
-//! the overlap does not stay.
+//! The soft step of Catto's "Solver2D" (box2d.org, 2024), after Macklin et al. 2019, "Small Steps in Physics
+//! Simulation": many small substeps with one iteration are better than one step with many iterations. Each
+//! substep processes restitution, solves the constraints with a soft bias that removes overlap, and
+//! integrates the positions. It then relaxes: a second iteration without bias removes the velocity that the
+//! bias added.
 //!
-//! **Warm starting without passes.** A substep should begin with the impulses of the last one. Lever
-//! arms and inertias of contacts are frozen during a step (joints turn theirs themselves), so what those impulses do to
-//! a body is what they did to it in the last substep: the difference between its velocity at that substep's end and before any
-//! impulse. We keep the latter per body and add the difference, instead of visiting all constraints.
+//! **Warm starting without passes.** A substep should begin with the impulses of the last one. Moment arms
+//! and inertias of contacts are frozen during a step (joints rotate theirs), so warm-start impulses have the
+//! same effect on a body as in the last substep. That effect is the difference between the velocity at the
+//! end of that substep and before any impulse. We keep the latter per body and add the difference, instead of
+//! visiting all constraints.
 
 mod bodies;
 mod contacts;
@@ -22,7 +23,7 @@ mod groups;
 mod impacts;
 mod island_sums;
 mod joints;
-mod keep;
+mod store_impulses;
 mod layout;
 mod multibodies;
 mod overflow;
@@ -39,17 +40,17 @@ use crate::model::counters::SolverCounters;
 use crate::model::event::JointBreakEvent;
 use crate::model::island::IslandManager;
 use crate::model::joint::ImpulseJointSet;
-use crate::model::multibody::{Course, MultibodyJointSet};
+use crate::model::multibody::{LinkTrajectory, MultibodyJointSet};
 use crate::model::params::{
     ContactPass, FrictionModel, ImpactPass, IntegrationParameters, JointPass,
 };
-use crate::step::notes::{FastMotion, Lost};
+use crate::step::notes::{Diverged, FastMotion};
 use bodies::SolverBodies;
 use contacts::{LoadKind, SolverContacts};
 use groups::Groups;
-use impacts::Around;
-use joints::{SolverJoints, Sources};
-use multibodies::{SolverMultibodies, Surroundings};
+use impacts::ImpactContext;
+use joints::{JointSources, SolverJoints};
+use multibodies::{MultibodyContext, SolverMultibodies};
 use recovery::Recovery;
 
 /// Buffers that are reused from step to step.
@@ -61,7 +62,7 @@ pub(crate) struct SolverScratch {
     constraints: Vec<Constraints>,
 }
 
-/// What holds bodies.
+/// Joints, contacts and multibodies of a group.
 #[derive(Default)]
 struct Constraints {
     joints: SolverJoints,
@@ -70,8 +71,8 @@ struct Constraints {
     recovery: Recovery,
 }
 
-/// What the solver reads and writes.
-pub(crate) struct Scene<'a> {
+/// Input and output of the solver.
+pub(crate) struct SolverContext<'a> {
     pub gravity: Vector,
     pub params: &'a IntegrationParameters,
     /// The instructions that kernels run on.
@@ -84,30 +85,34 @@ pub(crate) struct Scene<'a> {
     pub islands: &'a mut IslandManager,
     /// Gets the motions of fast bodies.
     pub fast: &'a mut Vec<FastMotion>,
-    /// Gets the ways of fast multibodies.
-    pub courses: &'a mut Vec<Course>,
+    /// Output: the trajectories of fast multibodies.
+    pub trajectories: &'a mut Vec<LinkTrajectory>,
     /// Gets the joints that break.
     pub broken: &'a mut Vec<JointBreakEvent>,
     /// Gets the bodies that cannot be stored.
-    pub lost: &'a mut Vec<Lost>,
+    pub diverged: &'a mut Vec<Diverged>,
 }
 
 /// Solves one step for all awake bodies.
 ///
 /// If there are bodies that cannot be stored, nothing is.
-pub(crate) fn solve(scene: Scene<'_>, scratch: &mut SolverScratch, counters: &mut SolverCounters) {
-    let Scene { gravity, params, simd, tasks, bodies, narrow_phase, islands, .. } = scene;
-    let (set, trees, lost) = (scene.joints, scene.multibodies, scene.lost);
+pub(crate) fn solve(
+    scene: SolverContext<'_>,
+    scratch: &mut SolverScratch,
+    counters: &mut SolverCounters,
+) {
+    let SolverContext { gravity, params, simd, tasks, bodies, narrow_phase, islands, .. } = scene;
+    let (set, trees, diverged) = (scene.joints, scene.multibodies, scene.diverged);
     let SolverScratch { groups, bodies: states, constraints } = scratch;
     counters.velocity_assembly_time.resume();
     groups.divide(islands, bodies, narrow_phase, set, (gravity, params, tasks));
     let constraints = for_each_group(constraints, groups);
-    constraints.iter_mut().for_each(|of_group| of_group.multibodies.claim(trees, bodies));
+    constraints.iter_mut().for_each(|of_group| of_group.multibodies.register_links(trees, bodies));
     states.load(groups, bodies, &constraints[0].multibodies, (gravity, params), tasks);
     counters.velocity_assembly_time.pause();
     let is_only_group = groups.iter().len() == 1;
     constraints.iter_mut().for_each(|of_group| of_group.contacts.clear());
-    let mut calm = true;
+    let mut is_moderate = true;
     counters.nlimited_bodies = 0;
     for (group, constraints) in groups.iter().zip(&mut *constraints) {
         counters.velocity_assembly_time.resume();
@@ -116,42 +121,42 @@ pub(crate) fn solve(scene: Scene<'_>, scratch: &mut SolverScratch, counters: &mu
         let Constraints { joints, contacts, multibodies, .. } = constraints;
         multibodies.load(&groups.order()[group.members.clone()], trees, bodies);
         multibodies.begin(bodies, gravity, pass.substep);
-        let from = Sources { islands, world: bodies, bodies: states, multibodies };
+        let from = JointSources { islands, world: bodies, bodies: states, multibodies };
         joints.load(set, from, &pass, tasks);
         let per_point = params.friction_model == FrictionModel::Coulomb;
         let kind = LoadKind { is_only_group, per_point };
         contacts.load(&islands.graph, narrow_phase, (states, kind), multibodies, tasks);
-        let around = Surroundings { narrow_phase, islands, joints: set, world: bodies };
+        let around = MultibodyContext { narrow_phase, islands, joints: set, world: bodies };
         multibodies.prepare(around, states, &pass);
         counters.velocity_assembly_time.pause();
 
         let place = (&*narrow_phase, &*bodies);
         let order = &groups.order()[group.members.clone()];
-        let conditions = Conditions { gravity, params, place, order, simd, tasks };
-        solve_group(group.substeps, &conditions, states, constraints, counters);
+        let context = GroupContext { gravity, params, place, order, simd, tasks };
+        solve_group(group.substeps, &context, states, constraints, counters);
 
         counters.velocity_writeback_time.resume();
         constraints.joints.finish(states, simd, tasks);
-        let links_are_calm = constraints.multibodies.finish(lost, pass.substep);
-        let group_is_calm = links_are_calm & states.are_calm(tasks);
-        if !group_is_calm || states.any_far {
-            states.find_lost(groups, bodies, &constraints.multibodies, lost);
+        let links_are_moderate = constraints.multibodies.finish(diverged, pass.substep);
+        let group_is_moderate = links_are_moderate & states.are_moderate(tasks);
+        if !group_is_moderate || states.any_far {
+            states.find_diverged(groups, bodies, &constraints.multibodies, diverged);
         }
-        calm &= group_is_calm;
+        is_moderate &= group_is_moderate;
         counters.velocity_writeback_time.pause();
     }
     counters.velocity_writeback_time.resume();
-    if lost.is_empty() {
+    if diverged.is_empty() {
         if groups.iter().len() > 0 {
             narrow_phase.contacts.forget_renewed();
         }
         let world = World { narrow_phase, set, trees, islands, bodies };
-        let Scene { fast, courses, broken, .. } = scene;
-        let mut notes = Notes { fast, courses, broken };
+        let SolverContext { fast, trajectories, broken, .. } = scene;
+        let mut notes = Notes { fast, trajectories, broken };
         store_constraints(constraints, world, &mut notes, params, (counters, simd, tasks));
         let world = (&mut *islands, bodies, &constraints[0].multibodies);
         states.store(groups, world, params, notes.fast, tasks);
-        islands.strained = !calm || states.any_far || groups.are_strained();
+        islands.ill_conditioned = !is_moderate || states.any_far || groups.are_ill_conditioned();
     } else {
         for of_group in constraints {
             of_group.multibodies.give_back(trees);
@@ -171,7 +176,7 @@ fn for_each_group<'a>(
     &mut constraints[..count]
 }
 
-/// What constraints are stored in.
+/// Destination sets of stored results.
 struct World<'a> {
     narrow_phase: &'a mut NarrowPhase,
     set: &'a mut ImpulseJointSet,
@@ -180,18 +185,19 @@ struct World<'a> {
     bodies: &'a mut RigidBodySet,
 }
 
-/// What is noted for later stages while everything is stored.
+/// Notes for later stages, made while results are stored.
 struct Notes<'a> {
     fast: &'a mut Vec<FastMotion>,
-    courses: &'a mut Vec<Course>,
+    trajectories: &'a mut Vec<LinkTrajectory>,
     broken: &'a mut Vec<JointBreakEvent>,
 }
 
-/// Keeps the impulses of contacts, writes those of joints, and multibodies to their links; breaks joints that bear too much.
+/// Stores the impulses of contacts and joints, and the state of multibodies in their links; breaks overloaded
+/// joints.
 fn store_constraints(
     constraints: &mut [Constraints],
     world: World<'_>,
-    Notes { fast, courses, broken }: &mut Notes<'_>,
+    Notes { fast, trajectories, broken }: &mut Notes<'_>,
     params: &IntegrationParameters,
     (counters, simd, tasks): (&mut SolverCounters, Simd, Tasks<'_>),
 ) {
@@ -201,18 +207,18 @@ fn store_constraints(
         contacts.store(narrow_phase, simd, tasks);
         joints.store((islands, set), params.inv_dt(), broken, tasks);
         multibodies.store_constraints(set, narrow_phase, params.inv_dt(), broken);
-        let ways = (&mut **fast, &mut **courses);
+        let ways = (&mut **fast, &mut **trajectories);
         counters.nlimited_bodies += multibodies.store(trees, (islands, bodies), params, ways);
         counters.nconstraints += contacts.len() + joints.len();
         counters.ncontacts += contacts.point_count();
     }
 }
 
-/// What is the same for all bodies that are solved.
-struct Conditions<'a> {
+/// Common context of all solved bodies.
+struct GroupContext<'a> {
     gravity: Vector,
     params: &'a IntegrationParameters,
-    /// Where contacts and bodies are.
+    /// Contacts and bodies.
     place: (&'a NarrowPhase, &'a RigidBodySet),
     /// The bodies that are solved.
     order: &'a [RigidBodyHandle],
@@ -223,19 +229,19 @@ struct Conditions<'a> {
 /// Solves one step for some bodies, in substeps.
 fn solve_group(
     substeps: usize,
-    conditions: &Conditions<'_>,
+    context: &GroupContext<'_>,
     states: &mut SolverBodies,
     constraints: &mut Constraints,
     counters: &mut SolverCounters,
 ) {
     let Constraints { joints, contacts, multibodies, recovery } = constraints;
-    let &Conditions { gravity, params, place, order, simd, tasks } = conditions;
+    let &GroupContext { gravity, params, place, order, simd, tasks } = context;
     let h = params.dt / substeps as Real;
     let pass = ContactPass::new(params, h);
-    let early_pass = ContactPass { is_last_visit: false, ..pass };
+    let early_pass = ContactPass { is_last_iteration: false, ..pass };
     let joint_pass = JointPass::new(params, h);
     let impact_pass = ImpactPass::new(params, gravity.length(), h);
-    let early_joint_pass = JointPass { is_last_visit: false, ..joint_pass };
+    let early_joint_pass = JointPass { is_last_iteration: false, ..joint_pass };
     counters.velocity_assembly_time.resume();
     joints.warm_start(states, simd, tasks);
     contacts.prepare(states, (params, &pass), simd, tasks);
@@ -259,12 +265,12 @@ fn solve_group(
             multibodies.follow_loops(place.1, states);
         }
         multibodies.integrate_velocities(h, params, tasks);
-        joints.tighten(states, &joint_pass);
+        joints.select_method(states, &joint_pass);
         joints.scale_impulses(params.warmstart_coefficient);
         contacts.scale_impulses(params.warmstart_coefficient);
         let links = (&mut *multibodies, place);
-        let around = Around { joints, joint_pass: &joint_pass, links, simd, tasks };
-        contacts.let_bounce(states, around, &impact_pass);
+        let around = ImpactContext { joints, joint_pass: &joint_pass, links, simd, tasks };
+        contacts.solve_impacts(states, around, &impact_pass);
         for _ in 0..params.num_internal_pgs_iterations {
             joints.solve(states, &joint_pass, simd, tasks);
             contacts.solve(states, &pass, simd, tasks);

@@ -1,9 +1,9 @@
 //! The order in which constraints without a colour are solved: one after the other, but side by side where that is the same.
 //!
-//! Constraints that share no body do not notice each other, so any number of them may stand in the lanes of one block. Each goes
-//! into the first block with a free lane behind all that hold one of its bodies. So constraints of one body keep their order, and
-//! every number is what it would be if they were solved singly, bit for bit: in an eighth of the memory where thousands of bodies
-//! stand inside each other.
+//! Constraints without a common body are independent, so any number of them may fill the lanes of one block.
+//! Each goes into the first block with a free lane behind all that hold one of its bodies. The constraints of
+//! one body keep their order, and every number equals that of a sequential solution, bit for bit. The memory
+//! is an eighth of it where thousands of bodies overlap.
 
 use crate::base::wide::LANES;
 use crate::model::island::NONE;
@@ -63,19 +63,19 @@ impl OverflowOrder {
             if next == block {
                 return block;
             }
-            // Paths are halved, so that nobody walks along all full blocks again and again.
+            // Paths are halved, so that full blocks are not traversed repeatedly.
             let after = self.open.get(next as usize).copied().unwrap_or(next);
             self.open[block as usize] = after;
             block = after;
         }
     }
 
-    /// How many constraints stand in each block.
+    /// The number of constraints in each block.
     pub fn sizes(&self) -> &[usize] {
         &self.filled
     }
 
-    /// The block of each constraint, in the order in which they were taken in.
+    /// The block of each constraint, in the order of insertion.
     pub fn blocks(&self) -> &[u32] {
         &self.block_of
     }

@@ -1,9 +1,10 @@
 //! Undoing overlap must not become motion.
 //!
-//! The solve pass pushes overlapping bodies apart, and the relax pass removes that velocity after the bodies have moved. One
-//! Gauss–Seidel iteration removes all of it from a few contacts, but not from the thousands of contacts of bodies that were created
-//! inside each other: errors add up along chains of bodies, and the next substep starts with the same impulses again. A
-//! thousand balls at one point left with 300 m/s, though each contact pushes with 4 m/s at most.
+//! The solve pass pushes overlapping bodies apart, and the relax pass removes that velocity after the bodies
+//! have moved. One Gauss–Seidel iteration removes all of it for a few contacts, but not for thousands of
+//! contacts of bodies that were created inside each other. Errors add up along chains of bodies, and the next
+//! substep starts with the same impulses. A thousand balls at one point left with 300 m/s, though each
+//! contact pushes with 4 m/s at most.
 //!
 //! ## The bound
 //! Let `v` be the velocities before any impulse of a substep and `v'` those at its end. Contacts without
@@ -13,9 +14,10 @@
 //! ΔT = ½ Σ λ_i (Ċ_i + Ċ_i')
 //! ```
 //!
-//! is therefore not positive in the exact solution without bias: it is the projection of `v` on the admissible velocities in the metric
-//! of the kinetic energy (Moreau, "Unilateral contact and dry friction in finite freedom dynamics", 1988). What an island gains is an error.
-//! Bodies that gained energy return the island's gain, each in proportion to its own:
+//! is therefore not positive in the exact solution without bias: the projection of `v` on the admissible
+//! velocities in the metric of the kinetic energy (Moreau, "Unilateral contact and dry friction in finite
+//! freedom dynamics", 1988). An energy gain of an island is an error. Bodies that gained energy return the
+//! island's gain, each in proportion to its own:
 //!
 //! ```text
 //! T_b' ← T_b + (1 − G/P) (T_b' − T_b)       G = Σ (T_b' − T_b),   P = the sum of the positive terms
@@ -25,8 +27,9 @@
 //! Bodies that contacts slow down, such as a pile around the overlapping bodies, keep their velocities.
 //!
 //! ## Where
-//! The bound does not conserve momentum. It is applied in islands with more deep contacts than bodies in these, which a blow does not cause. Islands
-//! that something drives are left out: joints, multibodies, moving kinematic bodies, dominance and moving surfaces all do work.
+//! The bound does not conserve momentum. It applies to islands with more deep contacts than bodies of such
+//! contacts, which an impact does not cause. Islands that something drives are left out: joints, multibodies,
+//! moving kinematic bodies, dominance and moving surfaces all do work.
 
 use super::bodies::SolverBodies;
 use super::island_sums::IslandSums;
@@ -52,11 +55,11 @@ struct IslandEnergy {
     /// The numbers of its deep contacts, and of the bodies that have some.
     deep_contacts: usize,
     deep_bodies: usize,
-    /// Does anything but contacts change its energy?
+    /// Whether anything but contacts changes the energy.
     is_driven: bool,
-    /// What all its bodies together gained in the substep.
+    /// Energy gain of all its bodies in the substep.
     gain: Real,
-    /// What the bodies gained whose energy grew.
+    /// Energy gain of the bodies that gained.
     positive: Real,
 }
 
@@ -78,7 +81,7 @@ pub(super) struct Recovery {
     islands: Vec<IslandEnergy>,
     /// By index of a body: the factor on its velocity in this substep.
     scales: Vec<Real>,
-    /// What bodies gained, and of that the positive part.
+    /// Energy gain of bodies, and its positive part.
     gains: IslandSums<2>,
     is_active: bool,
 }
@@ -130,7 +133,8 @@ impl Recovery {
         }
     }
 
-    /// Has the bodies of watched islands return what contacts added to their energy in a substep. Returns whether any did.
+    /// Removes the energy that contacts added to the bodies of watched islands in a substep. Returns whether
+    /// any did.
     pub fn limit(&mut self, bodies: &mut SolverBodies) -> bool {
         if !self.is_active {
             return false;

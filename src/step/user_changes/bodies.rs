@@ -1,11 +1,11 @@
 //! Bodies that are new or were edited.
 
-use super::Digest;
+use super::UserChanges;
 use crate::model::body::{RestPose, RigidBodyChanges, RigidBodyHandle};
 use crate::model::collider::{ColliderEnabled, ColliderHandle};
 use crate::model::island::NONE;
 
-impl Digest<'_> {
+impl UserChanges<'_> {
     /// Gives a body that is new, or changed its type, or was enabled or disabled, its place in the
     /// lists.
     pub(super) fn reclassify(&mut self, handle: RigidBodyHandle) {
@@ -23,11 +23,11 @@ impl Digest<'_> {
         self.structure.add_body(handle);
         self.inform_colliders(handle);
         self.structure.refresh_pairs_of(handle);
-        self.take_in_joints_of(handle);
+        self.apply_joints_of(handle);
         self.structure.link_group_of(handle);
     }
 
-    /// Colliders know the type of their body, and do not take part without it.
+    /// Colliders store the type of their body, and are inactive without it.
     fn inform_colliders(&mut self, handle: RigidBodyHandle) {
         let Some(body) = self.structure.bodies.get(handle) else { return };
         let (body_type, enabled) = (body.body_type, body.enabled);
@@ -75,7 +75,7 @@ impl Digest<'_> {
     }
 
     /// Follows a body's other changes.
-    pub(super) fn take_in_body(
+    pub(super) fn apply_body(
         &mut self,
         handle: RigidBodyHandle,
         reweighed: &mut Vec<RigidBodyHandle>,
@@ -101,14 +101,14 @@ impl Digest<'_> {
 
     /// Puts bodies to sleep that the user sent to sleep: all bodies of an island or none, since the
     /// others would hold them awake.
-    pub(super) fn take_in_sleepers(&mut self, modified: &[RigidBodyHandle]) {
+    pub(super) fn apply_sleepers(&mut self, modified: &[RigidBodyHandle]) {
         for &handle in modified {
             let Some(body) = self.structure.bodies.get(handle) else { continue };
             if !body.activation.sleeping || body.link.awake == NONE {
                 continue;
             }
             match body.link.island {
-                // The solver must know where a body is that touches an awake one.
+                // The solver needs the pose of a body that touches an awake one.
                 NONE if self.structure.has_awake_partner(handle) => self.stay_awake(handle),
                 NONE => self.structure.sleep_kinematic(handle),
                 island if self.all_want_to_sleep(island) => self.structure.sleep_island(island),

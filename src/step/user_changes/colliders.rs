@@ -1,6 +1,6 @@
 //! Colliders that are new or were edited.
 
-use super::Digest;
+use super::UserChanges;
 use crate::collide::form_of;
 use crate::model::body::RigidBodyHandle;
 use crate::model::collider::{ColliderChanges, ColliderHandle, Widths, may_interact};
@@ -8,10 +8,11 @@ use crate::model::event::{CollisionEvent, CollisionEventFlags};
 use parry::shape::SharedShape;
 use std::sync::Arc;
 
-/// The shape that was measured last. Colliders that share a shape are mostly inserted one after the other, and a hull is measured once for all.
+/// The shape that was measured last. Colliders with one shape are mostly inserted in sequence, so a hull is
+/// measured once for all.
 #[derive(Default)]
 pub(super) struct Measured {
-    /// It is held here: no other shape gets its address meanwhile.
+    /// A reference keeps the shape alive, so no other shape gets its address.
     shape: Option<SharedShape>,
     widths: Option<Arc<[Widths]>>,
 }
@@ -26,9 +27,9 @@ impl Measured {
     }
 }
 
-impl Digest<'_> {
+impl UserChanges<'_> {
     /// Follows a collider's changes.
-    pub(super) fn take_in_collider(
+    pub(super) fn apply_collider(
         &mut self,
         handle: ColliderHandle,
         reweighed: &mut Vec<RigidBodyHandle>,
@@ -45,7 +46,7 @@ impl Digest<'_> {
         let body = parent.and_then(|parent| self.structure.bodies.get(parent));
         self.tree.note_wishes(collider, body);
 
-        // What is another kind of pair, or of other bodies, cannot be kept.
+        // A pair of another kind, or of other bodies, cannot be kept.
         let (identity, company) = (ColliderChanges::IDENTITY, ColliderChanges::COMPANY);
         if changes.intersects(identity) {
             self.remove_pairs_of(handle, true, CollisionEventFlags::empty());
@@ -83,7 +84,7 @@ impl Digest<'_> {
                     self.structure.wake_sleepers_of(id);
                 }
                 let heard = self.structure.remove_contact_pair(id);
-                self.tell_end(heard, CollisionEventFlags::empty());
+                self.report_end(heard, CollisionEventFlags::empty());
             }
         }
         let intersections = self.structure.narrow_phase.intersections.ids_of(slot).to_vec();
@@ -91,13 +92,13 @@ impl Digest<'_> {
             let pair = &self.structure.narrow_phase.intersections[id];
             if !self.may_interact(pair.collider1, pair.collider2) {
                 let heard = self.structure.narrow_phase.intersections.remove(id);
-                self.tell_end(heard, CollisionEventFlags::SENSOR);
+                self.report_end(heard, CollisionEventFlags::SENSOR);
             }
         }
     }
 
-    /// Notes that two colliders stopped touching, for whoever has heard that they began to.
-    pub(super) fn tell_end(
+    /// Emits the end event of two colliders whose begin event was emitted.
+    pub(super) fn report_end(
         &mut self,
         heard: Option<[ColliderHandle; 2]>,
         flags: CollisionEventFlags,

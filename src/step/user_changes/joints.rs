@@ -1,35 +1,35 @@
 //! Joints that are new or were edited, or whose bodies were.
 
-use super::Digest;
+use super::UserChanges;
 use crate::model::body::RigidBodyHandle;
 use crate::model::event::CollisionEventFlags;
 use crate::model::joint::{ImpulseJointHandle, JointLink};
 
-impl Digest<'_> {
+impl UserChanges<'_> {
     /// Forgets the joints that were removed.
-    pub(super) fn take_in_removed_joints(&mut self) {
+    pub(super) fn apply_removed_joints(&mut self) {
         for (handle, wake_up) in self.joints.removed() {
             self.forget_joint(handle, wake_up);
         }
     }
 
     /// Follows the changes of all joints that were edited.
-    pub(super) fn take_in_joints(&mut self) {
+    pub(super) fn apply_joints(&mut self) {
         for (handle, wake_up) in self.joints.modified() {
-            self.take_in_joint(handle, wake_up);
+            self.apply_joint(handle, wake_up);
         }
     }
 
     /// Follows a body that changed what it is: its joints may act now, or no longer.
-    pub(super) fn take_in_joints_of(&mut self, body: RigidBodyHandle) {
+    pub(super) fn apply_joints_of(&mut self, body: RigidBodyHandle) {
         let known = self.structure.islands.joints.of_body(body.into_raw_parts().0).to_vec();
         for slot in known {
             let Some(link) = self.structure.islands.joints.get(slot) else { continue };
-            self.take_in_joint(link.handle, false);
+            self.apply_joint(link.handle, false);
         }
     }
 
-    fn take_in_joint(&mut self, handle: ImpulseJointHandle, wake_up: bool) {
+    fn apply_joint(&mut self, handle: ImpulseJointHandle, wake_up: bool) {
         let Some(joint) = self.joints.get(handle) else { return };
         let bodies = [joint.body1(), joint.body2()];
         let link = JointLink::of(handle, joint, self.structure.bodies);
@@ -68,7 +68,7 @@ impl Digest<'_> {
         if link.parts_bodies {
             // They may meet again: let them look for each other.
             for body in link.bodies {
-                self.each_collider_of(body, |digest, slot| digest.tree.mark_moved(slot));
+                self.each_collider_of(body, |apply, slot| apply.tree.mark_moved(slot));
             }
         }
     }
@@ -84,16 +84,16 @@ impl Digest<'_> {
     /// Takes away the pairs between two bodies' colliders.
     fn drop_pairs_between(&mut self, [body1, body2]: [RigidBodyHandle; 2]) {
         let slots = [body1, body2].map(|body| body.into_raw_parts().0);
-        self.each_collider_of(body1, |digest, collider| {
-            let store = &digest.structure.narrow_phase.contacts;
+        self.each_collider_of(body1, |apply, collider| {
+            let store = &apply.structure.narrow_phase.contacts;
             let between = |&&id: &&_| {
                 let bodies = store.bodies(id);
                 bodies == slots || bodies == [slots[1], slots[0]]
             };
             let ids: Vec<_> = store.ids_of(collider).iter().filter(between).copied().collect();
             for id in ids {
-                let heard = digest.structure.remove_contact_pair(id);
-                digest.tell_end(heard, CollisionEventFlags::empty());
+                let heard = apply.structure.remove_contact_pair(id);
+                apply.report_end(heard, CollisionEventFlags::empty());
             }
         });
     }

@@ -1,7 +1,7 @@
 //! # User changes — take in what was edited since the last step
 //!
 //! Reads:   the notes that the sets keep of edits
-//! Writes:  bodies, colliders, trees, pairs, islands, what the step knows of joints
+//! Writes:  bodies, colliders, trees, pairs, islands, the step's data of joints
 //! Runs:    serial, in the order of the edits
 //! Never:   looks at anything that was not edited, or does not touch what was
 //!
@@ -30,7 +30,7 @@ use crate::model::tree::BroadPhaseBvh;
 use colliders::Measured;
 
 /// All that an edit can affect.
-pub(crate) struct Digest<'a> {
+pub(crate) struct UserChanges<'a> {
     pub structure: Structure<'a>,
     pub tree: &'a mut BroadPhaseBvh,
     pub joints: &'a ImpulseJointSet,
@@ -39,11 +39,11 @@ pub(crate) struct Digest<'a> {
     pub events: &'a mut Vec<CollisionEvent>,
 }
 
-impl Digest<'_> {
+impl UserChanges<'_> {
     /// Takes in all edits.
     pub fn run(mut self) {
-        self.take_in_replacements();
-        self.take_in_removals();
+        self.apply_replacements();
+        self.apply_removals();
         let bodies = self.structure.bodies.take_modified();
         let colliders = self.structure.colliders.take_modified();
         let mut reweighed = Vec::new();
@@ -55,29 +55,29 @@ impl Digest<'_> {
         }
         let mut measured = Measured::default();
         for &handle in &colliders {
-            self.take_in_collider(handle, &mut reweighed, &mut measured);
+            self.apply_collider(handle, &mut reweighed, &mut measured);
         }
         for &handle in &bodies {
-            self.take_in_body(handle, &mut reweighed);
+            self.apply_body(handle, &mut reweighed);
         }
         for handle in reweighed {
             self.reweigh(handle);
         }
-        self.take_in_joints();
-        self.take_in_multibodies();
-        self.take_in_sleepers(&bodies);
+        self.apply_joints();
+        self.apply_multibodies();
+        self.apply_sleepers(&bodies);
     }
 
     /// Takes in nothing but what is gone: all else waits for the next [`Self::run`].
     pub fn run_removals(mut self) {
-        self.take_in_replacements();
-        self.take_in_removals();
+        self.apply_replacements();
+        self.apply_removals();
     }
 
-    /// Colliders that were put in the place of others become part of the bodies that they name, and bodies that were
-    /// put in the place of others get the colliders of those: no collider stands in two lists, and threads that each
-    /// work on a body may rely on that.
-    fn take_in_replacements(&mut self) {
+    /// Replaced colliders become colliders of the bodies that they name, and replaced bodies get the
+    /// colliders of the old ones. No collider is then in two lists, and threads that work on different bodies
+    /// rely on that.
+    fn apply_replacements(&mut self) {
         let Structure { bodies, colliders, .. } = &mut self.structure;
         colliders.settle_replaced(bodies);
         for handle in self.structure.bodies.settle_replaced() {
@@ -121,7 +121,7 @@ impl Digest<'_> {
         colliders.note_box(handle);
     }
 
-    /// Takes all pairs of a collider away. Whoever touched it wakes if `wake_up`.
+    /// Takes all pairs of a collider away. Touching bodies wake if `wake_up`.
     fn remove_pairs_of(
         &mut self,
         handle: ColliderHandle,
@@ -134,11 +134,11 @@ impl Digest<'_> {
         }
         while let Some(&id) = self.structure.narrow_phase.contacts.ids_of(slot).last() {
             let heard = self.structure.remove_contact_pair(id);
-            self.tell_end(heard, flags);
+            self.report_end(heard, flags);
         }
         while let Some(&id) = self.structure.narrow_phase.intersections.ids_of(slot).last() {
             let heard = self.structure.narrow_phase.intersections.remove(id);
-            self.tell_end(heard, flags | CollisionEventFlags::SENSOR);
+            self.report_end(heard, flags | CollisionEventFlags::SENSOR);
         }
     }
 }

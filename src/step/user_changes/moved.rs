@@ -1,20 +1,21 @@
-//! Bodies that were put elsewhere. Whom they touched or held wakes: they may no longer be there. But who was moved along
-//! by the same motion notices nothing: so a world can be brought back to the origin, and a room be moved, asleep.
+//! Bodies that were put elsewhere. Bodies that touched them or were joined to them wake, because the support
+//! may be gone. Bodies that moved along by the same motion stay asleep. A world can thus be moved back to the
+//! origin without waking.
 
-use super::Digest;
+use super::UserChanges;
 use crate::dim::math::{Pose, Real, ang_length_squared, rotation_to_angle};
 use crate::model::body::{RigidBody, RigidBodyChanges, RigidBodyHandle};
 use crate::model::island::NONE;
 
 /// A body, and where it was.
-struct Stand {
+struct MovedBody {
     before: Pose,
     now: Pose,
 }
 
-impl Digest<'_> {
-    /// Wakes whom a body touched or held that is now elsewhere, unless all of them were moved along. Colliders must
-    /// still stand where they stood.
+impl UserChanges<'_> {
+    /// Wakes the bodies that a moved body touched or was joined to, unless all of them moved along. Colliders
+    /// must still stand where they stood.
     pub(super) fn wake_left_behind(&mut self, handle: RigidBodyHandle) {
         let slot = handle.into_raw_parts().0;
         let Some(body) = self.structure.bodies.get(handle) else { return };
@@ -26,7 +27,7 @@ impl Digest<'_> {
         }
     }
 
-    fn takes_all_along(&self, slot: u32, body: &RigidBody, stand: &Stand) -> bool {
+    fn takes_all_along(&self, slot: u32, body: &RigidBody, stand: &MovedBody) -> bool {
         let contacts = &self.structure.narrow_phase.contacts;
         let pairs = body
             .colliders()
@@ -40,31 +41,31 @@ impl Digest<'_> {
         takes
     }
 
-    /// Does a body, or the world, stand to another one as it did before?
-    fn moved_along(&self, stand: &Stand, partner: u32) -> bool {
+    /// Returns whether a body, or the world, has the same relative pose as before.
+    fn moved_along(&self, stand: &MovedBody, partner: u32) -> bool {
         let other = match self.structure.bodies.at_slot(partner) {
-            _ if partner == NONE => Some(Stand { before: Pose::IDENTITY, now: Pose::IDENTITY }),
+            _ if partner == NONE => Some(MovedBody { before: Pose::IDENTITY, now: Pose::IDENTITY }),
             Some((_, body)) => self.stand_of(body),
             None => None,
         };
         other.is_some_and(|other| stand.keeps_to(&other))
     }
 
-    /// Where a body was is known from its colliders alone.
-    fn stand_of(&self, body: &RigidBody) -> Option<Stand> {
+    /// The old pose of a body, known from its colliders alone.
+    fn stand_of(&self, body: &RigidBody) -> Option<MovedBody> {
         let now = body.pose;
         if !body.changes.contains(RigidBodyChanges::POSITION) {
-            return Some(Stand { before: now, now });
+            return Some(MovedBody { before: now, now });
         }
         let mut colliders =
             body.colliders().iter().filter_map(|&handle| self.structure.colliders.get(handle));
         let collider = colliders.find(|collider| collider.changes.is_empty())?;
-        Some(Stand { before: collider.pose * collider.parent?.pos_wrt_parent.inverse(), now })
+        Some(MovedBody { before: collider.pose * collider.parent?.pos_wrt_parent.inverse(), now })
     }
 }
 
-impl Stand {
-    /// Is the way from this to the other one the same as before, but for the rounding of far places?
+impl MovedBody {
+    /// Returns whether the relative pose is unchanged, within the rounding of far places.
     fn keeps_to(&self, other: &Self) -> bool {
         let before = self.before.inv_mul(&other.before);
         let now = self.now.inv_mul(&other.now);

@@ -1,11 +1,11 @@
 //! Multibodies that are new, or were edited or taken apart.
 
-use super::Digest;
+use super::UserChanges;
 use crate::model::multibody::MultibodyEdits;
 
-impl Digest<'_> {
-    /// Lets the bodies of each multibody move and sleep as one.
-    pub(super) fn take_in_multibodies(&mut self) {
+impl UserChanges<'_> {
+    /// Makes the bodies of each multibody move and sleep as one.
+    pub(super) fn apply_multibodies(&mut self) {
         let MultibodyEdits { cut, groups } = core::mem::take(&mut self.multibodies);
         for &(body, _) in &cut {
             self.structure.ungroup(body);

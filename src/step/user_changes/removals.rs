@@ -1,10 +1,10 @@
 //! Bodies and colliders that are gone.
 
-use super::Digest;
+use super::UserChanges;
 use crate::model::body::{AttachedColliders, RigidBodyHandle};
 use crate::model::event::CollisionEventFlags;
 
-impl Digest<'_> {
+impl UserChanges<'_> {
     /// All colliders that are attached to a body, by their own account.
     pub(super) fn colliders_of(&self, body: RigidBodyHandle) -> AttachedColliders {
         let colliders = self.structure.colliders.iter();
@@ -14,7 +14,7 @@ impl Digest<'_> {
 
     /// Takes what was removed out of all lists; the colliders and joints of
     /// removed bodies go with them.
-    pub(super) fn take_in_removals(&mut self) {
+    pub(super) fn apply_removals(&mut self) {
         let removed = self.structure.bodies.take_removed();
         let mut links = Vec::with_capacity(removed.len());
         for (handle, colliders, link) in removed {
@@ -27,7 +27,7 @@ impl Digest<'_> {
                 }
             }
         }
-        self.take_in_removed_joints();
+        self.apply_removed_joints();
         self.structure.forget_bodies(&mut links);
         for (handle, _) in links {
             self.structure.remove_joints_of(handle);

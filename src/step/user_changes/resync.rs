@@ -1,12 +1,13 @@
 //! Sets that are not the ones of the last step: `mem::take(&mut world.bodies)`, an older copy of the colliders alone, joints from a file.
 //!
-//! The references of the other sets to such a set are wrong ([`WorldStamp`] detects this). If it is one of those that refer to each other
-//! (bodies, colliders, islands, pairs, trees), the step discards islands, pairs and trees, and takes in all bodies, colliders and joints as new
-//! and awake. Bodies that are gone count as removed: their colliders and joints are removed, too. The same happens if joints were replaced
-//! that the islands refer to. A set of joints that replaces an empty one is only taken in.
+//! The references of the other sets to such a set are wrong ([`WorldStamp`] detects this). If it refers to
+//! the other sets (bodies, colliders, islands, pairs, trees), the step discards islands, pairs and trees, and
+//! inserts all bodies, colliders and joints as new and awake. Bodies that are gone count as removed: their
+//! colliders and joints are removed, too. The same happens if joints were replaced that the islands refer to.
+//! A set of joints that replaces an empty one is only inserted.
 //!
-//! Loaded sets are unverified. The first step checks all references between the sets. If these hold, the world continues bit for bit as if it
-//! had not been saved; otherwise everything is taken in as new.
+//! Loaded sets are unverified. The first step checks all references between the sets. If these hold, the
+//! world continues bit for bit as if it had not been saved. Otherwise everything is inserted as new.
 
 use crate::base::fault::{Fault, ensure};
 use crate::collide::form_of;
@@ -31,10 +32,10 @@ pub(crate) struct Resync<'a> {
 pub(crate) struct Resynced {
     /// Events of pairs that were discarded.
     pub parted: Vec<CollisionEvent>,
-    /// The stamp that the islands get when the step has ended. Until then they fit no other set: after a step that does not return, because
-    /// something panicked, everything is taken in as new.
+    /// The stamp that the islands get when the step has ended. Until then they fit no other set. After a step
+    /// that ended by a panic, everything is inserted as new.
     pub stamp: WorldStamp,
-    /// Whether the joints are those that the islands refer to, so that edits of them can be taken in.
+    /// Whether the joints are those of the islands, so that their edits can be applied.
     pub joints_fit: bool,
 }
 
@@ -188,13 +189,13 @@ impl Resync<'_> {
         self.tree.stamp = stamp;
     }
 
-    /// What distinguishes a world from others with the same history: counts, and the place of one of the awake bodies, in each step another
-    /// one.
+    /// Identifies a world among others with the same history: counts, and the pose of one awake body, a
+    /// different one in each step.
     fn trace(&self) -> [u64; 6] {
         let Structure { bodies, colliders, narrow_phase, islands } = &self.structure;
         let awake = islands.active_bodies();
-        let turn = islands.step as usize % awake.len().max(1);
-        let body = awake.get(turn).and_then(|&handle| bodies.get(handle));
+        let index = islands.step as usize % awake.len().max(1);
+        let body = awake.get(index).and_then(|&handle| bodies.get(handle));
         let place = body.map_or(Vector::ZERO, |body| body.pose.translation);
         [
             bodies.len() as u64,

@@ -6,8 +6,8 @@
 //! * Lists, maps, texts and byte strings begin with their length; options with 0 or 1; enums with the number of the variant.
 //! * Structs and tuples are their fields in order.
 //!
-//! Existing formats were weighed: postcard is as compact but discards the message of an error, so a damaged world could not be described; MessagePack adds a
-//! byte to every number; bincode is no longer maintained.
+//! Rejected formats: postcard is as compact but discards the message of an error, so a damaged world could
+//! not be described. MessagePack adds a byte to every number, and bincode is no longer maintained.
 
 mod read;
 mod write;

@@ -5,7 +5,7 @@ use crate::dim::math::Vector;
 use crate::model::body::{RigidBodyBuilder, RigidBodyChanges, RigidBodyHandle, RigidBodySet};
 use crate::model::collider::{ColliderBuilder, ColliderHandle, ColliderSet};
 
-/// What the step does with its notes.
+/// The step's treatment of its notes.
 fn digest(bodies: &mut RigidBodySet) -> Vec<RigidBodyHandle> {
     let modified = bodies.take_modified();
     for handle in &modified {

@@ -1,4 +1,4 @@
-//! What the builder hands over, and what it refuses.
+//! Results and refusals of the builder.
 
 use super::{NOT_COORDINATES, NOT_LENGTHS};
 use crate::dim::math::{Pose, Real, Vector};

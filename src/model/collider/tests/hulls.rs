@@ -8,7 +8,7 @@ fn point(random: &mut Random, size: f64) -> Vector {
     Vector::from_array(core::array::from_fn(|_| random.within(-size, size)))
 }
 
-/// The hull must reach as far as its points in every direction, but for `slack`, and no farther.
+/// The hull must reach as far as its points in every direction, within `slack`.
 #[track_caller]
 fn assert_hull_fits(points: &[Vector], size: Real, slack: Real) {
     let Some(builder) = ColliderBuilder::convex_hull(points) else {

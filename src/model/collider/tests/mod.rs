@@ -1,5 +1,5 @@
 //! Tests of what colliders are made of and of the book-keeping around them, for every dimension and
-//! precision. What differs between the dimensions is tested in `dim2/surface` and `dim3/surface`.
+//! precision. Dimension-specific functions are tested in `dim2/surface` and `dim3/surface`.
 
 mod builder;
 mod hulls;

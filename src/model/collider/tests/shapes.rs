@@ -1,4 +1,4 @@
-//! Every constructor that all dimensions share, with what it should take and what it must not.
+//! Every constructor that is common to all dimensions, with valid and invalid input.
 
 use super::{NOT_COORDINATES, NOT_LENGTHS};
 use crate::base::random::Random;

@@ -114,7 +114,7 @@ fn thickness_is_half_the_minimum_width() {
     println!("minimum width found over the least one tried: {:.4} to {:.4}", worst.0, worst.1);
 }
 
-/// The skeleton is thin along the narrow axis, and inside, with room to all sides.
+/// The skeleton is thin along the narrow axis, and inside, with a gap on all sides.
 #[test]
 fn skeletons_are_inside() {
     let mut random = Random(8);

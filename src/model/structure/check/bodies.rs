@@ -102,7 +102,7 @@ impl Structure<'_> {
         self.colliders.check_notes()
     }
 
-    /// The bodies of a group are links of one multibody, and share an island.
+    /// The bodies of a group are links of one multibody, in one island.
     pub(super) fn check_groups(
         &self,
         then: &LastStep<'_>,
@@ -120,7 +120,8 @@ impl Structure<'_> {
     }
 }
 
-/// Returns whether the lists of the last step still apply to a body: the user changed neither its type nor whether it takes part.
+/// Returns whether the lists of the last step still apply to a body: neither its type nor its enabled state
+/// was edited.
 fn is_as_before(body: &RigidBody) -> bool {
     !body.changes.intersects(RigidBodyChanges::KIND)
 }

@@ -1,4 +1,4 @@
-//! Colours: constraints of one colour share no dynamic body.
+//! Colours: constraints of one colour have no common dynamic body.
 
 use super::last_step::LastStep;
 use super::{Depth, Verdict};

@@ -1,4 +1,4 @@
-//! Joints that were taken in.
+//! Joints that the step has applied.
 
 use super::colors::Colors;
 use super::last_step::LastStep;
@@ -7,7 +7,7 @@ use crate::base::fault::ensure;
 use crate::model::joint::ImpulseJointSet;
 
 impl Structure<'_> {
-    /// The bodies of a joint that acts share an island, and it has a colour while one of them is awake.
+    /// The bodies of an active joint are in one island, and it has a colour while one of them is awake.
     pub(super) fn check_joints(&self, then: &LastStep<'_>, depth: Depth) -> Verdict {
         self.islands.joints.check()?;
         let mut colors = Colors::of(&self.islands.joint_graph, depth)?;
@@ -26,7 +26,7 @@ impl Structure<'_> {
         colors.finish()
     }
 
-    /// Joints that were taken in are those of a set, unless the user edited or removed them.
+    /// The applied joints are those of a set, unless they were edited or removed since.
     pub(super) fn check_known_joints(&self, joints: &ImpulseJointSet) -> Verdict {
         joints.check_notes()?;
         let are_of = self.islands.joints.are_of(joints, self.bodies);

@@ -1,8 +1,9 @@
-//! What must hold between stages, and of a world that was loaded.
+//! Invariants between stages, and of a loaded world.
 //!
-//! Debug builds check it twice a step. Of a loaded world it is checked before the first step takes in what the user edited: until then the lists
-//! refer to the state after the last step, and edits stand beside it as notes. So a reference is compared with what was there *then*
-//! ([`LastStep`]): a removed body keeps its place in the lists, a new one has none yet, and what the notes say was changed may differ.
+//! Debug builds check it twice a step. A loaded world is checked before the first step applies edits. Until
+//! then the lists refer to the state after the last step, and edits are separate notes. A reference is
+//! therefore compared with the state *at that time* ([`LastStep`]): a removed body keeps its place in the
+//! lists, a new one has none yet, and edited data may differ.
 
 mod bodies;
 mod colors;
@@ -23,18 +24,18 @@ use last_step::LastStep;
 pub(crate) struct World<'a> {
     pub tree: &'a BroadPhaseBvh,
     pub joints: &'a ImpulseJointSet,
-    /// `None` before a collision detection, which does not know them.
+    /// `None` before a collision detection, which does not use them.
     pub multibodies: Option<&'a MultibodyJointSet>,
 }
 
 type Verdict = Result<(), Fault>;
 
-/// How much is checked.
+/// Extent of the check.
 #[derive(Copy, Clone, PartialEq, Eq)]
 enum Depth {
-    /// What a mistake of ours would break. Asks for no memory, as the step does not.
+    /// Invariants that an error of the engine would violate. Asks for no memory, as the step does not.
     Quick,
-    /// What made-up data could break besides.
+    /// Invariants that forged data could violate besides.
     Full,
 }
 

@@ -11,8 +11,8 @@ use crate::model::contact::{NarrowPhase, PairId};
 use crate::model::island::NONE;
 
 impl Structure<'_> {
-    /// A pair is awake if one of its bodies is. The bodies of one that is attached share an island, and its manifolds have colours while one of
-    /// them is awake.
+    /// A pair is awake if one of its bodies is. The bodies of an attached one are in one island, and its
+    /// manifolds have colours while one of them is awake.
     pub(super) fn check_contacts(&self, then: &LastStep<'_>, depth: Depth) -> Verdict {
         let contacts = &self.narrow_phase.contacts;
         let mut colors = Colors::of(&self.islands.graph, depth)?;
@@ -94,7 +94,7 @@ impl Structure<'_> {
         Ok(())
     }
 
-    /// Returns whether an edit that no step has taken in decides with which others a collider may meet.
+    /// Returns whether a pending edit affects the possible partners of a collider.
     fn may_change_company(&self, collider: &Collider) -> bool {
         let body = collider.parent().and_then(|parent| self.bodies.get(parent));
         collider.changes.intersects(ColliderChanges::IDENTITY | ColliderChanges::COMPANY)

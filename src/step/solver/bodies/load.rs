@@ -1,16 +1,16 @@
-//! From bodies to the places that the solver knows them by: once per step, on several threads.
+//! Gathers bodies into solver states: once per step, on several threads.
 
 use super::motion::motion_of;
-use super::{CREEPS, SolverBodies, WORLD};
+use super::{NEAR_REST, SolverBodies, WORLD};
 use crate::base::disjoint::DisjointMut;
-use crate::base::measure::FAR;
+use crate::base::measure::COORDINATE_MODERATE_MAX;
 use crate::base::tasks::Tasks;
 use crate::dim::mass::inv_inertia_on_the_way;
 use crate::dim::math::{AngularInertia, Real, Rotation, Vector, ang_length_squared};
 use crate::dim::motion::FreeMotion;
 use crate::dim::state::{BodyPose, BodyState, READ_ONLY};
 use crate::model::body::{RigidBody, RigidBodyHandle, RigidBodySet, RigidBodyType};
-use crate::model::contact::Placement;
+use crate::model::contact::AnchorFrame;
 use crate::model::island::NONE;
 use crate::model::params::IntegrationParameters;
 use crate::step::solver::groups::Groups;
@@ -19,7 +19,7 @@ use core::ops::Range;
 use core::sync::atomic::{AtomicBool, Ordering};
 
 impl SolverBodies {
-    /// Gathers all awake bodies; those that multibodies move have a place and nobody in it.
+    /// Gathers all awake bodies. Links of multibodies have an index without a state.
     pub fn load(
         &mut self,
         groups: &Groups,
@@ -30,18 +30,18 @@ impl SolverBodies {
     ) {
         self.make_room(groups.order().len(), bodies.slot_count());
         let order = groups.order();
-        let around = Around { multibodies, gravity, params };
-        let spectators = 0..groups.spectators();
-        self.any_far = self.load_members((order, spectators), bodies, &around, params.dt, tasks);
+        let context = LoadContext { multibodies, gravity, params };
+        let ungrouped = 0..groups.ungrouped();
+        self.any_far = self.load_members((order, ungrouped), bodies, &context, params.dt, tasks);
         for group in groups.iter() {
             let h = params.dt / group.substeps as Real;
             let members = (order, group.members.clone());
-            self.any_far |= self.load_members(members, bodies, &around, h, tasks);
+            self.any_far |= self.load_members(members, bodies, &context, h, tasks);
         }
-        self.any_share = self.shares.iter().any(|&share| share != 1.0);
+        self.any_scaled = self.impulse_scales.iter().any(|&impulse_scale| impulse_scale != 1.0);
     }
 
-    /// Makes places for some bodies, who fill all of them, and for the world.
+    /// Allocates states for some bodies, which fill all of them, and for the world.
     fn make_room(&mut self, count: usize, slot_count: usize) {
         for slot in self.listed.drain(..).filter(|&slot| slot != NONE) {
             self.indices[slot as usize] = WORLD;
@@ -52,9 +52,9 @@ impl SolverBodies {
         self.states.resize(count + 1, BodyState::default());
         self.before.resize(count + 1, BodyState::default());
         self.motions.resize(count + 1, FreeMotion::at_rest(Rotation::IDENTITY));
-        self.shares.resize(count + 1, 1.0);
+        self.impulse_scales.resize(count + 1, 1.0);
         self.islands.resize(count + 1, NONE);
-        // SAFETY: a place is there, and nobody else has any.
+        // SAFETY: the index is in range, and this task owns it exclusively.
         unsafe { self.places().at(0).clear() };
     }
 
@@ -67,7 +67,7 @@ impl SolverBodies {
             before: DisjointMut::new(&mut self.before),
             last: DisjointMut::new(&mut self.last),
             motions: DisjointMut::new(&mut self.motions),
-            shares: DisjointMut::new(&mut self.shares),
+            impulse_scales: DisjointMut::new(&mut self.impulse_scales),
             islands: DisjointMut::new(&mut self.islands),
         }
     }
@@ -77,7 +77,7 @@ impl SolverBodies {
         &mut self,
         (order, members): (&[RigidBodyHandle], Range<usize>),
         bodies: &mut RigidBodySet,
-        around: &Around<'_>,
+        context: &LoadContext<'_>,
         h: Real,
         tasks: Tasks<'_>,
     ) -> bool {
@@ -90,11 +90,11 @@ impl SolverBodies {
             unsafe {
                 let place = places.at(index);
                 match body {
-                    Some(body) if !around.multibodies.moves(slot) => {
-                        if body.pose.translation.abs().max_element() > FAR {
+                    Some(body) if !context.multibodies.moves(slot) => {
+                        if body.pose.translation.abs().max_element() > COORDINATE_MODERATE_MAX {
                             any_far.store(true, Ordering::Relaxed);
                         }
-                        place.fill(body, around, h);
+                        place.fill(body, context, h);
                         places.list(index, body, slot);
                     }
                     _ => place.clear(),
@@ -107,47 +107,47 @@ impl SolverBodies {
     }
 }
 
-/// What bodies are loaded from.
-struct Around<'a> {
+/// Context for loading bodies.
+struct LoadContext<'a> {
     multibodies: &'a SolverMultibodies,
     gravity: Vector,
     params: &'a IntegrationParameters,
 }
 
-/// What [`SolverBodies`] knows of one body, to be filled.
+/// The solver's data of one body, to be filled.
 struct Place<'a> {
     pose: &'a mut BodyPose,
     state: &'a mut BodyState,
     before: &'a mut BodyState,
     motion: &'a mut FreeMotion,
-    share: &'a mut Real,
+    impulse_scale: &'a mut Real,
     island: &'a mut u32,
 }
 
 impl Place<'_> {
-    /// Nobody is there.
+    /// Marks the index as empty.
     fn clear(self) {
         *self.pose = BodyPose::WORLD;
         (*self.state, *self.before) = (BodyState::AT_REST, BodyState::AT_REST);
         *self.motion = FreeMotion::at_rest(Rotation::IDENTITY);
-        (*self.share, *self.island) = (1.0, NONE);
+        (*self.impulse_scale, *self.island) = (1.0, NONE);
     }
 
     /// A body that is solved with the substep `h`.
-    fn fill(self, body: &mut RigidBody, around: &Around<'_>, h: Real) {
+    fn fill(self, body: &mut RigidBody, context: &LoadContext<'_>, h: Real) {
         if body.body_type == RigidBodyType::KinematicPositionBased {
-            let velocity = body.velocity_to_next_position(around.params.inv_dt());
+            let velocity = body.velocity_to_next_position(context.params.inv_dt());
             (body.linvel, body.angvel) = (velocity.linvel, velocity.angvel);
         }
-        *self.share = if body.substep > h { h / body.substep } else { 1.0 };
+        *self.impulse_scale = if body.substep > h { h / body.substep } else { 1.0 };
         body.substep = h;
         *self.motion = if body.is_dynamic() {
-            motion_of(body, around.gravity, h)
+            motion_of(body, context.gravity, h)
         } else {
             FreeMotion::at_rest(body.pose.rotation)
         };
         let mprops = &body.mprops;
-        let felt = felt_inertia(body, around.params.dt);
+        let felt = felt_inertia(body, context.params.dt);
         let inv_inertia = felt.as_ref().unwrap_or(&mprops.inv_inertia);
         let center = mprops.world_com;
         *self.pose = BodyPose::new(body.pose.rotation, center, mprops.inv_mass, inv_inertia);
@@ -157,10 +157,10 @@ impl Place<'_> {
     }
 }
 
-/// The inverse inertia that contacts know, if it is not that of the body as it stands.
+/// The inverse inertia for contacts, if it differs from the body's current one.
 fn felt_inertia(body: &RigidBody, dt: Real) -> Option<AngularInertia> {
     let mprops = &body.mprops;
-    if !body.is_dynamic() || !mprops.turns_freely() {
+    if !body.is_dynamic() || !mprops.rotates_freely() {
         return None;
     }
     inv_inertia_on_the_way(&mprops.local_mprops, body.pose.rotation, body.angvel * dt)
@@ -176,7 +176,7 @@ pub(super) struct Places<'a> {
     /// As many, or none.
     pub last: DisjointMut<'a, BodyState>,
     pub motions: DisjointMut<'a, FreeMotion>,
-    shares: DisjointMut<'a, Real>,
+    impulse_scales: DisjointMut<'a, Real>,
     islands: DisjointMut<'a, u32>,
 }
 
@@ -184,7 +184,7 @@ impl Places<'_> {
     /// The place with an index.
     ///
     /// # Safety
-    /// The index must be one of a place, and nobody else may use it meanwhile.
+    /// The index must be in range, and the caller must own it exclusively.
     unsafe fn at(&self, index: usize) -> Place<'_> {
         // SAFETY: the caller's promise.
         unsafe {
@@ -193,25 +193,25 @@ impl Places<'_> {
                 state: self.states.get_mut(index),
                 before: self.before.get_mut(index),
                 motion: self.motions.get_mut(index),
-                share: self.shares.get_mut(index),
+                impulse_scale: self.impulse_scales.get_mut(index),
                 island: self.islands.get_mut(index),
             }
         }
     }
 
-    /// Lets a body be found by its slot.
+    /// Maps a slot to its body.
     ///
     /// # Safety
-    /// As [`Self::at`], and nobody else may use the slot, which must be one of a body.
+    /// As [`Self::at`], and the caller must own the slot, which must be that of a body, exclusively.
     unsafe fn list(&self, index: usize, body: &RigidBody, slot: u32) {
         // Colours keep constraints apart at bodies with an island, and at no others.
         let flags = if body.link.island == NONE { READ_ONLY } else { 0 };
         // SAFETY: the caller's promise.
         unsafe {
             let bears_weight = self.motions.get(index).bears_weight();
-            let creeps =
-                bears_weight && Placement::creeps(ang_length_squared(body.angvel), flags == 0);
-            let flags = if creeps { flags | CREEPS } else { flags };
+            let near_rest =
+                bears_weight && AnchorFrame::near_rest(ang_length_squared(body.angvel), flags == 0);
+            let flags = if near_rest { flags | NEAR_REST } else { flags };
             *self.listed.get_mut(index) = slot;
             *self.indices.get_mut(slot as usize) = index as u32 | flags;
         }

@@ -3,7 +3,7 @@
 mod load;
 mod motion;
 mod store;
-mod survey;
+mod divergence;
 
 use super::groups::{Group, Groups};
 use crate::base::disjoint::DisjointMut;
@@ -29,40 +29,41 @@ pub(super) struct SolverBodies {
     pub states: Vec<BodyState>,
     /// Velocities before any impulse of the current substep, with the displacements of its beginning.
     pub before: Vec<BodyState>,
-    /// Velocities at the end of the last substep, before forces acted in this one, if somebody asked for them.
+    /// Velocities at the end of the last substep, before the forces of this one, if a stage requires them.
     pub last: Vec<BodyState>,
     motions: Vec<FreeMotion>,
-    /// By body slot: the index above, with [`READ_ONLY`] unless constraints may move the body, and with [`CREEPS`]. The world's for
+    /// By body slot: the index above, with [`READ_ONLY`] unless constraints may move the body, and with [`NEAR_REST`]. The world's for
     /// bodies that are not awake.
     indices: Vec<u32>,
     /// By index: the slot whose index it is, or [`NONE`]; to be cleared by the next step.
     listed: Vec<u32>,
-    /// By index: with what share of its last impulses a substep begins; and is there any but 1?
-    shares: Vec<Real>,
-    any_share: bool,
+    /// By index: the fraction of the last impulses with which a substep begins. The flag is set if any
+    /// differs from 1.
+    impulse_scales: Vec<Real>,
+    any_scaled: bool,
     /// By index: the island, or [`NONE`].
     pub islands: Vec<u32>,
     /// The indices of those that move: the spectators, and the members of the group that is solved.
     moving: [Range<usize>; 2],
-    /// Where threads put down who is fast.
+    /// Buffers of threads for fast bodies.
     fast: Gather<FastMotion>,
-    /// Was one of them far away when the step began?
+    /// Whether any body was far from the origin when the step began.
     pub any_far: bool,
 }
 
-const WORLD: u32 = BodyPose::WORLD_INDEX | CREEPS;
-/// On indices: is this a body of a pile that [creeps](Placement), or what a pile stands on?
-const CREEPS: u32 = READ_ONLY >> 1;
+const WORLD: u32 = BodyPose::WORLD_INDEX | NEAR_REST;
+/// Bits of a body index. [`NEAR_REST`] marks bodies of a pile that are near rest, and the supports of piles.
+const NEAR_REST: u32 = READ_ONLY >> 1;
 
 impl SolverBodies {
     /// From now on this group is solved; the others stand still.
     pub fn enter(&mut self, group: &Group, groups: &Groups) {
-        let spectators = 1..1 + groups.spectators();
-        for index in spectators.clone() {
+        let ungrouped = 1..1 + groups.ungrouped();
+        for index in ungrouped.clone() {
             let (v, w) = self.states[index].velocity();
             self.states[index] = BodyState::new(v, w);
         }
-        self.moving = [spectators, 1 + group.members.start..1 + group.members.end];
+        self.moving = [ungrouped, 1 + group.members.start..1 + group.members.end];
     }
 
     /// The bodies that may move.
@@ -70,7 +71,7 @@ impl SolverBodies {
         self.moving.clone()
     }
 
-    /// Does the group that is solved have one of two bodies? For pairs of bodies that touch.
+    /// Returns whether the solved group contains one of two bodies. For pairs of bodies that touch.
     pub fn has_one_of(&self, slots: [u32; 2]) -> bool {
         let [_, members] = &self.moving;
         slots.into_iter().any(|slot| {
@@ -79,18 +80,18 @@ impl SolverBodies {
         })
     }
 
-    /// Does any body begin with but a [share](Self::share) of its impulses?
-    pub fn any_share(&self) -> bool {
-        self.any_share
+    /// Returns whether any body begins with a reduced [fraction](Self::share) of its impulses.
+    pub fn any_scaled(&self) -> bool {
+        self.any_scaled
     }
 
-    /// With what share of their last impulses two bodies begin: less than 1 if substeps have become shorter, as
-    /// impulses of a force are. If they have become longer it stays 1: the springs of soft contacts are then
-    /// pressed too far for shorter substeps, push out with more than the weight that they carry, and that must not
-    /// be multiplied.
+    /// The fraction of the last impulses with which two bodies begin. It is less than 1 if substeps have
+    /// become shorter, in proportion to the impulse of a force. It stays 1 if substeps have become longer.
+    /// The penetration of soft contacts is then larger than at equilibrium, and they push harder than the
+    /// load; that must not be multiplied.
     pub fn share(&self, indices: [u32; 2]) -> Real {
         let moved = indices.into_iter().find(|index| index & READ_ONLY == 0);
-        moved.map_or(1.0, |index| self.shares[index as usize])
+        moved.map_or(1.0, |index| self.impulse_scales[index as usize])
     }
 
     /// The island of two bodies that touch.
@@ -110,12 +111,12 @@ impl SolverBodies {
         self.find(slot).0
     }
 
-    /// The same, and does the body creep?
+    /// The same, with the bit for near rest.
     #[inline]
     pub fn find(&self, slot: u32) -> (u32, bool) {
         // There is no body in the slot `NONE`.
         let index = self.indices.get(slot as usize).copied().unwrap_or(WORLD);
-        (index & !CREEPS, index & CREEPS != 0)
+        (index & !NEAR_REST, index & NEAR_REST != 0)
     }
 
     /// The inverse mass of the body with an index, along the axis where it is largest; 0 if constraints must not move
@@ -142,18 +143,20 @@ impl SolverBodies {
         (simd, tasks): (Simd, Tasks<'_>),
     ) -> usize {
         self.last.resize(if keep_last { self.states.len() } else { 0 }, BodyState::AT_REST);
-        let (warmth, speed_max) = (params.warmstart_coefficient, params.max_linear_velocity());
+        let (warm_start_coefficient, speed_max) =
+            (params.warmstart_coefficient, params.max_linear_velocity());
         let limited = AtomicUsize::new(0);
         self.for_all_moving(tasks, |bodies| {
-            let slowed = simd.run(Accelerate { bodies, h, warmth, speed_max, is_first });
+            let slowed =
+                simd.run(Accelerate { bodies, h, warm_start_coefficient, speed_max, is_first });
             limited.fetch_add(slowed, Ordering::Relaxed);
         });
         limited.into_inner()
     }
 
-    /// Takes over what an impact did to the velocities of bodies since the `start`, or as much of it as `share` says for an
-    /// island: as if it had happened at the mean time of the blows that a body got, and was no impulse. `delays` are
-    /// the sum of these and of each times its time, in place of two components of a velocity.
+    /// Commits the velocity changes of an impact since the `start`, scaled by the `share` of each island. The
+    /// changes count from the mean time of the impacts of a body, and are no warm-start impulses. `delays`
+    /// are the sum of these and of each times its time, in place of two components of a velocity.
     pub fn accept_impact(
         &mut self,
         touched: &[u32],
@@ -182,8 +185,7 @@ impl SolverBodies {
         }
     }
 
-    /// Has constraints see the velocities before any impulse of the substep, which has just begun, as those that bodies have; and
-    /// back.
+    /// Exchanges the velocities of bodies with those before any impulse of the substep.
     pub fn swap_before(&mut self) {
         core::mem::swap(&mut self.states, &mut self.before);
     }

@@ -1,14 +1,14 @@
-//! How bodies move without any constraint, [`LANES`] at a time.
+//! Free motion of bodies, [`LANES`] at a time.
 
 use crate::base::wide::{Kernel, LANES, Wide};
 use crate::dim::axes::inv_mass_per_axis;
 use crate::dim::math::{Real, Vector, mul_inertia};
-use crate::dim::motion::{FreeMotion, accelerated, tumble};
+use crate::dim::motion::{FreeMotion, accelerated, gyroscopic};
+use crate::dim::rotation_vector::turned_further;
 use crate::dim::state::{BodyState, WideDisplacement, WideMotion, load_states, store_states};
-use crate::dim::turn::turned_further;
 use crate::model::body::RigidBody;
 
-/// What moves a dynamic body in a step with this substep.
+/// The free motion of a dynamic body in a step with this substep.
 pub(super) fn motion_of(body: &RigidBody, gravity: Vector, substep: Real) -> FreeMotion {
     let (force, torque) = body.forces();
     let mprops = &body.mprops;
@@ -21,7 +21,7 @@ pub(super) fn motion_of(body: &RigidBody, gravity: Vector, substep: Real) -> Fre
     let damping = [body.linear_damping, body.angular_damping];
     let bears_weight = gravity * body.gravity_scale != Vector::ZERO;
     let motion = FreeMotion::new(body.pose.rotation, acceleration, damping, bears_weight);
-    if body.gyroscopic_forces_enabled && mprops.turns_freely() {
+    if body.gyroscopic_forces_enabled && mprops.rotates_freely() {
         motion.with_gyroscope(&mprops.local_mprops, body.angvel, substep)
     } else {
         motion
@@ -54,25 +54,25 @@ impl Movers<'_> {
 pub(super) struct Accelerate<'a> {
     pub bodies: Movers<'a>,
     pub h: Real,
-    /// The share of the impulses that it starts with.
-    pub warmth: Real,
+    /// The fraction of the last impulses with which it starts.
+    pub warm_start_coefficient: Real,
     pub speed_max: Real,
     /// The states hold the impulses of the last step already, which must not be damped with the velocity.
     pub is_first: bool,
 }
 
 impl Kernel for Accelerate<'_> {
-    /// How many were slowed down to the largest speed.
+    /// Number of bodies that were limited to the largest speed.
     type Output = usize;
 
     #[inline(always)]
     fn run<W: Wide>(self) -> usize {
-        let (warmth, mut limited) = (W::splat(self.warmth), 0);
+        let (warm_start_coefficient, mut limited) = (W::splat(self.warm_start_coefficient), 0);
         for Movers { states, before, last, motions } in self.bodies.chunks() {
             let (old, _) = load_states::<W>(before);
             let (velocity, displacement) = load_states::<W>(states);
-            let linear = (velocity.linear - old.linear) * warmth;
-            let angular = (velocity.angular - old.angular) * warmth;
+            let linear = (velocity.linear - old.linear) * warm_start_coefficient;
+            let angular = (velocity.angular - old.angular) * warm_start_coefficient;
             let start = if self.is_first { old } else { velocity };
             if !last.is_empty() {
                 store_states(last, (start, displacement));
@@ -106,9 +106,9 @@ impl Kernel for Advance<'_> {
             let (mut velocity, moved) = load_states::<W>(states);
             let linear = moved.linear + velocity.linear * h;
             let angular = turned_further(moved.angular, velocity.angular * h);
-            if motions.iter().any(FreeMotion::tumbles) {
+            if motions.iter().any(FreeMotion::is_gyroscopic) {
                 let (mut old, displacement) = load_states::<W>(before);
-                tumble(motions, &mut velocity.angular, &mut old.angular, self.h);
+                gyroscopic(motions, &mut velocity.angular, &mut old.angular, self.h);
                 store_states(before, (old, displacement));
             }
             store_states(states, (velocity, WideDisplacement::new(linear, angular)));

@@ -32,14 +32,15 @@ impl SolverBodies {
             let slot = order[position].into_raw_parts().0;
             let Some(body) = body.filter(|_| !multibodies.moves(slot)) else { return };
             let (state, motion) = (&states[position + 1], &motions[position + 1]);
-            let way = match body.body_type {
+            let displacement = match body.body_type {
                 RigidBodyType::KinematicPositionBased => move_to(body, body.next_pose, params.dt),
                 _ => {
                     let (start, center) = (body.pose, body.mprops.world_com);
-                    let (shift, turn) = commit(body, state, motion);
-                    let way = BodyMotion::of(body.mprops.world_com - center, turn, body.extent);
-                    // Not less than that of the way: see `commit`.
-                    let bound = shift.length() + way.rest;
+                    let (shift, rotvec) = commit(body, state, motion);
+                    let displacement =
+                        BodyMotion::of(body.mprops.world_com - center, rotvec, body.extent);
+                    // Not less than that of the displacement: see `commit`.
+                    let bound = shift.length() + displacement.rest;
                     body.ccd_active = body.is_dynamic() && FastMotion::is_one(body, bound, params);
                     if body.ccd_active {
                         let (body, acceleration) = (order[position], motion.linear_acceleration());
@@ -49,19 +50,19 @@ impl SolverBodies {
                             start,
                             center,
                             shift,
-                            turn,
+                            rotvec,
                             acceleration,
                             link,
                         });
-                        // It may be stopped on its way.
+                        // CCD may stop it.
                         BodyMotion::within(bound)
                     } else {
-                        way
+                        displacement
                     }
                 }
             };
             // SAFETY: every slot of a body has a motion, and it is this body's.
-            unsafe { *moved.get_mut(slot as usize) = way };
+            unsafe { *moved.get_mut(slot as usize) = displacement };
         };
         // SAFETY: the order names each body once.
         unsafe { bodies.visit_gathering(order, tasks, &mut self.fast, store, fast) };
@@ -75,9 +76,10 @@ pub(super) fn outcome(
     motion: &FreeMotion,
 ) -> Option<(Pose, RigidBodyVelocity)> {
     let (linvel, angvel) = state.velocity();
-    let (shift, turn) = state.displacement();
+    let (shift, rotvec) = state.displacement();
     let rotation = motion.rotation();
-    let rotation = if motion.tumbles() { rotation.normalize() } else { turned(rotation, turn) };
+    let rotation =
+        if motion.is_gyroscopic() { rotation.normalize() } else { turned(rotation, rotvec) };
     let center = body.mprops.world_com;
     let local_center = body.mprops.local_mprops.local_com;
     let pose = Pose::from_parts(center + shift - rotation * local_center, rotation);
@@ -91,22 +93,23 @@ pub(super) fn outcome(
 fn commit(body: &mut RigidBody, state: &BodyState, motion: &FreeMotion) -> (Vector, AngVector) {
     body.use_up_push();
     let Some((pose, velocity)) = outcome(body, state, motion) else {
-        // The survey finds who is fast or far; left is who turns about a centre of mass at the other end of the world.
+        // The divergence check finds fast and far bodies. The remaining case is a rotation about a very
+        // distant centre of mass.
         log::error!("a rigid body left the range of numbers at {:?} and was stopped", body.pose);
         (body.linvel, body.angvel) = (Vector::ZERO, ANG_ZERO);
         return (Vector::ZERO, ANG_ZERO);
     };
-    let (center, (shift, turn)) = (body.mprops.world_com, state.displacement());
+    let (center, (shift, rotvec)) = (body.mprops.world_com, state.displacement());
     (body.linvel, body.angvel) = (velocity.linvel, velocity.angvel);
     body.pose = pose;
     body.update_world_mass_properties();
     // Far from the origin a position has few digits, and it moves by whole steps of these or not at all.
     let rounded = body.mprops.world_com - center;
     let shift = if rounded.length_squared() > shift.length_squared() { rounded } else { shift };
-    (shift, turn)
+    (shift, rotvec)
 }
 
-/// Puts a position-based kinematic body where the user wants it.
+/// Moves a position-based kinematic body to its target pose.
 fn move_to(body: &mut RigidBody, pose: Pose, dt: Real) -> BodyMotion {
     let old_center = body.mprops.world_com;
     body.pose = pose;

@@ -1,11 +1,12 @@
-//! What impacts need of a block: the velocities of its points, impulses at them, and friction under these.
+//! Access of impacts to a block: velocities of its points, impulses at them, and their friction.
 //!
-//! Which points hit, and how they part, is decided in `rows.rs`.
+//! `rows.rs` decides which points hit, and their target velocity.
 
 use crate::base::disjoint::DisjointMut;
 use crate::base::wide::{Lane, Wide};
 use crate::dim::contact::{
-    Bodies, ContactBlock, CoulombBlock, Frame, NormalImpulse, NormalRow, rub_block, values_at,
+    Bodies, ContactBlock, CoulombBlock, Frame, NormalImpulse, NormalRow, solve_block_friction,
+    values_at,
 };
 use crate::dim::math::MAX_MANIFOLD_POINTS;
 use crate::dim::state::{BodyState, gather_velocities};
@@ -19,7 +20,7 @@ pub struct NormalRows<'a, W> {
 
 impl<'a, W: Wide> NormalRows<'a, W> {
     /// # Safety
-    /// Nobody may write the states of the block's bodies meanwhile.
+    /// No other thread writes the states of the block's bodies.
     #[inline(always)]
     pub unsafe fn gather(states: &DisjointMut<BodyState>, block: &'a ContactBlock) -> Self {
         // SAFETY: the caller's promise.
@@ -27,7 +28,7 @@ impl<'a, W: Wide> NormalRows<'a, W> {
     }
 
     /// # Safety
-    /// Nobody else may touch the states of the block's bodies meanwhile.
+    /// The caller has exclusive access to the states of the block's bodies.
     #[inline(always)]
     pub unsafe fn scatter(self, states: &DisjointMut<BodyState>) {
         // SAFETY: the caller's promise.
@@ -57,7 +58,7 @@ impl<'a, W: Wide> NormalRows<'a, W> {
     /// Gauss–Seidel over the points of each lane: `solve` says for each point, at its velocity, which impulse is
     /// added there.
     #[inline(always)]
-    pub fn visit(&mut self, mut solve: impl FnMut(usize, W) -> W) {
+    pub fn iterate(&mut self, mut solve: impl FnMut(usize, W) -> W) {
         let mut velocities = self.velocities();
         let mut sum = NormalImpulse::zero();
         let mut coupling = 0;
@@ -89,13 +90,13 @@ pub fn velocities_of<W: Wide>(
     values_at(block, NormalRow::new(&Frame::load(block), c, velocities))
 }
 
-/// Solves the friction rows once under these normal impulses alone. What they add is no load that the next substep
-/// could start with: nothing of it is remembered.
+/// Solves the friction rows once under these normal impulses alone. These impulses are no warm-start load,
+/// and are not stored.
 ///
 /// # Safety
-/// Nobody else may touch the states of the block's bodies meanwhile.
+/// The caller has exclusive access to the states of the block's bodies.
 #[inline(always)]
-pub unsafe fn rub<W: Wide>(
+pub unsafe fn solve_friction<W: Wide>(
     block: &mut ContactBlock,
     coulomb: Option<&mut CoulombBlock>,
     states: &DisjointMut<BodyState>,
@@ -112,7 +113,7 @@ pub unsafe fn rub<W: Wide>(
     }
     // SAFETY: the caller's promise.
     let mut bodies = unsafe { Bodies::<W>::gather(states, block) };
-    rub_block(block, fresh.as_mut(), &mut bodies);
+    solve_block_friction(block, fresh.as_mut(), &mut bodies);
     // SAFETY: the caller's promise.
     unsafe { bodies.scatter(states, block) };
     let (normal, friction) = kept;

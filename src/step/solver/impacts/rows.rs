@@ -1,4 +1,5 @@
-//! The points of one block in an impact: which of them hit, and how fast they are to part. What follows is in `struck.rs`.
+//! The points of one block in an impact: which of them hit, and how fast they are to part. The rounds are in
+//! `active.rs`.
 
 use super::lanes;
 use super::points::{self, NormalRows};
@@ -9,38 +10,40 @@ use crate::dim::math::{MAX_MANIFOLD_POINTS, Real};
 use crate::dim::state::BodyState;
 use crate::model::params::ImpactPass;
 
-/// How much of its speed a point's approach may be corrected by for what forces do in the rest of the substep.
-pub(in super::super) const BEND_MAX: Real = 0.25;
-/// Points that were at rest when the impact began take part as soon as they approach this much faster, as a share of
-/// the speed below which nothing bounces. Rounding must not wake them.
-pub(in super::super) const NOTICED: Real = 0.01;
+/// Largest correction of a point's approach for forces in the rest of the substep, as a fraction of its
+/// speed.
+pub(in super::super) const CURVATURE_ANGLE_MAX: Real = 0.25;
+/// Points at rest when the impact began take part when their approach increases by this fraction of the
+/// restitution threshold. Rounding must not wake them.
+pub(in super::super) const APPROACH_CHANGE_MIN: Real = 0.01;
 
-/// Where points are that are put aside: beyond the reach of all passes.
-pub(in super::super) const FAR: Real = 1.0e10;
+/// Separation of deferred points: beyond the reach of all passes.
+pub(in super::super) const COORDINATE_MODERATE_MAX: Real = 1.0e10;
 
 /// One contact point of each lane.
 #[derive(Copy, Clone, Debug, Default)]
 struct ImpactRow {
-    /// While it is put aside: its separation when the step began, which the block does not show.
+    /// While the point is deferred: its separation at the start of the step, which the block does not
+    /// contain.
     separation: Lane,
-    /// By how much forces and what bears them have changed its velocity in this substep. Impulses of the last substep that
-    /// act again in this one may be larger, and must not pass for forces.
+    /// Velocity change in this substep by forces and their supports. Impulses of the last substep that act
+    /// again in this one may be larger, and must not pass for forces.
     accelerated: Lane,
     /// It hits where its velocity is below this.
     limit: Lane,
-    /// Impulses of the whole impact: of each round the share that it went.
+    /// Impulses of the whole impact: the committed fraction of each round.
     given: Lane,
-    /// What is borne, and where the block is struck what is to happen in this round.
-    strike: Strike<Lane>,
+    /// Support velocity and, in active blocks, the data of this round.
+    strike: ActiveRow<Lane>,
 }
 
-/// How a point that hits is to part, in one lane or all.
+/// Target of a hitting point, in one lane or all.
 #[derive(Copy, Clone, Debug, Default)]
-pub(super) struct Strike<T> {
+pub(super) struct ActiveRow<T> {
     /// `1 / K` where it hits in this round, zero elsewhere.
     pub mass: T,
-    /// How much of what forces did to its velocity in this substep is borne by what it presses against.
-    pub borne: T,
+    /// The part of the force-induced velocity change that supports cancel.
+    pub support_velocity: T,
     /// Its velocity of approach in this round (negative), and the one with which it is to part.
     pub approach: T,
     pub target: T,
@@ -48,12 +51,12 @@ pub(super) struct Strike<T> {
     pub time: T,
 }
 
-impl Strike<Lane> {
-    /// That of one lane.
-    pub fn lane(&self, lane: usize) -> Strike<Real> {
-        Strike {
+impl ActiveRow<Lane> {
+    /// Data of one lane.
+    pub fn lane(&self, lane: usize) -> ActiveRow<Real> {
+        ActiveRow {
             mass: self.mass.0[lane],
-            borne: self.borne.0[lane],
+            support_velocity: self.support_velocity.0[lane],
             approach: self.approach.0[lane],
             target: self.target.0[lane],
             time: self.time.0[lane],
@@ -61,9 +64,9 @@ impl Strike<Lane> {
     }
 
     /// Sets that of one lane.
-    pub fn set_lane(&mut self, lane: usize, strike: &Strike<Real>) {
+    pub fn set_lane(&mut self, lane: usize, strike: &ActiveRow<Real>) {
         self.mass.0[lane] = strike.mass;
-        self.borne.0[lane] = strike.borne;
+        self.support_velocity.0[lane] = strike.support_velocity;
         self.approach.0[lane] = strike.approach;
         self.target.0[lane] = strike.target;
         self.time.0[lane] = strike.time;
@@ -73,7 +76,7 @@ impl Strike<Lane> {
 /// The contacts of one block that bounce.
 #[derive(Clone, Debug)]
 pub(in super::super) struct ImpactBlock {
-    /// Which block.
+    /// Index of the block.
     pub at: usize,
     pub restitution: Lane,
     rows: [ImpactRow; MAX_MANIFOLD_POINTS],
@@ -81,29 +84,29 @@ pub(in super::super) struct ImpactBlock {
     pub islands: [u32; LANES],
 }
 
-/// What is asked of every block in every round, and often the answer is that nothing is to be done. So it stands apart: thousands of
-/// blocks are passed over without a look at their rows.
+/// Flags that each round reads for every block; often they show that nothing is to do. So it stands apart:
+/// thousands of blocks are passed over without a look at their rows.
 #[derive(Copy, Clone, Debug, Default)]
 pub(in super::super) struct ImpactMark {
-    /// One bit per lane: does any point hit in this round?
-    pub struck: u32,
-    /// Has any point hit in this substep?
-    pub was_struck: bool,
-    /// One bit per point and lane: does it come fast and not arrive in this substep?
+    /// One bit per lane: set if any point hits in this round.
+    pub active: u32,
+    /// Whether any point hit in this substep.
+    pub was_active: bool,
+    /// One bit per point and lane: set if it approaches fast and does not arrive in this substep.
     waiting: u32,
-    /// And which of these are put aside.
+    /// The deferred ones among these.
     aside: u32,
 }
 
 const _: () = assert!(MAX_MANIFOLD_POINTS * LANES <= u32::BITS as usize);
 
 impl ImpactMark {
-    /// Is any point to be put aside?
+    /// Returns whether any point is to be deferred.
     pub fn waits(&self) -> bool {
         self.waiting != 0
     }
 
-    /// Is any put aside?
+    /// Returns whether any point is deferred.
     pub fn is_aside(&self) -> bool {
         self.aside != 0
     }
@@ -120,8 +123,8 @@ impl ImpactBlock {
         Self { at, restitution, rows: [ImpactRow::default(); MAX_MANIFOLD_POINTS], islands }
     }
 
-    /// Takes back the points that were put aside in the last substep.
-    pub fn recall(&self, mark: &mut ImpactMark, block: &mut ContactBlock) {
+    /// Restores the points that the last substep deferred.
+    pub fn restore(&self, mark: &mut ImpactMark, block: &mut ContactBlock) {
         for (k, (row, point)) in self.rows.iter().zip(&mut block.points).enumerate() {
             for lane in lanes(of_point(mark.aside, k)) {
                 point.separation.0[lane] = row.separation.0[lane];
@@ -132,17 +135,19 @@ impl ImpactBlock {
 
     /// Puts the points aside that come fast and do not arrive in this substep. Left to the other passes, which let
     /// nothing come nearer than to touch, they would arrive too slowly.
-    pub fn put_aside(&mut self, mark: &mut ImpactMark, block: &mut ContactBlock) {
+    pub fn defer(&mut self, mark: &mut ImpactMark, block: &mut ContactBlock) {
         for (k, (row, point)) in self.rows.iter_mut().zip(&mut block.points).enumerate() {
             for lane in lanes(of_point(mark.waiting, k)) {
-                row.separation.0[lane] = core::mem::replace(&mut point.separation.0[lane], FAR);
+                row.separation.0[lane] =
+                    core::mem::replace(&mut point.separation.0[lane], COORDINATE_MODERATE_MAX);
             }
         }
         mark.aside = mark.waiting;
     }
 
-    /// Begins a substep: notes how the points move, and what forces did to that since the last one ended (`last`).
-    /// `loaded` are the velocities with the impulses of the last substep, which bear these forces.
+    /// Begins a substep: notes how the points move, and what forces did to that since the last one ended
+    /// (`last`). `loaded` are the velocities with the impulses of the last substep, which support these
+    /// forces.
     #[inline(always)]
     pub fn begin<W: Wide>(
         &mut self,
@@ -154,12 +159,12 @@ impl ImpactBlock {
         let free = rows.velocities();
         let [then, loaded] = [last, loaded].map(|states| points::velocities_of::<W>(states, block));
         let (zero, threshold) = (W::zero(), W::splat(-pass.threshold));
-        let (noticed, fall) = (W::splat(pass.threshold * NOTICED), W::splat(pass.fall));
+        let (noticed, fall) = (W::splat(pass.threshold * APPROACH_CHANGE_MIN), W::splat(pass.fall));
         for (k, row) in self.rows.iter_mut().enumerate() {
             let forced = free[k] - then[k];
-            let borne = (loaded[k] - free[k]).min(-forced).max(zero);
-            borne.store(&mut row.strike.borne);
-            let now = free[k] + borne;
+            let support_velocity = (loaded[k] - free[k]).min(-forced).max(zero);
+            support_velocity.store(&mut row.strike.support_velocity);
+            let now = free[k] + support_velocity;
             let at_rest = threshold.le(now.max(then[k]));
             (W::select(at_rest, now.min(zero), zero) - noticed).store(&mut row.limit);
             let most = forced.abs().max(fall);
@@ -182,41 +187,41 @@ impl ImpactBlock {
         let (zero, h) = (W::zero(), W::splat(pass.substep));
         let restitution = W::load(&self.restitution);
         let mut hits = [zero.lt(zero); MAX_MANIFOLD_POINTS];
-        (mark.struck, mark.waiting) = (0, 0);
+        (mark.active, mark.waiting) = (0, 0);
         for (k, row) in self.rows.iter().enumerate() {
-            let velocity = velocities[k] + W::load(&row.strike.borne);
+            let velocity = velocities[k] + W::load(&row.strike.support_velocity);
             // Points that the manifold has not got have no mass.
             let can_be_hit = zero.lt(restitution) & zero.lt(W::load(&block.points[k].mass));
             let comes = velocity.lt(W::load(&row.limit)) & can_be_hit;
             let end = separations[k] + velocity * h;
             hits[k] = comes & end.lt(zero);
-            mark.struck |= W::bits(hits[k]);
+            mark.active |= W::bits(hits[k]);
             mark.waiting |= W::bits(comes & zero.le(end)) << (k * LANES);
         }
-        if mark.struck == 0 {
+        if mark.active == 0 {
             return;
         }
-        mark.was_struck = true;
+        mark.was_active = true;
         for (k, row) in self.rows.iter_mut().enumerate() {
-            let velocity = velocities[k] + W::load(&row.strike.borne);
+            let velocity = velocities[k] + W::load(&row.strike.support_velocity);
             let mass = W::select(hits[k], W::load(&block.points[k].mass), zero);
             let speed = W::select(hits[k], -velocity, W::splat(1.0));
             let time = (separations[k] / speed).max(W::splat(-pass.step)).min(h);
-            let most = speed * W::splat(BEND_MAX);
-            let bend =
+            let most = speed * W::splat(CURVATURE_ANGLE_MAX);
+            let curvature =
                 W::load(&row.accelerated) * (time * W::splat(pass.inv_substep) - W::splat(0.5));
-            let bend = bend.max(-most).min(most);
-            let target = (restitution * (speed - bend) - bend).max(zero);
+            let curvature = curvature.max(-most).min(most);
+            let target = (restitution * (speed - curvature) - curvature).max(zero);
             let strike = &mut row.strike;
             mass.store(&mut strike.mass);
-            (bend + bend - speed).store(&mut strike.approach);
+            (curvature + curvature - speed).store(&mut strike.approach);
             target.store(&mut strike.target);
             time.store(&mut strike.time);
         }
     }
 
-    /// How the points of a lane are to part.
-    pub(super) fn strikes(&self, lane: usize) -> [Strike<Real>; MAX_MANIFOLD_POINTS] {
+    /// The targets of the points of a lane.
+    pub(super) fn strikes(&self, lane: usize) -> [ActiveRow<Real>; MAX_MANIFOLD_POINTS] {
         core::array::from_fn(|k| self.rows[k].strike.lane(lane))
     }
 
@@ -230,9 +235,9 @@ impl ImpactBlock {
     /// Ends the impact: friction acts under its normal impulses, which count into those of the step.
     ///
     /// # Safety
-    /// Nobody else may touch the states of the block's bodies meanwhile.
+    /// The caller has exclusive access to the states of the block's bodies.
     #[inline(always)]
-    pub unsafe fn rub<W: Wide>(
+    pub unsafe fn solve_friction<W: Wide>(
         &self,
         block: &mut ContactBlock,
         coulomb: Option<&mut CoulombBlock>,
@@ -243,6 +248,6 @@ impl ImpactBlock {
             (W::load(total) + W::load(given)).store(total);
         }
         // SAFETY: the caller's promise.
-        unsafe { points::rub::<W>(block, coulomb, states, given) };
+        unsafe { points::solve_friction::<W>(block, coulomb, states, given) };
     }
 }

@@ -3,20 +3,20 @@
 use crate::dim::state::{BodyState, READ_ONLY};
 use core::ops::Range;
 
-/// Often a few of all. What they were is kept, and looked at again, for these alone.
+/// Often a few of all. Their states at the start are stored, and compared for these bodies alone.
 #[derive(Default)]
 pub(super) struct Touched {
     /// Each once; first those that any round may change, wherever it falls.
     pub bodies: Vec<u32>,
     /// The number of these.
     always: usize,
-    /// This round, counted from two: one stands for what is listed before there is any.
+    /// Number of this round, from two. One marks bodies that are listed before the first round.
     round: u32,
     /// By the index of a body: the last round that may change it, zero for those that are not among them.
     rounds: Vec<u32>,
-    /// How they moved when the round began. At rest, for others.
+    /// Velocities when the round began. At rest, for others.
     pub start: Vec<BodyState>,
-    /// In place of a velocity: the sum of impulses in this round, and of impulse times time. Nothing, for others.
+    /// In place of a velocity: the sum of impulses in this round, and of impulse times time. Zero for others.
     pub delays: Vec<BodyState>,
 }
 
@@ -34,7 +34,7 @@ impl Touched {
         self.delays.resize(count, BodyState::default());
     }
 
-    /// What has been added is part of all rounds.
+    /// Makes the added bodies part of all rounds.
     pub fn keep(&mut self) {
         self.always = self.bodies.len();
     }
@@ -47,7 +47,7 @@ impl Touched {
         }
     }
 
-    /// These bodies may change, but for those that are read-only.
+    /// Adds bodies that may change, except read-only ones.
     pub fn add(&mut self, bodies: impl Iterator<Item = u32>) {
         for body in bodies.filter(|body| body & READ_ONLY == 0) {
             if core::mem::replace(&mut self.rounds[body as usize], self.round) == 0 {
@@ -61,7 +61,7 @@ impl Touched {
         bodies.into_iter().for_each(|range| self.add(range.map(|body| body as u32)));
     }
 
-    /// May this round change a body?
+    /// Returns whether this round may change a body.
     pub fn is_changed(&self, body: u32) -> bool {
         self.rounds[body as usize] == self.round
     }

@@ -1,14 +1,14 @@
 //! The memory of joint constraints.
 
 use crate::base::wide::{LANES, Lane};
-use crate::dim::joint::{AngleGauge, JointedInertias};
+use crate::dim::joint::{AngleTracker, JointedInertias};
 use crate::dim::math::{ANG_DIM, DIM, Real, SPATIAL_DIM};
 use crate::dim::state::READ_ONLY;
 use crate::dim::wide::{
     ANG_ZERO_LANES, WideAngVector, WideRotation, WideVector, ang_lane, set_ang_lane,
 };
 
-/// What stands for "no limit": far beyond every length, and still a number to calculate with.
+/// Value for "no limit": far beyond every length, and finite.
 pub(super) const UNLIMITED: Real = 1.0e30;
 
 /// An impulse on the second body at `p`, and the moments that it and the couples give each body about
@@ -26,46 +26,46 @@ pub(super) struct JointBlock {
     pub inv_mass: [WideVector<Lane>; 2],
     pub inertias: JointedInertias,
     /// From the centres of mass to the anchors when the step began.
-    pub levers: [WideVector<Lane>; 2],
+    pub arms: [WideVector<Lane>; 2],
     /// From the first anchor to the second when the step began.
     pub separation: WideVector<Lane>,
     /// The joint's frames when the step began, in world space.
     pub frames: [WideRotation<Lane>; 2],
     /// One for locked axes, zero for free ones.
     pub locked: [Lane; SPATIAL_DIM],
-    /// One where the locked axes are solved in sweeps, zero where they are solved exactly.
+    /// One where the locked axes are solved iteratively, zero where they are solved directly.
     pub swept: Lane,
     /// Velocity per unit of error (1/s).
     pub bias_rate: Lane,
     /// One for joints with a softness of their own: springs, which the relax pass must not make rigid.
     pub is_spring: Lane,
-    /// How much the rows yield (see [`Softness`](crate::model::params::Softness)).
-    pub yields: Lane,
-    /// One for joints of taut components (see `taut.rs`), zero for others.
-    pub is_taut: Lane,
+    /// Compliance of the rows (see [`Softness`](crate::model::params::Softness)).
+    pub compliance: Lane,
+    /// One for joints of stiff components (see `geometric_stiffness.rs`), zero for others.
+    pub is_stiff: Lane,
     /// The bias of the errors when the substep began.
     pub held_bias: [Lane; SPATIAL_DIM],
     /// Impulses of this substep on the locked axes.
     pub impulses: [Lane; SPATIAL_DIM],
     /// The couple of the angular impulses, in the first frame: in when the step starts, out when it ends.
     pub couple: WideAngVector<Lane>,
-    /// What the impulses of all rows have done to the bodies in this substep.
+    /// Total impulse of all rows on the bodies in this substep.
     pub applied: Wrench<Lane>,
-    /// What that has made of the bodies' angular velocities. (Their inertias turn.)
+    /// Angular velocities that result from it. (Their inertias turn.)
     pub turned: [WideAngVector<Lane>; 2],
     /// Sums over all substeps: the impulse, and its moment about `p`.
     pub total_impulse: WideVector<Lane>,
     pub total_moment: WideAngVector<Lane>,
-    /// Where the block's rows of free axes stand.
+    /// Range of the block's rows of free axes.
     pub first_row: usize,
     pub row_count: usize,
-    /// Is any lane solved exactly, and any in sweeps?
+    /// Whether any lane is solved directly, and whether any is solved iteratively.
     pub has_exact: bool,
     pub has_swept: bool,
-    /// Is any lane a spring, and does any lock a rotation?
+    /// Whether any lane is a spring, and whether any locks a rotation.
     pub has_springs: bool,
     pub locks_rotations: bool,
-    /// Is any free axis a translation?
+    /// Whether any free axis is a translation.
     pub has_distances: bool,
 }
 
@@ -77,15 +77,15 @@ impl JointBlock {
             bodies: [[READ_ONLY; LANES]; 2],
             inv_mass: [vector; 2],
             inertias: JointedInertias::NONE,
-            levers: [vector; 2],
+            arms: [vector; 2],
             separation: vector,
             frames: [WideRotation::IDENTITY; 2],
             locked: [zero; SPATIAL_DIM],
             swept: zero,
             bias_rate: zero,
             is_spring: zero,
-            yields: zero,
-            is_taut: zero,
+            compliance: zero,
+            is_stiff: zero,
             held_bias: [zero; SPATIAL_DIM],
             impulses: [zero; SPATIAL_DIM],
             couple: ANG_ZERO_LANES,
@@ -103,12 +103,12 @@ impl JointBlock {
         }
     };
 
-    /// Leaves the locked axes of a lane to the exact solution, with this yield unless they are springs.
-    pub fn solve_exactly(&mut self, lane: usize, yields: Real) {
+    /// Leaves the locked axes of a lane to the direct solver, with this compliance unless they are springs.
+    pub fn solve_exactly(&mut self, lane: usize, compliance: Real) {
         self.swept.0[lane] = 0.0;
         self.has_exact = true;
         if self.is_spring.0[lane] == 0.0 {
-            self.yields.0[lane] = yields;
+            self.compliance.0[lane] = compliance;
         }
     }
 
@@ -118,7 +118,7 @@ impl JointBlock {
         if first & READ_ONLY == 0 { first } else { second & !READ_ONLY }
     }
 
-    /// Does any lane reckon with how its free axes bend?
+    /// Returns whether any lane includes the curvature of its free axes.
     pub fn looks_ahead(&self) -> bool {
         self.row_count > 0 && (self.has_exact || self.has_distances)
     }
@@ -144,8 +144,8 @@ impl JointBlock {
 pub(super) struct AxisRow {
     pub linear: WideVector<Lane>,
     pub coupled: [Lane; DIM],
-    pub gauge: AngleGauge,
-    /// Where the joint is along or about the axis, at the last visit where the bodies are.
+    pub angle_tracker: AngleTracker,
+    /// Joint position along or about the axis, at the last iteration with the bodies' current poses.
     pub position: Lane,
     pub motor: MotorRow,
     pub min: Lane,
@@ -167,7 +167,7 @@ pub(super) struct MotorRow {
     /// Largest impulse of a substep.
     pub max_impulse: Lane,
     pub impulse: Lane,
-    /// How far the spring was from its target when the substep began.
+    /// Distance of the spring from its target when the substep began.
     pub stretch: Lane,
 }
 
@@ -178,7 +178,7 @@ impl AxisRow {
         Self {
             linear: WideVector::ZERO,
             coupled: [zero; DIM],
-            gauge: AngleGauge::NONE,
+            angle_tracker: AngleTracker::NONE,
             position: zero,
             motor: MotorRow {
                 stiffness: zero,

@@ -1,4 +1,4 @@
-//! How the joints of a block stand at a moment of the step.
+//! Current geometry of the joints of a block.
 
 use super::block::{AxisRow, JointBlock};
 use super::rows::Row;
@@ -11,18 +11,18 @@ use crate::dim::math::{ANG_DIM, DIM, SPATIAL_DIM};
 use crate::dim::state::WideDisplacement;
 use crate::dim::wide::{WideAngVector, WideRotation, WideVector, torque};
 
-/// Frames and levers of a block's joints after the bodies have moved.
+/// Frames and moment arms of a block's joints after the bodies have moved.
 pub(super) struct Geometry<W> {
     /// Axes of the first frame.
     pub axes: [WideVector<W>; DIM],
     /// From each centre of mass to the second anchor.
-    pub levers: [WideVector<W>; 2],
+    pub arms: [WideVector<W>; 2],
     /// From anchor to anchor, along the axes.
     pub separation: [W; DIM],
     /// Both frames.
     frames: [WideRotation<W>; 2],
-    /// By how much the second body has turned more than the first since the step began.
-    turn: WideAngVector<W>,
+    /// Relative rotation of the second body since the step began.
+    rotvec: WideAngVector<W>,
 }
 
 impl<W: Wide> Geometry<W> {
@@ -31,12 +31,12 @@ impl<W: Wide> Geometry<W> {
     pub fn new(block: &JointBlock, displacements: &[WideDisplacement<W>; 2]) -> Self {
         let [d1, d2] = displacements;
         let (turn1, turn2) = (d1.rotation(), d2.rotation());
-        let old1 = WideVector::load(&block.levers[0]);
-        let old2 = WideVector::load(&block.levers[1]);
-        let (lever1, lever2) = (turn1.rotate(old1), turn2.rotate(old2));
+        let old1 = WideVector::load(&block.arms[0]);
+        let old2 = WideVector::load(&block.arms[1]);
+        let (arm1, arm2) = (turn1.rotate(old1), turn2.rotate(old2));
         let separation = WideVector::load(&block.separation)
             + (d2.linear - d1.linear)
-            + ((lever2 - old2) - (lever1 - old1));
+            + ((arm2 - old2) - (arm1 - old1));
         let frame1 = turn1.times(WideRotation::load(&block.frames[0]));
         let frame2 = turn2.times(WideRotation::load(&block.frames[1]));
         let axes = axes(frame1);
@@ -46,10 +46,10 @@ impl<W: Wide> Geometry<W> {
         }
         Self {
             axes,
-            levers: [lever1 + separation, lever2],
+            arms: [arm1 + separation, arm2],
             separation: along,
             frames: [frame1, frame2],
-            turn: d2.angular - d1.angular,
+            rotvec: d2.angular - d1.angular,
         }
     }
 
@@ -77,10 +77,11 @@ impl<W: Wide> Geometry<W> {
         errors
     }
 
-    /// The errors of the locked axes in components along the axes of an earlier moment, along which impulses act. The axes
-    /// turn with the first body, and errors along its own later ones ask for impulses that are off by this turn: of a
-    /// substep that turns a body by a quarter of a radian, a Newton step would leave a tenth instead of a thirtieth. Rotations
-    /// are seen from the middle of the way: so far, on average, the way has turned what an impulse adds to it.
+    /// The errors of the locked axes in components along the axes of an earlier moment, along which impulses
+    /// act. The axes rotate with the first body, and errors along the second body's axes require impulses
+    /// that are rotated relative to them. In a substep with a rotation of a quarter of a radian, a Newton
+    /// step would leave a tenth instead of a thirtieth. Rotations are measured in the middle of the substep,
+    /// which is the average rotation of an added impulse.
     #[cfg_attr(not(target_arch = "wasm32"), inline(always))]
     pub fn errors_seen_from<const N: usize>(&self, earlier: &Self, block: &JointBlock) -> [W; N] {
         let mut errors = [W::zero(); SPATIAL_DIM];
@@ -124,8 +125,8 @@ impl<W: Wide> Geometry<W> {
     /// The row of a translation along a direction that turns with the first body.
     #[inline(always)]
     fn row_along(&self, direction: WideVector<W>) -> Row<W> {
-        let [lever1, lever2] = self.levers;
-        Row { linear: direction, angular: [torque(lever1, direction), torque(lever2, direction)] }
+        let [arm1, arm2] = self.arms;
+        Row { linear: direction, angular: [torque(arm1, direction), torque(arm2, direction)] }
     }
 
     /// The row and the position of a free axis.
@@ -133,8 +134,8 @@ impl<W: Wide> Geometry<W> {
     pub fn free_row(&self, row: &AxisRow) -> (Row<W>, W) {
         let (direction, distance) = self.translation(row);
         let mut along = self.row_along(direction);
-        let turn = angular_to_frame(&self.axes, self.turn);
-        let (about, angle) = row.gauge.measure(self.between(), turn);
+        let rotvec = angular_to_frame(&self.axes, self.rotvec);
+        let (about, angle) = row.angle_tracker.measure(self.between(), rotvec);
         let about = angular_to_world(&self.axes, about);
         along.angular = [along.angular[0] + about, along.angular[1] + about];
         (along, distance + angle)
@@ -155,7 +156,7 @@ impl<W: Wide> Geometry<W> {
         let coupled = W::splat(1.0e-30).lt(squares);
         let length = W::select(coupled, squares, W::splat(1.0)).sqrt();
         let unit = towards * (W::splat(1.0) / length);
-        // Where the anchors coincide, every direction is as good: the first axis.
+        // If the anchors coincide, the first axis is the direction.
         (WideVector::select(coupled, unit, single), W::select(coupled, length, position))
     }
 

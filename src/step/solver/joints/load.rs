@@ -1,8 +1,8 @@
 //! From joints to constraints: once per step, on several threads.
 
 use super::block::{AxisRow, JointBlock, UNLIMITED};
-use super::direct::{Member, RowMemory};
-use super::{BLOCKS_PER_TASK, Seat, SolverJoints};
+use super::direct::{DirectJoint, JacobianBlock};
+use super::{BLOCKS_PER_TASK, LaneSlot, SolverJoints};
 use crate::base::disjoint::DisjointMut;
 use crate::base::tasks::Tasks;
 use crate::base::wide::Lane;
@@ -24,10 +24,9 @@ use crate::model::params::JointPass;
 use crate::step::solver::bodies::SolverBodies;
 use crate::step::solver::multibodies::SolverMultibodies;
 
-/// The least yield of joints that are solved in sweeps. A sweep leaves errors, and a chain that does not yield
-/// to them is pumped by its own corrections: see
-/// [`CONTACT_YIELD`](crate::model::params::CONTACT_YIELD).
-const SWEPT_YIELD: Real = 1.0 / 8.0;
+/// The least compliance of iteratively solved joints. Iterations leave errors, and a chain without compliance
+/// gains energy by its own corrections: see [`CONTACT_YIELD`](crate::model::params::CONTACT_YIELD).
+const ITERATED_COMPLIANCE: Real = 1.0 / 8.0;
 
 /// A body that turns by less than this (rad) in a substep keeps its inertia for the step.
 const TURN_MIN: Real = 1.0e-4;
@@ -35,9 +34,9 @@ const TURN_MIN: Real = 1.0e-4;
 /// Joints that are worth being looked at by another thread.
 const JOINTS_PER_TASK: usize = 64;
 
-/// What joints are loaded from.
+/// Context for loading joints.
 #[derive(Copy, Clone)]
-pub(in crate::step::solver) struct Sources<'a> {
+pub(in crate::step::solver) struct JointSources<'a> {
     pub islands: &'a IslandManager,
     pub world: &'a RigidBodySet,
     pub bodies: &'a SolverBodies,
@@ -45,24 +44,24 @@ pub(in crate::step::solver) struct Sources<'a> {
 }
 
 impl SolverJoints {
-    /// Makes constraints of the joints that have a colour. Those on links are left to their multibodies.
+    /// Makes constraints of the joints that have a colour. Joints of links are left to their multibodies.
     pub fn load(
         &mut self,
         joints: &mut ImpulseJointSet,
-        from: Sources<'_>,
+        from: JointSources<'_>,
         pass: &JointPass,
         tasks: Tasks<'_>,
     ) {
         self.find_members(from, tasks);
         self.direct.build(&self.members, from.bodies.states.len());
-        self.give_seats();
+        self.assign_lane_slots();
         self.fill_blocks(joints, from, pass, tasks);
         self.note_exact_joints(from.bodies.states.len());
-        self.pins.load(joints, from, pass, tasks);
+        self.point_to_point.load(joints, from, pass, tasks);
     }
 
-    /// Finds out which joints take part.
-    fn find_members(&mut self, from: Sources<'_>, tasks: Tasks<'_>) {
+    /// Finds the active joints.
+    fn find_members(&mut self, from: JointSources<'_>, tasks: Tasks<'_>) {
         self.slots.clear();
         self.colors.clear();
         for (color, list) in from.islands.joint_graph.in_solving_order() {
@@ -75,53 +74,56 @@ impl SolverJoints {
             self.colors.push((color, list.len()));
         }
         let slots = &self.slots;
-        self.members.resize(slots.len(), Member::NOBODY);
+        self.members.resize(slots.len(), DirectJoint::NONE);
         tasks.par_fill(&mut self.members, JOINTS_PER_TASK, |index| {
-            from.member(slots[index]).unwrap_or(Member::NOBODY)
+            from.member(slots[index]).unwrap_or(DirectJoint::NONE)
         });
         let mut rest = self.members.as_slice();
         for (_, count) in &mut self.colors {
             let (members, others) = rest.split_at(*count);
-            *count = members.iter().filter(|member| member.is_somebody()).count();
+            *count = members.iter().filter(|member| member.is_valid()).count();
             rest = others;
         }
-        self.members.retain(Member::is_somebody);
+        self.members.retain(DirectJoint::is_valid);
     }
 
     /// Decides how each joint is solved, and where.
-    fn give_seats(&mut self) {
+    fn assign_lane_slots(&mut self) {
         self.layout.clear();
-        self.pins.clear();
+        self.point_to_point.clear();
         let mut rest = self.members.as_slice();
         for &(color, count) in &self.colors {
             let (members, later) = rest.split_at(count);
-            let is_pin =
-                |member: &&Member| member.form.is_pin && !self.direct.contains(member.slot);
-            let slots = |member: &Member| member.slot;
-            let seat = |member: &Member| Seat { slot: member.slot, driven: member.form.driven };
-            self.pins.add(color, members.iter().filter(is_pin).map(slots));
+            let is_point_to_point = |member: &&DirectJoint| {
+                member.form.is_point_to_point && !self.direct.contains(member.slot)
+            };
+            let slots = |member: &DirectJoint| member.slot;
+            let lane_slot =
+                |member: &DirectJoint| LaneSlot { slot: member.slot, driven: member.form.driven };
+            self.point_to_point.add(color, members.iter().filter(is_point_to_point).map(slots));
             // Blocks that lock no rotation have half of the rows.
             let turning = members.iter().filter(|member| !member.form.locks_rotations());
-            let turning = turning.filter(|member| !is_pin(member));
+            let turning = turning.filter(|member| !is_point_to_point(member));
             let others = members.iter().filter(|member| member.form.locks_rotations());
-            self.layout.add(color, turning.chain(others).map(seat));
+            self.layout.add(color, turning.chain(others).map(lane_slot));
             rest = later;
         }
     }
 
-    /// Makes blocks of the joints that are no pins, and their rows.
+    /// Makes the blocks of all joints that are not point-to-point joints, and their rows.
     fn fill_blocks(
         &mut self,
         joints: &mut ImpulseJointSet,
-        from: Sources<'_>,
+        from: JointSources<'_>,
         pass: &JointPass,
         tasks: Tasks<'_>,
     ) {
         self.first_rows.clear();
         let mut row_count = 0;
-        for seats in self.layout.blocks() {
+        for lane_slots in self.layout.blocks() {
             self.first_rows.push(row_count);
-            row_count += seats.iter().map(|seat| usize::from(seat.driven)).max().unwrap_or(0);
+            row_count +=
+                lane_slots.iter().map(|lane_slot| usize::from(lane_slot.driven)).max().unwrap_or(0);
         }
         self.first_rows.push(row_count);
         self.rows.resize(row_count, AxisRow::EMPTY);
@@ -138,13 +140,13 @@ impl SolverJoints {
                 *block = JointBlock::EMPTY;
                 (block.first_row, block.row_count) = (place.start, place.len());
                 rows.fill(AxisRow::EMPTY);
-                for (lane, seat) in layout.block(index).iter().enumerate() {
-                    let Some(link) = from.islands.joints.get(seat.slot) else { continue };
-                    // SAFETY: each joint has one seat.
+                for (lane, lane_slot) in layout.block(index).iter().enumerate() {
+                    let Some(link) = from.islands.joints.get(lane_slot.slot) else { continue };
+                    // SAFETY: each joint has one lane slot.
                     let Some(entry) = (unsafe { joints.get_mut(link.handle.0) }) else { continue };
                     load_lane(block, rows, lane, &mut entry.joint, from, pass);
-                    if direct.contains(seat.slot) {
-                        block.solve_exactly(lane, pass.softness.yields());
+                    if direct.contains(lane_slot.slot) {
+                        block.solve_exactly(lane, pass.softness.compliance());
                     } else {
                         block.has_swept = true;
                     }
@@ -158,11 +160,11 @@ impl SolverJoints {
         if self.direct.is_empty() {
             return self.memory.clear();
         }
-        self.memory.resize(self.blocks.len(), RowMemory::EMPTY);
+        self.memory.resize(self.blocks.len(), JacobianBlock::EMPTY);
         self.tautness.clear(body_count);
         for (index, block) in self.blocks.iter().enumerate().filter(|(_, block)| block.has_exact) {
-            for (lane, seat) in self.layout.block(index).iter().enumerate() {
-                if !self.direct.place(seat.slot, [index, lane]) {
+            for (lane, lane_slot) in self.layout.block(index).iter().enumerate() {
+                if !self.direct.place(lane_slot.slot, [index, lane]) {
                     continue;
                 }
                 for side in 0..2 {
@@ -178,30 +180,30 @@ impl SolverJoints {
     }
 }
 
-impl Sources<'_> {
-    /// The joint in a slot, if it takes part.
-    fn member(&self, slot: u32) -> Option<Member> {
+impl JointSources<'_> {
+    /// The joint in a slot, if it is active.
+    fn member(&self, slot: u32) -> Option<DirectJoint> {
         let Self { bodies, multibodies, .. } = self;
         let link = self.islands.joints.get(slot)?;
         let slots = link.body_slots();
-        if !bodies.has_one_of(slots) || multibodies.claims(slots) {
+        if !bodies.has_one_of(slots) || multibodies.owns_joint(slots) {
             return None;
         }
         let ends = slots.map(|slot| bodies.index_of(slot));
         let inv_masses = ends.map(|body| bodies.inv_mass_of(body));
-        Some(Member::new(slot, ends, inv_masses, link.form))
+        Some(DirectJoint::new(slot, ends, inv_masses, link.form))
     }
 }
 
-/// One end of a joint: the body as the solver knows it, and the joint's frame there.
+/// One end of a joint: the solver's data of the body, and the joint's frame on it.
 struct End {
     index: u32,
     center: Vector,
-    lever: Vector,
+    arm: Vector,
     frame: Rotation,
     inv_mass: Vector,
     inv_inertia: AngularInertia,
-    tumbles: bool,
+    is_gyroscopic: bool,
 }
 
 impl End {
@@ -217,20 +219,20 @@ impl End {
         Self {
             index,
             center: mprops.world_com,
-            lever: pose.rotation * (frame.translation - mprops.local_mprops.local_com),
+            arm: pose.rotation * (frame.translation - mprops.local_mprops.local_com),
             frame: pose.rotation * frame.rotation,
             inv_mass: if movable { mprops.inv_mass } else { Vector::ZERO },
             inv_inertia: if movable { mprops.inv_inertia } else { zero_inertia() },
-            tumbles: movable && tumbles(body, pass.substep),
+            is_gyroscopic: movable && is_gyroscopic(body, pass.substep),
         }
     }
 }
 
-/// Does a body turn so much in a substep that its inertia, as seen from the world, is soon another?
-pub(super) fn tumbles(body: &RigidBody, substep: Real) -> bool {
+/// Returns whether a body rotates so far in a substep that its world-space inertia changes noticeably.
+pub(super) fn is_gyroscopic(body: &RigidBody, substep: Real) -> bool {
     let turn_squared = ang_length_squared(body.angvel) * substep * substep;
     let mprops = &body.mprops;
-    turn_squared >= TURN_MIN * TURN_MIN && mprops.turns_freely() && !is_round(&mprops.inv_inertia)
+    turn_squared >= TURN_MIN * TURN_MIN && mprops.rotates_freely() && !is_round(&mprops.inv_inertia)
 }
 
 /// Fills one lane of a block, and of its rows.
@@ -239,7 +241,7 @@ fn load_lane(
     rows: &mut [AxisRow],
     lane: usize,
     joint: &mut ImpulseJoint,
-    Sources { world, bodies, .. }: Sources<'_>,
+    JointSources { world, bodies, .. }: JointSources<'_>,
     pass: &JointPass,
 ) {
     let (body1, body2) = (joint.body1(), joint.body2());
@@ -252,12 +254,12 @@ fn load_lane(
     for (side, end) in ends.iter().enumerate() {
         block.bodies[side][lane] = end.index;
         block.inv_mass[side].set_lane(lane, end.inv_mass);
-        block.inertias.set_lane(side, lane, &end.inv_inertia, end.tumbles);
-        block.levers[side].set_lane(lane, end.lever);
+        block.inertias.set_lane(side, lane, &end.inv_inertia, end.is_gyroscopic);
+        block.arms[side].set_lane(lane, end.arm);
         block.frames[side].set_lane(lane, &end.frame);
     }
     // Differences of positions first: far from the origin these have few digits.
-    let separation = (ends[1].center - ends[0].center) + (ends[1].lever - ends[0].lever);
+    let separation = (ends[1].center - ends[0].center) + (ends[1].arm - ends[0].arm);
     block.separation.set_lane(lane, separation);
     let share = bodies.share([ends[0].index, ends[1].index]);
     joint.scale_impulses(share);
@@ -275,10 +277,11 @@ fn load_locked(block: &mut JointBlock, lane: usize, joint: &ImpulseJoint, pass: 
         Some(spring) => spring.in_steps_of(pass.substep),
     };
     let is_spring = joint.data.softness.is_some();
-    let yields = softness.yields().min(UNLIMITED);
+    let compliance = softness.compliance().min(UNLIMITED);
     block.bias_rate.0[lane] = softness.bias_rate;
     block.is_spring.0[lane] = if is_spring { 1.0 } else { 0.0 };
-    block.yields.0[lane] = if is_spring { yields } else { yields.max(SWEPT_YIELD) };
+    block.compliance.0[lane] =
+        if is_spring { compliance } else { compliance.max(ITERATED_COMPLIANCE) };
     block.swept.0[lane] = 1.0;
     block.has_distances |= joint.data.driven_axes().any(|axis| (axis as usize) < DIM);
     block.has_springs |= is_spring;
@@ -342,7 +345,7 @@ fn load_rotation(
         Some(last) => nearest_turn(angle, last),
         None => joint.limits(axis).map_or(angle, |limits| limits.first_reading(angle)),
     };
-    row.gauge.set_lane(lane, axis, rotations, angle);
+    row.angle_tracker.set_lane(lane, axis, rotations, angle);
     angle
 }
 

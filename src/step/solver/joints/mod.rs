@@ -2,8 +2,8 @@
 //!
 //! One constraint is one joint. Its *locked* axes are equations that are solved together; each *free* axis
 //! with limits or a motor is an [`AxisRow`]. All rows act at the second body's anchor `p`, which keeps the
-//! angular momentum whether or not the anchors coincide. With `d = p - p1` from anchor to anchor, the levers
-//! `L2 = p - x2`, `L1 = p - x1` and a direction `e` that turns with the first body,
+//! angular momentum whether or not the anchors coincide. With `d = p - p1` from anchor to anchor, the moment
+//! arms `L2 = p - x2`, `L1 = p - x1` and a direction `e` that rotates with the first body,
 //!
 //! ```text
 //! C = e·d        Ċ = e·(v2 + ω2 × L2 - v1 - ω1 × L1)
@@ -12,68 +12,67 @@
 //! Rows of rotations stand in `dimN/joint/`.
 //!
 //! ## Where the bodies will be
-//! A joint's directions turn with its bodies, and within a step by much: levers, axes and errors are
-//! taken from the bodies' poses of the moment in every pass. That is not enough. A velocity that obeys
-//! `Ċ = 0` moves along a tangent and leaves the circle; pulling the body back costs energy, a share
-//! `ω² h` of it per second. So the solve pass looks ahead: it asks for the velocity that leads to
-//! `C = 0` at the *end* of the substep. With the present velocities the substep would end at
-//! `C' = C(x + h v)`; of that, `h Ċ` will change with the velocity and the rest, `C' - C - h Ċ`, is the
-//! curvature of the constraint.
+//! A joint's directions rotate with its bodies, and considerably within a step. Each pass therefore computes
+//! moment arms, axes and errors at the current poses. That alone is insufficient. A velocity with `Ċ = 0`
+//! moves along a tangent and leaves the circle. The correction costs energy, a fraction `ω² h` of it per
+//! second. The solve pass therefore solves for the velocity that leads to `C = 0` at the *end* of the
+//! substep. With the present velocities the substep would end at `C' = C(x + h v)`. Of that, `h Ċ` changes
+//! with the velocity, and the rest, `C' - C - h Ċ`, is the curvature of the constraint.
 //!
 //! ```text
 //! Δλ = -K⁻¹ m (Ċ + (C' - C - h Ċ)/h + b C) - i λ         (softness: bias rate b, scales m and i)
 //! ```
 //!
-//! The relax pass then projects the velocity where the bodies are by now. Both together are the RATTLE
-//! method (Andersen, "Rattle: a velocity version of the Shake algorithm", 1983): symplectic, so a pendulum
-//! keeps its energy. Only joints that are solved exactly look ahead, and they repeat it from the velocity that they have
-//! found until there is nothing left to find: where bodies turn by a tenth of a radian in a substep a second round does, where
-//! they turn by half of one it takes five. (Half-solved ones would feed their errors back.) Those that pull so hard that this
-//! would not be stable are treated otherwise: see `taut.rs`. Limits look ahead, too, with a bound on what they foresee: see
-//! `drive.rs`.
+//! The relax pass then projects the velocity where the bodies are by now. Both together are the RATTLE method
+//! (Andersen, "Rattle: a velocity version of the Shake algorithm", 1983): symplectic, so a pendulum keeps its
+//! energy. Only directly solved joints include the curvature, and they repeat the solution from the new
+//! velocity until it converges. A second round suffices for rotations of a tenth of a radian in a substep,
+//! and half a radian needs five. (Half-solved ones would feed their errors back.) Components for which this
+//! is unstable are treated differently: see `geometric_stiffness.rs`. Limits look ahead, too, with a bound on
+//! what they foresee: see `motors_and_limits.rs`.
 //!
 //! ## Inertias turn
-//! A body that is thin resists a turn about one axis less than about another, and as it turns, so do these axes. A
-//! moment `τ` changes the angular momentum by `τ`, and the angular velocity by `I⁻¹ τ` with the inertia of the moment: with
-//! that of the beginning of the step, the work of a joint's impulses is not what the bodies gain, and two thin limbs on a
-//! post gained so much that they flew apart. So the relax pass turns the inverse inertias of bodies that tumble,
-//! `R I⁻¹ Rᵀ`, and the solve pass of the next substep, which begins at the same place, uses the same ones. (Impulses act
-//! there for the gyroscope, too: see `dimN/motion.rs`.) What is taken back of the last substep is therefore what
-//! the velocities have got, and not a moment times the inertia of today.
+//! A body that is thin resists a turn about one axis less than about another, and as it turns, so do these
+//! axes. A moment `τ` changes the angular momentum by `τ`, and the angular velocity by `I⁻¹ τ` with the
+//! current inertia. With the inertia of the start of the step, the work of a joint's impulses differs from
+//! the energy change of the bodies: two thin limbs on a post gained so much that they flew apart. The relax
+//! pass therefore rotates the inverse inertias of gyroscopic bodies, `R I⁻¹ Rᵀ`, and the next solve pass,
+//! which begins at the same poses, uses the same ones. (Impulses act there for the gyroscope, too: see
+//! `dimN/motion.rs`.) The subtracted impulse of the last substep is therefore the velocity change that it
+//! caused, and not a moment times the current inertia.
 //!
 //! ## Warm starting
-//! Bodies start a substep with what the last one's impulses did to them. A joint's rows have turned since, so
-//! each block remembers the impulse and the moments it has given its bodies (`applied`), and the solve pass
-//! begins with what the same impulses along the turned rows make of it. The relax pass must not: what pushed
-//! the bodies onto their chord stays as it was, and only what it adds itself acts along the rows of its own
-//! place. (Turned there too, impulses would do no more than project the old velocity: that is the method
-//! which loses `ω² h`.)
+//! Bodies start a substep with what the last one's impulses did to them. A joint's rows have rotated since.
+//! Each block stores the impulse and the moments that it applied (`applied`), and the solve pass begins with
+//! the same impulses along the rotated rows. The relax pass must not do so. The impulses that moved the
+//! bodies onto their chord stay unchanged, and only its own changes act along the current rows. (Rotated
+//! there too, impulses would only project the old velocity: that is the method with a loss of `ω² h`.)
 //!
 //! ## Exactly or in sweeps
-//! The locked axes of connected joints are solved together (`direct/`); those of nets with too many loops, and of
-//! loose components like ragdolls, in sweeps over the colours, with some yield. The plain ones among these have
-//! passes of their own (`pins/`). Motors and limits are always swept.
+//! Locked axes of connected joints are solved directly (`direct/`). Nets with too many loops, and loose
+//! components such as ragdolls, are solved iteratively over the colours, with some compliance. The plain ones
+//! among these have passes of their own (`point_to_point/`). Motors and limits are always solved iteratively.
 //!
 //! ## Order
-//! All joints are solved before all contacts, colour by colour. Whoever is solved last is obeyed best, and
-//! bodies that overlap are worse than joints that give way: contacts vanish when they are not held, joints
-//! come back. Within a joint, motors yield to limits and these to locked axes.
+//! All joints are solved before all contacts, colour by colour. The constraint that is solved last has the
+//! smallest error. Overlaps are worse than joint errors, because a violated contact may vanish, and a joint
+//! recovers. Within a joint, limits have priority over motors, and locked axes over limits.
 //!
 //! Sources: Catto, "Solver2D" (box2d.org, 2024) for the soft step; Catto, "Soft Constraints" (GDC 2011).
 
-mod ahead;
+mod substep_end;
 mod block;
 mod direct;
-mod drive;
+mod motors_and_limits;
 mod geometry;
 mod load;
 mod passes;
-mod pins;
+mod point_to_point;
 mod rows;
 mod store;
-mod taut;
+mod geometric_stiffness;
 
-pub(super) use ahead::BEND_MAX;
+pub(super) use substep_end::CURVATURE_ANGLE_MAX;
 
 use super::bodies::SolverBodies;
 use super::contacts::for_each_color;
@@ -86,11 +85,11 @@ use crate::dim::state::{BodyPose, BodyState, READ_ONLY};
 use crate::model::params::JointPass;
 use block::{AxisRow, JointBlock};
 use core::ops::Range;
-use direct::{Blow, Direct, Member, Question, RowMemory};
-pub(super) use load::Sources;
-use pins::Pins;
+use direct::{Direct, DirectJoint, ImpactImpulse, JacobianBlock, StiffnessTest};
+use geometric_stiffness::{GeometricStiffness, Moving, have_large_displacement};
+pub(super) use load::JointSources;
+use point_to_point::PointToPointJoints;
 pub(super) use store::break_if_overloaded;
-use taut::{Moving, Tautness, are_thrown};
 
 /// All joint constraints of a step.
 #[derive(Default)]
@@ -100,41 +99,41 @@ pub(super) struct SolverJoints {
     /// The rows of free axes, those of one block together.
     rows: Vec<AxisRow>,
     /// The joints of each block.
-    layout: Layout<Seat>,
+    layout: Layout<LaneSlot>,
     /// Joints that are solved exactly, and their rows by block.
     direct: Direct,
-    memory: Vec<RowMemory>,
+    memory: Vec<JacobianBlock>,
     /// By block, while a round of an impact lasts.
-    blows: Vec<Blow>,
-    /// Those that only hold two points together, and are not.
-    pins: Pins,
+    impact_impulses: Vec<ImpactImpulse>,
+    /// The point-to-point joints, which have their own blocks.
+    point_to_point: PointToPointJoints,
     /// All joints in the order of their colours, and how many of them each colour has.
-    members: Vec<Member>,
+    members: Vec<DirectJoint>,
     colors: Vec<(u32, usize)>,
     /// Slots of all joints that have a colour, in that order.
     slots: Vec<u32>,
     /// By block: where its rows begin; then where the last ones end.
     first_rows: Vec<usize>,
-    tautness: Tautness,
+    tautness: GeometricStiffness,
 }
 
 /// A joint in a block.
 #[derive(Copy, Clone, Debug)]
-struct Seat {
+struct LaneSlot {
     /// Its slot in the islands' list.
     slot: u32,
-    /// How many rows of free axes it has.
+    /// Number of its rows of free axes.
     driven: u8,
 }
 
 /// Blocks that are worth handing over to another thread together.
 const BLOCKS_PER_TASK: usize = 8;
 
-/// How a round of an impact has changed velocities.
+/// Velocity changes of a round of an impact.
 pub(super) struct Changes<'a> {
     /// The [bodies](SolverJoints::held) that joints can change, each once.
     pub held: &'a [u32],
-    /// How they moved when the round began, and move now.
+    /// Velocities when the round began, and now.
     pub start: &'a [BodyState],
     pub states: &'a mut [BodyState],
     pub poses: &'a [BodyPose],
@@ -156,7 +155,7 @@ impl Changes<'_> {
 impl SolverJoints {
     /// Number of joints.
     pub fn len(&self) -> usize {
-        self.layout.len() + self.pins.len()
+        self.layout.len() + self.point_to_point.len()
     }
 
     /// Gives the bodies the impulses with which the step starts.
@@ -166,26 +165,26 @@ impl SolverJoints {
         for_each_color(self.layout.colors(), (tasks, BLOCKS_PER_TASK), |range| {
             simd.run(WarmStart { range, parts, states });
         });
-        self.pins.warm_start(states, simd, tasks);
+        self.point_to_point.warm_start(states, simd, tasks);
     }
 
-    /// Lets a substep start with this share of the last one's impulses, as the bodies do.
+    /// Scales the warm-start impulses of a substep by this fraction, as for bodies.
     pub fn scale_impulses(&mut self, factor: Real) {
         if factor != 1.0 {
             self.blocks.iter_mut().for_each(|block| block.scale_impulses(factor));
             self.rows.iter_mut().for_each(|row| row.scale_impulses(factor));
-            self.pins.scale_impulses(factor);
+            self.point_to_point.scale_impulses(factor);
         }
     }
 
-    /// Begins a substep: finds out which components are taut.
-    pub fn tighten(&mut self, bodies: &SolverBodies, pass: &JointPass) {
+    /// Begins a substep: finds the stiff components.
+    pub fn select_method(&mut self, bodies: &SolverBodies, pass: &JointPass) {
         let Self { blocks, direct, tautness, .. } = self;
         let moving = moving(bodies);
-        direct.tighten(|members| {
-            let taut = tautness.is_taut(members, blocks, moving, pass.substep);
-            note_taut(members, blocks, taut);
-            taut
+        direct.select_method(|members| {
+            let geometric_stiffness = tautness.is_stiff(members, blocks, moving, pass.substep);
+            note_stiff(members, blocks, geometric_stiffness);
+            geometric_stiffness
         });
     }
 
@@ -197,7 +196,7 @@ impl SolverJoints {
         simd: Simd,
         tasks: Tasks<'_>,
     ) {
-        self.visit::<true>(bodies, pass, simd, tasks);
+        self.iterate::<true>(bodies, pass, simd, tasks);
     }
 
     /// Solves all joints once, where the bodies are.
@@ -208,10 +207,10 @@ impl SolverJoints {
         simd: Simd,
         tasks: Tasks<'_>,
     ) {
-        self.visit::<false>(bodies, pass, simd, tasks);
+        self.iterate::<false>(bodies, pass, simd, tasks);
     }
 
-    fn visit<const AHEAD: bool>(
+    fn iterate<const AHEAD: bool>(
         &mut self,
         bodies: &mut SolverBodies,
         pass: &JointPass,
@@ -223,7 +222,7 @@ impl SolverJoints {
         for_each_color(self.layout.colors(), (tasks, BLOCKS_PER_TASK), |range| {
             simd.run(Visit::<AHEAD> { range, parts, states, pass });
         });
-        self.pins.visit::<AHEAD>(states, pass, simd, tasks);
+        self.point_to_point.iterate::<AHEAD>(states, pass, simd, tasks);
         if !AHEAD {
             self.direct.forget_matrices();
         }
@@ -234,7 +233,7 @@ impl SolverJoints {
         if AHEAD {
             let Self { memory, direct, tautness, blocks, .. } = self;
             let ask = answers(tautness, blocks, bodies, pass);
-            direct.find_thrown(memory, ask);
+            direct.find_large_displacements(memory, ask);
         }
         self.solve_exactly::<AHEAD>(bodies, pass, simd, tasks);
         while AHEAD && self.go_on(bodies, pass) {
@@ -242,7 +241,7 @@ impl SolverJoints {
         }
     }
 
-    /// Is another round of the exact solution wanted?
+    /// Returns whether the direct solver needs another round.
     fn go_on(&mut self, bodies: &SolverBodies, pass: &JointPass) -> bool {
         let Self { blocks, memory, direct, tautness, .. } = self;
         direct.go_on(memory, pass.inv_substep, answers(tautness, blocks, bodies, pass))
@@ -259,10 +258,11 @@ impl SolverJoints {
         exact.flat_map(|member| member.bodies).map(|body| body & !READ_ONLY)
     }
 
-    /// Makes of the changes of velocities since the start of a round the nearest ones that the joints allow which are solved
-    /// exactly, where the bodies are, with the inertias that contacts know: in components with a body that is `wanted`.
-    /// For impacts: what the impulses are is kept apart until [`Self::settle_blows`], and the next step does not start with them.
-    /// `add_work` is told one body of each joint, and the work of the joint's impulses at the velocities of the `start`.
+    /// Projects the velocity changes since the start of a round on the directly solved joints, in components
+    /// with a `wanted` body. The projection uses the current poses and the inertias of contacts. For impacts:
+    /// what the impulses are is kept apart until [`Self::commit_impact_impulses`], and the next step does not
+    /// start with them. `add_work` receives one body of each joint, and the work of the joint's impulses at
+    /// the velocities of the `start`.
     pub fn project(
         &mut self,
         mut changes: Changes<'_>,
@@ -285,14 +285,14 @@ impl SolverJoints {
         for (block, memory) in self.blocks.iter().zip(&mut self.memory) {
             memory.take_inertias(block, changes.poses);
         }
-        let is_wanted = |members: &[Member]| {
-            members.iter().flat_map(Member::movable).any(|(_, body)| wanted(body))
+        let is_wanted = |members: &[DirectJoint]| {
+            members.iter().flat_map(DirectJoint::movable).any(|(_, body)| wanted(body))
         };
         self.direct.solve(&mut self.memory, states, is_wanted, simd, tasks);
         let (blocks, memory) = (&self.blocks, &self.memory);
-        let blows = DisjointMut::new(&mut self.blows);
+        let impact_impulses = DisjointMut::new(&mut self.impact_impulses);
         tasks.par_for(count, BLOCKS_PER_TASK, |range| {
-            simd.run(Count { range, blocks, memory, blows });
+            simd.run(Count { range, blocks, memory, impact_impulses });
         });
         for (index, block) in self.blocks.iter().enumerate().filter(|(_, block)| block.has_exact) {
             for lane in 0..self.layout.block(index).len() {
@@ -305,28 +305,31 @@ impl SolverJoints {
     }
 
     /// Begins a round of an impact, in which joints have given nothing yet.
-    pub fn begin_blows(&mut self) {
-        self.blows.clear();
+    pub fn begin_impact_impulses(&mut self) {
+        self.impact_impulses.clear();
         if !self.direct.is_empty() {
-            self.blows.resize(self.blocks.len(), Blow::NONE);
+            self.impact_impulses.resize(self.blocks.len(), ImpactImpulse::NONE);
         }
     }
 
-    /// Ends it: what joints gave counts as borne in this step, or as much of it as the bodies got: a `share` for the island of each
-    /// body.
-    pub fn settle_blows(&mut self, share: impl Fn(u32) -> Real) {
-        for (index, (block, blow)) in self.blocks.iter_mut().zip(&self.blows).enumerate() {
+    /// Ends the round: adds the joint impulses to those of the step, scaled by the `share` of the island of
+    /// each body.
+    pub fn commit_impact_impulses(&mut self, share: impl Fn(u32) -> Real) {
+        for (index, (block, impact_impulse)) in
+            self.blocks.iter_mut().zip(&self.impact_impulses).enumerate()
+        {
             if block.has_exact {
                 for lane in 0..self.layout.block(index).len() {
-                    blow.settle(block, lane, share(block.movable(lane)));
+                    impact_impulse.commit(block, lane, share(block.movable(lane)));
                 }
             }
         }
     }
 
-    /// Bodies that an impact has hit are put where they would be had they moved on since then. Joints must not be torn by that.
-    /// So bodies that they hold exactly get the sum of all their `delays` (those are sums over blows): they were hit as one. Those that
-    /// are held in sweeps get none, as the blow has moved them apart.
+    /// Bodies that an impact has hit are put where they would be had they moved on since then. Joints must
+    /// not be torn by that. Bodies of directly solved joints get the sum of all their `delays` (sums over
+    /// impacts): they were hit as one. Bodies of iterated joints get none, because the impact has moved them
+    /// apart.
     pub fn share_delays(&self, delays: &mut [BodyState]) {
         self.direct.share(delays);
         let swept = self.members.iter().filter(|member| !self.direct.contains(member.slot));
@@ -357,7 +360,7 @@ impl SolverJoints {
         });
         self.direct.solve(&mut self.memory, states, |_| true, simd, tasks);
         let memory = &self.memory;
-        let is_last = !AHEAD && pass.is_last_visit;
+        let is_last = !AHEAD && pass.is_last_iteration;
         tasks.par_for(count, BLOCKS_PER_TASK, |range| {
             simd.run(Finish { range, blocks, memory, is_last });
         });
@@ -368,28 +371,28 @@ fn moving(bodies: &SolverBodies) -> Moving<'_> {
     Moving { poses: &bodies.poses, states: &bodies.states, before: &bodies.before }
 }
 
-/// What the exact solution asks about the members of a component.
+/// The stiffness tests of a component's joints.
 fn answers(
-    tautness: &mut Tautness,
+    tautness: &mut GeometricStiffness,
     blocks: &mut [JointBlock],
     bodies: &SolverBodies,
     pass: &JointPass,
-) -> impl FnMut(&[Member], Question) -> bool {
+) -> impl FnMut(&[DirectJoint], StiffnessTest) -> bool {
     let moving = moving(bodies);
-    move |members, question| match question {
-        Question::IsTaut => tautness.is_taut(members, blocks, moving, pass.substep),
-        Question::IsThrown => {
-            note_taut(members, blocks, true);
-            are_thrown(members, moving, pass.substep)
+    move |members, test| match test {
+        StiffnessTest::IsStiff => tautness.is_stiff(members, blocks, moving, pass.substep),
+        StiffnessTest::HasLargeDisplacement => {
+            note_stiff(members, blocks, true);
+            have_large_displacement(members, moving, pass.substep)
         }
     }
 }
 
-/// Notes whether the joints of a component are taut.
-fn note_taut(members: &[Member], blocks: &mut [JointBlock], taut: bool) {
+/// Marks whether the joints of a component are stiff.
+fn note_stiff(members: &[DirectJoint], blocks: &mut [JointBlock], geometric_stiffness: bool) {
     for member in members {
-        let lanes = &mut blocks[member.block as usize].is_taut;
-        lanes.0[member.lane as usize] = if taut { 1.0 } else { 0.0 };
+        let lanes = &mut blocks[member.block as usize].is_stiff;
+        lanes.0[member.lane as usize] = if geometric_stiffness { 1.0 } else { 0.0 };
     }
 }
 
@@ -419,8 +422,7 @@ impl Kernel for WarmStart<'_> {
     #[inline(always)]
     fn run<W: Wide>(self) {
         for index in self.range {
-            // SAFETY: each block belongs to one task, and the joints of one colour share no body that is
-            // not read-only.
+            // SAFETY: each block belongs to one task, and joints of one colour have no common dynamic body.
             unsafe {
                 let block = self.parts.blocks.get_mut(index);
                 passes::warm_start::<W>(block, &self.parts.rows, &self.states);
@@ -429,7 +431,7 @@ impl Kernel for WarmStart<'_> {
     }
 }
 
-/// See [`passes::visit`].
+/// See [`passes::iterate`].
 struct Visit<'a, const AHEAD: bool> {
     range: Range<usize>,
     parts: Parts<'a>,
@@ -443,11 +445,11 @@ impl<const AHEAD: bool> Kernel for Visit<'_, AHEAD> {
     #[inline(always)]
     fn run<W: Wide>(self) {
         for index in self.range {
-            // SAFETY: each block belongs to one task, the joints of one colour share no body that is not
-            // read-only, and one colour is done before the next begins.
+            // SAFETY: each block belongs to one task, joints of one colour have no common dynamic body, and
+            // the colours run in sequence.
             unsafe {
                 let block = self.parts.blocks.get_mut(index);
-                passes::visit::<W, AHEAD>(block, &self.parts.rows, &self.states, self.pass);
+                passes::iterate::<W, AHEAD>(block, &self.parts.rows, &self.states, self.pass);
             }
         }
     }
@@ -457,7 +459,7 @@ impl<const AHEAD: bool> Kernel for Visit<'_, AHEAD> {
 struct WriteRows<'a, const AHEAD: bool> {
     range: Range<usize>,
     blocks: DisjointMut<'a, JointBlock>,
-    memory: DisjointMut<'a, RowMemory>,
+    memory: DisjointMut<'a, JacobianBlock>,
     states: DisjointMut<'a, BodyState>,
     pass: &'a JointPass,
 }
@@ -468,7 +470,7 @@ impl<const AHEAD: bool> Kernel for WriteRows<'_, AHEAD> {
     #[inline(always)]
     fn run<W: Wide>(self) {
         for index in self.range {
-            // SAFETY: each block belongs to one task, and nobody writes states meanwhile.
+            // SAFETY: each block belongs to one task, and no thread writes states.
             unsafe {
                 let block = self.blocks.get_mut(index);
                 if block.has_exact {
@@ -484,7 +486,7 @@ impl<const AHEAD: bool> Kernel for WriteRows<'_, AHEAD> {
 struct Finish<'a> {
     range: Range<usize>,
     blocks: DisjointMut<'a, JointBlock>,
-    memory: &'a [RowMemory],
+    memory: &'a [JacobianBlock],
     is_last: bool,
 }
 
@@ -507,8 +509,8 @@ impl Kernel for Finish<'_> {
 struct Count<'a> {
     range: Range<usize>,
     blocks: &'a [JointBlock],
-    memory: &'a [RowMemory],
-    blows: DisjointMut<'a, Blow>,
+    memory: &'a [JacobianBlock],
+    impact_impulses: DisjointMut<'a, ImpactImpulse>,
 }
 
 impl Kernel for Count<'_> {
@@ -517,9 +519,13 @@ impl Kernel for Count<'_> {
     #[inline(always)]
     fn run<W: Wide>(self) {
         for index in self.range.filter(|&index| self.blocks[index].has_exact) {
-            // SAFETY: the blow of each block belongs to one task.
-            let blow = unsafe { self.blows.get_mut(index) };
-            direct::count::<W>(blow, &self.memory[index], self.blocks[index].locks_rotations);
+            // SAFETY: the impact impulse of each block belongs to one task.
+            let impact_impulse = unsafe { self.impact_impulses.get_mut(index) };
+            direct::count::<W>(
+                impact_impulse,
+                &self.memory[index],
+                self.blocks[index].locks_rotations,
+            );
         }
     }
 }

@@ -1,10 +1,10 @@
 //! The passes over a block of joints.
 
-use super::ahead::LookAhead;
 use super::block::{AxisRow, JointBlock, Wrench};
-use super::drive::{FreeAxis, solve_limits, solve_motor};
 use super::geometry::Geometry;
+use super::motors_and_limits::{FreeAxis, solve_limits, solve_motor};
 use super::rows::{Factored, Masses, Row};
+use super::substep_end::SubstepEnd;
 use crate::base::disjoint::DisjointMut;
 use crate::base::wide::Wide;
 use crate::dim::joint::{angular_to_frame, angular_to_world};
@@ -62,7 +62,7 @@ impl<W: Wide, const N: usize> Locked<W, N> {
         Self { rows: geometry.rows(), locked }
     }
 
-    /// How much of an impulse along a row the locked axes take: `K_ll⁻¹ K_lf`.
+    /// The reaction of the locked axes to an impulse along a row: `K_ll⁻¹ K_lf`.
     #[inline(always)]
     fn shares_of(&self, row: &Row<W>, masses: &Masses<W>, matrix: &Factored<W, N>) -> [W; N] {
         let mut coupled = masses.couplings(&self.rows, row);
@@ -86,7 +86,7 @@ impl<W: Wide, const N: usize> Locked<W, N> {
 /// Turns what the last step left into impulses along the rows, and gives it to the bodies.
 ///
 /// # Safety
-/// Nobody else may touch the states of the block's bodies, or its rows, meanwhile.
+/// The caller has exclusive access to the states of the block's bodies, and to its rows.
 #[inline(always)]
 pub(super) unsafe fn warm_start<W: Wide>(
     block: &mut JointBlock,
@@ -113,14 +113,14 @@ pub(super) unsafe fn warm_start<W: Wide>(
     unsafe { bodies.scatter(states, block) };
 }
 
-/// Taut joints start without impulses, those of motors and limits among them: without the locked axes that held
-/// against them they would throw the bodies far from where the joints let them go.
+/// Joints of stiff components start without impulses, including motors and limits. Without the opposing
+/// locked axes, these impulses would move the bodies far away.
 ///
 /// # Safety
-/// Nobody else may touch the block's rows meanwhile.
+/// The caller has exclusive access to the block's rows.
 #[inline(always)]
-unsafe fn forget_taut<W: Wide>(block: &mut JointBlock, rows: &DisjointMut<AxisRow>) {
-    let kept = W::splat(1.0) - W::load(&block.is_taut);
+unsafe fn forget_stiff<W: Wide>(block: &mut JointBlock, rows: &DisjointMut<AxisRow>) {
+    let kept = W::splat(1.0) - W::load(&block.is_stiff);
     for impulse in &mut block.impulses {
         (W::load(impulse) * kept).store(impulse);
     }
@@ -133,10 +133,10 @@ unsafe fn forget_taut<W: Wide>(block: &mut JointBlock, rows: &DisjointMut<AxisRo
     }
 }
 
-/// What the impulses of all rows do as the rows stand now.
+/// The effect of the impulses of all rows at the current poses.
 ///
 /// # Safety
-/// Nobody may write to the block's rows meanwhile.
+/// No other thread writes the block's rows.
 #[inline(always)]
 unsafe fn wrench_of<W: Wide, const N: usize>(
     block: &JointBlock,
@@ -159,13 +159,13 @@ fn impulse_of<W: Wide>(row: &AxisRow) -> W {
     W::load(&row.motor.impulse) + (W::load(&row.lower) - W::load(&row.upper))
 }
 
-/// Solves all rows once: free axes, then locked ones. `AHEAD`: so that the bodies are where they should be at the
-/// end of the substep; otherwise so that nothing moves apart from where they are.
+/// Solves all rows once: free axes, then locked ones. `AHEAD`: towards zero error at the end of the substep;
+/// otherwise towards zero relative velocity.
 ///
 /// # Safety
-/// Nobody else may touch the states of the block's bodies, or its rows, meanwhile.
+/// The caller has exclusive access to the states of the block's bodies, and to its rows.
 #[inline(always)]
-pub(super) unsafe fn visit<W: Wide, const AHEAD: bool>(
+pub(super) unsafe fn iterate<W: Wide, const AHEAD: bool>(
     block: &mut JointBlock,
     rows: &DisjointMut<AxisRow>,
     states: &DisjointMut<BodyState>,
@@ -173,7 +173,7 @@ pub(super) unsafe fn visit<W: Wide, const AHEAD: bool>(
 ) {
     // SAFETY: the caller's promise.
     unsafe {
-        // Without locked rotations the numbers are the same, but for half of the work.
+        // Without locked rotations the results are equal, for half of the work.
         match block.locks_rotations {
             true => visit_rows::<W, AHEAD, SPATIAL_DIM>(block, rows, states, pass),
             false => visit_rows::<W, AHEAD, DIM>(block, rows, states, pass),
@@ -181,10 +181,10 @@ pub(super) unsafe fn visit<W: Wide, const AHEAD: bool>(
     }
 }
 
-/// As [`visit`], for a block whose first `N` axes alone may be locked.
+/// As [`iterate`], for a block whose first `N` axes alone may be locked.
 ///
 /// # Safety
-/// As [`visit`].
+/// As [`iterate`].
 #[inline(always)]
 unsafe fn visit_rows<W: Wide, const AHEAD: bool, const N: usize>(
     block: &mut JointBlock,
@@ -205,7 +205,7 @@ unsafe fn visit_rows<W: Wide, const AHEAD: bool, const N: usize>(
     if AHEAD {
         // SAFETY: the caller's promise.
         let turned = unsafe {
-            forget_taut::<W>(block, rows);
+            forget_stiff::<W>(block, rows);
             wrench_of(block, rows, &geometry, &locked)
         };
         bodies.velocities = give_instead(block, &masses, &turned, bodies.velocities);
@@ -214,15 +214,15 @@ unsafe fn visit_rows<W: Wide, const AHEAD: bool, const N: usize>(
     let before = wrench;
     if block.row_count > 0 || block.has_swept {
         let coupling = masses.coupling(&locked.rows, &locked.locked);
-        let ahead = if AHEAD && block.looks_ahead() {
-            let ahead = LookAhead::new(block, &bodies, pass);
-            let bends = ahead.locked_bends(block, &geometry, &locked.rows, pass);
-            Some((ahead, bends))
+        let substep_end = if AHEAD && block.looks_ahead() {
+            let substep_end = SubstepEnd::new(block, &bodies, pass);
+            let curvatures = substep_end.locked_curvatures(block, &geometry, &locked.rows, pass);
+            Some((substep_end, curvatures))
         } else {
             None
         };
-        let (masses, locked, ahead) = (&masses, &locked, ahead.as_ref());
-        let joint = JointNow { geometry: &geometry, ahead, masses, locked, coupling };
+        let (masses, locked, substep_end) = (&masses, &locked, substep_end.as_ref());
+        let joint = JointNow { geometry: &geometry, substep_end, masses, locked, coupling };
         // SAFETY: the caller's promise.
         let added = unsafe { solve_axes::<W, AHEAD, N>(block, rows, &joint, &mut bodies, pass) };
         wrench = wrench.plus(&added);
@@ -230,7 +230,7 @@ unsafe fn visit_rows<W: Wide, const AHEAD: bool, const N: usize>(
 
     wrench.store(&mut block.applied);
     note_turned(block, masses.turned(&wrench.minus(&before)));
-    if !AHEAD && pass.is_last_visit {
+    if !AHEAD && pass.is_last_iteration {
         add_to_totals(block, &geometry, &wrench);
         store_couple(block, &locked.rows);
     }
@@ -270,11 +270,11 @@ pub(super) fn note_turned<W: Wide>(block: &mut JointBlock, [first, second]: [Wid
     store_turned(turned, block);
 }
 
-/// What the axes of a block share at the moment when they are solved.
+/// Common data of the axes of a block during a pass.
 struct JointNow<'a, W, const N: usize> {
     geometry: &'a Geometry<W>,
-    /// Where the joints would be by the end of the substep, if that is asked, and by how much the locked axes would bend.
-    ahead: Option<&'a (LookAhead<W>, [W; N])>,
+    /// Joint positions at the end of the substep, if required, and the curvatures of the locked axes.
+    substep_end: Option<&'a (SubstepEnd<W>, [W; N])>,
     masses: &'a Masses<W>,
     locked: &'a Locked<W, N>,
     /// `K_ll`, the matrix of the locked axes.
@@ -284,7 +284,7 @@ struct JointNow<'a, W, const N: usize> {
 /// Solves free axes, then locked ones; returns what they add.
 ///
 /// # Safety
-/// Nobody else may touch the block's rows meanwhile.
+/// The caller has exclusive access to the block's rows.
 #[inline(always)]
 unsafe fn solve_axes<W: Wide, const AHEAD: bool, const N: usize>(
     block: &mut JointBlock,
@@ -315,9 +315,9 @@ unsafe fn solve_axes<W: Wide, const AHEAD: bool, const N: usize>(
 
 /// Solves motor and limits of a free axis; returns what they add.
 ///
-/// What they push, the locked axes hold: `J - K_fl K_ll⁻¹ J_l` in place of the axis's own row `J` moves the
-/// bodies as the joint lets them. Its mass is what the motor really has to move, and neither has to wait for
-/// the other in sweeps.
+/// The locked axes react to the impulses of a free axis. Using `J - K_fl K_ll⁻¹ J_l` in place of the axis's
+/// own row `J` moves the bodies as the joint allows. Its effective mass is the true load of the motor, and no
+/// iteration between the two is necessary.
 #[inline(always)]
 fn solve_free<W: Wide, const AHEAD: bool, const N: usize>(
     row: &mut AxisRow,
@@ -328,11 +328,11 @@ fn solve_free<W: Wide, const AHEAD: bool, const N: usize>(
 ) -> Wrench<W> {
     let (mut along, position) = joint.geometry.free_row(row);
     let shares = joint.locked.shares_of(&along, joint.masses, matrix);
-    let mut bend = W::zero();
-    if let Some((ahead, bends)) = joint.ahead {
-        bend = ahead.bend((block, row), joint.geometry, (&along, position), pass);
+    let mut curvature = W::zero();
+    if let Some((substep_end, curvatures)) = joint.substep_end {
+        curvature = substep_end.curvature((block, row), joint.geometry, (&along, position), pass);
         for k in 0..N {
-            bend = bend - bends[k] * shares[k];
+            curvature = curvature - curvatures[k] * shares[k];
         }
     }
     if !AHEAD {
@@ -348,7 +348,7 @@ fn solve_free<W: Wide, const AHEAD: bool, const N: usize>(
     let axis = FreeAxis { position, effective, inverse };
     let rate = along.rate(&bodies.velocities);
     let driven = solve_motor::<W, AHEAD>(&mut row.motor, &axis, rate, pass);
-    let limited = solve_limits::<W, AHEAD>(row, &axis, rate + bend + effective * driven, pass);
+    let limited = solve_limits::<W, AHEAD>(row, &axis, rate + curvature + effective * driven, pass);
     let added = driven + limited;
     for (impulse, share) in block.impulses.iter_mut().zip(shares) {
         (W::load(impulse) - share * added).store(impulse);
@@ -358,7 +358,8 @@ fn solve_free<W: Wide, const AHEAD: bool, const N: usize>(
     wrench
 }
 
-/// Solves all locked axes together; returns what they add. The `matrix` is that without yield, if it is known.
+/// Solves all locked axes together; returns what they add. The `matrix` is the one without compliance, if it
+/// is known.
 #[inline(always)]
 fn solve_locked<W: Wide, const AHEAD: bool, const N: usize>(
     block: &mut JointBlock,
@@ -379,12 +380,12 @@ fn solve_locked<W: Wide, const AHEAD: bool, const N: usize>(
     let change = if let (true, Some(matrix)) = (is_rigid, matrix) {
         matrix.solve(wanted)
     } else {
-        let yields = yields_of::<W, AHEAD>(block);
+        let compliance = compliance_of::<W, AHEAD>(block);
         for k in 0..N {
             for m in 0..k {
                 coupling[k][m] = coupling[k][m] * swept;
             }
-            let soft = coupling[k][k] * yields * (locked[k] * swept);
+            let soft = coupling[k][k] * compliance * (locked[k] * swept);
             coupling[k][k] = (coupling[k][k] * swept + (one - swept)) + soft;
             wanted[k] = wanted[k] + soft * W::load(&block.impulses[k]);
         }
@@ -399,8 +400,8 @@ fn solve_locked<W: Wide, const AHEAD: bool, const N: usize>(
     wrench
 }
 
-/// The rates of the rows in the solve pass of joints that are swept: with the bias of the errors, but without a look
-/// ahead, which would feed the errors that sweeps leave back into them.
+/// Velocity errors of iterated rows in the solve pass: with bias, but without curvature, which would amplify
+/// the errors of the iteration.
 #[inline(always)]
 fn rates_with_bias<W: Wide, const N: usize>(
     block: &mut JointBlock,
@@ -433,17 +434,17 @@ pub(super) fn rates_here<W: Wide, const N: usize>(
     rates
 }
 
-/// How much the rows yield in a pass: in the relax pass only springs do.
+/// The compliance of the rows in a pass: in the relax pass only springs have any.
 #[inline(always)]
-pub(super) fn yields_of<W: Wide, const AHEAD: bool>(block: &JointBlock) -> W {
-    let yields = W::load(&block.yields);
-    if AHEAD { yields } else { yields * W::load(&block.is_spring) }
+pub(super) fn compliance_of<W: Wide, const AHEAD: bool>(block: &JointBlock) -> W {
+    let compliance = W::load(&block.compliance);
+    if AHEAD { compliance } else { compliance * W::load(&block.is_spring) }
 }
 
 /// Adds a substep's impulse, and its moment about the second anchor, to those of the step.
 #[inline(always)]
 fn add_to_totals<W: Wide>(block: &mut JointBlock, geometry: &Geometry<W>, wrench: &Wrench<W>) {
-    let moment = wrench.angular[1] - torque(geometry.levers[1], wrench.linear);
+    let moment = wrench.angular[1] - torque(geometry.arms[1], wrench.linear);
     let impulse = WideVector::load(&block.total_impulse) + wrench.linear;
     impulse.store(&mut block.total_impulse);
     let total = load_ang::<W>(&block.total_moment) + moment;

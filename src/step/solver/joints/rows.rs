@@ -9,8 +9,7 @@ use crate::dim::wide::{
     store_ang,
 };
 
-/// A pivot smaller than this share of the diagonal is rounding: nothing can move along that row that is
-/// not moved along others already.
+/// A pivot smaller than this fraction of the diagonal is rounding: the row is redundant.
 const PIVOT_MIN: Real = 64.0 * Real::EPSILON;
 
 /// One row of the Jacobian: `Ċ = linear·(v2 - v1) + angular[1]·ω2 - angular[0]·ω1`.
@@ -26,7 +25,7 @@ impl<W: Wide> Row<W> {
         Self { linear: WideVector::zero(), angular: [zero_ang(); 2] }
     }
 
-    /// This row without a share of another.
+    /// This row minus a multiple of another.
     #[inline(always)]
     pub fn minus(mut self, other: &Self, share: W) -> Self {
         self.linear = self.linear - other.linear * share;
@@ -60,7 +59,7 @@ impl<W: Wide> Masses<W> {
     }
 
     /// `M⁻¹ Jᵀ` of a row, as a wrench per unit of impulse: the second body's velocities, and the negatives of
-    /// the first one's (with both linear parts in one).
+    /// the first one's (with one common linear part).
     #[inline(always)]
     fn response(&self, row: &Row<W>) -> Row<W> {
         Row {
@@ -103,7 +102,7 @@ impl<W: Wide> Masses<W> {
         k
     }
 
-    /// By how much a wrench changes the angular velocities.
+    /// Change of the angular velocities by a wrench.
     #[inline(always)]
     pub fn turned(&self, wrench: &Wrench<W>) -> [WideAngVector<W>; 2] {
         [

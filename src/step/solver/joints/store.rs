@@ -17,10 +17,10 @@ impl SolverJoints {
     /// Ends the step, while the bodies are still where the solver has put them.
     pub fn finish(&mut self, bodies: &mut SolverBodies, simd: Simd, tasks: Tasks<'_>) {
         let (_, states) = bodies.shared();
-        self.pins.finish(states, simd, tasks);
+        self.point_to_point.finish(states, simd, tasks);
     }
 
-    /// Writes impulses, forces and turns back to the joints, and breaks those that bear too much.
+    /// Writes impulses, forces and turn counts back to the joints, and breaks overloaded joints.
     pub fn store(
         &self,
         (islands, joints): (&IslandManager, &mut ImpulseJointSet),
@@ -29,16 +29,16 @@ impl SolverJoints {
         tasks: Tasks<'_>,
     ) {
         let overload = AtomicBool::new(false);
-        self.pins.store((islands, joints), inv_dt, &overload, tasks);
+        self.point_to_point.store((islands, joints), inv_dt, &overload, tasks);
         let (layout, blocks, all_rows) = (&self.layout, &self.blocks, &self.rows);
         let shared = joints.share();
         tasks.par_for(blocks.len(), BLOCKS_PER_TASK, |range| {
             for index in range {
                 let block = &blocks[index];
                 let rows = &all_rows[block.first_row..block.first_row + block.row_count];
-                for (lane, seat) in layout.block(index).iter().enumerate() {
-                    let Some(link) = islands.joints.get(seat.slot) else { continue };
-                    // SAFETY: each joint has one seat.
+                for (lane, lane_slot) in layout.block(index).iter().enumerate() {
+                    let Some(link) = islands.joints.get(lane_slot.slot) else { continue };
+                    // SAFETY: each joint has one lane slot.
                     let Some(entry) = (unsafe { shared.get_mut(link.handle.0) }) else { continue };
                     store_lane(block, rows, lane, &mut entry.joint, inv_dt);
                     if is_overloaded(&entry.joint) {
@@ -58,7 +58,8 @@ impl SolverJoints {
         (islands, joints): (&IslandManager, &mut ImpulseJointSet),
         broken: &mut Vec<JointBreakEvent>,
     ) {
-        let slots = self.pins.slots().chain(self.layout.iter().map(|seat| seat.slot));
+        let slots =
+            self.point_to_point.slots().chain(self.layout.iter().map(|lane_slot| lane_slot.slot));
         for handle in slots.filter_map(|slot| Some(islands.joints.get(slot)?.handle)) {
             let Some(joint) = joints.get_unnoted_mut(handle) else { continue };
             if let Some(event) = break_if_overloaded(handle, joint) {
@@ -97,7 +98,7 @@ fn store_lane(
     }
 }
 
-/// Did a joint bear more than it can?
+/// Returns whether the load of a joint exceeds its limit.
 pub(super) fn is_overloaded(joint: &ImpulseJoint) -> bool {
     let (force, torque) = load_of(joint);
     !(force <= joint.data.break_force && torque <= joint.data.break_torque)
@@ -107,7 +108,7 @@ fn load_of(joint: &ImpulseJoint) -> (Real, Real) {
     (joint.force.length(), ang_length_squared(joint.torque).sqrt())
 }
 
-/// Breaks a joint that bore more than it can, and says so.
+/// Breaks an overloaded joint, and reports it.
 pub(in crate::step::solver) fn break_if_overloaded(
     handle: ImpulseJointHandle,
     joint: &mut ImpulseJoint,

@@ -1,11 +1,11 @@
 //! Contacts of links: with each other, with ordinary bodies, with the world.
 //!
-//! The rows are those of other contacts (`dim3/contact/mod.rs`), one point after the other: a normal row with the same softness,
-//! and at each point friction within the exact cone `|λt| ≤ μ λn`, whatever
-//! [`FrictionModel`](crate::model::params::FrictionModel) says, since rows on lists have no use for a friction centre.
+//! The rows are those of other contacts (`dim3/contact/mod.rs`), solved point by point. Each point has a
+//! normal row with the same softness, and friction within the exact cone `|λt| ≤ μ λn`, independent of
+//! [`FrictionModel`](crate::model::params::FrictionModel).
 
-use super::bounce::{Blow, Strike};
-use super::rows::{Actors, Numbers, Part, Row};
+use super::impacts::{ImpactImpulse, LinkImpact};
+use super::rows::{ConstrainedStates, JacobianPool, Part, Row};
 use super::{LinkPlace, SoftPass, SolverMultibodies};
 use crate::dim::math::{
     DIM, MAX_MANIFOLD_POINTS, Real, Rotation, SpatialVector, Vector, mul_inertia, tangents, torque,
@@ -13,19 +13,21 @@ use crate::dim::math::{
 use crate::dim::spatial::{angular, join, linear};
 use crate::model::body::{RigidBody, RigidBodySet};
 use crate::model::constraint_graph::ManifoldRef;
-use crate::model::contact::{ContactManifold, NarrowPhase, Placement};
+use crate::model::contact::{AnchorFrame, ContactManifold, NarrowPhase};
 use crate::model::island::NONE;
 use crate::step::solver::bodies::SolverBodies;
 use arrayvec::ArrayVec;
 
-/// How much a contact between a link and its parent yields at least, as a share of what it would if no joint held them.
+/// The least compliance of a contact between a link and its parent, as a fraction of the value without a
+/// joint.
 ///
-/// Where they touch close to their joint's axis the lever `l` is next to nothing, and so is `K = l²/I`. What stops
-/// them there is an impulse of `I ω / l`, and friction as large; and when the lever is another in the next substep, so is the turn
-/// that the same impulse gives. Twenty capsules in a row, hinged end to end with limits, threw each other to 10¹⁸ J in half a second.
-/// With a lever of a fifth of the radius of gyration or more nothing changes; with a shorter one the contact is obeyed more
-/// slowly, and what overlaps meanwhile is as small as the lever.
-const LEAST_YIELD: Real = 0.02;
+/// Near the axis of their joint the moment arm `l` is almost zero, and so is `K = l²/I`. The contact impulse
+/// is then `I ω / l`, with friction of the same size. When the moment arm changes in the next substep, the
+/// same impulse causes a different rotation. Twenty capsules in a row, hinged end to end with limits, threw
+/// each other to 10¹⁸ J in half a second. With a moment arm of at least a fifth of the radius of gyration
+/// nothing changes. With a shorter one the contact converges more slowly, and the overlap is as small as the
+/// moment arm.
+const COMPLIANCE_MIN: Real = 0.02;
 
 /// One contact point.
 #[derive(Copy, Clone, Debug)]
@@ -40,8 +42,8 @@ pub struct Point {
     friction: [Real; DIM - 1],
     /// Sum of the normal impulses of the substeps.
     pub total: Real,
-    pub blow: Blow,
-    /// Is it put aside, to be hit in a later substep?
+    pub impact_impulse: ImpactImpulse,
+    /// Whether the contact is deferred to a later substep.
     pub is_aside: bool,
 }
 
@@ -50,12 +52,12 @@ pub struct Point {
 pub struct LinkContact {
     at: ManifoldRef,
     normal: Vector,
-    /// Where the numbers of its rows begin.
+    /// First Jacobian of its rows.
     first_number: usize,
     pub friction: Real,
     pub restitution: Real,
     pub points: ArrayVec<Point, MAX_MANIFOLD_POINTS>,
-    pub strike: Strike,
+    pub strike: LinkImpact,
 }
 
 /// All contacts of links.
@@ -73,11 +75,11 @@ pub(super) struct Side<'a> {
     pub rotation: Rotation,
     /// The centre of mass; none for what never moves.
     pub center: Option<Vector>,
-    /// Does the other side move it?
+    /// Whether the other side moves it.
     gives_way: bool,
 }
 
-/// Where a manifold is in the world, now.
+/// Current world-space geometry of a manifold.
 struct Geometry {
     normal: Vector,
     /// By point: where it is, how far apart the surfaces are.
@@ -94,8 +96,8 @@ impl SolverMultibodies {
     ) {
         self.contacts.contacts.clear();
         self.moving.iter_mut().for_each(|moving| moving.touches = false);
-        // The links of one multibody take part in each other's contacts, so the order matters. That in which contacts stand in
-        // their colours depends on the rest of the world.
+        // The links of one multibody are coupled by each other's contacts, so the order matters. The order of
+        // contacts in their colours depends on the rest of the world.
         let order = |at: &ManifoldRef| (narrow_phase.contacts.collider_slots(at.pair), at.manifold);
         self.left_out.sort_unstable_by_key(order);
         for position in 0..self.left_out.len() {
@@ -117,8 +119,8 @@ impl SolverMultibodies {
             for place in sides.iter().filter_map(Side::place) {
                 self.moving[place.multibody].touches = true;
             }
-            let normal = normal_of(&sides, &pair.placement, manifold);
-            let geometry = Geometry::of(&sides, &pair.placement, manifold, normal);
+            let normal = normal_of(&sides, &pair.anchor_frame, manifold);
+            let geometry = Geometry::of(&sides, &pair.anchor_frame, manifold, normal);
             let contact = self.contact(at, &sides, &geometry, manifold);
             self.contacts.contacts.push(contact);
         }
@@ -160,7 +162,7 @@ impl SolverMultibodies {
         manifold: &ContactManifold,
     ) -> LinkContact {
         let data = &manifold.data;
-        let first_number = self.numbers.len();
+        let first_number = self.jacobians.len();
         let along = tangents(geometry.normal);
         let share = self.share_of(sides);
         let points =
@@ -174,21 +176,21 @@ impl SolverMultibodies {
                     impulse: known.warmstart_impulse * share,
                     friction: known.warmstart_tangent_impulse.map(|impulse| impulse * share),
                     total: 0.0,
-                    blow: Blow::default(),
+                    impact_impulse: ImpactImpulse::default(),
                     is_aside: false,
                 }
             });
         let points = points.collect();
         let (friction, restitution) = (data.friction, data.restitution);
-        let strike = Strike::of(self.island_of(sides));
+        let strike = LinkImpact::of(self.island_of(sides));
         let normal = geometry.normal;
         LinkContact { at, normal, first_number, friction, restitution, points, strike }
     }
 
     /// Makes the rows of a contact anew, where links and bodies are now.
     ///
-    /// Normal and levers stay as they were when the step began, as those of bodies do: below a ball that turns or rolls on is
-    /// another point of its surface, but always one below it.
+    /// Normal and moment arms stay constant during a step, as for bodies: the lowest point of a rolling ball
+    /// stays the lowest.
     pub(super) fn follow_contact(
         &mut self,
         position: usize,
@@ -204,19 +206,20 @@ impl SolverMultibodies {
             self.side_now(slots[0], dominance <= 0, world, bodies),
             self.side_now(slots[1], dominance >= 0, world, bodies),
         ];
-        let ways = [0, 1].map(|side| sides[side].way_since(world, slots[side]));
-        let separations = Geometry::of(&sides, &pair.placement, manifold, normal).points;
+        let ways = [0, 1].map(|side| sides[side].displacement_since(world, slots[side]));
+        let separations = Geometry::of(&sides, &pair.anchor_frame, manifold, normal).points;
         let along = tangents(normal);
-        self.numbers.rewrite_from(first_number);
+        self.jacobians.rewrite_from(first_number);
         let mut points = core::mem::take(&mut self.contacts.contacts[position].points);
         for (point, (_, separation)) in points.iter_mut().zip(separations) {
             let places = ways.map(|way| point.position + way);
             point.normal = self.row(&sides, places, normal);
             point.tangents = along.map(|tangent| self.row(&sides, places, tangent));
-            let actors = Actors { multibodies: &mut self.moving, states: &mut bodies.states };
-            point.separation = separation - self.numbers.displacement(&point.normal, &actors);
+            let states =
+                ConstrainedStates { multibodies: &mut self.moving, states: &mut bodies.states };
+            point.separation = separation - self.jacobians.displacement(&point.normal, &states);
         }
-        self.numbers.append();
+        self.jacobians.append();
         self.contacts.contacts[position].points = points;
     }
 
@@ -241,16 +244,16 @@ impl SolverMultibodies {
         }
     }
 
-    /// Adds this share of a contact's impulses to what the substep starts with.
+    /// Adds this fraction of a contact's impulses to the warm start of the substep.
     fn warm_contact(&mut self, position: usize, bodies: &mut SolverBodies, share: Real) {
-        let Self { numbers, contacts, moving, .. } = self;
-        let mut actors = Actors { multibodies: moving, states: &mut bodies.states };
+        let Self { jacobians, contacts, moving, .. } = self;
+        let mut states = ConstrainedStates { multibodies: moving, states: &mut bodies.states };
         for (row, impulse, _) in contacts.contacts[position].points.iter().flat_map(Point::rows) {
-            numbers.push_early(row, impulse * share, &mut actors);
+            jacobians.push_early(row, impulse * share, &mut states);
         }
     }
 
-    /// With what share of their last impulses two sides begin.
+    /// The fraction of their last impulses with which two sides begin.
     pub(super) fn share_of(&self, sides: &[Side<'_>; 2]) -> Real {
         let place = sides.iter().find_map(Side::place);
         place.map_or(1.0, |place| self.moving[place.multibody].share)
@@ -267,10 +270,11 @@ impl SolverMultibodies {
         let [first, second] = points;
         let wrenches = [sides[0].wrench(first, -direction), sides[1].wrench(second, direction)];
         let row = self.row_of_wrenches(sides, wrenches);
-        row.yielding_at_least(LEAST_YIELD * self.yield_without_joint(sides))
+        row.with_compliance_min(COMPLIANCE_MIN * self.yield_without_joint(sides))
     }
 
-    /// How much a link and its parent would yield to an impulse through their centres if no joint held them. Zero for other pairs.
+    /// The compliance of a link and its parent against an impulse through their centres, if no joint held
+    /// them. Zero for other pairs.
     fn yield_without_joint(&self, sides: &[Side<'_>; 2]) -> Real {
         let [Some(one), Some(two)] = [sides[0].link, sides[1].link] else { return 0.0 };
         let links = &self.moving[one.multibody].motion.kinematics.links;
@@ -296,17 +300,18 @@ impl SolverMultibodies {
                     kinematics.add_measured_force(one.link, &wrenches[0], jacobian, sizes);
                     kinematics.add_measured_force(two.link, &wrenches[1], jacobian, sizes);
                 };
-                let part = self.numbers.add_links(&mut self.moving, one.multibody, gives_way, fill);
+                let part =
+                    self.jacobians.add_links(&mut self.moving, one.multibody, gives_way, fill);
                 [part, Part::Nothing]
             }
             _ => [self.part(&sides[0], wrenches[0]), self.part(&sides[1], wrenches[1])],
         };
-        self.numbers.row(parts)
+        self.jacobians.row(parts)
     }
 
     fn part(&mut self, side: &Side<'_>, wrench: SpatialVector) -> Part {
         if let Some(place) = side.place() {
-            return self.numbers.add_links(
+            return self.jacobians.add_links(
                 &mut self.moving,
                 place.multibody,
                 side.gives_way,
@@ -335,21 +340,21 @@ impl Side<'_> {
         self.link.filter(|place| place.is_moved)
     }
 
-    /// How far its centre of mass has gone since the step began.
-    fn way_since(&self, world: &RigidBodySet, slot: u32) -> Vector {
+    /// Displacement of its centre of mass since the step began.
+    fn displacement_since(&self, world: &RigidBodySet, slot: u32) -> Vector {
         let start = world.at_slot(slot).map(|(_, body)| body.mprops.world_com);
         self.center.zip(start).map_or(Vector::ZERO, |(now, start)| now - start)
     }
 
     /// A unit force along a direction at a point, as a wrench on the centre of mass.
     pub fn wrench(&self, point: Vector, direction: Vector) -> SpatialVector {
-        let lever = self.center.map_or(Vector::ZERO, |center| point - center);
-        join(direction, torque(lever, direction))
+        let arm = self.center.map_or(Vector::ZERO, |center| point - center);
+        join(direction, torque(arm, direction))
     }
 }
 
 /// The normal of a manifold, which turns with the first side.
-fn normal_of(sides: &[Side<'_>; 2], placed: &Placement, manifold: &ContactManifold) -> Vector {
+fn normal_of(sides: &[Side<'_>; 2], placed: &AnchorFrame, manifold: &ContactManifold) -> Vector {
     sides[0].rotation * placed.rotations[0].inverse() * manifold.data.placed_normal
 }
 
@@ -357,7 +362,7 @@ impl Geometry {
     /// Follows the contact points from where they were placed, as [`MotionSince`](crate::model::contact::MotionSince) does for lanes.
     fn of(
         sides: &[Side<'_>; 2],
-        placed: &Placement,
+        placed: &AnchorFrame,
         manifold: &ContactManifold,
         normal: Vector,
     ) -> Self {
@@ -369,14 +374,14 @@ impl Geometry {
         let shift = (x2 - x1) - placed.centers;
         let origin = if sides[0].center.is_none() { x2 } else { x1 };
         let follow = |known: &crate::model::contact::Contact| {
-            let second = known.lever + offset;
-            let (turned1, turned2) = (turns[0] * known.lever, turns[1] * second);
-            let moved = shift + (turned2 - second) - (turned1 - known.lever);
-            let lever = match sides[1].center {
+            let second = known.arm + offset;
+            let (turned1, turned2) = (turns[0] * known.arm, turns[1] * second);
+            let moved = shift + (turned2 - second) - (turned1 - known.arm);
+            let arm = match sides[1].center {
                 None => turned1 + moved * 0.5,
                 Some(_) => turned2 - moved * 0.5 - offset_now,
             };
-            (origin + lever, known.placed_dist + normal.dot(moved))
+            (origin + arm, known.placed_dist + normal.dot(moved))
         };
         Self { normal, points: manifold.data.points.iter().map(follow).collect() }
     }
@@ -388,11 +393,11 @@ impl LinkContacts {
     }
 
     /// Starts the step with the last one's impulses.
-    pub fn warm_start(&mut self, numbers: &Numbers, actors: &mut Actors<'_>) {
+    pub fn warm_start(&mut self, jacobians: &JacobianPool, states: &mut ConstrainedStates<'_>) {
         for point in self.points() {
-            numbers.push_early(&point.normal, point.impulse, actors);
+            jacobians.push_early(&point.normal, point.impulse, states);
             for (row, impulse) in point.tangents.iter().zip(&point.friction) {
-                numbers.push_early(row, *impulse, actors);
+                jacobians.push_early(row, *impulse, states);
             }
         }
     }
@@ -409,29 +414,30 @@ impl LinkContacts {
     /// Solves the normal rows once.
     pub fn solve(
         &mut self,
-        numbers: &Numbers,
-        actors: &mut Actors<'_>,
+        jacobians: &JacobianPool,
+        states: &mut ConstrainedStates<'_>,
         pass: &SoftPass,
         bias: bool,
     ) {
         for point in self.points() {
-            let velocity = numbers.velocity(&point.normal, actors);
-            let separation = point.shown_separation() + numbers.displacement(&point.normal, actors);
+            let velocity = jacobians.velocity(&point.normal, states);
+            let separation =
+                point.shown_separation() + jacobians.displacement(&point.normal, states);
             let new = pass.solve(velocity, separation, point.normal.mass, point.impulse, bias);
-            numbers.push(&point.normal, new - point.impulse, actors);
+            jacobians.push(&point.normal, new - point.impulse, states);
             point.impulse = new;
         }
     }
 
     /// Solves the friction rows once, under the normal impulses as they are.
-    pub fn rub(&mut self, numbers: &Numbers, actors: &mut Actors<'_>) {
+    pub fn solve_friction(&mut self, jacobians: &JacobianPool, states: &mut ConstrainedStates<'_>) {
         for contact in &mut self.contacts {
             for point in &mut contact.points {
                 let old = point.friction;
                 let most = contact.friction * point.impulse;
-                let new = point.friction_under(most, old, numbers, actors);
+                let new = point.friction_under(most, old, jacobians, states);
                 for k in 0..DIM - 1 {
-                    numbers.push(&point.tangents[k], new[k] - old[k], actors);
+                    jacobians.push(&point.tangents[k], new[k] - old[k], states);
                 }
                 point.friction = new;
             }
@@ -480,13 +486,13 @@ impl Point {
         &self,
         most: Real,
         old: [Real; DIM - 1],
-        numbers: &Numbers,
-        actors: &Actors<'_>,
+        jacobians: &JacobianPool,
+        states: &ConstrainedStates<'_>,
     ) -> [Real; DIM - 1] {
         let mut new = old;
         for k in 0..DIM - 1 {
             let row = &self.tangents[k];
-            let slip = numbers.velocity(row, actors) - self.surface[k];
+            let slip = jacobians.velocity(row, states) - self.surface[k];
             new[k] -= slip * row.mass;
         }
         let length = new.iter().map(|impulse| impulse * impulse).sum::<Real>().sqrt();
@@ -495,13 +501,13 @@ impl Point {
 }
 
 impl LinkContact {
-    /// Did all numbers stay finite?
+    /// Returns whether all numbers are finite.
     fn is_sound(&self) -> bool {
         self.normal.is_finite()
             && self.points.iter().all(|point| {
                 let impulses = point.friction.iter().chain([&point.impulse, &point.total]);
-                let mut numbers = impulses.chain([&point.separation]);
-                point.position.is_finite() && numbers.all(|number| number.is_finite())
+                let mut jacobians = impulses.chain([&point.separation]);
+                point.position.is_finite() && jacobians.all(|number| number.is_finite())
             })
     }
 }

@@ -4,13 +4,13 @@
 //! C = q₂ - r q₁ - c        Ċ = q̇₂ - r q̇₁        J = (… -r … 1 …)        K = J M⁻¹ Jᵀ
 //! ```
 //!
-//! with the ratio `r` and the offset `c`. `C` is linear in the coordinates, so the row is exact all through a step, unlike those
-//! that follow links round curves. An impulse of either sign holds it, softened like the locked axes of joints
-//! (`model/params/softness.rs`). `M⁻¹` knows nothing of gears; a train of them takes some visits to agree, and starts with
-//! the last substep's impulses.
+//! with the ratio `r` and the offset `c`. `C` is linear in the coordinates, so the row is exact all through a
+//! step, unlike those that follow links round curves. An impulse of either sign holds it, softened like the
+//! locked axes of joints (`model/params/softness.rs`). `M⁻¹` excludes gears. A train of gears converges
+//! within several iterations, and starts with the last substep's impulses.
 
 use super::Moving;
-use super::rows::{Actors, Numbers, Part, Row};
+use super::rows::{ConstrainedStates, JacobianPool, Part, Row};
 use crate::dim::math::Real;
 use crate::model::params::Softness;
 
@@ -34,7 +34,12 @@ pub struct Gears {
 
 impl Gears {
     /// Makes the rows.
-    pub fn prepare(&mut self, numbers: &mut Numbers, moving: &mut [Moving], softness: Softness) {
+    pub fn prepare(
+        &mut self,
+        jacobians: &mut JacobianPool,
+        moving: &mut [Moving],
+        softness: Softness,
+    ) {
         self.gears.clear();
         for multibody in 0..moving.len() {
             for position in 0..moving[multibody].multibody.couplings().len() {
@@ -42,11 +47,11 @@ impl Gears {
                 let coupling = body.couplings()[position];
                 let Some([first, second]) = body.coupled_dofs(&coupling) else { continue };
                 let error = body.coupling_error(&coupling);
-                let part = numbers.add_links(moving, multibody, true, |_, jacobian, _| {
+                let part = jacobians.add_links(moving, multibody, true, |_, jacobian, _| {
                     jacobian[first] = -coupling.coeff;
                     jacobian[second] = 1.0;
                 });
-                let row = numbers.row([part, Part::Nothing]);
+                let row = jacobians.row([part, Part::Nothing]);
                 let impulse = coupling.impulse;
                 self.gears.push(Gear { multibody, position, row, softness, error, impulse });
             }
@@ -54,9 +59,9 @@ impl Gears {
     }
 
     /// Starts the step with the last one's impulses.
-    pub fn warm_start(&self, numbers: &Numbers, actors: &mut Actors<'_>) {
+    pub fn warm_start(&self, jacobians: &JacobianPool, states: &mut ConstrainedStates<'_>) {
         for gear in &self.gears {
-            numbers.push_early(&gear.row, gear.impulse, actors);
+            jacobians.push_early(&gear.row, gear.impulse, states);
         }
     }
 
@@ -66,18 +71,23 @@ impl Gears {
     }
 
     /// Solves all rows once; with `bias`, errors are undone.
-    pub fn solve(&mut self, numbers: &Numbers, actors: &mut Actors<'_>, bias: bool) {
+    pub fn solve(
+        &mut self,
+        jacobians: &JacobianPool,
+        states: &mut ConstrainedStates<'_>,
+        bias: bool,
+    ) {
         for gear in &mut self.gears {
             let Softness { bias_rate, mass_scale, impulse_scale } =
                 if bias { gear.softness } else { Softness::RIGID };
-            let mut wrong = numbers.velocity(&gear.row, actors);
+            let mut wrong = jacobians.velocity(&gear.row, states);
             if bias {
-                let error = gear.error + numbers.displacement(&gear.row, actors);
+                let error = gear.error + jacobians.displacement(&gear.row, states);
                 wrong += error * bias_rate;
             }
             let change = -wrong * gear.row.mass * mass_scale - gear.impulse * impulse_scale;
             gear.impulse += change;
-            numbers.push(&gear.row, change, actors);
+            jacobians.push(&gear.row, change, states);
         }
     }
 

@@ -6,14 +6,16 @@
 //! friction   q̇ = 0,  |λ| ≤ h friction
 //! ```
 //!
-//! The motor's equation, solved for the velocity, is `q̇ - v + γ λ = 0` with `v = (k (target - q) + d target velocity)/(h k + d)`
-//! and `γ = 1/(h (h k + d))`, hence `Δλ = -(q̇ - v + γ λ)/(K + γ)`. Motors without a largest force are no rows: see `load.rs`.
+//! The motor's equation, solved for the velocity, is `q̇ - v + γ λ = 0`. With `v = (k (target - q) + d target
+//! velocity)/(h k + d)` and `γ = 1/(h (h k + d))` it gives `Δλ = -(q̇ - v + γ λ)/(K + γ)`. Motors without a
+//! largest force are no rows: see `load.rs`.
 //!
-//! `q` is a coordinate; of a ball in a socket an angle as `dim3/joint/mod.rs` has it, and the row its gradient. That turns with the
-//! ball, and what goes round in a cone would leave it along a tangent: rows of such angles that are [`NEAR`] a limit are made
-//! anew in each substep, and reckon with how the way will bend, as those of impulse joints do (`joints/ahead.rs`).
+//! `q` is a coordinate; of a ball in a socket an angle as `dim3/joint/mod.rs` has it, and the row its
+//! gradient. It rotates with the ball, and a body that moves on a cone would leave it along a tangent. Rows
+//! of angles [`NEAR`] a limit are made in each substep, and include the curvature, as those of impulse joints
+//! do (`joints/substep_end.rs`).
 
-use super::rows::{Actors, Numbers, Part, Row};
+use super::rows::{ConstrainedStates, JacobianPool, Part, Row};
 use super::{Moving, SoftPass};
 use crate::dim::joint::{FreeRotations, angle_about};
 use crate::dim::joint_axes::JointAxis;
@@ -23,7 +25,7 @@ use crate::model::joint::{
     GenericJoint, ImpulseJointHandle, ImpulseJointSet, JointLimits, JointMotor, MotorModel, mask_of,
 };
 use crate::model::multibody::{MultibodyJoint, MultibodyLink};
-use crate::step::solver::joints::BEND_MAX;
+use crate::step::solver::joints::CURVATURE_ANGLE_MAX;
 
 /// Whose axis a row is about: a link's joint's, or that of a joint that closes a loop.
 #[derive(Copy, Clone, Debug)]
@@ -32,29 +34,29 @@ pub enum Owner {
         multibody: usize,
         link: usize,
     },
-    /// With what an impulse of 1 does to the second body, at its anchor, in world space.
+    /// Response of the second body to a unit impulse, at its anchor, in world space.
     Loop {
         joint: ImpulseJointHandle,
         wrench: SpatialVector,
     },
 }
 
-/// From how far (rad) a limit of a ball's angle is followed. Nothing turns by more in a substep that is to be held within half
-/// a degree.
+/// From how far (rad) a limit of a ball's angle is followed. Joints that must stay within half a degree
+/// rotate by less in a substep.
 const NEAR: Real = 0.25;
 
-/// Both limits of an axis. They share a row: the one pushes along it, the other against it.
+/// Both limits of an axis. They have a common row: one pushes along it, the other against it.
 #[derive(Copy, Clone, Debug)]
 struct Limit {
     owner: Owner,
     axis: JointAxis,
     row: Row,
-    /// How far the coordinate is from the lower and from the upper end.
+    /// Distances of the coordinate from the lower and from the upper limit.
     room: [Real; 2],
     impulses: [Real; 2],
     /// Sum of the impulses of the substeps, those of the upper end negative.
     total: Real,
-    /// Is it a ball's, and near? Then its row is made anew in each substep.
+    /// Whether it belongs to a ball joint near its limit. Then its row is made anew in each substep.
     is_followed: bool,
 }
 
@@ -87,14 +89,14 @@ pub struct JointRows {
 
 impl JointRows {
     /// Makes the rows of all joints, for substeps of `h` seconds.
-    pub fn prepare(&mut self, numbers: &mut Numbers, multibodies: &mut [Moving], h: Real) {
+    pub fn prepare(&mut self, jacobians: &mut JacobianPool, multibodies: &mut [Moving], h: Real) {
         self.limits.clear();
         self.drives.clear();
         for multibody in 0..multibodies.len() {
             for link in 1..multibodies[multibody].multibody.links.len() {
                 let link = multibodies[multibody].multibody.links[link].clone();
                 if !link.joint.kinematic {
-                    self.add_joint(numbers, multibodies, multibody, &link, h);
+                    self.add_joint(jacobians, multibodies, multibody, &link, h);
                 }
             }
         }
@@ -102,7 +104,7 @@ impl JointRows {
 
     fn add_joint(
         &mut self,
-        numbers: &mut Numbers,
+        jacobians: &mut JacobianPool,
         multibodies: &mut [Moving],
         multibody: usize,
         link: &MultibodyLink,
@@ -115,7 +117,7 @@ impl JointRows {
             if let Some(limits) = data.limits(axis)
                 && let Some((q, gradient)) = limited_angle(&link.joint, axis)
             {
-                let row = row_of(numbers, multibodies, multibody, link, &gradient);
+                let row = row_of(jacobians, multibodies, multibody, link, &gradient);
                 self.add_limits((owner, axis), row, q, limits);
                 if let Some(limit) = self.limits.last_mut().filter(|_| is_curved(&link.joint, axis))
                 {
@@ -124,13 +126,13 @@ impl JointRows {
             }
             let unit = unit(axis);
             if let Some(motor) = data.motor(axis).filter(|motor| motor.max_force < Real::MAX) {
-                let row = row_of(numbers, multibodies, multibody, link, &unit);
+                let row = row_of(jacobians, multibodies, multibody, link, &unit);
                 self.add_motor((owner, axis), row, link.joint.coordinate(axis), motor, h);
             }
             let lists = &multibodies[multibody].multibody.lists;
             let (friction, impulse) = (lists.frictions[dof], lists.friction_impulses[dof]);
             if friction > 0.0 && friction.is_finite() {
-                let row = row_of(numbers, multibodies, multibody, link, &unit);
+                let row = row_of(jacobians, multibodies, multibody, link, &unit);
                 self.drives.push(Drive::friction((owner, axis), row, friction * h, impulse));
             }
         }
@@ -170,10 +172,14 @@ impl JointRows {
     }
 
     /// Makes the rows of balls near their limits anew, where the links are now.
-    pub fn follow_balls(&mut self, numbers: &mut Numbers, actors: &mut Actors<'_>) {
+    pub fn follow_balls(
+        &mut self,
+        jacobians: &mut JacobianPool,
+        states: &mut ConstrainedStates<'_>,
+    ) {
         for limit in &mut self.limits {
             let Owner::Link { multibody, link } = limit.owner else { continue };
-            let link = &actors.multibodies[multibody].multibody.links[link];
+            let link = &states.multibodies[multibody].multibody.links[link];
             if !is_curved(&link.joint, limit.axis) {
                 continue;
             }
@@ -183,25 +189,25 @@ impl JointRows {
             limit.is_followed = limit.is_near();
             if limit.is_followed {
                 let link = link.clone();
-                numbers.push_early(&limit.row, -limit.impulse(), actors);
-                limit.row.rewrite(numbers, |numbers| {
-                    row_of(numbers, actors.multibodies, multibody, &link, &gradient)
+                jacobians.push_early(&limit.row, -limit.impulse(), states);
+                limit.row.rewrite(jacobians, |jacobians| {
+                    row_of(jacobians, states.multibodies, multibody, &link, &gradient)
                 });
-                numbers.push_early(&limit.row, limit.impulse(), actors);
+                jacobians.push_early(&limit.row, limit.impulse(), states);
             }
-            // What the row takes for the way so far is none any more.
-            let moved = numbers.displacement(&limit.row, actors);
+            // The row's past displacement is reset.
+            let moved = jacobians.displacement(&limit.row, states);
             limit.room = [limit.room[0] - moved, limit.room[1] + moved];
         }
     }
 
     /// Starts the step with the last one's impulses.
-    pub fn warm_start(&self, numbers: &Numbers, actors: &mut Actors<'_>) {
+    pub fn warm_start(&self, jacobians: &JacobianPool, states: &mut ConstrainedStates<'_>) {
         for limit in &self.limits {
-            numbers.push_early(&limit.row, limit.impulse(), actors);
+            jacobians.push_early(&limit.row, limit.impulse(), states);
         }
         for drive in &self.drives {
-            numbers.push_early(&drive.row, drive.impulse, actors);
+            jacobians.push_early(&drive.row, drive.impulse, states);
         }
     }
 
@@ -216,24 +222,24 @@ impl JointRows {
     /// Solves all rows once; with `bias`, limits that were overrun are undone.
     pub fn solve(
         &mut self,
-        numbers: &Numbers,
-        actors: &mut Actors<'_>,
+        jacobians: &JacobianPool,
+        states: &mut ConstrainedStates<'_>,
         pass: &SoftPass,
         bias: bool,
     ) {
         for drive in &mut self.drives {
-            drive.solve(numbers, actors);
+            drive.solve(jacobians, states);
         }
         for limit in &mut self.limits {
-            let moved = numbers.displacement(&limit.row, actors);
-            let bend = if bias { limit.bend(actors, pass.inv_substep) } else { 0.0 };
+            let moved = jacobians.displacement(&limit.row, states);
+            let curvature = if bias { limit.curvature(states, pass.inv_substep) } else { 0.0 };
             for (side, sign) in [1.0, -1.0].into_iter().enumerate() {
-                let velocity = (numbers.velocity(&limit.row, actors) + bend) * sign;
+                let velocity = (jacobians.velocity(&limit.row, states) + curvature) * sign;
                 let room = limit.room[side] + moved * sign;
                 let old = limit.impulses[side];
                 let new = pass.solve(velocity, room, limit.row.mass, old, bias);
                 limit.impulses[side] = new;
-                numbers.push(&limit.row, (new - old) * sign, actors);
+                jacobians.push(&limit.row, (new - old) * sign, states);
             }
         }
     }
@@ -314,18 +320,18 @@ impl Limit {
         self.impulses[0] - self.impulses[1]
     }
 
-    /// Is the angle near one of its ends, or pressed against it?
+    /// Returns whether the angle is near one of its limits, or pressed against it.
     fn is_near(&self) -> bool {
         self.impulses != [0.0; 2] || self.room[0].min(self.room[1]) < NEAR
     }
 
-    /// What bending adds to the rate of a ball's angle over the substep.
-    fn bend(&self, actors: &Actors<'_>, inv_substep: Real) -> Real {
+    /// The curvature term of a ball joint's angle over the substep.
+    fn curvature(&self, states: &ConstrainedStates<'_>, inv_substep: Real) -> Real {
         let Owner::Link { multibody, link } = self.owner else { return 0.0 };
         if !self.is_followed || inv_substep <= 0.0 {
             return 0.0;
         }
-        let moving = &actors.multibodies[multibody];
+        let moving = &states.multibodies[multibody];
         let link = &moving.multibody.links[link];
         let rates = &moving.motion.rates[link.dofs()];
         let mut then = link.joint.clone();
@@ -334,9 +340,9 @@ impl Limit {
         let [Some((now, gradient)), Some((then, _))] = angles else { return 0.0 };
         let turn = &rates[rates.len() - ANG_DIM..];
         let straight = (0..ANG_DIM).map(|k| gradient[DIM + k] * turn[k]).sum::<Real>();
-        let bound = BEND_MAX * turn.iter().map(|rate| rate * rate).sum::<Real>().sqrt();
-        let bend = (then - now) * inv_substep - straight;
-        bend.min(bound).max(-bound)
+        let bound = CURVATURE_ANGLE_MAX * turn.iter().map(|rate| rate * rate).sum::<Real>().sqrt();
+        let curvature = (then - now) * inv_substep - straight;
+        curvature.min(bound).max(-bound)
     }
 }
 
@@ -394,23 +400,23 @@ impl Drive {
         }
     }
 
-    fn solve(&mut self, numbers: &Numbers, actors: &mut Actors<'_>) {
+    fn solve(&mut self, jacobians: &JacobianPool, states: &mut ConstrainedStates<'_>) {
         if self.row.mass == 0.0 {
             return;
         }
-        let moved = if self.pull > 0.0 { numbers.displacement(&self.row, actors) } else { 0.0 };
+        let moved = if self.pull > 0.0 { jacobians.displacement(&self.row, states) } else { 0.0 };
         let wanted = self.velocity + self.pull * (self.distance - moved);
-        let error = numbers.velocity(&self.row, actors) - wanted + self.yielding * self.impulse;
+        let error = jacobians.velocity(&self.row, states) - wanted + self.yielding * self.impulse;
         let mass = self.row.mass / (1.0 + self.yielding * self.row.mass);
         let new = (self.impulse - error * mass).clamp(-self.impulse_max, self.impulse_max);
         let change = new - self.impulse;
         self.impulse = new;
-        numbers.push(&self.row, change, actors);
+        jacobians.push(&self.row, change, states);
     }
 }
 
-/// The angle or length that an axis's limits are about, and how much each axis of the joint changes it; `None` if another
-/// axis's limits stand for this one's.
+/// The angle or length of an axis's limits, and its derivatives by each axis of the joint; `None` if another
+/// axis represents it.
 fn limited_angle(
     joint: &MultibodyJoint,
     axis: JointAxis,
@@ -428,7 +434,7 @@ fn limited_angle(
     Some((angle, all))
 }
 
-/// Does the row of an axis turn with the link?
+/// Returns whether the row of an axis rotates with the link.
 fn is_curved(joint: &MultibodyJoint, axis: JointAxis) -> bool {
     joint.is_ball() && axis as usize >= DIM
 }
@@ -439,26 +445,26 @@ fn unit(axis: JointAxis) -> [Real; JointAxis::ALL.len()] {
     all
 }
 
-/// Which of a link's degrees of freedom an axis is.
+/// The degree of freedom of an axis of a link.
 fn position(link: &MultibodyLink, axis: JointAxis) -> usize {
     (link.free.bits() & (mask_of(axis).bits() - 1)).count_ones() as usize
 }
 
 /// A row on the degrees of freedom of a link, given a number per axis.
 fn row_of(
-    numbers: &mut Numbers,
+    jacobians: &mut JacobianPool,
     multibodies: &mut [Moving],
     multibody: usize,
     link: &MultibodyLink,
     by_axis: &[Real; JointAxis::ALL.len()],
 ) -> Row {
-    let part = numbers.add_links(multibodies, multibody, true, |_, jacobian, _| {
+    let part = jacobians.add_links(multibodies, multibody, true, |_, jacobian, _| {
         let axes = JointAxis::ALL.into_iter().filter(|axis| link.free.contains(mask_of(*axis)));
         for (dof, axis) in link.dofs().zip(axes) {
             jacobian[dof] = by_axis[axis as usize];
         }
     });
-    numbers.row([part, Part::Nothing])
+    jacobians.row([part, Part::Nothing])
 }
 
 fn finite(impulse: Real) -> Real {

@@ -1,6 +1,6 @@
 //! From multibodies and their bodies to what the solver moves.
 
-use super::{Claim, Moving, NOT_NOW, SolverMultibodies};
+use super::{Moving, NOT_SOLVED, Registration, SolverMultibodies};
 use crate::dim::math::{Real, Vector};
 use crate::dim::spatial::join;
 use crate::model::body::{RigidBody, RigidBodyHandle, RigidBodySet};
@@ -11,12 +11,12 @@ use crate::multibody::{Drive, LinkForce, usable};
 
 impl SolverMultibodies {
     /// Lays claim to the links of all multibodies that are awake and act.
-    pub fn claim(&mut self, set: &mut MultibodyJointSet, bodies: &RigidBodySet) {
+    pub fn register_links(&mut self, set: &mut MultibodyJointSet, bodies: &RigidBodySet) {
         for slot in self.listed.drain(..) {
-            self.claims[slot as usize] = None;
+            self.registrations[slot as usize] = None;
         }
         self.positions.clear();
-        self.positions.resize(set.index_bound() as usize, NOT_NOW);
+        self.positions.resize(set.index_bound() as usize, NOT_SOLVED);
         for owner in 0..set.index_bound() {
             let Some(index) = set.index_at(owner) else { continue };
             let Some(multibody) = set.get_multibody(index) else { continue };
@@ -24,21 +24,22 @@ impl SolverMultibodies {
                 continue;
             }
             if acts(multibody, bodies) {
-                self.claim_links(owner, multibody, bodies);
+                self.register_tree(owner, multibody, bodies);
             } else if multibody.links.iter().any(|link| !bodies.contains(link.body)) {
                 set.note(index);
             }
         }
     }
 
-    fn claim_links(&mut self, owner: u32, multibody: &Multibody, bodies: &RigidBodySet) {
+    fn register_tree(&mut self, owner: u32, multibody: &Multibody, bodies: &RigidBodySet) {
         for link in &multibody.links {
             let slot = link.body.into_raw_parts().0;
-            if slot as usize >= self.claims.len() {
-                self.claims.resize(slot as usize + 1, None);
+            if slot as usize >= self.registrations.len() {
+                self.registrations.resize(slot as usize + 1, None);
             }
             let is_moved = bodies.get(link.body).is_some_and(|body| body.is_dynamic());
-            self.claims[slot as usize] = Some(Claim { owner, link: link.id, is_moved });
+            self.registrations[slot as usize] =
+                Some(Registration { owner, link: link.id, is_moved });
             self.listed.push(slot);
         }
     }
@@ -51,13 +52,17 @@ impl SolverMultibodies {
         bodies: &RigidBodySet,
     ) {
         self.left_out.clear();
-        if self.move_nobody() {
+        if self.move_no_body() {
             return;
         }
         for member in members {
-            let claim = self.claim_on(member.into_raw_parts().0).filter(|claim| claim.is_moved);
-            let Some(owner) = claim.map(|claim| claim.owner) else { continue };
-            if self.positions[owner as usize] != NOT_NOW {
+            let register_links = self
+                .registration(member.into_raw_parts().0)
+                .filter(|register_links| register_links.is_moved);
+            let Some(owner) = register_links.map(|register_links| register_links.owner) else {
+                continue;
+            };
+            if self.positions[owner as usize] != NOT_SOLVED {
                 continue;
             }
             let Some(index) = set.index_at(owner) else { continue };
@@ -105,13 +110,13 @@ pub(super) fn scale_impulses(joint: &mut GenericJoint, share: Real) {
     joint.motors.iter_mut().for_each(|motor| motor.impulse *= share);
 }
 
-/// Is one of its links awake?
+/// Returns whether one of its links is awake.
 fn is_awake(multibody: &Multibody, bodies: &RigidBodySet) -> bool {
     let moves = |body: &RigidBody| body.is_dynamic() && body.link.awake != NONE;
     multibody.links.iter().any(|link| bodies.get(link.body).is_some_and(moves))
 }
 
-/// Does the multibody act?
+/// Returns whether the multibody acts.
 fn acts(multibody: &Multibody, bodies: &RigidBodySet) -> bool {
     multibody.acts(|body| {
         let body = bodies.get(body).filter(|body| body.is_enabled())?;
@@ -120,7 +125,7 @@ fn acts(multibody: &Multibody, bodies: &RigidBodySet) -> bool {
 }
 
 impl Moving {
-    /// Takes the share of the last impulses that fits substeps of `h` seconds
+    /// Scales the last impulses for substeps of `h` seconds
     /// ([`SolverBodies::share`](crate::step::solver::bodies::SolverBodies::share)).
     fn fit_impulses(&mut self, bodies: &mut RigidBodySet, h: Real) {
         self.share = 1.0;
@@ -176,7 +181,7 @@ impl Moving {
         }
     }
 
-    /// Motors that know no largest force are dampers and springs like others.
+    /// Motors without a largest force are dampers and springs like others.
     fn add_motors(&mut self) {
         for position in 0..self.multibody.dofs.len() {
             let dof = self.multibody.dofs[position];
@@ -194,12 +199,12 @@ impl Moving {
         }
     }
 
-    /// What a motor's stiffness and damping are multiplied by: the inertia that it moves, all other joints being free.
+    /// The factor on a motor's stiffness and damping: the inertia that it moves if all other joints are free.
     fn inertia_against(&mut self, dof: usize, motor: &JointMotor) -> Real {
         if motor.model == MotorModel::ForceBased {
             return 1.0;
         }
-        // Nothing has been pushed yet, so there is a list for an impulse of one.
+        // No impulse has been applied yet, so the list is free for a unit impulse.
         let Self { pushed: unit, motion, .. } = self;
         unit.clear();
         unit.resize(motion.rates.len(), 0.0);

@@ -1,22 +1,23 @@
 //! Impulse joints on links: between links of one multibody, where they close a loop, of two, or with an ordinary body.
 //!
-//! A locked axis is a row that must stay where it is: `C = 0` with an impulse of either sign, softened like other joints
-//! (`model/params/softness.rs`). The rows are those of `dim3/joint/mod.rs`: translations along the axes of the first frame at the
-//! second anchor, rotations about them. Limits and motors of free axes are rows like those of multibody joints (`limits.rs`).
+//! A locked axis is a row with `C = 0` and an impulse of either sign, softened like other joints
+//! (`model/params/softness.rs`). The rows are those of `dim3/joint/mod.rs`: translations along the axes of
+//! the first frame at the second anchor, rotations about them. Limits and motors of free axes are rows like
+//! those of multibody joints (`limits.rs`).
 //!
-//! Contacts may be frozen during a step, but a loop that swings must follow its links, or its rows would brake it: they are made
-//! anew in each substep ([`SolverMultibodies::follow_loops`]).
+//! Contacts may be frozen during a step, but rows of a swinging loop must follow its links, or they would
+//! brake it. They are made in each substep ([`SolverMultibodies::follow_loops`]).
 //!
-//! The locked axes of one joint are solved together, with the matrix `K_ij = J_i M⁻¹ J_jᵀ`: they pull on the same two links, and
-//! one after the other they would undo each other's work. What the loop leaves open (a hinge across a plane in which
-//! everything moves anyway) has no pivot in it and gets no impulse. Joints are visited one after the other; the exact solution of
-//! connected joints is for ordinary bodies.
+//! The locked axes of one joint are solved together, with the matrix `K_ij = J_i M⁻¹ J_jᵀ`, because they act
+//! on the same two links. Redundant axes (a hinge across a plane in which everything moves anyway) have no
+//! pivot in it and get no impulse. Joints are visited one after the other; the exact solution of connected
+//! joints is for ordinary bodies.
 
 use super::SolverMultibodies;
 use super::contacts::Side;
 use super::limits::Owner;
 use super::load::scale_impulses;
-use super::rows::{Actors, Numbers, Row};
+use super::rows::{ConstrainedStates, JacobianPool, Row};
 use crate::base::square::SquareMatrix;
 use crate::dim::joint::{FreeRotations, angle_about};
 use crate::dim::joint_axes::{JointAxesMask, JointAxis};
@@ -42,7 +43,7 @@ use arrayvec::ArrayVec;
 struct Locked {
     axis: JointAxis,
     row: Row,
-    /// What an impulse of 1 does to the second body, at its anchor, in world space.
+    /// Effect of a unit impulse on the second body, at its anchor, in world space.
     wrench: SpatialVector,
     error: Real,
     impulse: Real,
@@ -55,7 +56,7 @@ struct Locked {
 struct Loop {
     handle: ImpulseJointHandle,
     slots: [u32; 2],
-    /// With what share of its last impulses it begins.
+    /// The fraction of the last impulses with which it begins.
     share: Real,
     joint: GenericJoint,
     softness: Softness,
@@ -68,7 +69,7 @@ struct Loop {
 #[derive(Debug, Default)]
 pub struct Loops {
     loops: Vec<Loop>,
-    /// Where the numbers of their locked axes begin.
+    /// First Jacobian of their locked axes.
     first_number: usize,
 }
 
@@ -83,7 +84,7 @@ struct Frames {
     anchor: Vector,
 }
 
-/// Which body slots a joint joins, and which joint it is.
+/// The body slots of a joint, and its index.
 type Joined = ([u32; 2], ImpulseJointHandle);
 
 impl SolverMultibodies {
@@ -127,7 +128,7 @@ impl SolverMultibodies {
         world: &RigidBodySet,
         bodies: &mut SolverBodies,
     ) {
-        self.loops.first_number = self.numbers.len();
+        self.loops.first_number = self.jacobians.len();
         for position in 0..self.loops.loops.len() {
             let Loop { handle, share, .. } = self.loops.loops[position];
             let impulses = joints.get(handle).map_or([0.0; SPATIAL_DIM], |joint| joint.impulses);
@@ -138,7 +139,7 @@ impl SolverMultibodies {
     /// Makes the rows of the locked axes anew, where the links and bodies are now.
     pub fn follow_loops(&mut self, world: &RigidBodySet, bodies: &mut SolverBodies) {
         self.warm_loops(bodies, -1.0);
-        self.numbers.truncate(self.loops.first_number);
+        self.jacobians.truncate(self.loops.first_number);
         for position in 0..self.loops.loops.len() {
             let old = self.loops.loops[position].locked.clone();
             self.lock(position, world, bodies, |axis| {
@@ -149,16 +150,16 @@ impl SolverMultibodies {
         self.warm_loops(bodies, 1.0);
     }
 
-    /// Adds this share of the impulses so far to what the substep starts with.
+    /// Adds this fraction of the impulses so far to the warm start of the substep.
     pub(super) fn warm_loops(&mut self, bodies: &mut SolverBodies, share: Real) {
-        let Self { numbers, loops, moving, .. } = self;
-        let mut actors = Actors { multibodies: moving, states: &mut bodies.states };
+        let Self { jacobians, loops, moving, .. } = self;
+        let mut states = ConstrainedStates { multibodies: moving, states: &mut bodies.states };
         for locked in loops.locked() {
-            numbers.push_early(&locked.row, locked.impulse * share, &mut actors);
+            jacobians.push_early(&locked.row, locked.impulse * share, &mut states);
         }
     }
 
-    /// Makes the rows of one joint's locked axes. `known` tells each one's impulse and total.
+    /// Makes the rows of one joint's locked axes. `known` returns the impulse and the total of each.
     fn lock(
         &mut self,
         position: usize,
@@ -184,8 +185,9 @@ impl SolverMultibodies {
                 (join(Vector::ZERO, turn_axis(frames.first, direction)), error)
             };
             let row = self.row_at(&sides, &frames, &wrench);
-            let actors = Actors { multibodies: &mut self.moving, states: &mut bodies.states };
-            let error = error - self.numbers.displacement(&row, &actors);
+            let states =
+                ConstrainedStates { multibodies: &mut self.moving, states: &mut bodies.states };
+            let error = error - self.jacobians.displacement(&row, &states);
             let (impulse, total) = known(axis);
             locked.push(Locked { axis, row, wrench, error, impulse, total });
         }
@@ -203,9 +205,9 @@ impl SolverMultibodies {
     ) -> Side<'a> {
         let mut side = self.side(slot, gives_way, world, bodies);
         if let Some((_, index)) = side.body {
-            let (shift, turn) = bodies.states[(index & !READ_ONLY) as usize].displacement();
+            let (shift, rotvec) = bodies.states[(index & !READ_ONLY) as usize].displacement();
             side.center = side.center.map(|center| center + shift);
-            side.rotation = integrate_rotation(side.rotation, turn);
+            side.rotation = integrate_rotation(side.rotation, rotvec);
         }
         side
     }
@@ -215,8 +217,8 @@ impl SolverMultibodies {
         let mut matrix = SquareMatrix::zeros(locked.len());
         for (i, first) in locked.iter().enumerate() {
             for (j, second) in locked.iter().enumerate() {
-                let (rows, numbers) = ((&first.row, &second.row), &self.numbers);
-                matrix[(i, j)] = numbers.coupling(rows.0, rows.1);
+                let (rows, jacobians) = ((&first.row, &second.row), &self.jacobians);
+                matrix[(i, j)] = jacobians.coupling(rows.0, rows.1);
             }
         }
         let column = |k: usize| {
@@ -293,7 +295,7 @@ impl Frames {
         })
     }
 
-    /// What moves the second body along a free axis, the coordinate, and whether that is a distance.
+    /// The direction of the second body along a free axis, the coordinate, and whether that is a distance.
     fn free_axis(&self, joint: &GenericJoint, axis: JointAxis) -> (SpatialVector, Real, bool) {
         let coupled = joint.coupled_axes & !joint.locked_axes;
         if axis as usize >= DIM {
@@ -337,8 +339,13 @@ impl Loops {
     }
 
     /// Solves all rows once; with `bias`, errors are undone.
-    pub fn solve(&mut self, numbers: &Numbers, actors: &mut Actors<'_>, bias: bool) {
-        self.loops.iter_mut().for_each(|joint| joint.solve(numbers, actors, bias));
+    pub fn solve(
+        &mut self,
+        jacobians: &JacobianPool,
+        states: &mut ConstrainedStates<'_>,
+        bias: bool,
+    ) {
+        self.loops.iter_mut().for_each(|joint| joint.solve(jacobians, states, bias));
     }
 
     /// Counts the impulses of the substep into those of the step.
@@ -359,7 +366,7 @@ impl Loops {
         }
     }
 
-    /// Breaks the joints that bear too much. All their forces must have been written.
+    /// Breaks the overloaded joints. All their forces must have been written.
     pub fn break_overloaded(
         &self,
         joints: &mut ImpulseJointSet,
@@ -380,14 +387,14 @@ impl Loops {
 
 impl Loop {
     /// Solves all locked axes together, once.
-    fn solve(&mut self, numbers: &Numbers, actors: &mut Actors<'_>, bias: bool) {
+    fn solve(&mut self, jacobians: &JacobianPool, states: &mut ConstrainedStates<'_>, bias: bool) {
         let Softness { bias_rate, mass_scale, impulse_scale } =
             if bias { self.softness } else { Softness::RIGID };
         let mut changes = [0.0; SPATIAL_DIM];
         for (locked, column) in self.locked.iter().zip(&self.inverse) {
-            let mut wrong = numbers.velocity(&locked.row, actors);
+            let mut wrong = jacobians.velocity(&locked.row, states);
             if bias {
-                let error = locked.error + numbers.displacement(&locked.row, actors);
+                let error = locked.error + jacobians.displacement(&locked.row, states);
                 wrong += error * bias_rate;
             }
             for (change, number) in changes.iter_mut().zip(column) {
@@ -397,7 +404,7 @@ impl Loop {
         for (locked, change) in self.locked.iter_mut().zip(changes) {
             let change = change - locked.impulse * impulse_scale;
             locked.impulse += change;
-            numbers.push(&locked.row, change, actors);
+            jacobians.push(&locked.row, change, states);
         }
     }
 }

@@ -1,13 +1,14 @@
 //! Multibodies in the solver: substeps of their own, between the same lines as the ordinary bodies'.
 //!
-//! Links stand in the list of awake bodies, but [`SolverBodies`](super::bodies::SolverBodies) knows them as nobody, and their
-//! manifolds are left out of the lanes: a push on one link moves all of its multibody, so no two of their constraints could
-//! stand in one colour. They are solved here one after the other, behind the colours, in the order of the constraint graph.
+//! Links are in the list of awake bodies, but have no state in [`SolverBodies`](super::bodies::SolverBodies),
+//! and the lanes exclude their manifolds. An impulse on one link moves all of its multibody, so no two of
+//! their constraints could have one colour. They are solved here one after the other, behind the colours, in
+//! the order of the constraint graph.
 //!
-//! As bodies do, multibodies start a substep with the last one's impulses, without visiting them: what the impulses did to the
-//! rates is kept ([`Moving::pushed`]) and added.
+//! Multibodies warm-start a substep as bodies do, without an iteration: the effect of the impulses on the
+//! generalised velocities is stored ([`Moving::pushed`]) and added.
 
-mod bounce;
+mod impacts;
 mod contacts;
 mod gears;
 mod limits;
@@ -29,12 +30,12 @@ use crate::model::joint::ImpulseJointSet;
 use crate::model::multibody::{Multibody, MultibodyIndex, MultibodyJoint};
 use crate::model::params::{ContactPass, IntegrationParameters, JointPass, Softness};
 use crate::multibody::Motion;
-use bounce::BeforeBlow;
 use contacts::LinkContacts;
 use gears::Gears;
+use impacts::BeforeImpact;
 use limits::JointRows;
 use loops::Loops;
-use rows::{Actors, Numbers};
+use rows::{ConstrainedStates, JacobianPool};
 
 /// Multibodies that are worth handing over to another thread together (some ten microseconds).
 const MULTIBODIES_PER_TASK: usize = 2;
@@ -42,7 +43,7 @@ const MULTIBODIES_PER_TASK: usize = 2;
 /// While overlap is undone, links may have this multiple of the energy that they may keep.
 const PUSH_ENERGY_MAX: Real = 2.0;
 
-/// A multibody that is awake. It is taken out of its set for as long as the solver runs.
+/// A multibody that is awake. It is moved out of its set while the solver runs.
 #[derive(Debug, Default)]
 pub(super) struct Moving {
     index: MultibodyIndex,
@@ -50,27 +51,27 @@ pub(super) struct Moving {
     island: u32,
     multibody: Multibody,
     motion: Motion,
-    /// With what share of its last impulses it begins.
+    /// The fraction of the last impulses with which it begins.
     share: Real,
-    /// What the impulses so far in this substep did to the rates.
+    /// Effect of this substep's impulses on the generalised velocities.
     pushed: Vec<Real>,
     /// The same impulses on the root's degrees of freedom.
     root_pushed: Vec<Real>,
-    /// How far the degrees of freedom moved since the step began.
+    /// Displacement of the degrees of freedom since the step began.
     shift: Vec<Real>,
-    /// By link: the length of the way that its centre of mass went, and the angle that it turned (rad).
+    /// By link: the path length of its centre of mass, and the angle that it rotated (rad).
     travel: Vec<[Real; 2]>,
-    before_blow: BeforeBlow,
-    /// Has it contacts?
+    before_impact: BeforeImpact,
+    /// Whether it has contacts.
     touches: bool,
-    /// Do links turn so far in a step that its contacts must be followed from substep to substep? Not if it has none: what flies
-    /// freely keeps its momentum, whatever its energy looks like to who does not fly along.
+    /// Whether links rotate so far in a step that contacts must be updated in each substep. Without contacts
+    /// there is no update: free motion conserves momentum.
     turns_far: bool,
     /// The kinetic energy that the impulses of this substep may leave.
     energy: Real,
     /// The same before the work of a push was added, which counts for the push alone.
     energy_without_push: Real,
-    /// Did they leave more?
+    /// Whether there were more.
     has_gained: bool,
     /// The fraction of the energy, and of the impulses that made too much of it, that is kept.
     kept: Real,
@@ -78,18 +79,18 @@ pub(super) struct Moving {
     start: (Vec<MultibodyJoint>, Pose),
 }
 
-/// A link that somebody in the solver may meet.
+/// A link that a constraint of the solver may involve.
 #[derive(Copy, Clone, Debug)]
-struct Claim {
+struct Registration {
     /// The multibody's position in its set.
     owner: u32,
     link: usize,
-    /// Is it moved here? A root without degrees of freedom is an ordinary body for the solver.
+    /// Whether the solver moves it. A root without degrees of freedom is an ordinary body for the solver.
     is_moved: bool,
 }
 
 /// The position of a multibody that is not among those that are solved now.
-const NOT_NOW: usize = usize::MAX;
+const NOT_SOLVED: usize = usize::MAX;
 
 /// A link of a multibody that is solved now.
 #[derive(Copy, Clone, Debug)]
@@ -103,33 +104,33 @@ struct LinkPlace {
 #[derive(Default)]
 pub(super) struct SolverMultibodies {
     moving: Vec<Moving>,
-    /// By position in the set: the position above, or [`NOT_NOW`].
+    /// By position in the set: the position above, or [`NOT_SOLVED`].
     positions: Vec<usize>,
     /// Buffers of those that were awake before.
     spare: Vec<Moving>,
     /// By body slot: the link that is there.
-    claims: Vec<Option<Claim>>,
+    registrations: Vec<Option<Registration>>,
     /// The slots where there is one, to be cleared by the next step.
     listed: Vec<u32>,
     /// Manifolds of links, left out of the lanes.
     left_out: Vec<ManifoldRef>,
-    numbers: Numbers,
+    jacobians: JacobianPool,
     joints: JointRows,
     gears: Gears,
     loops: Loops,
     contacts: LinkContacts,
 }
 
-/// What constraints are made of.
+/// Input for making constraints.
 #[derive(Copy, Clone)]
-pub(super) struct Surroundings<'a> {
+pub(super) struct MultibodyContext<'a> {
     pub narrow_phase: &'a NarrowPhase,
     pub islands: &'a IslandManager,
     pub joints: &'a ImpulseJointSet,
     pub world: &'a RigidBodySet,
 }
 
-/// How limits and contacts are softened, and how much of a row's error a visit removes.
+/// Softness of limits and contacts, and the fraction of a row's error that an iteration removes.
 #[derive(Copy, Clone, Debug)]
 struct SoftPass {
     softness: Softness,
@@ -178,88 +179,89 @@ impl SoftPass {
 }
 
 impl SolverMultibodies {
-    /// Is no multibody awake?
-    pub fn move_nobody(&self) -> bool {
+    /// Returns whether no multibody is awake.
+    pub fn move_no_body(&self) -> bool {
         self.listed.is_empty()
     }
 
-    /// Are a pair's contacts left to us?
-    pub fn claims(&self, slots: [u32; 2]) -> bool {
+    /// Returns whether a body of the pair is a link that is solved now.
+    pub fn owns_joint(&self, slots: [u32; 2]) -> bool {
         slots.into_iter().any(|slot| self.moves(slot))
     }
 
-    /// Is a body moved by its multibody?
+    /// Returns whether its multibody moves a body.
     pub fn moves(&self, slot: u32) -> bool {
-        self.claim_on(slot).is_some_and(|claim| claim.is_moved)
+        self.registration(slot).is_some_and(|register_links| register_links.is_moved)
     }
 
     /// Takes over a manifold if one of its bodies is a link. True: it must be left out of the lanes.
-    pub fn take_over(&mut self, manifold: ManifoldRef, slots: [u32; 2]) -> bool {
-        let is_ours = self.claims(slots);
+    pub fn adopt(&mut self, manifold: ManifoldRef, slots: [u32; 2]) -> bool {
+        let is_ours = self.owns_joint(slots);
         if is_ours && self.solves_one_of(slots) {
             self.left_out.push(manifold);
         }
         is_ours
     }
 
-    /// Is one of these bodies a link that is moved now?
+    /// Returns whether one of these bodies is a link that is moved now.
     fn solves_one_of(&self, slots: [u32; 2]) -> bool {
         slots.into_iter().any(|slot| self.place(slot).is_some_and(|place| place.is_moved))
     }
 
-    fn claim_on(&self, slot: u32) -> Option<Claim> {
-        self.claims.get(slot as usize).copied().flatten()
+    fn registration(&self, slot: u32) -> Option<Registration> {
+        self.registrations.get(slot as usize).copied().flatten()
     }
 
     fn place(&self, slot: u32) -> Option<LinkPlace> {
-        let Claim { owner, link, is_moved } = self.claim_on(slot)?;
+        let Registration { owner, link, is_moved } = self.registration(slot)?;
         let multibody = self.positions.get(owner as usize).copied()?;
-        (multibody != NOT_NOW).then_some(LinkPlace { multibody, link, is_moved })
+        (multibody != NOT_SOLVED).then_some(LinkPlace { multibody, link, is_moved })
     }
 
     /// Makes the constraints.
     pub fn prepare(
         &mut self,
-        Surroundings { narrow_phase, islands, joints, world }: Surroundings<'_>,
+        MultibodyContext { narrow_phase, islands, joints, world }: MultibodyContext<'_>,
         bodies: &mut SolverBodies,
         pass: &JointPass,
     ) {
-        self.numbers.clear();
-        self.joints.prepare(&mut self.numbers, &mut self.moving, pass.substep);
-        self.gears.prepare(&mut self.numbers, &mut self.moving, pass.softness);
+        self.jacobians.clear();
+        self.joints.prepare(&mut self.jacobians, &mut self.moving, pass.substep);
+        self.gears.prepare(&mut self.jacobians, &mut self.moving, pass.softness);
         self.prepare_loops(islands, joints, world, bodies, pass);
         self.prepare_contacts(narrow_phase, world, bodies);
         self.lock_loops(joints, world, bodies);
     }
 
-    /// Gives everybody last step's impulses.
+    /// Applies the last step's impulses to all multibodies.
     pub fn warm_start(&mut self, bodies: &mut SolverBodies) {
-        let Self { numbers, joints, gears, contacts, moving, .. } = self;
-        let mut actors = Actors { multibodies: moving, states: &mut bodies.states };
-        joints.warm_start(numbers, &mut actors);
-        gears.warm_start(numbers, &mut actors);
-        contacts.warm_start(numbers, &mut actors);
+        let Self { jacobians, joints, gears, contacts, moving, .. } = self;
+        let mut states = ConstrainedStates { multibodies: moving, states: &mut bodies.states };
+        joints.warm_start(jacobians, &mut states);
+        gears.warm_start(jacobians, &mut states);
+        contacts.warm_start(jacobians, &mut states);
         self.warm_loops(bodies, 1.0);
     }
 
-    /// Lets gravity, forces, springs and dampers act for `h` seconds, and starts the substep with the last one's impulses.
+    /// Applies gravity, forces, springs and dampers for `h` seconds, and warm-starts the substep.
     pub fn integrate_velocities(
         &mut self,
         h: Real,
         params: &IntegrationParameters,
         tasks: Tasks<'_>,
     ) {
-        let (warmth, speed_max) = (params.warmstart_coefficient, params.max_linear_velocity());
+        let (warm_start_coefficient, speed_max) =
+            (params.warmstart_coefficient, params.max_linear_velocity());
         for_each(&mut self.moving, tasks, |moving| {
-            moving.pushed.iter_mut().for_each(|pushed| *pushed *= warmth);
+            moving.pushed.iter_mut().for_each(|pushed| *pushed *= warm_start_coefficient);
             moving.motion.accelerate(&mut moving.multibody, h, speed_max, &moving.pushed);
             moving.measure(params.dt);
             moving.add_pushed(1.0);
-            moving.root_pushed.iter_mut().for_each(|impulse| *impulse *= warmth);
-            moving.motion.note_outside(&moving.root_pushed, 1.0);
+            moving.root_pushed.iter_mut().for_each(|impulse| *impulse *= warm_start_coefficient);
+            moving.motion.note_external_impulse(&moving.root_pushed, 1.0);
         });
-        if warmth != 1.0 {
-            self.scale_impulses(|_| warmth);
+        if warm_start_coefficient != 1.0 {
+            self.scale_impulses(|_| warm_start_coefficient);
         }
     }
 
@@ -272,8 +274,9 @@ impl SolverMultibodies {
         tasks: Tasks<'_>,
     ) {
         for_each(&mut self.moving, tasks, |moving| moving.advance(h, speed_max));
-        let mut actors = Actors { multibodies: &mut self.moving, states: &mut bodies.states };
-        self.joints.follow_balls(&mut self.numbers, &mut actors);
+        let mut states =
+            ConstrainedStates { multibodies: &mut self.moving, states: &mut bodies.states };
+        self.joints.follow_balls(&mut self.jacobians, &mut states);
     }
 
     /// Solves all constraints once, with bias.
@@ -283,7 +286,7 @@ impl SolverMultibodies {
         pass: &ContactPass,
         params: &IntegrationParameters,
     ) {
-        self.visit(bodies, pass, params, true);
+        self.iterate(bodies, pass, params, true);
         self.limit_push(&mut bodies.states, pass.push_velocity_max);
     }
 
@@ -294,11 +297,11 @@ impl SolverMultibodies {
         pass: &ContactPass,
         params: &IntegrationParameters,
     ) {
-        self.visit(bodies, pass, params, false);
-        let Self { numbers, joints, loops, contacts, moving, .. } = self;
-        let mut actors = Actors { multibodies: moving, states: &mut bodies.states };
-        contacts.rub(numbers, &mut actors);
-        if pass.is_last_visit {
+        self.iterate(bodies, pass, params, false);
+        let Self { jacobians, joints, loops, contacts, moving, .. } = self;
+        let mut states = ConstrainedStates { multibodies: moving, states: &mut bodies.states };
+        contacts.solve_friction(jacobians, &mut states);
+        if pass.is_last_iteration {
             joints.count();
             loops.count();
             contacts.count();
@@ -306,8 +309,8 @@ impl SolverMultibodies {
         }
     }
 
-    /// Removes the energy that the impulses of a substep gave to multibodies, apart from the work of motors, of joints
-    /// that close loops and of moving bodies and surfaces.
+    /// Removes the energy that the impulses of a substep added to multibodies. Excluded is the work of
+    /// motors, of loop joints and of moving bodies and surfaces.
     fn limit_energy(&mut self, states: &mut [BodyState]) {
         for moving in &mut self.moving {
             moving.has_gained = moving.motion.exceeds(moving.energy);
@@ -351,26 +354,26 @@ impl SolverMultibodies {
         contacts.scale_impulses(|row| row.least_of(moving, &factor));
     }
 
-    /// Adds the work of motors and other joints, and that of bodies and surfaces which push links before them, to the energy that
-    /// a substep may leave.
+    /// Adds the work of motors and other joints, and of bodies and surfaces that push links, to the energy
+    /// limit of a substep.
     fn add_work(&mut self, states: &mut [BodyState]) {
-        let Self { numbers, joints, loops, contacts, moving, .. } = self;
-        let mut actors = Actors { multibodies: moving, states };
+        let Self { jacobians, joints, loops, contacts, moving, .. } = self;
+        let mut states = ConstrainedStates { multibodies: moving, states };
         for (row, impulse) in joints.working_rows().chain(loops.rows()) {
-            numbers.note_work(row, impulse, &mut actors);
+            jacobians.note_work(row, impulse, &mut states);
         }
         for (row, impulse, surface) in contacts.rows() {
-            numbers.note_shove(row, impulse, surface, &mut actors);
+            jacobians.note_shove(row, impulse, surface, &mut states);
         }
     }
 
-    /// Is there a multibody with links that turn far?
+    /// Returns whether a multibody has links that rotate far.
     fn any_turns_far(&self) -> bool {
         self.moving.iter().any(|moving| moving.turns_far)
     }
 
     /// Visits all rows but those of friction.
-    fn visit(
+    fn iterate(
         &mut self,
         bodies: &mut SolverBodies,
         pass: &ContactPass,
@@ -378,18 +381,18 @@ impl SolverMultibodies {
         bias: bool,
     ) {
         let (contact, limit) = (SoftPass::contact(pass), SoftPass::limit(pass, params));
-        let Self { numbers, joints, gears, loops, contacts, moving, .. } = self;
-        let mut actors = Actors { multibodies: moving, states: &mut bodies.states };
-        loops.solve(numbers, &mut actors, bias);
-        joints.solve(numbers, &mut actors, &limit, bias);
-        gears.solve(numbers, &mut actors, bias);
-        contacts.solve(numbers, &mut actors, &contact, bias);
+        let Self { jacobians, joints, gears, loops, contacts, moving, .. } = self;
+        let mut states = ConstrainedStates { multibodies: moving, states: &mut bodies.states };
+        loops.solve(jacobians, &mut states, bias);
+        joints.solve(jacobians, &mut states, &limit, bias);
+        gears.solve(jacobians, &mut states, bias);
+        contacts.solve(jacobians, &mut states, &contact, bias);
     }
 }
 
 impl Moving {
-    /// Finds out whether links turn far in a step of `dt` seconds, for which the rows of contacts would be frozen, and the energy
-    /// before impulses.
+    /// Finds multibodies whose links rotate far in a step of `dt` seconds, so that contact rows must be
+    /// updated, and their energy before impulses.
     fn measure(&mut self, dt: Real) {
         self.turns_far = self.touches && self.motion.turns_far(dt);
         self.energy = self.motion.energy_before_impulses();
@@ -406,7 +409,7 @@ impl Moving {
         }
     }
 
-    /// Adds this share of what the impulses so far in this substep did to the rates.
+    /// Adds this fraction of the effect of the substep's impulses so far.
     fn add_pushed(&mut self, share: Real) {
         for (rate, pushed) in self.motion.rates.iter_mut().zip(&self.pushed) {
             *rate += pushed * share;
@@ -421,14 +424,14 @@ impl Moving {
             }
             store::note_travel(travel, motion.link_velocities(), piece);
         });
-        // What a flight lost may be energy that impulses gave before.
+        // The energy loss of free motion may be energy that impulses added before.
         let least = self.energy.min(motion.kinetic_energy());
         self.energy = (self.energy + change).max(least);
-        self.turns_far |= self.touches && motion.is_wild;
+        self.turns_far |= self.touches && motion.has_diverged;
     }
 }
 
-/// Works on the multibodies, several at once. None of them knows of another.
+/// Works on the multibodies, several at once. They are independent of each other.
 fn for_each(moving: &mut [Moving], tasks: Tasks<'_>, work: impl Fn(&mut Moving) + Sync) {
     let count = moving.len();
     let moving = DisjointMut::new(moving);

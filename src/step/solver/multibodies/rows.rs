@@ -1,12 +1,14 @@
 //! A constraint row between links of multibodies, ordinary bodies and the world.
 //!
-//! The relative velocity of a row is `Ċ = Σ J v` over its two sides. For an ordinary body `v` is its spatial velocity; for the
-//! links of a multibody it is the list of all its rates `q̇`, because a push on one link moves all of them. An impulse `λ` adds
-//! `W λ` with the response `W = M⁻¹ Jᵀ`, and the row resists with `K = J W`.
+//! The relative velocity of a row is `Ċ = Σ J v` over its two sides. For an ordinary body `v` is its spatial
+//! velocity. For the links of a multibody it is the list of all its generalised velocities `q̇`, because an
+//! impulse on one link moves all of them. An impulse `λ` adds `W λ` with the response `W = M⁻¹ Jᵀ`, and the
+//! row resists with `K = J W`.
 //!
-//! `J` and `W` are lists of a number per degree of freedom, computed once a step (levers and inertias of contacts are frozen
-//! during a step, for bodies as for links; what turns far is followed from substep to substep) in time proportional to the number of links. A visit of the row then is one
-//! product of two lists, as long as `J` is not zero (a limit's is one number), and one addition if there is anything to push.
+//! `J` and `W` are lists with one number per degree of freedom, computed once a step in time proportional to
+//! the number of links. (Moment arms and inertias of contacts are frozen during a step; multibodies that
+//! rotate far are updated in each substep.) An iteration of the row is one product of two lists if `J` is not
+//! zero (a limit's is one number), and one addition if the impulse changes.
 
 use super::Moving;
 use crate::dim::math::{Real, SPATIAL_DIM, SpatialVector};
@@ -18,8 +20,8 @@ use crate::dim::state::{BodyState, READ_ONLY};
 pub enum Part {
     /// Something that stands still.
     Nothing,
-    /// Links of a multibody (its position among the awake ones); its numbers begin at `start`. They give way, or stand firm.
-    /// Of `J` only the numbers of the degrees of freedom in `span` are not zero.
+    /// Links of a multibody (its position among the awake ones); its numbers begin at `start`. They are
+    /// movable or immovable. Only the numbers of `J` for the degrees of freedom in `span` are not zero.
     Links { multibody: usize, start: usize, span: [usize; 2], gives_way: bool },
     /// An ordinary body, by its index in the solver.
     Body { index: u32, jacobian: SpatialVector, response: SpatialVector },
@@ -29,13 +31,13 @@ pub enum Part {
 #[derive(Copy, Clone, Debug)]
 pub struct Row {
     pub parts: [Part; 2],
-    /// `1 / K`; zero if nothing gives way.
+    /// `1 / K`; zero if both sides are immovable.
     pub mass: Real,
 }
 
 impl Row {
-    /// The same row, taken to yield to an impulse by no less than this.
-    pub fn yielding_at_least(self, k: Real) -> Self {
+    /// The same row with at least this compliance.
+    pub fn with_compliance_min(self, k: Real) -> Self {
         Self { mass: if k > 0.0 { self.mass.min(1.0 / k) } else { self.mass }, ..self }
     }
 
@@ -49,16 +51,20 @@ impl Row {
     }
 
     /// Makes the row anew, of the same multibody, with its numbers where the old ones were.
-    pub fn rewrite(&mut self, numbers: &mut Numbers, make: impl FnOnce(&mut Numbers) -> Self) {
+    pub fn rewrite(
+        &mut self,
+        jacobians: &mut JacobianPool,
+        make: impl FnOnce(&mut JacobianPool) -> Self,
+    ) {
         let Some(start) = self.parts.iter().find_map(Part::start) else { return };
-        numbers.rewrite_from(start);
-        *self = make(numbers);
-        numbers.append();
+        jacobians.rewrite_from(start);
+        *self = make(jacobians);
+        jacobians.append();
     }
 }
 
 impl Part {
-    /// Where its numbers begin, if it has any.
+    /// First of its numbers, if it has any.
     fn start(&self) -> Option<usize> {
         match self {
             Self::Links { start, .. } => Some(*start),
@@ -69,32 +75,32 @@ impl Part {
 
 /// The numbers of all rows.
 #[derive(Debug, Default)]
-pub struct Numbers {
+pub struct JacobianPool {
     jacobians: Vec<Real>,
     responses: Vec<Real>,
-    /// Where the next ones go; beyond the last, if they are not to be written anew.
+    /// Position of the next numbers; at the end, unless they are overwritten.
     next: usize,
-    /// Of the part that is being added: how large each number could be.
+    /// Largest possible size of each number of the current part.
     sizes: Vec<Real>,
 }
 
-/// What is below this share of what it could be is rounding. Where the joints leave a row nothing to move, all of `J` is, and
-/// `1/K` would be of any size.
+/// Values below this fraction of their largest possible size are rounding. If the joints leave a row nothing
+/// to move, all of `J` is rounding, and `1/K` would be arbitrary.
 const ROUNDING: Real = 64.0 * Real::EPSILON;
 
 /// Everything that rows act on.
-pub struct Actors<'a> {
+pub struct ConstrainedStates<'a> {
     pub multibodies: &'a mut [Moving],
     pub states: &'a mut [BodyState],
 }
 
-impl Numbers {
+impl JacobianPool {
     /// No rows yet.
     pub fn clear(&mut self) {
         self.truncate(0);
     }
 
-    /// How many there are.
+    /// The number of entries.
     pub fn len(&self) -> usize {
         self.jacobians.len()
     }
@@ -106,7 +112,7 @@ impl Numbers {
         self.next = len;
     }
 
-    /// Lets the next numbers be written over those from a place on, which must be as many.
+    /// Overwrites the next numbers from a position on, with the same count.
     pub fn rewrite_from(&mut self, start: usize) {
         self.next = start;
     }
@@ -116,7 +122,8 @@ impl Numbers {
         self.next = self.jacobians.len();
     }
 
-    /// A part whose Jacobian `fill` adds to zeros, with how large its numbers could be. Nothing moves it unless it `gives_way`.
+    /// A part whose Jacobian `fill` adds to zeros, with how large its numbers could be. It is immovable
+    /// unless it `gives_way`.
     pub fn add_links(
         &mut self,
         multibodies: &mut [Moving],
@@ -179,56 +186,62 @@ impl Numbers {
     }
 
     /// Adds the work that an impulse does on multibodies to the energy that contacts may leave them.
-    pub fn note_work(&self, row: &Row, impulse: Real, actors: &mut Actors<'_>) {
+    pub fn note_work(&self, row: &Row, impulse: Real, states: &mut ConstrainedStates<'_>) {
         for part in &row.parts {
             let Part::Links { multibody, .. } = part else { continue };
-            let work = impulse * self.rate(part, actors);
-            actors.multibodies[*multibody].energy += work.max(0.0);
+            let work = impulse * self.rate(part, states);
+            states.multibodies[*multibody].energy += work.max(0.0);
         }
     }
 
-    /// Adds the work on a link of what is on the other side, which an impulse keeps from getting into it, to the energy that
-    /// contacts may leave: the other one, or the belt on it, moves on as fast as it does, and the link at least as fast.
-    pub fn note_shove(&self, row: &Row, impulse: Real, surface: Real, actors: &mut Actors<'_>) {
+    /// Adds the work of the other side on a link to the energy limit of contacts. The other side, or the belt
+    /// on it, keeps its velocity, and the link moves at least as fast.
+    pub fn note_shove(
+        &self,
+        row: &Row,
+        impulse: Real,
+        surface: Real,
+        states: &mut ConstrainedStates<'_>,
+    ) {
         let [first, second] = &row.parts;
         for (link, other) in [(first, second), (second, first)] {
             let Part::Links { multibody, gives_way: true, .. } = link else { continue };
-            let work = impulse * (surface - self.rate(other, actors));
-            actors.multibodies[*multibody].energy += work.max(0.0);
+            let work = impulse * (surface - self.rate(other, states));
+            states.multibodies[*multibody].energy += work.max(0.0);
         }
     }
 
     /// `Ċ`.
-    pub fn velocity(&self, row: &Row, actors: &Actors<'_>) -> Real {
-        self.sum(row, |part| self.rate(part, actors))
+    pub fn velocity(&self, row: &Row, states: &ConstrainedStates<'_>) -> Real {
+        self.sum(row, |part| self.rate(part, states))
     }
 
-    /// What a part of a row adds to `Ċ`.
-    fn rate(&self, part: &Part, actors: &Actors<'_>) -> Real {
+    /// Contribution of one side of a row to `Ċ`.
+    fn rate(&self, part: &Part, states: &ConstrainedStates<'_>) -> Real {
         match part {
             Part::Nothing => 0.0,
             Part::Links { multibody, start, span: [first, behind], .. } => {
-                let rates = &actors.multibodies[*multibody].motion.rates;
+                let rates = &states.multibodies[*multibody].motion.rates;
                 product(&self.jacobians[start + first..start + behind], &rates[*first..*behind])
             }
             Part::Body { index, jacobian, .. } => {
-                let (linvel, angvel) = actors.states[at(*index)].velocity();
+                let (linvel, angvel) = states.states[at(*index)].velocity();
                 product(jacobian, &join(linvel, angvel))
             }
         }
     }
 
-    /// How far `C` has changed since the step began.
-    pub fn displacement(&self, row: &Row, actors: &Actors<'_>) -> Real {
+    /// Change of `C` since the step began.
+    pub fn displacement(&self, row: &Row, states: &ConstrainedStates<'_>) -> Real {
         self.sum(row, |part| match part {
             Part::Nothing => 0.0,
             Part::Links { multibody, start, span: [first, behind], .. } => {
-                let shift = &actors.multibodies[*multibody].shift;
+                let shift = &states.multibodies[*multibody].shift;
                 product(&self.jacobians[start + first..start + behind], &shift[*first..*behind])
             }
             Part::Body { index, jacobian, .. } => {
-                let (shift, turn) = actors.states[at(*index)].displacement();
-                product(jacobian, &join(shift, turn))
+                let (shift, rotvec) = states.states[at(*index)].displacement();
+                product(jacobian, &join(shift, rotvec))
             }
         })
     }
@@ -238,50 +251,55 @@ impl Numbers {
     }
 
     /// Pushes with an impulse.
-    pub fn push(&self, row: &Row, impulse: Real, actors: &mut Actors<'_>) {
-        self.each_response(row, impulse, actors, |moving, jacobian, response| {
+    pub fn push(&self, row: &Row, impulse: Real, states: &mut ConstrainedStates<'_>) {
+        self.each_response(row, impulse, states, |moving, jacobian, response| {
             add(&mut moving.motion.rates, response, impulse);
             moving.note_push(jacobian, response, impulse);
-            moving.motion.note_outside(&jacobian[..moving.root_pushed.len()], impulse);
+            moving.motion.note_external_impulse(&jacobian[..moving.root_pushed.len()], impulse);
         });
     }
 
-    /// Pushes with an impulse that is no load for the next substep: that of a blow.
-    pub fn strike(&self, row: &Row, impulse: Real, actors: &mut Actors<'_>) {
-        self.each_response(row, impulse, actors, |moving, jacobian, response| {
+    /// Applies an impulse that is no warm-start load for the next substep: that of an impact.
+    pub fn strike(&self, row: &Row, impulse: Real, states: &mut ConstrainedStates<'_>) {
+        self.each_response(row, impulse, states, |moving, jacobian, response| {
             add(&mut moving.motion.rates, response, impulse);
-            moving.motion.note_outside(&jacobian[..moving.root_pushed.len()], impulse);
+            moving.motion.note_external_impulse(&jacobian[..moving.root_pushed.len()], impulse);
         });
     }
 
-    /// Do both sides of a row go back in time to be hit?
-    pub fn goes_back(&self, row: &Row, actors: &Actors<'_>) -> bool {
+    /// Returns whether both sides of a row go back in time to be hit.
+    pub fn goes_back(&self, row: &Row, states: &ConstrainedStates<'_>) -> bool {
         row.parts.iter().all(|part| match part {
-            Part::Links { multibody, .. } => actors.multibodies[*multibody].moves_as_one(),
+            Part::Links { multibody, .. } => states.multibodies[*multibody].moves_as_one(),
             Part::Nothing | Part::Body { .. } => true,
         })
     }
 
-    /// Notes in the multibodies of a row when a blow comes (s), and whether it may give energy.
-    pub fn note_time(&self, row: &Row, (time, gains): (Real, bool), actors: &mut Actors<'_>) {
+    /// Notes the time of an impact (s) in the multibodies of a row, and whether it may add energy.
+    pub fn note_time(
+        &self,
+        row: &Row,
+        (time, gains): (Real, bool),
+        states: &mut ConstrainedStates<'_>,
+    ) {
         let [first, second] = &row.parts;
         for (part, other) in [(first, second), (second, first)] {
             if let Part::Links { multibody, gives_way: true, .. } = part {
                 let may_gain = gains || !matches!(other, Part::Nothing);
-                actors.multibodies[*multibody].before_blow.note(time, may_gain);
+                states.multibodies[*multibody].before_impact.note(time, may_gain);
             }
         }
     }
 
-    /// Tells the bodies of a row of a blow: its impulse, and when it came. They have it in `delays`, in place of two components
-    /// of a velocity.
-    pub fn note_blow(&self, row: &Row, [impulse, time]: [Real; 2], delays: &mut [BodyState]) {
+    /// Adds an impact of a row to its bodies: its impulse and its time. They have it in `delays`, in place of
+    /// two components of a velocity.
+    pub fn note_impulse(&self, row: &Row, [impulse, time]: [Real; 2], delays: &mut [BodyState]) {
         for part in &row.parts {
             match part {
                 Part::Body { index, .. } if index & READ_ONLY == 0 => {
-                    let mut blow = [0.0; SPATIAL_DIM];
-                    (blow[0], blow[1]) = (impulse, impulse * time);
-                    delays[at(*index)].add_velocity(blow);
+                    let mut impact_impulse = [0.0; SPATIAL_DIM];
+                    (impact_impulse[0], impact_impulse[1]) = (impulse, impulse * time);
+                    delays[at(*index)].add_velocity(impact_impulse);
                 }
                 _ => {}
             }
@@ -289,8 +307,8 @@ impl Numbers {
     }
 
     /// Pushes with an impulse before the first substep: bodies get it at once, multibodies when the substep begins.
-    pub fn push_early(&self, row: &Row, impulse: Real, actors: &mut Actors<'_>) {
-        self.each_response(row, impulse, actors, |moving, jacobian, response| {
+    pub fn push_early(&self, row: &Row, impulse: Real, states: &mut ConstrainedStates<'_>) {
+        self.each_response(row, impulse, states, |moving, jacobian, response| {
             moving.note_push(jacobian, response, impulse);
         });
     }
@@ -299,7 +317,7 @@ impl Numbers {
         &self,
         row: &Row,
         impulse: Real,
-        actors: &mut Actors<'_>,
+        states: &mut ConstrainedStates<'_>,
         push_links: impl Fn(&mut Moving, &[Real], &[Real]),
     ) {
         if impulse == 0.0 {
@@ -310,14 +328,14 @@ impl Numbers {
                 Part::Nothing => {}
                 Part::Links { gives_way: false, .. } => {}
                 Part::Links { multibody, start, .. } => {
-                    let moving = &mut actors.multibodies[*multibody];
+                    let moving = &mut states.multibodies[*multibody];
                     let end = start + moving.pushed.len();
                     let (jacobian, response) =
                         (&self.jacobians[*start..end], &self.responses[*start..end]);
                     push_links(moving, jacobian, response);
                 }
                 Part::Body { index, response, .. } if index & READ_ONLY == 0 => {
-                    let state = &mut actors.states[at(*index)];
+                    let state = &mut states.states[at(*index)];
                     let (linvel, angvel) = state.velocity();
                     state.set_velocity(
                         linvel + linear(response) * impulse,

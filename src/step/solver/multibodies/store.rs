@@ -1,7 +1,7 @@
-//! From what the solver moved back to multibodies and their bodies.
+//! Stores the solver's results in multibodies and their bodies.
 
-use super::{Moving, NOT_NOW, SolverMultibodies};
-use crate::base::measure::{CALM, FAR, is_coordinate};
+use super::{Moving, NOT_SOLVED, SolverMultibodies};
+use crate::base::measure::{COORDINATE_MODERATE_MAX, MODERATE_MAX, is_coordinate};
 use crate::dim::math::{ANG_ZERO, Pose, Real, SPATIAL_DIM, SpatialVector, ang_length_squared};
 use crate::dim::spatial::{angular, linear};
 use crate::model::body::{RigidBodySet, RigidBodyVelocity};
@@ -10,12 +10,12 @@ use crate::model::contact::NarrowPhase;
 use crate::model::event::JointBreakEvent;
 use crate::model::island::{BodyMotion, IslandManager};
 use crate::model::joint::ImpulseJointSet;
-use crate::model::multibody::{Course, MultibodyJointSet};
+use crate::model::multibody::{LinkTrajectory, MultibodyJointSet};
 use crate::model::params::IntegrationParameters;
-use crate::step::notes::{FastMotion, Lost};
+use crate::step::notes::{Diverged, FastMotion};
 
 impl SolverMultibodies {
-    /// Writes impulses to manifolds and joints, and breaks joints that bear too much.
+    /// Writes impulses to manifolds and joints, and breaks overloaded joints.
     pub fn store_constraints(
         &mut self,
         joints: &mut ImpulseJointSet,
@@ -31,34 +31,39 @@ impl SolverMultibodies {
         self.loops.break_overloaded(joints, broken);
     }
 
-    /// Ends a step with substeps of `h` seconds. Lists the multibodies that cannot be stored, and returns whether all others
-    /// are calm.
+    /// Ends a step with substeps of `h` seconds. Lists the multibodies that cannot be stored, and returns
+    /// whether all others are moderate.
     ///
-    /// Less is calm here than for other bodies: links that turn by more than a radian within a substep do not know any more
-    /// where their joints are.
-    pub fn finish(&mut self, lost: &mut Vec<Lost>, h: Real) -> bool {
-        let mut calm = true;
+    /// The limit is lower than for other bodies: after a rotation of more than a radian within a substep, the
+    /// coordinates of joints are ambiguous.
+    pub fn finish(&mut self, diverged: &mut Vec<Diverged>, h: Real) -> bool {
+        let mut is_moderate = true;
         for moving in &mut self.moving {
             moving.motion.finish();
             if !moving.is_sound() {
-                lost.extend(moving.first_lost());
+                diverged.extend(moving.first_diverged());
             }
-            let near = moving.multibody.links[0].pose.translation.abs().max_element() <= FAR;
-            calm &= near
-                && moving.motion.link_velocities().iter().all(|velocity| link_is_calm(velocity, h));
+            let near = moving.multibody.links[0].pose.translation.abs().max_element()
+                <= COORDINATE_MODERATE_MAX;
+            is_moderate &= near
+                && moving
+                    .motion
+                    .link_velocities()
+                    .iter()
+                    .all(|velocity| link_is_moderate(velocity, h));
         }
-        calm
+        is_moderate
     }
 
-    /// Puts the multibodies back into their set as they were when the step began, but for impulses that were made to fit
-    /// its substeps.
+    /// Returns the multibodies to their set in their state at the start of the step, except impulses that
+    /// were scaled to its substeps.
     pub fn give_back(&mut self, set: &mut MultibodyJointSet) {
         for mut moving in self.moving.drain(..) {
             moving.undo();
             if let Some(place) = set.get_unnoted_mut(moving.index) {
                 *place = core::mem::take(&mut moving.multibody);
             }
-            self.positions[moving.index.0.slot()] = NOT_NOW;
+            self.positions[moving.index.0.slot()] = NOT_SOLVED;
             self.spare.push(moving);
         }
     }
@@ -70,28 +75,28 @@ impl SolverMultibodies {
         set: &mut MultibodyJointSet,
         (islands, bodies): (&mut IslandManager, &mut RigidBodySet),
         params: &IntegrationParameters,
-        (fast, courses): (&mut Vec<FastMotion>, &mut Vec<Course>),
+        (fast, trajectories): (&mut Vec<FastMotion>, &mut Vec<LinkTrajectory>),
     ) -> usize {
         let mut limited = 0;
         for mut moving in self.moving.drain(..) {
             limited += usize::from(moving.motion.is_limited);
-            moving.store((islands, bodies), params, (fast, courses));
+            moving.store((islands, bodies), params, (fast, trajectories));
             if let Some(place) = set.get_unnoted_mut(moving.index) {
                 *place = core::mem::take(&mut moving.multibody);
             }
-            self.positions[moving.index.0.slot()] = NOT_NOW;
+            self.positions[moving.index.0.slot()] = NOT_SOLVED;
             self.spare.push(moving);
         }
         limited
     }
 }
 
-fn link_is_calm(velocity: &SpatialVector, h: Real) -> bool {
+fn link_is_moderate(velocity: &SpatialVector, h: Real) -> bool {
     let turn_squared = ang_length_squared(angular(velocity)) * h * h;
-    linear(velocity).abs().max_element() <= CALM && turn_squared <= 1.0
+    linear(velocity).abs().max_element() <= MODERATE_MAX && turn_squared <= 1.0
 }
 
-/// Adds to the ways and angles of links what they go in `h` seconds.
+/// Adds the motion of `h` seconds to the path lengths and angles of links.
 pub(super) fn note_travel(travels: &mut [[Real; 2]], velocities: &[SpatialVector], h: Real) {
     for (travel, velocity) in travels.iter_mut().zip(velocities) {
         travel[0] += linear(velocity).length() * h;
@@ -109,7 +114,7 @@ impl Moving {
         &mut self,
         (islands, bodies): (&mut IslandManager, &mut RigidBodySet),
         params: &IntegrationParameters,
-        (fast, courses): (&mut Vec<FastMotion>, &mut Vec<Course>),
+        (fast, trajectories): (&mut Vec<FastMotion>, &mut Vec<LinkTrajectory>),
     ) {
         self.multibody.lists.velocities.clone_from(&self.motion.rates);
         let (first, mut is_fast) = (fast.len(), false);
@@ -118,23 +123,23 @@ impl Moving {
             let Some(body) = bodies.get_unnoted_mut(motion.body) else { continue };
             body.ccd_active = FastMotion::is_one(body, bound, params);
             is_fast |= body.ccd_active;
-            fast.push(FastMotion { link: Some((courses.len(), id)), ..motion });
+            fast.push(FastMotion { link: Some((trajectories.len(), id)), ..motion });
         }
         if is_fast {
-            courses.push(self.course(params.dt));
+            trajectories.push(self.trajectory(params.dt));
         } else {
             fast.truncate(first);
         }
     }
 
-    /// The way that it has gone.
-    fn course(&mut self, dt: Real) -> Course {
+    /// The trajectory of the step.
+    fn trajectory(&mut self, dt: Real) -> LinkTrajectory {
         let mut root = [0.0; SPATIAL_DIM];
         if self.motion.root_dofs() == 0 {
             root = self.motion.link_velocities()[0].map(|rate| rate * dt);
         }
         let longest = |k: usize| self.travel.iter().map(|travel| travel[k]).fold(0.0, Real::max);
-        Course {
+        LinkTrajectory {
             index: self.index,
             start: core::mem::take(&mut self.start),
             shift: core::mem::take(&mut self.shift),
@@ -143,7 +148,8 @@ impl Moving {
         }
     }
 
-    /// Writes the pose and velocity of a link to its body. Returns how it moved, and no more than how far, if it is moved.
+    /// Writes the pose and velocity of a link to its body. Returns its displacement and a bound on it, if it
+    /// moved.
     fn store_link(
         &mut self,
         id: usize,
@@ -164,10 +170,10 @@ impl Moving {
             body.update_world_mass_properties();
             // As for other bodies: far from the origin a position moves by whole steps of rounding or not at all.
             let rounded = (body.mprops.world_com - old_center).length();
-            let [way, turn] = self.travel[id];
-            let bound = rounded.max(way) + turn * body.extent;
+            let [displacement, rotvec] = self.travel[id];
+            let bound = rounded.max(displacement) + rotvec * body.extent;
             islands.set_motion(link.body.into_raw_parts().0, BodyMotion::within(bound));
-            let (shift, turn) = (body.mprops.world_com - old_center, ANG_ZERO);
+            let (shift, rotvec) = (body.mprops.world_com - old_center, ANG_ZERO);
             let force = linear(&self.motion.forces[id].wrench);
             let acceleration = force * body.mprops.local_mprops.inv_mass;
             let motion = FastMotion {
@@ -175,7 +181,7 @@ impl Moving {
                 start,
                 center: old_center,
                 shift,
-                turn,
+                rotvec,
                 acceleration,
                 link: None,
             };
@@ -199,7 +205,7 @@ impl Moving {
         checked_pose(pose).unwrap_or(self.multibody.links[id].pose)
     }
 
-    /// Are all numbers such that one can go on with them?
+    /// Returns whether all numbers are usable.
     fn is_sound(&mut self) -> bool {
         let links = &self.multibody.links;
         let joints_are = links.iter().all(|link| link.joint.is_sound());
@@ -214,16 +220,16 @@ impl Moving {
             })
     }
 
-    /// The first link that cannot be stored; the one behind the root, who may not move at all, if it is none of them by
-    /// itself.
-    fn first_lost(&mut self) -> Option<Lost> {
+    /// The first link that cannot be stored. If none is invalid on its own, the one behind the root, which
+    /// may be immovable.
+    fn first_diverged(&mut self) -> Option<Diverged> {
         let velocities = self.motion.link_velocities();
         let velocity =
             |id: usize| RigidBodyVelocity::new(linear(&velocities[id]), angular(&velocities[id]));
-        let is_lost = |id: &usize| !velocity(*id).is_usable();
-        let id = (0..velocities.len()).find(is_lost).unwrap_or(1.min(velocities.len() - 1));
+        let has_diverged = |id: &usize| !velocity(*id).is_usable();
+        let id = (0..velocities.len()).find(has_diverged).unwrap_or(1.min(velocities.len() - 1));
         let (body, velocity) = (self.multibody.links.get(id)?.body, velocity(id));
-        Some(Lost { body, velocity, is_link: true })
+        Some(Diverged { body, velocity, is_link: true })
     }
 
     /// Puts the links back to where the step began.

@@ -119,8 +119,8 @@ fn a_rough_contact_drags_along_at_the_surface_velocity() {
     assert!((scene.velocity(1).0 - belt).length() < ROUNDING);
 }
 
-/// Points around the first one's place, strongly pressed together, with no limit to friction: in the
-/// end the two bodies move as one.
+/// Points near the first one under a large normal impulse, without a friction limit: finally the two bodies
+/// move as one.
 #[test]
 fn a_rough_manifold_holds_fast() {
     let mut random = Random(15);
@@ -147,8 +147,7 @@ fn a_rough_manifold_holds_fast() {
     }
 }
 
-/// Free to move along one axis alone: the matrix of the tangents has no inverse, and friction must act
-/// all the same.
+/// With one free axis, the matrix of the tangents has no inverse, and friction acts nevertheless.
 #[test]
 fn friction_slows_a_body_on_a_rail() {
     let mut random = Random(17);

@@ -1,5 +1,5 @@
-//! What is read and written: the same bits from all registers, no body but the own ones, all digits
-//! far from the origin, and impulses that outlast a step.
+//! Memory access of the kernels: all registers give the same bits, only own bodies are written, no digits are
+//! lost far from the origin, and impulses persist.
 
 use super::scene::{
     Body, Contact, LANE, SUBSTEP, Scene, advance, random_direction, random_turn, random_vector,
@@ -134,8 +134,8 @@ fn coarse(vector: Vector) -> Vector {
     (vector * 64.0).round() / 64.0
 }
 
-/// The same scene at the origin and far away. Centres and points need no rounding in either place; the
-/// levers would, if they were computed from points in the world.
+/// The same scene at the origin and far away. Centres and points need no rounding in either place. Moment
+/// arms would, if they were computed from points in the world.
 #[test]
 fn levers_keep_their_digits_far_from_the_origin() {
     let mut random = Random(25);
@@ -196,7 +196,7 @@ fn points_and_separations_are_reported() {
 /// Bodies that moved since their contacts were placed, where the points went with them.
 struct Moved {
     placed: Contact,
-    /// What a block would be told that is placed now.
+    /// Input of a block whose anchors are transformed now.
     now: Contact,
     before: [Option<Body>; 2],
     after: [Option<Body>; 2],
@@ -231,8 +231,8 @@ impl Moved {
     }
 
     /// The block of contacts that were placed before the bodies moved.
-    fn prepared(&self, held_turn: Real) -> Scene {
-        let mut scene = Scene::new(self.before, &Contact { held_turn, ..self.placed.clone() });
+    fn prepared(&self, frozen_angle: Real) -> Scene {
+        let mut scene = Scene::new(self.before, &Contact { frozen_angle, ..self.placed.clone() });
         for (side, body) in self.after.iter().enumerate() {
             let Some(body) = body else { continue };
             let index = scene.input.bodies[side][LANE] as usize;
@@ -273,7 +273,7 @@ fn held_contacts_keep_their_levers_and_follow_with_their_separations() {
     let mut random = Random(29);
     for _ in 0..50 {
         let moved = Moved::random(&mut random);
-        let held = Contact { held_turn: 2.0, ..moved.placed.clone() };
+        let held = Contact { frozen_angle: 2.0, ..moved.placed.clone() };
         let mut placed = Scene::new(moved.before, &held);
         placed.prepare();
         let found = moved.prepared(2.0);
@@ -334,12 +334,12 @@ fn totals_count_each_substep_once() {
         scene.begin_substep(-Vector::Y * 10.0);
         scene.bounce();
         scene.solve();
-        for is_last_visit in [false, false, true] {
-            scene.pass.is_last_visit = is_last_visit;
+        for is_last_iteration in [false, false, true] {
+            scene.pass.is_last_iteration = is_last_iteration;
             scene.relax();
         }
     }
-    // What stopped it at once, and then carried its weight.
+    // The impulse that stopped it at once, and then carried its weight.
     let expected = 1.0 + 3.0 * 10.0 * SUBSTEP;
     let total = scene.block.totals[0].0[LANE];
     assert!((total - expected).abs() < ROUNDING, "{total} instead of {expected}");

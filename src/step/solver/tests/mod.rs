@@ -1,7 +1,7 @@
-//! Do the contact kernels do what their formulas say? The same tests for both dimensions.
+//! The contact kernels against their formulas. The same tests for both dimensions.
 //!
-//! Everything is computed a second time here, body by body and with plain vectors, so that a wrong
-//! sign or a mistaken axis in the lanes shows.
+//! Everything is computed again here, body by body and with plain vectors, so that a wrong sign or axis in
+//! the lanes shows.
 
 mod friction;
 mod memory;

@@ -9,7 +9,7 @@ use crate::dim::math::{
 };
 use crate::dim::state::BodyState;
 
-/// What is left of a velocity of about 1 by rounding.
+/// Rounding error of a velocity of about 1.
 const ROUNDING: Real = 1000.0 * Real::EPSILON;
 
 /// Two bodies and a point between them.
@@ -52,8 +52,8 @@ fn one_point_stops_bodies_that_approach_and_lets_others_go() {
     assert!(stopped > 50 && left > 50);
 }
 
-/// Equal and opposite impulses at one point keep the sums of momentum and of angular momentum: so it
-/// is enough that each body moves as its mass and inertia say.
+/// Equal and opposite impulses at one point conserve momentum and angular momentum. It is therefore
+/// sufficient to check the motion of each body by its mass and inertia.
 #[test]
 fn impulses_are_equal_and_opposite_and_act_at_the_point() {
     let mut random = Random(2);
@@ -107,8 +107,8 @@ fn several_points_stop_together() {
     }
 }
 
-/// One sweep over points that see each other's impulses is one sweep over rows that are applied to the
-/// bodies one by one.
+/// One iteration over coupled points of a block equals one over rows that are applied to the bodies one by
+/// one.
 #[test]
 fn a_sweep_is_gauss_seidel() {
     let mut random = Random(4);
@@ -214,7 +214,7 @@ fn a_bounce_is_no_load() {
     assert!((scene.velocity(1).0 - Vector::Y * 0.5).length() < ROUNDING);
 }
 
-/// What comes fast but does not arrive in this substep keeps its speed.
+/// A fast body that does not arrive in this substep keeps its speed.
 #[test]
 fn a_near_miss_does_not_bounce() {
     let body = Some(Body { linvel: -Vector::Y, ..Body::block() });
@@ -229,8 +229,7 @@ fn a_near_miss_does_not_bounce() {
     assert_eq!(scene.velocity(1).0, -Vector::Y);
 }
 
-/// How far apart the kernel takes a point to be, after the bodies have moved for `time`; and how far
-/// apart it is.
+/// Separation of a point in the kernel after the bodies have moved for `time`, and the exact separation.
 fn separations(bodies: [Body; 2], contact: &Contact, time: Real) -> (Real, Real) {
     let (point, gap) = contact.points[0];
     let mut scene = Scene::new(bodies.map(Some), contact);
@@ -297,8 +296,8 @@ fn a_dominant_body_is_not_moved() {
     }
 }
 
-/// A body on a rail along x, against a slope: friction and the normal row pull at the same coordinate,
-/// and each must see what the other did.
+/// A body on a rail along x, against a slope: friction and the normal row act on the same coordinate, and
+/// each must include the effect of the other.
 #[test]
 fn rows_of_a_locked_body_see_each_other() {
     let normal = (Vector::X + Vector::Y).normalize();

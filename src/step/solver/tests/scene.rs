@@ -10,10 +10,10 @@ use crate::dim::math::{
 };
 use crate::dim::spatial::join;
 use crate::dim::state::{BodyPose, BodyState, READ_ONLY};
-use crate::model::contact::{ContactInput, ContactReport, Placement};
+use crate::model::contact::{AnchorFrame, ContactInput, ContactReport};
 use crate::model::params::{ContactPass, ImpactPass, Softness};
-use crate::step::solver::impacts::{ImpactBlock, ImpactMark, NormalRows, StruckBlock, lanes};
-use crate::step::solver::keep::keep;
+use crate::step::solver::impacts::{ActiveBlock, ImpactBlock, ImpactMark, NormalRows, lanes};
+use crate::step::solver::store_impulses::store_impulses;
 use parry::shape::{Cuboid, Shape};
 
 /// The lane that tests of one contact use.
@@ -22,7 +22,7 @@ pub const LANE: usize = LANES - 2;
 pub const SUBSTEP: Real = 1.0 / 240.0;
 /// Approach slower than this does not bounce (length/s).
 pub const THRESHOLD: Real = 0.5;
-/// How far apart contact points may be.
+/// Prediction distance.
 pub const PREDICTION: Real = 0.02;
 
 /// A body, as the solver sees it.
@@ -67,7 +67,7 @@ impl Body {
         }
     }
 
-    /// What an impulse at a world point does to the velocities.
+    /// Effect of an impulse at a world point on the velocities.
     pub fn pushed(&self, impulse: Vector, point: Vector) -> (Vector, AngVector) {
         let moment = torque(point - self.center, impulse);
         (
@@ -109,8 +109,8 @@ pub struct Contact {
     pub friction: Real,
     pub restitution: Real,
     pub tangent_velocity: Vector,
-    /// How far (rad) bodies may have turned since.
-    pub held_turn: Real,
+    /// Rotation (rad) of the bodies since.
+    pub frozen_angle: Real,
 }
 
 impl Contact {
@@ -122,7 +122,7 @@ impl Contact {
             friction: 0.0,
             restitution: 0.0,
             tangent_velocity: Vector::ZERO,
-            held_turn: 0.0,
+            frozen_angle: 0.0,
         }
     }
 
@@ -148,7 +148,7 @@ pub struct Scene {
 }
 
 impl Scene {
-    /// Nothing but the world.
+    /// An empty world.
     pub fn empty() -> Self {
         Self {
             poses: vec![BodyPose::WORLD],
@@ -163,7 +163,7 @@ impl Scene {
                 softness: Softness::RIGID,
                 push_velocity_max: 4.0,
                 allowed_error: 0.0,
-                is_last_visit: true,
+                is_last_iteration: true,
             },
             prediction: PREDICTION,
             simd: Simd::detect(),
@@ -189,15 +189,15 @@ impl Scene {
             self.input.mass_factors[side].0[lane] = 1.0;
         }
         let [x1, x2] = bodies.map(|body| body.map(|body| body.center));
-        let placement = Placement {
+        let anchor_frame = AnchorFrame {
             rotations: bodies.map(|body| body.map_or(Rotation::IDENTITY, |body| body.rotation)),
             centers: x2.unwrap_or_default() - x1.unwrap_or_default(),
-            may_hold: true,
+            may_freeze: true,
         };
-        self.input.placement.set_lane(lane, &placement, contact.normal, contact.held_turn);
-        self.input.placement.set_creeps(lane, true);
+        self.input.anchor_frame.set_lane(lane, &anchor_frame, contact.normal, contact.frozen_angle);
+        self.input.anchor_frame.set_near_rest(lane, true);
         for (k, &(point, separation)) in contact.points.iter().enumerate() {
-            self.input.levers[k].set_lane(lane, point - x1.or(x2).unwrap_or_default());
+            self.input.arms[k].set_lane(lane, point - x1.or(x2).unwrap_or_default());
             self.input.placed_separations[k].0[lane] = separation;
             self.input.present[k].0[lane] = 1.0;
         }
@@ -240,7 +240,7 @@ impl Scene {
         self.run(Pass::Relax);
     }
 
-    /// What the lanes start the next step with.
+    /// The warm-start impulses of the lanes for the next step.
     pub fn keep(&mut self) {
         self.run(Pass::Keep);
     }
@@ -306,17 +306,17 @@ impl Kernel for Run<'_> {
         let prediction = self.scene.prediction;
         let loaded = states.to_vec();
         let states = DisjointMut::new(states);
-        // SAFETY: no other thread knows these states.
+        // SAFETY: this thread owns the states exclusively.
         unsafe {
             match self.pass {
                 Pass::Prepare => {
-                    let around = contact::Surroundings { poses, states: &states };
+                    let around = contact::PrepareContext { poses, states: &states };
                     let coulomb = coulomb.as_mut();
                     contact::prepare::<W>(input, block, coulomb, around, prediction);
                 }
                 Pass::Solve => contact::solve::<W>(block, &states, pass),
                 Pass::Relax => contact::relax::<W>(block, coulomb.as_mut(), &states, pass),
-                Pass::Keep => keep::<W>(block, coulomb.as_ref(), input, reports),
+                Pass::Keep => store_impulses::<W>(block, coulomb.as_ref(), input, reports),
                 Pass::Bounce => {
                     let pass = ImpactPass {
                         step: SUBSTEP,
@@ -334,7 +334,7 @@ impl Kernel for Run<'_> {
 }
 
 /// # Safety
-/// Nobody else may touch the states of the block's bodies meanwhile.
+/// The caller has exclusive access to the states of the block's bodies.
 #[inline(always)]
 unsafe fn bounce<W: Wide>(
     block: &mut ContactBlock,
@@ -351,14 +351,14 @@ unsafe fn bounce<W: Wide>(
         let rows = NormalRows::<W>::gather(states, block);
         impact.begin(&rows, block, known, pass);
         impact.mark(&mut mark, &rows, block, pass);
-        let mut struck = StruckBlock::EMPTY;
-        lanes(mark.struck).for_each(|lane| struck.push((0, lane), &impact, block));
-        struck.visit::<W>(states);
+        let mut active = ActiveBlock::EMPTY;
+        lanes(mark.active).for_each(|lane| active.push((0, lane), &impact, block));
+        active.iterate::<W>(states);
         let mut delays = vec![BodyState::default(); states.len()];
-        struck.end::<W>(states, &DisjointMut::new(&mut delays));
-        struck.settle(core::slice::from_mut(&mut impact), |_| 1.0);
-        impact.put_aside(&mut mark, block);
-        impact.rub::<W>(block, coulomb, states);
+        active.end::<W>(states, &DisjointMut::new(&mut delays));
+        active.commit(core::slice::from_mut(&mut impact), |_| 1.0);
+        impact.defer(&mut mark, block);
+        impact.solve_friction::<W>(block, coulomb, states);
     }
 }
 

@@ -1,11 +1,12 @@
 //! Small dense blocks: joint against joint.
 //!
-//! Blocks are kept by columns: innermost is always a loop over a whole column, whose length the compiler knows.
+//! Blocks are stored by columns: the innermost loop runs over a whole column, whose length is a compile-time
+//! constant.
 
 use crate::dim::math::Real;
 
-/// A pivot below this share of what stood there before elimination is rounding: other rows hold what this one
-/// would. A row that differs from the others by the rounding of its numbers alone has a pivot of the square of that.
+/// A pivot below this fraction of its value before elimination is rounding: the row is redundant. A row that
+/// differs from the others by the rounding of its numbers alone has a pivot of the square of that.
 const PIVOT_MIN: f64 = 64.0 * (Real::EPSILON as f64) * (Real::EPSILON as f64) + 16.0 * f64::EPSILON;
 
 /// A number for each row of a joint.

@@ -1,8 +1,8 @@
-//! The matrix of one component, with room for the rows that its joints have.
+//! The matrix of one component, with blocks of the size of its joints' rows.
 
 use super::matrix::{Matrix, Progress};
-use super::memory::RowMemory;
-use super::pattern::{Component, Member};
+use super::memory::JacobianBlock;
+use super::pattern::{Component, DirectJoint};
 use crate::base::disjoint::DisjointMut;
 use crate::base::wide::Simd;
 use crate::dim::math::{DIM, Real, SPATIAL_DIM};
@@ -32,7 +32,7 @@ macro_rules! of_matrix {
 }
 
 impl Factor {
-    /// Makes room for the rows of a component, and forgets the matrix of the last one.
+    /// Resizes the blocks for a component, and clears the last matrix.
     pub fn make_room(&mut self, component: Component<'_>) {
         let turns = component.members.iter().any(|member| member.form.locks_rotations());
         if turns != matches!(self, Self::All(_)) {
@@ -49,7 +49,7 @@ impl Factor {
         &mut self,
         component: Component<'_>,
         again: bool,
-        memory: &[RowMemory],
+        memory: &[JacobianBlock],
         states: &DisjointMut<'_, BodyState>,
         simd: Simd,
     ) {
@@ -58,7 +58,7 @@ impl Factor {
     }
 
     /// See [`Matrix::has_converged`].
-    pub fn has_converged(&mut self, component: Component<'_>, memory: &[RowMemory]) -> bool {
+    pub fn has_converged(&mut self, component: Component<'_>, memory: &[JacobianBlock]) -> bool {
         of_matrix!(self, matrix => matrix.has_converged(component, memory))
     }
 
@@ -69,7 +69,7 @@ impl Factor {
     pub unsafe fn take_back(
         &mut self,
         component: Component<'_>,
-        memory: &[RowMemory],
+        memory: &[JacobianBlock],
         states: &DisjointMut<'_, BodyState>,
     ) {
         // SAFETY: the caller's promise.
@@ -80,7 +80,7 @@ impl Factor {
     pub fn progress(
         &self,
         component: Component<'_>,
-        memory: &[RowMemory],
+        memory: &[JacobianBlock],
         inv_h: Real,
     ) -> Progress {
         of_matrix!(self, matrix => matrix.progress(component, memory, inv_h))
@@ -92,7 +92,7 @@ impl Factor {
     }
 
     /// See [`Matrix::write_changes`].
-    pub fn write_changes(&self, members: &[Member], memory: &mut [RowMemory]) {
+    pub fn write_changes(&self, members: &[DirectJoint], memory: &mut [JacobianBlock]) {
         of_matrix!(self, matrix => matrix.write_changes(members, memory));
     }
 }

@@ -1,8 +1,8 @@
 //! The rows of joints in double precision, and what one joint's impulses do to the rows of another.
 
 use super::dense::{Block, add};
-use super::memory::RowMemory;
-use super::pattern::Member;
+use super::memory::JacobianBlock;
+use super::pattern::DirectJoint;
 use crate::dim::math::{DIM, SPATIAL_DIM};
 
 /// The velocity of a body.
@@ -23,7 +23,7 @@ impl<const N: usize> Rows<N> {
 
     /// Reads the rows of a joint into an empty place.
     #[inline(always)]
-    pub fn read(&mut self, member: &Member, memory: &[RowMemory]) {
+    pub fn read(&mut self, member: &DirectJoint, memory: &[JacobianBlock]) {
         let (from, lane) = (&memory[member.block as usize], member.lane as usize);
         for (side, _) in member.movable() {
             let masses = from.inverse_mass(side, lane);
@@ -58,8 +58,8 @@ impl<const N: usize> Rows<N> {
         change
     }
 
-    /// What a row of a translation has on the diagonal but for its levers; of a rotation, all of it.
-    pub fn without_levers(&self, row: usize) -> f64 {
+    /// Diagonal element of a translation row without its moment arms; of a rotation row, the whole element.
+    pub fn without_arms(&self, row: usize) -> f64 {
         let share = |components: core::ops::Range<usize>| {
             let products = self.jacobians.iter().zip(&self.responses).flat_map(|(j, response)| {
                 components.clone().map(move |k| j[k][row] * response[row][k])
@@ -71,10 +71,10 @@ impl<const N: usize> Rows<N> {
     }
 }
 
-/// Adds `J_row M⁻¹ J_columnᵀ` of two joints over the bodies that they share.
+/// Adds `J_row M⁻¹ J_columnᵀ` of two joints over their common bodies.
 #[inline(always)]
 pub(super) fn couple<const N: usize>(
-    members: &[Member],
+    members: &[DirectJoint],
     rows: &[Rows<N>],
     [row, column]: [usize; 2],
     block: &mut Block<N>,
@@ -93,15 +93,17 @@ pub(super) fn couple<const N: usize>(
     }
 }
 
-/// How much the rows of a joint yield.
+/// Compliance of the rows of a joint.
 #[inline(always)]
-pub(super) fn yields_of(member: &Member, memory: &[RowMemory]) -> f64 {
-    f64::from(memory[member.block as usize].yields.0[member.lane as usize])
+pub(super) fn compliance_of(member: &DirectJoint, memory: &[JacobianBlock]) -> f64 {
+    f64::from(memory[member.block as usize].compliance.0[member.lane as usize])
 }
 
 /// The locked axes of a joint that locks none but the first `N`.
 #[inline(always)]
-pub(super) fn locked_axes<const N: usize>(member: &Member) -> impl Iterator<Item = usize> + use<N> {
+pub(super) fn locked_axes<const N: usize>(
+    member: &DirectJoint,
+) -> impl Iterator<Item = usize> + use<N> {
     let locked = member.form.locked;
     (0..N).filter(move |axis| locked >> axis & 1 == 1)
 }

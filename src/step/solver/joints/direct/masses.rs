@@ -1,9 +1,9 @@
-//! What impulses do to a body, in double precision.
+//! Response of a body to impulses, in double precision.
 //!
-//! `J M⁻¹ Jᵀ` has no negative eigenvalue if `M⁻¹ Jᵀ` is computed from the same `J` and `M⁻¹` to the last digit. With
-//! responses that were rounded to single precision it has some: a chain of hinges is a beam in the direction of their
-//! axes, its matrix has eigenvalues of 10⁻⁸ beside those of 1, and the factorisation then finds pivots of either sign
-//! there. Such chains exploded.
+//! `J M⁻¹ Jᵀ` has no negative eigenvalue if `M⁻¹ Jᵀ` is computed from the same `J` and `M⁻¹` to the last
+//! digit. With responses rounded to single precision it has some. A chain of hinges is a beam in the
+//! direction of their axes, and its matrix has eigenvalues of 10⁻⁸ beside those of 1. The factorisation then
+//! finds pivots of either sign. Such chains exploded.
 
 use crate::dim::math::{ANG_DIM, AngularInertia, DIM, Real, SPATIAL_DIM, Vector, mul_inertia};
 use crate::dim::spatial::{ANG_AXES, ang_components};

@@ -1,17 +1,19 @@
 //! The matrix of one component: put together, factorised, solved.
 //!
-//! Numbers are of double precision whatever the engine's are: a chain of light links under a weight a
-//! thousand times as heavy loses three digits here, and single precision has seven.
+//! Numbers have double precision, independent of the engine's. A chain of light links under a weight of a
+//! thousand times their mass loses three digits here, and single precision has seven.
 //!
-//! Blocks have room for joints that lock all axes or, where no joint of the component locks a rotation, for translations
-//! alone: chains of ropes and balls take half of the time so. Rows of joints that lock fewer axes stand first.
+//! Blocks have the size of joints that lock all axes or, if no joint of the component locks a rotation, of
+//! translations alone. That halves the time for chains of ropes and balls. Rows of joints that lock fewer
+//! axes stand first.
 //!
 //! ## What is held twice
-//! Three hinges hold a door in more ways than it can move: some impulses `n` do nothing to the bodies, `A n = 0` with
-//! `A = J M⁻¹ Jᵀ`, and `A λ = b` says nothing of their share in `λ`. What is left there is rounding, divided by next to
-//! nothing: hinges that strain against each other with a thousand times what they bear. Loops alone can do that; for
-//! components that have some, of all impulses which do what they should the least are wanted. They minimise `λᵀ D λ`, where
-//! `D` holds the inverse masses that each row moves, without its levers: equal joints bear equal loads, wherever they are.
+//! Three hinges of a door are redundant: some impulses `n` have no effect on the bodies, `A n = 0` with `A =
+//! J M⁻¹ Jᵀ`, and `A λ = b` leaves their fraction in `λ` open. The result is rounding divided by almost zero:
+//! hinges that strain against each other with a thousand times their load. Loops alone can do that; for
+//! components that have some, of all impulses which do what they should the least are wanted. They minimise
+//! `λᵀ D λ`, where `D` contains the inverse masses of each row without its moment arms. Equal joints then
+//! carry equal loads, independent of their position.
 //!
 //! With a small damping `δ` (Tikhonov's) the equations have one solution, and the factors of the damped matrix are those
 //! that solve it. One more turn with them takes away what the first one found where it should find nothing:
@@ -20,48 +22,51 @@
 //! (A + δ D) y = b        (A + δ D) Δλ = b - δ D (λ + y)
 //! ```
 //!
-//! Along an eigenvector of `D⁻¹ A` with the eigenvalue `a` this is `Δλ = (a b/(a + δ) - δ λ)/(a + δ)`. For `a = 0`
-//! nothing is left of `b`, and `λ`, which has been along other eigenvectors before the bodies turned, goes away. For
-//! `a ≫ δ` it is `b/a`: what is well determined gives way by `δ D λ` of velocity, which is rounding. (The first turn alone
-//! leaves `b/δ` for `a = 0`. With `δ` large enough to make that small, bridges sag.) The idea is that of the proximal
-//! method (Rockafellar, "Monotone operators and the proximal point algorithm", 1976), turned round: its steps go to
-//! the solution from the last impulses, these go from the solution to none.
+//! Along an eigenvector of `D⁻¹ A` with the eigenvalue `a` this is `Δλ = (a b/(a + δ) - δ λ)/(a + δ)`. For `a
+//! = 0` nothing is left of `b`, and `λ`, which has been along other eigenvectors before the bodies turned,
+//! goes away. For `a ≫ δ` it is `b/a`: well-determined rows have an error of `δ D λ` in velocity, which is
+//! rounding. (The first turn alone leaves `b/δ` for `a = 0`. With `δ` large enough to make that small,
+//! bridges sag.) The idea is the reverse of the proximal method (Rockafellar, "Monotone operators and the
+//! proximal point algorithm", 1976): its steps lead from the last impulses to the solution, these from the
+//! solution to zero.
 
 use super::dense::{Block, Column, add, divide_right, dot, factorise, zero};
-use super::jacobians::{Rows, couple, locked_axes, yields_of};
-use super::memory::RowMemory;
-use super::pattern::{Component, Member};
+use super::jacobians::{Rows, compliance_of, couple, locked_axes};
+use super::memory::JacobianBlock;
+use super::pattern::{Component, DirectJoint};
 use crate::base::disjoint::DisjointMut;
 use crate::base::wide::{Kernel, Simd, Wide};
 use crate::dim::math::{DIM, Real};
 use crate::dim::state::BodyState;
 
-/// By what share of itself each diagonal element is enlarged (Levenberg and Marquardt's damping). Without it, long
-/// chains under 10⁵ times the mass of a link answer to the rounding of velocities with impulses that throw their links
-/// about. It slows the correction of errors down, and adds none: at rest, nothing is left to correct.
+/// Relative increase of each diagonal element (Levenberg and Marquardt's damping). Without it, long chains
+/// under 10⁵ times the mass of a link answer to the rounding of velocities with impulses that throw their
+/// links about. It slows the correction of errors down, and adds none: at rest, nothing is left to correct.
 const DAMPING: f64 = 2.0 * Real::EPSILON as f64;
 
-/// The damping `δ` of components with loops: above what the rounding of rows (its square) and that of the factorisation
-/// make of zero, below what heavy weights on light chains make of one.
+/// The damping `δ` of components with loops. It is above the rounding error of rows (squared) and of the
+/// factorisation, and below the values of heavy weights on light chains.
 const SHARING: f64 = 8.0 * Real::EPSILON as f64 + 1.0e-8;
-/// The least element of `D` as a share of the row's own diagonal: where a body can turn and not move, or is far away.
+/// The least element of `D` as a fraction of the row's own diagonal, for bodies that rotate without
+/// translation or are far away.
 const SHARE_MIN: f64 = 1.0e-3;
 
-/// When taut joints are done: the share that the size of their rates, an energy, has of what it was in the first round. A
-/// round leaves the square of what it finds, so that a machine of light bars goes from 1 to 10⁻⁴ and to 10⁻⁹; for a chain
-/// that hangs at rest 10⁻⁵ is rounding.
+/// Convergence of stiff joints: the norm of their velocity errors, an energy, as a fraction of the first
+/// round's. Convergence is quadratic: a machine of light bars goes from 1 to 10⁻⁴ and to 10⁻⁹. For a chain at
+/// rest, 10⁻⁵ is rounding.
 const DONE: f64 = 1.0e-4;
 
-/// When other joints are done: what is left, as a share of what their impulses do as a whole (both energies).
+/// Convergence of other joints: the residual as a fraction of the total effect of their impulses (both
+/// energies).
 const PRECISION: f64 = 1.0e-9;
-/// The rounding of where anchors are, in levers.
+/// Rounding error of anchor positions, relative to the moment arms.
 const NOISE: f64 = 4.0 * Real::EPSILON as f64;
-/// With more than this share left, the joints are not where they should be.
+/// With a larger residual fraction, the joints are not converged.
 const ROUGH: f64 = 1.0e-3;
 /// Rounds that find more than the impulses do, and so many times what the last one found, lead away.
 const ASTRAY: f64 = 100.0;
 
-/// How far the rounds of a solution have come.
+/// Progress of the rounds of a solution.
 #[derive(Copy, Clone, Debug, PartialEq)]
 pub(super) enum Progress {
     Done,
@@ -73,7 +78,7 @@ pub(super) enum Progress {
     Astray,
 }
 
-/// The matrix of a component, and the buffers to solve it: with room for `N` rows of each joint.
+/// The matrix of a component, and the buffers of its solution, with `N` rows per joint.
 #[derive(Default)]
 pub(super) struct Matrix<const N: usize> {
     /// By member.
@@ -94,31 +99,31 @@ pub(super) struct Matrix<const N: usize> {
     x: Vec<Column<N>>,
     /// By member: right-hand side of the second turn.
     again: Vec<Column<N>>,
-    /// How much the first solution of a substep had to do, the one before the last, and the last one.
+    /// Input of the first solution of a substep, of the one before the last, and of the last one.
     first_size: f64,
     sizes: [f64; 2],
-    /// The sum of the yields with which the matrix was made; `None` if the bodies are elsewhere by now.
+    /// The sum of the compliances with which the matrix was made; `None` if the bodies have moved since.
     made_with: Option<f64>,
 }
 
 impl<const N: usize> Matrix<N> {
-    /// How many rows of a joint take part. Where there is room for translations alone, all of them do: rows that are not locked
-    /// stay zero, and the compiler knows the number.
+    /// The number of active rows of a joint. In blocks for translations alone, all rows are active: rows that
+    /// are not locked stay zero, and the number is a compile-time constant.
     #[inline(always)]
-    fn row_count(member: &Member) -> usize {
+    fn row_count(member: &DirectJoint) -> usize {
         if N == DIM { N } else { member.form.row_count() }
     }
 
-    /// Solves a component for the changes of its impulses, and gives its bodies what these do. `again`: not for the first
-    /// time in this visit.
+    /// Solves a component for the changes of its impulses, and gives its bodies what these do. `again`:
+    /// another round of this pass.
     ///
     /// # Safety
-    /// Nobody else may touch the states of the component's movable bodies meanwhile.
+    /// The caller has exclusive access to the states of the component's movable bodies.
     pub unsafe fn solve(
         &mut self,
         component: Component<'_>,
         again: bool,
-        memory: &[RowMemory],
+        memory: &[JacobianBlock],
         states: &DisjointMut<'_, BodyState>,
         simd: Simd,
     ) {
@@ -134,13 +139,13 @@ impl<const N: usize> Matrix<N> {
 
     /// Finds the changes of the impulses.
     #[inline(always)]
-    fn find_changes(&mut self, component: Component<'_>, memory: &[RowMemory]) {
-        let yields = component.members.iter().map(|member| yields_of(member, memory)).sum();
-        if self.made_with != Some(yields) {
+    fn find_changes(&mut self, component: Component<'_>, memory: &[JacobianBlock]) {
+        let compliance = component.members.iter().map(|member| compliance_of(member, memory)).sum();
+        if self.made_with != Some(compliance) {
             self.load(component, memory);
             self.assemble(component, memory);
             self.eliminate(component);
-            self.made_with = Some(yields);
+            self.made_with = Some(compliance);
         }
         self.load_rates(component, memory);
         if component.has_loops {
@@ -151,8 +156,9 @@ impl<const N: usize> Matrix<N> {
         self.substitute(component);
     }
 
-    /// Has the last solution of taut joints left next to nothing of what the first one had to do? Then no impulses change.
-    pub fn has_converged(&mut self, component: Component<'_>, memory: &[RowMemory]) -> bool {
+    /// Returns whether the residual of the last stiff solution is negligible against the first one. Then no
+    /// impulses change.
+    pub fn has_converged(&mut self, component: Component<'_>, memory: &[JacobianBlock]) -> bool {
         let is_done = self.size_of_rates(component, memory) <= DONE * self.first_size;
         if is_done {
             self.x.fill([0.0; N]);
@@ -167,7 +173,7 @@ impl<const N: usize> Matrix<N> {
     pub unsafe fn take_back(
         &mut self,
         component: Component<'_>,
-        memory: &[RowMemory],
+        memory: &[JacobianBlock],
         states: &DisjointMut<'_, BodyState>,
     ) {
         for (member, x) in component.members.iter().zip(&mut self.x) {
@@ -180,12 +186,12 @@ impl<const N: usize> Matrix<N> {
         unsafe { self.push_bodies(component, states) };
     }
 
-    /// How far the rounds have come, the last of which is at least the second one. What it has left is to what it found as
-    /// that is to what the one before it had found.
+    /// The progress of the rounds, after at least two. The ratio of its residual to its input equals the
+    /// ratio of that input to the previous one.
     pub fn progress(
         &self,
         component: Component<'_>,
-        memory: &[RowMemory],
+        memory: &[JacobianBlock],
         inv_h: Real,
     ) -> Progress {
         let [before, last] = self.sizes;
@@ -206,7 +212,7 @@ impl<const N: usize> Matrix<N> {
     fn size_of_load(
         &self,
         component: Component<'_>,
-        memory: &[RowMemory],
+        memory: &[JacobianBlock],
         inv_h: f64,
     ) -> (f64, f64) {
         let (mut load, mut noise) = (0.0, 0.0);
@@ -225,7 +231,7 @@ impl<const N: usize> Matrix<N> {
     }
 
     /// The sum of `b²/a` over all rows, with the right-hand sides `b` and the diagonal `a`: an energy.
-    fn size_of_rates(&self, component: Component<'_>, memory: &[RowMemory]) -> f64 {
+    fn size_of_rates(&self, component: Component<'_>, memory: &[JacobianBlock]) -> f64 {
         let mut sum = 0.0;
         for (member, own) in component.members.iter().zip(&self.own) {
             let (from, lane) = (&memory[member.block as usize], member.lane as usize);
@@ -244,7 +250,7 @@ impl<const N: usize> Matrix<N> {
 
     /// Reads the rows.
     #[inline(always)]
-    fn load(&mut self, component: Component<'_>, memory: &[RowMemory]) {
+    fn load(&mut self, component: Component<'_>, memory: &[JacobianBlock]) {
         self.rows.clear();
         self.rows.resize(component.members.len(), Rows::EMPTY);
         for (member, rows) in component.members.iter().zip(&mut self.rows) {
@@ -253,22 +259,22 @@ impl<const N: usize> Matrix<N> {
     }
 
     /// Reads the right-hand side.
-    fn load_rates(&mut self, component: Component<'_>, memory: &[RowMemory]) {
+    fn load_rates(&mut self, component: Component<'_>, memory: &[JacobianBlock]) {
         self.x.clear();
         for (member, own) in component.members.iter().zip(&self.own) {
             let (from, lane) = (&memory[member.block as usize], member.lane as usize);
-            let yields = yields_of(member, memory);
+            let compliance = compliance_of(member, memory);
             let mut x = [0.0; N];
             for (row, axis) in locked_axes::<N>(member).enumerate() {
                 let impulse = f64::from(from.impulses[axis].0[lane]);
-                x[row] = -f64::from(from.rates[axis].0[lane]) - yields * own[row] * impulse;
+                x[row] = -f64::from(from.rates[axis].0[lane]) - compliance * own[row] * impulse;
             }
             self.x.push(x);
         }
     }
 
     /// Puts the right-hand side of the second turn in place of the first one's solution.
-    fn load_shares(&mut self, component: Component<'_>, memory: &[RowMemory]) {
+    fn load_shares(&mut self, component: Component<'_>, memory: &[JacobianBlock]) {
         for (at, member) in component.members.iter().enumerate() {
             let (from, lane) = (&memory[member.block as usize], member.lane as usize);
             for (row, axis) in locked_axes::<N>(member).enumerate() {
@@ -278,9 +284,9 @@ impl<const N: usize> Matrix<N> {
         }
     }
 
-    /// Fills the blocks: `J_j M⁻¹ J_iᵀ` over the bodies that two joints share.
+    /// Fills the blocks: `J_j M⁻¹ J_iᵀ` over the common bodies of two joints.
     #[inline(always)]
-    fn assemble(&mut self, component: Component<'_>, memory: &[RowMemory]) {
+    fn assemble(&mut self, component: Component<'_>, memory: &[JacobianBlock]) {
         self.diagonal.clear();
         self.below.clear();
         self.own.clear();
@@ -289,16 +295,16 @@ impl<const N: usize> Matrix<N> {
         for (at, member) in component.members.iter().enumerate() {
             let (size, mut block) = (Self::row_count(member), zero());
             couple(component.members, &self.rows, [at, at], &mut block, size);
-            let yields = yields_of(member, memory);
+            let compliance = compliance_of(member, memory);
             let (mut own, mut damping) = ([0.0; N], [0.0; N]);
             for row in 0..size {
                 own[row] = block[row][row];
                 damping[row] = if component.has_loops {
-                    SHARING * self.rows[at].without_levers(row).max(SHARE_MIN * own[row])
+                    SHARING * self.rows[at].without_arms(row).max(SHARE_MIN * own[row])
                 } else {
                     DAMPING * own[row]
                 };
-                block[row][row] += yields * own[row] + damping[row];
+                block[row][row] += compliance * own[row] + damping[row];
             }
             self.diagonal.push(block);
             self.own.push(own);
@@ -401,7 +407,7 @@ impl<const N: usize> Matrix<N> {
     /// Gives the bodies what the changes do to them.
     ///
     /// # Safety
-    /// Nobody else may touch the states of the component's movable bodies meanwhile.
+    /// The caller has exclusive access to the states of the component's movable bodies.
     unsafe fn push_bodies(&self, component: Component<'_>, states: &DisjointMut<'_, BodyState>) {
         for ((member, rows), x) in component.members.iter().zip(&self.rows).zip(&self.x) {
             for (side, body) in member.movable() {
@@ -414,7 +420,7 @@ impl<const N: usize> Matrix<N> {
     }
 
     /// Writes the changes of the impulses to the rows.
-    pub fn write_changes(&self, members: &[Member], memory: &mut [RowMemory]) {
+    pub fn write_changes(&self, members: &[DirectJoint], memory: &mut [JacobianBlock]) {
         for (member, x) in members.iter().zip(&self.x) {
             let to = &mut memory[member.block as usize];
             for (row, axis) in locked_axes::<N>(member).enumerate() {
@@ -428,7 +434,7 @@ impl<const N: usize> Matrix<N> {
 struct Solve<'a, const N: usize> {
     matrix: &'a mut Matrix<N>,
     component: Component<'a>,
-    memory: &'a [RowMemory],
+    memory: &'a [JacobianBlock],
 }
 
 impl<const N: usize> Kernel for Solve<'_, N> {

@@ -1,10 +1,10 @@
 //! The rows of a block of joints, between the lanes that make them and the factorisation that reads them.
 
-use super::super::ahead::LookAhead;
 use super::super::block::{JointBlock, Wrench};
 use super::super::geometry::Geometry;
-use super::super::passes::{Bodies, note_turned, rates_here, store_couple, yields_of};
+use super::super::passes::{Bodies, compliance_of, note_turned, rates_here, store_couple};
 use super::super::rows::{Masses, Row};
+use super::super::substep_end::SubstepEnd;
 use super::masses::InverseMass;
 use crate::base::disjoint::DisjointMut;
 use crate::base::wide::{Lane, Wide};
@@ -20,32 +20,32 @@ use crate::model::params::JointPass;
 
 /// The locked axes of a block's joints at one moment.
 #[derive(Clone, Debug)]
-pub(in super::super) struct RowMemory {
+pub(in super::super) struct JacobianBlock {
     /// By axis and body: the row `J`, with the sign of that body.
     pub rows: [[[Lane; SPATIAL_DIM]; 2]; SPATIAL_DIM],
-    /// `J v + bias + Γ λ`, where `Γ` is the yield times the diagonal.
+    /// `J v + bias + Γ λ`, where `Γ` is the compliance times the diagonal.
     pub rates: [Lane; SPATIAL_DIM],
     pub impulses: [Lane; SPATIAL_DIM],
-    pub yields: Lane,
+    pub compliance: Lane,
     /// One where the solve pass takes the rows from where the bodies would go, zero where they are.
     pub are_there: Lane,
     /// One where the solve pass looks ahead.
     pub look_ahead: Lane,
-    /// Of its bodies as they stand now.
+    /// Masses of its bodies at the current poses.
     pub inv_mass: [WideVector<Lane>; 2],
     pub inv_inertia: [WideSymmetric<Lane>; 2],
     /// Out: by how much the impulses change.
     pub changes: [Lane; SPATIAL_DIM],
 }
 
-impl RowMemory {
+impl JacobianBlock {
     pub const EMPTY: Self = {
         let zero = Lane::ZERO;
         Self {
             rows: [[[zero; SPATIAL_DIM]; 2]; SPATIAL_DIM],
             rates: [zero; SPATIAL_DIM],
             impulses: [zero; SPATIAL_DIM],
-            yields: zero,
+            compliance: zero,
             are_there: zero,
             look_ahead: zero,
             inv_mass: [WideVector::ZERO; 2],
@@ -54,7 +54,7 @@ impl RowMemory {
         }
     };
 
-    /// Takes the inverse inertias that contacts know.
+    /// Loads the inverse inertias of contacts.
     pub fn take_inertias(&mut self, block: &JointBlock, poses: &[BodyPose]) {
         for (inertias, bodies) in self.inv_inertia.iter_mut().zip(&block.bodies) {
             for (lane, &body) in
@@ -81,26 +81,26 @@ impl RowMemory {
         work
     }
 
-    /// What impulses do to a body of the joint in a lane.
+    /// Response of a body of the joint in a lane to impulses.
     pub(super) fn inverse_mass(&self, side: usize, lane: usize) -> InverseMass {
         let inv_inertia = symmetric_lane(&self.inv_inertia[side], lane);
         InverseMass::new(self.inv_mass[side].lane(lane), &inv_inertia)
     }
 }
 
-/// What the joints of a block have given in the blows of a round: impulses, and their moments about the second anchors.
+/// Impulses of a block's joints in the impacts of a round, with their moments about the second anchors.
 #[derive(Clone, Debug)]
-pub(in super::super) struct Blow {
+pub(in super::super) struct ImpactImpulse {
     impulse: WideVector<Lane>,
     moment: WideAngVector<Lane>,
 }
 
-impl Blow {
+impl ImpactImpulse {
     pub const NONE: Self = Self { impulse: WideVector::ZERO, moment: ANG_ZERO_LANES };
 
-    /// Counts this share of what a lane has given into its impulses of the step, and nowhere else: what an impact did is no load
-    /// that the next substep could start with.
-    pub fn settle(&self, block: &mut JointBlock, lane: usize, share: Real) {
+    /// Adds this fraction of a lane's impact impulses to its impulses of the step, and nowhere else: they are
+    /// no warm-start load.
+    pub fn commit(&self, block: &mut JointBlock, lane: usize, share: Real) {
         let impulse = block.total_impulse.lane(lane) + self.impulse.lane(lane) * share;
         block.total_impulse.set_lane(lane, impulse);
         let given = ang_lane(&self.moment, lane) * share;
@@ -112,11 +112,11 @@ impl Blow {
 /// Writes down the rows of a block as its bodies stand and move now. Rows of rotations are written where a joint locks one.
 ///
 /// # Safety
-/// Nobody may write the states of the block's bodies meanwhile.
+/// No other thread writes the states of the block's bodies.
 #[inline(always)]
 pub(in super::super) unsafe fn write_rows<W: Wide, const AHEAD: bool>(
     block: &mut JointBlock,
-    memory: &mut RowMemory,
+    memory: &mut JacobianBlock,
     states: &DisjointMut<BodyState>,
     pass: &JointPass,
 ) {
@@ -136,7 +136,7 @@ pub(in super::super) unsafe fn write_rows<W: Wide, const AHEAD: bool>(
 #[inline(always)]
 unsafe fn write_first_rows<W: Wide, const AHEAD: bool, const N: usize>(
     block: &mut JointBlock,
-    memory: &mut RowMemory,
+    memory: &mut JacobianBlock,
     states: &DisjointMut<BodyState>,
     pass: &JointPass,
 ) {
@@ -158,31 +158,32 @@ unsafe fn write_first_rows<W: Wide, const AHEAD: bool, const N: usize>(
             store_all(components(linear, angular), &mut memory.rows[k][side]);
         }
     }
-    yields_of::<W, AHEAD>(block).store(&mut memory.yields);
+    compliance_of::<W, AHEAD>(block).store(&mut memory.compliance);
     (memory.inv_mass, memory.inv_inertia) = (block.inv_mass, *block.inertias.lanes());
 }
 
-/// Rows and rates of the solve pass: they look ahead from the present velocities. Taut joints take the rows there, others
-/// where they are. Those that are thrown (`../taut.rs`) do not look ahead.
+/// Rows and rates of the solve pass: they look ahead from the present velocities. Taut joints take the rows
+/// there, others where they are. Joints with a large unconstrained displacement (`../geometric_stiffness.rs`)
+/// are excluded.
 #[inline(always)]
 fn rows_ahead<W: Wide, const N: usize>(
     block: &mut JointBlock,
-    memory: &RowMemory,
+    memory: &JacobianBlock,
     bodies: &Bodies<W>,
     pass: &JointPass,
 ) -> ([Row<W>; N], [W; N]) {
     let are_there = W::zero().lt(W::load(&memory.are_there));
     let look_ahead = W::zero().lt(W::load(&memory.look_ahead));
     let now = Geometry::new(block, &bodies.displacements);
-    let ahead = LookAhead::new(block, bodies, pass);
-    let (mut rows, then) = (now.rows::<N>(), ahead.then.rows::<N>());
+    let substep_end = SubstepEnd::new(block, bodies, pass);
+    let (mut rows, then) = (now.rows::<N>(), substep_end.then.rows::<N>());
     for (row, then) in rows.iter_mut().zip(&then) {
         row.linear = WideVector::select(are_there, then.linear, row.linear);
         for side in 0..2 {
             row.angular[side] = select_ang(are_there, then.angular[side], row.angular[side]);
         }
     }
-    let mut rates = ahead.rates::<N>(block, &now, pass);
+    let mut rates = substep_end.rates::<N>(block, &now, pass);
     for (k, rate) in rates.iter_mut().enumerate() {
         let here = rows[k].rate(&bodies.velocities) + W::load(&block.held_bias[k]);
         *rate = W::select(look_ahead, *rate, here);
@@ -210,7 +211,7 @@ fn load_all<W: Wide>(from: &[Lane; SPATIAL_DIM]) -> [W; SPATIAL_DIM] {
 #[inline(always)]
 pub(in super::super) fn finish<W: Wide>(
     block: &mut JointBlock,
-    memory: &RowMemory,
+    memory: &JacobianBlock,
     is_last_of_substep: bool,
 ) {
     match block.locks_rotations {
@@ -223,7 +224,7 @@ pub(in super::super) fn finish<W: Wide>(
 #[inline(always)]
 fn finish_first_rows<W: Wide, const N: usize>(
     block: &mut JointBlock,
-    memory: &RowMemory,
+    memory: &JacobianBlock,
     is_last_of_substep: bool,
 ) {
     let rows = rows_of::<W, N>(memory);
@@ -240,26 +241,33 @@ fn finish_first_rows<W: Wide, const N: usize>(
     }
 }
 
-/// Counts the changes of the impulses into those of a blow. Each visit of a round changes velocities that the last one has left as
-/// the joints allow: so what the joints give in a round is the sum over its visits.
+/// Adds the changes of the impulses to those of an impact. Each iteration of a round starts from admissible
+/// velocities, so the joint impulses of a round are the sum over its iterations.
 #[inline(always)]
-pub(in super::super) fn count<W: Wide>(blow: &mut Blow, memory: &RowMemory, locks_rotations: bool) {
+pub(in super::super) fn count<W: Wide>(
+    impact_impulse: &mut ImpactImpulse,
+    memory: &JacobianBlock,
+    locks_rotations: bool,
+) {
     match locks_rotations {
-        true => count_first_rows::<W, SPATIAL_DIM>(blow, memory),
-        false => count_first_rows::<W, DIM>(blow, memory),
+        true => count_first_rows::<W, SPATIAL_DIM>(impact_impulse, memory),
+        false => count_first_rows::<W, DIM>(impact_impulse, memory),
     }
 }
 
 /// As [`count`], for a block whose first `N` axes alone may be locked.
 #[inline(always)]
-fn count_first_rows<W: Wide, const N: usize>(blow: &mut Blow, memory: &RowMemory) {
+fn count_first_rows<W: Wide, const N: usize>(
+    impact_impulse: &mut ImpactImpulse,
+    memory: &JacobianBlock,
+) {
     let rows = rows_of::<W, N>(memory);
     let added = added(memory, &rows);
-    add_to_totals((&mut blow.impulse, &mut blow.moment), memory, &rows, &added);
+    add_to_totals((&mut impact_impulse.impulse, &mut impact_impulse.moment), memory, &rows, &added);
 }
 
 #[inline(always)]
-fn rows_of<W: Wide, const N: usize>(memory: &RowMemory) -> [Row<W>; N] {
+fn rows_of<W: Wide, const N: usize>(memory: &JacobianBlock) -> [Row<W>; N] {
     let mut rows = [Row::zero(); N];
     for (row, [first, second]) in rows.iter_mut().zip(&memory.rows) {
         let (_, first) = from_components::<W>(load_all(first));
@@ -269,9 +277,9 @@ fn rows_of<W: Wide, const N: usize>(memory: &RowMemory) -> [Row<W>; N] {
     rows
 }
 
-/// What the changes of the impulses give the bodies.
+/// Velocity changes of the bodies by the changes of the impulses.
 #[inline(always)]
-fn added<W: Wide, const N: usize>(memory: &RowMemory, rows: &[Row<W>; N]) -> Wrench<W> {
+fn added<W: Wide, const N: usize>(memory: &JacobianBlock, rows: &[Row<W>; N]) -> Wrench<W> {
     let mut added = Wrench::zero();
     for (row, change) in rows.iter().zip(&memory.changes) {
         added.add(row, W::load(change));
@@ -282,7 +290,7 @@ fn added<W: Wide, const N: usize>(memory: &RowMemory, rows: &[Row<W>; N]) -> Wre
 #[inline(always)]
 fn add_to_totals<W: Wide, const N: usize>(
     (total_impulse, total_moment): (&mut WideVector<Lane>, &mut WideAngVector<Lane>),
-    memory: &RowMemory,
+    memory: &JacobianBlock,
     rows: &[Row<W>; N],
     added: &Wrench<W>,
 ) {

@@ -1,33 +1,34 @@
 //! Joints that hold each other, solved together and exactly.
 //!
-//! Sweeping over the joints of a chain carries a force from one end to the other by a link or two per sweep.
-//! A long chain, or a light one with something heavy at its end, is far from done when the substep is. So the
-//! locked axes of all joints that are connected through bodies are one system of linear equations,
+//! An iteration over the joints of a chain carries a force by one or two links. A long chain, or a light one
+//! with something heavy at its end, is far from done when the substep is. So the locked axes of all joints
+//! that are connected through bodies are one system of linear equations,
 //!
 //! ```text
 //! (J M⁻¹ Jᵀ + Γ) Δλ = -(J v + bias + Γ λ)
 //! ```
 //!
-//! solved by a sparse factorisation `L D Lᵀ` whose elements are the small blocks of joint against joint. A
-//! block stands where two joints share a body that can move. Joints are eliminated from the leaves to the root of
-//! a breadth-first search: a tree then gets no blocks beyond these (Baraff, "Linear-time dynamics using Lagrange
-//! multipliers", 1996), and the work is proportional to the number of joints. Loops get some more, as few as a good
-//! order lets them (`order.rs`). What would get too many (a net, a cloth of joints) is left to the sweeps.
+//! solved by a sparse factorisation `L D Lᵀ` whose elements are the small blocks of joint against joint. It
+//! has a block for each two joints with a common movable body. Joints are eliminated from the leaves to the
+//! root of a breadth-first search. A tree gets no further blocks (Baraff, "Linear-time dynamics using
+//! Lagrange multipliers", 1996), and the work is proportional to the number of joints. Loops get some more,
+//! as few as a good order lets them (`order.rs`). Components with too many blocks (a net, a cloth of joints)
+//! are left to the iterative solver.
 //!
-//! The matrix depends on where the bodies are, so it is made once per substep: the relax pass and the solve pass
-//! of the next substep share it, unless they soften it differently.
+//! The matrix depends on the poses of the bodies, so it is made once per substep. The relax pass and the next
+//! solve pass use the same one, unless their softness differs.
 //!
-//! `Γ` is the softness: a row's yield times its diagonal. Loops hold some things twice; those who do so share the load
-//! (`matrix.rs`).
+//! `Γ` is the compliance of a row times its diagonal. Loops have redundant rows; redundant rows share the
+//! load (`matrix.rs`).
 //!
-//! Taut components (`../taut.rs`) take their rows from where their bodies will be, and need a new matrix in each round, the first
-//! one too; those that are thrown are solved once, where their bodies are. All rounds end when there is nothing left to do:
-//! each component by itself, whatever others need.
+//! Stiff components (`../geometric_stiffness.rs`) use the rows at the predicted poses, and need a new matrix
+//! in each round. Components with a large unconstrained displacement are solved once, at the current poses.
+//! All rounds end when there is nothing left to do: each component by itself, whatever others need.
 //!
-//! Components that would gain little are left to the sweeps, too: those that nothing holds, with few joints and bodies
-//! of even masses. A ragdoll bears no load for long.
+//! Components with little gain are left to the iterative solver, too: free ones with few joints and moderate
+//! mass ratios. A ragdoll carries no load for long.
 //!
-//! Limits and motors are no equations. They stay with the sweeps, before each exact solution.
+//! Limits and motors are no equations. They are solved iteratively, before each direct solution.
 
 mod dense;
 mod factor;
@@ -40,8 +41,8 @@ mod pattern;
 #[cfg(test)]
 mod tests;
 
-pub(super) use memory::{Blow, RowMemory, count, finish, write_rows};
-pub(super) use pattern::Member;
+pub(super) use memory::{ImpactImpulse, JacobianBlock, count, finish, write_rows};
+pub(super) use pattern::DirectJoint;
 
 use crate::base::disjoint::DisjointMut;
 use crate::base::tasks::Tasks;
@@ -55,8 +56,8 @@ use pattern::Pattern;
 /// The most Newton steps per substep towards where the bodies should be. Two make a pendulum keep its energy; more are made
 /// where bodies turn by much in a substep.
 const ROUNDS: usize = 8;
-/// The same for taut components, which are projected from afar.
-const TAUT_ROUNDS: usize = 4;
+/// The same for stiff components, whose projection starts farther away.
+const STIFF_ROUNDS_MAX: usize = 4;
 
 /// Components of connected joints, and their matrices.
 #[derive(Default)]
@@ -65,38 +66,39 @@ pub(super) struct Direct {
     /// One per component; some may be left over from larger steps.
     factors: Vec<Factor>,
     /// By component.
-    courses: Vec<Course>,
+    solve_states: Vec<SolveState>,
 }
 
-/// How a component is solved in a substep: see `../taut.rs`.
+/// Method for a component in a substep: see `../geometric_stiffness.rs`.
 #[derive(Copy, Clone, Debug, PartialEq)]
-enum Manner {
+enum Linearization {
     /// Looking ahead, along the rows where the bodies are.
     Ahead,
     /// Taut: projected from where the bodies would go freely, along the rows there.
     There,
-    /// Taut, and thrown too far for that: projected where the bodies are.
+    /// Stiff, with a large unconstrained displacement: projected at the current poses.
     Here,
 }
 
-/// How the solution of a component goes.
+/// State of the solution of a component.
 #[derive(Copy, Clone, Debug)]
-struct Course {
-    manner: Manner,
-    /// How many rounds of this visit it has had in this way.
+struct SolveState {
+    linearization: Linearization,
+    /// Number of rounds of this pass with this linearisation.
     rounds: usize,
     next: Next,
 }
 
-impl Course {
-    /// It is taut.
-    fn hold(&mut self, is_thrown: bool) {
-        self.manner = if is_thrown { Manner::Here } else { Manner::There };
+impl SolveState {
+    /// Selects the linearisation of a stiff component.
+    fn hold(&mut self, has_large_displacement: bool) {
+        self.linearization =
+            if has_large_displacement { Linearization::Here } else { Linearization::There };
     }
 
-    /// What follows a round of a taut component.
-    fn next_if_taut(&self) -> Next {
-        if self.manner == Manner::There && self.rounds < TAUT_ROUNDS {
+    /// The step after a round of a stiff component.
+    fn next_if_stiff(&self) -> Next {
+        if self.linearization == Linearization::There && self.rounds < STIFF_ROUNDS_MAX {
             Next::Solve
         } else {
             Next::Nothing
@@ -104,28 +106,28 @@ impl Course {
     }
 }
 
-/// What is asked about the members of a component.
+/// Test of a component's joints.
 #[derive(Copy, Clone, Debug)]
-pub(super) enum Question {
-    /// Do the pulls that were found make it taut?
-    IsTaut,
-    /// It is, and has no impulses: are its bodies thrown so far that they must be held where they are?
-    IsThrown,
+pub(super) enum StiffnessTest {
+    /// Tests whether the computed forces make the component stiff.
+    IsStiff,
+    /// For a stiff component without impulses, tests whether its unconstrained displacement is large.
+    HasLargeDisplacement,
 }
 
-/// What happens to a component in the next round.
+/// The next step of a component.
 #[derive(Copy, Clone, Debug, PartialEq)]
 enum Next {
     Solve,
-    /// It turned out to be taut: its impulses are taken back, and the next round begins anew.
-    TakeBack,
+    /// It became stiff: its impulses are rolled back, and the round is repeated.
+    Rollback,
     Nothing,
 }
 
 impl Direct {
     /// Finds out which joints are connected, which of them are to be solved here, and in which order to eliminate
     /// these.
-    pub fn build(&mut self, members: &[Member], body_count: usize) {
+    pub fn build(&mut self, members: &[DirectJoint], body_count: usize) {
         self.pattern.build(members, body_count);
         let count = self.pattern.component_count();
         if self.factors.len() < count {
@@ -136,7 +138,7 @@ impl Direct {
         }
     }
 
-    /// Is the joint solved here?
+    /// Returns whether the joint is solved directly.
     pub fn contains(&self, slot: u32) -> bool {
         self.pattern.contains(slot)
     }
@@ -146,44 +148,45 @@ impl Direct {
         self.pattern.place(slot, at)
     }
 
-    /// Is there nothing to do?
+    /// Returns whether there is nothing to solve.
     pub fn is_empty(&self) -> bool {
         self.pattern.component_count() == 0
     }
 
-    /// Notes which components are taut from the beginning, as `find` says of the members of each.
-    pub fn tighten(&mut self, mut find: impl FnMut(&[Member]) -> bool) {
-        self.courses.clear();
+    /// Marks the components that are stiff from the beginning, as `find` returns for the joints of each.
+    pub fn select_method(&mut self, mut find: impl FnMut(&[DirectJoint]) -> bool) {
+        self.solve_states.clear();
         for index in 0..self.pattern.component_count() {
-            let taut = find(self.pattern.component(index).members);
-            if taut {
+            let geometric_stiffness = find(self.pattern.component(index).members);
+            if geometric_stiffness {
                 // Taut joints take other rows than those of the last relax pass.
                 self.factors[index].forget();
             }
-            let manner = if taut { Manner::There } else { Manner::Ahead };
-            self.courses.push(Course { manner, rounds: 0, next: Next::Solve });
+            let linearization =
+                if geometric_stiffness { Linearization::There } else { Linearization::Ahead };
+            self.solve_states.push(SolveState { linearization, rounds: 0, next: Next::Solve });
         }
     }
 
-    /// Begins a visit.
+    /// Begins a pass.
     pub fn begin(&mut self) {
-        for course in &mut self.courses {
-            (course.rounds, course.next) = (0, Next::Solve);
+        for solve_state in &mut self.solve_states {
+            (solve_state.rounds, solve_state.next) = (0, Next::Solve);
         }
     }
 
-    /// Begins to look ahead: finds out which of the taut components are thrown, as `ask` knows.
-    pub fn find_thrown(
+    /// Begins a solve pass: finds the stiff components with a large unconstrained displacement by `test`.
+    pub fn find_large_displacements(
         &mut self,
-        rows: &mut [RowMemory],
-        mut ask: impl FnMut(&[Member], Question) -> bool,
+        rows: &mut [JacobianBlock],
+        mut test: impl FnMut(&[DirectJoint], StiffnessTest) -> bool,
     ) {
-        for (index, course) in self.courses.iter_mut().enumerate() {
+        for (index, solve_state) in self.solve_states.iter_mut().enumerate() {
             let members = self.pattern.component(index).members;
-            if course.manner == Manner::There {
-                course.hold(ask(members, Question::IsThrown));
+            if solve_state.linearization == Linearization::There {
+                solve_state.hold(test(members, StiffnessTest::HasLargeDisplacement));
             }
-            note_manner(members, rows, course.manner);
+            note_manner(members, rows, solve_state.linearization);
         }
     }
 
@@ -191,7 +194,8 @@ impl Direct {
     pub fn share(&self, counts: &mut [BodyState]) {
         for index in 0..self.pattern.component_count() {
             let members = self.pattern.component(index).members;
-            let bodies = || members.iter().flat_map(Member::movable).map(|(_, body)| body as usize);
+            let bodies =
+                || members.iter().flat_map(DirectJoint::movable).map(|(_, body)| body as usize);
             let (mut sum, mut angular_sum) = BodyState::default().velocity();
             for body in bodies() {
                 let (linear, angular) = core::mem::take(&mut counts[body]).velocity();
@@ -201,40 +205,45 @@ impl Direct {
         }
     }
 
-    /// Ends a round of the solve pass, and says whether another one is wanted. Whether a component is taut, `ask` knows, by its
-    /// members.
+    /// Ends a round of the solve pass, and says whether another one is wanted. `test` returns whether a
+    /// component is stiff.
     pub fn go_on(
         &mut self,
-        rows: &mut [RowMemory],
+        rows: &mut [JacobianBlock],
         inv_h: Real,
-        mut ask: impl FnMut(&[Member], Question) -> bool,
+        mut test: impl FnMut(&[DirectJoint], StiffnessTest) -> bool,
     ) -> bool {
         let mut goes_on = false;
-        for (index, course) in self.courses.iter_mut().enumerate() {
+        for (index, solve_state) in self.solve_states.iter_mut().enumerate() {
             let (component, factor) = (self.pattern.component(index), &mut self.factors[index]);
-            course.rounds += 1;
-            course.next = match course.next {
+            solve_state.rounds += 1;
+            solve_state.next = match solve_state.next {
                 Next::Nothing => Next::Nothing,
-                Next::TakeBack => {
+                Next::Rollback => {
                     factor.forget();
-                    course.rounds = 0;
-                    course.hold(ask(component.members, Question::IsThrown));
-                    note_manner(component.members, rows, course.manner);
+                    solve_state.rounds = 0;
+                    solve_state.hold(test(component.members, StiffnessTest::HasLargeDisplacement));
+                    note_manner(component.members, rows, solve_state.linearization);
                     Next::Solve
                 }
-                Next::Solve if course.manner != Manner::Ahead => course.next_if_taut(),
-                Next::Solve if course.rounds == 1 => Next::Solve,
-                Next::Solve if course.rounds == 2 && ask(component.members, Question::IsTaut) => {
-                    Next::TakeBack
+                Next::Solve if solve_state.linearization != Linearization::Ahead => {
+                    solve_state.next_if_stiff()
+                }
+                Next::Solve if solve_state.rounds == 1 => Next::Solve,
+                Next::Solve
+                    if solve_state.rounds == 2
+                        && test(component.members, StiffnessTest::IsStiff) =>
+                {
+                    Next::Rollback
                 }
                 Next::Solve => match factor.progress(component, rows, inv_h) {
                     Progress::Done => Next::Nothing,
-                    Progress::Near | Progress::Far if course.rounds < ROUNDS => Next::Solve,
+                    Progress::Near | Progress::Far if solve_state.rounds < ROUNDS => Next::Solve,
                     Progress::Near => Next::Nothing,
-                    Progress::Far | Progress::Astray => Next::TakeBack,
+                    Progress::Far | Progress::Astray => Next::Rollback,
                 },
             };
-            goes_on |= course.next != Next::Nothing;
+            goes_on |= solve_state.next != Next::Nothing;
         }
         goes_on
     }
@@ -248,31 +257,31 @@ impl Direct {
     /// it does to them.
     pub fn solve(
         &mut self,
-        rows: &mut [RowMemory],
+        rows: &mut [JacobianBlock],
         states: DisjointMut<'_, BodyState>,
-        wanted: impl Fn(&[Member]) -> bool + Sync,
+        wanted: impl Fn(&[DirectJoint]) -> bool + Sync,
         simd: Simd,
         tasks: Tasks<'_>,
     ) {
         let count = self.pattern.component_count();
-        let (pattern, courses) = (&self.pattern, &self.courses);
+        let (pattern, solve_states) = (&self.pattern, &self.solve_states);
         let is_wanted = |index: &usize| {
-            courses[*index].next != Next::Nothing && wanted(pattern.component(*index).members)
+            solve_states[*index].next != Next::Nothing && wanted(pattern.component(*index).members)
         };
         let factors = DisjointMut::new(&mut self.factors);
         let read = &*rows;
         tasks.par_for(count, 1, |range| {
             for index in range.filter(is_wanted) {
-                // SAFETY: components share neither joints nor bodies that can move, and each is solved by one
-                // task.
+                // SAFETY: components have no common joints or movable bodies, and each is solved by one task.
                 unsafe {
                     let (factor, component) = (factors.get_mut(index), pattern.component(index));
-                    let course = courses[index];
-                    if course.next == Next::TakeBack {
+                    let solve_state = solve_states[index];
+                    if solve_state.next == Next::Rollback {
                         factor.take_back(component, read, &states);
                         continue;
                     }
-                    let (again, is_there) = (course.rounds > 0, course.manner == Manner::There);
+                    let (again, is_there) =
+                        (solve_state.rounds > 0, solve_state.linearization == Linearization::There);
                     if again && is_there && factor.has_converged(component, read) {
                         continue;
                     }
@@ -291,10 +300,10 @@ impl Direct {
 }
 
 /// Notes from where the rows of a component are taken.
-fn note_manner(members: &[Member], rows: &mut [RowMemory], manner: Manner) {
+fn note_manner(members: &[DirectJoint], rows: &mut [JacobianBlock], linearization: Linearization) {
     for member in members {
         let (memory, lane) = (&mut rows[member.block as usize], member.lane as usize);
-        memory.are_there.0[lane] = if manner == Manner::There { 1.0 } else { 0.0 };
-        memory.look_ahead.0[lane] = if manner == Manner::Here { 0.0 } else { 1.0 };
+        memory.are_there.0[lane] = if linearization == Linearization::There { 1.0 } else { 0.0 };
+        memory.look_ahead.0[lane] = if linearization == Linearization::Here { 0.0 } else { 1.0 };
     }
 }

@@ -1,10 +1,11 @@
-//! In which order the joints of loops are eliminated.
+//! Elimination order of the joints of loops.
 //!
-//! Eliminating a joint couples all that it is coupled with. So the next one is always one with the fewest others left
-//! that it is coupled with by now: the minimum degree (Tinney and Walkup, "Direct solutions of sparse network equations by
-//! optimally ordered triangular factorization", 1967; George and Liu, "The evolution of the minimum degree ordering
-//! algorithm", 1989). The joints of a leg go before those by which a dozen legs are joined to their hub. Of several, the first
-//! one in the given order goes: no hash and no address has a say in it.
+//! Eliminating a joint couples all that it is coupled with. The next joint is therefore one with the fewest
+//! remaining couplings: minimum degree (Tinney and Walkup, "Direct solutions of sparse network equations by
+//! optimally ordered triangular factorization", 1967; George and Liu, "The evolution of the minimum degree
+//! ordering algorithm", 1989). The joints of a limb precede the joints that connect a dozen limbs to their
+//! hub. The first one in the given order is taken among equals: the result is independent of hashes and
+//! addresses.
 //!
 //! Components are small, so the graph of what is left is kept as it is, a sorted list for each joint.
 
@@ -15,7 +16,7 @@ use std::collections::BTreeSet;
 pub(super) struct Ordering {
     /// By joint: those that are left and coupled with it, ascending.
     adjacent: Vec<Vec<u32>>,
-    /// How many these are, and the joint.
+    /// The number of couplings, and the joint.
     left: BTreeSet<(usize, u32)>,
     merged: Vec<u32>,
     /// The joints in the order of their elimination.
@@ -75,7 +76,7 @@ impl Ordering {
     }
 }
 
-/// How many products of blocks it takes to eliminate a joint that is coupled with so many others.
+/// The number of block products to eliminate a joint with this number of couplings.
 pub(super) fn products(others: usize) -> usize {
     (others + 1) * (others + 2) / 2
 }

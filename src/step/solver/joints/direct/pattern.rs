@@ -1,4 +1,4 @@
-//! Which joints are connected, in which order they are eliminated, and where blocks stand.
+//! Connected joints, their elimination order, and the places of blocks.
 
 use super::order::{Ordering, products};
 use crate::dim::math::Real;
@@ -7,45 +7,47 @@ use crate::model::island::NONE;
 use crate::model::joint::JointForm;
 use core::ops::{Range, RangeInclusive};
 
-/// Most products of blocks that a joint may take on average: beyond that the sweeps are so much cheaper that they may leave
-/// errors. A walking machine of 109 joints on twelve legs takes 113, 30 hinges between the same two bodies take 165.
+/// Largest average number of block products per joint. Beyond that, iterations are so much cheaper that their
+/// errors are acceptable. A walking machine of 109 joints on twelve legs needs 113, and 30 hinges between the
+/// same two bodies need 165.
 const WORK: usize = 200;
 /// The same for nets: loops of joints that hold two points together and nothing else, between bodies of even masses. Sweeps
 /// let them sag by little, at a hundredth of the time: 6 by 6 knots are solved exactly, 10 by 10 are not.
 const WORK_OF_NETS: usize = 40;
-/// Most joints for each body of a net: those of cubes that are braced. A board on 25 pins is none.
+/// Most joints for each body of a net: those of cubes that are braced. A board on 25 point-to-point joints is
+/// none.
 const NET_JOINTS: usize = 6;
 
-/// How many joints a component has that is as well off in the sweeps, if nothing holds it and its bodies' masses are
-/// not further apart than this: a ragdoll. It bears no load for long, and a force is through it in some substeps.
-/// Fewer joints cost little, and keep the energy of what turns about itself.
-const LOOSE: RangeInclusive<usize> = 6..=24;
-const EVEN: Real = 32.0;
+/// Range of joints of free components with moderate mass ratios that are solved iteratively: ragdolls. They
+/// carry no load for long, and a force passes through them in some substeps. Fewer joints cost little, and
+/// keep the energy of what turns about itself.
+const FREE_JOINTS: RangeInclusive<usize> = 6..=24;
+const MASS_RATIO_MAX: Real = 32.0;
 
-/// A joint as the factorisation knows it.
+/// A joint in the factorisation.
 #[derive(Copy, Clone, Debug, PartialEq)]
-pub(in super::super) struct Member {
+pub(in super::super) struct DirectJoint {
     /// The joint's slot in its set: the order of members must not depend on other islands.
     pub slot: u32,
-    /// Where its rows are.
+    /// Block and lane of its rows.
     pub block: u32,
     pub lane: u32,
     /// Solver indices of its bodies.
     pub bodies: [u32; 2],
-    /// Of its bodies; none of those that cannot move.
+    /// Inverse masses of its bodies; zero for immovable ones.
     pub inv_masses: [Real; 2],
     pub form: JointForm,
 }
 
-impl Member {
+impl DirectJoint {
     /// No joint.
-    pub const NOBODY: Self = Self {
+    pub const NONE: Self = Self {
         slot: NONE,
         block: 0,
         lane: 0,
         bodies: [READ_ONLY; 2],
         inv_masses: [0.0; 2],
-        form: JointForm { locked: 0, driven: 0, is_pin: false },
+        form: JointForm { locked: 0, driven: 0, is_point_to_point: false },
     };
 
     /// The joint in a slot between two bodies; where its rows will be is not known yet.
@@ -53,8 +55,8 @@ impl Member {
         Self { slot, block: 0, lane: 0, bodies, inv_masses, form }
     }
 
-    /// Is there a joint?
-    pub fn is_somebody(&self) -> bool {
+    /// Returns whether there is a joint.
+    pub fn is_valid(&self) -> bool {
         self.slot != NONE
     }
 
@@ -68,12 +70,12 @@ impl Member {
 #[derive(Default)]
 pub(super) struct Pattern {
     /// All joints, as they were when the pattern was built.
-    given: Vec<Member>,
-    sorted: Vec<Member>,
+    given: Vec<DirectJoint>,
+    sorted: Vec<DirectJoint>,
     /// By slot: the position of a joint that is in a component, [`NONE`] of others.
     position_of_slot: Vec<u32>,
     /// In the order of elimination; those of one component together.
-    members: Vec<Member>,
+    members: Vec<DirectJoint>,
     components: Vec<Part>,
     /// By member: the later members of its component in whose rows its column has a block, ascending.
     columns: Vec<Vec<u32>>,
@@ -81,7 +83,7 @@ pub(super) struct Pattern {
     ordering: Ordering,
 }
 
-/// Where a component's members stand, and what is known of it.
+/// Range of a component's joints, and data of the component.
 struct Part {
     members: Range<usize>,
     has_loops: bool,
@@ -90,10 +92,10 @@ struct Part {
 /// One component.
 #[derive(Copy, Clone)]
 pub(super) struct Component<'a> {
-    pub members: &'a [Member],
+    pub members: &'a [DirectJoint],
     /// Positions within the component.
     pub columns: &'a [Vec<u32>],
-    /// Are there two ways from one of its bodies to another, or to what cannot move?
+    /// Whether the component contains a loop, including loops through immovable bodies.
     pub has_loops: bool,
 }
 
@@ -105,9 +107,9 @@ struct Search {
     of_body: Vec<u32>,
     visited: Vec<bool>,
     order: Vec<u32>,
-    /// How many bodies these joints hold.
+    /// Number of bodies of these joints.
     body_count: usize,
-    /// By body: has it been counted?
+    /// By body: whether it has been counted.
     seen: Vec<bool>,
     /// By member: its position in its component.
     position: Vec<u32>,
@@ -118,7 +120,7 @@ impl Pattern {
         self.components.len()
     }
 
-    /// Is the joint in a component?
+    /// Returns whether the joint is in a component.
     pub fn contains(&self, slot: u32) -> bool {
         self.position_of_slot.get(slot as usize).is_some_and(|&position| position != NONE)
     }
@@ -143,8 +145,8 @@ impl Pattern {
         }
     }
 
-    /// Orders all members that are worth it. Where nothing has changed since the last time, nothing is done.
-    pub fn build(&mut self, given: &[Member], body_count: usize) {
+    /// Orders all members that are worth it. An unchanged component is kept.
+    pub fn build(&mut self, given: &[DirectJoint], body_count: usize) {
         if self.given == given {
             return;
         }
@@ -167,7 +169,7 @@ impl Pattern {
         }
     }
 
-    fn find_components(&mut self, members: &[Member]) {
+    fn find_components(&mut self, members: &[DirectJoint]) {
         for root in 0..members.len() {
             if self.search.visited[root] {
                 continue;
@@ -180,7 +182,7 @@ impl Pattern {
     }
 
     /// Adds the component that the search has just collected.
-    fn add_component(&mut self, members: &[Member]) {
+    fn add_component(&mut self, members: &[DirectJoint]) {
         let has_loops = self.search.has_loops(members);
         let is_net = has_loops && self.search.is_net(members);
         let work = if is_net { WORK_OF_NETS } else { WORK } * self.search.order.len();
@@ -212,7 +214,7 @@ impl Pattern {
     }
 
     /// Puts the joints that were collected in an order that is good for loops. No if there are too many of these.
-    fn reorder(&mut self, members: &[Member], work: usize) -> bool {
+    fn reorder(&mut self, members: &[DirectJoint], work: usize) -> bool {
         let search = &mut self.search;
         for (position, &index) in search.order.iter().enumerate() {
             search.position[index as usize] = position as u32;
@@ -231,10 +233,10 @@ impl Pattern {
 }
 
 impl Search {
-    fn start(&mut self, members: &[Member], body_count: usize) {
+    fn start(&mut self, members: &[DirectJoint], body_count: usize) {
         self.first.clear();
         self.first.resize(body_count + 1, 0);
-        for (_, body) in members.iter().flat_map(Member::movable) {
+        for (_, body) in members.iter().flat_map(DirectJoint::movable) {
             self.first[body as usize + 1] += 1;
         }
         for body in 0..body_count {
@@ -257,8 +259,8 @@ impl Search {
         self.position.resize(members.len(), 0);
     }
 
-    /// Adds the positions of all joints that share a body with one.
-    fn add_neighbours(&self, member: &Member, list: &mut Vec<u32>) {
+    /// Adds the positions of all joints with a common body.
+    fn add_neighbours(&self, member: &DirectJoint, list: &mut Vec<u32>) {
         for (_, body) in member.movable() {
             let others = self.joints_of(body).iter();
             list.extend(others.map(|&other| self.position[other as usize]));
@@ -271,41 +273,46 @@ impl Search {
     }
 
     /// The component that was collected.
-    fn component<'a>(&'a self, members: &'a [Member]) -> impl Iterator<Item = &'a Member> + Clone {
+    fn component<'a>(
+        &'a self,
+        members: &'a [DirectJoint],
+    ) -> impl Iterator<Item = &'a DirectJoint> + Clone {
         self.order.iter().map(|&index| &members[index as usize])
     }
 
-    /// Is the component as well off in the sweeps?
-    fn is_easy(&self, members: &[Member]) -> bool {
+    /// Returns whether the iterative solver is as good for this component.
+    fn is_easy(&self, members: &[DirectJoint]) -> bool {
         let is_loose = self.component(members).all(|member| member.movable().count() == 2);
-        LOOSE.contains(&self.order.len()) && is_loose && self.is_even(members)
+        FREE_JOINTS.contains(&self.order.len()) && is_loose && self.is_even(members)
     }
 
-    /// Do all its joints hold nothing but points together, with few joints at each body, of which none is heavy?
-    fn is_net(&self, members: &[Member]) -> bool {
+    /// Returns whether all joints are point-to-point joints, with few joints and no heavy body.
+    fn is_net(&self, members: &[DirectJoint]) -> bool {
         let is_wide = self.order.len() <= NET_JOINTS * self.body_count;
-        is_wide && self.component(members).all(|member| member.form.is_pin) && self.is_even(members)
+        is_wide
+            && self.component(members).all(|member| member.form.is_point_to_point)
+            && self.is_even(members)
     }
 
-    fn is_even(&self, members: &[Member]) -> bool {
+    fn is_even(&self, members: &[DirectJoint]) -> bool {
         let bodies = self
             .component(members)
             .flat_map(|member| member.movable().map(|(side, _)| member.inv_masses[side]));
         let [least, most] = bodies.fold([Real::INFINITY, 0.0], |[least, most], inv_mass| {
             [inv_mass.min(least), inv_mass.max(most)]
         });
-        most <= EVEN * least
+        most <= MASS_RATIO_MAX * least
     }
 
-    /// Has it loops? All that cannot move is one body here. A connected graph without loops
-    /// has one edge less than it has nodes.
-    fn has_loops(&self, members: &[Member]) -> bool {
+    /// Returns whether the component has loops. All that cannot move is one body here. A connected graph
+    /// without loops has one edge less than it has nodes.
+    fn has_loops(&self, members: &[DirectJoint]) -> bool {
         let is_held = self.component(members).any(|member| member.movable().count() < 2);
         self.order.len() + 1 > self.body_count + usize::from(is_held)
     }
 
     /// Breadth first from a member: all that are connected to it.
-    fn collect(&mut self, root: usize, members: &[Member]) {
+    fn collect(&mut self, root: usize, members: &[DirectJoint]) {
         self.order.clear();
         self.order.push(root as u32);
         self.visited[root] = true;
@@ -331,8 +338,8 @@ impl Search {
 /// Finds the blocks of each column, those that elimination adds among them. No if it takes more than `work` products of
 /// blocks.
 ///
-/// A column's blocks reach the column of the first of them when it is eliminated (George and Liu, "Computer
-/// Solution of Large Sparse Positive Definite Systems", 1981).
+/// When a column is eliminated, its blocks are added to the column of the first of them (George and Liu,
+/// "Computer Solution of Large Sparse Positive Definite Systems", 1981).
 fn fill(columns: &mut [Vec<u32>], neighbours: impl Fn(usize, &mut Vec<u32>), work: usize) -> bool {
     let mut done = 0;
     for at in 0..columns.len() {

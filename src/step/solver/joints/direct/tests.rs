@@ -1,8 +1,8 @@
 //! The sparse solution in its dense equations, and what is solved sparsely.
 
 use super::factor::Factor;
-use super::memory::RowMemory;
-use super::pattern::{Member, Pattern};
+use super::memory::JacobianBlock;
+use super::pattern::{DirectJoint, Pattern};
 use crate::base::disjoint::DisjointMut;
 use crate::base::wide::{LANES, Lane, Simd};
 use crate::dim::joint::unit_inertia;
@@ -27,14 +27,14 @@ impl Numbers {
 
 /// Joints of bodies whose mass and moments of inertia are 1, so that `M⁻¹ Jᵀ` is `Jᵀ`.
 struct Net {
-    members: Vec<Member>,
-    memory: Vec<RowMemory>,
+    members: Vec<DirectJoint>,
+    memory: Vec<JacobianBlock>,
     body_count: usize,
 }
 
 impl Net {
-    /// With joints between these bodies that lock these axes. Their rows are those of a joint without levers, bent
-    /// by random numbers.
+    /// With joints between these bodies that lock these axes. Their rows are those of a joint without moment
+    /// arms, perturbed by random numbers.
     fn new(joints: &[[u32; 2]], locked: impl Fn(usize) -> u8) -> Self {
         let mut numbers = Numbers(7);
         let place = |slot: usize| (slot as u32, (slot % LANES) as u32);
@@ -42,8 +42,8 @@ impl Net {
             let (block, lane) = place(slot);
             let inv_masses = bodies.map(|body| if body & READ_ONLY == 0 { 1.0 } else { 0.0 });
             let (slot, locked) = (slot as u32, locked(slot));
-            let form = JointForm { locked, driven: 0, is_pin: false };
-            Member { slot, block, lane, bodies, inv_masses, form }
+            let form = JointForm { locked, driven: 0, is_point_to_point: false };
+            DirectJoint { slot, block, lane, bodies, inv_masses, form }
         });
         let memory = (0..joints.len()).map(|slot| rows(slot % LANES, &mut numbers));
         let bodies = joints.iter().flatten().map(|body| (body & !READ_ONLY) as usize + 1);
@@ -61,15 +61,15 @@ impl Net {
         pattern
     }
 
-    /// Solves the one component that the joints are. Returns how far the worst row is from its equation
-    /// `J v + Γ Δλ = -rate`, with the velocities `v` that bodies at rest have got.
+    /// Solves the one component that the joints are. Returns the largest residual of the equation `J v + Γ Δλ
+    /// = -rate`, with the velocities `v` of bodies that were at rest.
     fn solve(&mut self) -> f64 {
         let pattern = self.pattern();
         assert_eq!(pattern.component_count(), 1);
         let mut states = vec![BodyState::default(); self.body_count];
         let mut factor = Factor::default();
         factor.make_room(pattern.component(0));
-        // SAFETY: nobody else knows the states.
+        // SAFETY: this thread owns the states exclusively.
         unsafe {
             let shared = DisjointMut::new(&mut states);
             factor.solve(pattern.component(0), false, &self.memory, &shared, Simd::detect());
@@ -79,12 +79,12 @@ impl Net {
         errors.fold(0.0, f64::max)
     }
 
-    fn worst_error(&self, member: &Member, states: &[BodyState]) -> f64 {
+    fn worst_error(&self, member: &DirectJoint, states: &[BodyState]) -> f64 {
         let (memory, lane) = (&self.memory[member.block as usize], member.lane as usize);
         let number = |from: &Lane| f64::from(from.0[lane]);
         let mut worst: f64 = 0.0;
         for axis in (0..SPATIAL_DIM).filter(|axis| member.form.locked >> axis & 1 == 1) {
-            let softened = number(&memory.yields) * number(&memory.changes[axis]);
+            let softened = number(&memory.compliance) * number(&memory.changes[axis]);
             let mut error = number(&memory.rates[axis]);
             for (side, body) in member.movable() {
                 let (linear, angular) = states[body as usize].velocity();
@@ -99,8 +99,8 @@ impl Net {
     }
 }
 
-fn rows(lane: usize, numbers: &mut Numbers) -> RowMemory {
-    let mut memory = RowMemory::EMPTY;
+fn rows(lane: usize, numbers: &mut Numbers) -> JacobianBlock {
+    let mut memory = JacobianBlock::EMPTY;
     for side in 0..2 {
         memory.inv_mass[side].set_lane(lane, Vector::ONE);
         set_symmetric_lane(&mut memory.inv_inertia[side], lane, &unit_inertia());
@@ -149,7 +149,7 @@ fn loops_are_solved() {
 fn softened_joints_yield() {
     let mut net = Net::new(&TREE, |_| ALL);
     for (slot, memory) in net.memory.iter_mut().enumerate() {
-        memory.yields.0[slot % LANES] = 0.25;
+        memory.compliance.0[slot % LANES] = 0.25;
     }
     let found = net.solve();
     assert!(found < ROUNDING, "{found}");
@@ -170,7 +170,7 @@ fn what_is_held_twice_is_held_once() {
     assert!(found < DAMPED, "{found}");
 }
 
-/// Of joints that are the same joint, each bears the same.
+/// Identical joints carry equal loads.
 #[test]
 fn what_is_held_twice_is_shared() {
     let mut net = Net::new(&[[FIXED, 1], [FIXED, 1], [FIXED, 1]], |_| ALL);
@@ -207,8 +207,9 @@ fn trees_get_no_blocks_but_their_own() {
     assert_eq!(blocks, 1 + 3 + 3 + 1 + 1 + 1);
 }
 
-/// A dozen legs of four joints, each a loop from a hub to a light wheel: the joints at these two are coupled with each other, 24
-/// at each. Legs first costs a few blocks for each of their joints; from the hub on, nearly all would be coupled with all.
+/// A dozen limbs of four joints, each a loop from a hub to a light wheel. The joints at these two are
+/// coupled, 24 at each. Legs first costs a few blocks for each of their joints; from the hub on, nearly all
+/// would be coupled with all.
 #[test]
 fn legs_go_before_their_hubs() {
     const LEGS: u32 = 12;
@@ -221,8 +222,8 @@ fn legs_go_before_their_hubs() {
     let pattern = Net::new(&joints, |_| ALL).pattern();
     assert_eq!(pattern.component_count(), 1);
     let blocks: usize = pattern.component(0).columns.iter().map(Vec::len).sum();
-    // Two hubs with `2 * LEGS + 1` joints each: had all of these to be coupled with all, half the square of twice that. The
-    // joints of the legs have a handful each.
+    // Two hubs with `2 * LEGS + 1` joints each: had all of these to be coupled with all, half the square of
+    // twice that. The joints of the limbs have a handful each.
     let (at_hubs, of_legs) = (2 * (2 * LEGS as usize + 1), 6 * LEGS as usize);
     assert!(blocks < at_hubs * at_hubs / 2 + 4 * of_legs, "{blocks}");
 }

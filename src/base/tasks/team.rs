@@ -1,0 +1,265 @@
+//! The threads that help with a step.
+//!
+//! A step consists of some hundred loops with serial code in between, and many of them take at most ten
+//! microseconds: the time that a sleeping thread needs to wake. So helpers stay awake between loops. Workers
+//! join at the first loop that is large enough, spin until the next one, and leave after a while without work
+//! ([`YIELDS_MAX`]), because the pool belongs to the user. The next loop recruits them again.
+//!
+//! Each thread has a *range* of a loop's pieces and takes them from its front: always the same blocks and
+//! bodies, which are in its cache from the last loop. A thread without pieces takes from the back of the
+//! others. The thread that opened the loop needs no worker: in a pool whose threads are all busy it processes
+//! everything itself. A late worker finds that the team is over; the team has shared ownership.
+//!
+//! The rejected alternative is a fork and join for each loop (`rayon::join`): 5 to 20 µs per loop on two
+//! cores, and pieces that move from thread to thread. Box2D v3 (Catto, "SIMD Matters", box2d.org, 2024) uses
+//! the same method, workers synchronised by atomic counters, with a table of stages made in advance.
+//!
+//! ## Why nobody reads a loop that is over
+//! A range is one word, the first and the last of its pieces, and a piece is taken by exchanging the word for
+//! a shorter one. The loop counts pieces that are *done*, and its owner waits until all are. So where an
+//! exchange succeeds the piece was not done, the loop is open, and what it borrows is alive. An exchange with
+//! a word of the last loop that looks like one of this loop is as good: all else is read after it.
+
+use core::any::Any;
+use core::cell::{Cell, UnsafeCell};
+use core::mem::{forget, transmute};
+use core::ops::Range;
+use core::panic::AssertUnwindSafe;
+use core::sync::atomic::{AtomicBool, AtomicU64, AtomicUsize, Ordering};
+use std::panic::{catch_unwind, resume_unwind};
+use std::sync::{Mutex, PoisonError};
+
+/// No more threads than this work on one step: as many as a word has bits.
+pub const MAX_THREADS: usize = 64;
+/// Numbers of polls before a waiting thread yields, and before it leaves. In all they take some hundred
+/// microseconds, more than any serial stretch of a step with thousands of bodies.
+const SPINS_MAX: u32 = 256;
+const YIELDS_MAX: u32 = 2048;
+
+type Work<'a> = dyn Fn(Range<usize>) + Sync + 'a;
+
+/// The threads of one step, its own one first.
+pub struct WorkerTeam {
+    threads: usize,
+    work_ranges: [WorkRange; MAX_THREADS],
+    current: UnsafeCell<Loop>,
+    done: AtomicUsize,
+    /// By bit: the helpers that were hired and have not left.
+    joined: AtomicU64,
+    is_over: AtomicBool,
+    panic: Mutex<Option<Box<dyn Any + Send>>>,
+}
+
+/// The work of a loop and its indices.
+struct Loop {
+    work: *const Work<'static>,
+    count: usize,
+    /// Indices in a piece.
+    piece: usize,
+}
+
+// SAFETY: the owner of the team alone writes `current`, and threads with a piece of the open loop read it;
+// see the module's head. The work is `Sync`, and all else is made for sharing.
+unsafe impl Sync for WorkerTeam {}
+// SAFETY: as above; the last helper to leave drops the crew, and of the work only the address.
+unsafe impl Send for WorkerTeam {}
+
+// A thread that works for one step does not start helping with another: that one might wait for what it is doing.
+thread_local! {
+    static IS_AT_WORK: Cell<bool> = const { Cell::new(false) };
+}
+
+impl WorkerTeam {
+    /// A team of up to this many threads, without workers yet.
+    pub fn new(threads: usize) -> Self {
+        Self {
+            threads: threads.clamp(1, MAX_THREADS),
+            work_ranges: [const { WorkRange::empty() }; MAX_THREADS],
+            current: UnsafeCell::new(Loop { work: &(|_| ()), count: 0, piece: 1 }),
+            done: AtomicUsize::new(0),
+            joined: AtomicU64::new(1),
+            is_over: AtomicBool::new(false),
+            panic: Mutex::new(None),
+        }
+    }
+
+    /// The largest number of concurrent threads.
+    pub fn threads(&self) -> usize {
+        self.threads
+    }
+
+    /// Marks the calling thread as working for this crew, as its owner, until the guard goes.
+    pub fn own(&self) -> Owner<'_> {
+        Owner { team: self, was_at_work: IS_AT_WORK.replace(true) }
+    }
+
+    /// Calls `work` with all pieces of `0..count`, on this thread and on those that are hired; `hire` is called with
+    /// the numbers of the others.
+    ///
+    /// # Panics
+    /// If the work does: when all pieces that were begun are done.
+    ///
+    /// # Safety
+    /// Only the owner may call this, and not from within the work.
+    pub unsafe fn run(&self, count: usize, piece: usize, work: &Work<'_>, hire: &dyn Fn(usize)) {
+        let pieces = count.div_ceil(piece);
+        // SAFETY: the pointer is used before this function returns.
+        let work = unsafe { transmute::<*const Work<'_>, *const Work<'static>>(work) };
+        // SAFETY: no loop is open, so there are no readers.
+        unsafe { *self.current.get() = Loop { work, count, piece } };
+        self.done.store(0, Ordering::Relaxed);
+        for (k, share) in self.work_ranges[..self.threads].iter().enumerate() {
+            share.give(k * pieces / self.threads..(k + 1) * pieces / self.threads);
+        }
+        self.fill_vacancies(hire);
+        self.work_off(0);
+        let mut pause = Pause::default();
+        while self.done.load(Ordering::Acquire) < pieces {
+            pause.wait();
+        }
+        let panic = self.panic.lock().unwrap_or_else(PoisonError::into_inner).take();
+        if let Some(panic) = panic {
+            resume_unwind(panic);
+        }
+    }
+
+    fn fill_vacancies(&self, hire: &dyn Fn(usize)) {
+        let all = u64::MAX >> (MAX_THREADS - self.threads);
+        if self.joined.load(Ordering::Relaxed) == all {
+            return;
+        }
+        let vacancies = all & !self.joined.fetch_or(all, Ordering::Relaxed);
+        (1..self.threads).filter(|k| vacancies & (1 << k) != 0).for_each(hire);
+    }
+
+    /// Helps until the crew is dissolved or there is nothing to do for long. `number` is that given to `hire`.
+    pub fn help(&self, number: usize) {
+        if !IS_AT_WORK.replace(true) {
+            let mut pause = Pause::default();
+            while !self.is_over.load(Ordering::Relaxed) && pause.length() < YIELDS_MAX {
+                if self.work_off(number) {
+                    pause = Pause::default();
+                } else {
+                    pause.wait();
+                }
+            }
+            IS_AT_WORK.set(false);
+        }
+        self.joined.fetch_and(!(1 << number), Ordering::Relaxed);
+    }
+
+    /// Works until no piece is left. Returns whether there was one.
+    fn work_off(&self, own: usize) -> bool {
+        let mut found = false;
+        while let Some(piece) = self.claim(own) {
+            found = true;
+            self.perform(piece);
+        }
+        found
+    }
+
+    /// A piece of the thread's own range, or one of another's.
+    fn claim(&self, own: usize) -> Option<usize> {
+        let others = (1..self.threads).map(|k| (own + k) % self.threads);
+        let steal = |k: usize| self.work_ranges[k].take_last();
+        self.work_ranges[own].take_first().or_else(|| others.into_iter().find_map(steal))
+    }
+
+    fn perform(&self, piece: usize) {
+        // SAFETY: the piece is not done, so the loop is open: `current` is constant, and the work is alive.
+        let (work, count, size) = unsafe {
+            let Loop { work, count, piece } = &*self.current.get();
+            (&**work, *count, *piece)
+        };
+        let range = piece * size..((piece + 1) * size).min(count);
+        if let Err(panic) = catch_unwind(AssertUnwindSafe(|| work(range))) {
+            let mut first = self.panic.lock().unwrap_or_else(PoisonError::into_inner);
+            match &*first {
+                None => *first = Some(panic),
+                // To drop it might panic again, and the piece would never be done.
+                Some(_) => forget(panic),
+            }
+        }
+        self.done.fetch_add(1, Ordering::Release);
+    }
+}
+
+/// Dissolves the crew.
+pub struct Owner<'a> {
+    team: &'a WorkerTeam,
+    was_at_work: bool,
+}
+
+impl Drop for Owner<'_> {
+    fn drop(&mut self) {
+        self.team.is_over.store(true, Ordering::Relaxed);
+        IS_AT_WORK.set(self.was_at_work);
+    }
+}
+
+/// The pieces that a thread has before it, in a cache line of their own.
+#[repr(align(64))]
+struct WorkRange(AtomicU64);
+
+impl WorkRange {
+    const fn empty() -> Self {
+        Self(AtomicU64::new(0))
+    }
+
+    fn pack(pieces: Range<usize>) -> u64 {
+        (pieces.start as u64) << 32 | pieces.end as u64
+    }
+
+    fn unpack(word: u64) -> Range<usize> {
+        (word >> 32) as usize..(word & u64::from(u32::MAX)) as usize
+    }
+
+    /// A thread that takes a piece sees the owner's writes.
+    fn give(&self, pieces: Range<usize>) {
+        self.0.store(Self::pack(pieces), Ordering::Release);
+    }
+
+    fn take_first(&self) -> Option<usize> {
+        self.take(|pieces| (pieces.start, pieces.start + 1..pieces.end))
+    }
+
+    fn take_last(&self) -> Option<usize> {
+        self.take(|pieces| (pieces.end - 1, pieces.start..pieces.end - 1))
+    }
+
+    /// `cut` makes a piece and the rest of some pieces.
+    fn take(&self, cut: impl Fn(Range<usize>) -> (usize, Range<usize>)) -> Option<usize> {
+        let mut word = self.0.load(Ordering::Relaxed);
+        loop {
+            let pieces = Self::unpack(word);
+            if pieces.is_empty() {
+                return None;
+            }
+            let (piece, rest) = cut(pieces);
+            let (new, order) = (Self::pack(rest), Ordering::Acquire);
+            match self.0.compare_exchange_weak(word, new, order, Ordering::Relaxed) {
+                Ok(_) => return Some(piece),
+                Err(now) => word = now,
+            }
+        }
+    }
+}
+
+/// Waiting strategy of a thread: it spins first, and yields later.
+#[derive(Default)]
+struct Pause(u32);
+
+impl Pause {
+    fn length(&self) -> u32 {
+        self.0
+    }
+
+    fn wait(&mut self) {
+        self.0 = self.0.saturating_add(1);
+        if self.0 < SPINS_MAX {
+            core::hint::spin_loop();
+        } else {
+            std::thread::yield_now();
+        }
+    }
+}

@@ -1,0 +1,348 @@
+//! The angles of free axes while the bodies move, lane by lane.
+//!
+//! Each kind of angle is how far a point `(cos, sin)` has gone round:
+//!
+//! * a *twist* about `e` is twice the angle of `(w, v·e)`; that of the whole rotation is a twist about an `e` that follows
+//!   `v`,
+//! * A *tilt* of `e` towards `g` is the angle of `(f·e, f·g)`; a swing in any direction is a tilt towards a
+//!   `g` that follows `f`.
+//!
+//! The tracker adds the angle since the start of the step to the initial angle: of two points with the
+//! complex numbers `z₀` and `z`, the angle of `z z₀*`. So turns that were counted stay counted, and small
+//! angles keep their digits.
+//!
+//! That is ambiguous by whole turns: a wheel that rotates by 5 rad in a step has the same pose as after -1.3
+//! rad. The sum of the rotations of all substeps is a second estimate of the bodies' relative rotation. With
+//! one free rotation and counted turns, this estimate selects among these values. It needs an error of less
+//! than half a turn only, so a rotation of the axis itself does no harm.
+
+use super::angle::{Angle, FreeRotations};
+use crate::base::trig::sin_cos;
+use crate::base::wide::{Lane, Wide};
+use crate::dim3::joint_axes::JointAxis;
+use crate::dim3::math::{Real, Vector};
+use crate::dim3::rotation_vector::{atan_excess, nearest_whole};
+use crate::dim3::wide::{WideAngVector, WideRotation, WideVector, cross};
+
+/// Below this, numbers that should have a direction have none.
+const LENGTH_MIN: Real = 1.0e-12;
+const TURN: Real = 2.0 * core::f64::consts::PI as Real;
+/// More turns in a step than this cannot be counted.
+const TURNS_MAX: Real = 1.0e6;
+/// The steepest slope of which [`atan_excess`] is right.
+const SLOPE_MAX: Real = 0.66;
+
+/// Measures one angle of each lane's joint.
+#[derive(Clone, Debug)]
+pub(crate) struct AngleTracker {
+    /// `e` and `g`, where they do not follow.
+    from: WideVector<Lane>,
+    towards: WideVector<Lane>,
+    /// One for twists, and one for tilts: both zero in lanes that have no angle.
+    twists: Lane,
+    tilts: Lane,
+    /// One where an axis follows the rotation.
+    follows: Lane,
+    /// One where turns are counted.
+    counts: Lane,
+    /// The angle when the step began, and its point.
+    angle: Lane,
+    cos: Lane,
+    sin: Lane,
+    /// Whether any lane measures a twist, and whether any measures a tilt.
+    has_twists: bool,
+    has_tilts: bool,
+}
+
+impl AngleTracker {
+    /// No angle in any lane.
+    pub const NONE: Self = Self {
+        from: WideVector::ZERO,
+        towards: WideVector::ZERO,
+        twists: Lane::ZERO,
+        tilts: Lane::ZERO,
+        follows: Lane::ZERO,
+        counts: Lane::ZERO,
+        angle: Lane::ZERO,
+        cos: Lane::splat(1.0),
+        sin: Lane::ZERO,
+        has_twists: false,
+        has_tilts: false,
+    };
+
+    /// Measures the angle of an axis, of this size when the step begins.
+    pub fn set_lane(
+        &mut self,
+        lane: usize,
+        axis: JointAxis,
+        rotations: FreeRotations,
+        angle: Real,
+    ) {
+        let (from, towards, follows) = match Angle::of(axis, rotations) {
+            Angle::Whole => (Vector::X, None, true),
+            Angle::Twist(e) => (e, None, false),
+            Angle::Swing(e) => (e, Some(e.any_orthonormal_vector()), true),
+            Angle::Tilt(g) => (Vector::X, Some(g), false),
+        };
+        self.from.set_lane(lane, from);
+        self.towards.set_lane(lane, towards.unwrap_or(Vector::ZERO));
+        self.follows.0[lane] = if follows { 1.0 } else { 0.0 };
+        self.counts.0[lane] = if rotations.is_single() { 1.0 } else { 0.0 };
+        let (kind, share) = match towards {
+            None => (&mut self.twists, 0.5),
+            Some(_) => (&mut self.tilts, 1.0),
+        };
+        kind.0[lane] = 1.0;
+        (self.has_twists, self.has_tilts) =
+            (self.has_twists || towards.is_none(), self.has_tilts || towards.is_some());
+        (self.sin.0[lane], self.cos.0[lane]) = sin_cos(angle * share);
+        self.angle.0[lane] = angle;
+    }
+
+    /// The direction, in the first frame, along which the relative angular velocity changes the angle, and
+    /// the angle. `between` is the second frame relative to the first, and `turn` the approximate rotation
+    /// since the start of the step, in the first frame, with all turns.
+    #[inline(always)]
+    pub fn measure<W: Wide>(
+        &self,
+        between: WideRotation<W>,
+        turn: WideAngVector<W>,
+    ) -> (WideAngVector<W>, W) {
+        let zero = W::zero();
+        let (mut direction, mut turned) = (WideVector::zero(), zero);
+        if self.has_twists {
+            let (of_twist, half) = self.twist(between);
+            let is_twist = zero.lt(W::load(&self.twists));
+            direction = WideVector::select(is_twist, of_twist, direction);
+            turned = W::select(is_twist, self.with_turns(half + half, turn), turned);
+        }
+        if self.has_tilts {
+            let (of_tilt, by) = self.tilt(between);
+            let is_tilt = zero.lt(W::load(&self.tilts));
+            direction = WideVector::select(is_tilt, of_tilt, direction);
+            turned = W::select(is_tilt, by, turned);
+        }
+        (direction, W::load(&self.angle) + turned)
+    }
+
+    /// The angle of a twist, given modulo whole turns.
+    #[inline(always)]
+    fn with_turns<W: Wide>(&self, turned: W, turn: WideAngVector<W>) -> W {
+        let about = turn.dot(WideVector::load(&self.from));
+        let turns = nearest_whole((about - turned) * W::splat(1.0 / TURN));
+        let counts = W::zero().lt(W::load(&self.counts)) & turns.abs().lt(W::splat(TURNS_MAX));
+        W::select(counts, turned + turns * W::splat(TURN), turned)
+    }
+
+    /// The direction of a twist, and how far its half angle has gone.
+    #[inline(always)]
+    fn twist<W: Wide>(&self, between: WideRotation<W>) -> (WideAngVector<W>, W) {
+        let (zero, one) = (W::zero(), W::splat(1.0));
+        let v = WideVector { x: between.x, y: between.y, z: between.z };
+        let follows = zero.lt(W::load(&self.follows));
+        // A quaternion and its negative are the same rotation: of the whole angle, that within half a turn is meant.
+        let length = v.dot(v).sqrt();
+        let sign = W::select(between.w.lt(zero), -one, one);
+        let has_axis = W::splat(LENGTH_MIN).lt(length);
+        let unit = v * (sign / W::select(has_axis, length, one));
+        let from = WideVector::load(&self.from);
+        let e = WideVector::select(follows & has_axis, unit, from);
+        let (cos, sin) = (W::select(follows, between.w * sign, between.w), v.dot(e));
+        let f = between.rotate(e);
+        let sum = one + e.dot(f);
+        let fair = W::splat(1.0e-3).lt(sum);
+        let shared = (e + f) * (one / W::select(fair, sum, one));
+        let sin = W::select(follows, length, sin);
+        (WideVector::select(fair, shared, e), self.turned(cos, sin, true))
+    }
+
+    /// The direction of a tilt, and how far it has gone.
+    #[inline(always)]
+    fn tilt<W: Wide>(&self, between: WideRotation<W>) -> (WideAngVector<W>, W) {
+        let (zero, one) = (W::zero(), W::splat(1.0));
+        let (e, aside) = (WideVector::load(&self.from), WideVector::load(&self.towards));
+        let follows = zero.lt(W::load(&self.follows));
+        let f = between.rotate(e);
+        let cos = f.dot(e);
+        let across = f - e * cos;
+        let length = across.dot(across).sqrt();
+        let is_swung = W::splat(LENGTH_MIN).lt(length);
+        let unit = across * (one / W::select(is_swung, length, one));
+        let g = WideVector::select(follows & is_swung, unit, aside);
+        let sin = f.dot(g);
+        let length_squared = sin * sin + cos * cos;
+        let has_direction = W::splat(1.0e-6).lt(length_squared);
+        let gradient = cross(f, g) * cos - cross(f, e) * sin;
+        let gradient = gradient * (one / W::select(has_direction, length_squared, one));
+        let direction = WideVector::select(has_direction, gradient, cross(e, g));
+        let turned = self.turned(cos, sin, false);
+        (direction, W::select(has_direction, turned, zero))
+    }
+
+    /// The angle of the point since the start of the step: at most 2.3 rad. A point and its opposite are the
+    /// same for twists, of which it shows half.
+    #[inline(always)]
+    fn turned<W: Wide>(&self, cos: W, sin: W, is_twist: bool) -> W {
+        let (old_cos, old_sin) = (W::load(&self.cos), W::load(&self.sin));
+        let (x, y) = (cos * old_cos + sin * old_sin, sin * old_cos - cos * old_sin);
+        let sign = W::select(x.lt(W::zero()), -W::splat(1.0), W::splat(1.0));
+        let (x, y) = if is_twist { (x * sign, y * sign) } else { (x, y) };
+        // Tangents of half of the angle, and of half of that.
+        let half = y / ((x * x + y * y).sqrt() + x).max(W::splat(LENGTH_MIN));
+        let quarter = half / (W::splat(1.0) + (W::splat(1.0) + half * half).sqrt());
+        let quarter = quarter.min(W::splat(SLOPE_MAX)).max(W::splat(-SLOPE_MAX));
+        let angle = quarter + quarter * atan_excess(quarter * quarter);
+        angle * W::splat(4.0)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::base::random::Random;
+    use crate::base::wide::{Kernel, LANES, Simd};
+    use crate::dim3::joint::angle_about;
+    use crate::dim3::joint_axes::JointAxesMask;
+    use crate::dim3::math::{DIM, Rotation, integrate_rotation};
+
+    /// A gauge, and what it reads.
+    struct Reading {
+        angle_tracker: AngleTracker,
+        between: WideRotation<Lane>,
+        turn: WideVector<Lane>,
+        direction: WideVector<Lane>,
+        angle: Lane,
+    }
+
+    impl Kernel for &mut Reading {
+        type Output = ();
+        #[inline(always)]
+        fn run<W: Wide>(self) {
+            let between = WideRotation::<W>::load(&self.between);
+            let turn = WideVector::load(&self.turn);
+            let (direction, angle) = self.angle_tracker.measure(between, turn);
+            direction.store(&mut self.direction);
+            angle.store(&mut self.angle);
+        }
+    }
+
+    fn vector(random: &mut Random, size: f64) -> Vector {
+        Vector::from_array([0; DIM].map(|_| random.within(-size, size)))
+    }
+
+    /// Different kinds in one tracker measure the same as a direct computation, for any rotation of the
+    /// bodies: within half a turn the angle is unique. Single precision has 1e-7 of each number, a quotient
+    /// of small ones less.
+    #[test]
+    fn lanes_measure_what_is_measured_one_by_one() {
+        let mut random = Random(11);
+        let all = JointAxesMask::ANG_AXES;
+        let kinds = [
+            (JointAxis::AngX, JointAxesMask::empty(), JointAxesMask::ANG_X),
+            (JointAxis::AngZ, JointAxesMask::empty(), JointAxesMask::ANG_Z),
+            (JointAxis::AngX, JointAxesMask::empty(), all),
+            (JointAxis::AngY, JointAxesMask::empty(), all),
+            (JointAxis::AngZ, JointAxesMask::empty(), all),
+            (JointAxis::AngY, JointAxesMask::ANG_Y | JointAxesMask::ANG_Z, all),
+            (JointAxis::AngX, all, all),
+        ];
+        for round in 0..300 {
+            let mut reading = Reading {
+                angle_tracker: AngleTracker::NONE,
+                between: WideRotation::IDENTITY,
+                turn: WideVector::ZERO,
+                direction: WideVector::ZERO,
+                angle: Lane::ZERO,
+            };
+            let mut expected = [(0.0, Vector::ZERO); LANES];
+            for (lane, expected) in expected.iter_mut().enumerate() {
+                let (axis, coupled, free) = kinds[(round + lane) % kinds.len()];
+                let rotations = FreeRotations::new(free, coupled);
+                let start = match rotations.is_single() {
+                    true => Rotation::from_axis_angle(axis_of(axis), random.within(-2.0, 2.0)),
+                    false => integrate_rotation(Rotation::IDENTITY, vector(&mut random, 0.8)),
+                };
+                let (angle, _) = angle_about(axis, rotations, &start);
+                reading.angle_tracker.set_lane(lane, axis, rotations, angle);
+                let by = match rotations.is_single() {
+                    true => axis_of(axis) * random.within(-1.0, 1.0),
+                    false => vector(&mut random, 0.5),
+                };
+                let end = integrate_rotation(start, by);
+                // A quaternion and its negative are the same rotation.
+                let end = if random.below(2) == 0 { end } else { -end };
+                reading.between.set_lane(lane, &end);
+                reading.turn.set_lane(lane, by);
+                *expected = angle_about(axis, rotations, &end);
+            }
+            Simd::detect().run(&mut reading);
+            for (lane, (angle, direction)) in expected.into_iter().enumerate() {
+                let found = reading.angle.0[lane];
+                assert!((found - angle).abs() < 1.0e-5, "lane {lane}: {found}, not {angle}");
+                let off = (reading.direction.lane(lane) - direction).length();
+                assert!(off < 1.0e-4 * (1.0 + direction.length()), "lane {lane}: {direction}");
+            }
+        }
+    }
+
+    fn axis_of(axis: JointAxis) -> Vector {
+        if axis == JointAxis::AngX { Vector::X } else { Vector::Z }
+    }
+
+    /// Turns are counted on from those that were counted before.
+    #[test]
+    fn turns_stay_counted() {
+        let mut angle_tracker = AngleTracker::NONE;
+        let rotations = FreeRotations::new(JointAxesMask::ANG_X, JointAxesMask::empty());
+        angle_tracker.set_lane(0, JointAxis::AngX, rotations, 40.0);
+        let mut between = WideRotation::IDENTITY;
+        between.set_lane(0, &Rotation::from_axis_angle(Vector::X, 40.5));
+        let (direction, angle) = (WideVector::ZERO, Lane::ZERO);
+        let mut reading = Reading { angle_tracker, between, turn: direction, direction, angle };
+        Simd::detect().run(&mut reading);
+        assert!((reading.angle.0[0] - 40.5).abs() < 1.0e-5, "{}", reading.angle.0[0]);
+    }
+
+    /// Turns of one step are counted, too. The approximate rotation selects the number of turns, and the pose
+    /// gives the rest. That does not apply to joints with several free rotations, which have no turns.
+    #[test]
+    fn turns_of_one_step_are_counted() {
+        let mut random = Random(12);
+        for (free, counts) in [(JointAxesMask::ANG_Z, true), (JointAxesMask::ANG_AXES, false)] {
+            let rotations = FreeRotations::new(free, JointAxesMask::empty());
+            let axis = if counts { JointAxis::AngZ } else { JointAxis::AngX };
+            for by in [-40.0, -7.0, -3.2, -3.0, 3.1, 3.2, 5.0, 13.3, 100.0] {
+                let start = random.within(-1.0, 1.0);
+                let mut angle_tracker = AngleTracker::NONE;
+                angle_tracker.set_lane(2, axis, rotations, start);
+                let (mut between, mut turn) = (WideRotation::IDENTITY, WideVector::ZERO);
+                between.set_lane(2, &Rotation::from_axis_angle(axis_of(axis), start + by));
+                turn.set_lane(2, axis_of(axis) * (by + random.within(-2.0, 2.0)));
+                let (direction, angle) = (WideVector::ZERO, Lane::ZERO);
+                let mut reading = Reading { angle_tracker, between, turn, direction, angle };
+                Simd::detect().run(&mut reading);
+                let once = Real::sin(by).atan2(Real::cos(by));
+                let expected = start + if counts { by } else { once };
+                let found = reading.angle.0[2];
+                assert!((found - expected).abs() < 2.0e-5, "{found}, not {expected}");
+            }
+        }
+    }
+
+    /// Without a finite rate the turns are unknown, and other lanes are unaffected.
+    #[test]
+    fn what_is_no_number_counts_no_turns() {
+        for no_number in [Real::NAN, Real::INFINITY, -Real::MAX] {
+            let mut angle_tracker = AngleTracker::NONE;
+            let rotations = FreeRotations::new(JointAxesMask::ANG_X, JointAxesMask::empty());
+            angle_tracker.set_lane(0, JointAxis::AngX, rotations, 0.5);
+            let mut turn = WideVector::ZERO;
+            turn.set_lane(0, Vector::X * no_number);
+            let (direction, angle) = (WideVector::ZERO, Lane::ZERO);
+            let between = WideRotation::IDENTITY;
+            let mut reading = Reading { angle_tracker, between, turn, direction, angle };
+            Simd::detect().run(&mut reading);
+            assert!(reading.angle.0.iter().all(|angle| angle.abs() < 1.0e-5), "{no_number}");
+        }
+    }
+}

@@ -1,0 +1,248 @@
+//! # Continuous — nothing passes through
+//!
+//! Reads:   motion of fast bodies, colliders, fat AABBs, bodies within sensors, joints, hooks
+//! Writes:  poses and velocities of fast bodies at their first impact; bounds of motion; notes of crossed
+//!     sensors
+//! Runs:    parallel over fast bodies; bullets among each other in the order of their impacts
+//! Never:   applies impulses; searches bodies that are neither fast, nor deep in a wall, nor near the path of
+//!     such a body or of a moving kinematic body
+//!
+//! The solver looks at contacts where bodies are when a step begins. A body that moves farther than half its
+//! thickness in one step (`src/step/notes.rs`) could be on the other side before it ever touched. The stage
+//! searches the path from the old collider poses to the solver's pose, and stops the body where it would pass
+//! through something. The next step finds the body there, in contact, with its velocity at the impact. The
+//! rest of its time is lost, including the work of forces. A ball that fell through its last step, and was
+//! moved back up, would otherwise gain energy.
+//!
+//! Contacts are compliant: a heavy load can press a body into a wall slowly, so that the body is never fast.
+//! The narrow phase therefore notes bodies that penetrate a non-dynamic collider by a quarter of their
+//! thickness. Their path is searched, however short, until they are out.
+//!
+//! Motion is relative: a body that is slow itself is searched if a kinematic body moves past it fast enough
+//! ([`approach`]). A body that a moving collider stops is carried by it for the rest of the step ([`ride`]).
+//!
+//! Fixed and kinematic colliders stop every body; a body with `ccd_enabled` (a *bullet*) stops at everything,
+//! other bullets included: see [`bullets`]. Sensors stop no body, but report events: see [`sensors`].
+//!
+//! Bodies that joints hold together stop together, when the first of them does: see [`groups`]. A multibody
+//! is such a group, and returns along the trajectory of its coordinates: see [`link_trajectories`].
+//!
+//! The rejected alternative is *speculative contacts*, found by boxes as long as the path. They stop bodies
+//! that would miss, and a fast body has half of the world nearby.
+
+mod approach;
+mod bullets;
+mod groups;
+mod path;
+mod ride;
+mod sensors;
+mod link_trajectories;
+
+use crate::base::tasks::Tasks;
+use crate::dim::math::Real;
+use crate::model::body::{RigidBodyHandle, RigidBodySet};
+use crate::model::collider::ColliderSet;
+use crate::model::contact::NarrowPhase;
+use crate::model::counters::CCDCounters;
+use crate::model::event::CollisionEvent;
+use crate::model::hooks::PhysicsHooks;
+use crate::model::island::{BodyMotion, IslandManager};
+use crate::model::multibody::{LinkTrajectory, MultibodyJointSet};
+use crate::model::params::IntegrationParameters;
+use crate::model::tree::BroadPhaseBvh;
+use crate::step::notes::FastMotion;
+pub(crate) use approach::{add_approached, find_approaches};
+
+use approach::Movers;
+use bullets::Bullets;
+use core::sync::atomic::{AtomicUsize, Ordering};
+use groups::Groups;
+use link_trajectories::LinkTrajectories;
+use path::{Obstacles, Path, sweep_of};
+use ride::{Rides, Stop};
+use sensors::SensorCrossing;
+
+/// Fast bodies that are worth being searched for by another thread.
+const BODIES_PER_TASK: usize = 2;
+
+/// Buffers that are reused from step to step.
+#[derive(Default)]
+pub(crate) struct CcdScratch {
+    movers: Movers,
+    /// By fast body: what stops it that is not dynamic.
+    first: Vec<Stop>,
+    /// By fast body: the executed fraction of its motion.
+    stops: Vec<Real>,
+    rides: Rides,
+    link_trajectories: LinkTrajectories,
+    groups: Groups,
+    bullets: Bullets,
+    /// By fast body: whether it is deeply penetrating when the step ends.
+    deeply_penetrating: Vec<bool>,
+    /// By fast body: the sensors that it passes.
+    passages: Vec<Vec<SensorCrossing>>,
+    /// Pairs of colliders whose paths were searched.
+    searched: AtomicUsize,
+}
+
+impl CcdScratch {
+    fn clear(&mut self) {
+        self.first.clear();
+        self.stops.clear();
+        self.rides.clear();
+        self.deeply_penetrating.clear();
+        self.passages.clear();
+        *self.searched.get_mut() = 0;
+    }
+
+    /// Stops bodies where their own paths were stopped if a hook panicked before anything else was known. Bodies whose paths were not
+    /// searched do not move.
+    fn complete(&mut self) {
+        if self.stops.len() < self.first.len() {
+            self.stops.clear();
+            self.stops.extend(self.first.iter().map(|stop| stop.share));
+        }
+    }
+}
+
+/// Context of the path search.
+#[derive(Copy, Clone)]
+pub(crate) struct CcdContext<'a> {
+    pub bodies: &'a RigidBodySet,
+    pub colliders: &'a ColliderSet,
+    pub multibodies: &'a MultibodyJointSet,
+    pub islands: &'a IslandManager,
+    pub trees: &'a BroadPhaseBvh,
+    pub narrow_phase: &'a NarrowPhase,
+    pub params: &'a IntegrationParameters,
+    pub hooks: &'a dyn PhysicsHooks,
+    /// Motion of fast bodies, and of multibodies with a fast link.
+    pub fast: &'a [FastMotion],
+    pub trajectories: &'a [LinkTrajectory],
+}
+
+/// Input of one search: the world and its fast bodies.
+#[derive(Copy, Clone)]
+struct Search<'a> {
+    world: CcdContext<'a>,
+    movers: &'a Movers,
+    link_trajectories: &'a LinkTrajectories,
+    groups: &'a Groups,
+    searched: &'a AtomicUsize,
+}
+
+/// Finds out where bodies are stopped that moved fast, and which sensors they pass. `scratch` contains the
+/// executed fractions of their motions.
+pub(crate) fn find_impacts(tasks: Tasks<'_>, world: CcdContext<'_>, scratch: &mut CcdScratch) {
+    scratch.clear();
+    if world.fast.is_empty() {
+        return;
+    }
+    let CcdScratch {
+        movers,
+        first,
+        stops,
+        rides,
+        link_trajectories,
+        groups,
+        bullets,
+        deeply_penetrating,
+        ..
+    } = scratch;
+    let (passages, searched) = (&mut scratch.passages, &scratch.searched);
+    movers.find(world);
+    link_trajectories.find(world);
+    groups.find(world);
+    // Whose path could not be searched because a hook panicked is not moved.
+    let count = world.fast.len();
+    first.resize(count, Stop::AT_ONCE);
+    let search = Search { world, movers, link_trajectories, groups, searched };
+    tasks.par_fill(first, BODIES_PER_TASK, |position| {
+        let path = Path::of(search, position, 1.0);
+        path.map_or(Stop::NONE, |path| path.first_stop(search, Obstacles::All))
+    });
+    stops.extend(first.iter().map(|stop| stop.share));
+    groups.stop_together(stops);
+    bullets.find(search, stops);
+    rides.find(tasks, search, (first, stops));
+    deeply_penetrating.resize(count, true);
+    tasks.par_fill(deeply_penetrating, BODIES_PER_TASK, |position| {
+        let path = match rides.of(position) {
+            Some(ride) => ride.path(search, position),
+            None => Path::of(search, position, stops[position]),
+        };
+        path.is_some_and(|path| path.ends_deep(search))
+    });
+    if world.trees.has_sensors() {
+        passages.resize_with(count, Vec::new);
+        tasks.par_fill(passages, BODIES_PER_TASK, |position| {
+            let (path, end) = match rides.of(position) {
+                Some(ride) => (ride.path_of_all(search, position), ride.end),
+                None => (Path::of_all(search, position, stops[position]), stops[position]),
+            };
+            path.map(|path| sensors::passages(search, &path, end)).unwrap_or_default()
+        });
+    }
+}
+
+/// Sees to it that the paths of these bodies are searched, if any are.
+pub(crate) fn watch(
+    bodies: &mut RigidBodySet,
+    deeply_penetrating: &[RigidBodyHandle],
+    params: &IntegrationParameters,
+) {
+    if params.max_ccd_substeps == 0 {
+        return;
+    }
+    for &body in deeply_penetrating {
+        bodies.get_unnoted_mut(body).into_iter().for_each(|body| body.deeply_penetrating = true);
+    }
+}
+
+/// Puts the bodies where they were stopped, and notes the sensors that were passed.
+pub(crate) fn stop(
+    (bodies, islands): (&mut RigidBodySet, &mut IslandManager),
+    multibodies: &mut MultibodyJointSet,
+    (fast, trajectories): (&[FastMotion], &[LinkTrajectory]),
+    dt: Real,
+    scratch: &mut CcdScratch,
+    (events, counters): (&mut Vec<CollisionEvent>, &mut CCDCounters),
+) {
+    scratch.complete();
+    counters.num_fast_bodies = fast.len();
+    counters.num_searches = scratch.searched.load(Ordering::Relaxed);
+    let stopped = fast.iter().zip(&scratch.stops).filter(|(_, share)| **share < 1.0);
+    for (motion, &share) in stopped {
+        let Some(body) = bodies.get_unnoted_mut(motion.body) else { continue };
+        counters.num_substeps += 1;
+        if motion.link.is_none() {
+            let there = sweep_of(motion, motion.start, share).at(share);
+            body.angvel = body.angvel_at(there.rotation, (share - 1.0) * dt);
+            body.pose = there;
+            body.linvel = motion.velocity_before(1.0 - share, body.linvel);
+            body.update_world_mass_properties();
+            if !body.ccd_active {
+                // The bound of the whole motion of a fast body is noted already.
+                let way = body.mprops.world_com - motion.center;
+                let way = BodyMotion::of(way, motion.rotvec * share, body.extent);
+                islands.set_motion(motion.body.into_raw_parts().0, way);
+            }
+        }
+    }
+    for (position, ride) in scratch.rides.iter() {
+        let motion = &fast[position];
+        let Some(body) = bodies.get_unnoted_mut(motion.body) else { continue };
+        body.pose = ride.pose;
+        body.update_world_mass_properties();
+        islands.set_motion(motion.body.into_raw_parts().0, ride.motion);
+    }
+    for (motion, &deeply_penetrating) in fast.iter().zip(&scratch.deeply_penetrating) {
+        let body = bodies.get_unnoted_mut(motion.body);
+        body.into_iter().for_each(|body| body.deeply_penetrating = deeply_penetrating);
+    }
+    scratch.link_trajectories.stop(bodies, multibodies, (fast, trajectories), &scratch.stops, dt);
+    for crossing in scratch.passages.iter().flatten() {
+        counters.num_sensors_passed += 1;
+        events.extend(crossing.events());
+    }
+}

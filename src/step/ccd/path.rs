@@ -1,0 +1,306 @@
+//! The path of one fast body, and what stops it.
+
+use super::ride::Stop;
+use super::{CcdContext, Search};
+use crate::collide::{Overlap, Segment, Solid, Sweep, SweepGoal, ends_deep, first_impact};
+use crate::dim::math::{Pose, Real, Vector};
+use crate::model::body::{RigidBody, RigidBodyHandle};
+use crate::model::collider::{ActiveHooks, Collider, ColliderHandle, may_interact};
+use crate::model::hooks::{PairFilterContext, lets_solver_push};
+use crate::model::island::NONE;
+use crate::model::tree::TreeKind;
+use crate::step::notes::FastMotion;
+use core::sync::atomic::Ordering;
+use parry::bounding_volume::{Aabb, BoundingVolume};
+use smallvec::SmallVec;
+
+/// Minimum gap of stopped bodies, as a fraction of the prediction distance.
+const GAP_MIN: Real = 0.01;
+
+/// The non-dynamic colliders that a path is searched against.
+#[derive(Copy, Clone)]
+pub(super) enum Obstacles {
+    /// All of them.
+    All,
+    /// Colliders without a body.
+    NotOn(Option<RigidBodyHandle>),
+    /// Moving colliders.
+    Moving,
+}
+
+/// A moving collider.
+#[derive(Copy, Clone)]
+pub(super) struct Mover<'a> {
+    pub handle: ColliderHandle,
+    pub collider: &'a Collider,
+    pub sweep: Sweep<'a>,
+}
+
+/// The moving colliders of a body.
+pub(super) struct Path<'a> {
+    pub body: &'a RigidBody,
+    pub movers: SmallVec<[Mover<'a>; 2]>,
+}
+
+impl Search<'_> {
+    /// The least gap at which bodies are stopped (length units).
+    pub fn gap_min(&self) -> Real {
+        GAP_MIN * self.world.params.prediction_distance()
+    }
+
+    /// Calls `visit` with the solid colliders in a region that are not on dynamic bodies, in slot order. Of
+    /// two nearly simultaneous hits, the first one visited may win, and that must not depend on the trees.
+    fn for_each_obstacle(
+        self,
+        obstacles: Obstacles,
+        region: &Aabb,
+        mut visit: impl FnMut(Mover<'_>),
+    ) {
+        let CcdContext { trees, colliders, .. } = self.world;
+        let mut slots = SmallVec::<[u32; 16]>::new();
+        let kinds: &[_] = match obstacles {
+            Obstacles::Moving => &[],
+            _ => &[TreeKind::Fixed, TreeKind::Kinematic],
+        };
+        for &kind in kinds {
+            trees.for_each_overlapping(kind, region, |slot| slots.push(slot));
+        }
+        // The trees have kinematic colliders where they were.
+        self.movers.for_each_in(region, |slot| slots.push(slot));
+        slots.sort_unstable();
+        slots.dedup();
+        for (handle, collider) in slots.into_iter().filter_map(|slot| colliders.at_slot(slot)) {
+            let is_on = |body| collider.parent() == Some(body);
+            let is_left_out = matches!(obstacles, Obstacles::NotOn(Some(body)) if is_on(body));
+            if !collider.is_sensor() && !is_left_out {
+                Mover::not_fast(self, handle, collider).into_iter().for_each(&mut visit);
+            }
+        }
+    }
+}
+
+impl<'a> Path<'a> {
+    /// The path of the solid colliders of the fast body at a position, as far as it is executed.
+    pub fn of(search: Search<'a>, position: usize, stop: Real) -> Option<Self> {
+        Self::of_all(search, position, stop).map(Self::of_solids)
+    }
+
+    /// The same path without sensors.
+    pub fn of_solids(mut self) -> Self {
+        self.movers.retain(|mover| !mover.collider.is_sensor());
+        self
+    }
+
+    /// The path of all colliders of the fast body at a position.
+    pub fn of_all(search: Search<'a>, position: usize, stop: Real) -> Option<Self> {
+        let motion = &search.world.fast[position];
+        let body = search.world.bodies.get(motion.body)?;
+        let segments = motion.link.map_or(&[] as &[_], |link| search.link_trajectories.of(link));
+        if !segments.is_empty() {
+            return Some(Self::of_segments(search, body, (segments, stop)));
+        }
+        let sweep = |collider: &Collider| sweep_of(motion, collider.pose, stop);
+        Some(Self { body, movers: movers(search, body, sweep) })
+    }
+
+    /// The path of all colliders of the fast body at a position along these segments, up to a fraction of the
+    /// step.
+    pub fn along(search: Search<'a>, position: usize, way: (&'a [Segment], Real)) -> Option<Self> {
+        let body = search.world.bodies.get(search.world.fast[position].body)?;
+        Some(Self::of_segments(search, body, way))
+    }
+
+    fn of_segments(
+        search: Search<'a>,
+        body: &'a RigidBody,
+        (segments, stop): (&'a [Segment], Real),
+    ) -> Self {
+        let center = body.local_center_of_mass();
+        let sweep = |collider: &Collider| match &collider.parent {
+            Some(parent) => Sweep::along(segments, &parent.pos_wrt_parent, center).until(stop),
+            None => Sweep::at_rest(collider.pose),
+        };
+        Self { body, movers: movers(search, body, sweep) }
+    }
+
+    /// The pose of the body after a fraction of the step.
+    pub fn pose_at(&self, share: Real) -> Option<Pose> {
+        let mover = self.movers.first()?;
+        let parent = mover.collider.parent.as_ref()?;
+        let pose = mover.sweep.at(share) * parent.pos_wrt_parent.inverse();
+        Some(Pose::from_parts(pose.translation, pose.rotation.normalize()))
+    }
+
+    /// The path of the solid colliders of a body that is not fast.
+    pub fn of_slow(search: Search<'a>, handle: RigidBodyHandle) -> Option<Self> {
+        let body = search.world.bodies.get(handle)?;
+        let sweep = |collider: &Collider| sweep_of_slow(search.world, body, collider);
+        Some(Self { body, movers: movers(search, body, sweep) }.of_solids())
+    }
+
+    /// A box around all places of all colliders.
+    pub fn region(&self) -> Aabb {
+        let regions = self.movers.iter().map(|mover| mover.sweep.region(mover.collider.shape()));
+        regions.fold(Aabb::new_invalid(), |all, region| all.merged(&region))
+    }
+
+    /// The first stop among some colliders. It must be the path of solid colliders.
+    pub fn first_stop(&self, search: Search<'_>, obstacles: Obstacles) -> Stop {
+        let mut first = Stop::NONE;
+        for mover in &self.movers {
+            let region = mover.sweep.region_of_core(Solid::of(mover.collider));
+            search.for_each_obstacle(obstacles, &region, |other| {
+                if let Some(share) = mover.impact(&other, search, first.share) {
+                    first = Stop { share, by: other.sweep.moves().then_some(other.handle) };
+                }
+            });
+        }
+        first
+    }
+
+    /// Returns whether the body is deep in a fixed or kinematic collider at its end. It must be that of solid
+    /// colliders.
+    pub fn ends_deep(&self, search: Search<'_>) -> bool {
+        let mut deep = false;
+        for mover in &self.movers {
+            let solid = Solid::of(mover.collider);
+            let region = solid.shape.compute_aabb(&mover.sweep.at(1.0));
+            search.for_each_obstacle(Obstacles::All, &region, |other| {
+                deep = deep
+                    || mover.is_stopped_by(&other, search)
+                        && ends_deep((solid, other.collider.shape()), [&mover.sweep, &other.sweep]);
+            });
+        }
+        deep
+    }
+
+    /// The fraction of the step after which another body stops this path; `None` if not before `until`.
+    pub fn impact(&self, other: &Path<'_>, search: Search<'_>, until: Real) -> Option<Real> {
+        let mut first = None;
+        for mover in &self.movers {
+            for target in &other.movers {
+                first = mover.impact(target, search, first.unwrap_or(until)).or(first);
+            }
+        }
+        first
+    }
+}
+
+impl<'a> Mover<'a> {
+    /// A collider of a body that is not fast, or of none; `None` if it is fast.
+    pub fn not_fast(
+        search: Search<'a>,
+        handle: ColliderHandle,
+        collider: &'a Collider,
+    ) -> Option<Self> {
+        let parent = collider.parent();
+        if parent.is_some_and(|body| search.groups.position(body.into_raw_parts().0).is_some()) {
+            return None;
+        }
+        let body = parent.and_then(|body| search.world.bodies.get(body));
+        let sweep = body.map_or(Sweep::at_rest(collider.pose), |body| {
+            sweep_of_slow(search.world, body, collider)
+        });
+        Some(Self { handle, collider, sweep })
+    }
+
+    /// The fraction of the step after which another collider stops this one; `None` if not before `until`.
+    fn impact(&self, other: &Mover<'_>, search: Search<'_>, until: Real) -> Option<Real> {
+        if !self.is_stopped_by(other, search) {
+            return None;
+        }
+        search.searched.fetch_add(1, Ordering::Relaxed);
+        let params = search.world.params;
+        let skin = self.collider.contact_skin + other.collider.contact_skin;
+        let goal = SweepGoal {
+            gap: params.allowed_linear_error().max(search.gap_min()) + skin,
+            overlap: match params.ccd_on_penetration {
+                true => Overlap::StopsEarly,
+                false => Overlap::Passes,
+            },
+        };
+        let shapes = (Solid::of(self.collider), other.collider.shape());
+        first_impact(shapes, [&self.sweep, &other.sweep], goal, until)
+    }
+
+    /// Returns whether a contact of the two would exert forces. If a hook modifies contacts, only the hook
+    /// can decide.
+    fn is_stopped_by(&self, other: &Mover<'_>, search: Search<'_>) -> bool {
+        let (own, others) = (self.collider, other.collider);
+        let hooks = own.active_hooks() | others.active_hooks();
+        !others.is_sensor()
+            && may_interact(own, others)
+            && own.solver_groups().test(others.solver_groups())
+            && !hooks.contains(ActiveHooks::MODIFY_SOLVER_CONTACTS)
+            && !self.is_parted_from(other, search)
+            && (!hooks.contains(ActiveHooks::FILTER_CONTACT_PAIRS)
+                || lets_solver_push(search.world.hooks, &self.filter_context(other, search)))
+    }
+
+    /// The hook's view of the two.
+    pub fn filter_context<'b>(
+        &self,
+        other: &Mover<'_>,
+        search: Search<'b>,
+    ) -> PairFilterContext<'b> {
+        let [low, high] = self.in_order(other);
+        PairFilterContext {
+            bodies: search.world.bodies,
+            colliders: search.world.colliders,
+            collider1: low.handle,
+            collider2: high.handle,
+            rigid_body1: low.collider.parent(),
+            rigid_body2: high.collider.parent(),
+        }
+    }
+
+    /// The two as pairs have them.
+    pub fn in_order<'b>(&'b self, other: &'b Mover<'a>) -> [&'b Mover<'a>; 2] {
+        let is_first = self.handle.into_raw_parts() < other.handle.into_raw_parts();
+        if is_first { [self, other] } else { [other, self] }
+    }
+
+    fn is_parted_from(&self, other: &Mover<'_>, search: Search<'_>) -> bool {
+        let (own, others) = (self.collider.parent(), other.collider.parent());
+        own.zip(others).is_some_and(|(own, others)| {
+            search.world.islands.joints.part(own.into_raw_parts().0, others.into_raw_parts().0)
+        })
+    }
+}
+
+fn movers<'a>(
+    search: Search<'a>,
+    body: &RigidBody,
+    sweep: impl Fn(&'a Collider) -> Sweep<'a>,
+) -> SmallVec<[Mover<'a>; 2]> {
+    let enabled = body.colliders.iter().filter_map(|&handle| {
+        let collider = search.world.colliders.get(handle)?;
+        collider.is_enabled().then(|| Mover { handle, collider, sweep: sweep(collider) })
+    });
+    enabled.collect()
+}
+
+/// The motion of something on a fast body that was at `start`, as far as `stop`.
+pub(super) fn sweep_of(motion: &FastMotion, start: Pose, stop: Real) -> Sweep<'static> {
+    Sweep::new(start, motion.center, motion.shift, motion.rotvec).until(stop)
+}
+
+/// The motion from the old pose of the collider to its body's new pose.
+pub(super) fn sweep_of_slow(
+    world: CcdContext<'_>,
+    body: &RigidBody,
+    collider: &Collider,
+) -> Sweep<'static> {
+    let Some(parent) = &collider.parent else { return Sweep::at_rest(collider.pose) };
+    if world.islands.motion_of(body_slot(collider)).bound() == 0.0 {
+        return Sweep::at_rest(collider.pose);
+    }
+    let local_center = parent.pos_wrt_parent.inverse_transform_point(body.local_center_of_mass());
+    let center = collider.pose * local_center;
+    let shift: Vector = body.mprops.world_com - center;
+    Sweep::new(collider.pose, center, shift, body.angvel * world.params.dt)
+}
+
+fn body_slot(collider: &Collider) -> u32 {
+    collider.parent().map_or(NONE, |body| body.into_raw_parts().0)
+}

@@ -1,0 +1,219 @@
+//! Causes of a failed step: the bodies to disable when several bodies diverged together.
+//!
+//! The first candidates are bodies that diverge on their own: by their position, velocity, mass, or external
+//! forces. Without them, the other bodies may be sound.
+//!
+//! There may be no single cause: a motor stiffer than the range of numbers, or a mass ratio beyond the
+//! precision. In this case the most *stressed* body of each island is selected: the one with the largest
+//! displacement within the step under its own loads. Disabling it removes its joints and contacts from the
+//! equations. It is the end of a causal chain more often than its beginning. Any choice that splits the group
+//! works, and this one depends on the group alone.
+//!
+//! Each round costs a step. After [`ROUNDS`] of them all diverged bodies are disabled, and after twice as
+//! many all awake bodies. Then nothing moves, and the step cannot fail.
+
+use super::{StepConditions, World};
+use crate::dim::axes::inv_mass_per_axis;
+use crate::dim::math::{AngVector, Real, Vector, ang_length_squared, mul_inertia};
+use crate::model::body::{
+    QuarantineCause, RigidBody, RigidBodyHandle, RigidBodyType, RigidBodyVelocity,
+};
+use crate::model::check::checked_pose;
+use crate::model::joint::JointMotor;
+use crate::step::notes::Diverged;
+
+/// Number of rounds in which the most stressed bodies are selected one by one.
+const ROUNDS: usize = 4;
+
+/// A body and the cause of its quarantine.
+type Cause = (RigidBodyHandle, QuarantineCause);
+
+/// A failed step.
+pub(super) struct Causes<'a> {
+    pub world: &'a World<'a>,
+    pub conditions: StepConditions<'a>,
+    pub diverged: &'a [Diverged],
+}
+
+impl Causes<'_> {
+    /// Adds the bodies to disable after the step has failed `failures` times before.
+    pub fn find(&self, failures: usize, taken: &mut Vec<Cause>) {
+        let known = taken.len();
+        if failures >= 2 * ROUNDS {
+            let awake = self.world.islands.awake.iter();
+            let at_rest = RigidBodyVelocity::zero();
+            let all = awake.map(|&body| Diverged { body, velocity: at_rest, is_link: false });
+            return all.for_each(|diverged| self.take(&diverged, taken));
+        }
+        for diverged in self.diverged {
+            // The first diverged link of a multibody is unknown.
+            let links = if diverged.is_link { self.group_of(diverged.body) } else { &[] };
+            let suspects = core::iter::once(&diverged.body).chain(links);
+            let mut causes = suspects.filter_map(|&suspect| {
+                Some((suspect, self.cause_in(self.world.bodies.get(suspect)?)?))
+            });
+            if let Some((culprit, cause)) = causes.next() {
+                self.take_with_group(culprit, cause, taken);
+            }
+        }
+        if taken.len() > known {
+            return;
+        }
+        if failures >= ROUNDS {
+            return self.diverged.iter().for_each(|diverged| self.take(diverged, taken));
+        }
+        for diverged in self.most_stressed() {
+            self.take(diverged, taken);
+        }
+    }
+
+    fn body(&self, diverged: &Diverged) -> Option<&RigidBody> {
+        self.world.bodies.get(diverged.body)
+    }
+
+    fn take(&self, diverged: &Diverged, taken: &mut Vec<Cause>) {
+        let cause = match diverged.is_link {
+            true => QuarantineCause::Multibody(diverged.velocity),
+            false => QuarantineCause::Constraints(diverged.velocity),
+        };
+        self.take_with_group(diverged.body, cause, taken);
+    }
+
+    /// Takes a body, and with a link all links that move: what is left of a multibody would fall apart.
+    fn take_with_group(
+        &self,
+        body: RigidBodyHandle,
+        cause: QuarantineCause,
+        taken: &mut Vec<Cause>,
+    ) {
+        let moves = |link: &&RigidBodyHandle| {
+            self.world.bodies.get(**link).is_some_and(RigidBody::is_dynamic)
+        };
+        taken.push((body, cause));
+        let others = self.group_of(body).iter().filter(moves).filter(|link| **link != body);
+        taken.extend(others.map(|&link| (link, cause)));
+    }
+
+    fn group_of(&self, body: RigidBodyHandle) -> &[RigidBodyHandle] {
+        self.world.islands.groups.of(body.into_raw_parts().0)
+    }
+
+    // ---- Blame ----
+
+    /// The cause for which a body diverges on its own.
+    fn cause_in(&self, body: &RigidBody) -> Option<QuarantineCause> {
+        let StepConditions { gravity, params } = self.conditions;
+        if checked_pose(body.pose).is_none() {
+            return Some(QuarantineCause::Position(body.pose));
+        }
+        if !body.mprops.inv_mass.is_finite() {
+            return Some(QuarantineCause::Mass(body.mprops.inv_mass));
+        }
+        if body.body_type == RigidBodyType::KinematicPositionBased {
+            let velocity = body.velocity_to_next_position(params.inv_dt());
+            let target = QuarantineCause::KinematicTarget(body.next_pose);
+            return (!velocity.is_usable()).then_some(target);
+        }
+        if !leads_somewhere(body, body.vels(), params.dt) {
+            return Some(QuarantineCause::Velocity(body.vels()));
+        }
+        let Pull { fall, push, twist } = Pull::on(body, gravity);
+        let after = |acceleration: Vector, twist: AngVector| RigidBodyVelocity {
+            linvel: body.linvel + acceleration * params.dt,
+            angvel: body.angvel + twist * params.dt,
+        };
+        if !leads_somewhere(body, after(fall, Default::default()), params.dt) {
+            return Some(QuarantineCause::Gravity(gravity * body.gravity_scale));
+        }
+        if !leads_somewhere(body, after(fall + push, twist), params.dt) {
+            let (force, torque) = body.forces();
+            return Some(QuarantineCause::Force { force, torque });
+        }
+        None
+    }
+
+    /// The most stressed body of each island.
+    fn most_stressed(&self) -> Vec<&Diverged> {
+        let ranked = self.diverged.iter().filter_map(|diverged| {
+            let body = self.body(diverged)?;
+            Some((body.link.island, self.stress_of(diverged), diverged))
+        });
+        let mut ranked: Vec<_> = ranked.collect();
+        // Stable: of equals the first that the solver had.
+        ranked.sort_by(|a, b| a.0.cmp(&b.0).then_with(|| b.1.total_cmp(&a.1)));
+        ranked.dedup_by_key(|(island, ..)| *island);
+        ranked.into_iter().map(|(.., diverged)| diverged).collect()
+    }
+
+    /// The stress of a body, or of the most stressed link of a multibody.
+    fn stress_of(&self, diverged: &Diverged) -> Real {
+        let links = if diverged.is_link { self.group_of(diverged.body) } else { &[] };
+        let strains = core::iter::once(&diverged.body).chain(links).filter_map(|&handle| {
+            Some(self.stress_of_body(handle, self.world.bodies.get(handle)?))
+        });
+        strains.fold(0.0, larger)
+    }
+
+    /// Largest displacement (length units) of a point of the body within a step by any single load.
+    fn stress_of_body(&self, handle: RigidBodyHandle, body: &RigidBody) -> Real {
+        let dt = self.conditions.params.dt;
+        let Pull { fall, push, twist } = Pull::on(body, self.conditions.gravity);
+        let by_motors = self.pull_of_motors(handle) * body.mprops.local_mprops.inv_mass;
+        let length = |turn| ang_length_squared(turn).sqrt() * body.extent;
+        let speeds = [body.linvel.length(), length(body.angvel)];
+        let pulls = [(fall + push).length(), length(twist), by_motors];
+        let displacements = speeds.map(|speed| speed * dt).into_iter();
+        let displacements = displacements.chain(pulls.map(|pull| pull * dt * dt));
+        displacements.fold(0.0, larger)
+    }
+
+    /// The largest force of a motor that holds a body, a unit of length or velocity away from its target.
+    fn pull_of_motors(&self, handle: RigidBodyHandle) -> Real {
+        let World { islands, joints, .. } = self.world;
+        let slots = islands.joints.of_body(handle.into_raw_parts().0).iter();
+        let links = slots.filter_map(|&slot| islands.joints.get(slot));
+        let motors = links.filter_map(|link| joints.get(link.handle)).flat_map(|joint| {
+            let driven = joint.data.driven_axes();
+            driven.map(|axis| &joint.data.motors[axis as usize])
+        });
+        let pull = |motor: &JointMotor| {
+            let [away, slow] =
+                [motor.target_pos, motor.target_vel].map(|target| target.abs() + 1.0);
+            (motor.stiffness * away + motor.damping * slow).min(motor.max_force)
+        };
+        motors.map(pull).fold(0.0, Real::max)
+    }
+}
+
+/// The larger of two numbers that are not negative; what is none is larger than all.
+fn larger(a: Real, b: Real) -> Real {
+    if b <= a { a } else { b.abs() }
+}
+
+/// Accelerations of a body by gravity and by the user's forces.
+struct Pull {
+    fall: Vector,
+    push: Vector,
+    twist: AngVector,
+}
+
+impl Pull {
+    fn on(body: &RigidBody, gravity: Vector) -> Self {
+        if !body.is_dynamic() {
+            return Self { fall: Vector::ZERO, push: Vector::ZERO, twist: Default::default() };
+        }
+        let mprops = &body.mprops;
+        let (force, torque) = body.forces();
+        Self {
+            fall: gravity * body.gravity_scale * inv_mass_per_axis(mprops.locked_axes, 1.0),
+            push: force * mprops.inv_mass,
+            twist: mul_inertia(&mprops.inv_inertia, torque),
+        }
+    }
+}
+
+/// Returns whether a body with this velocity stays finite for `dt` seconds.
+fn leads_somewhere(body: &RigidBody, velocity: RigidBodyVelocity, dt: Real) -> bool {
+    let pose = velocity.integrate(dt, &body.pose, body.mprops.local_mprops.local_com);
+    velocity.is_usable() && checked_pose(pose).is_some()
+}

@@ -1,0 +1,305 @@
+//! The contacts that hit in a round, side by side.
+//!
+//! Among hundreds that could be hit a few are, seldom two of one block. Each round iterates until it
+//! converges, so the data of an iteration is copied to separate blocks. 2D `spinner` then visits a quarter of
+//! the blocks. Lanes do not depend on each other, and the order of colours is kept.
+
+use super::points::NormalRows;
+use super::rows::{ActiveRow, ImpactBlock, ImpactMark};
+use super::{EnergyBudget, lanes};
+use crate::base::disjoint::DisjointMut;
+use crate::base::wide::{Kernel, LANES, Lane, Wide};
+use crate::dim::contact::ContactBlock;
+use crate::dim::math::{MAX_MANIFOLD_POINTS, Real};
+use crate::dim::state::{BodyState, gather_states, scatter_states};
+use crate::step::solver::contacts::Blocks;
+use core::ops::Range;
+
+/// Gauss–Seidel iterations over the points of a manifold per pass. The points couple with each other more
+/// than with other manifolds.
+pub(in super::super) const SWEEPS: usize = 4;
+/// A round has converged when no point changes its velocity by more than this fraction of its approach
+/// velocity.
+pub(in super::super) const CONVERGENCE_TOLERANCE: Real = 1.0e-3;
+
+/// All contacts of a round.
+#[derive(Default)]
+pub(super) struct Active {
+    pub blocks: Vec<ActiveBlock>,
+    /// Blocks of one colour are contiguous.
+    pub colors: Vec<Range<usize>>,
+    /// The islands that they are in.
+    pub islands: Vec<u32>,
+}
+
+impl Active {
+    pub fn clear(&mut self) {
+        self.blocks.clear();
+        self.colors.clear();
+        self.islands.clear();
+    }
+
+    /// Includes an island.
+    pub fn strike(&mut self, island: u32, energy_budget: &mut EnergyBudget) {
+        if !energy_budget.is_active {
+            energy_budget.is_active = true;
+            self.islands.push(island);
+        }
+    }
+
+    /// Copies the hitting contacts of a colour in islands with iterations left.
+    pub fn add_color(
+        &mut self,
+        color: Range<usize>,
+        (impacts, marks): (&[ImpactBlock], &[ImpactMark]),
+        contacts: Blocks<'_>,
+        energy_budgets: &mut [EnergyBudget],
+    ) {
+        let start = self.blocks.len();
+        let active = marks[color.clone()].iter().map(|mark| mark.active);
+        for (index, active) in color.zip(active).filter(|&(_, active)| active != 0) {
+            let impact = &impacts[index];
+            for lane in lanes(active) {
+                let island = impact.islands[lane];
+                let energy_budget = &mut energy_budgets[island as usize];
+                if energy_budget.iterations == 0 {
+                    continue;
+                }
+                self.strike(island, energy_budget);
+                if self.blocks[start..].last().is_none_or(ActiveBlock::is_full) {
+                    self.blocks.push(ActiveBlock::EMPTY);
+                }
+                // SAFETY: no task runs meanwhile.
+                let (contact, _) = unsafe { contacts.get(impact.at) };
+                let last = self.blocks.len() - 1;
+                self.blocks[last].push((index, lane), impact, contact);
+            }
+        }
+        if start < self.blocks.len() {
+            self.colors.push(start..self.blocks.len());
+        }
+    }
+}
+
+/// One contact point of each lane.
+#[derive(Copy, Clone, Debug)]
+struct RoundRow {
+    strike: ActiveRow<Lane>,
+    /// The impulse of this round.
+    impulse: Lane,
+}
+
+/// Up to [`LANES`] contacts of one colour that hit.
+#[derive(Clone, Debug)]
+pub(in super::super) struct ActiveBlock {
+    /// Copies of the input of normal impulses.
+    contact: ContactBlock,
+    rows: [RoundRow; MAX_MANIFOLD_POINTS],
+    restitution: Lane,
+    /// The block and the lane of origin of each lane.
+    from: [(u32, u32); LANES],
+    /// The island of each lane.
+    pub islands: [u32; LANES],
+    count: usize,
+    /// One bit per lane: set if the last iteration changed the lane.
+    pub moving: u32,
+    /// The sum of impulse times approach in this round (negative), and how much more energy there is than there
+    /// should be at most.
+    pub dissipated: Lane,
+    pub energy_gain: Lane,
+}
+
+impl ActiveBlock {
+    /// No contact in any lane.
+    pub const EMPTY: Self = {
+        let zero = Lane::ZERO;
+        let strike = ActiveRow {
+            mass: zero,
+            support_velocity: zero,
+            approach: zero,
+            target: zero,
+            time: zero,
+        };
+        Self {
+            contact: ContactBlock::EMPTY,
+            rows: [RoundRow { strike, impulse: zero }; MAX_MANIFOLD_POINTS],
+            restitution: zero,
+            from: [(0, 0); LANES],
+            islands: [0; LANES],
+            count: 0,
+            moving: 0,
+            dissipated: zero,
+            energy_gain: zero,
+        }
+    };
+
+    fn is_full(&self) -> bool {
+        self.count == LANES
+    }
+
+    /// The lanes that are taken.
+    pub fn lanes(&self) -> Range<usize> {
+        0..self.count
+    }
+
+    /// The two bodies of each contact.
+    pub fn bodies(&self) -> impl Iterator<Item = u32> {
+        self.contact.bodies.iter().flat_map(|bodies| &bodies[self.lanes()]).copied()
+    }
+
+    /// Copies a lane of a block.
+    pub fn push(
+        &mut self,
+        (index, lane): (usize, usize),
+        impact: &ImpactBlock,
+        contact: &ContactBlock,
+    ) {
+        let to = self.count;
+        self.count += 1;
+        self.contact.copy_normal_lane(to, contact, lane);
+        self.restitution.0[to] = impact.restitution.0[lane];
+        self.islands[to] = impact.islands[lane];
+        self.from[to] = (index as u32, lane as u32);
+        for (row, strike) in self.rows.iter_mut().zip(impact.strikes(lane)) {
+            row.strike.set_lane(to, &strike);
+        }
+    }
+
+    /// Leaves a lane as it is for the rest of the round.
+    pub fn deactivate(&mut self, lane: usize) {
+        self.rows.iter_mut().for_each(|row| row.strike.mass.0[lane] = 0.0);
+    }
+
+    /// Commits the impulses of the round, scaled by the fraction of each lane's island.
+    pub fn commit(&self, impacts: &mut [ImpactBlock], share: impl Fn(u32) -> Real) {
+        for lane in self.lanes() {
+            let (share, (index, from)) = (share(self.islands[lane]), self.from[lane]);
+            let impulses = self.rows.map(|row| share * row.impulse.0[lane]);
+            impacts[index as usize].give(from as usize, impulses);
+        }
+    }
+
+    /// Visits the points, in turn: pushes until they part as they are to. A lane is done when an iteration
+    /// changed nothing, or after the first one if at most one of its points hits.
+    ///
+    /// # Safety
+    /// The caller has exclusive access to the states of the block's bodies.
+    #[inline(always)]
+    pub unsafe fn iterate<W: Wide>(&mut self, states: &DisjointMut<BodyState>) {
+        let Self { contact, rows, moving, .. } = self;
+        // SAFETY: the caller's promise.
+        let mut normals = unsafe { NormalRows::<W>::gather(states, contact) };
+        let zero = W::zero();
+        let mut goes_on = zero.le(zero);
+        for sweep in 0..SWEEPS {
+            let mut changes = zero.lt(zero);
+            normals.iterate(|k, velocity| {
+                let RoundRow { strike, impulse } = &mut rows[k];
+                let (mass, old) = (W::load(&strike.mass), W::load(impulse));
+                let missing =
+                    W::load(&strike.target) - W::load(&strike.support_velocity) - velocity;
+                let new = W::select(goes_on, (old + mass * missing).max(zero), old);
+                new.store(impulse);
+                let little = -(mass * W::load(&strike.approach) * W::splat(CONVERGENCE_TOLERANCE));
+                changes = changes | little.lt((new - old).abs());
+                new - old
+            });
+            if sweep == 0 {
+                *moving = W::bits(changes);
+                goes_on = have_several::<W>(rows);
+            }
+            goes_on = goes_on & changes;
+            if !W::any(goes_on) {
+                break;
+            }
+        }
+        // SAFETY: the caller's promise.
+        unsafe { normals.scatter(states) };
+    }
+
+    /// Ends the round: sums up its energy, and records the hit times of bodies (see
+    /// [`SolverBodies::accept_impact`](crate::step::solver::bodies::SolverBodies::accept_impact)).
+    ///
+    /// # Safety
+    /// The caller has exclusive access to the states and delays of the block's bodies.
+    #[inline(always)]
+    pub unsafe fn end<W: Wide>(
+        &mut self,
+        states: &DisjointMut<BodyState>,
+        delays: &DisjointMut<BodyState>,
+    ) {
+        // SAFETY: the caller's promise.
+        let velocities = unsafe { NormalRows::<W>::gather(states, &self.contact) }.velocities();
+        let half = W::splat(0.5);
+        let allowed = W::load(&self.restitution).max(W::splat(1.0));
+        let (mut dissipated, mut energy_gain) = (W::zero(), W::zero());
+        let (mut weight, mut moment) = (W::zero(), W::zero());
+        for (k, RoundRow { strike, impulse }) in self.rows.iter().enumerate() {
+            let (impulse, approach) = (W::load(impulse), W::load(&strike.approach));
+            dissipated = dissipated + impulse * approach;
+            let velocity = velocities[k] + W::load(&strike.support_velocity);
+            energy_gain = energy_gain + impulse * (velocity + allowed * approach) * half;
+            weight = weight + impulse;
+            moment = moment + impulse * W::load(&strike.time);
+        }
+        dissipated.store(&mut self.dissipated);
+        energy_gain.store(&mut self.energy_gain);
+        for indices in &self.contact.bodies {
+            // SAFETY: the caller's promise.
+            unsafe {
+                let (mut motion, displacement) = gather_states::<W>(delays, indices);
+                motion.linear.x = motion.linear.x + weight;
+                motion.linear.y = motion.linear.y + moment;
+                scatter_states(delays, indices, (motion, displacement));
+            }
+        }
+    }
+}
+
+/// Returns the lanes in which more than one point hits.
+#[inline(always)]
+fn have_several<W: Wide>(rows: &[RoundRow; MAX_MANIFOLD_POINTS]) -> W::Mask {
+    let zero = W::zero();
+    let (mut one, mut several) = (zero.lt(zero), zero.lt(zero));
+    for row in rows {
+        let hits = zero.lt(W::load(&row.strike.mass));
+        several = several | (one & hits);
+        one = one | hits;
+    }
+    several
+}
+
+/// The operation on each block.
+#[derive(Copy, Clone)]
+pub(super) enum Phase {
+    Iterate,
+    End,
+}
+
+/// A turn, for some blocks of one colour.
+pub(super) struct Round<'a> {
+    pub phase: Phase,
+    pub range: Range<usize>,
+    pub blocks: DisjointMut<'a, ActiveBlock>,
+    pub states: DisjointMut<'a, BodyState>,
+    pub delays: DisjointMut<'a, BodyState>,
+}
+
+impl Kernel for Round<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<W: Wide>(self) {
+        for index in self.range {
+            // SAFETY: each block belongs to one task, constraints of one colour have no common dynamic body,
+            // and the colours run in sequence.
+            unsafe {
+                let block = self.blocks.get_mut(index);
+                match self.phase {
+                    Phase::Iterate => block.iterate::<W>(&self.states),
+                    Phase::End => block.end::<W>(&self.states, &self.delays),
+                }
+            }
+        }
+    }
+}

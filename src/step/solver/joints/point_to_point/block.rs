@@ -1,0 +1,262 @@
+//! Blocks of point-to-point joints, and the passes over them.
+
+use super::super::rows::Factored;
+use crate::base::disjoint::DisjointMut;
+use crate::base::wide::{LANES, Lane, Wide};
+use crate::dim::joint::{JointedInertias, axes, from_numbers, numbers, point_response};
+use crate::dim::math::{DIM, Real};
+use crate::dim::state::{BodyState, READ_ONLY, WideMotion, gather_states, scatter_states};
+use crate::dim::wide::{
+    ANG_ZERO_LANES, WideAngVector, WideRotation, WideSymmetric, WideVector, ang_lane, cross,
+    load_ang, mul_inertia, set_ang_lane, store_ang, torque,
+};
+use crate::model::params::JointPass;
+
+/// The least compliance of point-to-point joints: half that of other iterated joints. In a net of 100 × 100 a
+/// quarter of it pumps.
+const POINT_COMPLIANCE: Real = 1.0 / 16.0;
+
+/// [`LANES`] point-to-point joints of one colour.
+#[derive(Clone, Debug)]
+pub(super) struct PointToPointBlock {
+    pub bodies: [[u32; LANES]; 2],
+    pub inv_mass: [WideVector<Lane>; 2],
+    pub inertias: JointedInertias,
+    /// From the centres of mass to the anchors when the step began.
+    pub arms: [WideVector<Lane>; 2],
+    /// From the first anchor to the second when the step began.
+    pub separation: WideVector<Lane>,
+    /// The factor on the bias: less than 1 where the anchors are far apart.
+    pub bias_scale: Lane,
+    /// The impulse of this substep on the second body, in world space; at the end of the step in the joint's first
+    /// frame.
+    pub impulse: WideVector<Lane>,
+    /// Angular velocities that result from it.
+    pub turned: [WideAngVector<Lane>; 2],
+    /// The impulse of all substeps together.
+    pub total: WideVector<Lane>,
+    /// The joint's first frame when the step began.
+    pub frame: WideRotation<Lane>,
+}
+
+impl PointToPointBlock {
+    /// No joint in any lane.
+    pub const EMPTY: Self = Self {
+        bodies: [[READ_ONLY; LANES]; 2],
+        inv_mass: [WideVector::ZERO; 2],
+        inertias: JointedInertias::NONE,
+        arms: [WideVector::ZERO; 2],
+        separation: WideVector::ZERO,
+        bias_scale: Lane::ZERO,
+        impulse: WideVector::ZERO,
+        turned: [ANG_ZERO_LANES; 2],
+        total: WideVector::ZERO,
+        frame: WideRotation::IDENTITY,
+    };
+
+    /// Scales the impulses with which the next substep starts.
+    pub fn scale_impulses(&mut self, factor: Real) {
+        for lane in 0..LANES {
+            self.impulse.set_lane(lane, self.impulse.lane(lane) * factor);
+            for turned in &mut self.turned {
+                set_ang_lane(turned, lane, ang_lane(turned, lane) * factor);
+            }
+        }
+    }
+}
+
+/// The softness of all point-to-point joints of a substep.
+#[derive(Copy, Clone)]
+pub(super) struct PointToPointPass {
+    bias_rate: Real,
+    mass_scale: Real,
+    impulse_scale: Real,
+    is_last_iteration: bool,
+}
+
+impl PointToPointPass {
+    pub fn new(pass: &JointPass) -> Self {
+        let compliance = pass.softness.compliance().max(POINT_COMPLIANCE);
+        let mass_scale = 1.0 / (1.0 + compliance);
+        Self {
+            bias_rate: pass.softness.bias_rate,
+            mass_scale,
+            impulse_scale: compliance * mass_scale,
+            is_last_iteration: pass.is_last_iteration,
+        }
+    }
+}
+
+/// The inverse masses of a block's bodies.
+struct Masses<W> {
+    linear: [WideVector<W>; 2],
+    angular: [WideSymmetric<W>; 2],
+}
+
+impl<W: Wide> Masses<W> {
+    #[inline(always)]
+    fn load(block: &PointToPointBlock) -> Self {
+        Self { linear: load_both(&block.inv_mass), angular: block.inertias.load() }
+    }
+
+    /// The angular velocities that result from the moments of an impulse.
+    #[inline(always)]
+    fn turned(&self, [first, second]: [WideAngVector<W>; 2]) -> [WideAngVector<W>; 2] {
+        [-mul_inertia(self.angular[0], first), mul_inertia(self.angular[1], second)]
+    }
+
+    /// Gives the bodies an impulse, the first one the opposite, and what it makes of their angular velocities.
+    #[inline(always)]
+    fn push(
+        &self,
+        impulse: WideVector<W>,
+        turned: &[WideAngVector<W>; 2],
+        [v1, v2]: &mut [WideMotion<W>; 2],
+    ) {
+        v1.linear = v1.linear - impulse.component_mul(self.linear[0]);
+        v2.linear = v2.linear + impulse.component_mul(self.linear[1]);
+        v1.angular = v1.angular + turned[0];
+        v2.angular = v2.angular + turned[1];
+    }
+
+    /// `K⁻¹ b` for the matrix `K` of the two points.
+    #[inline(always)]
+    fn solve(&self, arms: &[WideVector<W>; 2], b: WideVector<W>) -> WideVector<W> {
+        let mut k = point_response(self.angular[0], arms[0]);
+        let second = point_response(self.angular[1], arms[1]);
+        let sum = numbers(self.linear[0] + self.linear[1]);
+        for i in 0..DIM {
+            for j in 0..=i {
+                k[i][j] = k[i][j] + second[i][j];
+            }
+            k[i][i] = k[i][i] + sum[i];
+        }
+        from_numbers(Factored::new(k).solve(numbers(b)))
+    }
+}
+
+/// The moments of an impulse at two moment arms.
+#[inline(always)]
+fn moments_of<W: Wide>(arms: &[WideVector<W>; 2], impulse: WideVector<W>) -> [WideAngVector<W>; 2] {
+    [torque(arms[0], impulse), torque(arms[1], impulse)]
+}
+
+/// Gives the bodies the impulse with which the step starts.
+///
+/// # Safety
+/// The caller has exclusive access to the states of the block's bodies.
+#[inline(always)]
+pub(super) unsafe fn warm_start<W: Wide>(
+    block: &mut PointToPointBlock,
+    states: &DisjointMut<BodyState>,
+) {
+    // SAFETY: the caller's promise.
+    let ((v1, d1), (v2, d2)) = unsafe {
+        (gather_states::<W>(states, &block.bodies[0]), gather_states(states, &block.bodies[1]))
+    };
+    let mut velocities = [v1, v2];
+    let impulse = WideVector::load(&block.impulse);
+    let masses = Masses::load(block);
+    let turned = masses.turned(moments_of(&load_both(&block.arms), impulse));
+    masses.push(impulse, &turned, &mut velocities);
+    store_turned(turned, block);
+    let [v1, v2] = velocities;
+    // SAFETY: the caller's promise.
+    unsafe {
+        scatter_states(states, &block.bodies[0], (v1, d1));
+        scatter_states(states, &block.bodies[1], (v2, d2));
+    }
+}
+
+/// Solves the joints once: with bias (`BIASED`), otherwise towards zero relative velocity.
+///
+/// # Safety
+/// The caller has exclusive access to the states of the block's bodies.
+#[inline(always)]
+pub(super) unsafe fn iterate<W: Wide, const BIASED: bool>(
+    block: &mut PointToPointBlock,
+    states: &DisjointMut<BodyState>,
+    pass: &PointToPointPass,
+) {
+    // SAFETY: the caller's promise.
+    let ((v1, d1), (v2, d2)) = unsafe {
+        (gather_states::<W>(states, &block.bodies[0]), gather_states(states, &block.bodies[1]))
+    };
+    let mut velocities = [v1, v2];
+    if !BIASED {
+        block.inertias.turn(&[d1, d2]);
+    }
+    let masses = Masses::load(block);
+    let old = load_both::<W>(&block.arms);
+    let arms = [d1.rotation().rotate(old[0]), d2.rotation().rotate(old[1])];
+    let impulse = WideVector::<W>::load(&block.impulse);
+    let mut turned = [load_ang::<W>(&block.turned[0]), load_ang(&block.turned[1])];
+    if BIASED {
+        // The bodies already have the last substep's impulse; moment arms and inertias have rotated since.
+        let now = masses.turned(moments_of(&arms, impulse));
+        for side in 0..2 {
+            velocities[side].angular = velocities[side].angular + (now[side] - turned[side]);
+        }
+        turned = now;
+    }
+    let [v1, v2] = &velocities;
+    let mut rate =
+        (v2.linear - v1.linear) + (cross(v2.angular, arms[1]) - cross(v1.angular, arms[0]));
+    if BIASED {
+        let separation = WideVector::load(&block.separation)
+            + (d2.linear - d1.linear)
+            + ((arms[1] - old[1]) - (arms[0] - old[0]));
+        let bias_rate = W::splat(pass.bias_rate) * W::load(&block.bias_scale);
+        rate = rate + separation * bias_rate;
+    }
+    let mut change = -masses.solve(&arms, rate);
+    if BIASED {
+        change = change * W::splat(pass.mass_scale) - impulse * W::splat(pass.impulse_scale);
+    }
+    let added = masses.turned(moments_of(&arms, change));
+    masses.push(change, &added, &mut velocities);
+    let impulse = impulse + change;
+    impulse.store(&mut block.impulse);
+    store_turned([turned[0] + added[0], turned[1] + added[1]], block);
+    if !BIASED && pass.is_last_iteration {
+        (WideVector::load(&block.total) + impulse).store(&mut block.total);
+    }
+    let [v1, v2] = velocities;
+    // SAFETY: the caller's promise.
+    unsafe {
+        scatter_states(states, &block.bodies[0], (v1, d1));
+        scatter_states(states, &block.bodies[1], (v2, d2));
+    }
+}
+
+/// Expresses the impulses along the axes of the joints' first frames, where the next step finds them.
+///
+/// # Safety
+/// No other thread writes the states of the block's first bodies.
+#[inline(always)]
+pub(super) unsafe fn turn_back<W: Wide>(
+    block: &mut PointToPointBlock,
+    states: &DisjointMut<BodyState>,
+) {
+    // SAFETY: the caller's promise.
+    let (_, moved) = unsafe { gather_states::<W>(states, &block.bodies[0]) };
+    let impulse = WideVector::<W>::load(&block.impulse);
+    let axes = axes(moved.rotation().times(WideRotation::load(&block.frame)));
+    let mut along = [W::zero(); DIM];
+    for (along, axis) in along.iter_mut().zip(&axes) {
+        *along = axis.dot(impulse);
+    }
+    from_numbers(along).store(&mut block.impulse);
+}
+
+#[inline(always)]
+fn load_both<W: Wide>(both: &[WideVector<Lane>; 2]) -> [WideVector<W>; 2] {
+    // Without closures, which would not be compiled for the kernel's instructions.
+    [WideVector::load(&both[0]), WideVector::load(&both[1])]
+}
+
+#[inline(always)]
+fn store_turned<W: Wide>([first, second]: [WideAngVector<W>; 2], block: &mut PointToPointBlock) {
+    store_ang(first, &mut block.turned[0]);
+    store_ang(second, &mut block.turned[1]);
+}

@@ -1,0 +1,225 @@
+//! # Pins — joints that hold two points together and do nothing else
+//!
+//! Point-to-point joints: hinges in 2D and ball joints in 3D, without limits, motors or springs, that are not
+//! solved directly (`../direct/`). Nets and cloths have thousands of them. The general data of joints
+//! (frames, rows of rotations, free axes) is omitted, and the rows are the axes of the world:
+//!
+//! ```text
+//! C = p2 - p1        Ċ = v2 + ω2 × r2 - v1 - ω1 × r1        K = Σ (1/m - [r]ₓ I⁻¹ [r]ₓ)
+//! ```
+//!
+//! That also improves the iteration. The load of a net has a direction in the world, and the bodies of the
+//! net tremble until the iteration has converged. Impulses along axes that turn with a body are turned to and
+//! fro by that, and the net stretches by a multiple. Along the axes of the world, a joint starts each substep
+//! with its last load, and needs half the compliance of other iterated joints. For the same reason each end
+//! has its own moment arm: the moment of the position error is not applied to one of the bodies. It is taken
+//! from the angular momentum, as long as the gap is there.
+
+mod block;
+mod load;
+mod store;
+
+use super::super::contacts::for_each_color;
+use super::super::layout::Layout;
+use super::BLOCKS_PER_TASK;
+use super::load::JointSources;
+use super::store::is_overloaded;
+use crate::base::disjoint::DisjointMut;
+use crate::base::tasks::Tasks;
+use crate::base::wide::{Kernel, Simd, Wide};
+use crate::dim::math::Real;
+use crate::dim::state::BodyState;
+use crate::model::island::IslandManager;
+use crate::model::joint::{ImpulseJoint, ImpulseJointSet};
+use crate::model::params::JointPass;
+use block::{PointToPointBlock, PointToPointPass};
+use core::ops::Range;
+use core::sync::atomic::{AtomicBool, Ordering};
+
+/// All point-to-point joints of a step.
+#[derive(Default)]
+pub(super) struct PointToPointJoints {
+    blocks: Vec<PointToPointBlock>,
+    /// The joints of each block, by their slots in the islands' list.
+    layout: Layout<u32>,
+}
+
+/// Blocks that are worth being filled by another thread.
+const FILLED_PER_TASK: usize = 16;
+
+impl PointToPointJoints {
+    /// Number of joints.
+    pub fn len(&self) -> usize {
+        self.layout.len()
+    }
+
+    /// Forgets all joints.
+    pub fn clear(&mut self) {
+        self.layout.clear();
+    }
+
+    /// Adds the joints of the next colour.
+    pub fn add(&mut self, color: u32, slots: impl IntoIterator<Item = u32>) {
+        self.layout.add(color, slots);
+    }
+
+    /// The slots of all joints.
+    pub fn slots(&self) -> impl Iterator<Item = u32> {
+        self.layout.iter().copied()
+    }
+
+    /// Makes constraints of the joints that were added.
+    pub fn load(
+        &mut self,
+        joints: &ImpulseJointSet,
+        from: JointSources<'_>,
+        pass: &JointPass,
+        tasks: Tasks<'_>,
+    ) {
+        let JointSources { islands, world, bodies, .. } = from;
+        let layout = &self.layout;
+        self.blocks.resize(layout.block_count(), PointToPointBlock::EMPTY);
+        tasks.par_fill(&mut self.blocks, FILLED_PER_TASK, |index| {
+            let mut block = PointToPointBlock::EMPTY;
+            for &slot in layout.block_or_none(index + 1) {
+                joints.prefetch(slot);
+                if let Some(link) = islands.joints.get(slot) {
+                    link.body_slots().into_iter().for_each(|body| world.prefetch(body));
+                }
+            }
+            for (lane, &slot) in layout.block(index).iter().enumerate() {
+                let link = islands.joints.get(slot);
+                if let Some(joint) = link.and_then(|link| joints.get(link.handle)) {
+                    load::load_lane(&mut block, lane, joint, world, (bodies, pass));
+                }
+            }
+            block
+        });
+    }
+
+    /// Gives the bodies the impulses with which the step starts.
+    pub fn warm_start(&mut self, states: DisjointMut<'_, BodyState>, simd: Simd, tasks: Tasks<'_>) {
+        let blocks = DisjointMut::new(&mut self.blocks);
+        for_each_color(self.layout.colors(), (tasks, BLOCKS_PER_TASK), |range| {
+            simd.run(WarmStart { range, blocks, states });
+        });
+    }
+
+    /// Scales the warm-start impulses of a substep by this fraction.
+    pub fn scale_impulses(&mut self, factor: Real) {
+        self.blocks.iter_mut().for_each(|block| block.scale_impulses(factor));
+    }
+
+    /// Solves all joints once: with bias (`BIASED`), or towards zero relative velocity.
+    pub fn iterate<const BIASED: bool>(
+        &mut self,
+        states: DisjointMut<'_, BodyState>,
+        pass: &JointPass,
+        simd: Simd,
+        tasks: Tasks<'_>,
+    ) {
+        let pass = PointToPointPass::new(pass);
+        let blocks = DisjointMut::new(&mut self.blocks);
+        for_each_color(self.layout.colors(), (tasks, BLOCKS_PER_TASK), |range| {
+            simd.run(Visit::<BIASED> { range, blocks, states, pass });
+        });
+    }
+
+    /// Turns impulses back with the bodies, to how these stood when the step began.
+    pub fn finish(&mut self, states: DisjointMut<'_, BodyState>, simd: Simd, tasks: Tasks<'_>) {
+        let blocks = DisjointMut::new(&mut self.blocks);
+        tasks.par_for(self.layout.block_count(), FILLED_PER_TASK, |range| {
+            simd.run(TurnBack { range, blocks, states });
+        });
+    }
+
+    /// Writes impulses and forces back to the joints. `overload` returns whether the load of a joint exceeds
+    /// its limit.
+    pub fn store(
+        &self,
+        (islands, joints): (&IslandManager, &mut ImpulseJointSet),
+        inv_dt: Real,
+        overload: &AtomicBool,
+        tasks: Tasks<'_>,
+    ) {
+        let (layout, blocks) = (&self.layout, &self.blocks);
+        let joints = joints.share();
+        tasks.par_for(layout.block_count(), FILLED_PER_TASK, |range| {
+            for index in range {
+                let later = layout.block_or_none(index + 1);
+                later.iter().for_each(|slot| joints.prefetch_front(*slot, ImpulseJoint::FRONT));
+                let block = &blocks[index];
+                for (lane, &slot) in layout.block(index).iter().enumerate() {
+                    let Some(link) = islands.joints.get(slot) else { continue };
+                    // SAFETY: each joint has one lane.
+                    let Some(entry) = (unsafe { joints.get_mut(link.handle.0) }) else { continue };
+                    store::store_lane(block, lane, &mut entry.joint, inv_dt);
+                    if is_overloaded(&entry.joint) {
+                        overload.store(true, Ordering::Relaxed);
+                    }
+                }
+            }
+        });
+    }
+}
+
+/// See [`block::warm_start`].
+struct WarmStart<'a> {
+    range: Range<usize>,
+    blocks: DisjointMut<'a, PointToPointBlock>,
+    states: DisjointMut<'a, BodyState>,
+}
+
+impl Kernel for WarmStart<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<W: Wide>(self) {
+        for index in self.range {
+            // SAFETY: each block belongs to one task, and joints of one colour have no common dynamic body.
+            unsafe { block::warm_start::<W>(self.blocks.get_mut(index), &self.states) };
+        }
+    }
+}
+
+/// See [`block::iterate`].
+struct Visit<'a, const BIASED: bool> {
+    range: Range<usize>,
+    blocks: DisjointMut<'a, PointToPointBlock>,
+    states: DisjointMut<'a, BodyState>,
+    pass: PointToPointPass,
+}
+
+impl<const BIASED: bool> Kernel for Visit<'_, BIASED> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<W: Wide>(self) {
+        for index in self.range {
+            // SAFETY: each block belongs to one task, joints of one colour have no common dynamic body, and
+            // the colours run in sequence.
+            unsafe {
+                block::iterate::<W, BIASED>(self.blocks.get_mut(index), &self.states, &self.pass);
+            }
+        }
+    }
+}
+
+/// See [`block::turn_back`].
+struct TurnBack<'a> {
+    range: Range<usize>,
+    blocks: DisjointMut<'a, PointToPointBlock>,
+    states: DisjointMut<'a, BodyState>,
+}
+
+impl Kernel for TurnBack<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<W: Wide>(self) {
+        for index in self.range {
+            // SAFETY: each block belongs to one task, and no thread writes states.
+            unsafe { block::turn_back::<W>(self.blocks.get_mut(index), &self.states) };
+        }
+    }
+}

@@ -1,0 +1,143 @@
+//! Joint positions at the end of the substep: see the head of this folder.
+
+use super::block::{AxisRow, JointBlock};
+use super::geometry::Geometry;
+use super::passes::Bodies;
+use super::rows::Row;
+use crate::base::wide::Wide;
+use crate::dim::math::Real;
+use crate::dim::rotation_vector::turned_further;
+use crate::dim::state::{WideDisplacement, WideMotion};
+use crate::dim::wide::{ang_dot, cross};
+use crate::model::params::JointPass;
+
+/// Largest curvature of a free axis in a substep, as a fraction of its speed. A chord deviates from a circle
+/// by half of the arc angle. This is half a radian, up to which one step towards the end of the substep
+/// converges.
+pub(in crate::step::solver) const CURVATURE_ANGLE_MAX: Real = 0.25;
+
+/// Joint positions of a block at the end of the substep.
+pub(super) struct SubstepEnd<W> {
+    pub then: Geometry<W>,
+    /// With these velocities.
+    velocities: [WideMotion<W>; 2],
+}
+
+impl<W: Wide> SubstepEnd<W> {
+    /// With the velocities that the bodies have.
+    #[cfg_attr(not(target_arch = "wasm32"), inline(always))]
+    pub fn new(block: &JointBlock, bodies: &Bodies<W>, pass: &JointPass) -> Self {
+        let (velocities, h) = (bodies.velocities, W::splat(pass.substep));
+        let places = [
+            advanced(&bodies.displacements[0], &velocities[0], h),
+            advanced(&bodies.displacements[1], &velocities[1], h),
+        ];
+        Self { then: Geometry::new(block, &places), velocities }
+    }
+
+    /// The rates of locked axes by the end of the substep, from where the joints are `now`, with the bias of the errors.
+    #[inline(always)]
+    pub fn rates<const N: usize>(
+        &self,
+        block: &mut JointBlock,
+        now: &Geometry<W>,
+        pass: &JointPass,
+    ) -> [W; N] {
+        let taut = W::zero().lt(W::load(&block.is_stiff));
+        let (errors, mut then) = (now.errors::<N>(), self.then.errors::<N>());
+        let seen_from_now = self.then.errors_seen_from::<N>(now, block);
+        for (then, seen) in then.iter_mut().zip(seen_from_now) {
+            *then = W::select(taut, *then, seen);
+        }
+        let (inv_h, bias_rate) = (W::splat(pass.inv_substep), W::load(&block.bias_rate));
+        let mut rates = [W::zero(); N];
+        for k in 0..N {
+            let bias = errors[k] * bias_rate;
+            bias.store(&mut block.held_bias[k]);
+            rates[k] = (then[k] - errors[k]) * inv_h + bias;
+        }
+        rates
+    }
+
+    /// Curvature of locked axes over the substep, from the `now` positions, for directly solved joints.
+    /// Constraints that are solved before them in the substep must include their reaction.
+    #[cfg_attr(not(target_arch = "wasm32"), inline(always))]
+    pub fn locked_curvatures<const N: usize>(
+        &self,
+        block: &JointBlock,
+        now: &Geometry<W>,
+        rows: &[Row<W>; N],
+        pass: &JointPass,
+    ) -> [W; N] {
+        let mut curvatures = [W::zero(); N];
+        if !block.has_exact {
+            return curvatures;
+        }
+        let (exact, zero) = (Self::bent(block), W::zero());
+        let (errors, then) = (now.errors::<N>(), self.then.errors_seen_from::<N>(now, block));
+        for k in 0..N {
+            let changes = (then[k] - errors[k]) * W::splat(pass.inv_substep);
+            let straight = rows[k].rate(&self.velocities);
+            let bent = zero.lt(exact * W::load(&block.locked[k]));
+            curvatures[k] = W::select(bent, changes - straight, zero);
+        }
+        curvatures
+    }
+
+    /// Curvature of a free axis over the substep, from its `now` position: a body on a rope, or on a cone,
+    /// leaves along a tangent. No more than [`CURVATURE_ANGLE_MAX`]. Angles of iterated joints are excluded:
+    /// most of these are limbs of ragdolls, where the curvature is invisible.
+    #[cfg_attr(not(target_arch = "wasm32"), inline(always))]
+    pub fn curvature(
+        &self,
+        (block, row): (&JointBlock, &AxisRow),
+        now: &Geometry<W>,
+        (along, position): (&Row<W>, W),
+        pass: &JointPass,
+    ) -> W {
+        let (_, then) = self.then.free_row(row);
+        let curvature =
+            (then - position) * W::splat(pass.inv_substep) - along.rate(&self.velocities);
+        let is_translation = Self::is_translation(along);
+        let bound = W::splat(CURVATURE_ANGLE_MAX) * self.speed(now, is_translation);
+        let bent = W::zero().lt(Self::bent(block));
+        let loose = W::load(&block.is_stiff).lt(W::splat(0.5));
+        let bent = bent | (is_translation & loose);
+        W::select(bent, curvature.min(bound).max(-bound), W::zero())
+    }
+
+    /// One for locked axes with curvature: directly solved ones, except in stiff components, which are
+    /// projected from their free positions.
+    #[inline(always)]
+    fn bent(block: &JointBlock) -> W {
+        let one = W::splat(1.0);
+        (one - W::load(&block.swept)) * (one - W::load(&block.is_stiff))
+    }
+
+    #[inline(always)]
+    fn is_translation(along: &Row<W>) -> W::Mask {
+        W::splat(0.5).lt(along.linear.dot(along.linear))
+    }
+
+    /// Speed of the joint in the mode of an axis (along or about it), in any direction.
+    #[inline(always)]
+    fn speed(&self, now: &Geometry<W>, is_translation: W::Mask) -> W {
+        let [m1, m2] = &self.velocities;
+        let turn = m2.angular - m1.angular;
+        let at = [cross(m1.angular, now.arms[0]), cross(m2.angular, now.arms[1])];
+        let way = (m2.linear - m1.linear) + (at[1] - at[0]);
+        W::select(is_translation, way.dot(way), ang_dot(turn, turn)).sqrt()
+    }
+}
+
+#[inline(always)]
+fn advanced<W: Wide>(
+    displacement: &WideDisplacement<W>,
+    velocity: &WideMotion<W>,
+    h: W,
+) -> WideDisplacement<W> {
+    WideDisplacement::new(
+        displacement.linear + velocity.linear * h,
+        turned_further(displacement.angular, velocity.angular * h),
+    )
+}

@@ -1,0 +1,481 @@
+//! Contacts of links in impacts.
+//!
+//! They take part in the rounds of `impacts/mod.rs`, beside the blocks of bodies' contacts and with the same
+//! rules, processed point by point. These rules use a contact's velocity, its `1/K` and its effect on the
+//! velocities of others. The inertia may be that of a body or, with `W = M⁻¹ Jᵀ` (`rows.rs`), of a whole
+//! multibody. An impact thus travels through chains as through rows of bodies, and the energy sum of an
+//! island includes both.
+//!
+//! A multibody takes an impact as a body does: its generalised velocities change by the fraction of its
+//! island's round, and the impulse is no warm-start load. But its configuration changes: `J`, `W` and the
+//! velocities in the middle of a substep differ from those at the time `τ` of the impact, and with them an
+//! impact would add energy. The multibody is therefore moved to that time, `q + τ q̇`, with the velocities of
+//! free motion. The impact rows are made there, and after the round everything returns the same way with the
+//! new velocities. Both halves of the free motion use the configuration at the impact, so that they cancel
+//! exactly without one. There may be dozens of rounds, for example when a corner bounces while another one
+//! rests, and their errors would add up. A multibody that is hit several times in a round goes to the mean of
+//! these. It returns to a time before the substep only if all its links move as one. That distance exceeds
+//! the range of the tangents of a chain, and on the way forward links that were not hit would end up in the
+//! ground.
+//!
+//! Impacts see multibodies, too, without the impulses that the substep starts with. Without this rule, an
+//! impact could drive a link into the ground, and the contact there would throw it back in the next substep.
+//! That causes another impact with a larger impulse, until all links fly about.
+//!
+//! Limits, motors, gears and loops take no part: the following passes undo the effect of an impact on them.
+
+use super::contacts::{LinkContact, LinkContacts, Point};
+use super::rows::{ConstrainedStates, JacobianPool};
+use super::{Moving, SolverMultibodies};
+use crate::dim::math::{DIM, Real, SpatialVector};
+use crate::dim::state::BodyState;
+use crate::model::body::RigidBodySet;
+use crate::model::contact::NarrowPhase;
+use crate::model::island::NONE;
+use crate::model::params::ImpactPass;
+use crate::step::solver::bodies::SolverBodies;
+use crate::step::solver::impacts::{
+    APPROACH_CHANGE_MIN, CONVERGENCE_TOLERANCE, COORDINATE_MODERATE_MAX, CURVATURE_ANGLE_MAX,
+    SWEEPS,
+};
+
+/// A contact point in an impact. See `ImpactRow` in `impacts/rows.rs`.
+#[derive(Copy, Clone, Debug, Default)]
+pub struct ImpactImpulse {
+    /// Its velocity when the last substep ended, and with the impulses of that in this one.
+    last: Real,
+    loaded: Real,
+    /// Velocity change in this substep by forces and their supports.
+    accelerated: Real,
+    /// The part of the force-induced velocity change that supports cancel.
+    support_velocity: Real,
+    /// It hits where its velocity is below this.
+    limit: Real,
+    /// Its velocity in the substep's middle when the round began.
+    middle: Real,
+    /// Whether the point approaches fast and does not arrive in this substep.
+    waits: bool,
+    /// `1 / K` if it hits in this round.
+    mass: Real,
+    approach: Real,
+    target: Real,
+    /// When it hits, from the beginning of the substep (s).
+    time: Real,
+    /// Impulses of this round, and of the whole impact: the committed fraction of each round.
+    impulse: Real,
+    given: Real,
+}
+
+/// A contact in an impact. See `impacts/rows.rs` and `impacts/active.rs`.
+#[derive(Copy, Clone, Debug, Default)]
+pub struct LinkImpact {
+    /// The island of its links.
+    pub island: u32,
+    /// Whether any point hits in this round.
+    pub active: bool,
+    /// Whether any point hit in this substep.
+    pub was_active: bool,
+    /// Whether the last iteration changed anything.
+    pub moving: bool,
+    /// The sum of impulse times approach in this round, and how much more energy there is than there should be.
+    pub dissipated: Real,
+    pub energy_gain: Real,
+}
+
+/// State of a multibody at the start of a round.
+#[derive(Debug, Default)]
+pub struct BeforeImpact {
+    rates: Vec<Real>,
+    external_impulse: SpatialVector,
+    /// The sum of the times (s) at which it is hit in this round, and how many they are.
+    times: [Real; 2],
+    /// For how long (s) it has been moved on to where it is hit, if it is.
+    ahead: Option<Real>,
+    /// Whether it may gain energy: other bodies hit it, or its restitution exceeds 1.
+    may_gain: bool,
+}
+
+impl BeforeImpact {
+    /// Notes the time of an impact, and whether it may add energy.
+    pub fn note(&mut self, time: Real, may_gain: bool) {
+        self.may_gain |= may_gain;
+        let [sum, count] = self.times;
+        self.times = [sum + time, count + 1.0];
+    }
+}
+
+impl SolverMultibodies {
+    /// Returns whether any contact has restitution.
+    pub fn bounce(&self) -> bool {
+        self.contacts.contacts.iter().any(LinkContact::bounces)
+    }
+
+    /// No island of a contact that bounces has this number or a higher one.
+    pub fn island_bound(&self) -> usize {
+        let islands = self.contacts.contacts.iter().filter(|contact| contact.bounces());
+        islands.map(|contact| contact.strike.island as usize + 1).max().unwrap_or(0)
+    }
+
+    /// The contacts that hit in this round.
+    pub fn active(&mut self) -> impl Iterator<Item = &mut LinkContact> {
+        self.contacts.contacts.iter_mut().filter(|contact| contact.strike.active)
+    }
+
+    /// The island and the restitution of each contact that bounces.
+    pub fn restitutions(&self) -> impl Iterator<Item = (u32, Real)> {
+        let bouncing = self.contacts.contacts.iter().filter(|contact| contact.bounces());
+        bouncing.map(|contact| (contact.strike.island, contact.restitution))
+    }
+
+    /// Notes how the contacts move at the end of a substep, before forces act in the next.
+    pub fn note_velocities(&mut self, velocities: &mut [BodyState]) {
+        let (jacobians, contacts, states) = self.bouncing(velocities);
+        for contact in contacts.bouncing() {
+            for point in &mut contact.points {
+                point.impact_impulse.last = jacobians.velocity(&point.normal, &states);
+            }
+        }
+    }
+
+    /// Begins a substep: notes the contact velocities, with the effect of forces and their supports, and
+    /// removes the warm-start impulses from multibodies. Bodies move without theirs already.
+    pub fn begin_impact(&mut self, bodies: &mut SolverBodies, pass: &ImpactPass) {
+        self.note_loaded(&mut bodies.before);
+        self.moving.iter_mut().for_each(|moving| moving.add_pushed(-1.0));
+        let (jacobians, contacts, states) = self.bouncing(&mut bodies.states);
+        for contact in contacts.bouncing() {
+            contact.strike.was_active = false;
+            for Point { normal, impact_impulse, .. } in &mut contact.points {
+                impact_impulse.begin(jacobians.velocity(normal, &states), pass);
+            }
+        }
+    }
+
+    /// Ends it: gives the impulses of the last substep back to multibodies.
+    pub fn end_impact(&mut self) {
+        self.moving.iter_mut().for_each(|moving| moving.add_pushed(1.0));
+    }
+
+    /// Notes how contacts move with the impulses of the last substep.
+    fn note_loaded(&mut self, loaded: &mut [BodyState]) {
+        let (jacobians, contacts, states) = self.bouncing(loaded);
+        for Point { normal, impact_impulse, .. } in
+            contacts.bouncing().flat_map(|contact| &mut contact.points)
+        {
+            impact_impulse.loaded = jacobians.velocity(normal, &states);
+        }
+        // Inertial terms are evaluated at the configuration of the impact.
+        let before_flight = |moving: &mut Moving| {
+            let before = moving.motion.rates_before_flight();
+            core::mem::replace(&mut moving.motion.rates, before)
+        };
+        let flying: Vec<_> = states.multibodies.iter_mut().map(before_flight).collect();
+        for point in contacts.bouncing().flat_map(|contact| &mut contact.points) {
+            point.impact_impulse.accelerated =
+                jacobians.velocity(&point.normal, &states) - point.impact_impulse.last;
+        }
+        for (moving, rates) in states.multibodies.iter_mut().zip(flying) {
+            let before = core::mem::replace(&mut moving.motion.rates, rates);
+            moving.motion.return_buffer(before);
+        }
+    }
+
+    /// Begins a round: finds the points that hit before the substep ends, and how they separate. Islands whose impact has ended stay as they are: to move there
+    /// and back leaves rounding errors, as often as other islands need another round.
+    pub fn mark_active(
+        &mut self,
+        place: (&NarrowPhase, &RigidBodySet),
+        bodies: &mut SolverBodies,
+        takes_part: impl Fn(u32) -> bool,
+        pass: &ImpactPass,
+    ) {
+        let (jacobians, contacts, mut states) = self.bouncing(&mut bodies.states);
+        for contact in contacts.bouncing() {
+            contact.strike.active = false;
+            let takes_part = takes_part(contact.strike.island);
+            for Point { normal, impact_impulse, separation, .. } in &mut contact.points {
+                let velocity =
+                    jacobians.velocity(normal, &states) + impact_impulse.support_velocity;
+                let separation = *separation + jacobians.displacement(normal, &states);
+                impact_impulse.impulse = 0.0;
+                impact_impulse.mass = 0.0;
+                let earliest = if jacobians.goes_back(normal, &states) { -pass.step } else { 0.0 };
+                if impact_impulse.find_time(velocity, separation, earliest, pass.substep)
+                    && takes_part
+                {
+                    impact_impulse.mass = normal.mass;
+                    contact.strike.active |= impact_impulse.mass > 0.0;
+                    let gains = contact.restitution > 1.0;
+                    jacobians.note_time(normal, (impact_impulse.time, gains), &mut states);
+                }
+            }
+            contact.strike.was_active |= contact.strike.active;
+        }
+        self.move_to_impact(place, bodies, pass.substep);
+        let (jacobians, contacts, states) = self.bouncing(&mut bodies.states);
+        for contact in contacts.bouncing().filter(|contact| contact.strike.active) {
+            for Point { normal, impact_impulse, .. } in &mut contact.points {
+                if impact_impulse.mass > 0.0 {
+                    impact_impulse.mass = normal.mass;
+                    let velocity =
+                        jacobians.velocity(normal, &states) + impact_impulse.support_velocity;
+                    impact_impulse.aim(velocity, contact.restitution, pass);
+                }
+            }
+        }
+    }
+
+    /// Moves the hit multibodies to the time of their impact, and makes the impact rows there.
+    fn move_to_impact(
+        &mut self,
+        place: (&NarrowPhase, &RigidBodySet),
+        bodies: &mut SolverBodies,
+        h: Real,
+    ) {
+        for moving in &mut self.moving {
+            let [sum, count] = core::mem::take(&mut moving.before_impact.times);
+            if count > 0.0 {
+                moving.move_on(sum / count, h);
+            }
+        }
+        for position in 0..self.contacts.contacts.len() {
+            if self.contacts.contacts[position].strike.active {
+                self.follow_contact(position, place, bodies);
+            }
+        }
+    }
+
+    /// Visits the points that hit, in turn: pushes until they part as they are to.
+    pub fn iterate_active(&mut self, states: &mut [BodyState]) {
+        let (jacobians, contacts, mut states) = self.bouncing(states);
+        for contact in contacts.bouncing().filter(|contact| contact.strike.active) {
+            contact.strike.moving = false;
+            for sweep in 0..SWEEPS {
+                for Point { normal, impact_impulse, .. } in &mut contact.points {
+                    let missing = impact_impulse.target
+                        - impact_impulse.support_velocity
+                        - jacobians.velocity(normal, &states);
+                    let new = (impact_impulse.impulse + impact_impulse.mass * missing).max(0.0);
+                    let change = new - impact_impulse.impulse;
+                    impact_impulse.impulse = new;
+                    jacobians.strike(normal, change, &mut states);
+                    let little =
+                        -(impact_impulse.mass * impact_impulse.approach * CONVERGENCE_TOLERANCE);
+                    contact.strike.moving |= sweep == 0 && change.abs() > little;
+                }
+            }
+        }
+    }
+
+    /// Ends a round: sums up its energy, and records the hit times of bodies and multibodies.
+    pub fn end_round(&mut self, states: &mut [BodyState], delays: &mut [BodyState]) {
+        let (jacobians, contacts, states) = self.bouncing(states);
+        for contact in contacts.bouncing().filter(|contact| contact.strike.active) {
+            let allowed = contact.restitution.max(1.0);
+            (contact.strike.dissipated, contact.strike.energy_gain) = (0.0, 0.0);
+            for Point { normal, impact_impulse, .. } in &mut contact.points {
+                let velocity =
+                    jacobians.velocity(normal, &states) + impact_impulse.support_velocity;
+                contact.strike.dissipated += impact_impulse.impulse * impact_impulse.approach;
+                contact.strike.energy_gain +=
+                    impact_impulse.impulse * (velocity + allowed * impact_impulse.approach) * 0.5;
+                jacobians.note_impulse(
+                    normal,
+                    [impact_impulse.impulse, impact_impulse.time],
+                    delays,
+                );
+            }
+        }
+    }
+
+    /// Commits the impulses of a round, scaled by the fraction of each island.
+    pub fn commit_round(&mut self, share: impl Fn(u32) -> Real) {
+        for contact in self.active() {
+            let share = share(contact.strike.island);
+            contact.points.iter_mut().for_each(|point| {
+                point.impact_impulse.given += share * point.impact_impulse.impulse
+            });
+        }
+    }
+
+    /// Puts the points aside that come fast and do not arrive in this substep.
+    pub fn defer(&mut self) {
+        for contact in self.contacts.bouncing() {
+            contact.points.iter_mut().for_each(|point| point.is_aside = point.impact_impulse.waits);
+        }
+    }
+
+    /// Ends the impact: friction acts under its normal impulses, which count into those of the step.
+    pub fn solve_active_friction(&mut self, states: &mut [BodyState]) {
+        let (jacobians, contacts, mut states) = self.bouncing(states);
+        for contact in contacts.bouncing().filter(|contact| contact.strike.was_active) {
+            for point in contact.points.iter_mut().filter(|point| point.impact_impulse.given > 0.0)
+            {
+                point.total += point.impact_impulse.given;
+                let most = contact.friction * point.impact_impulse.given;
+                let none = [0.0; DIM - 1];
+                let friction_solved = point.friction_under(most, none, jacobians, &states);
+                for (row, impulse) in point.tangents.iter().zip(friction_solved) {
+                    jacobians.strike(row, impulse, &mut states);
+                }
+            }
+        }
+    }
+
+    /// Remembers how the multibodies move when a round begins.
+    pub fn begin_round(&mut self) {
+        for moving in &mut self.moving {
+            let BeforeImpact { rates, external_impulse, .. } = &mut moving.before_impact;
+            rates.clone_from(&moving.motion.rates);
+            *external_impulse = moving.motion.external_impulse();
+        }
+    }
+
+    /// Commits the velocity changes since the round began, scaled by the `share` of each island: see
+    /// [`SolverBodies::accept_impact`].
+    pub fn accept_impact(&mut self, h: Real, share: impl Fn(u32) -> Real) {
+        for moving in &mut self.moving {
+            moving.accept_impact(h, share(moving.island));
+        }
+    }
+
+    fn bouncing<'a>(
+        &'a mut self,
+        states: &'a mut [BodyState],
+    ) -> (&'a JacobianPool, &'a mut LinkContacts, ConstrainedStates<'a>) {
+        let Self { jacobians, contacts, moving, .. } = self;
+        (jacobians, contacts, ConstrainedStates { multibodies: moving, states })
+    }
+}
+
+impl LinkContacts {
+    /// The contacts with restitution.
+    fn bouncing(&mut self) -> impl Iterator<Item = &mut LinkContact> {
+        self.contacts.iter_mut().filter(|contact| contact.bounces())
+    }
+}
+
+impl LinkImpact {
+    /// For a contact of this island.
+    pub fn of(island: u32) -> Self {
+        Self { island, ..Self::default() }
+    }
+}
+
+impl LinkContact {
+    fn bounces(&self) -> bool {
+        self.restitution != 0.0 && self.strike.island != NONE
+    }
+
+    /// Leaves it as it is for the rest of the round.
+    pub fn deactivate(&mut self) {
+        self.points.iter_mut().for_each(|point| point.impact_impulse.mass = 0.0);
+    }
+}
+
+impl Point {
+    /// Its separation for all passes except impacts.
+    pub fn shown_separation(&self) -> Real {
+        if self.is_aside { COORDINATE_MODERATE_MAX } else { self.separation }
+    }
+}
+
+impl ImpactImpulse {
+    /// Begins a substep in which the point moves like this without the impulses of the last one.
+    fn begin(&mut self, free: Real, pass: &ImpactPass) {
+        let forced = free - self.last;
+        self.support_velocity = (self.loaded - free).min(-forced).max(0.0);
+        let now = free + self.support_velocity;
+        let is_at_rest = now.max(self.last) >= -pass.threshold;
+        self.limit =
+            if is_at_rest { now.min(0.0) } else { 0.0 } - pass.threshold * APPROACH_CHANGE_MIN;
+        self.accelerated = self.accelerated.clamp(-pass.fall, pass.fall);
+        self.given = 0.0;
+    }
+
+    /// Returns whether the point hits. Then it is known when.
+    fn find_time(&mut self, velocity: Real, separation: Real, earliest: Real, h: Real) -> bool {
+        let comes = velocity < self.limit;
+        let arrives = separation + velocity * h < 0.0;
+        self.waits = comes && !arrives;
+        self.middle = velocity;
+        if comes {
+            self.time = (separation / -velocity).max(earliest).min(h);
+        }
+        comes && arrives
+    }
+
+    /// Finds how it is to part, at the velocity that it has when it hits.
+    fn aim(&mut self, velocity: Real, restitution: Real, pass: &ImpactPass) {
+        if velocity >= self.limit {
+            // It has separated by then, and only returns to the middle of the substep, as it would in each
+            // further round.
+            self.mass = 0.0;
+            self.limit = self.middle - pass.threshold * APPROACH_CHANGE_MIN;
+        }
+        let speed = (-velocity).max(0.0);
+        let most = speed * CURVATURE_ANGLE_MAX;
+        let curvature = self.accelerated * (self.time * pass.inv_substep - 0.5);
+        let curvature = curvature.max(-most).min(most);
+        self.approach = curvature + curvature - speed;
+        self.target = (restitution * (speed - curvature) - curvature).max(0.0);
+    }
+}
+
+impl Moving {
+    /// Returns whether all links have the same velocity.
+    pub(super) fn moves_as_one(&self) -> bool {
+        self.motion.rates.len() <= self.motion.root_dofs().max(1)
+    }
+
+    /// Goes to where the links are after `time` seconds of a substep of `h` seconds.
+    fn move_on(&mut self, time: Real, h: Real) {
+        let rates = self.motion.rates.clone();
+        self.displace(&rates, time);
+        self.motion.resist(h);
+        self.motion.fly_back(self.motion.middle(h) - time);
+        self.before_impact.ahead = Some(time);
+    }
+
+    /// Ends a round of a substep of `h` seconds.
+    fn accept_impact(&mut self, h: Real, share: Real) {
+        let ahead = self.before_impact.ahead.take();
+        let BeforeImpact { rates: before, external_impulse, .. } = &self.before_impact;
+        if *before != self.motion.rates {
+            let energy = self.motion.energy_at(before);
+            for (rate, old) in self.motion.rates.iter_mut().zip(before) {
+                *rate = *old + (*rate - *old) * share;
+            }
+            self.motion.share_external_impulse(external_impulse, share);
+            self.note_impulse_energy(energy);
+        }
+        if let Some(time) = ahead {
+            self.motion.fly_on(self.motion.middle(h) - time);
+            let rates = self.motion.rates.clone();
+            self.displace(&rates, -time);
+        }
+    }
+
+    /// Changes the energy limit of impulses by the energy change of a round since `before`, at the time of
+    /// the impact. The world gives none. Links that turn far may have another energy there; then the fraction
+    /// counts.
+    fn note_impulse_energy(&mut self, before: Real) {
+        let change = self.motion.kinetic_energy() - before;
+        let may_gain = core::mem::take(&mut self.before_impact.may_gain);
+        if change > 0.0 {
+            self.energy += if may_gain { change } else { 0.0 };
+        } else {
+            let fraction = self.energy / before;
+            self.energy += change * if fraction < 1.0 { fraction } else { 1.0 };
+        }
+    }
+
+    /// Moves the links for `time` seconds, which may be negative, at these rates.
+    fn displace(&mut self, rates: &[Real], time: Real) {
+        for (shift, rate) in self.shift.iter_mut().zip(rates) {
+            *shift += rate * time;
+        }
+        self.motion.displace(&mut self.multibody, rates, time);
+        self.note_travel_at(rates, time.abs());
+    }
+}

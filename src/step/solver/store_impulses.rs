@@ -1,0 +1,35 @@
+//! Stores contact constraints when a step ends: once per step.
+
+use crate::base::wide::{LANES, Wide};
+use crate::dim::contact::{ContactBlock, CoulombBlock};
+use crate::dim::wide::WideVector;
+use crate::model::contact::{ContactInput, ContactReport, WideReport};
+
+/// Stores the warm-start impulses of a block for the next step, and writes a report for each lane.
+///
+/// A lane in which not all numbers stayed finite starts with none: its bodies would never get rid of them.
+#[inline(always)]
+pub(super) fn store_impulses<W: Wide>(
+    block: &ContactBlock,
+    coulomb: Option<&CoulombBlock>,
+    input: &mut ContactInput,
+    reports: &mut [ContactReport; LANES],
+) {
+    let (zero, (friction, twist)) = (W::zero(), block.friction_impulses::<W>());
+    let mut report = WideReport::new(WideVector::load(&block.normal), friction, twist);
+    let rows = block.points.iter().zip(&block.places).zip(&block.totals);
+    for (k, ((row, place), total)) in rows.enumerate() {
+        let impulses = [W::load(total), W::load(&row.impulse)];
+        report.set_point(k, WideVector::load(place), W::load(&row.separation), impulses);
+    }
+    let is_sound = report.find_sound();
+    WideVector::select(is_sound, friction, WideVector::zero()).store(&mut input.friction_impulse);
+    W::select(is_sound, twist, zero).store(&mut input.twist_impulse);
+    for (row, kept) in block.points.iter().zip(&mut input.impulses) {
+        W::select(is_sound, W::load(&row.impulse), zero).store(kept);
+    }
+    if let Some(rows) = coulomb {
+        rows.store_impulses::<W>(&mut input.tangent_impulses);
+    }
+    report.write(reports);
+}
