@@ -2,6 +2,7 @@ import type { Config } from "@docusaurus/types";
 import type { Options, ThemeConfig } from "@docusaurus/preset-classic";
 import { themes } from "prism-react-renderer";
 import documents from "./plugins/documents";
+import engine from "./plugins/engine";
 import { REPOSITORY, VERSION, fileView } from "./plugins/repository";
 
 const presets: Options = {
@@ -33,7 +34,8 @@ const themeConfig: ThemeConfig = {
         items: [
             { type: "docSidebar", sidebarId: "guide", label: "Guide" },
             { type: "docSidebar", sidebarId: "design", label: "How it works" },
-            { type: "docSidebar", sidebarId: "benchmarks", label: "Benchmarks" },
+            { to: "/benchmarks", label: "Benchmarks" },
+            { to: "/gallery", label: "Gallery" },
             { type: "html", position: "right", value: `<span class="version">${VERSION}</span>` },
             ...(REPOSITORY === undefined ? [] : [{ href: REPOSITORY, label: "Source", position: "right" as const }]),
         ],
@@ -48,7 +50,7 @@ const config: Config = {
     favicon: "img/logo.svg",
     url: process.env.SITE_URL ?? "http://localhost:3000",
     baseUrl: process.env.BASE_URL ?? "/",
-    staticDirectories: ["static", "generated/static"],
+    staticDirectories: ["static", "../testbed3d/public"],
     onBrokenLinks: "throw",
     onBrokenAnchors: "throw",
     onDuplicateRoutes: "throw",
@@ -57,6 +59,7 @@ const config: Config = {
         hooks: { onBrokenMarkdownLinks: "throw", onBrokenMarkdownImages: "throw" },
     },
     presets: [["classic", presets]],
+    plugins: [engine],
     themes: [["@easyops-cn/docusaurus-search-local", search]],
     themeConfig,
 };
