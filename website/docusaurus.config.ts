@@ -17,11 +17,20 @@ const presets: Options = {
     theme: { customCss: "./src/css/site.css" },
 };
 
+/** The reference, which `scripts/prepare.mjs` generates. */
+const reference = {
+    id: "api",
+    path: "generated/api",
+    routeBasePath: "api",
+    sidebarPath: "./sidebars-api.ts",
+    numberPrefixParser: false,
+};
+
 const search = {
     hashed: "filename",
     indexBlog: false,
-    docsRouteBasePath: ["docs"],
-    docsDir: ["../docs"],
+    docsRouteBasePath: ["docs", "api"],
+    docsDir: ["../docs", "generated/api"],
     highlightSearchTermsOnTargetPage: true,
     explicitSearchResultPath: true,
 };
@@ -34,6 +43,15 @@ const themeConfig: ThemeConfig = {
         items: [
             { type: "docSidebar", sidebarId: "guide", label: "Guide" },
             { type: "docSidebar", sidebarId: "design", label: "How it works" },
+            {
+                type: "dropdown",
+                label: "Reference",
+                position: "left",
+                items: [
+                    { to: "/api/rust", label: "Rust" },
+                    { to: "/api/javascript", label: "JavaScript" },
+                ],
+            },
             { to: "/benchmarks", label: "Benchmarks" },
             { to: "/gallery", label: "Gallery" },
             { type: "html", position: "right", value: `<span class="version">${VERSION}</span>` },
@@ -59,7 +77,7 @@ const config: Config = {
         hooks: { onBrokenMarkdownLinks: "throw", onBrokenMarkdownImages: "throw" },
     },
     presets: [["classic", presets]],
-    plugins: [engine],
+    plugins: [engine, ["@docusaurus/plugin-content-docs", reference]],
     themes: [["@easyops-cn/docusaurus-search-local", search]],
     themeConfig,
 };

@@ -1,9 +1,10 @@
 // Renders the repository's documents without a second copy: rustdoc's hidden lines disappear, and links that leave
 // `docs/` lead to the repository's file view.
 
+import { existsSync, readFileSync } from "node:fs";
 import { dirname, join, relative } from "node:path";
-import type { Code, Link, PhrasingContent, Root } from "mdast";
-import { visit } from "unist-util-visit";
+import type { Code, InlineCode, Link, Parent, PhrasingContent, Root } from "mdast";
+import { SKIP, visit } from "unist-util-visit";
 import { ROOT, fileView } from "./repository";
 
 interface File {
@@ -34,8 +35,33 @@ function showCode(node: Code): void {
     if (attributes.length > 0 && node.meta === undefined) node.meta = null;
 }
 
+/** Pages of the guide whose names are those of the JavaScript package. */
+const JAVASCRIPT = /guide\/(javascript|testbed)\.md$/;
+
+/** Addresses in the reference by name, if the reference was generated. */
+function names(language: "rust" | "javascript"): Record<string, string> {
+    const path = join(__dirname, "..", "generated", "data", `${language}-names.json`);
+    return existsSync(path) ? (JSON.parse(readFileSync(path, "utf8")) as Record<string, string>) : {};
+}
+
+/** Links the first mention of each name of the API to the reference. Headings and links stay as they are. */
+function linkNames(tree: Root, addresses: Record<string, string>): void {
+    const done = new Set<string>();
+    visit(tree, (node, index, parent) => {
+        if (node.type === "heading" || node.type === "link") return SKIP;
+        if (node.type !== "inlineCode" || parent === undefined || index === undefined) return undefined;
+        const { value } = node as InlineCode;
+        const url = Object.hasOwn(addresses, value) ? addresses[value] : undefined;
+        if (url === undefined || done.has(value)) return undefined;
+        done.add(value);
+        (parent as Parent).children[index] = { type: "link", url, children: [node as InlineCode] };
+        return SKIP;
+    });
+}
+
 /** The remark plugin. */
 export default function documents() {
+    const addresses = { rust: names("rust"), javascript: names("javascript") };
     return (tree: Root, file: File): void => {
         visit(tree, "code", showCode);
         visit(tree, "link", (node: Link, index, parent) => {
@@ -45,5 +71,6 @@ export default function documents() {
             if (address !== undefined) node.url = address;
             else (parent.children as PhrasingContent[]).splice(index, 1, ...node.children);
         });
+        if (file.path.includes("docs/guide/")) linkNames(tree, JAVASCRIPT.test(file.path) ? addresses.javascript : addresses.rust);
     };
 }

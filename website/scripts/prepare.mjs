@@ -5,6 +5,9 @@
 import { existsSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { dirname, join } from "node:path";
 import { contests, growth, packages } from "./benchmarks.mjs";
+import { writeJavaScriptReference } from "./javascript.mjs";
+import { document } from "./rust/crate.mjs";
+import { writeRustReference } from "./rust/write.mjs";
 
 const WEBSITE = dirname(import.meta.dirname);
 const ROOT = dirname(WEBSITE);
@@ -34,3 +37,8 @@ writeData("packages.json", packages(read("docs/benchmarks/javascript.md")));
 if (!existsSync(join(ROOT, "rapier3d/pkg/rapier.mjs"))) {
     missing("scenes in pages need the npm package: cd rapier3d; npm install; ./build_all.sh");
 }
+
+const crate = document(ROOT);
+if (crate === null) missing("the Rust reference needs a Rust toolchain");
+else writeData("rust-names.json", writeRustReference(WEBSITE, crate));
+writeData("javascript-names.json", writeJavaScriptReference(WEBSITE));
