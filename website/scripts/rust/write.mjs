@@ -14,6 +14,9 @@ const BASE = "/api/rust";
 const FLAGS =
     "A set of flags with the methods of the crate [bitflags](https://docs.rs/bitflags): `contains`, `insert`, `remove`, `union` and others, and the operators `|`, `&` and `-`.";
 
+/** Traits behind operators, formats and macros: no reader looks for them. */
+const OPERATORS = /^(Structural|Bit|Binary|Octal|.*Hex|Not$|Sub|Extend|FromIterator|Flags$|PublicFlags$)/;
+
 function anchor(...names) {
     return names.map((name) => name.toLowerCase()).join("-");
 }
@@ -135,7 +138,7 @@ class Reference {
         const names = this.impls(item)
             .filter(({ trait, is_synthetic: synthetic, blanket_impl: blanket }) => trait !== null && !synthetic && blanket === null)
             .map(({ trait }) => trait.path.split("::").at(-1))
-            .filter((name) => name !== "StructuralPartialEq");
+            .filter((name) => !OPERATORS.test(name));
         return names.length === 0 ? "" : `Implements ${[...new Set(names)].sort().map((name) => `\`${name}\``).join(", ")}.`;
     }
 
