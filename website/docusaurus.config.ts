@@ -53,6 +53,7 @@ const themeConfig: ThemeConfig = {
                 ],
             },
             { to: "/benchmarks", label: "Benchmarks" },
+            { to: "/determinism", label: "Determinism" },
             { to: "/gallery", label: "Gallery" },
             { type: "html", position: "right", value: `<span class="version">${VERSION}</span>` },
             ...(REPOSITORY === undefined ? [] : [{ href: REPOSITORY, label: "Source", position: "right" as const }]),

@@ -8,6 +8,7 @@ import { contests, growth, packages } from "./benchmarks.mjs";
 import { writeJavaScriptReference } from "./javascript.mjs";
 import { document } from "./rust/crate.mjs";
 import { writeRustReference } from "./rust/write.mjs";
+import { hashes } from "../src/live/pile.mjs";
 
 const WEBSITE = dirname(import.meta.dirname);
 const ROOT = dirname(WEBSITE);
@@ -34,9 +35,17 @@ writeData("contests.json", contests(read("docs/benchmarks/latest.md")));
 writeData("growth.json", growth(read("docs/benchmarks/growth.md")));
 writeData("packages.json", packages(read("docs/benchmarks/javascript.md")));
 
-if (!existsSync(join(ROOT, "rapier3d/pkg/rapier.mjs"))) {
-    missing("scenes in pages need the npm package: cd rapier3d; npm install; ./build_all.sh");
-}
+const golden = read("crates/golden/src/hashes.txt").trim().split("\n").map((line) => line.split(/\s+/));
+writeData("golden.json", golden.map(([crate, scene, hash]) => ({ crate, scene, hash })));
+
+const engine = join(ROOT, "rapier3d/pkg/rapier.node.mjs");
+const pile = { platform: `${process.platform} ${process.arch}`, hashes: [] };
+if (existsSync(engine)) {
+    const RAPIER = await import(engine);
+    await RAPIER.init();
+    pile.hashes = hashes(RAPIER);
+} else missing("scenes in pages need the npm package: cd rapier3d; npm install; ./build_all.sh");
+writeData("pile.json", pile);
 
 const crate = document(ROOT);
 if (crate === null) missing("the Rust reference needs a Rust toolchain");

@@ -117,12 +117,25 @@ async function checkScene(browser, address) {
     await context.close();
 }
 
+/** The pile of the page about determinism has the same hashes here as in Node.js. */
+async function checkDeterminism(browser, address) {
+    const context = await browser.newContext(SIZES.desktop);
+    const { page } = await open(context, address, "/determinism");
+    await page.getByRole("button", { name: /^Run/ }).click();
+    const verdict = page.getByRole("status").filter({ hasText: /hashes/ });
+    await verdict.waitFor({ timeout: 120_000 });
+    const text = await verdict.textContent();
+    if (!text.includes("Equal bits")) fail("/determinism", text);
+    await context.close();
+}
+
 const executablePath = process.env.CHROMIUM ?? PLACES.find((place) => existsSync(place));
 if (executablePath === undefined) throw new Error("no Chromium: install the package `chromium`, or set CHROMIUM");
 const server = await serve(BUILD);
 const browser = await chromium.launch({ executablePath, args: FLAGS });
 try {
     await checkScene(browser, server.address);
+    await checkDeterminism(browser, server.address);
     if (!process.argv.includes("--shots")) await visitAll(browser, server.address);
     await photograph(browser, server.address);
 } finally {
