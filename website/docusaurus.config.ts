@@ -1,6 +1,6 @@
 import type { Config } from "@docusaurus/types";
 import type { Options, ThemeConfig } from "@docusaurus/preset-classic";
-import { themes } from "prism-react-renderer";
+import { DARK, LIGHT } from "./plugins/code-themes";
 import documents from "./plugins/documents";
 import engine from "./plugins/engine";
 import { REPOSITORY, VERSION, fileView } from "./plugins/repository";
@@ -60,7 +60,7 @@ const themeConfig: ThemeConfig = {
         ],
     },
     docs: { sidebar: { hideable: true } },
-    prism: { theme: themes.github, darkTheme: themes.vsDark, additionalLanguages: ["rust", "toml", "bash"] },
+    prism: { theme: LIGHT, darkTheme: DARK, additionalLanguages: ["rust", "toml", "bash"] },
 };
 
 const config: Config = {

@@ -29,7 +29,9 @@ const sidebars: SidebarsConfig = {
     ],
     benchmarks: [
         "performance",
-        ...["latest", "native", "growth", "joints", "ground", "queries", "saving", "javascript"].map((name) => `benchmarks/${name}`),
+        ...["latest", "native", "growth", "joints", "ground", "queries", "saving", "javascript"].map(
+            (name) => `benchmarks/${name}`,
+        ),
     ],
 };
 

@@ -35,6 +35,15 @@ function showCode(node: Code): void {
     if (attributes.length > 0 && node.meta === undefined) node.meta = null;
 }
 
+/** Takes pictures out of paragraphs of their own: a scene that runs in place of one is a block. */
+function freePictures(tree: Root): void {
+    visit(tree, "paragraph", (node, index, parent) => {
+        const [only, ...others] = node.children;
+        if (only?.type !== "image" || others.length > 0 || parent === undefined || index === undefined) return;
+        parent.children[index] = only;
+    });
+}
+
 /** Pages of the guide whose names are those of the JavaScript package. */
 const JAVASCRIPT = /guide\/(javascript|testbed)\.md$/;
 
@@ -68,9 +77,13 @@ export default function documents() {
             const path = outside(file.path, node.url);
             if (path === undefined || parent === undefined || index === undefined) return;
             const address = fileView(path);
-            if (address !== undefined) node.url = address;
+            const picture = node.children.some((child) => child.type === "image");
+            // A picture is a button where its scene runs in the page, and no button stands in a link.
+            if (address !== undefined && !picture) node.url = address;
             else (parent.children as PhrasingContent[]).splice(index, 1, ...node.children);
         });
-        if (file.path.includes("docs/guide/")) linkNames(tree, JAVASCRIPT.test(file.path) ? addresses.javascript : addresses.rust);
+        freePictures(tree);
+        if (file.path.includes("docs/guide/"))
+            linkNames(tree, JAVASCRIPT.test(file.path) ? addresses.javascript : addresses.rust);
     };
 }

@@ -11,7 +11,10 @@ const INTERNAL = /^#{3,5} (Inherited from|Overrides|Implementation of)\n[\s\S]*?
 const REPEATED = "rapier";
 
 function tidy(text) {
-    return text.replace(INTERNAL, "").replace(/^## Namespaces\n[\s\S]*?(?=^## )/m, "");
+    return text
+        .replace(INTERNAL, "")
+        .replace(/^## Extends\n\n(?:- `\w+`\n)+\n/m, "")
+        .replace(/^## Namespaces\n[\s\S]*?(?=^## )/m, "");
 }
 
 /** Writes the reference of `rapier3d` into `generated/api/javascript`. Returns addresses of classes by name. */

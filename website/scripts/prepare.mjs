@@ -35,8 +35,14 @@ writeData("contests.json", contests(read("docs/benchmarks/latest.md")));
 writeData("growth.json", growth(read("docs/benchmarks/growth.md")));
 writeData("packages.json", packages(read("docs/benchmarks/javascript.md")));
 
-const golden = read("crates/golden/src/hashes.txt").trim().split("\n").map((line) => line.split(/\s+/));
-writeData("golden.json", golden.map(([crate, scene, hash]) => ({ crate, scene, hash })));
+const golden = read("crates/golden/src/hashes.txt")
+    .trim()
+    .split("\n")
+    .map((line) => line.split(/\s+/));
+writeData(
+    "golden.json",
+    golden.map(([crate, scene, hash]) => ({ crate, scene, hash })),
+);
 
 const engine = join(ROOT, "rapier3d/pkg/rapier.node.mjs");
 const pile = { platform: `${process.platform} ${process.arch}`, hashes: [] };

@@ -2,7 +2,12 @@
 
 /** Splits a row at its bars. */
 function cells(line) {
-    return line.trim().replace(/^\|/, "").replace(/\|$/, "").split("|").map((cell) => cell.trim());
+    return line
+        .trim()
+        .replace(/^\|/, "")
+        .replace(/\|$/, "")
+        .split("|")
+        .map((cell) => cell.trim());
 }
 
 /** All tables of a document: the heading, the first line of text and the last picture above, the names of the columns, and the rows. */

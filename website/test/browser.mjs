@@ -49,7 +49,10 @@ async function open(context, address, path) {
     let weight = 0;
     page.on("console", (message) => message.type() === "error" && fail(path, message.text()));
     page.on("pageerror", (error) => fail(path, String(error)));
-    page.on("requestfailed", (request) => !request.failure()?.errorText.includes("ABORTED") && fail(path, `no answer to ${request.url()}`));
+    page.on(
+        "requestfailed",
+        (request) => !request.failure()?.errorText.includes("ABORTED") && fail(path, `no answer to ${request.url()}`),
+    );
     page.on("response", async (response) => {
         if (response.status() >= 400) fail(path, `${response.status()} for ${response.url()}`);
         weight += (await response.body().catch(() => Buffer.alloc(0))).length;
@@ -78,7 +81,14 @@ async function checkAccess(page, path) {
     await page.evaluate(axe);
     const { violations } = await page.evaluate(() => globalThis.axe.run(document, { resultTypes: ["violations"] }));
     for (const { id, impact, nodes } of violations) {
-        if (impact === "serious" || impact === "critical") fail(path, `axe ${id}: ${nodes.map(({ target }) => target.join(" ")).slice(0, 3).join("; ")}`);
+        if (impact === "serious" || impact === "critical")
+            fail(
+                path,
+                `axe ${id}: ${nodes
+                    .map(({ target }) => target.join(" "))
+                    .slice(0, 3)
+                    .join("; ")}`,
+            );
     }
 }
 

@@ -39,7 +39,9 @@ function linked(line, links, address, fragment) {
     for (const [target, id] of Object.entries(links)) {
         const url = address(id);
         const written = escape(target);
-        result = result.replace(new RegExp(`\\[([^\\]]*)\\]\\(${written}\\)`, "g"), (_, text) => (url ? `[${text}](${url})` : text));
+        result = result.replace(new RegExp(`\\[([^\\]]*)\\]\\(${written}\\)`, "g"), (_, text) =>
+            url ? `[${text}](${url})` : text,
+        );
         result = result.replace(new RegExp(`\\[${written}\\](?![(\\[])`, "g"), () => (url ? `[${target}](${url})` : target));
     }
     return result;
@@ -53,5 +55,7 @@ export function markdown(item, address, fragment = () => undefined) {
 
 /** The first sentence, for lists. */
 export function summary(item, address) {
-    return markdown(item, address).split(/\n\s*\n/)[0].replace(/\n/g, " ");
+    return markdown(item, address)
+        .split(/\n\s*\n/)[0]
+        .replace(/\n/g, " ");
 }

@@ -33,7 +33,16 @@ export const TOPICS = [
         title: "Configuration",
         intro: "The parameters of a step: its length, its accuracy, the softness of contacts and joints.",
         guides: ["parameters", "sleeping", "fast-bodies"],
-        types: ["IntegrationParameters", "InvalidParameters", "Softness", "CONTACT_SHARE", "CONTACT_YIELD", "JOINT_SHARE", "FrictionModel", "RigidBodyActivation"],
+        types: [
+            "IntegrationParameters",
+            "InvalidParameters",
+            "Softness",
+            "CONTACT_SHARE",
+            "CONTACT_YIELD",
+            "JOINT_SHARE",
+            "FrictionModel",
+            "RigidBodyActivation",
+        ],
     },
     {
         id: "collision-pipeline",

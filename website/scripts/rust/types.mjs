@@ -58,7 +58,9 @@ function reference({ lifetime, is_mutable: mutable, type: target }) {
 
 function projection({ name, self_type: self, trait }) {
     const owner = type(self);
-    return owner === "Self" || trait === null || trait.path === "" ? `${owner}::${name}` : `<${owner} as ${path(trait)}>::${name}`;
+    return owner === "Self" || trait === null || trait.path === ""
+        ? `${owner}::${name}`
+        : `<${owner} as ${path(trait)}>::${name}`;
 }
 
 const PRINTERS = {
@@ -112,7 +114,10 @@ function input([name, value]) {
     if (name !== "self") return `${name}: ${type(value)}`;
     const shown = type(value);
     if (shown === "Self") return "self";
-    return { "&Self": "&self", "&mut Self": "&mut self" }[shown] ?? (/^&'\w+ (mut )?Self$/.test(shown) ? shown.replace("Self", "self") : `self: ${shown}`);
+    return (
+        { "&Self": "&self", "&mut Self": "&mut self" }[shown] ??
+        (/^&'\w+ (mut )?Self$/.test(shown) ? shown.replace("Self", "self") : `self: ${shown}`)
+    );
 }
 
 /** Longest signature on one line. */
@@ -120,7 +125,9 @@ const WIDTH = 96;
 
 /** The declaration of a function. */
 export function signature(name, { sig, generics: parameters, header }) {
-    const words = [header.is_const && "const ", header.is_async && "async ", header.is_unsafe && "unsafe "].filter(Boolean).join("");
+    const words = [header.is_const && "const ", header.is_async && "async ", header.is_unsafe && "unsafe "]
+        .filter(Boolean)
+        .join("");
     const start = `pub ${words}fn ${name}${generics(parameters)}(`;
     const end = `)${output(sig)}${where(parameters)}`;
     const inputs = sig.inputs.map(input);

@@ -40,7 +40,8 @@ class Reference {
         const open = new Map();
         for (const { module, entries } of this.modules) {
             if (module === "prelude") continue;
-            for (const entry of entries) if (entry.item !== undefined && !open.has(entry.name)) open.set(entry.name, { ...entry, module });
+            for (const entry of entries)
+                if (entry.item !== undefined && !open.has(entry.name)) open.set(entry.name, { ...entry, module });
         }
         const take = (name) => {
             const entry = open.get(name);
@@ -53,7 +54,10 @@ class Reference {
             if (lost.length > 0) throw new Error(`scripts/rust/topics.mjs names items that are not public: ${lost.join(", ")}`);
             return { ...topic, entries };
         });
-        const rest = REST.map((page) => ({ ...page, entries: [...open.values()].filter(({ module }) => page.modules.includes(module)) }));
+        const rest = REST.map((page) => ({
+            ...page,
+            entries: [...open.values()].filter(({ module }) => page.modules.includes(module)),
+        }));
         return [...topics, ...rest.filter(({ entries }) => entries.length > 0)];
     }
 
@@ -80,7 +84,9 @@ class Reference {
         return own
             .flatMap(({ items }) => this.children(items))
             .filter(({ item: method }) => method.visibility === "public" && !generated(method))
-            .sort((a, b) => a.item.span.filename.localeCompare(b.item.span.filename) || a.item.span.begin[0] - b.item.span.begin[0]);
+            .sort(
+                (a, b) => a.item.span.filename.localeCompare(b.item.span.filename) || a.item.span.begin[0] - b.item.span.begin[0],
+            );
     }
 
     fields(item) {
@@ -109,9 +115,14 @@ class Reference {
     variant({ name, inner }) {
         const { kind } = inner.variant;
         const shown = (ids) => this.children(ids.filter((id) => id !== null)).map(({ item }) => item);
-        if (kind.tuple !== undefined) return `${name}(${shown(kind.tuple).map((field) => type(field.inner.struct_field)).join(", ")})`;
+        if (kind.tuple !== undefined)
+            return `${name}(${shown(kind.tuple)
+                .map((field) => type(field.inner.struct_field))
+                .join(", ")})`;
         if (kind.struct === undefined) return name;
-        return `${name} { ${shown(kind.struct.fields).map((field) => `${field.name}: ${type(field.inner.struct_field)}`).join(", ")} }`;
+        return `${name} { ${shown(kind.struct.fields)
+            .map((field) => `${field.name}: ${type(field.inner.struct_field)}`)
+            .join(", ")} }`;
     }
 
     /** The declaration of an item or of a part of one. */
@@ -123,7 +134,8 @@ class Reference {
         }
         if (inner.struct_field !== undefined) return `pub ${name}: ${type(inner.struct_field)}`;
         if (inner.variant !== undefined) return this.variant(item);
-        if (inner.type_alias !== undefined) return `pub type ${name}${generics(inner.type_alias.generics)} = ${type(inner.type_alias.type)}`;
+        if (inner.type_alias !== undefined)
+            return `pub type ${name}${generics(inner.type_alias.generics)} = ${type(inner.type_alias.type)}`;
         if (inner.constant !== undefined) return `pub const ${name}: ${type(inner.constant.type)} = ${inner.constant.const.expr}`;
         if (inner.assoc_const !== undefined) return `const ${name}: ${type(inner.assoc_const.type)}`;
         if (inner.assoc_type !== undefined) return `type ${name}`;
@@ -136,10 +148,17 @@ class Reference {
     traits(item) {
         if (!["struct", "enum"].includes(kindOf(item))) return "";
         const names = this.impls(item)
-            .filter(({ trait, is_synthetic: synthetic, blanket_impl: blanket }) => trait !== null && !synthetic && blanket === null)
+            .filter(
+                ({ trait, is_synthetic: synthetic, blanket_impl: blanket }) => trait !== null && !synthetic && blanket === null,
+            )
             .map(({ trait }) => trait.path.split("::").at(-1))
             .filter((name) => !OPERATORS.test(name));
-        return names.length === 0 ? "" : `Implements ${[...new Set(names)].sort().map((name) => `\`${name}\``).join(", ")}.`;
+        return names.length === 0
+            ? ""
+            : `Implements ${[...new Set(names)]
+                  .sort()
+                  .map((name) => `\`${name}\``)
+                  .join(", ")}.`;
     }
 
     /** The text of an item or of one of its parts. */
@@ -158,12 +177,20 @@ class Reference {
         const parts = this.sections(item).map((part) => this.section({ ...item, name }, part));
         const place = `From \`rapier3d::${module}\`.`;
         const flags = this.impls(item).some(({ trait }) => trait?.path.endsWith("BitOr")) ? FLAGS : "";
-        return [`## ${name} {#${anchor(name)}}`, fenced(this.declaration(item)), this.text(item), `${place} ${this.traits(item)} ${flags}`, ...parts].join("\n\n");
+        return [
+            `## ${name} {#${anchor(name)}}`,
+            fenced(this.declaration(item)),
+            this.text(item),
+            `${place} ${this.traits(item)} ${flags}`,
+            ...parts,
+        ].join("\n\n");
     }
 
     page({ title, intro, guides, entries }, position) {
         const head = [`---\nsidebar_position: ${position}\ntoc_max_heading_level: 3\n---`, `# ${title}`, intro];
-        const list = entries.map(({ name, item }) => `* [\`${name}\`](#${anchor(name)}): ${summary(item, this.address)}`).join("\n");
+        const list = entries
+            .map(({ name, item }) => `* [\`${name}\`](#${anchor(name)}): ${summary(item, this.address)}`)
+            .join("\n");
         const texts = guides.map((guide) => `[${guide.replace(/-/g, " ")}](/docs/guide/${guide})`).join(", ");
         const guide = guides.length === 0 ? "" : `Guide: ${texts}. The programs there and below run as tests.`;
         return [...head, guide, list, ...entries.map((entry) => this.entry(entry))].join("\n\n");
@@ -181,7 +208,8 @@ class Reference {
             });
             return [`## ${module} {#${module}}`, names.join("\n")];
         });
-        const intro = "All public names by module. A program imports them with `use rapier3d::prelude::*;`. The 2D crate has the same names with vectors of two components.";
+        const intro =
+            "All public names by module. A program imports them with `use rapier3d::prelude::*;`. The 2D crate has the same names with vectors of two components.";
         return ["---\nsidebar_position: 0\nslug: /rust\n---", "# Rust reference", intro, ...lines].join("\n\n");
     }
 
@@ -204,7 +232,9 @@ export function writeRustReference(website, json) {
     const target = join(website, "generated/api/rust");
     rmSync(target, { recursive: true, force: true });
     mkdirSync(target, { recursive: true });
-    reference.pages.forEach((page, index) => writeFileSync(join(target, `${page.id}.md`), `${reference.page(page, index + 1)}\n`));
+    reference.pages.forEach((page, index) =>
+        writeFileSync(join(target, `${page.id}.md`), `${reference.page(page, index + 1)}\n`),
+    );
     writeFileSync(join(target, "index.md"), `${reference.overview()}\n`);
     return reference.names();
 }

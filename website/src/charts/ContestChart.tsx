@@ -50,8 +50,24 @@ export default function ContestChart(): ReactNode {
     return (
         <>
             <div className={styles.choices}>
-                <Choice label="Dimension" options={[["3d", "3D"], ["2d", "2D"]]} value={dimension} choose={setDimension} />
-                <Choice label="Threads" options={[[1, "1"], [2, "2"]]} value={threads} choose={setThreads} />
+                <Choice
+                    label="Dimension"
+                    options={[
+                        ["3d", "3D"],
+                        ["2d", "2D"],
+                    ]}
+                    value={dimension}
+                    choose={setDimension}
+                />
+                <Choice
+                    label="Threads"
+                    options={[
+                        [1, "1"],
+                        [2, "2"],
+                    ]}
+                    value={threads}
+                    choose={setThreads}
+                />
                 <Choice label="Measure" options={MEASURES} value={measure} choose={setMeasure} />
             </div>
             <Legend engines={engines} />

@@ -45,21 +45,34 @@ function Plot({ rows }: { readonly rows: (typeof CURVES)[number]["rows"] }): Rea
     return (
         <>
             <Legend engines={engines} />
-            <svg className={styles.plot} viewBox={`0 0 ${WIDTH} ${HEIGHT}`} role="img" aria-label="Milliseconds per step over the number of bodies">
+            <svg
+                className={styles.plot}
+                viewBox={`0 0 ${WIDTH} ${HEIGHT}`}
+                role="img"
+                aria-label="Milliseconds per step over the number of bodies"
+            >
                 {columns.map((tick) => (
                     <g key={tick}>
                         <line className={styles.grid} x1={x(tick)} x2={x(tick)} y1={MARGIN.top} y2={HEIGHT - MARGIN.bottom} />
-                        <text x={x(tick)} y={HEIGHT - MARGIN.bottom + 18} textAnchor="middle">{write(tick)}</text>
+                        <text x={x(tick)} y={HEIGHT - MARGIN.bottom + 18} textAnchor="middle">
+                            {write(tick)}
+                        </text>
                     </g>
                 ))}
                 {lines.map((tick) => (
                     <g key={tick}>
                         <line className={styles.grid} x1={MARGIN.left} x2={WIDTH - MARGIN.right} y1={y(tick)} y2={y(tick)} />
-                        <text x={MARGIN.left - 8} y={y(tick) + 4} textAnchor="end">{write(tick)}</text>
+                        <text x={MARGIN.left - 8} y={y(tick) + 4} textAnchor="end">
+                            {write(tick)}
+                        </text>
                     </g>
                 ))}
-                <text x={(WIDTH + MARGIN.left) / 2} y={HEIGHT - 6} textAnchor="middle">bodies</text>
-                <text transform={`translate(14 ${HEIGHT / 2}) rotate(-90)`} textAnchor="middle">ms per step</text>
+                <text x={(WIDTH + MARGIN.left) / 2} y={HEIGHT - 6} textAnchor="middle">
+                    bodies
+                </text>
+                <text transform={`translate(14 ${HEIGHT / 2}) rotate(-90)`} textAnchor="middle">
+                    ms per step
+                </text>
                 {engines.map((engine) => {
                     const curve = points.filter((point) => point.engine === engine);
                     return (
@@ -89,7 +102,12 @@ export default function GrowthChart(): ReactNode {
     return (
         <>
             <div className={styles.choices}>
-                <Choice label="World" options={CURVES.map((each) => [each.title, each.title] as const)} value={title} choose={setTitle} />
+                <Choice
+                    label="World"
+                    options={CURVES.map((each) => [each.title, each.title] as const)}
+                    value={title}
+                    choose={setTitle}
+                />
             </div>
             <p>{curve.note}</p>
             <Plot rows={curve.rows} />

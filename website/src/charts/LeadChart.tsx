@@ -23,7 +23,8 @@ export default function LeadChart({ dimension }: LeadChartProps): ReactNode {
     return (
         <table className={styles.lead}>
             <caption>
-                {dimension.toUpperCase()}: {mean.toFixed(2)} × as fast as the fastest peer (geometric mean of {rows.length} scenes)
+                {dimension.toUpperCase()}: {mean.toFixed(2)} × as fast as the fastest peer (geometric mean of {rows.length}{" "}
+                scenes)
             </caption>
             <tbody>
                 {rows.map(({ scene, lead }) => {

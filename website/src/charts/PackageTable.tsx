@@ -1,19 +1,22 @@
 // Times of npm packages, with the best of each row in bold.
 
 import type { ReactNode } from "react";
+import ScrollTable from "@site/src/components/ScrollTable";
 import data from "@site/generated/data/packages.json";
 
 export default function PackageTable({ title }: { readonly title: string }): ReactNode {
     const table = data.find((candidate) => candidate.title === title);
     if (table === undefined) throw new RangeError(`docs/benchmarks/javascript.md has no table "${title}"`);
     return (
-        <table>
+        <ScrollTable>
             <caption>{title}: milliseconds per step</caption>
             <thead>
                 <tr>
                     <th scope="col">scene</th>
                     {table.engines.map((engine) => (
-                        <th key={engine} scope="col">{engine}</th>
+                        <th key={engine} scope="col">
+                            {engine}
+                        </th>
                     ))}
                 </tr>
             </thead>
@@ -30,6 +33,6 @@ export default function PackageTable({ title }: { readonly title: string }): Rea
                     );
                 })}
             </tbody>
-        </table>
+        </ScrollTable>
     );
 }

@@ -12,7 +12,11 @@ export function hashes(RAPIER) {
     world.createCollider(RAPIER.ColliderDesc.cuboid(20, 1, 20).setTranslation(0, -1, 0));
     for (let index = 0; index < SIDE * SIDE * FLOORS; index += 1) {
         const [column, row, floor] = [index % SIDE, Math.floor(index / SIDE) % SIDE, Math.floor(index / (SIDE * SIDE))];
-        const body = RAPIER.RigidBodyDesc.dynamic().setTranslation(column * 1.05 + floor * 0.3, 1 + floor * 1.2, row * 1.05 - floor * 0.2);
+        const body = RAPIER.RigidBodyDesc.dynamic().setTranslation(
+            column * 1.05 + floor * 0.3,
+            1 + floor * 1.2,
+            row * 1.05 - floor * 0.2,
+        );
         const shape = index % 3 === 0 ? RAPIER.ColliderDesc.ball(0.5) : RAPIER.ColliderDesc.cuboid(0.5, 0.4, 0.5);
         world.createCollider(shape, world.createRigidBody(body));
     }

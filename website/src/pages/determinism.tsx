@@ -6,6 +6,7 @@ import Layout from "@theme/Layout";
 import { type ReactNode, useState } from "react";
 import golden from "@site/generated/data/golden.json";
 import expected from "@site/generated/data/pile.json";
+import ScrollTable from "@site/src/components/ScrollTable";
 import { BODIES, TAKEN, hashes } from "@site/src/live/pile.mjs";
 import styles from "./determinism.module.css";
 
@@ -50,60 +51,58 @@ function Comparison(): ReactNode {
                 {state === "missing" && "This page was built without the engine."}
                 {state === "done" && (equal ? "Equal bits: all hashes agree." : "The hashes differ: please report this browser.")}
             </p>
-            <div className={styles.scroll} tabIndex={0} role="region" aria-label="Hashes of the pile">
-                <table>
-                    <thead>
-                        <tr>
-                            <th scope="col">after step</th>
-                            <th scope="col">Node.js at build time ({expected.platform})</th>
-                            <th scope="col">this browser</th>
+            <ScrollTable>
+                <thead>
+                    <tr>
+                        <th scope="col">after step</th>
+                        <th scope="col">Node.js at build time ({expected.platform})</th>
+                        <th scope="col">this browser</th>
+                    </tr>
+                </thead>
+                <tbody>
+                    {TAKEN.map((step, index) => (
+                        <tr key={step}>
+                            <th scope="row">{step}</th>
+                            <td>
+                                <code>{expected.hashes[index]}</code>
+                            </td>
+                            <td>
+                                <code>{found[index] ?? "–"}</code>
+                            </td>
                         </tr>
-                    </thead>
-                    <tbody>
-                        {TAKEN.map((step, index) => (
-                            <tr key={step}>
-                                <th scope="row">{step}</th>
-                                <td>
-                                    <code>{expected.hashes[index]}</code>
-                                </td>
-                                <td>
-                                    <code>{found[index] ?? "–"}</code>
-                                </td>
-                            </tr>
-                        ))}
-                    </tbody>
-                </table>
-            </div>
+                    ))}
+                </tbody>
+            </ScrollTable>
         </>
     );
 }
 
 function Matrix(): ReactNode {
     return (
-        <div className={styles.scroll} tabIndex={0} role="region" aria-label="Platforms and crates">
-            <table>
-                <thead>
-                    <tr>
-                        <th scope="col">platform</th>
-                        <th scope="col">runs</th>
+        <ScrollTable>
+            <thead>
+                <tr>
+                    <th scope="col">platform</th>
+                    <th scope="col">runs</th>
+                    {CRATES.map((crate) => (
+                        <th key={crate} scope="col">
+                            {crate}
+                        </th>
+                    ))}
+                </tr>
+            </thead>
+            <tbody>
+                {PLATFORMS.map(({ name, runs }) => (
+                    <tr key={name}>
+                        <th scope="row">{name}</th>
+                        <td>{runs}</td>
                         {CRATES.map((crate) => (
-                            <th key={crate} scope="col">{crate}</th>
+                            <td key={crate}>{golden.filter((entry) => entry.crate === crate).length} scenes equal</td>
                         ))}
                     </tr>
-                </thead>
-                <tbody>
-                    {PLATFORMS.map(({ name, runs }) => (
-                        <tr key={name}>
-                            <th scope="row">{name}</th>
-                            <td>{runs}</td>
-                            {CRATES.map((crate) => (
-                                <td key={crate}>{golden.filter((entry) => entry.crate === crate).length} scenes equal</td>
-                            ))}
-                        </tr>
-                    ))}
-                </tbody>
-            </table>
-        </div>
+                ))}
+            </tbody>
+        </ScrollTable>
     );
 }
 
@@ -113,46 +112,53 @@ export default function Determinism(): ReactNode {
             <main className="container margin-vert--lg">
                 <h1>Determinism</h1>
                 <p>
-                    The same calls in the same order give the same bits on every machine. The <Link to="/docs/guide/determinism">guide</Link> states
-                    the guarantee, its method and its limits.
+                    The same calls in the same order give the same bits on every machine. The{" "}
+                    <Link to="/docs/guide/determinism">guide</Link> states the guarantee, its method and its limits.
                 </p>
-                <Heading as="h2" id="here">In this browser</Heading>
+                <Heading as="h2" id="here">
+                    In this browser
+                </Heading>
                 <p>
-                    A pile of {BODIES} boxes and balls falls. Each hash covers position, rotation and velocity of every body, bit by bit. Node.js computed
-                    the first column when this page was built.
+                    A pile of {BODIES} boxes and balls falls. Each hash covers position, rotation and velocity of every body, bit
+                    by bit. Node.js computed the first column when this page was built.
                 </p>
                 <Comparison />
-                <Heading as="h2" id="platforms">Platforms</Heading>
+                <Heading as="h2" id="platforms">
+                    Platforms
+                </Heading>
                 <p>
-                    The script <code>crates/golden/everywhere.sh</code> runs {golden.length} scenes on each of these platforms, and compares their hashes
-                    with the recorded ones. <code>cargo test -p golden</code> compares those of the machine at hand.
+                    The script <code>crates/golden/everywhere.sh</code> runs {golden.length} scenes on each of these platforms,
+                    and compares their hashes with the recorded ones. <code>cargo test -p golden</code> compares those of the
+                    machine at hand.
                 </p>
                 <Matrix />
-                <Heading as="h2" id="hashes">Recorded hashes</Heading>
-                <div className={styles.scroll} tabIndex={0} role="region" aria-label="Recorded hashes">
-                    <table>
-                        <thead>
-                            <tr>
-                                <th scope="col">scene</th>
+                <Heading as="h2" id="hashes">
+                    Recorded hashes
+                </Heading>
+                <ScrollTable>
+                    <thead>
+                        <tr>
+                            <th scope="col">scene</th>
+                            {CRATES.map((crate) => (
+                                <th key={crate} scope="col">
+                                    {crate}
+                                </th>
+                            ))}
+                        </tr>
+                    </thead>
+                    <tbody>
+                        {SCENES.map((scene) => (
+                            <tr key={scene}>
+                                <th scope="row">{scene}</th>
                                 {CRATES.map((crate) => (
-                                    <th key={crate} scope="col">{crate}</th>
+                                    <td key={crate}>
+                                        <code>{hashOf(crate, scene)}</code>
+                                    </td>
                                 ))}
                             </tr>
-                        </thead>
-                        <tbody>
-                            {SCENES.map((scene) => (
-                                <tr key={scene}>
-                                    <th scope="row">{scene}</th>
-                                    {CRATES.map((crate) => (
-                                        <td key={crate}>
-                                            <code>{hashOf(crate, scene)}</code>
-                                        </td>
-                                    ))}
-                                </tr>
-                            ))}
-                        </tbody>
-                    </table>
-                </div>
+                        ))}
+                    </tbody>
+                </ScrollTable>
             </main>
         </Layout>
     );

@@ -13,7 +13,15 @@ type Scene = (typeof SCENES)[number];
 const GROUPS = [...new Set(SCENES.map(({ group }) => group))];
 const FIRST = SCENES.find(({ id }) => id === "ziggurat") ?? SCENES[0];
 
-function Thumbnail({ scene, chosen, choose }: { readonly scene: Scene; readonly chosen: boolean; readonly choose: () => void }): ReactNode {
+function Thumbnail({
+    scene,
+    chosen,
+    choose,
+}: {
+    readonly scene: Scene;
+    readonly chosen: boolean;
+    readonly choose: () => void;
+}): ReactNode {
     return (
         <button type="button" className={styles.thumbnail} aria-pressed={chosen} onClick={choose}>
             <img src={useBaseUrl(`/thumbnails/${scene.id}.webp`)} alt="" loading="lazy" />
@@ -37,16 +45,16 @@ export default function Gallery(): ReactNode {
         <Layout title="Gallery" description="Scenes that run in the page.">
             <main className="container margin-vert--lg">
                 <h1>Gallery</h1>
-                <p>
-                    {SCENES.length} scenes in 3D run in this page. Drag bodies with the mouse or a finger.
-                </p>
+                <p>{SCENES.length} scenes in 3D run in this page. Drag bodies with the mouse or a finger.</p>
                 <LiveScene scene={scene.id} label={`${scene.title}: ${scene.description}`} className={styles.stage} />
                 <p className={styles.caption}>
                     <strong>{scene.title}.</strong> {scene.description}
                 </p>
                 {GROUPS.map((group) => (
                     <section key={group}>
-                        <Heading as="h2" id={group.toLowerCase().replace(/\W+/g, "-")}>{group}</Heading>
+                        <Heading as="h2" id={group.toLowerCase().replace(/\W+/g, "-")}>
+                            {group}
+                        </Heading>
                         <div className={styles.grid}>
                             {SCENES.filter((candidate) => candidate.group === group).map((candidate) => (
                                 <Thumbnail

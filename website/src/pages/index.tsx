@@ -78,7 +78,8 @@ function Hero(): ReactNode {
             <div className={styles.words}>
                 <h1>Rapier</h1>
                 <p className={styles.sentence}>
-                    Rigid-body physics for games, tools and robots, written in Rust: fast, robust, and the same bits on every machine.
+                    Rigid-body physics for games, tools and robots, written in Rust: fast, robust, and the same bits on every
+                    machine.
                 </p>
                 <div className={styles.buttons}>
                     <Link className="button button--primary button--lg" to="/docs/guide/getting-started">
@@ -103,7 +104,9 @@ function Install(): ReactNode {
             <p>The packages are not published yet. A program uses a checkout of the repository.</p>
             <Tabs>
                 <TabItem value="rust" label="Rust">
-                    <CodeBlock language="toml" title="Cargo.toml">{RUST}</CodeBlock>
+                    <CodeBlock language="toml" title="Cargo.toml">
+                        {RUST}
+                    </CodeBlock>
                     <Link to="/docs/guide/getting-started">A first program in Rust</Link>
                 </TabItem>
                 <TabItem value="javascript" label="JavaScript">
@@ -139,8 +142,8 @@ export default function Home(): ReactNode {
                 <section className={styles.section}>
                     <h2>Beside its peers</h2>
                     <p>
-                        Time of the fastest of Rapier 0.36.1, Box3D and Box2D, divided by this engine's time. {MACHINE} {CONDITIONS}{" "}
-                        <Link to="/benchmarks">All figures</Link>
+                        Time of the fastest of Rapier 0.36.1, Box3D and Box2D, divided by this engine's time. {MACHINE}{" "}
+                        {CONDITIONS} <Link to="/benchmarks">All figures</Link>
                     </p>
                     <div className={styles.charts}>
                         <LeadChart dimension="3d" />
