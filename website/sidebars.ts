@@ -28,10 +28,11 @@ const sidebars: SidebarsConfig = {
         "dependencies",
     ],
     benchmarks: [
+        { type: "link", label: "Charts", href: "/benchmarks" },
+        "benchmarks/latest",
+        { type: "doc", id: "benchmarks/native", label: "Beside its peers, native code" },
+        ...["growth", "joints", "ground", "queries", "saving", "javascript"].map((name) => `benchmarks/${name}`),
         "performance",
-        ...["latest", "native", "growth", "joints", "ground", "queries", "saving", "javascript"].map(
-            (name) => `benchmarks/${name}`,
-        ),
     ],
 };
 

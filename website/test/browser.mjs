@@ -139,6 +139,16 @@ async function checkDeterminism(browser, address) {
     await context.close();
 }
 
+/** The search finds a name of the reference. */
+async function checkSearch(browser, address) {
+    const context = await browser.newContext(SIZES.desktop);
+    const { page } = await open(context, address, "/docs/guide");
+    await page.getByRole("combobox", { name: "Search" }).or(page.getByPlaceholder("Search")).first().fill("RevoluteJointBuilder");
+    const found = page.locator("[class*=suggestion]").first();
+    await found.waitFor({ timeout: 20_000 }).catch(() => fail("/docs/guide", "the search finds nothing"));
+    await context.close();
+}
+
 const executablePath = process.env.CHROMIUM ?? PLACES.find((place) => existsSync(place));
 if (executablePath === undefined) throw new Error("no Chromium: install the package `chromium`, or set CHROMIUM");
 const server = await serve(BUILD);
@@ -146,6 +156,7 @@ const browser = await chromium.launch({ executablePath, args: FLAGS });
 try {
     await checkScene(browser, server.address);
     await checkDeterminism(browser, server.address);
+    await checkSearch(browser, server.address);
     if (!process.argv.includes("--shots")) await visitAll(browser, server.address);
     await photograph(browser, server.address);
 } finally {
