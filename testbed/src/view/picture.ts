@@ -188,6 +188,14 @@ export class Picture<R extends EngineModule, W extends WorldLike> {
         }
     }
 
+    /** Frees the canvas: pages that show several pictures have few WebGL contexts. */
+    dispose(): void {
+        this.show([], this.theme);
+        this.rig.controls.dispose();
+        this.renderer.dispose();
+        this.renderer.forceContextLoss();
+    }
+
     /** The current picture as a data URL. */
     photograph(type: string, quality: number, width: number, height: number): string {
         this.render(1);

@@ -1,0 +1,86 @@
+import type { Config } from "@docusaurus/types";
+import type { Options, ThemeConfig } from "@docusaurus/preset-classic";
+import { DARK, LIGHT } from "./plugins/code-themes";
+import documents from "./plugins/documents";
+import engine from "./plugins/engine";
+import { REPOSITORY, VERSION, fileView } from "./plugins/repository";
+
+const presets: Options = {
+    docs: {
+        path: "../docs",
+        sidebarPath: "./sidebars.ts",
+        numberPrefixParser: false,
+        beforeDefaultRemarkPlugins: [documents],
+        editUrl: REPOSITORY === undefined ? undefined : ({ docPath }) => fileView(`docs/${docPath}`),
+    },
+    blog: false,
+    theme: { customCss: "./src/css/site.css" },
+};
+
+/** The reference, which `scripts/prepare.mjs` generates. */
+const reference = {
+    id: "api",
+    path: "generated/api",
+    routeBasePath: "api",
+    sidebarPath: "./sidebars-api.ts",
+    numberPrefixParser: false,
+};
+
+const search = {
+    hashed: "filename",
+    indexBlog: false,
+    docsRouteBasePath: ["docs", "api"],
+    docsDir: ["../docs", "generated/api"],
+    highlightSearchTermsOnTargetPage: true,
+    explicitSearchResultPath: true,
+};
+
+const themeConfig: ThemeConfig = {
+    colorMode: { respectPrefersColorScheme: true },
+    navbar: {
+        title: "Rapier",
+        logo: { alt: "", src: "img/logo.svg" },
+        items: [
+            { type: "docSidebar", sidebarId: "guide", label: "Guide" },
+            { type: "docSidebar", sidebarId: "design", label: "How it works" },
+            {
+                type: "dropdown",
+                label: "Reference",
+                position: "left",
+                items: [
+                    { to: "/api/rust", label: "Rust" },
+                    { to: "/api/javascript", label: "JavaScript" },
+                ],
+            },
+            { to: "/benchmarks", label: "Benchmarks" },
+            { to: "/determinism", label: "Determinism" },
+            { to: "/gallery", label: "Gallery" },
+            { type: "html", position: "right", value: `<span class="version">${VERSION}</span>` },
+            ...(REPOSITORY === undefined ? [] : [{ href: REPOSITORY, label: "Source", position: "right" as const }]),
+        ],
+    },
+    docs: { sidebar: { hideable: true } },
+    prism: { theme: LIGHT, darkTheme: DARK, additionalLanguages: ["rust", "toml", "bash"] },
+};
+
+const config: Config = {
+    title: "Rapier",
+    tagline: "Rigid-body physics for games, tools and robots",
+    favicon: "img/logo.svg",
+    url: process.env.SITE_URL ?? "http://localhost:3000",
+    baseUrl: process.env.BASE_URL ?? "/",
+    staticDirectories: ["static", "../testbed3d/public"],
+    onBrokenLinks: "throw",
+    onBrokenAnchors: "throw",
+    onDuplicateRoutes: "throw",
+    markdown: {
+        format: "detect",
+        hooks: { onBrokenMarkdownLinks: "throw", onBrokenMarkdownImages: "throw" },
+    },
+    presets: [["classic", presets]],
+    plugins: [engine, ["@docusaurus/plugin-content-docs", reference]],
+    themes: [["@easyops-cn/docusaurus-search-local", search]],
+    themeConfig,
+};
+
+export default config;

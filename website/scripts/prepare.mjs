@@ -1,0 +1,59 @@
+// Generates what pages show and no one commits: data of charts and the reference. Called before `start` and `build`.
+//
+// With `--strict`, a missing part ends the build. Without it the site starts, and the message says what is left out.
+
+import { existsSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
+import { dirname, join } from "node:path";
+import { contests, growth, packages } from "./benchmarks.mjs";
+import { writeJavaScriptReference } from "./javascript.mjs";
+import { document } from "./rust/crate.mjs";
+import { writeRustReference } from "./rust/write.mjs";
+import { hashes } from "../src/live/pile.mjs";
+
+const WEBSITE = dirname(import.meta.dirname);
+const ROOT = dirname(WEBSITE);
+const GENERATED = join(WEBSITE, "generated");
+const strict = process.argv.includes("--strict");
+
+/** Ends a strict build, and warns otherwise. */
+function missing(message) {
+    console[strict ? "error" : "warn"](`${strict ? "error" : "left out"}: ${message}`);
+    if (strict) process.exit(1);
+}
+
+function read(path) {
+    return readFileSync(join(ROOT, path), "utf8");
+}
+
+function writeData(name, value) {
+    const path = join(GENERATED, "data", name);
+    mkdirSync(dirname(path), { recursive: true });
+    writeFileSync(path, JSON.stringify(value));
+}
+
+writeData("contests.json", contests(read("docs/benchmarks/latest.md")));
+writeData("growth.json", growth(read("docs/benchmarks/growth.md")));
+writeData("packages.json", packages(read("docs/benchmarks/javascript.md")));
+
+const golden = read("crates/golden/src/hashes.txt")
+    .trim()
+    .split("\n")
+    .map((line) => line.split(/\s+/));
+writeData(
+    "golden.json",
+    golden.map(([crate, scene, hash]) => ({ crate, scene, hash })),
+);
+
+const engine = join(ROOT, "rapier3d/pkg/rapier.node.mjs");
+const pile = { platform: `${process.platform} ${process.arch}`, hashes: [] };
+if (existsSync(engine)) {
+    const RAPIER = await import(engine);
+    await RAPIER.init();
+    pile.hashes = hashes(RAPIER);
+} else missing("scenes in pages need the npm package: cd rapier3d; npm install; ./build_all.sh");
+writeData("pile.json", pile);
+
+const crate = document(ROOT);
+if (crate === null) missing("the Rust reference needs a Rust toolchain");
+else writeData("rust-names.json", writeRustReference(WEBSITE, crate));
+writeData("javascript-names.json", writeJavaScriptReference(WEBSITE));

@@ -1,0 +1,240 @@
+// The Rust reference: a page per topic, and a list of all public names.
+
+import { mkdirSync, rmSync, writeFileSync } from "node:fs";
+import { join } from "node:path";
+import { kindOf, publicModules } from "./crate.mjs";
+import { markdown, summary } from "./markdown.mjs";
+import { REST, TOPICS } from "./topics.mjs";
+import { generics, signature, type } from "./types.mjs";
+
+/** Address of the reference on the site. */
+const BASE = "/api/rust";
+
+/** What replaces the list of methods that all sets of flags have. */
+const FLAGS =
+    "A set of flags with the methods of the crate [bitflags](https://docs.rs/bitflags): `contains`, `insert`, `remove`, `union` and others, and the operators `|`, `&` and `-`.";
+
+/** Traits behind operators, formats and macros: no reader looks for them. */
+const OPERATORS = /^(Structural|Bit|Binary|Octal|.*Hex|Not$|Sub|Extend|FromIterator|Flags$|PublicFlags$)/;
+
+function anchor(...names) {
+    return names.map((name) => name.toLowerCase()).join("-");
+}
+
+function fenced(code) {
+    return ["```rust", code, "```"].join("\n");
+}
+
+class Reference {
+    constructor(json) {
+        this.json = json;
+        this.modules = publicModules(json);
+        this.addresses = new Map();
+        this.pages = this.distribute();
+        for (const page of this.pages) for (const entry of page.entries) this.register(page, entry);
+        this.address = (id) => this.addresses.get(id);
+    }
+
+    /** Types by page. Fails if a topic names a type that does not exist. */
+    distribute() {
+        const open = new Map();
+        for (const { module, entries } of this.modules) {
+            if (module === "prelude") continue;
+            for (const entry of entries)
+                if (entry.item !== undefined && !open.has(entry.name)) open.set(entry.name, { ...entry, module });
+        }
+        const take = (name) => {
+            const entry = open.get(name);
+            open.delete(name);
+            return entry;
+        };
+        const topics = TOPICS.map((topic) => {
+            const entries = topic.types.map((name) => take(name) ?? name);
+            const lost = entries.filter((entry) => typeof entry === "string");
+            if (lost.length > 0) throw new Error(`scripts/rust/topics.mjs names items that are not public: ${lost.join(", ")}`);
+            return { ...topic, entries };
+        });
+        const rest = REST.map((page) => ({
+            ...page,
+            entries: [...open.values()].filter(({ module }) => page.modules.includes(module)),
+        }));
+        return [...topics, ...rest.filter(({ entries }) => entries.length > 0)];
+    }
+
+    register(page, { name, id, item }) {
+        const own = `${BASE}/${page.id}#${anchor(name)}`;
+        this.addresses.set(id, own);
+        for (const { section, id: child } of this.sections(item)) this.addresses.set(child, `${own}-${section}`);
+    }
+
+    children(ids) {
+        return ids.map((id) => ({ id, item: this.json.index[id] })).filter(({ item }) => item !== undefined);
+    }
+
+    impls(item) {
+        const { impls } = item.inner[kindOf(item)];
+        if (!Array.isArray(impls)) return [];
+        return this.children(impls).map((each) => each.item.inner.impl);
+    }
+
+    /** Public methods and constants of inherent implementations, in the order of the source, without those of `bitflags`. */
+    methods(item) {
+        const own = this.impls(item).filter(({ trait }) => trait === null);
+        const generated = ({ inner, span }) => inner.function !== undefined && String(span.begin) === String(item.span.begin);
+        return own
+            .flatMap(({ items }) => this.children(items))
+            .filter(({ item: method }) => method.visibility === "public" && !generated(method))
+            .sort(
+                (a, b) => a.item.span.filename.localeCompare(b.item.span.filename) || a.item.span.begin[0] - b.item.span.begin[0],
+            );
+    }
+
+    fields(item) {
+        const { plain } = item.inner.struct?.kind ?? {};
+        return this.children(plain?.fields ?? []).filter(({ item: field }) => field.visibility === "public");
+    }
+
+    /** The parts of an item that have headings of their own: fields, variants, methods. */
+    sections(item) {
+        const kind = kindOf(item);
+        const parts = [
+            ...this.fields(item),
+            ...(kind === "enum" ? this.children(item.inner.enum.variants) : []),
+            ...(kind === "trait" ? this.children(item.inner.trait.items) : []),
+            ...(["struct", "enum", "type_alias"].includes(kind) ? this.methods(item) : []),
+        ];
+        const seen = new Map();
+        return parts.map((part) => {
+            const name = anchor(part.item.name);
+            const count = seen.get(name) ?? 0;
+            seen.set(name, count + 1);
+            return { ...part, section: count === 0 ? name : `${name}-${count + 1}` };
+        });
+    }
+
+    variant({ name, inner }) {
+        const { kind } = inner.variant;
+        const shown = (ids) => this.children(ids.filter((id) => id !== null)).map(({ item }) => item);
+        if (kind.tuple !== undefined)
+            return `${name}(${shown(kind.tuple)
+                .map((field) => type(field.inner.struct_field))
+                .join(", ")})`;
+        if (kind.struct === undefined) return name;
+        return `${name} { ${shown(kind.struct.fields)
+            .map((field) => `${field.name}: ${type(field.inner.struct_field)}`)
+            .join(", ")} }`;
+    }
+
+    /** The declaration of an item or of a part of one. */
+    declaration(item, inTrait = false) {
+        const { name, inner } = item;
+        if (inner.function !== undefined) {
+            const text = signature(name, inner.function);
+            return inTrait ? text.replace("pub ", "") : text;
+        }
+        if (inner.struct_field !== undefined) return `pub ${name}: ${type(inner.struct_field)}`;
+        if (inner.variant !== undefined) return this.variant(item);
+        if (inner.type_alias !== undefined)
+            return `pub type ${name}${generics(inner.type_alias.generics)} = ${type(inner.type_alias.type)}`;
+        if (inner.constant !== undefined) return `pub const ${name}: ${type(inner.constant.type)} = ${inner.constant.const.expr}`;
+        if (inner.assoc_const !== undefined) return `const ${name}: ${type(inner.assoc_const.type)}`;
+        if (inner.assoc_type !== undefined) return `type ${name}`;
+        if (inner.macro !== undefined) return inner.macro;
+        const kind = kindOf(item);
+        return `pub ${kind} ${name}${generics(inner[kind].generics)}`;
+    }
+
+    /** Names of the implemented traits that a program relies on. */
+    traits(item) {
+        if (!["struct", "enum"].includes(kindOf(item))) return "";
+        const names = this.impls(item)
+            .filter(
+                ({ trait, is_synthetic: synthetic, blanket_impl: blanket }) => trait !== null && !synthetic && blanket === null,
+            )
+            .map(({ trait }) => trait.path.split("::").at(-1))
+            .filter((name) => !OPERATORS.test(name));
+        return names.length === 0
+            ? ""
+            : `Implements ${[...new Set(names)]
+                  .sort()
+                  .map((name) => `\`${name}\``)
+                  .join(", ")}.`;
+    }
+
+    /** The text of an item or of one of its parts. */
+    text(item, owner = item) {
+        const fragments = new Map(this.sections(owner).map((part) => [part.item.name, `#${anchor(owner.name)}-${part.section}`]));
+        return markdown(item, this.address, (name) => fragments.get(name));
+    }
+
+    section(owner, { item, section }) {
+        const title = item.name.replace(/_/g, "\\_");
+        const code = fenced(this.declaration(item, owner.inner.trait !== undefined));
+        return [`### ${title} {#${anchor(owner.name)}-${section}}`, code, this.text(item, owner)].join("\n\n");
+    }
+
+    entry({ name, item, module }) {
+        const parts = this.sections(item).map((part) => this.section({ ...item, name }, part));
+        const place = `From \`rapier3d::${module}\`.`;
+        const flags = this.impls(item).some(({ trait }) => trait?.path.endsWith("BitOr")) ? FLAGS : "";
+        return [
+            `## ${name} {#${anchor(name)}}`,
+            fenced(this.declaration(item)),
+            this.text(item),
+            `${place} ${this.traits(item)} ${flags}`,
+            ...parts,
+        ].join("\n\n");
+    }
+
+    page({ title, intro, guides, entries }, position) {
+        const head = [`---\nsidebar_position: ${position}\ntoc_max_heading_level: 3\n---`, `# ${title}`, intro];
+        const list = entries
+            .map(({ name, item }) => `* [\`${name}\`](#${anchor(name)}): ${summary(item, this.address)}`)
+            .join("\n");
+        const texts = guides.map((guide) => `[${guide.replace(/-/g, " ")}](/docs/guide/${guide})`).join(", ");
+        const guide = guides.length === 0 ? "" : `Guide: ${texts}. The programs there and below run as tests.`;
+        return [...head, guide, list, ...entries.map((entry) => this.entry(entry))].join("\n\n");
+    }
+
+    /** Every public name of every module, with a link or the crate of its origin. */
+    overview() {
+        const lines = this.modules.flatMap(({ module, entries }) => {
+            if (module === "prelude") return [];
+            const names = entries.map(({ name, id, item }) => {
+                const url = this.addresses.get(id);
+                if (url !== undefined) return `* [\`${name}\`](${url}): ${summary(item, this.address)}`;
+                const origin = this.json.paths[id]?.path[0];
+                return `* \`${name}\`${origin === undefined ? "" : ` of the crate \`${origin}\``}`;
+            });
+            return [`## ${module} {#${module}}`, names.join("\n")];
+        });
+        const intro =
+            "All public names by module. A program imports them with `use rapier3d::prelude::*;`. The 2D crate has the same names with vectors of two components.";
+        return ["---\nsidebar_position: 0\nslug: /rust\n---", "# Rust reference", intro, ...lines].join("\n\n");
+    }
+
+    /** Addresses of types and of their parts by name, for links from the guide. */
+    names() {
+        const names = {};
+        for (const page of this.pages) {
+            for (const { name, id, item } of page.entries) {
+                names[name] = this.addresses.get(id);
+                for (const part of this.sections(item)) names[`${name}::${part.item.name}`] ??= this.addresses.get(part.id);
+            }
+        }
+        return names;
+    }
+}
+
+/** Writes the pages of the Rust reference. Returns addresses by name. */
+export function writeRustReference(website, json) {
+    const reference = new Reference(json);
+    const target = join(website, "generated/api/rust");
+    rmSync(target, { recursive: true, force: true });
+    mkdirSync(target, { recursive: true });
+    reference.pages.forEach((page, index) =>
+        writeFileSync(join(target, `${page.id}.md`), `${reference.page(page, index + 1)}\n`),
+    );
+    writeFileSync(join(target, "index.md"), `${reference.overview()}\n`);
+    return reference.names();
+}

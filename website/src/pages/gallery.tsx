@@ -1,0 +1,73 @@
+// The scenes of the browser testbed: a picture each, and the chosen one live.
+
+import Heading from "@theme/Heading";
+import Layout from "@theme/Layout";
+import useBaseUrl from "@docusaurus/useBaseUrl";
+import { type ReactNode, useEffect, useState } from "react";
+import { SCENES } from "@repository/testbed3d/src/scenes/index";
+import LiveScene from "@site/src/live/LiveScene";
+import styles from "./gallery.module.css";
+
+type Scene = (typeof SCENES)[number];
+
+const GROUPS = [...new Set(SCENES.map(({ group }) => group))];
+const FIRST = SCENES.find(({ id }) => id === "ziggurat") ?? SCENES[0];
+
+function Thumbnail({
+    scene,
+    chosen,
+    choose,
+}: {
+    readonly scene: Scene;
+    readonly chosen: boolean;
+    readonly choose: () => void;
+}): ReactNode {
+    return (
+        <button type="button" className={styles.thumbnail} aria-pressed={chosen} onClick={choose}>
+            <img src={useBaseUrl(`/thumbnails/${scene.id}.webp`)} alt="" loading="lazy" />
+            <span>{scene.title}</span>
+        </button>
+    );
+}
+
+export default function Gallery(): ReactNode {
+    const [scene, setScene] = useState<Scene>(FIRST);
+    useEffect(() => {
+        const named = SCENES.find(({ id }) => `#${id}` === location.hash);
+        if (named !== undefined) setScene(named);
+    }, []);
+    const choose = (next: Scene): void => {
+        setScene(next);
+        history.replaceState(null, "", `#${next.id}`);
+        scrollTo({ top: 0, behavior: "smooth" });
+    };
+    return (
+        <Layout title="Gallery" description="Scenes that run in the page.">
+            <main className="container margin-vert--lg">
+                <h1>Gallery</h1>
+                <p>{SCENES.length} scenes in 3D run in this page. Drag bodies with the mouse or a finger.</p>
+                <LiveScene scene={scene.id} label={`${scene.title}: ${scene.description}`} className={styles.stage} />
+                <p className={styles.caption}>
+                    <strong>{scene.title}.</strong> {scene.description}
+                </p>
+                {GROUPS.map((group) => (
+                    <section key={group}>
+                        <Heading as="h2" id={group.toLowerCase().replace(/\W+/g, "-")}>
+                            {group}
+                        </Heading>
+                        <div className={styles.grid}>
+                            {SCENES.filter((candidate) => candidate.group === group).map((candidate) => (
+                                <Thumbnail
+                                    key={candidate.id}
+                                    scene={candidate}
+                                    chosen={candidate === scene}
+                                    choose={() => choose(candidate)}
+                                />
+                            ))}
+                        </div>
+                    </section>
+                ))}
+            </main>
+        </Layout>
+    );
+}

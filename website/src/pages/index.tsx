@@ -1,0 +1,157 @@
+// The first page: the engine at work, how fast it is, how to get it.
+
+import Link from "@docusaurus/Link";
+import CodeBlock from "@theme/CodeBlock";
+import Layout from "@theme/Layout";
+import TabItem from "@theme/TabItem";
+import Tabs from "@theme/Tabs";
+import { type ReactNode, useState } from "react";
+import Choice from "@site/src/charts/Choice";
+import LeadChart from "@site/src/charts/LeadChart";
+import { CONDITIONS, MACHINE } from "@site/src/charts/contests";
+import LiveScene from "@site/src/live/LiveScene";
+import dominoes from "@repository/docs/images/dominoes-moving.png";
+import strider from "@repository/docs/images/strider-moving.png";
+import washer from "@repository/docs/images/washer-moving.png";
+import styles from "./index.module.css";
+
+const SCENES = [
+    ["pile", "Pile"],
+    ["wrecking-ball", "Wrecking ball"],
+    ["ragdoll-heap", "Ragdolls"],
+    ["bridge", "Bridge"],
+    ["cards", "Card house"],
+] as const;
+
+const MOVING = [
+    { image: washer, caption: "A drum turns 2000 boxes and balls over and over." },
+    { image: strider, caption: "A machine on Theo Jansen's legs walks." },
+    { image: dominoes, caption: "A spiral of 200 dominoes falls." },
+];
+
+const PROMISES = [
+    {
+        title: "The same bits everywhere",
+        text: "Any number of threads, with SIMD or without: x86-64, aarch64 and WebAssembly compute equal results.",
+        link: "/docs/guide/determinism",
+    },
+    {
+        title: "Ground without ghosts",
+        text: "Bodies slide over meshes, tiles and height fields as over a plane, by default.",
+        link: "/docs/guide/smooth-ground",
+    },
+    {
+        title: "Sleep is free",
+        text: "No loop of a step visits sleeping bodies or fixed scenery.",
+        link: "/docs/guide/sleeping",
+    },
+    {
+        title: "No value panics",
+        text: "A NaN position or a mesh index out of range is refused with a message that names it.",
+        link: "/docs/guide/getting-started#invalid-values",
+    },
+    {
+        title: "Worlds as bytes",
+        text: "Snapshots, deltas and recordings continue bit for bit. Damaged data is refused.",
+        link: "/docs/guide/saving",
+    },
+    {
+        title: "Heavy loads on light chains",
+        text: "Joints that hold something are solved exactly; multibodies have reduced coordinates.",
+        link: "/docs/guide/joints",
+    },
+];
+
+const RUST = `[dependencies]
+rapier3d = { path = "../rapier/crates/rapier3d" }`;
+
+const JAVASCRIPT = `cd rapier3d
+npm install
+./build_all.sh
+cd ../my-program
+npm install ../rapier/rapier3d/pkg`;
+
+function Hero(): ReactNode {
+    const [scene, setScene] = useState<(typeof SCENES)[number][0]>("pile");
+    return (
+        <header className={styles.hero}>
+            <div className={styles.words}>
+                <h1>Rapier</h1>
+                <p className={styles.sentence}>
+                    Rigid-body physics for games, tools and robots, written in Rust: fast, robust, and the same bits on every
+                    machine.
+                </p>
+                <div className={styles.buttons}>
+                    <Link className="button button--primary button--lg" to="/docs/guide/getting-started">
+                        Get started
+                    </Link>
+                    <Link className="button button--outline button--primary button--lg" to="/gallery">
+                        Gallery
+                    </Link>
+                </div>
+                <Choice label="Scene" options={SCENES} value={scene} choose={setScene} />
+                <p className={styles.hint}>The scene is live: drag a body, or turn the camera beside it.</p>
+            </div>
+            <LiveScene scene={scene} label={`A live scene of the engine: ${scene}`} className={styles.stage} />
+        </header>
+    );
+}
+
+function Install(): ReactNode {
+    return (
+        <section className={styles.section}>
+            <h2>Install</h2>
+            <p>The packages are not published yet. A program uses a checkout of the repository.</p>
+            <Tabs>
+                <TabItem value="rust" label="Rust">
+                    <CodeBlock language="toml" title="Cargo.toml">
+                        {RUST}
+                    </CodeBlock>
+                    <Link to="/docs/guide/getting-started">A first program in Rust</Link>
+                </TabItem>
+                <TabItem value="javascript" label="JavaScript">
+                    <CodeBlock language="bash">{JAVASCRIPT}</CodeBlock>
+                    <Link to="/docs/guide/javascript">A first program in JavaScript</Link>
+                </TabItem>
+            </Tabs>
+        </section>
+    );
+}
+
+export default function Home(): ReactNode {
+    return (
+        <Layout description="Rigid-body physics for games, tools and robots, written in Rust.">
+            <main className={styles.page}>
+                <Hero />
+                <section className={styles.promises}>
+                    {PROMISES.map(({ title, text, link }) => (
+                        <Link key={title} to={link}>
+                            <h2>{title}</h2>
+                            <p>{text}</p>
+                        </Link>
+                    ))}
+                </section>
+                <section className={styles.pictures}>
+                    {MOVING.map(({ image, caption }) => (
+                        <figure key={caption}>
+                            <img src={image} alt={caption} loading="lazy" />
+                            <figcaption>{caption}</figcaption>
+                        </figure>
+                    ))}
+                </section>
+                <section className={styles.section}>
+                    <h2>Beside its peers</h2>
+                    <p>
+                        Time of the fastest of Rapier 0.36.1, Box3D and Box2D, divided by this engine's time. {MACHINE}{" "}
+                        {CONDITIONS} <Link to="/benchmarks">All figures</Link>
+                    </p>
+                    <div className={styles.charts}>
+                        <LeadChart dimension="3d" />
+                        <LeadChart dimension="2d" />
+                    </div>
+                </section>
+                <Install />
+            </main>
+        </Layout>
+    );
+}

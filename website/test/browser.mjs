@@ -1,0 +1,167 @@
+// Visits every page of the build in headless Chromium. Fails at an error of the console, a request without an answer, a page
+// that is too heavy, or a serious finding of axe. Writes pictures of the sample pages to `shots/`.
+
+import { existsSync, mkdirSync, readFileSync } from "node:fs";
+import { createRequire } from "node:module";
+import { dirname, join } from "node:path";
+import { chromium } from "playwright-core";
+import { LIVE, SAMPLES, allPages } from "./pages.mjs";
+import { serve } from "./server.mjs";
+
+const WEBSITE = dirname(import.meta.dirname);
+const BUILD = join(WEBSITE, "build");
+const SHOTS = join(WEBSITE, "shots");
+
+/** Software rendering, and no traffic of the browser's own. */
+const FLAGS = [
+    "--no-sandbox",
+    "--disable-quic",
+    "--no-first-run",
+    "--disable-background-networking",
+    "--disable-component-update",
+    "--disable-sync",
+    "--use-angle=swiftshader",
+    "--enable-unsafe-swiftshader",
+    "--ignore-gpu-blocklist",
+];
+const PLACES = ["/usr/bin/chromium", "/usr/bin/chromium-browser", "/usr/bin/google-chrome"];
+
+/** Bytes before compression: pages of text, and pages with a scene, whose engine has 3.3 MB alone. */
+const WEIGHT_MAX = 2_000_000;
+const LIVE_WEIGHT_MAX = 9_000_000;
+
+const SIZES = {
+    desktop: { viewport: { width: 1280, height: 800 } },
+    phone: { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true, deviceScaleFactor: 2 },
+};
+
+const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
+const failures = [];
+
+function fail(page, message) {
+    failures.push(`${page}: ${message}`);
+    console.error(`✗ ${page}: ${message}`);
+}
+
+/** Opens a page and records its errors and its weight. */
+async function open(context, address, path) {
+    const page = await context.newPage();
+    let weight = 0;
+    page.on("console", (message) => message.type() === "error" && fail(path, message.text()));
+    page.on("pageerror", (error) => fail(path, String(error)));
+    page.on(
+        "requestfailed",
+        (request) => !request.failure()?.errorText.includes("ABORTED") && fail(path, `no answer to ${request.url()}`),
+    );
+    page.on("response", async (response) => {
+        if (response.status() >= 400) fail(path, `${response.status()} for ${response.url()}`);
+        weight += (await response.body().catch(() => Buffer.alloc(0))).length;
+    });
+    await page.goto(address + path, { waitUntil: "networkidle" });
+    if (LIVE.has(path)) await page.waitForSelector('[data-live="running"]', { timeout: 60_000 });
+    return { page, weight: () => weight };
+}
+
+async function visitAll(browser, address) {
+    const context = await browser.newContext(SIZES.desktop);
+    const pages = allPages(BUILD);
+    let heaviest = { path: "", weight: 0 };
+    for (const path of pages) {
+        const { page, weight } = await open(context, address, path);
+        if (weight() > (LIVE.has(path) ? LIVE_WEIGHT_MAX : WEIGHT_MAX)) fail(path, `${weight()} bytes`);
+        if (!LIVE.has(path) && weight() > heaviest.weight) heaviest = { path, weight: weight() };
+        if (LIVE.has(path)) console.log(`${path}: ${weight()} bytes`);
+        await page.close();
+    }
+    await context.close();
+    console.log(`${pages.length} pages; the heaviest without a scene is ${heaviest.path} with ${heaviest.weight} bytes`);
+}
+
+async function checkAccess(page, path) {
+    await page.evaluate(axe);
+    const { violations } = await page.evaluate(() => globalThis.axe.run(document, { resultTypes: ["violations"] }));
+    for (const { id, impact, nodes } of violations) {
+        if (impact === "serious" || impact === "critical")
+            fail(
+                path,
+                `axe ${id}: ${nodes
+                    .map(({ target }) => target.join(" "))
+                    .slice(0, 3)
+                    .join("; ")}`,
+            );
+    }
+}
+
+async function photograph(browser, address) {
+    mkdirSync(SHOTS, { recursive: true });
+    for (const [size, options] of Object.entries(SIZES)) {
+        for (const scheme of ["light", "dark"]) {
+            const context = await browser.newContext({ ...options, colorScheme: scheme });
+            for (const [name, path] of Object.entries(SAMPLES)) {
+                const { page } = await open(context, address, path);
+                if (LIVE.has(path)) await page.waitForTimeout(2500);
+                await checkAccess(page, `${path} (${size}, ${scheme})`);
+                const overflow = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
+                if (overflow > 0) fail(`${path} (${size})`, `${overflow} pixels wider than the window`);
+                await page.screenshot({ path: join(SHOTS, `${name}-${size}-${scheme}.png`) });
+                await page.close();
+            }
+            await context.close();
+        }
+    }
+}
+
+/** The scene of the first page steps, and its bodies can be taken. */
+async function checkScene(browser, address) {
+    const context = await browser.newContext(SIZES.desktop);
+    const { page } = await open(context, address, "/");
+    const figures = page.getByText(/bodies, .* ms a step/);
+    await figures.waitFor({ timeout: 30_000 });
+    console.log(`first page: ${await figures.textContent()}`);
+    const box = await page.locator("canvas").boundingBox();
+    await page.mouse.move(box.x + box.width / 2, box.y + box.height * 0.6);
+    await page.mouse.down();
+    const cursor = await page.locator("canvas").evaluate((canvas) => canvas.style.cursor);
+    if (cursor !== "grabbing") fail("/", "the pointer took no body in the middle of the scene");
+    await page.mouse.up();
+    await context.close();
+}
+
+/** The pile of the page about determinism has the same hashes here as in Node.js. */
+async function checkDeterminism(browser, address) {
+    const context = await browser.newContext(SIZES.desktop);
+    const { page } = await open(context, address, "/determinism");
+    await page.getByRole("button", { name: /^Run/ }).click();
+    const verdict = page.getByRole("status").filter({ hasText: /hashes/ });
+    await verdict.waitFor({ timeout: 120_000 });
+    const text = await verdict.textContent();
+    if (!text.includes("Equal bits")) fail("/determinism", text);
+    await context.close();
+}
+
+/** The search finds a name of the reference. */
+async function checkSearch(browser, address) {
+    const context = await browser.newContext(SIZES.desktop);
+    const { page } = await open(context, address, "/docs/guide");
+    await page.getByRole("combobox", { name: "Search" }).or(page.getByPlaceholder("Search")).first().fill("RevoluteJointBuilder");
+    const found = page.locator("[class*=suggestion]").first();
+    await found.waitFor({ timeout: 20_000 }).catch(() => fail("/docs/guide", "the search finds nothing"));
+    await context.close();
+}
+
+const executablePath = process.env.CHROMIUM ?? PLACES.find((place) => existsSync(place));
+if (executablePath === undefined) throw new Error("no Chromium: install the package `chromium`, or set CHROMIUM");
+const server = await serve(BUILD);
+const browser = await chromium.launch({ executablePath, args: FLAGS });
+try {
+    await checkScene(browser, server.address);
+    await checkDeterminism(browser, server.address);
+    await checkSearch(browser, server.address);
+    if (!process.argv.includes("--shots")) await visitAll(browser, server.address);
+    await photograph(browser, server.address);
+} finally {
+    await browser.close();
+    server.close();
+}
+console.log(failures.length === 0 ? "all pages are sound" : `${failures.length} failures`);
+process.exit(failures.length === 0 ? 0 : 1);
