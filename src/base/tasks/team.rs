@@ -34,7 +34,8 @@ pub const MAX_THREADS: usize = 64;
 /// Numbers of polls before a waiting thread yields, and before it leaves. In all they take some hundred
 /// microseconds, more than any serial stretch of a step with thousands of bodies.
 const SPINS_MAX: u32 = 256;
-const YIELDS_MAX: u32 = 2048;
+// WebAssembly cannot yield: each of its waits is a short spin, and the same time takes more of them.
+const YIELDS_MAX: u32 = if cfg!(target_family = "wasm") { 1 << 16 } else { 2048 };
 
 type Work<'a> = dyn Fn(Range<usize>) + Sync + 'a;
 

@@ -7,6 +7,7 @@ use parry::query::ShapeCastHit;
 
 /// The admissible part of a move.
 #[derive(Copy, Clone, PartialEq, Debug, Default)]
+#[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub struct EffectiveCharacterMovement {
     /// The translation to apply, in world space. Exactly zero if there is nothing to do.
     pub translation: Vector,
@@ -20,6 +21,7 @@ pub struct EffectiveCharacterMovement {
 
 /// The ground under a character.
 #[derive(Copy, Clone, PartialEq, Debug)]
+#[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub struct CharacterGround {
     /// The collider.
     pub collider: ColliderHandle,

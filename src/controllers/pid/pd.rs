@@ -8,6 +8,7 @@ use crate::model::body::{RigidBody, RigidBodyVelocity};
 
 /// Error of a pose or of a velocity.
 #[derive(Copy, Clone, PartialEq, Debug)]
+#[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub struct PdErrors {
     /// Target position minus actual position (length), or target velocity minus actual velocity (length/s).
     pub linear: Vector,
