@@ -1,8 +1,8 @@
 //! The camera, and the fit of a camera to the content of a scene.
 
-use crate::{Drawing, Point};
 use crate::sheet::box_corners;
 use crate::vector::{add_scaled, cross, dot, normalize, sub};
+use crate::{Drawing, Point};
 
 /// From where to look at a scene.
 #[derive(Copy, Clone, Debug, PartialEq)]

@@ -133,7 +133,8 @@ impl Session {
         };
         let scene = player.shown();
         if self.follow && !other {
-            let body = self.artist.selected.and_then(|handle| scene.world.colliders.get(handle)?.parent());
+            let body =
+                self.artist.selected.and_then(|handle| scene.world.colliders.get(handle)?.parent());
             if let Some(body) = body.and_then(|body| scene.world.bodies.get(body)) {
                 self.camera.target = point(body.center_of_mass());
             }
@@ -225,7 +226,8 @@ mod tests {
             );
             let floor = SharedShape::new(Cuboid::new(Vector::splat(0.5)));
             world.insert(RigidBodyBuilder::fixed(), ColliderBuilder::new(floor));
-            let view = if DIM == 2 { drawing::View::flat() } else { drawing::View::orbit(0.0, 0.0) };
+            let view =
+                if DIM == 2 { drawing::View::flat() } else { drawing::View::orbit(0.0, 0.0) };
             (Scene::new(world, view), None)
         };
         let mut session = Session::new(&Demo {
@@ -249,7 +251,8 @@ mod tests {
     #[test]
     fn an_inspected_selection_keeps_the_history() {
         let mut session = session();
-        session.artist.selected = session.player.scene.world.colliders.iter().map(|(c, _)| c).next();
+        session.artist.selected =
+            session.player.scene.world.colliders.iter().map(|(c, _)| c).next();
         let copies = session.player.history.len();
         session.player.rewound = Some(2);
         let mut shown = egui::Context::default()

@@ -9,5 +9,7 @@ pub use rapier2d as rapier;
 mod common;
 mod shapes;
 
-pub use common::{Artist, BodyColors, Law, Overlays, Scene, SceneInfo, Script, StepEvents, entries, gap};
+pub use common::{
+    Artist, BodyColors, Law, Overlays, Scene, SceneInfo, Script, StepEvents, entries, gap,
+};
 pub use shapes::point;

@@ -8,5 +8,7 @@ pub use rapier3d as rapier;
 mod common;
 mod shapes;
 
-pub use common::{Artist, BodyColors, Law, Overlays, Scene, SceneInfo, Script, StepEvents, entries, gap};
+pub use common::{
+    Artist, BodyColors, Law, Overlays, Scene, SceneInfo, Script, StepEvents, entries, gap,
+};
 pub use shapes::point;

@@ -65,9 +65,7 @@ fn show_body(ui: &mut Ui, player: &mut Player, handle: RigidBodyHandle) {
         edited = wanted.edit(ui);
     });
     // Write access ends the rewound state, so an edit alone takes it.
-    if edited
-        && let Some(body) = player.world_mut().bodies.get_mut(handle)
-    {
+    if edited && let Some(body) = player.world_mut().bodies.get_mut(handle) {
         wanted.apply(body, &shown);
     }
 }
@@ -93,7 +91,8 @@ impl BodySettings {
     /// Shows the fields; returns whether an input changed one.
     fn edit(&mut self, ui: &mut Ui) -> bool {
         let mut edited = false;
-        for (name, value) in ["linear damping", "angular damping"].into_iter().zip(&mut self.damping)
+        for (name, value) in
+            ["linear damping", "angular damping"].into_iter().zip(&mut self.damping)
         {
             ui.small(name);
             edited |= ui.add(DragValue::new(value).range(0.0..=100.0).speed(0.02)).changed();
@@ -140,9 +139,7 @@ fn show_collider(ui: &mut Ui, player: &mut Player, handle: ColliderHandle) {
             format!("{:08x} / {:08x}", groups.memberships.bits(), groups.filter.bits()),
         );
     });
-    if edited
-        && let Some(collider) = player.world_mut().colliders.get_mut(handle)
-    {
+    if edited && let Some(collider) = player.world_mut().colliders.get_mut(handle) {
         let [friction, restitution] = surface;
         collider.set_friction(friction);
         collider.set_restitution(restitution);

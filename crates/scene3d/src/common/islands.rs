@@ -31,7 +31,9 @@ impl Islands {
         for multibody in world.multibody_joints.multibodies() {
             let mut links = multibody.links().map(MultibodyLink::rigid_body_handle);
             // The solver moves a multibody as a whole, so its links are one group even around a fixed root.
-            let Some(first) = links.find(|link| islands.parents.contains_key(link)) else { continue };
+            let Some(first) = links.find(|link| islands.parents.contains_key(link)) else {
+                continue;
+            };
             links.for_each(|link| islands.join(first, link));
         }
         islands
@@ -76,9 +78,8 @@ mod tests {
     fn row(count: usize) -> (PhysicsWorld, Vec<RigidBodyHandle>) {
         let mut world = PhysicsWorld::new();
         let place = |i: usize| RigidBodyBuilder::dynamic().translation(Vector::X * (3 * i) as Real);
-        let handles = (0..count)
-            .map(|i| world.insert(place(i), ColliderBuilder::ball(0.5)).0)
-            .collect();
+        let handles =
+            (0..count).map(|i| world.insert(place(i), ColliderBuilder::ball(0.5)).0).collect();
         (world, handles)
     }
 

@@ -34,15 +34,15 @@ pub fn build() -> Scene {
         .linvel(Vector::new(25.0, 2.0));
     world.insert(ball, ColliderBuilder::ball(0.9).density(8.0));
 
-    Scene::new(world, View::flat())
-        .focusing(Vector::new(-10.0, 0.0), Vector::new(14.0, 8.0))
-        .react(|world, events| {
+    Scene::new(world, View::flat()).focusing(Vector::new(-10.0, 0.0), Vector::new(14.0, 8.0)).react(
+        |world, events| {
             for event in &events.contact_forces {
                 for collider in [event.collider1, event.collider2] {
                     break_crate(world, collider);
                 }
             }
-        })
+        },
+    )
 }
 
 /// A crate with an event for each force beyond its strength. Its user data distinguishes it from the rest.

@@ -43,15 +43,14 @@ pub fn build() -> Scene {
         add(&mut world, place, ColliderBuilder::ball(0.4).restitution(0.4));
     }
 
-    Scene::new(world, View::orbit(20.0, 16.0))
-        .react(move |world, events| {
-            for event in &events.collisions {
-                let (h1, h2) = (event.collider1(), event.collider2());
-                let visitor = if zones.contains(&h1) { h2 } else { h1 };
-                let body = world.colliders.get(visitor).and_then(Collider::parent);
-                if let Some(body) = body.and_then(|body| world.bodies.get_mut(body)) {
-                    body.set_gravity_scale(if event.started() { -0.3 } else { 1.0 }, true);
-                }
+    Scene::new(world, View::orbit(20.0, 16.0)).react(move |world, events| {
+        for event in &events.collisions {
+            let (h1, h2) = (event.collider1(), event.collider2());
+            let visitor = if zones.contains(&h1) { h2 } else { h1 };
+            let body = world.colliders.get(visitor).and_then(Collider::parent);
+            if let Some(body) = body.and_then(|body| world.bodies.get_mut(body)) {
+                body.set_gravity_scale(if event.started() { -0.3 } else { 1.0 }, true);
             }
-        })
+        }
+    })
 }
