@@ -9,6 +9,8 @@ use std::time::Instant;
 const FRAMES: usize = 240;
 /// Height of the plot in points.
 const HEIGHT: f32 = 130.0;
+/// Thickness in points below which a part of a frame is not drawn.
+const THICKNESS_MIN: f32 = 0.2;
 /// Number of parts.
 const PARTS: usize = 11;
 /// Names and colours of the parts, from the bottom.
@@ -167,12 +169,14 @@ fn band(
     let x = |i: usize| rect.left() + (first + i) as f32 * width;
     let mut mesh = eframe::egui::Mesh::default();
     for (i, (low, high)) in below.iter().zip(above).enumerate() {
-        let corners: [Pos2; 4] = [
-            pos2(x(i), height_of(rect, low / top)),
-            pos2(x(i), height_of(rect, high / top)),
-            pos2(x(i) + width, height_of(rect, high / top)),
-            pos2(x(i) + width, height_of(rect, low / top)),
-        ];
+        let [bottom, peak] = [low, high].map(|ms| height_of(rect, ms / top));
+        // Most stages are too short to be seen, and each triangle costs an adapter in software.
+        if bottom - peak < THICKNESS_MIN {
+            continue;
+        }
+        let (left, right) = (x(i), x(i) + width);
+        let corners: [Pos2; 4] =
+            [pos2(left, bottom), pos2(left, peak), pos2(right, peak), pos2(right, bottom)];
         let start = mesh.vertices.len() as u32;
         corners.into_iter().for_each(|corner| mesh.colored_vertex(corner, color));
         mesh.add_triangle(start, start + 1, start + 2);

@@ -6,7 +6,7 @@ use crate::stages::Part;
 use drawing::{Camera, Label};
 use eframe::egui::{self, Color32, PointerButton, Rect, Sense, Ui, Vec2, pos2};
 use eframe::egui_wgpu::{Callback, CallbackResources, CallbackTrait, RenderState};
-use render::wgpu::RenderPass;
+use render::wgpu::{FilterMode, RenderPass};
 use render::{Blit, Copyable, Quality, Renderer, Target};
 use std::time::Instant;
 
@@ -58,10 +58,12 @@ impl Viewport {
         let renderer =
             Renderer::new(&state.device, &state.queue, Quality::for_adapter(&state.adapter));
         let adapts = renderer.quality() != Quality::default();
+        // An adapter in software spends three times as much on a filtered pixel.
+        let filter = if adapts { FilterMode::Nearest } else { FilterMode::Linear };
         Self {
             state: state.clone(),
             renderer,
-            blit: Blit::new(&state.device, state.target_format),
+            blit: Blit::new(&state.device, state.target_format, filter),
             screens: Vec::new(),
             scale: 1.0,
             adapts,

@@ -25,8 +25,8 @@ pub struct Copyable {
 }
 
 impl Blit {
-    /// Copies into passes whose target has a format.
-    pub fn new(device: &Device, format: TextureFormat) -> Self {
+    /// Copies into passes whose target has a format. The filter is for pictures of another size than the viewport.
+    pub fn new(device: &Device, format: TextureFormat, filter: FilterMode) -> Self {
         let shader = device.create_shader_module(wgpu::include_wgsl!("blit.wgsl"));
         let decodes = [("decodes", f64::from(u8::from(format.is_srgb())))];
         let pipeline = device.create_render_pipeline(&RenderPipelineDescriptor {
@@ -55,8 +55,8 @@ impl Blit {
         });
         let sampler = device.create_sampler(&SamplerDescriptor {
             label: Some("blit"),
-            mag_filter: FilterMode::Linear,
-            min_filter: FilterMode::Linear,
+            mag_filter: filter,
+            min_filter: filter,
             ..Default::default()
         });
         Self { pipeline, sampler }

@@ -4,9 +4,10 @@ use crate::buffers::{INSTANCE_NUMBERS, LINE_NUMBERS};
 use crate::target::{COLOR, DEPTH};
 use wgpu::{
     BindGroupLayout, BlendState, ColorTargetState, ColorWrites, CompareFunction, DepthBiasState,
-    DepthStencilState, Device, Face, FragmentState, MultisampleState, PipelineLayoutDescriptor,
-    PrimitiveState, PrimitiveTopology, RenderPipeline, RenderPipelineDescriptor, ShaderModule,
-    StencilState, VertexBufferLayout, VertexState, VertexStepMode, vertex_attr_array,
+    DepthStencilState, Device, Face, FragmentState, MultisampleState, PipelineCompilationOptions,
+    PipelineLayoutDescriptor, PrimitiveState, PrimitiveTopology, RenderPipeline,
+    RenderPipelineDescriptor, ShaderModule, StencilState, VertexBufferLayout, VertexState,
+    VertexStepMode, vertex_attr_array,
 };
 
 /// The pipelines for a number of samples a pixel.
@@ -111,6 +112,7 @@ impl Recipe<'_> {
             bind_group_layouts: &[Some(view)],
             immediate_size: 0,
         });
+        let taps = [("taps", if self.samples > 1 { 4.0 } else { 1.0 })];
         let target = [Some(ColorTargetState {
             format: COLOR,
             blend: Some(BlendState::ALPHA_BLENDING),
@@ -141,7 +143,10 @@ impl Recipe<'_> {
             fragment: self.fragment.map(|entry_point| FragmentState {
                 module: shader,
                 entry_point: Some(entry_point),
-                compilation_options: Default::default(),
+                compilation_options: PipelineCompilationOptions {
+                    constants: &taps,
+                    ..Default::default()
+                },
                 targets: &target,
             }),
             multiview_mask: None,

@@ -124,7 +124,7 @@ impl Renderer {
         }
         self.sun.1 = self.sun.1.saturating_sub(1);
         let sun = (texels > 0).then_some(&self.sun.0);
-        let rows = uniforms::rows(camera, target.size, sun, self.quality);
+        let rows = uniforms::rows(camera, target.size, sun);
         self.queue.write_buffer(&self.uniforms, 0, bytemuck::cast_slice(&rows));
         let height = target.size[1] as f32;
         let (calls, lines) =

@@ -9,7 +9,7 @@ struct View {
     sun_light: vec4<f32>,   // w: light of a highlighted surface
     sky_light: vec4<f32>,   // w: strength of highlights
     ground_light: vec4<f32>,// w: haze
-    top: vec4<f32>,         // background; w: taps of the shadow map, 1 or 4
+    top: vec4<f32>,         // background
     bottom: vec4<f32>,      // background; w: cell of the grid
     depth: vec4<f32>,       // nearest and farthest content; size of a pixel at distance 1; width of a rim
     size: vec4<f32>,        // width and height of the picture; light of a rim; light of a flat inside
@@ -18,6 +18,9 @@ struct View {
 @group(0) @binding(0) var<uniform> view: View;
 @group(0) @binding(1) var shadow_map: texture_depth_2d;
 @group(0) @binding(2) var shadow_sampler: sampler_comparison;
+
+// Taps of the shadow map for a pixel: 1 or 4. A constant, because adapters in software execute both sides of a branch.
+override taps: u32 = 4;
 
 const GROUND: u32 = 1u;
 const HIGHLIGHTED: u32 = 2u;
@@ -82,7 +85,7 @@ fn sunlight(place: vec3<f32>, normal: vec3<f32>) -> f32 {
     if any(at < vec2(0.001)) || any(at > vec2(0.999)) {
         return 1.0;
     }
-    if view.top.w < 2.0 {
+    if taps == 1u {
         return textureSampleCompareLevel(shadow_map, shadow_sampler, at, seen.z);
     }
     // Four taps of two by two texels, half a texel apart.

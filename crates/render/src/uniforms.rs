@@ -1,6 +1,5 @@
 //! The numbers that the shader reads, in the order of its `View`.
 
-use crate::renderer::Quality;
 use drawing::light::{
     BACKGROUND, FLAT_LIGHT, GLOSS, GROUND_LIGHT, HAZE, HIGHLIGHT, RIM_LIGHT, RIM_PIXELS,
     SHADOW_REACH, SKY_LIGHT, SUN, SUN_LIGHT, sun_axes,
@@ -23,12 +22,7 @@ pub(crate) fn sun(camera: &Camera, texels: u32) -> Sun {
 }
 
 /// The rows for a camera and a picture; without a sun there are no shadows.
-pub(crate) fn rows(
-    camera: &Camera,
-    size: [u32; 2],
-    sun: Option<&Sun>,
-    quality: Quality,
-) -> [[f32; 4]; ROWS] {
+pub(crate) fn rows(camera: &Camera, size: [u32; 2], sun: Option<&Sun>) -> [[f32; 4]; ROWS] {
     let [width, height] = size.map(|side| side as f32);
     let with = |[x, y, z]: Point, w: f32| [x, y, z, w];
     let mut rows = [[0.0; 4]; ROWS];
@@ -43,7 +37,7 @@ pub(crate) fn rows(
     rows[11] = with(SUN_LIGHT, HIGHLIGHT);
     rows[12] = with(SKY_LIGHT, GLOSS);
     rows[13] = with(GROUND_LIGHT, HAZE);
-    rows[14] = with(BACKGROUND[0], if quality.samples > 1 { 4.0 } else { 1.0 });
+    rows[14] = with(BACKGROUND[0], 0.0);
     rows[15] = with(BACKGROUND[1], drawing::light::cell_size(camera.radius));
     let pixel = camera.pixel_at(1.0, height);
     let rim = camera.pixel_at(1.0, 720.0) * RIM_PIXELS;

@@ -38,8 +38,9 @@ fn edit(ui: &mut Ui, player: &mut Player) {
         lengths(ui, &mut parameters);
         continuous(ui, &mut parameters);
         row(ui, "gravity", "Along each axis (length/s²)", |ui| {
+            // The sum with zero shows -0 as 0.
             let mut values: Vec<Real> =
-                Vector::AXES.iter().map(|axis| gravity.dot(*axis)).collect();
+                Vector::AXES.iter().map(|axis| gravity.dot(*axis) + 0.0).collect();
             for value in &mut values {
                 ui.add(DragValue::new(value).speed(0.1).max_decimals(2));
             }

@@ -128,3 +128,51 @@ fn mark(from: Vector, to: Vector, [hue, saturation, lightness]: [f32; 3]) -> Lin
     let color = Color::from_hsl(hue, saturation, lightness, 1.0);
     Line { from: point(from), to: point(to), color, on_top: true }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::collections::HashSet;
+
+    /// A tower of boxes on the ground after a step.
+    fn tower() -> PhysicsWorld {
+        let mut world = PhysicsWorld::new();
+        let shape = || ColliderBuilder::new(SharedShape::new(Cuboid::new(Vector::splat(0.5))));
+        for i in 0..4 {
+            let place = Vector::Y * i as Real;
+            let kind = if i == 0 { RigidBodyBuilder::fixed() } else { RigidBodyBuilder::dynamic() };
+            world.insert(kind.translation(place), shape());
+        }
+        world.step();
+        world
+    }
+
+    #[test]
+    fn contacts_of_a_body_have_different_solver_colors() {
+        let world = tower();
+        let mut taken = HashSet::new();
+        for (first, second, pair) in world.narrow_phase.contact_pairs() {
+            for manifold in &pair.manifolds {
+                let color = manifold.solver_color().expect("the tower is awake");
+                assert!(color < OVERFLOW_COLOR);
+                let bodies = [first, second].map(|handle| world.colliders[handle].parent());
+                for body in bodies.into_iter().flatten().filter(|b| world.bodies[*b].is_dynamic()) {
+                    assert!(taken.insert((body, color)), "{body:?} has colour {color} twice");
+                }
+            }
+        }
+        assert_eq!(taken.len(), 5, "each inner box has two contacts, the highest has one");
+    }
+
+    #[test]
+    fn marks_show_each_contact_point_in_its_solver_color() {
+        let world = tower();
+        let mut drawing = Drawing::default();
+        Overlays { solver_colors: true, ..Overlays::default() }.mark(&world, &mut drawing);
+        let pairs = world.narrow_phase.contact_pairs();
+        let points: usize =
+            pairs.flat_map(|(.., pair)| &pair.manifolds).map(|m| m.contacts().len()).sum();
+        assert!(points > 0);
+        assert_eq!(drawing.lines.len(), points * (DIM + 1));
+    }
+}
