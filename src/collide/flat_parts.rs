@@ -1,6 +1,6 @@
 //! Culling of surface parts: most parts whose boxes overlap a body's are far from it.
 
-use super::convex::{DISTANCE_SHARE, is_sound};
+use super::convex::{DISTANCE_FRACTION, is_sound};
 use super::parts::{Near, Part, Parts};
 use super::polytopes::contacts_on_axis;
 use super::search::Search;
@@ -191,7 +191,7 @@ impl Search<'_> {
         let gap = contacts_on_axis(poses, polytopes, &axis, prediction, raw);
         raw.points.retain(|point| is_sound(point) && point.dist <= prediction);
         if raw.points.is_empty() {
-            self.distance = self.distance.min(gap.max(0.0) * DISTANCE_SHARE);
+            self.distance = self.distance.min(gap.max(0.0) * DISTANCE_FRACTION);
         } else {
             self.distance = 0.0;
             self.patches.add(self.pair, raw, &parts);

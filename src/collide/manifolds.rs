@@ -5,7 +5,7 @@
 //! and the rest are the manifolds. The module is stateless: the previous manifolds are a start for the
 //! search, and the buffers in [`ManifoldScratch`] only save allocations.
 
-use super::convex::{DISTANCE_SHARE, is_sound, part_manifold};
+use super::convex::{DISTANCE_FRACTION, is_sound, part_manifold};
 use super::flat_parts::CulledParts;
 use super::internal_edges::InternalEdge;
 use super::matching::replace_contacts;
@@ -196,7 +196,7 @@ fn outermost<'a>(
 /// A lower bound of the distance of two convex shapes by their closest points.
 fn distance_bound(pos12: &Pose, shape1: &dyn Shape, shape2: &dyn Shape) -> Real {
     match guarded(|| DefaultQueryDispatcher.distance(pos12, shape1, shape2)) {
-        Some(Ok(found)) if found.distance.is_finite() => found.distance * DISTANCE_SHARE,
+        Some(Ok(found)) if found.distance.is_finite() => found.distance * DISTANCE_FRACTION,
         _ => 0.0,
     }
 }

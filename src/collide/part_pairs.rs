@@ -11,14 +11,14 @@ use crate::dim::math::{Real, Vector};
 use parry::bounding_volume::{Aabb, BoundingVolume};
 
 /// Most pairs of parts for which contacts are computed.
-const VISITS_MAX: usize = 16_384;
+const PAIRS_VISITED_MAX: usize = 16_384;
 /// Most pairs that a cell keeps.
-const PER_CELL: usize = VISITS_MAX / CELLS_MAX;
+const PER_CELL: usize = PAIRS_VISITED_MAX / CELLS_MAX;
 /// Most pairs from which the visited ones are chosen. Each part of the first shape offers an equal fraction of them, in the order of
 /// the second shape's tree.
 const CANDIDATES_MAX: usize = 1 << 21;
 /// Products of numbers of parts up to this are not counted first.
-const PRODUCT_MAX: usize = VISITS_MAX;
+const PRODUCT_MAX: usize = PAIRS_VISITED_MAX;
 
 /// The pairs of one cell: the best ones, and some more until these are dropped.
 #[derive(Clone, Default)]
@@ -50,12 +50,12 @@ impl Search<'_> {
         if product > PRODUCT_MAX {
             self.for_each_first_part(&mut |search, part1| {
                 near_parts += 1;
-                if pairs <= VISITS_MAX {
+                if pairs <= PAIRS_VISITED_MAX {
                     search.for_each_second_part(&part1, &mut |_, _| pairs += 1);
                 }
             });
         }
-        if pairs <= VISITS_MAX {
+        if pairs <= PAIRS_VISITED_MAX {
             self.visit_pairs(|_| true);
             return;
         }

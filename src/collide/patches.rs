@@ -41,8 +41,8 @@ pub(super) struct Patch {
     pub normal: Vector,
     /// Distance at the deepest point.
     pub dist: Real,
-    /// Whether no part meets the other with its rim alone. A [`Flat`] does, if it does not look along the
-    /// normal.
+    /// Whether no part meets the other with its rim alone. A flat part does, unless
+    /// its normal is the contact normal.
     is_broad: bool,
     /// Range of its points.
     points: Range<usize>,

@@ -250,7 +250,7 @@ impl Pair<'_> {
         let (a, b, c) = (along1.length_squared(), along1.dot(along2), along2.length_squared());
         let (d, e, area) = (along1.dot(offset), along2.dot(offset), a * c - b * b);
         let (share1, share2) = ((c * d - b * e) / area, (b * d - a * e) / area);
-        let is_inside = |share: Real| (0.0..=1.0).contains(&share);
+        let is_inside = |fraction: Real| (0.0..=1.0).contains(&fraction);
         if !(is_inside(share1) && is_inside(share2)) {
             return None;
         }

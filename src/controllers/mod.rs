@@ -1,4 +1,4 @@
-//! # Controllers — what moves bodies by asking the world
+//! # Controllers: characters, vehicles and PID
 //!
 //! A controller looks at the world through queries and says how something should move: a velocity, a
 //! translation, an impulse. It is a user of the engine that happens to live in it. The step is independent of

@@ -68,7 +68,7 @@ impl FreeMotion {
     pub fn turn(&mut self, _: AngVector) {}
 }
 
-/// The velocities of up to [`LANES`] bodies after `h` seconds, if these are theirs and nothing holds them.
+/// The velocities of up to `LANES` bodies after `h` seconds, if these are theirs and nothing holds them.
 #[inline(always)]
 pub(crate) fn accelerated<W: Wide>(
     bodies: &mut [FreeMotion],
@@ -84,7 +84,7 @@ pub(crate) fn accelerated<W: Wide>(
     WideMotion { linear, angular }
 }
 
-/// Rotates up to [`LANES`] gyroscopic bodies: there are none in 2D.
+/// Rotates up to `LANES` gyroscopic bodies: there are none in 2D.
 #[inline(always)]
 pub(crate) fn gyroscopic<W: Wide>(
     _bodies: &mut [FreeMotion],

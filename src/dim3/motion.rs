@@ -1,6 +1,6 @@
 //! Free motion of bodies in 3D: a record of whole registers, and its integration lane by lane.
 //!
-//! # Tumbling
+//! # Gyroscopic motion
 //! Between impulses a body keeps its angular momentum `L`, not its angular velocity: its inertia rotates with
 //! it, and `ω = I⁻¹ L` changes. Its free orientation after a substep is known ([`FreeTurn`]), and so is the
 //! mean angular velocity that leads there. The solver uses the latter, and rotates the body by it.
@@ -10,7 +10,7 @@
 //! that of the middle, thin limbs that hang from each other gain some per cent of their energy in ten
 //! seconds.
 //!
-//! # Where impulses lead elsewhere
+//! # Impulses on gyroscopic bodies
 //! The pose of a pushed body differs from its free pose with the new momentum by an angle `δ` of second
 //! order. With the same momentum, its energy is different there, considerably so for thin bodies: by about
 //! `δ² A / C` for a rod with the moments `A` and `C ≪ A`. (Rods 27 times as long as thick landed with up to
@@ -135,7 +135,7 @@ impl FreeMotion {
     }
 }
 
-/// The velocities of up to [`LANES`] bodies after `h` seconds, if these are theirs and nothing holds them.
+/// The velocities of up to `LANES` bodies after `h` seconds, if these are theirs and nothing holds them.
 #[inline(always)]
 pub(crate) fn accelerated<W: Wide>(
     bodies: &mut [FreeMotion],
@@ -160,7 +160,7 @@ pub(crate) fn accelerated<W: Wide>(
     WideMotion { linear, angular }
 }
 
-/// Rotates up to [`LANES`] gyroscopic bodies by `h` times their angular velocity, and updates the velocity
+/// Rotates up to `LANES` gyroscopic bodies by `h` times their angular velocity, and updates the velocity
 /// for their rotated inertia.
 ///
 /// The velocity change is no impulse: the next substep must not start with it, nor with its rounding error.

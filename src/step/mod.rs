@@ -1,4 +1,4 @@
-//! # Step — the verbs, in the order they happen
+//! # Step: the stages in the order of execution
 //!
 //! [`step`] is the whole pipeline. Each stage's signature lists its inputs and outputs, and the first lines
 //! of its module are its card. Stages do not import each other: they leave [`notes`].

@@ -12,7 +12,10 @@ const PARALLEL: &str = "src/base/tasks/";
 /// Files, and folders but for their `mod.rs`, that stand in one of `dim2/` and `dim3/` only, and why.
 const SINGLES: [(&str, &str); 3] = [
     ("src/dim3/collide/cuboid_faces.rs", "faces are clipped by faces; in 2D the faces are edges"),
-    ("src/dim3/top.rs", "what turns freely tumbles; in 2D it has but one axis to turn about"),
+    (
+        "src/dim3/gyroscopic.rs",
+        "what turns freely tumbles; in 2D it has but one axis to turn about",
+    ),
     ("src/dim3/vehicle/", "cars drive on surfaces; in 2D they are bodies on wheels"),
 ];
 
@@ -171,7 +174,7 @@ mod tests {
     fn dimensions_have_the_same_files() {
         let singles = [
             ("src/dim3/collide/cuboid_faces.rs", ""),
-            ("src/dim3/top.rs", ""),
+            ("src/dim3/gyroscopic.rs", ""),
             ("src/dim3/vehicle/a.rs", ""),
         ];
         assert!(of(check_dimensions, &singles).is_empty());

@@ -108,8 +108,8 @@ impl WorkerTeam {
         // SAFETY: no loop is open, so there are no readers.
         unsafe { *self.current.get() = Loop { work, count, piece } };
         self.done.store(0, Ordering::Relaxed);
-        for (k, share) in self.work_ranges[..self.threads].iter().enumerate() {
-            share.give(k * pieces / self.threads..(k + 1) * pieces / self.threads);
+        for (k, work) in self.work_ranges[..self.threads].iter().enumerate() {
+            work.give(k * pieces / self.threads..(k + 1) * pieces / self.threads);
         }
         self.fill_vacancies(hire);
         self.work_off(0);

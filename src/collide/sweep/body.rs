@@ -104,12 +104,12 @@ impl<'a> Body<'a> {
     }
 
     /// The same, scaled by this about its centre.
-    pub fn shrunk(self, share: Real) -> Self {
+    pub fn shrunk(self, fraction: Real) -> Self {
         let Sharp::Convex(shrunk) = self.sharp else { return self };
-        if share == 1.0 {
+        if fraction == 1.0 {
             return self;
         }
-        let sharp = Sharp::Convex(Shrunk { scale: shrunk.scale * share, ..shrunk });
+        let sharp = Sharp::Convex(Shrunk { scale: shrunk.scale * fraction, ..shrunk });
         Self { sharp, whole: None, flat: None, ..self }
     }
 
@@ -143,10 +143,10 @@ impl<'a> Body<'a> {
     }
 
     /// A part without thickness, scaled by this about its centre.
-    pub fn middle(shape: &'a dyn Shape, widths: &Widths, share: Real) -> Option<Self> {
+    pub fn middle(shape: &'a dyn Shape, widths: &Widths, fraction: Real) -> Option<Self> {
         let Self { sharp, radius, flat, .. } = Self::whole(shape)?;
         let Sharp::Convex(shrunk) = sharp else { return None };
-        let (center, scale) = (widths.center, Vector::splat(share));
+        let (center, scale) = (widths.center, Vector::splat(fraction));
         let sharp = Sharp::Convex(Shrunk { center, scale, ..shrunk });
         Some(Self { sharp, radius, whole: None, flat })
     }

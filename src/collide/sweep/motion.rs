@@ -47,8 +47,8 @@ impl Segment {
         }
     }
 
-    fn center_at(&self, share: Real) -> Vector {
-        self.center + self.shift * (share - self.from)
+    fn center_at(&self, fraction: Real) -> Vector {
+        self.center + self.shift * (fraction - self.from)
     }
 }
 
@@ -125,31 +125,31 @@ impl<'a> Sweep<'a> {
     }
 
     /// The segment that begins or is in progress at a fraction of the step.
-    pub fn segment(&self, share: Real) -> &Segment {
+    pub fn segment(&self, fraction: Real) -> &Segment {
         let segments = self.segments();
-        let over = segments.partition_point(|segment| segment.until <= share);
+        let over = segments.partition_point(|segment| segment.until <= fraction);
         &segments[over.min(segments.len() - 1)]
     }
 
     /// The speed of the centre (length units per step) at a fraction of the step.
-    pub(super) fn velocity(&self, share: Real) -> Vector {
-        if share < self.stop { self.segment(share).shift } else { Vector::ZERO }
+    pub(super) fn velocity(&self, fraction: Real) -> Vector {
+        if fraction < self.stop { self.segment(fraction).shift } else { Vector::ZERO }
     }
 
     /// When it changes its velocity next: infinity if it does not any more.
-    pub(super) fn next_change(&self, share: Real) -> Real {
-        let end = self.segment(share).until;
-        let next = if share < self.stop { end.min(self.stop) } else { Real::INFINITY };
+    pub(super) fn next_change(&self, fraction: Real) -> Real {
+        let end = self.segment(fraction).until;
+        let next = if fraction < self.stop { end.min(self.stop) } else { Real::INFINITY };
         if next < 1.0 { next } else { Real::INFINITY }
     }
 
     /// The pose after a fraction of the motion.
-    pub fn at(&self, share: Real) -> Pose {
-        let share = share.min(self.stop);
-        let segment = self.segment(share);
+    pub fn at(&self, fraction: Real) -> Pose {
+        let fraction = fraction.min(self.stop);
+        let segment = self.segment(fraction);
         let rotation =
-            turned(segment.rotation, segment.rotvec * (share - segment.from)) * self.rotation;
-        Pose::from_parts(segment.center_at(share) - rotation * self.local_center, rotation)
+            turned(segment.rotation, segment.rotvec * (fraction - segment.from)) * self.rotation;
+        Pose::from_parts(segment.center_at(fraction) - rotation * self.local_center, rotation)
     }
 
     /// The same motion of something that stands at `place` in the frame of what moves.
@@ -203,7 +203,7 @@ impl<'a> Sweep<'a> {
         let end = segment.until.min(self.stop);
         let angle = segment.angle() * (segment.until - segment.from);
         if angle * angle < SMALL_ANGLE_SQUARED_MAX {
-            let boxes = [segment.from, end].map(|share| box_at(&self.at(share)));
+            let boxes = [segment.from, end].map(|fraction| box_at(&self.at(fraction)));
             return boxes[0].merged(&boxes[1]);
         }
         let end = segment.center_at(end);

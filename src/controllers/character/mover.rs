@@ -84,8 +84,8 @@ impl<'a> Mover<'a> {
         let sticks = stood && self.settings.snap > 0.0;
         let (mut left, mut slides, mut turned) = (desired, false, false);
         for _ in 0..TURNS_MAX {
-            if stood && let Some(share) = self.step_up(left) {
-                left *= 1.0 - share;
+            if stood && let Some(fraction) = self.step_up(left) {
+                left *= 1.0 - fraction;
                 turned = true;
                 self.look_for(left);
                 continue;

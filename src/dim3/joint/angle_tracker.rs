@@ -88,14 +88,14 @@ impl AngleTracker {
         self.towards.set_lane(lane, towards.unwrap_or(Vector::ZERO));
         self.follows.0[lane] = if follows { 1.0 } else { 0.0 };
         self.counts.0[lane] = if rotations.is_single() { 1.0 } else { 0.0 };
-        let (kind, share) = match towards {
+        let (kind, fraction) = match towards {
             None => (&mut self.twists, 0.5),
             Some(_) => (&mut self.tilts, 1.0),
         };
         kind.0[lane] = 1.0;
         (self.has_twists, self.has_tilts) =
             (self.has_twists || towards.is_none(), self.has_tilts || towards.is_some());
-        (self.sin.0[lane], self.cos.0[lane]) = sin_cos(angle * share);
+        (self.sin.0[lane], self.cos.0[lane]) = sin_cos(angle * fraction);
         self.angle.0[lane] = angle;
     }
 

@@ -33,7 +33,7 @@ pub struct Contact {
     /// The point on the second collider, in that collider's frame (length units).
     pub local_p2: Vector,
     /// From the first body's centre of mass to the point midway between the two surfaces, in world
-    /// space, as the pair was [placed](super::Placement).
+    /// space, as the pair was [placed](super::AnchorFrame).
     pub(crate) arm: Vector,
     /// [`Self::dist`] as the pair was placed.
     pub(crate) placed_dist: Real,
@@ -111,7 +111,7 @@ pub struct ContactManifoldData {
     pub solver_flags: SolverFlags,
     /// Unit normal in world space, from the first collider to the second.
     pub normal: Vector,
-    /// [`Self::normal`] as the pair was [placed](super::Placement).
+    /// [`Self::normal`] as the pair was [placed](super::AnchorFrame).
     pub(crate) placed_normal: Vector,
     /// Combined friction coefficient.
     pub friction: Real,

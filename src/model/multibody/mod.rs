@@ -1,4 +1,4 @@
-//! # Multibodies — bodies as links of one articulated whole
+//! # Multibodies: articulated bodies in reduced coordinates
 //!
 //! An impulse joint lets two bodies go where they like and pulls them together; a multibody joint has no other
 //! directions than its free axes. The bodies of a [`Multibody`] form a tree: each [`MultibodyLink`] but the root stands

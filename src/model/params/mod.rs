@@ -230,8 +230,8 @@ impl IntegrationParameters {
     /// The softness of joints without their own softness in a substep of `substep` seconds.
     #[inline]
     pub fn joint_softness(&self, substep: Real) -> Softness {
-        let share = (JOINT_SHARE * self.joint_erp).min(1.0);
-        Softness::new(share, self.joint_damping_ratio, substep)
+        let fraction = (JOINT_SHARE * self.joint_erp).min(1.0);
+        Softness::new(fraction, self.joint_damping_ratio, substep)
     }
 
     /// [`Self::allowed_linear_error`](#structfield.allowed_linear_error) in the world's own units of length.

@@ -39,9 +39,9 @@ impl Motion {
     }
 
     /// Scales the external impulses since these by a fraction.
-    pub fn share_external_impulse(&mut self, since: &SpatialVector, share: Real) {
+    pub fn scale_external_impulse(&mut self, since: &SpatialVector, fraction: Real) {
         for (now, since) in self.external_impulse.iter_mut().zip(since) {
-            *now = since + (*now - since) * share;
+            *now = since + (*now - since) * fraction;
         }
     }
 

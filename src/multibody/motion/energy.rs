@@ -131,9 +131,9 @@ impl Motion {
     }
 
     /// Scales all velocities by this fraction, except prescribed ones.
-    fn slow_down(&mut self, share: Real) {
+    fn slow_down(&mut self, fraction: Real) {
         for (rate, drive) in self.rates.iter_mut().zip(&self.drives) {
-            *rate *= if drive.is_prescribed() { 1.0 } else { share };
+            *rate *= if drive.is_prescribed() { 1.0 } else { fraction };
         }
         self.follow_momentum();
     }
@@ -184,10 +184,10 @@ impl Motion {
     }
 
     /// Adds a fraction of the difference to these velocities.
-    fn blend(&mut self, to: &[Real], share: Real) {
-        let share = share.clamp(0.0, 1.0);
+    fn blend(&mut self, to: &[Real], fraction: Real) {
+        let fraction = fraction.clamp(0.0, 1.0);
         for (rate, to) in self.rates.iter_mut().zip(to) {
-            *rate += (to - *rate) * share;
+            *rate += (to - *rate) * fraction;
         }
     }
 

@@ -78,11 +78,11 @@ impl Groups {
     }
 
     /// Stops the group of the body at a position. Returns whether it was not stopped as early before.
-    pub fn stop(&self, position: usize, share: Real, stops: &mut [Real]) -> bool {
-        if share >= stops[position] {
+    pub fn stop(&self, position: usize, fraction: Real, stops: &mut [Real]) -> bool {
+        if fraction >= stops[position] {
             return false;
         }
-        self.members(self.first(position)).for_each(|member| stops[member as usize] = share);
+        self.members(self.first(position)).for_each(|member| stops[member as usize] = fraction);
         true
     }
 

@@ -1,8 +1,8 @@
 //! # Quarantine — who leaves the range of numbers is taken out, and the step taken again
 //!
-//! Reads:   the solver's note of bodies that it could not store, and what these were given by the user and by joints
+//! Reads:   the solver's note of bodies that it could not store, and their user input and joint loads
 //! Writes:  enabled flags of bodies; the whole world, restored to the start of the step
-//! Runs:    serial, when a step has failed; a world at risk is copied before
+//! Runs:    serial, after a failed step; a step at risk begins with a copy of the world
 //! Never:   touches a body that the solver could store
 //!
 //! Numbers overflow: forces add up, motors are stiff beyond reason, speeds grow. A body whose numbers are

@@ -1,4 +1,4 @@
-//! # Solver — make velocities obey
+//! # Solver: velocities and poses under constraints
 //!
 //! Reads:   manifolds, joints, multibodies, the constraint graphs, parameters
 //! Writes:  velocities and poses of awake bodies, impulses of contacts and joints; breaks joints

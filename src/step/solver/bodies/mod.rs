@@ -80,7 +80,7 @@ impl SolverBodies {
         })
     }
 
-    /// Returns whether any body begins with a reduced [fraction](Self::share) of its impulses.
+    /// Returns whether any body begins with a reduced [fraction](Self::impulse_fraction) of its impulses.
     pub fn any_scaled(&self) -> bool {
         self.any_scaled
     }
@@ -89,7 +89,7 @@ impl SolverBodies {
     /// become shorter, in proportion to the impulse of a force. It stays 1 if substeps have become longer.
     /// The penetration of soft contacts is then larger than at equilibrium, and they push harder than the
     /// load; that must not be multiplied.
-    pub fn share(&self, indices: [u32; 2]) -> Real {
+    pub fn impulse_fraction(&self, indices: [u32; 2]) -> Real {
         let moved = indices.into_iter().find(|index| index & READ_ONLY == 0);
         moved.map_or(1.0, |index| self.impulse_scales[index as usize])
     }
@@ -154,7 +154,7 @@ impl SolverBodies {
         limited.into_inner()
     }
 
-    /// Commits the velocity changes of an impact since the `start`, scaled by the `share` of each island. The
+    /// Commits the velocity changes of an impact since the `start`, scaled by the `fraction` of each island. The
     /// changes count from the mean time of the impacts of a body, and are no warm-start impulses. `delays`
     /// are the sum of these and of each times its time, in place of two components of a velocity.
     pub fn accept_impact(
@@ -162,7 +162,7 @@ impl SolverBodies {
         touched: &[u32],
         start: &[BodyState],
         delays: &[BodyState],
-        share: impl Fn(u32) -> Real,
+        fraction: impl Fn(u32) -> Real,
     ) {
         for &index in touched {
             let index = index as usize;
@@ -170,8 +170,8 @@ impl SolverBodies {
             if (v, w) == (old_v, old_w) {
                 continue;
             }
-            let share = share(self.islands[index]);
-            let (added_v, added_w) = ((v - old_v) * share, (w - old_w) * share);
+            let fraction = fraction(self.islands[index]);
+            let (added_v, added_w) = ((v - old_v) * fraction, (w - old_w) * fraction);
             self.states[index].set_velocity(old_v + added_v, old_w + added_w);
             let before = &mut self.before[index];
             before.add_velocity(join(added_v, added_w));

@@ -312,15 +312,15 @@ impl SolverJoints {
         }
     }
 
-    /// Ends the round: adds the joint impulses to those of the step, scaled by the `share` of the island of
+    /// Ends the round: adds the joint impulses to those of the step, scaled by the `fraction` of the island of
     /// each body.
-    pub fn commit_impact_impulses(&mut self, share: impl Fn(u32) -> Real) {
+    pub fn commit_impact_impulses(&mut self, fraction: impl Fn(u32) -> Real) {
         for (index, (block, impact_impulse)) in
             self.blocks.iter_mut().zip(&self.impact_impulses).enumerate()
         {
             if block.has_exact {
                 for lane in 0..self.layout.block(index).len() {
-                    impact_impulse.commit(block, lane, share(block.movable(lane)));
+                    impact_impulse.commit(block, lane, fraction(block.movable(lane)));
                 }
             }
         }
@@ -331,7 +331,7 @@ impl SolverJoints {
     /// impacts): they were hit as one. Bodies of iterated joints get none, because the impact has moved them
     /// apart.
     pub fn share_delays(&self, delays: &mut [BodyState]) {
-        self.direct.share(delays);
+        self.direct.share_delays(delays);
         let swept = self.members.iter().filter(|member| !self.direct.contains(member.slot));
         for member in swept.filter(|member| member.form.locked != 0) {
             member.movable().for_each(|(_, body)| delays[body as usize] = BodyState::default());

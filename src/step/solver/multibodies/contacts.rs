@@ -164,7 +164,7 @@ impl SolverMultibodies {
         let data = &manifold.data;
         let first_number = self.jacobians.len();
         let along = tangents(geometry.normal);
-        let share = self.share_of(sides);
+        let fraction = self.fraction_of(sides);
         let points =
             geometry.points.iter().zip(&data.points).map(|(&(position, separation), known)| {
                 Point {
@@ -173,8 +173,8 @@ impl SolverMultibodies {
                     normal: self.row(sides, [position; 2], geometry.normal),
                     tangents: along.map(|tangent| self.row(sides, [position; 2], tangent)),
                     surface: along.map(|tangent| tangent.dot(data.tangent_velocity)),
-                    impulse: known.warmstart_impulse * share,
-                    friction: known.warmstart_tangent_impulse.map(|impulse| impulse * share),
+                    impulse: known.warmstart_impulse * fraction,
+                    friction: known.warmstart_tangent_impulse.map(|impulse| impulse * fraction),
                     total: 0.0,
                     impact_impulse: ImpactImpulse::default(),
                     is_aside: false,
@@ -245,18 +245,18 @@ impl SolverMultibodies {
     }
 
     /// Adds this fraction of a contact's impulses to the warm start of the substep.
-    fn warm_contact(&mut self, position: usize, bodies: &mut SolverBodies, share: Real) {
+    fn warm_contact(&mut self, position: usize, bodies: &mut SolverBodies, fraction: Real) {
         let Self { jacobians, contacts, moving, .. } = self;
         let mut states = ConstrainedStates { multibodies: moving, states: &mut bodies.states };
         for (row, impulse, _) in contacts.contacts[position].points.iter().flat_map(Point::rows) {
-            jacobians.push_early(row, impulse * share, &mut states);
+            jacobians.push_early(row, impulse * fraction, &mut states);
         }
     }
 
     /// The fraction of their last impulses with which two sides begin.
-    pub(super) fn share_of(&self, sides: &[Side<'_>; 2]) -> Real {
+    pub(super) fn fraction_of(&self, sides: &[Side<'_>; 2]) -> Real {
         let place = sides.iter().find_map(Side::place);
-        place.map_or(1.0, |place| self.moving[place.multibody].share)
+        place.map_or(1.0, |place| self.moving[place.multibody].fraction)
     }
 
     /// The island of the links among two sides.

@@ -360,17 +360,17 @@ impl Drive {
         };
         let (stiffness, damping) = (motor.stiffness * inertia, motor.damping * inertia);
         let resistance = h * stiffness + damping;
-        let share = |of: Real| if resistance > 0.0 { of / resistance } else { 0.0 };
+        let fraction = |of: Real| if resistance > 0.0 { of / resistance } else { 0.0 };
         let impulse_max = (motor.max_force * h).min(Real::MAX);
         Self {
             owner,
             axis,
             row: if resistance > 0.0 { row } else { Row { mass: 0.0, ..row } },
             is_friction: false,
-            pull: share(stiffness),
+            pull: fraction(stiffness),
             distance: motor.target_pos - q,
-            velocity: share(damping) * motor.target_vel,
-            yielding: share(1.0 / h),
+            velocity: fraction(damping) * motor.target_vel,
+            yielding: fraction(1.0 / h),
             impulse: motor.impulse.clamp(-impulse_max, impulse_max),
             total: 0.0,
             impulse_max,

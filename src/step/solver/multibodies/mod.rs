@@ -52,7 +52,7 @@ pub(super) struct Moving {
     multibody: Multibody,
     motion: Motion,
     /// The fraction of the last impulses with which it begins.
-    share: Real,
+    fraction: Real,
     /// Effect of this substep's impulses on the generalised velocities.
     pushed: Vec<Real>,
     /// The same impulses on the root's degrees of freedom.
@@ -410,9 +410,9 @@ impl Moving {
     }
 
     /// Adds this fraction of the effect of the substep's impulses so far.
-    fn add_pushed(&mut self, share: Real) {
+    fn add_pushed(&mut self, fraction: Real) {
         for (rate, pushed) in self.motion.rates.iter_mut().zip(&self.pushed) {
-            *rate += pushed * share;
+            *rate += pushed * fraction;
         }
     }
 

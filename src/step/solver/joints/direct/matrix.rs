@@ -49,7 +49,7 @@ const DAMPING: f64 = 2.0 * Real::EPSILON as f64;
 const SHARING: f64 = 8.0 * Real::EPSILON as f64 + 1.0e-8;
 /// The least element of `D` as a fraction of the row's own diagonal, for bodies that rotate without
 /// translation or are far away.
-const SHARE_MIN: f64 = 1.0e-3;
+const FRACTION_MIN: f64 = 1.0e-3;
 
 /// Convergence of stiff joints: the norm of their velocity errors, an energy, as a fraction of the first
 /// round's. Convergence is quadratic: a machine of light bars goes from 1 to 10⁻⁴ and to 10⁻⁹. For a chain at
@@ -300,7 +300,7 @@ impl<const N: usize> Matrix<N> {
             for row in 0..size {
                 own[row] = block[row][row];
                 damping[row] = if component.has_loops {
-                    SHARING * self.rows[at].without_arms(row).max(SHARE_MIN * own[row])
+                    SHARING * self.rows[at].without_arms(row).max(FRACTION_MIN * own[row])
                 } else {
                     DAMPING * own[row]
                 };

@@ -191,7 +191,7 @@ impl Direct {
     }
 
     /// Gives each body of a component the sum of what is counted for all of them.
-    pub fn share(&self, counts: &mut [BodyState]) {
+    pub fn share_delays(&self, counts: &mut [BodyState]) {
         for index in 0..self.pattern.component_count() {
             let members = self.pattern.component(index).members;
             let bodies =
