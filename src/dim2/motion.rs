@@ -65,7 +65,7 @@ impl FreeMotion {
     }
 
     /// Rotates a gyroscopic body by this angle.
-    pub fn turn(&mut self, _: AngVector) {}
+    pub fn rotate(&mut self, _: AngVector) {}
 }
 
 /// The velocities of up to `LANES` bodies after `h` seconds, if these are theirs and nothing holds them.

@@ -2,7 +2,7 @@
 //!
 //! # Gyroscopic motion
 //! Between impulses a body keeps its angular momentum `L`, not its angular velocity: its inertia rotates with
-//! it, and `ω = I⁻¹ L` changes. Its free orientation after a substep is known ([`FreeTurn`]), and so is the
+//! it, and `ω = I⁻¹ L` changes. Its free orientation after a substep is known ([`FreeRotation`]), and so is the
 //! mean angular velocity that leads there. The solver uses the latter, and rotates the body by it.
 //!
 //! An impulse acts at the start of the substep: joints take their moment arms and inertias from there. A
@@ -26,7 +26,7 @@
 //! Euler, `ω ← ω - h I⁻¹ (ω × I ω)`, gains energy until it explodes. With the velocity at the middle of the
 //! substep in place of the mean one, the energy of thin rods at 25 rad/s changes by half from step to step.
 
-use super::gyroscopic::FreeTurn;
+use super::gyroscopic::FreeRotation;
 use super::math::{AngVector, Real, Rotation, Vector, integrate_rotation};
 use super::rotation_vector::{rotation_vector, turned_frame};
 use super::state::WideMotion;
@@ -127,9 +127,9 @@ impl FreeMotion {
     }
 
     /// Rotates a gyroscopic body by this rotation vector.
-    pub fn turn(&mut self, turn: AngVector) {
+    pub fn rotate(&mut self, rotvec: AngVector) {
         if self.is_gyroscopic() {
-            let turned = integrate_rotation(self.rotation(), turn);
+            let turned = integrate_rotation(self.rotation(), rotvec);
             self.plain[0..4].copy_from_slice(&turned.to_array());
         }
     }
@@ -323,8 +323,8 @@ impl<W: Wide> Gyroscope<W> {
         let wants_mean = is_far | self.is_thin();
         if W::any(wants_mean) {
             let (to_world, momentum) = self.seen_from(rotation);
-            let turn = rotation_vector(FreeTurn::new(self.inv_moments, momentum, h).turn);
-            let mean = to_world.rotate_unscaled(turn) * (W::splat(1.0) / h);
+            let rotvec = rotation_vector(FreeRotation::new(self.inv_moments, momentum, h).rotation);
+            let mean = to_world.rotate_unscaled(rotvec) * (W::splat(1.0) / h);
             let mean = WideVector::select(turns_plainly(angvel, h), mean, angvel);
             self.angvel = WideVector::select(wants_mean, mean, self.angvel);
         }
@@ -367,7 +367,7 @@ impl<W: Wide> Gyroscope<W> {
         let mut momentum = WideVector::select(follows, kept - slope * away, start);
         let is_thin = self.is_thin();
         if W::any(is_thin) {
-            let free = FreeTurn::new(self.inv_moments, start, h).momentum;
+            let free = FreeRotation::new(self.inv_moments, start, h).momentum;
             momentum = WideVector::select(is_thin, free, momentum);
         }
         to_world.rotate_unscaled(WideVector::select(plainly, momentum, start))

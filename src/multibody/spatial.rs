@@ -43,7 +43,7 @@ pub type AngularMatrix = [[Real; ANG_DIM]; ANG_DIM];
 
 /// `I ω`.
 #[inline]
-pub fn turn(inertia: &AngularMatrix, angvel: AngVector) -> AngVector {
+pub fn angular_momentum(inertia: &AngularMatrix, angvel: AngVector) -> AngVector {
     let w = angular_numbers(angvel);
     let mut product = ZERO;
     for (row, target) in inertia.iter().zip(&mut product[DIM..]) {

@@ -150,9 +150,9 @@ fn solve(
     multibodies: &mut MultibodyJointSet,
     scratch: &mut StepScratch,
 ) -> bool {
-    let edits = multibodies.settle(parts.bodies);
+    let edits = multibodies.apply_changes(parts.bodies);
     apply_user_changes(parts, joints, edits, scratch);
-    joints.settle(&mut parts.islands.joints);
+    joints.apply_changes(&mut parts.islands.joints);
     scratch.trace.add(StepStage::UserChanges, &parts.sets(joints, multibodies));
     find_contacts(tasks, parts, scratch);
     scratch.trace.add(StepStage::CollisionDetection, &parts.sets(joints, multibodies));

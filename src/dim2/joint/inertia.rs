@@ -55,7 +55,7 @@ impl JointedInertias {
 
     /// The bodies have turned since the step began.
     #[inline(always)]
-    pub fn turn<W: Wide>(&mut self, _displacements: &[WideDisplacement<W>; 2]) {}
+    pub fn rotate<W: Wide>(&mut self, _displacements: &[WideDisplacement<W>; 2]) {}
 }
 
 /// The inertia of a body whose moment is 1.

@@ -100,13 +100,13 @@ impl AngleTracker {
     }
 
     /// The direction, in the first frame, along which the relative angular velocity changes the angle, and
-    /// the angle. `between` is the second frame relative to the first, and `turn` the approximate rotation
+    /// the angle. `between` is the second frame relative to the first, and `rotvec` the approximate rotation
     /// since the start of the step, in the first frame, with all turns.
     #[inline(always)]
     pub fn measure<W: Wide>(
         &self,
         between: WideRotation<W>,
-        turn: WideAngVector<W>,
+        rotvec: WideAngVector<W>,
     ) -> (WideAngVector<W>, W) {
         let zero = W::zero();
         let (mut direction, mut turned) = (WideVector::zero(), zero);
@@ -114,7 +114,7 @@ impl AngleTracker {
             let (of_twist, half) = self.twist(between);
             let is_twist = zero.lt(W::load(&self.twists));
             direction = WideVector::select(is_twist, of_twist, direction);
-            turned = W::select(is_twist, self.with_turns(half + half, turn), turned);
+            turned = W::select(is_twist, self.with_turns(half + half, rotvec), turned);
         }
         if self.has_tilts {
             let (of_tilt, by) = self.tilt(between);
@@ -127,8 +127,8 @@ impl AngleTracker {
 
     /// The angle of a twist, given modulo whole turns.
     #[inline(always)]
-    fn with_turns<W: Wide>(&self, turned: W, turn: WideAngVector<W>) -> W {
-        let about = turn.dot(WideVector::load(&self.from));
+    fn with_turns<W: Wide>(&self, turned: W, rotvec: WideAngVector<W>) -> W {
+        let about = rotvec.dot(WideVector::load(&self.from));
         let turns = nearest_whole((about - turned) * W::splat(1.0 / TURN));
         let counts = W::zero().lt(W::load(&self.counts)) & turns.abs().lt(W::splat(TURNS_MAX));
         W::select(counts, turned + turns * W::splat(TURN), turned)
@@ -209,7 +209,7 @@ mod tests {
     struct Reading {
         angle_tracker: AngleTracker,
         between: WideRotation<Lane>,
-        turn: WideVector<Lane>,
+        rotvec: WideVector<Lane>,
         direction: WideVector<Lane>,
         angle: Lane,
     }
@@ -219,8 +219,8 @@ mod tests {
         #[inline(always)]
         fn run<W: Wide>(self) {
             let between = WideRotation::<W>::load(&self.between);
-            let turn = WideVector::load(&self.turn);
-            let (direction, angle) = self.angle_tracker.measure(between, turn);
+            let rotvec = WideVector::load(&self.rotvec);
+            let (direction, angle) = self.angle_tracker.measure(between, rotvec);
             direction.store(&mut self.direction);
             angle.store(&mut self.angle);
         }
@@ -250,7 +250,7 @@ mod tests {
             let mut reading = Reading {
                 angle_tracker: AngleTracker::NONE,
                 between: WideRotation::IDENTITY,
-                turn: WideVector::ZERO,
+                rotvec: WideVector::ZERO,
                 direction: WideVector::ZERO,
                 angle: Lane::ZERO,
             };
@@ -272,7 +272,7 @@ mod tests {
                 // A quaternion and its negative are the same rotation.
                 let end = if random.below(2) == 0 { end } else { -end };
                 reading.between.set_lane(lane, &end);
-                reading.turn.set_lane(lane, by);
+                reading.rotvec.set_lane(lane, by);
                 *expected = angle_about(axis, rotations, &end);
             }
             Simd::detect().run(&mut reading);
@@ -298,7 +298,7 @@ mod tests {
         let mut between = WideRotation::IDENTITY;
         between.set_lane(0, &Rotation::from_axis_angle(Vector::X, 40.5));
         let (direction, angle) = (WideVector::ZERO, Lane::ZERO);
-        let mut reading = Reading { angle_tracker, between, turn: direction, direction, angle };
+        let mut reading = Reading { angle_tracker, between, rotvec: direction, direction, angle };
         Simd::detect().run(&mut reading);
         assert!((reading.angle.0[0] - 40.5).abs() < 1.0e-5, "{}", reading.angle.0[0]);
     }
@@ -315,11 +315,11 @@ mod tests {
                 let start = random.within(-1.0, 1.0);
                 let mut angle_tracker = AngleTracker::NONE;
                 angle_tracker.set_lane(2, axis, rotations, start);
-                let (mut between, mut turn) = (WideRotation::IDENTITY, WideVector::ZERO);
+                let (mut between, mut rotvec) = (WideRotation::IDENTITY, WideVector::ZERO);
                 between.set_lane(2, &Rotation::from_axis_angle(axis_of(axis), start + by));
-                turn.set_lane(2, axis_of(axis) * (by + random.within(-2.0, 2.0)));
+                rotvec.set_lane(2, axis_of(axis) * (by + random.within(-2.0, 2.0)));
                 let (direction, angle) = (WideVector::ZERO, Lane::ZERO);
-                let mut reading = Reading { angle_tracker, between, turn, direction, angle };
+                let mut reading = Reading { angle_tracker, between, rotvec, direction, angle };
                 Simd::detect().run(&mut reading);
                 let once = Real::sin(by).atan2(Real::cos(by));
                 let expected = start + if counts { by } else { once };
@@ -336,11 +336,11 @@ mod tests {
             let mut angle_tracker = AngleTracker::NONE;
             let rotations = FreeRotations::new(JointAxesMask::ANG_X, JointAxesMask::empty());
             angle_tracker.set_lane(0, JointAxis::AngX, rotations, 0.5);
-            let mut turn = WideVector::ZERO;
-            turn.set_lane(0, Vector::X * no_number);
+            let mut rotvec = WideVector::ZERO;
+            rotvec.set_lane(0, Vector::X * no_number);
             let (direction, angle) = (WideVector::ZERO, Lane::ZERO);
             let between = WideRotation::IDENTITY;
-            let mut reading = Reading { angle_tracker, between, turn, direction, angle };
+            let mut reading = Reading { angle_tracker, between, rotvec, direction, angle };
             Simd::detect().run(&mut reading);
             assert!(reading.angle.0.iter().all(|angle| angle.abs() < 1.0e-5), "{no_number}");
         }

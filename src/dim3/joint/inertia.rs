@@ -90,7 +90,7 @@ impl JointedInertias {
 
     /// The bodies have moved by so much since the step began.
     #[inline(always)]
-    pub fn turn<W: Wide>(&mut self, displacements: &[WideDisplacement<W>; 2]) {
+    pub fn rotate<W: Wide>(&mut self, displacements: &[WideDisplacement<W>; 2]) {
         if !self.any_gyroscopic {
             return;
         }

@@ -234,7 +234,7 @@ impl ContactLanes {
 
     /// Calls `write_back` for a pair, unless it is up to date: by one thread at a time, and not again until
     /// lanes are stored.
-    pub fn settle(&self, id: PairId, write_back: impl FnOnce()) {
+    pub fn complete(&self, id: PairId, write_back: impl FnOnce()) {
         if !self.is_written(id) {
             let _telling = self.writing.lock().unwrap_or_else(PoisonError::into_inner);
             if !self.is_written(id) {

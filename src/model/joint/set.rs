@@ -311,7 +311,7 @@ impl ImpulseJointSet {
     }
 
     /// Ends the step's update: removes joints without a body, and marks those with a body that takes no part.
-    pub(crate) fn settle(&mut self, links: &mut JointLinks) {
+    pub(crate) fn apply_changes(&mut self, links: &mut JointLinks) {
         for handle in core::mem::take(&mut links.orphans) {
             // A joint that replaced another may have other bodies, and was applied again.
             let known = links.get(handle.into_raw_parts().0);

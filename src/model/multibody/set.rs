@@ -442,7 +442,7 @@ impl MultibodyJointSet {
     }
 
     /// Removes joints whose bodies are gone, and says how the others changed since the last time.
-    pub(crate) fn settle(&mut self, bodies: &RigidBodySet) -> MultibodyEdits {
+    pub(crate) fn apply_changes(&mut self, bodies: &RigidBodySet) -> MultibodyEdits {
         for removed in bodies.removed() {
             self.remove_joints_attached_to_rigid_body(removed);
         }

@@ -6,7 +6,7 @@
 //! velocities still lead out of a contact.
 
 use super::super::kinematics::LinkFrame;
-use super::super::spatial::{ZERO, turn};
+use super::super::spatial::{ZERO, angular_momentum};
 use super::free::ERROR_MAX;
 use super::{Drive, Motion, add_all};
 use crate::dim::math::{ANG_ZERO, Real, SpatialVector, Vector, ang_dot, ang_length_squared};
@@ -259,7 +259,7 @@ impl Motion {
     fn energy_seen_from(&self, frame: Vector) -> Real {
         let of = |(link, velocity): (&LinkFrame, &SpatialVector)| {
             let (v, w) = (linear(velocity) - frame, angular(velocity));
-            0.5 * (link.mass * v.length_squared() + ang_dot(w, turn(&link.inertia, w)))
+            0.5 * (link.mass * v.length_squared() + ang_dot(w, angular_momentum(&link.inertia, w)))
         };
         let of_links: Real = self.kinematics.links.iter().zip(&self.velocities).map(of).sum();
         let of_armature = |(drive, rate): (&Drive, &Real)| {

@@ -128,7 +128,7 @@ impl Motion {
             note(self, piece);
             self.advance_piece(multibody, [piece, h], has_diverged, energy);
         }
-        let error = self.settle(multibody, h, &begin);
+        let error = self.iterate(multibody, h, &begin);
         self.limit_speed(speed_max);
         error
     }
@@ -213,7 +213,7 @@ impl Motion {
     }
 
     /// Enters the energy error of a substep of `h` seconds, and removes what is too much.
-    fn settle(&mut self, multibody: &mut Multibody, h: Real, begin: &FreeMotionStart) -> Real {
+    fn iterate(&mut self, multibody: &mut Multibody, h: Real, begin: &FreeMotionStart) -> Real {
         let (Some(before), Some(now)) = (begin.energy, self.flight_energy()) else { return 0.0 };
         let kicks = 0.5 * h * (begin.power + self.force_power());
         let root_shift = self.kinematics.links[0].center - begin.root;

@@ -40,7 +40,7 @@ mod free;
 use super::factor::{Factor, Resistance};
 use super::kinematics::Kinematics;
 use super::locked_inertia::LockedInertia;
-use super::spatial::{ZERO, add_scaled, turn};
+use super::spatial::{ZERO, add_scaled, angular_momentum};
 use crate::dim::math::{Real, SpatialVector};
 use crate::dim::spatial::{angular, join, linear};
 use crate::model::body::RigidBodySet;
@@ -229,7 +229,7 @@ impl Motion {
             let [along, about] = force.damping;
             let drag = join(
                 linear(velocity) * (link.mass * along),
-                turn(&link.inertia, angular(velocity)) * about,
+                angular_momentum(&link.inertia, angular(velocity)) * about,
             );
             let mut impulse = ZERO;
             add_scaled(&mut impulse, &force.wrench, h);

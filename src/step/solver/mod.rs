@@ -207,8 +207,9 @@ fn store_constraints(
         contacts.store(narrow_phase, simd, tasks);
         joints.store((islands, set), params.inv_dt(), broken, tasks);
         multibodies.store_constraints(set, narrow_phase, params.inv_dt(), broken);
-        let ways = (&mut **fast, &mut **trajectories);
-        counters.nlimited_bodies += multibodies.store(trees, (islands, bodies), params, ways);
+        let displacements = (&mut **fast, &mut **trajectories);
+        counters.nlimited_bodies +=
+            multibodies.store(trees, (islands, bodies), params, displacements);
         counters.nconstraints += contacts.len() + joints.len();
         counters.ncontacts += contacts.point_count();
     }

@@ -180,7 +180,7 @@ impl SolverBodies {
                 let delay = -blows.y / blows.x;
                 self.states[index].add_displacement(join(added_v * delay, added_w * delay));
                 before.copy_displacement(&self.states[index]);
-                self.motions[index].turn(added_w * delay);
+                self.motions[index].rotate(added_w * delay);
             }
         }
     }

@@ -146,11 +146,11 @@ impl GeometricStiffness {
         if swing <= LOOSE {
             return false;
         }
-        let turn = self.turning(members, moving) * h;
-        let excess = swing - WHOLE * turn * turn;
+        let angle = self.turning(members, moving) * h;
+        let excess = swing - WHOLE * angle * angle;
         excess > STIFFNESS_MAX
-            || turn > TURN
-            || (turn > TUMBLING_TURN && members.iter().any(|member| is_gyroscopic(member, blocks)))
+            || angle > TURN
+            || (angle > TUMBLING_TURN && members.iter().any(|member| is_gyroscopic(member, blocks)))
     }
 
     /// `ω² h` by the pull of a joint's last substep, summed over its bodies.

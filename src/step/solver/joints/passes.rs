@@ -196,7 +196,7 @@ unsafe fn visit_rows<W: Wide, const AHEAD: bool, const N: usize>(
     let mut bodies = unsafe { Bodies::<W>::gather(states, block) };
     let geometry = Geometry::new(block, &bodies.displacements);
     if !AHEAD {
-        block.inertias.turn(&bodies.displacements);
+        block.inertias.rotate(&bodies.displacements);
     }
     let masses = Masses::load(block);
     let locked = Locked::<W, N>::new(block, &geometry);

@@ -206,13 +206,13 @@ impl SolverMultibodies {
             self.side_now(slots[0], dominance <= 0, world, bodies),
             self.side_now(slots[1], dominance >= 0, world, bodies),
         ];
-        let ways = [0, 1].map(|side| sides[side].displacement_since(world, slots[side]));
+        let displacements = [0, 1].map(|side| sides[side].displacement_since(world, slots[side]));
         let separations = Geometry::of(&sides, &pair.anchor_frame, manifold, normal).points;
         let along = tangents(normal);
         self.jacobians.rewrite_from(first_number);
         let mut points = core::mem::take(&mut self.contacts.contacts[position].points);
         for (point, (_, separation)) in points.iter_mut().zip(separations) {
-            let places = ways.map(|way| point.position + way);
+            let places = displacements.map(|way| point.position + way);
             point.normal = self.row(&sides, places, normal);
             point.tangents = along.map(|tangent| self.row(&sides, places, tangent));
             let states =

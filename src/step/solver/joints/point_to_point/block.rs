@@ -184,7 +184,7 @@ pub(super) unsafe fn iterate<W: Wide, const BIASED: bool>(
     };
     let mut velocities = [v1, v2];
     if !BIASED {
-        block.inertias.turn(&[d1, d2]);
+        block.inertias.rotate(&[d1, d2]);
     }
     let masses = Masses::load(block);
     let old = load_both::<W>(&block.arms);
