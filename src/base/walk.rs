@@ -18,7 +18,8 @@ pub struct Walk {
 }
 
 impl Walk {
-    /// Begins at the cell that is nearest to where the ray is at time `start`. The middle of all cells is the origin.
+    /// Begins at the cell that is nearest to where the ray is at time `start`. The middle of all cells is the
+    /// origin.
     pub fn new(origin: Real, dir: Real, start: Real, size: Real, count: usize) -> Self {
         let fraction = (origin + dir * start) / size + 0.5;
         // Casts cut off at both ends.

@@ -158,8 +158,8 @@ pub(crate) fn renew_convex_manifold(
     bound
 }
 
-/// Computes the points of two convex shapes, into `raw`. Returns the bound of their distance and, if there are points, the normal.
-/// `hint` is that of last time, or zero.
+/// Computes the points of two convex shapes, into `raw`. Returns the bound of their distance and, if there
+/// are points, the normal. `hint` is that of last time, or zero.
 fn convex_pair(
     pair: &ShapePair<'_>,
     hint: Vector,

@@ -81,7 +81,8 @@ pub(super) struct Patches {
     /// The patches that are part of a manifold already, and the points of the next one.
     merged: Vec<bool>,
     gathered: Vec<RawPoint>,
-    /// The grid by which patches are culled, once there are too many, and by cell and direction the patch that is kept.
+    /// The grid by which patches are culled, once there are too many, and by cell and direction the patch
+    /// that is kept.
     grid: Option<Grid>,
     kept: Vec<u32>,
 }

@@ -75,8 +75,8 @@ pub(super) fn polytope_polytope(
     gap - radius
 }
 
-/// Computes the contacts of two polytopes of which the best axis is known, into `raw`. Returns a lower bound of
-/// the distance, 0 if nothing is known of it.
+/// Computes the contacts of two polytopes of which the best axis is known, into `raw`. Returns a lower bound
+/// of the distance, 0 if nothing is known of it.
 pub(super) fn contacts_on_axis(
     [pos12, pos21]: [&Pose; 2],
     [polytope1, polytope2]: [&Polytope<'_>; 2],

@@ -7,8 +7,8 @@
 //! * [`character`]: walking characters. It determines the admissible translation of a shape.
 //! * [`pid`]: a hand that leads a body to a pose. It determines the velocity for a target.
 //!
-//! Controllers hold settings, and what they must remember from call to call; they own no bodies, no colliders and no
-//! handles. So one controller can lead a crowd, and a world can be saved without it.
+//! Controllers hold settings, and what they must remember from call to call; they own no bodies, no colliders
+//! and no handles. So one controller can lead a crowd, and a world can be saved without it.
 
 pub mod character;
 pub mod pid;

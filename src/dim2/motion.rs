@@ -24,8 +24,8 @@ impl FreeMotion {
         Self::new(rotation, (Vector::ZERO, 0.0), [0.0; 2], true)
     }
 
-    /// A body with this orientation, linear and angular acceleration by gravity and the user's forces (length/s²,
-    /// rad/s²), and linear and angular damping (1/s).
+    /// A body with this orientation, linear and angular acceleration by gravity and the user's forces
+    /// (length/s², rad/s²), and linear and angular damping (1/s).
     ///
     /// Whether gravity acts on the body, so that it may be part of a pile. Supports of piles also have
     /// `bears_weight`.

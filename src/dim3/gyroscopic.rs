@@ -1,7 +1,7 @@
 //! Free rotation of a rigid body, lane by lane.
 //!
-//! In the frame of the body's principal axes its angular momentum `m` goes round, in the world it stands still. Its energy
-//! is a sum, and each term by itself is a motion that is known exactly:
+//! In the frame of the body's principal axes its angular momentum `m` goes round, in the world it stands
+//! still. Its energy is a sum, and each term by itself is a motion that is known exactly:
 //!
 //! ```text
 //! T = |m|² / 2 I₀ + Σ m_k² (1 / I_k - 1 / I₀) / 2
@@ -36,8 +36,8 @@ pub(super) struct FreeRotation<W> {
 }
 
 impl<W: Wide> FreeRotation<W> {
-    /// A body with these inverse moments of inertia and this angular momentum, both in the frame of its principal axes, after
-    /// `h` seconds.
+    /// A body with these inverse moments of inertia and this angular momentum, both in the frame of its
+    /// principal axes, after `h` seconds.
     #[inline(always)]
     pub fn new(inv_moments: WideVector<W>, momentum: WideVector<W>, h: W) -> Self {
         let WideVector { x, y, z } = inv_moments;

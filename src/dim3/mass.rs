@@ -129,8 +129,8 @@ pub fn angular_momentum(mass: &MassProperties, rotation: Rotation, angvel: AngVe
     to_world * (mass.principal_inertia() * (to_world.inverse() * angvel))
 }
 
-/// The inverse inertia, in world space, of a body that turns by `rotvec` in a step. `None`: that with which the step
-/// begins will do.
+/// The inverse inertia, in world space, of a body that turns by `rotvec` in a step. `None`: that with which
+/// the step begins will do.
 ///
 /// Contacts take one inertia for all of the step. Let a rod with the moments `A` and `C ≪ A` rotate by `θ`.
 /// The moment about its initial axis becomes `C cos² θ + A sin² θ`. With less, contacts would accelerate the

@@ -2,8 +2,8 @@
 //!
 //! # Gyroscopic motion
 //! Between impulses a body keeps its angular momentum `L`, not its angular velocity: its inertia rotates with
-//! it, and `ω = I⁻¹ L` changes. Its free orientation after a substep is known ([`FreeRotation`]), and so is the
-//! mean angular velocity that leads there. The solver uses the latter, and rotates the body by it.
+//! it, and `ω = I⁻¹ L` changes. Its free orientation after a substep is known ([`FreeRotation`]), and so is
+//! the mean angular velocity that leads there. The solver uses the latter, and rotates the body by it.
 //!
 //! An impulse acts at the start of the substep: joints take their moment arms and inertias from there. A
 //! change `Δω` of the mean velocity is therefore one of `L` by `I Δω` with the inertia of the beginning. With
@@ -16,8 +16,8 @@
 //! `δ² A / C` for a rod with the moments `A` and `C ≪ A`. (Rods 27 times as long as thick landed with up to
 //! 3000 times their energy.) Energy has priority, so the momentum is adjusted:
 //!
-//! * that of thin bodies turns by `δ`, so that relative to the body it is what it is in a free one. A rod, that turns
-//!   about its middle and hardly about itself, shows nothing of that.
+//! * that of thin bodies turns by `δ`, so that relative to the body it is what it is in a free one. A rod,
+//!   that turns about its middle and hardly about itself, shows nothing of that.
 //! * that of others is adjusted along the gradient of the energy, `ω`, by the necessary amount. With a
 //!   rotation by `δ` for each impulse of its support, a gyroscope at 40 rad/s and 30 steps a second would
 //!   precess by 8 % too slowly.
@@ -72,8 +72,8 @@ impl FreeMotion {
         Self::new(rotation, (Vector::ZERO, AngVector::ZERO), [0.0; 2], true)
     }
 
-    /// A body with this orientation, linear and angular acceleration by gravity and the user's forces (length/s²,
-    /// rad/s²), and linear and angular damping (1/s).
+    /// A body with this orientation, linear and angular acceleration by gravity and the user's forces
+    /// (length/s², rad/s²), and linear and angular damping (1/s).
     ///
     /// Whether gravity acts on the body, so that it may be part of a pile. Supports of piles also have
     /// `bears_weight`.
@@ -306,7 +306,8 @@ impl<W: Wide> Gyroscope<W> {
     /// The mean angular velocity of a substep of `h` seconds that begins with `angvel`, if nothing holds the
     /// body. If the rotation is so large that its turns are ambiguous, the initial velocity is used.
     ///
-    /// For small turns of what is not thin the velocity of the middle does, from the orientation that the old one reaches by then.
+    /// For small turns of what is not thin the velocity of the middle does, from the orientation that the old
+    /// one reaches by then.
     #[inline(always)]
     fn velocity_on_the_way(
         &mut self,
@@ -331,7 +332,8 @@ impl<W: Wide> Gyroscope<W> {
         self.angvel
     }
 
-    /// The angular velocity at the end of the substep, at the orientation `end`, if the body turned there with `angvel`.
+    /// The angular velocity at the end of the substep, at the orientation `end`, if the body turned there
+    /// with `angvel`.
     #[inline(always)]
     fn velocity_at_end(
         &mut self,

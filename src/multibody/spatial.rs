@@ -59,8 +59,8 @@ fn angular_numbers(w: AngVector) -> [Real; ANG_DIM] {
     core::array::from_fn(|k| numbers[DIM + k])
 }
 
-/// A symmetric spatial matrix: an inertia, rigid or articulated. All entries are kept: the compiler makes wide instructions
-/// of whole rows.
+/// A symmetric spatial matrix: an inertia, rigid or articulated. All entries are kept: the compiler makes
+/// wide instructions of whole rows.
 #[derive(Copy, Clone, Debug)]
 pub struct SpatialMatrix([SpatialVector; SPATIAL_DIM]);
 

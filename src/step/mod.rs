@@ -141,8 +141,8 @@ fn simulate(
     panic
 }
 
-/// The step up to where bodies have moved, and nothing has followed them yet. Returns whether all of them could; if not,
-/// none has.
+/// The step up to where bodies have moved, and nothing has followed them yet. Returns whether all of them
+/// could; if not, none has.
 fn solve(
     tasks: Tasks<'_>,
     parts: &mut StepParts<'_>,
@@ -257,7 +257,8 @@ fn find_contacts(tasks: Tasks<'_>, parts: &mut StepParts<'_>, scratch: &mut Step
     parts.counters.stages.island_construction_time.pause();
 }
 
-/// Lists the bodies that kinematic bodies approach in this step, and wakes them. Collision detection alone moves nothing, and wakes nothing.
+/// Lists the bodies that kinematic bodies approach in this step, and wakes them. Collision detection alone
+/// moves nothing, and wakes nothing.
 fn find_approaches(parts: &mut StepParts<'_>, scratch: &mut StepScratch) {
     parts.counters.stages.island_construction_time.resume();
     let params = parts.params;

@@ -8,9 +8,10 @@
 //! t + d / ((v1 - v2)·n + |ω1| r1 + |ω2| r2)
 //! ```
 //!
-//! because until then a plane across `n` parts them; `r` is how far points of a part are from the centre about which
-//! it turns. So the search jumps ahead by that, and ends where the parts are within a tolerance or cannot meet any
-//! more. Shapes of several parts are searched part by part, those that the path comes near.
+//! because until then a plane across `n` parts them; `r` is how far points of a part are from the centre
+//! about which it turns. So the search jumps ahead by that, and ends where the parts are within a tolerance
+//! or cannot meet any more. Shapes of several parts are searched part by part, those that the path comes
+//! near.
 //!
 //! Root finding on a selected pair of features (Catto, "Continuous Collision", GDC 2013) takes fewer steps
 //! for fast rotations. Conservative advancement needs no features, so every shape with a support function
@@ -25,11 +26,11 @@
 //! unless it touched from the beginning. In that case it is stopped where it is a quarter deep
 //! ([`PENETRATION_FRACTION_MAX`]), so that contacts push a pressed body out on the original side.
 //!
-//! A rod may have an end of its core in the wall already, because it was turned into it. Then the middle half of the core is searched with, and if
-//! that is in, the centre.
+//! A rod may have an end of its core in the wall already, because it was turned into it. Then the middle half
+//! of the core is searched with, and if that is in, the centre.
 //!
-//! A triangle or a segment has no inside and no core. It is stopped where it touches what it did not touch when the step began. If one of its
-//! corners did, its middle half is searched with, and then its centre.
+//! A triangle or a segment has no inside and no core. It is stopped where it touches what it did not touch
+//! when the step began. If one of its corners did, its middle half is searched with, and then its centre.
 //!
 //! ## Sensors
 //! Sensors stop nothing, but crossings are reported: [`passes`] returns whether two shapes are apart at both
@@ -93,7 +94,8 @@ impl<'a> Solid<'a> {
         Self { shape: collider.shape(), widths: collider.widths.as_deref() }
     }
 
-    /// The same, computed once for all pairs of a part: these follow each other. `last` are the part and the widths of the last call.
+    /// The same, computed once for all pairs of a part: these follow each other. `last` are the part and the
+    /// widths of the last call.
     fn widths_once(&self, part: &Part<'_>, last: &mut Option<(u32, Widths)>) -> Widths {
         let known = last.filter(|(id, _)| *id == part.id).map(|(_, widths)| widths);
         let widths = known.unwrap_or_else(|| self.widths_of(part));
@@ -427,7 +429,8 @@ fn turning(angles: [Real; 2], reaches: [Real; 2]) -> Real {
     of(0) + of(1)
 }
 
-/// A box around a shape's core at a pose, with what the search tolerates; that of the shape if it has several parts.
+/// A box around a shape's core at a pose, with what the search tolerates; that of the shape if it has several
+/// parts.
 fn box_of_core(solid: Solid<'_>, pose: &Pose) -> Aabb {
     let whole = || solid.shape.compute_aabb(pose);
     let Parts::Convex(shape) = Parts::of(solid.shape) else { return whole() };

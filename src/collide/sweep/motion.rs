@@ -8,7 +8,8 @@ use core::slice;
 use parry::bounding_volume::{Aabb, BoundingVolume};
 use parry::shape::Shape;
 
-/// A rotation vector this long (rad) is integrated as one, as joints do it; a longer one in pieces of this length.
+/// A rotation vector this long (rad) is integrated as one, as joints do it; a longer one in pieces of this
+/// length.
 const WHOLE_TURN: Real = 1.0;
 const PIECE: Real = 0.25;
 /// Without turning more than this (rad², squared) what a shape passes is around where it begins and ends.
@@ -71,8 +72,8 @@ pub(crate) struct Sweep<'a> {
 }
 
 impl<'a> Sweep<'a> {
-    /// The motion at constant velocity of a shape that stands at `start` when the step begins, with the centre of rotation at
-    /// `center`.
+    /// The motion at constant velocity of a shape that stands at `start` when the step begins, with the
+    /// centre of rotation at `center`.
     pub fn new(start: Pose, center: Vector, shift: Vector, rotvec: AngVector) -> Self {
         let segment =
             Segment { from: 0.0, until: 1.0, rotation: start.rotation, center, shift, rotvec };

@@ -18,8 +18,8 @@ pub(super) struct Mover<'a> {
     pub settings: ResolvedSettings,
     pub obstacles: Obstacles<'a>,
     pub start: Pose,
-    /// The translation so far. Added to the start only where the pose is wanted, so that it is exactly zero when nothing
-    /// happens, wherever the start is.
+    /// The translation so far. Added to the start only where the pose is wanted, so that it is exactly zero
+    /// when nothing happens, wherever the start is.
     pub moved: Vector,
     /// Around the present pose.
     pub planes: Vec<Plane>,

@@ -1,6 +1,7 @@
 //! The place on a convex polygon that is nearest to a point.
 //!
-//! Inside, it is on the side that is least deep; outside, on the nearest of the sides that the point is beyond.
+//! Inside, it is on the side that is least deep; outside, on the nearest of the sides that the point is
+//! beyond.
 //!
 //! parry makes one side of neighbours that are nearly in a line, and keeps the normal of one of them. So what
 //! was found must prove itself: no corner may be above the line through the place. Otherwise a general

@@ -30,8 +30,8 @@ impl AngleTracker {
         (self.turns.0[lane], self.angle.0[lane]) = (1.0, angle);
     }
 
-    /// The gradient of the angle, and the angle, after a relative rotation of the bodies by `rotvec`: there is
-    /// one axis only, and rotations about it add up.
+    /// The gradient of the angle, and the angle, after a relative rotation of the bodies by `rotvec`: there
+    /// is one axis only, and rotations about it add up.
     #[inline(always)]
     pub fn measure<W: Wide>(
         &self,

@@ -17,7 +17,8 @@ pub(crate) fn is_round(_inv_inertia: &AngularInertia) -> bool {
     true
 }
 
-/// The inverse inertias of the two bodies of each lane's joint. In 2D they stay the same when the bodies turn.
+/// The inverse inertias of the two bodies of each lane's joint. In 2D they stay the same when the bodies
+/// turn.
 #[derive(Clone, Debug)]
 pub(crate) struct JointedInertias([WideSymmetric<Lane>; 2]);
 

@@ -2,8 +2,8 @@
 //!
 //! Each kind of angle is how far a point `(cos, sin)` has gone round:
 //!
-//! * a *twist* about `e` is twice the angle of `(w, v·e)`; that of the whole rotation is a twist about an `e` that follows
-//!   `v`,
+//! * a *twist* about `e` is twice the angle of `(w, v·e)`; that of the whole rotation is a twist about an `e`
+//!   that follows `v`,
 //! * A *tilt* of `e` towards `g` is the angle of `(f·e, f·g)`; a swing in any direction is a tilt towards a
 //!   `g` that follows `f`.
 //!
@@ -140,7 +140,8 @@ impl AngleTracker {
         let (zero, one) = (W::zero(), W::splat(1.0));
         let v = WideVector { x: between.x, y: between.y, z: between.z };
         let follows = zero.lt(W::load(&self.follows));
-        // A quaternion and its negative are the same rotation: of the whole angle, that within half a turn is meant.
+        // A quaternion and its negative are the same rotation: of the whole angle, that within half a turn is
+        // meant.
         let length = v.dot(v).sqrt();
         let sign = W::select(between.w.lt(zero), -one, one);
         let has_axis = W::splat(LENGTH_MIN).lt(length);

@@ -50,7 +50,8 @@ impl JointedInertias {
         any_gyroscopic: false,
     };
 
-    /// Sets the inverse inertia of one lane's first (0) or second (1) body, and whether it will turn with the body.
+    /// Sets the inverse inertia of one lane's first (0) or second (1) body, and whether it will turn with the
+    /// body.
     pub fn set_lane(
         &mut self,
         side: usize,

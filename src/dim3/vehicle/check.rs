@@ -4,8 +4,8 @@ use super::wheel::Wheel;
 use crate::base::measure::{is_coordinate, is_length, is_margin, is_point};
 use crate::dim::math::{Real, Vector};
 
-/// The shortest vector that has a direction, and the least sine of the angle between axle and suspension, whose plane must be
-/// a plane.
+/// The shortest vector that has a direction, and the least sine of the angle between axle and suspension,
+/// whose plane must be a plane.
 const LENGTH_MIN: Real = 1.0e-3;
 
 /// The directions of a wheel in the frame of the chassis, of unit length.

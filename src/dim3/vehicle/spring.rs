@@ -97,8 +97,8 @@ impl Spring {
         })
     }
 
-    /// The impulse in place of `impulse`, at which the velocity is `velocity` and which changes it by `inv_mass`
-    /// each unit.
+    /// The impulse in place of `impulse`, at which the velocity is `velocity` and which changes it by
+    /// `inv_mass` each unit.
     pub fn solve(&self, impulse: Real, velocity: Real, inv_mass: Real) -> Real {
         let Self { bias, softness, limit, .. } = *self;
         let free = velocity - inv_mass * impulse;

@@ -138,7 +138,8 @@ pub(crate) struct ContactLanes {
     pub reports: Vec<[ContactReport; LANES]>,
     /// Whether each point has its own friction.
     pub are_rough: bool,
-    /// By colour: its first block, if lanes stand in the order of the constraint graph and may be ahead of their pairs; else nothing.
+    /// By colour: its first block, if lanes stand in the order of the constraint graph and may be ahead of
+    /// their pairs; else nothing.
     starts: Vec<u32>,
     /// Number of blocks per colour, including empty ones.
     pub capacity: LaneCapacity,

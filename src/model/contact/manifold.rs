@@ -131,7 +131,8 @@ pub struct ContactManifoldData {
     pub(crate) warmstart_friction: Vector,
     /// Twist-friction impulse of the last substep about the normal (3D).
     pub(crate) warmstart_twist: Real,
-    /// The points, all within the prediction distance. A contact pair and a manifold lend them for reading only.
+    /// The points, all within the prediction distance. A contact pair and a manifold lend them for reading
+    /// only.
     pub points: ContactPoints,
 }
 
@@ -171,8 +172,8 @@ impl ContactManifoldData {
         &self.points
     }
 
-    /// Friction impulse at a contact point during the last substep, on the second body, in world space (mass·velocity). Zero for a
-    /// point that does not exist.
+    /// Friction impulse at a contact point during the last substep, on the second body, in world space
+    /// (mass·velocity). Zero for a point that does not exist.
     ///
     /// The default model ([`FrictionModel::Standard`](crate::model::params::FrictionModel)) has one friction
     /// impulse per manifold. Friction is distributed in proportion to the normal impulses: the largest
@@ -247,8 +248,8 @@ impl ContactManifold {
             && self.data.solver_flags.contains(SolverFlags::COMPUTE_RIGID_IMPULSES)
     }
 
-    /// Returns whether all numbers can be computed with, and all normals are unit vectors. (The step computes the present normal from the placed
-    /// one.) A manifold that never had a point has no normals yet.
+    /// Returns whether all numbers can be computed with, and all normals are unit vectors. (The step computes
+    /// the present normal from the placed one.) A manifold that never had a point has no normals yet.
     pub(crate) fn is_sound(&self) -> bool {
         let data = &self.data;
         let directions = [self.local_n1, self.local_n2, data.normal, data.placed_normal];

@@ -43,8 +43,8 @@ struct Note {
 #[cfg_attr(feature = "serde-serialize", serde(remote = "Self"))]
 pub struct ImpulseJointSet {
     joints: Arena<Entry>,
-    /// By body slot: the joints that are filed there, in the order of insertion. A tree, because nothing bounds the slots of
-    /// handles that a user made up.
+    /// By body slot: the joints that are filed there, in the order of insertion. A tree, because nothing
+    /// bounds the slots of handles that a user made up.
     of_body: BTreeMap<u32, Vec<ImpulseJointHandle>>,
     /// Joints that the user may have changed since the last step, each once.
     modified: Vec<ImpulseJointHandle>,

@@ -1,4 +1,5 @@
-//! Touching pairs in the structure: they hold islands together, and their manifolds have colours while one of their bodies is awake.
+//! Touching pairs in the structure: they hold islands together, and their manifolds have colours while one of
+//! their bodies is awake.
 
 use super::Structure;
 use crate::model::constraint_graph::ManifoldRef;

@@ -1,9 +1,9 @@
 //! The kinetic energy of a multibody, and how surplus is removed.
 //!
-//! Free motion conserves the energy in any frame that moves evenly (`free.rs`). Impulses of contacts with bodies at rest,
-//! of limits and of dry friction do not increase it. Numerically both may. Surplus of free motion is removed from the change
-//! of shape first, so that linear and angular momentum stay. Surplus of contacts is removed from all velocities alike: scaled
-//! velocities still lead out of a contact.
+//! Free motion conserves the energy in any frame that moves evenly (`free.rs`). Impulses of contacts with
+//! bodies at rest, of limits and of dry friction do not increase it. Numerically both may. Surplus of free
+//! motion is removed from the change of shape first, so that linear and angular momentum stay. Surplus of
+//! contacts is removed from all velocities alike: scaled velocities still lead out of a contact.
 
 use super::super::kinematics::LinkFrame;
 use super::super::spatial::{ZERO, angular_momentum};
@@ -44,7 +44,8 @@ impl Motion {
         self.drives.iter().zip(&self.rates).any(is_driven)
     }
 
-    /// The velocity of the frame in which the multibody as a whole goes nowhere, at the velocities that the links had last.
+    /// The velocity of the frame in which the multibody as a whole goes nowhere, at the velocities that the
+    /// links had last.
     fn frame_velocity(&self) -> Vector {
         if self.root_dofs() == 0 {
             return linear(&self.root);
@@ -67,7 +68,8 @@ impl Motion {
         self.has_diverged || self.link_velocities().iter().any(turns_far)
     }
 
-    /// The kinetic energy before the impulses of a substep, which these may leave; no limit if something drives the links.
+    /// The kinetic energy before the impulses of a substep, which these may leave; no limit if something
+    /// drives the links.
     ///
     /// It is that of the velocities before the first half of the free motion. That half changes the energy in
     /// the first order of the angle of a substep, and the second half restores it.
@@ -104,8 +106,9 @@ impl Motion {
 
     /// Limits the kinetic energy. Returns the fraction of it that is kept.
     ///
-    /// A small surplus, or that of joints alone, is removed from the change of shape, so that what other bodies gave stays
-    /// momentum. For a large one all velocities are scaled: scaled velocities still lead out of all contacts.
+    /// A small surplus, or that of joints alone, is removed from the change of shape, so that what other
+    /// bodies gave stays momentum. For a large one all velocities are scaled: scaled velocities still lead
+    /// out of all contacts.
     pub fn limit_energy(&mut self, energy_max: Real, touches: bool) -> Real {
         let energy = self.kinetic_energy();
         let kept = energy_max.max(0.0) / energy;
@@ -255,7 +258,8 @@ impl Motion {
         self.buffers.push(buffer);
     }
 
-    /// The kinetic energy of all links at the velocities that they had last, seen from a frame with this velocity.
+    /// The kinetic energy of all links at the velocities that they had last, seen from a frame with this
+    /// velocity.
     fn energy_seen_from(&self, frame: Vector) -> Real {
         let of = |(link, velocity): (&LinkFrame, &SpatialVector)| {
             let (v, w) = (linear(velocity) - frame, angular(velocity));

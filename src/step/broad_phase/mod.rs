@@ -76,7 +76,8 @@ impl KnownPairs for NarrowPhase {
 /// groups or body types exclude. `out` is overwritten: the collider with the lower slot first, in the order
 /// of the slots.
 ///
-/// Colliders that own as many pairs as they may (`most`) look again in the next step. Returns how many these are.
+/// Colliders that own as many pairs as they may (`most`) look again in the next step. Returns how many these
+/// are.
 pub(crate) fn find_pairs(
     tasks: Tasks<'_>,
     (tree, most): (&mut BroadPhaseBvh, NeighborLimits),

@@ -13,7 +13,8 @@ use crate::dim::math::Real;
 /// Sets of bodies that stop together.
 #[derive(Default)]
 pub(super) struct Groups {
-    /// By fast body: another one of its group with a lower position, or itself. When the search is over, the first one of the group.
+    /// By fast body: another one of its group with a lower position, or itself. When the search is over, the
+    /// first one of the group.
     firsts: Vec<u32>,
     /// Fast bodies by slot, with their positions in the list.
     by_slot: Vec<(u32, u32)>,

@@ -95,8 +95,8 @@ impl CcdScratch {
         *self.searched.get_mut() = 0;
     }
 
-    /// Stops bodies where their own paths were stopped if a hook panicked before anything else was known. Bodies whose paths were not
-    /// searched do not move.
+    /// Stops bodies where their own paths were stopped if a hook panicked before anything else was known.
+    /// Bodies whose paths were not searched do not move.
     fn complete(&mut self) {
         if self.stops.len() < self.first.len() {
             self.stops.clear();

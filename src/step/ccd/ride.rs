@@ -21,7 +21,8 @@
 //! caught. No position is outside both rigid bodies. The body never passes the fixed one, and the kinematic
 //! body, which nothing stops, overlaps it.
 //!
-//! Joined bodies end their rides together, at the earliest end. Links of multibodies do not ride, nor does what is joined to one.
+//! Joined bodies end their rides together, at the earliest end. Links of multibodies do not ride, nor does
+//! what is joined to one.
 
 use super::Search;
 use super::path::{Mover, Obstacles, Path, sweep_of};
@@ -68,7 +69,8 @@ pub(super) struct Ride {
 /// The rides of a step.
 #[derive(Default)]
 pub(super) struct Rides {
-    /// The positions of stopped fast bodies that may ride, in rising order, with the moving collider that stopped each, if one did.
+    /// The positions of stopped fast bodies that may ride, in rising order, with the moving collider that
+    /// stopped each, if one did.
     stopped: Vec<(u32, Option<ColliderHandle>)>,
     /// Their rides; nothing if they stay where they were stopped.
     rides: Vec<Option<Ride>>,
@@ -105,8 +107,8 @@ impl Rides {
         self.end_together(search, stops.len());
     }
 
-    /// Lists the bodies that a moving collider stopped, alone or with their groups, and single bodies that anything else stopped. Linear in
-    /// the number of fast bodies: a chain is one group.
+    /// Lists the bodies that a moving collider stopped, alone or with their groups, and single bodies that
+    /// anything else stopped. Linear in the number of fast bodies: a chain is one group.
     fn list_stopped(&mut self, search: Search<'_>, first: &[Stop], stops: &[Real]) {
         self.carriers.clear();
         self.carriers.resize(stops.len(), None);
@@ -220,7 +222,8 @@ impl Ride {
             (stop, if stop.fraction < 1.0 { path.pose_at(stop.fraction)? } else { end })
         };
         if stop.fraction <= from {
-            // A mover whose surface has touched a standing body before, and whose middle comes now, carries it from here on.
+            // A mover whose surface has touched a standing body before, and whose middle comes now, carries
+            // it from here on.
             return on.is_none().then_some(stop);
         }
         next.segments.last_mut()?.until = stop.fraction;

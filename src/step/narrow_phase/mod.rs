@@ -1,4 +1,4 @@
-//! # Narrow phase — where exactly do they touch?
+//! # Narrow phase: contact manifolds of pairs
 //!
 //! Reads:   collider poses and shapes, bounds on the motion of bodies, last step's manifolds
 //! Writes:  manifolds of awake pairs; notes of computed pairs and of bodies deep in a wall

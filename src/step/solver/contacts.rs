@@ -136,7 +136,8 @@ impl SolverContacts {
                 are_all || !multibodies.adopt(at, slots(at)) && bodies.has_one_of(slots(at))
             });
             if color == OVERFLOW {
-                // These are solved one after the other, and their order in the list depends on the rest of the world.
+                // These are solved one after the other, and their order in the list depends on the rest of
+                // the world.
                 let mut members: Vec<_> = members.collect();
                 members.sort_unstable_by_key(|at| (contacts.collider_slots(at.pair), at.manifold));
                 let members = members.into_iter().map(|at| (at, slots(at)));
@@ -342,7 +343,8 @@ impl SolverContacts {
                 let soon = self.layout.block_or_none(index + 1);
                 soon.iter().for_each(|later| pairs.prefetch(later.pair as usize));
                 for (lane, at) in self.layout.block(index).iter().enumerate() {
-                    // SAFETY: the manifolds of a pair have the same bodies, so no two of them have the same colour.
+                    // SAFETY: the manifolds of a pair have the same bodies, so no two of them have the same
+                    // colour.
                     if let Some(pair) = unsafe { pairs.get_mut(at.pair as usize) } {
                         let manifold = &mut pair.manifolds[at.manifold as usize];
                         self.lanes.write_back_manifold(index, lane, manifold);
@@ -410,7 +412,8 @@ fn scale_impulses(input: &mut ContactInput, bodies: &SolverBodies, per_point: bo
     }
 }
 
-/// Hands out the blocks of one colour after the other, so many together; those of one colour may be worked on at once.
+/// Hands out the blocks of one colour after the other, so many together; those of one colour may be worked on
+/// at once.
 pub(super) fn for_each_color(
     colors: &[Range<usize>],
     (tasks, grain): (Tasks<'_>, usize),

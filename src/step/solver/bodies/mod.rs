@@ -32,8 +32,8 @@ pub(super) struct SolverBodies {
     /// Velocities at the end of the last substep, before the forces of this one, if a stage requires them.
     pub last: Vec<BodyState>,
     motions: Vec<FreeMotion>,
-    /// By body slot: the index above, with [`READ_ONLY`] unless constraints may move the body, and with [`NEAR_REST`]. The world's for
-    /// bodies that are not awake.
+    /// By body slot: the index above, with [`READ_ONLY`] unless constraints may move the body, and with
+    /// [`NEAR_REST`]. The world's for bodies that are not awake.
     indices: Vec<u32>,
     /// By index: the slot whose index it is, or [`NONE`]; to be cleared by the next step.
     listed: Vec<u32>,
@@ -119,8 +119,8 @@ impl SolverBodies {
         (index & !NEAR_REST, index & NEAR_REST != 0)
     }
 
-    /// The inverse mass of the body with an index, along the axis where it is largest; 0 if constraints must not move
-    /// it.
+    /// The inverse mass of the body with an index, along the axis where it is largest; 0 if constraints must
+    /// not move it.
     pub fn inv_mass_of(&self, index: u32) -> Real {
         self.poses.get(index as usize).map_or(0.0, |pose| pose.inv_mass().max_element())
     }
@@ -132,9 +132,9 @@ impl SolverBodies {
 
     /// Adds gravity and the user's forces, damps, and starts the substep with the last one's impulses.
     ///
-    /// At the first substep the states hold the impulses of the last step already, which must not be
-    /// damped with the velocity. Keeps how bodies moved until now if `keep_last`. Returns how many were slowed down to the largest
-    /// speed.
+    /// At the first substep the states hold the impulses of the last step already, which must not be damped
+    /// with the velocity. Keeps how bodies moved until now if `keep_last`. Returns how many were slowed down
+    /// to the largest speed.
     pub fn integrate_velocities(
         &mut self,
         h: Real,
@@ -154,9 +154,9 @@ impl SolverBodies {
         limited.into_inner()
     }
 
-    /// Commits the velocity changes of an impact since the `start`, scaled by the `fraction` of each island. The
-    /// changes count from the mean time of the impacts of a body, and are no warm-start impulses. `delays`
-    /// are the sum of these and of each times its time, in place of two components of a velocity.
+    /// Commits the velocity changes of an impact since the `start`, scaled by the `fraction` of each island.
+    /// The changes count from the mean time of the impacts of a body, and are no warm-start impulses.
+    /// `delays` are the sum of these and of each times its time, in place of two components of a velocity.
     pub fn accept_impact(
         &mut self,
         touched: &[u32],

@@ -23,7 +23,8 @@ impl IterationBudget {
     }
 }
 
-/// Progress of an island. Islands are independent: their results have the same bits with any others beside them.
+/// Progress of an island. Islands are independent: their results have the same bits with any others beside
+/// them.
 #[derive(Copy, Clone, Default)]
 pub(super) struct EnergyBudget {
     /// Remaining iterations of this substep.

@@ -9,7 +9,8 @@
 //! simultaneous impact" (SIGGRAPH 2012). At the start of a substep, in rounds:
 //!
 //! 1. `S` is the set of contacts that hit now: approach, and would overlap before the substep ends.
-//! 2. Impulses on `S` alone part them: `Ċ_i ≥ -e_i c_i ⊥ λ_i ≥ 0` with the approach velocities `c_i` of this round.
+//! 2. Impulses on `S` alone part them: `Ċ_i ≥ -e_i c_i ⊥ λ_i ≥ 0` with the approach velocities `c_i` of this
+//!    round.
 //! 3. This makes others approach. They are the `S` of the next round.
 //!
 //! Simultaneous contacts get their restitution together, so a box that lands flat rises flat. Contacts that
@@ -65,8 +66,8 @@
 //! of directly solved joints have one `τ`, and those of iterated joints have none
 //! (`SolverJoints::share_delays`).
 //!
-//! The velocity of a substep, which is that of its middle, is not that of the time `τ`. With the acceleration `A/h` the
-//! velocities before and after at `τ` are `c + b` and `-e (c + b)`, in the middle `c` and
+//! The velocity of a substep, which is that of its middle, is not that of the time `τ`. With the acceleration
+//! `A/h` the velocities before and after at `τ` are `c + b` and `-e (c + b)`, in the middle `c` and
 //!
 //! ```text
 //! -e (c + b) - b,      b = A (τ/h - ½)

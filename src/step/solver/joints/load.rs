@@ -68,7 +68,8 @@ impl SolverJoints {
             let first = self.slots.len();
             self.slots.extend_from_slice(list);
             if color == OVERFLOW {
-                // These are solved one after the other, and their order in the list depends on the rest of the world.
+                // These are solved one after the other, and their order in the list depends on the rest of
+                // the world.
                 self.slots[first..].sort_unstable();
             }
             self.colors.push((color, list.len()));

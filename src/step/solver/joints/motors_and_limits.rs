@@ -35,11 +35,11 @@
 //! ```
 //!
 //! That is stable only for `β < a` (Routh and Hurwitz), `β h < 2 m / M`. With the bias of locked axes, a
-//! telescope under ten times the mass of its sections vibrates by a fifth of a metre; with [`LIMIT_ERROR_FRACTION`] it
-//! comes to rest. A limit can be patient: it has little to undo, because it stops what comes before that is
-//! too far.
+//! telescope under ten times the mass of its sections vibrates by a fifth of a metre; with
+//! [`LIMIT_ERROR_FRACTION`] it comes to rest. A limit can be patient: it has little to undo, because it stops
+//! what comes before that is too far.
 //!
-//! ## What an acceleration is
+//! ## Acceleration-based motors
 //! An acceleration-based motor multiplies by the mass that it moves in its own joint: that of the two bodies,
 //! with the joint's locked axes. Bodies behind other joints are excluded. At the root of an arm whose inertia
 //! is `n` times that of the first link, the motor is `n` times too weak, and oscillates `√n` times too

@@ -359,7 +359,8 @@ fn normal_of(sides: &[Side<'_>; 2], placed: &AnchorFrame, manifold: &ContactMani
 }
 
 impl Geometry {
-    /// Follows the contact points from where they were placed, as [`MotionSince`](crate::model::contact::MotionSince) does for lanes.
+    /// Follows the contact points from where they were placed, as
+    /// [`MotionSince`](crate::model::contact::MotionSince) does for lanes.
     fn of(
         sides: &[Side<'_>; 2],
         placed: &AnchorFrame,
@@ -481,7 +482,8 @@ impl Point {
         core::iter::once((&self.normal, self.impulse, 0.0)).chain(along)
     }
 
-    /// The impulses of friction that stop the slip, if they need not be larger than `most`; `old` ones have been given already.
+    /// The impulses of friction that stop the slip, if they need not be larger than `most`; `old` ones have
+    /// been given already.
     pub fn friction_under(
         &self,
         most: Real,

@@ -77,7 +77,8 @@ pub struct LinkImpact {
     pub was_active: bool,
     /// Whether the last iteration changed anything.
     pub moving: bool,
-    /// The sum of impulse times approach in this round, and how much more energy there is than there should be.
+    /// The sum of impulse times approach in this round, and how much more energy there is than there should
+    /// be.
     pub dissipated: Real,
     pub energy_gain: Real,
 }
@@ -180,8 +181,9 @@ impl SolverMultibodies {
         }
     }
 
-    /// Begins a round: finds the points that hit before the substep ends, and how they separate. Islands whose impact has ended stay as they are: to move there
-    /// and back leaves rounding errors, as often as other islands need another round.
+    /// Begins a round: finds the points that hit before the substep ends, and how they separate. Islands
+    /// whose impact has ended stay as they are: to move there and back leaves rounding errors, as often as
+    /// other islands need another round.
     pub fn mark_active(
         &mut self,
         place: (&NarrowPhase, &RigidBodySet),

@@ -1,4 +1,5 @@
-//! Impulse joints on links: between links of one multibody, where they close a loop, of two, or with an ordinary body.
+//! Impulse joints on links: between links of one multibody, where they close a loop, of two, or with an
+//! ordinary body.
 //!
 //! A locked axis is a row with `C = 0` and an impulse of either sign, softened like other joints
 //! (`model/params/softness.rs`). The rows are those of `dim3/joint/mod.rs`: translations along the axes of
@@ -102,7 +103,8 @@ impl SolverMultibodies {
         let links = slots.filter_map(|&slot| islands.joints.get(slot));
         let links = links.filter(|link| self.solves_one_of(link.body_slots()));
         let mut joined: Vec<Joined> = links.map(|link| (link.body_slots(), link.handle)).collect();
-        // They are solved one after the other, and their order in the colours depends on the rest of the world.
+        // They are solved one after the other, and their order in the colours depends on the rest of the
+        // world.
         joined.sort_unstable_by_key(|(_, handle)| handle.into_raw_parts());
         for (slots, handle) in joined {
             let Some(joint) = joints.get(handle) else { continue };

@@ -109,7 +109,8 @@ impl ImpactImpulse {
     }
 }
 
-/// Writes down the rows of a block as its bodies stand and move now. Rows of rotations are written where a joint locks one.
+/// Writes down the rows of a block as its bodies stand and move now. Rows of rotations are written where a
+/// joint locks one.
 ///
 /// # Safety
 /// No other thread writes the states of the block's bodies.
