@@ -1,6 +1,7 @@
 //! 3D rigid-body physics: fast, deterministic and robust.
 //!
-//! This is not the crate of the same name on the registry: the page "Coming from Rapier" of the guide lists the differences.
+//! This is not the crate of the same name on the registry: the page "Coming from Rapier" of the guide lists
+//! the differences.
 //!
 //! ```
 //! use rapier3d::prelude::*;
@@ -16,13 +17,13 @@
 //! assert!((y - 2.0).abs() < 0.01, "the ball came to rest on the ground, not at {y}");
 //! ```
 //!
-//! * A [`RigidBody`](dynamics::RigidBody) moves; [`Collider`](geometry::Collider)s give it shape, mass, friction and
-//!   restitution. Builders describe both, sets own them, handles identify them.
+//! * A [`RigidBody`](dynamics::RigidBody) moves; [`Collider`](geometry::Collider)s give it shape, mass,
+//!   friction and restitution. Builders describe both, sets own them, handles identify them.
 //! * A [`PhysicsWorld`](pipeline::PhysicsWorld) owns all parts. A program that owns the parts itself
 //!   passes them to [`PhysicsPipeline::step`](pipeline::PhysicsPipeline::step).
 //! * [`IntegrationParameters`](dynamics::IntegrationParameters) set the length and the accuracy of a step.
-//! * An [`EventHandler`](pipeline::EventHandler) receives events, [`PhysicsHooks`](pipeline::PhysicsHooks) filter and modify
-//!   contacts.
+//! * An [`EventHandler`](pipeline::EventHandler) receives events, [`PhysicsHooks`](pipeline::PhysicsHooks)
+//!   filter and modify contacts.
 //! * Any consistent units work: metres, kilograms and seconds, for example. Angles are in
 //!   radians. Worlds whose bodies are not about 1 unit in size set
 //!   [`length_unit`](dynamics::IntegrationParameters::length_unit).
@@ -31,9 +32,9 @@
 //!
 //! * The same world and the same calls give the same bits on every machine, for any number of threads and any
 //!   width of the processor's registers.
-//! * No value makes a function of this crate panic or corrupts other bodies: invalid values are refused with an
-//!   error, or ignored with a warning through the `log` crate. Only indexing a set with a stale handle panics.
-//!   The re-exported constructors of the geometry library panic on some values;
+//! * No value makes a function of this crate panic or corrupts other bodies: invalid values are refused with
+//!   an error, or ignored with a warning through the `log` crate. Only indexing a set with a stale handle
+//!   panics. The re-exported constructors of the geometry library panic on some values;
 //!   [`ColliderBuilder::try_shape`](geometry::ColliderBuilder::try_shape) is the checked way.
 //!
 //! # Features

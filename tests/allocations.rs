@@ -12,7 +12,8 @@ fn allocations(mut world: PhysicsWorld) -> u64 {
     allocations_of(&mut world)
 }
 
-/// How often memory is asked for in 60 steps, on one thread: to hire a second one for a step asks for a little.
+/// How often memory is asked for in 60 steps, on one thread: to hire a second one for a step asks for a
+/// little.
 fn allocations_of(world: &mut PhysicsWorld) -> u64 {
     let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build().expect("a pool");
     pool.install(|| measure(|| (0..60).for_each(|_| world.step())).count_total)
@@ -85,7 +86,8 @@ fn multibodies_ask_for_no_memory() {
     assert_eq!(allocations(world), 0);
 }
 
-/// Boxes on their way: each leaves its enlarged box every few steps, and the tree of these is built anew several times a second.
+/// Boxes on their way: each leaves its enlarged box every few steps, and the tree of these is built anew
+/// several times a second.
 #[test]
 fn trees_that_are_built_anew_ask_for_no_memory() {
     let mut world = PhysicsWorld::new();

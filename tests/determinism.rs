@@ -64,7 +64,8 @@ fn world() -> PhysicsWorld {
     world
 }
 
-/// All that the heap lacks: chains and nets of joints, some of which break, links, bullets, a mesh, and sleepers.
+/// All that the heap lacks: chains and nets of joints, some of which break, links, bullets, a mesh, and
+/// sleepers.
 fn workshop() -> PhysicsWorld {
     let mut world = PhysicsWorld::new();
     GROUNDS[1].1(&mut world, Pose::IDENTITY, 0.5);
@@ -155,7 +156,7 @@ fn determinism_of_joints_links_and_bullets_on_any_number_of_threads() {
     }
 }
 
-/// Worlds that are stepped at the same time in one pool, each by one of its threads and whoever is free.
+/// Worlds that are stepped at the same time in one pool, each by one of its threads and all idle ones.
 #[test]
 fn determinism_of_worlds_that_share_a_pool() {
     use rayon::prelude::*;
@@ -234,7 +235,8 @@ fn added(world: &mut PhysicsWorld, add: impl FnOnce(&mut PhysicsWorld)) -> Vec<R
     all.filter(|handle| !before.contains(handle)).collect()
 }
 
-/// A heap that falls far away changes no bit of another one, although it comes and goes, sleeps and wakes while the other one moves.
+/// A heap that falls far away changes no bit of another one, although it comes and goes, sleeps and wakes
+/// while the other one moves.
 #[test]
 fn determinism_among_strangers() {
     let run = |strangers: bool| {
@@ -282,7 +284,8 @@ fn compare_workshops(add_strangers: impl Fn(&mut PhysicsWorld)) {
     assert_eq!(first, None, "the first step that differs, in the bodies {bodies:?}");
 }
 
-/// Bodies around one that is too heavy for them to move much: more contacts and joints than there are colours.
+/// Bodies around one that is too heavy for them to move much: more contacts and joints than there are
+/// colours.
 fn hub(world: &mut PhysicsWorld, center: Vector) {
     world.insert(RigidBodyBuilder::fixed().translation(center - vec(0.0, 6.0)), cuboid(9.0, 1.0));
     let hub = RigidBodyBuilder::dynamic().translation(center).angvel(dim::about_z(1.5));

@@ -38,8 +38,8 @@ pub const NAME: &str = "3D";
 /// Acceleration of a ball that rolls down a slope, as a share of sliding: `1 / (1 + I / m r²)` with
 /// `I = 2/5 m r²`.
 pub const ROLLING_BALL: Real = 5.0 / 7.0;
-/// How much easier the corner of a face between two unit cubes gives way than its share of the load: `m K / 4`
-/// of a quarter of the load, with `K = 2/m + 2 r² / I`, `r² = 1/2` and `I = m/6`.
+/// How much easier the corner of a face between two unit cubes gives way than its share of the load: `m K /
+/// 4` of a quarter of the load, with `K = 2/m + 2 r² / I`, `r² = 1/2` and `I = m/6`.
 pub const CORNER_YIELD: Real = 2.0;
 
 /// By how much riding a turntable is off: see `space`.
@@ -77,8 +77,8 @@ pub fn hinge() -> RevoluteJointBuilder {
     RevoluteJointBuilder::new(Vector::Z)
 }
 
-/// A joint that lets its bodies turn against each other, at these points of theirs: balls in sockets and hinges about several
-/// axes in turn.
+/// A joint that lets its bodies turn against each other, at these points of theirs: balls in sockets and
+/// hinges about several axes in turn.
 pub fn loose_joint(k: usize, anchor1: Vector, anchor2: Vector) -> GenericJoint {
     let hinge =
         |axis| RevoluteJointBuilder::new(axis).local_anchor1(anchor1).local_anchor2(anchor2);

@@ -1,4 +1,4 @@
-//! # API — the public face
+//! # API: public module paths and facades
 //!
 //! The documented module paths (`dynamics`, `geometry`, `pipeline`, `control`, `math`, `prelude`) re-export
 //! public names from their rooms. The facades [`pipeline::PhysicsPipeline`], [`pipeline::CollisionPipeline`]

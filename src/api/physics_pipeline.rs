@@ -48,14 +48,15 @@ impl PhysicsPipeline {
         self.scratch.set_wide_instructions(wide);
     }
 
-    /// Hashes the world after each stage of every step, or no longer (the default). A hash of 1000 bodies in contact takes about a hundredth of their
-    /// step.
+    /// Hashes the world after each stage of every step, or no longer (the default). A hash of 1000 bodies in
+    /// contact takes about a hundredth of their step.
     pub fn set_stage_hashes(&mut self, enabled: bool) {
         self.scratch.trace_stages(enabled);
     }
 
-    /// The hashes of the world after the stages of the last step, in their order. Two runs that differ first differ after one of them. Empty unless
-    /// [enabled](Self::set_stage_hashes). A stage occurs twice if the step was taken again because a body diverged.
+    /// The hashes of the world after the stages of the last step, in their order. Two runs that differ first
+    /// differ after one of them. Empty unless [enabled](Self::set_stage_hashes). A stage occurs twice if the
+    /// step was taken again because a body diverged.
     ///
     /// ```
     /// # use rapier3d::prelude::*;

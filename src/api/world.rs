@@ -160,8 +160,8 @@ impl PhysicsWorld {
         );
     }
 
-    /// A hash of the simulated state: of all bodies, colliders, joints and pairs with their handles. Equal bits give equal hashes on every machine, so
-    /// two runs compare one number per step.
+    /// A hash of the simulated state: of all bodies, colliders, joints and pairs with their handles. Equal
+    /// bits give equal hashes on every machine, so two runs compare one number per step.
     ///
     /// The hashes of the sets and of single elements ([`RigidBody::hash`]) locate a difference.
     ///

@@ -25,8 +25,9 @@ use parry::shape::{FeatureId, Shape};
 impl PhysicsWorld {
     /// Queries of all colliders.
     ///
-    /// As of the last step: a collider that was inserted since is not found, and one that was moved since only where
-    /// its box was. A [`QueryPipeline`](crate::query::QueryPipeline) of one's own sees such changes at once.
+    /// As of the last step: a collider that was inserted since is not found, and one that was moved since
+    /// only where its box was. A [`QueryPipeline`](crate::query::QueryPipeline) of one's own sees such
+    /// changes at once.
     pub fn query_pipeline(&self) -> QueryView<'_> {
         self.query_pipeline_with_filter(QueryFilter::default())
     }
@@ -55,7 +56,8 @@ impl PhysicsWorld {
         self.query_pipeline_with_filter(filter).cast_ray(ray, max_toi, solid)
     }
 
-    /// The first collider that a ray hits, when, and the normal there: see [`QueryView::cast_ray_and_get_normal`].
+    /// The first collider that a ray hits, when, and the normal there: see
+    /// [`QueryView::cast_ray_and_get_normal`].
     pub fn cast_ray_and_get_normal(
         &self,
         ray: &Ray,
@@ -103,7 +105,8 @@ impl PhysicsWorld {
         queries.cast_shape_nonlinear(shape_motion, shape, start_time, end_time, stop_at_penetration)
     }
 
-    /// The collider that is nearest to a point, and the nearest point on it: see [`QueryView::project_point`].
+    /// The collider that is nearest to a point, and the nearest point on it: see
+    /// [`QueryView::project_point`].
     pub fn project_point(
         &self,
         point: Vector,

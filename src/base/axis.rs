@@ -22,8 +22,8 @@ pub struct BestAxis {
 }
 
 impl BestAxis {
-    /// The same axis with the roles of the two exchanged. `pose` is that of the first, as it was, in the frame of the
-    /// second.
+    /// The same axis with the roles of the two exchanged. `pose` is that of the first, as it was, in the
+    /// frame of the second.
     pub fn exchanged(self, pose: &Pose) -> Self {
         let face = self.face.map(|side| match side {
             Side::First => Side::Second,

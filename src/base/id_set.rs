@@ -156,7 +156,8 @@ mod tests {
     use crate::base::random::Random;
     use std::collections::BTreeSet;
 
-    /// It holds what a set of the standard library holds after the same changes, and is walked in the same order.
+    /// It holds what a set of the standard library holds after the same changes, and is walked in the same
+    /// order.
     #[test]
     fn it_is_a_set() {
         let mut random = Random(53);

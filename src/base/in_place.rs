@@ -1,7 +1,7 @@
 //! Copies that reuse the memory of an earlier copy.
 //!
-//! The derived `clone_from` makes a new value and drops the old one, with all its lists. Rollback copies a world in every step, so the containers of a
-//! world copy field by field instead.
+//! The derived `clone_from` makes a new value and drops the old one, with all its lists. Rollback copies a
+//! world in every step, so the containers of a world copy field by field instead.
 
 /// Implements `Clone` for a struct whose fields are all listed. `clone_from` calls that of every field.
 ///

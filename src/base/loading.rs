@@ -1,7 +1,8 @@
 //! Data that is checked when it is loaded.
 //!
-//! Saved data may be damaged, or made up. A container whose parts refer to each other implements [`Loaded`], and its `Deserialize` returns an error
-//! if a reference is wrong. So any value of the type can be used without further checks.
+//! Saved data may be damaged, or made up. A container whose parts refer to each other implements [`Loaded`],
+//! and its `Deserialize` returns an error if a reference is wrong. So any value of the type can be used
+//! without further checks.
 
 use super::fault::Fault;
 

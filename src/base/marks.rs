@@ -1,7 +1,7 @@
 //! Marks on small numbers that are taken off all at once.
 
-/// A set of `u32`s that is emptied in no time: a mark counts in the turn in which it was made. Takes four bytes for each number up to
-/// the largest that was ever in it.
+/// A set of `u32`s that is emptied in no time: a mark counts in the turn in which it was made. Takes four
+/// bytes for each number up to the largest that was ever in it.
 #[derive(Clone, Debug)]
 pub struct Marks {
     /// Never 0, so that what was never marked is not.

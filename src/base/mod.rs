@@ -1,4 +1,4 @@
-//! # Base — tools that know no physics
+//! # Base: tools without physics
 //!
 //! The lowest level: no import of another room.
 

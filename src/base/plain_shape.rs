@@ -1,6 +1,7 @@
 //! The saved form of shapes that contain no other shape.
 
-/// Defines `PlainShape`, with one variant per listed type of the geometry library. `SharedShape`'s own saved form may nest compounds to any depth.
+/// Defines `PlainShape`, with one variant per listed type of the geometry library. `SharedShape`'s own saved
+/// form may nest compounds to any depth.
 macro_rules! plain_shapes {
     ($($shape:ident),*) => {
         /// A shape that is defined by a few numbers, or a convex hull.

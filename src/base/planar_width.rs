@@ -18,7 +18,8 @@ use parry::shape::Triangle;
 
 /// Relative underestimate of a minimum width.
 pub const WIDTH_TOLERANCE: Real = 0.02;
-/// Vertices after which the search ends with the lower bound that it has: four times as many as a disc takes at the tolerance.
+/// Vertices after which the search ends with the lower bound that it has: four times as many as a disc takes
+/// at the tolerance.
 const VERTICES_MAX: usize = 128;
 
 /// A direction and a width along it.
@@ -43,7 +44,8 @@ pub struct NarrowFrame {
     pub least: Real,
 }
 
-/// Finds the minimum width of a set, given `difference(n)`: a point of its difference set that is farthest along `n`.
+/// Finds the minimum width of a set, given `difference(n)`: a point of its difference set that is farthest
+/// along `n`.
 pub fn minimum_width(difference: impl Fn([Real; 2]) -> [Real; 2]) -> PlanarWidth {
     let first = farther(difference([1.0, 0.0]), difference([0.0, 1.0]));
     let second = difference(perpendicular(first).unwrap_or([1.0, 0.0]));
@@ -57,15 +59,16 @@ pub fn minimum_width(difference: impl Fn([Real; 2]) -> [Real; 2]) -> PlanarWidth
         if is_on_boundary || polygon.len() >= VERTICES_MAX {
             return best;
         }
-        // The set is symmetric, and so stays the polygon: the vertices in its second half are those of the first, negated.
+        // The set is symmetric, and so stays the polygon: the vertices in its second half are those of the
+        // first, negated.
         let half = polygon.len() / 2;
         polygon.insert(half + at + 1, scaled(found, -1.0));
         polygon.insert(at + 1, found);
     }
 }
 
-/// The side in the first half of a polygon that is nearest to the origin: its number, its outward normal and its distance. `None` if
-/// the polygon is flat.
+/// The side in the first half of a polygon that is nearest to the origin: its number, its outward normal and
+/// its distance. `None` if the polygon is flat.
 fn nearest_side(polygon: &[[Real; 2]]) -> Option<(usize, [Real; 2], Real)> {
     let sides = (0..polygon.len() / 2).map(|at| {
         let (from, to) = (polygon[at], polygon[at + 1]);

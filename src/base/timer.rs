@@ -74,7 +74,8 @@ impl Timer {
 #[cfg(not(all(target_arch = "wasm32", target_os = "unknown")))]
 use std::time::Instant as Moment;
 
-/// A time of the clock that the program supplied, in milliseconds. [`std::time::Instant`] panics where there is no clock.
+/// A time of the clock that the program supplied, in milliseconds. [`std::time::Instant`] panics where there
+/// is no clock.
 #[cfg(all(target_arch = "wasm32", target_os = "unknown"))]
 #[derive(Copy, Clone, Debug)]
 struct Moment(f64);
@@ -85,7 +86,8 @@ static CLOCK: std::sync::OnceLock<fn() -> f64> = std::sync::OnceLock::new();
 
 #[cfg(all(target_arch = "wasm32", target_os = "unknown"))]
 impl Timer {
-    /// Supplies the clock of all timers: a function that returns the time in milliseconds. Only the first call has an effect.
+    /// Supplies the clock of all timers: a function that returns the time in milliseconds. Only the first
+    /// call has an effect.
     pub fn set_clock(clock: fn() -> f64) {
         let _ = CLOCK.set(clock);
     }

@@ -35,7 +35,8 @@ const COSINE: [f64; 9] = [
     1.0 / 20_922_789_888_000.0,
 ];
 
-/// Sine and cosine of an angle in radians. Their last digits fade as the angle grows beyond some million turns.
+/// Sine and cosine of an angle in radians. Their last digits fade as the angle grows beyond some million
+/// turns.
 pub fn sin_cos(angle: Real) -> (Real, Real) {
     let angle = f64::from(angle);
     let quarters = (angle * FRAC_2_PI).round();

@@ -1,12 +1,12 @@
 //! Numbers that occur once per process.
 //!
-//! They distinguish objects and moments whose contents may be equal. No result depends on their values, only on whether two of them are
-//! equal: the values differ from run to run.
+//! They distinguish objects and moments whose contents may be equal. No result depends on their values, only
+//! on whether two of them are equal: the values differ from run to run.
 
 use core::sync::atomic::{AtomicU64, Ordering};
 
-/// Returns a number that no earlier call has returned. It is neither 0 nor `u64::MAX`: the counter starts at 1, and at one call per
-/// nanosecond it overflows after 584 years.
+/// Returns a number that no earlier call has returned. It is neither 0 nor `u64::MAX`: the counter starts at
+/// 1, and at one call per nanosecond it overflows after 584 years.
 pub fn unique_number() -> u64 {
     static NEXT: AtomicU64 = AtomicU64::new(1);
     NEXT.fetch_add(1, Ordering::Relaxed)

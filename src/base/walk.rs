@@ -18,11 +18,12 @@ pub struct Walk {
 }
 
 impl Walk {
-    /// Begins at the cell that is nearest to where the ray is at time `start`. The middle of all cells is the origin.
+    /// Begins at the cell that is nearest to where the ray is at time `start`. The middle of all cells is the
+    /// origin.
     pub fn new(origin: Real, dir: Real, start: Real, size: Real, count: usize) -> Self {
-        let share = (origin + dir * start) / size + 0.5;
+        let fraction = (origin + dir * start) / size + 0.5;
         // Casts cut off at both ends.
-        let cell = ((share * count as Real) as usize).min(count - 1);
+        let cell = ((fraction * count as Real) as usize).min(count - 1);
         let inv_dir = if dir == 0.0 { 0.0 } else { 1.0 / dir };
         let mut walk = Self { origin, inv_dir, size, count, cell, leaves: 0.0 };
         walk.leaves = walk.leaving();

@@ -68,9 +68,9 @@ fn nearest_on_cuboid(cuboid: &Cuboid, center: Vector) -> Nearest {
 fn nearest_on_capsule(capsule: &Capsule, center: Vector) -> Nearest {
     let (start, axis) = (capsule.segment.a, capsule.segment.b - capsule.segment.a);
     let length_squared = axis.length_squared();
-    let share =
+    let fraction =
         if length_squared > 0.0 { (center - start).dot(axis) / length_squared } else { 0.0 };
-    let on_axis = start + axis * share.clamp(0.0, 1.0);
+    let on_axis = start + axis * fraction.clamp(0.0, 1.0);
     let aside = axis.try_normalize().map_or(Vector::Y, |unit| tangents(unit)[0]);
     let (normal, length) = direction_and_length(center - on_axis, aside);
     Nearest {

@@ -34,9 +34,9 @@ pub(super) fn capsule_capsule(
     raw: &mut RawManifold,
 ) -> Option<Real> {
     let axes = Axes::of(pos12, capsule1, capsule2);
-    let shares = axes.closest();
+    let fractions = axes.closest();
     let radius = capsule1.radius + capsule2.radius;
-    let offset = axes.point2(shares[1]) - axes.point1(shares[0]);
+    let offset = axes.point2(fractions[1]) - axes.point1(fractions[0]);
     let length = offset.length();
     // Written so that NaN is refused.
     let is_apart = length > AXIS_DISTANCE_RATIO_MIN * radius && length > 0.0;
@@ -47,8 +47,8 @@ pub(super) fn capsule_capsule(
     let local_n2 = pos12.rotation.inverse() * -local_n1;
     (raw.local_n1, raw.local_n2) = (local_n1, local_n2);
     let pos21 = pos12.inverse();
-    let mut add = |shares: [Real; 2], name: u32| {
-        let (p1, p2) = (axes.point1(shares[0]), axes.point2(shares[1]));
+    let mut add = |fractions: [Real; 2], name: u32| {
+        let (p1, p2) = (axes.point1(fractions[0]), axes.point2(fractions[1]));
         let dist = (p2 - p1).dot(local_n1) - radius;
         if dist <= prediction {
             let local_p1 = p1 + local_n1 * capsule1.radius;
@@ -62,7 +62,7 @@ pub(super) fn capsule_capsule(
             add(ends[0], 1);
             add(ends[1], 2);
         }
-        None => add(shares, 0),
+        None => add(fractions, 0),
     }
     Some((axes.distance(length) - radius).max(0.0))
 }
@@ -81,12 +81,12 @@ impl Axes {
         }
     }
 
-    fn point1(&self, share: Real) -> Vector {
-        self.start1 + self.along1 * share
+    fn point1(&self, fraction: Real) -> Vector {
+        self.start1 + self.along1 * fraction
     }
 
-    fn point2(&self, share: Real) -> Vector {
-        self.start2 + self.along2 * share
+    fn point2(&self, fraction: Real) -> Vector {
+        self.start2 + self.along2 * fraction
     }
 
     fn segments(&self) -> Segments {
@@ -130,7 +130,7 @@ impl Axes {
         if (high - low) * a.sqrt() <= OVERLAP_RATIO_MIN * a.min(c).sqrt() {
             return None;
         }
-        let on_second = |share: Real| ((share - start) / (end - start)).clamp(0.0, 1.0);
+        let on_second = |fraction: Real| ((fraction - start) / (end - start)).clamp(0.0, 1.0);
         Some([[low, on_second(low)], [high, on_second(high)]])
     }
 }

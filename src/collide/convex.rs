@@ -11,7 +11,7 @@ use parry::query::{DefaultQueryDispatcher, PersistentQueryDispatcher};
 use parry::shape::{Capsule, Shape, TypedShape};
 
 /// Certain fraction of a computed distance, allowing for rounding.
-pub(super) const DISTANCE_SHARE: Real = 0.99;
+pub(super) const DISTANCE_FRACTION: Real = 0.99;
 /// Boxes that are closer than this fraction of the prediction distance touch with faces and edges only.
 const CORNERS_APART: Real = 0.25;
 
@@ -35,7 +35,7 @@ pub(super) fn part_manifold(
     } else {
         separation_along(pos12, part1.shape, part2.shape, raw.local_n1)
     };
-    Some(gap * DISTANCE_SHARE)
+    Some(gap * DISTANCE_FRACTION)
 }
 
 /// Returns whether all numbers of the point are finite.

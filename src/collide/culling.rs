@@ -119,8 +119,9 @@ mod tests {
                 let point = samples::vector(&mut random, 1.0);
                 found[grid.cell(point * extents)] = true;
             }
-            let share = found.iter().filter(|&&found| found).count() as Real / grid.len() as Real;
-            assert!(share > 0.95, "{share} of the cells are used: {grid:?}");
+            let fraction =
+                found.iter().filter(|&&found| found).count() as Real / grid.len() as Real;
+            assert!(fraction > 0.95, "{fraction} of the cells are used: {grid:?}");
         }
     }
 

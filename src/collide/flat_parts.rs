@@ -1,6 +1,6 @@
 //! Culling of surface parts: most parts whose boxes overlap a body's are far from it.
 
-use super::convex::{DISTANCE_SHARE, is_sound};
+use super::convex::{DISTANCE_FRACTION, is_sound};
 use super::parts::{Near, Part, Parts};
 use super::polytopes::contacts_on_axis;
 use super::search::Search;
@@ -66,12 +66,14 @@ impl<'a> FlatParts<'a> {
 impl Search<'_> {
     /// Visits the parts of the surface on a side that are near the other shape.
     ///
-    /// Returns false if it is no surface, or the other shape is one too or without limits. Then nothing was done.
+    /// Returns false if it is no surface, or the other shape is one too or without limits. Then nothing was
+    /// done.
     pub(super) fn visit_surface(&mut self, side: usize) -> bool {
         let [surface, body] = [self.parts[side], self.parts[1 - side]];
         let (prediction, pos12) = (self.pair.prediction, self.pair.pos12);
         let poses = if side == 0 { [pos12, pos12.inverse()] } else { [pos12.inverse(), pos12] };
-        // The many pieces of another surface find what is near them sooner in the tree than among all that is kept.
+        // The many pieces of another surface find what is near them sooner in the tree than among all that is
+        // kept.
         if !surface.is_surface() || body.is_surface() {
             return false;
         }
@@ -191,7 +193,7 @@ impl Search<'_> {
         let gap = contacts_on_axis(poses, polytopes, &axis, prediction, raw);
         raw.points.retain(|point| is_sound(point) && point.dist <= prediction);
         if raw.points.is_empty() {
-            self.distance = self.distance.min(gap.max(0.0) * DISTANCE_SHARE);
+            self.distance = self.distance.min(gap.max(0.0) * DISTANCE_FRACTION);
         } else {
             self.distance = 0.0;
             self.patches.add(self.pair, raw, &parts);
@@ -204,7 +206,8 @@ fn is_tree_quicker(triangle_cache: &TriangleCache, body: &Parts<'_>) -> bool {
     !body.is_convex() && triangle_cache.len().saturating_mul(body.len()) > LOOKS_MAX
 }
 
-/// Looks up the parts of a surface in a box, and in what the box will pass over, if they are not there already.
+/// Looks up the parts of a surface in a box, and in what the box will pass over, if they are not there
+/// already.
 fn look_up(surface: &Parts<'_>, bounds: &Aabb, motion: Vector, triangle_cache: &mut TriangleCache) {
     if triangle_cache.knows(bounds) {
         return;

@@ -23,8 +23,8 @@
 //! In either case `B` may still support `X` with its face whose normal is near `a`. The contact is recomputed
 //! with that face, and removed only if there is none.
 //!
-//! The limits: a step that is less high than the tolerance ([`IntegrationParameters::allowed_linear_error`]
-//! (crate::model::params::IntegrationParameters), 1 mm by default) is no step. `X` must touch `A` in the same
+//! A step is ignored if it is lower than the tolerance (`IntegrationParameters::allowed_linear_error`, 1 mm
+//! by default). `X` must touch `A` in the same
 //! step. A body that lands flat beside an edge, or that is deep in `B` at its first contact, meets the
 //! nearest side of `B`. Parts of a compound slide if they are above the plane as a whole; moving meshes
 //! catch. And a plane is that of `A`'s face if the contact is within 0.17 degrees of it.

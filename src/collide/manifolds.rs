@@ -5,7 +5,7 @@
 //! and the rest are the manifolds. The module is stateless: the previous manifolds are a start for the
 //! search, and the buffers in [`ManifoldScratch`] only save allocations.
 
-use super::convex::{DISTANCE_SHARE, is_sound, part_manifold};
+use super::convex::{DISTANCE_FRACTION, is_sound, part_manifold};
 use super::flat_parts::CulledParts;
 use super::internal_edges::InternalEdge;
 use super::matching::replace_contacts;
@@ -158,8 +158,8 @@ pub(crate) fn renew_convex_manifold(
     bound
 }
 
-/// Computes the points of two convex shapes, into `raw`. Returns the bound of their distance and, if there are points, the normal.
-/// `hint` is that of last time, or zero.
+/// Computes the points of two convex shapes, into `raw`. Returns the bound of their distance and, if there
+/// are points, the normal. `hint` is that of last time, or zero.
 fn convex_pair(
     pair: &ShapePair<'_>,
     hint: Vector,
@@ -196,7 +196,7 @@ fn outermost<'a>(
 /// A lower bound of the distance of two convex shapes by their closest points.
 fn distance_bound(pos12: &Pose, shape1: &dyn Shape, shape2: &dyn Shape) -> Real {
     match guarded(|| DefaultQueryDispatcher.distance(pos12, shape1, shape2)) {
-        Some(Ok(found)) if found.distance.is_finite() => found.distance * DISTANCE_SHARE,
+        Some(Ok(found)) if found.distance.is_finite() => found.distance * DISTANCE_FRACTION,
         _ => 0.0,
     }
 }

@@ -1,4 +1,4 @@
-//! # Where do two shapes touch?
+//! # Collide: contact manifolds of two shapes
 //!
 //! Contact manifolds of any two shapes, from their poses and from the manifolds of a moment ago. Its code is
 //! independent of bodies and of time: the narrow phase, queries and controllers use it.

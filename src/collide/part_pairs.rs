@@ -1,8 +1,9 @@
 //! Pairs of parts of two shapes that both have several: mesh against mesh, compound against terrain.
 //!
-//! The number of pairs of parts that are near each other has no bound but the product of the two numbers of parts. Contacts
-//! are computed for a bounded number of pairs: beyond it, a [grid](super::culling) chooses those whose boxes overlap
-//! most. Choosing them takes a second walk through the trees, which only crowded pairs of shapes pay for.
+//! The number of pairs of parts that are near each other has no bound but the product of the two numbers of
+//! parts. Contacts are computed for a bounded number of pairs: beyond it, a [grid](super::culling) chooses
+//! those whose boxes overlap most. Choosing them takes a second walk through the trees, which only crowded
+//! pairs of shapes pay for.
 
 use super::culling::{CELLS_MAX, Grid, Rank};
 use super::parts::{Near, Part};
@@ -11,14 +12,14 @@ use crate::dim::math::{Real, Vector};
 use parry::bounding_volume::{Aabb, BoundingVolume};
 
 /// Most pairs of parts for which contacts are computed.
-const VISITS_MAX: usize = 16_384;
+const PAIRS_VISITED_MAX: usize = 16_384;
 /// Most pairs that a cell keeps.
-const PER_CELL: usize = VISITS_MAX / CELLS_MAX;
-/// Most pairs from which the visited ones are chosen. Each part of the first shape offers an equal fraction of them, in the order of
-/// the second shape's tree.
+const PER_CELL: usize = PAIRS_VISITED_MAX / CELLS_MAX;
+/// Most pairs from which the visited ones are chosen. Each part of the first shape offers an equal fraction
+/// of them, in the order of the second shape's tree.
 const CANDIDATES_MAX: usize = 1 << 21;
 /// Products of numbers of parts up to this are not counted first.
-const PRODUCT_MAX: usize = VISITS_MAX;
+const PRODUCT_MAX: usize = PAIRS_VISITED_MAX;
 
 /// The pairs of one cell: the best ones, and some more until these are dropped.
 #[derive(Clone, Default)]
@@ -50,12 +51,12 @@ impl Search<'_> {
         if product > PRODUCT_MAX {
             self.for_each_first_part(&mut |search, part1| {
                 near_parts += 1;
-                if pairs <= VISITS_MAX {
+                if pairs <= PAIRS_VISITED_MAX {
                     search.for_each_second_part(&part1, &mut |_, _| pairs += 1);
                 }
             });
         }
-        if pairs <= VISITS_MAX {
+        if pairs <= PAIRS_VISITED_MAX {
             self.visit_pairs(|_| true);
             return;
         }
@@ -114,8 +115,8 @@ impl Search<'_> {
         self.parts[0].for_each_part(&near, &mut |part1| f(self, part1));
     }
 
-    /// Calls `f` with the box of a part of the first shape, and with each part of the second that may reach into it. All in the frame of
-    /// the second.
+    /// Calls `f` with the box of a part of the first shape, and with each part of the second that may reach
+    /// into it. All in the frame of the second.
     fn for_each_second_part(&self, part1: &Part<'_>, f: &mut dyn FnMut(&Aabb, Part<'_>)) {
         let pose = self.pair.pos12.inverse() * part1.pose();
         let near = Near::of(part1.shape, &pose, self.pair.prediction);

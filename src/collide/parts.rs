@@ -169,8 +169,8 @@ impl<'a> Parts<'a> {
         }
     }
 
-    /// Calls `f` with every part that may reach into `near`, always in the same order; where something moves along a
-    /// line, perhaps more than once.
+    /// Calls `f` with every part that may reach into `near`, always in the same order; where something moves
+    /// along a line, perhaps more than once.
     pub fn for_each_part(&self, near: &Near, f: &mut dyn FnMut(Part<'_>)) {
         match *self {
             Self::Convex(shape) => f(Part::whole(shape)),

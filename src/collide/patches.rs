@@ -41,8 +41,8 @@ pub(super) struct Patch {
     pub normal: Vector,
     /// Distance at the deepest point.
     pub dist: Real,
-    /// Whether no part meets the other with its rim alone. A [`Flat`] does, if it does not look along the
-    /// normal.
+    /// Whether no part meets the other with its rim alone. A flat part does, unless
+    /// its normal is the contact normal.
     is_broad: bool,
     /// Range of its points.
     points: Range<usize>,
@@ -81,7 +81,8 @@ pub(super) struct Patches {
     /// The patches that are part of a manifold already, and the points of the next one.
     merged: Vec<bool>,
     gathered: Vec<RawPoint>,
-    /// The grid by which patches are culled, once there are too many, and by cell and direction the patch that is kept.
+    /// The grid by which patches are culled, once there are too many, and by cell and direction the patch
+    /// that is kept.
     grid: Option<Grid>,
     kept: Vec<u32>,
 }

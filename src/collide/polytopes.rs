@@ -75,8 +75,8 @@ pub(super) fn polytope_polytope(
     gap - radius
 }
 
-/// Computes the contacts of two polytopes of which the best axis is known, into `raw`. Returns a lower bound of
-/// the distance, 0 if nothing is known of it.
+/// Computes the contacts of two polytopes of which the best axis is known, into `raw`. Returns a lower bound
+/// of the distance, 0 if nothing is known of it.
 pub(super) fn contacts_on_axis(
     [pos12, pos21]: [&Pose; 2],
     [polytope1, polytope2]: [&Polytope<'_>; 2],
@@ -250,7 +250,7 @@ impl Pair<'_> {
         let (a, b, c) = (along1.length_squared(), along1.dot(along2), along2.length_squared());
         let (d, e, area) = (along1.dot(offset), along2.dot(offset), a * c - b * b);
         let (share1, share2) = ((c * d - b * e) / area, (b * d - a * e) / area);
-        let is_inside = |share: Real| (0.0..=1.0).contains(&share);
+        let is_inside = |fraction: Real| (0.0..=1.0).contains(&fraction);
         if !(is_inside(share1) && is_inside(share2)) {
             return None;
         }

@@ -25,8 +25,8 @@ pub(super) struct SupportFeature {
 }
 
 impl SupportFeature {
-    /// The footing of a shape, `down` being the unit vector from it to the plane. `None` if it is not known, or
-    /// if another point is lower than the corners by more than `tolerance` (length units).
+    /// The footing of a shape, `down` being the unit vector from it to the plane. `None` if it is not known,
+    /// or if another point is lower than the corners by more than `tolerance` (length units).
     pub fn of(shape: &dyn Shape, down: Vector, tolerance: Real) -> Option<Self> {
         let mut vertices = ArrayVec::new();
         let mut add = |point, feature| {

@@ -8,9 +8,10 @@ use parry::query::QueryDispatcher;
 
 /// Colliders for queries, and mutable bodies.
 ///
-/// Comes from [`BroadPhaseBvh::as_query_pipeline_mut`] (as of the last step), [`QueryPipeline::view_mut`] (as of
-/// its last `update`) or [`PhysicsWorld::query_pipeline_mut`](crate::pipeline::PhysicsWorld::query_pipeline_mut). Made
-/// and dropped at no cost.
+/// Comes from [`BroadPhaseBvh::as_query_pipeline_mut`] (as of the last step), [`QueryPipeline::view_mut`] (as
+/// of its last `update`) or
+/// [`PhysicsWorld::query_pipeline_mut`](crate::pipeline::PhysicsWorld::query_pipeline_mut). Made and dropped
+/// at no cost.
 pub struct QueryPipelineMut<'a> {
     trees: Trees<'a>,
     /// The bodies.

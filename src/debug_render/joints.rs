@@ -32,7 +32,8 @@ struct Placed<'a> {
 }
 
 impl DebugRenderPipeline {
-    /// Draws the joints of both kinds, whichever the mode selects. Joints without one of their bodies are left out.
+    /// Draws the joints of both kinds, whichever the mode selects. Joints without one of their bodies are
+    /// left out.
     pub fn render_joints(
         &mut self,
         backend: &mut dyn DebugRenderBackend,

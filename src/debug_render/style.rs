@@ -44,8 +44,8 @@ pub struct DebugRenderStyle {
     pub multibody_joint_anchor_color: DebugColor,
     /// Lines between the two places where a multibody joint holds its bodies.
     pub multibody_joint_separation_color: DebugColor,
-    /// Length of a joint's free axes, where no limits say how long they are, and radius of its arcs (length units). They
-    /// are red, green and blue as a body's axes are; in 2D arcs are blue.
+    /// Length of a joint's free axes, where no limits say how long they are, and radius of its arcs (length
+    /// units). They are red, green and blue as a body's axes are; in 2D arcs are blue.
     pub joint_axes_length: Real,
     /// Lines between the points of two surfaces that are in contact.
     pub contact_depth_color: DebugColor,

@@ -104,7 +104,8 @@ fn shapes_are_drawn_where_they_are() {
     }
 }
 
-/// Meshes keep sums of the normals of faces, which are 0.7 to 2.7 long; the lines have the length of the style.
+/// Meshes keep sums of the normals of faces, which are 0.7 to 2.7 long; the lines have the length of the
+/// style.
 #[test]
 fn pseudo_normals_have_the_length_of_the_style() {
     let corners = [Vector::ZERO].into_iter().chain(Vector::AXES).collect();

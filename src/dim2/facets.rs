@@ -43,8 +43,8 @@ impl<'a> Facets<'a> {
     pub fn facet(&self, index: usize) -> Facet {
         let [from, to] = self.ends(index);
         let (stored, along) = (self.0.normals()[index], to - from);
-        // parry leaves out corners between lines that are nearly one, up to more than a degree, and keeps the normal
-        // of one of the two.
+        // parry leaves out corners between lines that are nearly one, up to more than a degree, and keeps the
+        // normal of one of the two.
         let is_right = stored.dot(along).abs() <= 64.0 * Real::EPSILON * along.length();
         let across = Vector::new(along.y, -along.x);
         let normal = if is_right { stored } else { across.normalize_or(stored) };

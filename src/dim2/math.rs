@@ -65,7 +65,8 @@ pub fn rotation_to_angle(rotation: &Rotation) -> AngVector {
     atan2(rotation.im, rotation.re)
 }
 
-/// The square of an angle (rad²) from which it is as good as a turn: beyond, powers of it are not worth their digits.
+/// The square of an angle (rad²) from which it is as good as a turn: beyond, powers of it are not worth their
+/// digits.
 pub const TURN_MAX: Real = 1.0e4;
 
 /// Rotates `rotation` by the angle `angle` (radians), by the series of [`turning`](crate::base::turning). The

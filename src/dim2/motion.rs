@@ -24,8 +24,8 @@ impl FreeMotion {
         Self::new(rotation, (Vector::ZERO, 0.0), [0.0; 2], true)
     }
 
-    /// A body with this orientation, linear and angular acceleration by gravity and the user's forces (length/s²,
-    /// rad/s²), and linear and angular damping (1/s).
+    /// A body with this orientation, linear and angular acceleration by gravity and the user's forces
+    /// (length/s², rad/s²), and linear and angular damping (1/s).
     ///
     /// Whether gravity acts on the body, so that it may be part of a pile. Supports of piles also have
     /// `bears_weight`.
@@ -65,10 +65,10 @@ impl FreeMotion {
     }
 
     /// Rotates a gyroscopic body by this angle.
-    pub fn turn(&mut self, _: AngVector) {}
+    pub fn rotate(&mut self, _: AngVector) {}
 }
 
-/// The velocities of up to [`LANES`] bodies after `h` seconds, if these are theirs and nothing holds them.
+/// The velocities of up to `LANES` bodies after `h` seconds, if these are theirs and nothing holds them.
 #[inline(always)]
 pub(crate) fn accelerated<W: Wide>(
     bodies: &mut [FreeMotion],
@@ -84,7 +84,7 @@ pub(crate) fn accelerated<W: Wide>(
     WideMotion { linear, angular }
 }
 
-/// Rotates up to [`LANES`] gyroscopic bodies: there are none in 2D.
+/// Rotates up to `LANES` gyroscopic bodies: there are none in 2D.
 #[inline(always)]
 pub(crate) fn gyroscopic<W: Wide>(
     _bodies: &mut [FreeMotion],

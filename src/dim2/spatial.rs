@@ -1,6 +1,7 @@
 //! Spatial vectors in 2D: linear and angular part in one list of three numbers, the linear ones first.
 //!
-//! Velocities, forces and accelerations of a link are such lists, in world axes, about the link's centre of mass.
+//! Velocities, forces and accelerations of a link are such lists, in world axes, about the link's centre of
+//! mass.
 
 use super::axes::LockedAxes;
 use super::joint_axes::JointAxesMask;
@@ -84,8 +85,8 @@ pub fn world_inertia(mass: &MassProperties, _: Rotation) -> [[Real; ANG_DIM]; AN
     [[mass.principal_inertia()]]
 }
 
-/// The error if the rotation is locked, and how the relative angular velocity changes it. `rotation` is the second frame's,
-/// seen from the first.
+/// The error if the rotation is locked, and how the relative angular velocity changes it. `rotation` is the
+/// second frame's, seen from the first.
 pub fn locked_angles(rotation: Rotation) -> [(Real, AngVector); ANG_DIM] {
     [(rotation_to_angle(&rotation), 1.0)]
 }

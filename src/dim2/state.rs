@@ -86,8 +86,8 @@ impl BodyState {
         for (value, change) in self.0[MOTION_LEN..].iter_mut().zip(change) {
             *value += change;
         }
-        let turn = integrate_rotation(Rotation::IDENTITY, self.0[MOTION_LEN + 2]);
-        (self.0[3], self.0[7]) = (turn.re, turn.im);
+        let rotation = integrate_rotation(Rotation::IDENTITY, self.0[MOTION_LEN + 2]);
+        (self.0[3], self.0[7]) = (rotation.re, rotation.im);
     }
 
     /// Takes over the displacement of another.
@@ -98,7 +98,8 @@ impl BodyState {
 
     /// Returns whether all numbers of these states are finite and within a bound.
     ///
-    /// Counts those that are, place by place and as numbers of the same size, so that several are compared at once.
+    /// Counts those that are, place by place and as numbers of the same size, so that several are compared at
+    /// once.
     pub fn are_within(states: &[Self], bound: Real) -> bool {
         let mut beyond = [0.0; STATE_LEN];
         for state in states {
@@ -164,14 +165,14 @@ pub(crate) struct WideDisplacement<W> {
     pub angular: WideAngVector<W>,
     /// The turn itself. It is computed once, when the body rotates: several joints of the body read it, many
     /// times.
-    turn: WideRotation<W>,
+    rotation: WideRotation<W>,
 }
 
 impl<W: Wide> WideDisplacement<W> {
     /// By a vector and an angle.
     #[inline(always)]
     pub fn new(linear: WideVector<W>, angular: WideAngVector<W>) -> Self {
-        Self { linear, angular, turn: rotation_by(angular) }
+        Self { linear, angular, rotation: rotation_by(angular) }
     }
 
     /// The vector and the angle alone.
@@ -183,7 +184,7 @@ impl<W: Wide> WideDisplacement<W> {
     /// The rotation since the step began.
     #[inline(always)]
     pub fn rotation(&self) -> WideRotation<W> {
-        self.turn
+        self.rotation
     }
 }
 
@@ -246,7 +247,8 @@ pub(crate) fn gather_velocities<W: Wide>(
     velocity
 }
 
-/// Reads velocity and displacement of up to [`LANES`] bodies that stand side by side; the other lanes get zeros.
+/// Reads velocity and displacement of up to [`LANES`] bodies that stand side by side; the other lanes get
+/// zeros.
 #[inline(always)]
 pub(crate) fn load_states<W: Wide>(states: &[BodyState]) -> WideState<W> {
     motions(gather_adjacent(states, |state| &state.0))
@@ -264,13 +266,13 @@ fn motions<W: Wide>(s: [W; STATE_LEN]) -> WideState<W> {
     let linear = WideVector { x: s[4], y: s[5] };
     (
         velocity,
-        WideDisplacement { linear, angular: s[6], turn: WideRotation { re: s[3], im: s[7] } },
+        WideDisplacement { linear, angular: s[6], rotation: WideRotation { re: s[3], im: s[7] } },
     )
 }
 
 #[inline(always)]
 fn numbers<W: Wide>((v, d): WideState<W>) -> [W; STATE_LEN] {
-    let WideRotation { re, im } = d.turn;
+    let WideRotation { re, im } = d.rotation;
     [v.linear.x, v.linear.y, v.angular, re, d.linear.x, d.linear.y, d.angular, im]
 }
 

@@ -26,8 +26,8 @@ pub fn corners(shape: TypedShape<'_>) -> Option<(&[Vector], Real)> {
     }
 }
 
-/// The axis-aligned frame of a shape of this dimension that has one: its centre of mass, its half extents, and half its minimum
-/// width.
+/// The axis-aligned frame of a shape of this dimension that has one: its centre of mass, its half extents,
+/// and half its minimum width.
 pub fn aligned(_: TypedShape<'_>) -> Option<(Vector, Vector, Real)> {
     None
 }

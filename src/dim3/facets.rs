@@ -26,8 +26,8 @@ pub struct Facet {
 }
 
 impl<'a> Facets<'a> {
-    /// The facets of a shape, and how thick (length units) the layer around them is. `None` if it has none, or they are
-    /// not flat.
+    /// The facets of a shape, and how thick (length units) the layer around them is. `None` if it has none,
+    /// or they are not flat.
     pub fn of(shape: TypedShape<'a>) -> Option<(Self, Real)> {
         Some(match shape {
             TypedShape::ConvexPolyhedron(hull) if has_flat_faces(hull) => (Self::Hull(hull), 0.0),

@@ -85,8 +85,9 @@ mod tests {
     use parry::shape::HeightField;
     use parry::utils::Array2;
 
-    /// All triangles in turn find nothing nearer, and nothing where the walk finds nothing. Along borders between
-    /// triangles either of two answers is right, so times are compared, to the rounding of coordinates up to 30.
+    /// All triangles in turn find nothing nearer, and nothing where the walk finds nothing. Along borders
+    /// between triangles either of two answers is right, so times are compared, to the rounding of
+    /// coordinates up to 30.
     #[test]
     fn a_walk_finds_what_a_look_at_all_triangles_finds() {
         let mut random = Random(4);

@@ -1,7 +1,7 @@
 //! Free rotation of a rigid body, lane by lane.
 //!
-//! In the frame of the body's principal axes its angular momentum `m` goes round, in the world it stands still. Its energy
-//! is a sum, and each term by itself is a motion that is known exactly:
+//! In the frame of the body's principal axes its angular momentum `m` goes round, in the world it stands
+//! still. Its energy is a sum, and each term by itself is a motion that is known exactly:
 //!
 //! ```text
 //! T = |m|² / 2 I₀ + Σ m_k² (1 / I_k - 1 / I₀) / 2
@@ -28,16 +28,16 @@ use crate::base::turning::wide_cosine_and_sine;
 use crate::base::wide::Wide;
 
 /// Orientation of a free body after a time, relative to its start.
-pub(super) struct FreeTurn<W> {
+pub(super) struct FreeRotation<W> {
     /// Its rotation, in the frame of its principal axes.
-    pub turn: WideRotation<W>,
+    pub rotation: WideRotation<W>,
     /// Its angular momentum in the frame of these axes as they are then.
     pub momentum: WideVector<W>,
 }
 
-impl<W: Wide> FreeTurn<W> {
-    /// A body with these inverse moments of inertia and this angular momentum, both in the frame of its principal axes, after
-    /// `h` seconds.
+impl<W: Wide> FreeRotation<W> {
+    /// A body with these inverse moments of inertia and this angular momentum, both in the frame of its
+    /// principal axes, after `h` seconds.
     #[inline(always)]
     pub fn new(inv_moments: WideVector<W>, momentum: WideVector<W>, h: W) -> Self {
         let WideVector { x, y, z } = inv_moments;
@@ -45,9 +45,9 @@ impl<W: Wide> FreeTurn<W> {
         let about = momentum * (shared * h);
         let (scale, w) = wide_unit_quaternion(about);
         let about = about * scale;
-        let turn = WideRotation { x: about.x, y: about.y, z: about.z, w };
+        let rotation = WideRotation { x: about.x, y: about.y, z: about.z, w };
         let half = h * W::splat(0.5);
-        let all = Self { turn, momentum };
+        let all = Self { rotation, momentum };
         let all = all.further::<0>((x - shared) * half).further::<1>((y - shared) * half);
         let all = all.further::<2>((z - shared) * h);
         all.further::<1>((y - shared) * half).further::<0>((x - shared) * half)
@@ -71,7 +71,7 @@ impl<W: Wide> FreeTurn<W> {
         let (i, j) = ((AXIS + 1) % 3, (AXIS + 2) % 3);
         (m[i], m[j]) = (m[i] * whole_cos + m[j] * whole_sin, m[j] * whole_cos - m[i] * whole_sin);
         let momentum = WideVector { x: m[0], y: m[1], z: m[2] };
-        Self { turn: self.turn.times(about), momentum }
+        Self { rotation: self.rotation.times(about), momentum }
     }
 }
 
@@ -95,16 +95,16 @@ mod tests {
         #[inline(always)]
         fn run<W: Wide>(self) -> Self::Output {
             let [moments, momentum] = [self.inv_moments, self.momentum].map(WideVector::splat);
-            let free = FreeTurn::new(moments, momentum, W::splat(self.h));
+            let free = FreeRotation::new(moments, momentum, W::splat(self.h));
             let lane = |vector: WideVector<W>| {
                 let mut lanes = WideVector::ZERO;
                 vector.store(&mut lanes);
                 lanes.lane(0)
             };
-            let WideRotation { x, y, z, w } = free.turn;
+            let WideRotation { x, y, z, w } = free.rotation;
             let (vector, real) = (lane(WideVector { x, y, z }), lane(WideVector { x: w, y, z }).x);
-            let turn = Rotation::from_xyzw(vector.x, vector.y, vector.z, real);
-            (turn, lane(free.momentum), lane(rotation_vector(free.turn)))
+            let rotation = Rotation::from_xyzw(vector.x, vector.y, vector.z, real);
+            (rotation, lane(free.momentum), lane(rotation_vector(free.rotation)))
         }
     }
 
@@ -132,9 +132,13 @@ mod tests {
             for body in turns(inv_moments, 3.0) {
                 let (energy, size) = (body.energy(body.momentum), body.momentum.length());
                 let start = body.momentum;
-                let (turn, momentum, _) = Simd::detect().run(Turn { ..body });
-                let moved = turn * momentum - start;
-                assert!(moved.length() < 2.0e-6 * size, "{start} was led to {}", turn * momentum);
+                let (rotation, momentum, _) = Simd::detect().run(Turn { ..body });
+                let moved = rotation * momentum - start;
+                assert!(
+                    moved.length() < 2.0e-6 * size,
+                    "{start} was led to {}",
+                    rotation * momentum
+                );
                 let now = 0.5 * momentum.dot(momentum * inv_moments);
                 assert!((now / energy - 1.0).abs() < 1.0e-5, "{now} of {energy}");
             }
@@ -163,11 +167,11 @@ mod tests {
     #[test]
     fn the_vector_leads_where_the_turn_does() {
         for body in turns(Vector::new(9.0, 2.0, 1.0), 60.0) {
-            let (turn, _, vector) = Simd::detect().run(body);
+            let (rotation, _, vector) = Simd::detect().run(body);
             let led = integrate_rotation(Rotation::IDENTITY, vector);
-            let sign = led.dot(turn).signum();
-            let missed = (led * sign - turn).length();
-            assert!(missed < 2.0e-6, "{vector} leads to {led}, not {turn}");
+            let sign = led.dot(rotation).signum();
+            let missed = (led * sign - rotation).length();
+            assert!(missed < 2.0e-6, "{vector} leads to {led}, not {rotation}");
         }
     }
 }

@@ -87,7 +87,7 @@ pub fn frame_along(axis: Vector) -> Rotation {
 #[inline]
 pub fn twist(rotation: &Rotation) -> Real {
     let (x, w) = (rotation.x, rotation.w);
-    // A quaternion and its negative are the same rotation; both are 0 at half a turn about an axis across, where any
-    // twist will do.
+    // A quaternion and its negative are the same rotation; both are 0 at half a turn about an axis across,
+    // where any twist will do.
     2.0 * if w < 0.0 { atan2(-x, -w) } else { atan2(x, w) }
 }

@@ -11,7 +11,7 @@ use crate::dim::math::{
 use parry::mass_properties::MassProperties;
 
 /// Sweeps of Jacobi's method. It converges quadratically: three or four do in either precision.
-const SWEEPS_MAX: usize = 8;
+const ITERATIONS_MAX: usize = 8;
 
 /// The mass properties of a body without mass.
 pub fn no_mass() -> MassProperties {
@@ -88,7 +88,7 @@ fn inertia_about(part: &MassProperties, center: Vector) -> Matrix {
 /// clears one off-diagonal element. A diagonal matrix comes back as it is.
 pub(crate) fn principal_axes(matrix: Matrix) -> (Vector, Matrix) {
     let (mut a, mut axes) = (matrix, Matrix::IDENTITY);
-    for _ in 0..SWEEPS_MAX {
+    for _ in 0..ITERATIONS_MAX {
         for (p, q) in [(0, 1), (0, 2), (1, 2)] {
             let apq = a.col(q)[p];
             if apq == 0.0 {
@@ -129,8 +129,8 @@ pub fn angular_momentum(mass: &MassProperties, rotation: Rotation, angvel: AngVe
     to_world * (mass.principal_inertia() * (to_world.inverse() * angvel))
 }
 
-/// The inverse inertia, in world space, of a body that turns by `rotvec` in a step. `None`: that with which the step
-/// begins will do.
+/// The inverse inertia, in world space, of a body that turns by `rotvec` in a step. `None`: that with which
+/// the step begins will do.
 ///
 /// Contacts take one inertia for all of the step. Let a rod with the moments `A` and `C ≪ A` rotate by `θ`.
 /// The moment about its initial axis becomes `C cos² θ + A sin² θ`. With less, contacts would accelerate the

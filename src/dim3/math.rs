@@ -74,7 +74,8 @@ pub fn rotation_to_angle(rotation: &Rotation) -> AngVector {
     if length == 0.0 { v * 2.0 } else { v * (2.0 * atan2(length, q.w) / length) }
 }
 
-/// The square of an angle (rad²) from which it is as good as a turn: beyond, powers of it are not worth their digits.
+/// The square of an angle (rad²) from which it is as good as a turn: beyond, powers of it are not worth their
+/// digits.
 pub const TURN_MAX: Real = 1.0e4;
 
 /// Rotates `rotation` by the world-space rotation vector `angle` (radians), by the series of

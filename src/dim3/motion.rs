@@ -1,23 +1,23 @@
 //! Free motion of bodies in 3D: a record of whole registers, and its integration lane by lane.
 //!
-//! # Tumbling
+//! # Gyroscopic motion
 //! Between impulses a body keeps its angular momentum `L`, not its angular velocity: its inertia rotates with
-//! it, and `ω = I⁻¹ L` changes. Its free orientation after a substep is known ([`FreeTurn`]), and so is the
-//! mean angular velocity that leads there. The solver uses the latter, and rotates the body by it.
+//! it, and `ω = I⁻¹ L` changes. Its free orientation after a substep is known ([`FreeRotation`]), and so is
+//! the mean angular velocity that leads there. The solver uses the latter, and rotates the body by it.
 //!
 //! An impulse acts at the start of the substep: joints take their moment arms and inertias from there. A
 //! change `Δω` of the mean velocity is therefore one of `L` by `I Δω` with the inertia of the beginning. With
 //! that of the middle, thin limbs that hang from each other gain some per cent of their energy in ten
 //! seconds.
 //!
-//! # Where impulses lead elsewhere
+//! # Impulses on gyroscopic bodies
 //! The pose of a pushed body differs from its free pose with the new momentum by an angle `δ` of second
 //! order. With the same momentum, its energy is different there, considerably so for thin bodies: by about
 //! `δ² A / C` for a rod with the moments `A` and `C ≪ A`. (Rods 27 times as long as thick landed with up to
 //! 3000 times their energy.) Energy has priority, so the momentum is adjusted:
 //!
-//! * that of thin bodies turns by `δ`, so that relative to the body it is what it is in a free one. A rod, that turns
-//!   about its middle and hardly about itself, shows nothing of that.
+//! * that of thin bodies turns by `δ`, so that relative to the body it is what it is in a free one. A rod,
+//!   that turns about its middle and hardly about itself, shows nothing of that.
 //! * that of others is adjusted along the gradient of the energy, `ω`, by the necessary amount. With a
 //!   rotation by `δ` for each impulse of its support, a gyroscope at 40 rad/s and 30 steps a second would
 //!   precess by 8 % too slowly.
@@ -26,7 +26,7 @@
 //! Euler, `ω ← ω - h I⁻¹ (ω × I ω)`, gains energy until it explodes. With the velocity at the middle of the
 //! substep in place of the mean one, the energy of thin rods at 25 rad/s changes by half from step to step.
 
-use super::gyroscopic::FreeTurn;
+use super::gyroscopic::FreeRotation;
 use super::math::{AngVector, Real, Rotation, Vector, integrate_rotation};
 use super::rotation_vector::{rotation_vector, turned_frame};
 use super::state::WideMotion;
@@ -72,8 +72,8 @@ impl FreeMotion {
         Self::new(rotation, (Vector::ZERO, AngVector::ZERO), [0.0; 2], true)
     }
 
-    /// A body with this orientation, linear and angular acceleration by gravity and the user's forces (length/s²,
-    /// rad/s²), and linear and angular damping (1/s).
+    /// A body with this orientation, linear and angular acceleration by gravity and the user's forces
+    /// (length/s², rad/s²), and linear and angular damping (1/s).
     ///
     /// Whether gravity acts on the body, so that it may be part of a pile. Supports of piles also have
     /// `bears_weight`.
@@ -127,15 +127,15 @@ impl FreeMotion {
     }
 
     /// Rotates a gyroscopic body by this rotation vector.
-    pub fn turn(&mut self, turn: AngVector) {
+    pub fn rotate(&mut self, rotvec: AngVector) {
         if self.is_gyroscopic() {
-            let turned = integrate_rotation(self.rotation(), turn);
+            let turned = integrate_rotation(self.rotation(), rotvec);
             self.plain[0..4].copy_from_slice(&turned.to_array());
         }
     }
 }
 
-/// The velocities of up to [`LANES`] bodies after `h` seconds, if these are theirs and nothing holds them.
+/// The velocities of up to `LANES` bodies after `h` seconds, if these are theirs and nothing holds them.
 #[inline(always)]
 pub(crate) fn accelerated<W: Wide>(
     bodies: &mut [FreeMotion],
@@ -160,7 +160,7 @@ pub(crate) fn accelerated<W: Wide>(
     WideMotion { linear, angular }
 }
 
-/// Rotates up to [`LANES`] gyroscopic bodies by `h` times their angular velocity, and updates the velocity
+/// Rotates up to `LANES` gyroscopic bodies by `h` times their angular velocity, and updates the velocity
 /// for their rotated inertia.
 ///
 /// The velocity change is no impulse: the next substep must not start with it, nor with its rounding error.
@@ -306,7 +306,8 @@ impl<W: Wide> Gyroscope<W> {
     /// The mean angular velocity of a substep of `h` seconds that begins with `angvel`, if nothing holds the
     /// body. If the rotation is so large that its turns are ambiguous, the initial velocity is used.
     ///
-    /// For small turns of what is not thin the velocity of the middle does, from the orientation that the old one reaches by then.
+    /// For small turns of what is not thin the velocity of the middle does, from the orientation that the old
+    /// one reaches by then.
     #[inline(always)]
     fn velocity_on_the_way(
         &mut self,
@@ -323,15 +324,16 @@ impl<W: Wide> Gyroscope<W> {
         let wants_mean = is_far | self.is_thin();
         if W::any(wants_mean) {
             let (to_world, momentum) = self.seen_from(rotation);
-            let turn = rotation_vector(FreeTurn::new(self.inv_moments, momentum, h).turn);
-            let mean = to_world.rotate_unscaled(turn) * (W::splat(1.0) / h);
+            let rotvec = rotation_vector(FreeRotation::new(self.inv_moments, momentum, h).rotation);
+            let mean = to_world.rotate_unscaled(rotvec) * (W::splat(1.0) / h);
             let mean = WideVector::select(turns_plainly(angvel, h), mean, angvel);
             self.angvel = WideVector::select(wants_mean, mean, self.angvel);
         }
         self.angvel
     }
 
-    /// The angular velocity at the end of the substep, at the orientation `end`, if the body turned there with `angvel`.
+    /// The angular velocity at the end of the substep, at the orientation `end`, if the body turned there
+    /// with `angvel`.
     #[inline(always)]
     fn velocity_at_end(
         &mut self,
@@ -367,7 +369,7 @@ impl<W: Wide> Gyroscope<W> {
         let mut momentum = WideVector::select(follows, kept - slope * away, start);
         let is_thin = self.is_thin();
         if W::any(is_thin) {
-            let free = FreeTurn::new(self.inv_moments, start, h).momentum;
+            let free = FreeRotation::new(self.inv_moments, start, h).momentum;
             momentum = WideVector::select(is_thin, free, momentum);
         }
         to_world.rotate_unscaled(WideVector::select(plainly, momentum, start))

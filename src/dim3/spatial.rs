@@ -1,6 +1,7 @@
 //! Spatial vectors in 3D: linear and angular part in one list of six numbers, the linear ones first.
 //!
-//! Velocities, forces and accelerations of a link are such lists, in world axes, about the link's centre of mass.
+//! Velocities, forces and accelerations of a link are such lists, in world axes, about the link's centre of
+//! mass.
 
 use super::axes::LockedAxes;
 use super::joint_axes::JointAxesMask;
@@ -69,7 +70,8 @@ pub fn angle_about(axis: usize, rotation: Rotation) -> Real {
     2.0 * atan2(along, w)
 }
 
-/// The angles by which a rotation turns about the second axis and then about the first, if it does nothing else.
+/// The angles by which a rotation turns about the second axis and then about the first, if it does nothing
+/// else.
 pub fn angles_about([a, b]: [usize; 2], rotation: Rotation) -> [Real; 2] {
     let (a, b) = (ANG_AXES[a], ANG_AXES[b]);
     let c = a.cross(b);

@@ -96,7 +96,8 @@ impl BodyState {
 
     /// Returns whether all numbers of these states are finite and within a bound.
     ///
-    /// Counts those that are, place by place and as numbers of the same size, so that several are compared at once.
+    /// Counts those that are, place by place and as numbers of the same size, so that several are compared at
+    /// once.
     pub fn are_within(states: &[Self], bound: Real) -> bool {
         let mut beyond = [0.0; STATE_LEN];
         for state in states {
@@ -272,7 +273,8 @@ pub(crate) fn gather_velocities<W: Wide>(
     motion(gather::<W, MOTION_LEN>(rows))
 }
 
-/// Reads velocity and displacement of up to [`LANES`] bodies that stand side by side; the other lanes get zeros.
+/// Reads velocity and displacement of up to [`LANES`] bodies that stand side by side; the other lanes get
+/// zeros.
 #[inline(always)]
 pub(crate) fn load_states<W: Wide>(states: &[BodyState]) -> WideState<W> {
     motions(gather_adjacent(states, |state| &state.0))

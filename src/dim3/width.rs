@@ -17,7 +17,8 @@ const SUPPORTS_MAX: usize = 128;
 /// A vertex is beyond a face if it is farther from it than this part of its distance from the origin.
 const ROUNDING: Real = 8.0 * Real::EPSILON;
 
-/// Finds the frame of a convex shape from its support points. The second axis is the narrowest one across the first.
+/// Finds the frame of a convex shape from its support points. The second axis is the narrowest one across the
+/// first.
 pub fn narrow_frame(support: impl Fn(Vector) -> Vector) -> NarrowFrame {
     let difference = |along: Vector| support(along) - support(-along);
     let (axis, width, least) = narrowest(&difference);
@@ -37,7 +38,8 @@ pub fn narrow_frame(support: impl Fn(Vector) -> Vector) -> NarrowFrame {
     }
 }
 
-/// The direction of minimum width of a difference set, the width along it, and a lower bound of the minimum width.
+/// The direction of minimum width of a difference set, the width along it, and a lower bound of the minimum
+/// width.
 fn narrowest(difference: &impl Fn(Vector) -> Vector) -> (Vector, Real, Real) {
     let mut polytope = match Polytope::octahedron(difference) {
         Ok(polytope) => polytope,
@@ -152,8 +154,8 @@ pub fn corners(shape: TypedShape<'_>) -> Option<(&[Vector], Real)> {
     }
 }
 
-/// The axis-aligned frame of a shape of this dimension that has one: its centre of mass, its half extents, and half its minimum
-/// width.
+/// The axis-aligned frame of a shape of this dimension that has one: its centre of mass, its half extents,
+/// and half its minimum width.
 pub fn aligned(shape: TypedShape<'_>) -> Option<(Vector, Vector, Real)> {
     match shape {
         TypedShape::Cylinder(c) => Some(of_cylinder(c)),

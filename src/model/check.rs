@@ -5,7 +5,8 @@ use crate::base::measure::is_point;
 use crate::dim::math::{Pose, Real, Rotation, rotation_is_valid};
 use core::fmt::Debug;
 
-/// The largest error of the squared length of a saved direction or rotation. Steps leave rounding errors of 1e-6.
+/// The largest error of the squared length of a saved direction or rotation. Steps leave rounding errors of
+/// 1e-6.
 const UNIT_ERROR_MAX: Real = 1.0e-3;
 
 /// Returns whether a saved direction or rotation of this squared length has unit length. Users' rotations may

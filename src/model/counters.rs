@@ -49,12 +49,12 @@ pub struct CollisionDetectionCounters {
     /// Number of pairs with a sensor whose boxes overlap.
     pub nintersection_pairs: usize,
     /// Number of colliders that had more neighbours than
-    /// [`max_neighbors_per_collider`](crate::model::params::IntegrationParameters::max_neighbors_per_collider): some of them do
-    /// without a contact.
+    /// [`max_neighbors_per_collider`](crate::model::params::IntegrationParameters::max_neighbors_per_collider):
+    /// some of them do without a contact.
     pub ncrowded: usize,
     /// Number of colliders that overlapped more sensors, or as sensors more colliders, than
-    /// [`max_sensor_neighbors_per_collider`](crate::model::params::IntegrationParameters::max_sensor_neighbors_per_collider): some of
-    /// these pairs are not reported.
+    /// [`max_sensor_neighbors_per_collider`](crate::model::params::IntegrationParameters::max_sensor_neighbors_per_collider):
+    /// some of these pairs are not reported.
     pub ncrowded_sensors: usize,
     /// Number of computed contact pairs with so many contacts that only the deepest of each region were kept:
     /// for example a large body on a fine mesh.
@@ -90,7 +90,8 @@ pub struct CCDCounters {
     pub toi_computation_time: Timer,
     /// Number of bodies that were stopped at an impact, with those that joints hold to them.
     pub num_substeps: usize,
-    /// Number of bodies whose paths were searched: fast ones, and all links of multibodies of which one is fast.
+    /// Number of bodies whose paths were searched: fast ones, and all links of multibodies of which one is
+    /// fast.
     pub num_fast_bodies: usize,
     /// Number of times that the paths of two colliders were searched for when they meet.
     pub num_searches: usize,

@@ -6,9 +6,10 @@
 //! its note of the edit. The next step takes a record whose number is another as new. Attaching a collider
 //! edits two sets: it renews the numbers, so that an older copy of the record differs, too.
 //!
-//! A removed record leaves its set before the step compares it with its note. Its removal therefore retires its number. A note whose record is gone and
-//! whose number is not retired belongs to a record that was replaced first: the removed one had other partners. A copy that was made before
-//! any edit has no number at all, so nothing else distinguishes it.
+//! A removed record leaves its set before the step compares it with its note. Its removal therefore retires
+//! its number. A note whose record is gone and whose number is not retired belongs to a record that was
+//! replaced first: the removed one had other partners. A copy that was made before any edit has no number at
+//! all, so nothing else distinguishes it.
 
 use crate::base::hash::FastHashMap;
 use crate::base::unique::unique_number;
@@ -57,8 +58,9 @@ impl EditMarks {
         }
     }
 
-    /// Returns whether the record that was removed, of the note at a position, was the one of the note. Loaded notes have no numbers: their records
-    /// are compared with the other sets when the world is checked.
+    /// Returns whether the record that was removed, of the note at a position, was the one of the note.
+    /// Loaded notes have no numbers: their records are compared with the other sets when the world is
+    /// checked.
     pub fn was_of(&self, note: usize) -> bool {
         self.0.get(note).is_none_or(|&number| number == RETIRED || number == 0)
     }
@@ -80,7 +82,8 @@ impl EditMarks {
     }
 }
 
-/// The position of the first note of each record, by the raw parts of its handle. A record that was replaced may have left a second note.
+/// The position of the first note of each record, by the raw parts of its handle. A record that was replaced
+/// may have left a second note.
 pub(crate) fn first_notes(
     handles: impl Iterator<Item = (u32, u32)>,
 ) -> FastHashMap<(u32, u32), usize> {

@@ -1,4 +1,4 @@
-//! # Model — the nouns
+//! # Model: data types of the world
 //!
 //! Plain data, sets and handles, and the traits that a user implements. No algorithm of the step
 //! lives here; stages of [`crate::step`] act on these types and never on each other.

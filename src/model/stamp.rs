@@ -10,8 +10,9 @@
 //! changed them, however similar other worlds are. Copies of a set keep its stamp. Copies of all sets, made
 //! at one time, fit each other, and get their own stamp by their own next step.
 //!
-//! Edits between steps are noted in the edited set, relative to the state after the last step, and need no stamp. Attaching a
-//! collider is the exception: it edits the bodies and the colliders at once. Neither set fits the other's earlier copies afterwards.
+//! Edits between steps are noted in the edited set, relative to the state after the last step, and need no
+//! stamp. Attaching a collider is the exception: it edits the bodies and the colliders at once. Neither set
+//! fits the other's earlier copies afterwards.
 //!
 //! The numbers are not saved: saved worlds have the same bytes in every run. The saved value is a fingerprint
 //! of the world's history, which is the same in every run, too. It distinguishes sets of different times, but

@@ -5,8 +5,9 @@
 //! impulses, and touching pairs. Caches are left out: warm-start data that differ change a velocity in the
 //! same step.
 //!
-//! The hash function is the word mixer of [`crate::base::hash`]. It is no defence against forgery. It is fast, and the same on every machine:
-//! words are 64 bits wide, and a number enters by its bits. `-0.0` and `0.0` therefore differ, because `1.0 / x` does.
+//! The hash function is the word mixer of [`crate::base::hash`]. It is no defence against forgery. It is
+//! fast, and the same on every machine: words are 64 bits wide, and a number enters by its bits. `-0.0` and
+//! `0.0` therefore differ, because `1.0 / x` does.
 
 use super::body::{RigidBody, RigidBodySet};
 use super::collider::{Collider, ColliderSet};
@@ -96,8 +97,8 @@ pub(crate) fn world_hash(world: &WorldSets<'_>) -> u64 {
 }
 
 impl RigidBody {
-    /// A hash of the body's state: pose, velocities, forces, mass, type, and whether it sleeps. Equal bits give equal hashes on every
-    /// machine.
+    /// A hash of the body's state: pose, velocities, forces, mass, type, and whether it sleeps. Equal bits
+    /// give equal hashes on every machine.
     ///
     /// ```
     /// # use rapier3d::prelude::*;
@@ -124,8 +125,8 @@ impl RigidBody {
 }
 
 impl Collider {
-    /// A hash of the collider's state: pose, volume, material, parent, and whether it is enabled and a sensor. Equal bits give equal
-    /// hashes on every machine.
+    /// A hash of the collider's state: pose, volume, material, parent, and whether it is enabled and a
+    /// sensor. Equal bits give equal hashes on every machine.
     pub fn hash(&self) -> u64 {
         let flags = u64::from(self.is_enabled()) | u64::from(self.is_sensor()) << 1;
         let parent = self.parent().map_or((u32::MAX, u32::MAX), |body| body.into_raw_parts());
@@ -139,7 +140,8 @@ impl Collider {
 }
 
 impl ImpulseJoint {
-    /// A hash of the joint's state: bodies, impulses, and whether it is enabled. Equal bits give equal hashes on every machine.
+    /// A hash of the joint's state: bodies, impulses, and whether it is enabled. Equal bits give equal hashes
+    /// on every machine.
     pub fn hash(&self) -> u64 {
         StateHasher::default()
             .handle(self.body1.into_raw_parts())
@@ -151,7 +153,8 @@ impl ImpulseJoint {
 }
 
 impl Multibody {
-    /// A hash of the multibody's state: coordinates and velocities of all degrees of freedom. Equal bits give equal hashes on every machine.
+    /// A hash of the multibody's state: coordinates and velocities of all degrees of freedom. Equal bits give
+    /// equal hashes on every machine.
     pub fn hash(&self) -> u64 {
         let mut hasher = StateHasher::default();
         for link in self.links() {

@@ -13,7 +13,7 @@
 //! The wrench that this takes is `(m c, I α + ω × I ω)`; its opposite is what we return.
 
 use super::kinematics::{Kinematics, LinkFrame};
-use super::spatial::{ZERO, turn};
+use super::spatial::{ZERO, angular_momentum};
 use crate::dim::math::{ANG_ZERO, AngVector, Real, SpatialVector, Vector, cross};
 use crate::dim::spatial::{ang_cross, angular, join, linear};
 use crate::model::multibody::Multibody;
@@ -41,8 +41,8 @@ impl Kinematics {
                 }
             };
             accelerations.push(acceleration);
-            let about = turn(&link.inertia, angular(&acceleration))
-                + ang_cross(omega, turn(&link.inertia, omega));
+            let about = angular_momentum(&link.inertia, angular(&acceleration))
+                + ang_cross(omega, angular_momentum(&link.inertia, omega));
             wrenches.push(join(linear(&acceleration) * -link.mass, -about));
         }
     }
@@ -88,9 +88,9 @@ impl Kinematics {
 }
 
 impl Multibody {
-    /// The forces `C(q, q̇) q̇` on the degrees of freedom that keep their velocities constant, without gravity: those that lead
-    /// links round curves. With the [mass matrix](Self::mass_matrix) `M` and the forces `τ` on the degrees of freedom,
-    /// `M q̈ = τ - C q̇`.
+    /// The forces `C(q, q̇) q̇` on the degrees of freedom that keep their velocities constant, without
+    /// gravity: those that lead links round curves. With the [mass matrix](Self::mass_matrix) `M` and the
+    /// forces `τ` on the degrees of freedom, `M q̈ = τ - C q̇`.
     ///
     /// A root without degrees of freedom is taken to stand still.
     pub fn bias_forces(&self) -> Vec<Real> {

@@ -27,8 +27,8 @@ const TURN_MAX: Real = 0.3;
 /// Search parameters and tolerances of [`Multibody::inverse_kinematics`].
 #[derive(Copy, Clone, Debug, PartialEq)]
 pub struct InverseKinematicsOption {
-    /// The damping `λ` (default 1): large values make small, safe steps; small ones converge in fewer of them, and jerk where
-    /// the link cannot go.
+    /// The damping `λ` (default 1): large values make small, safe steps; small ones converge in fewer of
+    /// them, and jerk where the link cannot go.
     pub damping: Real,
     /// Most steps of the search (default 10).
     pub max_iters: usize,
@@ -55,10 +55,11 @@ impl Default for InverseKinematicsOption {
 impl Multibody {
     /// Looks for displacements of the degrees of freedom that bring a link's body to a pose in world space.
     ///
-    /// The search begins at `displacements` (missing ones are 0), writes what it found back to them, and moves nothing:
-    /// [`Self::apply_displacements`] does. Only degrees of freedom of links that `joint_can_move` names are used, and
-    /// coordinates stay within the limits of their joints. If the target cannot be reached, the link comes as close as the
-    /// search did. Nothing happens if there is no such link, a body is missing, or the target is no pose.
+    /// The search begins at `displacements` (missing ones are 0), writes what it found back to them, and
+    /// moves nothing: [`Self::apply_displacements`] does. Only degrees of freedom of links that
+    /// `joint_can_move` names are used, and coordinates stay within the limits of their joints. If the target
+    /// cannot be reached, the link comes as close as the search did. Nothing happens if there is no such
+    /// link, a body is missing, or the target is no pose.
     pub fn inverse_kinematics(
         &self,
         bodies: &RigidBodySet,

@@ -1,6 +1,6 @@
 //! Forward kinematics: poses and velocities of the links.
 
-use super::spatial::{AngularMatrix, ZERO, add_scaled, carry, carry_back, dot, turn};
+use super::spatial::{AngularMatrix, ZERO, add_scaled, angular_momentum, carry, carry_back, dot};
 use crate::dim::joint_axes::{JointAxesMask, JointAxis};
 use crate::dim::math::{
     ANG_ZERO, DIM, Pose, Real, Rotation, SpatialVector, Vector, ang_length_squared, cross,
@@ -33,7 +33,7 @@ pub struct LinkFrame {
 impl LinkFrame {
     /// The momentum that it has at a velocity.
     pub fn momentum(&self, velocity: &SpatialVector) -> SpatialVector {
-        join(linear(velocity) * self.mass, turn(&self.inertia, angular(velocity)))
+        join(linear(velocity) * self.mass, angular_momentum(&self.inertia, angular(velocity)))
     }
 }
 

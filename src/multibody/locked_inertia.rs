@@ -80,7 +80,8 @@ impl LockedInertia {
         self.factor.update(&self.body, Resistance { armature, drag: &[] });
     }
 
-    /// The rates of the root's degrees of freedom at which the whole has a momentum, given about the root's centre of mass.
+    /// The rates of the root's degrees of freedom at which the whole has a momentum, given about the root's
+    /// centre of mass.
     pub fn rates_at(&mut self, momentum: &SpatialVector) -> &[Real] {
         self.resist(|_| 0.0);
         self.solve(&carry_back(momentum, -self.reach));

@@ -1,4 +1,4 @@
-//! # Multibodies — the laws of motion of an articulated whole
+//! # Multibody: dynamics of articulated bodies
 //!
 //! Dynamics of a single [`Multibody`](crate::model::multibody::Multibody): poses of its links, inertia and
 //! response. It is independent of contacts and of the world, and of the time step except in [`Motion`]; the
@@ -14,8 +14,9 @@
 //! v = X v_parent + Σ sⱼ q̇ⱼ        X: (v, ω) ↦ (v + ω × r, ω)        Xᵀ: (F, N) ↦ (F, N + r × F)
 //! ```
 //!
-//! with the *axis* `sⱼ` of each degree of freedom of the link's joint: the spatial velocity that `q̇ⱼ = 1` gives the link. Levers
-//! are added up from rotations alone, so that a robot far from the origin is as exact as one at it.
+//! with the *axis* `sⱼ` of each degree of freedom of the link's joint: the spatial velocity that `q̇ⱼ = 1`
+//! gives the link. Levers are added up from rotations alone, so that a robot far from the origin is as exact
+//! as one at it.
 //!
 //! ## Algorithms
 //! | file | what | after |

@@ -43,7 +43,7 @@ pub type AngularMatrix = [[Real; ANG_DIM]; ANG_DIM];
 
 /// `I ω`.
 #[inline]
-pub fn turn(inertia: &AngularMatrix, angvel: AngVector) -> AngVector {
+pub fn angular_momentum(inertia: &AngularMatrix, angvel: AngVector) -> AngVector {
     let w = angular_numbers(angvel);
     let mut product = ZERO;
     for (row, target) in inertia.iter().zip(&mut product[DIM..]) {
@@ -59,8 +59,8 @@ fn angular_numbers(w: AngVector) -> [Real; ANG_DIM] {
     core::array::from_fn(|k| numbers[DIM + k])
 }
 
-/// A symmetric spatial matrix: an inertia, rigid or articulated. All entries are kept: the compiler makes wide instructions
-/// of whole rows.
+/// A symmetric spatial matrix: an inertia, rigid or articulated. All entries are kept: the compiler makes
+/// wide instructions of whole rows.
 #[derive(Copy, Clone, Debug)]
 pub struct SpatialMatrix([SpatialVector; SPATIAL_DIM]);
 

@@ -13,8 +13,8 @@ impl Multibody {
     /// call. A moved body gives its joint new coordinates, as far as its free axes allow. Bodies are not
     /// touched: [`Self::update_rigid_bodies`] does that.
     ///
-    /// The root stays where it is unless `read_root_pose_from_rigid_body`, or its body was moved. Nothing happens if a
-    /// link's body is missing.
+    /// The root stays where it is unless `read_root_pose_from_rigid_body`, or its body was moved. Nothing
+    /// happens if a link's body is missing.
     pub fn forward_kinematics(
         &mut self,
         bodies: &RigidBodySet,
@@ -69,15 +69,16 @@ impl Multibody {
         }
     }
 
-    /// Brings only the branch from the root to one link up to date, as [`Self::forward_kinematics`] does for all links.
+    /// Brings only the branch from the root to one link up to date, as [`Self::forward_kinematics`] does for
+    /// all links.
     pub fn forward_kinematics_single_branch(&mut self, bodies: &RigidBodySet, link_id: usize) {
         for id in self.kinematic_branch(link_id) {
             self.load(id, bodies);
         }
     }
 
-    /// Moves the coordinates by a displacement per degree of freedom (length units, radians). Ones that are missing are taken
-    /// for 0. The links follow with [`Self::forward_kinematics`], or in the next step.
+    /// Moves the coordinates by a displacement per degree of freedom (length units, radians). Ones that are
+    /// missing are taken for 0. The links follow with [`Self::forward_kinematics`], or in the next step.
     pub fn apply_displacements(&mut self, displacements: &[Real]) {
         if !self.is_whole() {
             return;
@@ -107,7 +108,8 @@ impl Multibody {
         }
     }
 
-    /// Moves coordinates and root for `h` seconds. `root` is the velocity of a root without degrees of freedom.
+    /// Moves coordinates and root for `h` seconds. `root` is the velocity of a root without degrees of
+    /// freedom.
     pub(super) fn integrate(&mut self, h: Real, rates: &[Real], root: &SpatialVector) {
         for link in &mut self.links {
             let own = &rates[link.dofs()];

@@ -80,7 +80,7 @@ impl LinkTrajectory {
         &self,
         multibody: &mut Multibody,
         bodies: &mut RigidBodySet,
-        (share, pieces, dt): (Real, usize, Real),
+        (fraction, pieces, dt): (Real, usize, Real),
         acceleration: impl Fn(usize) -> Vector,
     ) {
         let centers = |bodies: &RigidBodySet, multibody: &Multibody| -> Vec<Vector> {
@@ -88,7 +88,7 @@ impl LinkTrajectory {
             multibody.links.iter().map(|link| center(link.body)).collect()
         };
         let (energy, ends) = (kinetic_energy(multibody, bodies), centers(bodies, multibody));
-        let (mut motion, has_diverged) = self.fly_back(multibody, bodies, (share, pieces, dt));
+        let (mut motion, has_diverged) = self.fly_back(multibody, bodies, (fraction, pieces, dt));
         store(multibody, &mut motion, bodies);
         let now = centers(bodies, multibody);
         let mut work = 0.0;
@@ -110,22 +110,22 @@ impl LinkTrajectory {
         &self,
         multibody: &mut Multibody,
         bodies: &RigidBodySet,
-        (share, pieces, dt): (Real, usize, Real),
+        (fraction, pieces, dt): (Real, usize, Real),
     ) -> (Motion, bool) {
         let mut motion = Motion::default();
         motion.drives = inertias(multibody);
         motion.begin(multibody, bodies);
         let (last, momenta) = (motion.rates.clone(), motion.link_momenta());
         let mut has_diverged = false;
-        let count = ((1.0 - share) * pieces as Real).ceil().max(1.0);
-        let piece = (1.0 - share) / count;
+        let count = ((1.0 - fraction) * pieces as Real).ceil().max(1.0);
+        let piece = (1.0 - fraction) / count;
         for _ in 0..count as usize {
             has_diverged |= !motion.fly_on(-0.5 * piece * dt);
             motion.displace(multibody, &self.shift, -piece);
             motion.resist(0.0);
             motion.fly_back(0.5 * piece * dt);
         }
-        self.put_at(multibody, share, pieces);
+        self.put_at(multibody, fraction, pieces);
         motion.displace(multibody, &self.shift, 0.0);
         motion.resist(0.0);
         if has_diverged {
@@ -140,15 +140,15 @@ impl LinkTrajectory {
     }
 
     /// Moves the links back to a fraction of the trajectory, as in [`Self::walk`].
-    fn put_at(&self, multibody: &mut Multibody, share: Real, pieces: usize) {
+    fn put_at(&self, multibody: &mut Multibody, fraction: Real, pieces: usize) {
         let root = multibody.links[0].pose;
         self.put_back(multibody);
         let piece = 1.0 / pieces as Real;
-        let locked_inertia = ((share / piece).floor() as usize).min(pieces);
+        let locked_inertia = ((fraction / piece).floor() as usize).min(pieces);
         for _ in 0..locked_inertia {
             multibody.integrate(piece, &self.shift, &self.root);
         }
-        let rest = (share - locked_inertia as Real * piece).max(0.0);
+        let rest = (fraction - locked_inertia as Real * piece).max(0.0);
         multibody.integrate(rest, &self.shift, &self.root);
         if multibody.links[0].free.is_empty() {
             multibody.links[0].pose = root;

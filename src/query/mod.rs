@@ -1,4 +1,4 @@
-//! # Query — asks the world
+//! # Query: ray casts, shape casts, projections and overlap tests
 //!
 //! Ray casts, point projections, shape casts and overlap tests. [`QueryView`] uses trees of boxes with
 //! another owner: the broad phase

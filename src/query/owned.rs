@@ -60,7 +60,8 @@ impl QueryPipeline {
 
     /// Catches up with a set of colliders.
     ///
-    /// Colliders follow their body with the next step: where the user moved it, and into nothing if it was removed.
+    /// Colliders follow their body with the next step: where the user moved it, and into nothing if it was
+    /// removed.
     pub fn update(&mut self, colliders: &ColliderSet) {
         let (changed, end) = colliders.changed_since(self.read);
         match changed {
@@ -152,7 +153,8 @@ impl QueryPipeline {
         self.view(colliders, filter).cast_ray(ray, max_toi, solid)
     }
 
-    /// The first collider that a ray hits, when, and the normal there: see [`QueryView::cast_ray_and_get_normal`].
+    /// The first collider that a ray hits, when, and the normal there: see
+    /// [`QueryView::cast_ray_and_get_normal`].
     pub fn cast_ray_and_get_normal(
         &self,
         colliders: &ColliderSet,
@@ -191,7 +193,8 @@ impl QueryPipeline {
         for_each(hits, |(handle, _, hit)| callback(handle, hit));
     }
 
-    /// The collider that is nearest to a point, and the nearest point on it: see [`QueryView::project_point`].
+    /// The collider that is nearest to a point, and the nearest point on it: see
+    /// [`QueryView::project_point`].
     pub fn project_point(
         &self,
         colliders: &ColliderSet,

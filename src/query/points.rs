@@ -8,7 +8,8 @@ use parry::query::PointProjection;
 use parry::shape::FeatureId;
 
 impl<'a> QueryView<'a> {
-    /// The collider that is nearest to a point, no farther away than `max_distance`, and the nearest point on it.
+    /// The collider that is nearest to a point, no farther away than `max_distance`, and the nearest point on
+    /// it.
     ///
     /// A point inside of a `solid` collider is its own projection; if it is not solid, the nearest point of
     /// its surface is. Length units, world space.

@@ -26,9 +26,9 @@ fn sound_limit(ray: &Ray, max_time_of_impact: Real) -> Option<Real> {
 impl<'a> QueryView<'a> {
     /// The first collider that a ray hits, and when.
     ///
-    /// The time is in units of the ray's direction: the point is `ray.origin + ray.dir * time`, and times beyond
-    /// `max_time_of_impact` do not count. A ray that begins inside a `solid` collider hits it at time 0; one that is
-    /// not solid is hollow, and hit from within.
+    /// The time is in units of the ray's direction: the point is `ray.origin + ray.dir * time`, and times
+    /// beyond `max_time_of_impact` do not count. A ray that begins inside a `solid` collider hits it at time
+    /// 0; one that is not solid is hollow, and hit from within.
     pub fn cast_ray(
         &self,
         ray: &Ray,
@@ -41,8 +41,8 @@ impl<'a> QueryView<'a> {
         })
     }
 
-    /// The same, with the normal of the surface (unit length, world space, zero inside of a solid collider) and
-    /// the feature that was hit.
+    /// The same, with the normal of the surface (unit length, world space, zero inside of a solid collider)
+    /// and the feature that was hit.
     pub fn cast_ray_and_get_normal(
         &self,
         ray: &Ray,

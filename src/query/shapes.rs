@@ -24,8 +24,8 @@ fn sweep(shape: &dyn Shape, pose: &Pose, velocity: Vector, target_distance: Real
 }
 
 impl<'a> QueryView<'a> {
-    /// All colliders whose boxes, as the trees have them, overlap a box, in no particular order. These boxes are
-    /// larger than the colliders: more is found than touches.
+    /// All colliders whose boxes, as the trees have them, overlap a box, in no particular order. These boxes
+    /// are larger than the colliders: more is found than touches.
     pub fn intersect_aabb_conservative(
         self,
         aabb: Aabb,
@@ -55,12 +55,12 @@ impl<'a> QueryView<'a> {
 
     /// The first collider that a shape meets at constant velocity, without rotation.
     ///
-    /// A shape without velocity hits nothing: [`Self::intersect_shape`] returns what it touches. Times are in units of
-    /// `shape_vel`. `options` holds the largest time, the distance at which the shape stops, and whether a shape that begins
-    /// inside a collider hits it.
+    /// A shape without velocity hits nothing: [`Self::intersect_shape`] returns what it touches. Times are in
+    /// units of `shape_vel`. `options` holds the largest time, the distance at which the shape stops, and
+    /// whether a shape that begins inside a collider hits it.
     ///
-    /// Side 1 of the hit is the collider, in world space: `witness1` is the point on it, `normal1` its outward normal. Side 2
-    /// is the cast shape, in its own frame.
+    /// Side 1 of the hit is the collider, in world space: `witness1` is the point on it, `normal1` its
+    /// outward normal. Side 2 is the cast shape, in its own frame.
     pub fn cast_shape(
         &self,
         shape_pos: &Pose,
@@ -96,8 +96,8 @@ impl<'a> QueryView<'a> {
     /// The first collider that a shape meets between two times of a motion with rotation.
     ///
     /// With `stop_at_penetration`, a shape that begins inside a collider hits it at once; without, only if it
-    /// goes deeper. The sides of the hit are those of [`Self::cast_shape`]; side 2 is in the frame that the shape has at the
-    /// time of impact.
+    /// goes deeper. The sides of the hit are those of [`Self::cast_shape`]; side 2 is in the frame that the
+    /// shape has at the time of impact.
     pub fn cast_shape_nonlinear(
         &self,
         shape_motion: &NonlinearRigidMotion,
@@ -126,7 +126,8 @@ impl<'a> QueryView<'a> {
     }
 }
 
-/// The hit of a cast shape (side 1) on a collider (side 2, in its frame) with the collider as side 1, in world space.
+/// The hit of a cast shape (side 1) on a collider (side 2, in its frame) with the collider as side 1, in
+/// world space.
 fn collider_first(hit: ShapeCastHit, collider: &Collider) -> ShapeCastHit {
     hit.swapped().transform1_by(collider.position())
 }

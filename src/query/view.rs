@@ -10,8 +10,8 @@ use parry::query::QueryDispatcher;
 
 /// Colliders for queries: borrowed trees of boxes, the colliders in them, and a filter.
 ///
-/// Comes from [`BroadPhaseBvh::as_query_pipeline`] or [`QueryPipeline::view`](super::QueryPipeline::view). Made and
-/// dropped at no cost.
+/// Comes from [`BroadPhaseBvh::as_query_pipeline`] or [`QueryPipeline::view`](super::QueryPipeline::view).
+/// Made and dropped at no cost.
 #[derive(Copy, Clone)]
 pub struct QueryView<'a> {
     trees: AllBoxes<'a>,

@@ -1,4 +1,4 @@
-//! # Step — the verbs, in the order they happen
+//! # Step: the stages in the order of execution
 //!
 //! [`step`] is the whole pipeline. Each stage's signature lists its inputs and outputs, and the first lines
 //! of its module are its card. Stages do not import each other: they leave [`notes`].
@@ -141,8 +141,8 @@ fn simulate(
     panic
 }
 
-/// The step up to where bodies have moved, and nothing has followed them yet. Returns whether all of them could; if not,
-/// none has.
+/// The step up to where bodies have moved, and nothing has followed them yet. Returns whether all of them
+/// could; if not, none has.
 fn solve(
     tasks: Tasks<'_>,
     parts: &mut StepParts<'_>,
@@ -150,9 +150,9 @@ fn solve(
     multibodies: &mut MultibodyJointSet,
     scratch: &mut StepScratch,
 ) -> bool {
-    let edits = multibodies.settle(parts.bodies);
+    let edits = multibodies.apply_changes(parts.bodies);
     apply_user_changes(parts, joints, edits, scratch);
-    joints.settle(&mut parts.islands.joints);
+    joints.apply_changes(&mut parts.islands.joints);
     scratch.trace.add(StepStage::UserChanges, &parts.sets(joints, multibodies));
     find_contacts(tasks, parts, scratch);
     scratch.trace.add(StepStage::CollisionDetection, &parts.sets(joints, multibodies));
@@ -257,7 +257,8 @@ fn find_contacts(tasks: Tasks<'_>, parts: &mut StepParts<'_>, scratch: &mut Step
     parts.counters.stages.island_construction_time.pause();
 }
 
-/// Lists the bodies that kinematic bodies approach in this step, and wakes them. Collision detection alone moves nothing, and wakes nothing.
+/// Lists the bodies that kinematic bodies approach in this step, and wakes them. Collision detection alone
+/// moves nothing, and wakes nothing.
 fn find_approaches(parts: &mut StepParts<'_>, scratch: &mut StepScratch) {
     parts.counters.stages.island_construction_time.resume();
     let params = parts.params;

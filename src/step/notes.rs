@@ -20,7 +20,7 @@ pub(crate) enum PairChange {
 
 /// A body is fast if it moves farther than this fraction of its thickness in one step. A separated body might
 /// otherwise end with its middle behind a thin obstacle.
-const FAST: Real = 0.5;
+const MOTION_FRACTION_MAX: Real = 0.5;
 
 /// Motion of a body that moved far enough to pass through something.
 #[derive(Copy, Clone, Debug)]
@@ -45,7 +45,11 @@ impl FastMotion {
     /// at all. No body is fast if CCD is off.
     pub fn is_one(body: &RigidBody, bound: Real, params: &IntegrationParameters) -> bool {
         let is_solid = body.thickness > 0.0;
-        let little = if is_solid { FAST * body.thickness } else { params.prediction_distance() };
+        let little = if is_solid {
+            MOTION_FRACTION_MAX * body.thickness
+        } else {
+            params.prediction_distance()
+        };
         params.max_ccd_substeps > 0 && bound > if body.deeply_penetrating { 0.0 } else { little }
     }
 
@@ -101,7 +105,8 @@ pub(crate) struct StepNotes {
     pub broken: Vec<JointBreakEvent>,
     /// Bodies that the solver could not store. If there are any, it has stored nothing.
     pub diverged: Vec<Diverged>,
-    /// Contacts with impossible numbers, in the order of their colliders; then, at the end of the step, bodies.
+    /// Contacts with impossible numbers, in the order of their colliders; then, at the end of the step,
+    /// bodies.
     pub quarantined: Vec<QuarantineEvent>,
 }
 

@@ -2,7 +2,9 @@
 
 use crate::model::state_hash::{WorldSets, world_hash};
 
-/// A part of a step after which [`PhysicsPipeline::stage_hashes`](crate::pipeline::PhysicsPipeline::stage_hashes) contains a hash of the world.
+/// A part of a step after which
+/// [`PhysicsPipeline::stage_hashes`](crate::pipeline::PhysicsPipeline::stage_hashes) contains a hash of the
+/// world.
 #[derive(Copy, Clone, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]

@@ -150,13 +150,14 @@ fn events_of_one_step_come_in_order() {
     assert_eq!(events, expected);
 }
 
-/// A number below `count` for each below it, all of them once: multiples of a number without a common divisor.
+/// A number below `count` for each below it, all of them once: multiples of a number without a common
+/// divisor.
 fn shuffled(count: usize, by: usize) -> impl Iterator<Item = usize> {
     (0..count).map(move |k| k * by % count)
 }
 
-/// Boxes on pads, of which each fourth is put down, taken away, removed or made a sensor at once; which of them came to its pad
-/// first is another matter than who was there first. Returns what happens then.
+/// Boxes on pads; each fourth pad is moved, removed or made a sensor. The test compares sets of events
+/// without their order. Returns what happens then.
 fn upheaval(arrivals: impl Iterator<Item = usize>) -> Vec<CollisionEvent> {
     const COUNT: usize = 240;
     let mut world = PhysicsWorld::new();
@@ -186,8 +187,8 @@ fn upheaval(arrivals: impl Iterator<Item = usize>) -> Vec<CollisionEvent> {
     Protocol::default().of_steps(&mut world, 1)
 }
 
-/// Hundreds that begin and end at once, for all kinds of reasons, are told in the order of the colliders: whatever happened before. What
-/// happens to one pair is told in the order in which it happens.
+/// Hundreds that begin and end at once, for all kinds of reasons, are told in the order of the colliders:
+/// whatever happened before. What happens to one pair is told in the order in which it happens.
 #[test]
 fn events_of_one_step_come_in_the_order_of_colliders() {
     let events = upheaval(0..240);

@@ -1,4 +1,4 @@
-//! Groups and body types: who meets whom, and whom it merely passes through.
+//! Groups and body types: which pairs collide, and which pass through each other.
 
 use super::stage::{Protocol, add_box, height, plain, steps, telling, world_with_ground};
 use crate::dim::{cuboid, vec};

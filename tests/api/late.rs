@@ -1,4 +1,4 @@
-//! Contacts are told what became of them when somebody looks: nobody may notice.
+//! Results of contacts are written back at the first read, without any visible effect.
 
 use crate::dim::{self, cuboid, vec};
 use rapier::prelude::*;
@@ -79,7 +79,8 @@ fn numbers(pair: &ContactPair) -> Vec<Real> {
 
 const STEPS: usize = 200;
 
-/// Looking at all contacts after each step, or at those of one collider, or never, does not change a bit of anything.
+/// Looking at all contacts after each step, or at those of one collider, or never, does not change a bit of
+/// anything.
 #[test]
 fn who_looks_changes_nothing() {
     let (mut never, mut always, mut sometimes) = (Heap::new(), Heap::new(), Heap::new());
@@ -127,7 +128,7 @@ fn several_may_look_at_once() {
     }
 }
 
-/// A copy that is made before anybody has looked knows the same, and goes on in the same way.
+/// A copy that is made before the first read has the same results, and continues in the same way.
 #[test]
 fn a_copy_knows_the_same() {
     let mut heap = Heap::new();
@@ -163,7 +164,8 @@ fn two_worlds_share_a_pipeline() {
     assert_eq!(alone.contacts(), large.contacts());
 }
 
-/// Detection alone moves nothing: nothing presses on anything, and the next step starts with the impulses of the last.
+/// Detection alone moves nothing: nothing presses on anything, and the next step starts with the impulses of
+/// the last.
 #[test]
 fn detection_between_steps_forgets_impulses_and_starts_with_them() {
     let (mut plain, mut detected) = (Heap::new(), Heap::new());

@@ -1,7 +1,7 @@
 //! The names that ported programs use.
 //!
-//! Programs for upstream's engine name the types of one dimension, read fields of joints and contacts, and write
-//! `rapier3d::parry` and `rapier3d::glamx`. This file compiles if these names exist and mean the same.
+//! Programs for upstream's engine name the types of one dimension, read fields of joints and contacts, and
+//! write `rapier3d::parry` and `rapier3d::glamx`. This file compiles if these names exist and mean the same.
 
 use super::stage::{add_box, steps, world_with_ground};
 use crate::dim::vec;

@@ -41,7 +41,7 @@ pub fn height(world: &PhysicsWorld, body: RigidBodyHandle) -> Real {
     world.bodies[body].translation().y
 }
 
-/// Is a number what it should be, but for this error?
+/// Returns whether a number equals its target within this error.
 #[track_caller]
 pub fn close(found: Real, expected: Real, error: Real) {
     assert!((found - expected).abs() <= error, "{found} is not {expected}");

@@ -48,9 +48,10 @@ fn energy(world: &PhysicsWorld, chain: &Chain) -> Real {
 
 /// Nothing passes, and what the joints give way when the chain folds up on the wall they take back.
 ///
-/// They do give way: the balls are 20 cm apart and go 40 cm in a substep at 100 m/s, so that they turn about the one that was stopped by
-/// radians at once. Stopped one by one they were as far apart as a step is long. At 400 m/s and more what is left spins faster than
-/// substeps can follow, and the joints stay apart for that long.
+/// They do give way: the balls are 20 cm apart and go 40 cm in a substep at 100 m/s, so that they turn about
+/// the one that was stopped by radians at once. Stopped one by one they were as far apart as a step is long.
+/// At 400 m/s and more what is left spins faster than substeps can follow, and the joints stay apart for that
+/// long.
 #[test]
 fn chains_hit_walls_as_wholes() {
     let columns = ["speed", "aslant", "passed", "gap (mm)", "left (mm)", "energy"];

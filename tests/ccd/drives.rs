@@ -113,8 +113,8 @@ fn doors_sweep_balls_along() {
     }
 }
 
-/// A ball of 10 cm that lands on a floor while a blade of 2 cm sweeps the floor, where the blade is at the tip of an arm that
-/// turns at 10 rad/s.
+/// A ball of 10 cm that lands on a floor while a blade of 2 cm sweeps the floor, where the blade is at the
+/// tip of an arm that turns at 10 rad/s.
 fn blade_passes(arm: Real, speed: Real, phase: usize) -> bool {
     let (mut world, blade_speed) = (weightless(60), 10.0 * arm);
     world.insert_collider(cuboid(20.0, 0.1).translation(vec(0.0, -0.1)), None);

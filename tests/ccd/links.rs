@@ -7,7 +7,8 @@ use crate::suite::physics::stage::{G, weightless};
 use crate::suite::physics::table::Table;
 use rapier::prelude::*;
 
-/// A chain of balls, one next to the other across the x axis at `at`, hinged in the middle between them. The first is a free root.
+/// A chain of balls, one next to the other across the x axis at `at`, hinged in the middle between them. The
+/// first is a free root.
 fn add_chain(
     world: &mut PhysicsWorld,
     at: Vector,
@@ -38,8 +39,8 @@ fn add_wall(world: &mut PhysicsWorld) {
     world.insert_collider(wall(), None);
 }
 
-/// At 1000 m/s chains that do not hit with all links at once turn by dozens of radians in a step, and one in twenty gets a
-/// link through: see docs/guide/fast-bodies.md.
+/// At 1000 m/s chains that do not hit with all links at once turn by dozens of radians in a step, and one in
+/// twenty gets a link through: see docs/guide/fast-bodies.md.
 #[test]
 fn chains_do_not_pass_walls() {
     let columns = ["speed", "upright", "aslant", "turning"];
@@ -148,7 +149,8 @@ fn fallen_chains_gain_no_energy() {
             let at = world.bodies[link].translation();
             assert!(at.y > 0.0, "a link is at {at}");
         }
-        // Gravity is integrated in substeps: half a substep of it at this speed, 100 · 9.81/480 of 5000 per mass.
+        // Gravity is integrated in substeps: half a substep of it at this speed, 100 · 9.81/480 of 5000 per
+        // mass.
         assert!(energy(&world) < start * 1.002, "energy {start} became {}", energy(&world));
     }
 }

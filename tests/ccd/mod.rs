@@ -1,7 +1,8 @@
-//! Does anything pass through anything?
+//! Continuous collision detection: bodies do not pass through others.
 //!
-//! Balls of 10 cm at speeds at which they move up to 330 times their size in a step of 1/60 s, each 20 times from places
-//! that are a twentieth of the way of one step apart, so that no lucky number of steps hides a gap.
+//! Balls of 10 cm at speeds at which they move up to 330 times their size in a step of 1/60 s, each 20 times
+//! from places that are a twentieth of the way of one step apart, so that no lucky number of steps hides a
+//! gap.
 
 mod bullets;
 mod chains;

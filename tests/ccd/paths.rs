@@ -11,7 +11,8 @@ use rapier::prelude::*;
 #[test]
 fn floors_do_not_stop_what_slides_fast() {
     let mut table = Table::new("a box that slides at 100 m/s", &["ground", "bump (mm)", "slowest"]);
-    // Not closed meshes: their sides, half a metre deep in which the box finds itself, still throw it at this speed.
+    // Not closed meshes: their sides, half a metre deep in which the box finds itself, still throw it at this
+    // speed.
     for (name, lay) in GROUNDS.into_iter().filter(|(name, _)| *name != "closed meshes") {
         let mut world = world(240);
         world.gravity = vec(0.0, -G);

@@ -1,7 +1,8 @@
 //! What touches a barrier already, and is hit from behind.
 //!
-//! Contacts give way. A body between a wall and a bullet of a hundred times its mass moves by as much as it is thick within a substep,
-//! and then contacts push it out of the wall on the other side. So what is deep in a wall goes no deeper, however little it moves.
+//! Contacts give way. A body between a wall and a bullet of a hundred times its mass moves by as much as it
+//! is thick within a substep, and then contacts push it out of the wall on the other side. So what is deep in
+//! a wall goes no deeper, however little it moves.
 
 use super::{PHASES, RADIUS, SPEEDS};
 use crate::dim::grounds::{GROUNDS, Ground};
@@ -10,8 +11,8 @@ use crate::suite::physics::stage::weightless;
 use crate::suite::physics::table::Table;
 use rapier::prelude::*;
 
-/// Whoever is so far from where the blow falls may have gone round the ground.
-const FAR: Real = 3.0;
+/// A body this far from the impact may have moved around the ground.
+const DISTANCE: Real = 3.0;
 
 /// A ground whose surface is the plane y = 0, and what lies on it.
 struct Press<'a> {
@@ -50,7 +51,7 @@ impl Press<'_> {
         (0..15).any(|_| {
             world.step();
             let mut places = bodies.iter().map(|&body| world.bodies[body].translation());
-            places.any(|at| at.y < -0.5 * RADIUS && (at - vec(x, 0.0)).length() < FAR)
+            places.any(|at| at.y < -0.5 * RADIUS && (at - vec(x, 0.0)).length() < DISTANCE)
         })
     }
 }

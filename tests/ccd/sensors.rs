@@ -8,7 +8,7 @@ use crate::suite::physics::stage::weightless;
 use crate::suite::physics::table::Table;
 use rapier::prelude::*;
 
-/// A gate of 2 cm across the x axis that tells who passes it.
+/// A gate of 2 cm across the x axis that reports crossings.
 fn gate() -> ColliderBuilder {
     cuboid(0.01, 2.0).sensor(true).active_events(ActiveEvents::COLLISION_EVENTS)
 }
@@ -73,7 +73,7 @@ fn gates_that_nobody_asked_say_nothing() {
     }
 }
 
-/// Who is stopped by a wall was not behind it.
+/// A body that a wall stops was not behind it.
 #[test]
 fn gates_behind_walls_notice_nobody() {
     let mut world = weightless(60);

@@ -44,8 +44,8 @@ fn the_shortest_substep_means_nothing() {
     assert_eq!(place(0.0), place(1.0));
 }
 
-/// A ball that is in a wall with its front already, its middle still outside, when a kinematic plate at 100 m/s drives it in further. Contacts
-/// alone would have to hold against it.
+/// A ball that is in a wall with its front already, its middle still outside, when a kinematic plate at 100
+/// m/s drives it in further. Contacts alone would have to hold against it.
 #[test]
 fn what_overlaps_is_stopped_if_it_is_wanted() {
     let place = |wanted: bool| {
@@ -111,7 +111,8 @@ fn what_a_body_has_become_decides_whom_it_stops() {
     }
 }
 
-/// Bodies that are not marked pass each other; with a prediction as long as the way of a step, contacts stop them.
+/// Bodies that are not marked pass each other; with a prediction as long as the way of a step, contacts stop
+/// them.
 #[test]
 fn soft_prediction_stops_what_is_straight_ahead() {
     for (prediction, wanted) in [(0.0, true), (2.0, false)] {
@@ -128,7 +129,7 @@ fn soft_prediction_stops_what_is_straight_ahead() {
     }
 }
 
-/// There is no largest speed but the one that is set, and who is held at that is counted.
+/// The only speed limit is the parameter, and limited bodies are counted.
 #[test]
 fn speeds_are_limited_where_it_is_wanted_alone() {
     let mut world = weightless(60);

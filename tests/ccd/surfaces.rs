@@ -97,8 +97,8 @@ fn thin_slabs_do_not_pass_grounds() {
     }
 }
 
-/// Boxes and bars in steps of 1/30 s: at 1000 m/s a way of 33 m, on which no search of closest points knows millimetres. A bar that spins hits
-/// with its tip first, and is turned into the ground about that.
+/// Boxes and bars in steps of 1/30 s: at 1000 m/s a way of 33 m, on which no search of closest points knows
+/// millimetres. A bar that spins hits with its tip first, and is turned into the ground about that.
 #[test]
 fn long_steps_and_spinning_bars_pass_nothing() {
     let columns = ["ground", "50", "100", "400", "1000"];

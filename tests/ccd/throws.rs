@@ -26,7 +26,7 @@ impl Random {
     }
 }
 
-/// Is a body below the ground within some steps?
+/// Returns whether a body is below the ground within some steps.
 fn passes(
     lay: fn(&mut PhysicsWorld, Pose, Real),
     shape: &ColliderBuilder,

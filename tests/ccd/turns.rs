@@ -21,7 +21,8 @@ fn a_bar_does_not_skip_a_post() {
                     world.step();
                     let tip = world.bodies[bar].position().rotation * vec(1.0, 0.0);
                     let at = world.bodies[bar].translation();
-                    // Pushed off by the post it may go anywhere, but not through: its side stays before the post.
+                    // Pushed off by the post it may go anywhere, but not through: its side stays before the
+                    // post.
                     if at.length() < 0.05 {
                         assert!(
                             tip.x > -0.1,

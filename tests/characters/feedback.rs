@@ -84,9 +84,10 @@ fn only_the_chosen_axes_are_touched() {
     assert!((z_of(angular) - 12.0).abs() < 1.0e-3);
 }
 
-/// Against gravity the PD controller hangs low, with an integral it does not. With n substeps a body that begins a step at the
-/// velocity u ends it at u - g dt and moves by (u - g dt (n + 1)/2n) dt: zero, once it hangs. So u = 5/8 g dt for four
-/// substeps, which is what the controller makes of the last end velocity, -3/8 g dt: kp e = (5/8 + (1 - kd) 3/8) g dt.
+/// Against gravity the PD controller hangs low, with an integral it does not. With n substeps a body that
+/// begins a step at the velocity u ends it at u - g dt and moves by (u - g dt (n + 1)/2n) dt: zero, once it
+/// hangs. So u = 5/8 g dt for four substeps, which is what the controller makes of the last end velocity,
+/// -3/8 g dt: kp e = (5/8 + (1 - kd) 3/8) g dt.
 #[test]
 fn the_integral_learns_gravity() {
     let sag = |ki: Real| {

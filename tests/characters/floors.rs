@@ -5,8 +5,8 @@ use crate::dim::floors::{heights, mesh};
 use crate::dim::{cuboid, vec};
 use rapier::prelude::*;
 
-/// How a character walks over a level floor at 4/s: the largest deviation of its speed in one step, as a share, and that of
-/// its height.
+/// How a character walks over a level floor at 4/s: the largest deviation of its speed in one step, as a
+/// share, and that of its height.
 pub fn stumbles(floor: Vec<ColliderBuilder>, shape: ColliderBuilder) -> (Real, Real) {
     let mut world = PhysicsWorld::new();
     for part in floor {
@@ -48,8 +48,8 @@ fn seams_of_level_floors_are_not_felt() {
     }
 }
 
-/// Over hills made of facets, the way in each step has the wished length but where two facets meet, and it never leaves the
-/// ground or sinks.
+/// Over hills made of facets, the way in each step has the wished length but where two facets meet, and it
+/// never leaves the ground or sinks.
 #[test]
 fn hills_are_walked_over() {
     let hills = |x: Real| 0.6 * (0.8 * x).sin();

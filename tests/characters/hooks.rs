@@ -85,7 +85,7 @@ fn a_platform_without_hooks_is_solid() {
     assert!((head - 2.4 + OFFSET).abs() < GAP_TOLERANCE, "head at {head}");
 }
 
-/// One that is too low to jump through stops nobody halfway: it falls back down.
+/// A jump that is too low stops halfway at no platform: the character falls back down.
 #[test]
 fn who_does_not_get_through_falls_back() {
     let (mut walker, hooks) = with_platform(ActiveHooks::MODIFY_SOLVER_CONTACTS);

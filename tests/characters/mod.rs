@@ -1,7 +1,8 @@
-//! Does a character walk as its player expects?
+//! Characters: walking, standing, climbing and pushing.
 //!
 //! Each test states a complaint that users have of character controllers, as a figure with the reason for its
-//! tolerance. `table` prints the figures together (`cargo nextest run -p rapier3d characters::table --no-capture`).
+//! tolerance. `table` prints the figures together (`cargo nextest run -p rapier3d characters::table
+//! --no-capture`).
 
 mod feedback;
 mod floors;

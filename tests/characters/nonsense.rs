@@ -1,4 +1,4 @@
-//! What makes no sense moves nobody, and harms nothing.
+//! Invalid input causes no motion and no damage.
 
 use super::stage::{DT, Walker, level};
 use crate::dim::{about_z, cuboid, vec};
@@ -82,7 +82,8 @@ fn impossible_settings_move_nobody() {
     }
 }
 
-/// An empty world is free; an up direction of any length will do; angles beyond a quarter turn are a quarter turn.
+/// An empty world is free; an up direction of any length will do; angles beyond a quarter turn are a quarter
+/// turn.
 #[test]
 fn odd_settings_have_a_meaning() {
     let mut walker = Walker::new(PhysicsWorld::new(), Vector::ZERO);
@@ -146,7 +147,8 @@ fn nothing_panics_and_everything_repeats() {
     }
 }
 
-/// Whatever has a shape can be a character: where it goes is finite, and over a level floor it goes somewhere.
+/// Whatever has a shape can be a character: where it goes is finite, and over a level floor it goes
+/// somewhere.
 #[test]
 fn all_shapes_can_walk() {
     for shape in crate::dim::hostile::shapes(0.5) {
@@ -196,7 +198,8 @@ fn odd_sizes_and_places_do_no_harm() {
     }
 }
 
-/// A shape that is given to `move_shape` never saw the checks of a collider: its sizes may be no numbers, on floors of every kind.
+/// A shape that is given to `move_shape` never saw the checks of a collider: its sizes may be no numbers, on
+/// floors of every kind.
 #[test]
 fn shapes_without_a_size_move_somewhere_or_nowhere() {
     for (name, floor) in super::floors::level_floors() {

@@ -4,7 +4,8 @@ use super::stage::{CAPSULE, DT, FOOT, GAP_TOLERANCE, OFFSET, Walker};
 use crate::dim::{about_z, cuboid, vec};
 use rapier::prelude::*;
 
-/// The largest deviation of the gap from the offset on a lift that goes at this speed; with a sine, up and down.
+/// The largest deviation of the gap from the offset on a lift that goes at this speed; with a sine, up and
+/// down.
 pub fn ride(amplitude: Real, frequency: Real, steady: Real, by_position: bool) -> Real {
     let mut world = PhysicsWorld::new();
     let lift = if by_position {
@@ -76,8 +77,8 @@ fn platforms_carry_sideways() {
     assert!((on_raft(&walker) - before - 1.0).abs() < 1.0e-3);
 }
 
-/// How far from its place on a platform that tilts, and in 3D turns, the point below the feet gets within four seconds, and
-/// by how much the gap is off.
+/// How far from its place on a platform that tilts, and in 3D turns, the point below the feet gets within
+/// four seconds, and by how much the gap is off.
 pub fn rocking() -> (Real, Real) {
     let mut world = PhysicsWorld::new();
     let (raft, _) = world.insert(RigidBodyBuilder::kinematic_velocity_based(), cuboid(5.0, 0.5));
@@ -100,12 +101,14 @@ pub fn rocking() -> (Real, Real) {
 #[test]
 fn rocking_platforms_are_not_sunk_into() {
     let (off, worst) = rocking();
-    // The platform turns by 0.3/2 rad at most: upright on a tilted floor, the ball's lowest contact moves by r·sin.
+    // The platform turns by 0.3/2 rad at most: upright on a tilted floor, the ball's lowest contact moves by
+    // r·sin.
     assert!(off < 0.2, "wandered {off}");
     assert!(worst < 2.0e-3, "the gap was off by {worst}");
 }
 
-/// The velocity of the ground is that of the point below, turning included; jumping off with it keeps the momentum.
+/// The velocity of the ground is that of the point below, turning included; jumping off with it keeps the
+/// momentum.
 #[test]
 fn the_ground_says_how_fast_it_is() {
     let mut world = PhysicsWorld::new();

@@ -39,7 +39,8 @@ fn pushes_are_those_of_the_characters_mass() {
     }
 }
 
-/// Walking into a crate pushes it ahead, no faster than the walk; standing on one presses it with no more than the weight.
+/// Walking into a crate pushes it ahead, no faster than the walk; standing on one presses it with no more
+/// than the weight.
 #[test]
 fn crates_are_pushed_ahead() {
     let mut world = level();

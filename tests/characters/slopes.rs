@@ -5,7 +5,8 @@ use crate::dim::{about_z, cuboid, vec};
 use rapier::control::CharacterSlopeSpeed;
 use rapier::prelude::*;
 
-/// The length of the way in each step, as a share of the wish, at its worst; and how many steps were not on the ground.
+/// The length of the way in each step, as a share of the wish, at its worst; and how many steps were not on
+/// the ground.
 pub fn walk_on_slope(degrees: Real, speed: Real, rule: CharacterSlopeSpeed) -> (Real, usize) {
     let mut walker = Walker::new(slope(degrees), on_slope(degrees, 0.0)).settled();
     walker.controller.slope_speed = rule;
@@ -46,7 +47,7 @@ fn other_rules_give_other_speeds() {
     }
 }
 
-/// Who walks into a slope that is too steep does not get up, and is back on its feet at once.
+/// A character does not walk up a slope that is too steep, and can walk away at once.
 #[test]
 fn steep_slopes_are_walls() {
     for degrees in [50.0, 60.0, 75.0] {
@@ -73,7 +74,7 @@ fn steep_slopes_are_walls() {
     }
 }
 
-/// Who falls onto a slope that is too steep slides down, also while walking against it.
+/// A character that falls onto a slope that is too steep slides down, also while walking against it.
 #[test]
 fn steep_slopes_do_not_hold() {
     for speed in [0.0, 4.0, -1.0] {
@@ -135,8 +136,8 @@ fn roof(degrees: Real) -> PhysicsWorld {
     world
 }
 
-/// From a level up a slope, over its ridge, and down again: never off the ground, at the wished speed but where the slope
-/// changes, and never closer than the offset.
+/// From a level up a slope, over its ridge, and down again: never off the ground, at the wished speed but
+/// where the slope changes, and never closer than the offset.
 #[test]
 fn ridges_and_valleys_do_not_throw_it_off() {
     for (degrees, speed) in [(30.0, 3.0), (40.0, 6.0), (20.0, 10.0)] {

@@ -4,8 +4,8 @@ use crate::suite::characters::stage::{CAPSULE, DT, FOOT, GAP_TOLERANCE, OFFSET, 
 use rapier::control::*;
 use rapier::prelude::*;
 
-/// Rides a turntable at 2 rad/s for ten seconds, 2 from its middle: by how much the distance from the middle and the gap are
-/// off at the end, at their worst.
+/// Rides a turntable at 2 rad/s for ten seconds, 2 from its middle: by how much the distance from the middle
+/// and the gap are off at the end, at their worst.
 pub fn turntable() -> (Real, Real) {
     let mut world = PhysicsWorld::new();
     let table = RigidBodyBuilder::kinematic_velocity_based().angvel(Vector::Y * 2.0);

@@ -15,7 +15,7 @@ pub const OFFSET: Real = 0.02 * FOOT;
 /// By how much a gap may differ from the offset: the controller's tolerance, and what casts lose.
 pub const GAP_TOLERANCE: Real = 5.0e-4;
 
-/// Somebody who walks.
+/// A walking character.
 pub struct Walker {
     pub world: PhysicsWorld,
     pub controller: KinematicCharacterController,
@@ -25,7 +25,7 @@ pub struct Walker {
     pub collisions: Vec<CharacterCollision>,
     /// The vertical velocity of the fall so far (length/s).
     pub fall: Real,
-    /// Does it ride on what it stands on?
+    /// Whether it rides on its ground.
     pub rides: bool,
     pub grounded: bool,
 }

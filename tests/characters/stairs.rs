@@ -1,4 +1,5 @@
-//! "My character does not get up the stairs", "it flies off them on its way down", "it climbs what is too high".
+//! "My character does not get up the stairs", "it flies off them on its way down", "it climbs what is too
+//! high".
 
 use super::stage::{DT, FOOT, GAP_TOLERANCE, OFFSET, Walker, level};
 use crate::dim::{about_z, cuboid, vec};
@@ -20,7 +21,7 @@ fn step_of(height: Real) -> PhysicsWorld {
     world
 }
 
-/// Does it get up, and how high does it get?
+/// Returns whether the character climbs the step, and its final height.
 pub fn goes_up(shape: &ColliderBuilder, height: Real, max_height: Real, speed: Real) -> bool {
     let mut walker = Walker::of(step_of(height), shape.clone(), vec(0.0, FOOT + OFFSET)).settled();
     walker.controller.autostep = autostep(max_height);
@@ -55,7 +56,7 @@ fn low_steps_are_taken_and_high_ones_are_walls() {
     }
 }
 
-/// Who walks against a step that is too narrow stays below.
+/// A character that walks against a step that is too narrow stays below.
 #[test]
 fn steps_need_room() {
     for (room, expected) in [(0.2, false), (0.5, true)] {
@@ -95,7 +96,8 @@ fn stairs_are_walked_up_and_down() {
                 assert!(movement.grounded, "left the ground at {}", walker.place());
             }
             let came = (walker.place().x - from).abs() / (speed * DT * steps as Real);
-            // A little less than all, because a round bottom rolls over each edge: its way is longer than the stairs.
+            // A little less than all, because a round bottom rolls over each edge: its way is longer than the
+            // stairs.
             assert!((0.93..1.001).contains(&came), "came {came} of the way at {speed}");
             let expected = if direction > 0.0 { 1.6 } else { 0.0 };
             let feet = walker.feet() - OFFSET;

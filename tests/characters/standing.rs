@@ -46,7 +46,7 @@ fn so_does_who_stands_in_a_valley_or_against_a_wall() {
     stands(Walker::new(world, vec(-0.01, 1.2)).settled());
 }
 
-/// The wish of somebody who flies is kept to the bit.
+/// The desired translation of a flying character is kept to the bit.
 #[test]
 fn who_meets_nothing_goes_where_it_wants() {
     let mut walker = Walker::new(level(), vec(0.0, 50.0));
@@ -72,7 +72,7 @@ fn falls_end_at_the_offset() {
     }
 }
 
-/// Who jumps leaves the ground, even where it would snap back, and lands where it was.
+/// A jumping character leaves the ground, even where it would snap back, and lands at the same place.
 #[test]
 fn jumps_leave_the_ground() {
     let mut walker = Walker::new(level(), vec(0.0, 1.2)).settled();

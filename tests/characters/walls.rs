@@ -1,4 +1,5 @@
-//! "My character sticks to walls", "it trembles in corners", "it gets stuck in corridors", "it is pushed through the wall".
+//! "My character sticks to walls", "it trembles in corners", "it gets stuck in corridors", "it is pushed
+//! through the wall".
 
 use super::stage::{CAPSULE, DT, GAP_TOLERANCE, OFFSET, Walker, level};
 use crate::dim::{about_z, cuboid, vec};
@@ -84,8 +85,8 @@ fn corners_hold_still() {
     }
 }
 
-/// The largest error of the speed, as a share, in a corridor whose sides leave room for the character and so many offsets more
-/// than the two that it keeps.
+/// The largest error of the speed, as a share, in a corridor whose sides leave room for the character and so
+/// many offsets more than the two that it keeps.
 pub fn corridor(extra: Real) -> Real {
     let mut world = PhysicsWorld::new();
     let width = 2.0 * (0.3 + 0.006 * (1.0 + extra));
@@ -117,7 +118,8 @@ fn narrow_corridors_are_no_trap() {
     }
 }
 
-/// By how much more a wall that comes at this speed gets into the offset than it moves in one step, at its worst.
+/// By how much more a wall that comes at this speed gets into the offset than it moves in one step, at its
+/// worst.
 pub fn pushed_by_wall(speed: Real) -> Real {
     let mut world = level();
     let wall = RigidBodyBuilder::kinematic_velocity_based()

@@ -4,7 +4,7 @@ use crate::dim::{cuboid, vec};
 use crate::suite::physics::stage::{run, world};
 use rapier::prelude::*;
 
-/// Fixed colliders that touch each other are nobody's business: the pairs that a step looks at are those of what moves.
+/// Touching fixed colliders have no pairs: a step visits only the pairs of moving colliders.
 #[test]
 fn what_is_fixed_makes_no_pairs() {
     let mut world = world(60);

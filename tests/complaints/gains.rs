@@ -14,9 +14,10 @@ fn exact(stiffness: Real, damping: Real, inertia: Real, time: Real) -> Real {
     1.0 - left * (phase.cos() + decay / swing * phase.sin())
 }
 
-/// A motor is a spring and a damper, and these have units: at any rate, and for any inertia, the motion is that of the
-/// formula. Implicit integration with substeps of `h` adds `ω h / 2` to the share of damping, `ω² h t / 2` of the
-/// amplitude in the time `t`; and positions and velocities stand half a substep apart, `ω h / 2` at the start and at the end.
+/// A motor is a spring and a damper, and these have units: at any rate, and for any inertia, the motion is
+/// that of the formula. Implicit integration with substeps of `h` adds `ω h / 2` to the share of damping, `ω²
+/// h t / 2` of the amplitude in the time `t`; and positions and velocities stand half a substep apart, `ω h /
+/// 2` at the start and at the end.
 #[test]
 fn the_gains_of_motors_mean_the_same_at_any_rate() {
     let (stiffness, damping) = (8.0, 0.6);

@@ -15,7 +15,7 @@ fn tower(world: &mut PhysicsWorld, x: Real) -> Vec<RigidBodyHandle> {
     (0..5).map(&mut cube).collect()
 }
 
-/// Moves all bodies, the fixed ones, too, and wakes nobody.
+/// Moves all bodies, including fixed ones, without waking any.
 fn shift(world: &mut PhysicsWorld, by: Vector) {
     for (_, body) in world.bodies.iter_mut() {
         let place = body.translation() + by;
@@ -23,7 +23,7 @@ fn shift(world: &mut PhysicsWorld, by: Vector) {
     }
 }
 
-/// Who sleeps goes on sleeping, to the bit where it was put; who is awake stays as far above the others as before. At
+/// Sleeping bodies stay asleep at exactly their new pose; awake bodies keep their height above the others. At
 /// 1000 m a number in single precision has steps of 0.06 mm, and a tower takes some of them to settle.
 #[test]
 fn shifting_the_origin_is_not_felt() {

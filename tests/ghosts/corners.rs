@@ -21,8 +21,8 @@ fn corner(is_mesh: bool) -> PhysicsWorld {
     world
 }
 
-/// What falls comes in a step by at most 6 m/s · 1/60 s = 10 cm deep, and is pushed out on the side it came from: not by
-/// the top of the wall, which would be 4 m deep, nor through the wall.
+/// What falls comes in a step by at most 6 m/s · 1/60 s = 10 cm deep, and is pushed out on the side it came
+/// from: not by the top of the wall, which would be 4 m deep, nor through the wall.
 #[test]
 fn no_body_is_pushed_out_of_the_wrong_side() {
     let columns = ["blocks", "shape", "deepest (m)", "farthest right (m)", "fastest up (m/s)"];

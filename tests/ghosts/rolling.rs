@@ -9,7 +9,8 @@ use rapier::prelude::*;
 /// How long the ball rolls (s).
 const TIME: Real = 3.0;
 
-/// `a = k g sin θ`, with `k` of a solid ball (3D) or disc (2D). Semi-implicit Euler comes `a h T / 2` too far.
+/// `a = k g sin θ`, with `k` of a solid ball (3D) or disc (2D). Semi-implicit Euler comes `a h T / 2` too
+/// far.
 #[test]
 fn balls_roll_down() {
     let mut table = Table::new(

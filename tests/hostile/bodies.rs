@@ -71,7 +71,7 @@ const PUSHES: [Push; 9] = [
     ("turning impulse", |b, v| b.apply_torque_impulse(about_z(v.y), true)),
 ];
 
-/// Does a text name an impossible component of a vector?
+/// Returns whether a text names an impossible component of a vector.
 fn names_one_of(text: &str, vector: Vector) -> bool {
     vector.to_array().into_iter().any(|value| !value.is_finite() && names(text, value))
 }
@@ -169,7 +169,7 @@ fn predictions_of_impossible_times_stay_finite() {
     }
 }
 
-/// More substeps than anybody could wait for.
+/// More substeps than can be computed in any reasonable time.
 #[test]
 fn a_wish_for_endless_substeps_is_refused() {
     let untouched = Scene::new().all_in_the_end();

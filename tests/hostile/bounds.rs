@@ -1,7 +1,7 @@
 //! Steps are bounded: the work of a step grows in proportion to the scene, and not with its square.
 //!
-//! The tests count work (pairs, contact points) as scenes double. `cargo run --release -p rapier3d --example crowds` measures time
-//! and memory of the same scenes, and larger ones.
+//! The tests count work (pairs, contact points) as scenes double. `cargo run --release -p rapier3d --example
+//! crowds` measures time and memory of the same scenes, and larger ones.
 
 use super::listener::listen;
 use crate::dim::{cuboid, hostile::rough_ground, vec};
@@ -20,18 +20,21 @@ fn sensors(count: usize, most: usize) -> PhysicsWorld {
 /// The pairs of sensors at one point were half of the square of their number: 12.5 million for 5000.
 #[test]
 fn pairs_of_sensors_grow_with_their_number() {
-    const MOST: usize = 16;
+    const PAIRS_MAX: usize = 16;
     println!("{:>8} {:>8} {:>8}", "sensors", "pairs", "crowded");
     for count in [250, 500, 1000, 2000] {
-        let mut world = sensors(count, MOST);
+        let mut world = sensors(count, PAIRS_MAX);
         let ((), heard) = listen(|| world.step());
         let named = heard.iter().filter(|text| text.contains("max_sensor_neighbors_per_collider"));
         assert_eq!(named.count(), 1, "{heard:?}");
         let counters = world.physics_pipeline.counters.cd;
         println!("{count:>8} {:>8} {:>8}", counters.nintersection_pairs, counters.ncrowded_sensors);
-        assert_eq!(counters.ncrowded_sensors, count - 1 - MOST);
+        assert_eq!(counters.ncrowded_sensors, count - 1 - PAIRS_MAX);
         // All but the first few own as many pairs as they may.
-        assert_eq!(counters.nintersection_pairs, MOST * (count - MOST) + MOST * (MOST - 1) / 2);
+        assert_eq!(
+            counters.nintersection_pairs,
+            PAIRS_MAX * (count - PAIRS_MAX) + PAIRS_MAX * (PAIRS_MAX - 1) / 2
+        );
         assert!(world.narrow_phase.intersection_pairs().all(|(.., intersect)| intersect));
         let ((), heard) = listen(|| world.step());
         assert!(heard.is_empty(), "the log is told once: {heard:?}");
@@ -64,8 +67,9 @@ fn a_sensor_reports_any_number_of_visitors() {
     }
 }
 
-/// A plate as large as a rough ground whose every piece it nearly touches. Internal edges compare contacts with each other, so a step
-/// took as long as the square of the number of pieces; now the deepest contacts of each region are kept.
+/// A plate as large as a rough ground whose every piece it nearly touches. Internal edges compare contacts
+/// with each other, so a step took as long as the square of the number of pieces; now the deepest contacts of
+/// each region are kept.
 #[test]
 fn a_plate_rests_on_a_ground_of_thousands_of_pieces() {
     println!("{:>8} {:>8} {:>8} {:>10} {:>8}", "pieces", "points", "culled", "height", "tilt");
@@ -96,8 +100,8 @@ fn a_plate_rests_on_a_ground_of_thousands_of_pieces() {
     }
 }
 
-/// Joints bring bodies together at a bounded speed, however far apart these were made: each link of a chain adds no more than the
-/// limit to the speed of the next one. Ten kilometres made 165 km/s.
+/// Joints bring bodies together at a bounded speed, however far apart these were made: each link of a chain
+/// adds no more than the limit to the speed of the next one. Ten kilometres made 165 km/s.
 #[test]
 fn badly_placed_joints_do_not_throw_bodies() {
     println!("{:>8} {:>10} {:>12}", "links", "apart", "fastest");
@@ -122,7 +126,8 @@ fn badly_placed_joints_do_not_throw_bodies() {
                 fastest = speeds.fold(fastest, Real::max);
             }
             println!("{count:>8} {apart:>10.0} {fastest:>12.1}");
-            // A light body swings about an anchor that is ten times its size away: its middle is faster than the anchor.
+            // A light body swings about an anchor that is ten times its size away: its middle is faster than
+            // the anchor.
             let bound = 10.0 * limit * Real::from(count as u8);
             assert!(fastest < bound, "{count} links {apart} apart reach {fastest}");
         }

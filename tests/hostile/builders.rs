@@ -39,7 +39,7 @@ fn a_body_is_built_or_refused_by_name() {
                 Err(error) => {
                     assert_eq!(error.field, field);
                     let text = error.to_string();
-                    // An infinite angle has become a rotation of NaN by the time anybody looks.
+                    // An infinite angle has become a rotation of NaN before the first read.
                     let named = names(&text, value) || names(&text, Real::NAN);
                     assert!(named, "{field} {value}: {text}");
                     assert_eq!(heard.len(), 1, "{field} {value}: {heard:?}");

@@ -32,9 +32,11 @@ fn largest(world: &PhysicsWorld, length: impl Fn(&RigidBody) -> Real) -> Real {
     world.bodies.iter().map(|(_, body)| length(body)).fold(0.0, Real::max)
 }
 
-/// Bodies at rest have no energy, contacts without restitution add none, and nothing else acts: undoing overlap moves bodies and
-/// must leave them at rest. The relax pass does not converge on thousands of contacts: 50 coincident boxes left with 49 m/s and 1000 balls with
-/// 302 m/s. No body may leave faster than three contacts in a row push. (The last, shallow overlaps of a heap are not watched: ten bodies leave with 1 to 8 m/s.)
+/// Bodies at rest have no energy, contacts without restitution add none, and nothing else acts: undoing
+/// overlap moves bodies and must leave them at rest. The relax pass does not converge on thousands of
+/// contacts: 50 coincident boxes left with 49 m/s and 1000 balls with 302 m/s. No body may leave faster than
+/// three contacts in a row push. (The last, shallow overlaps of a heap are not watched: ten bodies leave with
+/// 1 to 8 m/s.)
 fn judge(counts: &[usize]) {
     println!("{:>8} {:>8} {:>8} {:>10} {:>10}", "shape", "spread", "bodies", "fastest", "radius");
     for (name, shape) in shapes() {
@@ -63,7 +65,8 @@ fn coincident_bodies_are_not_thrown() {
     judge(&[10, 50, 150]);
 }
 
-/// A world that shrinks before bodies are created inside each other: constraints of removed bodies must not be looked at.
+/// A world that shrinks before bodies are created inside each other: constraints of removed bodies must not
+/// be looked at.
 #[test]
 fn coincident_bodies_may_follow_a_crowd() {
     let mut world = PhysicsWorld::new();

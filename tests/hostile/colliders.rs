@@ -28,7 +28,7 @@ const KNOBS: [Knob; 7] = [
 ];
 
 /// Whatever is larger than this reaches the bystanders, and they rightly notice.
-const FAR: Real = 900.0;
+const COORDINATE: Real = 900.0;
 
 #[test]
 fn numbers_are_taken_or_refused_by_name() {
@@ -43,7 +43,7 @@ fn numbers_are_taken_or_refused_by_name() {
             if new == value {
                 assert!(heard.is_empty(), "{name} {value}: {heard:?}");
                 let end = scene.bystanders_in_the_end();
-                let reaches_them = name == "contact skin" && value > FAR;
+                let reaches_them = name == "contact skin" && value > COORDINATE;
                 assert!(end == bystanders || reaches_them, "{name} {value} is felt far away");
             } else {
                 assert_eq!(new, old, "{name} {value}");
@@ -126,7 +126,7 @@ fn a_shape_that_was_broken_takes_its_collider_out_and_nothing_else() {
             assert!(heard.iter().any(|text| names(text, value)), "{value}: {heard:?}");
         }
         let end = scene.bystanders_in_the_end();
-        assert!(end == bystanders || (possible && value > FAR), "{value} is felt far away");
+        assert!(end == bystanders || (possible && value > COORDINATE), "{value} is felt far away");
     }
 }
 

@@ -1,4 +1,4 @@
-//! More than anybody would put into a world, or all of it at one point.
+//! Extreme numbers of bodies, or all of them at one point.
 
 use super::listener::listen;
 use super::world::check;
@@ -17,20 +17,21 @@ fn heap(count: usize, shape: &ColliderBuilder, most: usize) -> PhysicsWorld {
     world
 }
 
-/// Fifty million pairs of boxes overlap; of these as many are looked at as the parameters allow, and each body is in some of
-/// them. (With the default of 128, a step takes two to four seconds in a release build, and 2.3 GB.)
+/// Fifty million pairs of boxes overlap; of these as many are looked at as the parameters allow, and each
+/// body is in some of them. (With the default of 128, a step takes two to four seconds in a release build,
+/// and 2.3 GB.)
 #[test]
 fn ten_thousand_bodies_at_one_point() {
     const COUNT: usize = 10_000;
-    const MOST: usize = 8;
+    const PAIRS_MAX: usize = 8;
     for shape in [ColliderBuilder::ball(0.5), cuboid(0.5, 0.5)] {
-        let mut world = heap(COUNT, &shape, MOST);
+        let mut world = heap(COUNT, &shape, PAIRS_MAX);
         let ((), heard) = listen(|| world.step());
         assert!(heard.iter().any(|text| text.contains("max_neighbors_per_collider")), "{heard:?}");
         let counters = world.physics_pipeline.counters;
         // All but the first few bear as many pairs as they may, and all touch the ground.
-        assert_eq!(counters.cd.ncrowded, COUNT - 1 - MOST);
-        let borne = MOST * (COUNT - 1 - MOST) + MOST * (MOST + 1) / 2;
+        assert_eq!(counters.cd.ncrowded, COUNT - 1 - PAIRS_MAX);
+        let borne = PAIRS_MAX * (COUNT - 1 - PAIRS_MAX) + PAIRS_MAX * (PAIRS_MAX + 1) / 2;
         assert_eq!(counters.cd.ncontact_pairs, borne + COUNT);
         world.step();
         let positions = || world.bodies.iter().map(|(_, body)| body.translation());
@@ -40,7 +41,7 @@ fn ten_thousand_bodies_at_one_point() {
     }
 }
 
-/// Those who had to wait get their contacts when there is room: in the end nobody is inside another one.
+/// Deferred pairs get their contacts when there is room: finally no body is inside another.
 #[test]
 fn a_crowd_comes_apart_and_forgets_the_limit() {
     let mut world = heap(0, &cuboid(0.5, 0.5), 6);
@@ -65,8 +66,8 @@ fn a_crowd_comes_apart_and_forgets_the_limit() {
     }
 }
 
-/// Who has as many partners as it may bear looks again when somebody comes. What comes to it in the same step, and is found because of
-/// its own motion, is not found twice.
+/// A collider with the maximum of partners searches again when another one arrives. What comes to it in the
+/// same step, and is found because of its own motion, is not found twice.
 #[test]
 fn who_looks_again_finds_no_pair_twice() {
     let mut world = PhysicsWorld::new();
@@ -76,7 +77,7 @@ fn who_looks_again_finds_no_pair_twice() {
     let big = cuboid(2.0, 2.0);
     let [_, crowded] = [0.0, 0.0].map(|x| world.insert(body(x), cuboid(0.5, 0.5)).1);
     (0..3).for_each(|_| world.step());
-    // A large body, whose pair the small one would have to bear, and beside it what nobody counts.
+    // A large body, whose pair the small one would own, and beside it bodies that do not count.
     world.insert(body(1.0), big.clone());
     let (_, sensor) = world.insert(body(-1.0), big.clone().sensor(true));
     let wall = world.insert_collider(big.translation(vec(-2.2, 0.0)), None);
@@ -156,7 +157,7 @@ fn a_million_colliders() {
     assert_eq!(world.colliders.len(), SIDE * SIDE + bodies.len());
 }
 
-/// A million bodies that sleep cost a step nothing; one that is hit wakes with those whom it touches, and nobody else.
+/// A million sleeping bodies cost a step nothing; a hit wakes one body and its neighbours only.
 #[test]
 fn a_million_sleepers() {
     const COUNT: usize = 1_000_000;

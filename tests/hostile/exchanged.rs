@@ -1,6 +1,8 @@
-//! Whole sets taken, or put in the place of others: `mem::take(&mut world.bodies)`, one set alone set back to an older copy.
+//! Whole sets taken, or put in the place of others: `mem::take(&mut world.bodies)`, one set alone set back to
+//! an older copy.
 //!
-//! The sets know of each other. The step notices that one of them is not that of the last step, and goes on with what there is.
+//! The sets know of each other. The step notices that one of them is not that of the last step, and goes on
+//! with what there is.
 
 use super::scene::Scene;
 use super::witness::Witness;
@@ -124,8 +126,8 @@ fn a_set_alone_can_be_set_back() {
     }
 }
 
-/// Before the first step, and between two steps, too: colliders name bodies that are not there, and bodies list colliders of which they
-/// know nothing.
+/// Before the first step, and between two steps, too: colliders name bodies that are not there, and bodies
+/// list colliders of which they know nothing.
 #[test]
 fn sets_are_exchanged_between_edits_and_the_next_step() {
     for steps in [0, 3] {
@@ -150,7 +152,7 @@ fn sets_are_exchanged_between_edits_and_the_next_step() {
     }
 }
 
-/// A body is another's copy, and the joints that held it are gone: whose place is whose is found out before anybody wakes.
+/// A body is another's copy, and its joints are gone: positions are corrected before any body wakes.
 #[test]
 fn joints_go_while_a_body_is_put_in_the_place_of_another() {
     for (name, exchange) in SETS {
@@ -170,7 +172,7 @@ fn joints_go_while_a_body_is_put_in_the_place_of_another() {
     }
 }
 
-/// What is not there any more counts as removed, and who stood on it falls, though it slept.
+/// Missing bodies count as removed, and bodies on them fall, although they slept.
 #[test]
 fn bodies_that_are_gone_take_their_colliders_along() {
     let mut world = PhysicsWorld::new();
@@ -205,7 +207,8 @@ fn bodies_fall_when_the_ground_is_gone() {
     assert!((velocity - expected).abs() < 1.0e-4, "it falls at {velocity}, not {expected}");
 }
 
-/// What begins to touch and stops is told truly: pairs that were forgotten stop, and begin again if they still touch.
+/// What begins to touch and stops is told truly: pairs that were forgotten stop, and begin again if they
+/// still touch.
 #[test]
 fn events_stay_true_when_a_set_is_exchanged() {
     for (name, exchange) in SETS.into_iter().filter(|(name, _)| *name != "narrow phase") {
@@ -219,7 +222,7 @@ fn events_stay_true_when_a_set_is_exchanged() {
     }
 }
 
-/// Who has no joints may pass a new set of them each time: nothing is forgotten for that.
+/// A world without joints accepts a new set of them each time, without a resync.
 #[test]
 fn new_empty_sets_of_joints_change_nothing() {
     let run = |exchanges: bool| {

@@ -1,4 +1,4 @@
-//! Values that are possible, but that nobody would choose: tiny, huge, far away, and all at once.
+//! Valid but extreme values: tiny, huge, far away, and all at once.
 
 use super::scene::Scene;
 use super::world::check;
@@ -65,7 +65,8 @@ fn masses_from_a_microgram_to_a_mountain_rest_on_the_ground() {
     }
 }
 
-/// What is 10⁹ times as heavy as its neighbour squeezes it out like a cherry stone; but with no more energy than there was.
+/// What is 10⁹ times as heavy as its neighbour squeezes it out like a cherry stone; but with no more energy
+/// than there was.
 #[test]
 fn masses_of_any_ratio_may_touch() {
     const MASSES: [Real; 4] = [1.0e-9, 1.0e-3, 1.0e3, 1.0e9];

@@ -120,7 +120,8 @@ fn nothing_is_attached_to_a_lost_body() {
     assert!(scene.bystanders_in_the_end() == expected, "lost handles are felt far away");
 }
 
-/// A joint to a body that was made up goes in the next step, and costs no memory for all the bodies that are not there.
+/// A joint to a body that was made up goes in the next step, and costs no memory for all the bodies that are
+/// not there.
 #[test]
 fn nothing_is_joined_to_a_lost_body() {
     let mut scene = Scene::new();
@@ -165,7 +166,7 @@ fn nothing_is_joined_to_a_lost_body() {
     scene.steps(2);
 }
 
-/// Room is a wish: nobody must have the memory.
+/// A capacity is a hint: the memory need not exist.
 #[test]
 fn any_capacity_may_be_wished_for() {
     for capacity in [0, 1, usize::MAX / 2, usize::MAX] {
@@ -271,7 +272,7 @@ fn bodies_can_be_replaced_before_they_are_known() {
     }
 }
 
-/// Whoever holds a body by `&mut` can put another one in its place. The world must not mix them up.
+/// A `&mut` to a body lets the user replace it by another one. The world must not mix them up.
 #[test]
 fn a_body_put_in_the_place_of_another_takes_that_place() {
     let mut world = PhysicsWorld::new();

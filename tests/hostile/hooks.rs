@@ -165,7 +165,7 @@ impl EventHandler for Panicking {
     }
 }
 
-/// A panic of the user's own code reaches the user. Whoever catches it has a world that goes on.
+/// A panic of the user's own code reaches the user. After a caught panic, the world continues.
 #[test]
 fn a_world_outlives_the_panics_of_hooks_and_handlers() {
     let mut scene = scene();
@@ -185,8 +185,9 @@ fn a_world_outlives_the_panics_of_hooks_and_handlers() {
     scene.steps(60);
 }
 
-/// Of a detection that leaves edits for later, removals are all that is taken in: others are awake at other places of the list then, also if a
-/// hook panics before the detection is over. The note of an edit, which names such a place, must not bring back the old one.
+/// Of a detection that leaves edits for later, removals are all that is taken in: others are awake at other
+/// places of the list then, also if a hook panics before the detection is over. The note of an edit, which
+/// names such a place, must not bring back the old one.
 #[test]
 fn an_edited_body_knows_its_place_after_a_detection_that_panicked() {
     for panics in [false, true] {
@@ -251,8 +252,8 @@ impl EventHandler for Notes {
     }
 }
 
-/// Bullets that fall onto a plate, some of which go again: what a handler is told in sixty steps that do not panic. `panics_at`
-/// is the call of the hooks that does.
+/// Bullets that fall onto a plate, some of which go again: what a handler is told in sixty steps that do not
+/// panic. `panics_at` is the call of the hooks that does.
 fn bullets_on_a_plate(panics_at: Option<usize>, notes: Notes) -> Told {
     let mut world = PhysicsWorld::new();
     world.insert_collider(cuboid(50.0, 0.05), None);
@@ -282,8 +283,8 @@ fn bullets_on_a_plate(panics_at: Option<usize>, notes: Notes) -> Told {
     notes.into_told()
 }
 
-/// Whatever call of a hook panics, in whatever stage: what was found before it is told, and what it kept from being found is
-/// found later.
+/// Whatever call of a hook panics, in whatever stage: what was found before it is told, and what it kept from
+/// being found is found later.
 #[test]
 fn no_event_is_lost_when_a_hook_panics() {
     let mut expected = bullets_on_a_plate(None, Notes::default());
@@ -307,7 +308,7 @@ fn no_event_is_lost_when_a_handler_panics() {
     }
 }
 
-/// The body was taken out, so somebody must be told, even though the step ends with a panic.
+/// The body was disabled, so its event must be sent, even though the step ends with a panic.
 #[test]
 fn who_is_taken_out_is_told_when_a_hook_panics() {
     for panics_at in 0..6 {

@@ -36,7 +36,7 @@ pub fn listen<T>(work: impl FnOnce() -> T) -> (T, Vec<String>) {
     (result, HEARD.take())
 }
 
-/// Does a text name a number, in either of the ways in which numbers are printed?
+/// Returns whether a text names a number, in either printed form.
 pub fn names(text: &str, value: Real) -> bool {
     text.contains(&format!("{value}")) || text.contains(&format!("{value:?}"))
 }

@@ -5,7 +5,7 @@
 //! finite, what is refused is named in an error or in the log, and bodies that have nothing to do with
 //! it must not notice: they end bit for bit where they would have ended.
 //!
-//! These are users that somebody thought of. One without sense is in `crates/fuzzer`, with the same [`world::check`].
+//! These users are invented. One without sense is in `crates/fuzzer`, with the same [`world::check`].
 
 use crate::rapier;
 

@@ -121,7 +121,7 @@ fn setters_of_the_time_step_keep_the_old_one() {
     }
 }
 
-/// Gravity acts on everybody, so nobody is a bystander here.
+/// Gravity acts on all bodies, so there is no bystander here.
 #[test]
 fn impossible_gravity_is_refused_by_name() {
     let mut still = Scene::new();

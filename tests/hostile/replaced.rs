@@ -1,7 +1,7 @@
 //! Records put in the place of others: `set[a] = set[b].clone()`, and two of them swapped.
 //!
-//! A body or collider in hand is a `&mut`, and whatever is assigned to it brings along what it knew of *its* place: its
-//! body, its colliders, where it stood in the lists of the step.
+//! A body or collider in hand is a `&mut`, and whatever is assigned to it brings along what it knew of *its*
+//! place: its body, its colliders, where it stood in the lists of the step.
 
 use super::listener::listen;
 use super::scene::Scene;
@@ -28,7 +28,7 @@ fn a_collider_that_is_assigned_belongs_to_the_body_that_it_names() {
     assert!((mass - 2.0 * part).abs() < 1.0e-5 * mass, "two parts of {part} weigh {mass}");
 }
 
-/// The same just before it is attached elsewhere, or removed: nobody keeps it in a list.
+/// The same just before it is attached elsewhere, or removed: no list contains it.
 #[test]
 fn a_collider_that_was_assigned_can_be_moved_and_removed() {
     for removes in [false, true] {
@@ -61,7 +61,8 @@ fn colliders_that_are_swapped_stay_with_their_bodies() {
     assert_eq!(scene.world.bodies[scene.neighbours[0]].colliders(), [scene.collider]);
 }
 
-/// A fixed body stands in no list of the step: nothing but its slot says that another one was put in its place.
+/// A fixed body stands in no list of the step: nothing but its slot says that another one was put in its
+/// place.
 #[test]
 fn fixed_bodies_that_are_swapped_keep_the_colliders_of_their_places() {
     let mut world = PhysicsWorld::new();
@@ -82,7 +83,8 @@ fn fixed_bodies_that_are_swapped_keep_the_colliders_of_their_places() {
     }
 }
 
-/// A body that is set back to an older copy of itself takes its colliders along, though the copy knows of no change.
+/// A body that is set back to an older copy of itself takes its colliders along, though the copy knows of no
+/// change.
 #[test]
 fn a_body_that_is_set_back_takes_its_colliders_along() {
     let mut world = PhysicsWorld::new();

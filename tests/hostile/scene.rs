@@ -4,7 +4,7 @@ use super::world::check;
 use crate::dim::{about_z, cuboid, hostile::pose_bits, vec};
 use rapier::prelude::*;
 
-/// How long everybody is left alone before, and watched afterwards (steps).
+/// Number of undisturbed steps before, and of observed steps afterwards.
 const BEFORE: usize = 20;
 const AFTER: usize = 20;
 

@@ -1,4 +1,4 @@
-//! Numbers that nobody should pass, and some that one might.
+//! Invalid numbers, and some that may occur.
 
 use crate::dim::vec;
 use rapier::prelude::*;

@@ -1,7 +1,8 @@
 //! Shapes without volume, and shapes from the geometry library's own constructors.
 //!
-//! A user found flat hulls that fell through the floor without a message: a density gave their body no mass, and no
-//! contact could stop it. Such a body takes the mass of its surface; what cannot collide at all is refused with a reason.
+//! A user found flat hulls that fell through the floor without a message: a density gave their body no mass,
+//! and no contact could stop it. Such a body takes the mass of its surface; what cannot collide at all is
+//! refused with a reason.
 
 use super::listener::listen;
 use crate::dim::hostile::{unsound_shapes, weightless_shapes};
@@ -31,7 +32,8 @@ fn shapes_without_volume_rest_on_a_floor() {
                 run(&mut world, 3.0);
                 let mass = world.bodies[body].mass();
                 assert!((mass / (3.0 * measure) - 1.0).abs() < 0.02, "{name} of {size}: {mass} kg");
-                // Resting contacts overlap by a millimetre, impacts by a little more. (The boxes of compounds are not tight.)
+                // Resting contacts overlap by a millimetre, impacts by a little more. (The boxes of compounds
+                // are not tight.)
                 let pair = world.contact_pair(ground, collider);
                 let deepest = pair.and_then(ContactPair::find_deepest_contact);
                 let depth = deepest.map_or(Real::NAN, |(_, _, depth)| depth);

@@ -1,4 +1,5 @@
-//! Two ways to hold the same bodies: by impulses, and in reduced coordinates. Mechanics knows only one result.
+//! Two ways to hold the same bodies: by impulses, and in reduced coordinates. Mechanics knows only one
+//! result.
 
 use super::stage::{bob, post};
 use crate::dim::{hinge, vec};
@@ -21,8 +22,9 @@ fn double_pendulum(world: &mut PhysicsWorld, is_multibody: bool) -> [RigidBodyHa
     })
 }
 
-/// In the first second the bobs fall through their lowest points; after it chaos begins to magnify what is left of the
-/// difference. Both ways are of second order or nearly so: their difference shrinks with the step.
+/// In the first second the bobs fall through their lowest points; after it chaos begins to magnify what is
+/// left of the difference. Both ways are of second order or nearly so: their difference shrinks with the
+/// step.
 #[test]
 fn impulse_joints_and_multibodies_agree_on_a_double_pendulum() {
     let mut last = Real::MAX;

@@ -76,7 +76,8 @@ fn levers_at_their_limits_are_hit() {
     }
 }
 
-/// A chain whose links rest on each other and are hit: swept joints, limits and motors with contacts that bounce.
+/// A chain whose links rest on each other and are hit: swept joints, limits and motors with contacts that
+/// bounce.
 #[test]
 fn ragged_chains_that_are_hit_do_not_gain_energy() {
     for e in [0.0, 0.5, 1.0] {
@@ -114,7 +115,8 @@ fn ragged_chains_that_are_hit_do_not_gain_energy() {
     }
 }
 
-/// Bodies that overlap when they are joined, with and without contacts between them, come to where the joint wants them.
+/// Bodies that overlap when they are joined, with and without contacts between them, come to where the joint
+/// wants them.
 #[test]
 fn joints_between_bodies_that_overlap() {
     for contacts in [false, true] {
@@ -236,7 +238,7 @@ fn joints_edited_in_every_step() {
     assert!(gap < 1.0e-3, "{gap}");
 }
 
-/// A handle of a joint that is gone finds nobody, though its place is taken.
+/// A handle of a removed joint finds nothing, although its slot is occupied again.
 #[test]
 fn handles_of_joints_are_not_recycled() {
     let mut world = world(60);

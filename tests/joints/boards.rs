@@ -1,7 +1,7 @@
 //! Chains of light and heavy boards that fall on the ground (3D).
 //!
-//! A light board between the ground and what comes down behind it bears a hundred times its weight, and is held stiffly at
-//! both ends: a contact pushes into joints that hold against it.
+//! A light board between the ground and what comes down behind it bears a hundred times its weight, and is
+//! held stiffly at both ends: a contact pushes into joints that hold against it.
 
 use crate::suite::physics::stage::{RATES, steps, world};
 use crate::suite::physics::table::Table;
@@ -12,8 +12,8 @@ const DENSITIES: [Real; 3] = [100.0, 1000.0, 10_000.0];
 /// From where they are thrown.
 const HEIGHT: Real = 7.0;
 
-/// Neither the ground nor joints do work, friction takes some, and no contact gives back more than it took. What the undoing of
-/// overlap and of gaps may lend for some steps is to be far less than this.
+/// Neither the ground nor joints do work, friction takes some, and no contact gives back more than it took.
+/// What the undoing of overlap and of gaps may lend for some steps is to be far less than this.
 const ROOM: Real = 0.02;
 
 /// Vectors within a cube of half length 1, one after another.
@@ -127,8 +127,8 @@ fn thrown_chains_of_unlike_boards_gain_no_energy() {
     require_no_gain("six boards of 1:10:100 on hinges, thrown from 7 m", chain, &RATES, 8);
 }
 
-/// Nor has one that bounces: a board that turns by a radian in a step is hit through joints that turn with it, and what these
-/// take away of a blow is not to be given twice.
+/// Nor has one that bounces: a board that turns by a radian in a step is hit through joints that turn with
+/// it, and what these take away of a blow is not to be given twice.
 #[test]
 fn thrown_chains_that_bounce_gain_no_energy() {
     let chain =
@@ -136,8 +136,8 @@ fn thrown_chains_that_bounce_gain_no_energy() {
     require_no_gain("four boards of 1:10:100 that bounce, e = 0.9", chain, &[30, 60], 12);
 }
 
-/// Even chains are solved in sweeps, which feel a blow one joint after the other. One of these begins with its lower end in the
-/// ground, and is hit there as if it had arrived long ago.
+/// Even chains are solved in sweeps, which feel a blow one joint after the other. One of these begins with
+/// its lower end in the ground, and is hit there as if it had arrived long ago.
 #[test]
 fn thrown_chains_of_like_boards_that_bounce_gain_no_energy() {
     let densities = [1000.0; 3];
@@ -164,7 +164,7 @@ impl FreeEnd {
         ends.map(of).collect()
     }
 
-    /// Did anything press on it in the last step?
+    /// Returns whether any contact pressed on it in the last step.
     fn is_touched(&self, world: &PhysicsWorld) -> bool {
         let collider = world.bodies[self.board].colliders()[0];
         let mut pairs = world.narrow_phase.contact_pairs_with(collider);
@@ -177,9 +177,9 @@ impl FreeEnd {
     }
 }
 
-/// What a joint says that it gave in a step with a blow is what the board at its end got, `m Δv = (F + m g) dt`, though of a round of
-/// impacts bodies may get a part only. (None is stopped on its way so as not to fly through the ground: it would not yet have the
-/// weight of the time that is left.)
+/// What a joint says that it gave in a step with a blow is what the board at its end got, `m Δv = (F + m g)
+/// dt`, though of a round of impacts bodies may get a part only. (None is stopped on its way so as not to fly
+/// through the ground: it would not yet have the weight of the time that is left.)
 #[test]
 fn joints_tell_of_blows_what_their_bodies_got() {
     let mut dice = Dice(4321);

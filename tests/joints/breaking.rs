@@ -63,7 +63,8 @@ fn overloaded_joints_break_once_and_let_go() {
     assert!((fallen / exact - 1.0).abs() < 0.03, "{fallen} instead of {exact}");
 }
 
-/// Joints on links bear and break as others do: locked axes and limits. The link is a plate on a fixed root that cannot turn far.
+/// Joints on links bear and break as others do: locked axes and limits. The link is a plate on a fixed root
+/// that cannot turn far.
 #[test]
 fn joints_on_links_break_too() {
     let rope = RopeJointBuilder::new(0.5).local_anchor2(Vector::ZERO).build().into();

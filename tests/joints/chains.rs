@@ -32,8 +32,8 @@ fn joint(kind: Kind, k: usize, anchor1: Vector, anchor2: Vector) -> GenericJoint
     }
 }
 
-/// A chain of links that begins straight at the origin, at this angle from level, with a ball at its end that weighs
-/// `ratio` links. Returns the ball.
+/// A chain of links that begins straight at the origin, at this angle from level, with a ball at its end that
+/// weighs `ratio` links. Returns the ball.
 fn chain(world: &mut PhysicsWorld, kind: Kind, angle: Real, ratio: Real) -> RigidBodyHandle {
     let mut last = post(world, Vector::ZERO);
     let mut anchor = Vector::ZERO;

@@ -76,7 +76,7 @@ fn removing_a_body_removes_its_joints_and_wakes_its_neighbours() {
     world.step();
     assert!(world.impulse_joints.get(joint).is_none() && world.impulse_joints.is_empty());
     assert!(!world.bodies[boxes[1]].is_sleeping());
-    // The slot gets a new tenant, who is joined to nobody.
+    // The slot gets a new body without joints.
     let next = world.insert_body(RigidBodyBuilder::dynamic());
     assert_eq!(world.impulse_joints_with(next).count(), 0);
     run(&mut world, 5.0);

@@ -1,17 +1,19 @@
 //! Thin limbs swing and tumble on their joints, and get no energy from them (3D).
 //!
-//! A thin limb turns ten times as easily about its own axis as about another. What a joint gives it must be reckoned
-//! with the inertia that it has where it is by then: otherwise the work of the joint's impulses is not what the limb gains.
+//! A thin limb turns ten times as easily about its own axis as about another. What a joint gives it must be
+//! reckoned with the inertia that it has where it is by then: otherwise the work of the joint's impulses is
+//! not what the limb gains.
 
 use crate::suite::joints::stage::post;
 use crate::suite::physics::stage::{RATES, steps, weightless, world};
 use rapier::prelude::*;
 
 /// Joints do no work. The substep is of second order in the angle that the limbs turn by in it, and where
-/// they whirl at 20 rad/s that is 0.04 rad at worst (30 Hz, 16 substeps); what is left wanders, and does not grow.
+/// they whirl at 20 rad/s that is 0.04 rad at worst (30 Hz, 16 substeps); what is left wanders, and does not
+/// grow.
 const ROOM: Real = 0.05;
 
-/// A capsule of this half length about X, of the density of water, that meets nobody.
+/// A capsule of this half length about X, of the density of water, without collisions.
 fn limb(world: &mut PhysicsWorld, at: Vector, axis: Vector, half: Real) -> RigidBodyHandle {
     let capsule = ColliderBuilder::capsule_from_endpoints(axis * -half, axis * half, 0.04)
         .density(1000.0)
@@ -130,9 +132,10 @@ fn dolls_keep_their_energy() {
     }
 }
 
-/// A thin limb of 22 g, held 0.75 and 1.7 m away from its middle by bodies of six and twelve times its mass, is hit by a box of
-/// 570 g at 9 m/s. A fuzzer found it: the places that its joints let it be are curved within a few millimetres, and their
-/// exact solution led to a place far away and to ten times the energy. Nothing here brings in any: no restitution, no motor.
+/// A thin limb of 22 g, held 0.75 and 1.7 m away from its middle by bodies of six and twelve times its mass,
+/// is hit by a box of 570 g at 9 m/s. A fuzzer found it: the places that its joints let it be are curved
+/// within a few millimetres, and their exact solution led to a place far away and to ten times the energy.
+/// Nothing here brings in any: no restitution, no motor.
 #[test]
 fn a_blow_on_a_limb_that_is_held_far_outside_brings_in_no_energy() {
     let throw = |world: &mut PhysicsWorld, at: Vector, velocity: Vector, shape: ColliderBuilder| {

@@ -47,8 +47,8 @@ fn hinges_stop_at_their_limits_wherever_these_are() {
     }
 }
 
-/// Who is put between limits beyond half a turn is there: a hinge reads its first angle, which has as many readings as
-/// there are turns, so that it fits.
+/// A joint between limits beyond half a turn starts there: the first angle of a hinge is ambiguous by turns,
+/// and is chosen within the limits.
 #[test]
 fn what_is_put_between_its_limits_stays_there() {
     for limits in [[2.5, 4.0], [3.0, 3.3], [-4.0, -2.5], [0.0, 3.4], [6.0, 7.0], [0.0, 20.0]] {
@@ -81,7 +81,8 @@ struct Wheels {
 }
 
 impl Wheels {
-    /// Joined like this, they turn against each other at this speed: the first one, which nothing stops, at that `carried`.
+    /// Joined like this, they turn against each other at this speed: the first one, which nothing stops, at
+    /// that `carried`.
     fn new(rate: u32, joint: impl Into<GenericJoint>, [speed, carried]: [Real; 2]) -> Self {
         let mut world = weightless(rate);
         let carrier = RigidBodyBuilder::kinematic_velocity_based().angvel(about_z(carried));
@@ -96,8 +97,8 @@ impl Wheels {
         second - first
     }
 
-    /// Steps, and counts turns: how the wheels stand says by how much they have turned but for whole turns, and the speeds that
-    /// they had how many these are.
+    /// Steps, and counts turns: how the wheels stand says by how much they have turned but for whole turns,
+    /// and the speeds that they had how many these are.
     fn step(&mut self) {
         let before = self.speed();
         self.world.step();
@@ -108,8 +109,8 @@ impl Wheels {
     }
 }
 
-/// Wheels run into a limit many turns away, in the step in which their speed brings them there, and stay: also if they turn by more
-/// than half of one in each step, or several.
+/// Wheels run into a limit many turns away, in the step in which their speed brings them there, and stay:
+/// also if they turn by more than half of one in each step, or several.
 #[test]
 fn wheels_that_turn_several_times_in_a_step_stop_at_their_limits() {
     for (rate, speed) in [30, 60].into_iter().flat_map(|rate| {
@@ -121,8 +122,8 @@ fn wheels_that_turn_several_times_in_a_step_stop_at_their_limits() {
                 let mut wheels = Wheels::new(rate, joint, [sign * speed, carried]);
                 let what = format!("{speed} on {carried} rad/s, limit {limit}, at {rate} Hz");
                 let each = speed / rate as Real;
-                // How far turns are from what speeds say is in `base/turning.rs`: a thousandth at 13 rad in a step. And a limit
-                // slows down what would reach it in the substep that follows.
+                // How far turns are from what speeds say is in `base/turning.rs`: a thousandth at 13 rad in a
+                // step. And a limit slows down what would reach it in the substep that follows.
                 let free = (limit / (1.002 * each) - 0.3) as usize;
                 for k in 1..=free {
                     wheels.step();
@@ -130,7 +131,8 @@ fn wheels_that_turn_several_times_in_a_step_stop_at_their_limits() {
                     assert!((turned - expected).abs() < 2.0e-3 * expected, "{turned}, {what}");
                     assert!((wheels.speed() - sign * speed).abs() < 1.0e-3 * speed, "{k}, {what}");
                 }
-                // The next step, or if that was near, the one after it, leads to the limit: how they stand says whether to its end.
+                // The next step, or if that was near, the one after it, leads to the limit: how they stand
+                // says whether to its end.
                 run(&mut wheels.world, 2.0 / rate as Real);
                 assert!(wheels.speed().abs() < 1.0e-2, "{} rad/s, {what}", wheels.speed());
                 run(&mut wheels.world, 0.5);
@@ -143,7 +145,8 @@ fn wheels_that_turn_several_times_in_a_step_stop_at_their_limits() {
     }
 }
 
-/// A motor brings wheels to a place that is many turns away, and not to one that looks like it, however fast it turns them there.
+/// A motor brings wheels to a place that is many turns away, and not to one that looks like it, however fast
+/// it turns them there.
 #[test]
 fn motors_reach_targets_many_turns_away() {
     for rate in [30, 60] {
@@ -207,8 +210,8 @@ fn equal_limits_are_a_lock() {
     assert!((found - 0.4).abs() < 1.0e-3, "{found}");
 }
 
-/// What circles at the end of a rope is no farther than the rope is long, keeps its speed, and pulls with `m v² / r`: within the
-/// `(h v / r)²` by which a polygon of substeps differs from a circle.
+/// What circles at the end of a rope is no farther than the rope is long, keeps its speed, and pulls with `m
+/// v² / r`: within the `(h v / r)²` by which a polygon of substeps differs from a circle.
 #[test]
 fn ropes_lead_round_in_circles() {
     for rate in RATES {

@@ -1,4 +1,4 @@
-//! Do joints hold, swing, drive, stop and break as mechanics says?
+//! Mechanics of joints: locked axes, motion, motors, limits and breaking.
 //!
 //! Like `physics`: formulas, at several lengths of a step, with the figures printed.
 

@@ -74,8 +74,8 @@ fn acceleration_motors_do_not_care_for_the_mass() {
     assert!((swing(0.1) - swing(50.0)).abs() < 1.0e-3);
 }
 
-/// The mass that an acceleration is multiplied by is that of the motor's own two bodies: with a second wheel of the same inertia
-/// welded to the first, `ω² = k / 2`.
+/// The mass that an acceleration is multiplied by is that of the motor's own two bodies: with a second wheel
+/// of the same inertia welded to the first, `ω² = k / 2`.
 #[test]
 fn acceleration_motors_count_their_own_bodies() {
     let (stiffness, start): (Real, Real) = (30.0, 0.3);

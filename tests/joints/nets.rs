@@ -7,8 +7,8 @@ use rapier::prelude::*;
 
 const SIDE: usize = 30;
 
-/// Knots of mass 1, half a metre apart, each joined to its left and its upper neighbour; the upper ones hang on
-/// posts.
+/// Knots of mass 1, half a metre apart, each joined to its left and its upper neighbour; the upper ones hang
+/// on posts.
 fn net(world: &mut PhysicsWorld) {
     let mut knots = Vec::new();
     for row in 0..SIDE {

@@ -1,4 +1,4 @@
-//! Nonsense is refused with an error that names it, or ignored; nobody else suffers.
+//! Invalid input is refused with an error that names it, or ignored; other bodies are unaffected.
 
 use super::stage::{bob, post};
 use crate::dim::{hinge, vec};

@@ -68,8 +68,8 @@ fn what_is_fixed_stays_as_one() {
 const SECTIONS: usize = 5;
 const TRAVEL: Real = 0.5;
 
-/// A telescope on a post: sections of mass 1 that slide in each other along `axis` from 0 to [`TRAVEL`], `out` by now, and a
-/// load at the last one's middle.
+/// A telescope on a post: sections of mass 1 that slide in each other along `axis` from 0 to [`TRAVEL`],
+/// `out` by now, and a load at the last one's middle.
 fn telescope(
     world: &mut PhysicsWorld,
     axis: Vector,
@@ -89,8 +89,8 @@ fn telescope(
     sections
 }
 
-/// How far the sections are, at worst and for each of them, from where a telescope that is `out` has them; and how far they
-/// are beside its axis.
+/// How far the sections are, at worst and for each of them, from where a telescope that is `out` has them;
+/// and how far they are beside its axis.
 fn off(world: &PhysicsWorld, sections: &[RigidBodyHandle], axis: Vector, out: Real) -> [Real; 2] {
     let [mut along, mut beside]: [Real; 2] = [0.0; 2];
     for (k, &section) in (1..).zip(sections) {

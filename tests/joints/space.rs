@@ -162,7 +162,8 @@ fn universal_joints_lock_the_twist_alone() {
     assert!(swing(&world, [post, arm]) > 0.5);
 }
 
-/// The force along `axis` that each of three hinges on one line gives a door, and the largest across, in shares of the weight.
+/// The force along `axis` that each of three hinges on one line gives a door, and the largest across, in
+/// shares of the weight.
 fn hinges_of_a_door(rate: u32, axis: Vector) -> ([Real; 2], Real) {
     const MASS: Real = 20.0;
     let mut world = world(rate);
@@ -194,8 +195,8 @@ fn hinges_of_a_door(rate: u32, axis: Vector) -> ([Real; 2], Real) {
     ([least, most], across)
 }
 
-/// Held along its axis by one hinge of three and against tipping by one of them, as mechanics would have it, or by any two: all
-/// share.
+/// Held along its axis by one hinge of three and against tipping by one of them, as mechanics would have it,
+/// or by any two: all share.
 #[test]
 fn three_hinges_of_a_door_bear_a_third_each() {
     for rate in RATES {
@@ -204,14 +205,14 @@ fn three_hinges_of_a_door_bear_a_third_each() {
             "door at {rate} Hz: each hinge bears {least} to {most} of its share, {across} across"
         );
         assert!(least > 0.95 && most < 1.05, "{least} to {most} at {rate} Hz");
-        // The moment m g b/2 held by the two outer hinges alone, 1.8 m apart, is a force of m g / 4 across: 0.75 shares. Where
-        // the hinges' own torques help it is less.
+        // The moment m g b/2 held by the two outer hinges alone, 1.8 m apart, is a force of m g / 4 across:
+        // 0.75 shares. Where the hinges' own torques help it is less.
         assert!(across < 0.8, "{across} at {rate} Hz");
     }
 }
 
-/// Two cranks and a coupler on four hinges with parallel axes: three of the twenty equations say what the others say. It hangs
-/// like a swing; each crank bears half of the coupler.
+/// Two cranks and a coupler on four hinges with parallel axes: three of the twenty equations say what the
+/// others say. It hangs like a swing; each crank bears half of the coupler.
 #[test]
 fn a_four_bar_of_hinges_does_not_strain() {
     for rate in RATES {

@@ -124,7 +124,8 @@ fn short_pendulums_keep_their_swing() {
                     degrees.to_string(),
                     format!("{:.2}", left.to_degrees()),
                 ]);
-                // It is seen at the ends of steps alone: at 30 Hz the largest angle of the shortest may fall between two.
+                // It is seen at the ends of steps alone: at 30 Hz the largest angle of the shortest may fall
+                // between two.
                 table.check("the amplitude", left / angle, 1.0, 0.05);
             }
         }
@@ -137,7 +138,8 @@ fn energy(world: &PhysicsWorld) -> Real {
     kinetic_energy(world) + heights.sum::<Real>()
 }
 
-/// A double pendulum that is let go at level, as wild as one gets. What comes and goes is of second order in `h ω`.
+/// A double pendulum that is let go at level, as wild as one gets. What comes and goes is of second order in
+/// `h ω`.
 #[test]
 fn double_pendulums_keep_their_energy() {
     let mut table = Table::new("double pendulums over 30 s", &["rate", "m", "least", "most"]);

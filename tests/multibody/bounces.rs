@@ -95,7 +95,8 @@ fn links_rise_to_where_bodies_do() {
                     format!("{formula:.4}"),
                     format!("{:+.4}", apex - formula),
                 ]);
-                // Bounces are right to second order: an error of the height `(g h)²/2g`, and the apex is between two steps.
+                // Bounces are right to second order: an error of the height `(g h)²/2g`, and the apex is
+                // between two steps.
                 let between = G * (1.0 / rate as Real).powi(2) / 8.0;
                 table.check("the apex", apex, formula, 0.005 + between);
             }
@@ -103,7 +104,8 @@ fn links_rise_to_where_bodies_do() {
     }
 }
 
-/// The energy of all bodies (J): with the heights of the middle of the last substep, when they had their velocities.
+/// The energy of all bodies (J): with the heights of the middle of the last substep, when they had their
+/// velocities.
 fn energy(world: &PhysicsWorld) -> Real {
     let half = 0.5 * substep(world);
     let of = |(_, body): (RigidBodyHandle, &RigidBody)| {
@@ -159,16 +161,18 @@ fn chains_that_bounce_gain_no_energy() {
                 format!("{gain:+.4}"),
                 format!("{left:.4}"),
             ]);
-            // Blows are right to second order in the angle by which links turn in a substep, at some 20 rad/s. Beyond that
-            // single blows at a bad moment, to links that have just been hit, leave up to 7 % at any rate: an open end.
+            // Blows are right to second order in the angle by which links turn in a substep, at some 20
+            // rad/s. Beyond that single blows at a bad moment, to links that have just been hit, leave up to
+            // 7 % at any rate: an open end.
             let tolerance = 0.1 + (10.0 / rate as Real).powi(2);
             table.require(gain < tolerance, &format!("gains {gain}, more than {tolerance}"));
         }
     }
 }
 
-/// A light rod and a heavy box, welded into one, come down on one corner after the other, some of which bounce. The rod is the root, and turns
-/// about the box: what a corner that leans on the ground needs of each round of blows, many in a substep, must add nothing.
+/// A light rod and a heavy box, welded into one, come down on one corner after the other, some of which
+/// bounce. The rod is the root, and turns about the box: what a corner that leans on the ground needs of each
+/// round of blows, many in a substep, must add nothing.
 #[test]
 fn what_is_welded_lands_on_its_corners_and_gains_no_energy() {
     let mut table = Table::new("rod and box, 2 s", &["rate", "angle", "spin", "gain"]);
@@ -209,9 +213,10 @@ fn what_is_welded_lands_on_its_corners_and_gains_no_energy() {
     }
 }
 
-/// A ball falls on a pair of balls that are welded into one and lie on the ground, which stops them dead: the whole weighs as
-/// much as the ball, so that the blow drives it into the ground at up to the speed of the fall. What the blow has lost is lost: that
-/// the ground holds the pair is no new blow on the ball, be it a body or half of such a pair, and energy never comes back.
+/// A ball falls on a pair of balls that are welded into one and lie on the ground, which stops them dead: the
+/// whole weighs as much as the ball, so that the blow drives it into the ground at up to the speed of the
+/// fall. What the blow has lost is lost: that the ground holds the pair is no new blow on the ball, be it a
+/// body or half of such a pair, and energy never comes back.
 #[test]
 fn what_a_blow_drives_into_the_ground_does_not_strike_back() {
     let columns = ["rate", "is a link", "restitution", "gain"];
@@ -250,8 +255,8 @@ fn what_a_blow_drives_into_the_ground_does_not_strike_back() {
                     restitution.to_string(),
                     format!("{gain:+.4}"),
                 ]);
-                // In a substep the blow drives the pair into the ground, and the ball into the pair, by up to its speed times `h`.
-                // Soft contacts lift a mass of 1, and of 2, out again.
+                // In a substep the blow drives the pair into the ground, and the ball into the pair, by up to
+                // its speed times `h`. Soft contacts lift a mass of 1, and of 2, out again.
                 let tolerance = 3.0 * (2.0 * G).sqrt() * substep(&world);
                 table.require(gain < tolerance, &format!("gains {gain}, more than {tolerance}"));
             }
@@ -259,8 +264,8 @@ fn what_a_blow_drives_into_the_ground_does_not_strike_back() {
     }
 }
 
-/// A striker of two welded bodies, of mass 1 together, hits a row of balls of mass 1, one of which may be a link as well: the
-/// last one leaves as fast as the striker came.
+/// A striker of two welded bodies, of mass 1 together, hits a row of balls of mass 1, one of which may be a
+/// link as well: the last one leaves as fast as the striker came.
 #[test]
 fn links_pass_on_a_blow() {
     let columns = ["rate", "link in the row", "last", "others", "energy"];
@@ -303,7 +308,8 @@ fn links_pass_on_a_blow() {
     }
 }
 
-/// Newton's cradle of arms, each a multibody of its own or all branches of one: the last ball leaves, the others stay.
+/// Newton's cradle of arms, each a multibody of its own or all branches of one: the last ball leaves, the
+/// others stay.
 #[test]
 fn a_cradle_of_links() {
     let columns = ["rate", "roots", "speeds a tenth of a second after the blow"];

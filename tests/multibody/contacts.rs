@@ -43,8 +43,9 @@ fn a_chain_on_the_ground_lies_still_and_sleeps() {
     }
 }
 
-/// A chain of capsules that hangs by its end, stretched out along x: they touch with their round ends, where they are hinged, with limits.
-/// Every third has so many times the mass of the others. The post is a capsule, too, if it `is_solid`.
+/// A chain of capsules that hangs by its end, stretched out along x: they touch with their round ends, where
+/// they are hinged, with limits. Every third has so many times the mass of the others. The post is a capsule,
+/// too, if it `is_solid`.
 fn capsules(
     world: &mut PhysicsWorld,
     count: usize,
@@ -67,8 +68,8 @@ fn capsules(
     })
 }
 
-/// Links whose round ends touch where they are hinged swing, hit their limits and each other, and have no more energy for it. (The levers
-/// of such contacts are next to nothing.)
+/// Links whose round ends touch where they are hinged swing, hit their limits and each other, and have no
+/// more energy for it. (The levers of such contacts are next to nothing.)
 #[test]
 fn links_that_touch_at_their_joints_gain_nothing() {
     for is_solid in [false, true] {
@@ -93,8 +94,8 @@ fn links_that_touch_at_their_joints_gain_nothing() {
     }
 }
 
-/// Those of an arm that is closed as far as they let it are held apart all the same: within its limits the ends of two capsules overlap by
-/// `2 r (1 - cos(α/2))`, which is what the contact is there to prevent.
+/// Those of an arm that is closed as far as they let it are held apart all the same: within its limits the
+/// ends of two capsules overlap by `2 r (1 - cos(α/2))`, which is what the contact is there to prevent.
 #[test]
 fn links_that_touch_at_their_joints_are_held_apart() {
     let mut world = world(60);
@@ -124,7 +125,8 @@ fn the_ground_carries_the_weight() {
     assert!((total / expected - 1.0).abs() < 0.01, "{total} instead of {expected}");
 }
 
-/// A box hits the end of a chain in free flight. Contacts push both sides alike: the momentum of all together stays.
+/// A box hits the end of a chain in free flight. Contacts push both sides alike: the momentum of all together
+/// stays.
 #[test]
 fn collisions_keep_momentum() {
     for restitution in [0.0, 0.7] {
@@ -219,7 +221,8 @@ fn bodies_rest_on_links() {
     assert!((torque / expected - 1.0).abs() < 0.03, "{torque} instead of {expected}");
 }
 
-/// Islands have substeps of their own: a chain whose links ask for more falls and lies beside one whose links do not.
+/// Islands have substeps of their own: a chain whose links ask for more falls and lies beside one whose links
+/// do not.
 #[test]
 fn chains_with_other_substeps_live_side_by_side() {
     let mut world = world(60);

@@ -82,7 +82,8 @@ fn motors_accelerate_links_and_armature() {
     }
 }
 
-/// A strong motor spins a wheel up however fast it turns already: no guard against energy from nowhere takes its work for that.
+/// A strong motor spins a wheel up however fast it turns already: no guard against energy from nowhere takes
+/// its work for that.
 #[test]
 fn strong_motors_spin_wheels_up() {
     for rate in RATES {

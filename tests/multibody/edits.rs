@@ -138,7 +138,8 @@ impl From<RotationOf> for Rotation {
     }
 }
 
-/// The user's forces and torques act on the whole: a torque on the last of two links of a chain in free flight turns both.
+/// The user's forces and torques act on the whole: a torque on the last of two links of a chain in free
+/// flight turns both.
 #[test]
 fn forces_on_links_act_on_the_whole() {
     let mut world = weightless(60);
@@ -180,7 +181,7 @@ fn kinematic_roots_carry() {
     assert!((world.bodies[rider].linvel() - vec(0.2, 0.0)).length() < 1.0e-5);
 }
 
-/// Who asks finds the joints and the links of a body.
+/// Queries find the joints and the links of a body.
 #[test]
 fn bodies_know_their_joints() {
     let mut world = weightless(60);

@@ -1,4 +1,5 @@
-//! Energy never grows where nothing drives: random trees, with and without gravity, that fly, fall on a floor or rattle in a cage.
+//! Energy never grows where nothing drives: random trees, with and without gravity, that fly, fall on a floor
+//! or rattle in a cage.
 
 use super::stage::{angular_momentum, momentum};
 use crate::dim::{ang_length, close_cage, cuboid, loose_joint, moment, tumble, vec};
@@ -133,7 +134,8 @@ fn add_cage(world: &mut PhysicsWorld, half: Real) {
     close_cage(world, half);
 }
 
-/// All energy of the links, with the heights of the middle of the last substep, when they had their velocities.
+/// All energy of the links, with the heights of the middle of the last substep, when they had their
+/// velocities.
 pub fn energy(world: &PhysicsWorld, links: &[RigidBodyHandle]) -> [Real; 2] {
     let half = 0.5 * world.integration_parameters.substep();
     let mut sum = [0.0; 2];
@@ -202,13 +204,14 @@ fn judge_trees(seeds: core::ops::Range<u64>, steps: usize, is_judged: impl Fn(&C
     }
 }
 
-/// The largest gain, as a fraction of the kinetic energy that a tree starts with and of `m g L`. The account of the integrator
-/// bounds its error by 2.5 %, either way, and that of the impulses theirs; overlap is pushed out against gravity, and heights are those of a substep's
-/// middle only to second order.
+/// The largest gain, as a fraction of the kinetic energy that a tree starts with and of `m g L`. The account
+/// of the integrator bounds its error by 2.5 %, either way, and that of the impulses theirs; overlap is
+/// pushed out against gravity, and heights are those of a substep's middle only to second order.
 const GAIN_MAX: Real = 0.06;
 
-/// Random trees: chains and branched ones, of all joints, with mass ratios up to 1:10⁴ in space and 1:10 among walls, limits, speeds up to 150 m/s (below that among walls) and
-/// restitutions up to 1. Nothing drives them, so their energy stays or falls.
+/// Random trees: chains and branched ones, of all joints, with mass ratios up to 1:10⁴ in space and 1:10
+/// among walls, limits, speeds up to 150 m/s (below that among walls) and restitutions up to 1. Nothing
+/// drives them, so their energy stays or falls.
 #[test]
 fn energy_of_random_trees_never_grows() {
     judge_trees(0..1000, 40, |case| {
@@ -216,7 +219,8 @@ fn energy_of_random_trees_never_grows() {
     });
 }
 
-/// All of them, for longer. Five trees in a thousand with mass ratios above 1:10 still gain energy when they are thrown at walls.
+/// All of them, for longer. Five trees in a thousand with mass ratios above 1:10 still gain energy when they
+/// are thrown at walls.
 #[test]
 #[ignore = "fails: uneven trees that hit walls at high speed"]
 fn energy_of_random_trees_never_grows_for_long() {

@@ -1,4 +1,5 @@
-//! Multibodies that are driven too hard, made of masses that do not fit, or edited in the middle of everything.
+//! Multibodies that are driven too hard, made of masses that do not fit, or edited in the middle of
+//! everything.
 
 use super::stage::{chain, slab};
 use crate::dim::{about_z, cuboid, hinge, loose_joint, vec};
@@ -38,8 +39,8 @@ fn links_are_no_faster_than_bodies_may_be() {
                     most = speeds.fold(most, Real::max);
                     assert_finite(&world, &format!("{force} N"));
                 }
-                // At the step's end the links turn on from where the cap was held, to where momentum stays: a rounding of velocities
-                // in which links have turned by a substep.
+                // At the step's end the links turn on from where the cap was held, to where momentum stays: a
+                // rounding of velocities in which links have turned by a substep.
                 assert!(most < 21.0, "{force} N at {rate} Hz: {most} m/s");
             }
         }
@@ -84,7 +85,8 @@ fn extremes_stay_finite() {
     }
 }
 
-/// Impulses of a step are those of its substeps: if these become shorter, what lies and what is held must not be thrown.
+/// Impulses of a step are those of its substeps: if these become shorter, what lies and what is held must not
+/// be thrown.
 #[test]
 fn other_substeps_throw_nothing() {
     let mut world = world(60);
@@ -139,7 +141,8 @@ fn other_substeps_throw_nothing() {
         most = most.max(fastest(&world));
     }
     println!("{before} m/s before, {most} m/s after");
-    // Eight times the impulses of a substep of 1/1920 s would give 4 cm/s; softness that follows the substep lets overlap come out.
+    // Eight times the impulses of a substep of 1/1920 s would give 4 cm/s; softness that follows the substep
+    // lets overlap come out.
     assert!(most < before + 1.0e-2, "{most} m/s");
 }
 
@@ -175,7 +178,8 @@ fn joined_multibodies_are_cut_in_mid_air() {
     assert!(gap.length() < 1.0e-3, "joined at {gap}");
 }
 
-/// A chain that sleeps wakes as a whole when something falls on one link, or when one of its joints is changed.
+/// A chain that sleeps wakes as a whole when something falls on one link, or when one of its joints is
+/// changed.
 #[test]
 fn sleeping_chains_wake() {
     let mut world = world(60);
@@ -215,7 +219,8 @@ fn sleeping_chains_wake() {
     assert_eq!(asleep(&world), 0, "it was hit");
 }
 
-/// A sensor on a link notices and does not push; a link with a disabled joint is a body like others until it is enabled.
+/// A sensor on a link notices and does not push; a link with a disabled joint is a body like others until it
+/// is enabled.
 #[test]
 fn sensors_and_disabled_joints() {
     let mut world = weightless(60);

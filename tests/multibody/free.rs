@@ -6,7 +6,8 @@ use crate::suite::physics::stage::{Dice, RATES, rounding, run, steps, substep, w
 use crate::suite::physics::table::Table;
 use rapier::prelude::*;
 
-/// A chain of six links without gravity, all of which were given some velocity: it coils, uncoils and tumbles.
+/// A chain of six links without gravity, all of which were given some velocity: it coils, uncoils and
+/// tumbles.
 #[test]
 fn a_tumbling_chain_keeps_energy_and_momentum() {
     let columns = ["rate", "largest error of E (%)", "after 10 s (%)", "of P (%)", "of L (%)"];
@@ -50,9 +51,9 @@ fn a_tumbling_chain_keeps_energy_and_momentum() {
         if rate >= 60 {
             table.check("the error of the energy", largest, 0.0, 0.01);
         }
-        // Kept by construction: what is left is rounding, in each substep, of speeds several times the mean. About the axis along
-        // which the chain is thin, what a flight misses, in third order, is made up for slowly, by a tenth in a substep: that of ten
-        // may be open.
+        // Kept by construction: what is left is rounding, in each substep, of speeds several times the mean.
+        // About the axis along which the chain is thin, what a flight misses, in third order, is made up for
+        // slowly, by a tenth in a substep: that of ten may be open.
         let drift = rounding(steps(&world, 10.0) * 4, 8.0);
         table.check("the error of the momentum", lost, 0.0, drift);
         let open = 10.0 * angle.powi(3) / 12.0;
@@ -60,7 +61,8 @@ fn a_tumbling_chain_keeps_energy_and_momentum() {
     }
 }
 
-/// A chain that falls is a chain without gravity, seen from something that falls: its centre of mass falls as a ball does.
+/// A chain that falls is a chain without gravity, seen from something that falls: its centre of mass falls as
+/// a ball does.
 #[test]
 fn a_chain_falls_like_a_ball() {
     let mut world = crate::suite::physics::stage::world(60);

@@ -57,7 +57,8 @@ fn gears_turn_by_their_ratio() {
             let alpha = torque / (i1 + ratio * ratio * i2);
             let [(q1, w1), (q2, w2)] = joints.map(|joint| turned(&world, joint));
             println!("{rate} Hz, {ratio}: ω {w1:.5} of {alpha:.5}, ratio {:.6}", q2 / q1);
-            // The coupling acts in the substep in which the torque does; what rounding leaves is far less than 0.1 %.
+            // The coupling acts in the substep in which the torque does; what rounding leaves is far less
+            // than 0.1 %.
             assert!((w1 / alpha - 1.0).abs() < 1.0e-3, "{w1} instead of {alpha}");
             assert!((w2 / w1 / ratio - 1.0).abs() < 1.0e-3, "{w2} is not {ratio} times {w1}");
             assert!((q2 - ratio * q1).abs() < 1.0e-3 * q1.abs(), "{q2} is not {ratio} times {q1}");

@@ -5,7 +5,8 @@ use crate::suite::joints::stage::bob;
 use crate::suite::physics::stage::{run, weightless};
 use rapier::prelude::*;
 
-/// An arm of five links of length 1 along x, on a fixed base at the origin. Each body stands at the far end of its link.
+/// An arm of five links of length 1 along x, on a fixed base at the origin. Each body stands at the far end
+/// of its link.
 fn arm(world: &mut PhysicsWorld) -> MultibodyJointHandle {
     let mut parent = world.insert_body(RigidBodyBuilder::fixed());
     let mut last = MultibodyJointHandle::invalid();
@@ -91,7 +92,8 @@ fn an_arm_reaches_a_pose() {
     assert!(error < 1.1e-3 && turn.abs() < 1.1e-3, "{error} and {turn} off");
 }
 
-/// Out of reach: the arm stretches towards the target, and nothing grows without bound. Links that must not move do not.
+/// Out of reach: the arm stretches towards the target, and nothing grows without bound. Links that must not
+/// move do not.
 #[test]
 fn an_arm_stretches_for_what_is_too_far() {
     let mut world = weightless(60);

@@ -1,4 +1,4 @@
-//! Do the algorithms agree with each other and with definitions? Random trees, random states.
+//! Algorithms of multibodies against each other and against definitions. Random trees, random states.
 
 use super::stage::{chain, slab};
 use crate::dim::{about_z_of, loose_joint, vec};
@@ -143,8 +143,9 @@ fn jacobians_are_derivatives() {
     }
 }
 
-/// A push on the last link of a chain that hangs from a post acts through all hinges: an impulse `p` at a free rod's end
-/// across it changes the velocity there by `4 p / m` (rod of length `L`, `I = m L²/12`), and by `3 p / m` if the other end is held.
+/// A push on the last link of a chain that hangs from a post acts through all hinges: an impulse `p` at a
+/// free rod's end across it changes the velocity there by `4 p / m` (rod of length `L`, `I = m L²/12`), and
+/// by `3 p / m` if the other end is held.
 #[test]
 fn impulses_act_through_joints() {
     let mut world = PhysicsWorld::new();

@@ -6,8 +6,8 @@ use crate::suite::joints::stage::{bob, post};
 use crate::suite::physics::stage::{G, RATES, steps, weightless, world};
 use rapier::prelude::*;
 
-/// A swing: two rods of length 1 from two posts, and a bar between their lower ends. The bar stays level, and the whole swings
-/// like a pendulum; the last hinge, which closes the loop, holds.
+/// A swing: two rods of length 1 from two posts, and a bar between their lower ends. The bar stays level, and
+/// the whole swings like a pendulum; the last hinge, which closes the loop, holds.
 #[test]
 fn a_loop_that_is_closed_holds() {
     for rate in RATES {

@@ -1,4 +1,4 @@
-//! Do multibodies move as mechanics says?
+//! Mechanics of multibodies.
 //!
 //! Like `physics` and `joints`: formulas, at several lengths of a step, with the figures printed.
 

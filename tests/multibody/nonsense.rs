@@ -5,7 +5,7 @@ use crate::dim::{hinge, loose_joint, vec};
 use crate::suite::physics::stage::{Dice, run, world};
 use rapier::prelude::*;
 
-/// Whoever asks a world gets the reason as a value, with the bodies in it.
+/// A world returns the reason as a value, with the bodies in it.
 #[test]
 fn a_world_says_why_a_joint_cannot_be() {
     let mut world = world(60);

@@ -28,7 +28,8 @@ fn pendulums_take_the_time_that_the_formula_says() {
                 format!("{exact:.5}"),
                 format!("{:+.4}", error * 100.0),
             ]);
-            // The substep is of second order in h ω: by (h ω)²/24 too fast. Crossings are interpolated between steps.
+            // The substep is of second order in h ω: by (h ω)²/24 too fast. Crossings are interpolated
+            // between steps.
             let substep = world.integration_parameters.substep();
             table.check("the error", error, 0.0, 0.2 * substep * substep * G + 2.0e-4);
         }
@@ -63,8 +64,9 @@ fn a_double_pendulum_keeps_its_energy() {
     }
 }
 
-/// Chains of light links with an end of up to ten thousand times the mass, let go level: the mass ratios that no iteration of
-/// joints survives. Nothing drives them, so they never have more energy than when they were let go.
+/// Chains of light links with an end of up to ten thousand times the mass, let go level: the mass ratios that
+/// no iteration of joints survives. Nothing drives them, so they never have more energy than when they were
+/// let go.
 #[test]
 fn heavy_ends_give_chains_no_energy() {
     let columns = ["links", "mass ratio", "largest gain (% of m g L)"];

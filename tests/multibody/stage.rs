@@ -18,7 +18,8 @@ pub fn slab(at: Vector) -> RigidBodyBuilder {
     RigidBodyBuilder::dynamic().translation(at).additional_mass_properties(shape).can_sleep(false)
 }
 
-/// Hangs a chain of slabs on a body (or starts it with a free one) at the origin: along x, one length unit apart.
+/// Hangs a chain of slabs on a body (or starts it with a free one) at the origin: along x, one length unit
+/// apart.
 pub fn chain(world: &mut PhysicsWorld, root: Option<RigidBodyHandle>, count: usize) -> Chain {
     chain_of(world, root, count, |world, k| {
         let body = world.insert_body(slab(vec(k as Real + 0.5, 0.0)));
@@ -27,7 +28,8 @@ pub fn chain(world: &mut PhysicsWorld, root: Option<RigidBodyHandle>, count: usi
     })
 }
 
-/// Hangs a chain on a body (or starts it with a free one). `make` makes each of its bodies, and the joint to the one before.
+/// Hangs a chain on a body (or starts it with a free one). `make` makes each of its bodies, and the joint to
+/// the one before.
 pub fn chain_of(
     world: &mut PhysicsWorld,
     root: Option<RigidBodyHandle>,
@@ -48,7 +50,8 @@ pub fn chain_of(
     chain
 }
 
-/// Hangs a bob of mass 1 from a post at the origin, at the angle `angle` from straight down, by a multibody joint.
+/// Hangs a bob of mass 1 from a post at the origin, at the angle `angle` from straight down, by a multibody
+/// joint.
 pub fn hang(
     world: &mut PhysicsWorld,
     length: Real,

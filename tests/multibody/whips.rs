@@ -30,8 +30,8 @@ fn energy(world: &PhysicsWorld, links: &[RigidBodyHandle]) -> Real {
     links.iter().map(|&link| of(&world.bodies[link])).sum()
 }
 
-/// Walls, ground and joints do no work. Undoing an overlap does: that of 5 mm that a hit leaves at these speeds lifts nobody by
-/// more than that.
+/// Walls, ground and joints do no work. The correction of an overlap does: the 5 mm that a hit leaves at
+/// these speeds lift no link by more than that.
 #[test]
 fn chains_that_hit_a_corner_gain_no_energy() {
     let mut table = Table::new("chains thrown into a corner", &["speed", "friction", "most"]);
@@ -54,8 +54,9 @@ fn chains_that_hit_a_corner_gain_no_energy() {
     }
 }
 
-/// A rod and a ball at the ends of long arms that a socket joins: what turns by little more than a degree or two in a substep goes far at
-/// the end of such an arm, and contacts that do not follow it throw it up again. Nothing here does work but gravity.
+/// A rod and a ball at the ends of long arms that a socket joins: what turns by little more than a degree or
+/// two in a substep goes far at the end of such an arm, and contacts that do not follow it throw it up again.
+/// Nothing here does work but gravity.
 #[test]
 fn what_hangs_on_long_arms_gains_no_energy_from_the_ground() {
     let mut table = Table::new("thrown on the ground", &["case", "largest gain in a step"]);

@@ -6,7 +6,8 @@ use crate::suite::physics::stage::{G, add_ground, run, steps, substep, weightles
 use crate::suite::physics::table::Table;
 use rapier::prelude::*;
 
-/// A chain of thin capsules along x, hinged end to end, that turns about its middle at `spin` while it goes at `velocity`.
+/// A chain of thin capsules along x, hinged end to end, that turns about its middle at `spin` while it goes
+/// at `velocity`.
 fn thin_chain(
     world: &mut PhysicsWorld,
     count: usize,
@@ -41,8 +42,9 @@ fn pair(world: &mut PhysicsWorld, at: Vector, collider: &ColliderBuilder) -> [Ri
     [first, second]
 }
 
-/// Two links, of which one is up to a hundred times as heavy, turn about each other at 10 rad/s while they go at 5 m/s through
-/// empty space: momentum and energy stay, whoever looks. (There are no contacts, so nobody may ask what these have left.)
+/// Two links, of which one is up to a hundred times as heavy, rotate about each other at 10 rad/s while they
+/// move at 5 m/s through empty space: momentum and energy are constant in any frame. (There are no contacts,
+/// so there is no contact error.)
 #[test]
 fn what_turns_on_its_way_through_space_goes_on() {
     for ratio in [1.0, 10.0, 100.0] {
@@ -66,9 +68,9 @@ fn what_turns_on_its_way_through_space_goes_on() {
     }
 }
 
-/// Chains of thin limbs tumble on their way: their middle falls as anything does, and spin and energy of the tumbling stay. The
-/// momentum is rounded in each substep, to the size of speeds of 50 m/s; the energy is right to second order in the angle of a
-/// substep of the fastest link there was.
+/// Chains of thin limbs tumble on their way: their middle falls as anything does, and spin and energy of the
+/// tumbling stay. The momentum is rounded in each substep, to the size of speeds of 50 m/s; the energy is
+/// right to second order in the angle of a substep of the fastest link there was.
 #[test]
 fn tumbling_chains_fall_as_all_things_do() {
     let columns = ["rate", "spin", "velocity off by", "L off by (%)", "E off by (%)"];
@@ -116,7 +118,8 @@ fn tumbling_chains_fall_as_all_things_do() {
     }
 }
 
-/// Without friction the ground turns nobody, however far the contact moves in a step: here by 17 cm.
+/// Without friction the ground rotates no body, independent of the motion of the contact in a step: here by
+/// 17 cm.
 #[test]
 fn what_slides_does_not_turn() {
     for hinged in [false, true] {
@@ -226,8 +229,8 @@ fn arms_on_carriages_turn_on() {
     }
 }
 
-/// Springs of degrees of freedom that nothing damps swing on: at 2 Hz and 240 substeps a second they lose 0.2 % of their swing
-/// in three seconds.
+/// Springs of degrees of freedom that nothing damps swing on: at 2 Hz and 240 substeps a second they lose 0.2
+/// % of their swing in three seconds.
 #[test]
 fn springs_of_degrees_of_freedom_swing_on() {
     for rate in [60, 120] {

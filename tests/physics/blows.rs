@@ -1,4 +1,4 @@
-//! Hard blows: whoever hits, whatever is hit, and however fast, energy never grows, and nobody else is pushed.
+//! Hard impacts: for all pairs of bodies and all speeds, energy never grows, and other bodies are unaffected.
 
 use super::stage::{Dice, add_ground, run, steps, weightless, world};
 use super::table::Table;
@@ -308,7 +308,7 @@ fn a_break_shot_keeps_momentum_and_energy() {
     }
 }
 
-/// Nobody is pushed who is not touched: the bits stay.
+/// A body without contact is not pushed: its bits stay.
 #[test]
 fn blows_do_not_reach_across_a_gap() {
     for e in [0.0, 0.5, 1.0] {
@@ -532,8 +532,8 @@ fn islands_do_not_feel_each_others_blows() {
     assert_eq!(swing(false), swing(true));
 }
 
-/// A box that slides into a wall, which stops it, with a ball behind it that bounces: what stops the box is no blow on
-/// the ball.
+/// A box that slides into a wall, which stops it, with a ball behind it that bounces: what stops the box is
+/// no blow on the ball.
 #[test]
 fn stops_are_no_blows_on_others() {
     let columns = ["wall", "gap", "speed", "highest", "left"];

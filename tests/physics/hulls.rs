@@ -1,8 +1,8 @@
 //! Convex hulls at rest on few contact points. 3D only: in the plane a manifold has two points at most.
 //!
-//! Manifolds of hulls hold 1.9 points per touching pair in a pile of rocks, where peers hold 3.1 and 3.5: two edges that cross touch
-//! at one point, and only corners within the prediction distance count. These tests state what a manifold must
-//! deliver however many points it has: statics.
+//! Manifolds of hulls hold 1.9 points per touching pair in a pile of rocks, where peers hold 3.1 and 3.5: two
+//! edges that cross touch at one point, and only corners within the prediction distance count. These tests
+//! state what a manifold must deliver however many points it has: statics.
 
 use crate::suite::physics::stage::{Dice, G, add_ground, steps, world};
 use crate::suite::physics::table::Table;
@@ -45,7 +45,8 @@ fn add_ground_of(world: &mut PhysicsWorld, kind: &str) {
     world.insert_collider(ground.friction(0.7), None);
 }
 
-/// Total impulse of a body's contacts in the last step, its centre of pressure, and the number of contact points.
+/// Total impulse of a body's contacts in the last step, its centre of pressure, and the number of contact
+/// points.
 fn pressure(world: &PhysicsWorld, collider: ColliderHandle) -> (Real, Vector, usize) {
     let (mut total, mut moment, mut count) = (0.0, Vector::ZERO, 0);
     for manifold in world.contact_pairs_with(collider).flat_map(|pair| &pair.manifolds) {
@@ -58,8 +59,9 @@ fn pressure(world: &PhysicsWorld, collider: ColliderHandle) -> (Real, Vector, us
     (total, moment / total.max(Real::MIN_POSITIVE), count)
 }
 
-/// A rock at rest is in equilibrium: its contacts carry its weight, and their centre of pressure lies under its centre of mass. (1 % of
-/// the weight; 1 cm, two hundredths of its radius: friction at a slope of the rock's base contributes a moment, too.)
+/// A rock at rest is in equilibrium: its contacts carry its weight, and their centre of pressure lies under
+/// its centre of mass. (1 % of the weight; 1 cm, two hundredths of its radius: friction at a slope of the
+/// rock's base contributes a moment, too.)
 #[test]
 fn rocks_rest_in_equilibrium() {
     let columns = ["ground", "rocks", "points", "weight off by", "pressure off by (mm)"];
@@ -99,9 +101,10 @@ fn rocks_rest_in_equilibrium() {
     }
 }
 
-/// Ten prisms on each other stand still for ten seconds, kept awake, whatever the number of their sides. Four points of a polygon share
-/// the load unevenly, and each gives way by a share of the sag, so the stack leans while it settles: by less than a hundredth of
-/// its 4 m. Then it does not creep: by less than 0.5 mm in five seconds.
+/// Ten prisms on each other stand still for ten seconds, kept awake, whatever the number of their sides. Four
+/// points of a polygon share the load unevenly, and each gives way by a share of the sag, so the stack leans
+/// while it settles: by less than a hundredth of its 4 m. Then it does not creep: by less than 0.5 mm in five
+/// seconds.
 #[test]
 fn prisms_stack() {
     let mut table = Table::new("stacks of ten prisms", &["sides", "lean (mm)", "creep (mm)"]);

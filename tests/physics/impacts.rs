@@ -35,7 +35,8 @@ enum Strings {
 const LENGTH: Real = 2.0;
 const LINKS: usize = 4;
 
-/// Hangs a touching row of `count` balls, the first `moving` of which come in at 2 m/s from a tenth of a radian.
+/// Hangs a touching row of `count` balls, the first `moving` of which come in at 2 m/s from a tenth of a
+/// radian.
 fn cradle(
     world: &mut PhysicsWorld,
     count: usize,
@@ -113,8 +114,8 @@ fn newtons_cradle() {
     }
 }
 
-/// A row of balls that touch, at rest but for the first, which comes from a ball's width away. They float, or lie on
-/// ground that bounces as well.
+/// A row of balls that touch, at rest but for the first, which comes from a ball's width away. They float, or
+/// lie on ground that bounces as well.
 fn row(rate: u32, masses: &[Real], on_ground: bool) -> (PhysicsWorld, Vec<RigidBodyHandle>) {
     let mut world = if on_ground { world(rate) } else { weightless(rate) };
     if on_ground {
@@ -171,8 +172,8 @@ fn rows_pass_on_a_blow() {
     }
 }
 
-/// The energy of all bodies (J), with that of their heights: those in the middle of the last substep, which is when they
-/// had their velocities.
+/// The energy of all bodies (J), with that of their heights: those in the middle of the last substep, which
+/// is when they had their velocities.
 fn energy(world: &PhysicsWorld) -> Real {
     let half = 0.5 * substep(world);
     let height = |body: &RigidBody| body.translation().y - half * body.linvel().y;
@@ -180,8 +181,8 @@ fn energy(world: &PhysicsWorld) -> Real {
     kinetic_energy(world) + fallen.sum::<Real>()
 }
 
-/// By how much the energy rises above that of the beginning, and how much is left in the end (shares of what is there
-/// to fall).
+/// By how much the energy rises above that of the beginning, and how much is left in the end (shares of what
+/// is there to fall).
 fn gain(world: &mut PhysicsWorld, seconds: Real, fall: Real) -> [Real; 2] {
     let (first, mut most) = (energy(world), energy(world));
     for _ in 0..steps(world, seconds) {
@@ -312,8 +313,8 @@ fn flat_landings_rise_flat() {
     }
 }
 
-/// Friction acts in a blow: a ball that spins and falls straight down bounces off sideways. The spin's slip `ω r` is
-/// stopped if friction can: then `v = ω r / (1 + m r² / I)`, and `v = µ (1 + e) u` if not.
+/// Friction acts in a blow: a ball that spins and falls straight down bounces off sideways. The spin's slip
+/// `ω r` is stopped if friction can: then `v = ω r / (1 + m r² / I)`, and `v = µ (1 + e) u` if not.
 #[test]
 fn blows_rub() {
     let columns = ["rate", "friction", "sideways", "formula"];

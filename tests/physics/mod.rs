@@ -1,4 +1,4 @@
-//! Does the world move as physics says?
+//! Mechanics of contacts: laws of physics on whole worlds.
 //!
 //! Each test states a formula and how far from it a step of a given length may be, runs at 30, 60 and
 //! 240 steps a second, and prints what came out (`cargo test -p rapier3d --test suite -- --nocapture`).

@@ -85,8 +85,8 @@ fn momentum_without_gravity() {
     }
 }
 
-/// Two cubes that are pressed together, and spin as one, go on spinning: the forces act through their centres,
-/// and what the contact does to one of them it does to the other.
+/// Two cubes that are pressed together, and spin as one, go on spinning: the forces act through their
+/// centres, and what the contact does to one of them it does to the other.
 #[test]
 fn pressed_together_they_spin_on() {
     let columns = ["rate", "spin (rad/s)", "after 10 s", "largest error of L (%)"];

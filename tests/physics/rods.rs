@@ -6,7 +6,8 @@ use rapier::prelude::*;
 
 /// Throws of each kind.
 const THROWS: u64 = 12;
-/// Half the length and half the thickness (m): the moments about the middle are 355 times that about the rod itself.
+/// Half the length and half the thickness (m): the moments about the middle are 355 times that about the rod
+/// itself.
 const HALF: [Real; 2] = [0.8, 0.03];
 
 fn shapes() -> [(&'static str, ColliderBuilder); 4] {
@@ -19,7 +20,8 @@ fn shapes() -> [(&'static str, ColliderBuilder); 4] {
     ]
 }
 
-/// The largest energy of a rod in the first two seconds after a throw, as a share of the one that it began with.
+/// The largest energy of a rod in the first two seconds after a throw, as a share of the one that it began
+/// with.
 fn largest_energy(
     rate: u32,
     shape: &ColliderBuilder,
@@ -51,9 +53,10 @@ fn largest_energy(
     largest
 }
 
-/// A thin rod that hits the ground at one end, spins, hits it with the other, and rolls on its edges has no more energy at any
-/// time than it was thrown with. Where its ends turn by up to 0.4 rad in a step, hardly any (one or two of 192 in a row of the table) gains more
-/// than the 5 % that a rigid contact may be off by; where they turn by more, whatever it gains does not build up.
+/// A thin rod that hits the ground at one end, spins, hits it with the other, and rolls on its edges has no
+/// more energy at any time than it was thrown with. Where its ends turn by up to 0.4 rad in a step, hardly
+/// any (one or two of 192 in a row of the table) gains more than the 5 % that a rigid contact may be off by;
+/// where they turn by more, whatever it gains does not build up.
 #[test]
 fn thin_rods_that_land_gain_no_energy() {
     let columns = ["rate", "spin (rad/s)", "gained", "largest energy"];
@@ -87,10 +90,11 @@ fn thin_rods_that_land_gain_no_energy() {
     }
 }
 
-/// What lands level hits the ground with its edge all along, and the ground gives no momentum about the line where it touches: a rod that
-/// comes down with the speed `v` aside, on ground that it does not slide on, is spun until it rolls with `v m r² / (m r² + C)`, where `C` is its moment
-/// about itself: 2/3 of `v` for a cylinder. That must not depend on how fast it comes or how thin it is. (A tenth: a soft contact gives
-/// way by a share of the radius, and the lever of friction with it.)
+/// What lands level hits the ground with its edge all along, and the ground gives no momentum about the line
+/// where it touches: a rod that comes down with the speed `v` aside, on ground that it does not slide on, is
+/// spun until it rolls with `v m r² / (m r² + C)`, where `C` is its moment about itself: 2/3 of `v` for a
+/// cylinder. That must not depend on how fast it comes or how thin it is. (A tenth: a soft contact gives way
+/// by a share of the radius, and the lever of friction with it.)
 #[test]
 fn what_lands_level_is_spun_to_two_thirds_of_its_speed() {
     for rate in [60, 120] {

@@ -1,4 +1,4 @@
-//! Who sleeps, what that saves, and what wakes them.
+//! Conditions of sleep, its effect on cost, and causes of waking.
 
 use super::stage::{G, RATES, add_ground, run, steps, weightless, world};
 use crate::dim::{about_z, cuboid, hinge, turned_about_z, vec};
@@ -278,7 +278,8 @@ fn an_island_wakes_at_once() {
     }
 }
 
-/// A sleeping island that is woken stays awake for the full time until sleep, whether the wake-up is strong or weak.
+/// A sleeping island that is woken stays awake for the full time until sleep, whether the wake-up is strong
+/// or weak.
 #[test]
 fn a_woken_island_stays_awake_for_its_time() {
     for strong in [false, true] {
@@ -320,7 +321,8 @@ fn bouncing_ball(rate: u32, height: Real) -> (PhysicsWorld, RigidBodyHandle) {
     (world, body)
 }
 
-/// A ball that bounces by less than the drift limit of 12.5 mm stays awake: its mean speed is √(g h / 2), at least 0.16 m/s.
+/// A ball that bounces by less than the drift limit of 12.5 mm stays awake: its mean speed is √(g h / 2), at
+/// least 0.16 m/s.
 #[test]
 fn a_low_bounce_is_not_frozen() {
     for rate in RATES {
@@ -351,8 +353,8 @@ fn swings_on(rate: u32, amplitude: Real, frequency: Real) -> bool {
     !world.bodies[body].is_sleeping()
 }
 
-/// A spring of ±5 mm has the mean speed 4 A f. Above the threshold of 0.05 m/s, which is at 2.5 Hz, it swings on. Below, it may stop
-/// as any motion below the threshold does.
+/// A spring of ±5 mm has the mean speed 4 A f. Above the threshold of 0.05 m/s, which is at 2.5 Hz, it swings
+/// on. Below, it may stop as any motion below the threshold does.
 #[test]
 fn a_short_spring_is_not_frozen() {
     for rate in RATES {

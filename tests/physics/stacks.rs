@@ -104,8 +104,9 @@ fn tower_kept_awake() {
     }
 }
 
-/// A pyramid of twenty rows stands, and sleeps. At 30 steps a second, and at 60 in double precision, it stands, but its soft contacts let it sway by more than a
-/// sleeping body may drift (`docs/decisions/0013-bodies-sleep-by-drift.md`).
+/// A pyramid of twenty rows stands, and sleeps. At 30 steps a second, and at 60 in double precision, it
+/// stands, but its soft contacts let it sway by more than a sleeping body may drift
+/// (`docs/decisions/0013-bodies-sleep-by-drift.md`).
 #[test]
 fn pyramid() {
     let columns =
@@ -149,8 +150,8 @@ fn longer(rate: u32) -> Real {
 /// Four cubes carry a fifth that is many times as heavy.
 ///
 /// At 60 steps a second another engine with default settings lets them sink in by 7 mm under 10 times the
-/// mass, by 68 mm under 100 times, and under 1000 times they are crushed. Here they never sink in by more than
-/// 2 cm: islands get shorter substeps where light bodies carry heavy ones.
+/// mass, by 68 mm under 100 times, and under 1000 times they are crushed. Here they never sink in by more
+/// than 2 cm: islands get shorter substeps where light bodies carry heavy ones.
 #[test]
 fn heavy_top() {
     let columns =
@@ -206,7 +207,8 @@ fn substeps_of_an_island_are_its_own() {
     }
 }
 
-/// Impulses of long steps are too large to start short ones with: steps of changing length leave a stack alone.
+/// Impulses of long steps are too large to start short ones with: steps of changing length leave a stack
+/// alone.
 #[test]
 fn a_stack_does_not_mind_steps_of_changing_length() {
     let mut world = world(60);

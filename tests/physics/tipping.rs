@@ -29,8 +29,9 @@ fn a_falling_pillar_does_not_sink_in() {
     }
 }
 
-/// A slab that leans beyond its edge falls as a pendulum that stands on that edge, whatever its size: from `θ₀`,
-/// measured from where it would balance, to `θ₁` in the time `∫ dθ / √(2 (m g r / I) (cos θ₀ - cos θ))`.
+/// A slab that leans beyond its edge falls as a pendulum that stands on that edge, whatever its size: from
+/// `θ₀`, measured from where it would balance, to `θ₁` in the time `∫ dθ / √(2 (m g r / I) (cos θ₀ - cos
+/// θ))`.
 #[test]
 fn slabs_of_all_sizes_tip_over_in_time() {
     let columns = ["width (m)", "time (s)", "formula"];

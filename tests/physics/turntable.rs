@@ -4,8 +4,8 @@ use crate::suite::physics::stage::{RATES, run, world};
 use crate::suite::physics::table::Table;
 use rapier::prelude::*;
 
-/// A box on a heavy dynamic disc turns with it: it is where friction holds it, not a little farther out with each
-/// step.
+/// A box on a heavy dynamic disc turns with it: it is where friction holds it, not a little farther out with
+/// each step.
 #[test]
 fn dynamic_turntable() {
     let columns = ["rate", "rad/s", "creep outwards (m)"];
@@ -33,8 +33,8 @@ fn dynamic_turntable() {
             let end = world.bodies[cargo].translation();
             let creep = Vector::new(end.x, 0.0, end.z).length() - 5.0;
             table.row([rate.to_string(), speed.to_string(), format!("{creep:+.4}")]);
-            // Friction stops the sliding of each substep, not what it slid within the substep: an angle of ω h,
-            // in each of 2π / ω h of them.
+            // Friction stops the sliding of each substep, not what it slid within the substep: an angle of ω
+            // h, in each of 2π / ω h of them.
             let substep = world.integration_parameters.substep();
             let limit = 5.0 * 2.0 * std::f64::consts::PI as Real * speed * substep + 0.01;
             table.check("the creep", creep, 0.0, 2.0 * limit);

@@ -1,7 +1,8 @@
 //! A hundred thousand questions, each asked twice: of the trees, and of every collider in turn.
 //!
-//! Points and casts are compared to the last bit. parry's rays are other formulas than ours for some shapes, so times are
-//! compared to within its tolerance; that no tree changes a bit of them is a test in `src/query/hits/tests.rs`.
+//! Points and casts are compared to the last bit. parry's rays are other formulas than ours for some shapes,
+//! so times are compared to within its tolerance; that no tree changes a bit of them is a test in
+//! `src/query/hits/tests.rs`.
 
 use crate::dim::{about_z, assortment, vec};
 use crate::suite::physics::stage::{Dice, world};
@@ -117,9 +118,9 @@ fn filters<'a>(index: usize) -> QueryFilter<'a> {
     }
 }
 
-/// What parry says, asked so that it is right: from nearby, because its rays lose digits on their way; with a direction of
-/// unit length, which its way out of hollow shapes expects; and hollow shapes for the normal, too, because without it the limit
-/// is taken for the wall of a box.
+/// What parry says, asked so that it is right: from nearby, because its rays lose digits on their way; with a
+/// direction of unit length, which its way out of hollow shapes expects; and hollow shapes for the normal,
+/// too, because without it the limit is taken for the wall of a box.
 fn time_of_impact(collider: &Collider, ray: &Ray, limit: Real, solid: bool) -> Option<Real> {
     let (shape, pose, length) = (collider.shape(), collider.position(), ray.dir.length());
     let unit = ray.dir / length;
@@ -137,13 +138,15 @@ fn time_of_impact(collider: &Collider, ray: &Ray, limit: Real, solid: bool) -> O
     time.map(|time| (time + start) / length)
 }
 
-/// Are two first hits the same but for rounding? Then each shape is hit at about the time of the other.
+/// Returns whether two first hits are equal within rounding. Then each shape is hit at about the time of the
+/// other.
 fn agree(
     [found, expected]: [Option<(ColliderHandle, Real)>; 2],
     (ray, limit): (&Ray, Real),
     time_of: impl Fn(ColliderHandle) -> Option<Real>,
 ) -> bool {
-    // parry's search for the first point of a hull ends when it is this close, relative to the size of numbers (here up to 40).
+    // parry's search for the first point of a hull ends when it is this close, relative to the size of
+    // numbers (here up to 40).
     let tolerance = 2.0e-3 / ray.dir.length();
     match (found, expected) {
         (None, None) => true,

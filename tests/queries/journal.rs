@@ -1,4 +1,4 @@
-//! Updates: what changed is seen, at once and by everyone who asks.
+//! Updates: every reader gets all changes at once.
 
 use crate::dim::{cuboid, vec};
 use rapier::prelude::*;

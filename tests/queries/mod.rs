@@ -1,4 +1,4 @@
-//! Do questions about the world get the answers that a look at every collider would give?
+//! Queries of the world, compared with searches of every collider.
 
 mod brute;
 mod journal;

@@ -15,10 +15,12 @@ fn posed(dice: &mut Dice, at: Vector) -> Pose {
     *body.rotation(about_z(dice.within(-3.0, 3.0))).build().position()
 }
 
-/// Panics unless the hit lies on both surfaces, with opposite normals: that of the collider points against the motion.
+/// Panics unless the hit lies on both surfaces, with opposite normals: that of the collider points against
+/// the motion.
 #[track_caller]
 fn check(hit: &ShapeCastHit, collider: &Collider, shape: &dyn Shape, landed: &Pose, way: Vector) {
-    // parry's search of curved shapes ends within some thousandths of their size; a mix-up of sides or frames is off by metres.
+    // parry's search of curved shapes ends within some thousandths of their size; a mix-up of sides or frames
+    // is off by metres.
     let tolerance = 2.0e-2;
     // From outside as well: parry's projections of points on the surface of a polygon are not reliable.
     let off = |shape: &dyn Shape, pose: &Pose, point: Vector, normal: Vector| {

@@ -85,14 +85,16 @@ fn the_search_ends_however_long_something_spins() {
                 assert!(meets(1.7, 0.0).is_none(), "out of reach, for ever");
                 assert!(meets(1.7, -1.0e-3).is_none(), "out of reach, and ever farther away");
                 assert!(turn * end < 2.0 || meets(0.9, 0.0).is_some(), "within reach");
-                // Where it just grazes, or crosses a peg that it fits past for a while, anything may be said in the end.
+                // Where it just grazes, or crosses a peg that it fits past for a while, anything may be said
+                // in the end.
                 let _ = [meets(1.2049, 0.0), meets(1.21, 1.0e-6), meets(0.31, 1.0e-3)];
             }
         }
     }
 }
 
-/// A ball that begins 0.1 deep in a wall meets it at once, or is let go: out at any speed, and in until its middle would be inside.
+/// A ball that begins 0.1 deep in a wall meets it at once, or is let go: out at any speed, and in until its
+/// middle would be inside.
 #[test]
 fn who_begins_inside_is_let_go_unless_its_middle_gets_in() {
     let wall = || cuboid(1.0, 10.0).translation(vec(1.4, 0.0));

@@ -46,8 +46,8 @@ fn circle() {
     }
 }
 
-/// A car turned across its way slides to a stop within `v² / 2 µ g` as well, brakes or not; so does one at an angle with
-/// its wheels locked, and it goes straight on.
+/// A car turned across its way slides to a stop within `v² / 2 µ g` as well, brakes or not; so does one at an
+/// angle with its wheels locked, and it goes straight on.
 #[test]
 fn sideways() {
     let columns = ["rate", "angle (°)", "locked", "distance (m)", "formula", "deviation (m)"];
@@ -82,8 +82,8 @@ fn sideways() {
     }
 }
 
-/// In a curve of the radius r a car holds as long as `v² / r < µ g`, and stays on its wheels at the default roll
-/// influence even with tyres that would turn it over.
+/// In a curve of the radius r a car holds as long as `v² / r < µ g`, and stays on its wheels at the default
+/// roll influence even with tyres that would turn it over.
 #[test]
 fn curves() {
     let columns = ["rate", "µ", "v² / r g wanted", "got", "lean (°)"];

@@ -17,8 +17,8 @@ fn on_plate(rate: u32, plate: RigidBodyBuilder, gravity: Vector) -> (Road, Rigid
     (Road { world, car }, plate)
 }
 
-/// With its brakes on a car stays where it is on a platform that goes to and fro, up and down, and round; without brakes it
-/// stays on one that goes up and down.
+/// With its brakes on a car stays where it is on a platform that goes to and fro, up and down, and round;
+/// without brakes it stays on one that goes up and down.
 #[test]
 fn platforms() {
     let columns = ["rate", "platform", "by", "slip (mm)", "of (m)"];
@@ -52,8 +52,9 @@ fn platforms() {
                     format!("{:.3}", farthest * 1.0e3),
                     format!("{way:.2}"),
                 ]);
-                // Within a step the car comes to the platform's new velocity bit by bit, which the platform has from
-                // its beginning: it falls behind by ⅜ of what the velocity changes by, 4 m/s in all, times the step.
+                // Within a step the car comes to the platform's new velocity bit by bit, which the platform
+                // has from its beginning: it falls behind by ⅜ of what the velocity changes by, 4 m/s in all,
+                // times the step.
                 let behind = 0.5 * 0.375 * 4.0 / rate as Real;
                 table.check("the slip", farthest, 0.0, 1.1 * behind);
             }
@@ -84,7 +85,8 @@ fn lead(plate: &mut RigidBody, name: &str, time: Real, dt: Real) {
     }
 }
 
-/// In space a car that drives on a plate pushes it away beneath, and the momentum of both together stays zero.
+/// In space a car that drives on a plate pushes it away beneath, and the momentum of both together stays
+/// zero.
 #[test]
 fn momentum() {
     let columns = ["rate", "car (m/s)", "plate (m/s)", "momentum (kg m/s)"];
@@ -124,8 +126,8 @@ fn moment_of(body: &RigidBody) -> Vector {
     spin + body.center_of_mass().cross(body.linvel() * body.mass())
 }
 
-/// A plate in space that a car presses and drives on gets, in one update, the opposite of what the chassis gets: force
-/// and moment.
+/// A plate in space that a car presses and drives on gets, in one update, the opposite of what the chassis
+/// gets: force and moment.
 #[test]
 fn reaction() {
     let (mut road, plate) = on_plate(60, RigidBodyBuilder::dynamic(), Vector::ZERO);

@@ -1,4 +1,4 @@
-//! Drivers who mean harm: nothing panics, no number stops being finite, and the log says why a wheel hangs idle.
+//! Hostile input: no panic, all numbers stay finite, and the log contains the reason why a wheel is inactive.
 
 use super::stage::{HEIGHT, Road, add_car};
 use crate::suite::hostile::listener::{listen, names};
@@ -52,7 +52,8 @@ fn is_sound(road: &Road) -> bool {
         && numbers.into_iter().all(Real::is_finite)
 }
 
-/// An infinite brake holds every wheel, also in the air and under a chassis without mass, where no impulse turns it.
+/// An infinite brake holds every wheel, also in the air and under a chassis without mass, where no impulse
+/// turns it.
 #[test]
 fn an_infinite_brake_under_a_chassis_without_mass() {
     let mut road = Road::level(60, 1.0);
@@ -68,7 +69,8 @@ fn an_infinite_brake_under_a_chassis_without_mass() {
     assert!(road.car.wheels().iter().all(|wheel| wheel.spin() == 0.0));
 }
 
-/// Every field of one wheel takes every value: the world stays sound, and what is no number is named in the log.
+/// Every field of one wheel takes every value: the world stays sound, and what is no number is named in the
+/// log.
 #[test]
 fn every_number_everywhere() {
     for (name, set) in FIELDS {
@@ -127,7 +129,7 @@ fn time_steps_that_are_none() {
         assert_eq!(road.car.wheels()[0].rotation, before);
         let linvel = road.chassis().linvel();
         road.world.step();
-        // It falls as if nobody were there.
+        // It falls as if it were alone.
         let fallen = road.chassis().linvel() - linvel;
         assert!((fallen - Vector::Y * -9.81 / 60.0).length() < 1.0e-5, "{dt}: {fallen}");
     }

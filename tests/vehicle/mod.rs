@@ -1,7 +1,7 @@
-//! Does a vehicle do what the physics of cars says?
+//! Vehicles: the physics of cars.
 //!
-//! As in `tests/physics/`, each test states a formula and how far from it an update of a given length may be, and prints
-//! what came out.
+//! As in `tests/physics/`, each test states a formula and how far from it an update of a given length may be,
+//! and prints what came out.
 
 mod stage;
 

@@ -43,7 +43,8 @@ fn acceleration() {
     }
 }
 
-/// With its brakes full on a car stops within `v² / 2 µ g`, whatever the brakes: what is at the limit is the grip.
+/// With its brakes full on a car stops within `v² / 2 µ g`, whatever the brakes: what is at the limit is the
+/// grip.
 #[test]
 fn braking_distance() {
     let columns =
@@ -112,7 +113,8 @@ fn gentle_brakes() {
     }
 }
 
-/// At walking speed a car goes round in a circle of the radius `wheelbase / tan(steering)` about the middle of its rear axle.
+/// At walking speed a car goes round in a circle of the radius `wheelbase / tan(steering)` about the middle
+/// of its rear axle.
 #[test]
 fn turning_circle() {
     let columns = ["rate", "steering (°)", "radius (m)", "formula", "error (%)"];
@@ -181,7 +183,7 @@ fn spin_in_the_air() {
     assert_eq!(road.car.wheels()[3].spin(), 0.0);
 }
 
-/// Whoever keeps the trees, the car drives the same, to the last bit.
+/// The car drives the same to the last bit, independent of the owner of the trees.
 #[test]
 fn three_ways_to_ask() {
     let dt = 1.0 / 60.0;
@@ -215,8 +217,8 @@ fn three_ways_to_ask() {
     assert_eq!(by_world, by_queries);
 }
 
-/// A wheel is drawn as it rolls: forwards its top goes ahead, steered to the left its front goes left (-z, seen along x with
-/// y up), and its drawn axle is the one that it drives with.
+/// A wheel is drawn as it rolls: forwards its top goes ahead, steered to the left its front goes left (-z,
+/// seen along x with y up), and its drawn axle is the one that it drives with.
 #[test]
 fn drawn_as_it_rolls() {
     let mut road = Road::level(60, 1.0);

@@ -35,7 +35,8 @@ fn energy(road: &Road) -> Real {
     chassis.kinetic_energy() + of_height + springs.sum::<Real>()
 }
 
-/// A car that rolls over bumps in a bowl, steering at random, without engine and brakes, never has more energy than it began with.
+/// A car that rolls over bumps in a bowl, steering at random, without engine and brakes, never has more
+/// energy than it began with.
 #[test]
 fn coasting_gains_no_energy() {
     let columns = ["rate", "bumps (m)", "at first (J)", "most (J)", "after 30 s (J)", "way (m)"];
@@ -104,7 +105,8 @@ fn wild_driving() {
                 format!("{turns:.2}"),
                 format!("{highest:.2}"),
             ]);
-            // A second of full throttle gains 10 m/s; a toy that gained energy from bumps would soon have more.
+            // A second of full throttle gains 10 m/s; a toy that gained energy from bumps would soon have
+            // more.
             table.require(fastest < 25.0, "it is too fast");
             table.require(turns < 12.0, "it tumbles");
             table.require(highest < 20.0, "it flies");

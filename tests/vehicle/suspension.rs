@@ -38,13 +38,14 @@ fn static_sag() {
     }
 }
 
-/// A car dropped a little above its rest swings with `ω = √(4 k / m)` and the damping ratio `ζ = ½ c √(4 / k)`, as long
-/// as its wheels do not lift off. Peaks of both sides are `π / ω√(1 − ζ²)` apart, and each is `e^(−πζ / √(1 − ζ²))` of
-/// the one before.
+/// A car dropped a little above its rest swings with `ω = √(4 k / m)` and the damping ratio `ζ = ½ c √(4 /
+/// k)`, as long as its wheels do not lift off. Peaks of both sides are `π / ω√(1 − ζ²)` apart, and each is
+/// `e^(−πζ / √(1 − ζ²))` of the one before.
 ///
 /// Both are exact for a vanishing time step. An update takes what is behind the scheme of the spring (see
-/// `src/dim3/vehicle/spring.rs`): at 30 Hz 1 % of the frequency, and half of `ω dt / 8` for what substeps add to the damping
-/// ratio. A peak is known to half a step, a swing of 15 steps to 3 %; we let it be interpolated.
+/// `src/dim3/vehicle/spring.rs`): at 30 Hz 1 % of the frequency, and half of `ω dt / 8` for what substeps add
+/// to the damping ratio. A peak is known to half a step, a swing of 15 steps to 3 %; we let it be
+/// interpolated.
 #[test]
 fn bounce() {
     let columns = ["rate", "ζ wanted", "ζ", "frequency (Hz)", "formula"];

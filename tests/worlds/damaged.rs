@@ -1,4 +1,5 @@
-//! Worlds that are loaded from damaged data: each number, list and variant of a saved world is changed, one at a time.
+//! Worlds that are loaded from damaged data: each number, list and variant of a saved world is changed, one
+//! at a time.
 //!
 //! The data is refused, or the world is loaded and goes on: nothing panics, and all numbers stay finite.
 
@@ -27,7 +28,8 @@ impl Tally {
     }
 }
 
-/// Loads a set with changes into a world whose other sets are loaded, too, or live. Steps it as it is, and after an edit.
+/// Loads a set with changes into a world whose other sets are loaded, too, or live. Steps it as it is, and
+/// after an edit.
 fn try_change(world: &PhysicsWorld, set: usize, tree: &Tree, edit: fn(&mut PhysicsWorld)) -> bool {
     let mut world = copy(world);
     if load_into(&mut world, set, tree).is_err() {
@@ -139,8 +141,8 @@ fn sets_with_two_damages_spoil_nothing() {
     damage(&save_all(&world), &world, &Selection { first: 7, stride: 307, at_once: 2 });
 }
 
-/// The values of a set, by number, whose paths end in these characters, and what they are changed to: each change contradicts another value, but no
-/// list is too short for it.
+/// The values of a set, by number, whose paths end in these characters, and what they are changed to: each
+/// change contradicts another value, but no list is too short for it.
 fn contradictions() -> [(usize, &'static str, Tree); 14] {
     let (text, number) = (|text: &str| Tree::Text(text.into()), Tree::Unsigned);
     [
@@ -164,8 +166,8 @@ fn contradictions() -> [(usize, &'static str, Tree); 14] {
     ]
 }
 
-/// The step notices each contradiction and takes the world in as new. A world that goes on would keep its islands and impulses, and have other
-/// bits.
+/// The step notices each contradiction and takes the world in as new. A world that goes on would keep its
+/// islands and impulses, and have other bits.
 #[test]
 fn contradictions_are_noticed() {
     let (saved, mut unnoticed) = (save_all(&stepped()), 0);
@@ -204,7 +206,8 @@ fn couplings_of_missing_links_are_refused() {
     }
 }
 
-/// A contact skin that the setter refuses is refused when it is loaded: its contacts would be infinitely far apart.
+/// A contact skin that the setter refuses is refused when it is loaded: its contacts would be infinitely far
+/// apart.
 #[test]
 fn skins_that_no_setter_accepts_are_refused() {
     let world = stepped();

@@ -44,7 +44,8 @@ fn a_replay_repeats_every_edit() {
     }
 }
 
-/// A world that cannot be saved for some steps: what is recorded until then is whole, and nothing is recorded later.
+/// A world that cannot be saved for some steps: what is recorded until then is whole, and nothing is recorded
+/// later.
 #[test]
 fn a_recording_ends_where_the_world_cannot_be_saved() {
     let mut world = world();

@@ -82,8 +82,8 @@ fn world_with_older_body(steps: usize, is_edited: bool) -> (PhysicsWorld, RigidB
     (world, bodies[0])
 }
 
-/// The copy is older than the attachment, and was made before any edit: its list lacks a collider. The body is removed before a step compares it
-/// with its note.
+/// The copy is older than the attachment, and was made before any edit: its list lacks a collider. The body
+/// is removed before a step compares it with its note.
 #[test]
 fn colliders_go_with_a_body_that_an_older_copy_replaced() {
     for (steps, is_edited) in [(0, false), (0, true), (1, false), (1, true), (5, false)] {

@@ -1,4 +1,5 @@
-//! Snapshots that earlier builds have saved, one for each crate. The present build reads them, or their format has another number.
+//! Snapshots that earlier builds have saved, one for each crate. The present build reads them, or their
+//! format has another number.
 
 use super::scene::{step, world};
 use crate::rapier::prelude::*;
@@ -10,8 +11,9 @@ fn path() -> PathBuf {
     [env!("CARGO_MANIFEST_DIR"), "../../tests/worlds/samples", &name].iter().collect()
 }
 
-/// The sample is saved again as the same bytes: no saved type has changed. Where one has, raise `FORMAT` in `src/api/snapshot/header.rs`, mark the change with
-/// **[snapshot]** in the changelog, and make new samples with `SAVE_SAMPLES=1`.
+/// The sample is saved again as the same bytes: no saved type has changed. Where one has, raise `FORMAT` in
+/// `src/api/snapshot/header.rs`, mark the change with **[snapshot]** in the changelog, and make new samples
+/// with `SAVE_SAMPLES=1`.
 #[test]
 fn a_snapshot_of_an_earlier_build_is_read() {
     if std::env::var_os("SAVE_SAMPLES").is_some() {

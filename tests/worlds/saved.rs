@@ -57,7 +57,8 @@ pub const EDITS: [Edit; 9] = [
     }),
 ];
 
-/// A world that was loaded goes on bit for bit as the one that was saved, whatever the user did before it was saved.
+/// A world that was loaded goes on bit for bit as the one that was saved, whatever the user did before it was
+/// saved.
 #[test]
 fn a_loaded_world_goes_on_as_if_it_had_not_been_saved() {
     for steps in [0, 1, 12, 150] {

@@ -13,7 +13,8 @@ pub fn at(x: Real, y: Real) -> Vector {
     Vector::X * x + Vector::Y * y
 }
 
-/// A ground, a pile, sleepers, a platform, a sensor, a pendulum, a chain of links, a gear and things of composite shapes.
+/// A ground, a pile, sleepers, a platform, a sensor, a pendulum, a chain of links, a gear and things of
+/// composite shapes.
 pub fn world() -> PhysicsWorld {
     let mut world = PhysicsWorld::new();
     world.insert_collider(ColliderBuilder::halfspace(Vector::Y), None);

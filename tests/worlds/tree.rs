@@ -1,6 +1,7 @@
 //! Saved data as a tree of values, in which each value can be changed.
 //!
-//! A format of its own, because formats in use either have no NaN and no infinity (JSON) or no structure (bytes).
+//! A format of its own, because formats in use either have no NaN and no infinity (JSON) or no structure
+//! (bytes).
 
 use serde::de::value::{MapDeserializer, SeqDeserializer, StrDeserializer};
 use serde::de::{DeserializeOwned, EnumAccess, IntoDeserializer, VariantAccess, Visitor};

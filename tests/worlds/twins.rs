@@ -1,6 +1,8 @@
-//! Sets that change places with those of a twin: a world that differs in a single number, a single sleeper, a single edit.
+//! Sets that change places with those of a twin: a world that differs in a single number, a single sleeper, a
+//! single edit.
 //!
-//! Every mixture of sets is noticed, and the world goes on as one whose islands, pairs and trees are new: bit for bit.
+//! Every mixture of sets is noticed, and the world goes on as one whose islands, pairs and trees are new: bit
+//! for bit.
 
 use super::records::check_attachments;
 use super::scene::{bits, copy, cube, step, world};
@@ -147,7 +149,8 @@ fn all_sets_of_a_twin_fit_each_other() {
     }
 }
 
-/// Copies fit each other, as long as they are edited one set at a time. Whatever is mixed, the world goes on, the same in every run.
+/// Copies fit each other, as long as they are edited one set at a time. Whatever is mixed, the world goes on,
+/// the same in every run.
 #[test]
 fn copies_that_were_edited_are_mixed_in_every_way() {
     let one = stepped(world(), BEFORE);
@@ -185,8 +188,9 @@ fn rigid_joint(world: &mut PhysicsWorld) -> (ImpulseJointHandle, &mut ImpulseJoi
     world.impulse_joints.iter_mut().nth(1).expect("there are two")
 }
 
-/// A copy that detected collisions after an edit of a joint gets the joints of the other copy, which knows nothing of the edit, and the reverse:
-/// each world solves the joints that it has. A joint that acts is apart by less than 5 cm after a second; without it the second bob falls.
+/// A copy that detected collisions after an edit of a joint gets the joints of the other copy, which knows
+/// nothing of the edit, and the reverse: each world solves the joints that it has. A joint that acts is apart
+/// by less than 5 cm after a second; without it the second bob falls.
 #[test]
 fn joints_of_another_copy_act() {
     let mut one = stepped(world(), BEFORE);
@@ -250,7 +254,8 @@ fn pipelines_change_places() {
     assert_eq!(bits(&two), bits(&other));
 }
 
-/// Islands of a twin, on several threads: constraints of a colour would share bodies, and each run would be another.
+/// Islands of a twin, on several threads: constraints of a colour would share bodies, and each run would be
+/// another.
 #[test]
 fn every_run_of_mixed_twins_is_the_same() {
     let pile = |offset: Real| {

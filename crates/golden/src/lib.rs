@@ -1,10 +1,12 @@
 //! # Golden — hashes that every machine must reproduce
 //!
-//! Each scene is a small world that exercises a part of the engine. A run folds the hash of the world after each step, all events and all answers
-//! of queries into one hash. `hashes.txt` holds the expected hashes. The same scenes run natively (`cargo run --release -p golden`), under
-//! emulation of another processor, and as WebAssembly (`run.mjs`), and every run must reproduce the file.
+//! Each scene is a small world that exercises a part of the engine. A run folds the hash of the world after
+//! each step, all events and all answers of queries into one hash. `hashes.txt` holds the expected hashes.
+//! The same scenes run natively (`cargo run --release -p golden`), under emulation of another processor, and
+//! as WebAssembly (`run.mjs`), and every run must reproduce the file.
 //!
-//! The scenes are compiled four times, once against each crate: files in `both/` say `rapier` and `dim`, and the modules here bind these names.
+//! The scenes are compiled four times, once against each crate: files in `both/` say `rapier` and `dim`, and
+//! the modules here bind these names.
 
 #![expect(
     clippy::duplicate_mod,

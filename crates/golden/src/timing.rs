@@ -19,7 +19,8 @@ pub const PILES: [(&str, Pile); 4] = [
 /// The phases of a pile: name, first step, and end.
 const PHASES: [(&str, usize, usize); 2] = [("falling", 0, 100), ("settled", 300, 500)];
 
-/// Runs a pile and returns a line with the median time of a step in each phase. `now` returns the time in milliseconds.
+/// Runs a pile and returns a line with the median time of a step in each phase. `now` returns the time in
+/// milliseconds.
 pub fn time(engine: &str, pile: Pile, now: impl Fn() -> f64) -> String {
     // Compilers at run time need a pile to find the code that matters.
     run(&mut pile(), 120, &now);

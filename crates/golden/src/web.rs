@@ -45,7 +45,8 @@ unsafe extern "C" {
     safe fn now() -> f64;
 }
 
-/// Runs a pile, leaves its line of times as the text, and returns its length in bytes; 0 behind the last pile.
+/// Runs a pile, leaves its line of times as the text, and returns its length in bytes; 0 behind the last
+/// pile.
 #[cfg(target_arch = "wasm32")]
 #[unsafe(no_mangle)]
 pub extern "C" fn golden_time(index: usize) -> usize {

@@ -1,8 +1,10 @@
-//! All scenes give the expected hashes: with wide registers and with the baseline's, and on several threads where there are any.
+//! All scenes give the expected hashes: with wide registers and with the baseline's, and on several threads
+//! where there are any.
 
 use golden::{EXPECTED, Settings, line, scenes};
 
-/// With the feature `parallel`, eight threads take every scene through all parallel passes; one thread stands for all counts without it.
+/// With the feature `parallel`, eight threads take every scene through all parallel passes; one thread stands
+/// for all counts without it.
 const THREADS: &[usize] = if cfg!(feature = "parallel") { &[1, 2, 3, 8] } else { &[1] };
 
 fn check(engine: &str) {

@@ -1,32 +1,32 @@
-//! Which room may use which: docs/architecture.md's table, as code.
+//! Dependencies among rooms: docs/architecture.md's table, as code.
 //!
-//! Every path that begins with `crate::` or climbs with `super::` is followed to the room it leads to.
-//! Globs are not allowed, because they hide what is used.
+//! Every path that begins with `crate::` or `super::` is resolved to its room. Globs are forbidden, because
+//! they hide dependencies.
 
 use crate::Complaint;
 use crate::source::Source;
 
-/// A part of `src/` that the table knows.
+/// A part of `src/` in the table.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 enum Room<'a> {
     Base,
     /// Vocabulary of a dimension.
     Dim,
-    /// Contact constraints and joint frames of a dimension: vocabulary of the solver, which may know
+    /// Contact constraints and joint frames of a dimension: vocabulary of the solver, which may use
     /// parameters.
     DimContact,
-    /// What a user calls differently in each dimension: inherent methods of the model's types.
+    /// Inherent methods of the model's types with dimension-specific signatures.
     DimSurface,
     Model,
-    /// The laws of motion of articulated bodies: no world, no contacts.
+    /// Dynamics of articulated bodies, independent of world and contacts.
     Multibody,
-    /// Where two shapes touch: no bodies, no time.
+    /// Contact manifolds of two shapes, independent of bodies and time.
     Collide,
-    /// The names in `step/` that every stage may use.
+    /// Names in `step/` for all stages.
     Notes,
     Stage(&'a str),
     Step,
-    /// Questions about the world: reads it, writes nothing.
+    /// Queries of the world: reads it, writes nothing.
     Query,
     /// Characters, vehicles, feedback: users of queries and of the model's public side.
     Controllers,
@@ -36,10 +36,10 @@ enum Room<'a> {
     Door,
 }
 
-/// Files of `step/` that are no stages but what stages say to each other.
+/// Files of `step/` that are no stages but data between stages.
 const NOTES: [&str; 1] = ["notes"];
 
-/// Files that may use globs, and why.
+/// Files that may use globs, with the reason.
 const GLOBS: [(&str, &str); 4] = [
     ("src/api/prelude.rs", "gathers all public names"),
     ("src/api/control.rs", "gathers the names of vehicles, which are in 3D only"),
@@ -77,7 +77,7 @@ impl<'a> Room<'a> {
         })
     }
 
-    /// May this room use that one?
+    /// Returns whether this room may use the other.
     fn may_use(self, other: Self) -> bool {
         use Room::{
             Api, Base, Collide, Controllers, DebugRender, Dim, DimContact, DimSurface, Door, Model,
@@ -136,7 +136,7 @@ fn check_file(source: &Source, module: &[&str], complaints: &mut Vec<Complaint>)
             None if target[0] == "{" && here != Room::Api => {
                 "braces after `crate::`: write one `use` per room".to_owned()
             }
-            // A macro: all of them stand at the root.
+            // Macros are at the crate root.
             None => continue,
             Some(there) if here.may_use(there) => continue,
             Some(_) => format!("{} may not use {}", module.join("::"), target.join("::")),
@@ -145,7 +145,7 @@ fn check_file(source: &Source, module: &[&str], complaints: &mut Vec<Complaint>)
     }
 }
 
-/// Is this sign the glob of a `use`, other than `use super::*`, which opens a module of tests?
+/// Returns whether this sign is the glob of a `use`, except `use super::*`, which opens a module of tests.
 fn is_foreign_glob(source: &Source, at: usize) -> bool {
     let glob =
         at >= 2 && source.token(at - 1) == "::" && matches!(source.token(at + 1), ";" | "," | "}");
@@ -153,7 +153,7 @@ fn is_foreign_glob(source: &Source, at: usize) -> bool {
     glob && !of_tests && !GLOBS.iter().any(|(file, _)| *file == source.path)
 }
 
-/// The absolute module path of what begins at a token: `crate::…`, or `super::…`.
+/// The absolute module path of an expression at a token: `crate::…`, or `super::…`.
 fn path_at<'a>(
     source: &'a Source,
     at: usize,
@@ -173,7 +173,7 @@ fn path_at<'a>(
         }
         _ => return None,
     };
-    // `pub(crate)` and `pub(super)` name no path.
+    // `pub(crate)` and `pub(super)` contain no path.
     if source.token(next) != "::" {
         return None;
     }
@@ -187,7 +187,7 @@ fn path_at<'a>(
     Some(path)
 }
 
-/// Which `mod name { … }` a token stands in.
+/// The enclosing `mod name { … }` of a token.
 #[derive(Default)]
 struct InlineModules<'a> {
     depth: usize,

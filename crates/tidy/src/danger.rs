@@ -1,37 +1,37 @@
-//! Where `unsafe` may stand, and what must stand beside it.
+//! Places of `unsafe`, and its documentation.
 
 use crate::Complaint;
 use crate::source::Source;
 
-/// Files and folders of the engine that may be `unsafe`, and why.
+/// Files and folders of the engine that may be `unsafe`, with the reason.
 const ALLOWED: [(&str, &str); 21] = [
     ("src/base/arena.rs", "two elements of one slice at a time"),
-    ("src/base/disjoint.rs", "many workers write one slice, each its own elements"),
-    ("src/base/late.rs", "who looks first completes what all see"),
+    ("src/base/disjoint.rs", "many threads write one slice, each its own elements"),
+    ("src/base/late.rs", "the first read completes a shared value"),
     ("src/base/tasks/", "hands elements of one slice out to workers"),
     ("src/base/wide/", "intrinsics of the processor"),
     ("src/dim2/state.rs", "gathers bodies by index into lanes"),
     ("src/dim3/state.rs", "gathers bodies by index into lanes"),
-    ("src/dim2/contact/", "constraints of one colour write bodies at the same time"),
-    ("src/dim3/contact/", "constraints of one colour write bodies at the same time"),
-    ("src/model/body/set.rs", "bodies are visited at the same time"),
-    ("src/model/contact/narrow_phase.rs", "who looks first at a pair has it told"),
+    ("src/dim2/contact/", "constraints of one colour write bodies concurrently"),
+    ("src/dim3/contact/", "constraints of one colour write bodies concurrently"),
+    ("src/model/body/set.rs", "threads visit bodies concurrently"),
+    ("src/model/contact/narrow_phase.rs", "the first read of a pair writes its results back"),
     ("src/model/contact/store.rs", "a pair is written behind a shared reference"),
     ("src/model/joint/views.rs", "a wrapper of a joint is that joint"),
-    ("src/model/joint/kind.rs", "says of each wrapper that it is one"),
-    ("src/step/solver/", "lets the constraints of a colour run"),
-    ("src/step/advance/mod.rs", "bodies carry their colliders at the same time"),
-    ("src/step/narrow_phase/update.rs", "pairs are computed at the same time"),
-    ("src/step/narrow_phase/ghost_contacts.rs", "bodies are looked at at the same time"),
+    ("src/model/joint/kind.rs", "declares each wrapper as one"),
+    ("src/step/solver/", "constraints of a colour run concurrently"),
+    ("src/step/advance/mod.rs", "bodies move their colliders concurrently"),
+    ("src/step/narrow_phase/update.rs", "pairs are computed concurrently"),
+    ("src/step/narrow_phase/ghost_contacts.rs", "bodies are compared concurrently"),
     ("crates/golden/src/web.rs", "exports functions to JavaScript by name"),
     (
         "crates/wasm/src/",
-        "exports functions to JavaScript by name, and keeps what JavaScript owns in static cells",
+        "exports functions to JavaScript by name, and stores objects of JavaScript in static cells",
     ),
     ("crates/bench/src/", "counts allocations, and calls engines written in C"),
 ];
 
-/// Complains of `unsafe` in the wrong place, and of `unsafe` that gives no reason.
+/// Complains of `unsafe` in other places, and of `unsafe` without a reason.
 pub fn check(sources: &[Source]) -> Vec<Complaint> {
     let mut complaints = Vec::new();
     for source in sources {
@@ -50,8 +50,7 @@ pub fn check(sources: &[Source]) -> Vec<Complaint> {
 fn check_reasons(source: &Source, complaints: &mut Vec<Complaint>) {
     let lines: Vec<&str> = source.text.lines().collect();
     for at in 0..source.tokens.len() {
-        // An `unsafe fn` says in its documentation what the caller must see to; `unsafe extern` and
-        // `unsafe(…)` are no blocks.
+        // An `unsafe fn` documents the caller's obligations; `unsafe extern` and `unsafe(…)` are no blocks.
         let (reason, kind) = match (source.token(at), source.token(at + 1)) {
             ("unsafe", "{" | "impl") => ("SAFETY:", "a block"),
             ("unsafe", "fn") if !of_documented_trait(source, at) => ("# Safety", "a function"),
@@ -65,7 +64,7 @@ fn check_reasons(source: &Source, complaints: &mut Vec<Complaint>) {
     }
 }
 
-/// Is this `unsafe fn` the implementation of a trait's, which is documented there?
+/// Returns whether this `unsafe fn` implements a trait's, which is documented there.
 fn of_documented_trait(source: &Source, at: usize) -> bool {
     let mut depth = 0_i32;
     for i in (0..at).rev() {
@@ -83,8 +82,7 @@ fn of_documented_trait(source: &Source, at: usize) -> bool {
     false
 }
 
-/// Does the reason stand in the line, or in the comments and attributes right above the statement
-/// that the line belongs to?
+/// Returns whether the line contains the reason, or the comments and attributes right above its statement do.
 fn explained(lines: &[&str], line: usize, reason: &str) -> bool {
     if lines[line - 1].contains(reason) {
         return true;

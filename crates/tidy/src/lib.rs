@@ -1,19 +1,21 @@
-//! Reads the source tree and complains of what breaks the rules of the house.
+//! Checks the source tree against the rules of the house.
 //!
-//! The compiler checks arrows between crates, not between the rooms of one. What CONTRIBUTING.md and
-//! docs/architecture.md promise of `src/` is checked here instead, by reading the text: a few hundred
-//! lines without dependencies, which run with every `cargo test`. The rules and their exceptions:
+//! The compiler checks arrows between crates, not between the rooms of one. This crate checks the rules of
+//! CONTRIBUTING.md and docs/architecture.md on the text of `src/`: a few hundred lines without dependencies,
+//! which run with every `cargo test`. The rules and their exceptions:
 //!
-//! * [`arrows`]: which room may use which.
+//! * [`arrows`]: dependencies among rooms.
 //! * [`variants`]: one tree without `cfg` on dimension or precision; twins that stay twins.
 //! * [`limits`]: lengths of functions and files, headers, unfinished code.
-//! * [`danger`]: where `unsafe` may stand, and what must stand beside it.
-//! * [`papers`]: documents that say what the source says.
+//! * [`danger`]: places of `unsafe`, and its documentation.
+//! * [`papers`]: documents that agree with the source.
+//! * [`prose`]: comments in the field's language.
 
 pub mod arrows;
 pub mod danger;
 pub mod limits;
 pub mod papers;
+pub mod prose;
 pub mod source;
 pub mod variants;
 
@@ -22,14 +24,14 @@ use source::Source;
 use std::io;
 use std::path::Path;
 
-/// A place that breaks a rule.
+/// A violation of a rule.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Complaint {
     /// The file, relative to the repository.
     pub file: String,
     /// The line, counted from 1.
     pub line: usize,
-    /// Which rule is broken, and by what.
+    /// The violated rule, and the violation.
     pub what: String,
 }
 
@@ -59,6 +61,7 @@ pub fn check(root: &Path) -> io::Result<Vec<Complaint>> {
     complaints.extend(variants::check(&sources));
     complaints.extend(limits::check(&sources));
     complaints.extend(danger::check(&sources));
+    complaints.extend(prose::check(&sources));
     complaints.extend(papers::check(root, &sources, &documents));
     complaints.sort();
     Ok(complaints)

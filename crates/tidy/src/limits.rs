@@ -8,9 +8,9 @@ const FILE_LINES: usize = 600;
 /// Lines of a function from `fn` to its last brace, without blank lines and comments.
 const FUNCTION_LINES: usize = 70;
 
-/// Files that may be longer, and why.
+/// Files that may be longer, with the reason.
 const LONG_FILES: [(&str, &str); 0] = [];
-/// Functions that may be longer, with their files, and why.
+/// Functions that may be longer, with their files and the reason.
 const LONG_FUNCTIONS: [(&str, &str, &str); 0] = [];
 
 /// Complains of files and functions that are too long, that have no header, or that are unfinished.

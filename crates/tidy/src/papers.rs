@@ -1,21 +1,21 @@
-//! Documents that say what the source says: links that lead somewhere, paths that exist, functions that are in the
-//! file that is named with them, and the table of stages, which is written on the stages' cards.
+//! Documents that agree with the source: links and paths exist, named functions are in their file, and the
+//! table of stages equals the stages' cards.
 
 use crate::Complaint;
 use crate::source::Source;
 use std::path::Path;
 
-/// What a path in backticks begins with if it is meant to be one of the repository.
+/// Prefixes of paths of the repository in backticks.
 const PLACES: [&str; 8] =
     ["src/", "crates/", "tests/", "examples2d/", "examples3d/", "docs/", ".ci/", ".github"];
 /// The document with the table of stages.
 const STEP: &str = "docs/step.md";
 const TABLE_BEGINS: &str = "<!-- stages: from the first lines of src/step/*/mod.rs -->";
 const TABLE_ENDS: &str = "<!-- end of stages -->";
-/// What a stage's card says, in this order.
+/// Entries of a stage's card, in this order.
 const CARD: [&str; 4] = ["Reads", "Writes", "Runs", "Never"];
 
-/// Complains of links and paths that lead nowhere, and of a table of stages that is not the cards'.
+/// Complains of broken links and paths, and of a table of stages that differs from the cards.
 pub fn check(root: &Path, sources: &[Source], documents: &[(String, String)]) -> Vec<Complaint> {
     let mut complaints = Vec::new();
     for (path, text) in documents {
@@ -33,7 +33,7 @@ pub fn check(root: &Path, sources: &[Source], documents: &[(String, String)]) ->
     complaints
 }
 
-/// Is there such a file or folder or, behind `::`, such a function in it?
+/// Returns whether there is such a file or folder or, behind `::`, such a function in it.
 fn exists(root: &Path, target: &str) -> bool {
     match target.split_once("::") {
         None => root.join(target).exists(),
@@ -42,7 +42,7 @@ fn exists(root: &Path, target: &str) -> bool {
     }
 }
 
-/// Every path of the repository that a document names, with its line.
+/// Every path of the repository in a document, with its line.
 fn targets(path: &str, text: &str) -> Vec<(usize, String)> {
     let folder = Path::new(path).parent().unwrap_or(Path::new(""));
     let mut targets = Vec::new();
@@ -75,7 +75,7 @@ fn targets(path: &str, text: &str) -> Vec<(usize, String)> {
     targets
 }
 
-/// The table of stages as the cards have it, and complaints about cards that lack something.
+/// The table of stages according to the cards, and complaints about incomplete cards.
 fn table(sources: &[Source]) -> (Vec<String>, Vec<Complaint>) {
     let mut complaints = Vec::new();
     let mut rows = vec![
@@ -99,7 +99,7 @@ fn table(sources: &[Source]) -> (Vec<String>, Vec<Complaint>) {
     (rows, complaints)
 }
 
-/// The stages in the order in which `step/mod.rs` declares them, which is the order they run in.
+/// The stages in the order in which `step/mod.rs` declares them, which is the execution order.
 fn stages(sources: &[Source]) -> Vec<String> {
     let Some(step) = sources.iter().find(|source| source.path == "src/step/mod.rs") else {
         return Vec::new();
@@ -112,7 +112,7 @@ fn stages(sources: &[Source]) -> Vec<String> {
     names.filter(is_folder).filter(|name| name != "tests").collect()
 }
 
-/// What a card says behind a word and its colon; it may go on in lines that are indented.
+/// The text of a card's entry; indented lines continue it.
 fn card_entry(text: &str, entry: &str) -> String {
     let card = text.lines().map_while(|line| line.strip_prefix("//!"));
     let mut lines = card.map(|line| line.strip_prefix(' ').unwrap_or(line));

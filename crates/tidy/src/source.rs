@@ -1,10 +1,10 @@
-//! Files, and what of a Rust file is code.
+//! Files, and the code of a Rust file.
 
 use std::fs;
 use std::io;
 use std::path::Path;
 
-/// Where the repository's own text is; build outputs and package folders are not looked at.
+/// Folders of the repository's own text; build outputs and package folders are excluded.
 const FOLDERS: [&str; 6] = ["src", "crates", "tests", "examples2d", "examples3d", "docs"];
 const SKIPPED: [&str; 3] = ["target", "node_modules", "pkg"];
 
@@ -56,20 +56,20 @@ fn walk(folder: &Path, extension: &str, files: &mut Vec<std::path::PathBuf>) -> 
 pub struct Token {
     /// The line, counted from 1.
     pub line: usize,
-    /// What stands there.
+    /// The text.
     pub text: String,
 }
 
-/// A Rust file, read.
+/// A Rust file.
 #[derive(Clone, Debug)]
 pub struct Source {
     /// Relative to the repository.
     pub path: String,
-    /// As it stands in the file.
+    /// The text of the file.
     pub text: String,
     /// Without comments.
     pub bare: String,
-    /// Without comments and without what stands in strings, as tokens.
+    /// The tokens, without comments and without the contents of strings.
     pub tokens: Vec<Token>,
 }
 
@@ -81,7 +81,7 @@ impl Source {
         Self { path: path.to_owned(), text: text.to_owned(), bare, tokens }
     }
 
-    /// Is this a file of the engine? Then, its path within `src/`.
+    /// Returns the path within `src/` if this is a file of the engine.
     pub fn in_engine(&self) -> Option<&str> {
         self.path.strip_prefix("src/")
     }
@@ -92,7 +92,7 @@ impl Source {
     }
 }
 
-/// Replaces comments, and what stands in strings if `strings`, by blanks. Lines stay where they are.
+/// Replaces comments by blanks, and the contents of strings if `strings`. Line numbers are kept.
 fn blank(text: &str, strings: bool) -> String {
     let chars: Vec<char> = text.chars().collect();
     let mut out = String::with_capacity(text.len());
@@ -109,7 +109,7 @@ fn blank(text: &str, strings: bool) -> String {
     out
 }
 
-/// What begins at a character, and where it ends.
+/// The kind of text at a character, with its end.
 enum Piece {
     Code,
     Comment(usize),

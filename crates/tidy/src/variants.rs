@@ -3,20 +3,20 @@
 use crate::Complaint;
 use crate::source::Source;
 
-/// The crate roots: the only files that may ask for dimension or precision.
+/// The crate roots: the only files with dimension or precision.
 const DOORS: [&str; 2] = ["src/lib2d.rs", "src/lib3d.rs"];
 const VARIANTS: [&str; 4] = ["dim2", "dim3", "f32", "f64"];
-/// Where threads may be asked for.
+/// The folder with threads.
 const PARALLEL: &str = "src/base/tasks/";
 
-/// Files, and folders but for their `mod.rs`, that stand in one of `dim2/` and `dim3/` only, and why.
+/// Files, and folders except their `mod.rs`, that exist in one of `dim2/` and `dim3/` only, with the reason.
 const SINGLES: [(&str, &str); 3] = [
-    ("src/dim3/collide/cuboid_faces.rs", "faces are clipped by faces; in 2D the faces are edges"),
-    ("src/dim3/top.rs", "what turns freely tumbles; in 2D it has but one axis to turn about"),
-    ("src/dim3/vehicle/", "cars drive on surfaces; in 2D they are bodies on wheels"),
+    ("src/dim3/collide/cuboid_faces.rs", "faces are clipped by faces; in 2D faces are edges"),
+    ("src/dim3/gyroscopic.rs", "gyroscopic motion needs three axes"),
+    ("src/dim3/vehicle/", "ray-cast vehicles exist in 3D only"),
 ];
 
-/// Complains of `cfg`s in the wrong place and of twins that differ.
+/// Complains of misplaced `cfg`s and of twins that differ.
 pub fn check(sources: &[Source]) -> Vec<Complaint> {
     let mut complaints = Vec::new();
     for source in sources.iter().filter(|source| source.in_engine().is_some()) {
@@ -45,7 +45,7 @@ fn check_features(source: &Source, complaints: &mut Vec<Complaint>) {
     }
 }
 
-/// What stands in quotes behind `feature =` in a line.
+/// The quoted values of `feature =` in a line.
 fn features(line: &str) -> impl Iterator<Item = &str> {
     line.split("feature").skip(1).filter_map(|rest| {
         let value = rest.trim_start().strip_prefix('=')?.trim_start().strip_prefix('"')?;
@@ -53,7 +53,7 @@ fn features(line: &str) -> impl Iterator<Item = &str> {
     })
 }
 
-/// The code of both front doors must be the same but for the dimension.
+/// The code of both front doors must be equal except for the dimension.
 fn check_doors(sources: &[Source], complaints: &mut Vec<Complaint>) {
     let code = |path: &str| {
         let source = sources.iter().find(|source| source.path == path)?;
@@ -104,7 +104,7 @@ fn check_dimensions(sources: &[Source], complaints: &mut Vec<Complaint>) {
     }
 }
 
-/// Does an entry of [`SINGLES`] stand for a file?
+/// Returns whether an entry of [`SINGLES`] matches a file.
 fn covers(entry: &str, path: &str) -> bool {
     match path.strip_prefix(entry) {
         Some("") => true,
@@ -171,7 +171,7 @@ mod tests {
     fn dimensions_have_the_same_files() {
         let singles = [
             ("src/dim3/collide/cuboid_faces.rs", ""),
-            ("src/dim3/top.rs", ""),
+            ("src/dim3/gyroscopic.rs", ""),
             ("src/dim3/vehicle/a.rs", ""),
         ];
         assert!(of(check_dimensions, &singles).is_empty());

@@ -1,4 +1,4 @@
-//! The house as it stands keeps its rules.
+//! The house keeps its rules.
 
 use std::path::Path;
 

@@ -21,7 +21,8 @@ pub enum Difference {
         step: usize,
         /// The first stage after which the hashes differ, if both recordings have them.
         stage: Option<StepStage>,
-        /// The first body, counted in the order of handles, whose hash differs. `None`: no body, but a joint, a pair or a collider.
+        /// The first body, counted in the order of handles, whose hash differs. `None`: no body, but a joint,
+        /// a pair or a collider.
         body: Option<usize>,
     },
     /// One of them has fewer steps. All that both have are equal.
@@ -51,7 +52,8 @@ impl core::fmt::Display for Difference {
     }
 }
 
-/// The first difference between two [recordings](super::Recorder) of the same run, for example on two machines. `None` if there is none.
+/// The first difference between two [recordings](super::Recorder) of the same run, for example on two
+/// machines. `None` if there is none.
 ///
 /// The comparison replays nothing: it compares the recorded hashes.
 ///

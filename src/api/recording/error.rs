@@ -45,9 +45,11 @@ pub enum RecordingError {
 pub struct Divergence {
     /// The step, counted from 0.
     pub step: usize,
-    /// The first stage after which the hashes differ, if the recording has [those of stages](super::Recorder::with_stage_hashes).
+    /// The first stage after which the hashes differ, if the recording has [those of
+    /// stages](super::Recorder::with_stage_hashes).
     pub stage: Option<StepStage>,
-    /// The first body, in the order of handles, whose hash differs. `None` if the difference is in a joint, a pair or a collider alone.
+    /// The first body, in the order of handles, whose hash differs. `None` if the difference is in a joint, a
+    /// pair or a collider alone.
     pub body: Option<RigidBodyHandle>,
     /// The recorded hash of the world.
     pub expected: u64,

@@ -26,7 +26,8 @@ pub struct Opening {
 /// One step.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Frame {
-    /// The difference that the user's edits made since the last step, as a delta of snapshots. `None`: no edits.
+    /// The difference that the user's edits made since the last step, as a delta of snapshots. `None`: no
+    /// edits.
     pub edits: Option<Edits>,
     /// The hash of the world after the step.
     pub hash: u64,

@@ -1,4 +1,4 @@
-//! # Recordings — all inputs of a run in one file
+//! # Recordings: all inputs of a run in one file
 //!
 //! A recording begins with a snapshot and contains, for every step, the edits that the user made before it
 //! and the hashes of the world after it. Edits are found by comparison: the world is saved after each step

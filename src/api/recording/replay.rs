@@ -76,7 +76,8 @@ impl<'a> Replay<'a> {
     /// Makes the recorded edits, takes the next step, and compares the hashes.
     ///
     /// # Errors
-    /// If the world differs from the recorded one (it stays as it is after the step), or if the recording is damaged.
+    /// If the world differs from the recorded one (it stays as it is after the step), or if the recording is
+    /// damaged.
     pub fn step(&mut self) -> Result<Replayed, ReplayError> {
         self.step_with_events(&(), &())
     }
@@ -84,7 +85,8 @@ impl<'a> Replay<'a> {
     /// The same as [`Self::step`], with the hooks of the recorded run.
     ///
     /// # Errors
-    /// If the world differs from the recorded one (it stays as it is after the step), or if the recording is damaged.
+    /// If the world differs from the recorded one (it stays as it is after the step), or if the recording is
+    /// damaged.
     pub fn step_with_events(
         &mut self,
         hooks: &dyn PhysicsHooks,

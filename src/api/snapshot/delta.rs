@@ -1,13 +1,16 @@
 //! Differences between two snapshots, for programs that send or store many of them.
 //!
-//! A delta is a list of runs: some new bytes, then some bytes that are copied from the older snapshot (the base). The *shift* of a copy is its position in the
-//! new snapshot minus that in the base. It stays the same while no list grows or shrinks, and most copies keep it. If none of the next bytes match under the
-//! present shift, a table of the blocks of the base gives another.
+//! A delta is a list of runs: some new bytes, then some bytes that are copied from the older snapshot (the
+//! base). The *shift* of a copy is its position in the new snapshot minus that in the base. It stays the same
+//! while no list grows or shrinks, and most copies keep it. If none of the next bytes match under the present
+//! shift, a table of the blocks of the base gives another.
 //!
-//! Copies move forward through the base and never overlap. So a forged delta cannot make more bytes than the base and itself have.
+//! Copies move forward through the base and never overlap. So a forged delta cannot make more bytes than the
+//! base and itself have.
 //!
-//! Every run is three numbers in front of the new bytes: how many these are, how many are copied, and the change of the shift. General tools (bsdiff, xdelta)
-//! find shorter deltas of executables, which move in pieces; a world moves in few, and these tools take a hundred times longer.
+//! Every run is three numbers in front of the new bytes: how many these are, how many are copied, and the
+//! change of the shift. General tools (bsdiff, xdelta) find shorter deltas of executables, which move in
+//! pieces; a world moves in few, and these tools take a hundred times longer.
 
 use super::codec::{CodecError, read, write};
 use super::error::SnapshotError;

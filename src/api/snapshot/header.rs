@@ -5,7 +5,8 @@ use crate::base::hash::MixHasher;
 use crate::dim::math::{DIM, Real};
 use core::hash::Hasher as _;
 
-/// Version of the format. It grows with every change of a saved type, and a snapshot of another version is refused.
+/// Version of the format. It grows with every change of a saved type, and a snapshot of another version is
+/// refused.
 pub const FORMAT: u16 = 2;
 
 const MAGIC: [u8; 8] = *b"physnap\n";

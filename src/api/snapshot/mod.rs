@@ -1,4 +1,4 @@
-//! # Snapshots — whole worlds as bytes
+//! # Snapshots: whole worlds as bytes
 //!
 //! A snapshot is a [header](header) and the nine parts of a world, in sequence, in the [format](codec) of
 //! this room. Each part checks itself when it is read; references between the sets are checked by the first
@@ -21,8 +21,9 @@ use serde::de::DeserializeOwned;
 impl PhysicsWorld {
     /// The whole world as bytes: gravity, parameters, bodies, colliders, joints, pairs, islands and trees.
     ///
-    /// A world that is [restored](Self::from_snapshot) from it continues bit for bit as this one does, on every machine. The same history gives the same
-    /// bytes. Pipelines have no state of the world; their settings (threads, registers) are not saved.
+    /// A world that is [restored](Self::from_snapshot) from it continues bit for bit as this one does, on
+    /// every machine. The same history gives the same bytes. Pipelines have no state of the world; their
+    /// settings (threads, registers) are not saved.
     ///
     /// # Errors
     /// If a collider has a shape of the user's own.

@@ -145,8 +145,8 @@ impl BoxTree {
         }
     }
 
-    /// Takes a child out of its lane. Nodes that have no child left go, and those with a single one give it to their
-    /// parent.
+    /// Takes a child out of its lane. Nodes that have no child left go, and those with a single one give it
+    /// to their parent.
     fn detach(&mut self, place: Place) {
         let (node, lane) = (place.node(), place.lane());
         let last = self.nodes[node].len() - 1;
@@ -244,7 +244,8 @@ fn cost_of_growth<W: Wide>(planes: &Planes, aabb: &Aabb) -> W {
     after + W::splat(WEIGHT_OF_GROWTH) * (after - before)
 }
 
-/// Sorts the children of an overfull node so that it is best divided before the one whose number is the answer.
+/// Sorts the children of an overfull node so that it is best divided before the one whose number is the
+/// answer.
 ///
 /// Tests all axes and all splits that leave two on each side. The sum of the measures times the numbers
 /// decides (the surface area heuristic: Goldsmith, Salmon, "Automatic Creation of Object Hierarchies for Ray

@@ -1,4 +1,4 @@
-//! # Bvh — a tree of boxes with as many children per node as a register has lanes
+//! # BVH: a tree of boxes with one child per lane
 //!
 //! A dynamic set of numbered boxes, queried by ray, point and box. A node contains the boxes of its children
 //! plane by plane, a child per lane, so that one pass of a handful of instructions tests all of them (Wald,

@@ -7,7 +7,8 @@ use super::stack::Stack;
 use crate::base::wide::{Kernel, LANES, Lane, Simd, Wide};
 use parry::math::Real;
 
-/// Visits the slots whose boxes are no farther away than `reach`, the nearest box first, as far as that is known.
+/// Visits the slots whose boxes are no farther away than `reach`, the nearest box first, as far as that is
+/// known.
 ///
 /// `prepare` receives slots that will probably be visited, for prefetching. `visit` returns the new limit of
 /// the distance; equal distances still count.

@@ -148,8 +148,8 @@ impl Node {
     }
 }
 
-/// The least or greatest number of a lane, as `of` says. Halves are compared with halves, side by side, which is a few
-/// instructions.
+/// The least or greatest number of a lane, as `of` says. Halves are compared with halves, side by side, which
+/// is a few instructions.
 #[inline(always)]
 fn extreme(lane: &Lane, of: impl Fn(Real, Real) -> Real) -> Real {
     let mut left = lane.0;

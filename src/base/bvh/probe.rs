@@ -72,8 +72,8 @@ impl SlabProbe {
         let (mut front, mut back, mut inv_dir) = (origin, origin, dir);
         let (mut near, mut far) = ([0; DIM], [0; DIM]);
         for axis in 0..DIM {
-            // A direction of no length along an axis takes for ever, and yet not infinitely long: zero times that
-            // is to be zero.
+            // A direction of no length along an axis takes for ever, and yet not infinitely long: zero times
+            // that is to be zero.
             let length = dir[axis];
             inv_dir[axis] = if length.abs() > 1.0 / Real::MAX { 1.0 / length } else { Real::MAX };
             let forth = inv_dir[axis] > 0.0;
@@ -108,7 +108,8 @@ impl Probe for SlabProbe {
         for axis in 0..DIM {
             let inv_dir = W::splat(self.inv_dir[axis]);
             let (near, far) = (W::load(&planes[self.near[axis]]), W::load(&planes[self.far[axis]]));
-            // Should a number not be one, the other is taken: `max` and `min` give their second argument then.
+            // Should a number not be one, the other is taken: `max` and `min` give their second argument
+            // then.
             start = ((near - W::splat(self.front[axis])) * inv_dir).max(start);
             end = ((far - W::splat(self.back[axis])) * inv_dir).min(end);
         }

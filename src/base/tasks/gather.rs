@@ -20,7 +20,8 @@ impl<T> Default for Gather<T> {
 }
 
 impl<T: Send> Gather<T> {
-    /// Appends to `list` what `find` adds to the lists that it is given for each range: see [`Tasks::par_for`].
+    /// Appends to `list` what `find` adds to the lists that it is given for each range: see
+    /// [`Tasks::par_for`].
     pub fn run(
         &mut self,
         tasks: Tasks<'_>,

@@ -50,7 +50,8 @@ impl Tasks<'_> {
         Self::open_with(rayon::current_num_threads(), hire, work)
     }
 
-    /// Calls `work` with the calling thread and others, so many in all: `hire` has one help a crew under a number.
+    /// Calls `work` with the calling thread and others, so many in all: `hire` has one help a crew under a
+    /// number.
     #[cfg(feature = "parallel")]
     fn open_with<R>(
         count: usize,
@@ -94,7 +95,8 @@ impl Tasks<'_> {
         if let Some((team, hire)) = self.team.filter(|_| count > grain) {
             let pieces = team.threads() * PIECES_PER_THREAD;
             let piece = count.div_ceil(pieces).next_multiple_of(grain.max(1));
-            // SAFETY: a `Tasks` stays with the thread that opened it, and work that can be shared does not hold one.
+            // SAFETY: a `Tasks` stays with the thread that opened it, and work that can be shared does not
+            // hold one.
             return unsafe { team.run(count, piece, &work, hire) };
         }
         let _ = grain; // of no use to one thread

@@ -14,11 +14,11 @@
 //! cores, and pieces that move from thread to thread. Box2D v3 (Catto, "SIMD Matters", box2d.org, 2024) uses
 //! the same method, workers synchronised by atomic counters, with a table of stages made in advance.
 //!
-//! ## Why nobody reads a loop that is over
+//! ## No access to a finished loop
 //! A range is one word, the first and the last of its pieces, and a piece is taken by exchanging the word for
-//! a shorter one. The loop counts pieces that are *done*, and its owner waits until all are. So where an
-//! exchange succeeds the piece was not done, the loop is open, and what it borrows is alive. An exchange with
-//! a word of the last loop that looks like one of this loop is as good: all else is read after it.
+//! a shorter one. The loop counts pieces that are *done*, and its owner waits until all are. If an
+//! exchange succeeds, the piece was not done, the loop is open, and its borrows are alive. An exchange with
+//! an equal word of the last loop is equally valid: everything else is read after it.
 
 use core::any::Any;
 use core::cell::{Cell, UnsafeCell};
@@ -65,7 +65,8 @@ unsafe impl Sync for WorkerTeam {}
 // SAFETY: as above; the last helper to leave drops the crew, and of the work only the address.
 unsafe impl Send for WorkerTeam {}
 
-// A thread that works for one step does not start helping with another: that one might wait for what it is doing.
+// A thread that works for one step does not start helping with another: that one might wait for what it is
+// doing.
 thread_local! {
     static IS_AT_WORK: Cell<bool> = const { Cell::new(false) };
 }
@@ -94,8 +95,8 @@ impl WorkerTeam {
         Owner { team: self, was_at_work: IS_AT_WORK.replace(true) }
     }
 
-    /// Calls `work` with all pieces of `0..count`, on this thread and on those that are hired; `hire` is called with
-    /// the numbers of the others.
+    /// Calls `work` with all pieces of `0..count`, on this thread and on those that are hired; `hire` is
+    /// called with the numbers of the others.
     ///
     /// # Panics
     /// If the work does: when all pieces that were begun are done.
@@ -109,8 +110,8 @@ impl WorkerTeam {
         // SAFETY: no loop is open, so there are no readers.
         unsafe { *self.current.get() = Loop { work, count, piece } };
         self.done.store(0, Ordering::Relaxed);
-        for (k, share) in self.work_ranges[..self.threads].iter().enumerate() {
-            share.give(k * pieces / self.threads..(k + 1) * pieces / self.threads);
+        for (k, work) in self.work_ranges[..self.threads].iter().enumerate() {
+            work.give(k * pieces / self.threads..(k + 1) * pieces / self.threads);
         }
         self.fill_vacancies(hire);
         self.work_off(0);
@@ -133,7 +134,8 @@ impl WorkerTeam {
         (1..self.threads).filter(|k| vacancies & (1 << k) != 0).for_each(hire);
     }
 
-    /// Helps until the crew is dissolved or there is nothing to do for long. `number` is that given to `hire`.
+    /// Helps until the crew is dissolved or there is nothing to do for long. `number` is that given to
+    /// `hire`.
     pub fn help(&self, number: usize) {
         if !IS_AT_WORK.replace(true) {
             let mut pause = Pause::default();

@@ -46,7 +46,8 @@ pub struct ThreadsError {
 }
 
 impl Threads {
-    /// The calling thread and helpers of its own: `count` in all, or one per core if `count` is 0. More than 64 are not of use.
+    /// The calling thread and helpers of its own: `count` in all, or one per core if `count` is 0. More than
+    /// 64 are not of use.
     ///
     /// Helpers live as long as this and its clones do, and sleep between steps.
     ///
@@ -74,8 +75,8 @@ impl Threads {
         Ok(Self {})
     }
 
-    /// As many threads as a pool has: the calling one, whether or not it is of that pool, and the others from there. They help
-    /// where they are idle; a step does not wait for those that are busy.
+    /// As many threads as a pool has: the calling one, whether or not it is of that pool, and the others from
+    /// there. They help where they are idle; a step does not wait for those that are busy.
     #[cfg(feature = "parallel")]
     pub fn of_pool(pool: Arc<rayon::ThreadPool>) -> Self {
         let count = pool.current_num_threads();

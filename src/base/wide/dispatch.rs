@@ -34,8 +34,9 @@ use parry::math::Real;
 /// * no closure that touches a `W`, and so no `map` or `fold` over registers: closures cannot be
 ///   marked. Closures that touch only memory or indices are fine, and so are loops.
 ///
-/// WebAssembly selects its instructions at compile time, and its modules are downloaded. Large functions that kernels call from several places are
-/// `#[cfg_attr(not(target_arch = "wasm32"), inline(always))]`: there the compiler decides, and keeps one copy.
+/// WebAssembly selects its instructions at compile time, and its modules are downloaded. Large functions that
+/// kernels call from several places are `#[cfg_attr(not(target_arch = "wasm32"), inline(always))]`: there the
+/// compiler decides, and keeps one copy.
 pub trait Kernel {
     /// Result of the kernel.
     type Output;

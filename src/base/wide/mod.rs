@@ -1,4 +1,4 @@
-//! # Wide — one program for many numbers at a time
+//! # Wide: SIMD lanes
 //!
 //! A kernel of the solver is written once, over a register type `W: Wide` that holds [`LANES`]
 //! numbers, and compiled once per instruction set. [`Simd::run`] picks the fastest that the
@@ -207,7 +207,8 @@ pub fn scatter<W: Wide, const N: usize>(
     });
 }
 
-/// As [`gather`], of the numbers of up to [`LANES`] records that stand side by side; the other lanes get zeros.
+/// As [`gather`], of the numbers of up to [`LANES`] records that stand side by side; the other lanes get
+/// zeros.
 #[inline(always)]
 pub fn gather_adjacent<W: Wide, R, const N: usize>(
     records: &[R],

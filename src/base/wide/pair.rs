@@ -1,4 +1,5 @@
-//! Registers of 32 bytes as two halves of 16: for instruction sets whose registers are half as wide as a [`Lane`].
+//! Registers of 32 bytes as two halves of 16: for instruction sets whose registers are half as wide as a
+//! [`Lane`].
 //!
 //! An instruction set implements [`Half`]; [`Pair`] is the register that kernels compute with.
 
@@ -11,7 +12,8 @@ pub struct Pair<H>([H; 2]);
 
 /// A register of 16 bytes. [`Wide`] says what the operations of the same names do.
 ///
-/// A mask is a half, too: all bits of a number are set for yes, none for no. Every function is `#[inline(always)]`.
+/// A mask is a half, too: all bits of a number are set for yes, none for no. Every function is
+/// `#[inline(always)]`.
 pub trait Half: Copy {
     /// The type of the numbers.
     type Scalar;
@@ -169,7 +171,8 @@ macro_rules! register {
                         let mut square = [H::splat(0.0); $lanes / 2];
                         for k in 0..$lanes / 2 {
                             let row = rows[$lanes / 2 * half + k];
-                            // SAFETY: rows have as many numbers as there are lanes, and half of them begin at `first`.
+                            // SAFETY: rows have as many numbers as there are lanes, and half of them begin at
+                            // `first`.
                             square[k] = unsafe { H::load_unaligned(row.add(first)) };
                         }
                         square = H::transpose(square);

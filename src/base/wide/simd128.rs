@@ -1,7 +1,8 @@
 //! Halves of registers in WebAssembly's `simd128`, for programs that are compiled with it.
 //!
-//! A program either has these instructions or is not loaded at all, so the register is chosen when the program is compiled. The
-//! instructions of relaxed SIMD stay unused: their results differ between processors.
+//! A program either has these instructions or is not loaded at all, so the register is chosen when the
+//! program is compiled. The instructions of relaxed SIMD stay unused: their results differ between
+//! processors.
 
 use super::pair::{Half, Pair};
 use core::arch::wasm32 as wasm;

@@ -24,8 +24,9 @@ enum Sharp<'a> {
     Plane(Vector),
 }
 
-/// A convex shape, scaled along orthogonal axes about a point inside. With `M = R diag(scale) Rᵀ`, `R` the axes, the support point
-/// of `c + M (K - c)` along `d` is `c + M (p - c)`, `p` that of `K` along `M d` (`M` is symmetric).
+/// A convex shape, scaled along orthogonal axes about a point inside. With `M = R diag(scale) Rᵀ`, `R` the
+/// axes, the support point of `c + M (K - c)` along `d` is `c + M (p - c)`, `p` that of `K` along `M d` (`M`
+/// is symmetric).
 #[derive(Copy, Clone)]
 struct Shrunk<'a> {
     shape: &'a dyn SupportMap,
@@ -104,12 +105,12 @@ impl<'a> Body<'a> {
     }
 
     /// The same, scaled by this about its centre.
-    pub fn shrunk(self, share: Real) -> Self {
+    pub fn shrunk(self, fraction: Real) -> Self {
         let Sharp::Convex(shrunk) = self.sharp else { return self };
-        if share == 1.0 {
+        if fraction == 1.0 {
             return self;
         }
-        let sharp = Sharp::Convex(Shrunk { scale: shrunk.scale * share, ..shrunk });
+        let sharp = Sharp::Convex(Shrunk { scale: shrunk.scale * fraction, ..shrunk });
         Self { sharp, whole: None, flat: None, ..self }
     }
 
@@ -143,15 +144,16 @@ impl<'a> Body<'a> {
     }
 
     /// A part without thickness, scaled by this about its centre.
-    pub fn middle(shape: &'a dyn Shape, widths: &Widths, share: Real) -> Option<Self> {
+    pub fn middle(shape: &'a dyn Shape, widths: &Widths, fraction: Real) -> Option<Self> {
         let Self { sharp, radius, flat, .. } = Self::whole(shape)?;
         let Sharp::Convex(shrunk) = sharp else { return None };
-        let (center, scale) = (widths.center, Vector::splat(share));
+        let (center, scale) = (widths.center, Vector::splat(fraction));
         let sharp = Sharp::Convex(Shrunk { center, scale, ..shrunk });
         Some(Self { sharp, radius, whole: None, flat })
     }
 
-    /// The direction to another body, in the frame of this one, and the distance; `None` if it is farther than `reach`.
+    /// The direction to another body, in the frame of this one, and the distance; `None` if it is farther
+    /// than `reach`.
     pub fn distance(
         &self,
         other: &Self,
@@ -234,8 +236,8 @@ fn widest(
     gaps.max_by(|(_, gap1), (_, gap2)| gap1.total_cmp(gap2))
 }
 
-/// The direction from a point to a part at `pos12`, and its distance: exact where a search of closest points has its
-/// tolerances. 0 if it is inside.
+/// The direction from a point to a part at `pos12`, and its distance: exact where a search of closest points
+/// has its tolerances. 0 if it is inside.
 fn nearest(pos12: &Pose, point: Vector, part: &dyn Shape, last_normal: Vector) -> (Vector, Real) {
     let local = pos12.inverse_transform_point(point);
     let way = part.project_local_point(local, true).point - local;

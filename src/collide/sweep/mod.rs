@@ -8,9 +8,10 @@
 //! t + d / ((v1 - v2)·n + |ω1| r1 + |ω2| r2)
 //! ```
 //!
-//! because until then a plane across `n` parts them; `r` is how far points of a part are from the centre about which
-//! it turns. So the search jumps ahead by that, and ends where the parts are within a tolerance or cannot meet any
-//! more. Shapes of several parts are searched part by part, those that the path comes near.
+//! because until then a plane across `n` parts them; `r` is how far points of a part are from the centre
+//! about which it turns. So the search jumps ahead by that, and ends where the parts are within a tolerance
+//! or cannot meet any more. Shapes of several parts are searched part by part, those that the path comes
+//! near.
 //!
 //! Root finding on a selected pair of features (Catto, "Continuous Collision", GDC 2013) takes fewer steps
 //! for fast rotations. Conservative advancement needs no features, so every shape with a support function
@@ -25,11 +26,11 @@
 //! unless it touched from the beginning. In that case it is stopped where it is a quarter deep
 //! ([`PENETRATION_FRACTION_MAX`]), so that contacts push a pressed body out on the original side.
 //!
-//! A rod may have an end of its core in the wall already, because it was turned into it. Then the middle half of the core is searched with, and if
-//! that is in, the centre.
+//! A rod may have an end of its core in the wall already, because it was turned into it. Then the middle half
+//! of the core is searched with, and if that is in, the centre.
 //!
-//! A triangle or a segment has no inside and no core. It is stopped where it touches what it did not touch when the step began. If one of its
-//! corners did, its middle half is searched with, and then its centre.
+//! A triangle or a segment has no inside and no core. It is stopped where it touches what it did not touch
+//! when the step began. If one of its corners did, its middle half is searched with, and then its centre.
 //!
 //! ## Sensors
 //! Sensors stop nothing, but crossings are reported: [`passes`] returns whether two shapes are apart at both
@@ -93,7 +94,8 @@ impl<'a> Solid<'a> {
         Self { shape: collider.shape(), widths: collider.widths.as_deref() }
     }
 
-    /// The same, computed once for all pairs of a part: these follow each other. `last` are the part and the widths of the last call.
+    /// The same, computed once for all pairs of a part: these follow each other. `last` are the part and the
+    /// widths of the last call.
     fn widths_once(&self, part: &Part<'_>, last: &mut Option<(u32, Widths)>) -> Widths {
         let known = last.filter(|(id, _)| *id == part.id).map(|(_, widths)| widths);
         let widths = known.unwrap_or_else(|| self.widths_of(part));
@@ -278,25 +280,25 @@ fn impact_of_parts(
     let other = other_of((part1, sweep1), (part2, sweep2), goal.gap)?;
     let goal_of_whole = Goal::new(goal.gap, 0.5 * goal.gap, false);
     if thickness == 0.0 {
-        return CORES.iter().find_map(|&share| {
-            let own = Body::middle(part1.shape, widths, share)?;
+        return CORES.iter().find_map(|&fraction| {
+            let own = Body::middle(part1.shape, widths, fraction)?;
             match advance([&own, &other], sweeps, goal_of_whole, until) {
                 Meeting::FromTheBeginning => None,
-                meeting => Some(meeting.share()),
+                meeting => Some(meeting.fraction()),
             }
         })?;
     }
     let tolerance = (CORE_TOLERANCE * thickness).max(goal.gap);
     let core_goal = Goal::new(0.0, tolerance, true);
-    let latest = CORES.iter().find_map(|&share| {
-        let core = Body::core(part1.shape, widths, CORE_DEPTH)?.shrunk(share);
+    let latest = CORES.iter().find_map(|&fraction| {
+        let core = Body::core(part1.shape, widths, CORE_DEPTH)?.shrunk(fraction);
         match advance([&core, &other], sweeps, core_goal, until) {
             Meeting::FromTheBeginning => None,
-            meeting => Some(meeting.share()),
+            meeting => Some(meeting.fraction()),
         }
     })??;
     match advance([&whole, &other], sweeps, goal_of_whole, latest) {
-        Meeting::At(share) => Some(share),
+        Meeting::At(fraction) => Some(fraction),
         Meeting::Never => Some(latest),
         Meeting::FromTheBeginning => match goal.overlap {
             Overlap::Passes => None,
@@ -305,7 +307,7 @@ fn impact_of_parts(
                 let shallow = Body::core(part1.shape, widths, PENETRATION_FRACTION_MAX)?;
                 let goal = Goal::new(0.0, goal_of_whole.tolerance, true);
                 Some(match advance([&shallow, &other], sweeps, goal, latest) {
-                    Meeting::At(share) => share,
+                    Meeting::At(fraction) => fraction,
                     Meeting::Never => latest,
                     Meeting::FromTheBeginning => REMAINING_FRACTION * latest,
                 })
@@ -346,9 +348,9 @@ enum Meeting {
 
 impl Meeting {
     /// The fraction of the step after which separated parts meet.
-    fn share(self) -> Option<Real> {
+    fn fraction(self) -> Option<Real> {
         match self {
-            Self::At(share) => Some(share),
+            Self::At(fraction) => Some(fraction),
             Self::Never | Self::FromTheBeginning => None,
         }
     }
@@ -364,19 +366,19 @@ fn advance(
     let reaches = [0, 1].map(|k| bodies[k].reach_about(sweeps[k].local_center));
     let closing_max = closing_max(sweeps, reaches, until);
     let jumps = goal.jumps_max + sweeps[0].segments().len() + sweeps[1].segments().len();
-    let (mut share, mut last_normal, tolerance) = (goal.from, Vector::ZERO, goal.tolerance);
+    let (mut fraction, mut last_normal, tolerance) = (goal.from, Vector::ZERO, goal.tolerance);
     for _ in 0..jumps {
-        let poses = sweeps.map(|sweep| sweep.at(share));
-        let reach = goal.gap + goal.tolerance + closing_max * (until - share);
+        let poses = sweeps.map(|sweep| sweep.at(fraction));
+        let reach = goal.gap + goal.tolerance + closing_max * (until - fraction);
         let Some((normal, dist)) = bodies[0].distance(bodies[1], &poses, reach, last_normal) else {
             return Meeting::Never;
         };
         last_normal = normal;
         let across = poses[0].rotation * normal;
-        let nearing = (sweeps[0].velocity(share) - sweeps[1].velocity(share)).dot(across);
+        let nearing = (sweeps[0].velocity(fraction) - sweeps[1].velocity(fraction)).dot(across);
         if dist <= goal.gap + goal.tolerance {
-            if share > goal.from {
-                return Meeting::At(share);
+            if fraction > goal.from {
+                return Meeting::At(fraction);
             }
             let may_come_nearer = goal.counts_at_once && dist > goal.gap;
             if !may_come_nearer {
@@ -390,19 +392,20 @@ fn advance(
             // It has left what it was near to, and is to be stopped early again.
             goal.tolerance = tolerance;
         }
-        let closing = nearing + turning(sweeps.map(|sweep| sweep.segment(share).angle()), reaches);
+        let closing =
+            nearing + turning(sweeps.map(|sweep| sweep.segment(fraction).angle()), reaches);
         // Not so far that they would touch: closest points of what touches are not always found.
-        let next = share + (dist - goal.gap - 0.5 * goal.tolerance) / closing.max(0.0);
-        let change = sweeps[0].next_change(share).min(sweeps[1].next_change(share));
+        let next = fraction + (dist - goal.gap - 0.5 * goal.tolerance) / closing.max(0.0);
+        let change = sweeps[0].next_change(fraction).min(sweeps[1].next_change(fraction));
         // Beyond a change of velocity this says nothing.
-        share = if next > change { change } else { next };
+        fraction = if next > change { change } else { next };
         // Not if they part, and the quotient is infinite; nor if it is no number.
-        let may_meet = share < until;
+        let may_meet = fraction < until;
         if !may_meet {
             return Meeting::Never;
         }
     }
-    Meeting::At(share)
+    Meeting::At(fraction)
 }
 
 /// Bound on the closing speed of two bodies (length units per step), until a fraction of the step.
@@ -426,7 +429,8 @@ fn turning(angles: [Real; 2], reaches: [Real; 2]) -> Real {
     of(0) + of(1)
 }
 
-/// A box around a shape's core at a pose, with what the search tolerates; that of the shape if it has several parts.
+/// A box around a shape's core at a pose, with what the search tolerates; that of the shape if it has several
+/// parts.
 fn box_of_core(solid: Solid<'_>, pose: &Pose) -> Aabb {
     let whole = || solid.shape.compute_aabb(pose);
     let Parts::Convex(shape) = Parts::of(solid.shape) else { return whole() };

@@ -8,7 +8,8 @@ use core::slice;
 use parry::bounding_volume::{Aabb, BoundingVolume};
 use parry::shape::Shape;
 
-/// A rotation vector this long (rad) is integrated as one, as joints do it; a longer one in pieces of this length.
+/// A rotation vector this long (rad) is integrated as one, as joints do it; a longer one in pieces of this
+/// length.
 const WHOLE_TURN: Real = 1.0;
 const PIECE: Real = 0.25;
 /// Without turning more than this (rad², squared) what a shape passes is around where it begins and ends.
@@ -47,8 +48,8 @@ impl Segment {
         }
     }
 
-    fn center_at(&self, share: Real) -> Vector {
-        self.center + self.shift * (share - self.from)
+    fn center_at(&self, fraction: Real) -> Vector {
+        self.center + self.shift * (fraction - self.from)
     }
 }
 
@@ -71,8 +72,8 @@ pub(crate) struct Sweep<'a> {
 }
 
 impl<'a> Sweep<'a> {
-    /// The motion at constant velocity of a shape that stands at `start` when the step begins, with the centre of rotation at
-    /// `center`.
+    /// The motion at constant velocity of a shape that stands at `start` when the step begins, with the
+    /// centre of rotation at `center`.
     pub fn new(start: Pose, center: Vector, shift: Vector, rotvec: AngVector) -> Self {
         let segment =
             Segment { from: 0.0, until: 1.0, rotation: start.rotation, center, shift, rotvec };
@@ -125,31 +126,31 @@ impl<'a> Sweep<'a> {
     }
 
     /// The segment that begins or is in progress at a fraction of the step.
-    pub fn segment(&self, share: Real) -> &Segment {
+    pub fn segment(&self, fraction: Real) -> &Segment {
         let segments = self.segments();
-        let over = segments.partition_point(|segment| segment.until <= share);
+        let over = segments.partition_point(|segment| segment.until <= fraction);
         &segments[over.min(segments.len() - 1)]
     }
 
     /// The speed of the centre (length units per step) at a fraction of the step.
-    pub(super) fn velocity(&self, share: Real) -> Vector {
-        if share < self.stop { self.segment(share).shift } else { Vector::ZERO }
+    pub(super) fn velocity(&self, fraction: Real) -> Vector {
+        if fraction < self.stop { self.segment(fraction).shift } else { Vector::ZERO }
     }
 
     /// When it changes its velocity next: infinity if it does not any more.
-    pub(super) fn next_change(&self, share: Real) -> Real {
-        let end = self.segment(share).until;
-        let next = if share < self.stop { end.min(self.stop) } else { Real::INFINITY };
+    pub(super) fn next_change(&self, fraction: Real) -> Real {
+        let end = self.segment(fraction).until;
+        let next = if fraction < self.stop { end.min(self.stop) } else { Real::INFINITY };
         if next < 1.0 { next } else { Real::INFINITY }
     }
 
     /// The pose after a fraction of the motion.
-    pub fn at(&self, share: Real) -> Pose {
-        let share = share.min(self.stop);
-        let segment = self.segment(share);
+    pub fn at(&self, fraction: Real) -> Pose {
+        let fraction = fraction.min(self.stop);
+        let segment = self.segment(fraction);
         let rotation =
-            turned(segment.rotation, segment.rotvec * (share - segment.from)) * self.rotation;
-        Pose::from_parts(segment.center_at(share) - rotation * self.local_center, rotation)
+            turned(segment.rotation, segment.rotvec * (fraction - segment.from)) * self.rotation;
+        Pose::from_parts(segment.center_at(fraction) - rotation * self.local_center, rotation)
     }
 
     /// The same motion of something that stands at `place` in the frame of what moves.
@@ -203,7 +204,7 @@ impl<'a> Sweep<'a> {
         let end = segment.until.min(self.stop);
         let angle = segment.angle() * (segment.until - segment.from);
         if angle * angle < SMALL_ANGLE_SQUARED_MAX {
-            let boxes = [segment.from, end].map(|share| box_at(&self.at(share)));
+            let boxes = [segment.from, end].map(|fraction| box_at(&self.at(fraction)));
             return boxes[0].merged(&boxes[1]);
         }
         let end = segment.center_at(end);

@@ -28,7 +28,7 @@ const FULL_TURN: Real = 6.3;
 /// Two shapes that touch during their motion.
 pub(crate) struct Touch<'a> {
     /// The fraction of the motions at which they touch.
-    pub share: Real,
+    pub fraction: Real,
     pub sides: [TouchedPart<'a>; 2],
 }
 
@@ -58,10 +58,10 @@ pub(crate) fn find_touches(
 ) {
     let mut until = 1.0;
     super::for_each_pair(shapes, sweeps, &mut |pair| {
-        if let Some(share) = touch_of_parts(pair, tolerance, at_once, until) {
-            until = share;
+        if let Some(fraction) = touch_of_parts(pair, tolerance, at_once, until) {
+            until = fraction;
             let sides = pair.map(|(part, _)| TouchedPart::new(part));
-            found(Touch { share, sides });
+            found(Touch { fraction, sides });
         }
     });
 }
@@ -78,7 +78,7 @@ fn touch_of_parts(
     let (body1, body2) = (Body::whole(part1.shape)?, other_of(pair[0], pair[1], tolerance)?);
     let goal = Goal { gap: 0.0, tolerance, counts_at_once: false, from, jumps_max: JUMPS_MAX };
     match advance([&body1, &body2], [sweep1, sweep2], goal, until) {
-        Meeting::At(share) => Some(share),
+        Meeting::At(fraction) => Some(fraction),
         Meeting::Never => None,
         Meeting::FromTheBeginning if at_once || from > 0.0 => Some(from),
         Meeting::FromTheBeginning => {

@@ -57,8 +57,8 @@ fn count_near(shape: &dyn Shape, start: Vector, way: Vector, radius: Real) -> us
     count
 }
 
-/// A line passes no more squares than two per row and column, and those beside them within the radius; pieces of a line
-/// overlap.
+/// A line passes no more squares than two per row and column, and those beside them within the radius; pieces
+/// of a line overlap.
 #[test]
 fn a_line_passes_few_parts() {
     let mut random = Random(7);

@@ -27,7 +27,7 @@ impl CharacterLength {
     #[must_use]
     pub fn map_relative(self, f: impl FnOnce(Real) -> Real) -> Self {
         match self {
-            Self::Relative(share) => Self::Relative(f(share)),
+            Self::Relative(fraction) => Self::Relative(f(fraction)),
             Self::Absolute(_) => self,
         }
     }
@@ -35,7 +35,7 @@ impl CharacterLength {
     /// The length (length units) for a character of this size.
     pub(super) fn of(self, size: Real) -> Real {
         match self {
-            Self::Relative(share) => share * size,
+            Self::Relative(fraction) => fraction * size,
             Self::Absolute(length) => length,
         }
     }

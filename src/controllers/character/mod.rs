@@ -1,8 +1,8 @@
 //! Characters: admissible moves of a shape that walks.
 //!
-//! A character is kinematic: no force moves it, the user does. [`KinematicCharacterController::move_shape`] says which part
-//! of a wished translation is possible without coming closer to anything than an offset. It moves on *planes*, in the
-//! manner that Quake made popular and Box2D 3 describes as its "plane solver":
+//! A character is kinematic: no force moves it, the user does. [`KinematicCharacterController::move_shape`]
+//! says which part of a wished translation is possible without coming closer to anything than an offset. It
+//! moves on *planes*, in the manner that Quake made popular and Box2D 3 describes as its "plane solver":
 //!
 //! 1. **Recover** ([`recover`]). If the shape is closer to an obstacle than the offset, because that moved,
 //!    push it out by the smallest sufficient translation.
@@ -19,9 +19,9 @@
 //! vertically*: on a walkable floor, gravity has no component along the slope. *Unwalkable walls count as
 //! upright*, independent of their slope, for horizontal motion.
 //!
-//! References: E. Catto, "Character mover" (Box2D 3.1 documentation); M. Abrash and J. Carmack's clip planes as described in
-//! K. Fauerby, "Improved Collision detection and Response" (2003), whose sliding loop this is, with contacts in place of
-//! ellipsoids.
+//! References: E. Catto, "Character mover" (Box2D 3.1 documentation); M. Abrash and J. Carmack's clip planes
+//! as described in K. Fauerby, "Improved Collision detection and Response" (2003), whose sliding loop this
+//! is, with contacts in place of ellipsoids.
 
 mod hooks;
 mod impulses;

@@ -37,7 +37,8 @@ impl CharacterGround {
         bodies.get(colliders.get(self.collider)?.parent()?)
     }
 
-    /// The velocity of the ground at [`Self::point`], in world space (length/s). Zero for ground that has no body, or is gone.
+    /// The velocity of the ground at [`Self::point`], in world space (length/s). Zero for ground that has no
+    /// body, or is gone.
     ///
     /// A jump adds it to its velocity. To ride, use [`Self::displacement`].
     pub fn velocity(&self, bodies: &RigidBodySet, colliders: &ColliderSet) -> Vector {

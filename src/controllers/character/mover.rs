@@ -18,8 +18,8 @@ pub(super) struct Mover<'a> {
     pub settings: ResolvedSettings,
     pub obstacles: Obstacles<'a>,
     pub start: Pose,
-    /// The translation so far. Added to the start only where the pose is wanted, so that it is exactly zero when nothing
-    /// happens, wherever the start is.
+    /// The translation so far. Added to the start only where the pose is wanted, so that it is exactly zero
+    /// when nothing happens, wherever the start is.
     pub moved: Vector,
     /// Around the present pose.
     pub planes: Vec<Plane>,
@@ -84,8 +84,8 @@ impl<'a> Mover<'a> {
         let sticks = stood && self.settings.snap > 0.0;
         let (mut left, mut slides, mut turned) = (desired, false, false);
         for _ in 0..TURNS_MAX {
-            if stood && let Some(share) = self.step_up(left) {
-                left *= 1.0 - share;
+            if stood && let Some(fraction) = self.step_up(left) {
+                left *= 1.0 - fraction;
                 turned = true;
                 self.look_for(left);
                 continue;

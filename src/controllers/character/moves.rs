@@ -16,10 +16,11 @@ impl KinematicCharacterController {
     /// Computes the admissible part of `desired_translation` of a shape within `dt` seconds.
     ///
     /// * `queries`: the world, less what the character does not collide with. Exclude its own body:
-    ///   `world.query_pipeline_with_filter(QueryFilter::default().exclude_rigid_body(player))`. Sensors never count.
+    ///   `world.query_pipeline_with_filter(QueryFilter::default().exclude_rigid_body(player))`. Sensors never
+    ///   count.
     /// * `character_shape`, `character_pos`: usually those of the character's collider.
-    /// * `desired_translation`: in world space. Give it a part downwards, such as gravity's, or the character does not
-    ///   fall; an upward part is a jump.
+    /// * `desired_translation`: in world space. Give it a part downwards, such as gravity's, or the character
+    ///   does not fall; an upward part is a jump.
     /// * `events` receives each obstacle once for each collider and direction; see
     ///   [`Self::solve_character_collision_impulses`].
     ///

@@ -82,7 +82,8 @@ impl<'a> Obstacles<'a> {
         }
     }
 
-    /// The upper side of what is below a point, no deeper than `depth`: its unit normal, and whether its body is dynamic.
+    /// The upper side of what is below a point, no deeper than `depth`: its unit normal, and whether its body
+    /// is dynamic.
     pub fn surface_below(&self, point: Vector, up: Vector, depth: Real) -> Option<(Vector, bool)> {
         let filter = self.queries.filter;
         let predicate = |handle, collider: &_| {

@@ -1,5 +1,5 @@
-//! Getting out of what has come too close: a wall that moves, a lift that rises, a place where the user put the
-//! character.
+//! Getting out of what has come too close: a wall that moves, a lift that rises, a place where the user put
+//! the character.
 
 use super::mover::Mover;
 use super::planes::{Kind, Plane};
@@ -11,8 +11,8 @@ use crate::dim::math::Vector;
 const PUSHES_MAX: usize = 4;
 
 impl Mover<'_> {
-    /// Pushes the character out of everything that is closer than the offset, and leaves the planes around the place where
-    /// it ends up.
+    /// Pushes the character out of everything that is closer than the offset, and leaves the planes around
+    /// the place where it ends up.
     ///
     /// Each push is at most half of the shape's thickness, and every obstacle within that reach is included,
     /// so the shape is pushed through nothing.

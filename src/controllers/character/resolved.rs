@@ -5,8 +5,8 @@ use super::settings::{CharacterSlopeSpeed, KinematicCharacterController};
 use crate::dim::math::{DIM, Pose, Real, Vector};
 use parry::shape::Shape;
 
-/// Slopes whose cosine differs by less than this are equally steep: a slope of exactly the largest angle can be
-/// climbed.
+/// Slopes whose cosine differs by less than this are equally steep: a slope of exactly the largest angle can
+/// be climbed.
 const COS_TOLERANCE: Real = 1.0e-4;
 /// Rounding error of a gap, as a fraction of the shape's coordinates.
 const ROUNDING: Real = 32.0 * Real::EPSILON;

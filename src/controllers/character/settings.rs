@@ -100,8 +100,8 @@ pub struct KinematicCharacterController {
     pub slide: bool,
     /// Stepping up on what is low. `None` by default.
     pub autostep: Option<CharacterAutostep>,
-    /// The steepest slope that the character can walk up (rad, from level ground). Steeper ones are walls. 45° by
-    /// default.
+    /// The steepest slope that the character can walk up (rad, from level ground). Steeper ones are walls.
+    /// 45° by default.
     pub max_slope_climb_angle: Real,
     /// The smallest slope angle at which the downward component of the desired translation makes the
     /// character slide (rad, from level ground): on smaller ones it stands. 45° by default.

@@ -57,14 +57,14 @@ impl ResolvedSettings {
         if self.slide {
             return nearest(translation, spaces).unwrap_or(Vector::ZERO);
         }
-        let mut share: Real = 1.0;
+        let mut fraction: Real = 1.0;
         for space in spaces {
             let along = space.normal.dot(translation);
             if along < space.at_least {
-                share = share.min(space.at_least / along);
+                fraction = fraction.min(space.at_least / along);
             }
         }
-        translation * share.max(0.0)
+        translation * fraction.max(0.0)
     }
 
     /// The floor that lifts the character highest, which satisfies all others, too.
@@ -110,8 +110,8 @@ impl ResolvedSettings {
             CharacterSlopeSpeed::Projected => ahead - plane.normal * across + settle,
             CharacterSlopeSpeed::Constant => {
                 let length = climb.length();
-                let share = if length > 0.0 { ahead.length() / length } else { 1.0 };
-                climb * share + settle
+                let fraction = if length > 0.0 { ahead.length() / length } else { 1.0 };
+                climb * fraction + settle
             }
         }
     }

@@ -98,8 +98,8 @@ impl Touch<'_> {
     /// The closest points, near a given one: that on the obstacle, and the vector from there to the
     /// character. `None` if they overlap.
     ///
-    /// Projects to and fro between the two, which for convex parts converges to the closest points (W. Cheney, A.
-    /// Goldstein 1959, "Proximity maps for convex sets").
+    /// Projects to and fro between the two, which for convex parts converges to the closest points (W.
+    /// Cheney, A. Goldstein 1959, "Proximity maps for convex sets").
     fn closest(&self, near: Vector, settings: &ResolvedSettings) -> Option<(Vector, Vector)> {
         let obstacle = self.collider.shape();
         let on_obstacle = |point: Vector| {

@@ -113,7 +113,8 @@ impl PdController {
 
     /// The change of the body's velocity that moves it to a pose with `target_vels` there.
     ///
-    /// Poses are those of the body's frame; `target_vels.linvel` is the velocity of its origin. Zero where a number is not finite.
+    /// Poses are those of the body's frame; `target_vels.linvel` is the velocity of its origin. Zero where a
+    /// number is not finite.
     pub fn rigid_body_correction(
         &self,
         rb: &RigidBody,

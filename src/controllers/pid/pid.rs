@@ -53,7 +53,8 @@ impl Default for PidController {
 }
 
 impl PidController {
-    /// A controller with the same gains for all axes (`kp` in 1/s, `ki` in 1/s², `kd` without a unit), and nothing to remember yet.
+    /// A controller with the same gains for all axes (`kp` in 1/s, `ki` in 1/s², `kd` without a unit), and
+    /// nothing to remember yet.
     pub fn new(kp: Real, ki: Real, kd: Real, axes: AxesMask) -> Self {
         Self {
             pd: PdController::new(kp, kd, axes),
@@ -95,7 +96,8 @@ impl PidController {
         self.rigid_body_correction(dt, rb, target, target_vels).linvel
     }
 
-    /// [`PdController::angular_rigid_body_correction`] with memory. `dt` is the length of the step in seconds.
+    /// [`PdController::angular_rigid_body_correction`] with memory. `dt` is the length of the step in
+    /// seconds.
     pub fn angular_rigid_body_correction(
         &mut self,
         dt: Real,
@@ -119,7 +121,8 @@ impl PidController {
         self.correction(dt, &pose_errors(rb, &target_pose), &velocity_errors(rb, &target_vels))
     }
 
-    /// [`PdController::correction`] with memory: adds the errors of the pose during `dt` seconds to the integrals first.
+    /// [`PdController::correction`] with memory: adds the errors of the pose during `dt` seconds to the
+    /// integrals first.
     ///
     /// Errors and times that are not finite, and times that are not positive, are not remembered.
     pub fn correction(

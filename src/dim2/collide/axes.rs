@@ -29,7 +29,8 @@ pub struct FlatAxes {
 }
 
 impl FlatAxes {
-    /// The best of one lane. `half` are the half extents of the box, `hint` is the normal of last time, or zero.
+    /// The best of one lane. `half` are the half extents of the box, `hint` is the normal of last time, or
+    /// zero.
     pub fn best(&self, lane: usize, half: Vector, hint: Vector) -> BestAxis {
         let axis = |kind: usize, face: Side| BestAxis {
             gap: self.gaps[kind].0[lane],
@@ -46,8 +47,8 @@ impl FlatAxes {
     }
 }
 
-/// The best axis; `None` if this is not known of such polytopes without a search. `hint` is the normal of last
-/// time, or zero.
+/// The best axis; `None` if this is not known of such polytopes without a search. `hint` is the normal of
+/// last time, or zero.
 pub fn best_axis(
     pos12: &Pose,
     polytope1: &Polytope<'_>,

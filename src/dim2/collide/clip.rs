@@ -58,10 +58,10 @@ pub fn clip_faces(
         let is_before = places[index] < range[0] - rim;
         if is_before || places[index] > range[1] + rim {
             let end = usize::from(!is_before);
-            let share = (range[end] - places[index]) / (places[1 - index] - places[index]);
+            let fraction = (range[end] - places[index]) / (places[1 - index] - places[index]);
             // The other end may lie on the rim, nearer to the face's end than to be cut off there.
-            let share = share.clamp(0.0, 1.0);
-            point += (points[1 - index] - point) * share;
+            let fraction = fraction.clamp(0.0, 1.0);
+            point += (points[1 - index] - point) * fraction;
             (id, other_id) = (ends[end].vertex, contact.other.face_feature(other_face.id));
         }
         let dist = normal.dot(point) - contact.face.offset;

@@ -120,8 +120,8 @@ impl FacePair {
             } else {
                 // The face of the other box passes a corner of this one.
                 let side = Real::signum(end.x);
-                let share = (side * size - middle.x) / edge.x;
-                (middle + edge * share, side, 0.0)
+                let fraction = (side * size - middle.x) / edge.x;
+                (middle + edge * fraction, side, 0.0)
             };
             if point.y <= prediction {
                 let other_signs = face + Vector::AXES[1 - axis] * end;

@@ -1,6 +1,7 @@
 //! The place on a convex polygon that is nearest to a point.
 //!
-//! Inside, it is on the side that is least deep; outside, on the nearest of the sides that the point is beyond.
+//! Inside, it is on the side that is least deep; outside, on the nearest of the sides that the point is
+//! beyond.
 //!
 //! parry makes one side of neighbours that are nearly in a line, and keeps the normal of one of them. So what
 //! was found must prove itself: no corner may be above the line through the place. Otherwise a general
@@ -40,10 +41,10 @@ fn on_side(polygon: &ConvexPolygon, side: usize, point: Vector) -> (Vector, Pack
     let corners = polygon.points();
     let next = (side + 1) % corners.len();
     let (start, along) = (corners[side], corners[next] - corners[side]);
-    let share: Real = along.dot(point - start) / along.length_squared();
-    match share {
-        share if share >= 1.0 => (corners[next], feature::vertex(next as u32)),
-        share if share > 0.0 => (start + along * share, feature::face(side as u32)),
+    let fraction: Real = along.dot(point - start) / along.length_squared();
+    match fraction {
+        fraction if fraction >= 1.0 => (corners[next], feature::vertex(next as u32)),
+        fraction if fraction > 0.0 => (start + along * fraction, feature::face(side as u32)),
         _ => (start, feature::vertex(side as u32)),
     }
 }

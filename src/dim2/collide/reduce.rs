@@ -27,8 +27,8 @@ pub fn reduce(points: &mut Vec<RawPoint>, normal: Vector, reach: Real) {
     };
     let Some(first) = first else { return };
     let weight = |point: &RawPoint| {
-        let share = (reach - point.dist) / (reach - low);
-        if share.is_finite() { share } else { 1.0 }
+        let fraction = (reach - point.dist) / (reach - low);
+        if fraction.is_finite() { fraction } else { 1.0 }
     };
     let away = |point: &RawPoint| (along(point) - along(&first)).abs() * weight(point);
     let second = points.iter().max_by(|a, b| away(a).total_cmp(&away(b))).copied();

@@ -1,4 +1,5 @@
-//! The features of shapes that are neither polygons nor round: in 2D the edges that the shapes have themselves.
+//! The features of shapes that are neither polygons nor round: in 2D the edges that the shapes have
+//! themselves.
 
 use super::RawManifold;
 use crate::base::facing::FacingParts;

@@ -103,8 +103,8 @@ pub fn long_edge(length: Real) -> (SharedShape, Rotation, Vector) {
     (line, planar_rotation(Real::atan(1.0)), Vector::ONE.normalize())
 }
 
-/// A flat line of segments of the given size along the first axis: `count` in a row. Only those whose middle is to
-/// be kept.
+/// A flat line of segments of the given size along the first axis: `count` in a row. Only those whose middle
+/// is to be kept.
 pub fn carpet(
     count: u32,
     size: Real,

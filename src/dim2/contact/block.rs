@@ -131,7 +131,8 @@ impl ContactBlock {
         }
     }
 
-    /// The friction impulses, in world space, and those of twist friction about the normals: none in the plane.
+    /// The friction impulses, in world space, and those of twist friction about the normals: none in the
+    /// plane.
     #[inline(always)]
     pub fn friction_impulses<W: Wide>(&self) -> (WideVector<W>, W) {
         let n = WideVector::<W>::load(&self.normal);

@@ -30,16 +30,16 @@ impl AngleTracker {
         (self.turns.0[lane], self.angle.0[lane]) = (1.0, angle);
     }
 
-    /// The gradient of the angle, and the angle, after a relative rotation of the bodies by `turn`: there is
-    /// one axis only, and rotations about it add up.
+    /// The gradient of the angle, and the angle, after a relative rotation of the bodies by `rotvec`: there
+    /// is one axis only, and rotations about it add up.
     #[inline(always)]
     pub fn measure<W: Wide>(
         &self,
         _between: WideRotation<W>,
-        turn: WideAngVector<W>,
+        rotvec: WideAngVector<W>,
     ) -> (WideAngVector<W>, W) {
         let turns = W::load(&self.turns);
-        let turn = W::select(W::zero().lt(turns), turn, W::zero());
-        (turns, W::load(&self.angle) + turn)
+        let rotvec = W::select(W::zero().lt(turns), rotvec, W::zero());
+        (turns, W::load(&self.angle) + rotvec)
     }
 }

@@ -17,7 +17,8 @@ pub(crate) fn is_round(_inv_inertia: &AngularInertia) -> bool {
     true
 }
 
-/// The inverse inertias of the two bodies of each lane's joint. In 2D they stay the same when the bodies turn.
+/// The inverse inertias of the two bodies of each lane's joint. In 2D they stay the same when the bodies
+/// turn.
 #[derive(Clone, Debug)]
 pub(crate) struct JointedInertias([WideSymmetric<Lane>; 2]);
 
@@ -55,7 +56,7 @@ impl JointedInertias {
 
     /// The bodies have turned since the step began.
     #[inline(always)]
-    pub fn turn<W: Wide>(&mut self, _displacements: &[WideDisplacement<W>; 2]) {}
+    pub fn rotate<W: Wide>(&mut self, _displacements: &[WideDisplacement<W>; 2]) {}
 }
 
 /// The inertia of a body whose moment is 1.

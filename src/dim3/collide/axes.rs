@@ -33,7 +33,8 @@ pub struct FlatAxes {
 }
 
 impl FlatAxes {
-    /// The best of one lane. `half` are the half extents of the box, `hint` is the normal of last time, or zero.
+    /// The best of one lane. `half` are the half extents of the box, `hint` is the normal of last time, or
+    /// zero.
     pub fn best(&self, lane: usize, half: Vector, hint: Vector) -> BestAxis {
         let tolerance = TOLERANCE * half.min_element();
         let penalties = [FIRST_FACE * tolerance, 0.0, tolerance];
@@ -59,8 +60,8 @@ impl FlatAxes {
     }
 }
 
-/// The best axis; `None` if this is not known of such polytopes without a search. `hint` is the normal of last
-/// time, or zero.
+/// The best axis; `None` if this is not known of such polytopes without a search. `hint` is the normal of
+/// last time, or zero.
 pub fn best_axis(
     pos12: &Pose,
     polytope1: &Polytope<'_>,

@@ -85,8 +85,8 @@ fn nearest_to_face(
         })
     };
     if heights[0] * heights[1] < 0.0 {
-        let share = heights[0] / (heights[0] - heights[1]);
-        if is_inside(axis[0] + (axis[1] - axis[0]) * share) {
+        let fraction = heights[0] / (heights[0] - heights[1]);
+        if is_inside(axis[0] + (axis[1] - axis[0]) * fraction) {
             return Some((0.0, heights[0] + heights[1] < 0.0));
         }
     }

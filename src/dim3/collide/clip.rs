@@ -147,13 +147,13 @@ fn clip_line(
         return None;
     }
     let mut deepest = Real::INFINITY;
-    for (share, (id, other_id)) in range.into_iter().zip(names) {
-        let point = start + (end - start) * share;
+    for (fraction, (id, other_id)) in range.into_iter().zip(names) {
+        let point = start + (end - start) * fraction;
         let dist = normal.dot(point) - contact.face.offset;
         deepest = deepest.min(dist);
         if dist <= prediction {
             let (on_face, on_other) =
-                (point - normal * dist, ends[0] + (ends[1] - ends[0]) * share);
+                (point - normal * dist, ends[0] + (ends[1] - ends[0]) * fraction);
             raw.points.push(RawPoint::flipped(on_face, on_other, id, other_id, dist, flipped));
         }
     }
@@ -173,8 +173,8 @@ fn cut_by(polygon: &Overlap, index: u8, on_plane: Vector, outward: Vector, resul
         let next = polygon.get(position + 1);
         let (to, height_to) = next.map_or((first, height_first), |next| (next, height(next)));
         let crossing = || {
-            let share = (height_from / (height_from - height_to)).clamp(0.0, 1.0);
-            from.point + (to.point - from.point) * share
+            let fraction = (height_from / (height_from - height_to)).clamp(0.0, 1.0);
+            from.point + (to.point - from.point) * fraction
         };
         let (leaves, is_deep) = (height_to > rim, height_from < 0.0);
         if height_from <= rim {

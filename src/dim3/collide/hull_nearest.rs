@@ -99,10 +99,10 @@ fn on_face(hull: &ConvexPolyhedron, id: usize, height: Real, point: Vector) -> O
         if along.cross(face.normal).dot(point - start) <= 0.0 {
             continue;
         }
-        let share = along.dot(point - start) / along.length_squared();
-        let (place, feature) = match share {
-            share if share >= 1.0 => (start + along, feature::vertex(next)),
-            share if share > 0.0 => (start + along * share, feature::edge(edges[index])),
+        let fraction = along.dot(point - start) / along.length_squared();
+        let (place, feature) = match fraction {
+            fraction if fraction >= 1.0 => (start + along, feature::vertex(next)),
+            fraction if fraction > 0.0 => (start + along * fraction, feature::edge(edges[index])),
             _ => (start, feature::vertex(vertex)),
         };
         let distance_squared = place.distance_squared(point);

@@ -23,8 +23,8 @@ pub fn reduce(points: &mut Vec<RawPoint>, normal: Vector, reach: Real) {
     let p = points[first].local_p1;
     let deepest = points.iter().map(|point| point.dist).fold(Real::INFINITY, Real::min);
     let weight = |point: &RawPoint| {
-        let share = (reach - point.dist) / (reach - deepest);
-        if share.is_finite() { share } else { 1.0 }
+        let fraction = (reach - point.dist) / (reach - deepest);
+        if fraction.is_finite() { fraction } else { 1.0 }
     };
     let away = |point: &RawPoint| point.local_p1.distance(p) * weight(point);
     let Some(second) = best(points, away) else { return };

@@ -51,7 +51,8 @@ impl Outline {
         Some(Self { radius, half_height, is_cone })
     }
 
-    /// The feature that a unit vector shows; a single vertex for a rim or an apex. `hint` is a point of the cap that should be covered.
+    /// The feature that a unit vector shows; a single vertex for a rim or an apex. `hint` is a point of the
+    /// cap that should be covered.
     fn feature(self, normal: Vector, hint: Vector) -> PolygonalFeature {
         let across = Vector::new(normal.x, 0.0, normal.z);
         let lateral = across.length();
@@ -103,7 +104,8 @@ impl Outline {
     }
 }
 
-/// Adds the contacts of the features that two parts show each other. There are none if one of the features is a single point.
+/// Adds the contacts of the features that two parts show each other. There are none if one of the features is
+/// a single point.
 pub fn feature_contacts(pos12: &Pose, parts: &FacingParts<'_>, raw: &mut RawManifold) {
     let outlines = parts.shapes.map(Outline::of);
     // First with caps that do not turn as the closest points of two flat faces jump about.
@@ -158,7 +160,8 @@ fn add_contacts(
     }
 }
 
-/// Removes contacts that are closer to an earlier one than a distance: a line is seen as two edges, there and back.
+/// Removes contacts that are closer to an earlier one than a distance: a line is seen as two edges, there and
+/// back.
 fn remove_copies(raw: &mut RawManifold, distance: Real) {
     let points = core::mem::take(&mut raw.points);
     for point in points {
@@ -202,8 +205,8 @@ mod tests {
         raw
     }
 
-    /// Two cylinders that lie beside each other touch along a line, however each is turned about its axis or end for end. With
-    /// one point, wherever rounding put it, they rocked on it.
+    /// Two cylinders that lie beside each other touch along a line, however each is turned about its axis or
+    /// end for end. With one point, wherever rounding put it, they rocked on it.
     #[test]
     fn cylinders_side_by_side_touch_at_both_ends() {
         let cylinder = Cylinder::new(1.0, 0.3);
@@ -255,7 +258,8 @@ mod tests {
         }
     }
 
-    /// A flat cone has a side whose normal is nearly the axis. Seen along the axis or nearly so it shows its apex, and no side without a direction.
+    /// A flat cone has a side whose normal is nearly the axis. Seen along the axis or nearly so it shows its
+    /// apex, and no side without a direction.
     #[test]
     fn the_top_of_a_flat_cone_is_its_apex() {
         let floor = Cuboid::new(Vector::splat(2.0));

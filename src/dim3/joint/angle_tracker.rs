@@ -2,8 +2,8 @@
 //!
 //! Each kind of angle is how far a point `(cos, sin)` has gone round:
 //!
-//! * a *twist* about `e` is twice the angle of `(w, v·e)`; that of the whole rotation is a twist about an `e` that follows
-//!   `v`,
+//! * a *twist* about `e` is twice the angle of `(w, v·e)`; that of the whole rotation is a twist about an `e`
+//!   that follows `v`,
 //! * A *tilt* of `e` towards `g` is the angle of `(f·e, f·g)`; a swing in any direction is a tilt towards a
 //!   `g` that follows `f`.
 //!
@@ -88,25 +88,25 @@ impl AngleTracker {
         self.towards.set_lane(lane, towards.unwrap_or(Vector::ZERO));
         self.follows.0[lane] = if follows { 1.0 } else { 0.0 };
         self.counts.0[lane] = if rotations.is_single() { 1.0 } else { 0.0 };
-        let (kind, share) = match towards {
+        let (kind, fraction) = match towards {
             None => (&mut self.twists, 0.5),
             Some(_) => (&mut self.tilts, 1.0),
         };
         kind.0[lane] = 1.0;
         (self.has_twists, self.has_tilts) =
             (self.has_twists || towards.is_none(), self.has_tilts || towards.is_some());
-        (self.sin.0[lane], self.cos.0[lane]) = sin_cos(angle * share);
+        (self.sin.0[lane], self.cos.0[lane]) = sin_cos(angle * fraction);
         self.angle.0[lane] = angle;
     }
 
     /// The direction, in the first frame, along which the relative angular velocity changes the angle, and
-    /// the angle. `between` is the second frame relative to the first, and `turn` the approximate rotation
+    /// the angle. `between` is the second frame relative to the first, and `rotvec` the approximate rotation
     /// since the start of the step, in the first frame, with all turns.
     #[inline(always)]
     pub fn measure<W: Wide>(
         &self,
         between: WideRotation<W>,
-        turn: WideAngVector<W>,
+        rotvec: WideAngVector<W>,
     ) -> (WideAngVector<W>, W) {
         let zero = W::zero();
         let (mut direction, mut turned) = (WideVector::zero(), zero);
@@ -114,7 +114,7 @@ impl AngleTracker {
             let (of_twist, half) = self.twist(between);
             let is_twist = zero.lt(W::load(&self.twists));
             direction = WideVector::select(is_twist, of_twist, direction);
-            turned = W::select(is_twist, self.with_turns(half + half, turn), turned);
+            turned = W::select(is_twist, self.with_turns(half + half, rotvec), turned);
         }
         if self.has_tilts {
             let (of_tilt, by) = self.tilt(between);
@@ -127,8 +127,8 @@ impl AngleTracker {
 
     /// The angle of a twist, given modulo whole turns.
     #[inline(always)]
-    fn with_turns<W: Wide>(&self, turned: W, turn: WideAngVector<W>) -> W {
-        let about = turn.dot(WideVector::load(&self.from));
+    fn with_turns<W: Wide>(&self, turned: W, rotvec: WideAngVector<W>) -> W {
+        let about = rotvec.dot(WideVector::load(&self.from));
         let turns = nearest_whole((about - turned) * W::splat(1.0 / TURN));
         let counts = W::zero().lt(W::load(&self.counts)) & turns.abs().lt(W::splat(TURNS_MAX));
         W::select(counts, turned + turns * W::splat(TURN), turned)
@@ -140,7 +140,8 @@ impl AngleTracker {
         let (zero, one) = (W::zero(), W::splat(1.0));
         let v = WideVector { x: between.x, y: between.y, z: between.z };
         let follows = zero.lt(W::load(&self.follows));
-        // A quaternion and its negative are the same rotation: of the whole angle, that within half a turn is meant.
+        // A quaternion and its negative are the same rotation: of the whole angle, that within half a turn is
+        // meant.
         let length = v.dot(v).sqrt();
         let sign = W::select(between.w.lt(zero), -one, one);
         let has_axis = W::splat(LENGTH_MIN).lt(length);
@@ -209,7 +210,7 @@ mod tests {
     struct Reading {
         angle_tracker: AngleTracker,
         between: WideRotation<Lane>,
-        turn: WideVector<Lane>,
+        rotvec: WideVector<Lane>,
         direction: WideVector<Lane>,
         angle: Lane,
     }
@@ -219,8 +220,8 @@ mod tests {
         #[inline(always)]
         fn run<W: Wide>(self) {
             let between = WideRotation::<W>::load(&self.between);
-            let turn = WideVector::load(&self.turn);
-            let (direction, angle) = self.angle_tracker.measure(between, turn);
+            let rotvec = WideVector::load(&self.rotvec);
+            let (direction, angle) = self.angle_tracker.measure(between, rotvec);
             direction.store(&mut self.direction);
             angle.store(&mut self.angle);
         }
@@ -250,7 +251,7 @@ mod tests {
             let mut reading = Reading {
                 angle_tracker: AngleTracker::NONE,
                 between: WideRotation::IDENTITY,
-                turn: WideVector::ZERO,
+                rotvec: WideVector::ZERO,
                 direction: WideVector::ZERO,
                 angle: Lane::ZERO,
             };
@@ -272,7 +273,7 @@ mod tests {
                 // A quaternion and its negative are the same rotation.
                 let end = if random.below(2) == 0 { end } else { -end };
                 reading.between.set_lane(lane, &end);
-                reading.turn.set_lane(lane, by);
+                reading.rotvec.set_lane(lane, by);
                 *expected = angle_about(axis, rotations, &end);
             }
             Simd::detect().run(&mut reading);
@@ -298,7 +299,7 @@ mod tests {
         let mut between = WideRotation::IDENTITY;
         between.set_lane(0, &Rotation::from_axis_angle(Vector::X, 40.5));
         let (direction, angle) = (WideVector::ZERO, Lane::ZERO);
-        let mut reading = Reading { angle_tracker, between, turn: direction, direction, angle };
+        let mut reading = Reading { angle_tracker, between, rotvec: direction, direction, angle };
         Simd::detect().run(&mut reading);
         assert!((reading.angle.0[0] - 40.5).abs() < 1.0e-5, "{}", reading.angle.0[0]);
     }
@@ -315,11 +316,11 @@ mod tests {
                 let start = random.within(-1.0, 1.0);
                 let mut angle_tracker = AngleTracker::NONE;
                 angle_tracker.set_lane(2, axis, rotations, start);
-                let (mut between, mut turn) = (WideRotation::IDENTITY, WideVector::ZERO);
+                let (mut between, mut rotvec) = (WideRotation::IDENTITY, WideVector::ZERO);
                 between.set_lane(2, &Rotation::from_axis_angle(axis_of(axis), start + by));
-                turn.set_lane(2, axis_of(axis) * (by + random.within(-2.0, 2.0)));
+                rotvec.set_lane(2, axis_of(axis) * (by + random.within(-2.0, 2.0)));
                 let (direction, angle) = (WideVector::ZERO, Lane::ZERO);
-                let mut reading = Reading { angle_tracker, between, turn, direction, angle };
+                let mut reading = Reading { angle_tracker, between, rotvec, direction, angle };
                 Simd::detect().run(&mut reading);
                 let once = Real::sin(by).atan2(Real::cos(by));
                 let expected = start + if counts { by } else { once };
@@ -336,11 +337,11 @@ mod tests {
             let mut angle_tracker = AngleTracker::NONE;
             let rotations = FreeRotations::new(JointAxesMask::ANG_X, JointAxesMask::empty());
             angle_tracker.set_lane(0, JointAxis::AngX, rotations, 0.5);
-            let mut turn = WideVector::ZERO;
-            turn.set_lane(0, Vector::X * no_number);
+            let mut rotvec = WideVector::ZERO;
+            rotvec.set_lane(0, Vector::X * no_number);
             let (direction, angle) = (WideVector::ZERO, Lane::ZERO);
             let between = WideRotation::IDENTITY;
-            let mut reading = Reading { angle_tracker, between, turn, direction, angle };
+            let mut reading = Reading { angle_tracker, between, rotvec, direction, angle };
             Simd::detect().run(&mut reading);
             assert!(reading.angle.0.iter().all(|angle| angle.abs() < 1.0e-5), "{no_number}");
         }

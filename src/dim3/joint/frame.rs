@@ -43,8 +43,8 @@ pub(crate) fn frame_between<W: Wide>(
     }
 }
 
-/// The error about each axis if it were locked, and the direction (world space) along which the relative angular
-/// velocity changes it. `between` is the second frame as seen from the first, which has these `axes`.
+/// The error about each axis if it were locked, and the direction (world space) along which the relative
+/// angular velocity changes it. `between` is the second frame as seen from the first, which has these `axes`.
 #[inline(always)]
 pub(crate) fn locked_rotations<W: Wide>(
     between: WideRotation<W>,

@@ -50,7 +50,8 @@ impl JointedInertias {
         any_gyroscopic: false,
     };
 
-    /// Sets the inverse inertia of one lane's first (0) or second (1) body, and whether it will turn with the body.
+    /// Sets the inverse inertia of one lane's first (0) or second (1) body, and whether it will turn with the
+    /// body.
     pub fn set_lane(
         &mut self,
         side: usize,
@@ -90,7 +91,7 @@ impl JointedInertias {
 
     /// The bodies have moved by so much since the step began.
     #[inline(always)]
-    pub fn turn<W: Wide>(&mut self, displacements: &[WideDisplacement<W>; 2]) {
+    pub fn rotate<W: Wide>(&mut self, displacements: &[WideDisplacement<W>; 2]) {
         if !self.any_gyroscopic {
             return;
         }

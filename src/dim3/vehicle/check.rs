@@ -4,8 +4,8 @@ use super::wheel::Wheel;
 use crate::base::measure::{is_coordinate, is_length, is_margin, is_point};
 use crate::dim::math::{Real, Vector};
 
-/// The shortest vector that has a direction, and the least sine of the angle between axle and suspension, whose plane must be
-/// a plane.
+/// The shortest vector that has a direction, and the least sine of the angle between axle and suspension,
+/// whose plane must be a plane.
 const LENGTH_MIN: Real = 1.0e-3;
 
 /// The directions of a wheel in the frame of the chassis, of unit length.
@@ -35,7 +35,7 @@ fn direction(name: &str, vector: Vector) -> Result<Vector, String> {
 type Check = fn(Real) -> bool;
 
 fn check_numbers(wheel: &Wheel) -> Result<(), String> {
-    let is_share: Check = |value| (0.0..=1.0).contains(&value);
+    let is_fraction: Check = |value| (0.0..=1.0).contains(&value);
     let is_bound: Check = |value| value >= 0.0;
     let checks: [(&str, Real, Check); 14] = [
         ("radius", wheel.radius, is_length),
@@ -47,7 +47,7 @@ fn check_numbers(wheel: &Wheel) -> Result<(), String> {
         ("largest suspension force", wheel.max_suspension_force, is_bound),
         ("friction slip", wheel.friction_slip, is_margin),
         ("side friction stiffness", wheel.side_friction_stiffness, is_margin),
-        ("roll influence", wheel.roll_influence, is_share),
+        ("roll influence", wheel.roll_influence, is_fraction),
         ("steering", wheel.steering, is_coordinate),
         ("engine force", wheel.engine_force, is_coordinate),
         ("brake", wheel.brake, is_bound),

@@ -45,21 +45,24 @@ use crate::model::collider::ColliderSet;
 /// The rolling direction of a wheel follows from its axle: up × axle is forward. The fields of [`Wheel`] say
 /// what they mean; forces are forces at the ground, not torques.
 ///
-/// # What an update keeps to
+/// # Guarantees of an update
 ///
-/// * A suspension pushes and never pulls. It is integrated implicitly, and stiff springs are stable at any rate.
-/// * Drive, brake and grip to the side of a wheel are together at most [`Wheel::friction_slip`] times its load. No brake
-///   stops a car on ice.
+/// * A suspension pushes and never pulls. It is integrated implicitly, and stiff springs are stable at any
+///   rate.
+/// * Drive, brake and grip to the side of a wheel are together at most [`Wheel::friction_slip`] times its
+///   load. No brake stops a car on ice.
 /// * Brakes stop a standing car, on a slope as well, within their force and the tyres' grip; it does not
 ///   creep.
 /// * Rays see neither the chassis nor sensors, whatever the filter says.
 /// * The ground is pushed as the chassis is, with opposite impulses. Wheels go with ground that moves.
-/// * A sleeping chassis stays asleep until a wheel's controls or its ground change. On dynamic ground none sleeps.
+/// * A sleeping chassis stays asleep until a wheel's controls or its ground change. On dynamic ground none
+///   sleeps.
 ///
-/// # What it does not do
+/// # Limitations
 ///
-/// The wheels are lines: they sink into steps between their middle and their rim. Tyres do not heat, wear
-/// or pull themselves straight. If the chassis is not dynamic, its wheels find the ground and turn, and nothing pushes.
+/// The wheels are lines: they sink into steps between their middle and their rim. Tyres do not heat, wear or
+/// pull themselves straight. If the chassis is not dynamic, its wheels find the ground and turn, and nothing
+/// pushes.
 #[derive(Clone, Debug)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub struct DynamicRayCastVehicleController {

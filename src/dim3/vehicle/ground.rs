@@ -26,7 +26,7 @@ pub(super) struct Ground {
 pub(super) struct Give {
     handle: RigidBodyHandle,
     /// Shares, linear and angular.
-    shares: [Vector; 2],
+    fractions: [Vector; 2],
     /// The velocities at the last update, and by how much pushes should have changed them.
     old: [Vector; 2],
     expected: [Vector; 2],
@@ -75,8 +75,8 @@ fn mover_of(body: &RigidBody, give: Option<&Give>, dt: Real) -> Mover {
         angvel,
     };
     if let Some(give) = give {
-        mover.inv_mass *= give.shares[0];
-        mover.inv_inertia = scaled(&mover.inv_inertia, give.shares[1]);
+        mover.inv_mass *= give.fractions[0];
+        mover.inv_inertia = scaled(&mover.inv_inertia, give.fractions[1]);
     }
     // Effect of other vehicles on it in this step.
     let (force, torque) = body.pending_push();
@@ -86,12 +86,12 @@ fn mover_of(body: &RigidBody, give: Option<&Give>, dt: Real) -> Mover {
 }
 
 /// `D^½ A D^½`.
-fn scaled(inertia: &AngularInertia, shares: Vector) -> AngularInertia {
-    let root = Vector::new(shares.x.sqrt(), shares.y.sqrt(), shares.z.sqrt());
+fn scaled(inertia: &AngularInertia, fractions: Vector) -> AngularInertia {
+    let root = Vector::new(fractions.x.sqrt(), fractions.y.sqrt(), fractions.z.sqrt());
     let mut result = zero_inertia();
-    result.m11 = inertia.m11 * shares.x;
-    result.m22 = inertia.m22 * shares.y;
-    result.m33 = inertia.m33 * shares.z;
+    result.m11 = inertia.m11 * fractions.x;
+    result.m22 = inertia.m22 * fractions.y;
+    result.m33 = inertia.m33 * fractions.z;
     result.m12 = inertia.m12 * (root.x * root.y);
     result.m13 = inertia.m13 * (root.x * root.z);
     result.m23 = inertia.m23 * (root.y * root.z);
@@ -106,8 +106,8 @@ impl Give {
             for (i, now) in [body.linvel(), body.angvel()].into_iter().enumerate() {
                 let (changed, expected) = (now - give.old[i], give.expected[i]);
                 for axis in 0..3 {
-                    let share = &mut give.shares[i][axis];
-                    *share = next_share(*share, changed[axis], expected[axis]);
+                    let fraction = &mut give.fractions[i][axis];
+                    *fraction = next_fraction(*fraction, changed[axis], expected[axis]);
                 }
             }
             true
@@ -120,13 +120,13 @@ impl Give {
         for ground in grounds.all.iter().filter(|ground| ground.is_dynamic) {
             let Some(handle) = ground.handle else { continue };
             let Some(body) = bodies.get(handle) else { continue };
-            let shares = known.iter().find(|give| give.handle == handle);
+            let fractions = known.iter().find(|give| give.handle == handle);
             let (force, torque) = body.pending_push();
             let mprops = body.mass_properties();
             let by_torque = mul_inertia(mprops.effective_world_inv_inertia(), torque);
             gives.push(Self {
                 handle,
-                shares: shares.map_or([Vector::ONE; 2], |give| give.shares),
+                fractions: fractions.map_or([Vector::ONE; 2], |give| give.fractions),
                 old: [body.linvel(), body.angvel()],
                 expected: [mprops.effective_inv_mass() * force * dt, by_torque * dt],
             });
@@ -136,20 +136,24 @@ impl Give {
 
 /// Half of the old estimate, and half of the new measurement: a bouncing body does not make the fraction
 /// jump.
-fn next_share(share: Real, changed: Real, expected: Real) -> Real {
+fn next_fraction(fraction: Real, changed: Real, expected: Real) -> Real {
     let seen = changed / expected;
-    if expected != 0.0 && seen.is_finite() { 0.5 * (share + seen.clamp(0.0, 1.0)) } else { share }
+    if expected != 0.0 && seen.is_finite() {
+        0.5 * (fraction + seen.clamp(0.0, 1.0))
+    } else {
+        fraction
+    }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::next_share;
+    use super::next_fraction;
 
     #[test]
     fn a_share_follows_what_is_seen() {
-        assert_eq!(next_share(1.0, 0.0, -2.0), 0.5);
-        assert_eq!(next_share(0.5, -2.0, -2.0), 0.75);
-        assert_eq!(next_share(0.5, 8.0, 2.0), 0.75);
-        assert_eq!(next_share(0.3, 1.0, 0.0), 0.3);
+        assert_eq!(next_fraction(1.0, 0.0, -2.0), 0.5);
+        assert_eq!(next_fraction(0.5, -2.0, -2.0), 0.75);
+        assert_eq!(next_fraction(0.5, 8.0, 2.0), 0.75);
+        assert_eq!(next_fraction(0.3, 1.0, 0.0), 0.3);
     }
 }

@@ -22,8 +22,8 @@ pub(super) struct Memory {
 }
 
 impl Memory {
-    /// Compares the chassis with what was expected. Returns the acceleration that does not come from forces on
-    /// the body (length/s²).
+    /// Compares the chassis with what was expected. Returns the acceleration that does not come from forces
+    /// on the body (length/s²).
     pub fn observe(&mut self, chassis: &RigidBody) -> Vector {
         // While pushes wait there was no step, and there is nothing new to see.
         if chassis.is_pushed() {

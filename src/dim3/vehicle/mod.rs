@@ -1,4 +1,4 @@
-//! # Vehicle — a chassis on rays
+//! # Ray-cast vehicles
 //!
 //! Ray-cast vehicles: each wheel casts a ray from its place on the chassis, and the forces of its suspension
 //! and tyre act on the chassis and the ground. Wheels have no mass and no shape, so nothing can tear them off

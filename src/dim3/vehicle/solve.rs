@@ -1,5 +1,5 @@
-//! Solves all rows of all wheels together: projected Gauss–Seidel iteration, as contacts are solved elsewhere, but to the end,
-//! because there are so few.
+//! Solves all rows of all wheels together: projected Gauss–Seidel iteration, as contacts are solved
+//! elsewhere, but to the end, because there are so few.
 
 use super::contact::{Mover, WheelContact};
 use super::ground::{Ground, Grounds};

@@ -35,8 +35,8 @@ impl Wheel {
     pub(super) fn turn_in_air(&mut self, chassis_mass: Real, dt: Real) {
         let per_impulse = self.spin_of_impulse(chassis_mass);
         let driven = self.spin + self.engine_force * dt * per_impulse;
-        // An infinite brake stops every wheel, also that of a chassis without mass, which no impulse turns: there, infinity times
-        // zero would be no number.
+        // An infinite brake stops every wheel, also that of a chassis without mass, which no impulse turns:
+        // there, infinity times zero would be no number.
         let braked = if self.brake.is_finite() { self.brake * per_impulse } else { self.brake };
         self.turn(driven - driven.clamp(-braked, braked), dt);
     }

@@ -77,7 +77,7 @@ impl Spring {
         let (dt, mass) = (vehicle.dt, vehicle.mass);
         let cosine = (-below.normal.dot(wheel.suspension_ws)).max(LEAST_COSINE);
         let [closing, closing_later] = velocities.map(|velocity| -velocity / cosine);
-        let touching = share_of_step(below.compression, closing_later * dt)?;
+        let touching = fraction_of_step(below.compression, closing_later * dt)?;
         let damping =
             if closing > 0.0 { wheel.damping_compression } else { wheel.damping_relaxation };
         let (k, c) = (wheel.suspension_stiffness * mass, damping * mass * touching);
@@ -97,8 +97,8 @@ impl Spring {
         })
     }
 
-    /// The impulse in place of `impulse`, at which the velocity is `velocity` and which changes it by `inv_mass`
-    /// each unit.
+    /// The impulse in place of `impulse`, at which the velocity is `velocity` and which changes it by
+    /// `inv_mass` each unit.
     pub fn solve(&self, impulse: Real, velocity: Real, inv_mass: Real) -> Real {
         let Self { bias, softness, limit, .. } = *self;
         let free = velocity - inv_mass * impulse;
@@ -109,7 +109,7 @@ impl Spring {
 
 /// The fraction of the step in which the wheel touches the ground, if the compression grows by `closing` in
 /// it: a damper acts on the ground only. `None` if the wheel does not get there.
-fn share_of_step(compression: Real, closing: Real) -> Option<Real> {
+fn fraction_of_step(compression: Real, closing: Real) -> Option<Real> {
     if compression >= 0.0 {
         return Some(1.0);
     }

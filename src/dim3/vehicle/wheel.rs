@@ -5,8 +5,8 @@ use crate::model::collider::ColliderHandle;
 
 /// Springs, dampers and tyres: what the wheels of a vehicle often have in common.
 ///
-/// [`DynamicRayCastVehicleController::add_wheel`](super::DynamicRayCastVehicleController::add_wheel) copies them into
-/// the [`Wheel`], whose fields say what they mean.
+/// [`DynamicRayCastVehicleController::add_wheel`](super::DynamicRayCastVehicleController::add_wheel) copies
+/// them into the [`Wheel`], whose fields say what they mean.
 #[derive(Copy, Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub struct WheelTuning {
@@ -44,7 +44,8 @@ impl Default for WheelTuning {
 #[derive(Copy, Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub struct RayCastInfo {
-    /// Normal of the ground, in world space: out of the ground, of unit length. In the air: against the suspension.
+    /// Normal of the ground, in world space: out of the ground, of unit length. In the air: against the
+    /// suspension.
     pub contact_normal_ws: Vector,
     /// Contact point of the wheel, in world space. In the air: the lowest point of the wheel.
     pub contact_point_ws: Vector,

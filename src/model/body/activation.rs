@@ -18,7 +18,8 @@ pub struct RigidBodyActivation {
     /// longer path. A turn counts with the size of the body. Velocities that alternate from step to step
     /// cancel: a body that trembles may be faster.
     pub normalized_linear_threshold: Real,
-    /// Mean angular speed below which the body must stay to fall asleep (rad/s), whatever its size. Negative: never.
+    /// Mean angular speed below which the body must stay to fall asleep (rad/s), whatever its size. Negative:
+    /// never.
     pub angular_threshold: Real,
     /// Time below both thresholds after which the body may sleep (seconds).
     pub time_until_sleep: Real,
@@ -43,8 +44,8 @@ impl RigidBodyActivation {
         0.05
     }
 
-    /// The default of [`Self::angular_threshold`]: 0.5 rad/s. It matters for bodies with an extent below a tenth of a length
-    /// unit; larger ones reach the linear threshold first.
+    /// The default of [`Self::angular_threshold`]: 0.5 rad/s. It matters for bodies with an extent below a
+    /// tenth of a length unit; larger ones reach the linear threshold first.
     pub const fn default_angular_threshold() -> Real {
         0.5
     }

@@ -244,7 +244,8 @@ impl RigidBodyBuilder {
         self
     }
 
-    /// Says whether the body, when it is fast, stops at other dynamic bodies, too: see [`RigidBody::enable_ccd`].
+    /// Says whether the body, when it is fast, stops at other dynamic bodies, too: see
+    /// [`RigidBody::enable_ccd`].
     pub fn ccd_enabled(mut self, enabled: bool) -> Self {
         self.ccd_enabled = enabled;
         self
@@ -262,8 +263,8 @@ impl RigidBodyBuilder {
         self
     }
 
-    /// Sets how many more substeps the solver takes for this body and all that touches it, directly or through
-    /// other dynamic bodies; at most 1000.
+    /// Sets how many more substeps the solver takes for this body and all that touches it, directly or
+    /// through other dynamic bodies; at most 1000.
     pub fn additional_solver_iterations(mut self, iterations: usize) -> Self {
         self.additional_solver_iterations = iterations;
         self

@@ -30,7 +30,8 @@ impl RigidBody {
 
     /// Notes that a collider is attached. Its mass comes by [`Self::add_collider_mass`].
     ///
-    /// A body that was put in the place of another may list it already. The next step lists its colliders anew.
+    /// A body that was put in the place of another may list it already. The next step lists its colliders
+    /// anew.
     pub(crate) fn attach_collider(&mut self, handle: ColliderHandle) {
         self.colliders.push(handle);
         self.changes |= RigidBodyChanges::COLLIDERS | RigidBodyChanges::LOCAL_MASS_PROPERTIES;
@@ -80,8 +81,8 @@ impl RigidBody {
         self.update_extent(attached.into_iter());
     }
 
-    /// Adds colliders without mass to those over which a mass is spread. Only dynamic bodies whose colliders all have no mass
-    /// need that: a surface of many triangles takes long to measure.
+    /// Adds colliders without mass to those over which a mass is spread. Only dynamic bodies whose colliders
+    /// all have no mass need that: a surface of many triangles takes long to measure.
     fn spread_over<'a>(&mut self, colliders: impl Iterator<Item = &'a Collider>) {
         if !self.is_dynamic() || self.mprops.from_colliders != no_mass() {
             return;
@@ -95,7 +96,8 @@ impl RigidBody {
         }
     }
 
-    /// Warns, when that begins, if contacts cannot move the body although it has solid colliders: their densities are zero.
+    /// Warns, when that begins, if contacts cannot move the body although it has solid colliders: their
+    /// densities are zero.
     fn warn_without_mass(&mut self, attached: &[&Collider]) {
         let is_solid = |c: &&Collider| c.is_enabled() && !c.is_sensor();
         let lacks_mass = self.is_dynamic()

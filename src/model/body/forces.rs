@@ -75,13 +75,13 @@ impl RigidBody {
     /// Strikes the centre of mass with a world-space impulse (mass·length/s): the velocity changes at
     /// once.
     pub fn apply_impulse(&mut self, impulse: Vector, wake_up: bool) {
-        self.strike(impulse, ANG_ZERO, wake_up);
+        self.apply_push(impulse, ANG_ZERO, wake_up);
     }
 
     /// Twists the body with a world-space angular impulse (mass·length²/s): the angular velocity
     /// changes at once.
     pub fn apply_torque_impulse(&mut self, torque_impulse: AngVector, wake_up: bool) {
-        self.strike(Vector::ZERO, torque_impulse, wake_up);
+        self.apply_push(Vector::ZERO, torque_impulse, wake_up);
     }
 
     /// Strikes the body with a world-space impulse (mass·length/s) at a point in world space.
@@ -90,10 +90,10 @@ impl RigidBody {
             return refuse("the point where an impulse strikes a rigid body", point);
         }
         let arm = point - self.mprops.world_com;
-        self.strike(impulse, torque(arm, impulse), wake_up);
+        self.apply_push(impulse, torque(arm, impulse), wake_up);
     }
 
-    fn strike(&mut self, impulse: Vector, torque_impulse: AngVector, wake_up: bool) {
+    fn apply_push(&mut self, impulse: Vector, torque_impulse: AngVector, wake_up: bool) {
         if !self.is_dynamic() || (impulse == Vector::ZERO && torque_impulse == ANG_ZERO) {
             return;
         }

@@ -23,10 +23,10 @@ pub(super) fn mass_is_usable(mass: Real) -> bool {
 #[derive(Copy, Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub enum RigidBodyAdditionalMassProps {
-    /// This much mass more, spread like the mass of the colliders: the centre of mass stays and the
-    /// angular inertia grows in proportion. If the colliders have no mass, it is spread evenly over their volume, else over
-    /// their surface, else over their length. Without colliders it is a point mass at the body's origin and has no
-    /// angular inertia.
+    /// This much mass more, spread like the mass of the colliders: the centre of mass stays and the angular
+    /// inertia grows in proportion. If the colliders have no mass, it is spread evenly over their volume,
+    /// else over their surface, else over their length. Without colliders it is a point mass at the body's
+    /// origin and has no angular inertia.
     Mass(Real),
     /// Mass, centre of mass and principal inertia of one more part, in the body's frame.
     MassProps(MassProperties),

@@ -1,4 +1,4 @@
-//! # Rigid bodies — what moves
+//! # Rigid bodies
 //!
 //! A [`RigidBody`] is the user's record of one body; a [`RigidBodySet`] owns them. Setters refuse values that
 //! no simulation can use (not finite, a negative mass), and note each change, so that the next step visits

@@ -19,7 +19,8 @@ impl RigidBody {
         self.pose.translation
     }
 
-    /// The angular velocity that the body will have in `h` seconds, which may lie in the past, turned to `there`, if nothing acts on it.
+    /// The angular velocity that the body will have in `h` seconds, which may lie in the past, turned to
+    /// `there`, if nothing acts on it.
     pub(crate) fn angvel_at(&self, there: Rotation, h: Real) -> AngVector {
         if !self.gyroscopic_forces_enabled || !self.mprops.rotates_freely() {
             return self.angvel;

@@ -7,7 +7,8 @@ use core::fmt;
 
 /// The unusable quantity, and its value.
 ///
-/// Positions and speeds beyond 1e15 cannot be calculated with: their squares would soon be infinite in single precision.
+/// Positions and speeds beyond 1e15 cannot be calculated with: their squares would soon be infinite in single
+/// precision.
 ///
 /// ```
 /// # use rapier3d::prelude::*;
@@ -34,8 +35,8 @@ use core::fmt;
 pub enum QuarantineCause {
     /// The body's pose when the step began. Setters refuse such poses; saved worlds may have them.
     Position(Pose),
-    /// The body's velocity when the step began: impossible by itself, or so large that it leads out of the world within
-    /// the step.
+    /// The body's velocity when the step began: impossible by itself, or so large that it leads out of the
+    /// world within the step.
     Velocity(RigidBodyVelocity),
     /// The user's force (mass·length/s²) and torque (mass·length²/s²) on the body: within a step of this
     /// length they exceed the range of numbers.
@@ -95,8 +96,8 @@ impl RigidBody {
         self.quarantine.as_deref().copied()
     }
 
-    /// Takes the body out of the simulation as [`Self::set_enabled`] does. Numbers of its motion that are none are made
-    /// up: zero for velocities and forces, the origin for a place.
+    /// Takes the body out of the simulation as [`Self::set_enabled`] does. Numbers of its motion that are
+    /// none are made up: zero for velocities and forces, the origin for a place.
     pub(crate) fn put_in_quarantine(&mut self, cause: QuarantineCause) {
         if self.enabled {
             self.enabled = false;

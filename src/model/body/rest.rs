@@ -94,7 +94,8 @@ mod tests {
     use crate::dim::math::{Rotation, Vector, rotation_from_angle, torque};
     use crate::model::body::RigidBodyBuilder;
 
-    /// A point at the end of a long body moves by the angle times the length, which the bound does not fall below.
+    /// A point at the end of a long body moves by the angle times the length, which the bound does not fall
+    /// below.
     #[test]
     fn a_turn_counts_with_the_extent_of_the_body() {
         let mut body = RigidBodyBuilder::dynamic().translation(Vector::X).build();

@@ -1,7 +1,7 @@
 //! The record of one rigid body: its fields, and how they are read and set one by one.
 //!
-//! Moving a body is in `motion.rs`, pushing it in `forces.rs`, the knobs of its simulation in `settings.rs`, its
-//! colliders in `colliders.rs`.
+//! Moving a body is in `motion.rs`, pushing it in `forces.rs`, the knobs of its simulation in `settings.rs`,
+//! its colliders in `colliders.rs`.
 
 use super::mass::mass_is_usable;
 use super::{
@@ -91,7 +91,8 @@ pub struct RigidBody {
     /// Why the step has disabled the body. Not saved: it may hold numbers that are none.
     #[cfg_attr(feature = "serde-serialize", serde(skip))]
     pub(super) quarantine: Option<Box<QuarantineCause>>,
-    /// Whether the log contains the warning that the body has solid colliders and no mass. A loaded world warns again.
+    /// Whether the log contains the warning that the body has solid colliders and no mass. A loaded world
+    /// warns again.
     #[cfg_attr(feature = "serde-serialize", serde(skip))]
     pub(super) warned_without_mass: bool,
     /// User data. The engine never reads it.
@@ -339,8 +340,8 @@ impl RigidBody {
 
     /// Wakes the body. A `strong` wake-up also restarts the time until it may sleep.
     ///
-    /// The next step wakes the island of a body that slept, and restarts the time of all its bodies, after a weak wake-up too. A
-    /// weak wake-up of an awake body has no effect.
+    /// The next step wakes the island of a body that slept, and restarts the time of all its bodies, after a
+    /// weak wake-up too. A weak wake-up of an awake body has no effect.
     pub fn wake_up(&mut self, strong: bool) {
         if self.activation.sleeping {
             self.changes.insert(RigidBodyChanges::SLEEP);

@@ -152,7 +152,8 @@ impl RigidBodySet {
         (body1, body2)
     }
 
-    /// A body whose list of colliders is about to change. An older copy of it cannot take its place any more unnoticed.
+    /// A body whose list of colliders is about to change. An older copy of it cannot take its place any more
+    /// unnoticed.
     pub(crate) fn get_for_attachment(&mut self, handle: RigidBodyHandle) -> Option<&mut RigidBody> {
         let body = self.bodies.get_mut(handle.0)?;
         self.notes.change(handle, body);
@@ -248,7 +249,8 @@ impl RigidBodySet {
         replaced
     }
 
-    /// Forgets what was known of the other sets: to the next step all bodies are new, awake, and without colliders.
+    /// Forgets what was known of the other sets: to the next step all bodies are new, awake, and without
+    /// colliders.
     pub(crate) fn begin_anew(&mut self) {
         self.notes = Notes::default();
         for (index, body) in self.bodies.iter_mut() {
@@ -284,8 +286,9 @@ impl RigidBodySet {
         removed
     }
 
-    /// Checks the notes of a loaded set: the list names exactly the bodies with changes, and holds their places. The step takes the changes of
-    /// all listed bodies, and a change that no step takes would excuse a wrong reference forever.
+    /// Checks the notes of a loaded set: the list names exactly the bodies with changes, and holds their
+    /// places. The step takes the changes of all listed bodies, and a change that no step takes would excuse
+    /// a wrong reference forever.
     pub(crate) fn check_notes(&self) -> Result<(), Fault> {
         let Notes { modified, places, .. } = &self.notes;
         ensure!(modified.len() == places.len(), "{} notes of bodies", places.len());
@@ -303,8 +306,8 @@ impl RigidBodySet {
 
     /// The bodies that the user removed, in that order.
     ///
-    /// A body that replaced another one before it was removed gets the place of that one. Its own list of colliders is discarded: it may be older than
-    /// the last attachment.
+    /// A body that replaced another one before it was removed gets the place of that one. Its own list of
+    /// colliders is discarded: it may be older than the last attachment.
     pub(crate) fn take_removed(&mut self) -> Vec<RemovedBody> {
         let mut removed = core::mem::take(&mut self.notes.removed);
         self.correct_places(&mut removed);
@@ -332,8 +335,8 @@ impl RigidBodySet {
         self.bodies.get_mut(handle.0)
     }
 
-    /// Visits bodies for the step's own use, on several threads, with their positions in the list: leaves no notes. `None`
-    /// for a handle that finds no body.
+    /// Visits bodies for the step's own use, on several threads, with their positions in the list: leaves no
+    /// notes. `None` for a handle that finds no body.
     ///
     /// # Safety
     /// No handle may occur twice.

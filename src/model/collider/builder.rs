@@ -19,9 +19,9 @@ use parry::shape::SharedShape;
 /// from the defaults. It then calls [`build`](Self::build), or inserts the builder itself into the collider
 /// set.
 ///
-/// Constructors accept any numbers. [`Self::try_build`] returns an error for invalid ones (a negative radius, a NaN, an empty
-/// mesh). [`Self::build`] logs the error and makes a disabled collider, so one invalid value from a level file does not stop
-/// the program.
+/// Constructors accept any numbers. [`Self::try_build`] returns an error for invalid ones (a negative radius,
+/// a NaN, an empty mesh). [`Self::build`] logs the error and makes a disabled collider, so one invalid value
+/// from a level file does not stop the program.
 #[derive(Clone, Debug)]
 #[must_use = "a builder does nothing until it is built"]
 pub struct ColliderBuilder {
@@ -165,7 +165,8 @@ impl ColliderBuilder {
     /// `SharedShape::cylinder(h, r)` without the panic.
     ///
     /// # Errors
-    /// If the shape has sizes that are not positive, coordinates that are not finite, indices out of range or nothing in it.
+    /// If the shape has sizes that are not positive, coordinates that are not finite, indices out of range or
+    /// nothing in it.
     pub fn try_shape(&self) -> Result<SharedShape, InvalidCollider> {
         if let Some(reason) = &self.impossible {
             return Err(reason.clone());

@@ -46,9 +46,10 @@ impl ColliderMassProps {
 
     /// Mass, centre of mass and angular inertia in the frame of the shape.
     ///
-    /// A density gives no mass to shapes without volume: segments, polylines, height fields, flat hulls, half-spaces, and
-    /// triangles in 3D. (It does give mass to a body that has no other colliders.) A mass is spread evenly over their
-    /// surface or length; half-spaces have neither, and get no angular inertia from it.
+    /// A density gives no mass to shapes without volume: segments, polylines, height fields, flat hulls,
+    /// half-spaces, and triangles in 3D. (It does give mass to a body that has no other colliders.) A mass is
+    /// spread evenly over their surface or length; half-spaces have neither, and get no angular inertia from
+    /// it.
     pub fn mass_properties(&self, shape: &dyn Shape) -> MassProperties {
         match self {
             Self::Density(density) if *density == 0.0 => no_mass(),

@@ -1,4 +1,4 @@
-//! # Colliders — what touches
+//! # Colliders
 //!
 //! A [`Collider`] is a shape in the world; a [`ColliderSet`] owns them. Shapes come from parry.
 //! [`ColliderBuilder`] and the setters refuse everything that cannot be simulated (a negative radius, an

@@ -55,7 +55,8 @@ pub struct Collider {
     /// Mark of a pending edit, if there is one.
     #[cfg_attr(feature = "serde-serialize", serde(skip))]
     pub(crate) edit: EditMark,
-    /// The widths of the shape's parts, if looking them up is cheaper than computing them. They are not saved, but computed on loading.
+    /// The widths of the shape's parts, if looking them up is cheaper than computing them. They are not
+    /// saved, but computed on loading.
     #[cfg_attr(feature = "serde-serialize", serde(skip))]
     pub(crate) widths: Option<Arc<[Widths]>>,
     /// User data. The engine does not look at it.

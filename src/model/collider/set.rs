@@ -365,8 +365,8 @@ impl ColliderSet {
         self.detach_removed(bodies);
     }
 
-    /// Removes removed colliders from the lists of bodies. A collider is detached from the body that it names when it is removed, but one that replaced
-    /// another may name another body.
+    /// Removes removed colliders from the lists of bodies. A collider is detached from the body that it names
+    /// when it is removed, but one that replaced another may name another body.
     fn detach_removed(&mut self, bodies: &mut RigidBodySet) {
         if self.notes.removed.is_empty() {
             return;
@@ -399,8 +399,8 @@ fn detach_from_others(
 
 /// For the step.
 impl ColliderSet {
-    /// Forgets what was known of the other sets: to the next step all colliders are new. They are attached to the bodies that they
-    /// name, which must have none; the colliders of bodies that are gone go, too.
+    /// Forgets what was known of the other sets: to the next step all colliders are new. They are attached to
+    /// the bodies that they name, which must have none; the colliders of bodies that are gone go, too.
     pub(crate) fn begin_anew(&mut self, bodies: &mut RigidBodySet) {
         self.notes = Notes::default();
         let handles: Vec<_> = self.iter().map(|(handle, _)| handle).collect();
@@ -436,8 +436,9 @@ impl ColliderSet {
         self.notes.removed.iter().map(|removed| removed.handle)
     }
 
-    /// Checks the notes of a loaded set: the list names exactly the colliders with changes. The step takes the changes of all listed colliders, and
-    /// a change that no step takes would excuse a wrong reference forever.
+    /// Checks the notes of a loaded set: the list names exactly the colliders with changes. The step takes
+    /// the changes of all listed colliders, and a change that no step takes would excuse a wrong reference
+    /// forever.
     pub(crate) fn check_notes(&self) -> Result<(), Fault> {
         let is_noted =
             |collider: &Collider| collider.changes.contains(ColliderChanges::IN_MODIFIED_SET);

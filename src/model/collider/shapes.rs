@@ -178,8 +178,8 @@ impl ColliderBuilder {
         Self::try_round_convex_hull(points, border_radius).ok()
     }
 
-    /// The smallest convex shape around some points, enlarged and rounded by `border_radius` on all sides, or the reason
-    /// why there is none.
+    /// The smallest convex shape around some points, enlarged and rounded by `border_radius` on all sides, or
+    /// the reason why there is none.
     ///
     /// # Errors
     /// If a number is not finite, the border negative, or if the points span no volume (no area in 2D).

@@ -60,7 +60,8 @@ impl MassSpread {
         is_usable.then_some(Self { has_density: false, rank, properties })
     }
 
-    /// The distribution over an enabled collider without mass, in the frame of its body. Its own density scales it.
+    /// The distribution over an enabled collider without mass, in the frame of its body. Its own density
+    /// scales it.
     pub fn over_collider(collider: &Collider) -> Option<Self> {
         let pose = collider.position_wrt_parent()?;
         let mut spread = Self::over(collider.shape())?.at(pose);

@@ -27,11 +27,13 @@ use std::sync::Arc;
 pub(crate) struct Widths {
     /// A point well inside, in the part's frame.
     pub center: Vector,
-    /// From the frame of the axes to the part's. The first axis is the direction of minimum width, unless they are the part's own.
+    /// From the frame of the axes to the part's. The first axis is the direction of minimum width, unless
+    /// they are the part's own.
     pub axes: Rotation,
     /// The size of the skeleton along the axes, relative to that of the part.
     pub skeleton: Vector,
-    /// Half the minimum width, or a little less: 0 for surfaces, which have no inside, infinite for half-spaces.
+    /// Half the minimum width, or a little less: 0 for surfaces, which have no inside, infinite for
+    /// half-spaces.
     pub thickness: Real,
 }
 
@@ -77,7 +79,8 @@ impl Widths {
         }
     }
 
-    /// Makes the skeleton as small as it must be to keep its distance from all faces: with unit normals `n`, `λ` for which
+    /// Makes the skeleton as small as it must be to keep its distance from all faces: with unit normals `n`,
+    /// `λ` for which
     ///
     /// ```text
     /// λ h(S n) ≤ h(n) - margin · min h(n),  h(n) = max n·(x - c) over x in K
@@ -96,7 +99,8 @@ impl Widths {
         Self { skeleton: self.skeleton * scales.fold(1.0, Real::min), ..self }
     }
 
-    /// The widths of all parts of a shape, by their numbers, where computing them again would cost more than looking them up.
+    /// The widths of all parts of a shape, by their numbers, where computing them again would cost more than
+    /// looking them up.
     pub fn of_costly(shape: &dyn Shape) -> Option<Arc<[Self]>> {
         match shape.as_typed_shape() {
             TypedShape::Compound(compound) => {
@@ -125,7 +129,8 @@ pub(crate) fn thickness(shape: &dyn Shape, known: Option<&[Widths]>) -> Real {
     }
 }
 
-/// Returns whether the widths of a shape are searched for, or its skeleton is fitted to faces. All others have a formula.
+/// Returns whether the widths of a shape are searched for, or its skeleton is fitted to faces. All others
+/// have a formula.
 fn is_costly(shape: &dyn Shape) -> bool {
     let typed = shape.as_typed_shape();
     match typed {
@@ -197,8 +202,9 @@ fn mean(points: &[Vector]) -> Vector {
     points.iter().copied().sum::<Vector>() / points.len().max(1) as Real
 }
 
-/// A point inside a convex shape, in the middle of what has one: the mean of its farthest points along all diagonals.
-/// (Along the axes the farthest points of a box are whole faces, and it may say any of their corners.)
+/// A point inside a convex shape, in the middle of what has one: the mean of its farthest points along all
+/// diagonals. (Along the axes the farthest points of a box are whole faces, and it may say any of their
+/// corners.)
 fn inner_point(shape: &dyn SupportMap) -> Vector {
     let corners = 1 << DIM;
     let diagonal = |corner: usize| {

@@ -12,7 +12,7 @@ use crate::model::check::is_saved_unit;
 ///
 /// A fixed body, or none, stands at the origin and is not turned.
 ///
-/// # Contacts that are held in place
+/// # Frozen anchors
 ///
 /// While both bodies are *near rest*, normal and moment arms stay constant, and only the separations are
 /// updated. Otherwise stable piles would buckle. The faces of two rigid boxes on each other are rigid, but

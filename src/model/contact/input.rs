@@ -95,7 +95,8 @@ impl ContactInput {
         (0..MAX_MANIFOLD_POINTS).for_each(|point| self.leave_out(point, lane));
     }
 
-    /// Multiplies the impulses with which one lane starts, and those of the points along the tangents if they act.
+    /// Multiplies the impulses with which one lane starts, and those of the points along the tangents if they
+    /// act.
     pub fn scale_impulses(&mut self, lane: usize, factor: Real, per_point: bool) {
         self.friction_impulse.set_lane(lane, self.friction_impulse.lane(lane) * factor);
         let tangents = self.tangent_impulses.iter_mut().flatten().filter(|_| per_point);

@@ -138,7 +138,8 @@ pub(crate) struct ContactLanes {
     pub reports: Vec<[ContactReport; LANES]>,
     /// Whether each point has its own friction.
     pub are_rough: bool,
-    /// By colour: its first block, if lanes stand in the order of the constraint graph and may be ahead of their pairs; else nothing.
+    /// By colour: its first block, if lanes stand in the order of the constraint graph and may be ahead of
+    /// their pairs; else nothing.
     starts: Vec<u32>,
     /// Number of blocks per colour, including empty ones.
     pub capacity: LaneCapacity,
@@ -234,7 +235,7 @@ impl ContactLanes {
 
     /// Calls `write_back` for a pair, unless it is up to date: by one thread at a time, and not again until
     /// lanes are stored.
-    pub fn settle(&self, id: PairId, write_back: impl FnOnce()) {
+    pub fn complete(&self, id: PairId, write_back: impl FnOnce()) {
         if !self.is_written(id) {
             let _telling = self.writing.lock().unwrap_or_else(PoisonError::into_inner);
             if !self.is_written(id) {

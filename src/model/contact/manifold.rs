@@ -33,7 +33,7 @@ pub struct Contact {
     /// The point on the second collider, in that collider's frame (length units).
     pub local_p2: Vector,
     /// From the first body's centre of mass to the point midway between the two surfaces, in world
-    /// space, as the pair was [placed](super::Placement).
+    /// space, as the pair was [placed](super::AnchorFrame).
     pub(crate) arm: Vector,
     /// [`Self::dist`] as the pair was placed.
     pub(crate) placed_dist: Real,
@@ -111,7 +111,7 @@ pub struct ContactManifoldData {
     pub solver_flags: SolverFlags,
     /// Unit normal in world space, from the first collider to the second.
     pub normal: Vector,
-    /// [`Self::normal`] as the pair was [placed](super::Placement).
+    /// [`Self::normal`] as the pair was [placed](super::AnchorFrame).
     pub(crate) placed_normal: Vector,
     /// Combined friction coefficient.
     pub friction: Real,
@@ -131,7 +131,8 @@ pub struct ContactManifoldData {
     pub(crate) warmstart_friction: Vector,
     /// Twist-friction impulse of the last substep about the normal (3D).
     pub(crate) warmstart_twist: Real,
-    /// The points, all within the prediction distance. A contact pair and a manifold lend them for reading only.
+    /// The points, all within the prediction distance. A contact pair and a manifold lend them for reading
+    /// only.
     pub points: ContactPoints,
 }
 
@@ -171,8 +172,8 @@ impl ContactManifoldData {
         &self.points
     }
 
-    /// Friction impulse at a contact point during the last substep, on the second body, in world space (mass·velocity). Zero for a
-    /// point that does not exist.
+    /// Friction impulse at a contact point during the last substep, on the second body, in world space
+    /// (mass·velocity). Zero for a point that does not exist.
     ///
     /// The default model ([`FrictionModel::Standard`](crate::model::params::FrictionModel)) has one friction
     /// impulse per manifold. Friction is distributed in proportion to the normal impulses: the largest
@@ -253,8 +254,8 @@ impl ContactManifold {
             && self.data.solver_flags.contains(SolverFlags::COMPUTE_RIGID_IMPULSES)
     }
 
-    /// Returns whether all numbers can be computed with, and all normals are unit vectors. (The step computes the present normal from the placed
-    /// one.) A manifold that never had a point has no normals yet.
+    /// Returns whether all numbers can be computed with, and all normals are unit vectors. (The step computes
+    /// the present normal from the placed one.) A manifold that never had a point has no normals yet.
     pub(crate) fn is_sound(&self) -> bool {
         let data = &self.data;
         let directions = [self.local_n1, self.local_n2, data.normal, data.placed_normal];

@@ -94,7 +94,7 @@ impl NarrowPhase {
     /// Every read of a pair behind a shared reference uses this function. Exceptions are the stages of a
     /// step, which have exclusive access.
     pub(crate) fn settled(&self, id: PairId) -> &ContactPair {
-        self.lanes.settle(id, || {
+        self.lanes.complete(id, || {
             // SAFETY: the lanes admit one writing thread at a time, and only if no thread has read the pair
             // since the lanes were stored.
             unsafe { self.contacts.write(id, |pair| self.lanes.write_back(id, pair)) }
@@ -110,7 +110,7 @@ impl NarrowPhase {
     }
 
     /// Tells a contact pair what became of it in the last step.
-    pub(crate) fn settle(&mut self, id: PairId) {
+    pub(crate) fn complete(&mut self, id: PairId) {
         self.lanes.write_back(id, &mut self.contacts[id]);
     }
 

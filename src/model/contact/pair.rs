@@ -75,7 +75,8 @@ impl ContactPair {
         }
     }
 
-    /// Returns whether any contact is close enough that the solver handled it in the last step: the field of the same name.
+    /// Returns whether any contact is close enough that the solver handled it in the last step: the field of
+    /// the same name.
     pub fn has_any_active_contact(&self) -> bool {
         self.has_any_active_contact
     }

@@ -172,7 +172,8 @@ impl<P: Pair> PairStore<P> {
         self.pairs.len() - self.free.len()
     }
 
-    /// The pair of what is in the slots of two colliders, in either order. When it was made other colliders may have been there.
+    /// The pair of what is in the slots of two colliders, in either order. When it was made other colliders
+    /// may have been there.
     ///
     /// Takes as long as the one of the two has partners that has fewer.
     pub fn find(&self, colliders: [ColliderHandle; 2]) -> Option<PairId> {
@@ -406,7 +407,8 @@ impl<P: Pair> PairStore<P> {
         });
     }
 
-    /// Appends the awake pairs for which `is_wanted` to a list, in their order. It may change what the narrow phase asks of them.
+    /// Appends the awake pairs for which `is_wanted` to a list, in their order. It may change what the narrow
+    /// phase asks of them.
     pub fn list_awake(
         &mut self,
         tasks: Tasks<'_>,

@@ -24,15 +24,16 @@ pub struct ContactForceEvent {
     pub max_force_direction: Vector,
     /// Magnitude of the largest force of one contact (mass · length / s²).
     pub max_force_magnitude: Real,
-    /// Whether the force exceeds the threshold for the first step: it did not in the step before, or the two did not touch.
+    /// Whether the force exceeds the threshold for the first step: it did not in the step before, or the two
+    /// did not touch.
     pub started: bool,
 }
 
 impl ContactForceEvent {
-    /// The forces of a pair in a step of `dt` seconds. `total_force_magnitude` is taken as given,
-    /// because the stage that sends the event has computed it. In a step of no length there is no
-    /// force. A force beyond the range of numbers is the largest one within it. [`Self::started`] is not known here: it is
-    /// `false`, and the step sets it.
+    /// The forces of a pair in a step of `dt` seconds. `total_force_magnitude` is taken as given, because the
+    /// stage that sends the event has computed it. In a step of no length there is no force. A force beyond
+    /// the range of numbers is the largest one within it. [`Self::started`] is not known here: it is `false`,
+    /// and the step sets it.
     pub fn from_contact_pair(dt: Real, pair: &ContactPair, total_force_magnitude: Real) -> Self {
         let inv_dt = if dt > 0.0 { 1.0 / dt } else { 0.0 };
         let largest = Vector::splat(Real::MAX);

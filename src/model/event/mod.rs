@@ -122,10 +122,9 @@ pub trait EventHandler: Send + Sync {
         contact_pair: Option<&ContactPair>,
     );
 
-    /// The contact forces between two colliders sum up to more than the
-    /// `contact_force_event_threshold` of one that has
-    /// [`CONTACT_FORCE_EVENTS`](crate::model::collider::ActiveEvents::CONTACT_FORCE_EVENTS). `dt` is the length of the
-    /// step (s). Does nothing unless implemented.
+    /// The contact forces between two colliders sum up to more than the `contact_force_event_threshold` of
+    /// one that has [`CONTACT_FORCE_EVENTS`](crate::model::collider::ActiveEvents::CONTACT_FORCE_EVENTS).
+    /// `dt` is the length of the step (s). Does nothing unless implemented.
     fn handle_contact_force_event(
         &self,
         dt: Real,
@@ -143,8 +142,8 @@ pub trait EventHandler: Send + Sync {
         let _ = (event, bodies);
     }
 
-    /// Some numbers could not be calculated with: a body was disabled, or the number of a contact left out. These events
-    /// come before all others, one for each body. Does nothing unless implemented.
+    /// Some numbers could not be calculated with: a body was disabled, or the number of a contact left out.
+    /// These events come before all others, one for each body. Does nothing unless implemented.
     fn handle_quarantine_event(
         &self,
         event: &QuarantineEvent,

@@ -20,8 +20,9 @@ pub enum QuarantineEvent {
         /// The velocity that it had then.
         velocity: RigidBodyVelocity,
     },
-    /// A number of a contact was impossible, and is left out. Restitution and tangent velocity are zero instead; where
-    /// normals or distances are no numbers, the two do not press on each other. Sent whenever such contacts are computed.
+    /// A number of a contact was impossible, and is left out. Restitution and tangent velocity are zero
+    /// instead; where normals or distances are no numbers, the two do not press on each other. Sent whenever
+    /// such contacts are computed.
     Contact {
         /// The first collider.
         collider1: ColliderHandle,

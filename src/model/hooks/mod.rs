@@ -79,10 +79,9 @@ pub trait PhysicsHooks: Send + Sync {
         true
     }
 
-    /// Changes the contacts of one manifold before they are solved. Called in every step for touching
-    /// pairs with
-    /// [`MODIFY_SOLVER_CONTACTS`](crate::model::collider::ActiveHooks::MODIFY_SOLVER_CONTACTS). Changes nothing
-    /// unless implemented.
+    /// Changes the contacts of one manifold before they are solved. Called in every step for touching pairs
+    /// with [`MODIFY_SOLVER_CONTACTS`](crate::model::collider::ActiveHooks::MODIFY_SOLVER_CONTACTS). Changes
+    /// nothing unless implemented.
     fn modify_solver_contact(&self, context: &mut ContactModificationContext) {
         let _ = context;
     }

@@ -112,8 +112,8 @@ impl ContactModificationContext<'_> {
     }
 
     /// Sets what the solver does with the manifold. Without
-    /// [`COMPUTE_RIGID_IMPULSES`](SolverFlags::COMPUTE_RIGID_IMPULSES) the contact is reported, but the bodies
-    /// pass through each other.
+    /// [`COMPUTE_RIGID_IMPULSES`](SolverFlags::COMPUTE_RIGID_IMPULSES) the contact is reported, but the
+    /// bodies pass through each other.
     pub fn set_solver_flags(&mut self, flags: SolverFlags) {
         self.manifold.data.solver_flags = flags;
     }

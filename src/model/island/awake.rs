@@ -73,7 +73,8 @@ mod tests {
     use crate::base::random::Random;
     use crate::model::body::RigidBodyHandle;
 
-    /// Kinematic bodies come first after any insertion and removal, and the returned positions keep all stored positions true.
+    /// Kinematic bodies come first after any insertion and removal, and the returned positions keep all
+    /// stored positions true.
     #[test]
     fn kinematic_bodies_stand_first_and_all_are_told() {
         let mut random = Random(71);

@@ -91,8 +91,8 @@ impl IslandManager {
         self.awake.len()
     }
 
-    /// Wakes a body and its island at once: all bodies that touch it, directly or through others, are awake when this returns.
-    /// Nothing happens if the handle is stale.
+    /// Wakes a body and its island at once: all bodies that touch it, directly or through others, are awake
+    /// when this returns. Nothing happens if the handle is stale.
     ///
     /// A woken island stays awake for its full time until sleep, independent of `strong`: with the old time
     /// it would fall asleep again in the next step, before any force could move it. If the body is awake,

@@ -63,7 +63,8 @@ mod tests {
     use crate::base::random::Random;
     use crate::dim::math::{Pose, Rotation, Vector, integrate_rotation, torque};
 
-    /// Points of two bodies that move and turn at random come no nearer to each other, and no farther apart, than the bound says.
+    /// Points of two bodies that move and turn at random come no nearer to each other, and no farther apart,
+    /// than the bound says.
     #[test]
     fn no_point_moves_farther_than_the_bound() {
         let mut random = Random(54);

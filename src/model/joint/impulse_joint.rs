@@ -42,8 +42,8 @@ pub struct BodyPair {
 
 /// A joint between two bodies, enforced by impulses.
 ///
-/// `joint.body1` and `joint.body2` can be read, and not assigned: [`ImpulseJointSet::set_bodies`](super::ImpulseJointSet)
-/// also updates the lists of both bodies.
+/// `joint.body1` and `joint.body2` can be read, and not assigned:
+/// [`ImpulseJointSet::set_bodies`](super::ImpulseJointSet) also updates the lists of both bodies.
 //
 // The order of the fields is fixed (`repr(C)`): see [`ImpulseJoint::FRONT`].
 #[derive(Clone, Debug, PartialEq)]

@@ -66,8 +66,8 @@ impl JointLimits {
     }
 }
 
-/// The angle plus that number of turns that brings it nearest to the last one. The sum overflows if the last one is near the largest number: then
-/// the turns are not counted on.
+/// The angle plus that number of turns that brings it nearest to the last one. The sum overflows if the last
+/// one is near the largest number: then the turns are not counted on.
 pub(crate) fn nearest_turn(angle: Real, last: Real) -> Real {
     let nearest = angle + ((last - angle) / TURN).round() * TURN;
     if nearest.is_finite() { nearest } else { angle }

@@ -78,8 +78,8 @@ impl JointLink {
         }
     }
 
-    /// Returns whether the link is that of a joint which was not edited since. Whether it acts depends on its bodies, too: it is compared
-    /// unless one of them was edited or removed.
+    /// Returns whether the link is that of a joint which was not edited since. Whether it acts depends on its
+    /// bodies, too: it is compared unless one of them was edited or removed.
     fn is_of(&self, joint: &ImpulseJoint, bodies: &RigidBodySet) -> bool {
         let is_unedited = |&body: &_| bodies.get(body).is_some_and(|body| body.changes.is_empty());
         let expected = Self::of(self.handle, joint, bodies);
@@ -169,8 +169,8 @@ impl JointLinks {
         }
     }
 
-    /// Checks that each joint stands in its slot and, once per end, in the lists of its bodies. Then the sum of the lengths proves that the
-    /// lists hold nothing else.
+    /// Checks that each joint stands in its slot and, once per end, in the lists of its bodies. Then the sum
+    /// of the lengths proves that the lists hold nothing else.
     pub fn check(&self) -> Result<(), Fault> {
         let mut count = 0;
         for (slot, link) in self.iter() {

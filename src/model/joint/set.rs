@@ -43,8 +43,8 @@ struct Note {
 #[cfg_attr(feature = "serde-serialize", serde(remote = "Self"))]
 pub struct ImpulseJointSet {
     joints: Arena<Entry>,
-    /// By body slot: the joints that are filed there, in the order of insertion. A tree, because nothing bounds the slots of
-    /// handles that a user made up.
+    /// By body slot: the joints that are filed there, in the order of insertion. A tree, because nothing
+    /// bounds the slots of handles that a user made up.
     of_body: BTreeMap<u32, Vec<ImpulseJointHandle>>,
     /// Joints that the user may have changed since the last step, each once.
     modified: Vec<ImpulseJointHandle>,
@@ -311,7 +311,7 @@ impl ImpulseJointSet {
     }
 
     /// Ends the step's update: removes joints without a body, and marks those with a body that takes no part.
-    pub(crate) fn settle(&mut self, links: &mut JointLinks) {
+    pub(crate) fn apply_changes(&mut self, links: &mut JointLinks) {
         for handle in core::mem::take(&mut links.orphans) {
             // A joint that replaced another may have other bodies, and was applied again.
             let known = links.get(handle.into_raw_parts().0);

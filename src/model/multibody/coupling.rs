@@ -6,8 +6,8 @@ use crate::dim::joint_axes::JointAxis;
 use crate::dim::math::{DIM, Real};
 use crate::model::joint::InvalidJoint;
 
-/// Two degrees of freedom of a multibody that move together: `q2 = coeff · q1 + offset`, with the coordinates `q1` and `q2` of the
-/// axes (length units, radians). Made by [`Multibody::add_dof_coupling`].
+/// Two degrees of freedom of a multibody that move together: `q2 = coeff · q1 + offset`, with the coordinates
+/// `q1` and `q2` of the axes (length units, radians). Made by [`Multibody::add_dof_coupling`].
 #[derive(Copy, Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
@@ -41,8 +41,8 @@ impl Multibody {
     /// Couples two degrees of freedom, `q2 = coeff · q1 + offset`, and returns the position of the coupling
     /// in [`Self::couplings`]. An initial error is corrected over some steps.
     ///
-    /// Not for the rotations of a ball joint, which have no coordinate each. A coupling rests while one of its axes is
-    /// locked, and goes when a link that it names becomes part of another multibody, or none.
+    /// Not for the rotations of a ball joint, which have no coordinate each. A coupling rests while one of
+    /// its axes is locked, and goes when a link that it names becomes part of another multibody, or none.
     ///
     /// ```
     /// # use rapier3d::prelude::*;

@@ -69,7 +69,8 @@ impl MultibodyJoint {
         self.free_axes().bits().count_ones() as usize
     }
 
-    /// By axis: the coordinate (length units, radians). The rotations of a ball are given as one rotation vector.
+    /// By axis: the coordinate (length units, radians). The rotations of a ball are given as one rotation
+    /// vector.
     pub fn coords(&self) -> SpatialVector {
         if !self.is_ball() {
             return self.coords;
@@ -107,8 +108,8 @@ impl MultibodyJoint {
         self.data.local_frame1 * joint * self.data.local_frame2.inverse()
     }
 
-    /// Moves the coordinates by as many displacements as there are degrees of freedom: translations first, in the order
-    /// of the axes. Displacements that are missing are taken for 0.
+    /// Moves the coordinates by as many displacements as there are degrees of freedom: translations first, in
+    /// the order of the axes. Displacements that are missing are taken for 0.
     pub fn apply_displacement(&mut self, displacements: &[Real]) {
         self.displace(displacements, |ball, turn| (rotation_from_angle(turn) * ball).normalize());
     }
@@ -142,8 +143,8 @@ impl MultibodyJoint {
         }
     }
 
-    /// Sets the coordinates to those with which the link stands nearest to `link`, a pose in the frame of the parent's
-    /// body. Angles are the ones that are closest to what they were.
+    /// Sets the coordinates to those with which the link stands nearest to `link`, a pose in the frame of the
+    /// parent's body. Angles are the ones that are closest to what they were.
     pub(crate) fn read_pose(&mut self, link: &Pose) {
         let (frame1, frame2) = (self.data.local_frame1, self.data.local_frame2);
         let relative = frame1.inverse() * *link * frame2;
@@ -217,8 +218,8 @@ impl MultibodyJoint {
         axes
     }
 
-    /// The spring along an axis: its stiffness (force per length, torque per radian) and the coordinate at which it is
-    /// at rest.
+    /// The spring along an axis: its stiffness (force per length, torque per radian) and the coordinate at
+    /// which it is at rest.
     pub fn spring(&self, axis: JointAxis) -> (Real, Real) {
         let Spring { stiffness, rest } = self.springs[axis as usize];
         (stiffness, rest)
@@ -236,8 +237,8 @@ impl MultibodyJoint {
         self.springs[axis as usize] = Spring { stiffness, rest };
     }
 
-    /// Angular velocity of the link against its parent at these velocities of the degrees of freedom, in the joint's
-    /// frame on the parent.
+    /// Angular velocity of the link against its parent at these velocities of the degrees of freedom, in the
+    /// joint's frame on the parent.
     pub fn angular_velocity(&self, velocities: &[Real]) -> AngVector {
         let linear = self.ndofs() - angular_axes(self.free_axes()).len();
         let rates = velocities.iter().skip(linear);

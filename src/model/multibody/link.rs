@@ -23,7 +23,8 @@ pub struct MultibodyLink {
     pub(super) exclusion_group: u32,
     /// First of the link's degrees of freedom among the multibody's.
     pub(crate) first_dof: usize,
-    /// The axes that are degrees of freedom. For a root: along and about the axes of the world, at its centre of mass.
+    /// The axes that are degrees of freedom. For a root: along and about the axes of the world, at its centre
+    /// of mass.
     pub(crate) free: JointAxesMask,
     pub(crate) pose: Pose,
     /// The body's own, as of the last look at it.
@@ -103,7 +104,8 @@ impl MultibodyLink {
         self.free.bits().count_ones() as usize
     }
 
-    /// Pose of the body in world space, as of the last step or [forward kinematics](super::Multibody::forward_kinematics).
+    /// Pose of the body in world space, as of the last step or [forward
+    /// kinematics](super::Multibody::forward_kinematics).
     pub fn local_to_world(&self) -> &Pose {
         &self.pose
     }

@@ -41,7 +41,8 @@ clone_in_place!(DofLists {
     friction_impulses
 });
 
-/// Bodies that joints hold together as a tree. Made by [`MultibodyJointSet::insert`](super::MultibodyJointSet::insert).
+/// Bodies that joints hold together as a tree. Made by
+/// [`MultibodyJointSet::insert`](super::MultibodyJointSet::insert).
 ///
 /// The state is one coordinate and one velocity per *degree of freedom*. They are numbered link by link,
 /// parents first, and within a link in the order of [`JointAxis`]: translations, then rotations. A dynamic
@@ -56,8 +57,8 @@ clone_in_place!(DofLists {
 /// bodies act on the links. Colliders touch as those of all bodies do; the side with the lower dominance
 /// gives way.
 ///
-/// A multibody acts while all its links (but the root) are dynamic and enabled bodies, and all its joints are valid and
-/// enabled. Otherwise the bodies move as if nothing joined them.
+/// A multibody acts while all its links (but the root) are dynamic and enabled bodies, and all its joints are
+/// valid and enabled. Otherwise the bodies move as if nothing joined them.
 #[derive(Debug)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde-serialize", serde(remote = "Self"))]
@@ -149,10 +150,12 @@ impl Multibody {
         self.renumber();
     }
 
-    /// Applies the self-contact settings of both multibodies to the whole, before the links of `other` are added.
+    /// Applies the self-contact settings of both multibodies to the whole, before the links of `other` are
+    /// added.
     ///
-    /// A single body has no setting, so the other one holds for all links. Otherwise the setting of `self` holds, and links of
-    /// `other` that did not touch each other still do not: they become an exclusion group.
+    /// A single body has no setting, so the other one holds for all links. Otherwise the setting of `self`
+    /// holds, and links of `other` that did not touch each other still do not: they become an exclusion
+    /// group.
     fn merge_self_contacts(&mut self, other: &mut Self) {
         if self.links.len() == 1 {
             self.self_contacts_enabled = other.self_contacts_enabled;
@@ -225,8 +228,8 @@ impl Multibody {
         branch
     }
 
-    /// Returns whether the colliders of its links touch each other. Links of a merged multibody that had this disabled do not
-    /// touch each other even then.
+    /// Returns whether the colliders of its links touch each other. Links of a merged multibody that had this
+    /// disabled do not touch each other even then.
     pub fn self_contacts_enabled(&self) -> bool {
         self.self_contacts_enabled
     }
@@ -234,8 +237,8 @@ impl Multibody {
     /// Sets whether the colliders of its links touch each other (default: yes). Contacts of a link and its
     /// parent also need their joint's [`contacts_enabled`](GenericJoint::contacts_enabled).
     ///
-    /// A joint that merges two multibodies keeps the parent's setting for the whole. If the child's is `false`, the child's links still do not
-    /// touch each other. A later call decides for all links.
+    /// A joint that merges two multibodies keeps the parent's setting for the whole. If the child's is
+    /// `false`, the child's links still do not touch each other. A later call decides for all links.
     pub fn set_self_contacts_enabled(&mut self, enabled: bool) {
         self.self_contacts_enabled = enabled;
         self.links.iter_mut().for_each(|link| link.exclusion_group = 0);
@@ -269,8 +272,8 @@ impl Multibody {
         &mut self.lists.velocities
     }
 
-    /// The acceleration of each degree of freedom (length/s², rad/s²) in the last substep, by all but contacts, limits
-    /// and bounded motors.
+    /// The acceleration of each degree of freedom (length/s², rad/s²) in the last substep, by all but
+    /// contacts, limits and bounded motors.
     pub fn generalized_acceleration(&self) -> &[Real] {
         &self.lists.accelerations
     }
@@ -281,8 +284,8 @@ impl Multibody {
         own.unwrap_or_default()
     }
 
-    /// Damping of each degree of freedom (force per velocity, default 0). Negative ones, and those that are not finite,
-    /// count as 0.
+    /// Damping of each degree of freedom (force per velocity, default 0). Negative ones, and those that are
+    /// not finite, count as 0.
     pub fn damping(&self) -> &[Real] {
         &self.lists.damping
     }
@@ -304,8 +307,8 @@ impl Multibody {
         &mut self.lists.armature
     }
 
-    /// Dry friction of each degree of freedom (force, or torque, default 0): the most with which it resists its motion.
-    /// Negative ones, and those that are not finite, count as 0.
+    /// Dry friction of each degree of freedom (force, or torque, default 0): the most with which it resists
+    /// its motion. Negative ones, and those that are not finite, count as 0.
     pub fn frictions(&self) -> &[Real] {
         &self.lists.frictions
     }

@@ -23,7 +23,8 @@ pub(crate) struct MultibodyEdits {
     pub groups: Vec<(Vec<RigidBodyHandle>, bool)>,
 }
 
-/// The joints that make bodies links of articulated wholes, each found by its handle, and these [`Multibody`]s.
+/// The joints that make bodies links of articulated wholes, each found by its handle, and these
+/// [`Multibody`]s.
 ///
 /// ```
 /// # use rapier3d::prelude::*;
@@ -83,12 +84,14 @@ impl MultibodyJointSet {
 
     // ---- Inserting ----
 
-    /// Makes `body2` a child of `body1`, and wakes both if `wake_up`. Multibodies that they belonged to become one.
+    /// Makes `body2` a child of `body1`, and wakes both if `wake_up`. Multibodies that they belonged to
+    /// become one.
     ///
-    /// The joint's coordinates are read from the poses of the bodies in the next step, which puts `body2` where they say.
+    /// The joint's coordinates are read from the poses of the bodies in the next step, which puts `body2`
+    /// where they say.
     ///
-    /// `None` if `body2` has a parent already, if it is `body1` or one of its ancestors, or if a number of the joint is
-    /// not usable; the log says why. Joints of handles that find no body go in the next step.
+    /// `None` if `body2` has a parent already, if it is `body1` or one of its ancestors, or if a number of
+    /// the joint is not usable; the log says why. Joints of handles that find no body go in the next step.
     pub fn insert(
         &mut self,
         body1: RigidBodyHandle,
@@ -114,7 +117,8 @@ impl MultibodyJointSet {
     /// The same as [`Self::insert`].
     ///
     /// # Errors
-    /// If `body2` has a parent already, if it is `body1` or one of its ancestors, or if a number of the joint is not usable.
+    /// If `body2` has a parent already, if it is `body1` or one of its ancestors, or if a number of the joint
+    /// is not usable.
     pub fn try_insert(
         &mut self,
         body1: RigidBodyHandle,
@@ -232,8 +236,8 @@ impl MultibodyJointSet {
         Some(joint)
     }
 
-    /// Takes all joints of the multibody to which a joint belongs out of the set. Its bodies wake if `wake_up`. Nothing
-    /// happens if the handle finds no joint.
+    /// Takes all joints of the multibody to which a joint belongs out of the set. Its bodies wake if
+    /// `wake_up`. Nothing happens if the handle finds no joint.
     pub fn remove_multibody_articulations(&mut self, handle: MultibodyJointHandle, wake_up: bool) {
         if let Some(place) = self.joints.get(handle.0).copied() {
             self.take_apart(place.multibody, wake_up, |_| true);
@@ -328,7 +332,8 @@ impl MultibodyJointSet {
         Some((self.multibodies.get(place.multibody.0)?, place.id))
     }
 
-    /// The multibody of a joint, for changing it, and the position of the joint's link in it. Its bodies wake.
+    /// The multibody of a joint, for changing it, and the position of the joint's link in it. Its bodies
+    /// wake.
     pub fn get_mut(&mut self, handle: MultibodyJointHandle) -> Option<(&mut Multibody, usize)> {
         let place = *self.joints.get(handle.0)?;
         Some((self.get_multibody_mut(place.multibody)?, place.id))
@@ -340,8 +345,8 @@ impl MultibodyJointSet {
         multibody.link(id)
     }
 
-    /// Whatever joint stands in a slot (the first number of a handle) now: its multibody, the position of its link, and its
-    /// handle.
+    /// Whatever joint stands in a slot (the first number of a handle) now: its multibody, the position of its
+    /// link, and its handle.
     pub fn get_unknown_gen(&self, slot: u32) -> Option<(&Multibody, usize, MultibodyJointHandle)> {
         let (index, place) = self.joints.at_slot(slot)?;
         Some((self.multibodies.get(place.multibody.0)?, place.id, MultibodyJointHandle(index)))
@@ -442,7 +447,7 @@ impl MultibodyJointSet {
     }
 
     /// Removes joints whose bodies are gone, and says how the others changed since the last time.
-    pub(crate) fn settle(&mut self, bodies: &RigidBodySet) -> MultibodyEdits {
+    pub(crate) fn apply_changes(&mut self, bodies: &RigidBodySet) -> MultibodyEdits {
         for removed in bodies.removed() {
             self.remove_joints_attached_to_rigid_body(removed);
         }

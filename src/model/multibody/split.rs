@@ -6,11 +6,11 @@ use crate::dim::joint_axes::JointAxesMask;
 use crate::model::joint::GenericJoint;
 
 impl Multibody {
-    /// Cuts the joints of some links (to their parents). Returns the parts in the order of their roots: the first has the
-    /// old root.
+    /// Cuts the joints of some links (to their parents). Returns the parts in the order of their roots: the
+    /// first has the old root.
     ///
-    /// Joints that stay keep their coordinates and velocities, and couplings whose two joints stay in one part are kept. Roots
-    /// move on as their bodies did.
+    /// Joints that stay keep their coordinates and velocities, and couplings whose two joints stay in one
+    /// part are kept. Roots move on as their bodies did.
     pub(super) fn split(self, is_cut: impl Fn(&MultibodyLink) -> bool) -> Vec<Self> {
         let Self { links, dofs, mut lists, couplings, .. } = self;
         let mut parts: Vec<Self> = Vec::new();

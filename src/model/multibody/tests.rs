@@ -95,7 +95,8 @@ fn set_self_contacts(set: &mut MultibodyJointSet, slot: u32, enabled: bool) {
     set.get_multibody_mut(index).expect("it is there").set_self_contacts_enabled(enabled);
 }
 
-/// Each merged multibody keeps its links apart if it did before; links of different ones touch if the parent's do.
+/// Each merged multibody keeps its links apart if it did before; links of different ones touch if the
+/// parent's do.
 #[test]
 fn self_contacts_survive_merging() {
     // 0 - 1, and 2 - 3, and 4 - 5 are merged, and the second and third have no self-contacts.

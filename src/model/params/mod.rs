@@ -127,11 +127,11 @@ pub struct IntegrationParameters {
     /// Share of the last impulses with which a substep starts (0 to 1, default 1). Anything less
     /// weakens stacks; of use only to study the solver.
     pub warmstart_coefficient: Real,
-    /// The shortest piece into which impacts divide a step (s, default 1/6000). They divide none, so nothing reads it: it is kept for
-    /// programs that set it, and checked as other times are.
+    /// The shortest piece into which impacts divide a step (s, default 1/6000). They divide none, so nothing
+    /// reads it: it is kept for programs that set it, and checked as other times are.
     pub min_ccd_dt: Real,
-    /// With how many others of its size a collider can be in contact, and with how many larger ones (default 128 each; `usize::MAX`: no
-    /// limit). A size is a power of two.
+    /// With how many others of its size a collider can be in contact, and with how many larger ones (default
+    /// 128 each; `usize::MAX`: no limit). A size is a power of two.
     ///
     /// The limit applies to movable partners whose fat AABBs overlap its own. Fixed bodies, sensors (which
     /// have a separate limit), and smaller colliders are excluded: a moving floor may carry any number of
@@ -142,8 +142,8 @@ pub struct IntegrationParameters {
     /// [`ncrowded`](crate::model::counters::CollisionDetectionCounters::ncrowded) says by how many. Raise it
     /// for heaps of hundreds of long sticks, all of whose boxes overlap.
     pub max_neighbors_per_collider: usize,
-    /// Most pairs with sensors that a collider owns with others of its size, and with larger ones (default 256 each; `usize::MAX`: no
-    /// limit). A size is a power of two.
+    /// Most pairs with sensors that a collider owns with others of its size, and with larger ones (default
+    /// 256 each; `usize::MAX`: no limit). A size is a power of two.
     ///
     /// The smaller of a sensor and another collider owns their pair; of two of one size, the one that is no
     /// sensor. So a sensor reports any number of visitors that are no larger than it. Limited are the sensors
@@ -230,8 +230,8 @@ impl IntegrationParameters {
     /// The softness of joints without their own softness in a substep of `substep` seconds.
     #[inline]
     pub fn joint_softness(&self, substep: Real) -> Softness {
-        let share = (JOINT_SHARE * self.joint_erp).min(1.0);
-        Softness::new(share, self.joint_damping_ratio, substep)
+        let fraction = (JOINT_SHARE * self.joint_erp).min(1.0);
+        Softness::new(fraction, self.joint_damping_ratio, substep)
     }
 
     /// [`Self::allowed_linear_error`](#structfield.allowed_linear_error) in the world's own units of length.

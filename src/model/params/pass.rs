@@ -87,7 +87,8 @@ impl JointPass {
         }
     }
 
-    /// The factor on the bias of a joint whose anchors are `separation` apart: 1 unless the correction would be faster than it may be.
+    /// The factor on the bias of a joint whose anchors are `separation` apart: 1 unless the correction would
+    /// be faster than it may be.
     ///
     /// The separation is that of the start of the step. A factor that followed it within the step would make
     /// the bias a constant velocity, which overshoots.

@@ -101,8 +101,8 @@ impl Softness {
     /// From the fraction of the error to remove in a substep (0 to 1) and the compliance (0: hard), for
     /// substeps of `substep` seconds.
     #[inline]
-    pub fn new(share: Real, compliance: Real, substep: Real) -> Self {
-        let bias_rate = if substep > 0.0 { share / substep } else { 0.0 };
+    pub fn new(fraction: Real, compliance: Real, substep: Real) -> Self {
+        let bias_rate = if substep > 0.0 { fraction / substep } else { 0.0 };
         let mass_scale = 1.0 / (1.0 + compliance);
         Self { bias_rate, mass_scale, impulse_scale: compliance * mass_scale }
     }

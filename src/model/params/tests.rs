@@ -51,11 +51,11 @@ fn nothing_moves_without_time() {
 #[test]
 fn frequency_and_damping_are_another_way_to_say_it() {
     let h: Real = 1.0 / 240.0;
-    for (share, compliance) in [(0.1, CONTACT_YIELD), (0.2, 0.5), (0.5, 0.01)] {
-        let share: Real = share;
-        let omega = (share / compliance).sqrt() / h;
-        let damping = (1.0 - share) / (2.0 * (share * compliance).sqrt());
-        same(Softness::new(share, compliance, h), Softness::spring(omega, damping, h));
+    for (fraction, compliance) in [(0.1, CONTACT_YIELD), (0.2, 0.5), (0.5, 0.01)] {
+        let fraction: Real = fraction;
+        let omega = (fraction / compliance).sqrt() / h;
+        let damping = (1.0 - fraction) / (2.0 * (fraction * compliance).sqrt());
+        same(Softness::new(fraction, compliance, h), Softness::spring(omega, damping, h));
     }
 }
 

@@ -37,7 +37,7 @@ fn count(field: &'static str, value: usize, min: usize) -> Result<(), InvalidPar
     InvalidParameters::unless(valid, field, value as Real, expected)
 }
 
-fn share(field: &'static str, value: Real) -> Result<(), InvalidParameters> {
+fn fraction(field: &'static str, value: Real) -> Result<(), InvalidParameters> {
     InvalidParameters::unless((0.0..=1.0).contains(&value), field, value, "from 0 to 1")
 }
 
@@ -69,9 +69,9 @@ impl IntegrationParameters {
         count("num_additional_friction_iterations", friction, 0)?;
         count("num_internal_pgs_iterations", self.num_internal_pgs_iterations, 1)?;
         count("max_ccd_substeps", self.max_ccd_substeps, 0)?;
-        share("erp", self.erp)?;
-        share("joint_erp", self.joint_erp)?;
-        share("warmstart_coefficient", self.warmstart_coefficient)?;
+        fraction("erp", self.erp)?;
+        fraction("joint_erp", self.joint_erp)?;
+        fraction("warmstart_coefficient", self.warmstart_coefficient)?;
         moderate("damping_ratio", self.damping_ratio)?;
         moderate("joint_damping_ratio", self.joint_damping_ratio)?;
         moderate("min_ccd_dt", self.min_ccd_dt)?;

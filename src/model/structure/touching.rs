@@ -1,4 +1,5 @@
-//! Touching pairs in the structure: they hold islands together, and their manifolds have colours while one of their bodies is awake.
+//! Touching pairs in the structure: they hold islands together, and their manifolds have colours while one of
+//! their bodies is awake.
 
 use super::Structure;
 use crate::model::constraint_graph::ManifoldRef;
@@ -45,7 +46,7 @@ impl Structure<'_> {
             if !(wanted && state.is_solved()) {
                 self.uncolor(manifold);
             } else if state.slot.is_none() {
-                self.narrow_phase.settle(id);
+                self.narrow_phase.complete(id);
                 let slot = self.islands.graph.add(manifold, dynamic);
                 self.narrow_phase.contacts[id].manifolds[index].slot = Some(slot);
             }
@@ -57,11 +58,11 @@ impl Structure<'_> {
         let bodies = self.narrow_phase.contacts.bodies(manifold.pair);
         let manifolds = &self.narrow_phase.contacts[manifold.pair].manifolds;
         let Some(slot) = manifolds[manifold.manifold as usize].slot else { return };
-        self.narrow_phase.settle(manifold.pair);
+        self.narrow_phase.complete(manifold.pair);
         let pair = &mut self.narrow_phase.contacts[manifold.pair];
         pair.manifolds[manifold.manifold as usize].slot = None;
         if let Some(moved) = self.islands.graph.remove(slot, bodies) {
-            self.narrow_phase.settle(moved.pair);
+            self.narrow_phase.complete(moved.pair);
             let pair = &mut self.narrow_phase.contacts[moved.pair];
             pair.manifolds[moved.manifold as usize].slot = Some(slot);
         }

@@ -48,8 +48,8 @@ pub(crate) enum MovedProxy {
     IsElsewhere,
 }
 
-/// Gives a collider that its body has carried beyond its box another one. `None` if it is in its box, or is to have none. Looks at no
-/// tree, so that many can be carried at once.
+/// Gives a collider that its body has carried beyond its box another one. `None` if it is in its box, or is
+/// to have none. Looks at no tree, so that many can be carried at once.
 pub(crate) fn carry(
     collider: &mut Collider,
     body: &RigidBody,

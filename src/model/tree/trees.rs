@@ -7,7 +7,8 @@ use parry::bounding_volume::Aabb;
 
 /// Below this number of boxes the order of insertion does not matter.
 const REBUILD_MIN: usize = 64;
-/// A tree is rebuilt when its boxes have been put elsewhere, or had those above them grow, this often, on average.
+/// A tree is rebuilt when its boxes have been put elsewhere, or had those above them grow, this often, on
+/// average.
 const REBUILD_WEAR: usize = 8;
 
 /// The boxes of all kinds.

@@ -12,7 +12,8 @@
 //! (`tests/multibody/energy.rs`), and neither is in use. Both correct the momentum before the energy bound of
 //! the same substep, and scale all velocities where the change of shape has less than the excess:
 //!
-//! * always: none gains energy in 120 steps (3D, single precision), but free trees lose up to 1.8 % of their momentum in 1 s;
+//! * always: none gains energy in 120 steps (3D, single precision), but free trees lose up to 1.8 % of their
+//!   momentum in 1 s;
 //! * with contacts only: momentum is conserved, but one of 1,000 trees gains energy (658, a multiple), and in
 //!   2D and double precision tree 662 gains 17 % and tree 431 23 %.
 //!
@@ -26,7 +27,8 @@ use super::{Motion, add_all};
 use crate::dim::math::{Real, SpatialVector, Vector};
 
 impl Motion {
-    /// Notes an impulse from outside that the rates have felt already, as the impulses on the root's degrees of freedom.
+    /// Notes an impulse from outside that the rates have felt already, as the impulses on the root's degrees
+    /// of freedom.
     pub fn note_external_impulse(&mut self, impulses: &[Real], factor: Real) {
         for (axis, impulse) in self.kinematics.axes.iter().zip(impulses) {
             add_scaled(&mut self.external_impulse, axis, impulse * factor);
@@ -39,9 +41,9 @@ impl Motion {
     }
 
     /// Scales the external impulses since these by a fraction.
-    pub fn share_external_impulse(&mut self, since: &SpatialVector, share: Real) {
+    pub fn scale_external_impulse(&mut self, since: &SpatialVector, fraction: Real) {
         for (now, since) in self.external_impulse.iter_mut().zip(since) {
-            *now = since + (*now - since) * share;
+            *now = since + (*now - since) * fraction;
         }
     }
 
@@ -105,8 +107,8 @@ impl Motion {
         momenta.extend(links.map(|(link, velocity)| link.momentum(velocity)));
     }
 
-    /// Changes the velocities to those at which, for each degree of freedom, the links have these momenta; `None`: the
-    /// momentum that the link has.
+    /// Changes the velocities to those at which, for each degree of freedom, the links have these momenta;
+    /// `None`: the momentum that the link has.
     pub fn take_momenta(&mut self, of: impl Fn(usize, &LinkFrame) -> Option<SpatialVector>) {
         self.update_velocities();
         self.wrenches.clear();

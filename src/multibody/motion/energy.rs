@@ -1,12 +1,12 @@
 //! The kinetic energy of a multibody, and how surplus is removed.
 //!
-//! Free motion conserves the energy in any frame that moves evenly (`free.rs`). Impulses of contacts with bodies at rest,
-//! of limits and of dry friction do not increase it. Numerically both may. Surplus of free motion is removed from the change
-//! of shape first, so that linear and angular momentum stay. Surplus of contacts is removed from all velocities alike: scaled
-//! velocities still lead out of a contact.
+//! Free motion conserves the energy in any frame that moves evenly (`free.rs`). Impulses of contacts with
+//! bodies at rest, of limits and of dry friction do not increase it. Numerically both may. Surplus of free
+//! motion is removed from the change of shape first, so that linear and angular momentum stay. Surplus of
+//! contacts is removed from all velocities alike: scaled velocities still lead out of a contact.
 
 use super::super::kinematics::LinkFrame;
-use super::super::spatial::{ZERO, turn};
+use super::super::spatial::{ZERO, angular_momentum};
 use super::free::ERROR_MAX;
 use super::{Drive, Motion, add_all};
 use crate::dim::math::{ANG_ZERO, Real, SpatialVector, Vector, ang_dot, ang_length_squared};
@@ -44,7 +44,8 @@ impl Motion {
         self.drives.iter().zip(&self.rates).any(is_driven)
     }
 
-    /// The velocity of the frame in which the multibody as a whole goes nowhere, at the velocities that the links had last.
+    /// The velocity of the frame in which the multibody as a whole goes nowhere, at the velocities that the
+    /// links had last.
     fn frame_velocity(&self) -> Vector {
         if self.root_dofs() == 0 {
             return linear(&self.root);
@@ -67,7 +68,8 @@ impl Motion {
         self.has_diverged || self.link_velocities().iter().any(turns_far)
     }
 
-    /// The kinetic energy before the impulses of a substep, which these may leave; no limit if something drives the links.
+    /// The kinetic energy before the impulses of a substep, which these may leave; no limit if something
+    /// drives the links.
     ///
     /// It is that of the velocities before the first half of the free motion. That half changes the energy in
     /// the first order of the angle of a substep, and the second half restores it.
@@ -104,8 +106,9 @@ impl Motion {
 
     /// Limits the kinetic energy. Returns the fraction of it that is kept.
     ///
-    /// A small surplus, or that of joints alone, is removed from the change of shape, so that what other bodies gave stays
-    /// momentum. For a large one all velocities are scaled: scaled velocities still lead out of all contacts.
+    /// A small surplus, or that of joints alone, is removed from the change of shape, so that what other
+    /// bodies gave stays momentum. For a large one all velocities are scaled: scaled velocities still lead
+    /// out of all contacts.
     pub fn limit_energy(&mut self, energy_max: Real, touches: bool) -> Real {
         let energy = self.kinetic_energy();
         let kept = energy_max.max(0.0) / energy;
@@ -131,9 +134,9 @@ impl Motion {
     }
 
     /// Scales all velocities by this fraction, except prescribed ones.
-    fn slow_down(&mut self, share: Real) {
+    fn slow_down(&mut self, fraction: Real) {
         for (rate, drive) in self.rates.iter_mut().zip(&self.drives) {
-            *rate *= if drive.is_prescribed() { 1.0 } else { share };
+            *rate *= if drive.is_prescribed() { 1.0 } else { fraction };
         }
         self.follow_momentum();
     }
@@ -184,10 +187,10 @@ impl Motion {
     }
 
     /// Adds a fraction of the difference to these velocities.
-    fn blend(&mut self, to: &[Real], share: Real) {
-        let share = share.clamp(0.0, 1.0);
+    fn blend(&mut self, to: &[Real], fraction: Real) {
+        let fraction = fraction.clamp(0.0, 1.0);
         for (rate, to) in self.rates.iter_mut().zip(to) {
-            *rate += (to - *rate) * share;
+            *rate += (to - *rate) * fraction;
         }
     }
 
@@ -255,11 +258,12 @@ impl Motion {
         self.buffers.push(buffer);
     }
 
-    /// The kinetic energy of all links at the velocities that they had last, seen from a frame with this velocity.
+    /// The kinetic energy of all links at the velocities that they had last, seen from a frame with this
+    /// velocity.
     fn energy_seen_from(&self, frame: Vector) -> Real {
         let of = |(link, velocity): (&LinkFrame, &SpatialVector)| {
             let (v, w) = (linear(velocity) - frame, angular(velocity));
-            0.5 * (link.mass * v.length_squared() + ang_dot(w, turn(&link.inertia, w)))
+            0.5 * (link.mass * v.length_squared() + ang_dot(w, angular_momentum(&link.inertia, w)))
         };
         let of_links: Real = self.kinematics.links.iter().zip(&self.velocities).map(of).sum();
         let of_armature = |(drive, rate): (&Drive, &Real)| {

@@ -1,8 +1,8 @@
 //! Free motion: what inertia does to the velocities while the links move.
 //!
 //! # Pieces
-//! A substep of `h` seconds is divided into `n` equal pieces, so that no link turns by more than [`TURN_PER_PIECE`] in a piece.
-//! With the inertial forces `-C q̇` and the piece `p = h / n`:
+//! A substep of `h` seconds is divided into `n` equal pieces, so that no link turns by more than
+//! [`TURN_PER_PIECE`] in a piece. With the inertial forces `-C q̇` and the piece `p = h / n`:
 //!
 //! ```text
 //! q̇½ = q̇ - ½ p M̃⁻¹ C(q, q̇½) q̇½        implicit: by fixed-point iteration
@@ -27,9 +27,10 @@
 //! q̇  ← M⁻¹ Jᵀ p        p: momenta of the links before, J and M at the new q
 //! ```
 //!
-//! The projection is orthogonal in the metric of the mass, so it takes energy and never gives any (Carnot's theorem).
+//! The projection is orthogonal in the metric of the mass, so it takes energy and never gives any (Carnot's
+//! theorem).
 //!
-//! # Energy account
+//! # Energy budget
 //! Free motion conserves the kinetic energy `T`. The leapfrog's error oscillates with the configuration;
 //! impulses in between break that bound, and the corrections of the momentum (`centroidal.rs`) do as well.
 //! [`Multibody::flight_error`] therefore sums the energy errors of all substeps, those of the work of the
@@ -104,9 +105,9 @@ impl Motion {
         ((fastest * h / TURN_PER_PIECE).ceil() as usize).clamp(1, PIECES_MAX)
     }
 
-    /// Moves the links for `h` seconds at their velocities, and turns these to those of the substep's end. No link gets
-    /// faster than `speed_max`. Before each piece `note` is called with its length (s). Returns by how much the kinetic energy
-    /// changed.
+    /// Moves the links for `h` seconds at their velocities, and turns these to those of the substep's end. No
+    /// link gets faster than `speed_max`. Before each piece `note` is called with its length (s). Returns by
+    /// how much the kinetic energy changed.
     pub fn advance(
         &mut self,
         multibody: &mut Multibody,
@@ -128,13 +129,13 @@ impl Motion {
             note(self, piece);
             self.advance_piece(multibody, [piece, h], has_diverged, energy);
         }
-        let error = self.settle(multibody, h, &begin);
+        let error = self.iterate(multibody, h, &begin);
         self.limit_speed(speed_max);
         error
     }
 
-    /// Moves the links for a piece of a substep of `h` seconds, and takes the second half of the piece, which began with an
-    /// energy.
+    /// Moves the links for a piece of a substep of `h` seconds, and takes the second half of the piece, which
+    /// began with an energy.
     fn advance_piece(
         &mut self,
         multibody: &mut Multibody,
@@ -163,8 +164,8 @@ impl Motion {
         }
     }
 
-    /// Notes energy, power and places before a substep of `h` seconds, at the velocities from which the first half led to
-    /// those that there are.
+    /// Notes energy, power and places before a substep of `h` seconds, at the velocities from which the first
+    /// half led to those that there are.
     fn begin_budget(&mut self, h: Real) -> FreeMotionStart {
         let now = self.copy_of_rates();
         if self.rates == self.half_rates {
@@ -179,8 +180,8 @@ impl Motion {
         FreeMotionStart { energy, power, work, root }
     }
 
-    /// Undoes the first half, of `h` seconds, after impulses have changed the velocities. Returns whether the first half would
-    /// converge from there; if not, the velocities stay.
+    /// Undoes the first half, of `h` seconds, after impulses have changed the velocities. Returns whether the
+    /// first half would converge from there; if not, the velocities stay.
     ///
     /// The residual of the iteration in the first half is the same in this half. Otherwise the error would
     /// have the same sign in each substep.
@@ -213,7 +214,7 @@ impl Motion {
     }
 
     /// Enters the energy error of a substep of `h` seconds, and removes what is too much.
-    fn settle(&mut self, multibody: &mut Multibody, h: Real, begin: &FreeMotionStart) -> Real {
+    fn iterate(&mut self, multibody: &mut Multibody, h: Real, begin: &FreeMotionStart) -> Real {
         let (Some(before), Some(now)) = (begin.energy, self.flight_energy()) else { return 0.0 };
         let kicks = 0.5 * h * (begin.power + self.force_power());
         let root_shift = self.kinematics.links[0].center - begin.root;
@@ -314,7 +315,8 @@ impl Motion {
         comes_together
     }
 
-    /// The velocities before the first half of the flight, in a buffer that [`Self::return_buffer`] takes back.
+    /// The velocities before the first half of the flight, in a buffer that [`Self::return_buffer`] takes
+    /// back.
     pub fn rates_before_flight(&mut self) -> Vec<Real> {
         let mut rates = self.copy_of_rates();
         add_all(&mut rates, &self.flown, -1.0);

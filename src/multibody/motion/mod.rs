@@ -29,9 +29,11 @@
 //! θ = a / (1 + a)        stable for a (1 - 2 θ) < 4, that is, always; loss per substep θ a, in fourth order
 //! ```
 //!
-//! springs that can be followed swing on (2 Hz at 240 substeps a second: 0.5 % in three seconds), and stiff ones hold.
+//! springs that can be followed swing on (2 Hz at 240 substeps a second: 0.5 % in three seconds), and stiff
+//! ones hold.
 //!
-//! Free motion, what happens when it cannot be followed, and its energy account: `free.rs`. Momentum: `centroidal.rs`.
+//! Free motion, what happens when it cannot be followed, and its energy account: `free.rs`. Momentum:
+//! `centroidal.rs`.
 
 mod centroidal;
 mod energy;
@@ -40,7 +42,7 @@ mod free;
 use super::factor::{Factor, Resistance};
 use super::kinematics::Kinematics;
 use super::locked_inertia::LockedInertia;
-use super::spatial::{ZERO, add_scaled, turn};
+use super::spatial::{ZERO, add_scaled, angular_momentum};
 use crate::dim::math::{Real, SpatialVector};
 use crate::dim::spatial::{angular, join, linear};
 use crate::model::body::RigidBodySet;
@@ -121,7 +123,8 @@ pub struct Motion {
 }
 
 impl Motion {
-    /// Begins a step: links where the coordinates say, velocities as they were. `drives` are to be set before.
+    /// Begins a step: links where the coordinates say, velocities as they were. `drives` are to be set
+    /// before.
     ///
     /// Velocities and impulses that the user applied to bodies since the last step count as momentum: the
     /// generalised velocities have, at each degree of freedom, the momentum of the bodies.
@@ -146,7 +149,8 @@ impl Motion {
         if multibody.links.iter().any(|link| velocity(link) != link.seen_velocity) {
             self.take_momenta(|id, frame| {
                 let link = &multibody.links[id];
-                // A body that was at rest when it became a link says nothing: the user may have set the joint's velocity.
+                // A body that was at rest when it became a link says nothing: the user may have set the
+                // joint's velocity.
                 let velocity =
                     velocity(link).filter(|v| link.seen_velocity.is_some() || !v.is_zero());
                 let velocity = velocity.filter(|_| body(link).is_some_and(|b| b.is_dynamic()))?;
@@ -229,7 +233,7 @@ impl Motion {
             let [along, about] = force.damping;
             let drag = join(
                 linear(velocity) * (link.mass * along),
-                turn(&link.inertia, angular(velocity)) * about,
+                angular_momentum(&link.inertia, angular(velocity)) * about,
             );
             let mut impulse = ZERO;
             add_scaled(&mut impulse, &force.wrench, h);

@@ -205,8 +205,8 @@ fn hit(time: Real, normals: [Vector; 2], witnesses: [Vector; 2]) -> ShapeCastHit
     }
 }
 
-/// A ball that moves along `dir`, in the frame of the shape. The touch that `to_hit` gets has the point of the
-/// shape's surface for its core.
+/// A ball that moves along `dir`, in the frame of the shape. The touch that `to_hit` gets has the point of
+/// the shape's surface for its core.
 fn meet(
     origin: Vector,
     dir: Vector,

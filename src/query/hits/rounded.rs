@@ -45,13 +45,13 @@ pub fn enter_capsule(
         return enter_end(if dir.dot(along) > 0.0 { a } else { b });
     }
     let [time, _] = chord(-across(from_a), dir_across, radius)?;
-    let share = (from_a + dir * time).dot(along) / length_squared;
-    if share < 0.0 {
+    let fraction = (from_a + dir * time).dot(along) / length_squared;
+    if fraction < 0.0 {
         enter_end(a)
-    } else if share > 1.0 {
+    } else if fraction > 1.0 {
         enter_end(b)
     } else {
-        Some((time, a + along * share))
+        Some((time, a + along * fraction))
     }
 }
 
@@ -59,6 +59,6 @@ pub fn enter_capsule(
 pub fn nearest_on_segment(point: Vector, [a, b]: [Vector; 2]) -> Vector {
     let (along, from_a) = (b - a, point - a);
     let length_squared = along.length_squared();
-    let share = if length_squared > 0.0 { from_a.dot(along) / length_squared } else { 0.0 };
-    a + along * share.clamp(0.0, 1.0)
+    let fraction = if length_squared > 0.0 { from_a.dot(along) / length_squared } else { 0.0 };
+    a + along * fraction.clamp(0.0, 1.0)
 }

@@ -49,23 +49,23 @@ fn tolerance(shapes: [&dyn Shape; 2], sweeps: [&Sweep<'_>; 2]) -> Real {
 
 /// Result of a touch.
 fn hit(
-    Touch { share, sides }: &Touch<'_>,
+    Touch { fraction, sides }: &Touch<'_>,
     sweeps: [&Sweep<'_>; 2],
     tolerance: Real,
     [start, end]: [Real; 2],
 ) -> Option<ShapeCastHit> {
     let [side1, side2] = sides;
-    let pose12 = sweeps[0].at(*share).inv_mul(&sweeps[1].at(*share));
+    let pose12 = sweeps[0].at(*fraction).inv_mul(&sweeps[1].at(*fraction));
     let parts12 = side1.place.inv_mul(&(pose12 * side2.place));
     let contact = contact(&parts12, [side1.shape, side2.shape], tolerance)?;
-    let status = match *share {
+    let status = match *fraction {
         0.0 => ShapeCastStatus::PenetratingOrWithinTargetDist,
         _ if contact.dist > 2.0 * tolerance => ShapeCastStatus::OutOfIterations,
         _ => ShapeCastStatus::Converged,
     };
     let point = |place: &Pose, point: Vector| *place * point;
     Some(ShapeCastHit {
-        time_of_impact: (start + (end - start) * share).min(end),
+        time_of_impact: (start + (end - start) * fraction).min(end),
         witness1: point(&side1.place, contact.point1),
         witness2: point(&side2.place, contact.point2),
         normal1: side1.place.rotation * contact.normal1,

@@ -1,8 +1,8 @@
-//! # Advance — everything follows the bodies
+//! # Advance: colliders, boxes and sleep timers follow the bodies
 //!
-//! Reads:   poses of awake bodies, bounds of how far they moved
+//! Reads:   poses of awake bodies, bounds on their motion
 //! Writes:  poses and boxes of their colliders, sleep timers; notes of bodies that may sleep
-//! Runs:    parallel over awake bodies; new boxes are put into the trees one by one, in the order of the bodies
+//! Runs:    parallel over awake bodies; new boxes are inserted into the trees in the order of the bodies
 //! Never:   changes a velocity or the structure
 
 mod sleep_timer;

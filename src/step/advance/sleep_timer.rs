@@ -10,8 +10,9 @@ use crate::dim::math::{Real, ang_length_squared};
 use crate::model::body::{RestPose, RigidBody};
 use crate::model::params::IntegrationParameters;
 
-/// The longest window (s) over which drift is measured. The limits grow with it, and something that swings to and fro would be allowed
-/// a larger amplitude; a short one counts trembling as motion. In 0.25 s, and with the default threshold, a point may get 12 mm far.
+/// The longest window (s) over which drift is measured. The limits grow with it, and something that swings to
+/// and fro would be allowed a larger amplitude; a short one counts trembling as motion. In 0.25 s, and with
+/// the default threshold, a point may get 12 mm far.
 const WINDOW_MAX: Real = 0.25;
 
 /// Largest drift of a body at rest within a window, and largest length of its smoothed path.
@@ -37,7 +38,8 @@ impl Limits {
 
     /// Returns whether the body kept the limits in a step in which its points moved by at most `motion`.
     ///
-    /// The single step is checked first: a body that turns by whole turns from step to step would seem not to turn.
+    /// The single step is checked first: a body that turns by whole turns from step to step would seem not to
+    /// turn.
     fn are_kept(&self, body: &mut RigidBody, motion: Real, dt: Real) -> bool {
         let step_angle = ang_length_squared(body.angvel) * (dt * dt);
         if motion > self.distance || step_angle > self.angle * self.angle {

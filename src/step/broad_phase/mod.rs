@@ -1,8 +1,8 @@
-//! # Broad phase — who might touch whom?
+//! # Broad phase: overlapping pairs of fat AABBs
 //!
 //! Reads:   fat AABBs, collider flags, the pairs already known
 //! Writes:  the list of new pairs; the trees' notes of moved colliders
-//! Runs:    parallel over colliders that moved; the list is sorted by slots
+//! Runs:    parallel over moved colliders; the list is sorted by slots
 //! Never:   visits a collider that stayed in its fat AABB
 //!
 //! One of two colliders *owns* the pair: the smaller one; of equals the one that is no sensor, or else the
@@ -76,7 +76,8 @@ impl KnownPairs for NarrowPhase {
 /// groups or body types exclude. `out` is overwritten: the collider with the lower slot first, in the order
 /// of the slots.
 ///
-/// Colliders that own as many pairs as they may (`most`) look again in the next step. Returns how many these are.
+/// Colliders that own as many pairs as they may (`most`) look again in the next step. Returns how many these
+/// are.
 pub(crate) fn find_pairs(
     tasks: Tasks<'_>,
     (tree, most): (&mut BroadPhaseBvh, NeighborLimits),

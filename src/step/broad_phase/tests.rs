@@ -245,9 +245,9 @@ fn found_pairs_are_those_of_comparing_all() {
 /// in the next step.
 #[test]
 fn a_crowd_has_as_many_pairs_as_it_may() {
-    const MOST: usize = 10;
+    const PAIRS_MAX: usize = 10;
     let mut boxes = Boxes::default();
-    boxes.params.max_neighbors_per_collider = MOST;
+    boxes.params.max_neighbors_per_collider = PAIRS_MAX;
     let ground = boxes.cube(Vector::ZERO, None);
     let cubes: Vec<_> = (0..100)
         .map(|_| {
@@ -256,15 +256,15 @@ fn a_crowd_has_as_many_pairs_as_it_may() {
         })
         .collect();
     let found = boxes.find();
-    assert_eq!(boxes.crowded.solids, 100 - 1 - MOST);
+    assert_eq!(boxes.crowded.solids, 100 - 1 - PAIRS_MAX);
     for (k, &cube) in cubes.iter().enumerate() {
         assert!(found.contains(&(ground, cube)), "the ground is not counted");
         let owned = found.iter().filter(|&&(low, high)| high == cube && low != ground);
-        assert!(owned.clone().count() == k.min(MOST), "cube {k}: {found:?}");
-        assert!(owned.clone().all(|(low, _)| cubes[k.saturating_sub(MOST)..k].contains(low)));
+        assert!(owned.clone().count() == k.min(PAIRS_MAX), "cube {k}: {found:?}");
+        assert!(owned.clone().all(|(low, _)| cubes[k.saturating_sub(PAIRS_MAX)..k].contains(low)));
     }
     assert_eq!(boxes.find(), [], "nothing new");
-    assert_eq!(boxes.crowded.solids, 100 - 1 - MOST, "but they looked");
+    assert_eq!(boxes.crowded.solids, 100 - 1 - PAIRS_MAX, "but they looked");
     // Two owned pairs are gone: the next nearest replace them.
     let last = cubes[99];
     for gone in [cubes[98], cubes[97]] {

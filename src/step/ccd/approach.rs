@@ -1,7 +1,8 @@
 //! Kinematic bodies that move, and the bodies that they approach.
 //!
-//! Motion is relative. A wall that moves a metre in a step passes a ball at rest just as a ball at that speed passes a wall. So a
-//! body is searched as a fast one if it moves against a kinematic body near it as far as a fast body does:
+//! Motion is relative. A wall that moves a metre in a step passes a ball at rest just as a ball at that speed
+//! passes a wall. So a body is searched as a fast one if it moves against a kinematic body near it as far as
+//! a fast body does:
 //!
 //! ```text
 //! |Δx_b - (Δx_k + θ_k × d)| + |θ_b| R_b + |θ_k| R_b + |θ_k|² |d| / 2  >  what FastMotion::is_one allows,  d = c_b - c_k

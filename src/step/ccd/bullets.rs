@@ -53,7 +53,7 @@ enum Other {
 /// An impact as it was foreseen when its bodies had been stopped so often.
 #[derive(Copy, Clone, Debug, PartialEq)]
 struct Impact {
-    share: Real,
+    fraction: Real,
     pair: u32,
     stopped: [u32; 2],
 }
@@ -69,7 +69,7 @@ impl PartialOrd for Impact {
 impl Ord for Impact {
     /// The greatest is the first.
     fn cmp(&self, other: &Self) -> Ordering {
-        other.share.total_cmp(&self.share).then(other.pair.cmp(&self.pair))
+        other.fraction.total_cmp(&self.fraction).then(other.pair.cmp(&self.pair))
     }
 }
 
@@ -87,21 +87,21 @@ impl Bullets {
         for pair in 0..self.pairs.len() {
             self.foresee(pair, search, stops);
         }
-        while let Some(Impact { share, pair, stopped }) = self.queue.pop() {
+        while let Some(Impact { fraction, pair, stopped }) = self.queue.pop() {
             // One of them was stopped since: what comes of that stands in the queue, too.
             if stopped != self.stopped_of(pair, search) {
                 continue;
             }
             let Pair { bullet, other } = self.pairs[pair as usize];
-            self.stop(bullet, share, search, stops);
+            self.stop(bullet, fraction, search, stops);
             if let Other::Fast(other) = other {
-                self.stop(other, share, search, stops);
+                self.stop(other, fraction, search, stops);
             }
         }
     }
 
-    fn stop(&mut self, position: u32, share: Real, search: Search<'_>, stops: &mut [Real]) {
-        if !search.groups.stop(position as usize, share, stops) {
+    fn stop(&mut self, position: u32, fraction: Real, search: Search<'_>, stops: &mut [Real]) {
+        if !search.groups.stop(position as usize, fraction, stops) {
             return;
         }
         let first = search.groups.first(position as usize);
@@ -139,9 +139,9 @@ impl Bullets {
         };
         let Some((bullet, other)) = path_of(bullet).zip(other) else { return };
         // After both have stopped nothing more happens.
-        if let Some(share) = bullet.impact(&other, search, 1.0) {
+        if let Some(fraction) = bullet.impact(&other, search, 1.0) {
             let stopped = self.stopped_of(pair as u32, search);
-            self.queue.push(Impact { share, pair: pair as u32, stopped });
+            self.queue.push(Impact { fraction, pair: pair as u32, stopped });
         }
     }
 
@@ -247,8 +247,8 @@ impl Ball {
 
     /// Returns whether the bodies in these spheres may meet.
     fn may_meet([(ball1, stop1), (ball2, stop2)]: [(&Self, Real); 2]) -> bool {
-        let apart = |share: Real| {
-            let at = |ball: &Self, stop: Real| ball.center + ball.shift * share.min(stop);
+        let apart = |fraction: Real| {
+            let at = |ball: &Self, stop: Real| ball.center + ball.shift * fraction.min(stop);
             at(ball1, stop1) - at(ball2, stop2)
         };
         // As seen from the second, the first goes straight until one of them stops.
@@ -264,6 +264,6 @@ impl Ball {
 fn nearest_square(from: Vector, to: Vector) -> Real {
     let way = to - from;
     let length_squared = way.length_squared();
-    let share = if length_squared > 0.0 { -from.dot(way) / length_squared } else { 0.0 };
-    (from + way * share.clamp(0.0, 1.0)).length_squared()
+    let fraction = if length_squared > 0.0 { -from.dot(way) / length_squared } else { 0.0 };
+    (from + way * fraction.clamp(0.0, 1.0)).length_squared()
 }

@@ -13,7 +13,8 @@ use crate::dim::math::Real;
 /// Sets of bodies that stop together.
 #[derive(Default)]
 pub(super) struct Groups {
-    /// By fast body: another one of its group with a lower position, or itself. When the search is over, the first one of the group.
+    /// By fast body: another one of its group with a lower position, or itself. When the search is over, the
+    /// first one of the group.
     firsts: Vec<u32>,
     /// Fast bodies by slot, with their positions in the list.
     by_slot: Vec<(u32, u32)>,
@@ -78,11 +79,11 @@ impl Groups {
     }
 
     /// Stops the group of the body at a position. Returns whether it was not stopped as early before.
-    pub fn stop(&self, position: usize, share: Real, stops: &mut [Real]) -> bool {
-        if share >= stops[position] {
+    pub fn stop(&self, position: usize, fraction: Real, stops: &mut [Real]) -> bool {
+        if fraction >= stops[position] {
             return false;
         }
-        self.members(self.first(position)).for_each(|member| stops[member as usize] = share);
+        self.members(self.first(position)).for_each(|member| stops[member as usize] = fraction);
         true
     }
 

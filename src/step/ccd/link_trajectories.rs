@@ -81,16 +81,16 @@ impl LinkTrajectories {
         }
         for (tree, trajectory) in self.of_tree.iter().zip(trajectories) {
             let links = &fast[tree.links.clone()];
-            let share = stops[tree.links.clone()].first().copied().unwrap_or(1.0);
+            let fraction = stops[tree.links.clone()].first().copied().unwrap_or(1.0);
             let multibody = multibodies.get_unnoted_mut(trajectory.index);
-            let Some(multibody) = multibody.filter(|_| share < 1.0) else { continue };
+            let Some(multibody) = multibody.filter(|_| fraction < 1.0) else { continue };
             let acceleration = |id| {
                 let motion =
                     links.iter().find(|motion| motion.link.is_some_and(|link| link.1 == id));
                 motion.map(|motion| motion.acceleration).unwrap_or_default()
             };
-            let share = gone(share, tree.pieces);
-            trajectory.go_back(multibody, bodies, (share, tree.pieces, dt), acceleration);
+            let fraction = gone(fraction, tree.pieces);
+            trajectory.go_back(multibody, bodies, (fraction, tree.pieces, dt), acceleration);
         }
     }
 
@@ -142,12 +142,13 @@ fn segment(at: usize, pieces: usize, from: &LinkSample, to: Vector, rotvec: AngV
 
 /// Fraction of the trajectory after a fraction of the step. A link that stopped on the last segment is at its
 /// start.
-fn gone(share: Real, pieces: usize) -> Real {
+fn gone(fraction: Real, pieces: usize) -> Real {
     let last = 1.0 - 1.0 / pieces as Real;
-    if share <= last { share } else { (share + share - last).min(1.0) }
+    if fraction <= last { fraction } else { (fraction + fraction - last).min(1.0) }
 }
 
-/// The thickness of the thinnest of these links that is fast; of one without an inside, how near contacts are looked for.
+/// The thickness of the thinnest of these links that is fast; of one without an inside, how near contacts are
+/// looked for.
 fn thickness(world: CcdContext<'_>, links: &[FastMotion]) -> Real {
     let bodies = links.iter().filter_map(|motion| world.bodies.get(motion.body));
     let fast = bodies.filter(|body| body.ccd_active).map(|body| {

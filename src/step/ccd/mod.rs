@@ -1,9 +1,9 @@
-//! # Continuous — nothing passes through
+//! # CCD: continuous collision detection
 //!
 //! Reads:   motion of fast bodies, colliders, fat AABBs, bodies within sensors, joints, hooks
 //! Writes:  poses and velocities of fast bodies at their first impact; bounds of motion; notes of crossed
 //!     sensors
-//! Runs:    parallel over fast bodies; bullets among each other in the order of their impacts
+//! Runs:    parallel over fast bodies; bullets in the order of their impacts
 //! Never:   applies impulses; searches bodies that are neither fast, nor deep in a wall, nor near the path of
 //!     such a body or of a moving kinematic body
 //!
@@ -95,12 +95,12 @@ impl CcdScratch {
         *self.searched.get_mut() = 0;
     }
 
-    /// Stops bodies where their own paths were stopped if a hook panicked before anything else was known. Bodies whose paths were not
-    /// searched do not move.
+    /// Stops bodies where their own paths were stopped if a hook panicked before anything else was known.
+    /// Bodies whose paths were not searched do not move.
     fn complete(&mut self) {
         if self.stops.len() < self.first.len() {
             self.stops.clear();
-            self.stops.extend(self.first.iter().map(|stop| stop.share));
+            self.stops.extend(self.first.iter().map(|stop| stop.fraction));
         }
     }
 }
@@ -161,7 +161,7 @@ pub(crate) fn find_impacts(tasks: Tasks<'_>, world: CcdContext<'_>, scratch: &mu
         let path = Path::of(search, position, 1.0);
         path.map_or(Stop::NONE, |path| path.first_stop(search, Obstacles::All))
     });
-    stops.extend(first.iter().map(|stop| stop.share));
+    stops.extend(first.iter().map(|stop| stop.fraction));
     groups.stop_together(stops);
     bullets.find(search, stops);
     rides.find(tasks, search, (first, stops));
@@ -211,20 +211,20 @@ pub(crate) fn stop(
     scratch.complete();
     counters.num_fast_bodies = fast.len();
     counters.num_searches = scratch.searched.load(Ordering::Relaxed);
-    let stopped = fast.iter().zip(&scratch.stops).filter(|(_, share)| **share < 1.0);
-    for (motion, &share) in stopped {
+    let stopped = fast.iter().zip(&scratch.stops).filter(|(_, fraction)| **fraction < 1.0);
+    for (motion, &fraction) in stopped {
         let Some(body) = bodies.get_unnoted_mut(motion.body) else { continue };
         counters.num_substeps += 1;
         if motion.link.is_none() {
-            let there = sweep_of(motion, motion.start, share).at(share);
-            body.angvel = body.angvel_at(there.rotation, (share - 1.0) * dt);
+            let there = sweep_of(motion, motion.start, fraction).at(fraction);
+            body.angvel = body.angvel_at(there.rotation, (fraction - 1.0) * dt);
             body.pose = there;
-            body.linvel = motion.velocity_before(1.0 - share, body.linvel);
+            body.linvel = motion.velocity_before(1.0 - fraction, body.linvel);
             body.update_world_mass_properties();
             if !body.ccd_active {
                 // The bound of the whole motion of a fast body is noted already.
                 let way = body.mprops.world_com - motion.center;
-                let way = BodyMotion::of(way, motion.rotvec * share, body.extent);
+                let way = BodyMotion::of(way, motion.rotvec * fraction, body.extent);
                 islands.set_motion(motion.body.into_raw_parts().0, way);
             }
         }

@@ -124,10 +124,10 @@ impl<'a> Path<'a> {
     }
 
     /// The pose of the body after a fraction of the step.
-    pub fn pose_at(&self, share: Real) -> Option<Pose> {
+    pub fn pose_at(&self, fraction: Real) -> Option<Pose> {
         let mover = self.movers.first()?;
         let parent = mover.collider.parent.as_ref()?;
-        let pose = mover.sweep.at(share) * parent.pos_wrt_parent.inverse();
+        let pose = mover.sweep.at(fraction) * parent.pos_wrt_parent.inverse();
         Some(Pose::from_parts(pose.translation, pose.rotation.normalize()))
     }
 
@@ -150,8 +150,8 @@ impl<'a> Path<'a> {
         for mover in &self.movers {
             let region = mover.sweep.region_of_core(Solid::of(mover.collider));
             search.for_each_obstacle(obstacles, &region, |other| {
-                if let Some(share) = mover.impact(&other, search, first.share) {
-                    first = Stop { share, by: other.sweep.moves().then_some(other.handle) };
+                if let Some(fraction) = mover.impact(&other, search, first.fraction) {
+                    first = Stop { fraction, by: other.sweep.moves().then_some(other.handle) };
                 }
             });
         }

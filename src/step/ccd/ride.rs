@@ -21,7 +21,8 @@
 //! caught. No position is outside both rigid bodies. The body never passes the fixed one, and the kinematic
 //! body, which nothing stops, overlaps it.
 //!
-//! Joined bodies end their rides together, at the earliest end. Links of multibodies do not ride, nor does what is joined to one.
+//! Joined bodies end their rides together, at the earliest end. Links of multibodies do not ride, nor does
+//! what is joined to one.
 
 use super::Search;
 use super::path::{Mover, Obstacles, Path, sweep_of};
@@ -40,16 +41,16 @@ const SEGMENTS_MAX: usize = 4;
 #[derive(Copy, Clone, Debug)]
 pub(super) struct Stop {
     /// The executed fraction of the motion.
-    pub share: Real,
+    pub fraction: Real,
     /// The collider that it meets then, if that moves.
     pub by: Option<ColliderHandle>,
 }
 
 impl Stop {
     /// The motion happens as a whole.
-    pub const NONE: Self = Self { share: 1.0, by: None };
+    pub const NONE: Self = Self { fraction: 1.0, by: None };
     /// It does not happen at all.
-    pub const AT_ONCE: Self = Self { share: 0.0, by: None };
+    pub const AT_ONCE: Self = Self { fraction: 0.0, by: None };
 }
 
 /// The rest of a step on kinematic bodies.
@@ -68,7 +69,8 @@ pub(super) struct Ride {
 /// The rides of a step.
 #[derive(Default)]
 pub(super) struct Rides {
-    /// The positions of stopped fast bodies that may ride, in rising order, with the moving collider that stopped each, if one did.
+    /// The positions of stopped fast bodies that may ride, in rising order, with the moving collider that
+    /// stopped each, if one did.
     stopped: Vec<(u32, Option<ColliderHandle>)>,
     /// Their rides; nothing if they stay where they were stopped.
     rides: Vec<Option<Ride>>,
@@ -105,19 +107,19 @@ impl Rides {
         self.end_together(search, stops.len());
     }
 
-    /// Lists the bodies that a moving collider stopped, alone or with their groups, and single bodies that anything else stopped. Linear in
-    /// the number of fast bodies: a chain is one group.
+    /// Lists the bodies that a moving collider stopped, alone or with their groups, and single bodies that
+    /// anything else stopped. Linear in the number of fast bodies: a chain is one group.
     fn list_stopped(&mut self, search: Search<'_>, first: &[Stop], stops: &[Real]) {
         self.carriers.clear();
         self.carriers.resize(stops.len(), None);
-        for (position, (stop, &share)) in first.iter().zip(stops).enumerate() {
-            let by = stop.by.filter(|_| stop.share == share && share < 1.0);
+        for (position, (stop, &fraction)) in first.iter().zip(stops).enumerate() {
+            let by = stop.by.filter(|_| stop.fraction == fraction && fraction < 1.0);
             let carrier = &mut self.carriers[search.groups.first(position)];
             *carrier = carrier.or(by);
         }
-        for (position, &share) in stops.iter().enumerate() {
+        for (position, &fraction) in stops.iter().enumerate() {
             let by = self.carriers[search.groups.first(position)];
-            if by.is_some() || share < 1.0 && search.groups.is_alone(position) {
+            if by.is_some() || fraction < 1.0 && search.groups.is_alone(position) {
                 self.stopped.push((position as u32, by));
             }
         }
@@ -158,22 +160,22 @@ impl Ride {
     fn of(
         search: Search<'_>,
         position: usize,
-        share: Real,
+        fraction: Real,
         by: Option<ColliderHandle>,
     ) -> Option<Self> {
         let motion = &search.world.fast[position];
         let body = search.world.bodies.get(motion.body).filter(|_| motion.link.is_none())?;
         let first = Segment {
             from: 0.0,
-            until: share,
+            until: fraction,
             rotation: motion.start.rotation,
             center: motion.center,
             shift: motion.shift,
             rotvec: motion.rotvec,
         };
-        let pose = sweep_of(motion, motion.start, share).at(share);
+        let pose = sweep_of(motion, motion.start, fraction).at(fraction);
         let mut ride =
-            Self { segments: smallvec![first], end: share, pose, motion: BodyMotion::NONE };
+            Self { segments: smallvec![first], end: fraction, pose, motion: BodyMotion::NONE };
         // Joined bodies would stop and ride at different times.
         let segments_max = if search.groups.is_alone(position) { SEGMENTS_MAX } else { 1 };
         let (mut on, mut has_moved) = (by, false);
@@ -181,7 +183,7 @@ impl Ride {
             let Some(stop) = ride.go_on(search, position, body, on) else { break };
             has_moved |= on.is_some();
             on = stop.by;
-            if stop.share >= 1.0 {
+            if stop.fraction >= 1.0 {
                 break;
             }
         }
@@ -217,14 +219,15 @@ impl Ride {
         let (stop, pose) = {
             let path = next.path(search, position)?;
             let stop = path.first_stop(search, obstacles);
-            (stop, if stop.share < 1.0 { path.pose_at(stop.share)? } else { end })
+            (stop, if stop.fraction < 1.0 { path.pose_at(stop.fraction)? } else { end })
         };
-        if stop.share <= from {
-            // A mover whose surface has touched a standing body before, and whose middle comes now, carries it from here on.
+        if stop.fraction <= from {
+            // A mover whose surface has touched a standing body before, and whose middle comes now, carries
+            // it from here on.
             return on.is_none().then_some(stop);
         }
-        next.segments.last_mut()?.until = stop.share;
-        (next.end, next.pose) = (stop.share, pose);
+        next.segments.last_mut()?.until = stop.fraction;
+        (next.end, next.pose) = (stop.fraction, pose);
         *self = next;
         Some(stop)
     }
@@ -263,8 +266,8 @@ impl Ride {
 
 /// Pose at the end of the step of an object at `start` after a fraction of the step that moves with a carrier
 /// from then on.
-fn carried(carrier: &Sweep<'_>, share: Real, start: &Pose) -> Pose {
-    let relative = carrier.at(share).inv_mul(start);
+fn carried(carrier: &Sweep<'_>, fraction: Real, start: &Pose) -> Pose {
+    let relative = carrier.at(fraction).inv_mul(start);
     let end = carrier.at(1.0) * relative;
     Pose::from_parts(end.translation, end.rotation.normalize())
 }

@@ -1,7 +1,7 @@
-//! # Events — tell the user
+//! # Events: calls of the user's event handler
 //!
-//! Reads:   notes of contacts that began and ended, broken joints and quarantined bodies, impulses
-//! Writes:  which pairs exceed their force threshold, and what the user's handler does
+//! Reads:   notes of begun and ended contacts, broken joints and quarantined bodies; impulses
+//! Writes:  the flags of pairs above their force threshold; calls of the user's handler
 //! Runs:    serial, in the order of the colliders; forces in that of the pairs
 //! Never:   changes the world
 

@@ -1,9 +1,9 @@
-//! # Islands — who is connected, who wakes, who sleeps
+//! # Islands: connectivity, waking and sleep
 //!
-//! Reads:   the narrow phase's notes, those of bodies that may sleep
-//! Writes:  islands, the list of awake bodies, colours, pairs that are no more; notes for events
+//! Reads:   the narrow phase's notes, and those of bodies that may sleep
+//! Writes:  islands, the list of awake bodies, colours, removed pairs; notes for events
 //! Runs:    serial, in the order of the notes
-//! Never:   changes a manifold's points or moves a body
+//! Never:   changes a manifold's points; moves a body
 
 mod sleep;
 

@@ -1,9 +1,9 @@
-//! # Narrow phase — where exactly do they touch?
+//! # Narrow phase: contact manifolds of pairs
 //!
-//! Reads:   collider poses and shapes, bounds of how far bodies moved, last step's manifolds
+//! Reads:   collider poses and shapes, bounds on the motion of bodies, last step's manifolds
 //! Writes:  manifolds of awake pairs; notes of computed pairs and of bodies deep in a wall
 //! Runs:    parallel over pairs; notes are in the order of the colliders
-//! Never:   moves a body; links islands; gives colours
+//! Never:   moves a body; links islands; assigns colours
 //!
 //! Most pairs of a settled pile have hardly moved since their manifolds were computed. Each awake pair has
 //! *slack*: how far its bodies may still move against each other before it must be computed again. Each step

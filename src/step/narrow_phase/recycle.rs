@@ -12,11 +12,11 @@ use crate::model::collider::ShapeForm;
 /// With the default distance of 0.01 m, a ball of radius `r` rolls on with a point that lags by 0.2 mm at
 /// most. The rule changes the acceleration of a ball of `r` = 0.5 on a slope of 20° by less than 0.1 %. The
 /// full distance changed it by 2.5 %.
-const ROUND_SHARE: Real = 0.02;
+const ROUND_FRACTION: Real = 0.02;
 
 /// Bound (length units) on the motion of any point of two shapes relative to each other until contacts must
 /// be computed again. `distance` is the bound for shapes with flat sides.
 pub(super) fn recycle_distance(forms: [ShapeForm; 2], distance: Real) -> Real {
     let [form1, form2] = forms;
-    if (form1 | form2).contains(ShapeForm::ROUND) { distance * ROUND_SHARE } else { distance }
+    if (form1 | form2).contains(ShapeForm::ROUND) { distance * ROUND_FRACTION } else { distance }
 }

@@ -125,7 +125,8 @@ impl Outcome {
     pub const APART: Self = Self { change: Some(PairChange::Apart), ..Self::unchanged(DUE, false) };
 }
 
-/// Brings all awake pairs up to date. Returns the number of contact pairs that touch in so many places that only some were taken.
+/// Brings all awake pairs up to date. Returns the number of contact pairs that touch in so many places that
+/// only some were taken.
 pub(crate) fn update(
     tasks: Tasks<'_>,
     context: NarrowPhaseContext<'_>,
@@ -286,8 +287,8 @@ fn apply<P: Pair>(
     store.renew(found().filter(|(_, outcome)| outcome.is_renewed).map(|(id, _)| id));
 }
 
-/// Brings near what the next turns will read. Pairs, colliders and bodies are spread over memory, and waiting for
-/// them took as long as a third of the computation.
+/// Brings near what the next turns will read. Pairs, colliders and bodies are spread over memory, and waiting
+/// for them took as long as a third of the computation.
 struct Ahead<'a, P> {
     context: NarrowPhaseContext<'a>,
     states: &'a [PairState],

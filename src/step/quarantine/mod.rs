@@ -1,8 +1,8 @@
-//! # Quarantine — who leaves the range of numbers is taken out, and the step taken again
+//! # Quarantine: bodies with unusable numbers are disabled, and the step is repeated
 //!
-//! Reads:   the solver's note of bodies that it could not store, and what these were given by the user and by joints
+//! Reads:   the solver's note of bodies that it could not store, and their user input and joint loads
 //! Writes:  enabled flags of bodies; the whole world, restored to the start of the step
-//! Runs:    serial, when a step has failed; a world at risk is copied before
+//! Runs:    serial, after a failed step; a step at risk begins with a copy of the world
 //! Never:   touches a body that the solver could store
 //!
 //! Numbers overflow: forces add up, motors are stiff beyond reason, speeds grow. A body whose numbers are
@@ -15,10 +15,10 @@
 //! step. They are not unwound one by one: that would need a journal of everything that the structure does. A
 //! step begins with a [copy of the world](Checkpoint) if it may fail. The conditions are: the last step left
 //! a body faster than [`MODERATE_MAX`] or farther than [`COORDINATE_MODERATE_MAX`]; a body touches a much
-//! lighter one; an edit is not [moderate](GENTLE); or the step is [long](LONG). That is rare. Other steps pay
-//! for a comparison per number of the solver's states (`src/step/solver/bodies/divergence.rs`). Moderate and
-//! non-finite numbers are a factor of 10⁹ apart. Values that grow there grow over several steps, and are
-//! detected.
+//! lighter one; an edit is not [moderate](EDIT_VELOCITY_MAX); or the step is [long](DURATION_MAX). That is
+//! rare. Other steps pay for a comparison per number of the solver's states
+//! (`src/step/solver/bodies/divergence.rs`). Moderate and non-finite numbers are a factor of 10⁹ apart.
+//! Values that grow there grow over several steps, and are detected.
 //!
 //! A step may fail without such a sign, for example because of an extreme motor that was blocked so far. It
 //! is then repeated from the current state: bodies and impulses are unchanged. Numbers are as safe then. But
@@ -47,10 +47,10 @@ use causes::Causes;
 
 /// A velocity set by the user above this value, or reached within a step, requires a checkpoint (in length
 /// units, and radians, per second).
-const GENTLE: Real = 1.0e3;
+const EDIT_VELOCITY_MAX: Real = 1.0e3;
 
 /// Steps longer than this (s) always have a checkpoint: rotations within them are unpredictable.
-const LONG: Real = 0.1;
+const DURATION_MAX: Real = 0.1;
 
 /// All that a step changes.
 pub(crate) struct World<'a> {
@@ -88,7 +88,8 @@ impl Quarantine {
         self.emitted = 0;
     }
 
-    /// Takes culprits out of a world in which a step has failed, and puts everything else back for it to be taken again.
+    /// Takes culprits out of a world in which a step has failed, and puts everything else back for it to be
+    /// taken again.
     pub fn take_out(
         &mut self,
         mut world: World<'_>,
@@ -170,7 +171,7 @@ pub(crate) fn is_at_risk(world: &World<'_>, conditions: StepConditions<'_>) -> b
     };
     conditions.params.dt > 0.0
         && (islands.ill_conditioned
-            || conditions.params.dt > LONG
+            || conditions.params.dt > DURATION_MAX
             || !conditions.is_gentle(conditions.gravity * conditions.params.dt)
             || bodies.modified().iter().any(is_ill_conditioned)
             || colliders.modified().iter().any(is_heavy)
@@ -204,12 +205,15 @@ impl StepConditions<'_> {
 
     /// Returns whether the value is moderate as a velocity, even in a long step.
     fn is_gentle(self, velocity: Vector) -> bool {
-        is_within(velocity * self.params.dt.max(1.0), GENTLE * self.params.length_unit.max(1.0))
+        is_within(
+            velocity * self.params.dt.max(1.0),
+            EDIT_VELOCITY_MAX * self.params.length_unit.max(1.0),
+        )
     }
 }
 
 fn rotates_moderately(velocity: AngVector) -> bool {
-    ang_length_squared(velocity) <= GENTLE * GENTLE
+    ang_length_squared(velocity) <= EDIT_VELOCITY_MAX * EDIT_VELOCITY_MAX
 }
 
 fn is_within(vector: Vector, bound: Real) -> bool {

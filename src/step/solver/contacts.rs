@@ -136,7 +136,8 @@ impl SolverContacts {
                 are_all || !multibodies.adopt(at, slots(at)) && bodies.has_one_of(slots(at))
             });
             if color == OVERFLOW {
-                // These are solved one after the other, and their order in the list depends on the rest of the world.
+                // These are solved one after the other, and their order in the list depends on the rest of
+                // the world.
                 let mut members: Vec<_> = members.collect();
                 members.sort_unstable_by_key(|at| (contacts.collider_slots(at.pair), at.manifold));
                 let members = members.into_iter().map(|at| (at, slots(at)));
@@ -342,7 +343,8 @@ impl SolverContacts {
                 let soon = self.layout.block_or_none(index + 1);
                 soon.iter().for_each(|later| pairs.prefetch(later.pair as usize));
                 for (lane, at) in self.layout.block(index).iter().enumerate() {
-                    // SAFETY: the manifolds of a pair have the same bodies, so no two of them have the same colour.
+                    // SAFETY: the manifolds of a pair have the same bodies, so no two of them have the same
+                    // colour.
                     if let Some(pair) = unsafe { pairs.get_mut(at.pair as usize) } {
                         let manifold = &mut pair.manifolds[at.manifold as usize];
                         self.lanes.write_back_manifold(index, lane, manifold);
@@ -403,14 +405,15 @@ fn assign_bodies(block: &mut LaneBlock, lane: usize, bodies: &SolverBodies) {
 /// Scales the warm-start impulses of all lanes by the fraction of their bodies.
 fn scale_impulses(input: &mut ContactInput, bodies: &SolverBodies, per_point: bool) {
     for lane in 0..LANES {
-        let share = bodies.share([input.bodies[0][lane], input.bodies[1][lane]]);
-        if share != 1.0 {
-            input.scale_impulses(lane, share, per_point);
+        let fraction = bodies.impulse_fraction([input.bodies[0][lane], input.bodies[1][lane]]);
+        if fraction != 1.0 {
+            input.scale_impulses(lane, fraction, per_point);
         }
     }
 }
 
-/// Hands out the blocks of one colour after the other, so many together; those of one colour may be worked on at once.
+/// Hands out the blocks of one colour after the other, so many together; those of one colour may be worked on
+/// at once.
 pub(super) fn for_each_color(
     colors: &[Range<usize>],
     (tasks, grain): (Tasks<'_>, usize),

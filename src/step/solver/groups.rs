@@ -30,16 +30,18 @@ use crate::model::joint::ImpulseJointSet;
 use crate::model::params::IntegrationParameters;
 use core::ops::Range;
 
-/// Up to this ratio of masses the usual substeps do: four cubes under one of 30 times the mass sink in by 15 mm.
+/// Up to this ratio of masses the usual substeps do: four cubes under one of 30 times the mass sink in by 15
+/// mm.
 const MASS_RATIO_EVEN_MAX: Real = 32.0;
 /// No island gets more than this many times the usual substeps.
 const MAX_FACTOR: usize = 16;
 /// Nor more than this many for its joints.
 const MAX_JOINT_FACTOR: usize = 32;
-/// Nor so many that they are more than this times its number of bodies: what lies on a large heap rests on many.
+/// Nor so many that they are more than this times its number of bodies: what lies on a large heap rests on
+/// many.
 const MAX_WORK: usize = 1024;
-/// The largest `(h ω)²` with which light links swing under a heavy load. A chain of 20 links holds at 0.51, under any load,
-/// and comes apart at 0.8.
+/// The largest `(h ω)²` with which light links swing under a heavy load. A chain of 20 links holds at 0.51,
+/// under any load, and comes apart at 0.8.
 const SWING: Real = 0.55;
 
 /// Bodies that are solved together.

@@ -1,4 +1,4 @@
-//! # Solver — make velocities obey
+//! # Solver: velocities and poses under constraints
 //!
 //! Reads:   manifolds, joints, multibodies, the constraint graphs, parameters
 //! Writes:  velocities and poses of awake bodies, impulses of contacts and joints; breaks joints
@@ -207,8 +207,9 @@ fn store_constraints(
         contacts.store(narrow_phase, simd, tasks);
         joints.store((islands, set), params.inv_dt(), broken, tasks);
         multibodies.store_constraints(set, narrow_phase, params.inv_dt(), broken);
-        let ways = (&mut **fast, &mut **trajectories);
-        counters.nlimited_bodies += multibodies.store(trees, (islands, bodies), params, ways);
+        let displacements = (&mut **fast, &mut **trajectories);
+        counters.nlimited_bodies +=
+            multibodies.store(trees, (islands, bodies), params, displacements);
         counters.nconstraints += contacts.len() + joints.len();
         counters.ncontacts += contacts.point_count();
     }

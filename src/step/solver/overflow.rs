@@ -1,4 +1,5 @@
-//! The order in which constraints without a colour are solved: one after the other, but side by side where that is the same.
+//! The order in which constraints without a colour are solved: one after the other, but side by side where
+//! that is the same.
 //!
 //! Constraints without a common body are independent, so any number of them may fill the lanes of one block.
 //! Each goes into the first block with a free lane behind all that hold one of its bodies. The constraints of

@@ -8,7 +8,8 @@
 //!
 //! ## The bound
 //! Let `v` be the velocities before any impulse of a substep and `v'` those at its end. Contacts without
-//! restitution satisfy `λ_i ≥ 0`, `λ_i Ċ_i' ≤ 0`, and friction opposes the sliding. The change of the kinetic energy,
+//! restitution satisfy `λ_i ≥ 0`, `λ_i Ċ_i' ≤ 0`, and friction opposes the sliding. The change of the kinetic
+//! energy,
 //!
 //! ```text
 //! ΔT = ½ Σ λ_i (Ċ_i + Ċ_i')
@@ -23,10 +24,11 @@
 //! T_b' ← T_b + (1 − G/P) (T_b' − T_b)       G = Σ (T_b' − T_b),   P = the sum of the positive terms
 //! ```
 //!
-//! The impulses of their contacts are scaled as their velocities are, so that the next substep does not start with them.
-//! Bodies that contacts slow down, such as a pile around the overlapping bodies, keep their velocities.
+//! The impulses of their contacts are scaled as their velocities are, so that the next substep does not start
+//! with them. Bodies that contacts slow down, such as a pile around the overlapping bodies, keep their
+//! velocities.
 //!
-//! ## Where
+//! ## Scope
 //! The bound does not conserve momentum. It applies to islands with more deep contacts than bodies of such
 //! contacts, which an impact does not cause. Islands that something drives are left out: joints, multibodies,
 //! moving kinematic bodies, dominance and moving surfaces all do work.
@@ -179,7 +181,8 @@ impl Recovery {
         });
     }
 
-    /// The fractions of its impulses that a block of contacts keeps, if not all of them: those of the body that keeps less.
+    /// The fractions of its impulses that a block of contacts keeps, if not all of them: those of the body
+    /// that keeps less.
     pub fn kept_by(&self, block: &ContactBlock) -> Option<Lane> {
         let mut factors = Lane::splat(1.0);
         for (lane, factor) in factors.0.iter_mut().enumerate() {

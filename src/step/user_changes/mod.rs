@@ -1,9 +1,9 @@
-//! # User changes — take in what was edited since the last step
+//! # User changes: edits since the last step
 //!
-//! Reads:   the notes that the sets keep of edits
+//! Reads:   change lists of the sets
 //! Writes:  bodies, colliders, trees, pairs, islands, the step's data of joints
 //! Runs:    serial, in the order of the edits
-//! Never:   looks at anything that was not edited, or does not touch what was
+//! Never:   visits anything that was neither edited nor touches an edited object
 //!
 //! Replacing a whole set edits everything in it: [`Resync`] comes before everything else.
 //!

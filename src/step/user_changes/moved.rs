@@ -72,8 +72,8 @@ impl MovedBody {
         let places = [&self.before, &self.now, &other.before, &other.now];
         let far = places.map(|pose| pose.translation.length()).into_iter().fold(1.0, Real::max);
         let (shift_max, turn_max) = (4.0 * Real::EPSILON * far, 16.0 * Real::EPSILON);
-        let turn = rotation_to_angle(&(before.rotation.inverse() * now.rotation));
+        let rotvec = rotation_to_angle(&(before.rotation.inverse() * now.rotation));
         (now.translation - before.translation).length() <= shift_max
-            && ang_length_squared(turn) <= turn_max * turn_max
+            && ang_length_squared(rotvec) <= turn_max * turn_max
     }
 }

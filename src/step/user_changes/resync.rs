@@ -1,4 +1,5 @@
-//! Sets that are not the ones of the last step: `mem::take(&mut world.bodies)`, an older copy of the colliders alone, joints from a file.
+//! Sets that are not the ones of the last step: `mem::take(&mut world.bodies)`, an older copy of the
+//! colliders alone, joints from a file.
 //!
 //! The references of the other sets to such a set are wrong ([`WorldStamp`] detects this). If it refers to
 //! the other sets (bodies, colliders, islands, pairs, trees), the step discards islands, pairs and trees, and

@@ -1,4 +1,4 @@
-//! Hooks that give impossible numbers to contacts: these are left out, and nobody is disabled.
+//! Hooks that write unusable numbers to contacts: these are omitted, and no body is disabled.
 
 use super::stage::{Numbers, Stage, beside_its_twin};
 use crate::dim::vec;

@@ -4,7 +4,7 @@ use super::super::world::check;
 use crate::dim::{cuboid, vec};
 use rapier::prelude::*;
 
-/// 10 000 bodies, forty each in the same place: every number stays one, and nobody has to be taken out for it.
+/// 10 000 bodies, forty each in the same place: every number stays finite, and no body is disabled.
 #[test]
 fn ten_thousand_bodies_in_few_places() {
     let mut world = PhysicsWorld::new();

@@ -1,11 +1,11 @@
-//! Joints, links and ratios of masses with which nobody can calculate.
+//! Joints, links and mass ratios beyond the range of numbers.
 
 use super::stage::{Stage, experiment};
 use crate::dim::{hinge, vec};
 use rapier::prelude::*;
 
-/// Whether such a motor can be calculated with is the solver's affair. If not, one of its two bodies goes, and the rest is
-/// as without it.
+/// Whether such a motor can be calculated with is the solver's affair. If not, one of its two bodies goes,
+/// and the rest is as without it.
 #[test]
 fn motors_stiffer_than_numbers_go() {
     for model in [MotorModel::ForceBased, MotorModel::AccelerationBased] {

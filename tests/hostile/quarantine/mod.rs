@@ -1,9 +1,9 @@
 //! # Quarantine
 //!
-//! A body whose numbers leave the range in which one can calculate is left where the step found it, disabled, and reported;
-//! the others go on bit for bit as if it had been disabled before the step. Every test here steps two worlds side by side:
-//! one is mistreated, and in the other, its *twin*, the user disables before each step whoever the first one took out in
-//! it. Bodies and events must be the same.
+//! A body whose numbers leave the range in which one can calculate is left where the step found it, disabled,
+//! and reported; the others go on bit for bit as if it had been disabled before the step. Every test here
+//! steps two worlds side by side. One is mistreated. In the other, its *twin*, the user disables the same
+//! bodies before each step. Bodies and events must be the same.
 
 mod chance;
 mod contacts;

@@ -92,7 +92,7 @@ fn a_step_of_ten_seconds_at_great_speed() {
     }
 }
 
-/// Who stands at the edge of the world, and goes on.
+/// A body at the edge of the world that moves on.
 #[test]
 fn a_place_at_the_edge() {
     let edge = Pose::from_translation(vec(-1.0e15, 1.0));
@@ -104,7 +104,7 @@ fn a_place_at_the_edge() {
     assert_eq!(suspect_falls(mistreat, is_cause), 0);
 }
 
-/// Setters refuse what is no number, or beyond the world: nobody is taken out.
+/// Setters refuse values that are not finite, or beyond the world: no body is disabled.
 #[test]
 fn what_setters_refuse_leads_nowhere() {
     for value in [1.0e30, Real::INFINITY, Real::NAN] {
@@ -161,7 +161,7 @@ fn a_kinematic_body_with_an_impossible_target() {
     assert_eq!(body, Stage::new().lift);
 }
 
-/// Nobody can bear this: all that move are taken out, and told of once.
+/// An impossible load: all moving bodies are disabled, with one event each.
 #[test]
 fn gravity_that_nobody_can_bear() {
     let taken = experiment(|stage| {

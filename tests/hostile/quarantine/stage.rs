@@ -7,10 +7,11 @@ use rapier::prelude::*;
 use std::collections::BTreeMap;
 use std::sync::Mutex;
 
-/// How long the stage moves by itself before anything is done to it: the heap has not come to rest by then (steps).
+/// How long the stage moves by itself before anything is done to it: the heap has not come to rest by then
+/// (steps).
 const BEFORE: usize = 20;
 
-/// A world, and whom to mistreat in it.
+/// A world, and the mistreated bodies in it.
 pub struct Stage {
     pub world: PhysicsWorld,
     /// A block in the middle of the heap.
@@ -169,7 +170,7 @@ impl Stage {
     }
 }
 
-/// Who was taken out in which step, and why.
+/// The disabled bodies of each step, and the causes.
 pub type Taken = (usize, RigidBodyHandle, QuarantineCause);
 
 /// Mistreats a stage, and steps it beside its twin.
@@ -188,7 +189,7 @@ pub fn beside_its_twin(stage: &mut Stage, twin: &mut Stage) -> Vec<Taken> {
 /// One step of a stage and its twin.
 ///
 /// # Panics
-/// If anybody who takes part in both differs in a bit, or an event does.
+/// Panics if a body that takes part in both worlds differs in a bit, or an event does.
 pub fn step_beside(step: usize, stage: &mut Stage, twin: &mut Stage) -> Vec<Taken> {
     let bodies = stage.world.bodies.iter();
     let before: BTreeMap<_, _> = bodies.map(|(handle, body)| (handle, body.clone())).collect();

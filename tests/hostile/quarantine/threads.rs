@@ -1,4 +1,4 @@
-//! Who is taken out, and what becomes of the rest, is the same on any number of threads.
+//! The set of disabled bodies, and the motion of the others, are independent of the number of threads.
 
 use super::stage::Stage;
 use crate::dim::vec;

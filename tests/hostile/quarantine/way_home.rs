@@ -41,7 +41,7 @@ fn a_body_that_was_not_mended_is_taken_out_again() {
     }
 }
 
-/// A step that nobody could foresee: what a grain of dust weighs is known to the step alone.
+/// An unpredictable failure: only the step computes the mass of a grain of dust.
 #[test]
 fn a_failure_out_of_the_blue() {
     let mut world = PhysicsWorld::new();
@@ -77,7 +77,7 @@ fn a_failure_out_of_the_blue() {
     }
 }
 
-/// A sensor that is passed within a step begins and ceases to be touched in it, whoever else is taken out in that step.
+/// A sensor that is crossed within a step begins and ends its contact in it, independent of disabled bodies.
 #[test]
 fn a_sensor_that_is_passed_is_told_of_all_the_same() {
     for force in [0.0, 1.0e30] {

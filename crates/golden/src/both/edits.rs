@@ -4,7 +4,8 @@ use super::super::dim::{about, cuboid, shapes, vec};
 use super::super::rapier::prelude::*;
 use super::Act;
 
-/// Bodies that are removed and inserted again, disabled, moved, put to sleep, and change their types, shapes and masses.
+/// Bodies that are removed and inserted again, disabled, moved, put to sleep, and change their types, shapes
+/// and masses.
 pub fn turnover(world: &mut PhysicsWorld) -> Act {
     world.insert_collider(cuboid(20.0, 0.5, 8.0), None);
     let shapes = shapes();

@@ -1,9 +1,11 @@
 //! The binary format of saved values: serde's data model in bytes, without names.
 //!
-//! * Integers of more than one byte are variable-length: seven bits per byte, the lowest first; the highest bit marks that another byte follows. Signed
-//!   integers alternate (0, -1, 1, -2, …), so small ones are short.
+//! * Integers of more than one byte are variable-length: seven bits per byte, the lowest first; the highest
+//!   bit marks that another byte follows. Signed integers alternate (0, -1, 1, -2, …), so small ones are
+//!   short.
 //! * Floating-point numbers are their bits, lowest byte first.
-//! * Lists, maps, texts and byte strings begin with their length; options with 0 or 1; enums with the number of the variant.
+//! * Lists, maps, texts and byte strings begin with their length; options with 0 or 1; enums with the number
+//!   of the variant.
 //! * Structs and tuples are their fields in order.
 //!
 //! Rejected formats: postcard is as compact but discards the message of an error, so a damaged world could

@@ -1,7 +1,7 @@
 //! Bytes to values. The bytes may be damaged or forged.
 //!
-//! No length is believed before as many bytes are there: an element takes at least one. So a list takes at most as many elements of memory as the input
-//! has bytes.
+//! No length is believed before as many bytes are there: an element takes at least one. So a list takes at
+//! most as many elements of memory as the input has bytes.
 
 use super::CodecError;
 use serde::de::value::U32Deserializer;

@@ -36,7 +36,8 @@ fn least_width(shape: &dyn SupportMap, random: &mut Random) -> Real {
     tried.iter().map(|tried| tried.0).fold(Real::MAX, Real::min)
 }
 
-/// Hulls of all kinds: clouds, plates, rods and slivers that lie aslant, wedges with few corners, and round bodies.
+/// Hulls of all kinds: clouds, plates, rods and slivers that lie aslant, wedges with few corners, and round
+/// bodies.
 fn hulls(random: &mut Random) -> Vec<SharedShape> {
     let mut hulls = Vec::new();
     for round in 0..60 {
@@ -101,13 +102,14 @@ fn thickness_is_half_the_minimum_width() {
     for shape in all(&mut random) {
         let support = shape.as_support_map().expect("convex");
         let widths = Widths::of(&*shape);
-        // Among the random directions hardly one is near the narrowest of a sliver, so the axis that was found is tried as well.
+        // Among the random directions hardly one is near the narrowest of a sliver, so the axis that was
+        // found is tried as well.
         let least = least_width(support, &mut random).min(width(support, widths.axes * Vector::X));
         let found = 2.0 * widths.thickness;
         let ratio = found / least;
         worst = (Real::min(worst.0, ratio), Real::max(worst.1, ratio));
-        // Above: what rounding does to a plate a hundred times as long as thick. Below: the tolerance of the search, and what the
-        // descent has not found.
+        // Above: what rounding does to a plate a hundred times as long as thick. Below: the tolerance of the
+        // search, and what the descent has not found.
         let name = shape.shape_type();
         assert!((0.96..1.002).contains(&ratio), "{name:?}: {found} found, {least} tried");
     }
@@ -140,7 +142,8 @@ fn skeletons_are_inside() {
     }
 }
 
-/// Shapes without parts of their own give no widths; all parts of a compound are there if one of them is a hull.
+/// Shapes without parts of their own give no widths; all parts of a compound are there if one of them is a
+/// hull.
 #[test]
 fn widths_are_kept_where_they_are_costly() {
     let cloud = hulls(&mut Random(9));

@@ -12,7 +12,8 @@ pub(super) struct LastStep<'a> {
     bodies: &'a RigidBodySet,
     /// By slot: a body that was removed since, and its place in the lists.
     removed_places: BTreeMap<u32, (RigidBodyHandle, BodyLink)>,
-    /// Bodies that were removed since, and the colliders that go with them; `None` for all that name the body.
+    /// Bodies that were removed since, and the colliders that go with them; `None` for all that name the
+    /// body.
     removed_bodies: BTreeMap<RigidBodyHandle, Option<AttachedColliders>>,
     /// Colliders that were removed since.
     removed_colliders: BTreeSet<ColliderHandle>,

@@ -68,8 +68,8 @@ impl Structure<'_> {
         Ok(())
     }
 
-    /// The colliders of a pair may meet, unless the user changed that since: the next step removes such pairs. Sensors have intersection pairs, and no
-    /// other colliders.
+    /// The colliders of a pair may meet, unless the user changed that since: the next step removes such
+    /// pairs. Sensors have intersection pairs, and no other colliders.
     pub(super) fn check_company(&self) -> Verdict {
         let NarrowPhase { contacts, intersections, .. } = &*self.narrow_phase;
         for pair in contacts.iter() {

@@ -6,8 +6,8 @@ use crate::model::tree::{BroadPhaseBvh, TreeKind};
 use std::collections::BTreeSet;
 
 impl Structure<'_> {
-    /// Each collider's box stands in the tree that the collider names, and the lists beside the trees agree with the collider. There are no other
-    /// boxes but those of removed colliders.
+    /// Each collider's box stands in the tree that the collider names, and the lists beside the trees agree
+    /// with the collider. There are no other boxes but those of removed colliders.
     pub(super) fn check_trees(&self, tree: &BroadPhaseBvh) -> Verdict {
         tree.check_moved()?;
         let removed: BTreeSet<u32> =

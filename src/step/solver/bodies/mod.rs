@@ -32,8 +32,8 @@ pub(super) struct SolverBodies {
     /// Velocities at the end of the last substep, before the forces of this one, if a stage requires them.
     pub last: Vec<BodyState>,
     motions: Vec<FreeMotion>,
-    /// By body slot: the index above, with [`READ_ONLY`] unless constraints may move the body, and with [`NEAR_REST`]. The world's for
-    /// bodies that are not awake.
+    /// By body slot: the index above, with [`READ_ONLY`] unless constraints may move the body, and with
+    /// [`NEAR_REST`]. The world's for bodies that are not awake.
     indices: Vec<u32>,
     /// By index: the slot whose index it is, or [`NONE`]; to be cleared by the next step.
     listed: Vec<u32>,
@@ -80,7 +80,7 @@ impl SolverBodies {
         })
     }
 
-    /// Returns whether any body begins with a reduced [fraction](Self::share) of its impulses.
+    /// Returns whether any body begins with a reduced [fraction](Self::impulse_fraction) of its impulses.
     pub fn any_scaled(&self) -> bool {
         self.any_scaled
     }
@@ -89,7 +89,7 @@ impl SolverBodies {
     /// become shorter, in proportion to the impulse of a force. It stays 1 if substeps have become longer.
     /// The penetration of soft contacts is then larger than at equilibrium, and they push harder than the
     /// load; that must not be multiplied.
-    pub fn share(&self, indices: [u32; 2]) -> Real {
+    pub fn impulse_fraction(&self, indices: [u32; 2]) -> Real {
         let moved = indices.into_iter().find(|index| index & READ_ONLY == 0);
         moved.map_or(1.0, |index| self.impulse_scales[index as usize])
     }
@@ -119,8 +119,8 @@ impl SolverBodies {
         (index & !NEAR_REST, index & NEAR_REST != 0)
     }
 
-    /// The inverse mass of the body with an index, along the axis where it is largest; 0 if constraints must not move
-    /// it.
+    /// The inverse mass of the body with an index, along the axis where it is largest; 0 if constraints must
+    /// not move it.
     pub fn inv_mass_of(&self, index: u32) -> Real {
         self.poses.get(index as usize).map_or(0.0, |pose| pose.inv_mass().max_element())
     }
@@ -132,9 +132,9 @@ impl SolverBodies {
 
     /// Adds gravity and the user's forces, damps, and starts the substep with the last one's impulses.
     ///
-    /// At the first substep the states hold the impulses of the last step already, which must not be
-    /// damped with the velocity. Keeps how bodies moved until now if `keep_last`. Returns how many were slowed down to the largest
-    /// speed.
+    /// At the first substep the states hold the impulses of the last step already, which must not be damped
+    /// with the velocity. Keeps how bodies moved until now if `keep_last`. Returns how many were slowed down
+    /// to the largest speed.
     pub fn integrate_velocities(
         &mut self,
         h: Real,
@@ -154,15 +154,15 @@ impl SolverBodies {
         limited.into_inner()
     }
 
-    /// Commits the velocity changes of an impact since the `start`, scaled by the `share` of each island. The
-    /// changes count from the mean time of the impacts of a body, and are no warm-start impulses. `delays`
-    /// are the sum of these and of each times its time, in place of two components of a velocity.
+    /// Commits the velocity changes of an impact since the `start`, scaled by the `fraction` of each island.
+    /// The changes count from the mean time of the impacts of a body, and are no warm-start impulses.
+    /// `delays` are the sum of these and of each times its time, in place of two components of a velocity.
     pub fn accept_impact(
         &mut self,
         touched: &[u32],
         start: &[BodyState],
         delays: &[BodyState],
-        share: impl Fn(u32) -> Real,
+        fraction: impl Fn(u32) -> Real,
     ) {
         for &index in touched {
             let index = index as usize;
@@ -170,8 +170,8 @@ impl SolverBodies {
             if (v, w) == (old_v, old_w) {
                 continue;
             }
-            let share = share(self.islands[index]);
-            let (added_v, added_w) = ((v - old_v) * share, (w - old_w) * share);
+            let fraction = fraction(self.islands[index]);
+            let (added_v, added_w) = ((v - old_v) * fraction, (w - old_w) * fraction);
             self.states[index].set_velocity(old_v + added_v, old_w + added_w);
             let before = &mut self.before[index];
             before.add_velocity(join(added_v, added_w));
@@ -180,7 +180,7 @@ impl SolverBodies {
                 let delay = -blows.y / blows.x;
                 self.states[index].add_displacement(join(added_v * delay, added_w * delay));
                 before.copy_displacement(&self.states[index]);
-                self.motions[index].turn(added_w * delay);
+                self.motions[index].rotate(added_w * delay);
             }
         }
     }

@@ -16,7 +16,8 @@ use crate::step::solver::groups::Groups;
 use crate::step::solver::multibodies::SolverMultibodies;
 
 impl SolverBodies {
-    /// Writes velocities and poses back to the bodies, and notes how far each one moved, and how the fast ones did.
+    /// Writes velocities and poses back to the bodies, and notes how far each one moved, and how the fast
+    /// ones did.
     pub fn store(
         &mut self,
         groups: &Groups,

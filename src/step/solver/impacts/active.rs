@@ -17,7 +17,7 @@ use core::ops::Range;
 
 /// Gauss–Seidel iterations over the points of a manifold per pass. The points couple with each other more
 /// than with other manifolds.
-pub(in super::super) const SWEEPS: usize = 4;
+pub(in super::super) const ITERATIONS: usize = 4;
 /// A round has converged when no point changes its velocity by more than this fraction of its approach
 /// velocity.
 pub(in super::super) const CONVERGENCE_TOLERANCE: Real = 1.0e-3;
@@ -103,8 +103,8 @@ pub(in super::super) struct ActiveBlock {
     count: usize,
     /// One bit per lane: set if the last iteration changed the lane.
     pub moving: u32,
-    /// The sum of impulse times approach in this round (negative), and how much more energy there is than there
-    /// should be at most.
+    /// The sum of impulse times approach in this round (negative), and how much more energy there is than
+    /// there should be at most.
     pub dissipated: Lane,
     pub energy_gain: Lane,
 }
@@ -171,10 +171,10 @@ impl ActiveBlock {
     }
 
     /// Commits the impulses of the round, scaled by the fraction of each lane's island.
-    pub fn commit(&self, impacts: &mut [ImpactBlock], share: impl Fn(u32) -> Real) {
+    pub fn commit(&self, impacts: &mut [ImpactBlock], fraction: impl Fn(u32) -> Real) {
         for lane in self.lanes() {
-            let (share, (index, from)) = (share(self.islands[lane]), self.from[lane]);
-            let impulses = self.rows.map(|row| share * row.impulse.0[lane]);
+            let (fraction, (index, from)) = (fraction(self.islands[lane]), self.from[lane]);
+            let impulses = self.rows.map(|row| fraction * row.impulse.0[lane]);
             impacts[index as usize].give(from as usize, impulses);
         }
     }
@@ -191,7 +191,7 @@ impl ActiveBlock {
         let mut normals = unsafe { NormalRows::<W>::gather(states, contact) };
         let zero = W::zero();
         let mut goes_on = zero.le(zero);
-        for sweep in 0..SWEEPS {
+        for sweep in 0..ITERATIONS {
             let mut changes = zero.lt(zero);
             normals.iterate(|k, velocity| {
                 let RoundRow { strike, impulse } = &mut rows[k];

@@ -1,4 +1,4 @@
-//! Impacts: what happens in no time, before forces act.
+//! Impacts: restitution, before forces act.
 //!
 //! A contact with restitution `e` that is hit at the velocity `c < 0` parts at `-e c` (Newton). With several
 //! contacts this says nothing of those that were at rest. A simultaneous solution, as for forces, would
@@ -9,7 +9,8 @@
 //! simultaneous impact" (SIGGRAPH 2012). At the start of a substep, in rounds:
 //!
 //! 1. `S` is the set of contacts that hit now: approach, and would overlap before the substep ends.
-//! 2. Impulses on `S` alone part them: `Ċ_i ≥ -e_i c_i ⊥ λ_i ≥ 0` with the approach velocities `c_i` of this round.
+//! 2. Impulses on `S` alone part them: `Ċ_i ≥ -e_i c_i ⊥ λ_i ≥ 0` with the approach velocities `c_i` of this
+//!    round.
 //! 3. This makes others approach. They are the `S` of the next round.
 //!
 //! Simultaneous contacts get their restitution together, so a box that lands flat rises flat. Contacts that
@@ -50,7 +51,7 @@
 //! faster under any impulse. Rounds then added up to a quarter of the energy, without being detected. So in
 //! impacts joints take the inertias that contacts have.
 //!
-//! ## What bears loads
+//! ## Supported loads
 //! A substep starts with the impulses of the last one, which may be outdated: an impulse that stopped an
 //! impact would accelerate the body now. So impacts see the velocities before any impulse, in which forces
 //! have acted and nothing holds against them. A loaded contact would then approach. To its velocity we add
@@ -58,15 +59,15 @@
 //! With it, resting and pressed bodies are at rest. The energy added is then less than the sum above, by `Σ
 //! λ_i o_i`. Joints apply to changes alone: the changes of an impact must be admissible.
 //!
-//! ## When
+//! ## Time of impact
 //! An impact happens at a time `τ = C / |c|` within the substep, or before it if a fast body was detected
 //! late. The bodies are placed as if they had moved on at their new velocities since then: by `-τ Δv`
 //! (`accept_impact`). The correction must not violate joints, which would turn errors into velocity. Bodies
 //! of directly solved joints have one `τ`, and those of iterated joints have none
 //! (`SolverJoints::share_delays`).
 //!
-//! The velocity of a substep, which is that of its middle, is not that of the time `τ`. With the acceleration `A/h` the
-//! velocities before and after at `τ` are `c + b` and `-e (c + b)`, in the middle `c` and
+//! The velocity of a substep, which is that of its middle, is not that of the time `τ`. With the acceleration
+//! `A/h` the velocities before and after at `τ` are `c + b` and `-e (c + b)`, in the middle `c` and
 //!
 //! ```text
 //! -e (c + b) - b,      b = A (τ/h - ½)
@@ -81,6 +82,7 @@
 //! Acts once at the end, under all normal impulses of the impact. The velocity changes of an impact are also
 //! added to the velocities "before any impulse" of the substep: they are no warm-start load.
 
+mod budgets;
 mod points;
 mod rows;
 mod active;
@@ -103,7 +105,8 @@ use crate::model::params::{ImpactPass, JointPass};
 #[cfg(test)]
 pub(super) use active::ActiveBlock;
 use active::{Active, Phase, Round};
-pub(super) use active::{CONVERGENCE_TOLERANCE, SWEEPS};
+pub(super) use active::{CONVERGENCE_TOLERANCE, ITERATIONS};
+use budgets::{EnergyBudget, IterationBudget};
 use core::ops::Range;
 pub(super) use points::NormalRows;
 pub(super) use rows::{
@@ -111,11 +114,7 @@ pub(super) use rows::{
 };
 use touched::Touched;
 
-/// Visits of all contacts that hit, per substep, in an island with a contact of restitution 1.
-const ITERATIONS_MAX: usize = 128;
-/// Islands of so few contacts get as many whatever their restitution is.
-const SMALL_ISLAND: usize = 32;
-/// And per round.
+/// Largest number of iterations of a round.
 const ROUND_ITERATIONS: usize = 16;
 /// Blocks that are worth handing over to another thread together. An iteration of few blocks ends before
 /// another thread starts.
@@ -147,46 +146,6 @@ struct Memory {
     /// By active block: the contributions of contacts and joints to [`EnergyBudget::dissipated`] and
     /// [`EnergyBudget::energy_gain`] in this round.
     sums: IslandSums<2>,
-}
-
-/// The iterations of an island follow from the number of its contacts with restitution, and from their
-/// largest restitution.
-#[derive(Copy, Clone, Default)]
-struct IterationBudget {
-    contacts: usize,
-    restitution: Real,
-}
-
-impl IterationBudget {
-    fn iterations(&self) -> usize {
-        let smallness = SMALL_ISLAND as Real / self.contacts as Real;
-        let worth = self.restitution.max(smallness).min(1.0);
-        (ITERATIONS_MAX as Real * worth).ceil() as usize
-    }
-}
-
-/// Progress of an island. Each goes on by itself: what the others do must not change a bit of it.
-#[derive(Copy, Clone, Default)]
-struct EnergyBudget {
-    /// Visits that are left in this substep.
-    iterations: usize,
-    is_active: bool,
-    is_moving: bool,
-    /// Sums over the contacts, see [`active::ActiveBlock`].
-    dissipated: Real,
-    energy_gain: Real,
-}
-
-impl EnergyBudget {
-    /// The fraction of a round of an island: at most up to the initial energy.
-    fn share(&self) -> Real {
-        let share = self.dissipated / (self.dissipated - self.energy_gain);
-        match self.energy_gain > 0.0 {
-            true if self.dissipated < 0.0 => share.max(0.0),
-            true => 0.0,
-            false => 1.0,
-        }
-    }
 }
 
 /// Constraints and context besides the contacts of bodies.
@@ -419,18 +378,18 @@ impl Impacts {
         });
         for &island in &self.active.islands {
             let energy_budget = &mut energy_budgets[island as usize];
-            if energy_budget.share() == 0.0 {
+            if energy_budget.fraction() == 0.0 {
                 energy_budget.iterations = 0;
             }
         }
         let energy_budgets = &self.memory.energy_budgets;
-        let share =
-            |island: u32| energy_budgets.get(island as usize).map_or(1.0, EnergyBudget::share);
-        self.active.blocks.iter().for_each(|block| block.commit(&mut self.blocks, share));
+        let fraction =
+            |island: u32| energy_budgets.get(island as usize).map_or(1.0, EnergyBudget::fraction);
+        self.active.blocks.iter().for_each(|block| block.commit(&mut self.blocks, fraction));
         let islands = &bodies.islands;
-        context.joints.commit_impact_impulses(|body| share(islands[body as usize]));
-        context.links.0.commit_round(share);
-        self.accept(bodies, context, share, pass);
+        context.joints.commit_impact_impulses(|body| fraction(islands[body as usize]));
+        context.links.0.commit_round(fraction);
+        self.accept(bodies, context, fraction, pass);
     }
 
     /// Commits the changes of the round to bodies and multibodies, scaled by the fraction of each island.
@@ -438,12 +397,12 @@ impl Impacts {
         &self,
         bodies: &mut SolverBodies,
         context: &mut ImpactContext<'_>,
-        share: impl Fn(u32) -> Real + Copy,
+        fraction: impl Fn(u32) -> Real + Copy,
         pass: &ImpactPass,
     ) {
         let Touched { bodies: touched, start, delays, .. } = &self.touched;
-        bodies.accept_impact(touched, start, delays, share);
-        context.links.0.accept_impact(pass.substep, share);
+        bodies.accept_impact(touched, start, delays, fraction);
+        context.links.0.accept_impact(pass.substep, fraction);
     }
 
     /// Finds the islands that the last iteration changed, and deactivates the others for the rest of the

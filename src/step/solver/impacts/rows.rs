@@ -133,8 +133,8 @@ impl ImpactBlock {
         mark.aside = 0;
     }
 
-    /// Puts the points aside that come fast and do not arrive in this substep. Left to the other passes, which let
-    /// nothing come nearer than to touch, they would arrive too slowly.
+    /// Puts the points aside that come fast and do not arrive in this substep. Left to the other passes,
+    /// which let nothing come nearer than to touch, they would arrive too slowly.
     pub fn defer(&mut self, mark: &mut ImpactMark, block: &mut ContactBlock) {
         for (k, (row, point)) in self.rows.iter_mut().zip(&mut block.points).enumerate() {
             for lane in lanes(of_point(mark.waiting, k)) {

@@ -17,7 +17,7 @@
 //! It removes vibrations completely, and hardly affects a heavy weight that swings slowly. A fast rotor loses
 //! its spin within a second.
 //!
-//! ## What turns as a whole
+//! ## Common rotation
 //! A centripetal force causes no stiffness: it rotates with the bodies, and the symplectic method follows it
 //! exactly. If the bodies rotate as a whole at the rate `Ω`, each centripetal force has about `ω² = Ω²`. That
 //! amount, twice for each of two bodies, is subtracted. `Ω` is that of the component's angular momentum about
@@ -28,7 +28,7 @@
 //! motion those in its middle. The error of a hinge between the two grows slowly: at 60 rad/s the axis of two
 //! rods would tumble after four seconds.
 //!
-//! ## What is thrown
+//! ## Large unconstrained displacements
 //! Joints must recover from the unconstrained poses of the bodies. When only gravity and their own speed lead
 //! them, that is near. But contacts, limits and motors start with their impulses of the last substep. Without
 //! the opposing joint impulses, they accelerate light bodies: a board of 1.4 kg between the ground and a load
@@ -39,7 +39,7 @@
 //! velocity (Gauss's principle of least constraint), and never adds energy. The next substep corrects the
 //! remaining curvature error.
 //!
-//! ## When
+//! ## Selection of the method
 //! The forces of the last substep show whether a component is stiff; then it is projected from the beginning.
 //! A component may become stiff by the forces of the symplectic solution (a weight at the end of a slack
 //! chain), or Newton's steps may diverge. These impulses are rolled back, and the component is projected.
@@ -63,7 +63,7 @@ const WHOLE: Real = 4.0;
 const TURN: Real = 0.85;
 
 /// If no joint exceeds this value, no other test is made.
-const LOOSE: Real = 0.01;
+const STIFFNESS_TESTED_MIN: Real = 0.01;
 /// Largest common rotation (rad) of a component with thin bodies on hinges in a substep.
 const TUMBLING_TURN: Real = 0.15;
 /// Largest additional rotation (rad) of a body in a substep without its joint impulses. Chains of boards of
@@ -143,14 +143,14 @@ impl GeometricStiffness {
         let swings =
             members.iter().map(|member| self.swing(member, &blocks[member.block as usize]) * h);
         let swing = swings.fold(0.0, Real::max);
-        if swing <= LOOSE {
+        if swing <= STIFFNESS_TESTED_MIN {
             return false;
         }
-        let turn = self.turning(members, moving) * h;
-        let excess = swing - WHOLE * turn * turn;
+        let angle = self.turning(members, moving) * h;
+        let excess = swing - WHOLE * angle * angle;
         excess > STIFFNESS_MAX
-            || turn > TURN
-            || (turn > TUMBLING_TURN && members.iter().any(|member| is_gyroscopic(member, blocks)))
+            || angle > TURN
+            || (angle > TUMBLING_TURN && members.iter().any(|member| is_gyroscopic(member, blocks)))
     }
 
     /// `ω² h` by the pull of a joint's last substep, summed over its bodies.

@@ -68,7 +68,8 @@ impl SolverJoints {
             let first = self.slots.len();
             self.slots.extend_from_slice(list);
             if color == OVERFLOW {
-                // These are solved one after the other, and their order in the list depends on the rest of the world.
+                // These are solved one after the other, and their order in the list depends on the rest of
+                // the world.
                 self.slots[first..].sort_unstable();
             }
             self.colors.push((color, list.len()));
@@ -261,8 +262,8 @@ fn load_lane(
     // Differences of positions first: far from the origin these have few digits.
     let separation = (ends[1].center - ends[0].center) + (ends[1].arm - ends[0].arm);
     block.separation.set_lane(lane, separation);
-    let share = bodies.share([ends[0].index, ends[1].index]);
-    joint.scale_impulses(share);
+    let impulse_fraction = bodies.impulse_fraction([ends[0].index, ends[1].index]);
+    joint.scale_impulses(impulse_fraction);
     load_locked(block, lane, joint, pass);
     if joint.data.softness.is_none() {
         block.bias_rate.0[lane] *= pass.bias_scale(separation);

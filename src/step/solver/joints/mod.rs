@@ -11,7 +11,7 @@
 //!
 //! Rows of rotations stand in `dimN/joint/`.
 //!
-//! ## Where the bodies will be
+//! ## Curvature
 //! A joint's directions rotate with its bodies, and considerably within a step. Each pass therefore computes
 //! moment arms, axes and errors at the current poses. That alone is insufficient. A velocity with `Ċ = 0`
 //! moves along a tangent and leaves the circle. The correction costs energy, a fraction `ω² h` of it per
@@ -31,7 +31,7 @@
 //! is unstable are treated differently: see `geometric_stiffness.rs`. Limits look ahead, too, with a bound on
 //! what they foresee: see `motors_and_limits.rs`.
 //!
-//! ## Inertias turn
+//! ## Rotating inertias
 //! A body that is thin resists a turn about one axis less than about another, and as it turns, so do these
 //! axes. A moment `τ` changes the angular momentum by `τ`, and the angular velocity by `I⁻¹ τ` with the
 //! current inertia. With the inertia of the start of the step, the work of a joint's impulses differs from
@@ -48,7 +48,7 @@
 //! bodies onto their chord stay unchanged, and only its own changes act along the current rows. (Rotated
 //! there too, impulses would only project the old velocity: that is the method with a loss of `ω² h`.)
 //!
-//! ## Exactly or in sweeps
+//! ## Direct or iterative
 //! Locked axes of connected joints are solved directly (`direct/`). Nets with too many loops, and loose
 //! components such as ragdolls, are solved iteratively over the colours, with some compliance. The plain ones
 //! among these have passes of their own (`point_to_point/`). Motors and limits are always solved iteratively.
@@ -140,8 +140,9 @@ pub(super) struct Changes<'a> {
 }
 
 impl Changes<'_> {
-    /// Adds so many times what they were at the start to the velocities of `wanted` bodies. The others keep theirs: subtraction and addition
-    /// leave rounding errors, as often as other islands need another iteration.
+    /// Adds so many times what they were at the start to the velocities of `wanted` bodies. The others keep
+    /// theirs: subtraction and addition leave rounding errors, as often as other islands need another
+    /// iteration.
     fn add_start(&mut self, times: Real, wanted: impl Fn(u32) -> bool) {
         for &body in self.held.iter().filter(|body| wanted(**body)) {
             let state = &mut self.states[body as usize];
@@ -252,7 +253,8 @@ impl SolverJoints {
         self.members.iter().map(|member| bodies.island_of(member.bodies))
     }
 
-    /// The bodies of the joints that are solved exactly, those that do not move included; some more than once.
+    /// The bodies of the joints that are solved exactly, those that do not move included; some more than
+    /// once.
     pub fn held(&self) -> impl Iterator<Item = u32> {
         let exact = self.members.iter().filter(|member| self.direct.contains(member.slot));
         exact.flat_map(|member| member.bodies).map(|body| body & !READ_ONLY)
@@ -312,15 +314,15 @@ impl SolverJoints {
         }
     }
 
-    /// Ends the round: adds the joint impulses to those of the step, scaled by the `share` of the island of
-    /// each body.
-    pub fn commit_impact_impulses(&mut self, share: impl Fn(u32) -> Real) {
+    /// Ends the round: adds the joint impulses to those of the step, scaled by the `fraction` of the island
+    /// of each body.
+    pub fn commit_impact_impulses(&mut self, fraction: impl Fn(u32) -> Real) {
         for (index, (block, impact_impulse)) in
             self.blocks.iter_mut().zip(&self.impact_impulses).enumerate()
         {
             if block.has_exact {
                 for lane in 0..self.layout.block(index).len() {
-                    impact_impulse.commit(block, lane, share(block.movable(lane)));
+                    impact_impulse.commit(block, lane, fraction(block.movable(lane)));
                 }
             }
         }
@@ -331,7 +333,7 @@ impl SolverJoints {
     /// impacts): they were hit as one. Bodies of iterated joints get none, because the impact has moved them
     /// apart.
     pub fn share_delays(&self, delays: &mut [BodyState]) {
-        self.direct.share(delays);
+        self.direct.share_delays(delays);
         let swept = self.members.iter().filter(|member| !self.direct.contains(member.slot));
         for member in swept.filter(|member| member.form.locked != 0) {
             member.movable().for_each(|(_, body)| delays[body as usize] = BodyState::default());

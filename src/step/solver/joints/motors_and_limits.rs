@@ -35,11 +35,11 @@
 //! ```
 //!
 //! That is stable only for `β < a` (Routh and Hurwitz), `β h < 2 m / M`. With the bias of locked axes, a
-//! telescope under ten times the mass of its sections vibrates by a fifth of a metre; with [`LIMIT_SHARE`] it
-//! comes to rest. A limit can be patient: it has little to undo, because it stops what comes before that is
-//! too far.
+//! telescope under ten times the mass of its sections vibrates by a fifth of a metre; with
+//! [`LIMIT_ERROR_FRACTION`] it comes to rest. A limit can be patient: it has little to undo, because it stops
+//! what comes before that is too far.
 //!
-//! ## What an acceleration is
+//! ## Acceleration-based motors
 //! An acceleration-based motor multiplies by the mass that it moves in its own joint: that of the two bodies,
 //! with the joint's locked axes. Bodies behind other joints are excluded. At the root of an arm whose inertia
 //! is `n` times that of the first link, the motor is `n` times too weak, and oscillates `√n` times too
@@ -53,7 +53,7 @@ use crate::model::params::JointPass;
 
 /// The fraction of a limit's error that a substep removes: see the module's head. Five sections under ten
 /// times their mass come to rest with 0.02, with 0.05 they nearly do not.
-const LIMIT_SHARE: Real = 0.02;
+const LIMIT_ERROR_FRACTION: Real = 0.02;
 
 /// A free axis at the moment when it is solved.
 pub(super) struct FreeAxis<W> {
@@ -123,7 +123,8 @@ fn limited<W: Wide, const AHEAD: bool>(
     let zero = W::zero();
     let apart = zero.lt(distance);
     let closing = distance * W::splat(pass.inv_substep);
-    let opening = if AHEAD { distance * W::splat(LIMIT_SHARE * pass.inv_substep) } else { zero };
+    let opening =
+        if AHEAD { distance * W::splat(LIMIT_ERROR_FRACTION * pass.inv_substep) } else { zero };
     let wanted = axis.inverse * (rate + W::select(apart, closing, opening));
     (old - wanted).max(zero)
 }

@@ -64,7 +64,7 @@ impl<W: Wide, const N: usize> Locked<W, N> {
 
     /// The reaction of the locked axes to an impulse along a row: `K_ll⁻¹ K_lf`.
     #[inline(always)]
-    fn shares_of(&self, row: &Row<W>, masses: &Masses<W>, matrix: &Factored<W, N>) -> [W; N] {
+    fn reactions_of(&self, row: &Row<W>, masses: &Masses<W>, matrix: &Factored<W, N>) -> [W; N] {
         let mut coupled = masses.couplings(&self.rows, row);
         for k in 0..N {
             coupled[k] = coupled[k] * self.locked[k];
@@ -196,7 +196,7 @@ unsafe fn visit_rows<W: Wide, const AHEAD: bool, const N: usize>(
     let mut bodies = unsafe { Bodies::<W>::gather(states, block) };
     let geometry = Geometry::new(block, &bodies.displacements);
     if !AHEAD {
-        block.inertias.turn(&bodies.displacements);
+        block.inertias.rotate(&bodies.displacements);
     }
     let masses = Masses::load(block);
     let locked = Locked::<W, N>::new(block, &geometry);
@@ -327,19 +327,19 @@ fn solve_free<W: Wide, const AHEAD: bool, const N: usize>(
     pass: &JointPass,
 ) -> Wrench<W> {
     let (mut along, position) = joint.geometry.free_row(row);
-    let shares = joint.locked.shares_of(&along, joint.masses, matrix);
+    let fractions = joint.locked.reactions_of(&along, joint.masses, matrix);
     let mut curvature = W::zero();
     if let Some((substep_end, curvatures)) = joint.substep_end {
         curvature = substep_end.curvature((block, row), joint.geometry, (&along, position), pass);
         for k in 0..N {
-            curvature = curvature - curvatures[k] * shares[k];
+            curvature = curvature - curvatures[k] * fractions[k];
         }
     }
     if !AHEAD {
         position.store(&mut row.position);
     }
-    for (locked, share) in joint.locked.rows.iter().zip(shares) {
-        along = along.minus(locked, share);
+    for (locked, fraction) in joint.locked.rows.iter().zip(fractions) {
+        along = along.minus(locked, fraction);
     }
     let effective = joint.masses.effective(&along);
     let (zero, one) = (W::zero(), W::splat(1.0));
@@ -350,8 +350,8 @@ fn solve_free<W: Wide, const AHEAD: bool, const N: usize>(
     let driven = solve_motor::<W, AHEAD>(&mut row.motor, &axis, rate, pass);
     let limited = solve_limits::<W, AHEAD>(row, &axis, rate + curvature + effective * driven, pass);
     let added = driven + limited;
-    for (impulse, share) in block.impulses.iter_mut().zip(shares) {
-        (W::load(impulse) - share * added).store(impulse);
+    for (impulse, fraction) in block.impulses.iter_mut().zip(fractions) {
+        (W::load(impulse) - fraction * added).store(impulse);
     }
     let mut wrench = Wrench::zero();
     wrench.add(&along, added);

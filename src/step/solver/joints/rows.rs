@@ -27,10 +27,10 @@ impl<W: Wide> Row<W> {
 
     /// This row minus a multiple of another.
     #[inline(always)]
-    pub fn minus(mut self, other: &Self, share: W) -> Self {
-        self.linear = self.linear - other.linear * share;
+    pub fn minus(mut self, other: &Self, fraction: W) -> Self {
+        self.linear = self.linear - other.linear * fraction;
         for side in 0..2 {
-            self.angular[side] = self.angular[side] - other.angular[side] * share;
+            self.angular[side] = self.angular[side] - other.angular[side] * fraction;
         }
         self
     }

@@ -35,7 +35,8 @@ impl<W: Wide> SubstepEnd<W> {
         Self { then: Geometry::new(block, &places), velocities }
     }
 
-    /// The rates of locked axes by the end of the substep, from where the joints are `now`, with the bias of the errors.
+    /// The rates of locked axes by the end of the substep, from where the joints are `now`, with the bias of
+    /// the errors.
     #[inline(always)]
     pub fn rates<const N: usize>(
         &self,

@@ -164,7 +164,7 @@ impl SolverMultibodies {
         let data = &manifold.data;
         let first_number = self.jacobians.len();
         let along = tangents(geometry.normal);
-        let share = self.share_of(sides);
+        let fraction = self.fraction_of(sides);
         let points =
             geometry.points.iter().zip(&data.points).map(|(&(position, separation), known)| {
                 Point {
@@ -173,8 +173,8 @@ impl SolverMultibodies {
                     normal: self.row(sides, [position; 2], geometry.normal),
                     tangents: along.map(|tangent| self.row(sides, [position; 2], tangent)),
                     surface: along.map(|tangent| tangent.dot(data.tangent_velocity)),
-                    impulse: known.warmstart_impulse * share,
-                    friction: known.warmstart_tangent_impulse.map(|impulse| impulse * share),
+                    impulse: known.warmstart_impulse * fraction,
+                    friction: known.warmstart_tangent_impulse.map(|impulse| impulse * fraction),
                     total: 0.0,
                     impact_impulse: ImpactImpulse::default(),
                     is_aside: false,
@@ -206,13 +206,13 @@ impl SolverMultibodies {
             self.side_now(slots[0], dominance <= 0, world, bodies),
             self.side_now(slots[1], dominance >= 0, world, bodies),
         ];
-        let ways = [0, 1].map(|side| sides[side].displacement_since(world, slots[side]));
+        let displacements = [0, 1].map(|side| sides[side].displacement_since(world, slots[side]));
         let separations = Geometry::of(&sides, &pair.anchor_frame, manifold, normal).points;
         let along = tangents(normal);
         self.jacobians.rewrite_from(first_number);
         let mut points = core::mem::take(&mut self.contacts.contacts[position].points);
         for (point, (_, separation)) in points.iter_mut().zip(separations) {
-            let places = ways.map(|way| point.position + way);
+            let places = displacements.map(|way| point.position + way);
             point.normal = self.row(&sides, places, normal);
             point.tangents = along.map(|tangent| self.row(&sides, places, tangent));
             let states =
@@ -245,18 +245,18 @@ impl SolverMultibodies {
     }
 
     /// Adds this fraction of a contact's impulses to the warm start of the substep.
-    fn warm_contact(&mut self, position: usize, bodies: &mut SolverBodies, share: Real) {
+    fn warm_contact(&mut self, position: usize, bodies: &mut SolverBodies, fraction: Real) {
         let Self { jacobians, contacts, moving, .. } = self;
         let mut states = ConstrainedStates { multibodies: moving, states: &mut bodies.states };
         for (row, impulse, _) in contacts.contacts[position].points.iter().flat_map(Point::rows) {
-            jacobians.push_early(row, impulse * share, &mut states);
+            jacobians.push_early(row, impulse * fraction, &mut states);
         }
     }
 
     /// The fraction of their last impulses with which two sides begin.
-    pub(super) fn share_of(&self, sides: &[Side<'_>; 2]) -> Real {
+    pub(super) fn fraction_of(&self, sides: &[Side<'_>; 2]) -> Real {
         let place = sides.iter().find_map(Side::place);
-        place.map_or(1.0, |place| self.moving[place.multibody].share)
+        place.map_or(1.0, |place| self.moving[place.multibody].fraction)
     }
 
     /// The island of the links among two sides.
@@ -359,7 +359,8 @@ fn normal_of(sides: &[Side<'_>; 2], placed: &AnchorFrame, manifold: &ContactMani
 }
 
 impl Geometry {
-    /// Follows the contact points from where they were placed, as [`MotionSince`](crate::model::contact::MotionSince) does for lanes.
+    /// Follows the contact points from where they were placed, as
+    /// [`MotionSince`](crate::model::contact::MotionSince) does for lanes.
     fn of(
         sides: &[Side<'_>; 2],
         placed: &AnchorFrame,
@@ -481,7 +482,8 @@ impl Point {
         core::iter::once((&self.normal, self.impulse, 0.0)).chain(along)
     }
 
-    /// The impulses of friction that stop the slip, if they need not be larger than `most`; `old` ones have been given already.
+    /// The impulses of friction that stop the slip, if they need not be larger than `most`; `old` ones have
+    /// been given already.
     pub fn friction_under(
         &self,
         most: Real,

@@ -36,7 +36,7 @@ use crate::model::params::ImpactPass;
 use crate::step::solver::bodies::SolverBodies;
 use crate::step::solver::impacts::{
     APPROACH_CHANGE_MIN, CONVERGENCE_TOLERANCE, COORDINATE_MODERATE_MAX, CURVATURE_ANGLE_MAX,
-    SWEEPS,
+    ITERATIONS,
 };
 
 /// A contact point in an impact. See `ImpactRow` in `impacts/rows.rs`.
@@ -77,7 +77,8 @@ pub struct LinkImpact {
     pub was_active: bool,
     /// Whether the last iteration changed anything.
     pub moving: bool,
-    /// The sum of impulse times approach in this round, and how much more energy there is than there should be.
+    /// The sum of impulse times approach in this round, and how much more energy there is than there should
+    /// be.
     pub dissipated: Real,
     pub energy_gain: Real,
 }
@@ -180,8 +181,9 @@ impl SolverMultibodies {
         }
     }
 
-    /// Begins a round: finds the points that hit before the substep ends, and how they separate. Islands whose impact has ended stay as they are: to move there
-    /// and back leaves rounding errors, as often as other islands need another round.
+    /// Begins a round: finds the points that hit before the substep ends, and how they separate. Islands
+    /// whose impact has ended stay as they are: to move there and back leaves rounding errors, as often as
+    /// other islands need another round.
     pub fn mark_active(
         &mut self,
         place: (&NarrowPhase, &RigidBodySet),
@@ -250,7 +252,7 @@ impl SolverMultibodies {
         let (jacobians, contacts, mut states) = self.bouncing(states);
         for contact in contacts.bouncing().filter(|contact| contact.strike.active) {
             contact.strike.moving = false;
-            for sweep in 0..SWEEPS {
+            for sweep in 0..ITERATIONS {
                 for Point { normal, impact_impulse, .. } in &mut contact.points {
                     let missing = impact_impulse.target
                         - impact_impulse.support_velocity
@@ -289,11 +291,11 @@ impl SolverMultibodies {
     }
 
     /// Commits the impulses of a round, scaled by the fraction of each island.
-    pub fn commit_round(&mut self, share: impl Fn(u32) -> Real) {
+    pub fn commit_round(&mut self, fraction: impl Fn(u32) -> Real) {
         for contact in self.active() {
-            let share = share(contact.strike.island);
+            let fraction = fraction(contact.strike.island);
             contact.points.iter_mut().for_each(|point| {
-                point.impact_impulse.given += share * point.impact_impulse.impulse
+                point.impact_impulse.given += fraction * point.impact_impulse.impulse
             });
         }
     }
@@ -331,11 +333,11 @@ impl SolverMultibodies {
         }
     }
 
-    /// Commits the velocity changes since the round began, scaled by the `share` of each island: see
+    /// Commits the velocity changes since the round began, scaled by the `fraction` of each island: see
     /// [`SolverBodies::accept_impact`].
-    pub fn accept_impact(&mut self, h: Real, share: impl Fn(u32) -> Real) {
+    pub fn accept_impact(&mut self, h: Real, fraction: impl Fn(u32) -> Real) {
         for moving in &mut self.moving {
-            moving.accept_impact(h, share(moving.island));
+            moving.accept_impact(h, fraction(moving.island));
         }
     }
 
@@ -438,15 +440,15 @@ impl Moving {
     }
 
     /// Ends a round of a substep of `h` seconds.
-    fn accept_impact(&mut self, h: Real, share: Real) {
+    fn accept_impact(&mut self, h: Real, fraction: Real) {
         let ahead = self.before_impact.ahead.take();
         let BeforeImpact { rates: before, external_impulse, .. } = &self.before_impact;
         if *before != self.motion.rates {
             let energy = self.motion.energy_at(before);
             for (rate, old) in self.motion.rates.iter_mut().zip(before) {
-                *rate = *old + (*rate - *old) * share;
+                *rate = *old + (*rate - *old) * fraction;
             }
-            self.motion.share_external_impulse(external_impulse, share);
+            self.motion.scale_external_impulse(external_impulse, fraction);
             self.note_impulse_energy(energy);
         }
         if let Some(time) = ahead {

@@ -1,4 +1,5 @@
-//! Limits of joints, motors with a largest force, and dry friction: rows on the degrees of freedom of one joint.
+//! Limits of joints, motors with a largest force, and dry friction: rows on the degrees of freedom of one
+//! joint.
 //!
 //! ```text
 //! limits     C = q - min ≥ 0 and C' = max - q ≥ 0, with the impulses λ ≥ 0 and λ' ≥ 0 along opposite directions
@@ -12,8 +13,8 @@
 //!
 //! `q` is a coordinate; of a ball in a socket an angle as `dim3/joint/mod.rs` has it, and the row its
 //! gradient. It rotates with the ball, and a body that moves on a cone would leave it along a tangent. Rows
-//! of angles [`NEAR`] a limit are made in each substep, and include the curvature, as those of impulse joints
-//! do (`joints/substep_end.rs`).
+//! of angles [`LIMIT_DISTANCE_MAX`] a limit are made in each substep, and include the curvature, as those of
+//! impulse joints do (`joints/substep_end.rs`).
 
 use super::rows::{ConstrainedStates, JacobianPool, Part, Row};
 use super::{Moving, SoftPass};
@@ -43,7 +44,7 @@ pub enum Owner {
 
 /// From how far (rad) a limit of a ball's angle is followed. Joints that must stay within half a degree
 /// rotate by less in a substep.
-const NEAR: Real = 0.25;
+const LIMIT_DISTANCE_MAX: Real = 0.25;
 
 /// Both limits of an axis. They have a common row: one pushes along it, the other against it.
 #[derive(Copy, Clone, Debug)]
@@ -244,8 +245,8 @@ impl JointRows {
         }
     }
 
-    /// The rows that may do work on multibodies, and their impulses of this substep: those of motors, and limits of joints to
-    /// other bodies.
+    /// The rows that may do work on multibodies, and their impulses of this substep: those of motors, and
+    /// limits of joints to other bodies.
     pub fn working_rows(&self) -> impl Iterator<Item = (&Row, Real)> {
         let joins_bodies = |limit: &&Limit| matches!(limit.owner, Owner::Loop { .. });
         let limits = self.limits.iter().filter(joins_bodies);
@@ -322,7 +323,7 @@ impl Limit {
 
     /// Returns whether the angle is near one of its limits, or pressed against it.
     fn is_near(&self) -> bool {
-        self.impulses != [0.0; 2] || self.room[0].min(self.room[1]) < NEAR
+        self.impulses != [0.0; 2] || self.room[0].min(self.room[1]) < LIMIT_DISTANCE_MAX
     }
 
     /// The curvature term of a ball joint's angle over the substep.
@@ -360,17 +361,17 @@ impl Drive {
         };
         let (stiffness, damping) = (motor.stiffness * inertia, motor.damping * inertia);
         let resistance = h * stiffness + damping;
-        let share = |of: Real| if resistance > 0.0 { of / resistance } else { 0.0 };
+        let fraction = |of: Real| if resistance > 0.0 { of / resistance } else { 0.0 };
         let impulse_max = (motor.max_force * h).min(Real::MAX);
         Self {
             owner,
             axis,
             row: if resistance > 0.0 { row } else { Row { mass: 0.0, ..row } },
             is_friction: false,
-            pull: share(stiffness),
+            pull: fraction(stiffness),
             distance: motor.target_pos - q,
-            velocity: share(damping) * motor.target_vel,
-            yielding: share(1.0 / h),
+            velocity: fraction(damping) * motor.target_vel,
+            yielding: fraction(1.0 / h),
             impulse: motor.impulse.clamp(-impulse_max, impulse_max),
             total: 0.0,
             impulse_max,

@@ -105,9 +105,9 @@ impl SolverMultibodies {
 }
 
 /// Scales the last impulses of a joint's limits and motors.
-pub(super) fn scale_impulses(joint: &mut GenericJoint, share: Real) {
-    joint.limits.iter_mut().for_each(|limits| limits.impulse *= share);
-    joint.motors.iter_mut().for_each(|motor| motor.impulse *= share);
+pub(super) fn scale_impulses(joint: &mut GenericJoint, fraction: Real) {
+    joint.limits.iter_mut().for_each(|limits| limits.impulse *= fraction);
+    joint.motors.iter_mut().for_each(|motor| motor.impulse *= fraction);
 }
 
 /// Returns whether one of its links is awake.
@@ -126,24 +126,24 @@ fn acts(multibody: &Multibody, bodies: &RigidBodySet) -> bool {
 
 impl Moving {
     /// Scales the last impulses for substeps of `h` seconds
-    /// ([`SolverBodies::share`](crate::step::solver::bodies::SolverBodies::share)).
+    /// ([`SolverBodies::impulse_fraction`](crate::step::solver::bodies::SolverBodies::impulse_fraction)).
     fn fit_impulses(&mut self, bodies: &mut RigidBodySet, h: Real) {
-        self.share = 1.0;
+        self.fraction = 1.0;
         for link in &self.multibody.links {
             let body = bodies.get_unnoted_mut(link.body).filter(|body| body.is_dynamic());
             let Some(body) = body else { continue };
             if body.substep > h {
-                self.share = self.share.min(h / body.substep);
+                self.fraction = self.fraction.min(h / body.substep);
             }
             body.substep = h;
         }
-        if self.share < 1.0 {
+        if self.fraction < 1.0 {
             let Multibody { links, lists, couplings, .. } = &mut self.multibody;
             for link in links {
-                scale_impulses(&mut link.joint.data, self.share);
+                scale_impulses(&mut link.joint.data, self.fraction);
             }
-            lists.friction_impulses.iter_mut().for_each(|impulse| *impulse *= self.share);
-            couplings.iter_mut().for_each(|coupling| coupling.impulse *= self.share);
+            lists.friction_impulses.iter_mut().for_each(|impulse| *impulse *= self.fraction);
+            couplings.iter_mut().for_each(|coupling| coupling.impulse *= self.fraction);
         }
     }
 

@@ -1,4 +1,5 @@
-//! Impulse joints on links: between links of one multibody, where they close a loop, of two, or with an ordinary body.
+//! Impulse joints on links: between links of one multibody, where they close a loop, of two, or with an
+//! ordinary body.
 //!
 //! A locked axis is a row with `C = 0` and an impulse of either sign, softened like other joints
 //! (`model/params/softness.rs`). The rows are those of `dim3/joint/mod.rs`: translations along the axes of
@@ -57,7 +58,7 @@ struct Loop {
     handle: ImpulseJointHandle,
     slots: [u32; 2],
     /// The fraction of the last impulses with which it begins.
-    share: Real,
+    fraction: Real,
     joint: GenericJoint,
     softness: Softness,
     locked: ArrayVec<Locked, SPATIAL_DIM>,
@@ -102,21 +103,22 @@ impl SolverMultibodies {
         let links = slots.filter_map(|&slot| islands.joints.get(slot));
         let links = links.filter(|link| self.solves_one_of(link.body_slots()));
         let mut joined: Vec<Joined> = links.map(|link| (link.body_slots(), link.handle)).collect();
-        // They are solved one after the other, and their order in the colours depends on the rest of the world.
+        // They are solved one after the other, and their order in the colours depends on the rest of the
+        // world.
         joined.sort_unstable_by_key(|(_, handle)| handle.into_raw_parts());
         for (slots, handle) in joined {
             let Some(joint) = joints.get(handle) else { continue };
             let sides = slots.map(|slot| self.side(slot, true, world, bodies));
             let Some(frames) = Frames::of(&joint.data, &sides, world, slots) else { continue };
-            let share = self.share_of(&sides);
+            let fraction = self.fraction_of(&sides);
             let mut data = joint.data;
-            scale_impulses(&mut data, share);
+            scale_impulses(&mut data, fraction);
             self.add_driven(handle, &data, &sides, &frames, pass.substep);
             let softness = data.softness.map_or(pass.softness, |spring| {
                 Softness::spring(spring.angular_frequency(), spring.damping_ratio, pass.substep)
             });
             let (locked, inverse) = (ArrayVec::new(), ArrayVec::new());
-            let joint = Loop { handle, slots, share, joint: data, softness, locked, inverse };
+            let joint = Loop { handle, slots, fraction, joint: data, softness, locked, inverse };
             self.loops.loops.push(joint);
         }
     }
@@ -130,9 +132,9 @@ impl SolverMultibodies {
     ) {
         self.loops.first_number = self.jacobians.len();
         for position in 0..self.loops.loops.len() {
-            let Loop { handle, share, .. } = self.loops.loops[position];
+            let Loop { handle, fraction, .. } = self.loops.loops[position];
             let impulses = joints.get(handle).map_or([0.0; SPATIAL_DIM], |joint| joint.impulses);
-            self.lock(position, world, bodies, |axis| (impulses[axis as usize] * share, 0.0));
+            self.lock(position, world, bodies, |axis| (impulses[axis as usize] * fraction, 0.0));
         }
     }
 
@@ -151,11 +153,11 @@ impl SolverMultibodies {
     }
 
     /// Adds this fraction of the impulses so far to the warm start of the substep.
-    pub(super) fn warm_loops(&mut self, bodies: &mut SolverBodies, share: Real) {
+    pub(super) fn warm_loops(&mut self, bodies: &mut SolverBodies, fraction: Real) {
         let Self { jacobians, loops, moving, .. } = self;
         let mut states = ConstrainedStates { multibodies: moving, states: &mut bodies.states };
         for locked in loops.locked() {
-            jacobians.push_early(&locked.row, locked.impulse * share, &mut states);
+            jacobians.push_early(&locked.row, locked.impulse * fraction, &mut states);
         }
     }
 

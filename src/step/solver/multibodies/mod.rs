@@ -52,7 +52,7 @@ pub(super) struct Moving {
     multibody: Multibody,
     motion: Motion,
     /// The fraction of the last impulses with which it begins.
-    share: Real,
+    fraction: Real,
     /// Effect of this substep's impulses on the generalised velocities.
     pushed: Vec<Real>,
     /// The same impulses on the root's degrees of freedom.
@@ -163,7 +163,8 @@ impl SoftPass {
         }
     }
 
-    /// The impulse of a row that must not go below zero (`dim3/contact/mod.rs`), given `Ċ`, `C`, `1/K` and the impulse so far.
+    /// The impulse of a row that must not go below zero (`dim3/contact/mod.rs`), given `Ċ`, `C`, `1/K` and
+    /// the impulse so far.
     fn solve(&self, velocity: Real, room: Real, mass: Real, impulse: Real, bias: bool) -> Real {
         if room > 0.0 {
             return (impulse - mass * (velocity + room * self.inv_substep)).max(0.0);
@@ -322,8 +323,8 @@ impl SolverMultibodies {
         }
     }
 
-    /// Limits the energy with which the links move while overlap is undone. The impulses of the last substep, which act again
-    /// in this one, may be wrong by any factor where links have turned far.
+    /// Limits the energy with which the links move while overlap is undone. The impulses of the last substep,
+    /// which act again in this one, may be wrong by any factor where links have turned far.
     fn limit_push(&mut self, states: &mut [BodyState], speed_max: Real) {
         let most = |moving: &Moving| {
             let push = 0.5 * moving.motion.mass() * speed_max * speed_max;
@@ -345,7 +346,8 @@ impl SolverMultibodies {
         }
     }
 
-    /// Scales the impulses with which the next substep starts, by the least factor of the multibodies of each row.
+    /// Scales the impulses with which the next substep starts, by the least factor of the multibodies of each
+    /// row.
     fn scale_impulses(&mut self, factor: impl Fn(&Moving) -> Real) {
         let Self { joints, gears, loops, contacts, moving, .. } = self;
         joints.scale_impulses(|row| row.least_of(moving, &factor));
@@ -410,9 +412,9 @@ impl Moving {
     }
 
     /// Adds this fraction of the effect of the substep's impulses so far.
-    fn add_pushed(&mut self, share: Real) {
+    fn add_pushed(&mut self, fraction: Real) {
         for (rate, pushed) in self.motion.rates.iter_mut().zip(&self.pushed) {
-            *rate += pushed * share;
+            *rate += pushed * fraction;
         }
     }
 

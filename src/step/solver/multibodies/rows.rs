@@ -167,7 +167,8 @@ impl JacobianPool {
         row
     }
 
-    /// `J_i W_j`: how fast the first row becomes by an impulse of 1 on the second, which must be of the same two sides.
+    /// `J_i W_j`: how fast the first row becomes by an impulse of 1 on the second, which must be of the same
+    /// two sides.
     pub fn coupling(&self, first: &Row, second: &Row) -> Real {
         let of = |side: usize| match (&first.parts[side], &second.parts[side]) {
             (
@@ -306,7 +307,8 @@ impl JacobianPool {
         }
     }
 
-    /// Pushes with an impulse before the first substep: bodies get it at once, multibodies when the substep begins.
+    /// Pushes with an impulse before the first substep: bodies get it at once, multibodies when the substep
+    /// begins.
     pub fn push_early(&self, row: &Row, impulse: Real, states: &mut ConstrainedStates<'_>) {
         self.each_response(row, impulse, states, |moving, jacobian, response| {
             moving.note_push(jacobian, response, impulse);

@@ -68,8 +68,9 @@ impl SolverMultibodies {
         }
     }
 
-    /// Writes poses and velocities to bodies, and notes how far each one moved, and how those of fast multibodies did. The multibodies
-    /// go back to their set. Returns how many were slowed down to the largest speed.
+    /// Writes poses and velocities to bodies, and notes how far each one moved, and how those of fast
+    /// multibodies did. The multibodies go back to their set. Returns how many were slowed down to the
+    /// largest speed.
     pub fn store(
         &mut self,
         set: &mut MultibodyJointSet,
@@ -168,7 +169,8 @@ impl Moving {
             body.pose = pose;
             let old_center = body.mprops.world_com;
             body.update_world_mass_properties();
-            // As for other bodies: far from the origin a position moves by whole steps of rounding or not at all.
+            // As for other bodies: far from the origin a position moves by whole steps of rounding or not at
+            // all.
             let rounded = (body.mprops.world_com - old_center).length();
             let [displacement, rotvec] = self.travel[id];
             let bound = rounded.max(displacement) + rotvec * body.extent;

@@ -60,14 +60,14 @@ impl<const N: usize> Rows<N> {
 
     /// Diagonal element of a translation row without its moment arms; of a rotation row, the whole element.
     pub fn without_arms(&self, row: usize) -> f64 {
-        let share = |components: core::ops::Range<usize>| {
+        let fraction = |components: core::ops::Range<usize>| {
             let products = self.jacobians.iter().zip(&self.responses).flat_map(|(j, response)| {
                 components.clone().map(move |k| j[k][row] * response[row][k])
             });
             products.sum::<f64>()
         };
-        let linear = share(0..DIM);
-        if linear > 0.0 { linear } else { share(DIM..SPATIAL_DIM) }
+        let linear = fraction(0..DIM);
+        if linear > 0.0 { linear } else { fraction(DIM..SPATIAL_DIM) }
     }
 }
 

@@ -31,8 +31,8 @@ impl InverseMass {
             response[k] = f64::from(self.linear[k]) * row[k];
         }
         for (column, about) in self.angular.iter().zip(&row[DIM..]) {
-            for (response, share) in response[DIM..].iter_mut().zip(column) {
-                *response += f64::from(*share) * about;
+            for (response, value) in response[DIM..].iter_mut().zip(column) {
+                *response += f64::from(*value) * about;
             }
         }
         response

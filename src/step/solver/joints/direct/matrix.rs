@@ -7,7 +7,7 @@
 //! translations alone. That halves the time for chains of ropes and balls. Rows of joints that lock fewer
 //! axes stand first.
 //!
-//! ## What is held twice
+//! ## Redundant constraints
 //! Three hinges of a door are redundant: some impulses `n` have no effect on the bodies, `A n = 0` with `A =
 //! J M⁻¹ Jᵀ`, and `A λ = b` leaves their fraction in `λ` open. The result is rounding divided by almost zero:
 //! hinges that strain against each other with a thousand times their load. Loops alone can do that; for
@@ -15,8 +15,9 @@
 //! `λᵀ D λ`, where `D` contains the inverse masses of each row without its moment arms. Equal joints then
 //! carry equal loads, independent of their position.
 //!
-//! With a small damping `δ` (Tikhonov's) the equations have one solution, and the factors of the damped matrix are those
-//! that solve it. One more turn with them takes away what the first one found where it should find nothing:
+//! With a small damping `δ` (Tikhonov's) the equations have one solution, and the factors of the damped
+//! matrix are those that solve it. One more turn with them takes away what the first one found where it
+//! should find nothing:
 //!
 //! ```text
 //! (A + δ D) y = b        (A + δ D) Δλ = b - δ D (λ + y)
@@ -49,7 +50,7 @@ const DAMPING: f64 = 2.0 * Real::EPSILON as f64;
 const SHARING: f64 = 8.0 * Real::EPSILON as f64 + 1.0e-8;
 /// The least element of `D` as a fraction of the row's own diagonal, for bodies that rotate without
 /// translation or are far away.
-const SHARE_MIN: f64 = 1.0e-3;
+const FRACTION_MIN: f64 = 1.0e-3;
 
 /// Convergence of stiff joints: the norm of their velocity errors, an energy, as a fraction of the first
 /// round's. Convergence is quadratic: a machine of light bars goes from 1 to 10⁻⁴ and to 10⁻⁹. For a chain at
@@ -62,7 +63,7 @@ const PRECISION: f64 = 1.0e-9;
 /// Rounding error of anchor positions, relative to the moment arms.
 const NOISE: f64 = 4.0 * Real::EPSILON as f64;
 /// With a larger residual fraction, the joints are not converged.
-const ROUGH: f64 = 1.0e-3;
+const RESIDUAL_FRACTION_MAX: f64 = 1.0e-3;
 /// Rounds that find more than the impulses do, and so many times what the last one found, lead away.
 const ASTRAY: f64 = 100.0;
 
@@ -201,7 +202,7 @@ impl<const N: usize> Matrix<N> {
             Progress::Done
         } else if last > load && last > ASTRAY * before {
             Progress::Astray
-        } else if rest > ROUGH * load {
+        } else if rest > RESIDUAL_FRACTION_MAX * load {
             Progress::Far
         } else {
             Progress::Near
@@ -300,7 +301,7 @@ impl<const N: usize> Matrix<N> {
             for row in 0..size {
                 own[row] = block[row][row];
                 damping[row] = if component.has_loops {
-                    SHARING * self.rows[at].without_arms(row).max(SHARE_MIN * own[row])
+                    SHARING * self.rows[at].without_arms(row).max(FRACTION_MIN * own[row])
                 } else {
                     DAMPING * own[row]
                 };

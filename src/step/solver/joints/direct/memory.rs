@@ -100,16 +100,17 @@ impl ImpactImpulse {
 
     /// Adds this fraction of a lane's impact impulses to its impulses of the step, and nowhere else: they are
     /// no warm-start load.
-    pub fn commit(&self, block: &mut JointBlock, lane: usize, share: Real) {
-        let impulse = block.total_impulse.lane(lane) + self.impulse.lane(lane) * share;
+    pub fn commit(&self, block: &mut JointBlock, lane: usize, fraction: Real) {
+        let impulse = block.total_impulse.lane(lane) + self.impulse.lane(lane) * fraction;
         block.total_impulse.set_lane(lane, impulse);
-        let given = ang_lane(&self.moment, lane) * share;
+        let given = ang_lane(&self.moment, lane) * fraction;
         let moment = ang_lane(&block.total_moment, lane) + given;
         set_ang_lane(&mut block.total_moment, lane, moment);
     }
 }
 
-/// Writes down the rows of a block as its bodies stand and move now. Rows of rotations are written where a joint locks one.
+/// Writes down the rows of a block as its bodies stand and move now. Rows of rotations are written where a
+/// joint locks one.
 ///
 /// # Safety
 /// No other thread writes the states of the block's bodies.

@@ -53,8 +53,8 @@ use factor::Factor;
 use matrix::Progress;
 use pattern::Pattern;
 
-/// The most Newton steps per substep towards where the bodies should be. Two make a pendulum keep its energy; more are made
-/// where bodies turn by much in a substep.
+/// The most Newton steps per substep towards where the bodies should be. Two make a pendulum keep its energy;
+/// more are made where bodies turn by much in a substep.
 const ROUNDS: usize = 8;
 /// The same for stiff components, whose projection starts farther away.
 const STIFF_ROUNDS_MAX: usize = 4;
@@ -125,8 +125,8 @@ enum Next {
 }
 
 impl Direct {
-    /// Finds out which joints are connected, which of them are to be solved here, and in which order to eliminate
-    /// these.
+    /// Finds out which joints are connected, which of them are to be solved here, and in which order to
+    /// eliminate these.
     pub fn build(&mut self, members: &[DirectJoint], body_count: usize) {
         self.pattern.build(members, body_count);
         let count = self.pattern.component_count();
@@ -191,7 +191,7 @@ impl Direct {
     }
 
     /// Gives each body of a component the sum of what is counted for all of them.
-    pub fn share(&self, counts: &mut [BodyState]) {
+    pub fn share_delays(&self, counts: &mut [BodyState]) {
         for index in 0..self.pattern.component_count() {
             let members = self.pattern.component(index).members;
             let bodies =
@@ -253,8 +253,8 @@ impl Direct {
         self.factors.iter_mut().for_each(Factor::forget);
     }
 
-    /// Solves the components that are `wanted`, by their members: gives the rows their change of impulse, and the bodies what
-    /// it does to them.
+    /// Solves the components that are `wanted`, by their members: gives the rows their change of impulse, and
+    /// the bodies what it does to them.
     pub fn solve(
         &mut self,
         rows: &mut [JacobianBlock],

@@ -24,8 +24,8 @@ pub(super) struct Ordering {
 }
 
 impl Ordering {
-    /// Finds an order for `count` joints with these neighbours (in any order, with repetitions, and themselves). No if
-    /// elimination takes more than `work` products of blocks.
+    /// Finds an order for `count` joints with these neighbours (in any order, with repetitions, and
+    /// themselves). No if elimination takes more than `work` products of blocks.
     pub fn find(
         &mut self,
         count: usize,

@@ -11,8 +11,9 @@ use core::ops::{Range, RangeInclusive};
 /// errors are acceptable. A walking machine of 109 joints on twelve legs needs 113, and 30 hinges between the
 /// same two bodies need 165.
 const WORK: usize = 200;
-/// The same for nets: loops of joints that hold two points together and nothing else, between bodies of even masses. Sweeps
-/// let them sag by little, at a hundredth of the time: 6 by 6 knots are solved exactly, 10 by 10 are not.
+/// The same for nets: loops of joints that hold two points together and nothing else, between bodies of even
+/// masses. Sweeps let them sag by little, at a hundredth of the time: 6 by 6 knots are solved exactly, 10 by
+/// 10 are not.
 const WORK_OF_NETS: usize = 40;
 /// Most joints for each body of a net: those of cubes that are braced. A board on 25 point-to-point joints is
 /// none.
@@ -213,7 +214,8 @@ impl Pattern {
         }
     }
 
-    /// Puts the joints that were collected in an order that is good for loops. No if there are too many of these.
+    /// Puts the joints that were collected in an order that is good for loops. No if there are too many of
+    /// these.
     fn reorder(&mut self, members: &[DirectJoint], work: usize) -> bool {
         let search = &mut self.search;
         for (position, &index) in search.order.iter().enumerate() {
@@ -335,8 +337,8 @@ impl Search {
     }
 }
 
-/// Finds the blocks of each column, those that elimination adds among them. No if it takes more than `work` products of
-/// blocks.
+/// Finds the blocks of each column, those that elimination adds among them. No if it takes more than `work`
+/// products of blocks.
 ///
 /// When a column is eliminated, its blocks are added to the column of the first of them (George and Liu,
 /// "Computer Solution of Large Sparse Positive Definite Systems", 1981).

@@ -28,8 +28,8 @@ pub(super) struct PointToPointBlock {
     pub separation: WideVector<Lane>,
     /// The factor on the bias: less than 1 where the anchors are far apart.
     pub bias_scale: Lane,
-    /// The impulse of this substep on the second body, in world space; at the end of the step in the joint's first
-    /// frame.
+    /// The impulse of this substep on the second body, in world space; at the end of the step in the joint's
+    /// first frame.
     pub impulse: WideVector<Lane>,
     /// Angular velocities that result from it.
     pub turned: [WideAngVector<Lane>; 2],
@@ -105,7 +105,8 @@ impl<W: Wide> Masses<W> {
         [-mul_inertia(self.angular[0], first), mul_inertia(self.angular[1], second)]
     }
 
-    /// Gives the bodies an impulse, the first one the opposite, and what it makes of their angular velocities.
+    /// Gives the bodies an impulse, the first one the opposite, and what it makes of their angular
+    /// velocities.
     #[inline(always)]
     fn push(
         &self,
@@ -184,7 +185,7 @@ pub(super) unsafe fn iterate<W: Wide, const BIASED: bool>(
     };
     let mut velocities = [v1, v2];
     if !BIASED {
-        block.inertias.turn(&[d1, d2]);
+        block.inertias.rotate(&[d1, d2]);
     }
     let masses = Masses::load(block);
     let old = load_both::<W>(&block.arms);

@@ -1,4 +1,4 @@
-//! # Pins — joints that hold two points together and do nothing else
+//! # Point-to-point joints
 //!
 //! Point-to-point joints: hinges in 2D and ball joints in 3D, without limits, motors or springs, that are not
 //! solved directly (`../direct/`). Nets and cloths have thousands of them. The general data of joints

@@ -1,0 +1,172 @@
+//! Comments in the field's language: no person words, no questions, no wide lines, no constants that are bare
+//! adjectives.
+//!
+//! The rule is in docs/glossary.md. [`OPEN`] lists the places whose comments are not rewritten yet. An entry
+//! without any violation is a complaint, so the list can only shrink.
+
+use crate::Complaint;
+use crate::source::Source;
+
+/// Places with checked comments.
+const CHECKED: [&str; 4] = ["src/", "tests/", "crates/golden/", "crates/tidy/"];
+/// Checked places that are not rewritten yet.
+const OPEN: [&str; 0] = [];
+
+/// Words for people. Data has none.
+const PERSONS: [&str; 12] = [
+    "who",
+    "whom",
+    "whoever",
+    "whomever",
+    "nobody",
+    "somebody",
+    "anybody",
+    "everybody",
+    "anyone",
+    "someone",
+    "everyone",
+    "noone",
+];
+/// Names of constants that lack a noun and a quantity (`MASS_RATIO_MAX`).
+const ADJECTIVES: [&str; 36] = [
+    "BENT", "CALM", "CLOSE", "DEEP", "DEEPER", "EVEN", "FAR", "FAST", "FASTEST", "FLAT", "GENTLE",
+    "HEAVY", "HUGE", "LARGE", "LEAST", "LIGHT", "LONG", "LOOSE", "MOST", "NARROW", "NEAR",
+    "NEARLY", "NOTICED", "QUIET", "ROUGH", "SETTLED", "SHORT", "SLOW", "SMALL", "STILL", "STRONG",
+    "TAUT", "THIN", "TINY", "USUAL", "WILD",
+];
+/// Widest line of a comment, in characters.
+const WIDTH_MAX: usize = 110;
+
+/// Complains of comments and constants that break the rule.
+pub fn check(sources: &[Source]) -> Vec<Complaint> {
+    check_places(sources, &OPEN)
+}
+
+fn check_places(sources: &[Source], open: &[&str]) -> Vec<Complaint> {
+    let mut complaints = Vec::new();
+    let mut broken = vec![false; open.len()];
+    for source in sources.iter().filter(|source| is_in(&source.path, &CHECKED)) {
+        let found = check_file(source);
+        match open.iter().position(|place| source.path.starts_with(place)) {
+            Some(place) => broken[place] |= !found.is_empty(),
+            None => complaints.extend(found),
+        }
+    }
+    for (place, _) in open.iter().zip(broken).filter(|(_, broken)| !broken) {
+        complaints.push(Complaint::new(place, 1, "is listed as open but breaks no rule of prose"));
+    }
+    complaints
+}
+
+fn is_in(path: &str, places: &[&str]) -> bool {
+    places.iter().any(|place| path.starts_with(place))
+}
+
+fn check_file(source: &Source) -> Vec<Complaint> {
+    let mut complaints = Vec::new();
+    let mut fenced = false;
+    for (number, line) in source.text.lines().enumerate() {
+        let Some(comment) = comment(line) else {
+            fenced = false;
+            continue;
+        };
+        fenced ^= comment.trim_start().starts_with("```");
+        if !fenced {
+            complaints.extend(
+                faults(line, comment).map(|what| Complaint::new(&source.path, number + 1, what)),
+            );
+        }
+    }
+    complaints.extend(check_constants(source));
+    complaints
+}
+
+/// The text of a line that is a comment.
+fn comment(line: &str) -> Option<&str> {
+    let comment = line.trim_start().strip_prefix("//")?;
+    Some(comment.strip_prefix(['/', '!']).unwrap_or(comment))
+}
+
+fn faults(line: &str, comment: &str) -> impl Iterator<Item = String> {
+    let person = words(comment).find(|word| PERSONS.contains(&word.to_lowercase().as_str()));
+    let person = person.map(|word| format!("`{word}` in a comment: data is no person"));
+    let asks = comment.trim_end().ends_with('?') || comment.contains("? ");
+    let question = asks.then(|| "a question in a comment: begin with `Returns whether`".to_owned());
+    let width = line.chars().count();
+    let is_fixed = comment.trim_start().starts_with('|') || comment.contains("](");
+    let wide = (width > WIDTH_MAX && !is_fixed)
+        .then(|| format!("a comment of {width} characters, more than {WIDTH_MAX}"));
+    [person, question, wide].into_iter().flatten()
+}
+
+/// The words of a comment outside of code in backticks.
+fn words(comment: &str) -> impl Iterator<Item = &str> {
+    let prose = comment.split('`').step_by(2);
+    prose.flat_map(|prose| prose.split(|c: char| !c.is_alphanumeric()))
+}
+
+fn check_constants(source: &Source) -> impl Iterator<Item = Complaint> {
+    let names = (0..source.tokens.len()).filter(|&at| source.token(at) == "const");
+    let bare = names
+        .filter(|&at| source.token(at + 2) == ":" && ADJECTIVES.contains(&source.token(at + 1)));
+    bare.map(|at| {
+        let what = format!("`{}`: name the noun and the quantity", source.token(at + 1));
+        Complaint::new(&source.path, source.tokens[at].line, what)
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{WIDTH_MAX, check, check_places};
+    use crate::source::Source;
+
+    fn complaints(text: &str) -> usize {
+        check(&[Source::new("src/a.rs", text)]).len()
+    }
+
+    #[test]
+    fn data_is_no_person() {
+        assert_eq!(complaints("/// The body that touches the wall.\n"), 0);
+        assert_eq!(complaints("/// Who touches the wall.\n"), 1);
+        assert_eq!(complaints("fn f() {\n    // SAFETY: nobody writes.\n}\n"), 1);
+        assert_eq!(complaints("/// The code `nobody` and the word whole.\nlet who = 1;\n"), 0);
+    }
+
+    #[test]
+    fn comments_do_not_ask() {
+        assert_eq!(complaints("/// Is it fast?\n"), 1);
+        assert_eq!(complaints("/// Is it fast? If so, stop it.\n"), 1);
+        assert_eq!(complaints("/// Returns whether it is fast.\n"), 0);
+        assert_eq!(complaints("/// ```\n/// let a = b()? + 1;\n/// ```\n"), 0);
+        assert_eq!(complaints("/// ```\n/// a\n/// ```\n/// Is it fast?\n"), 1);
+    }
+
+    #[test]
+    fn comments_are_narrow() {
+        let line = |width: usize| format!("// {}\n", "a".repeat(width - 3));
+        assert_eq!(complaints(&line(WIDTH_MAX)), 0);
+        assert_eq!(complaints(&line(WIDTH_MAX + 1)), 1);
+        assert_eq!(complaints(&format!("//! | {} |\n", "a".repeat(WIDTH_MAX))), 0);
+    }
+
+    #[test]
+    fn constants_have_nouns() {
+        assert_eq!(complaints("const FAST: f32 = 1.0;\n"), 1);
+        assert_eq!(complaints("impl A {\n    pub const NEAR: f32 = 1.0;\n}\n"), 1);
+        assert_eq!(complaints("const SPEED_MAX: f32 = 1.0;\nlet a = FAST;\n"), 0);
+    }
+
+    #[test]
+    fn open_places_must_be_open() {
+        let sources = [Source::new("src/a.rs", "// Who?\n"), Source::new("src/b.rs", "// A.\n")];
+        assert_eq!(check_places(&sources, &[]).len(), 2);
+        assert_eq!(check_places(&sources, &["src/a.rs"]).len(), 0);
+        assert_eq!(check_places(&sources, &["src/"]).len(), 0);
+        assert_eq!(check_places(&sources, &["src/b.rs"]).len(), 3);
+    }
+
+    #[test]
+    fn other_crates_are_not_checked() {
+        assert!(check(&[Source::new("crates/bench/src/a.rs", "// Who?\n")]).is_empty());
+    }
+}
