@@ -2,7 +2,7 @@ import type { Config } from "@docusaurus/types";
 import type { Options, ThemeConfig } from "@docusaurus/preset-classic";
 import { DARK, LIGHT } from "./plugins/code-themes";
 import documents from "./plugins/documents";
-import engine from "./plugins/engine";
+import bundler from "./plugins/bundler";
 import { REPOSITORY, VERSION, fileView } from "./plugins/repository";
 
 const presets: Options = {
@@ -78,7 +78,7 @@ const config: Config = {
         hooks: { onBrokenMarkdownLinks: "throw", onBrokenMarkdownImages: "throw" },
     },
     presets: [["classic", presets]],
-    plugins: [engine, ["@docusaurus/plugin-content-docs", reference]],
+    plugins: [bundler, ["@docusaurus/plugin-content-docs", reference]],
     themes: [["@easyops-cn/docusaurus-search-local", search]],
     themeConfig,
 };

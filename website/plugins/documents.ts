@@ -5,6 +5,7 @@ import { existsSync, readFileSync } from "node:fs";
 import { dirname, join, relative } from "node:path";
 import type { Code, InlineCode, Link, Parent, PhrasingContent, Root } from "mdast";
 import { SKIP, visit } from "unist-util-visit";
+import { showDimensions } from "./dimensions";
 import { ROOT, fileView } from "./repository";
 
 interface File {
@@ -83,6 +84,7 @@ export default function documents() {
             else (parent.children as PhrasingContent[]).splice(index, 1, ...node.children);
         });
         freePictures(tree);
+        showDimensions(tree);
         if (file.path.includes("docs/guide/"))
             linkNames(tree, JAVASCRIPT.test(file.path) ? addresses.javascript : addresses.rust);
     };

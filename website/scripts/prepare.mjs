@@ -2,8 +2,8 @@
 //
 // With `--strict`, a missing part ends the build. Without it the site starts, and the message says what is left out.
 
-import { existsSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
-import { dirname, join } from "node:path";
+import { existsSync, mkdirSync, readFileSync, readdirSync, writeFileSync } from "node:fs";
+import { basename, dirname, join } from "node:path";
 import { contests, growth, packages } from "./benchmarks.mjs";
 import { writeJavaScriptReference } from "./javascript.mjs";
 import { document } from "./rust/crate.mjs";
@@ -34,6 +34,14 @@ function writeData(name, value) {
 writeData("contests.json", contests(read("docs/benchmarks/latest.md")));
 writeData("growth.json", growth(read("docs/benchmarks/growth.md")));
 writeData("packages.json", packages(read("docs/benchmarks/javascript.md")));
+
+/** One sentence on each scene of the native gallery, by name. */
+const SCENES = "examples3d/scenes/src/scenes";
+const scenes = readdirSync(join(ROOT, SCENES)).map((file) => [
+    basename(file, ".rs"),
+    /description: "([^"]*)"/.exec(read(`${SCENES}/${file}`))?.[1],
+]);
+writeData("descriptions.json", Object.fromEntries(scenes.filter(([, text]) => text !== undefined)));
 
 const golden = read("crates/golden/src/hashes.txt")
     .trim()

@@ -6,12 +6,47 @@ import useBaseUrl from "@docusaurus/useBaseUrl";
 import { type ReactNode, useEffect, useState } from "react";
 import { SCENES } from "@repository/testbed3d/src/scenes/index";
 import LiveScene from "@site/src/live/LiveScene";
+import bullets from "@repository/docs/images/bullets.png";
+import characters from "@repository/docs/images/characters.png";
+import dominoes from "@repository/docs/images/dominoes-moving.png";
+import junkyard from "@repository/docs/images/junkyard.png";
+import motors from "@repository/docs/images/motors.png";
+import robotArm from "@repository/docs/images/robot_arm.png";
+import seams from "@repository/docs/images/seams.png";
+import strider from "@repository/docs/images/strider-moving.png";
+import vehicle from "@repository/docs/images/vehicle.png";
+import washer from "@repository/docs/images/washer-moving.png";
+import descriptions from "@site/generated/data/descriptions.json";
 import styles from "./gallery.module.css";
 
 type Scene = (typeof SCENES)[number];
 
 const GROUPS = [...new Set(SCENES.map(({ group }) => group))];
 const FIRST = SCENES.find(({ id }) => id === "ziggurat") ?? SCENES[0];
+
+/** Pictures of the native gallery by name of the scene. */
+const PICTURES = { washer, strider, dominoes, junkyard, vehicle, characters, robot_arm: robotArm, motors, bullets, seams };
+
+function Pictures(): ReactNode {
+    return (
+        <section>
+            <Heading as="h2" id="pictures">
+                Pictures of the native gallery
+            </Heading>
+            <p>
+                <code>cargo run --release --bin all_examples3</code> opens a window with these scenes and others.
+            </p>
+            <div className={styles.pictures}>
+                {Object.entries(PICTURES).map(([name, image]) => (
+                    <figure key={name}>
+                        <img src={image} alt={descriptions[name as keyof typeof PICTURES]} loading="lazy" />
+                        <figcaption>{descriptions[name as keyof typeof PICTURES]}</figcaption>
+                    </figure>
+                ))}
+            </div>
+        </section>
+    );
+}
 
 function Thumbnail({
     scene,
@@ -67,6 +102,7 @@ export default function Gallery(): ReactNode {
                         </div>
                     </section>
                 ))}
+                <Pictures />
             </main>
         </Layout>
     );

@@ -13,6 +13,7 @@ import LiveScene from "@site/src/live/LiveScene";
 import dominoes from "@repository/docs/images/dominoes-moving.png";
 import strider from "@repository/docs/images/strider-moving.png";
 import washer from "@repository/docs/images/washer-moving.png";
+import descriptions from "@site/generated/data/descriptions.json";
 import styles from "./index.module.css";
 
 const SCENES = [
@@ -24,9 +25,9 @@ const SCENES = [
 ] as const;
 
 const MOVING = [
-    { image: washer, caption: "A drum turns 2000 boxes and balls over and over." },
-    { image: strider, caption: "A machine on Theo Jansen's legs walks." },
-    { image: dominoes, caption: "A spiral of 200 dominoes falls." },
+    { image: washer, caption: descriptions.washer },
+    { image: strider, caption: descriptions.strider },
+    { image: dominoes, caption: descriptions.dominoes },
 ];
 
 const PROMISES = [
