@@ -77,10 +77,11 @@ class Reference {
         return this.children(impls).map((each) => each.item.inner.impl);
     }
 
-    /** Public methods and constants of inherent implementations, in the order of the source, without those of `bitflags`. */
+    /** Public methods and constants of inherent implementations, in the order of the source, without those that macros write. */
     methods(item) {
         const own = this.impls(item).filter(({ trait }) => trait === null);
-        const generated = ({ inner, span }) => inner.function !== undefined && String(span.begin) === String(item.span.begin);
+        const generated = ({ inner, span, docs }) =>
+            inner.function !== undefined && (docs === null || String(span.begin) === String(item.span.begin));
         return own
             .flatMap(({ items }) => this.children(items))
             .filter(({ item: method }) => method.visibility === "public" && !generated(method))
@@ -209,7 +210,7 @@ class Reference {
             return [`## ${module} {#${module}}`, names.join("\n")];
         });
         const intro =
-            "All public names by module. A program imports them with `use rapier3d::prelude::*;`. The 2D crate has the same names with vectors of two components.";
+            "All public names by module. A program imports them with `use rapier3d::prelude::*;`. The 2D crate has the same names with vectors of two components, and crates in double precision have `f64` in place of `f32`.";
         return ["---\nsidebar_position: 0\nslug: /rust\n---", "# Rust reference", intro, ...lines].join("\n\n");
     }
 
