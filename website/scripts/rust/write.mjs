@@ -10,7 +10,7 @@ import { generics, signature, type } from "./types.mjs";
 /** Address of the reference on the site. */
 const BASE = "/api/rust";
 
-/** What replaces the list of methods that all sets of flags have. */
+/** This sentence replaces the list of methods that all sets of flags have. */
 const FLAGS =
     "A set of flags with the methods of the crate [bitflags](https://docs.rs/bitflags): `contains`, `insert`, `remove`, `union` and others, and the operators `|`, `&` and `-`.";
 
@@ -77,7 +77,7 @@ class Reference {
         return this.children(impls).map((each) => each.item.inner.impl);
     }
 
-    /** Public methods and constants of inherent implementations, in the order of the source, without those that macros write. */
+    /** Public methods and constants of inherent implementations, in the order of the source. Methods that macros write are left out. */
     methods(item) {
         const own = this.impls(item).filter(({ trait }) => trait === null);
         const generated = ({ inner, span, docs }) =>
