@@ -1,11 +1,11 @@
-// The JavaScript reference: TypeDoc's Markdown of the package's source, without what only its generator needs.
+// The JavaScript reference: TypeDoc's Markdown of the package's source, without references to internal classes.
 
 import { execFileSync } from "node:child_process";
 import { readFileSync, readdirSync, rmSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { basename, dirname, join } from "node:path";
 
-/** Sections that name classes of the source which no program sees. */
+/** Sections that name internal classes of the source. */
 const INTERNAL = /^#{3,5} (Inherited from|Overrides|Implementation of)\n[\s\S]*?(?=^#|^\*\*\*|(?![\s\S]))/gm;
 /** The default export repeats all names. */
 const REPEATED = "rapier";

@@ -1,6 +1,6 @@
-// Generates what pages show and no one commits: data of charts and the reference. Called before `start` and `build`.
+// Generates the parts that are not committed: data of charts, hashes, and both references. Runs before `start` and `build`.
 //
-// With `--strict`, a missing part ends the build. Without it the site starts, and the message says what is left out.
+// With `--strict`, a missing part ends the build. Without it the site starts, and a message names the part.
 
 import { existsSync, mkdirSync, readFileSync, readdirSync, writeFileSync } from "node:fs";
 import { basename, dirname, join } from "node:path";
@@ -61,7 +61,9 @@ if (existsSync(engine)) {
 } else missing("scenes in pages need the npm package: cd rapier3d; npm install; ./build_all.sh");
 writeData("pile.json", pile);
 
-const crate = document(ROOT);
-if (crate === null) missing("the Rust reference needs a Rust toolchain");
-else writeData("rust-names.json", writeRustReference(WEBSITE, crate));
+try {
+    writeData("rust-names.json", writeRustReference(WEBSITE, document(ROOT)));
+} catch (error) {
+    missing(`the Rust reference: ${error.message}`);
+}
 writeData("javascript-names.json", writeJavaScriptReference(WEBSITE));

@@ -1,4 +1,4 @@
-// Serves a build as any static host does: index.html of folders, and 404.html for what does not exist.
+// Serves a build as a static host does: index.html of folders, and 404.html for unknown addresses.
 
 import { createReadStream, existsSync, statSync } from "node:fs";
 import { createServer } from "node:http";

@@ -8,7 +8,7 @@ const FEATURES = "debug-render,parallel,serde-serialize";
 /** The version of the JSON for which these scripts were written. Others may work; an unknown kind ends the script. */
 const FORMAT = 57;
 
-/** Runs rustdoc. Returns its JSON, or null where there is no Rust toolchain. */
+/** Runs rustdoc, and returns its JSON. */
 export function document(root) {
     const target = join(process.env.CARGO_TARGET_DIR ?? join(root, "target"), "reference");
     const options = ["rustdoc", "--quiet", "-p", "rapier3d", "--features", FEATURES, "--target-dir", target];
@@ -18,7 +18,7 @@ export function document(root) {
         env: { ...process.env, RUSTC_BOOTSTRAP: "1" },
         stdio: ["ignore", "inherit", "inherit"],
     });
-    if (run.error?.code === "ENOENT") return null;
+    if (run.error !== undefined) throw new Error("there is no Rust toolchain");
     if (run.status !== 0) throw new Error("rustdoc failed");
     const json = JSON.parse(readFileSync(join(target, "doc/rapier3d.json"), "utf8"));
     if (json.format_version !== FORMAT) console.warn(`rustdoc's JSON has format ${json.format_version}; ${FORMAT} was expected`);
@@ -29,7 +29,7 @@ export function kindOf(item) {
     return Object.keys(item.inner)[0];
 }
 
-/** Items of a module, with those that it re-exports. */
+/** Items of a module, re-exported ones included. */
 function members(json, id) {
     return json.index[id].inner.module.items.flatMap((child) => {
         const item = json.index[child];

@@ -72,7 +72,7 @@ export const TOPICS = [
     {
         id: "rigid-body",
         title: "Rigid bodies",
-        intro: "What moves: its type, velocity, forces, mass and damping.",
+        intro: "Moving objects: type, velocity, forces, mass and damping.",
         guides: ["bodies", "sleeping", "fast-bodies"],
         types: [
             "RigidBodyBuilder",
@@ -231,7 +231,7 @@ export const REST = [
     {
         id: "types",
         title: "Further types",
-        intro: "Numbers, vectors and poses, and types that stand behind others.",
+        intro: "Numbers, vectors, poses and auxiliary types.",
         guides: ["getting-started"],
         modules: ["math", "data", "dynamics", "geometry", "pipeline"],
     },

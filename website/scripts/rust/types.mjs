@@ -121,7 +121,7 @@ function input([name, value]) {
 }
 
 /** Longest signature on one line. */
-const WIDTH = 96;
+const WIDTH = 80;
 
 /** The declaration of a function. */
 export function signature(name, { sig, generics: parameters, header }) {

@@ -10,7 +10,7 @@ import { generics, signature, type } from "./types.mjs";
 /** Address of the reference on the site. */
 const BASE = "/api/rust";
 
-/** What replaces the list of methods that all sets of flags have. */
+/** This sentence replaces the list of methods that all sets of flags have. */
 const FLAGS =
     "A set of flags with the methods of the crate [bitflags](https://docs.rs/bitflags): `contains`, `insert`, `remove`, `union` and others, and the operators `|`, `&` and `-`.";
 
@@ -77,10 +77,11 @@ class Reference {
         return this.children(impls).map((each) => each.item.inner.impl);
     }
 
-    /** Public methods and constants of inherent implementations, in the order of the source, without those of `bitflags`. */
+    /** Public methods and constants of inherent implementations, in the order of the source. Methods that macros write are left out. */
     methods(item) {
         const own = this.impls(item).filter(({ trait }) => trait === null);
-        const generated = ({ inner, span }) => inner.function !== undefined && String(span.begin) === String(item.span.begin);
+        const generated = ({ inner, span, docs }) =>
+            inner.function !== undefined && (docs === null || String(span.begin) === String(item.span.begin));
         return own
             .flatMap(({ items }) => this.children(items))
             .filter(({ item: method }) => method.visibility === "public" && !generated(method))
@@ -209,7 +210,7 @@ class Reference {
             return [`## ${module} {#${module}}`, names.join("\n")];
         });
         const intro =
-            "All public names by module. A program imports them with `use rapier3d::prelude::*;`. The 2D crate has the same names with vectors of two components.";
+            "All public names by module. A program imports them with `use rapier3d::prelude::*;`. The 2D crate has the same names with vectors of two components, and crates in double precision have `f64` in place of `f32`.";
         return ["---\nsidebar_position: 0\nslug: /rust\n---", "# Rust reference", intro, ...lines].join("\n\n");
     }
 

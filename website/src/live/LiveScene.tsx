@@ -10,7 +10,7 @@ import styles from "./LiveScene.module.css";
 export interface LiveSceneProps {
     /** Name of a scene of the 3D testbed. */
     readonly scene: string;
-    /** What the scene shows, for readers who do not see it. */
+    /** A description of the scene for screen readers. */
     readonly label: string;
     readonly className?: string;
 }
