@@ -24,10 +24,10 @@
 //! with that face, and removed only if there is none.
 //!
 //! A step is ignored if it is lower than the tolerance (`IntegrationParameters::allowed_linear_error`, 1 mm
-//! by default). `X` must touch `A` in the same
-//! step. A body that lands flat beside an edge, or that is deep in `B` at its first contact, meets the
-//! nearest side of `B`. Parts of a compound slide if they are above the plane as a whole; moving meshes
-//! catch. And a plane is that of `A`'s face if the contact is within 0.17 degrees of it.
+//! by default). `X` must touch `A` in the same step. A body that lands flat beside an edge, or that is deep
+//! in `B` at its first contact, meets the nearest side of `B`. Parts of a compound slide if they are above
+//! the plane as a whole; moving meshes catch. And a plane is that of `A`'s face if the contact is within 0.17
+//! degrees of it.
 //!
 //! Other engines mark the edges of a mesh as convex or not (Bullet, Jolt, parry), or store the corners of
 //! neighbours in segments (Box2D). That requires known neighbours, and works within one shape only.
