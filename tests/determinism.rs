@@ -1,8 +1,8 @@
 //! The same bits: from run to run, on any number of threads, with any instructions, and next to strangers.
 //!
-//! The scene falls, collides, piles up and comes to rest, with bodies removed and put in on the way, so
-//! that every list of the engine is reordered. What is compared is every bit of every pose and velocity.
-//! Without the feature `parallel` all thread counts are one; the gate runs this with the feature too.
+//! The scene falls, collides, piles up and comes to rest, with bodies removed and put in on the way, so that
+//! every list of the engine is reordered. The comparison covers every bit of every pose and velocity. Without
+//! the feature `parallel` all thread counts are one; the gate runs this with the feature too.
 
 use crate::dim::grounds::GROUNDS;
 use crate::dim::{self, cuboid, vec};

@@ -11,7 +11,7 @@ pub mod floors;
 #[path = "hostile/dim2.rs"]
 pub mod hostile;
 
-/// What tables are headed with.
+/// Heading of tables.
 pub const NAME: &str = "2D";
 /// Acceleration of a disc that rolls down a slope, as a share of sliding: `1 / (1 + I / m r²)` with
 /// `I = 1/2 m r²`.

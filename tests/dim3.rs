@@ -33,7 +33,7 @@ mod turntable;
 #[path = "vehicle/mod.rs"]
 mod vehicle;
 
-/// What tables are headed with.
+/// Heading of tables.
 pub const NAME: &str = "3D";
 /// Acceleration of a ball that rolls down a slope, as a share of sliding: `1 / (1 + I / m r²)` with
 /// `I = 2/5 m r²`.

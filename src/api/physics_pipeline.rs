@@ -56,7 +56,7 @@ impl PhysicsPipeline {
 
     /// The hashes of the world after the stages of the last step, in their order. Two runs that differ first
     /// differ after one of them. Empty unless [enabled](Self::set_stage_hashes). A stage occurs twice if the
-    /// step was taken again because a body diverged.
+    /// step was repeated because a body diverged.
     ///
     /// ```
     /// # use rapier3d::prelude::*;

@@ -1,4 +1,4 @@
-//! The facades refuse what they must, and the world's shortcuts do what their long forms do.
+//! Refusals of the facades, and the equivalence of the world's shortcuts with their long forms.
 
 use super::math::{AsSlice, Real, Vector};
 use super::pipeline::{
@@ -177,7 +177,7 @@ fn oneway_platform_is_passed_from_below_and_holds_from_above() {
     assert!((rest - 1.0).abs() < 0.02, "rests at {rest}");
 }
 
-/// No contact with what has hooks.
+/// Colliders with hooks have no contacts.
 struct Ghost;
 
 impl PhysicsHooks for Ghost {

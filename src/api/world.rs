@@ -19,10 +19,10 @@ use crate::model::params::IntegrationParameters;
 use crate::model::state_hash::{WorldSets, world_hash};
 use crate::model::tree::BroadPhaseBvh;
 
-/// A whole simulation: bodies, colliders, and all that a step needs.
+/// A whole simulation: bodies, colliders, and all further sets of a step.
 ///
-/// The parts are public, so everything that can be done with them can be done here; the methods are
-/// for what is done often.
+/// The parts are public, so everything is possible with them; the methods are shortcuts for common
+/// operations.
 pub struct PhysicsWorld {
     /// Acceleration of all dynamic bodies, in world space (length/s²). 9.81 along -y by default.
     pub gravity: Vector,
@@ -337,8 +337,8 @@ impl PhysicsWorld {
         self.multibody_joints.attached_joints(body)
     }
 
-    /// Wakes a body, and with it, in the next step, all that it touches. `strong` also keeps it awake
-    /// for its full time until sleep. Nothing happens if the handle is stale.
+    /// Wakes a body, and in the next step its whole island. `strong` also keeps it awake for its full time
+    /// until sleep. Nothing happens if the handle is stale.
     pub fn wake_up(&mut self, handle: RigidBodyHandle, strong: bool) {
         self.islands.wake_up(&mut self.bodies, handle, strong);
     }
@@ -411,7 +411,7 @@ impl PhysicsWorld {
 
 #[cfg(feature = "debug-render")]
 impl PhysicsWorld {
-    /// Draws the world as lines: what the pipeline's mode selects, with its style.
+    /// Draws the world as lines, with the mode and style of the pipeline.
     ///
     /// ```
     /// # use rapier3d::prelude::*;

@@ -1,8 +1,8 @@
-//! A generational arena: what a handle is.
+//! A generational arena with handles.
 //!
-//! Slots are reused, last freed first; each reuse raises the slot's generation, so that a handle to
-//! what stood there before no longer finds anything. Iteration is in slot order: it depends on the
-//! order of insertions and removals alone, never on addresses.
+//! Slots are reused, last freed first. Each reuse raises the slot's generation, so that a handle to an
+//! earlier element finds nothing. Iteration is in slot order: it depends on the order of insertions and
+//! removals alone, never on addresses.
 
 use super::disjoint::DisjointMut;
 use super::fault::{Fault, ensure};
@@ -148,7 +148,7 @@ impl<T> Arena<T> {
         self.slots.len()
     }
 
-    /// Adds an element and says where it stands.
+    /// Adds an element and returns its index.
     ///
     /// # Panics
     /// At 2³² - 1 elements, more than memory holds.
@@ -238,7 +238,7 @@ impl<T> Arena<T> {
         unsafe { (pa.map(|p| &mut *p), pb.map(|p| &mut *p)) }
     }
 
-    /// Whatever stands in a slot now, with its index.
+    /// The element of a slot, with its index.
     #[inline]
     pub fn at_slot(&self, slot: u32) -> Option<(Index, &T)> {
         match self.slots.get(slot as usize) {
@@ -249,7 +249,7 @@ impl<T> Arena<T> {
         }
     }
 
-    /// Whatever stands in a slot now, with its index.
+    /// The element of a slot, with its index.
     #[inline]
     pub fn at_slot_mut(&mut self, slot: u32) -> Option<(Index, &mut T)> {
         match self.slots.get_mut(slot as usize) {
@@ -265,7 +265,7 @@ impl<T> Arena<T> {
         SharedArena { slots: DisjointMut::new(&mut self.slots) }
     }
 
-    /// Begins to bring the first bytes of what stands in a slot near to the processor.
+    /// Prefetches the first bytes of an element.
     #[inline(always)]
     pub fn prefetch_front(&self, slot: u32, bytes: usize) {
         if let Some(slot) = self.slots.get(slot as usize) {
@@ -316,7 +316,7 @@ impl<'a, T> SharedArena<'a, T> {
         }
     }
 
-    /// Begins to bring the first bytes of what stands in a slot near to the processor.
+    /// Prefetches the first bytes of an element.
     #[inline(always)]
     pub fn prefetch_front(&self, slot: u32, bytes: usize) {
         self.slots.prefetch_front(slot as usize, bytes + size_of::<Slot<T>>() - size_of::<T>());

@@ -1,4 +1,4 @@
-//! Panics of the user's code that wait until what must be done is done.
+//! Panics of the user's code that are resumed after the cleanup.
 
 use core::any::Any;
 use core::mem::forget;
@@ -10,7 +10,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 pub(crate) struct HeldPanic(Option<Box<dyn Any + Send>>);
 
 impl HeldPanic {
-    /// Calls something that may panic, after which the caller can go on. Returns nothing if it panicked.
+    /// Calls code that may panic, and continues afterwards. Returns nothing if it panicked.
     pub fn hold<R>(&mut self, work: impl FnOnce() -> R) -> Option<R> {
         match catch_unwind(AssertUnwindSafe(work)) {
             Ok(result) => Some(result),

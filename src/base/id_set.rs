@@ -70,7 +70,7 @@ impl IdSet {
         is_new
     }
 
-    /// Puts numbers in, the faster the more of them stand side by side.
+    /// Inserts numbers, faster for contiguous ones.
     pub fn extend(&mut self, numbers: impl Iterator<Item = u32>) {
         let (mut last, mut bits) = (0, 0);
         for number in numbers {

@@ -14,7 +14,7 @@ pub trait Loaded {
     /// If it does not hold.
     fn check_loaded(&self) -> Result<(), Fault>;
 
-    /// Computes what follows from the rest and is not saved. Called after the check.
+    /// Computes derived data that is not saved. Called after the check.
     #[cfg(feature = "serde-serialize")]
     fn complete_loaded(&mut self) {}
 }

@@ -1,4 +1,4 @@
-//! Marks on small numbers that are taken off all at once.
+//! Marks on small numbers that are cleared all at once.
 
 /// A set of `u32`s that is emptied in no time: a mark counts in the turn in which it was made. Takes four
 /// bytes for each number up to the largest that was ever in it.

@@ -26,7 +26,7 @@ impl Timer {
         self.enabled = enabled;
     }
 
-    /// Forgets what was measured.
+    /// Resets the measured time.
     pub fn reset(&mut self) {
         self.total = Duration::ZERO;
         self.started = None;
@@ -38,7 +38,7 @@ impl Timer {
         self.resume();
     }
 
-    /// Goes on measuring, on top of what was measured before.
+    /// Continues the measurement.
     pub fn resume(&mut self) {
         if self.enabled {
             self.started = Some(Moment::now());

@@ -1,4 +1,4 @@
-//! Floors of many pieces: a body on a fine mesh costs what it costs on a plane.
+//! Coplanar patches: a body on a fine mesh costs as much as on a plane.
 //!
 //! A body that lies on a plane touches it with the corners of one face. If the plane is a mesh, dozens of
 //! triangles under the face would be clipped against it. Of all these points only the corners remain after
@@ -31,7 +31,7 @@ use parry::shape::PackedFeatureId;
 
 /// Largest distance of a piece from the plane of its patch, as a fraction of the step height tolerance.
 const FLATNESS_TOLERANCE: Real = 0.1;
-/// Fewer pieces are as quickly looked at one by one.
+/// Fewer pieces are tested as quickly one by one.
 const MIN_PIECES: u32 = 2;
 
 /// A plane in the frame of the shape that has the parts, its normal towards the body.
@@ -74,7 +74,7 @@ struct SupportedVertices {
 }
 
 impl Search<'_> {
-    /// Takes those of the flat parts that the body stands on as on one plane, and adds its contacts.
+    /// Processes flat parts in one plane under the body as one, and adds its contacts.
     pub(super) fn add_coplanar_contacts(&mut self, flat_parts: &FlatParts<'_>) {
         for last in self.previous {
             let Some((plane, pieces)) = self.patch_of(last, flat_parts) else { continue };

@@ -18,7 +18,7 @@ use smallvec::SmallVec;
 /// The culling keeps parts within this many times the prediction distance, which is more than rounding
 /// errors.
 const CULLING_REACH: Real = 1.02;
-/// Parts are looked up for as many steps of the body's motion, unless it moves by more than its
+/// Number of steps of the body's motion that a lookup of parts covers, unless the body moves by more than its
 /// size.
 const STEPS_AHEAD: Real = 6.0;
 /// Margin for motion in other directions, as a fraction of its size.

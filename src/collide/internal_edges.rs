@@ -8,26 +8,26 @@
 //! Two rules find contacts that are not there. Let `X` be a convex body that touches the non-dynamic pieces
 //! `A` and `B`, with the normals `a` and `b`, which point to `X`.
 //!
-//! 1. **Behind.** If no point of `B` is above the plane through the contact with `A`, then `B` cannot
-//!    obstruct `X`, which is above that plane up to its contact with `A`: the normal `a` separates `X` from
-//!    `B` as well as from `A`. This holds for tiles that are flush, for those behind a gap and those that are
-//!    lower. It needs no connectivity of the pieces, so it is the same for the triangles of a mesh, for
-//!    colliders, and for bodies.
+//! 1. **Behind.** Assume that no point of `B` is above the plane through the contact with `A`. Then `B`
+//!    cannot obstruct `X`, which is above that plane up to its contact with `A`: the normal `a` separates `X`
+//!    from both. This holds for level tiles, for tiles behind a gap and for lower ones. It needs no
+//!    connectivity of the pieces, so it is the same for the triangles of a mesh, for colliders, and for
+//!    bodies.
 //! 2. **Hidden.** The rule has four conditions. `X` meets `B` at an edge or a corner (`b` is no normal of a
-//!    face of `B`); this point lies on `A`; `A` rises from there above the plane of the contact; and a face
-//!    of `B` with a normal near `a` begins there. The point is then the lowest line of a valley, and `X`
-//!    touches one of its sides already: it reaches the other side before it reaches the line. A ball would
-//!    feel the lowest line of each valley of a terrain as a bump. (The foot of a wall is no such point: the
-//!    wall has no face there with the floor's normal.)
+//!    face of `B`). This point lies on `A`. `A` rises from there above the plane of the contact. A face of
+//!    `B` with a normal near `a` begins there. The point is then the lowest line of a valley, and `X` touches
+//!    one of its sides already: it reaches the other side before it reaches the line. A ball would feel the
+//!    lowest line of each valley of a terrain as a bump. (The foot of a wall is no such point: the wall has
+//!    no face there with the floor's normal.)
 //!
 //! In either case `B` may still support `X` with its face whose normal is near `a`. The contact is recomputed
 //! with that face, and removed only if there is none.
 //!
 //! A step is ignored if it is lower than the tolerance (`IntegrationParameters::allowed_linear_error`, 1 mm
-//! by default). `X` must touch `A` in the same
-//! step. A body that lands flat beside an edge, or that is deep in `B` at its first contact, meets the
-//! nearest side of `B`. Parts of a compound slide if they are above the plane as a whole; moving meshes
-//! catch. And a plane is that of `A`'s face if the contact is within 0.17 degrees of it.
+//! by default). `X` must touch `A` in the same step. A body that lands flat beside an edge, or that is deep
+//! in `B` at its first contact, meets the nearest side of `B`. Parts of a compound slide if they are above
+//! the plane as a whole; moving meshes catch. And a plane is that of `A`'s face if the contact is within 0.17
+//! degrees of it.
 //!
 //! Other engines mark the edges of a mesh as convex or not (Bullet, Jolt, parry), or store the corners of
 //! neighbours in segments (Box2D). That requires known neighbours, and works within one shape only.
@@ -42,9 +42,9 @@ use smallvec::SmallVec;
 /// A contact normal with at least this cosine to that of a face (1.1 degrees) is the face's.
 pub(super) const FACE: Real = 0.9998;
 /// The plane of a contact is that of the piece's face if their normals differ by at most this squared length
-/// (0.17 degrees): bodies on a face are level to about that.
+/// (0.17 degrees). Bodies on a face are level to about that.
 const LEVEL: Real = 9.0e-6;
-/// A face with at least this cosine to a direction looks along it.
+/// A face is along a direction if their cosine is at least this.
 pub(super) const LOOKS_ALONG: Real = 0.5;
 /// Minimum rise of the other side of a hidden internal edge above the contact plane, as a fraction of the
 /// tolerance.
@@ -59,20 +59,20 @@ const MAX_PLANES: usize = 16;
 
 /// A convex part of a shape, somewhere in the common frame.
 #[derive(Copy, Clone)]
-pub(super) enum Obstacle<'a> {
+pub(super) enum Piece<'a> {
     /// A piece of a surface, in the common frame.
     Flat(Flat),
     /// A piece of a [coplanar patch](super::coplanar) in the common frame, and all of them in a frame at a
     /// pose.
-    Floor(Flat, &'a [FlatShape], Pose),
+    CoplanarPatch(Flat, &'a [FlatShape], Pose),
     /// A convex shape, the polytope that it is, if it is one, and its pose.
     Convex(&'a dyn Shape, Option<(Polytope<'a>, Real)>, Pose),
     /// A part of a shape at a pose.
     Part(Parts<'a>, u32, Pose),
 }
 
-impl<'a> Obstacle<'a> {
-    /// The part with this number of a shape that stands at a pose.
+impl<'a> Piece<'a> {
+    /// The part with this number of a shape at a pose.
     pub fn new(parts: Parts<'a>, id: u32, pose: Pose) -> Self {
         match parts {
             Parts::Convex(shape) => Self::Convex(shape, Polytope::of(shape), pose),
@@ -83,9 +83,9 @@ impl<'a> Obstacle<'a> {
     }
 
     /// The patch of these pieces, in a frame at a pose; `None` if there are none.
-    pub fn floor(pieces: &'a [FlatShape], pose: Pose) -> Option<Self> {
+    pub fn coplanar_patch(pieces: &'a [FlatShape], pose: Pose) -> Option<Self> {
         let flat = pieces.first().and_then(Flat::new)?;
-        Some(Self::Floor(flat.at(&pose), pieces, pose))
+        Some(Self::CoplanarPatch(flat.at(&pose), pieces, pose))
     }
 
     /// Calls `f` with the part, the polytope that it is, if it is one, and its pose.
@@ -95,7 +95,7 @@ impl<'a> Obstacle<'a> {
     ) -> Option<T> {
         match self {
             // Any piece of a patch has the plane of all.
-            Self::Flat(flat) | Self::Floor(flat, ..) => {
+            Self::Flat(flat) | Self::CoplanarPatch(flat, ..) => {
                 Some(f(flat.as_shape(), Some((flat.as_polytope(), 0.0)), &Pose::IDENTITY))
             }
             Self::Convex(shape, polytope, pose) => Some(f(*shape, *polytope, pose)),
@@ -115,7 +115,7 @@ impl<'a> Obstacle<'a> {
         if let Self::Flat(flat) = self {
             return Some(flat.height(direction));
         }
-        if let Self::Floor(_, pieces, pose) = self {
+        if let Self::CoplanarPatch(_, pieces, pose) = self {
             let local = pose.rotation.inverse() * direction;
             let corners = pieces.iter().flat_map(flat_corners);
             let highest = corners.map(|corner| corner.dot(local)).reduce(Real::max)?;
@@ -134,7 +134,7 @@ impl<'a> Obstacle<'a> {
 
     /// Returns whether a point is inside, or as near as `tolerance`.
     fn contains(&self, point: Vector, tolerance: Real) -> bool {
-        if let Self::Floor(_, pieces, pose) = self {
+        if let Self::CoplanarPatch(_, pieces, pose) = self {
             let local = pose.inverse_transform_point(point);
             let dist = |flat: &FlatShape| flat.distance_to_local_point(local, true);
             return pieces.iter().any(|flat| dist(flat) <= tolerance);
@@ -146,7 +146,7 @@ impl<'a> Obstacle<'a> {
         near == Some(true)
     }
 
-    /// Returns whether a face that looks along `direction` begins at a point.
+    /// Returns whether a face along `direction` begins at a point.
     fn goes_on_along(&self, direction: Vector, point: Vector, tolerance: Real) -> bool {
         let found = self.with(|_, polytope, pose| {
             let local = pose.rotation.inverse() * direction;
@@ -159,7 +159,7 @@ impl<'a> Obstacle<'a> {
         found.flatten() == Some(true)
     }
 
-    /// The normal of the face that looks along a direction, if they agree.
+    /// The normal of the face along a direction, if they agree.
     fn face(&self, normal: Vector) -> Face {
         let face = self.with(|_, polytope, pose| {
             let local = pose.rotation.inverse() * normal;
@@ -185,7 +185,7 @@ enum Face {
 /// part.
 #[derive(Copy, Clone)]
 pub(super) struct Facet<'a> {
-    obstacle: Obstacle<'a>,
+    piece: Piece<'a>,
     /// The touching feature of the piece.
     face: Face,
     /// The body, and its touching part.
@@ -203,18 +203,18 @@ pub(super) struct Facet<'a> {
 
 impl<'a> Facet<'a> {
     pub fn new(
-        obstacle: Obstacle<'a>,
+        piece: Piece<'a>,
         body: (Parts<'a>, u32),
         normal: Vector,
         place: Vector,
         dist: Real,
     ) -> Self {
-        let face = obstacle.face(normal);
+        let face = piece.face(normal);
         let plane = match face {
             Face::Flat(face) if face.distance_squared(normal) < LEVEL => face,
             _ => normal,
         };
-        Self { obstacle, face, body, normal, plane, place, dist }
+        Self { piece, face, body, normal, plane, place, dist }
     }
 }
 
@@ -228,7 +228,7 @@ impl Facet<'_> {
         let (parts, id) = self.body;
         let is_above = || {
             let level = other.plane.dot(other.place) + other.dist.min(0.0) - tolerance;
-            let depth = Obstacle::new(parts, id, Pose::IDENTITY).height(-other.plane);
+            let depth = Piece::new(parts, id, Pose::IDENTITY).height(-other.plane);
             depth.is_some_and(|depth| -depth >= level)
         };
         id == other.body.1 || is_above()
@@ -241,7 +241,7 @@ impl Facet<'_> {
         is_parallel && offset.abs() < tolerance
     }
 
-    /// Returns whether the collider meets the body with a face that looks along a direction.
+    /// Returns whether the collider meets the body with a face along a direction.
     fn is_with_face_along(&self, direction: Vector) -> bool {
         match self.face {
             Face::Flat(face) => face == self.plane && face.dot(direction) > LOOKS_ALONG,
@@ -252,7 +252,7 @@ impl Facet<'_> {
     /// First rule: returns whether the collider of `self` is behind the plane of `other`.
     fn is_behind(&self, other: &Self, tolerance: Real) -> bool {
         let limit = other.plane.dot(other.place) + tolerance;
-        self.obstacle.height(other.plane).is_some_and(|height| height <= limit)
+        self.piece.height(other.plane).is_some_and(|height| height <= limit)
     }
 
     /// Second rule, for one point of `self`. Returns whether the point is on the plane of `other`, a face of
@@ -267,10 +267,10 @@ impl Facet<'_> {
         let level = self.normal.dot(point) + RISE * tolerance;
         other.dist <= self.dist + tolerance
             && other.plane.dot(point - other.place).abs() <= tolerance
-            && self.obstacle.goes_on_along(other.plane, point, tolerance)
+            && self.piece.goes_on_along(other.plane, point, tolerance)
             && in_plane.any(|facet| {
-                facet.obstacle.height(self.normal).is_none_or(|height| height > level)
-                    && facet.obstacle.contains(point, tolerance)
+                facet.piece.height(self.normal).is_none_or(|height| height > level)
+                    && facet.piece.contains(point, tolerance)
             })
     }
 }

@@ -73,9 +73,9 @@ pub(crate) struct ShapePair<'a> {
 
 /// Computes the manifolds of two shapes.
 ///
-/// `out` is overwritten; manifolds without points are left out, as are those whose numbers are not
-/// finite. Their impulses are zero: see [`inherit_impulses`](super::matching::inherit_impulses).
-/// `kept` is what was there to look up last time; nothing but time depends on it.
+/// `out` is overwritten; manifolds without points are left out, as are those whose numbers are not finite.
+/// Their impulses are zero: see [`inherit_impulses`](super::matching::inherit_impulses). `kept` is the
+/// triangle cache, which affects the running time only.
 ///
 /// Returns a lower bound of the distance between the shapes: 0 if they touch or nothing is known,
 /// infinity if they can never touch. When no manifold comes out, none can appear before the shapes
@@ -249,7 +249,7 @@ impl<'a> ShapePair<'a> {
 /// Returns whether parry has a faster algorithm for voxels against the other shape than a search of all
 /// voxels.
 ///
-/// It does for convex shapes; but it asserts what rounding can break when sizes are extreme.
+/// It is sufficient for convex shapes, but contains assertions that rounding violates for extreme sizes.
 fn parry_merges_voxels(voxels: &dyn Shape, other: &dyn Shape, pos12: &Pose) -> bool {
     let Some(voxels) = voxels.as_voxels() else { return false };
     if other.as_support_map().is_none() {

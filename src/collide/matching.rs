@@ -45,7 +45,7 @@ fn with_same_normal(manifold: &ContactManifold, old: &[ContactManifold]) -> Opti
     same.max_by(|a, b| cosine(a).total_cmp(&cosine(b)))
 }
 
-/// Hands over what one manifold remembers.
+/// Transfers the stored data of a manifold.
 fn inherit_manifold(new: &mut ContactManifold, old: &ContactManifold, has_same_parts: bool) {
     new.data.user_data = old.data.user_data;
     if new.local_n1.dot(old.local_n1) < NORMAL_COSINE_MIN {

@@ -1,6 +1,6 @@
 //! The contacts of a body with other shapes than that of the current pair.
 
-use super::internal_edges::{Facet, InternalEdge, Obstacle, SAME_NORMAL, find_internal_edges};
+use super::internal_edges::{Facet, InternalEdge, Piece, SAME_NORMAL, find_internal_edges};
 use super::parts::Parts;
 use crate::dim::math::{MAX_MANIFOLD_POINTS, Pose, Real, Vector};
 use crate::model::contact::ContactManifold;
@@ -60,9 +60,9 @@ impl<'a> Neighbor<'a> {
 
     pub(super) fn as_facet(&self) -> Facet<'a> {
         let Self { part: id, pose, on, normal, dist, .. } = *self;
-        let obstacle = Obstacle::new(Parts::of(self.shape), id, pose);
+        let piece = Piece::new(Parts::of(self.shape), id, pose);
         let place = self.points.first().copied().unwrap_or(Vector::ZERO);
-        Facet::new(obstacle, (Parts::of(self.body), on), normal, place, dist)
+        Facet::new(piece, (Parts::of(self.body), on), normal, place, dist)
     }
 }
 

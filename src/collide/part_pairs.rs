@@ -42,7 +42,7 @@ impl Cell {
 }
 
 impl Search<'_> {
-    /// Visits the pairs of parts that are near each other, or so many of them as there may be.
+    /// Visits the pairs of near parts, up to the maximum.
     pub(super) fn visit_parts_of_both(&mut self) {
         let counts = self.parts.map(|parts| parts.len());
         let product = counts[0].saturating_mul(counts[1]);

@@ -1,7 +1,7 @@
-//! The convex parts of a shape: what contacts are computed between.
+//! The convex parts of a shape, between which contacts are computed.
 //!
-//! A mesh has triangles, a compound has children, a height field has cells; any other shape is its own
-//! only part. Parts that are far from the other shape are never looked at.
+//! A mesh has triangles, a compound has children, a height field has cells; any other shape is its own only
+//! part. Parts far from the other shape are never visited.
 
 use super::internal_edges::FACE;
 use super::voxels::{for_each_voxel, with_voxel};

@@ -1,9 +1,8 @@
 //! Contacts between convex parts of two shapes, before they become manifolds.
 //!
-//! A body on a fine mesh touches a hundred triangles, and all of them say the same. Solving a hundred
-//! manifolds would cost a hundred times as much as solving one and would hold the body no better. Patches
-//! with similar normals are therefore merged, and only the outermost of their points are kept, as for a
-//! single face.
+//! A body on a fine mesh touches a hundred triangles, and all of them say the same. A hundred manifolds would
+//! cost a hundred times as much as one, without better support of the body. Patches with similar normals are
+//! therefore merged, and only the outermost of their points are kept, as for a single face.
 
 use super::culling::{Grid, Rank, main_direction};
 use super::internal_edges::SAME_NORMAL;
@@ -47,7 +46,7 @@ pub(super) struct Patch {
     /// Range of its points.
     points: Range<usize>,
     /// The number of its [coplanar patch](super::coplanar).
-    floor: Option<u32>,
+    coplanar_patch: Option<u32>,
     /// Range of the pieces of the coplanar patch; empty for one part alone.
     pieces: Range<usize>,
 }
@@ -116,7 +115,7 @@ impl Patches {
         &self.points[self.list[index].points.clone()]
     }
 
-    /// Adds what was found between two parts, in their frames. Returns whether it is usable.
+    /// Adds the contacts between two parts, in their frames. Returns whether it is usable.
     pub fn add(&mut self, pair: &ShapePair<'_>, raw: &RawManifold, parts: &[Part<'_>; 2]) -> bool {
         self.add_on(pair, raw, parts, None)
     }
@@ -127,7 +126,7 @@ impl Patches {
         pair: &ShapePair<'_>,
         raw: &RawManifold,
         parts: &[Part<'_>; 2],
-        floor: Option<u32>,
+        coplanar_patch: Option<u32>,
     ) -> bool {
         let at = self.list.len();
         self.list.push(Patch {
@@ -136,7 +135,7 @@ impl Patches {
             dist: 0.0,
             is_broad: true,
             points: 0..0,
-            floor,
+            coplanar_patch,
             pieces: 0..0,
         });
         if !self.replace(at, pair, raw, parts) {
@@ -197,8 +196,8 @@ impl Patches {
     }
 
     /// Stores the pieces of a coplanar patch for its contacts, if these were not culled.
-    pub fn build_patch(&mut self, floor: u32, pieces: impl Iterator<Item = FlatShape>) {
-        let on_floor = |patch: &&mut Patch| patch.floor == Some(floor);
+    pub fn build_patch(&mut self, coplanar_patch: u32, pieces: impl Iterator<Item = FlatShape>) {
+        let on_floor = |patch: &&mut Patch| patch.coplanar_patch == Some(coplanar_patch);
         let Some(patch) = self.list.iter_mut().find(on_floor) else { return };
         let start = self.pieces.len();
         self.pieces.extend(pieces);

@@ -1,10 +1,10 @@
 //! Two polytopes: the face that separates them best, clipped against the face it meets.
 //!
-//! A contact that was there a step ago has hardly changed: the face of either polytope that looks along the
-//! last normal is tried first. The search ends if the clipped faces have a point as deep as the support point
-//! of the other polytope: no similar direction then separates the two better. For separated polytopes, no
-//! direction does. The same holds for the two edges that are farthest along the last normal, if no corner is
-//! deeper. Else the closest points are searched, which takes several times as long.
+//! A persistent contact has hardly changed: the face of either polytope along the last normal is tested
+//! first. The search ends if the clipped faces have a point as deep as the support point of the other
+//! polytope: no similar direction then separates the two better. For separated polytopes, no direction does.
+//! The same holds for the two edges that are farthest along the last normal, if no corner is deeper. Else the
+//! closest points are searched, which takes several times as long.
 
 use super::internal_edges::LOOKS_ALONG;
 use crate::base::axis::{BestAxis, Side};
@@ -169,7 +169,7 @@ impl Pair<'_> {
         if raw.points.is_empty() { axis.gap.max(0.0) } else { 0.0 }
     }
 
-    /// The best separation along the faces that look along `direction`.
+    /// The best separation along the faces nearest to `direction`.
     fn best_face(&self, direction: Vector, hint: Vector) -> Option<Separation> {
         match (self.first_face(direction), self.second_face(direction)) {
             (Some(first), Some(second)) => {

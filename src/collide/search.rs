@@ -2,7 +2,7 @@
 
 use super::convex::{is_sound, manifold_along, part_manifold};
 use super::flat_parts::CulledParts;
-use super::internal_edges::{Facet, InternalEdge, Obstacle, find_internal_edges};
+use super::internal_edges::{Facet, InternalEdge, Piece, find_internal_edges};
 use super::manifolds::ShapePair;
 use super::neighbor::Neighbor;
 use super::parts::{Near, Part, Parts};
@@ -148,13 +148,13 @@ impl Search<'_> {
             _ => (-patch.normal, pair.pos12),
         };
         // From the other side the roles are exchanged.
-        let floor = Obstacle::floor(patches.pieces(index), pose);
-        let obstacle = floor
+        let coplanar_patch = Piece::coplanar_patch(patches.pieces(index), pose);
+        let piece = coplanar_patch
             .filter(|_| side == self.culled.side)
-            .unwrap_or_else(|| Obstacle::new(self.parts[side], patch.parts[side], pose));
+            .unwrap_or_else(|| Piece::new(self.parts[side], patch.parts[side], pose));
         let place = deepest.map_or(Vector::ZERO, |point| pair.on_obstacle(side, point));
         let body = (self.parts[1 - side], patch.parts[1 - side]);
-        Facet::new(obstacle, body, normal, place, patch.dist)
+        Facet::new(piece, body, normal, place, patch.dist)
     }
 
     /// Recomputes a patch along the normal with which its piece may still support the body.

@@ -1,4 +1,4 @@
-//! Mass properties of what is made of parts, in 2D.
+//! Mass properties of composite bodies, in 2D.
 
 use crate::base::measure::is_point;
 use crate::dim::math::{AngVector, AngularInertia, Real, Rotation, Vector};

@@ -1,8 +1,8 @@
 //! Vectors, rotations and inertias of many bodies at a time, in 2D.
 //!
-//! Each type comes in two shapes. Filled with [`Lane`]s it is memory, a part of a constraint block,
-//! whose lanes are filled one by one with `set_lane`. Filled with registers `W: Wide` it is what a
-//! kernel computes with. `load` and `store` go from one to the other.
+//! Each type comes in two shapes. Filled with [`Lane`]s it is memory, a part of a constraint block, whose
+//! lanes are filled one by one with `set_lane`. Filled with registers `W: Wide` it is the argument of
+//! kernels. `load` and `store` go from one to the other.
 
 use super::math::{AngVector, AngularInertia, Real, Rotation, Vector};
 use crate::base::wide::{Lane, Wide};

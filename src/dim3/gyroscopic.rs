@@ -1,7 +1,7 @@
 //! Free rotation of a rigid body, lane by lane.
 //!
-//! In the frame of the body's principal axes its angular momentum `m` goes round, in the world it stands
-//! still. Its energy is a sum, and each term by itself is a motion that is known exactly:
+//! In the frame of the body's principal axes its angular momentum `m` rotates; in the world it is constant.
+//! Its energy is a sum, and each term by itself is a motion that is known exactly:
 //!
 //! ```text
 //! T = |m|² / 2 I₀ + Σ m_k² (1 / I_k - 1 / I₀) / 2
@@ -10,11 +10,12 @@
 //! the k-th:    it turns about its own axis k by α = h m_k (1 / I_k - 1 / I₀), and m by -α about the same axis
 //! ```
 //!
-//! The method composes these: the first, which commutes with all the others, and the others for half of the
-//! time, the last of them for all of it, and back again (Strang 1968). The result is a rotation, so the
-//! world-space momentum is constant, and the method is reversible. With the middle one of the moments for
-//! `I₀`, two of the terms are exact for a body with two equal moments: a rod, a disc, a capsule. For others
-//! the energy oscillates by the square of `h` times the difference of neighbouring moments.
+//! The method composes these symmetrically (Strang 1968). The first commutes with all the others. The others
+//! are applied for half of the time, the last of them for all of it, and back again. The result is a
+//! rotation, so the world-space momentum is constant, and the method is reversible. With the middle one of
+//! the moments for `I₀`, two of the terms are exact for a body with two equal moments: a rod, a disc, a
+//! capsule. For others the energy oscillates by the square of `h` times the difference of neighbouring
+//! moments.
 //!
 //! Sources: McLachlan, "Explicit Lie-Poisson integration and the Euler equations" (Phys. Rev. Lett. 1993);
 //! Dullweber, Leimkuhler and McLachlan, "Symplectic splitting methods for rigid body molecular dynamics" (J.

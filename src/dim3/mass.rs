@@ -1,4 +1,4 @@
-//! Mass properties of what is made of parts, in 3D.
+//! Mass properties of composite bodies, in 3D.
 //!
 //! parry can add mass properties too, but finds the principal axes by the trigonometric formula. The last
 //! bits of its sines and cosines differ between machines, and nearly equal moments cost it half of the
@@ -137,10 +137,10 @@ pub fn angular_momentum(mass: &MassProperties, rotation: Rotation, angvel: AngVe
 /// rod about an axis that is no longer its own, with many times the energy that the contact computes. Each
 /// moment therefore counts as at least `θ²` times the moments that rotate into it. Whirled thin rods get less
 /// spin about their axis, and rods that fall without spin, rest, roll, or spin about their axis are
-/// unaffected. (Including the rotation that an impact will cause keeps energy a little better, and is wrong:
-/// a rod that lands level must bounce aside and spin by its edge, independent of the step rate.)
+/// unaffected. (Including the rotation that an impact will cause keeps energy a little better, and is wrong.
+/// A rod that lands level must bounce aside and spin by its edge, independent of the step rate.)
 ///
-/// Rotating the inertias of contacts in each substep, as joints do, has another error: a contact that removes
+/// Rotating the inertias of contacts in each substep, as joints do, has another error. A contact that removes
 /// an impulse of the last substep would no longer remove its effect.
 pub(crate) fn inv_inertia_on_the_way(
     mass: &MassProperties,

@@ -23,7 +23,7 @@ pub struct Counters {
 /// Times of the stages of a step, in the order they happen.
 #[derive(Copy, Clone, Debug, Default)]
 pub struct StagesCounters {
-    /// Taking in what the user edited since the last step.
+    /// Applying the user's edits since the last step.
     pub user_changes: Timer,
     /// Broad phase and narrow phase.
     pub collision_detection_time: Timer,

@@ -1,6 +1,6 @@
 //! The world stamp: which sets belong together.
 //!
-//! The sets of a world refer to each other by position: a body stores its place in the list of awake bodies,
+//! The sets of a world refer to each other by position. A body stores its place in the list of awake bodies,
 //! a manifold its place in the constraint graph, a collider its place in a tree. Replacing one set
 //! (`mem::take`, an older copy, the set of a similar world) invalidates these references. Positions may lie
 //! beyond the end of a list, and constraints of one colour may have a common body.

@@ -112,9 +112,9 @@ impl Multibody {
         }
     }
 
-    /// Adds to `displacements` (one per degree of freedom) the damped least-squares step that moves a link's
-    /// body by `desired_movement`: the translation of its origin, and its rotation, in world space. Nothing
-    /// happens if there is no such link.
+    /// Adds to `displacements` (one per degree of freedom) a damped least-squares step that moves a link's
+    /// body by `desired_movement`. The latter contains the translation of its origin, and its rotation, in
+    /// world space. Nothing happens if there is no such link.
     pub fn inverse_kinematics_delta(
         &self,
         link_id: usize,

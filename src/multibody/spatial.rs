@@ -1,4 +1,4 @@
-//! Spatial vectors and matrices: what the recursions over links calculate with.
+//! Spatial vectors and matrices of the recursions over links.
 
 use crate::dim::math::{
     ANG_DIM, AngVector, DIM, Real, SPATIAL_DIM, SpatialVector, Vector, cross, torque,

@@ -1,8 +1,8 @@
 //! The trajectory of a multibody through a step: intermediate poses of its links, and the return to them.
 //!
 //! The trajectory leads from the start of the step by the displacement `Δq` of each degree of freedom at
-//! constant rate: `q(s) = q + s Δq`, where rotations of ball joints and of the root are integrated in short
-//! pieces. So joints hold everywhere on it.
+//! constant rate: `q(s) = q + s Δq`. Rotations of ball joints and of the root are integrated in short pieces.
+//! So joints hold everywhere on it.
 //!
 //! Intermediate velocities follow from those at its end. The inertial change since is reversed, as free
 //! motion in the solver (`motion/`), and the momentum is kept. The work of gravity and other forces in that

@@ -7,7 +7,7 @@ bitflags::bitflags! {
     /// Whole kinds of colliders that a query leaves out.
     #[derive(Copy, Clone, PartialEq, Eq, Debug, Default, Hash)]
     pub struct QueryFilterFlags: u32 {
-        /// Leaves out colliders of fixed bodies, and those that have no body.
+        /// Excludes colliders of fixed bodies, and colliders without a body.
         const EXCLUDE_FIXED = 1 << 1;
         /// Leaves out colliders of kinematic bodies.
         const EXCLUDE_KINEMATIC = 1 << 2;
@@ -55,7 +55,7 @@ pub type QueryPredicate<'a> = &'a dyn Fn(ColliderHandle, &Collider) -> bool;
 /// let filter = QueryFilter::default().exclude_sensors().exclude_rigid_body(player);
 /// ```
 ///
-/// Colliders that are disabled are never found, whatever the filter says.
+/// Disabled colliders are never found.
 #[derive(Copy, Clone, Default)]
 pub struct QueryFilter<'a> {
     /// Whole kinds that are left out.
@@ -104,7 +104,7 @@ impl<'a> QueryFilter<'a> {
         Self { flags: self.flags | flags, ..self }
     }
 
-    /// Leaves out colliders of fixed bodies, and those that have no body.
+    /// Excludes colliders of fixed bodies, and colliders without a body.
     #[must_use]
     pub fn exclude_fixed(self) -> Self {
         self.excluding(QueryFilterFlags::EXCLUDE_FIXED)

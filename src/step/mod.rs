@@ -43,7 +43,7 @@ use trace::StageTrace;
 pub use trace::StepStage;
 use user_changes::{Resync, Resynced, UserChanges};
 
-/// A world, taken apart.
+/// The sets and parameters of a world.
 pub(crate) struct StepParts<'a> {
     pub gravity: Vector,
     pub params: &'a IntegrationParameters,

@@ -131,9 +131,9 @@ impl StepNotes {
         self.quarantined.clear();
     }
 
-    /// Puts what began and stopped touching in the order of the colliders. The order of discovery depends on
-    /// the cause: an object that is removed during a failed step parts later than one that was removed
-    /// before. The events of one pair stay in order.
+    /// Sorts the touch events in the order of the colliders. The order of discovery depends on the cause: an
+    /// object that is removed during a failed step parts later than one that was removed before. The events
+    /// of one pair stay in order.
     pub fn order_events(&mut self) {
         let rank = |handle: ColliderHandle| handle.into_raw_parts();
         self.events.sort_by_key(|event| (rank(event.collider1()), rank(event.collider2())));

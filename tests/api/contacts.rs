@@ -33,7 +33,7 @@ fn the_deepest_contact_points_from_the_first_to_the_second() {
     assert!(manifold.local_n1.abs_diff_eq(-manifold.local_n2, 1.0e-5));
 }
 
-/// What is near has a contact of negative depth; what is farther, none.
+/// Near colliders have a contact of negative depth, distant ones none.
 #[test]
 fn depth_is_negative_where_nothing_overlaps() {
     let (world, a, b) = two_balls(1.01);

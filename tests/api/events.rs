@@ -188,7 +188,7 @@ fn upheaval(arrivals: impl Iterator<Item = usize>) -> Vec<CollisionEvent> {
 }
 
 /// Hundreds that begin and end at once, for all kinds of reasons, are told in the order of the colliders:
-/// whatever happened before. What happens to one pair is told in the order in which it happens.
+/// whatever happened before. Events of one pair keep their order.
 #[test]
 fn events_of_one_step_come_in_the_order_of_colliders() {
     let events = upheaval(0..240);

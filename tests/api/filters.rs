@@ -49,7 +49,7 @@ fn solver_groups_let_pass_what_they_report() {
     assert!(events[0].started() && events[1].stopped());
 }
 
-/// What passes through carries no impulses, but has contacts to be read.
+/// Pairs without contact forces have readable contacts, and no impulses.
 #[test]
 fn contacts_without_forces_can_be_read() {
     let (mut world, ground) = world_with_ground();

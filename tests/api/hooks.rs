@@ -227,7 +227,7 @@ impl PhysicsHooks for Allergic {
     }
 }
 
-/// What was found in a step that a hook broke off is told by the next.
+/// Events of a step that a hook broke off are sent by the next.
 #[test]
 fn contacts_are_told_of_after_a_panic() {
     let (mut world, ground) = world_with_ground();

@@ -1,4 +1,4 @@
-//! What sensors see.
+//! Intersections of sensors.
 
 use super::stage::{Protocol, add_box, between, height, plain, steps, telling, world_with_ground};
 use crate::dim::{cuboid, vec};

@@ -55,12 +55,12 @@ pub struct Protocol {
 }
 
 impl Protocol {
-    /// What was written since the last call.
+    /// Output since the last call.
     pub fn collisions(&self) -> Vec<CollisionEvent> {
         std::mem::take(&mut self.collisions.lock().unwrap())
     }
 
-    /// What was written since the last call.
+    /// Output since the last call.
     pub fn forces(&self) -> Vec<ContactForceEvent> {
         std::mem::take(&mut self.forces.lock().unwrap())
     }

@@ -1,4 +1,4 @@
-//! What `PhysicsWorld` makes easy, and what its counters tell.
+//! Shortcuts of `PhysicsWorld`, and its counters.
 
 use super::stage::{add_box, height, plain, steps, world_with_ground};
 use crate::dim::vec;

@@ -82,7 +82,7 @@ fn chains_hit_walls_as_wholes() {
             let [widest_mm, left_mm] = [widest, left].map(|gap| format!("{:.1}", 1000.0 * gap));
             table.row([a, b, c, widest_mm, left_mm, format!("{most:.3}")]);
             table.require(passed == 0, "chains passed");
-            // What one step of a ball is long, at the speeds that the substeps can follow.
+            // Path length of a ball in one step, at the speeds that the substeps can integrate.
             if speed <= 100.0 {
                 table.require(left < 0.01, "joints stayed torn");
                 // No farther than a step is long.

@@ -1,4 +1,4 @@
-//! What is fast and does not hit anything goes its way.
+//! Fast bodies that hit nothing keep their path.
 
 use super::{RADIUS, add_ball};
 use crate::dim::grounds::GROUNDS;
@@ -54,7 +54,7 @@ fn near_misses_are_misses() {
     }
 }
 
-/// What lies on a thin floor and is hit from above stays there.
+/// A body on a thin floor that is hit from above stays there.
 #[test]
 fn a_hit_stack_stays_above_the_floor() {
     let mut world = world(60);

@@ -1,4 +1,4 @@
-//! What touches a barrier already, and is hit from behind.
+//! Bodies that touch a barrier already, and are hit from behind.
 //!
 //! Contacts give way. A body between a wall and a bullet of a hundred times its mass moves by as much as it
 //! is thick within a substep, and then contacts push it out of the wall on the other side. So what is deep in

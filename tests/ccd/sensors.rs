@@ -22,7 +22,7 @@ fn add_ball(
     world.insert(body, ColliderBuilder::ball(RADIUS))
 }
 
-/// What happens between a gate at the origin and a ball that comes along the x axis, `aside` of it.
+/// Events between a gate at the origin and a ball along the x axis, `aside` of it.
 fn events(speed: Real, phase: usize, gate: ColliderBuilder, aside: Real) -> Vec<bool> {
     let mut world = weightless(60);
     let protocol = Protocol::default();

@@ -1,4 +1,4 @@
-//! What the parameters and the settings of a body do.
+//! Effects of the parameters and of the settings of a body.
 
 use super::{RADIUS, add_ball, wall};
 use crate::dim::{cuboid, vec};

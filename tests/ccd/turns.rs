@@ -1,4 +1,4 @@
-//! What turns fast does not skip what stands in its way.
+//! Fast rotations do not skip obstacles.
 
 use crate::dim::{about_z, cuboid, vec};
 use crate::suite::physics::stage::weightless;

@@ -57,7 +57,8 @@ fn crates_are_pushed_ahead() {
     assert!(x > 4.0 && walker.place().x > 3.0, "crate at {x}, walker at {}", walker.place());
 }
 
-/// What was met is told once, with the normal against the motion and what was left of the wish.
+/// Each obstacle is reported once, with the normal against the motion and the rest of the desired
+/// translation.
 #[test]
 fn collisions_are_reported() {
     let mut world = level();

@@ -1,4 +1,4 @@
-//! What only space has: turntables, corners of three sides, stairs that are met at an angle.
+//! Scenes of 3D only: turntables, corners of three sides, stairs at an angle.
 
 use crate::suite::characters::stage::{CAPSULE, DT, FOOT, GAP_TOLERANCE, OFFSET, Walker, level};
 use rapier::control::*;

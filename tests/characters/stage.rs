@@ -21,7 +21,7 @@ pub struct Walker {
     pub controller: KinematicCharacterController,
     pub body: RigidBodyHandle,
     pub collider: ColliderHandle,
-    /// What was met in the last step.
+    /// Collisions of the last step.
     pub collisions: Vec<CharacterCollision>,
     /// The vertical velocity of the fall so far (length/s).
     pub fall: Real,

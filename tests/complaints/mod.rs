@@ -1,7 +1,7 @@
 //! # Complaints
 //!
-//! What users of engines like this one complain about, where no other test stands for it.
-//! `docs/complaints.md` says which test answers which complaint.
+//! Known complaints about physics engines that no other test covers. `docs/complaints.md` says which test
+//! answers which complaint.
 
 mod crowds;
 mod gains;

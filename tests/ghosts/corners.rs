@@ -21,8 +21,8 @@ fn corner(is_mesh: bool) -> PhysicsWorld {
     world
 }
 
-/// What falls comes in a step by at most 6 m/s · 1/60 s = 10 cm deep, and is pushed out on the side it came
-/// from: not by the top of the wall, which would be 4 m deep, nor through the wall.
+/// A falling body penetrates at most 6 m/s · 1/60 s = 10 cm in a step, and is pushed out on its original
+/// side. The exit is neither the top of the wall, 4 m away, nor its other side.
 #[test]
 fn no_body_is_pushed_out_of_the_wrong_side() {
     let columns = ["blocks", "shape", "deepest (m)", "farthest right (m)", "fastest up (m/s)"];

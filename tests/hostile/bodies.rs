@@ -56,7 +56,7 @@ fn numbers_are_taken_or_refused_by_name() {
     }
 }
 
-/// What a vector may do to a body.
+/// Edits of a body by a vector.
 type Push = (&'static str, fn(&mut RigidBody, Vector));
 
 const PUSHES: [Push; 9] = [

@@ -104,7 +104,7 @@ fn a_shape_is_built_or_refused_by_name() {
                 }
                 Err(error) => {
                     let text = error.to_string();
-                    // What follows from the number may be what is wrong.
+                    // A derived value may be invalid.
                     let derived = ["degenerate", "cells", "bounding box"];
                     let named = names(&text, value)
                         || names(&text, -value)

@@ -66,8 +66,8 @@ fn a_crowd_comes_apart_and_forgets_the_limit() {
     }
 }
 
-/// A collider with the maximum of partners searches again when another one arrives. What comes to it in the
-/// same step, and is found because of its own motion, is not found twice.
+/// A collider with the maximum of partners searches again when another one arrives. A collider that arrives
+/// in the same step, and is found by its own motion, is not found twice.
 #[test]
 fn who_looks_again_finds_no_pair_twice() {
     let mut world = PhysicsWorld::new();
@@ -107,7 +107,8 @@ fn sensors_hear_of_all_of_a_crowd() {
     }
 }
 
-/// What carries many small things is not crowded: it has a contact with each of them, and with its like.
+/// A body under many small ones is not crowded: it has contacts with all of them, and with bodies of its
+/// size.
 #[test]
 fn the_limit_is_not_for_what_carries_many() {
     let mut world = PhysicsWorld::new();

@@ -1,4 +1,4 @@
-//! What the hostile tests need to say differently in 2D.
+//! Dimension-specific parts of the hostile tests, in 2D.
 
 use rapier::prelude::*;
 

@@ -1,4 +1,4 @@
-//! What the hostile tests need to say differently in 3D.
+//! Dimension-specific parts of the hostile tests, in 3D.
 
 use rapier::prelude::*;
 

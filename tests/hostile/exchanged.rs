@@ -207,8 +207,7 @@ fn bodies_fall_when_the_ground_is_gone() {
     assert!((velocity - expected).abs() < 1.0e-4, "it falls at {velocity}, not {expected}");
 }
 
-/// What begins to touch and stops is told truly: pairs that were forgotten stop, and begin again if they
-/// still touch.
+/// Touch events stay consistent: discarded pairs end, and begin again if they still touch.
 #[test]
 fn events_stay_true_when_a_set_is_exchanged() {
     for (name, exchange) in SETS.into_iter().filter(|(name, _)| *name != "narrow phase") {

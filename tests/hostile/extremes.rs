@@ -65,8 +65,7 @@ fn masses_from_a_microgram_to_a_mountain_rest_on_the_ground() {
     }
 }
 
-/// What is 10⁹ times as heavy as its neighbour squeezes it out like a cherry stone; but with no more energy
-/// than there was.
+/// A neighbour of 10⁹ times its mass squeezes a body out, without a gain of energy.
 #[test]
 fn masses_of_any_ratio_may_touch() {
     const MASSES: [Real; 4] = [1.0e-9, 1.0e-3, 1.0e3, 1.0e9];
@@ -94,7 +93,7 @@ fn masses_of_any_ratio_may_touch() {
                     let case =
                         format!("{above} on {below}, step {step}: {kinetic} J at {height} m");
                     assert!(body.is_enabled() && kinetic <= energy, "{case} of {energy} J");
-                    // What is crushed gives way; what crushes it does not fall through the ground.
+                    // A crushed body gives way; the crushing one does not fall through the ground.
                     let is_heaviest = body.mass() >= below.max(above).max(1.0);
                     assert!(height > 0.4 || !is_heaviest, "{case}");
                 }

@@ -213,7 +213,7 @@ fn an_edited_body_knows_its_place_after_a_detection_that_panicked() {
     }
 }
 
-/// What a handler was told: which colliders began (or stopped) to touch, and which bodies were taken out.
+/// Events of a handler: colliders that began or stopped to touch, and disabled bodies.
 type Told = Vec<(bool, ColliderHandle, ColliderHandle)>;
 
 /// Takes notes, and panics as often as it is told to.

@@ -6,7 +6,7 @@ use std::cell::RefCell;
 use std::sync::Once;
 
 thread_local! {
-    /// What was logged on this thread: tests run side by side.
+    /// Log of this thread: tests run concurrently.
     static HEARD: RefCell<Vec<String>> = const { RefCell::new(Vec::new()) };
 }
 
@@ -24,7 +24,7 @@ impl Log for Listener {
     fn flush(&self) {}
 }
 
-/// What `work` returns, and what it made the engine log as a warning or an error.
+/// The result of `work`, and its warnings and errors in the engine's log.
 pub fn listen<T>(work: impl FnOnce() -> T) -> (T, Vec<String>) {
     static INSTALLED: Once = Once::new();
     INSTALLED.call_once(|| {

@@ -155,7 +155,7 @@ fn unsound_shapes_are_refused_with_a_reason() {
     }
 }
 
-/// What `None` hides, the `try_` constructors say.
+/// The `try_` constructors return the reason that `None` hides.
 #[test]
 fn hulls_say_why_there_is_none() {
     let line: Vec<Vector> = (0..9).map(|i| Vector::ONE * i as Real).collect();

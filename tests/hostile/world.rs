@@ -1,4 +1,4 @@
-//! What must hold in every world, whatever was done to it.
+//! Invariants of every world after any edits.
 
 use super::rapier::prelude::*;
 

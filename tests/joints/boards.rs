@@ -13,7 +13,7 @@ const DENSITIES: [Real; 3] = [100.0, 1000.0, 10_000.0];
 const HEIGHT: Real = 7.0;
 
 /// Neither the ground nor joints do work, friction takes some, and no contact gives back more than it took.
-/// What the undoing of overlap and of gaps may lend for some steps is to be far less than this.
+/// Temporary energy of position corrections must be far less than this.
 const ROOM: Real = 0.02;
 
 /// Vectors within a cube of half length 1, one after another.
@@ -31,7 +31,7 @@ impl Dice {
     }
 }
 
-/// What is thrown.
+/// The projectile.
 #[derive(Copy, Clone)]
 struct Chain {
     boards: usize,
@@ -64,7 +64,7 @@ fn throw(world: &mut PhysicsWorld, dice: &mut Dice, chain: Chain) -> Vec<RigidBo
     boards
 }
 
-/// What joins the boards of a chain.
+/// The joint of a chain's boards.
 fn joint(chain: Chain) -> GenericJoint {
     let anchors = [Vector::X * 0.5, Vector::X * -0.5];
     if chain.balls {
@@ -171,15 +171,15 @@ impl FreeEnd {
         pairs.any(|pair| pair.total_impulse_magnitude() != 0.0)
     }
 
-    /// What the joint says that it gave the board in the last step.
+    /// The reported impulse of the joint on the board in the last step.
     fn given(&self, world: &PhysicsWorld) -> Vector {
         world.impulse_joints[self.joint].force() * (self.side * world.integration_parameters.dt)
     }
 }
 
-/// What a joint says that it gave in a step with a blow is what the board at its end got, `m Δv = (F + m g)
-/// dt`, though of a round of impacts bodies may get a part only. (None is stopped on its way so as not to fly
-/// through the ground: it would not yet have the weight of the time that is left.)
+/// The reported impulse of a joint in a step with an impact equals the change of the board at its end, `m Δv
+/// = (F + m g) dt`, although bodies may get a fraction of an impact round only. (None is stopped on its way
+/// so as not to fly through the ground: it would not yet have the weight of the time that is left.)
 #[test]
 fn joints_tell_of_blows_what_their_bodies_got() {
     let mut dice = Dice(4321);

@@ -10,7 +10,7 @@ const LINKS: usize = 20;
 /// Half the length of a link.
 const HALF: Real = 0.25;
 
-/// What a chain is made of.
+/// Parameters of a chain.
 #[derive(Copy, Clone, Debug)]
 enum Kind {
     /// Hinges about the axis that points out of the picture.

@@ -1,8 +1,8 @@
 //! Thin limbs swing and tumble on their joints, and get no energy from them (3D).
 //!
-//! A thin limb turns ten times as easily about its own axis as about another. What a joint gives it must be
-//! reckoned with the inertia that it has where it is by then: otherwise the work of the joint's impulses is
-//! not what the limb gains.
+//! A thin limb turns ten times as easily about its own axis as about another. The impulse of a joint must use
+//! the current inertia. Otherwise the work of the joint's impulses differs from the energy change of the
+//! limb.
 
 use crate::suite::joints::stage::post;
 use crate::suite::physics::stage::{RATES, steps, weightless, world};

@@ -210,8 +210,8 @@ fn equal_limits_are_a_lock() {
     assert!((found - 0.4).abs() < 1.0e-3, "{found}");
 }
 
-/// What circles at the end of a rope is no farther than the rope is long, keeps its speed, and pulls with `m
-/// v² / r`: within the `(h v / r)²` by which a polygon of substeps differs from a circle.
+/// A body that circles on a rope stays within its length, keeps its speed, and pulls with `m v² / r`. The
+/// tolerance is `(h v / r)²`, the difference of a polygon of substeps from a circle.
 #[test]
 fn ropes_lead_round_in_circles() {
     for rate in RATES {

@@ -1,4 +1,4 @@
-//! What joints do in space alone: swing, twist, hinges about any axis.
+//! Joints of 3D only: swing, twist, hinges about any axis.
 
 use crate::suite::joints::stage::{bob, post};
 use crate::suite::physics::stage::{G, RATES, run, steps, weightless, world};
@@ -178,7 +178,7 @@ fn hinges_of_a_door(rate: u32, axis: Vector) -> ([Real; 2], Real) {
         let mut joint: GenericJoint = RevoluteJointBuilder::new(Vector::Y).build().into();
         joint.set_local_anchor2(Vector::new(-0.45, height, 0.0));
         joint.local_frame1 = pose * joint.local_frame2;
-        // Those above and below also hold against tipping: a quarter of the weight each.
+        // Joints above and below also carry against tipping: a quarter of the weight each.
         joint.set_break_thresholds(3.0 * share, Real::INFINITY);
         joints.push(world.insert_impulse_joint(wall, door, joint));
     }

@@ -1,4 +1,4 @@
-//! What the scenes of joints are made of.
+//! Elements of the scenes of joints.
 
 use crate::dim::{hinge, vec};
 use rapier::prelude::*;

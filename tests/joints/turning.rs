@@ -138,8 +138,8 @@ fn energy(world: &PhysicsWorld) -> Real {
     kinetic_energy(world) + heights.sum::<Real>()
 }
 
-/// A double pendulum that is let go at level, as wild as one gets. What comes and goes is of second order in
-/// `h ω`.
+/// A double pendulum that is let go at level, as wild as one gets. The oscillation is of second order in `h
+/// ω`.
 #[test]
 fn double_pendulums_keep_their_energy() {
     let mut table = Table::new("double pendulums over 30 s", &["rate", "m", "least", "most"]);

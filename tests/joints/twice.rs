@@ -1,4 +1,4 @@
-//! What is held more often than it need be: joints that do the same share the load.
+//! Redundant joints share the load.
 //!
 //! Mechanics does not say which of three hinges bears a door, and the equations of such joints are singular.
 //! Of all forces that hold, the solver finds the least: then equal joints bear equal loads, and none strains
@@ -140,8 +140,8 @@ fn joints_that_do_the_same_bear_the_same() {
     }
 }
 
-/// Planks from bank to bank in an arch that hangs, by 25 hinges. What stands out of the picture is held once
-/// more than it need be: nothing pulls there, and so nothing should be felt there.
+/// Planks from bank to bank in an arch that hangs, by 25 hinges. The direction out of the plane is redundant:
+/// there is no load, so there must be no force.
 #[test]
 fn hinges_of_a_bridge_do_not_strain_sideways() {
     const COUNT: usize = 24;

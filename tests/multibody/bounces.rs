@@ -77,7 +77,7 @@ fn apex(mut world: PhysicsWorld, body: RigidBodyHandle) -> Real {
     apex
 }
 
-/// What falls from the height `H` bounces back up to `e² H`, as a link does as a body of its own.
+/// A body that falls from the height `H` bounces back up to `e² H`, as a link as well as a single body.
 #[test]
 fn links_rise_to_where_bodies_do() {
     let columns = ["rate", "link", "restitution", "apex", "formula", "error"];
@@ -215,8 +215,8 @@ fn what_is_welded_lands_on_its_corners_and_gains_no_energy() {
 
 /// A ball falls on a pair of balls that are welded into one and lie on the ground, which stops them dead: the
 /// whole weighs as much as the ball, so that the blow drives it into the ground at up to the speed of the
-/// fall. What the blow has lost is lost: that the ground holds the pair is no new blow on the ball, be it a
-/// body or half of such a pair, and energy never comes back.
+/// fall. Energy lost in the impact never comes back: the support by the ground is no new impact on the ball,
+/// whether it is a body or half of such a pair.
 #[test]
 fn what_a_blow_drives_into_the_ground_does_not_strike_back() {
     let columns = ["rate", "is a link", "restitution", "gain"];
@@ -241,7 +241,7 @@ fn what_a_blow_drives_into_the_ground_does_not_strike_back() {
                     }
                 };
                 insert(RADIUS, 0.0, true);
-                // What two materials make of it is the mean of both.
+                // The combined value of two materials is the mean.
                 insert(3.0 * RADIUS + 1.0, 2.0 * restitution, is_link);
                 let (mut least, mut gain): (Real, Real) = (energy(&world), 0.0);
                 for _ in 0..steps(&world, 2.0) {
@@ -301,7 +301,7 @@ fn links_pass_on_a_blow() {
                 format!("{others:.4}"),
                 format!("{:+.2e}", energy / 4.5 - 1.0),
             ]);
-            // What approaches by less than a centimetre per second is stopped without a bounce.
+            // An approach by less than a centimetre per second is stopped without a bounce.
             table.check("the last one's speed", speed(4), 3.0, 0.03);
             table.require(energy < 4.5 * 1.0001, "the energy does not rise");
         }

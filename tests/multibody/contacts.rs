@@ -94,8 +94,8 @@ fn links_that_touch_at_their_joints_gain_nothing() {
     }
 }
 
-/// Those of an arm that is closed as far as they let it are held apart all the same: within its limits the
-/// ends of two capsules overlap by `2 r (1 - cos(α/2))`, which is what the contact is there to prevent.
+/// Colliders of an arm that is closed up to its limits are kept apart nevertheless. Within the limits the
+/// ends of two capsules would overlap by `2 r (1 - cos(α/2))`, which the contact prevents.
 #[test]
 fn links_that_touch_at_their_joints_are_held_apart() {
     let mut world = world(60);

@@ -1,4 +1,4 @@
-//! What the user does between steps: joints come and go, bodies are pushed, moved and removed.
+//! Edits between steps: joints are inserted and removed, bodies are pushed, moved and removed.
 
 use super::stage::{chain, hang, momentum, slab};
 use crate::dim::{about_z, hinge, vec, z_of};
@@ -10,7 +10,7 @@ fn links(world: &PhysicsWorld, joint: MultibodyJointHandle) -> Option<usize> {
     world.multibody_joints.get(joint).map(|(multibody, _)| multibody.num_links())
 }
 
-/// What is cut off flies on as it flew, and the parts are multibodies of their own.
+/// A detached part keeps its velocity, and the parts are separate multibodies.
 #[test]
 fn a_removed_joint_splits() {
     let mut world = weightless(60);

@@ -7,7 +7,7 @@ use crate::suite::physics::stage::{Dice, add_ground, world};
 use crate::suite::physics::table::Table;
 use rapier::prelude::*;
 
-/// What the trees meet.
+/// Obstacles of the trees.
 #[derive(Copy, Clone, Debug, PartialEq)]
 pub enum Place {
     Space,
@@ -152,7 +152,7 @@ pub fn energy(world: &PhysicsWorld, links: &[RigidBodyHandle]) -> [Real; 2] {
 pub struct Outcome {
     /// The largest energy above the least one before (J).
     pub gain: Real,
-    /// What that is to be measured by (J).
+    /// Reference energy (J).
     pub scale: Real,
     pub fastest: Real,
 }
@@ -253,7 +253,7 @@ fn free_trees_keep_their_momentum() {
         for _ in 0..60 {
             world.step();
         }
-        // What a momentum of the kinetic energy would be, with arms of a metre.
+        // Momentum that corresponds to the kinetic energy, with arms of a metre.
         let scale = (2.0 * mass * kinetic).sqrt().max(Real::MIN_POSITIVE);
         let lost = (momentum(&world, &links) - linear).length() / scale;
         let turned = ang_length(spin(&world) - angular) / scale;

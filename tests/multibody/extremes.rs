@@ -168,7 +168,7 @@ fn joined_multibodies_are_cut_in_mid_air() {
     assert_finite(&world, "a body was removed");
     world.impulse_joints.remove(tie, true);
     world.multibody_joints.remove(one.joints[1], true);
-    // What was cut off hangs on the other chain now, the other way round.
+    // The detached part hangs on the other chain now, in reverse order.
     let joint = hinge().local_anchor1(vec(0.5, 0.0)).local_anchor2(vec(-0.5, 0.0));
     assert!(world.insert_multibody_joint(two.bodies[3], one.bodies[2], joint).is_some());
     run(&mut world, 2.0);

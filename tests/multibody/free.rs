@@ -1,4 +1,4 @@
-//! What tumbles freely keeps its energy and its momentum.
+//! Free tumbling conserves energy and momentum.
 
 use super::stage::{angular_momentum, chain, kinetic_energy, momentum};
 use crate::dim::{about_z, ang_length, tumble, vec};

@@ -1,4 +1,4 @@
-//! What the scenes of multibodies are made of.
+//! Elements of the scenes of multibodies.
 
 use crate::dim::{about_z, hinge, loose_joint, spin_momentum, vec};
 use crate::suite::joints::stage::bob;

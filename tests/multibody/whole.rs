@@ -174,7 +174,7 @@ fn wheels_of_a_multibody_roll() {
     assert!((hub.linvel().x / speed - 1.0).abs() < 0.01, "it goes at {}", hub.linvel());
 }
 
-/// What bounces without friction spins on as it did, and comes as high as it was.
+/// A bounce without friction keeps the spin and the height.
 #[test]
 fn what_spins_bounces_as_high() {
     let mut table =
@@ -205,7 +205,7 @@ fn what_spins_bounces_as_high() {
     }
 }
 
-/// What turns on a carriage turns on, however fast the carriage goes: nothing in its frame does any work.
+/// A rotation on a carriage continues at any speed of the carriage: nothing in its frame does work.
 #[test]
 fn arms_on_carriages_turn_on() {
     for (speed, spin) in [(3.0, 3.0), (10.0, 10.0), (20.0, 20.0)] {

@@ -217,7 +217,7 @@ fn a_ball_between_two_walls() {
     }
 }
 
-/// What is hit on both sides at the same moment, and is the same on both sides, stays so.
+/// A symmetric body that is hit on both sides at the same time stays symmetric.
 #[test]
 fn symmetric_blows_stay_symmetric() {
     let columns = ["between", "e", "speed", "left", "right", "middle"];
@@ -336,7 +336,7 @@ fn z(body: &RigidBody) -> Real {
     crate::dim::z_of(body.angvel())
 }
 
-/// What sleeps is woken by a blow and bounces as if it had been awake.
+/// An impact wakes a sleeping body, which bounces as if it had been awake.
 #[test]
 fn sleepers_bounce_as_those_awake() {
     for e in [0.0, 0.5, 1.0] {
@@ -503,7 +503,7 @@ fn hooks_change_how_a_blow_ends() {
     }
 }
 
-/// What happens in one island does not change a bit of another.
+/// Islands are independent to the last bit.
 #[test]
 fn islands_do_not_feel_each_others_blows() {
     let swing = |disturbed: bool| {
@@ -564,7 +564,7 @@ fn stops_are_no_blows_on_others() {
     }
 }
 
-/// What a force presses against a wall stays there: it approaches in every substep, and hits in none.
+/// A body that a force presses against a wall stays there: it approaches in every substep, and hits in none.
 #[test]
 fn pressed_bodies_lie_still() {
     for force in [10.0, 1000.0, 10_000.0] {

@@ -163,7 +163,7 @@ fn rows_pass_on_a_blow() {
                     format!("{:+.2e}", momenta / momentum - 1.0),
                     format!("{:+.2e}", kept - 1.0),
                 ]);
-                // What approaches by less than a centimetre per second is stopped without a bounce.
+                // An approach by less than a centimetre per second is stopped without a bounce.
                 table.check("the last one's speed", last, formula, 0.01 * formula);
                 table.check("the momentum", momenta, momentum, 1.0e-4 * momentum);
                 table.check("the share of energy", kept, 1.0, 0.002);
@@ -192,7 +192,7 @@ fn gain(world: &mut PhysicsWorld, seconds: Real, fall: Real) -> [Real; 2] {
     [(most - first) / fall, 1.0 + (energy(world) - first) / fall]
 }
 
-/// What bounces does not gain energy, and what falls on something that lies gives it its own.
+/// A bounce does not gain energy, and a falling body gives its energy to a resting one.
 #[test]
 fn piles_do_not_gain_energy() {
     let mut table = Table::new("elastic piles, 4 s", &["rate", "pile", "gain", "left"]);

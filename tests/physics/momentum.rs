@@ -1,4 +1,4 @@
-//! What contacts must leave alone: the momentum and the angular momentum of all bodies together.
+//! Contacts conserve the total momentum and angular momentum.
 
 use super::stage::{Dice, RATES, steps, weightless};
 use super::table::Table;

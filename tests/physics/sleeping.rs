@@ -52,7 +52,7 @@ fn an_island_falls_asleep_as_a_unit() {
     }
 }
 
-/// What sleeps is not solved, does not move by a single bit, and keeps the velocity zero.
+/// A sleeping body is not solved, keeps its pose to the bit, and has zero velocity.
 #[test]
 fn sleep_costs_nothing() {
     for rate in RATES {
@@ -199,7 +199,7 @@ fn a_beam_whose_tip_moves_is_not_frozen() {
     }
 }
 
-/// What trembles comes to no other place, and may sleep: 0.5 m/s to and fro from step to step is 8 mm.
+/// A trembling body keeps its place, and may sleep: 0.5 m/s to and fro from step to step is 8 mm.
 #[test]
 fn a_body_that_trembles_sleeps() {
     for rate in [60, 240] {

@@ -181,8 +181,8 @@ fn heavy_top() {
     }
 }
 
-/// What stands elsewhere moves as if it stood alone, to the last bit, however many substeps another island
-/// takes; and a lift that both stand on carries both.
+/// A separate stack moves as if it were alone, to the last bit, for any number of substeps of another island;
+/// and a lift under both carries both.
 #[test]
 fn substeps_of_an_island_are_its_own() {
     let stacks = |is_heavy: bool| {

@@ -1,4 +1,4 @@
-//! What tips over an edge lands on the ground, not in it.
+//! A body that tips over an edge lands on the ground, not in it.
 
 use super::stage::{G, RATES, add_ground, steps, world};
 use super::table::Table;

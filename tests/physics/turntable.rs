@@ -1,4 +1,4 @@
-//! What stands on something that turns. 3D only: in the plane nothing can stand beside the axis.
+//! Bodies on rotating ground. 3D only: in the plane nothing can stand beside the axis.
 
 use crate::suite::physics::stage::{RATES, run, world};
 use crate::suite::physics::table::Table;

@@ -7,7 +7,7 @@ fn box_at(x: Real) -> ColliderBuilder {
     cuboid(0.5, 0.5).translation(vec(x, 0.0))
 }
 
-/// What a ray from the left hits.
+/// Result of a ray from the left.
 fn hit(queries: &QueryPipeline, colliders: &ColliderSet) -> Option<ColliderHandle> {
     let ray = Ray::new(vec(-10.0, 0.0), Vector::X);
     let hit = queries.cast_ray(colliders, &ray, 100.0, true, QueryFilter::default());

@@ -1,4 +1,4 @@
-//! What tyres hold, and in which direction.
+//! Grip of tyres, and its direction.
 
 use super::stage::{HALF_BASE, MASS, RATES, Road};
 use crate::suite::physics::stage::G;

@@ -3,7 +3,7 @@
 use crate::suite::physics::stage::world;
 use rapier::prelude::*;
 
-/// What the car weighs (kg).
+/// Mass of the car (kg).
 pub const MASS: Real = 1000.0;
 /// Half of the distances between the axles, and between the wheels of one (m).
 pub const HALF_BASE: Real = 1.3;

@@ -1,7 +1,7 @@
 //! # Whole worlds
 //!
-//! What happens to the sets of a world as wholes: they are replaced by those of other worlds, saved, loaded,
-//! and loaded from damaged data. Nothing here depends on the dimension.
+//! Operations on whole sets of a world: they are replaced by those of other worlds, saved, loaded, and loaded
+//! from damaged data. Nothing here depends on the dimension.
 
 // The fuzzer compiles `sets` as well, under another parent.
 #[cfg(feature = "serde-serialize")]

@@ -22,7 +22,7 @@ fn remove_awake(world: &mut PhysicsWorld, position: usize) {
 /// A name, and what it does to a world.
 pub type Edit = (&'static str, fn(&mut PhysicsWorld));
 
-/// What the user may have done between the last step and saving.
+/// Edits between the last step and saving.
 pub const EDITS: [Edit; 9] = [
     ("nothing", |_| {}),
     ("a push", |world| change_awake(world, 2, |body| body.apply_impulse(Vector::X, true))),

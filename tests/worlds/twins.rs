@@ -68,7 +68,7 @@ const EARLIER: [(&str, Change); 8] = [
     }),
 ];
 
-/// What happens to a twin after the last step.
+/// Edits of a twin after the last step.
 const LATER: [(&str, Change); 7] = [
     ("nothing", |_| {}),
     ("a body is inserted", |world| {
@@ -169,7 +169,7 @@ fn copies_that_were_edited_are_mixed_in_every_way() {
     }
 }
 
-/// What is done to the rigid joint of one of two copies, and taken in by a detection.
+/// Edit of the rigid joint of one of two copies, applied by a detection.
 const JOINT_EDITS: [(&str, Change); 3] = [
     ("disabled", |world| {
         rigid_joint(world).1.data.set_enabled(false);

@@ -71,7 +71,7 @@ impl core::fmt::Display for Divergence {
     }
 }
 
-/// Why a replay cannot go on.
+/// The reason why a replay ended.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum ReplayError {

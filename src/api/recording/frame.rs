@@ -81,7 +81,7 @@ fn append(value: &impl Serialize, bytes: &mut Vec<u8>) {
     }
 }
 
-/// Reads what stands in front of the frames, and returns it with the frames.
+/// Reads the header before the frames, and returns it with the frames.
 pub fn read_opening(recording: &[u8]) -> Result<(Opening, &[u8]), RecordingError> {
     let rest = recording.strip_prefix(&MAGIC).ok_or(RecordingError::NotARecording)?;
     let (format, rest) = rest.split_first_chunk().ok_or(RecordingError::NotARecording)?;

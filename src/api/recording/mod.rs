@@ -2,9 +2,8 @@
 //!
 //! A recording begins with a snapshot and contains, for every step, the edits that the user made before it
 //! and the hashes of the world after it. Edits are found by comparison: the world is saved after each step
-//! and before the next one, and the difference is stored. So every edit is recorded, whatever function made
-//! it, and programs need no change but the call that steps. A list of calls would be shorter but would miss
-//! unlisted calls.
+//! and before the next one, and the difference is stored. Every edit is recorded, by any function, and
+//! programs change only the call that steps. A list of calls would be shorter but would miss unlisted calls.
 //!
 //! * `frame.rs`: the data of a step, and the format of the file.
 //! * `recorder.rs`: a world in, a file out.

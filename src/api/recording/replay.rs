@@ -58,7 +58,7 @@ impl<'a> Replay<'a> {
         self.steps
     }
 
-    /// Number of steps that are left to take: of a file that was cut off, those that are whole.
+    /// Number of remaining steps; of a truncated file, the complete ones.
     pub fn steps_left(&self) -> usize {
         let (mut frames, mut steps) = (self.frames, 0);
         while let Ok((_, rest)) = read_frame(frames, steps) {

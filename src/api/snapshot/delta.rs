@@ -20,11 +20,11 @@ const MAGIC: [u8; 8] = *b"physdlt\n";
 
 /// A copy of fewer bytes would be longer than the bytes.
 const COPY_BYTES_MIN: usize = 5;
-/// After so many new bytes in a row another shift is looked for.
+/// Number of new bytes in a row after which another shift is searched.
 const LITERAL_BYTES_MAX: usize = 32;
 /// The bytes of a block of the table.
 const BLOCK_BYTES: usize = 16;
-/// A new shift must match so many bytes: fewer may do so by chance.
+/// Number of bytes that a new shift must match: fewer may match by chance.
 const SHIFTED_BYTES_MIN: usize = 32;
 
 /// The input of [`apply_snapshot_delta`] to make `next` from `base`. Both are

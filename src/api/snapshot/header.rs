@@ -1,4 +1,4 @@
-//! The first bytes of a snapshot: what it is, and whether it is whole.
+//! The first bytes of a snapshot: its format, and a checksum.
 
 use super::error::SnapshotError;
 use crate::base::hash::MixHasher;
@@ -89,7 +89,7 @@ impl Header {
     }
 }
 
-/// A hash that recognises damage. It is no defence against forgery: whatever is read is checked besides.
+/// A hash that recognises damage. It is no defence against forgery: all data is validated besides.
 pub fn checksum(bytes: &[u8]) -> u64 {
     let mut hasher = MixHasher::default();
     hasher.write_u64(bytes.len() as u64);

@@ -29,7 +29,7 @@ impl Clone for BuildScratch {
     fn clone_from(&mut self, _: &Self) {}
 }
 
-/// Boxes that stand next to each other in the list of all, and the box around them.
+/// A range of boxes in the list, and the box around them.
 #[derive(Copy, Clone)]
 struct Part {
     start: usize,
@@ -181,7 +181,7 @@ fn best_plane(leaves: &[Entry]) -> Option<Plane> {
     best.map(|(_, plane)| plane)
 }
 
-/// Before which bin the cut is best, and what it costs. The first bin if no cut leaves boxes on both sides.
+/// The best bin for a split, and its cost. The first bin if no cut leaves boxes on both sides.
 fn best_bin(leaves: &[Entry], plane: &Plane) -> (Real, usize) {
     let mut bins = [(0_usize, Aabb::new_invalid()); BINS];
     for entry in leaves {

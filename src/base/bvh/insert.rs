@@ -12,8 +12,8 @@ use core::cmp::Ordering;
 use parry::bounding_volume::{Aabb, BoundingVolume};
 use parry::math::{DIM, Real};
 
-/// Weight of a box's growth against its size when a new box is inserted: existing contents are visited in
-/// vain in proportion to the growth, the new box in proportion to the size.
+/// Weight of a box's growth against its size when a new box is inserted. Growth makes searches visit the
+/// existing contents in vain; size makes them visit the new box.
 const WEIGHT_OF_GROWTH: Real = 4.0;
 /// Limit on the box of a node before a growing child is moved elsewhere: this fraction of the sum of its
 /// children's measures. Eight squares side by side are a third, as many cubes a half.

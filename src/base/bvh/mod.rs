@@ -45,7 +45,7 @@ use parry::math::{DIM, Real};
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde-serialize", serde(remote = "Self"))]
 pub struct BoxTree {
-    /// The root comes first. Nodes that are free stand in `free`.
+    /// The root comes first. `free` contains the unused nodes.
     nodes: Vec<Node>,
     free: Vec<u32>,
     /// The place of each slot's box.
@@ -88,7 +88,7 @@ impl BoxTree {
         Some(self.nodes[place.node()].lane_box(place.lane()))
     }
 
-    /// Begins to bring near what holds the box of a slot.
+    /// Prefetches the node with the box of a slot.
     pub fn prefetch(&self, slot: u32) {
         if let Some(node) = self.place(slot).and_then(|place| self.nodes.get(place.node())) {
             prefetch(node);

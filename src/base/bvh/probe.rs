@@ -15,7 +15,7 @@ pub trait Probe: Copy {
     fn look<W: Wide>(&self, planes: &Planes, reach: Real) -> (W, W::Mask);
 }
 
-/// A box, for what overlaps it. Touching counts. It has no distances: all are zero.
+/// A box: finds overlapping boxes. Touching counts. It has no distances: all are zero.
 #[derive(Copy, Clone, Debug)]
 pub struct BoxProbe(pub Aabb);
 
@@ -32,7 +32,7 @@ impl Probe for BoxProbe {
     }
 }
 
-/// A point, for what is near it.
+/// A point: finds near boxes.
 #[derive(Copy, Clone, Debug)]
 pub struct PointProbe(pub Vector);
 

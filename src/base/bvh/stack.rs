@@ -1,6 +1,6 @@
 //! Stack of pending nodes.
 
-/// Entries that fit without asking for memory: for all trees but those that an adversary grew.
+/// Inline capacity: sufficient for all trees except adversarial ones.
 const INLINE_CAPACITY: usize = 64;
 
 /// Last in, first out. Without allocation while it is short.

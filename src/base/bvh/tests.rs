@@ -296,8 +296,8 @@ fn few_nodes_are_looked_at() {
     }
 }
 
-/// Boxes that lie on each other, eight by eight, and leave for the other end of the world do not each enlarge
-/// the boxes of the others: at their new place, they are grouped again.
+/// Eight boxes at each place leave for the other end of the world. They must not enlarge each other's
+/// parents: at their new place, they are grouped again.
 #[test]
 fn who_leaves_drags_nobody() {
     let at = |x: Real, y: Real| {

@@ -2,8 +2,8 @@
 //!
 //! A step consists of some hundred loops with serial code in between, and many of them take at most ten
 //! microseconds: the time that a sleeping thread needs to wake. So helpers stay awake between loops. Workers
-//! join at the first loop that is large enough, spin until the next one, and leave after a while without work
-//! ([`YIELDS_MAX`]), because the pool belongs to the user. The next loop recruits them again.
+//! join at the first loop that is large enough, and spin until the next one. They leave after a while without
+//! work ([`YIELDS_MAX`]), because the pool belongs to the user. The next loop recruits them again.
 //!
 //! Each thread has a *range* of a loop's pieces and takes them from its front: always the same blocks and
 //! bodies, which are in its cache from the last loop. A thread without pieces takes from the back of the
@@ -110,8 +110,8 @@ impl WorkerTeam {
         // SAFETY: no loop is open, so there are no readers.
         unsafe { *self.current.get() = Loop { work, count, piece } };
         self.done.store(0, Ordering::Relaxed);
-        for (k, work) in self.work_ranges[..self.threads].iter().enumerate() {
-            work.give(k * pieces / self.threads..(k + 1) * pieces / self.threads);
+        for (k, own) in self.work_ranges[..self.threads].iter().enumerate() {
+            own.give(k * pieces / self.threads..(k + 1) * pieces / self.threads);
         }
         self.fill_vacancies(hire);
         self.work_off(0);

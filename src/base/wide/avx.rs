@@ -149,7 +149,7 @@ register!(F64x4, f64, 4,
     _mm256_cmp_pd _mm256_blendv_pd _mm256_movemask_pd _mm256_xor_pd _mm256_andnot_pd);
 
 // Transposing a square that is as wide as the register would need instructions that cross its middle. Instead
-// each half of a register is loaded from its own record, so that halves never mix: the loads and stores
+// each half of a register is loaded from its own record, so that halves never mix. The loads and stores
 // exchange halves, and half-wide squares are left to transpose.
 
 impl F32x8 {

@@ -11,7 +11,7 @@ use parry::shape::{Shape, SupportMap, TypedShape};
 pub(super) struct Body<'a> {
     sharp: Sharp<'a>,
     radius: Real,
-    /// The part, if nothing was taken off.
+    /// The part, if it has no removed layer.
     whole: Option<&'a dyn Shape>,
     /// The normal of a part that is flat.
     flat: Option<Vector>,
@@ -223,8 +223,8 @@ fn search_error() -> Real {
 /// The direction, among some, along which two shapes are farthest apart, and that distance: a lower bound of
 /// their distance.
 ///
-/// The search may diverge for a wide floor and a thin object near it, and return a large distance. This is
-/// what is certain.
+/// The search may diverge for a wide floor and a thin object near it, and return a large distance. This is a
+/// certain lower bound.
 fn widest(
     pos12: &Pose,
     shape1: &Shrunk<'_>,

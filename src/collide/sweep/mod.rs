@@ -316,7 +316,7 @@ fn impact_of_parts(
     }
 }
 
-/// Within what distance parts have met.
+/// Distance at which parts have met.
 #[derive(Copy, Clone, Debug)]
 struct Goal {
     gap: Real,
@@ -389,12 +389,12 @@ fn advance(
             }
             goal.tolerance = 0.5 * (dist - goal.gap);
         } else if dist > goal.gap + tolerance {
-            // It has left what it was near to, and is to be stopped early again.
+            // It has left the initially near part, and may be stopped early again.
             goal.tolerance = tolerance;
         }
         let closing =
             nearing + turning(sweeps.map(|sweep| sweep.segment(fraction).angle()), reaches);
-        // Not so far that they would touch: closest points of what touches are not always found.
+        // The distance is less than contact: closest points of touching shapes are not always found.
         let next = fraction + (dist - goal.gap - 0.5 * goal.tolerance) / closing.max(0.0);
         let change = sweeps[0].next_change(fraction).min(sweeps[1].next_change(fraction));
         // Beyond a change of velocity this says nothing.

@@ -72,8 +72,8 @@ pub(crate) struct Sweep<'a> {
 }
 
 impl<'a> Sweep<'a> {
-    /// The motion at constant velocity of a shape that stands at `start` when the step begins, with the
-    /// centre of rotation at `center`.
+    /// The motion of a shape at constant velocity from the pose `start`, with the centre of rotation at
+    /// `center`.
     pub fn new(start: Pose, center: Vector, shift: Vector, rotvec: AngVector) -> Self {
         let segment =
             Segment { from: 0.0, until: 1.0, rotation: start.rotation, center, shift, rotvec };
@@ -153,7 +153,7 @@ impl<'a> Sweep<'a> {
         Pose::from_parts(segment.center_at(fraction) - rotation * self.local_center, rotation)
     }
 
-    /// The same motion of something that stands at `place` in the frame of what moves.
+    /// The same motion of an object at `place` in the moving frame.
     pub fn of_part(&self, place: &Pose) -> Self {
         let local_center = place.inverse_transform_point(self.local_center);
         Self { rotation: self.rotation * place.rotation, local_center, ..*self }

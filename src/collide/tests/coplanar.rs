@@ -1,4 +1,4 @@
-//! Floors of many pieces: what stands on them touches a plane.
+//! Coplanar patches: bodies on them have the contacts of a plane.
 
 use super::{ManifoldScratch, ShapePair, compute_manifolds};
 use crate::base::random::Random;
@@ -13,7 +13,7 @@ const PREDICTION: Real = 0.02;
 
 type Manifolds = SmallVec<[ContactManifold; 1]>;
 
-/// The manifolds of a ground and a body that stands at a pose.
+/// The manifolds of a ground and a body at a pose.
 fn contacts(
     ground: &SharedShape,
     body: &SharedShape,

@@ -1,4 +1,4 @@
-//! Asking the user's hooks about what a character meets, as the narrow phase asks about contacts.
+//! Calls of the user's hooks for the contacts of a character, as in the narrow phase.
 
 use crate::dim::math::{Pose, Vector};
 use crate::model::body::RigidBodySet;
@@ -167,7 +167,7 @@ impl<'a> Advisor<'a> {
         manifold.is_solved()
     }
 
-    /// Completes a manifold with what hooks may look at.
+    /// Completes a manifold with the data for hooks.
     fn complete(&self, manifold: &mut ContactManifold, obstacle: &Collider, pose: &Pose) {
         let rotation = obstacle.position().rotation;
         let data = &mut manifold.data;

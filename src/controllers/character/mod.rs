@@ -7,8 +7,8 @@
 //! 1. **Recover** ([`recover`]). If the shape is closer to an obstacle than the offset, because that moved,
 //!    push it out by the smallest sufficient translation.
 //! 2. **Contacts** ([`obstacles`], [`touch`], [`planes`]). Every contact manifold near the shape is a plane
-//!    that the shape must stay in front of. `plane_pruning.rs` leaves out planes that another one makes
-//!    needless: that is what keeps flush tiles and the triangles of a mesh from being felt.
+//!    that the shape must stay in front of. `plane_pruning.rs` removes redundant planes, so that level tiles
+//!    and the triangles of a mesh have no internal edges.
 //! 3. **Solve** ([`solve`]). Direct the desired translation along the floor, remove its components into
 //!    walls, and project it onto the polyhedron of all planes ([`polyhedron`], exactly).
 //! 4. **Sweep** ([`sweep`]). Move until a new obstacle, and repeat with the rest of the desired translation.

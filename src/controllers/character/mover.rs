@@ -63,7 +63,7 @@ impl<'a> Mover<'a> {
         self.recover();
         self.find_steps(desired);
         let rises = desired.dot(self.settings.up) > self.settings.tolerance;
-        let stood = !rises && self.is_held();
+        let stood = !rises && self.is_supported();
         let slides = self.go(desired, stood);
         let floor = if rises { None } else { self.floor() };
         EffectiveCharacterMovement {
@@ -74,7 +74,7 @@ impl<'a> Mover<'a> {
         }
     }
 
-    fn is_held(&self) -> bool {
+    fn is_supported(&self) -> bool {
         self.planes.iter().any(|plane| plane.holds(&self.settings))
     }
 
@@ -117,7 +117,7 @@ impl<'a> Mover<'a> {
             self.recover();
             self.find_steps(Vector::ZERO);
         }
-        if sticks && !self.is_held() {
+        if sticks && !self.is_supported() {
             self.snap();
         }
         slides
@@ -149,7 +149,7 @@ impl<'a> Mover<'a> {
         let before = self.moved;
         self.moved += down * swept.fraction;
         self.look_for(Vector::ZERO);
-        if !self.is_held() {
+        if !self.is_supported() {
             self.moved = before;
             self.look_for(Vector::ZERO);
         }

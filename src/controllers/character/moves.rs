@@ -1,4 +1,4 @@
-//! The controller's questions, as users ask them.
+//! The public methods of the controller.
 
 use super::hooks::{Advisor, CharacterHooks};
 use super::movement::{CharacterCollision, EffectiveCharacterMovement};
@@ -15,7 +15,7 @@ use parry::shape::Shape;
 impl KinematicCharacterController {
     /// Computes the admissible part of `desired_translation` of a shape within `dt` seconds.
     ///
-    /// * `queries`: the world, less what the character does not collide with. Exclude its own body:
+    /// * `queries`: the world without the colliders that the character ignores. Exclude its own body:
     ///   `world.query_pipeline_with_filter(QueryFilter::default().exclude_rigid_body(player))`. Sensors never
     ///   count.
     /// * `character_shape`, `character_pos`: usually those of the character's collider.

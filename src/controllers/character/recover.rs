@@ -1,5 +1,4 @@
-//! Getting out of what has come too close: a wall that moves, a lift that rises, a place where the user put
-//! the character.
+//! Recovery from penetration of the offset: by a moving wall, a rising lift, or an edit of the pose.
 
 use super::mover::Mover;
 use super::planes::{Kind, Plane};
@@ -7,7 +6,7 @@ use super::polyhedron::{HalfSpace, least_violation};
 use super::resolved::ResolvedSettings;
 use crate::dim::math::Vector;
 
-/// After each push the character looks again: what is pushed out of one thing may come too close to the next.
+/// Contacts are recomputed after each push, because the push may reduce the distance to another obstacle.
 const PUSHES_MAX: usize = 4;
 
 impl Mover<'_> {

@@ -3,7 +3,7 @@
 use super::length::CharacterLength;
 use crate::dim::math::{Real, Vector};
 
-/// Stepping up on what is low.
+/// Settings for steps.
 #[derive(Copy, Clone, PartialEq, Debug)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub struct CharacterAutostep {
@@ -98,7 +98,7 @@ pub struct KinematicCharacterController {
     /// Whether the character slides along obstacles. If not, it stops there; gravity still does not keep it
     /// from walking on a floor.
     pub slide: bool,
-    /// Stepping up on what is low. `None` by default.
+    /// Settings for steps. `None` by default.
     pub autostep: Option<CharacterAutostep>,
     /// The steepest slope that the character can walk up (rad, from level ground). Steeper ones are walls.
     /// 45° by default.

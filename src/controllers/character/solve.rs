@@ -9,7 +9,7 @@ use smallvec::SmallVec;
 
 type HalfSpaces = SmallVec<[HalfSpace; 12]>;
 
-/// A translation, and what it is.
+/// A translation, and its kind.
 #[derive(Copy, Clone, Debug)]
 pub(super) struct SolvedMove {
     pub translation: Vector,
@@ -81,8 +81,8 @@ impl ResolvedSettings {
     /// translation has no component along it, or a standing character would creep down slopes.
     fn on_floor(&self, ahead: Vector, fall: Real, lift: &Lift<'_>, sticks: bool) -> (Vector, bool) {
         let plane = lift.plane;
-        let is_held = fall <= lift.height || (sticks && lift.height >= -self.snap);
-        if !is_held {
+        let is_supported = fall <= lift.height || (sticks && lift.height >= -self.snap);
+        if !is_supported {
             return (ahead + self.up * fall, false);
         }
         let walk = self.walk(ahead, lift);

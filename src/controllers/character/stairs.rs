@@ -3,7 +3,7 @@
 //! An obstacle is a step if the raised character can continue far enough, and would stand on a floor there. A
 //! shape with a round bottom does not reach the top of the step at once: it rests on the edge for a while,
 //! with a steep normal. An edge of a step therefore supports like a floor ([`Kind::Step`]), and every move
-//! into it ends where the shape rests on it: a capsule rolls over the edge, a box is placed on top.
+//! into it ends where the shape rests on it. A capsule rolls over the edge, a box is placed on top.
 
 use super::mover::Mover;
 use super::planes::{Kind, Plane, WALL_LEAN_MAX};
@@ -22,8 +22,8 @@ impl Mover<'_> {
         for index in 0..self.planes.len() {
             let plane = &self.planes[index];
             let blocks = on_floor && ahead.dot(plane.normal) < -self.settings.nothing();
-            let may_hold = !on_floor && plane.rise > WALL_LEAN_MAX;
-            if (blocks || may_hold) && self.is_low(plane, step_up) {
+            let may_support = !on_floor && plane.rise > WALL_LEAN_MAX;
+            if (blocks || may_support) && self.is_low(plane, step_up) {
                 let (_, across) = self.settings.split(plane.normal);
                 let direction = -across.normalize_or_zero();
                 let edge = plane.points[0];

@@ -1,4 +1,4 @@
-//! The controller that remembers: what springs do not reach, the integral does.
+//! The PID controller: a PD controller with an integral term, which removes the steady-state error.
 
 use super::pd::{PdController, PdErrors, pose_errors, sound, velocity_errors};
 use crate::dim::mask::AxesMask;

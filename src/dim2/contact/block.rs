@@ -1,4 +1,4 @@
-//! The memory of contact constraints: what the passes read and write.
+//! Memory layout of contact constraints.
 
 use crate::base::wide::{LANES, Lane, Wide};
 use crate::dim2::math::MAX_MANIFOLD_POINTS;

@@ -94,7 +94,7 @@ impl<W: Wide> WideFriction<W> {
         self.impulse.store(&mut row.impulse);
     }
 
-    /// Solves the row once under a normal impulse and returns what it added.
+    /// Solves the row once under a normal impulse and returns the change.
     #[inline(always)]
     pub fn solve(
         &mut self,

@@ -48,8 +48,8 @@ impl<W: Wide> Bodies<W> {
     }
 }
 
-/// The normal rows with their bias: pushes overlapping bodies apart, and lets those that are apart
-/// come no closer than to touch.
+/// The normal rows with their bias: separates overlapping bodies, and lets separated ones approach up to
+/// contact.
 ///
 /// # Safety
 /// The caller has exclusive access to the states of the block's bodies.

@@ -1,4 +1,4 @@
-//! A point of a body, and what an impulse there does to it.
+//! A point of a body, and its response to an impulse there.
 
 use crate::base::wide::Wide;
 use crate::dim2::math::DIM;

@@ -3,8 +3,8 @@
 //! A box and a triangle are apart exactly if they are separated along one of 13 axes: the three of the box,
 //! the normal of the triangle, and nine products of edges (Akenine-Möller 2001, "Fast 3D triangle-box overlap
 //! testing"). If they are not, the axis of least overlap is the contact normal. A body has dozens of mesh
-//! triangles around it and touches a few, and most of them are new candidates. So nothing is remembered of
-//! them, and as many are tried at once as a register has lanes.
+//! triangles around it and touches a few, and most of them are new candidates. So they have no history, and
+//! one register tests one triangle per lane.
 
 use super::flat::{FlatBlock, FlatShape, set_flat_lane};
 use super::polytope::Polytope;

@@ -1,4 +1,4 @@
-//! Contacts of the shapes that fill scenes, and what of contact generation depends on the dimension.
+//! Dimension-specific contact generation of the common shapes.
 
 mod axes;
 mod capsule_triangle;

@@ -8,10 +8,10 @@ const DEPTH_TOLERANCE: Real = 5.0e-3;
 
 /// Keeps the deepest point and the three others that span the largest area with it.
 ///
-/// Bodies on many points need four of them for stability. These are the deepest, to prevent penetration; the
-/// one farthest from it; the one farthest from the line through these two; and the one farthest from the
-/// third on the other side of that line. If all are equally deep, rounding must not choose: then the first is
-/// the one that is farthest along a fixed direction.
+/// Bodies on many points need four of them for stability. The first is the deepest, to prevent penetration,
+/// and the second the one farthest from it. The third is the one farthest from the line through these two.
+/// The fourth is the one farthest from the third on the other side of that line. If all are equally deep,
+/// rounding must not choose: then the first is the one that is farthest along a fixed direction.
 ///
 /// On a face all points count equally. On a bumpy surface load-carrying points count: lengths are weighted
 /// with the distance below `reach`, the deepest point with 1. An infinite `reach` weights nothing.

@@ -99,9 +99,9 @@ pub fn shape(kind: usize, random: &mut Random, size: f64) -> SharedShape {
     }
 }
 
-/// A flat surface of squares of the given size, in the plane through the first and the third axis: `count` in
-/// a row, each of two triangles, one of which has the opposite winding. Only those whose middle is to be
-/// kept.
+/// A flat surface of squares of the given size, in the plane through the first and the third axis. It has
+/// `count` in a row, each of two triangles, one of which has the opposite winding. Only those whose middle is
+/// to be kept.
 pub fn carpet(
     count: u32,
     size: Real,

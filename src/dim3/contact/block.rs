@@ -1,4 +1,4 @@
-//! The memory of contact constraints: what the passes read and write.
+//! Memory layout of contact constraints.
 
 use crate::base::wide::{LANES, Lane, Wide};
 use crate::dim3::math::MAX_MANIFOLD_POINTS;
@@ -74,7 +74,7 @@ pub(crate) struct FrictionRow {
     pub twist_mass: Lane,
     /// Mean distance of the points from the friction centre: the radius of torsional friction.
     pub radius: Lane,
-    /// `K_13` and `K_23`: what a twist does to the velocities along the two tangents.
+    /// `K_13` and `K_23`: effect of a torsional impulse on the velocities along the two tangents.
     pub twist_coupling: [Lane; 2],
     /// Wanted relative velocity along the two tangents.
     pub surface_velocity: [Lane; 2],

@@ -44,7 +44,7 @@ impl CoulombBlock {
             MAX_MANIFOLD_POINTS],
     );
 
-    /// Keeps the impulses with which the points start the next step; those that are not finite are none.
+    /// Stores the warm-start impulses of the points; impulses that are not finite become zero.
     #[inline(always)]
     pub fn store_impulses<W: Wide>(&self, impulses: &mut [[Lane; 2]; MAX_MANIFOLD_POINTS]) {
         let zero = W::zero();
@@ -63,7 +63,7 @@ impl CoulombBlock {
         }
     }
 
-    /// Fills the rows, and puts the block's central rows out of action.
+    /// Fills the rows, and disables the block's central rows.
     #[inline(always)]
     pub(super) fn prepare<W: Wide>(
         &mut self,

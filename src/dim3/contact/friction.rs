@@ -162,7 +162,7 @@ impl<W: Wide> WideFriction<W> {
         store(self.impulse, &mut row.impulse);
     }
 
-    /// Solves the three rows once under a normal impulse and returns what it added.
+    /// Solves the three rows once under a normal impulse and returns the change.
     #[inline(always)]
     pub fn solve(
         &mut self,

@@ -30,11 +30,11 @@ pub(crate) fn is_round(inv_inertia: &AngularInertia) -> bool {
 /// The inverse inertias of the two bodies of each lane's joint.
 #[derive(Clone, Debug)]
 pub(crate) struct JointedInertias {
-    /// As the bodies stood when the step began.
+    /// Inertias when the step began.
     start: [WideSymmetric<Lane>; 2],
-    /// As they stand where they were relaxed last.
+    /// Inertias at the last relax pass.
     now: [WideSymmetric<Lane>; 2],
-    /// One where a body turns so much that its inertia must turn with it, otherwise zero. The result is
+    /// One where a body rotates so much that its inertia must be rotated, otherwise zero. The result is
     /// independent of the other lanes, and all joints of a body get the same inertia to the last bit.
     is_gyroscopic: [Lane; 2],
     /// Whether any lane is gyroscopic.
@@ -89,7 +89,7 @@ impl JointedInertias {
         [load_symmetric(&self.now[0]), load_symmetric(&self.now[1])]
     }
 
-    /// The bodies have moved by so much since the step began.
+    /// Rotates the inertias by the displacements since the step began.
     #[inline(always)]
     pub fn rotate<W: Wide>(&mut self, displacements: &[WideDisplacement<W>; 2]) {
         if !self.any_gyroscopic {

@@ -15,7 +15,7 @@ pub(super) struct Directions {
     pub axle: Vector,
 }
 
-/// The directions of a wheel that can be used; otherwise what cannot, and its value.
+/// The directions of a usable wheel; otherwise the unusable field, and its value.
 pub(super) fn directions(wheel: &Wheel) -> Result<Directions, String> {
     check_numbers(wheel)?;
     let suspension = direction("direction", wheel.direction_cs)?;

@@ -1,4 +1,4 @@
-//! A wheel on the ground: three rows between the chassis and whatever the wheel stands on.
+//! A wheel on the ground: three rows between the chassis and the collider below.
 //!
 //! A row pushes two bodies apart along a direction e, at a point each, with the impulse λ:
 //!
@@ -112,7 +112,7 @@ impl Row {
 #[derive(Copy, Clone, Debug)]
 pub(super) struct WheelContact {
     pub wheel: usize,
-    /// Index of what it stands on.
+    /// Index of the body below it.
     pub ground: usize,
     pub normal: Row,
     pub forward: Row,

@@ -1,4 +1,4 @@
-//! The vehicle: its wheels, and what one update does.
+//! The vehicle: its wheels, and one update.
 
 use super::contact::{Mover, Vehicle, WheelContact};
 use super::ground::{Give, Grounds};
@@ -235,7 +235,7 @@ impl DynamicRayCastVehicleController {
         self.push(&contacts, &grounds, bodies, dt);
     }
 
-    /// The wheels on the ground, ready to be solved, and what they stand on.
+    /// The wheels on the ground, ready to be solved, and the bodies below them.
     fn contacts(
         &self,
         chassis: &mut Mover,

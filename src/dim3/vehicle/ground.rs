@@ -1,10 +1,10 @@
 //! The ground below the wheels, and its compliance.
 //!
-//! A dynamic body below a wheel moves under the wheel's load if it is free: a plank in space does, the same
-//! plank on a floor does not, because the floor supports it within the same step. A solver without the floor
-//! would treat the plank as free, and let the car sink. The estimate is measured per world axis: the fraction
-//! of the expected velocity change that the ground took on. The rows use that fraction of its inverse mass
-//! (`D^½ M⁻¹ D^½` for the inertia).
+//! A free dynamic body below a wheel moves under the wheel's load. A plank in space does; the same plank on a
+//! floor does not, because the floor supports it within the same step. A solver without the floor would treat
+//! the plank as free, and let the car sink. The estimate is measured per world axis: the fraction of the
+//! expected velocity change that the ground took on. The rows use that fraction of its inverse mass (`D^½ M⁻¹
+//! D^½` for the inertia).
 
 use super::contact::Mover;
 use super::place::velocities_ahead;

@@ -22,8 +22,8 @@ pub(super) struct Memory {
 }
 
 impl Memory {
-    /// Compares the chassis with what was expected. Returns the acceleration that does not come from forces
-    /// on the body (length/s²).
+    /// Compares the chassis with the prediction. Returns the acceleration that does not come from forces on
+    /// the body (length/s²).
     pub fn observe(&mut self, chassis: &RigidBody) -> Vector {
         // While pushes wait there was no step, and there is nothing new to see.
         if chassis.is_pushed() {
@@ -39,12 +39,12 @@ impl Memory {
         self.steady
     }
 
-    /// Expects what forces and pushes do to the chassis within `dt` seconds.
+    /// Predicts the effect of forces and impulses on the chassis within `dt` seconds.
     pub fn expect(&mut self, chassis: &RigidBody, dt: Real) {
         self.expected = Some((linvel_after_forces(chassis, dt), dt));
     }
 
-    /// Expects nothing: what was expected will not come, or not be seen.
+    /// Resets the prediction.
     pub fn skip(&mut self) {
         self.expected = None;
     }
@@ -56,7 +56,7 @@ pub(super) fn linvel_after_forces(body: &RigidBody, dt: Real) -> Vector {
     body.linvel() + force * body.mass_properties().effective_inv_mass() * dt
 }
 
-/// Per axis what both agree on.
+/// The common part of both, per axis.
 fn agreement(a: Vector, b: Vector) -> Vector {
     let agree = |a: Real, b: Real| match a * b > 0.0 {
         true if a.abs() < b.abs() => a,

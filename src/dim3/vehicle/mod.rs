@@ -7,9 +7,8 @@
 //!
 //! One update, in this order:
 //!
-//! 1. [`place`](self::place): where each wheel hangs, and what its ray hits.
-//! 2. [`memory`]: what pulled at the chassis since the last update that was none of our doing: gravity,
-//!    say. It will pull again.
+//! 1. [`place`](self::place): the pose of each wheel, and its ray-cast result.
+//! 2. [`memory`]: external loads on the chassis since the last update, such as gravity. It will pull again.
 //! 3. [`ground`]: the ground below the wheels, and its compliance.
 //! 4. [`contact`], [`spring`], [`grip`]: per wheel on the ground one spring, which only pushes, and two rows
 //!    of friction with one bound; solved together by projected Gauss–Seidel iteration ([`solve`]).
@@ -23,7 +22,7 @@
 //! force that acts as long as gravity does cancels it at all times, and what stands still has no velocity.
 //!
 //! **Why memory.** Friction prevents motion that would begin *during* the step, so the solver needs the
-//! external loads. It asks what the velocities will be at the end of the step, not what they are.
+//! external loads. The condition applies to the velocities at the end of the step.
 
 mod check;
 mod contact;

@@ -1,7 +1,7 @@
-//! Vehicles that sleep, and what wakes them.
+//! Sleep of vehicles, and causes of waking.
 //!
-//! A ray is no contact: the step has neither the support of a vehicle nor the state of its pedals. So a
-//! vehicle that sleeps still looks for its ground at each update, and wakes when that is not what it was.
+//! A ray is no contact: the step has neither the support of a vehicle nor the state of its pedals. A sleeping
+//! vehicle therefore still casts its rays at each update, and wakes when the ground has changed.
 
 use super::wheel::Wheel;
 use crate::dim::math::Real;

@@ -10,7 +10,7 @@ use crate::dim::math::{Real, Vector};
 /// car with all wheels locked, whose rows are redundant.
 const ITERATIONS_MAX: usize = 50;
 /// The iteration has converged when no row changes its velocity by more than this fraction of the
-/// suspensions' effect in the step: of the 0.2 m/s of a step of gravity, that is less than rounding.
+/// suspensions' effect in the step. Of the 0.2 m/s of a step of gravity, that is less than rounding.
 const CONVERGENCE_TOLERANCE: Real = 1.0e-5;
 
 /// Finds the impulses of all wheels.
@@ -71,7 +71,7 @@ impl WheelContact {
         self.rows().iter().all(|row| row.impulse.is_finite())
     }
 
-    /// Tells the wheel what became of it.
+    /// Writes the results to the wheel.
     pub fn report(&self, wheel: &mut Wheel) {
         wheel.wheel_suspension_force = self.normal.impulse * self.spring.force_of_impulse;
         wheel.forward_impulse = self.forward.impulse;
@@ -86,7 +86,7 @@ pub(super) fn on_chassis(contacts: &[WheelContact]) -> (Vector, Vector) {
     sum(contacts.iter().flat_map(|contact| contact.rows().map(|row| row.wrench(0))))
 }
 
-/// The same for what they stand on.
+/// The same for the bodies below them.
 pub(super) fn on_ground(contacts: &[WheelContact], index: usize) -> (Vector, Vector) {
     let those = contacts.iter().filter(|contact| contact.ground == index);
     sum(those.flat_map(|contact| contact.rows().map(|row| row.wrench(1))))

@@ -77,7 +77,7 @@ pub(super) struct Below {
 /// chassis*, so a car that is loaded sinks no deeper.
 ///
 /// A wheel with unusable values (not finite, no radius, an axle of no length, a negative stiffness…) is
-/// inactive as if it were in the air, and `log` contains a warning with the value; the other wheels are
+/// inactive, as if it were in the air. `log` contains a warning with the value; the other wheels are
 /// unaffected.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]

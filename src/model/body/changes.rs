@@ -1,4 +1,4 @@
-//! Notes on what the user changed since the last step, so that a step looks at the changed bodies alone.
+//! Change flags since the last step, so that a step visits changed bodies alone.
 
 bitflags::bitflags! {
     /// Edits of a body since the last step.

@@ -8,7 +8,7 @@ use crate::model::collider::{Collider, ColliderEnabled, ColliderHandle, Collider
 use parry::mass_properties::MassProperties;
 use smallvec::SmallVec;
 
-/// The colliders of one body. Up to two, as in nearly all bodies, are stored in the body itself: the step
+/// The colliders of one body. Up to two, as in nearly all bodies, are stored in the body itself. The step
 /// reads them together with the body, and a separate list would cost another cache miss per moving body.
 pub(crate) type AttachedColliders = SmallVec<[ColliderHandle; 2]>;
 

@@ -167,13 +167,12 @@ impl RigidBodySet {
         self.bodies.prefetch_front(slot, RigidBody::FRONT);
     }
 
-    /// Whatever body stands in a slot (the first number of a handle) now, with its handle.
+    /// The body in a slot (the first number of a handle), with its handle.
     pub fn get_unknown_gen(&self, slot: u32) -> Option<(&RigidBody, RigidBodyHandle)> {
         self.at_slot(slot).map(|(handle, body)| (body, handle))
     }
 
-    /// Whatever body stands in a slot (the first number of a handle) now, with its handle, for
-    /// changing it.
+    /// Mutable access to the body in a slot (the first number of a handle), with its handle.
     pub fn get_unknown_gen_mut(&mut self, slot: u32) -> Option<(&mut RigidBody, RigidBodyHandle)> {
         let (index, body) = self.bodies.at_slot_mut(slot)?;
         let handle = RigidBodyHandle(index);
@@ -374,14 +373,14 @@ impl RigidBodySet {
         gather.run(tasks, (handles.len(), BODIES_PER_TASK), visit, list);
     }
 
-    /// Whatever body stands in a slot, with its handle.
+    /// The body in a slot, with its handle.
     #[inline]
     pub(crate) fn at_slot(&self, slot: u32) -> Option<(RigidBodyHandle, &RigidBody)> {
         let (index, body) = self.bodies.at_slot(slot)?;
         Some((RigidBodyHandle(index), body))
     }
 
-    /// Number of slots, taken or free: every slot number is below it.
+    /// Number of slots: every slot number is below it.
     pub(crate) fn slot_count(&self) -> usize {
         self.bodies.slot_count()
     }

@@ -255,14 +255,13 @@ impl ColliderSet {
         (collider1, collider2)
     }
 
-    /// Whatever collider stands in a slot (the first number of a handle) now, with its handle.
+    /// The collider in a slot (the first number of a handle), with its handle.
     pub fn get_unknown_gen(&self, slot: u32) -> Option<(&Collider, ColliderHandle)> {
         let (index, collider) = self.colliders.at_slot(slot)?;
         Some((collider, ColliderHandle(index)))
     }
 
-    /// Whatever collider stands in a slot (the first number of a handle) now, with its handle, for
-    /// changing it.
+    /// Mutable access to the collider in a slot (the first number of a handle), with its handle.
     pub fn get_unknown_gen_mut(&mut self, slot: u32) -> Option<(&mut Collider, ColliderHandle)> {
         let count = self.colliders.len();
         let (index, collider) = self.colliders.at_slot_mut(slot)?;
@@ -312,7 +311,7 @@ impl ColliderSet {
 /// A `&mut` to a collider lets the user replace it (assign a copy, swap two colliders), including its record
 /// of its *own* position.
 impl ColliderSet {
-    /// Whether the collider that a handle finds was put in the place of another one.
+    /// Whether the collider of a handle replaced another one.
     fn is_replaced(&self, handle: ColliderHandle) -> bool {
         let slot = handle.into_raw_parts().0;
         self.get(handle).is_some_and(|collider| {
@@ -497,7 +496,7 @@ impl ColliderSet {
         self.colliders.share()
     }
 
-    /// Whatever collider stands in a slot.
+    /// The collider in a slot.
     #[inline]
     pub(crate) fn at_slot(&self, slot: u32) -> Option<(ColliderHandle, &Collider)> {
         let (index, collider) = self.colliders.at_slot(slot)?;

@@ -1,7 +1,7 @@
 //! The distribution of a mass over shapes that have none.
 //!
 //! A density gives no mass to shapes without volume. A mass that is set for such shapes, or for a body that
-//! has no others, is distributed evenly over their surface, or over their length where they have no surface.
+//! has no others, is distributed evenly. It covers their surface, or their length where they have no surface.
 //! Without that rule the body would have no angular inertia, and no impulse could rotate it.
 
 use super::mass::volume_properties;

@@ -33,8 +33,8 @@ use crate::model::check::is_saved_unit;
 ///
 /// The price: that moment is real. Without it, action and reaction of a contact are not collinear, and the
 /// angular momentum of a compressed pair is not conserved. The rule therefore applies only to bodies under
-/// gravity that rotate more slowly than [`Self::ANGULAR_SPEED_NEAR_REST_MAX`], up to an angle of
-/// [`Self::FROZEN_ANGLE_MAX`], and not where the error of the normal exceeds the friction
+/// gravity that rotate more slowly than [`Self::ANGULAR_SPEED_NEAR_REST_MAX`]. It ends at an angle of
+/// [`Self::FROZEN_ANGLE_MAX`], or where the error of the normal exceeds the friction
 /// ([`Self::HELD_BY_FRICTION`]). The remaining error is in the load's moment arm: a few hundredths of the
 /// body's size, on bodies that rotate by less than 3 degrees a second.
 #[derive(Copy, Clone, Debug)]

@@ -1,8 +1,8 @@
 //! The solver's data of contact manifolds, persistent from step to step, lane by lane.
 //!
-//! In a pile that has settled hardly a manifold is computed in a step. The data of other manifolds is that of
-//! the last step, and the impulses are the solver's own. A pair is large, and random access to it is slow. So
-//! the lanes stay filled: a lane learns from its manifold only if it stood for another one before, or if the
+//! In a settled pile a step computes hardly any manifold. The data of other manifolds is that of the last
+//! step, and the impulses are the solver's own. A pair is large, and random access to it is slow. The lanes
+//! therefore stay filled. A lane is filled from its manifold only if it had another one before, or if the
 //! pair was [renewed](super::PairStore::renew).
 //!
 //! For the same reason results are not written back to the manifolds in each step. Lanes are *ahead* of their

@@ -89,7 +89,7 @@ impl NarrowPhase {
         });
     }
 
-    /// A contact pair with what became of it in the last step.
+    /// A contact pair with the results of the last step.
     ///
     /// Every read of a pair behind a shared reference uses this function. Exceptions are the stages of a
     /// step, which have exclusive access.
@@ -109,7 +109,7 @@ impl NarrowPhase {
         });
     }
 
-    /// Tells a contact pair what became of it in the last step.
+    /// Writes the results of the last step back to a contact pair.
     pub(crate) fn complete(&mut self, id: PairId) {
         self.lanes.write_back(id, &mut self.contacts[id]);
     }

@@ -118,9 +118,9 @@ impl ContactPair {
         result
     }
 
-    /// The deepest contact as (normal, point, depth): the unit normal from the first collider to the second,
-    /// the point midway between the two surfaces, and the overlap (negative: the distance). All in world
-    /// space as of the last step. `None` if there is no contact.
+    /// The deepest contact as (normal, point, depth). The unit normal points from the first collider to the
+    /// second, the point is midway between the two surfaces, and the depth is the overlap (negative: the
+    /// distance). All in world space as of the last step. `None` if there is no contact.
     pub fn find_deepest_contact(&self) -> Option<(Vector, Vector, Real)> {
         let manifold = self
             .manifolds

@@ -10,7 +10,7 @@
 //! * `awake`: the ids that the narrow phase visits each step, in their order, which is that of memory. Pairs
 //!   of sleeping bodies are not in it;
 //! * `reporting`: the awake pairs whose strong forces are reported as events. Most worlds have none;
-//! * `renewed`: the ids of pairs that are not what the solver last saw of them.
+//! * `renewed`: the ids of pairs that changed since the solver last read them.
 //!
 //! The alternative that lost is a hash map from two colliders to their pair. The broad phase, which finds the
 //! same neighbours step after step, looked up each of them. Now it marks the few partners of a collider. The
@@ -67,10 +67,10 @@ pub(crate) struct PairState {
     /// Slots of the two bodies; [`NONE`](crate::model::island::NONE) for a collider without a body.
     pub bodies: [u32; 2],
     /// Admissible relative motion (length units) of the two until the pair must be computed again. Every step
-    /// takes off a bound of what the two bodies moved.
+    /// subtracts a bound on the relative motion of the two bodies.
     pub slack: Real,
-    /// Whether contacts of a dynamic body with a non-dynamic collider were ever found. Seams are looked for
-    /// among such pairs alone, and most of a body's pairs are none.
+    /// Whether contacts of a dynamic body with a non-dynamic collider were ever found. Ghost contacts are
+    /// searched among such pairs alone, and most of a body's pairs are none.
     pub met_obstacle: bool,
 }
 
@@ -172,8 +172,7 @@ impl<P: Pair> PairStore<P> {
         self.pairs.len() - self.free.len()
     }
 
-    /// The pair of what is in the slots of two colliders, in either order. When it was made other colliders
-    /// may have been there.
+    /// The pair of two collider slots, in either order. When it was made other colliders may have been there.
     ///
     /// Takes as long as the one of the two has partners that has fewer.
     pub fn find(&self, colliders: [ColliderHandle; 2]) -> Option<PairId> {
@@ -184,7 +183,7 @@ impl<P: Pair> PairStore<P> {
         list.slots.iter().position(|&slot| slot == other).map(|position| list.ids[position])
     }
 
-    /// The slots of all that the collider in a slot has pairs with.
+    /// The partners of the collider in a slot.
     #[inline]
     pub fn partners(&self, collider_slot: u32) -> &[u32] {
         self.of_collider.get(collider_slot as usize).map_or(&[], |list| &list.slots)

@@ -94,7 +94,7 @@ impl IslandManager {
     /// Wakes a body and its island at once: all bodies that touch it, directly or through others, are awake
     /// when this returns. Nothing happens if the handle is stale.
     ///
-    /// A woken island stays awake for its full time until sleep, independent of `strong`: with the old time
+    /// A woken island stays awake for its full time until sleep, independent of `strong`. With the old time
     /// it would fall asleep again in the next step, before any force could move it. If the body is awake,
     /// `strong` restarts its time, and a weak wake-up has no effect.
     pub fn wake_up(&mut self, bodies: &mut RigidBodySet, handle: RigidBodyHandle, strong: bool) {

@@ -66,7 +66,7 @@ impl GenericJointBuilder {
         break_thresholds => set_break_thresholds(force: Real, torque: Real);
         /// Says how far an axis reaches.
         limits => set_limits(axis: JointAxis, limits: [Real; 2]);
-        /// Says what the stiffness and damping of an axis's motor are measured in.
+        /// Sets the motor model of an axis.
         motor_model => set_motor_model(axis: JointAxis, model: MotorModel);
         /// Drives an axis at a velocity.
         motor_velocity => set_motor_velocity(axis: JointAxis, target_vel: Real, factor: Real);

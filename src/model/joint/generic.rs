@@ -25,7 +25,7 @@ pub enum JointEnabled {
 /// A frame on each body; the axes are those of the first body's frame. Positions along them are those of the
 /// second frame's origin, and angles those by which the second frame is turned against the first. Where
 /// several rotations are free, the *swing* tilts the second frame's X axis relative to the first's, and the
-/// *twist* rotates about it: `AngX` is the twist, `AngY` and `AngZ` are the swing about these axes.
+/// *twist* rotates about it. `AngX` is the twist, `AngY` and `AngZ` are the swing about these axes.
 ///
 /// Setters refuse values that no simulation could survive: they say so in the log, and the old value
 /// stays. The methods called `try_…` return the error instead.
@@ -72,7 +72,7 @@ pub struct GenericJoint {
     pub enabled: JointEnabled,
     /// By axis: how far it reaches.
     pub limits: [JointLimits; SPATIAL_DIM],
-    /// By axis: what drives it.
+    /// By axis: the motor.
     pub motors: [JointMotor; SPATIAL_DIM],
     /// User data.
     pub user_data: u128,
@@ -335,7 +335,7 @@ impl GenericJoint {
         self.motor(axis).map(|motor| motor.model)
     }
 
-    /// Says what the stiffness and damping of an axis's motor are measured in.
+    /// Sets the motor model of an axis.
     pub fn set_motor_model(&mut self, axis: JointAxis, model: MotorModel) -> &mut Self {
         self.motors[axis as usize].model = model;
         self

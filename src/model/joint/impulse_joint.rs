@@ -1,4 +1,4 @@
-//! A joint in the world, and what finds it.
+//! A joint in the world, and its handle.
 
 use super::GenericJoint;
 use crate::base::arena::Index;

@@ -196,7 +196,7 @@ macro_rules! joint_motor_methods {
             $joint, $builder [$($axis)?];
             /// The motor; `None` if there is none.
             motor($($name: $type)?) -> Option<&$crate::model::joint::JointMotor>;
-            /// Says what stiffness and damping of the motor are measured in.
+            /// Sets the motor model.
             motor_model, set_motor_model(
                 $($name: $type,)? model: $crate::model::joint::MotorModel
             );

@@ -1,4 +1,4 @@
-//! Joints between bodies: what they lock, limit and drive, and the sets that hold them.
+//! Joints between bodies: locked axes, limits and motors, and the sets that contain them.
 //!
 //! Everything is a [`GenericJoint`] underneath. The joints with a name choose its axes and offer methods
 //! for those that are left. An [`ImpulseJoint`] is one of them between two bodies of a world.

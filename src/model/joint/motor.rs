@@ -9,7 +9,7 @@ use crate::dim::math::Real;
 pub enum MotorModel {
     /// They are accelerations: multiplied by the mass (or inertia) of the joint's own two bodies, as the
     /// joint lets them move. The motion is the same whatever these weigh. The inertia behind other joints is
-    /// excluded: the motor at the root of an arm with `n` times the inertia of its first link needs `n` times
+    /// excluded. The motor at the root of an arm with `n` times the inertia of its first link needs `n` times
     /// the stiffness and damping.
     #[default]
     AccelerationBased,

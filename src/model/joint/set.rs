@@ -164,14 +164,14 @@ impl ImpulseJointSet {
         Some(&mut entry.joint)
     }
 
-    /// Whatever joint stands in a slot (the first number of a handle) now, with its handle.
+    /// The joint in a slot (the first number of a handle), with its handle.
     pub fn get_unknown_gen(&self, slot: u32) -> Option<(&ImpulseJoint, ImpulseJointHandle)> {
         let (index, entry) = self.joints.at_slot(slot)?;
         Some((&entry.joint, ImpulseJointHandle(index)))
     }
 
-    /// Whatever joint stands in a slot (the first number of a handle) now, with its handle, for
-    /// changing it. Its bodies wake.
+    /// Mutable access to the joint in a slot (the first number of a handle), with its handle. Its bodies
+    /// wake.
     pub fn get_unknown_gen_mut(
         &mut self,
         slot: u32,

@@ -21,7 +21,7 @@ struct Spring {
 
 /// The joint between a link and its parent.
 ///
-/// Each axis that [`GenericJoint::locked_axes`] leaves free is a degree of freedom with a coordinate: a
+/// Each axis that [`GenericJoint::locked_axes`] leaves free is a degree of freedom with a coordinate. It is a
 /// length along an axis of translation, or an angle (radians, continuous beyond whole turns) about an axis of
 /// rotation. Three free rotations (3D) are stored as one rotation, which has no singular direction. Of two,
 /// the second rotates about the axis that the first moves, like a universal joint.

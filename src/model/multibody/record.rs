@@ -295,9 +295,9 @@ impl Multibody {
         &mut self.lists.damping
     }
 
-    /// Inertia of each degree of freedom in addition to that of the links (mass, or mass·length², default 0):
-    /// that of a rotor behind a gear, times the square of the gear's ratio. Negative ones, and those that are
-    /// not finite, count as 0.
+    /// Inertia of each degree of freedom in addition to that of the links (mass, or mass·length², default 0).
+    /// Example: that of a rotor behind a gear, times the square of the gear's ratio. Negative ones, and those
+    /// that are not finite, count as 0.
     pub fn armature(&self) -> &[Real] {
         &self.lists.armature
     }

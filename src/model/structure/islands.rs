@@ -1,4 +1,4 @@
-//! Islands in the structure: merged when a link is made, divided when those that were cut are looked at.
+//! Islands in the structure: merged when a link is made, divided when a cut is processed.
 
 use super::Structure;
 use crate::model::body::RigidBodyHandle;

@@ -1,6 +1,6 @@
 //! Trees of boxes: which colliders may touch which.
 //!
-//! Each collider stands in one of three trees, with a box somewhat larger than itself. While it stays inside,
+//! Each collider is in one of three trees, with a box somewhat larger than itself. While it stays inside,
 //! nothing is done. When it leaves, it gets a new box and is noted as moved, and only moved colliders search
 //! for new neighbours. Fixed colliders have a tree of their own, so that they never find each other. The few
 //! kinematic colliders have a tree, so that the search of obstacles for fast bodies need not visit all
@@ -158,7 +158,7 @@ impl BroadPhaseBvh {
         }
     }
 
-    /// Slots of the colliders that must look for neighbours.
+    /// Slots of the colliders that must search for partners.
     pub(crate) fn moved(&self) -> &[u32] {
         &self.moved
     }
@@ -169,7 +169,7 @@ impl BroadPhaseBvh {
         word & (1 << (slot % 64)) != 0
     }
 
-    /// All have looked for neighbours.
+    /// Marks the search as complete.
     pub(crate) fn clear_moved(&mut self) {
         for slot in self.moved.drain(..) {
             self.moved_bits[slot as usize / 64] = 0;

@@ -7,7 +7,7 @@
 //! chains do not drift, and contacts conserve momentum.
 //!
 //! Contact impulses after the free motion leave a momentum that is corrected at the beginning of the next
-//! substep, so the energy of that correction is part of the reference of the next impulses. Uneven trees that
+//! substep. The energy of that correction is part of the reference of the next impulses. Uneven trees that
 //! hit walls gain energy this way. Two remedies were tried on 1,000 random trees
 //! (`tests/multibody/energy.rs`), and neither is in use. Both correct the momentum before the energy bound of
 //! the same substep, and scale all velocities where the change of shape has less than the excess:

@@ -1,4 +1,4 @@
-//! Free motion: what inertia does to the velocities while the links move.
+//! Free motion: the effect of inertia on the velocities while the links move.
 //!
 //! # Pieces
 //! A substep of `h` seconds is divided into `n` equal pieces, so that no link turns by more than
@@ -262,7 +262,7 @@ impl Motion {
         self.forces.iter().map(|force| linear(&force.wrench)).sum()
     }
 
-    /// Computes what inertia alone adds to the velocities in `h` seconds.
+    /// Computes the velocity changes by inertia alone in `h` seconds.
     fn drift(&mut self, h: Real, change: &mut Vec<Real>) {
         let Self { kinematics, velocities, accelerations, wrenches, .. } = self;
         kinematics.velocities(&self.rates, &self.root, velocities);

@@ -126,7 +126,7 @@ impl Motion {
     /// Begins a step: links where the coordinates say, velocities as they were. `drives` are to be set
     /// before.
     ///
-    /// Velocities and impulses that the user applied to bodies since the last step count as momentum: the
+    /// Velocities and impulses that the user applied to bodies since the last step count as momentum. The
     /// generalised velocities have, at each degree of freedom, the momentum of the bodies.
     pub fn begin(&mut self, multibody: &Multibody, bodies: &RigidBodySet) {
         self.is_limited = false;

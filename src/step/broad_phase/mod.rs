@@ -37,7 +37,7 @@ pub(crate) struct BroadPhaseScratch {
     /// One for each task that runs at the same time.
     finds: Pool<Finds>,
     late: Vec<u32>,
-    /// Colliders that own as many pairs as they may, of solids and with sensors.
+    /// Colliders that own the maximum of pairs, of solids and with sensors.
     refused: [Vec<u32>; 2],
 }
 
@@ -52,10 +52,10 @@ pub(crate) struct Crowded {
 
 /// The pairs that exist before the search.
 pub(crate) trait KnownPairs: Sync {
-    /// The slots of all that the collider at this slot has contact pairs with.
+    /// The slots of the contact partners of the collider at this slot.
     fn partners(&self, slot: u32) -> &[u32];
 
-    /// The slots of all that it has pairs with because one of the two is a sensor.
+    /// The slots of its partners in pairs with a sensor.
     fn sensed(&self, slot: u32) -> &[u32];
 }
 
@@ -71,12 +71,11 @@ impl KnownPairs for NarrowPhase {
 
 /// Finds the pairs of colliders whose fat AABBs began to overlap.
 ///
-/// Only colliders that have a new box look for neighbours; those that did not move are found by them. The
-/// result excludes `known` pairs, and pairs that cannot interact: colliders of one body, and pairs that their
-/// groups or body types exclude. `out` is overwritten: the collider with the lower slot first, in the order
-/// of the slots.
+/// Only colliders with a new box search for partners, and find the others. The result excludes `known` pairs,
+/// and pairs that cannot interact: colliders of one body, and pairs that their groups or body types exclude.
+/// `out` is overwritten: the collider with the lower slot first, in the order of the slots.
 ///
-/// Colliders that own as many pairs as they may (`most`) look again in the next step. Returns how many these
+/// Colliders that own the maximum of pairs (`most`) search again in the next step. Returns how many these
 /// are.
 pub(crate) fn find_pairs(
     tasks: Tasks<'_>,

@@ -108,7 +108,7 @@ impl<K: KnownPairs> Search<'_, K> {
         });
     }
 
-    /// Asks for what the search of a collider begins with.
+    /// Prefetches the input of a collider's search.
     #[inline]
     fn prefetch(&self, slot: Option<&u32>) {
         let Some(&slot) = slot else { return };
@@ -116,7 +116,7 @@ impl<K: KnownPairs> Search<'_, K> {
         self.known.partners(slot).first().into_iter().for_each(prefetch);
     }
 
-    /// Adds the new pairs of one collider. Nearly all that it finds are old ones.
+    /// Adds the new pairs of one collider. Nearly all results are known pairs.
     fn find_partners(&self, seeker: Seeker<'_>, found: &mut Finds) {
         for kind in Kind::ALL {
             found.owned[kind.index()].clear(self.most.of_kind(kind));
@@ -140,7 +140,7 @@ impl<K: KnownPairs> Search<'_, K> {
         Kind::ALL.into_iter().for_each(|kind| self.take_nearest(seeker.slot, kind, found));
     }
 
-    /// Adds the pairs of a kind that a collider owns, as many as there are places for.
+    /// Adds the pairs of a kind that a collider owns, up to the maximum.
     fn take_nearest(&self, slot: u32, kind: Kind, found: &mut Finds) {
         let owned = &mut found.owned[kind.index()];
         if owned.len() == 0 {

@@ -78,7 +78,7 @@ impl Boxes {
     }
 
     /// Edits of the step for a collider whose groups or partner types changed.
-    fn look_again(&mut self, handle: ColliderHandle) {
+    fn search_again(&mut self, handle: ColliderHandle) {
         let collider = self.colliders.get_mut(handle).unwrap();
         let body = collider.parent().and_then(|body| self.bodies.get(body));
         self.tree.note_wishes(collider, body);
@@ -141,12 +141,12 @@ fn what_cannot_interact_is_no_pair() {
     assert_eq!(boxes.find(), [], "groups do not meet, and kinematic meets fixed only on request");
 
     boxes.colliders.get_mut(first).unwrap().set_collision_groups(InteractionGroups::all());
-    boxes.look_again(first);
+    boxes.search_again(first);
     assert_eq!(boxes.find(), [(ground, first), (first, second)]);
 
     let collider = boxes.colliders.get_mut(ground).unwrap();
     collider.set_active_collision_types(ActiveCollisionTypes::all());
-    boxes.look_again(ground);
+    boxes.search_again(ground);
     assert_eq!(boxes.find(), [(ground, second)]);
 }
 
@@ -158,7 +158,7 @@ fn fixed_colliders_meet_on_request() {
     assert_eq!(boxes.find(), []);
     let collider = boxes.colliders.get_mut(second).unwrap();
     collider.set_active_collision_types(ActiveCollisionTypes::all());
-    boxes.look_again(second);
+    boxes.search_again(second);
     assert_eq!(boxes.find(), [(first, second)]);
     let third = boxes.cube(Vector::ZERO, None);
     assert_eq!(boxes.find(), [(second, third)], "the one that asked is found by the one that came");

@@ -87,7 +87,7 @@ impl Drive {
     }
 }
 
-/// Lists the dynamic bodies that kinematic ones approach, and wakes those that would be passed asleep.
+/// Lists the dynamic bodies that kinematic ones approach, and wakes sleeping ones among them.
 pub(crate) fn find_approaches(
     structure: &mut Structure<'_>,
     trees: &BroadPhaseBvh,
@@ -165,7 +165,7 @@ struct Swath {
     own: Aabb,
     to_own: Pose,
     drive: Drive,
-    /// Within what distance bodies are in contact.
+    /// Contact distance of bodies.
     margin: Real,
 }
 

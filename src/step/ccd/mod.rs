@@ -7,7 +7,7 @@
 //! Never:   applies impulses; searches bodies that are neither fast, nor deep in a wall, nor near the path of
 //!     such a body or of a moving kinematic body
 //!
-//! The solver looks at contacts where bodies are when a step begins. A body that moves farther than half its
+//! The solver uses contacts at the poses when a step begins. A body that moves farther than half its
 //! thickness in one step (`src/step/notes.rs`) could be on the other side before it ever touched. The stage
 //! searches the path from the old collider poses to the solver's pose, and stops the body where it would pass
 //! through something. The next step finds the body there, in contact, with its velocity at the impact. The
@@ -69,7 +69,7 @@ const BODIES_PER_TASK: usize = 2;
 #[derive(Default)]
 pub(crate) struct CcdScratch {
     movers: Movers,
-    /// By fast body: what stops it that is not dynamic.
+    /// By fast body: its stop by a non-dynamic collider.
     first: Vec<Stop>,
     /// By fast body: the executed fraction of its motion.
     stops: Vec<Real>,

@@ -1,4 +1,4 @@
-//! The path of one fast body, and what stops it.
+//! The path of one fast body, and its stops.
 
 use super::ride::Stop;
 use super::{CcdContext, Search};

@@ -1,4 +1,4 @@
-//! Bodies that ride on what stopped them.
+//! Rides: bodies that a moving collider carries after a stop.
 //!
 //! A body that a wall stops stays where it touches the wall for the rest of the step. If the wall is
 //! kinematic and moves, that place moves with it. Let `O(s)` be the pose of the kinematic body after a
@@ -21,8 +21,8 @@
 //! caught. No position is outside both rigid bodies. The body never passes the fixed one, and the kinematic
 //! body, which nothing stops, overlaps it.
 //!
-//! Joined bodies end their rides together, at the earliest end. Links of multibodies do not ride, nor does
-//! what is joined to one.
+//! Joined bodies end their rides together, at the earliest end. Links of multibodies, and bodies joined to
+//! links, do not ride.
 
 use super::Search;
 use super::path::{Mover, Obstacles, Path, sweep_of};

@@ -1,8 +1,8 @@
 //! Sensors that are passed within one step.
 //!
-//! The narrow phase sees what intersects when a step begins. A body before a sensor at the start and behind
-//! it at the end was inside meanwhile. The stage emits both events that a slower body would cause, in
-//! sequence.
+//! The narrow phase finds intersections at the poses when a step begins. A body before a sensor at the start
+//! and behind it at the end was inside meanwhile. The stage emits both events that a slower body would cause,
+//! in sequence.
 //!
 //! The search covers fast bodies that cross a sensor, and fast bodies that carry a sensor past something. The
 //! other one is fixed, kinematic, or a dynamic body that is not fast; dynamic ones count if one of the two
@@ -42,7 +42,7 @@ pub(super) fn passages(search: Search<'_>, path: &Path<'_>, stop: Real) -> Vec<S
         for kind in TreeKind::ALL {
             search.world.trees.for_each_overlapping(kind, &region, |slot| {
                 let Some((handle, collider)) = search.world.colliders.at_slot(slot) else { return };
-                if !is_told(mover.collider, collider) {
+                if !is_reported(mover.collider, collider) {
                     return;
                 }
                 // Bodies that are inside already were reported. At the edge of a shape this search and that
@@ -68,7 +68,7 @@ pub(super) fn passages(search: Search<'_>, path: &Path<'_>, stop: Real) -> Vec<S
 }
 
 /// Returns whether one of the two is a sensor and events are enabled.
-fn is_told(collider1: &Collider, collider2: &Collider) -> bool {
+fn is_reported(collider1: &Collider, collider2: &Collider) -> bool {
     let events = collider1.active_events() | collider2.active_events();
     (collider1.is_sensor() || collider2.is_sensor())
         && events.contains(ActiveEvents::COLLISION_EVENTS)

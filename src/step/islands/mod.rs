@@ -19,7 +19,7 @@ use crate::step::notes::{PairChange, StepNotes};
 /// Prefetch distance, in list positions.
 const TURNS_AHEAD: usize = 4;
 
-/// Links and cuts what began and stopped touching, and wakes what moving kinematic bodies touch.
+/// Links and cuts pairs that began and stopped touching, and wakes bodies that moving kinematic bodies touch.
 pub(crate) fn update(structure: &mut Structure<'_>, notes: &mut StepNotes) {
     let StepNotes { contacts, intersections, events, .. } = notes;
     for (index, &(id, change)) in contacts.iter().enumerate() {

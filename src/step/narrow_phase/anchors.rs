@@ -19,7 +19,7 @@ pub(super) struct Place<'a> {
 }
 
 impl<'a> Place<'a> {
-    /// As the bodies stand now.
+    /// The transformation at the current poses.
     pub fn of(view: &PairView<'a>) -> Self {
         let [c1, c2] = view.colliders;
         let frames = [Frame::of(c1, view.bodies[0]), Frame::of(c2, view.bodies[1])];

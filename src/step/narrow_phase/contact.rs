@@ -297,7 +297,7 @@ struct Circumstances<'a> {
     flags: SolverFlags,
 }
 
-/// Completes a manifold whose points are known, and leaves out what cannot be calculated with.
+/// Completes a manifold with known points, and removes unusable numbers.
 fn complete(
     manifold: &mut ContactManifold,
     [collider1, collider2]: [ColliderHandle; 2],

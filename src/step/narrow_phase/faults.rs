@@ -1,7 +1,7 @@
 //! Contacts with values that are not finite.
 //!
-//! Hooks and materials may have any number, and normals of shapes at the edge of what numbers can say may be
-//! none. The body is not disabled for that: the pair omits the value.
+//! Hooks and materials may have any number, and normals of extreme shapes may not be finite. The body is not
+//! disabled for that: the pair omits the value.
 
 use super::update::Worker;
 use crate::base::measure::{MODERATE_MAX, is_point};
@@ -10,9 +10,9 @@ use crate::model::body::QuarantineCause;
 use crate::model::contact::{ContactManifold, SolverFlags};
 use crate::model::event::QuarantineEvent;
 
-/// Leaves out of a manifold what cannot be calculated with, and says what that was.
+/// Removes unusable numbers from a manifold, and returns the cause.
 ///
-/// A friction coefficient does no harm, however large: it bounds a force that is not.
+/// A large friction coefficient does no harm: it bounds a finite force.
 pub(super) fn leave_out(manifold: &mut ContactManifold) -> Option<QuarantineCause> {
     let data = &mut manifold.data;
     let normal = data.normal;

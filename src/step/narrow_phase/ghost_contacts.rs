@@ -1,4 +1,4 @@
-//! A second look at contacts that other colliders contradict.
+//! Ghost contacts between colliders: contacts that other colliders contradict.
 //!
 //! Pairs are computed without knowledge of each other. A body that slides over tiles, each of them a
 //! collider, seems to meet the next tile from the side. Only the contact with the tile beneath it shows that
@@ -193,7 +193,7 @@ impl<'a> Contacts<'a> {
         if !several {
             return;
         }
-        // From behind, so that the places of the others stay what they are.
+        // The order is from behind, so that the other positions stay valid.
         let mut ghost_contacts = internal_edges_among(&self.list, step_height_tolerance);
         ghost_contacts.sort_unstable();
         for edge in ghost_contacts.into_iter().rev() {
@@ -202,7 +202,7 @@ impl<'a> Contacts<'a> {
         }
     }
 
-    /// Computes a pair with what is known of the others.
+    /// Computes a pair with the contacts of the other pairs.
     fn recompute(
         &self,
         context: NarrowPhaseContext<'_>,

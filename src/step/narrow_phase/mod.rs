@@ -5,7 +5,7 @@
 //! Runs:    parallel over pairs; notes are in the order of the colliders
 //! Never:   moves a body; links islands; assigns colours
 //!
-//! Most pairs of a settled pile have hardly moved since their manifolds were computed. Each awake pair has
+//! Most pairs of a settled pile have moved little since their manifolds were computed. Each awake pair has
 //! *slack*: how far its bodies may still move against each other before it must be computed again. Each step
 //! subtracts a bound on the relative motion of the two bodies, which costs two loads. Only pairs whose slack
 //! is used up are checked: [`update`].

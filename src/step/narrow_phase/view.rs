@@ -1,4 +1,4 @@
-//! A pair of colliders with all that is around it.
+//! A pair of colliders with its context.
 
 use super::recycle::recycle_distance;
 use super::update::NarrowPhaseContext;

@@ -79,7 +79,7 @@ impl Causes<'_> {
         self.take_with_group(diverged.body, cause, taken);
     }
 
-    /// Takes a body, and with a link all links that move: what is left of a multibody would fall apart.
+    /// Selects a body, and with a link all moving links: the rest of a multibody would fall apart.
     fn take_with_group(
         &self,
         body: RigidBodyHandle,

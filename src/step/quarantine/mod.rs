@@ -5,18 +5,18 @@
 //! Runs:    serial, after a failed step; a step at risk begins with a copy of the world
 //! Never:   touches a body that the solver could store
 //!
-//! Numbers overflow: forces add up, motors are stiff beyond reason, speeds grow. A body whose numbers are
-//! none would pass this on to all that it touches, and these to all that they touch. The solver therefore
+//! Numbers overflow: forces add up, motors are stiff beyond reason, speeds grow. A body that is not finite
+//! would spread that to all bodies that it touches, and from these to their neighbours. The solver therefore
 //! stores no body if it cannot store all of them. This stage finds the [causes] and disables them, as a user
 //! would disable them. The step is then repeated without them from the beginning. The failed attempt leaves
 //! no impulses, wakes no body and emits no event.
 //!
 //! **The checkpoint.** By the time when the solver has failed, pairs, islands and colours have followed the
 //! step. They are not unwound one by one: that would need a journal of everything that the structure does. A
-//! step begins with a [copy of the world](Checkpoint) if it may fail. The conditions are: the last step left
-//! a body faster than [`MODERATE_MAX`] or farther than [`COORDINATE_MODERATE_MAX`]; a body touches a much
-//! lighter one; an edit is not [moderate](EDIT_VELOCITY_MAX); or the step is [long](DURATION_MAX). That is
-//! rare. Other steps pay for a comparison per number of the solver's states
+//! step begins with a [copy of the world](Checkpoint) if it may fail. There are four conditions. The last
+//! step left a body faster than [`MODERATE_MAX`] or farther than [`COORDINATE_MODERATE_MAX`]; a body touches
+//! a much lighter one; an edit is not [moderate](EDIT_VELOCITY_MAX); or the step is [long](DURATION_MAX).
+//! That is rare. Other steps pay for a comparison per number of the solver's states
 //! (`src/step/solver/bodies/divergence.rs`). Moderate and non-finite numbers are a factor of 10⁹ apart.
 //! Values that grow there grow over several steps, and are detected.
 //!
@@ -88,8 +88,8 @@ impl Quarantine {
         self.emitted = 0;
     }
 
-    /// Takes culprits out of a world in which a step has failed, and puts everything else back for it to be
-    /// taken again.
+    /// Disables the causes in a world in which a step has failed, and restores everything else for the
+    /// repetition.
     pub fn take_out(
         &mut self,
         mut world: World<'_>,

@@ -39,14 +39,14 @@ pub(super) struct LoadKind {
 /// All contact constraints of a step.
 #[derive(Default)]
 pub(super) struct SolverContacts {
-    /// Blocks of one colour stand together.
+    /// Blocks of one colour are contiguous.
     blocks: Vec<ContactBlock>,
     /// The lanes of the narrow phase while they are borrowed, else an own set.
     lanes: ContactLanes,
     are_on_loan: bool,
     /// Whether the lanes begin with a reduced fraction of the last impulses.
     lanes_are_scaled: bool,
-    /// By colour, its first block, if each colour is solved as it stands in the graph; else nothing.
+    /// By colour, its first block, if each colour is solved in the order of the graph; else empty.
     starts: Vec<u32>,
     /// Friction per point of each block; empty with the standard friction model.
     coulomb: Vec<CoulombBlock>,
@@ -116,7 +116,7 @@ impl SolverContacts {
         self.impacts.load(&self.lanes, self.layout.colors(), bodies);
     }
 
-    /// Says which manifold stands in which lane: all of the graph, or those of the bodies that are solved.
+    /// Assigns manifolds to lanes: all of the graph, or those of the solved bodies.
     fn lay_out(
         &mut self,
         (graph, contacts, mut capacity): (
@@ -412,8 +412,7 @@ fn scale_impulses(input: &mut ContactInput, bodies: &SolverBodies, per_point: bo
     }
 }
 
-/// Hands out the blocks of one colour after the other, so many together; those of one colour may be worked on
-/// at once.
+/// Distributes the blocks colour by colour, in tasks of this size; blocks of one colour run concurrently.
 pub(super) fn for_each_color(
     colors: &[Range<usize>],
     (tasks, grain): (Tasks<'_>, usize),

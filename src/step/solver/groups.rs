@@ -236,7 +236,7 @@ impl Groups {
         requirement.extra == 0 && requirement.is_even()
     }
 
-    /// Finds what each island needs from the bodies that touch each other.
+    /// Finds the requirements of islands from touching bodies.
     fn find_needs(
         &mut self,
         islands: &IslandManager,
@@ -271,7 +271,7 @@ impl Groups {
         slots.for_each(|slot| self.by_slot[slot] = BodyRequirement::NONE);
     }
 
-    /// Finds what each island needs from the bodies that joints hold at a point.
+    /// Finds the requirements of islands from bodies with joints.
     fn find_needs_of_joints(
         &mut self,
         islands: &IslandManager,

@@ -110,7 +110,7 @@ impl Recovery {
         }
     }
 
-    /// Notes the overlaps deeper than `deep` in a block of contacts, and what drives its bodies.
+    /// Notes the overlaps deeper than `deep` in a block of contacts, and the loads of its bodies.
     pub fn note(
         &mut self,
         block: &ContactBlock,

@@ -48,7 +48,7 @@ impl UserChanges<'_> {
         }
     }
 
-    /// Wakes what touches a body or is joined to it: it may no longer be there, or carry, as it did.
+    /// Wakes bodies that touch a body or are joined to it, because its support may be gone.
     pub(super) fn wake_touching(&mut self, handle: RigidBodyHandle) {
         let mut index = 0;
         while let Some(collider) = self.collider_of(handle, index) {

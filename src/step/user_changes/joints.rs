@@ -20,7 +20,7 @@ impl UserChanges<'_> {
         }
     }
 
-    /// Follows a body that changed what it is: its joints may act now, or no longer.
+    /// Applies a change of a body's type or state to its joints, which may begin or cease to act.
     pub(super) fn apply_joints_of(&mut self, body: RigidBodyHandle) {
         let known = self.structure.islands.joints.of_body(body.into_raw_parts().0).to_vec();
         for slot in known {
@@ -66,7 +66,7 @@ impl UserChanges<'_> {
         let Some(link) = known.filter(|link| link.handle == handle).copied() else { return };
         self.structure.remove_joint(slot, wake_up);
         if link.parts_bodies {
-            // They may meet again: let them look for each other.
+            // The pair may interact again, so both search for partners.
             for body in link.bodies {
                 self.each_collider_of(body, |apply, slot| apply.tree.mark_moved(slot));
             }

@@ -68,7 +68,7 @@ impl UserChanges<'_> {
         self.apply_sleepers(&bodies);
     }
 
-    /// Takes in nothing but what is gone: all else waits for the next [`Self::run`].
+    /// Applies removals only: all other edits wait for the next [`Self::run`].
     pub fn run_removals(mut self) {
         self.apply_replacements();
         self.apply_removals();

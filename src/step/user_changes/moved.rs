@@ -1,5 +1,5 @@
-//! Bodies that were put elsewhere. Bodies that touched them or were joined to them wake, because the support
-//! may be gone. Bodies that moved along by the same motion stay asleep. A world can thus be moved back to the
+//! Bodies that the user moved. Bodies that touched them or were joined to them wake, because the support may
+//! be gone. Bodies that moved along by the same motion stay asleep. A world can thus be moved back to the
 //! origin without waking.
 
 use super::UserChanges;
@@ -15,7 +15,7 @@ struct MovedBody {
 
 impl UserChanges<'_> {
     /// Wakes the bodies that a moved body touched or was joined to, unless all of them moved along. Colliders
-    /// must still stand where they stood.
+    /// must still be at their old poses.
     pub(super) fn wake_left_behind(&mut self, handle: RigidBodyHandle) {
         let slot = handle.into_raw_parts().0;
         let Some(body) = self.structure.bodies.get(handle) else { return };

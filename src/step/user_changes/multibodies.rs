@@ -1,4 +1,4 @@
-//! Multibodies that are new, or were edited or taken apart.
+//! Multibodies that are new, edited or removed.
 
 use super::UserChanges;
 use crate::model::multibody::MultibodyEdits;

@@ -12,8 +12,8 @@ impl UserChanges<'_> {
         attached.map(|(handle, _)| handle).collect()
     }
 
-    /// Takes what was removed out of all lists; the colliders and joints of
-    /// removed bodies go with them.
+    /// Removes bodies and colliders from all lists; the colliders and joints of removed bodies are removed,
+    /// too.
     pub(super) fn apply_removals(&mut self) {
         let removed = self.structure.bodies.take_removed();
         let mut links = Vec::with_capacity(removed.len());

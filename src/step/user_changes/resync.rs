@@ -2,7 +2,7 @@
 //! colliders alone, joints from a file.
 //!
 //! The references of the other sets to such a set are wrong ([`WorldStamp`] detects this). If it refers to
-//! the other sets (bodies, colliders, islands, pairs, trees), the step discards islands, pairs and trees, and
+//! the other sets (bodies, colliders, islands, pairs, trees), the step discards islands, pairs and trees. It
 //! inserts all bodies, colliders and joints as new and awake. Bodies that are gone count as removed: their
 //! colliders and joints are removed, too. The same happens if joints were replaced that the islands refer to.
 //! A set of joints that replaces an empty one is only inserted.

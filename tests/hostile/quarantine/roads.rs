@@ -61,7 +61,7 @@ fn gravity_beyond_all_measure() {
     suspect_falls(|stage| stage.suspect().set_gravity_scale(-1.0e20, true), is_cause);
 }
 
-/// What a velocity setter takes may still lead out of the world: here after a second.
+/// An accepted velocity may still lead out of the world: here after a second.
 #[test]
 fn a_velocity_that_leads_out_of_the_world() {
     let step = suspect_falls(
@@ -134,7 +134,7 @@ fn a_body_swapped_for_another() {
     );
 }
 
-/// What a lost body would have hit in its last step is not hit, and what it would have woken sleeps.
+/// A diverged body hits nothing and wakes nothing in its last step.
 #[test]
 fn who_falls_asleep_beside_it_sleeps_on() {
     let mistreat = |stage: &mut Stage| {

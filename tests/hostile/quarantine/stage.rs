@@ -46,7 +46,7 @@ impl PhysicsHooks for Numbers {
     }
 }
 
-/// What a step told.
+/// Events of a step.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Told {
     pub quarantines: Vec<QuarantineEvent>,
@@ -80,7 +80,7 @@ impl EventHandler for Listener<'_> {
         if let QuarantineEvent::Body { body, cause, position, velocity } = event {
             let body = &bodies[*body];
             assert!(!body.is_enabled(), "{event:?}");
-            // What was found may be no number, which is not equal to itself.
+            // The value may not be a number, which is not equal to itself.
             assert_eq!(format!("{:?}", body.quarantine()), format!("Some({cause:?})"));
             assert_eq!((body.position(), &body.vels()), (position, velocity));
         }

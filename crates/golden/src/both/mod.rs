@@ -28,7 +28,7 @@ pub const SCENES: [(&str, Run); 10] = [
     ("walkers", |settings| run(settings, 200, ground::walkers)),
 ];
 
-/// What a scene does before each step. Everything that it learns from the world goes into the hash.
+/// Actions of a scene before each step. Everything that it learns from the world goes into the hash.
 type Act = Box<dyn FnMut(&mut PhysicsWorld, usize, &mut Fold)>;
 
 /// The hashes of events.

@@ -1,7 +1,7 @@
 //! Bytes to values. The bytes may be damaged or forged.
 //!
-//! No length is believed before as many bytes are there: an element takes at least one. So a list takes at
-//! most as many elements of memory as the input has bytes.
+//! A length is accepted only if the input has as many bytes: an element takes at least one. A list therefore
+//! allocates at most as many elements as the input has bytes.
 
 use super::CodecError;
 use serde::de::value::U32Deserializer;

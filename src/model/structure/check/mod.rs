@@ -2,7 +2,7 @@
 //!
 //! Debug builds check it twice a step. A loaded world is checked before the first step applies edits. Until
 //! then the lists refer to the state after the last step, and edits are separate notes. A reference is
-//! therefore compared with the state *at that time* ([`LastStep`]): a removed body keeps its place in the
+//! therefore compared with the state *at that time* ([`LastStep`]). A removed body keeps its place in the
 //! lists, a new one has none yet, and edited data may differ.
 
 mod bodies;

@@ -43,7 +43,7 @@ pub(super) struct SolverBodies {
     any_scaled: bool,
     /// By index: the island, or [`NONE`].
     pub islands: Vec<u32>,
-    /// The indices of those that move: the spectators, and the members of the group that is solved.
+    /// The indices of moving bodies: the ungrouped ones, and the members of the solved group.
     moving: [Range<usize>; 2],
     /// Buffers of threads for fast bodies.
     fast: Gather<FastMotion>,
@@ -56,7 +56,7 @@ const WORLD: u32 = BodyPose::WORLD_INDEX | NEAR_REST;
 const NEAR_REST: u32 = READ_ONLY >> 1;
 
 impl SolverBodies {
-    /// From now on this group is solved; the others stand still.
+    /// Selects the group that is solved; the others do not move.
     pub fn enter(&mut self, group: &Group, groups: &Groups) {
         let ungrouped = 1..1 + groups.ungrouped();
         for index in ungrouped.clone() {

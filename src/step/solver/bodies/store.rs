@@ -70,7 +70,7 @@ impl SolverBodies {
     }
 }
 
-/// The pose and velocity that the solver found for a body, if one can go on with them.
+/// The solver's pose and velocity of a body, if they are usable.
 pub(super) fn outcome(
     body: &RigidBody,
     state: &BodyState,

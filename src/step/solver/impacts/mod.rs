@@ -1,12 +1,12 @@
 //! Impacts: restitution, before forces act.
 //!
-//! A contact with restitution `e` that is hit at the velocity `c < 0` parts at `-e c` (Newton). With several
-//! contacts this says nothing of those that were at rest. A simultaneous solution, as for forces, would
+//! A contact with restitution `e` that is hit at the velocity `c < 0` parts at `-e c` (Newton). For several
+//! contacts, the law is undefined for those that were at rest. A simultaneous solution, as for forces, would
 //! spread an impact on a row of balls over the whole row. A real row sends off its last ball, because the
 //! impact travels.
 //!
-//! So we use the generalised reflections of Smith, Kaufman, Vouga, Tamstorf and Grinspun, "Reflections on
-//! simultaneous impact" (SIGGRAPH 2012). At the start of a substep, in rounds:
+//! The method is that of the generalised reflections of Smith, Kaufman, Vouga, Tamstorf and Grinspun,
+//! "Reflections on simultaneous impact" (SIGGRAPH 2012). At the start of a substep, in rounds:
 //!
 //! 1. `S` is the set of contacts that hit now: approach, and would overlap before the substep ends.
 //! 2. Impulses on `S` alone part them: `Ċ_i ≥ -e_i c_i ⊥ λ_i ≥ 0` with the approach velocities `c_i` of this
@@ -54,10 +54,10 @@
 //! ## Supported loads
 //! A substep starts with the impulses of the last one, which may be outdated: an impulse that stopped an
 //! impact would accelerate the body now. So impacts see the velocities before any impulse, in which forces
-//! have acted and nothing holds against them. A loaded contact would then approach. To its velocity we add
-//! what these impulses take of that: `o_i`, from 0 to all that the forces did, a constant of the substep.
-//! With it, resting and pressed bodies are at rest. The energy added is then less than the sum above, by `Σ
-//! λ_i o_i`. Joints apply to changes alone: the changes of an impact must be admissible.
+//! have acted and nothing holds against them. A loaded contact would then approach. The impulses of the last
+//! substep change that velocity by `o_i`, from 0 up to the effect of the forces, a constant of the substep,
+//! which is added. With it, resting and pressed bodies are at rest. The energy added is then less than the
+//! sum above, by `Σ λ_i o_i`. Joints apply to changes alone: the changes of an impact must be admissible.
 //!
 //! ## Time of impact
 //! An impact happens at a time `τ = C / |c|` within the substep, or before it if a fast body was detected

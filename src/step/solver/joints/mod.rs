@@ -9,7 +9,7 @@
 //! C = e·d        Ċ = e·(v2 + ω2 × L2 - v1 - ω1 × L1)
 //! ```
 //!
-//! Rows of rotations stand in `dimN/joint/`.
+//! Rows of rotations are in `dimN/joint/`.
 //!
 //! ## Curvature
 //! A joint's directions rotate with its bodies, and considerably within a step. Each pass therefore computes
@@ -28,25 +28,25 @@
 //! energy. Only directly solved joints include the curvature, and they repeat the solution from the new
 //! velocity until it converges. A second round suffices for rotations of a tenth of a radian in a substep,
 //! and half a radian needs five. (Half-solved ones would feed their errors back.) Components for which this
-//! is unstable are treated differently: see `geometric_stiffness.rs`. Limits look ahead, too, with a bound on
-//! what they foresee: see `motors_and_limits.rs`.
+//! is unstable are treated differently: see `geometric_stiffness.rs`. Limits include the curvature, too, with
+//! a bound: see `motors_and_limits.rs`.
 //!
 //! ## Rotating inertias
 //! A body that is thin resists a turn about one axis less than about another, and as it turns, so do these
 //! axes. A moment `τ` changes the angular momentum by `τ`, and the angular velocity by `I⁻¹ τ` with the
 //! current inertia. With the inertia of the start of the step, the work of a joint's impulses differs from
-//! the energy change of the bodies: two thin limbs on a post gained so much that they flew apart. The relax
+//! the energy change of the bodies. Two thin limbs on a post gained so much that they flew apart. The relax
 //! pass therefore rotates the inverse inertias of gyroscopic bodies, `R I⁻¹ Rᵀ`, and the next solve pass,
 //! which begins at the same poses, uses the same ones. (Impulses act there for the gyroscope, too: see
 //! `dimN/motion.rs`.) The subtracted impulse of the last substep is therefore the velocity change that it
 //! caused, and not a moment times the current inertia.
 //!
 //! ## Warm starting
-//! Bodies start a substep with what the last one's impulses did to them. A joint's rows have rotated since.
-//! Each block stores the impulse and the moments that it applied (`applied`), and the solve pass begins with
-//! the same impulses along the rotated rows. The relax pass must not do so. The impulses that moved the
-//! bodies onto their chord stay unchanged, and only its own changes act along the current rows. (Rotated
-//! there too, impulses would only project the old velocity: that is the method with a loss of `ω² h`.)
+//! Bodies start a substep with the effect of the last one's impulses. A joint's rows have rotated since. Each
+//! block stores the impulse and the moments that it applied (`applied`), and the solve pass begins with the
+//! same impulses along the rotated rows. The relax pass must not do so. The impulses that moved the bodies
+//! onto their chord stay unchanged, and only its own changes act along the current rows. (Rotated there too,
+//! impulses would only project the old velocity: that is the method with a loss of `ω² h`.)
 //!
 //! ## Direct or iterative
 //! Locked axes of connected joints are solved directly (`direct/`). Nets with too many loops, and loose
@@ -94,7 +94,7 @@ pub(super) use store::break_if_overloaded;
 /// All joint constraints of a step.
 #[derive(Default)]
 pub(super) struct SolverJoints {
-    /// Blocks of one colour stand together.
+    /// Blocks of one colour are contiguous.
     blocks: Vec<JointBlock>,
     /// The rows of free axes, those of one block together.
     rows: Vec<AxisRow>,
@@ -253,8 +253,7 @@ impl SolverJoints {
         self.members.iter().map(|member| bodies.island_of(member.bodies))
     }
 
-    /// The bodies of the joints that are solved exactly, those that do not move included; some more than
-    /// once.
+    /// The bodies of directly solved joints, including immovable ones; some more than once.
     pub fn held(&self) -> impl Iterator<Item = u32> {
         let exact = self.members.iter().filter(|member| self.direct.contains(member.slot));
         exact.flat_map(|member| member.bodies).map(|body| body & !READ_ONLY)
@@ -340,7 +339,7 @@ impl SolverJoints {
         }
     }
 
-    /// The bodies have been put elsewhere.
+    /// Marks the poses of the bodies as changed.
     pub fn forget_places(&mut self) {
         self.direct.forget_matrices();
     }

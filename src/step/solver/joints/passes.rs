@@ -72,7 +72,7 @@ impl<W: Wide, const N: usize> Locked<W, N> {
         matrix.solve(coupled)
     }
 
-    /// The wrench of all impulses as the rows stand now.
+    /// The wrench of all impulses at the current rows.
     #[inline(always)]
     fn wrench(&self, block: &JointBlock) -> Wrench<W> {
         let mut wrench = Wrench::zero();
@@ -83,7 +83,7 @@ impl<W: Wide, const N: usize> Locked<W, N> {
     }
 }
 
-/// Turns what the last step left into impulses along the rows, and gives it to the bodies.
+/// Converts the last step's results into impulses along the rows, and applies them to the bodies.
 ///
 /// # Safety
 /// The caller has exclusive access to the states of the block's bodies, and to its rows.
@@ -238,7 +238,7 @@ unsafe fn visit_rows<W: Wide, const AHEAD: bool, const N: usize>(
     unsafe { bodies.scatter(states, block) };
 }
 
-/// Gives the bodies what a wrench does to them in place of what they have got so far.
+/// Replaces the applied wrench by another one.
 #[inline(always)]
 fn give_instead<W: Wide>(
     block: &mut JointBlock,
@@ -281,7 +281,7 @@ struct JointNow<'a, W, const N: usize> {
     coupling: [[W; N]; N],
 }
 
-/// Solves free axes, then locked ones; returns what they add.
+/// Solves free axes, then locked ones; returns the changes.
 ///
 /// # Safety
 /// The caller has exclusive access to the block's rows.
@@ -313,7 +313,7 @@ unsafe fn solve_axes<W: Wide, const AHEAD: bool, const N: usize>(
     wrench
 }
 
-/// Solves motor and limits of a free axis; returns what they add.
+/// Solves motor and limits of a free axis; returns the changes.
 ///
 /// The locked axes react to the impulses of a free axis. Using `J - K_fl K_ll⁻¹ J_l` in place of the axis's
 /// own row `J` moves the bodies as the joint allows. Its effective mass is the true load of the motor, and no
@@ -358,8 +358,8 @@ fn solve_free<W: Wide, const AHEAD: bool, const N: usize>(
     wrench
 }
 
-/// Solves all locked axes together; returns what they add. The `matrix` is the one without compliance, if it
-/// is known.
+/// Solves all locked axes together; returns the changes. The `matrix` is the one without compliance, if it is
+/// known.
 #[inline(always)]
 fn solve_locked<W: Wide, const AHEAD: bool, const N: usize>(
     block: &mut JointBlock,

@@ -1,4 +1,4 @@
-//! Rows: what an impulse along one does to the two bodies, and several of them solved together.
+//! Rows: the response of two bodies to an impulse along one, and the joint solution of several.
 
 use super::block::{JointBlock, Wrench};
 use crate::base::wide::{Lane, Wide};

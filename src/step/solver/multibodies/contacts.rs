@@ -66,14 +66,14 @@ pub struct LinkContacts {
     pub contacts: Vec<LinkContact>,
 }
 
-/// One side of a manifold as it stands now.
+/// One side of a manifold at the current pose.
 pub(super) struct Side<'a> {
     /// Links, and roots that are led, which are ordinary bodies here.
     link: Option<LinkPlace>,
     /// An ordinary body that can move, with its index in the solver.
     pub body: Option<(&'a RigidBody, u32)>,
     pub rotation: Rotation,
-    /// The centre of mass; none for what never moves.
+    /// The centre of mass; `None` for an immovable body.
     pub center: Option<Vector>,
     /// Whether the other side moves it.
     gives_way: bool,
@@ -187,7 +187,7 @@ impl SolverMultibodies {
         LinkContact { at, normal, first_number, friction, restitution, points, strike }
     }
 
-    /// Makes the rows of a contact anew, where links and bodies are now.
+    /// Recomputes the rows of a contact at the current poses.
     ///
     /// Normal and moment arms stay constant during a step, as for bodies: the lowest point of a rolling ball
     /// stays the lowest.
@@ -223,7 +223,7 @@ impl SolverMultibodies {
         self.contacts.contacts[position].points = points;
     }
 
-    /// Makes the rows of contacts anew that links have which turn far, where links and bodies are now.
+    /// Recomputes the rows of contacts of far-rotating links at the current poses.
     pub fn follow_contacts(
         &mut self,
         place: (&NarrowPhase, &RigidBodySet),

@@ -7,7 +7,7 @@
 //! island includes both.
 //!
 //! A multibody takes an impact as a body does: its generalised velocities change by the fraction of its
-//! island's round, and the impulse is no warm-start load. But its configuration changes: `J`, `W` and the
+//! island's round, and the impulse is no warm-start load. But its configuration changes. `J`, `W` and the
 //! velocities in the middle of a substep differ from those at the time `τ` of the impact, and with them an
 //! impact would add energy. The multibody is therefore moved to that time, `q + τ q̇`, with the velocities of
 //! free motion. The impact rows are made there, and after the round everything returns the same way with the

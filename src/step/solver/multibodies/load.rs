@@ -1,4 +1,4 @@
-//! From multibodies and their bodies to what the solver moves.
+//! Loads multibodies and their bodies into the solver.
 
 use super::{Moving, NOT_SOLVED, Registration, SolverMultibodies};
 use crate::dim::math::{Real, Vector};
@@ -76,7 +76,7 @@ impl SolverMultibodies {
         }
     }
 
-    /// Notes what acts on the multibodies, and where they start. Ordinary bodies must have been loaded.
+    /// Notes the loads of the multibodies, and their start. Ordinary bodies must have been loaded.
     ///
     /// Substeps take `h` seconds.
     pub fn begin(&mut self, bodies: &mut RigidBodySet, gravity: Vector, h: Real) {

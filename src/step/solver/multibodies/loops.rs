@@ -138,7 +138,7 @@ impl SolverMultibodies {
         }
     }
 
-    /// Makes the rows of the locked axes anew, where the links and bodies are now.
+    /// Recomputes the rows of the locked axes at the current poses.
     pub fn follow_loops(&mut self, world: &RigidBodySet, bodies: &mut SolverBodies) {
         self.warm_loops(bodies, -1.0);
         self.jacobians.truncate(self.loops.first_number);
@@ -281,7 +281,7 @@ impl Frames {
         let mut anchors = [Vector::ZERO; 2];
         for k in 0..2 {
             let (_, body) = world.at_slot(slots[k])?;
-            // A link stands where its coordinates say; what never moves has no centre.
+            // The pose of a link follows from its coordinates; an immovable body has no centre.
             let (rotation, center) = match sides[k].center {
                 Some(center) => (sides[k].rotation, center),
                 None => (body.pose.rotation, body.center_of_mass()),

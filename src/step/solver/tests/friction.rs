@@ -1,4 +1,4 @@
-//! Friction: slows what slides, holds what rests, and never does more than the cone allows.
+//! Friction: it slows sliding, supports resting bodies, and stays within the cone.
 
 use super::scene::{Body, Contact, SUBSTEP, Scene, random_direction, random_vector};
 use crate::base::random::Random;

@@ -1,4 +1,4 @@
-//! The rows of joints in double precision, and what one joint's impulses do to the rows of another.
+//! The rows of joints in double precision, and the coupling of the rows of two joints.
 
 use super::dense::{Block, add};
 use super::memory::JacobianBlock;

@@ -1,4 +1,4 @@
-//! The matrix of one component: put together, factorised, solved.
+//! The matrix of one component: assembly, factorisation, solution.
 //!
 //! Numbers have double precision, independent of the engine's. A chain of light links under a weight of a
 //! thousand times their mass loses three digits here, and single precision has seven.
@@ -244,7 +244,7 @@ impl<const N: usize> Matrix<N> {
         sum
     }
 
-    /// The bodies have moved: the matrix must be made anew.
+    /// Marks the matrix as outdated, because the bodies have moved.
     pub fn forget(&mut self) {
         self.made_with = None;
     }
@@ -405,7 +405,7 @@ impl<const N: usize> Matrix<N> {
         }
     }
 
-    /// Gives the bodies what the changes do to them.
+    /// Applies the changes to the bodies.
     ///
     /// # Safety
     /// The caller has exclusive access to the states of the component's movable bodies.

@@ -29,7 +29,7 @@ pub(in super::super) struct JacobianBlock {
     pub compliance: Lane,
     /// One where the solve pass takes the rows from where the bodies would go, zero where they are.
     pub are_there: Lane,
-    /// One where the solve pass looks ahead.
+    /// One where the solve pass includes the curvature.
     pub look_ahead: Lane,
     /// Masses of its bodies at the current poses.
     pub inv_mass: [WideVector<Lane>; 2],
@@ -109,8 +109,8 @@ impl ImpactImpulse {
     }
 }
 
-/// Writes down the rows of a block as its bodies stand and move now. Rows of rotations are written where a
-/// joint locks one.
+/// Computes the rows of a block at the current poses and velocities of its bodies. Rows of rotations are
+/// written where a joint locks one.
 ///
 /// # Safety
 /// No other thread writes the states of the block's bodies.
@@ -163,9 +163,9 @@ unsafe fn write_first_rows<W: Wide, const AHEAD: bool, const N: usize>(
     (memory.inv_mass, memory.inv_inertia) = (block.inv_mass, *block.inertias.lanes());
 }
 
-/// Rows and rates of the solve pass: they look ahead from the present velocities. Taut joints take the rows
-/// there, others where they are. Joints with a large unconstrained displacement (`../geometric_stiffness.rs`)
-/// are excluded.
+/// Rows and velocity errors of the solve pass, with the curvature of the present velocities. Taut joints take
+/// the rows there, others where they are. Joints with a large unconstrained displacement
+/// (`../geometric_stiffness.rs`) are excluded.
 #[inline(always)]
 fn rows_ahead<W: Wide, const N: usize>(
     block: &mut JointBlock,

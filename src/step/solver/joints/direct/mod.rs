@@ -190,7 +190,7 @@ impl Direct {
         }
     }
 
-    /// Gives each body of a component the sum of what is counted for all of them.
+    /// Sets the value of each body of a component to the sum over the component.
     pub fn share_delays(&self, counts: &mut [BodyState]) {
         for index in 0..self.pattern.component_count() {
             let members = self.pattern.component(index).members;
@@ -248,7 +248,7 @@ impl Direct {
         goes_on
     }
 
-    /// The bodies have moved, or others took their places: all matrices must be made anew.
+    /// Marks all matrices as outdated, because the bodies moved or changed.
     pub fn forget_matrices(&mut self) {
         self.factors.iter_mut().for_each(Factor::forget);
     }

@@ -1,6 +1,6 @@
 //! Elimination order of the joints of loops.
 //!
-//! Eliminating a joint couples all that it is coupled with. The next joint is therefore one with the fewest
+//! The elimination of a joint couples all its neighbours. The next joint is therefore one with the fewest
 //! remaining couplings: minimum degree (Tinney and Walkup, "Direct solutions of sparse network equations by
 //! optimally ordered triangular factorization", 1967; George and Liu, "The evolution of the minimum degree
 //! ordering algorithm", 1989). The joints of a limb precede the joints that connect a dozen limbs to their
@@ -60,7 +60,7 @@ impl Ordering {
         }
     }
 
-    /// Couples all that a joint is coupled with.
+    /// Couples all neighbours of a joint.
     fn eliminate(&mut self, joint: u32) {
         let column = core::mem::take(&mut self.adjacent[joint as usize]);
         for &other in &column {

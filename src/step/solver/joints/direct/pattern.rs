@@ -309,8 +309,8 @@ impl Search {
     /// Returns whether the component has loops. All that cannot move is one body here. A connected graph
     /// without loops has one edge less than it has nodes.
     fn has_loops(&self, members: &[DirectJoint]) -> bool {
-        let is_held = self.component(members).any(|member| member.movable().count() < 2);
-        self.order.len() + 1 > self.body_count + usize::from(is_held)
+        let is_anchored = self.component(members).any(|member| member.movable().count() < 2);
+        self.order.len() + 1 > self.body_count + usize::from(is_anchored)
     }
 
     /// Breadth first from a member: all that are connected to it.
