@@ -242,8 +242,9 @@ impl ContactManifold {
         &self.data.points
     }
 
-    /// The solver's colour, from 0 to 64: constraints with a dynamic body in common have different colours, except for
-    /// those of colour 64, which the solver takes one by one. `None` without a constraint, as between sleeping bodies.
+    /// The solver's colour, from 0 to 64. Constraints with a dynamic body in common have different colours, except
+    /// for those of colour 64, which the solver processes one by one. `None` while the solver does not handle the
+    /// manifold.
     pub fn solver_color(&self) -> Option<u32> {
         self.slot.map(|slot| slot.color)
     }
