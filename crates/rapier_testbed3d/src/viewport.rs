@@ -58,7 +58,7 @@ impl Viewport {
         let renderer =
             Renderer::new(&state.device, &state.queue, Quality::for_adapter(&state.adapter));
         let adapts = renderer.quality() != Quality::default();
-        // An adapter in software spends three times as much on a filtered pixel.
+        // An adapter in software filters each pixel on the processor.
         let filter = if adapts { FilterMode::Nearest } else { FilterMode::Linear };
         Self {
             state: state.clone(),

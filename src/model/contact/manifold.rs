@@ -243,8 +243,8 @@ impl ContactManifold {
     }
 
     /// The solver's colour, from 0 to 64. Constraints with a dynamic body in common have different colours, except
-    /// for those of colour 64, which the solver processes one by one. `None` while the solver does not handle the
-    /// manifold.
+    /// for those of colour 64, which the solver processes one by one. `None` without a constraint,
+    /// as between sleeping bodies.
     pub fn solver_color(&self) -> Option<u32> {
         self.slot.map(|slot| slot.color)
     }
