@@ -50,30 +50,33 @@ function fail(page, message) {
 /** Opens a page and records its errors and its weight. */
 async function open(context, address, path) {
     const page = await context.newPage();
-    let weight = 0;
+    const sizes = [];
     page.on("console", (message) => message.type() === "error" && fail(path, message.text()));
     page.on("pageerror", (error) => fail(path, String(error)));
     page.on(
         "requestfailed",
         (request) => !request.failure()?.errorText.includes("ABORTED") && fail(path, `no answer to ${request.url()}`),
     );
-    page.on("response", async (response) => {
+    page.on("response", (response) => {
         if (response.status() >= 400) fail(path, `${response.status()} for ${response.url()}`);
-        weight += (await response.body().catch(() => Buffer.alloc(0))).length;
+        const body = response.body().catch(() => Buffer.alloc(0));
+        sizes.push(body.then(({ length }) => length));
     });
     await page.goto(address + path, { waitUntil: "networkidle" });
     if (LIVE.has(path)) await page.waitForSelector('[data-live="running"]', { timeout: 60_000 });
-    return { page, weight: () => weight };
+    const weigh = async () => (await Promise.all(sizes)).reduce((sum, size) => sum + size, 0);
+    return { page, weigh };
 }
 
 /** Visits the pages that are left, and returns the heaviest one with the ordinary limit. */
 async function visit(context, address, left) {
     let heaviest = { path: "", weight: 0 };
     for (let path = left.pop(); path !== undefined; path = left.pop()) {
-        const { page, weight } = await open(context, address, path);
-        if (weight() > (WEIGHTS_MAX[path] ?? WEIGHT_MAX)) fail(path, `${weight()} bytes`);
-        if (path in WEIGHTS_MAX) console.log(`${path}: ${weight()} bytes`);
-        else if (weight() > heaviest.weight) heaviest = { path, weight: weight() };
+        const { page, weigh } = await open(context, address, path);
+        const weight = await weigh();
+        if (weight > (WEIGHTS_MAX[path] ?? WEIGHT_MAX)) fail(path, `${weight} bytes`);
+        if (path in WEIGHTS_MAX) console.log(`${path}: ${weight} bytes`);
+        else if (weight > heaviest.weight) heaviest = { path, weight };
         await page.close();
     }
     return heaviest;
