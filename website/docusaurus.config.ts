@@ -33,6 +33,8 @@ const search = {
     docsDir: ["../docs", "generated/api"],
     highlightSearchTermsOnTargetPage: true,
     explicitSearchResultPath: true,
+    // Figures are no terms of a search.
+    ignoreFiles: [/docs\/benchmarks\/(latest|native|growth)/],
 };
 
 const themeConfig: ThemeConfig = {

@@ -10,9 +10,12 @@ const INTERNAL = /^#{3,5} (Inherited from|Overrides|Implementation of)\n[\s\S]*?
 /** The default export repeats all names. */
 const REPEATED = "rapier";
 
+/** Headings of tables: as plain text they stay out of the search and of tables of contents. */
+const PARTS = /^#{4,6} (Parameters|Returns|Type Parameters|Throws)$/gm;
+
 function tidy(text) {
     return text
-        .replace(INTERNAL, "")
+        .replace(INTERNAL, "").replace(PARTS, "**$1**")
         .replace(/^## Extends\n\n(?:- `\w+`\n)+\n/m, "")
         .replace(/^## Namespaces\n[\s\S]*?(?=^## )/m, "");
 }
