@@ -22,6 +22,12 @@ const alias = Object.fromEntries(
 alias["#real"] = source(`real${bits}.ts`);
 alias["#entry"] = source(`rapier${dimension}.ts`);
 
+const hasThreads = existsSync(join(pkg, "rapier_threads.wasm"));
+/** The program of the workers, as a text. */
+const { outputFiles: [threadProgram] } = await build({
+    entryPoints: [source("thread_worker.ts")], bundle: true, minify: true, format: "iife", target: "es2022", write: false, logLevel: "warning",
+});
+
 async function bundle(entry, outfile, options = {}) {
     await build({
         entryPoints: [source(entry)],
@@ -35,7 +41,12 @@ async function bundle(entry, outfile, options = {}) {
         legalComments: "none",
         logLevel: "warning",
         ...options,
-        define: { VERSION: JSON.stringify(manifest.version), ...options.define },
+        define: {
+            VERSION: JSON.stringify(manifest.version),
+            HAS_THREADS: String(hasThreads),
+            THREAD_PROGRAM: JSON.stringify(threadProgram.text),
+            ...options.define,
+        },
     });
 }
 
@@ -66,7 +77,7 @@ for (const file of readdirSync(types)) {
 }
 
 const { name, version, description, license, keywords, exports } = manifest;
-if (!existsSync(join(pkg, "rapier_threads.wasm"))) {
+if (!hasThreads) {
     delete exports["./rapier_threads.wasm"];
 }
 writeFileSync(join(pkg, "package.json"), `${JSON.stringify({

@@ -1,12 +1,13 @@
 #!/usr/bin/env bash
-# Builds an npm package: build_all.sh DIMENSION [--fast] [--f64]. The packages' own build_all.sh call it.
+# Builds an npm package: build_all.sh DIMENSION [--fast] [--threads] [--f64]. The packages' own build_all.sh call it.
 set -euo pipefail
 dimension=$1
 shift
-profile=wasm features=dim$dimension bits=32
+profile=wasm features=dim$dimension bits=32 threads=
 for option in "$@"; do
     case $option in
     --fast) profile=wasm-fast ;;
+    --threads) threads=required ;;
     --f64) features+=,f64 bits=64 ;;
     *) printf 'unknown option %s\n' "$option" >&2 && exit 2 ;;
     esac
@@ -23,7 +24,9 @@ module() {
 }
 module rapier_simd.wasm simd
 module rapier.wasm scalar
-if [ "$profile" = wasm ]; then
+if [ "$threads" = required ]; then
+    module rapier_threads.wasm threads
+elif [ "$profile" = wasm ]; then
     # Threads need more of the toolchain than the other modules. A package without them is complete otherwise.
     module rapier_threads.wasm threads || { status=$? && [ $status = 3 ]; } || exit $status
 fi

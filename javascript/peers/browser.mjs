@@ -65,6 +65,7 @@ export async function openBrowser() {
                     const worker = new Worker(URL.createObjectURL(new Blob([text], { type: "text/javascript" })), { type: "module" });
                     worker.onmessage = ({ data }) => resolve(data);
                     worker.onerror = ({ message }) => reject(new Error(message));
+                    setTimeout(() => reject(new Error("the worker does not answer")), 60_000);
                 }), program(address));
             } finally {
                 await page.close();

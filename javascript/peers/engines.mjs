@@ -36,7 +36,7 @@ function rapier(prepare) {
             const data = dimension === 2 ? RAPIER.JointData.revolute(...anchors) : RAPIER.JointData.spherical(...anchors);
             world.createImpulseJoint(data, made[one], made[other], true).setContactsEnabled?.(false);
         }
-        return { step: () => world.step(), height: () => made[made.length - 1].translation().y };
+        return { step: () => world.step(), height: () => made[made.length - 1].translation().y, free: () => world.free() };
     };
 }
 
@@ -160,7 +160,7 @@ async function box2d(_dimension, { bodies, joints }) {
         def.base.localFrameB.p = b2.b2Body_GetLocalPoint(made[other], point(at[0], at[1]));
         b2.b2CreateRevoluteJoint(world, def);
     }
-    return { step: () => b2.b2World_Step(world, 1 / 60, 4), height: () => b2.b2Body_GetPosition(made[made.length - 1]).y };
+    return { step: () => b2.b2World_Step(world, 1 / 60, 4), height: () => b2.b2Body_GetPosition(made[made.length - 1]).y, free: () => b2.b2DestroyWorld(world) };
 }
 
 /** The engines by dimension. */

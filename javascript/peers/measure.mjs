@@ -3,8 +3,8 @@
 import { ENGINES } from "./engines.mjs";
 import { SCENES } from "./scenes.mjs";
 
-/** Processor time (ms) of steps after which V8 has compiled what is hot in a module of some megabytes. */
-const COMPILED = 6000;
+/** Time (ms) of steps after which V8 has compiled the hot functions of a module of some megabytes. */
+const WARM_UP_MS = 6000;
 
 /** Builds a scene, makes some steps, and returns the functions of its world. */
 async function begin(dimension, engine, scene, warm) {
@@ -16,7 +16,10 @@ async function begin(dimension, engine, scene, warm) {
 /** Milliseconds per step by this clock (ms). The scene runs before the measurement until V8 has compiled the module: processor time contains that of the compiler. */
 export async function measure(dimension, engine, scene, clock) {
     const { steps = 200, warm = 20 } = SCENES[scene](dimension);
-    for (const begun = clock(); clock() - begun < COMPILED; ) await begin(dimension, engine, scene, warm + steps);
+    for (const begun = clock(); clock() - begun < WARM_UP_MS; ) {
+        const { free } = await begin(dimension, engine, scene, warm + steps);
+        free?.();
+    }
     const { step, height } = await begin(dimension, engine, scene, warm);
     const start = clock();
     for (let count = 0; count < steps; count += 1) step();

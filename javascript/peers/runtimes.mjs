@@ -47,10 +47,12 @@ function runProcess(dimension, threads, [path, ...options]) {
 }
 
 const chromium = existsSync(process.env.CHROMIUM ?? "/usr/bin/chromium") ? await openBrowser() : null;
+if (!chromium) console.log("Chromium is not installed: left out");
 let failed = false;
 for (const dimension of [2, 3]) {
     const pkg = `rapier${dimension}d/pkg`;
     const hasThreads = existsSync(resolve(here, "../..", pkg, "rapier_threads.wasm"));
+    if (!hasThreads) console.log(`rapier${dimension}d has no module with threads: build_all.sh --threads makes it`);
     const hashes = new Set();
     for (const threads of hasThreads ? [1, 2] : [1]) {
         const found = Object.entries(RUNTIMES).map(([name, runtime]) => [name, runProcess(dimension, threads, runtime)]);

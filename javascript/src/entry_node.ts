@@ -4,20 +4,18 @@ import { readFileSync } from "node:fs";
 import { availableParallelism } from "node:os";
 import { Worker } from "node:worker_threads";
 import { FILES, type ModuleKind, setSource } from "./raw.js";
+import type { ThreadWorker } from "./threads.js";
 
 const read = (kind: ModuleKind): Uint8Array<ArrayBuffer> => new Uint8Array(readFileSync(new URL(FILES[kind], import.meta.url)));
 
-setSource({
-    load: async (kind) => read(kind),
-    loadNow: read,
-    cores: availableParallelism,
-    startWorker(script) {
-        const worker = new Worker(`(${script})(require("node:worker_threads").parentPort)`, { eval: true });
-        // A program ends while its threads wait for work.
-        const ready = new Promise((resolve, reject) => worker.once("message", resolve).once("error", reject)).finally(() => worker.unref());
-        return { postMessage: (start) => worker.postMessage(start), ready };
-    },
-});
+function start(program: string): ThreadWorker {
+    const worker = new Worker(`const scope = require("node:worker_threads").parentPort; ${program}`, { eval: true });
+    // A program ends while its threads wait for work.
+    const ready = new Promise((resolve, reject) => worker.once("message", resolve).once("error", reject)).finally(() => worker.unref());
+    return { postMessage: (message) => worker.postMessage(message), ready, terminate: () => void worker.terminate() };
+}
+
+setSource({ load: async (kind) => read(kind), loadNow: read, workers: { start, cores: availableParallelism } });
 
 export * from "#entry";
 export { default } from "#entry";

@@ -1,19 +1,20 @@
 // The entry for bundlers and pages: the module is fetched from beside this file.
 
 import { setSource } from "./raw.js";
-import { startWebWorker, webCores } from "./threads.js";
+import { webWorkers } from "./threads.js";
+
+/** Whether the package contains the module with threads: the build writes it. */
+declare const HAS_THREADS: boolean;
 
 setSource({
-    // Bundlers find files in expressions of this form alone.
+    // Bundlers find files in expressions of this form alone, and fail if one is missing.
     load(kind) {
-        switch (kind) {
-            case "threads": return fetch(new URL("./rapier_threads.wasm", import.meta.url));
-            case "simd": return fetch(new URL("./rapier_simd.wasm", import.meta.url));
-            default: return fetch(new URL("./rapier.wasm", import.meta.url));
+        if (HAS_THREADS && kind === "threads") {
+            return fetch(new URL("./rapier_threads.wasm", import.meta.url));
         }
+        return kind === "simd" ? fetch(new URL("./rapier_simd.wasm", import.meta.url)) : fetch(new URL("./rapier.wasm", import.meta.url));
     },
-    startWorker: startWebWorker,
-    cores: webCores,
+    workers: webWorkers(),
 });
 
 export * from "#entry";

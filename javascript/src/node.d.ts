@@ -12,6 +12,7 @@ declare module "node:worker_threads" {
         postMessage(message: unknown): void;
         once(event: string, listener: (value: unknown) => void): this;
         unref(): void;
+        terminate(): Promise<number>;
     }
 }
 

@@ -3,7 +3,7 @@
 import { RapierError } from "./error.js";
 import type { Functions } from "./functions.js";
 import { type RealArray, RealArrayType } from "#real";
-import { type ThreadWorker, sharedMemory, startThreads, supportedThreads } from "./threads.js";
+import { type Workers, sharedMemory, startWorkers, supportedThreads } from "./threads.js";
 
 /** The module's exports. */
 export interface Raw extends Functions {
@@ -24,8 +24,9 @@ export interface InitOptions {
     /** Whether the module with SIMD is used. Default: if the platform has SIMD. */
     simd?: boolean;
     /**
-     * Threads that step worlds together, 0 for one per core. Default: 1. Results do not depend on the number. More than one need Node.js, or a worker of a page
-     * that is cross-origin isolated. Elsewhere, one is used: `threads` returns the number. A world with hooks is stepped on one thread.
+     * Threads that step worlds together, 0 for one per core. Default: 1. Results do not depend on the number. More than one need the module with threads and SIMD,
+     * and Node.js or a worker of a page that is cross-origin isolated. Elsewhere one is used: `threads` returns the number. A world with hooks is stepped
+     * on one thread.
      */
     threads?: number;
 }
@@ -42,10 +43,8 @@ export interface Source {
     load(kind: ModuleKind): Promise<WebAssembly.Module | BufferSource | Response>;
     /** Loads the module at once, where the platform can. */
     loadNow?(kind: ModuleKind): BufferSource;
-    /** Starts a worker. The script is a function of the worker's end of the connection. */
-    startWorker(script: string): ThreadWorker;
-    /** The number of cores. */
-    cores(): number;
+    /** What the platform offers for threads, if it does. */
+    workers?: Workers | undefined;
 }
 
 let source: Source | undefined;
@@ -90,7 +89,7 @@ function kindOf(count: number, simd = hasSimd()): ModuleKind {
 
 /** Loads the module. Later calls wait for the first one. */
 export function load(options: InitOptions = {}): Promise<void> {
-    if (exportsOfModule) {
+    if (exportsOfModule && !loading) {
         return Promise.resolve();
     }
     loading ??= instantiate(options).catch((error: unknown) => {
@@ -101,15 +100,24 @@ export function load(options: InitOptions = {}): Promise<void> {
 }
 
 async function instantiate(options: InitOptions): Promise<void> {
-    const count = hasSimd() ? supportedThreads(options.threads ?? 1, () => source?.cores() ?? 1) : 1;
-    const module = await compile(options, kindOf(count, options.simd));
-    if (count === 1) {
-        begin(await WebAssembly.instantiate(module, { rapier: imported }));
+    const simd = options.simd ?? hasSimd();
+    const wanted = simd ? supportedThreads(options.threads ?? 1, source?.workers) : 1;
+    const module = await compile(options, kindOf(wanted, simd));
+    const isShared = WebAssembly.Module.imports(module).some(({ kind }) => kind === "memory");
+    const memory = isShared ? { env: { memory: sharedMemory() } } : {};
+    const instance = await WebAssembly.instantiate(module, { rapier: imported, ...memory });
+    if (!isShared || wanted === 1) {
+        begin(instance);
         return;
     }
-    begin(await WebAssembly.instantiate(module, { rapier: imported, env: { memory: sharedMemory() } }));
-    await startThreads(raw, module, count, source!.startWorker);
-    threadCount = count;
+    const workers = await startWorkers(instance.exports as unknown as Raw, module, wanted - 1, source!.workers!);
+    if (!begin(instance)) {
+        workers.forEach((worker) => worker.terminate());
+        throw new RapierError("NotInitialized", "the engine was used before init() with threads had ended: await init() first");
+    }
+    // In the same turn: no step comes before the pool.
+    raw.threads_create(wanted);
+    threadCount = raw.threads_count();
 }
 
 /** The module that the options or the package supply. */
@@ -135,14 +143,16 @@ function instantiateNow(bytes: BufferSource): void {
     begin(new WebAssembly.Instance(new WebAssembly.Module(bytes), { rapier: imported }));
 }
 
-function begin(instance: WebAssembly.Instance): void {
+/** Makes an instance the engine, if there is none. Returns whether it did. */
+function begin(instance: WebAssembly.Instance): boolean {
     if (exportsOfModule) {
-        return;
+        return false;
     }
     exportsOfModule = instance.exports as unknown as Raw;
     raw = exportsOfModule;
     stackFloor = raw.__stack_pointer.value as number;
     raw.start();
+    return true;
 }
 
 // ---- Memory ----
@@ -156,7 +166,7 @@ let scratchView: RealArray = new RealArrayType(0);
 
 /** The scratch block: place `p` begins at `4 * p`. */
 export function scratch(): RealArray {
-    // A view of memory that has grown has no elements any more.
+    // A view of memory that has grown has no elements any more. A view of shared memory stays valid.
     if (scratchView.length === 0) {
         scratchView = new RealArrayType(raw.memory.buffer, raw.scratch_address(), SCRATCH);
     }
@@ -193,9 +203,15 @@ export function integersCopy(): Uint32Array {
     return new Uint32Array(raw.memory.buffer, raw.integers_address(), raw.integers_len()).slice();
 }
 
+/** Returns whether a buffer may be the module's before it grew. Buffers that are not shared are detached then. */
+function isSharedBuffer(buffer: ArrayBufferLike): boolean {
+    return typeof SharedArrayBuffer !== "undefined" && buffer instanceof SharedArrayBuffer;
+}
+
 /** The numbers, or a copy of them if they lie in the module's memory, which may grow or change before they are used. */
 export function apart<T extends ArrayLike<number>>(numbers: T): T {
-    return ArrayBuffer.isView(numbers) && numbers.buffer === raw.memory.buffer ? (numbers as unknown as RealArray).slice() as unknown as T : numbers;
+    const isView = ArrayBuffer.isView(numbers) && (numbers.buffer === raw.memory.buffer || isSharedBuffer(numbers.buffer));
+    return isView ? (numbers as unknown as RealArray).slice() as unknown as T : numbers;
 }
 
 /** Writes a list for the next call. */

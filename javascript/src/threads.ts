@@ -2,20 +2,38 @@
 
 import { RapierError } from "./error.js";
 import type { Raw } from "./raw.js";
+import type { Start } from "./thread_worker.js";
+
+/** Whether the package contains the module with threads: the build writes it. */
+declare const HAS_THREADS: boolean;
+/** The text of thread_worker.ts: the build writes it. */
+declare const THREAD_PROGRAM: string;
 
 /** The most threads: as many as the engine uses. */
 const THREADS_MAX = 64;
-/** Pages of 64 KiB of the shared memory, as in crates/wasm/build.sh. */
-const PAGES = { initial: 256, maximum: 32768, shared: true };
+/** Pages of 64 KiB of the shared memory at first, as in crates/wasm/build.sh. */
+const PAGES_INITIAL = 256;
+/** The most pages. A device that refuses the address space for the larger number may have the smaller one. */
+const PAGES_MAX = [32768, 8192];
 /** Bytes of the stack of a worker. */
 const STACK_BYTES = 1 << 20;
 
-/** The end of a worker that starts it: `postMessage` and the first answer. */
+/** A worker, as its starter uses it. */
 export interface ThreadWorker {
     /** Sends the start. */
-    postMessage(start: unknown): void;
-    /** Resolves with the first message, and fails with the first error. */
+    postMessage(start: Start): void;
+    /** Resolves when the worker runs, and fails with the first error. */
     ready: Promise<unknown>;
+    /** Ends the worker. */
+    terminate(): void;
+}
+
+/** What a platform offers for threads. */
+export interface Workers {
+    /** Starts a worker with a program. */
+    start(program: string): ThreadWorker;
+    /** The number of cores. */
+    cores(): number;
 }
 
 /** Returns whether the platform lets threads share memory. */
@@ -23,87 +41,80 @@ export function canShareMemory(): boolean {
     return typeof SharedArrayBuffer !== "undefined" && (globalThis as { crossOriginIsolated?: boolean }).crossOriginIsolated !== false;
 }
 
-/** The number of threads that the platform supports, of those that are wanted. 0 wants one per core. */
-export function supportedThreads(wanted: number, cores: () => number): number {
+/** The number of threads that the package and the platform support, of those that are wanted. 0 wants one per core. */
+export function supportedThreads(wanted: number, workers: Workers | undefined): number {
     if (!(Number.isInteger(wanted) && wanted >= 0 && wanted <= THREADS_MAX)) {
         throw new RapierError("InvalidValue", `threads is ${wanted}, but must be an integer from 0 to ${THREADS_MAX}`);
     }
     // The thread of a page must not block, and the module's locks block.
     const isPage = typeof document !== "undefined";
-    if (isPage || !canShareMemory()) {
+    if (!HAS_THREADS || !workers || isPage || !canShareMemory()) {
         return 1;
     }
-    return wanted === 0 ? Math.min(cores(), THREADS_MAX) : wanted;
+    return wanted === 0 ? Math.min(workers.cores(), THREADS_MAX) : wanted;
 }
 
 /** Memory for a module with threads. */
 export function sharedMemory(): WebAssembly.Memory {
-    return new WebAssembly.Memory(PAGES);
-}
-
-/** The cores of a browser's machine, as far as the browser tells. */
-export function webCores(): number {
-    return navigator.hardwareConcurrency ?? 1;
-}
-
-/** Creates the threads of a module. One is the calling thread, each other one a worker. */
-export async function startThreads(raw: Raw, module: WebAssembly.Module, count: number, startWorker: (script: string) => ThreadWorker): Promise<void> {
-    const workers = Array.from({ length: count - 1 }, () => {
-        const stack = raw.thread_memory(STACK_BYTES, 16) >>> 0;
-        const storage = raw.thread_memory(raw.__tls_size!.value as number, raw.__tls_align!.value as number) >>> 0;
-        const worker = startWorker(String(runThread));
-        worker.postMessage({ module, memory: raw.memory, stackTop: stack + STACK_BYTES, storage });
-        return worker.ready;
-    });
-    await Promise.all(workers);
-    raw.threads_create(count);
-}
-
-/** Starts a worker of a browser or of Deno. */
-export function startWebWorker(script: string): ThreadWorker {
-    const url = URL.createObjectURL(new Blob([`(${script})(self)`], { type: "text/javascript" }));
-    const worker = new Worker(url, { type: "module", name: "rapier" });
-    const ready = new Promise((resolve, reject) => {
-        worker.onmessage = resolve;
-        worker.onerror = reject;
-    }).finally(() => URL.revokeObjectURL(url));
-    return { postMessage: (start) => worker.postMessage(start), ready };
-}
-
-/** What a worker receives. */
-interface Start {
-    module: WebAssembly.Module;
-    memory: WebAssembly.Memory;
-    stackTop: number;
-    storage: number;
-}
-
-/** The worker's end of its connection, in browsers and in Node.js. */
-interface ThreadScope {
-    postMessage(message: unknown): void;
-    onmessage?: (event: { data: Start }) => void;
-    once?(event: "message", listener: (start: Start) => void): void;
-}
-
-/** The program of a worker. It is sent as text, so it names nothing outside of itself. */
-function runThread(scope: ThreadScope): void {
-    const run = ({ module, memory, stackTop, storage }: Start): void => {
-        const fail = (_kind: number, address: number, length: number): never => {
-            throw new Error(new TextDecoder().decode(new Uint8Array(memory.buffer, address, length).slice()));
-        };
-        const unreachable = (): never => {
-            throw new Error("JavaScript runs on the thread that loads the module");
-        };
-        const rapier = { fail, warn: () => undefined, now: () => performance.now(), accepts: unreachable, visit: unreachable, hook: unreachable };
-        const raw = new WebAssembly.Instance(module, { rapier, env: { memory } }).exports as unknown as Raw;
-        raw.__stack_pointer.value = stackTop;
-        raw.__wasm_init_tls!(storage);
-        scope.postMessage("ready");
-        raw.thread_run();
-    };
-    if (scope.once) {
-        scope.once("message", run);
-    } else {
-        scope.onmessage = ({ data }) => run(data);
+    let refusal: unknown;
+    for (const maximum of PAGES_MAX) {
+        try {
+            return new WebAssembly.Memory({ initial: PAGES_INITIAL, maximum, shared: true });
+        } catch (error) {
+            refusal = error;
+        }
     }
+    throw unsupported("shared memory cannot be reserved", refusal);
+}
+
+/** Starts the workers of a module: each waits for a thread of the pool. If one fails, all end. */
+export async function startWorkers(raw: Raw, module: WebAssembly.Module, count: number, platform: Workers): Promise<ThreadWorker[]> {
+    const workers: ThreadWorker[] = [];
+    try {
+        while (workers.length < count) {
+            const stackTop = allocate(raw, STACK_BYTES, 16) + STACK_BYTES;
+            const storage = allocate(raw, raw.__tls_size!.value as number, raw.__tls_align!.value as number);
+            const worker = platform.start(THREAD_PROGRAM);
+            workers.push(worker);
+            worker.postMessage({ module, memory: raw.memory, stackTop, storage });
+        }
+        await Promise.all(workers.map(({ ready }) => ready));
+        return workers;
+    } catch (error) {
+        workers.forEach((worker) => worker.terminate());
+        await Promise.allSettled(workers.map(({ ready }) => ready));
+        throw unsupported("a thread cannot be started", error);
+    }
+}
+
+function allocate(raw: Raw, bytes: number, align: number): number {
+    const address = raw.thread_memory(bytes, align) >>> 0;
+    if (address === 0) {
+        throw new Error(`the memory has no ${bytes} bytes for a thread`);
+    }
+    return address;
+}
+
+function unsupported(what: string, error: unknown): RapierError {
+    const { message } = error as Partial<Error>;
+    return new RapierError("Unsupported", message ? `${what}: ${message}` : what);
+}
+
+/** The workers of a browser or of Deno, from a scope that has some. */
+export function webWorkers(): Workers | undefined {
+    if (typeof Worker === "undefined" || typeof navigator === "undefined") {
+        return undefined;
+    }
+    return {
+        start(program) {
+            const url = URL.createObjectURL(new Blob([`const scope = self; ${program}`], { type: "text/javascript" }));
+            const worker = new Worker(url, { type: "module", name: "rapier" });
+            const ready = new Promise((resolve, reject) => {
+                worker.onmessage = resolve;
+                worker.onerror = reject;
+            }).finally(() => URL.revokeObjectURL(url));
+            return { postMessage: (start) => worker.postMessage(start), ready, terminate: () => worker.terminate() };
+        },
+        cores: () => navigator.hardwareConcurrency ?? 1,
+    };
 }

@@ -1,20 +1,30 @@
-// Steps on several threads: the bits of one thread, hooks, and what the platform refuses.
+// Steps on several threads: the bits of one thread, hooks, and starts that fail.
 
 import assert from "node:assert/strict";
 import { execFile } from "node:child_process";
 import { existsSync } from "node:fs";
 import { join } from "node:path";
 import test from "node:test";
+import { pathToFileURL } from "node:url";
 import { promisify } from "node:util";
 import { DIM, PKG, RAPIER } from "./setup.mjs";
 
 const run = promisify(execFile);
-const skip = !existsSync(join(PKG, "rapier_threads.wasm")) && "this build has no module with threads: build_all.sh without --fast makes it";
+const hasThreads = existsSync(join(PKG, "rapier_threads.wasm"));
+const skip = !hasThreads && "this build has no module with threads: build_all.sh --threads makes it";
+const timeout = 120_000;
 
 /** Runs the scene of threads_child.mjs in a process of its own. */
 async function result(threads, hooks = "") {
-    const { stdout } = await run(process.execPath, [join(import.meta.dirname, "threads_child.mjs"), DIM, threads, hooks]);
+    const { stdout } = await run(process.execPath, [join(import.meta.dirname, "threads_child.mjs"), DIM, threads, hooks], { timeout });
     return JSON.parse(stdout);
+}
+
+/** Runs a program with an engine that is not loaded yet, in a process of its own. */
+async function output(program) {
+    const entry = JSON.stringify(pathToFileURL(join(PKG, "rapier.node.mjs")).href);
+    const { stdout } = await run(process.execPath, ["--input-type=module", "-e", `import * as RAPIER from ${entry};${program}`], { timeout });
+    return stdout.trim();
 }
 
 test("the number of threads changes no bit", { skip }, async () => {
@@ -31,12 +41,59 @@ test("hooks run while other threads exist, and change no bit", { skip }, async (
     assert.deepEqual(three, { ...one, threads: 3 });
 });
 
+test("two calls of init wait for the same threads", { skip }, async () => {
+    const program = `
+        const first = RAPIER.init({ threads: 3 });
+        await RAPIER.init();
+        console.log(RAPIER.threads());
+        await first;
+        console.log(RAPIER.threads());`;
+    assert.equal(await output(program), "3\n3");
+});
+
+test("a use before the end of init is an error of init, and the engine works", { skip }, async () => {
+    const program = `
+        const start = RAPIER.init({ threads: 2 });
+        const world = new RAPIER.PhysicsWorld();
+        await start.catch((error) => console.log(error.code));
+        world.step();
+        await RAPIER.init();
+        console.log(RAPIER.threads());`;
+    assert.equal(await output(program), "NotInitialized\n1");
+});
+
+test("a module without threads uses one", async () => {
+    const file = JSON.stringify(join(PKG, "rapier_simd.wasm"));
+    const program = `
+        import { readFileSync } from "node:fs";
+        await RAPIER.init({ threads: 2, module: readFileSync(${file}) });
+        new RAPIER.PhysicsWorld().step();
+        console.log(RAPIER.threads());`;
+    assert.equal(await output(program), "1");
+});
+
+test("a package without the module uses one thread", { skip: hasThreads && "this build has the module" }, async () => {
+    assert.equal(await output("await RAPIER.init({ threads: 0 }); new RAPIER.PhysicsWorld().step(); console.log(RAPIER.threads());"), "1");
+});
+
+test("views stay valid when shared memory grows", { skip }, async () => {
+    const program = `
+        await RAPIER.init({ threads: 2 });
+        const world = new RAPIER.PhysicsWorld();
+        world.insert(RAPIER.RigidBodyDesc.dynamic(), RAPIER.ColliderDesc.ball(0.5));
+        const views = world.views ?? new RAPIER.BodyViews(world);
+        world.step();
+        const before = views.poses[1];
+        RAPIER.reserveMemory(64 << 20);
+        world.step();
+        console.log(views.poses[1] < before, views.poses.buffer.byteLength > 64 << 20);`;
+    assert.equal(await output(program), "true true");
+});
+
 test("numbers of threads that cannot be are refused", async () => {
     assert.equal(RAPIER.threads(), 1);
-    const { default: other } = await import(`${new URL(`file://${join(PKG, "rapier.node.mjs")}`).href}?threads`);
-    for (const threads of [-1, 1.5, 65, NaN]) {
-        await assert.rejects(other.init({ threads }), (error) => error.code === "InvalidValue" && error.message.includes(String(threads)));
+    for (const threads of ["-1", "1.5", "65", "NaN"]) {
+        const program = `await RAPIER.init({ threads: ${threads} }).catch(({ code, message }) => console.log(code, message));`;
+        assert.match(await output(program), new RegExp(`^InvalidValue threads is ${threads},`));
     }
-    await other.init({ threads: 1 });
-    assert.equal(other.threads(), 1);
 });

@@ -26,7 +26,7 @@ pub struct Hooks<'a> {
     sets: &'a Cell<LentSets>,
 }
 
-// SAFETY: the module has one thread.
+// SAFETY: a world with hooks is stepped by one thread (`threads::choose`).
 unsafe impl Send for Hooks<'_> {}
 // SAFETY: as above.
 unsafe impl Sync for Hooks<'_> {}

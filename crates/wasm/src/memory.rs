@@ -1,15 +1,15 @@
 //! The memory that both sides of the boundary read and write: the scratch block, lists of handles, buffers for input, and texts.
 //!
-//! The module runs on one thread, and no reference into these cells lives across a call to JavaScript or to another function of this file.
+//! JavaScript calls the module on one thread. Workers run tasks of the engine alone, which do not use these cells. No reference into the cells lives across a call to JavaScript or to another function of this file.
 
 use crate::fault::{Fault, finite};
 use crate::rapier::math::{AngVector, Pose, Real, Rotation, Vector};
 use core::cell::UnsafeCell;
 
-/// A static value of a program with one thread.
+/// A static value of the thread that JavaScript calls.
 pub struct Single<T>(UnsafeCell<T>);
 
-// SAFETY: the module has one thread.
+// SAFETY: one thread uses the value, see the module's head.
 unsafe impl<T> Sync for Single<T> {}
 
 impl<T> Single<T> {

@@ -1,6 +1,8 @@
 //! What runs once, before everything else.
 
 use crate::fault::Kind;
+#[cfg(feature = "threads")]
+use crate::threads::is_worker;
 use crate::{host, memory};
 use log::{LevelFilter, Log, Metadata, Record};
 
@@ -13,10 +15,19 @@ impl Log for Warnings {
     }
 
     fn log(&self, record: &Record<'_>) {
-        memory::put_warning(record.args().to_string());
+        // Workers log bodies that they quarantine, which events report, too.
+        if !is_worker() {
+            memory::put_warning(record.args().to_string());
+        }
     }
 
     fn flush(&self) {}
+}
+
+/// A module with one thread has no workers.
+#[cfg(not(feature = "threads"))]
+fn is_worker() -> bool {
+    false
 }
 
 static WARNINGS: Warnings = Warnings;
@@ -30,7 +41,10 @@ exports! {
         #[cfg(target_arch = "wasm32")]
         crate::rapier::pipeline::Timer::set_clock(|| host::now());
         std::panic::set_hook(Box::new(|information| {
-            let (address, length) = memory::put_text(&information.to_string());
+            let (address, length) = match is_worker() {
+                true => (0, 0),
+                false => memory::put_text(&information.to_string()),
+            };
             host::fail(Kind::Internal as u32, address, length)
         }));
     }

@@ -25,6 +25,11 @@ pub fn choose(world: &mut PhysicsWorld, has_hooks: bool) {
     world.collision_pipeline.set_threads(threads);
 }
 
+/// Returns whether the calling thread is run by a worker. Such a thread does not use the cells of [`memory`](crate::memory).
+pub fn is_worker() -> bool {
+    rayon::current_thread_index().is_some_and(|index| index != 0)
+}
+
 exports! {
     /// Creates the pool. The calling thread is one of its threads. Each other one is run by a worker, which is in `thread_run` already: the call returns when
     /// all threads run.
@@ -44,15 +49,16 @@ exports! {
             .map_err(|error| Fault::new(Kind::InvalidValue, format!("threads cannot be created: {error}")))?;
     }
 
-    /// Reserves memory for the stack or the thread-local storage of a worker, for as long as the module exists. Returns the address.
+    /// The number of threads that work on a step of the calling thread.
+    fn threads_count() -> u32 {
+        rayon::current_num_threads() as u32
+    }
+
+    /// Reserves memory for the stack or the thread-local storage of a worker, for as long as the module exists. Returns the address, or 0 if the memory cannot
+    /// supply the bytes: the module may not be the engine yet, so nothing is thrown.
     fn thread_memory(bytes: u32, align: u32) -> u32 {
-        let layout = Layout::from_size_align(bytes.max(1) as usize, align.max(1) as usize).map_err(Fault::invalid)?;
         // SAFETY: the size is at least one.
-        let address = unsafe { alloc_zeroed(layout) };
-        if address.is_null() {
-            return Err(Fault::invalid(format_args!("a thread needs {bytes} bytes, which the memory cannot supply")));
-        }
-        address as u32
+        Layout::from_size_align(bytes.max(1) as usize, align.max(1) as usize).map_or(0, |layout| unsafe { alloc_zeroed(layout) } as u32)
     }
 
     /// Waits for a thread of the pool, and runs it until the pool ends.
