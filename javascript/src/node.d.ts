@@ -8,7 +8,7 @@ declare module "node:fs" {
 declare module "node:worker_threads" {
     /** A thread with a program. */
     export class Worker {
-        constructor(program: string, options: { eval: true });
+        constructor(program: string, options: { eval: true; execArgv: string[] });
         postMessage(message: unknown): void;
         once(event: string, listener: (value: unknown) => void): this;
         unref(): void;
