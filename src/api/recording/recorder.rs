@@ -1,4 +1,4 @@
-//! A world in, a recording out.
+//! The recorder of a world's steps and edits.
 
 use super::error::RecordingError;
 use super::frame::{Edits, Frame, Opening, write_frame, write_opening};
@@ -9,9 +9,9 @@ use crate::model::hooks::PhysicsHooks;
 
 /// Records a run: a first snapshot, all edits, and the hashes after every step.
 ///
-/// Step the world with [`Self::step`] instead of its own method. Edits between the steps are free. The world
-/// is saved twice per step, which takes about as long as several steps: a recorder serves to find a defect,
-/// and to report it as one file.
+/// Step the world with [`Self::step`] instead of its own method. Edit the world in any way between the steps.
+/// The recorder saves the world twice per step, which takes about as long as several steps. Use it to find a
+/// defect, and to report the defect as one file.
 ///
 /// ```
 /// # use rapier3d::prelude::*;
@@ -46,7 +46,7 @@ pub struct Recorder {
 }
 
 impl Recorder {
-    /// Begins a recording of a world. The title says what it is.
+    /// Begins a recording of a world. The title describes it.
     ///
     /// # Errors
     /// If the world cannot be saved: a collider has a shape of the user's own.

@@ -38,9 +38,9 @@ pub struct RigidBodyBuilder {
     pub angvel: AngVector,
     /// Factor on gravity for the body. Default: 1.
     pub gravity_scale: Real,
-    /// Share of the linear velocity lost per second, to first order (1/s). Default: 0.
+    /// Fraction of the linear velocity lost per second, to first order (1/s). Default: 0.
     pub linear_damping: Real,
-    /// Share of the angular velocity lost per second, to first order (1/s). Default: 0.
+    /// Fraction of the angular velocity lost per second, to first order (1/s). Default: 0.
     pub angular_damping: Real,
     /// Type of the body: the cause of its motion.
     pub body_type: RigidBodyType,

@@ -45,9 +45,9 @@ pub struct RigidBody {
     pub(crate) force: Vector,
     /// The user's torque (mass·length²/s²); stays until it is reset.
     pub(crate) torque: AngVector,
-    /// Share of the linear velocity lost per second, to first order (1/s).
+    /// Fraction of the linear velocity lost per second, to first order (1/s).
     pub(crate) linear_damping: Real,
-    /// Share of the angular velocity lost per second, to first order (1/s).
+    /// Fraction of the angular velocity lost per second, to first order (1/s).
     pub(crate) angular_damping: Real,
     /// Gravity acts this many times on the body.
     pub(crate) gravity_scale: Real,

@@ -14,7 +14,7 @@ use std::collections::BTreeSet;
 
 /// Bodies that are worth handing over to another thread together.
 pub(crate) const BODIES_PER_TASK: usize = 64;
-/// Prefetch distance for body records, which are spread over memory.
+/// Prefetch distance, in bodies: body records are spread over memory.
 const TURNS_AHEAD: usize = 3;
 
 /// Data of a removed body for the step: its colliders, which are removed with it (`None`: read from the

@@ -7,7 +7,7 @@ use crate::model::check::{is_non_negative, refuse};
 use crate::model::params::ITERATIONS_MAX;
 
 impl RigidBody {
-    /// Share of the linear velocity lost per second, to first order (1/s).
+    /// Fraction of the linear velocity lost per second, to first order (1/s).
     pub fn linear_damping(&self) -> Real {
         self.linear_damping
     }
@@ -20,7 +20,7 @@ impl RigidBody {
         self.linear_damping = damping;
     }
 
-    /// Share of the angular velocity lost per second, to first order (1/s).
+    /// Fraction of the angular velocity lost per second, to first order (1/s).
     pub fn angular_damping(&self) -> Real {
         self.angular_damping
     }

@@ -40,7 +40,7 @@ pub fn clip(facets: &Facets<'_>, origin: Vector, dir: Vector, margin: Real) -> O
     Some(Span { enter, leave })
 }
 
-/// When a point meets the layer of thickness `radius` around the shape.
+/// Returns the time at which a point meets the layer of thickness `radius` around the shape.
 ///
 /// The faces, moved outward, enclose the layer. If the path enters right above a face, it enters the layer.
 /// If it enters between faces, it is in a gap of rounded edges, and can leave the gap to the inside only
