@@ -1,4 +1,4 @@
-//! Bodies that were disabled because a number of theirs left the usable range.
+//! Bodies that a step disabled because one of their quantities left the usable range.
 
 use super::{RigidBody, RigidBodyChanges, RigidBodyVelocity};
 use crate::dim::math::{AngVector, Pose, Real, Vector, ang_is_finite};
@@ -43,7 +43,7 @@ pub enum QuarantineCause {
     Force {
         /// The force on the centre of mass.
         force: Vector,
-        /// The torque about it.
+        /// The torque about the centre of mass.
         torque: AngVector,
     },
     /// Gravity (length/s²), times the body's gravity scale. The motion that it causes within one step exceeds
