@@ -44,7 +44,7 @@ pub struct RigidBodyBuilder {
     pub angular_damping: Real,
     /// Type of the body: the cause of its motion.
     pub body_type: RigidBodyType,
-    /// The world axes along and about which the body cannot move. Default: none.
+    /// The world axes along and about which forces and impulses have no effect. Default: none.
     pub locked_axes: LockedAxes,
     /// Mass beyond that of the colliders. Default: none.
     pub additional_mass_properties: Option<RigidBodyAdditionalMassProps>,
@@ -212,7 +212,7 @@ impl RigidBodyBuilder {
         self
     }
 
-    /// Sets the world axes along and about which the body cannot move.
+    /// Sets the world axes along and about which forces and impulses have no effect.
     pub fn locked_axes(mut self, locked_axes: LockedAxes) -> Self {
         self.locked_axes = locked_axes;
         self

@@ -103,7 +103,7 @@ impl RigidBodyMassProps {
         self.additional.as_deref()
     }
 
-    /// The world axes along and about which the body cannot move.
+    /// The world axes along and about which forces and impulses have no effect.
     pub fn flags(&self) -> LockedAxes {
         self.locked_axes
     }

@@ -75,12 +75,12 @@ impl RigidBody {
         body.map_or(i16::from(i8::MAX) + 1, Self::effective_dominance_group)
     }
 
-    /// The world axes along and about which the body cannot move.
+    /// The world axes along and about which forces and impulses have no effect.
     pub fn locked_axes(&self) -> LockedAxes {
         self.mprops.locked_axes
     }
 
-    /// Sets the world axes along and about which the body cannot move.
+    /// Sets the world axes along and about which forces and impulses have no effect.
     pub fn set_locked_axes(&mut self, locked_axes: LockedAxes, wake_up: bool) {
         if locked_axes != self.mprops.locked_axes {
             self.mprops.locked_axes = locked_axes;
