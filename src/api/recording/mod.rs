@@ -6,9 +6,9 @@
 //! programs change only the call that steps. A list of calls would be shorter but would miss unlisted calls.
 //!
 //! * `frame.rs`: the data of a step, and the format of the file.
-//! * `recorder.rs`: a world in, a file out.
-//! * `replay.rs`: a file in, the same steps, and every hash compared.
-//! * `compare.rs`: where two recordings begin to differ.
+//! * `recorder.rs`: writes the file of a run.
+//! * `replay.rs`: repeats the steps of a file, and compares every hash.
+//! * `compare.rs`: finds the first difference of two recordings.
 
 mod compare;
 mod error;

@@ -1,11 +1,12 @@
 //! Characters: admissible moves of a shape that walks.
 //!
-//! A character is kinematic: no force moves it, the user does. [`KinematicCharacterController::move_shape`]
-//! says which part of a wished translation is possible without coming closer to anything than an offset. It
-//! moves on *planes*, in the manner that Quake made popular and Box2D 3 describes as its "plane solver":
+//! A character is kinematic: the user moves it, and no force does.
+//! [`KinematicCharacterController::move_shape`] computes the part of a desired translation that keeps an
+//! offset from all obstacles. It uses *planes*, a method that Quake made popular and that Box2D 3 describes
+//! as its "plane solver":
 //!
-//! 1. **Recover** ([`recover`]). If the shape is closer to an obstacle than the offset, because that moved,
-//!    push it out by the smallest sufficient translation.
+//! 1. **Recover** ([`recover`]). If the shape is closer to an obstacle than the offset, because the obstacle
+//!    moved, push it out by the smallest sufficient translation.
 //! 2. **Contacts** ([`obstacles`], [`touch`], [`planes`]). Every contact manifold near the shape is a plane
 //!    that the shape must stay in front of. `plane_pruning.rs` removes redundant planes, so that level tiles
 //!    and the triangles of a mesh have no internal edges.

@@ -129,17 +129,17 @@ impl DynamicRayCastVehicleController {
         &self.wheels
     }
 
-    /// The wheels, to be driven and changed.
+    /// Mutable access to the wheels.
     pub fn wheels_mut(&mut self) -> &mut [Wheel] {
         &mut self.wheels
     }
 
     /// Applies the wheels to the chassis and the ground during the next step of `dt` seconds.
     ///
-    /// `queries` have the colliders that are ground, as their filter says, and the bodies. To be called once
-    /// for each step. With a `dt` of 0 the wheels are placed, and nothing else happens. Nothing happens if
-    /// there is no chassis, or it is disabled, or `dt` is negative, no number or more than 10¹⁵, or an axis
-    /// is none of the three. Except for a disabled chassis, `log` contains one warning.
+    /// `queries` contains the bodies, and the colliders of the ground as selected by its filter. Call this
+    /// once for each step. With a `dt` of 0 the call only places the wheels. The call has no effect if the
+    /// chassis is missing or disabled, if `dt` is negative, NaN or above 10¹⁵, or if an axis is not 0, 1 or
+    /// 2. Except for a disabled chassis, `log` contains one warning.
     pub fn update_vehicle(&mut self, dt: Real, queries: QueryPipelineMut<'_>) {
         let Some(chassis) = self.checked_chassis(dt, queries.bodies) else { return };
         if !chassis.is_enabled() {
@@ -157,7 +157,7 @@ impl DynamicRayCastVehicleController {
         }
     }
 
-    /// The chassis, if there is one and all else makes sense. Tells the log if not.
+    /// The chassis, if it exists and the other input is valid. Logs a warning otherwise.
     fn checked_chassis<'a>(&mut self, dt: Real, bodies: &'a RigidBodySet) -> Option<&'a RigidBody> {
         let axis = self.index_up_axis.max(self.index_forward_axis);
         let chassis = bodies.get(self.chassis);
@@ -211,7 +211,7 @@ impl DynamicRayCastVehicleController {
         !is_asleep || wants_to_wake
     }
 
-    /// Pushes, and turns the wheels.
+    /// Applies the impulses, and rotates the wheels.
     fn drive(&mut self, dt: Real, bodies: &mut RigidBodySet, colliders: &ColliderSet) {
         let Some(chassis) = bodies.get(self.chassis) else { return };
         let stepped = !chassis.is_pushed();
@@ -283,7 +283,7 @@ impl DynamicRayCastVehicleController {
         self.seen.extend(self.wheels.iter().map(Seen::of));
     }
 
-    /// Hands the impulses over to the bodies, as forces for the next step.
+    /// Applies the impulses to the bodies, as forces for the next step.
     fn push(
         &mut self,
         contacts: &[WheelContact],

@@ -68,8 +68,8 @@ bitflags::bitflags! {
     #[derive(Copy, Clone, Debug, Default, PartialEq, Eq, Hash)]
     #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
     pub struct ActiveHooks: u32 {
-        /// Call [`filter_contact_pair`](crate::model::hooks::PhysicsHooks::filter_contact_pair) for the
-        /// pairs.
+        /// Call [`contact_pair_flags`](crate::model::hooks::PhysicsHooks::contact_pair_flags), by default
+        /// [`filter_contact_pair`](crate::model::hooks::PhysicsHooks::filter_contact_pair), for the pairs.
         const FILTER_CONTACT_PAIRS = 1;
         /// Call [`filter_intersection_pair`](crate::model::hooks::PhysicsHooks::filter_intersection_pair) for
         /// pairs with a sensor.

@@ -59,7 +59,7 @@ pub enum InvalidJoint {
     /// A link of a multibody has no degree of freedom with its own coordinate on this axis.
     #[error("link {link} has no coordinate {axis:?}: the axis is locked, or one of a ball joint")]
     Dof {
-        /// The link's position among the multibody's links.
+        /// The link's index among the multibody's links.
         link: usize,
         /// The axis.
         axis: JointAxis,
@@ -67,7 +67,7 @@ pub enum InvalidJoint {
     /// A degree of freedom is coupled with itself.
     #[error("a coordinate cannot be coupled with itself: {axis:?} of link {link}")]
     SameDof {
-        /// The link's position among the multibody's links.
+        /// The link's index among the multibody's links.
         link: usize,
         /// The axis.
         axis: JointAxis,

@@ -157,7 +157,7 @@ enum Cast {
     Unclear,
 }
 
-/// A ball that moves, as the second shape sees it.
+/// A moving ball as the first shape, in the frame of the second.
 fn ball_first(
     pose12: &Pose,
     velocity12: Vector,
@@ -173,7 +173,7 @@ fn ball_first(
     })
 }
 
-/// A ball that moves, as the first shape sees it.
+/// A moving ball as the second shape, in the frame of the first.
 fn ball_second(
     pose12: &Pose,
     velocity12: Vector,

@@ -5,14 +5,14 @@ use super::{Meeting, Touch, enter_first};
 use crate::dim::facets::Facets;
 use crate::dim::math::{Real, Vector};
 
-/// With more borders than this, looking at all of them is slower than searching for closest points.
+/// Largest number of borders for which a test of all is faster than a search for closest points.
 const MAX_BORDERS: usize = 64;
 
 /// The time interval in which a path is below all faces, with its entry and exit faces.
 pub struct Span {
-    /// Minus infinity if it comes from the inside of all.
+    /// Minus infinity if the path comes from the inside of all faces.
     pub enter: (Real, usize),
-    /// Infinity if it never goes out.
+    /// Infinity if the path never leaves.
     pub leave: (Real, usize),
 }
 
