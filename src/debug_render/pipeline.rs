@@ -1,4 +1,4 @@
-//! Goes through a world and hands out its lines.
+//! The renderer of a world as lines.
 
 use super::backend::{DebugRenderBackend, DebugRenderObject};
 use super::outlines::Outlines;
@@ -25,7 +25,7 @@ bitflags::bitflags! {
         const COLLIDER_AABBS = 1 << 2;
         /// Contacts: from the point on one surface to the point on the other, and the normal.
         const CONTACTS = 1 << 3;
-        /// Contacts as the solver has them: a normal at the point between the two surfaces.
+        /// Contacts of the solver: a normal at the point between the two surfaces.
         const SOLVER_CONTACTS = 1 << 4;
         /// The pseudo-normals of meshes and polylines, which determine their inside, if they have them.
         const PSEUDO_NORMALS = 1 << 5;
@@ -35,7 +35,7 @@ bitflags::bitflags! {
         const MULTIBODY_JOINTS = 1 << 7;
         /// Joints of both kinds.
         const JOINTS = Self::IMPULSE_JOINTS.bits() | Self::MULTIBODY_JOINTS.bits();
-        /// Along with joints: their free axes, as far as their limits reach.
+        /// The free axes of the drawn joints, within their limits.
         const JOINT_AXES = 1 << 8;
     }
 }

@@ -132,9 +132,9 @@ fn collider_first(hit: ShapeCastHit, collider: &Collider) -> ShapeCastHit {
     hit.swapped().transform1_by(collider.position())
 }
 
-/// A box that the shape stays within between the two times; `None` if that makes no sense.
+/// A box that contains the shape between the two times; `None` for an invalid motion.
 ///
-/// The centre goes straight, and nothing of the shape is ever farther from it than now.
+/// The centre moves straight, and rotation does not change the distance of any point from it.
 fn swept_box(
     motion: &NonlinearRigidMotion,
     shape: &dyn Shape,

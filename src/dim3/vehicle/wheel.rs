@@ -135,8 +135,8 @@ pub struct Wheel {
     ///
     /// It reaches the ground as far as the tyre grips: a wheel that is braked harder is locked and slides.
     pub brake: Real,
-    /// Rolling angle of the wheel (rad), positive forwards, by the last update. It grows without end; take
-    /// whole turns off whenever you like. See [`Self::rotation_cs`].
+    /// Rolling angle of the wheel (rad), positive forwards, by the last update. It grows without bound; whole
+    /// turns can be subtracted at any time. See [`Self::rotation_cs`].
     pub rotation: Real,
     /// The force of the suspension in the last update (mass·length/s²).
     pub wheel_suspension_force: Real,
@@ -210,7 +210,7 @@ impl Wheel {
 
     /// The middle of the wheel in world space, as of the last update.
     ///
-    /// The chassis moves on with the step. To draw a wheel after it, use [`Self::center_cs`].
+    /// The step moves the chassis. To draw a wheel after the step, use [`Self::center_cs`].
     pub fn center(&self) -> Vector {
         self.raycast_info.hard_point_ws + self.suspension_ws * self.raycast_info.suspension_length
     }

@@ -1,4 +1,4 @@
-//! Trees of boxes: which colliders may touch which.
+//! Trees of boxes: the broad phase.
 //!
 //! Each collider is in one of three trees, with a box somewhat larger than itself. While it stays inside,
 //! nothing is done. When it leaves, it gets a new box and is noted as moved, and only moved colliders search
@@ -28,7 +28,7 @@ use crate::model::collider::{ColliderHandle, InteractionGroups};
 use crate::model::stamp::WorldStamp;
 use parry::bounding_volume::Aabb;
 
-/// The broad phase that a world uses. There is one.
+/// The broad phase of a world. It is the only implementation.
 pub type DefaultBroadPhase = BroadPhaseBvh;
 
 /// The fat AABBs of all colliders.
@@ -66,7 +66,7 @@ clone_in_place!(BroadPhaseBvh {
 });
 
 impl BroadPhaseBvh {
-    /// Knows no collider.
+    /// Empty trees.
     pub fn new() -> Self {
         Self::default()
     }
