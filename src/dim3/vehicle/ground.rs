@@ -25,14 +25,14 @@ pub(super) struct Ground {
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub(super) struct Give {
     handle: RigidBodyHandle,
-    /// Shares, linear and angular.
+    /// Fractions, linear and angular.
     fractions: [Vector; 2],
     /// The velocities at the last update, and by how much pushes should have changed them.
     old: [Vector; 2],
     expected: [Vector; 2],
 }
 
-/// Everything the wheels stand on in one update, and what is remembered of it.
+/// The bodies below the wheels in one update, and their stored compliances.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Grounds {
     pub all: Vec<Ground>,
@@ -99,7 +99,7 @@ fn scaled(inertia: &AngularInertia, fractions: Vector) -> AngularInertia {
 }
 
 impl Give {
-    /// Looks how bodies took the pushes of the last update. Forgets those that are gone.
+    /// Measures the response of bodies to the pushes of the last update. Removes missing bodies.
     pub fn observe(gives: &mut Vec<Self>, bodies: &RigidBodySet) {
         gives.retain_mut(|give| {
             let Some(body) = bodies.get(give.handle) else { return false };

@@ -8,7 +8,7 @@ use crate::dim::math::Real;
 use crate::model::body::{RigidBody, RigidBodySet};
 use crate::model::collider::{ColliderHandle, ColliderSet};
 
-/// Share of the radius by which the ground below a sleeping vehicle may seem to move: rounding.
+/// Fraction of the radius by which the ground below a sleeping vehicle may seem to move: rounding.
 const SAME_PLACE: Real = 1.0e-3;
 
 /// A wheel as it was when the vehicle was awake.

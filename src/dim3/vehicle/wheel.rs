@@ -127,13 +127,13 @@ pub struct Wheel {
     pub roll_influence: Real,
     /// Angle of steering about the direction opposite to [`Self::direction_cs`] (rad): positive to the left.
     pub steering: Real,
-    /// Force of the engine along the rolling direction (mass·length/s²); negative to go backwards. It reaches
-    /// the ground as far as the tyre grips.
+    /// Force of the engine along the rolling direction (mass·length/s²); negative to go backwards. It acts
+    /// within the grip of the tyre.
     pub engine_force: Real,
     /// The largest braking impulse *in one update* (mass·length/s, at least 0, may be infinite). For a
     /// braking force set `force * dt`.
     ///
-    /// It reaches the ground as far as the tyre grips: a wheel that is braked harder is locked and slides.
+    /// It acts within the grip of the tyre: a wheel that is braked harder locks and slides.
     pub brake: Real,
     /// Rolling angle of the wheel (rad), positive forwards, by the last update. It grows without bound; whole
     /// turns can be subtracted at any time. See [`Self::rotation_cs`].

@@ -131,8 +131,8 @@ impl NarrowPhase {
         pairs.map(|pair| (pair.collider1, pair.collider2, pair))
     }
 
-    /// The contact pair of two colliders, given in either order. `None` if their boxes do not overlap,
-    /// if one of them is a sensor, or if something filters the pair out.
+    /// The contact pair of two colliders, given in either order. `None` if their boxes do not overlap, if one
+    /// of them is a sensor, or if a filter excludes the pair.
     pub fn contact_pair(
         &self,
         collider1: ColliderHandle,
@@ -162,7 +162,7 @@ impl NarrowPhase {
     }
 
     /// Returns whether two colliders intersect, at least one of them a sensor. `None` if their boxes do not
-    /// overlap, if neither is a sensor, or if something filters the pair out.
+    /// overlap, if neither is a sensor, or if a filter excludes the pair.
     pub fn intersection_pair(
         &self,
         collider1: ColliderHandle,

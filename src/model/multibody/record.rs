@@ -283,8 +283,8 @@ impl Multibody {
         own.unwrap_or_default()
     }
 
-    /// Damping of each degree of freedom (force per velocity, default 0). Negative ones, and those that are
-    /// not finite, count as 0.
+    /// Damping of each degree of freedom (force per velocity, default 0). Negative and non-finite values
+    /// count as 0.
     pub fn damping(&self) -> &[Real] {
         &self.lists.damping
     }
@@ -295,8 +295,8 @@ impl Multibody {
     }
 
     /// Inertia of each degree of freedom in addition to that of the links (mass, or mass·length², default 0).
-    /// For example, the inertia of a rotor behind a gear times the square of the gear ratio. Negative ones,
-    /// and those that are not finite, count as 0.
+    /// For example, the inertia of a rotor behind a gear times the square of the gear ratio. Negative and
+    /// non-finite values count as 0.
     pub fn armature(&self) -> &[Real] {
         &self.lists.armature
     }
@@ -307,7 +307,7 @@ impl Multibody {
     }
 
     /// Dry friction of each degree of freedom (force, or torque, default 0): the largest resistance to its
-    /// motion. Negative ones, and those that are not finite, count as 0.
+    /// motion. Negative and non-finite values count as 0.
     pub fn frictions(&self) -> &[Real] {
         &self.lists.frictions
     }

@@ -16,7 +16,7 @@ impl Structure<'_> {
         }
     }
 
-    /// Forgets a joint. Its bodies wake if `wake_up`.
+    /// Removes a joint. Its bodies wake if `wake_up` is `true`.
     pub fn remove_joint(&mut self, slot: u32, wake_up: bool) {
         let Some(link) = self.islands.joints.get(slot).copied() else { return };
         self.detach_joint(slot);
