@@ -56,7 +56,7 @@ pub struct Factor {
 pub struct Resistance<'a> {
     /// Inertia in addition to that of the links; infinite for prescribed ones.
     pub armature: &'a [Real],
-    /// By link: what its mass and its angular inertia are multiplied by, for the damping of its body.
+    /// By link: factors on its mass and its angular inertia, for the damping of its body.
     pub drag: &'a [[Real; 2]],
 }
 

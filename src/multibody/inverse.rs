@@ -193,7 +193,7 @@ fn error_to(target: &Pose, pose: &Pose, axes: JointAxesMask) -> SpatialVector {
     error
 }
 
-/// Clears what is not along or about some axes, or everything.
+/// Clears the components of other axes, or all components.
 fn mask(vector: &mut SpatialVector, axes: JointAxesMask, any: bool) {
     for (axis, number) in vector.iter_mut().enumerate() {
         if !any || axes.bits() & (1 << axis) == 0 {

@@ -42,8 +42,8 @@ impl QueryView<'_> {
     /// the smallest possible distance.
     ///
     /// `probe` returns a lower bound of the distance for a box; `to_collider` the distance of a collider and
-    /// its result. It does not receive the current limit: a shape's result may depend on the limit in its
-    /// last bit, and no result may depend on the tree.
+    /// its result. It does not receive the current limit, on which the last bit of a shape's result may
+    /// depend. No result may depend on the tree.
     pub(super) fn nearest<T>(
         &self,
         [least, limit]: [Real; 2],

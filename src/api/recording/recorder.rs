@@ -41,7 +41,7 @@ pub struct Recorder {
     next: Vec<u8>,
     steps: usize,
     with_stages: bool,
-    /// Why the recording has ended.
+    /// The error that ended the recording.
     failure: Option<RecordingError>,
 }
 

@@ -40,10 +40,10 @@ impl KinematicCharacterController {
     /// assert!(world.bodies[crate_handle].linvel().x > 0.1);
     /// ```
     ///
-    /// No impulse is larger than `character_mass` times the velocity of approach, and no body gets faster
-    /// than the character at the contact, so a light character does not push a truck. Pushed bodies wake.
-    /// Colliders that the filter of the queries excludes get no impulse. The shape is unused, because
-    /// collisions contain their positions.
+    /// No impulse is larger than `character_mass` times the velocity of approach, so a light character does
+    /// not push a truck. No body gets faster than the character at the contact. Pushed bodies wake. Colliders
+    /// that the filter of the queries excludes get no impulse. The shape is unused, because collisions
+    /// contain their positions.
     ///
     /// A mass or a `dt` that is not positive results in no impulses, and the log contains a warning.
     pub fn solve_character_collision_impulses<'a>(

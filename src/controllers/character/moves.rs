@@ -28,8 +28,8 @@ impl KinematicCharacterController {
     /// [`translation`](EffectiveCharacterMovement::translation), to a kinematic body by
     /// [`set_next_kinematic_translation`](crate::dynamics::RigidBody::set_next_kinematic_translation).
     ///
-    /// Invalid numbers (a translation or pose that is not finite, a `dt` that is not positive, invalid
-    /// settings) result in no movement, and the log contains a warning.
+    /// Invalid numbers result in no movement, and the log contains a warning: a non-finite translation or
+    /// pose, a `dt` that is not positive, invalid settings.
     pub fn move_shape(
         &self,
         dt: Real,

@@ -55,8 +55,8 @@ impl From<RigidBodyVelocity> for PdErrors {
 /// ```
 ///
 /// The gains are per axis, and independent of the mass. At a time step `dt`, `kp = (1 - √(1 - kd))² / dt`
-/// gives critical damping; `kd = 1` and `kp = 1 / dt` reach the target in one step. All gains with `0 < kd <
-/// 2` and `0 < kp·dt < 2·(2 - kd)` converge to the target.
+/// gives critical damping. With `kd = 1` and `kp = 1 / dt` the body reaches the target in one step. All gains
+/// with `0 < kd < 2` and `0 < kp·dt < 2·(2 - kd)` converge to the target.
 #[derive(Copy, Clone, PartialEq, Debug)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub struct PdController {

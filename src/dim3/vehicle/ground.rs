@@ -39,7 +39,7 @@ pub(super) struct Grounds {
 }
 
 impl Grounds {
-    /// The index of what a collider belongs to.
+    /// The index of the body of a collider.
     pub fn index_of(
         &mut self,
         collider: ColliderHandle,
@@ -114,7 +114,7 @@ impl Give {
         });
     }
 
-    /// Notes what the waiting pushes should do to the bodies below the wheels.
+    /// Stores the expected effect of the pending pushes on the bodies below the wheels.
     pub fn expect(gives: &mut Vec<Self>, grounds: &Grounds, bodies: &RigidBodySet, dt: Real) {
         let known = core::mem::take(gives);
         for ground in grounds.all.iter().filter(|ground| ground.is_dynamic) {

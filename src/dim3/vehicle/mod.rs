@@ -1,9 +1,9 @@
 //! # Ray-cast vehicles
 //!
-//! Ray-cast vehicles: each wheel casts a ray from its place on the chassis, and the forces of its suspension
-//! and tyre act on the chassis and the ground. Wheels have no mass and no shape, so nothing can tear them off
-//! or make them shake, and a car costs one ray per wheel. (A common model; a good account of a game that
-//! stands on it is Jared Cone, "It IS Rocket Science! The Physics of Rocket League Detailed", GDC 2018.)
+//! Each wheel casts a ray from its position on the chassis. The forces of its suspension and tyre act on the
+//! chassis and the ground. Wheels have no mass and no shape, so nothing can tear them off or make them shake,
+//! and a car costs one ray per wheel. (A common model; a good account of a game that stands on it is Jared
+//! Cone, "It IS Rocket Science! The Physics of Rocket League Detailed", GDC 2018.)
 //!
 //! One update, in this order:
 //!

@@ -116,8 +116,8 @@ pub struct Wheel {
     /// load. Tyres have 1 on dry and 0.1 on icy roads; the default of 10.5 sticks to everything. The friction
     /// of the colliders has no effect.
     pub friction_slip: Real,
-    /// Fraction of the lateral slip that the tyre aims to remove in one update, from 0 (drifts as on ice) to
-    /// 1; larger values count as 1.
+    /// Fraction of the lateral slip that the tyre aims to remove in one update, from 0 (as on ice) to 1.
+    /// Larger values count as 1.
     pub side_friction_stiffness: Real,
     /// The fraction of lateral grip that makes the car roll, from 0 to 1.
     ///

@@ -265,8 +265,8 @@ impl RigidBodyBuilder {
         self
     }
 
-    /// Sets the number of additional substeps of the solver for the island of this body (at most 1000): all
-    /// dynamic bodies that touch it, directly or through others.
+    /// Sets the number of additional substeps of the solver for the island of this body (at most 1000). The
+    /// island consists of all dynamic bodies that touch it, directly or through others.
     pub fn additional_solver_iterations(mut self, iterations: usize) -> Self {
         self.additional_solver_iterations = iterations;
         self

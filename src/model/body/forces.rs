@@ -119,9 +119,10 @@ impl RigidBody {
     /// The potential energy (mass·length²/s²) in the given gravity (length/s²), zero at the world's origin.
     ///
     /// Each substep moves a body with the velocity at its end, so pose and velocity belong to times half a
-    /// substep apart. With the length of a substep as `dt` (seconds; that of a step over the number of solver
-    /// iterations), this is the energy half a substep before. The sum with [`Self::kinetic_energy`] is then
-    /// constant in free fall. With 0, the result is the energy at the current pose.
+    /// substep apart. Pass the length of a substep as `dt` (seconds): that of a step divided by the number of
+    /// solver iterations. The result is then the energy half a substep before. The sum with
+    /// [`Self::kinetic_energy`] is then constant in free fall. With 0, the result is the energy at the
+    /// current pose.
     pub fn gravitational_potential_energy(&self, dt: Real, gravity: Vector) -> Real {
         let center_of_mass = self.mprops.world_com - self.linvel * (dt * 0.5);
         -self.mass() * self.gravity_scale * gravity.dot(center_of_mass)

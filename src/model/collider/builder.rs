@@ -136,7 +136,7 @@ impl ColliderBuilder {
     ///
     /// # Errors
     /// If the shape has sizes that are not positive, coordinates that are not finite, indices out of range or
-    /// no elements, or is a convex shape that cannot collide. If the position is not finite. If friction,
+    /// no elements. If a convex shape cannot collide. If the position is not finite. If friction,
     /// restitution, contact skin, density, mass or the force threshold is negative or not finite; the
     /// threshold may be infinite.
     pub fn try_build(&self) -> Result<Collider, InvalidCollider> {

@@ -232,7 +232,7 @@ impl Collider {
     }
 
     /// The world-space box around the shape and its contact skin, enlarged by `prediction` on every side
-    /// (length units; taken as 0 if it is negative or not a number).
+    /// (length units). A negative or NaN `prediction` counts as 0.
     pub fn compute_collision_aabb(&self, prediction: Real) -> Aabb {
         self.compute_aabb().loosened(self.contact_skin + prediction.max(0.0))
     }

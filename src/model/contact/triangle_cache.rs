@@ -83,7 +83,7 @@ impl TriangleCache {
         }
     }
 
-    /// Begins to bring the pieces near to the processor.
+    /// Prefetches the pieces.
     pub fn prefetch(&self) {
         self.blocks.iter().for_each(prefetch);
     }

@@ -6,8 +6,8 @@ use crate::dim::joint_axes::JointAxis;
 use crate::dim::math::{DIM, Real};
 use crate::model::joint::InvalidJoint;
 
-/// Two degrees of freedom of a multibody that move together: `q2 = coeff · q1 + offset`, with the coordinates
-/// `q1` and `q2` of the axes (length units, radians). [`Multibody::add_dof_coupling`] creates it.
+/// Two coupled degrees of freedom of a multibody: `q2 = coeff · q1 + offset`, with the coordinates `q1` and
+/// `q2` of the axes (length units, radians). [`Multibody::add_dof_coupling`] creates it.
 #[derive(Copy, Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
@@ -20,8 +20,8 @@ pub struct MultibodyDofCoupling {
     pub link2: usize,
     /// The axis of its joint.
     pub axis2: JointAxis,
-    /// Displacement of the second coordinate per unit of the first: the ratio of a gear (negative if the
-    /// wheels touch on the outside), the radius of a pinion on a rack.
+    /// Displacement of the second coordinate per unit of the first. Examples are the ratio of a gear
+    /// (negative for external gears) and the radius of a pinion on a rack.
     pub coeff: Real,
     /// The second coordinate where the first one is 0.
     pub offset: Real,

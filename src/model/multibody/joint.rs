@@ -145,7 +145,7 @@ impl MultibodyJoint {
     }
 
     /// Sets the coordinates to those with which the link stands nearest to `link`, a pose in the frame of the
-    /// parent's body. Angles are the ones that are closest to what they were.
+    /// parent's body. Among equivalent angles, the closest to the old ones is selected.
     pub(crate) fn read_pose(&mut self, link: &Pose) {
         let (frame1, frame2) = (self.data.local_frame1, self.data.local_frame2);
         let relative = frame1.inverse() * *link * frame2;

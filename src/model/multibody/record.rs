@@ -69,7 +69,7 @@ pub struct Multibody {
     pub(super) self_contacts_enabled: bool,
     /// The sum of the energy errors of free motion (J), not above 0: see `multibody/motion/free.rs`.
     pub(crate) flight_error: Real,
-    /// The energy that impulses left beyond what they should (J), which is bounded as well.
+    /// The excess energy of impulses (J), which is bounded as well.
     pub(crate) impulse_error: Real,
 }
 
@@ -359,7 +359,7 @@ impl Multibody {
         }
     }
 
-    /// Numbers the degrees of freedom anew, and lets what is known of those that stay follow.
+    /// Renumbers the degrees of freedom, and moves the data of the remaining ones.
     pub(super) fn renumber(&mut self) {
         let old = core::mem::take(&mut self.dofs);
         for link in &mut self.links {

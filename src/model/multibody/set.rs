@@ -88,8 +88,8 @@ impl MultibodyJointSet {
     /// The next step reads the joint's coordinates from the poses of the bodies, and moves `body2` to the
     /// pose of the coordinates.
     ///
-    /// `None`, with a warning in the log, if `body2` already has a parent, if it is `body1` or one of its
-    /// ancestors, or if a number of the joint is unusable. The next step removes joints with stale body
+    /// `None`, with a warning in the log, if `body2` already has a parent, or is `body1` or one of its
+    /// ancestors. The same if a number of the joint is unusable. The next step removes joints with stale body
     /// handles.
     pub fn insert(
         &mut self,
@@ -305,7 +305,7 @@ impl MultibodyJointSet {
         }
     }
 
-    /// Removes a multibody, its joints, and what is filed of it, whatever stands in its place.
+    /// Removes a multibody, its joints and its entries in all lists.
     fn drop_broken(&mut self, index: MultibodyIndex) {
         log::warn!(
             "{index:?} or its links are others than those that were joined: their joints go"

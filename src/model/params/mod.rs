@@ -89,9 +89,9 @@ pub struct IntegrationParameters {
     pub allowed_linear_error: Real,
     /// Switches continuous collision detection off (0) or on (any other value, default 1).
     ///
-    /// Values above 1 do the same as 1, bit for bit. A step is not divided at impacts: a stopped body stays
-    /// at the impact, or is carried by the kinematic body that it hit, and continues in the next step. So
-    /// there is at most one stop per body and step, and nothing that more substeps could divide.
+    /// Values above 1 do the same as 1, bit for bit. Impacts do not divide a step. A stopped body stays at
+    /// the impact, or moves with the kinematic body that it hit, and continues in the next step. So there is
+    /// at most one stop per body and step, and nothing that more substeps could divide.
     pub max_ccd_substeps: usize,
     /// Whether continuous collision detection also stops a body that touches or overlaps something at the
     /// start, before its middle penetrates (default true). If not, contacts alone must hold it.
@@ -103,15 +103,15 @@ pub struct IntegrationParameters {
     /// is 100 pixels, set it to 100: the lengths and velocities called `normalized_…` and
     /// [`Self::allowed_linear_error`] are multiples of it.
     pub length_unit: Real,
-    /// Gap below which a pair already has contacts, so that an approaching body stops at the surface and not
-    /// inside (multiples of the length unit, default 0.02).
+    /// Gap below which a pair already has contacts (multiples of the length unit, default 0.02). It makes an
+    /// approaching body stop at the surface and not inside.
     pub normalized_prediction_distance: Real,
     /// Largest velocity at which overlap is corrected (multiples of the length unit per second, default 4).
     /// The limit keeps bodies that were created inside each other from bursting apart.
     pub normalized_max_corrective_velocity: Real,
     /// Largest velocity at which a joint without a softness of its own brings its anchors together (multiples
     /// of the length unit per second, default 100). Bodies that were created far from their joint anchors are
-    /// corrected over many steps, and do not leave at the speed of the correction: 10 km took 165 km/s. It
+    /// corrected over many steps. Without the limit, a correction of 10 km left a body with 165 km/s. It
     /// affects only joints whose anchors are farther apart than about 0.4 length units (at the defaults).
     pub normalized_max_joint_corrective_velocity: Real,
     /// Largest linear velocity of any body (multiples of the length unit per second; default `Real::MAX`: no
@@ -136,8 +136,8 @@ pub struct IntegrationParameters {
     ///
     /// The limit applies to movable partners whose fat AABBs overlap its own. Fixed bodies, sensors (which
     /// have a separate limit), and smaller colliders are excluded: a moving floor may carry any number of
-    /// crates. A compact body has room for less than half as many, unless bodies overlap: the limit is for
-    /// worlds in which thousands are created at one point. The number of their pairs would be the square of
+    /// crates. A compact body has room for less than half as many, unless bodies overlap. The limit is for
+    /// worlds that create thousands of bodies at one point. The number of their pairs would be the square of
     /// their number. With the limit it is their number times this, with about 1.5 kB for each. The nearest
     /// slots are selected; the rest are deferred. The log warns when the limit is met, and
     /// [`ncrowded`](crate::model::counters::CollisionDetectionCounters::ncrowded) counts the affected

@@ -37,7 +37,7 @@ impl Structure<'_> {
         }
     }
 
-    /// Cuts all joints of a body, which is about to change what it is.
+    /// Cuts all joints of a body before its type changes.
     pub fn detach_joints_of(&mut self, body: RigidBodyHandle) {
         self.for_each_joint_of(body, Self::detach_joint);
     }

@@ -48,7 +48,7 @@ pub struct BroadPhaseBvh {
     has_sensors: bool,
     /// One bit per slot: set if its collider is a sensor.
     sensor_bits: Vec<u64>,
-    /// All memberships and wishes that colliders of these trees ever had, together.
+    /// Union of all groups and filters of the colliders of these trees.
     groups: Option<InteractionGroups>,
     pub(crate) stamp: WorldStamp,
 }
@@ -110,7 +110,7 @@ impl BroadPhaseBvh {
         self.mark_moved(slot);
     }
 
-    /// Begins to bring near what will be changed when a collider is given another box.
+    /// Prefetches the data that changes with the box of a collider.
     pub(crate) fn prefetch(&self, handle: ColliderHandle, kind: TreeKind) {
         self.boxes(kind).prefetch(handle.into_raw_parts().0);
     }
@@ -135,13 +135,13 @@ impl BroadPhaseBvh {
         order(slot, other_slot) < order(other_slot, slot)
     }
 
-    /// Takes a collider out. Returns whether it was in.
+    /// Removes a collider. Returns whether it was in a tree.
     pub(crate) fn remove(&mut self, slot: u32, proxy: &mut ColliderProxy) -> bool {
         self.remove_slot(slot);
         proxy.tree.take().is_some()
     }
 
-    /// Takes out whatever stands at the slot, after the collider is gone.
+    /// Removes the box at the slot, after the collider was removed.
     pub(crate) fn remove_slot(&mut self, slot: u32) {
         self.trees.remove(slot);
     }

@@ -28,7 +28,7 @@ use crate::model::joint::{
 use crate::model::multibody::{MultibodyJoint, MultibodyLink};
 use crate::step::solver::joints::CURVATURE_ANGLE_MAX;
 
-/// Whose axis a row is about: a link's joint's, or that of a joint that closes a loop.
+/// Owner of the axis of a row: the joint of a link, or a joint that closes a loop.
 #[derive(Copy, Clone, Debug)]
 pub enum Owner {
     Link {
