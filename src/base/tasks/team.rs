@@ -1,7 +1,7 @@
-//! The threads that help with a step.
+//! The worker team of a step.
 //!
 //! A step consists of some hundred loops with serial code in between, and many of them take at most ten
-//! microseconds: the time that a sleeping thread needs to wake. So helpers stay awake between loops. Workers
+//! microseconds: the time that a sleeping thread needs to wake. So workers stay awake between loops. Workers
 //! join at the first loop that is large enough, and spin until the next one. They leave after a while without
 //! work ([`YIELDS_MAX`]), because the pool belongs to the user. The next loop recruits them again.
 //!

@@ -26,7 +26,7 @@ pub struct Threads {
     team: Option<Helpers>,
 }
 
-/// The helpers of the calling thread.
+/// The workers of the calling thread.
 #[cfg(feature = "parallel")]
 #[derive(Clone, Debug)]
 enum Helpers {

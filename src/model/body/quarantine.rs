@@ -92,7 +92,8 @@ impl fmt::Display for QuarantineCause {
 impl RigidBody {
     /// The cause for which a step disabled the body; `None` if no step did. The body keeps its pose from the
     /// start of that step. [`Self::set_enabled`] returns the body to the simulation and clears the cause. The
-    /// unusable quantity remains until the user changes it. Saved worlds do not contain the cause.
+    /// cause itself, such as a large force, remains until the user changes it. Saved worlds do not contain
+    /// the cause.
     pub fn quarantine(&self) -> Option<QuarantineCause> {
         self.quarantine.as_deref().copied()
     }

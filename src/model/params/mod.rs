@@ -111,8 +111,9 @@ pub struct IntegrationParameters {
     pub normalized_max_corrective_velocity: Real,
     /// Largest velocity at which a joint without a softness of its own brings its anchors together (multiples
     /// of the length unit per second, default 100). Bodies that were created far from their joint anchors are
-    /// corrected over many steps. Without the limit, a correction of 10 km left a body with 165 km/s. It
-    /// affects only joints whose anchors are farther apart than about 0.4 length units (at the defaults).
+    /// corrected over many steps. Without the limit, a correction of 10 km left a body with 165 km/s. The
+    /// limit affects only joints whose anchors are farther apart than about 0.4 length units (at the
+    /// defaults).
     pub normalized_max_joint_corrective_velocity: Real,
     /// Largest linear velocity of any body (multiples of the length unit per second; default `Real::MAX`: no
     /// limit).

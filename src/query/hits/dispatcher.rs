@@ -110,7 +110,7 @@ impl QueryDispatcher for Dispatcher {
 }
 
 impl Dispatcher {
-    /// Casts with parry, which asks back here for the parts of shapes that have parts.
+    /// Casts with parry, which calls this dispatcher for the parts of composite shapes.
     fn cast_parts(
         &self,
         pose12: &Pose,

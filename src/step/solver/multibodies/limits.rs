@@ -321,7 +321,7 @@ impl Limit {
         self.impulses[0] - self.impulses[1]
     }
 
-    /// Returns whether the angle is near one of its limits, or pressed against it.
+    /// Returns whether the angle is near one of its limits, or a limit has an impulse.
     fn is_near(&self) -> bool {
         self.impulses != [0.0; 2] || self.room[0].min(self.room[1]) < LIMIT_DISTANCE_MAX
     }
