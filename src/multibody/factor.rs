@@ -114,7 +114,7 @@ impl Factor {
     }
 
     /// Computes accelerations from forces on the degrees of freedom and wrenches on the links (or velocities
-    /// from impulses): `forces` become `M⁻¹ (forces + Σ Jᵀ wrench)`. There may be no wrenches at all.
+    /// from impulses): `forces` become `M⁻¹ (forces + Σ Jᵀ wrench)`. The list of wrenches may be empty.
     pub fn solve(
         &mut self,
         kinematics: &Kinematics,

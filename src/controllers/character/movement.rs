@@ -9,9 +9,10 @@ use parry::query::ShapeCastHit;
 #[derive(Copy, Clone, PartialEq, Debug, Default)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub struct EffectiveCharacterMovement {
-    /// The translation to apply, in world space. Exactly zero if there is nothing to do.
+    /// The translation to apply, in world space. Exactly zero if no motion is necessary.
     pub translation: Vector,
-    /// Whether the character stands on something at the end. Never while the desired translation is upwards.
+    /// Whether the character stands on something at the end. It never does while the desired translation is
+    /// upwards.
     pub grounded: bool,
     /// Whether the character slid down a slope that is too steep to stand on.
     pub is_sliding_down_slope: bool,

@@ -1,4 +1,4 @@
-//! From a contact manifold to a plane.
+//! Conversion of a contact manifold into a plane.
 //!
 //! A manifold may extend beyond the obstacle: the plane of a face reaches a little beyond its edges. This
 //! does not affect falling bodies, but a character that walks over a ridge would follow the plane into the

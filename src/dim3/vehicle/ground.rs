@@ -134,7 +134,7 @@ impl Give {
     }
 }
 
-/// Half of the old estimate, and half of the new measurement: a bouncing body does not make the fraction
+/// The mean of the old estimate and the new measurement, so that a bouncing body does not make the fraction
 /// jump.
 fn next_fraction(fraction: Real, changed: Real, expected: Real) -> Real {
     let seen = changed / expected;

@@ -62,8 +62,7 @@ pub(super) fn is_disturbed(
     })
 }
 
-/// Returns whether an engine drives a vehicle. One that coasts is awake as long as any body that moves like
-/// it.
+/// Returns whether an engine drives a vehicle. A coasting vehicle falls asleep like any other body.
 pub(super) fn is_driven(wheels: &[Wheel]) -> bool {
     wheels.iter().any(|wheel| wheel.is_usable() && wheel.engine_force != 0.0)
 }

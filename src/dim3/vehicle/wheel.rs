@@ -49,7 +49,7 @@ pub struct RayCastInfo {
     pub contact_normal_ws: Vector,
     /// Contact point of the wheel, in world space. In the air: the lowest point of the wheel.
     pub contact_point_ws: Vector,
-    /// From the hard point to the middle of the wheel (length). In the air: the rest length.
+    /// Distance from the hard point to the middle of the wheel (length). In the air: the rest length.
     pub suspension_length: Real,
     /// Start of suspension and ray on the chassis, in world space.
     pub hard_point_ws: Vector,
@@ -223,8 +223,8 @@ impl Wheel {
 
     /// Rotation of the wheel in the frame of the chassis, by rolling and then by steering.
     ///
-    /// For a wheel that is drawn with its axle along [`Self::axle_cs`]. Rolling forwards turns about the axle
-    /// backwards: its angle is `-rotation`.
+    /// For a wheel that is drawn with its axle along [`Self::axle_cs`]. Forward rolling is a negative
+    /// rotation about the axle: its angle is `-rotation`.
     ///
     /// ```
     /// # use rapier3d::prelude::*;

@@ -78,7 +78,7 @@ impl RigidBodyActivation {
         }
     }
 
-    /// An awake body that never falls asleep by itself.
+    /// An awake body that never falls asleep automatically.
     pub const fn cannot_sleep() -> Self {
         Self { normalized_linear_threshold: -1.0, angular_threshold: -1.0, ..Self::active() }
     }

@@ -67,7 +67,7 @@ impl RigidBody {
     }
 
     /// Recomputes mass, centre of mass, inertia and size from the current colliders and the additional mass.
-    /// The step does so by itself for bodies whose colliders changed.
+    /// The step does this automatically for bodies whose colliders changed.
     pub fn recompute_mass_properties_from_colliders(&mut self, colliders: &ColliderSet) {
         let attached: SmallVec<[&Collider; 4]> =
             self.colliders.iter().filter_map(|handle| colliders.get(*handle)).collect();

@@ -64,7 +64,7 @@ impl RigidBodyVelocity {
 
     /// The velocity after `dt` seconds of damping (both factors in 1/s).
     ///
-    /// The implicit Euler step `v / (1 + dt·c)`: no factor, however large, reverses the velocity.
+    /// The implicit Euler step `v / (1 + dt·c)`: no factor reverses the velocity.
     #[must_use]
     pub fn apply_damping(&self, dt: Real, linear_damping: Real, angular_damping: Real) -> Self {
         Self {

@@ -23,7 +23,7 @@ pub enum ColliderEnabled {
     Enabled,
     /// The collider does not, because its body is disabled.
     DisabledByParent,
-    /// No.
+    /// The collider does not: the user disabled it.
     Disabled,
 }
 

@@ -185,8 +185,8 @@ impl Collider {
         self.material.restitution_combine_rule
     }
 
-    /// Thickness (length units) of an invisible layer around the shape: contacts keep the shapes apart
-    /// by the sum of their skins.
+    /// Thickness (length units) of an invisible layer around the shape. Contacts keep two shapes apart by the
+    /// sum of their skins.
     #[inline]
     pub fn contact_skin(&self) -> Real {
         self.contact_skin

@@ -219,8 +219,8 @@ impl Collider {
 
     /// Mutable access to the shape. A shape shared with other colliders is copied first.
     ///
-    /// The next step checks the result. A shape that cannot be simulated any more (a negative radius, say)
-    /// disables the collider, with a warning.
+    /// The next step checks the result. An invalid shape, for example with a negative radius, disables the
+    /// collider, and the log contains a warning.
     pub fn shape_mut(&mut self) -> &mut dyn Shape {
         self.changes |= ColliderChanges::SHAPE
             | ColliderChanges::UNCHECKED_SHAPE

@@ -10,7 +10,7 @@ use crate::model::check::is_saved_unit;
 /// World orientation of two bodies when their contact points were transformed. Later positions follow from
 /// the motion of the bodies since.
 ///
-/// A fixed body, or none, stands at the origin and is not turned.
+/// For a fixed body or the world, the position is the origin and the rotation is the identity.
 ///
 /// # Frozen anchors
 ///

@@ -70,9 +70,9 @@ pub struct GenericJoint {
     pub contacts_enabled: bool,
     /// Whether the joint acts.
     pub enabled: JointEnabled,
-    /// By axis: its range (length units or radians).
+    /// Limits by axis (length units or radians).
     pub limits: [JointLimits; SPATIAL_DIM],
-    /// By axis: the motor.
+    /// Motors by axis.
     pub motors: [JointMotor; SPATIAL_DIM],
     /// User data.
     pub user_data: u128,

@@ -23,7 +23,7 @@ pub(crate) struct Entry {
     filed: [RigidBodyHandle; 2],
 }
 
-/// Record of a joint's changes. It stays with the handle, whatever the user puts there.
+/// Record of a joint's changes. It belongs to the handle, also if the user replaces the joint.
 #[derive(Copy, Clone, Debug, Default)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 struct Note {
@@ -282,8 +282,8 @@ impl ImpulseJointSet {
         self.joints.get(handle.0).is_some_and(|entry| entry.note.listed)
     }
 
-    /// Checks the change lists of a loaded set: the list contains each joint that is marked, and removed ones
-    /// are gone.
+    /// Checks the change lists of a loaded set: the list contains each joint that is marked, and the set
+    /// contains no removed joint.
     pub(crate) fn check_notes(&self) -> Result<(), Fault> {
         let mut listed = BTreeSet::new();
         for handle in self.modified.iter().filter(|handle| self.contains(**handle)) {

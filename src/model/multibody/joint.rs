@@ -35,7 +35,7 @@ pub struct MultibodyJoint {
     pub data: GenericJoint,
     /// Whether the joint moves at a prescribed velocity, independent of all forces (default: no).
     pub kinematic: bool,
-    /// By axis: the coordinate. Zero for locked axes, and for the rotations of a ball.
+    /// The coordinates by axis. Zero for locked axes, and for the rotations of a ball.
     coords: SpatialVector,
     /// The rotation of a ball.
     ball: Rotation,
@@ -69,7 +69,7 @@ impl MultibodyJoint {
         self.free_axes().bits().count_ones() as usize
     }
 
-    /// By axis: the coordinate (length units, radians). The rotations of a ball are given as one rotation
+    /// The coordinates by axis (length units, radians). The rotations of a ball are given as one rotation
     /// vector.
     pub fn coords(&self) -> SpatialVector {
         if !self.is_ball() {

@@ -46,10 +46,10 @@ pub(crate) struct MultibodyEdits {
 pub struct MultibodyJointSet {
     multibodies: Arena<Multibody>,
     joints: Arena<MultibodyLinkId>,
-    /// By body: which link it is. It is a tree, because slots of forged handles are unbounded. The whole
-    /// handle is the key, because a stale one may have the slot of another link.
+    /// By body: its link. It is a tree, because slots of forged handles are unbounded. The whole handle is
+    /// the key, because a stale one may have the slot of another link.
     of_body: BTreeMap<u64, MultibodyLinkId>,
-    /// By slot of a multibody: how many links are filed of it.
+    /// By slot of a multibody: the number of its links in the lists.
     link_counts: Vec<usize>,
     /// Multibodies whose links changed since the last step, and whether they wake.
     modified: Vec<(MultibodyIndex, bool)>,
@@ -254,7 +254,7 @@ impl MultibodyJointSet {
         }
     }
 
-    /// Cuts joints. Parts of one body alone are multibodies no more.
+    /// Cuts joints. Parts of a single body are no longer multibodies.
     fn take_apart(
         &mut self,
         index: MultibodyIndex,
@@ -435,7 +435,7 @@ impl MultibodyJointSet {
         self.multibodies.get_mut(index.0)
     }
 
-    /// Every multibody stands at a position below this bound.
+    /// Bound of the positions: every multibody has a smaller one.
     pub(crate) fn index_bound(&self) -> u32 {
         self.multibodies.slot_count() as u32
     }
@@ -445,7 +445,7 @@ impl MultibodyJointSet {
         self.multibodies.at_slot(position).map(|(index, _)| MultibodyIndex(index))
     }
 
-    /// Removes joints whose bodies are gone, and says how the others changed since the last time.
+    /// Removes joints whose bodies were removed, and returns the changes of the others since the last call.
     pub(crate) fn apply_changes(&mut self, bodies: &RigidBodySet) -> MultibodyEdits {
         for removed in bodies.removed() {
             self.remove_joints_attached_to_rigid_body(removed);

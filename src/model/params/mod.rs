@@ -109,11 +109,11 @@ pub struct IntegrationParameters {
     /// Largest velocity at which overlap is corrected (multiples of the length unit per second, default 4).
     /// The limit keeps bodies that were created inside each other from bursting apart.
     pub normalized_max_corrective_velocity: Real,
-    /// Largest velocity at which a joint without a softness of its own brings its anchors together (multiples
-    /// of the length unit per second, default 100). Bodies that were created far from their joint anchors are
-    /// corrected over many steps. Without the limit, a correction of 10 km left a body with 165 km/s. The
-    /// limit affects only joints whose anchors are farther apart than about 0.4 length units (at the
-    /// defaults).
+    /// Largest velocity at which a joint without its own softness corrects the distance of its anchors
+    /// (multiples of the length unit per second, default 100). Bodies that were created far from their joint
+    /// anchors are corrected over many steps. Without the limit, a correction of 10 km left a body with 165
+    /// km/s. The limit affects only joints whose anchors are farther apart than about 0.4 length units (at
+    /// the defaults).
     pub normalized_max_joint_corrective_velocity: Real,
     /// Largest linear velocity of any body (multiples of the length unit per second; default `Real::MAX`: no
     /// limit).
@@ -198,7 +198,7 @@ impl IntegrationParameters {
     /// Sets the length of a step (s).
     ///
     /// # Errors
-    /// If it is negative or not finite; the old value stays.
+    /// If the length is negative or not finite; the old value stays.
     pub fn set_dt(&mut self, dt: Real) -> Result<(), InvalidParameters> {
         let changed = Self { dt, ..*self };
         changed.validate_dt()?;

@@ -98,8 +98,8 @@ impl Softness {
     /// Hard constraint without position correction. The relax pass uses it.
     pub const RIGID: Self = Self { bias_rate: 0.0, mass_scale: 1.0, impulse_scale: 0.0 };
 
-    /// From the fraction of the error to remove in a substep (0 to 1) and the compliance (0: hard), for
-    /// substeps of `substep` seconds.
+    /// The softness for a fraction of the error to remove in a substep (0 to 1) and a compliance (0: hard),
+    /// for substeps of `substep` seconds.
     #[inline]
     pub fn new(fraction: Real, compliance: Real, substep: Real) -> Self {
         let bias_rate = if substep > 0.0 { fraction / substep } else { 0.0 };
@@ -113,8 +113,8 @@ impl Softness {
         self.impulse_scale / self.mass_scale
     }
 
-    /// From the angular frequency `ω` (rad/s) and damping ratio `ζ` (1: critical) of a spring, for
-    /// substeps of `substep` seconds.
+    /// The softness of a spring with the angular frequency `ω` (rad/s) and the damping ratio `ζ` (1:
+    /// critical), for substeps of `substep` seconds.
     ///
     /// `ω = 0` is a spring without force: the constraint has no effect.
     #[inline]
