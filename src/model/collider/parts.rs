@@ -21,9 +21,9 @@ pub enum ColliderEnabled {
     /// The collider takes part.
     #[default]
     Enabled,
-    /// The collider does not, because its body is disabled.
+    /// The collider does not take part, because its body is disabled.
     DisabledByParent,
-    /// The collider does not: the user disabled it.
+    /// The collider does not take part: the user disabled it.
     Disabled,
 }
 
