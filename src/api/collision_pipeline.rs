@@ -15,9 +15,9 @@ use crate::model::params::IntegrationParameters;
 use crate::model::tree::BroadPhaseBvh;
 use crate::step::{self, StepParts, StepScratch};
 
-/// Finds contacts and intersections, and moves nothing.
+/// The pipeline of collision detection. It computes contacts and intersections, and moves nothing.
 ///
-/// Make one and keep it: it holds no state, but buffers that steps use again.
+/// Create one pipeline and reuse it. It has no state, only buffers that later steps reuse.
 #[derive(Default)]
 pub struct CollisionPipeline {
     /// Times and counts of the last step.
@@ -31,19 +31,19 @@ impl CollisionPipeline {
         Self::default()
     }
 
-    /// Runs steps on these threads, and not on those of the caller's pool (the default).
+    /// Sets the threads of the steps. The default is the pool of the calling thread.
     pub fn set_threads(&mut self, threads: Threads) {
         self.scratch.set_threads(threads);
     }
 
-    /// Brings all contacts and intersections up to date and sends the events of those that began or
-    /// stopped. Impulses of contacts are 0: nothing is solved.
+    /// Updates all contacts and intersections, and sends the events of those that began or stopped. Impulses
+    /// of contacts are 0, because nothing is solved.
     ///
     /// `handle_user_changes` selects whether edits of bodies and colliders since the last step are applied
     /// first. Without it, insertions, moves and removals since then have no effect.
     ///
-    /// Parameters that are not valid (see [`IntegrationParameters::validate`]) are logged as an error,
-    /// and the step changes nothing.
+    /// Invalid parameters (see [`IntegrationParameters::validate`]) are logged as an error, and the step
+    /// changes nothing.
     #[expect(
         clippy::too_many_arguments,
         reason = "the documented signature; unpacked here once, named fields from here on"

@@ -1,4 +1,4 @@
-//! Vectors, rotations, poses, and the number type under them.
+//! Vectors, rotations, poses, and their number type.
 
 pub use crate::dim::math::{
     ANG_DIM, AngVector, AngularInertia, DIM, Int, Isometry, MAX_MANIFOLD_POINTS, Matrix,
@@ -9,8 +9,8 @@ pub use crate::dim::math::{
 pub use parry::glamx;
 pub use parry::math::{IVector, Mat2, Mat3, Pose2, Pose3, Rot2, Rot3, Vec2, Vec3};
 
-/// The Jacobian of a link of a multibody: by degree of freedom the velocity that it gives the link at the
-/// rate 1.
+/// The Jacobian of a link of a multibody. Each element is the velocity of the link for a unit velocity of one
+/// degree of freedom.
 pub type Jacobian = Vec<SpatialVector>;
 
 /// The components of a vector as a slice.

@@ -1,8 +1,9 @@
 //! # API: public module paths and facades
 //!
 //! The documented module paths (`dynamics`, `geometry`, `pipeline`, `control`, `math`, `prelude`) re-export
-//! public names from their rooms. The facades [`pipeline::PhysicsPipeline`], [`pipeline::CollisionPipeline`]
-//! and [`pipeline::PhysicsWorld`] unpack the documented parameter lists once, and do nothing else.
+//! public names from their modules. The facades [`pipeline::PhysicsPipeline`],
+//! [`pipeline::CollisionPipeline`] and [`pipeline::PhysicsWorld`] unpack the documented parameter lists once,
+//! and have no other function.
 
 mod collision_pipeline;
 mod physics_pipeline;

@@ -17,11 +17,11 @@ use crate::model::tree::BroadPhaseBvh;
 use crate::step::{self, StepParts, StepScratch, StepStage};
 use core::borrow::Borrow;
 
-/// Moves a simulation forward in time.
+/// The pipeline that steps a simulation.
 ///
-/// Make one and keep it: it holds no state of the simulation, but buffers that steps use again. All
-/// state is in the arguments of [`Self::step`]; [`PhysicsWorld`](crate::pipeline::PhysicsWorld) holds them
-/// together.
+/// Create one pipeline and reuse it. It has no state of the simulation, only buffers that later steps reuse.
+/// All state is in the arguments of [`Self::step`]; [`PhysicsWorld`](crate::pipeline::PhysicsWorld) contains
+/// them.
 #[derive(Default)]
 pub struct PhysicsPipeline {
     /// Times and counts of the last step.
@@ -35,7 +35,7 @@ impl PhysicsPipeline {
         Self::default()
     }
 
-    /// Runs steps on these threads, and not on those of the caller's pool (the default).
+    /// Sets the threads of the steps. The default is the pool of the calling thread.
     pub fn set_threads(&mut self, threads: Threads) {
         self.scratch.set_threads(threads);
     }
@@ -43,20 +43,20 @@ impl PhysicsPipeline {
     /// Selects the widest instructions of the machine for the solver (the default), or the baseline of its
     /// architecture.
     ///
-    /// This changes the speed and no bit of the results; it is there to check just that.
+    /// The selection changes the speed but no bit of the results. It serves to test this property.
     pub fn set_wide_instructions(&mut self, wide: bool) {
         self.scratch.set_wide_instructions(wide);
     }
 
-    /// Hashes the world after each stage of every step, or no longer (the default). A hash of 1000 bodies in
+    /// Sets whether every step hashes the world after each stage (default: no). A hash of 1000 bodies in
     /// contact takes about a hundredth of their step.
     pub fn set_stage_hashes(&mut self, enabled: bool) {
         self.scratch.trace_stages(enabled);
     }
 
-    /// The hashes of the world after the stages of the last step, in their order. Two runs that differ first
-    /// differ after one of them. Empty unless [enabled](Self::set_stage_hashes). A stage occurs twice if the
-    /// step was repeated because a body diverged.
+    /// The hashes of the world after the stages of the last step, in their order. The first unequal hash of
+    /// two runs names the stage of their divergence. Empty unless [enabled](Self::set_stage_hashes). A stage
+    /// occurs twice if the step was repeated because a body diverged.
     ///
     /// ```
     /// # use rapier3d::prelude::*;
@@ -73,15 +73,15 @@ impl PhysicsPipeline {
 
     /// Moves the simulation forward by [`IntegrationParameters::dt`].
     ///
-    /// `gravity` is an acceleration in world space (length/s²), such as `(0, -9.81)` or `(0, -9.81, 0)`; both
-    /// `gravity` and `&gravity` will do. The sets, `islands`, `broad_phase` and `narrow_phase` belong
+    /// `gravity` is an acceleration in world space (length/s²), such as `(0, -9.81)` or `(0, -9.81, 0)`; the
+    /// argument can be `gravity` or `&gravity`. The sets, `islands`, `broad_phase` and `narrow_phase` belong
     /// together from the first step on: they refer to each other, and the references are invalid in other
-    /// sets. If one of them is not that of the last step, the step logs a warning, and continues as if
-    /// everything were new. All bodies wake, colliders and joints of missing bodies are removed, and contacts
-    /// end and begin again.
+    /// sets. If one of them was not part of the last step, the step logs a warning and treats all elements as
+    /// new. All bodies wake, colliders and joints of missing bodies are removed, and contacts end and begin
+    /// again.
     ///
-    /// Parameters that are not valid (see [`IntegrationParameters::validate`]), or a gravity that is not
-    /// finite (or beyond 1e15), are logged as an error, and the step changes nothing.
+    /// Invalid parameters (see [`IntegrationParameters::validate`]), and a gravity that is not finite or
+    /// above 1e15, are logged as an error, and the step changes nothing.
     #[expect(
         clippy::too_many_arguments,
         reason = "the documented signature; unpacked here once, named fields from here on"

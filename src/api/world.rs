@@ -1,4 +1,4 @@
-//! Everything a simulation needs, in one value.
+//! A whole simulation in one value.
 
 use super::collision_pipeline::CollisionPipeline;
 use super::physics_pipeline::PhysicsPipeline;
@@ -21,16 +21,15 @@ use crate::model::tree::BroadPhaseBvh;
 
 /// A whole simulation: bodies, colliders, and all further sets of a step.
 ///
-/// The parts are public, so everything is possible with them; the methods are shortcuts for common
-/// operations.
+/// The fields are public, and the methods are shortcuts for common operations.
 pub struct PhysicsWorld {
     /// Acceleration of all dynamic bodies, in world space (length/s²). 9.81 along -y by default.
     pub gravity: Vector,
-    /// Length of a step, and how accurate it is.
+    /// Length of a step, and settings of the solver.
     pub integration_parameters: IntegrationParameters,
     /// Awake bodies and islands.
     pub islands: IslandManager,
-    /// Finds pairs of colliders that are close.
+    /// The broad phase: the pairs of nearby colliders.
     pub broad_phase: BroadPhaseBvh,
     /// The contacts of these pairs.
     pub narrow_phase: NarrowPhase,
@@ -38,9 +37,9 @@ pub struct PhysicsWorld {
     pub bodies: RigidBodySet,
     /// The colliders.
     pub colliders: ColliderSet,
-    /// The joints that hold bodies together by impulses.
+    /// The joints that the solver enforces by impulses.
     pub impulse_joints: ImpulseJointSet,
-    /// The joints that make bodies links of an articulated whole.
+    /// The joints that make bodies links of a multibody.
     pub multibody_joints: MultibodyJointSet,
     /// Buffers and counters of the step.
     pub physics_pipeline: PhysicsPipeline,
@@ -54,11 +53,11 @@ impl Default for PhysicsWorld {
     }
 }
 
-/// Copies all state of a world. The copy continues bit for bit as the original does.
+/// Copies all state of a world. The copy continues bit for bit like the original.
 ///
 /// `clone_from` reuses the memory of an earlier copy: this is the fast way to save a world and to return to
-/// it, for rollback. It allocates no memory unless a list has grown since. Pipelines hold buffers and
-/// settings and no state: a clone has new ones, and `clone_from` keeps those of the target.
+/// it, for rollback. It allocates no memory unless a list has grown since. Pipelines have buffers and
+/// settings but no state: a clone has new pipelines, and `clone_from` keeps those of the target.
 ///
 /// ```
 /// # use rapier3d::prelude::*;
@@ -142,8 +141,7 @@ impl PhysicsWorld {
         );
     }
 
-    /// Brings contacts and intersections up to date with everything that was edited, and moves
-    /// nothing.
+    /// Updates contacts and intersections after edits, and moves nothing.
     pub fn detect_collisions(&mut self, hooks: &dyn PhysicsHooks, events: &dyn EventHandler) {
         self.collision_pipeline.step(
             &self.integration_parameters,
@@ -199,7 +197,7 @@ impl PhysicsWorld {
         self.bodies.insert(body)
     }
 
-    /// Adds a collider: to a body, whose motion it follows, or on its own, where it stays.
+    /// Adds a collider. With a body, it follows the motion of the body; without one, it stays at its pose.
     pub fn insert_collider(
         &mut self,
         collider: impl Into<Collider>,
@@ -211,19 +209,19 @@ impl PhysicsWorld {
         }
     }
 
-    /// Removes a body and returns it. Its colliders go with it, and what rested on it wakes, in the next
-    /// step. `None` if the handle is stale.
+    /// Removes a body and returns it; `None` if the handle is stale. The next step removes its colliders and
+    /// wakes the bodies that rested on it.
     pub fn remove_body(&mut self, handle: RigidBodyHandle) -> Option<RigidBody> {
         self.bodies.remove(handle)
     }
 
-    /// Removes a collider and returns it; wakes the body it belonged to. `None` if the handle is
-    /// stale.
+    /// Removes a collider and returns it; `None` if the handle is stale. Its body wakes.
     pub fn remove_collider(&mut self, handle: ColliderHandle) -> Option<Collider> {
         self.colliders.remove(handle, &mut self.islands, &mut self.bodies, true)
     }
 
-    /// Joins two bodies, and wakes them. See [`ImpulseJointSet::insert`] for joints that cannot be.
+    /// Inserts a joint between two bodies, and wakes them. [`ImpulseJointSet::insert`] documents the
+    /// treatment of invalid joints.
     pub fn insert_impulse_joint(
         &mut self,
         body1: RigidBodyHandle,
@@ -236,8 +234,8 @@ impl PhysicsWorld {
     /// The same as [`Self::insert_impulse_joint`].
     ///
     /// # Errors
-    /// One of the bodies is missing, they are the same or none of them is dynamic, or a number of the joint
-    /// is not usable.
+    /// If a body is missing, the bodies are the same, or neither is dynamic. If a number of the joint is not
+    /// usable.
     ///
     /// ```
     /// # use rapier3d::prelude::*;
@@ -288,7 +286,7 @@ impl PhysicsWorld {
         self.impulse_joints.attached_joints(body).map(|(_, _, handle, joint)| (handle, joint))
     }
 
-    /// Makes `body2` a child of `body1` in a multibody, and wakes both. `None` if that cannot be: see
+    /// Makes `body2` a child of `body1` in a multibody, and wakes both. `None` for an invalid joint: see
     /// [`MultibodyJointSet::insert`].
     pub fn insert_multibody_joint(
         &mut self,
@@ -302,8 +300,8 @@ impl PhysicsWorld {
     /// The same as [`Self::insert_multibody_joint`].
     ///
     /// # Errors
-    /// One of the bodies is missing, they are the same or none of them is dynamic, `body2` has a parent
-    /// already or is an ancestor of `body1`, or a number of the joint is not usable.
+    /// If a body is missing, the bodies are the same, or neither is dynamic. If `body2` already has a parent
+    /// or is an ancestor of `body1`. If a number of the joint is not usable.
     pub fn try_insert_multibody_joint(
         &mut self,
         body1: RigidBodyHandle,
@@ -337,8 +335,8 @@ impl PhysicsWorld {
         self.multibody_joints.attached_joints(body)
     }
 
-    /// Wakes a body, and in the next step its whole island. `strong` also keeps it awake for its full time
-    /// until sleep. Nothing happens if the handle is stale.
+    /// Wakes a body at once, and its whole island in the next step. `strong` also keeps it awake for its full
+    /// time until sleep. A stale handle has no effect.
     pub fn wake_up(&mut self, handle: RigidBodyHandle, strong: bool) {
         self.islands.wake_up(&mut self.bodies, handle, strong);
     }
@@ -364,8 +362,7 @@ impl PhysicsWorld {
         self.narrow_phase.contact_pairs()
     }
 
-    /// The contacts of two colliders, given in either order; `None` if they are nowhere near each
-    /// other.
+    /// The contacts of two colliders, given in either order; `None` if their fat AABBs do not overlap.
     pub fn contact_pair(
         &self,
         collider1: ColliderHandle,
@@ -390,8 +387,8 @@ impl PhysicsWorld {
         self.narrow_phase.intersection_pairs()
     }
 
-    /// Returns whether two colliders intersect, at least one of them a sensor. `None` if they are nowhere
-    /// near each other.
+    /// Returns whether two colliders intersect, at least one of them a sensor. `None` if their fat AABBs do
+    /// not overlap.
     pub fn intersection_pair(
         &self,
         collider1: ColliderHandle,
@@ -400,7 +397,7 @@ impl PhysicsWorld {
         self.narrow_phase.intersection_pair(collider1, collider2)
     }
 
-    /// The sensor pairs of one collider, as (first collider, second collider, do they intersect?).
+    /// The sensor pairs of one collider, as (first collider, second collider, whether they intersect).
     pub fn intersection_pairs_with(
         &self,
         collider: ColliderHandle,

@@ -1,4 +1,4 @@
-//! Questions to a world, as of its last step: [`QueryView`] has the details of each.
+//! Queries of a world as of its last step. [`QueryView`] documents each in detail.
 
 use super::world::PhysicsWorld;
 use crate::controllers::QueryPipelineMut;
@@ -11,7 +11,7 @@ use parry::query::{
 };
 use parry::shape::{FeatureId, Shape};
 
-/// Questions. Boxes are those of the last step: see [`Self::query_pipeline`].
+/// Queries. Boxes are those of the last step: see [`Self::query_pipeline`].
 ///
 /// ```
 /// # use rapier3d::prelude::*;
@@ -25,9 +25,9 @@ use parry::shape::{FeatureId, Shape};
 impl PhysicsWorld {
     /// Queries of all colliders.
     ///
-    /// As of the last step: a collider that was inserted since is not found, and one that was moved since
-    /// only where its box was. A [`QueryPipeline`](crate::query::QueryPipeline) of one's own sees such
-    /// changes at once.
+    /// The queries use the boxes of the last step. A collider that was inserted since is not found, and a
+    /// moved collider is found only within its old box. A separate
+    /// [`QueryPipeline`](crate::query::QueryPipeline) takes such changes into account at once.
     pub fn query_pipeline(&self) -> QueryView<'_> {
         self.query_pipeline_with_filter(QueryFilter::default())
     }
@@ -45,7 +45,7 @@ impl PhysicsWorld {
         broad_phase.as_query_pipeline_mut(dispatcher, bodies, colliders, filter)
     }
 
-    /// The first collider that a ray hits, and when: see [`QueryView::cast_ray`].
+    /// The first collider that a ray hits, and the time of the hit: see [`QueryView::cast_ray`].
     pub fn cast_ray(
         &self,
         ray: &Ray,
@@ -56,7 +56,7 @@ impl PhysicsWorld {
         self.query_pipeline_with_filter(filter).cast_ray(ray, max_toi, solid)
     }
 
-    /// The first collider that a ray hits, when, and the normal there: see
+    /// The first collider that a ray hits, with the time of the hit and the normal there: see
     /// [`QueryView::cast_ray_and_get_normal`].
     pub fn cast_ray_and_get_normal(
         &self,
@@ -128,7 +128,7 @@ impl PhysicsWorld {
         self.query_pipeline_with_filter(filter).project_point_and_get_feature(point, max_distance)
     }
 
-    /// All colliders that a point is inside of: see [`QueryView::intersect_point`].
+    /// All colliders that contain a point: see [`QueryView::intersect_point`].
     pub fn intersect_point<'a>(
         &'a self,
         point: Vector,

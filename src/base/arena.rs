@@ -260,7 +260,7 @@ impl<T> Arena<T> {
         }
     }
 
-    /// Hands out elements for writing, to several threads.
+    /// Gives several threads write access to elements.
     pub fn share(&mut self) -> SharedArena<'_, T> {
         SharedArena { slots: DisjointMut::new(&mut self.slots) }
     }

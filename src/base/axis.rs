@@ -17,7 +17,7 @@ pub struct BestAxis {
     pub gap: Real,
     /// From the first to the second, in the frame of the first.
     pub normal: Vector,
-    /// Whose face is at right angles to it; `None` if an edge of each is.
+    /// The box whose face is perpendicular to it; `None` for a pair of edges.
     pub face: Option<Side>,
 }
 

@@ -1,8 +1,8 @@
-//! A stopwatch that adds up.
+//! A stopwatch with a total.
 
 use core::time::Duration;
 
-/// Measures how long something takes, over one or several stretches.
+/// A stopwatch: it sums up the durations of one or several stretches.
 ///
 /// `wasm32-unknown-unknown` has no clock: without `Timer::set_clock` all durations are zero there.
 #[derive(Copy, Clone, Debug, Default)]

@@ -13,7 +13,7 @@ pub struct Walk {
     pub count: usize,
     /// The cell in which it is.
     pub cell: usize,
-    /// When the ray leaves the cell (units of its direction).
+    /// The time at which the ray leaves the cell (units of its direction).
     pub leaves: Real,
 }
 

@@ -13,7 +13,7 @@ const SAME_NORMAL: Real = 0.99;
 /// Points without known features match if they are closer than this fraction of the manifold's size.
 const NEAR_FRACTION: Real = 0.25;
 
-/// Hands the impulses of the last step's manifolds to the manifolds of this step.
+/// Copies the impulses of the last step's manifolds to the manifolds of this step.
 ///
 /// Manifolds match by their parts or, where many parts have one manifold, by their normals. Points match by
 /// the features of the two shapes (so a sliding box keeps its impulses), or else by their position on either
@@ -83,7 +83,7 @@ pub(super) fn set_contacts(manifold: &mut ContactManifold, points: &[RawPoint]) 
     }));
 }
 
-/// Hands the impulses of old points to the new ones that are the same.
+/// Copies the impulses of old points to the matching new ones.
 fn inherit_points(new: &mut [Contact], old: &[Contact], has_same_parts: bool) {
     let new_count = new.len();
     let mut taken = 0_u32; // one bit for each old point

@@ -8,10 +8,10 @@ use parry::query::QueryDispatcher;
 
 /// Colliders for queries, and mutable bodies.
 ///
-/// Comes from [`BroadPhaseBvh::as_query_pipeline_mut`] (as of the last step), [`QueryPipeline::view_mut`] (as
-/// of its last `update`) or
-/// [`PhysicsWorld::query_pipeline_mut`](crate::pipeline::PhysicsWorld::query_pipeline_mut). Made and dropped
-/// at no cost.
+/// Returned by [`BroadPhaseBvh::as_query_pipeline_mut`] (as of the last step), [`QueryPipeline::view_mut`]
+/// (as of its last `update`) or
+/// [`PhysicsWorld::query_pipeline_mut`](crate::pipeline::PhysicsWorld::query_pipeline_mut). The value only
+/// borrows, so it is cheap to create.
 pub struct QueryPipelineMut<'a> {
     trees: Trees<'a>,
     /// The bodies.
@@ -36,7 +36,7 @@ impl core::fmt::Debug for QueryPipelineMut<'_> {
 }
 
 impl QueryPipelineMut<'_> {
-    /// The same colliders for questions alone.
+    /// The same colliders for queries only.
     pub fn as_ref(&self) -> QueryView<'_> {
         match self.trees {
             Trees::OfStep(tree, dispatcher) => {

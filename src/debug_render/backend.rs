@@ -1,4 +1,4 @@
-//! The user's backend: draws lines.
+//! The user's backend, which draws lines.
 
 use super::style::DebugColor;
 use crate::dim::math::{Pose, Vector};
@@ -27,7 +27,7 @@ pub enum DebugRenderObject<'a> {
     MultibodyJoint(MultibodyJointHandle, &'a Multibody, &'a MultibodyLink),
 }
 
-/// Draws lines. Implement [`Self::draw_line`]; the rest follows from it.
+/// A backend that draws lines. [`Self::draw_line`] is the only required method.
 pub trait DebugRenderBackend {
     /// Returns whether the object is drawn. Called before any of its lines.
     fn filter_object(&self, object: DebugRenderObject) -> bool {
@@ -38,8 +38,8 @@ pub trait DebugRenderBackend {
     /// Draws a straight line between two points of the world.
     fn draw_line(&mut self, object: DebugRenderObject, a: Vector, b: Vector, color: DebugColor);
 
-    /// Draws lines between pairs of `vertices`: `indices` are positions in it. A vertex `v` stands at
-    /// `transform * (v * scale)` in the world. A pair that points past the end is left out.
+    /// Draws lines between pairs of `vertices`: `indices` are positions in it. The world position of a vertex
+    /// `v` is `transform * (v * scale)`. A pair with an index out of range is skipped.
     fn draw_polyline(
         &mut self,
         object: DebugRenderObject,
@@ -57,8 +57,8 @@ pub trait DebugRenderBackend {
         }
     }
 
-    /// Draws lines from each vertex to the next, and from the last to the first if `closed`. A vertex
-    /// `v` stands at `transform * (v * scale)` in the world.
+    /// Draws lines from each vertex to the next, and from the last to the first if `closed`. The world
+    /// position of a vertex `v` is `transform * (v * scale)`.
     fn draw_line_strip(
         &mut self,
         object: DebugRenderObject,

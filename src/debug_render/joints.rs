@@ -22,7 +22,7 @@ const HALF_TURN: Real = core::f64::consts::PI as Real;
 /// Length of the marks at the ends of a range, relative to the length of the axes.
 const MARK: Real = 0.2;
 
-/// A joint where it stands in the world.
+/// A joint at its pose in the world.
 struct Placed<'a> {
     object: DebugRenderObject<'a>,
     joint: &'a GenericJoint,

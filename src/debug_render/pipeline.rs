@@ -1,4 +1,4 @@
-//! Goes through a world and hands out its lines.
+//! The renderer of a world as lines.
 
 use super::backend::{DebugRenderBackend, DebugRenderObject};
 use super::outlines::Outlines;
@@ -25,17 +25,17 @@ bitflags::bitflags! {
         const COLLIDER_AABBS = 1 << 2;
         /// Contacts: from the point on one surface to the point on the other, and the normal.
         const CONTACTS = 1 << 3;
-        /// Contacts as the solver has them: a normal at the point between the two surfaces.
+        /// Contacts of the solver: a normal at the point between the two surfaces.
         const SOLVER_CONTACTS = 1 << 4;
-        /// The normals with which meshes and polylines decide what is inside, if they have them.
+        /// The pseudo-normals of meshes and polylines, which determine their inside, if they have them.
         const PSEUDO_NORMALS = 1 << 5;
-        /// Impulse joints: from each body to where the joint holds it, and between these two places.
+        /// Impulse joints: lines from each body to its anchor, and between the two anchors.
         const IMPULSE_JOINTS = 1 << 6;
-        /// Multibody joints, likewise.
+        /// Multibody joints, drawn as impulse joints are.
         const MULTIBODY_JOINTS = 1 << 7;
         /// Joints of both kinds.
         const JOINTS = Self::IMPULSE_JOINTS.bits() | Self::MULTIBODY_JOINTS.bits();
-        /// Along with joints: their free axes, as far as their limits reach.
+        /// The free axes of the drawn joints, within their limits.
         const JOINT_AXES = 1 << 8;
     }
 }
@@ -46,9 +46,9 @@ impl Default for DebugRenderMode {
     }
 }
 
-/// Turns a world into lines.
+/// A renderer of a world as coloured lines.
 ///
-/// Keep it from picture to picture: it remembers the outlines of large meshes.
+/// Reuse it for all frames: it caches the outlines of large meshes.
 #[derive(Clone, Default)]
 pub struct DebugRenderPipeline {
     /// Colours and lengths.
@@ -59,7 +59,7 @@ pub struct DebugRenderPipeline {
 }
 
 impl DebugRenderPipeline {
-    /// A pipeline that draws in this style what `mode` says.
+    /// A pipeline that draws in this style the parts that `mode` selects.
     pub fn new(style: DebugRenderStyle, mode: DebugRenderMode) -> Self {
         Self { style, mode, outlines: Outlines::default() }
     }

@@ -28,24 +28,24 @@ pub struct DebugRenderStyle {
     pub collider_parentless_color: DebugColor,
     /// Boxes of colliders.
     pub collider_aabb_color: DebugColor,
-    /// Multiplies the colours of what belongs to a sleeping body.
+    /// Colour factor of a sleeping body and its colliders and joints.
     pub sleep_color_multiplier: [f32; 4],
     /// Colour factor of a body that is ready to sleep while its island is not.
     pub sleep_eligible_color_multiplier: [f32; 4],
-    /// Multiplies the colours of what belongs to a disabled collider or body.
+    /// Colour factor of a disabled collider or body.
     pub disabled_color_multiplier: [f32; 4],
     /// Length of a body's axes (length units). They are red, green and, in 3D, blue.
     pub rigid_body_axes_length: Real,
-    /// Lines from bodies to where an impulse joint holds them.
+    /// Lines from bodies to the anchors of an impulse joint.
     pub impulse_joint_anchor_color: DebugColor,
-    /// Lines between the two places where an impulse joint holds its bodies.
+    /// Lines between the two anchors of an impulse joint.
     pub impulse_joint_separation_color: DebugColor,
-    /// Lines from bodies to where a multibody joint holds them.
+    /// Lines from bodies to the anchors of a multibody joint.
     pub multibody_joint_anchor_color: DebugColor,
-    /// Lines between the two places where a multibody joint holds its bodies.
+    /// Lines between the two anchors of a multibody joint.
     pub multibody_joint_separation_color: DebugColor,
-    /// Length of a joint's free axes, where no limits say how long they are, and radius of its arcs (length
-    /// units). They are red, green and blue as a body's axes are; in 2D arcs are blue.
+    /// Length of a joint's free axes without limits, and radius of its arcs (length units). They are red,
+    /// green and blue like a body's axes; in 2D arcs are blue.
     pub joint_axes_length: Real,
     /// Lines between the points of two surfaces that are in contact.
     pub contact_depth_color: DebugColor,
@@ -53,9 +53,9 @@ pub struct DebugRenderStyle {
     pub contact_normal_color: DebugColor,
     /// Length of the normals of contacts (length units).
     pub contact_normal_length: Real,
-    /// Normals with which a mesh decides what is inside, at its vertices.
+    /// Pseudo-normals of a mesh at its vertices.
     pub vertex_pseudo_normal_color: DebugColor,
-    /// Normals with which a mesh decides what is inside, at its edges.
+    /// Pseudo-normals of a mesh at its edges.
     pub edge_pseudo_normal_color: DebugColor,
     /// Length of these normals (length units).
     pub pseudo_normal_length: Real,

@@ -3,13 +3,13 @@
 use crate::dim::math::{AngularInertia, Real, Vector};
 
 bitflags::bitflags! {
-    /// World axes along which a body cannot be pushed, and about which it cannot be turned.
+    /// World axes along and about which forces and impulses do not move a body.
     ///
-    /// A locked axis has no inverse mass (or inertia): neither forces, gravity, impulses nor contacts
-    /// change the velocity along it. A velocity that was set by hand stays as it was set.
+    /// The inverse mass (or inertia) of a locked axis is zero: forces, gravity, impulses and contacts do not
+    /// change the velocity along it. A velocity that the user set stays.
     ///
-    /// The bits are those of the 3D engine, so that saved flags mean the same in both. The ones that
-    /// would lead out of the plane change nothing here.
+    /// The bits are those of the 3D engine, so that saved flags have the same meaning in both. The flags of
+    /// axes out of the plane have no effect here.
     #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
     #[derive(Copy, Clone, PartialEq, Eq, Debug, Default, Hash)]
     pub struct LockedAxes: u8 {
@@ -17,14 +17,14 @@ bitflags::bitflags! {
         const TRANSLATION_LOCKED_X = 1 << 0;
         /// No translation along Y.
         const TRANSLATION_LOCKED_Y = 1 << 1;
-        /// There are no such axes in 2D.
+        /// No effect in 2D.
         const TRANSLATION_LOCKED_Z = 1 << 2;
         /// No translation at all.
         const TRANSLATION_LOCKED = Self::TRANSLATION_LOCKED_X.bits()
             | Self::TRANSLATION_LOCKED_Y.bits();
-        /// There are no such axes in 2D.
+        /// No effect in 2D.
         const ROTATION_LOCKED_X = 1 << 3;
-        /// There are no such axes in 2D.
+        /// No effect in 2D.
         const ROTATION_LOCKED_Y = 1 << 4;
         /// No rotation: the only axis of rotation in 2D.
         const ROTATION_LOCKED_Z = 1 << 5;

@@ -9,7 +9,7 @@ use parry::shape::ConvexPolygon;
 /// The type of convex hulls.
 pub type ConvexShape = ConvexPolygon;
 
-/// Why points have no hull.
+/// The reason why points have no hull.
 pub const DEGENERATE: &str = "its points lie on a line, or too close to one";
 
 /// A corner this close to the line through its neighbours, in parts of the size, is none.

@@ -1,5 +1,4 @@
-//! The axes of a joint in 2D: two along which, and one about which, one body can move against the
-//! other.
+//! The axes of a joint in 2D: two translations and one rotation of one body relative to the other.
 
 use super::math::{Real, Rotation, Vector, rotation_to_angle};
 
@@ -28,7 +27,7 @@ bitflags::bitflags! {
         const ANG_X = 1 << 2;
         /// All translations.
         const LIN_AXES = Self::LIN_X.bits() | Self::LIN_Y.bits();
-        /// All rotations: the one there is.
+        /// All rotations: the only one.
         const ANG_AXES = Self::ANG_X.bits();
         /// Locked axes of a prismatic joint: all but the translation along X.
         const LOCKED_PRISMATIC_AXES = Self::LIN_Y.bits() | Self::ANG_X.bits();

@@ -1,11 +1,11 @@
-//! Choosing axes of the plane: those along which and about which something acts.
+//! Sets of axes of the plane.
 
 use crate::dim::math::{AngVector, Real, Vector};
 
 bitflags::bitflags! {
     /// Axes along and about which a controller acts.
     ///
-    /// The bits are those of the 3D engine, so that saved masks mean the same in both.
+    /// The bits are those of the 3D engine, so that saved masks have the same meaning in both.
     #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
     #[derive(Copy, Clone, PartialEq, Eq, Debug, Hash)]
     pub struct AxesMask: u8 {

@@ -3,10 +3,10 @@
 use crate::dim::math::{AngularInertia, Real, Vector};
 
 bitflags::bitflags! {
-    /// World axes along which a body cannot be pushed, and about which it cannot be turned.
+    /// World axes along and about which forces and impulses do not move a body.
     ///
-    /// A locked axis has no inverse mass (or inertia): neither forces, gravity, impulses nor contacts
-    /// change the velocity along it. A velocity that was set by hand stays as it was set.
+    /// The inverse mass (or inertia) of a locked axis is zero: forces, gravity, impulses and contacts do not
+    /// change the velocity along it. A velocity that the user set stays.
     #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
     #[derive(Copy, Clone, PartialEq, Eq, Debug, Default, Hash)]
     pub struct LockedAxes: u8 {

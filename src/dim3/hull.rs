@@ -15,7 +15,7 @@ use parry::utils::remove_unused_points;
 /// The type of convex hulls.
 pub type ConvexShape = ConvexPolyhedron;
 
-/// Why points have no hull.
+/// The reason why points have no hull.
 pub const DEGENERATE: &str = "its points lie in a plane, or too close to one";
 
 /// Points whose box is thinner than this, in parts of its length, span no volume.

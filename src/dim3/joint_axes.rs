@@ -1,5 +1,4 @@
-//! The axes of a joint in 3D: three along which, and three about which, one body can move against the
-//! other.
+//! The axes of a joint in 3D: three translations and three rotations of one body relative to the other.
 
 use super::math::{Real, Rotation, Vector};
 use crate::base::trig::atan2;

@@ -1,4 +1,4 @@
-//! Choosing axes of 3D space: those along which and about which something acts.
+//! Sets of axes of 3D space.
 
 use crate::dim::math::{AngVector, Real, Vector};
 

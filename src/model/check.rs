@@ -22,7 +22,7 @@ pub(crate) fn is_saved_pose(pose: &Pose) -> bool {
         && is_saved_unit(pose.rotation.length_squared())
 }
 
-/// Tells the user's log that a value was refused.
+/// Logs a refused value.
 #[cold]
 pub(crate) fn refuse(what: &str, value: impl Debug) {
     log::warn!("{value:?} is not valid as {what}; the old value stays");

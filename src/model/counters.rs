@@ -4,7 +4,7 @@ use crate::base::timer::Timer;
 
 /// Times and numbers of the last step of a pipeline.
 ///
-/// Measuring costs a fraction of a microsecond per step; [`Self::disable`] saves even that.
+/// Measurement costs a fraction of a microsecond per step; [`Self::disable`] avoids it.
 #[derive(Copy, Clone, Debug)]
 pub struct Counters {
     enabled: bool,
@@ -12,37 +12,37 @@ pub struct Counters {
     pub step_time: Timer,
     /// The stages of the step.
     pub stages: StagesCounters,
-    /// Inside collision detection.
+    /// Parts of collision detection.
     pub cd: CollisionDetectionCounters,
-    /// Inside the solver.
+    /// Parts of the solver.
     pub solver: SolverCounters,
-    /// Inside continuous collision detection.
+    /// Parts of continuous collision detection.
     pub ccd: CCDCounters,
 }
 
 /// Times of the stages of a step, in the order they happen.
 #[derive(Copy, Clone, Debug, Default)]
 pub struct StagesCounters {
-    /// Applying the user's edits since the last step.
+    /// Application of the user's edits since the last step.
     pub user_changes: Timer,
     /// Broad phase and narrow phase.
     pub collision_detection_time: Timer,
-    /// Joining, splitting, waking and putting to sleep of islands, and colouring of constraints.
+    /// Merging, splitting, waking and sleep of islands, and colouring of constraints.
     pub island_construction_time: Timer,
-    /// Making velocities obey the constraints, and moving the bodies.
+    /// Solution of the constraints, and integration of the bodies.
     pub solver_time: Timer,
-    /// Stopping fast bodies at impacts.
+    /// Continuous collision detection: the stops of fast bodies at impacts.
     pub ccd_time: Timer,
-    /// Moving colliders with their bodies, boxes, sleep timers, and reporting events.
+    /// Update of collider poses, boxes and sleep timers, and delivery of events.
     pub update_time: Timer,
 }
 
 /// Times and numbers of collision detection.
 #[derive(Copy, Clone, Debug, Default)]
 pub struct CollisionDetectionCounters {
-    /// Finding pairs whose boxes overlap.
+    /// Search for pairs whose boxes overlap.
     pub broad_phase_time: Timer,
-    /// Computing contact points and intersections of these pairs.
+    /// Computation of contact points and intersections of these pairs.
     pub narrow_phase_time: Timer,
     /// Number of pairs whose boxes overlap.
     pub ncontact_pairs: usize,
@@ -50,50 +50,50 @@ pub struct CollisionDetectionCounters {
     pub nintersection_pairs: usize,
     /// Number of colliders that had more neighbours than
     /// [`max_neighbors_per_collider`](crate::model::params::IntegrationParameters::max_neighbors_per_collider):
-    /// some of them do without a contact.
+    /// some of their pairs have no contacts.
     pub ncrowded: usize,
     /// Number of colliders that overlapped more sensors, or as sensors more colliders, than
     /// [`max_sensor_neighbors_per_collider`](crate::model::params::IntegrationParameters::max_sensor_neighbors_per_collider):
     /// some of these pairs are not reported.
     pub ncrowded_sensors: usize,
-    /// Number of computed contact pairs with so many contacts that only the deepest of each region were kept:
-    /// for example a large body on a fine mesh.
+    /// Number of computed contact pairs whose contacts were culled to the deepest of each region, for example
+    /// of a large body on a fine mesh.
     pub nculled_pairs: usize,
 }
 
 /// Times and numbers of the solver.
 #[derive(Copy, Clone, Debug, Default)]
 pub struct SolverCounters {
-    /// Collecting bodies and constraints.
+    /// Loading of bodies and constraints.
     pub velocity_assembly_time: Timer,
     /// The substeps.
     pub velocity_resolution_time: Timer,
-    /// Writing velocities, poses and impulses back.
+    /// Write-back of velocities, poses and impulses.
     pub velocity_writeback_time: Timer,
     /// Number of contact manifolds and joints solved.
     pub nconstraints: usize,
     /// Number of contact points solved.
     pub ncontacts: usize,
-    /// Number of bodies that were disabled because their numbers left the range in which one can calculate.
+    /// Number of bodies that the step disabled because of unusable numbers.
     pub nquarantined: usize,
     /// Number of bodies that exceeded
     /// [`normalized_max_linear_velocity`](crate::model::params::IntegrationParameters::normalized_max_linear_velocity)
-    /// and were slowed down, a multibody counting as one. The value is the maximum over the substeps of each
-    /// group. There is no other limit of speeds.
+    /// and were slowed down. A multibody counts as one. The value is the maximum over the substeps of each
+    /// group. Speeds have no other limit.
     pub nlimited_bodies: usize,
 }
 
 /// Times and numbers of continuous collision detection.
 #[derive(Copy, Clone, Debug, Default)]
 pub struct CCDCounters {
-    /// Computing times of impact.
+    /// Computation of times of impact.
     pub toi_computation_time: Timer,
-    /// Number of bodies that were stopped at an impact, with those that joints hold to them.
+    /// Number of bodies that were stopped at an impact, including the bodies that joints connect to them.
     pub num_substeps: usize,
-    /// Number of bodies whose paths were searched: fast ones, and all links of multibodies of which one is
-    /// fast.
+    /// Number of bodies whose paths were searched: fast bodies, and all links of a multibody with a fast
+    /// link.
     pub num_fast_bodies: usize,
-    /// Number of times that the paths of two colliders were searched for when they meet.
+    /// Number of searches for the time of impact of two colliders.
     pub num_searches: usize,
     /// Number of times that a fast body passed a sensor between two steps.
     pub num_sensors_passed: usize,
@@ -152,7 +152,7 @@ impl Counters {
         self.step_time.time_ms()
     }
 
-    /// Duration of taking in the user's changes (ms).
+    /// Duration of applying the user's changes (ms).
     pub fn user_changes_time_ms(&self) -> f64 {
         self.stages.user_changes.time_ms()
     }

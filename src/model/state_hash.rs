@@ -194,7 +194,7 @@ impl MultibodyJointSet {
 }
 
 impl NarrowPhase {
-    /// A hash of all pairs: their colliders, and whether these touch.
+    /// A hash of all pairs: their colliders, and whether the colliders touch.
     pub fn hash(&self) -> u64 {
         let mut hasher = StateHasher::default();
         for (collider1, collider2, pair) in self.contact_pairs() {

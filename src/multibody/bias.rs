@@ -89,10 +89,10 @@ impl Kinematics {
 
 impl Multibody {
     /// The forces `C(q, q̇) q̇` on the degrees of freedom that keep their velocities constant, without
-    /// gravity: those that lead links round curves. With the [mass matrix](Self::mass_matrix) `M` and the
-    /// forces `τ` on the degrees of freedom, `M q̈ = τ - C q̇`.
+    /// gravity. With the [mass matrix](Self::mass_matrix) `M` and the forces `τ` on the degrees of freedom,
+    /// `M q̈ = τ - C q̇`.
     ///
-    /// A root without degrees of freedom is taken to stand still.
+    /// A root without degrees of freedom counts as being at rest.
     pub fn bias_forces(&self) -> Vec<Real> {
         let kinematics = Kinematics::of(self);
         let rates = self.generalized_velocity();

@@ -56,7 +56,7 @@ pub struct Factor {
 pub struct Resistance<'a> {
     /// Inertia in addition to that of the links; infinite for prescribed ones.
     pub armature: &'a [Real],
-    /// By link: what its mass and its angular inertia are multiplied by, for the damping of its body.
+    /// By link: factors on its mass and its angular inertia, for the damping of its body.
     pub drag: &'a [[Real; 2]],
 }
 
@@ -114,7 +114,7 @@ impl Factor {
     }
 
     /// Computes accelerations from forces on the degrees of freedom and wrenches on the links (or velocities
-    /// from impulses): `forces` become `M⁻¹ (forces + Σ Jᵀ wrench)`. There may be no wrenches at all.
+    /// from impulses): `forces` become `M⁻¹ (forces + Σ Jᵀ wrench)`. The list of wrenches may be empty.
     pub fn solve(
         &mut self,
         kinematics: &Kinematics,

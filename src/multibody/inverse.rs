@@ -27,16 +27,16 @@ const TURN_MAX: Real = 0.3;
 /// Search parameters and tolerances of [`Multibody::inverse_kinematics`].
 #[derive(Copy, Clone, Debug, PartialEq)]
 pub struct InverseKinematicsOption {
-    /// The damping `λ` (default 1): large values make small, safe steps; small ones converge in fewer of
-    /// them, and jerk where the link cannot go.
+    /// The damping `λ` (default 1). Large values make small, stable steps. Small values converge in fewer
+    /// steps, but oscillate near unreachable targets.
     pub damping: Real,
-    /// Most steps of the search (default 10).
+    /// Largest number of steps of the search (default 10).
     pub max_iters: usize,
-    /// World axes along and about which the link has to be where the target says (default: all).
+    /// World axes along and about which the link must reach the target (default: all).
     pub constrained_axes: JointAxesMask,
-    /// Distance from the target that is near enough (length units, default 0.001).
+    /// Distance from the target at which the search has converged (length units, default 0.001).
     pub epsilon_linear: Real,
-    /// Angle from the target that is near enough (radians, default 0.001).
+    /// Angle from the target at which the search has converged (radians, default 0.001).
     pub epsilon_angular: Real,
 }
 
@@ -53,13 +53,13 @@ impl Default for InverseKinematicsOption {
 }
 
 impl Multibody {
-    /// Looks for displacements of the degrees of freedom that bring a link's body to a pose in world space.
+    /// Searches displacements of the degrees of freedom that move a link's body to a pose in world space.
     ///
-    /// The search begins at `displacements` (missing ones are 0), writes what it found back to them, and
-    /// moves nothing: [`Self::apply_displacements`] does. Only degrees of freedom of links that
-    /// `joint_can_move` names are used, and coordinates stay within the limits of their joints. If the target
-    /// cannot be reached, the link comes as close as the search did. Nothing happens if there is no such
-    /// link, a body is missing, or the target is no pose.
+    /// The search starts at `displacements` (missing ones are 0) and writes the result back to them. It moves
+    /// nothing: call [`Self::apply_displacements`]. Only links for which `joint_can_move` returns `true` are
+    /// used, and coordinates stay within the limits of their joints. For an unreachable target, the result is
+    /// the closest pose of the search. The call has no effect if the link or a body is missing, or if the
+    /// target is not a valid pose.
     pub fn inverse_kinematics(
         &self,
         bodies: &RigidBodySet,
@@ -113,8 +113,8 @@ impl Multibody {
     }
 
     /// Adds to `displacements` (one per degree of freedom) a damped least-squares step that moves a link's
-    /// body by `desired_movement`. The latter contains the translation of its origin, and its rotation, in
-    /// world space. Nothing happens if there is no such link.
+    /// body by `desired_movement`. The movement contains the translation of its origin (length units) and its
+    /// rotation vector (rad), in world space. A missing link has no effect.
     pub fn inverse_kinematics_delta(
         &self,
         link_id: usize,
@@ -133,7 +133,7 @@ impl Multibody {
         }
     }
 
-    /// The same with any Jacobian: by degree of freedom, how it moves what is to be moved.
+    /// The same with any Jacobian: by degree of freedom, the velocity of the moved point or frame.
     pub fn inverse_kinematics_delta_with_jacobian(
         jacobian: &[SpatialVector],
         desired_movement: &SpatialVector,
@@ -193,7 +193,7 @@ fn error_to(target: &Pose, pose: &Pose, axes: JointAxesMask) -> SpatialVector {
     error
 }
 
-/// Clears what is not along or about some axes, or everything.
+/// Clears the components of other axes, or all components.
 fn mask(vector: &mut SpatialVector, axes: JointAxesMask, any: bool) {
     for (axis, number) in vector.iter_mut().enumerate() {
         if !any || axes.bits() & (1 << axis) == 0 {

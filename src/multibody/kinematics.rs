@@ -205,10 +205,10 @@ impl Kinematics {
 }
 
 impl Multibody {
-    /// The Jacobian of a link: for each degree of freedom the velocity of the link's body at the rate 1
-    /// (centre of mass and angular), in world space. Empty if there is no such link.
+    /// The Jacobian of a link: the world-space velocity of its body (centre of mass and angular) at the rate
+    /// 1 of each degree of freedom. Empty for a missing link.
     ///
-    /// It is that of the poses that the coordinates say now, with the root where it was in the last step.
+    /// It refers to the poses of the current coordinates, with the root at its pose of the last step.
     pub fn body_jacobian(&self, link_id: usize) -> Vec<SpatialVector> {
         let kinematics = Kinematics::of(self);
         if link_id < kinematics.links.len() { kinematics.jacobian(link_id) } else { Vec::new() }

@@ -27,7 +27,7 @@ use crate::dim::spatial::{ANG_AXES, ang_components, angular};
 /// Regularisation of the locked inertia when it corrects a missing momentum, as a fraction of the sum of its
 /// moments of inertia.
 const SLOWNESS: Real = 0.05;
-/// In how many rounds that is made up for.
+/// Number of rounds of the correction.
 const ROUNDS: usize = 6;
 
 /// See the [module](self). Its degrees of freedom are the root's.

@@ -40,7 +40,7 @@ impl Multibody {
     }
 
     /// `M⁻¹ τ`: the accelerations of the degrees of freedom by these forces on them (or velocities by
-    /// impulses), in time proportional to their number. Forces that are missing are taken for 0.
+    /// impulses), in time proportional to their number. Missing forces are 0.
     pub fn accelerations_of(&self, forces: &[Real]) -> Vec<Real> {
         if !self.is_whole() {
             return vec![0.0; self.ndofs()];
@@ -56,7 +56,7 @@ impl Multibody {
     }
 }
 
-/// A number of a degree of freedom as the user gave it, or zero if it makes no sense.
+/// A user-defined number of a degree of freedom, or zero if it is invalid.
 pub fn usable(value: Real) -> Real {
     if value.is_finite() && value > 0.0 { value } else { 0.0 }
 }

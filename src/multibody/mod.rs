@@ -15,13 +15,13 @@
 //! ```
 //!
 //! with the *axis* `sⱼ` of each degree of freedom of the link's joint: the spatial velocity that `q̇ⱼ = 1`
-//! gives the link. Levers are added up from rotations alone, so that a robot far from the origin is as exact
-//! as one at it.
+//! gives the link. Moment arms are summed from rotations alone, so a robot far from the origin is as accurate
+//! as one at the origin.
 //!
 //! ## Algorithms
 //! | file | what | after |
 //! |---|---|---|
-//! | `kinematics.rs` | poses, levers, axes, velocities, Jacobians | |
+//! | `kinematics.rs` | poses, moment arms, axes, velocities, Jacobians | |
 //! | `factor.rs` | `M⁻¹ τ` in `O(n)`: the articulated-body algorithm, as a factorisation | Featherstone 2008, chapter 7 |
 //! | `bias.rs` | `C(q, q̇) q̇` in `O(n)`: recursive Newton–Euler | Featherstone 2008, chapter 5 |
 //! | `mass_matrix.rs` | `M` in `O(n²)`: composite rigid bodies | Featherstone 2008, chapter 6 |

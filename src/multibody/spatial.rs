@@ -106,7 +106,7 @@ impl SpatialMatrix {
         }
     }
 
-    /// `Xᵀ I X`: the inertia as it is felt where it is measured, if it is at `r` from there.
+    /// `Xᵀ I X`: the inertia at `r` from the reference point, about that point.
     pub fn carried_back(&self, r: Vector) -> Self {
         // Turning about an axis moves what is at `r` along `axis × r`: columns of I X, then rows of Xᵀ I X.
         let along = ANG_AXES.map(|axis| join(cross(axis, r), axis));

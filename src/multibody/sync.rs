@@ -10,11 +10,11 @@ use crate::model::multibody::Multibody;
 
 impl Multibody {
     /// Updates the poses of the links by the joints' coordinates and by edits of the bodies since the last
-    /// call. A moved body gives its joint new coordinates, as far as its free axes allow. Bodies are not
-    /// touched: [`Self::update_rigid_bodies`] does that.
+    /// call. A moved body gives its joint new coordinates, as far as its free axes allow. It does not change
+    /// bodies: call [`Self::update_rigid_bodies`].
     ///
-    /// The root stays where it is unless `read_root_pose_from_rigid_body`, or its body was moved. Nothing
-    /// happens if a link's body is missing.
+    /// The root keeps its pose, unless `read_root_pose_from_rigid_body` is `true` or its body was moved. A
+    /// missing body of a link makes the call have no effect.
     pub fn forward_kinematics(
         &mut self,
         bodies: &RigidBodySet,
@@ -55,9 +55,10 @@ impl Multibody {
         }
     }
 
-    /// Moves the bodies to where the links are, and wakes them. A root that is not dynamic stays.
+    /// Moves the bodies to the poses of their links, and wakes them. A root that is not dynamic stays.
     ///
-    /// `update_mass_properties` exists for compatibility; bodies always have their centre of mass.
+    /// `update_mass_properties` is accepted for compatibility and has no effect: centres of mass are always
+    /// up to date.
     pub fn update_rigid_bodies(&mut self, bodies: &mut RigidBodySet, update_mass_properties: bool) {
         let _ = update_mass_properties;
         for link in &mut self.links {
@@ -69,16 +70,15 @@ impl Multibody {
         }
     }
 
-    /// Brings only the branch from the root to one link up to date, as [`Self::forward_kinematics`] does for
-    /// all links.
+    /// Updates only the branch from the root to one link, as [`Self::forward_kinematics`] does for all links.
     pub fn forward_kinematics_single_branch(&mut self, bodies: &RigidBodySet, link_id: usize) {
         for id in self.kinematic_branch(link_id) {
             self.load(id, bodies);
         }
     }
 
-    /// Moves the coordinates by a displacement per degree of freedom (length units, radians). Ones that are
-    /// missing are taken for 0. The links follow with [`Self::forward_kinematics`], or in the next step.
+    /// Moves the coordinates by a displacement per degree of freedom (length units, radians). Missing
+    /// displacements are 0. [`Self::forward_kinematics`] or the next step then moves the links.
     pub fn apply_displacements(&mut self, displacements: &[Real]) {
         if !self.is_whole() {
             return;
@@ -99,7 +99,7 @@ impl Multibody {
         self.place_links();
     }
 
-    /// Puts the links where the coordinates say.
+    /// Moves the links to the poses of the coordinates.
     pub(super) fn place_links(&mut self) {
         for id in 1..self.links.len() {
             let Some(parent) = self.links[id].parent else { continue };

@@ -4,24 +4,24 @@ use crate::model::body::{RigidBodyHandle, RigidBodyType};
 use crate::model::collider::{Collider, ColliderHandle, InteractionGroups};
 
 bitflags::bitflags! {
-    /// Whole kinds of colliders that a query leaves out.
+    /// Kinds of colliders that a query excludes.
     #[derive(Copy, Clone, PartialEq, Eq, Debug, Default, Hash)]
     pub struct QueryFilterFlags: u32 {
         /// Excludes colliders of fixed bodies, and colliders without a body.
         const EXCLUDE_FIXED = 1 << 1;
-        /// Leaves out colliders of kinematic bodies.
+        /// Excludes colliders of kinematic bodies.
         const EXCLUDE_KINEMATIC = 1 << 2;
-        /// Leaves out colliders of dynamic bodies.
+        /// Excludes colliders of dynamic bodies.
         const EXCLUDE_DYNAMIC = 1 << 3;
-        /// Leaves out sensors.
+        /// Excludes sensors.
         const EXCLUDE_SENSORS = 1 << 4;
-        /// Leaves out all colliders that are no sensors.
+        /// Excludes all colliders that are not sensors.
         const EXCLUDE_SOLIDS = 1 << 5;
-        /// Leaves out all but the colliders of dynamic bodies.
+        /// Excludes all colliders except those of dynamic bodies.
         const ONLY_DYNAMIC = Self::EXCLUDE_FIXED.bits() | Self::EXCLUDE_KINEMATIC.bits();
-        /// Leaves out all but the colliders of kinematic bodies.
+        /// Excludes all colliders except those of kinematic bodies.
         const ONLY_KINEMATIC = Self::EXCLUDE_DYNAMIC.bits() | Self::EXCLUDE_FIXED.bits();
-        /// Leaves out all but the colliders of fixed bodies, and those that have no body.
+        /// Excludes all colliders except those of fixed bodies and those without a body.
         const ONLY_FIXED = Self::EXCLUDE_DYNAMIC.bits() | Self::EXCLUDE_KINEMATIC.bits();
     }
 }
@@ -44,7 +44,7 @@ impl QueryFilterFlags {
     }
 }
 
-/// A question that a query asks of each collider that it comes by.
+/// A condition of a query: returns whether a collider may be found.
 pub type QueryPredicate<'a> = &'a dyn Fn(ColliderHandle, &Collider) -> bool;
 
 /// Filter of a query: the conjunction of its conditions.
@@ -58,15 +58,15 @@ pub type QueryPredicate<'a> = &'a dyn Fn(ColliderHandle, &Collider) -> bool;
 /// Disabled colliders are never found.
 #[derive(Copy, Clone, Default)]
 pub struct QueryFilter<'a> {
-    /// Whole kinds that are left out.
+    /// Excluded kinds of colliders.
     pub flags: QueryFilterFlags,
-    /// Membership and filter with which the query meets the colliders' collision groups.
+    /// Memberships and filter of the query, tested against the collision groups of the colliders.
     pub groups: Option<InteractionGroups>,
-    /// One collider that is left out.
+    /// One excluded collider.
     pub exclude_collider: Option<ColliderHandle>,
-    /// All colliders of this body are left out.
+    /// A body whose colliders are all excluded.
     pub exclude_rigid_body: Option<RigidBodyHandle>,
-    /// Asked last, of what all other conditions let pass; `false` leaves the collider out.
+    /// Condition that is tested last, after all others; `false` excludes the collider.
     pub predicate: Option<QueryPredicate<'a>>,
 }
 
@@ -95,7 +95,7 @@ impl From<InteractionGroups> for QueryFilter<'_> {
 }
 
 impl<'a> QueryFilter<'a> {
-    /// Leaves nothing out.
+    /// A filter that excludes nothing.
     pub fn new() -> Self {
         Self::default()
     }
@@ -110,67 +110,67 @@ impl<'a> QueryFilter<'a> {
         self.excluding(QueryFilterFlags::EXCLUDE_FIXED)
     }
 
-    /// Leaves out colliders of kinematic bodies.
+    /// Excludes colliders of kinematic bodies.
     #[must_use]
     pub fn exclude_kinematic(self) -> Self {
         self.excluding(QueryFilterFlags::EXCLUDE_KINEMATIC)
     }
 
-    /// Leaves out colliders of dynamic bodies.
+    /// Excludes colliders of dynamic bodies.
     #[must_use]
     pub fn exclude_dynamic(self) -> Self {
         self.excluding(QueryFilterFlags::EXCLUDE_DYNAMIC)
     }
 
-    /// Leaves out all but the colliders of dynamic bodies.
+    /// Excludes all colliders except those of dynamic bodies.
     #[must_use]
     pub fn only_dynamic(self) -> Self {
         self.excluding(QueryFilterFlags::ONLY_DYNAMIC)
     }
 
-    /// Leaves out all but the colliders of kinematic bodies.
+    /// Excludes all colliders except those of kinematic bodies.
     #[must_use]
     pub fn only_kinematic(self) -> Self {
         self.excluding(QueryFilterFlags::ONLY_KINEMATIC)
     }
 
-    /// Leaves out all but the colliders of fixed bodies, and those that have no body.
+    /// Excludes all colliders except those of fixed bodies and those without a body.
     #[must_use]
     pub fn only_fixed(self) -> Self {
         self.excluding(QueryFilterFlags::ONLY_FIXED)
     }
 
-    /// Leaves out sensors.
+    /// Excludes sensors.
     #[must_use]
     pub fn exclude_sensors(self) -> Self {
         self.excluding(QueryFilterFlags::EXCLUDE_SENSORS)
     }
 
-    /// Leaves out all colliders that are no sensors.
+    /// Excludes all colliders that are not sensors.
     #[must_use]
     pub fn exclude_solids(self) -> Self {
         self.excluding(QueryFilterFlags::EXCLUDE_SOLIDS)
     }
 
-    /// Leaves out colliders whose collision groups do not go with these.
+    /// Excludes colliders whose collision groups do not interact with these.
     #[must_use]
     pub fn groups(self, groups: InteractionGroups) -> Self {
         Self { groups: Some(groups), ..self }
     }
 
-    /// Leaves out one collider. A second call replaces the first.
+    /// Excludes one collider. A second call replaces the first.
     #[must_use]
     pub fn exclude_collider(self, collider: ColliderHandle) -> Self {
         Self { exclude_collider: Some(collider), ..self }
     }
 
-    /// Leaves out all colliders of a body. A second call replaces the first.
+    /// Excludes all colliders of a body. A second call replaces the first.
     #[must_use]
     pub fn exclude_rigid_body(self, body: RigidBodyHandle) -> Self {
         Self { exclude_rigid_body: Some(body), ..self }
     }
 
-    /// Leaves out colliders of which the predicate says `false`. A second call replaces the first.
+    /// Excludes colliders for which the predicate returns `false`. A second call replaces the first.
     #[must_use]
     pub fn predicate(self, predicate: QueryPredicate<'a>) -> Self {
         Self { predicate: Some(predicate), ..self }

@@ -1,14 +1,13 @@
 //! # Query: ray casts, shape casts, projections and overlap tests
 //!
-//! Ray casts, point projections, shape casts and overlap tests. [`QueryView`] uses trees of boxes with
-//! another owner: the broad phase
-//! ([`as_query_pipeline`](crate::model::tree::BroadPhaseBvh::as_query_pipeline), as of the last step), or a
-//! [`QueryPipeline`] (as of its last `update`, without a step).
+//! Ray casts, point projections, shape casts and overlap tests. [`QueryView`] borrows the trees of boxes of
+//! their owner: the broad phase ([`as_query_pipeline`](crate::model::tree::BroadPhaseBvh::as_query_pipeline),
+//! as of the last step), or a [`QueryPipeline`] (as of its last `update`, without a step).
 //!
-//! Two rules hold for all questions. *The nearest result is that of a search of all colliders*, to the last
+//! Two rules hold for all queries. *The nearest result is that of a search of all colliders*, to the last
 //! bit. Trees only exclude irrelevant ones, and of equally near colliders the one with the lower slot is
 //! returned, independent of the tree. *An invalid query has no result*: a ray or a pose that is not finite, a
-//! direction of no length, a time that is not a number.
+//! direction of zero length, or a time that is NaN.
 
 mod filter;
 mod hits;

@@ -1,4 +1,4 @@
-//! The search for the nearest: best first, through all trees.
+//! Best-first search for the nearest collider, through all trees.
 
 use super::view::QueryView;
 use crate::base::bvh::{Probe, nearest};
@@ -25,7 +25,7 @@ impl<T> Best<T> {
             && self.found.as_ref().is_some_and(|(best, _)| slot(*best) < other)
     }
 
-    /// Takes what is nearer, or as near and at a lower slot.
+    /// Stores a result that is nearer, or equally near and at a lower slot.
     fn offer(&mut self, distance: Real, handle: ColliderHandle, what: T) {
         let is_better = match &self.found {
             None => distance <= self.distance,
@@ -38,12 +38,12 @@ impl<T> Best<T> {
 }
 
 impl QueryView<'_> {
-    /// The nearest of the colliders that are meant, no farther away than the second of `limits`. The first is
-    /// the nearest.
+    /// The nearest of the filtered colliders, no farther away than the second of `limits`. The first limit is
+    /// the smallest possible distance.
     ///
     /// `probe` returns a lower bound of the distance for a box; `to_collider` the distance of a collider and
-    /// its result. It does not receive the current limit: a shape's result may depend on the limit in its
-    /// last bit, and no result may depend on the tree.
+    /// its result. It does not receive the current limit, on which the last bit of a shape's result may
+    /// depend. No result may depend on the tree.
     pub(super) fn nearest<T>(
         &self,
         [least, limit]: [Real; 2],

@@ -1,4 +1,4 @@
-//! Queries with their own trees: between steps, or without any step.
+//! Queries with separate trees: between steps, or without any step.
 
 use super::filter::{QueryFilter, Traits};
 use super::hits::Dispatcher;
@@ -35,7 +35,7 @@ const MARGIN_OF_PLACE: Real = 64.0 * Real::EPSILON;
 ///
 /// It contains the colliders as of the last [`Self::update`], which processes insertions, removals, moves and
 /// new shapes, without cost for other colliders. Only boxes are stored; results are computed from the current
-/// collider. Worlds that ask after each step can do without: see
+/// collider. A world that queries after each step does not need this pipeline: see
 /// [`BroadPhaseBvh::as_query_pipeline`](crate::model::tree::BroadPhaseBvh::as_query_pipeline).
 #[derive(Clone, Default, Debug)]
 pub struct QueryPipeline {
@@ -53,15 +53,15 @@ struct Entry {
 }
 
 impl QueryPipeline {
-    /// Knows no collider yet.
+    /// An empty pipeline.
     pub fn new() -> Self {
         Self::default()
     }
 
-    /// Catches up with a set of colliders.
+    /// Updates the boxes from a set of colliders.
     ///
-    /// Colliders follow their body with the next step: where the user moved it, and into nothing if it was
-    /// removed.
+    /// A collider follows an edit of its body only with the next step: its pose changes then, and it is
+    /// removed with a removed body.
     pub fn update(&mut self, colliders: &ColliderSet) {
         let (changed, end) = colliders.changed_since(self.read);
         match changed {
@@ -86,7 +86,7 @@ impl QueryPipeline {
         }
     }
 
-    /// Learns what stands at a slot now.
+    /// Updates the entry of a slot.
     fn refresh(&mut self, slot: u32, colliders: &ColliderSet) {
         if slot as usize >= self.entries.len() {
             self.entries.resize(slot as usize + 1, None);
@@ -105,7 +105,7 @@ impl QueryPipeline {
         self.entries[slot as usize] = Some(Entry { handle, traits: Traits::of(collider) });
     }
 
-    /// The colliders as a view, which has more queries. `colliders` must be the set of the last
+    /// A view of the colliders, which has more queries. `colliders` must be the set of the last
     /// [`Self::update`].
     pub fn view<'a>(
         &'a self,
@@ -138,10 +138,9 @@ fn for_each<T>(items: impl Iterator<Item = T>, mut callback: impl FnMut(T) -> bo
     }
 }
 
-/// The questions. Each is the one of [`QueryView`] that has the same name, for the colliders that the filter
-/// lets pass.
+/// Queries of the colliders that pass the filter. [`QueryView`] has methods of the same names.
 impl QueryPipeline {
-    /// The first collider that a ray hits, and when: see [`QueryView::cast_ray`].
+    /// The first collider that a ray hits, and the time of the hit: see [`QueryView::cast_ray`].
     pub fn cast_ray(
         &self,
         colliders: &ColliderSet,
@@ -153,7 +152,7 @@ impl QueryPipeline {
         self.view(colliders, filter).cast_ray(ray, max_toi, solid)
     }
 
-    /// The first collider that a ray hits, when, and the normal there: see
+    /// The first collider that a ray hits, with the time of the hit and the normal there: see
     /// [`QueryView::cast_ray_and_get_normal`].
     pub fn cast_ray_and_get_normal(
         &self,
@@ -166,7 +165,7 @@ impl QueryPipeline {
         self.view(colliders, filter).cast_ray_and_get_normal(ray, max_toi, solid)
     }
 
-    /// The answers of [`Self::cast_ray`] to many rays, in their order: see [`QueryView::cast_rays`].
+    /// The results of [`Self::cast_ray`] for many rays, in their order: see [`QueryView::cast_rays`].
     pub fn cast_rays(
         &self,
         colliders: &ColliderSet,
@@ -178,8 +177,8 @@ impl QueryPipeline {
         self.view(colliders, filter).cast_rays(rays, max_toi, solid)
     }
 
-    /// Calls back for all colliders that a ray hits, in no particular order, until the answer is `false`: see
-    /// [`QueryView::intersect_ray`].
+    /// Calls the callback for all colliders that a ray hits, in no particular order, until it returns
+    /// `false`: see [`QueryView::intersect_ray`].
     pub fn intersections_with_ray(
         &self,
         colliders: &ColliderSet,
@@ -216,7 +215,7 @@ impl QueryPipeline {
         self.view(colliders, filter).project_point_and_get_feature(*point, Real::MAX)
     }
 
-    /// Calls back for all colliders that a point is inside of, in no particular order, until the answer is
+    /// Calls the callback for all colliders that contain a point, in no particular order, until it returns
     /// `false`: see [`QueryView::intersect_point`].
     pub fn intersections_with_point(
         &self,
@@ -229,12 +228,12 @@ impl QueryPipeline {
         for_each(around, |(handle, _)| callback(handle));
     }
 
-    /// Calls back for all colliders whose boxes overlap a box, in no particular order, until the answer is
-    /// `false`.
+    /// Calls the callback for all colliders whose boxes overlap a box, in no particular order, until it
+    /// returns `false`.
     ///
-    /// These are the stored boxes, and they are somewhat larger than the colliders (after a step, by a tenth
-    /// of their size and ahead of their motion). The filter's predicate is not called, because there are no
-    /// colliders to pass; [`QueryView::intersect_aabb_conservative`] calls it.
+    /// The stored boxes are larger than the colliders: after a step, by a tenth of their size and ahead of
+    /// their motion. The filter's predicate is not called, because it requires access to the colliders;
+    /// [`QueryView::intersect_aabb_conservative`] calls it.
     pub fn colliders_with_aabb_intersecting_aabb(
         &self,
         aabb: &Aabb,
@@ -262,7 +261,7 @@ impl QueryPipeline {
         found.next().map(|(handle, _)| handle)
     }
 
-    /// Calls back for all colliders that a shape intersects, in no particular order, until the answer is
+    /// Calls the callback for all colliders that a shape intersects, in no particular order, until it returns
     /// `false`: see [`QueryView::intersect_shape`].
     pub fn intersections_with_shape(
         &self,
@@ -276,11 +275,11 @@ impl QueryPipeline {
         for_each(found, |(handle, _)| callback(handle));
     }
 
-    /// The first collider that a shape meets at constant velocity, without rotation: see
+    /// The first collider that a shape hits at constant velocity, without rotation: see
     /// [`QueryView::cast_shape`].
     ///
-    /// With `stop_at_penetration`, a shape that begins inside of a collider meets it at time 0; without, only
-    /// if it goes deeper.
+    /// With `stop_at_penetration`, a shape that starts inside a collider hits it at time 0. Otherwise it hits
+    /// only if it moves deeper.
     #[expect(clippy::too_many_arguments, reason = "the documented parameters")]
     pub fn cast_shape(
         &self,
@@ -300,7 +299,7 @@ impl QueryPipeline {
         self.view(colliders, filter).cast_shape(shape_pos, *shape_vel, shape, options)
     }
 
-    /// The first collider that a shape meets between two times of a motion that turns: see
+    /// The first collider that a shape hits between two times of a motion with rotation: see
     /// [`QueryView::cast_shape_nonlinear`].
     #[expect(clippy::too_many_arguments, reason = "those of `cast_shape`, and a time more")]
     pub fn cast_shape_nonlinear(

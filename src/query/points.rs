@@ -11,8 +11,8 @@ impl<'a> QueryView<'a> {
     /// The collider that is nearest to a point, no farther away than `max_distance`, and the nearest point on
     /// it.
     ///
-    /// A point inside of a `solid` collider is its own projection; if it is not solid, the nearest point of
-    /// its surface is. Length units, world space.
+    /// A point inside a collider is its own projection if `solid` is `true`; otherwise the projection is the
+    /// nearest point on the surface. The distance is in length units, points are in world space.
     pub fn project_point(
         &self,
         point: Vector,
@@ -46,7 +46,7 @@ impl<'a> QueryView<'a> {
         found.map(|(handle, (projection, feature))| (handle, projection, feature))
     }
 
-    /// All colliders that a point is inside of, or on the surface of, in no particular order.
+    /// All colliders that contain a point, inside or on the surface, in no particular order.
     pub fn intersect_point(
         self,
         point: Vector,

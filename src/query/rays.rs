@@ -9,26 +9,26 @@ use crate::dim::math::{Real, Vector};
 use crate::model::collider::{Collider, ColliderHandle};
 use parry::query::{Ray, RayIntersection};
 
-/// Rays that are worth handing over to another thread together.
+/// Smallest number of rays that justifies a transfer to another thread.
 const RAYS_PER_TASK: usize = 64;
 
-/// A ray as boxes see it.
+/// The probe of a ray for box tests.
 fn slabs(ray: &Ray) -> SlabProbe {
     SlabProbe::new(ray.origin, ray.dir, Vector::ZERO)
 }
 
-/// The limit of a question that has an answer: neither the ray nor the limit is nonsense.
+/// The limit of a valid query; `None` for an invalid ray or limit.
 fn sound_limit(ray: &Ray, max_time_of_impact: Real) -> Option<Real> {
     let is_sound = ray.origin.is_finite() && ray.dir.is_finite() && ray.dir.length_squared() > 0.0;
     (is_sound && max_time_of_impact >= 0.0).then_some(max_time_of_impact.min(Real::MAX))
 }
 
 impl<'a> QueryView<'a> {
-    /// The first collider that a ray hits, and when.
+    /// The first collider that a ray hits, and the time of the hit.
     ///
-    /// The time is in units of the ray's direction: the point is `ray.origin + ray.dir * time`, and times
-    /// beyond `max_time_of_impact` do not count. A ray that begins inside a `solid` collider hits it at time
-    /// 0; one that is not solid is hollow, and hit from within.
+    /// The time is in units of the ray's direction: the point is `ray.origin + ray.dir * time`. Hits after
+    /// `max_time_of_impact` are ignored. If `solid` is `true`, a ray that starts inside a collider hits it at
+    /// time 0. Otherwise colliders are hollow, and the ray hits the surface from within.
     pub fn cast_ray(
         &self,
         ray: &Ray,
@@ -41,8 +41,8 @@ impl<'a> QueryView<'a> {
         })
     }
 
-    /// The same, with the normal of the surface (unit length, world space, zero inside of a solid collider)
-    /// and the feature that was hit.
+    /// [`Self::cast_ray`] with the normal of the surface (unit length, world space; zero for a start inside a
+    /// solid collider) and the feature at the hit.
     pub fn cast_ray_and_get_normal(
         &self,
         ray: &Ray,
@@ -55,7 +55,7 @@ impl<'a> QueryView<'a> {
         })
     }
 
-    /// The collider that is hit first, by the times that `ask` gives for each, up to a limit.
+    /// The first hit collider, for the times that `ask` returns for each, up to a limit.
     fn first_hit<T>(
         &self,
         ray: &Ray,
@@ -81,7 +81,7 @@ impl<'a> QueryView<'a> {
         })
     }
 
-    /// [`Self::cast_ray`] for many rays: the answers, in the order of the rays.
+    /// The results of [`Self::cast_ray`] for many rays, in the order of the rays.
     ///
     /// With the feature `parallel` it runs on the threads of the caller's pool, unless the filter has a
     /// predicate, which may not be thread-safe.

@@ -24,8 +24,8 @@ fn sweep(shape: &dyn Shape, pose: &Pose, velocity: Vector, target_distance: Real
 }
 
 impl<'a> QueryView<'a> {
-    /// All colliders whose boxes, as the trees have them, overlap a box, in no particular order. These boxes
-    /// are larger than the colliders: more is found than touches.
+    /// All colliders whose boxes in the trees overlap a box, in no particular order. These boxes are larger
+    /// than the colliders, so the result includes colliders that do not touch the box.
     pub fn intersect_aabb_conservative(
         self,
         aabb: Aabb,
@@ -53,11 +53,11 @@ impl<'a> QueryView<'a> {
         })
     }
 
-    /// The first collider that a shape meets at constant velocity, without rotation.
+    /// The first collider that a shape hits at constant velocity, without rotation.
     ///
-    /// A shape without velocity hits nothing: [`Self::intersect_shape`] returns what it touches. Times are in
-    /// units of `shape_vel`. `options` holds the largest time, the distance at which the shape stops, and
-    /// whether a shape that begins inside a collider hits it.
+    /// A shape without velocity hits nothing: use [`Self::intersect_shape`] for the colliders that it
+    /// touches. Times are in units of `shape_vel`. `options` contains the largest time, the distance at which
+    /// the shape stops, and whether a shape that starts inside a collider hits it.
     ///
     /// Side 1 of the hit is the collider, in world space: `witness1` is the point on it, `normal1` its
     /// outward normal. Side 2 is the cast shape, in its own frame.
@@ -93,11 +93,11 @@ impl<'a> QueryView<'a> {
         })
     }
 
-    /// The first collider that a shape meets between two times of a motion with rotation.
+    /// The first collider that a shape hits between two times of a motion with rotation.
     ///
-    /// With `stop_at_penetration`, a shape that begins inside a collider hits it at once; without, only if it
-    /// goes deeper. The sides of the hit are those of [`Self::cast_shape`]; side 2 is in the frame that the
-    /// shape has at the time of impact.
+    /// With `stop_at_penetration`, a shape that starts inside a collider hits it at once. Otherwise it hits
+    /// only if it moves deeper. The sides of the hit are those of [`Self::cast_shape`]; side 2 is in the
+    /// frame that the shape has at the time of impact.
     pub fn cast_shape_nonlinear(
         &self,
         shape_motion: &NonlinearRigidMotion,
@@ -132,9 +132,9 @@ fn collider_first(hit: ShapeCastHit, collider: &Collider) -> ShapeCastHit {
     hit.swapped().transform1_by(collider.position())
 }
 
-/// A box that the shape stays within between the two times; `None` if that makes no sense.
+/// A box that contains the shape between the two times; `None` for an invalid motion.
 ///
-/// The centre goes straight, and nothing of the shape is ever farther from it than now.
+/// The centre moves straight, and rotation does not change the distance of any point from it.
 fn swept_box(
     motion: &NonlinearRigidMotion,
     shape: &dyn Shape,

@@ -10,8 +10,8 @@ use parry::query::QueryDispatcher;
 
 /// Colliders for queries: borrowed trees of boxes, the colliders in them, and a filter.
 ///
-/// Comes from [`BroadPhaseBvh::as_query_pipeline`] or [`QueryPipeline::view`](super::QueryPipeline::view).
-/// Made and dropped at no cost.
+/// [`BroadPhaseBvh::as_query_pipeline`] and [`QueryPipeline::view`](super::QueryPipeline::view) return it. A
+/// view only borrows, so it is cheap to create.
 #[derive(Copy, Clone)]
 pub struct QueryView<'a> {
     trees: AllBoxes<'a>,
@@ -33,7 +33,8 @@ impl BroadPhaseBvh {
     /// Query access to its colliders, without a separate tree.
     ///
     /// Boxes are those of the last step. A collider that was inserted or moved since is found only within the
-    /// box that its slot had then. [`QueryPipeline`](super::QueryPipeline) sees such changes at once.
+    /// box that its slot had then. [`QueryPipeline`](super::QueryPipeline) takes such changes into account
+    /// with its next update.
     ///
     /// ```
     /// # use rapier3d::prelude::*;
@@ -82,13 +83,13 @@ impl<'a> QueryView<'a> {
         self.trees
     }
 
-    /// The collider at a slot, if it is meant.
+    /// The collider at a slot; `None` if the filter excludes it.
     pub(super) fn candidate(&self, slot: u32) -> Option<(ColliderHandle, &'a Collider)> {
         let (handle, collider) = self.colliders.at_slot(slot)?;
         (collider.is_enabled() && self.filter.test(handle, collider)).then_some((handle, collider))
     }
 
-    /// All colliders that are meant and whose boxes a probe finds within `reach`.
+    /// All colliders that pass the filter and whose boxes a probe finds within `reach`.
     pub(super) fn candidates<P: Probe + 'a>(
         self,
         probe: P,

@@ -10,22 +10,22 @@ use crate::step::StepStage;
 pub enum Difference {
     /// The worlds differ before the first step.
     Start,
-    /// The edits in front of a step differ: the programs made other calls.
+    /// The edits before a step differ: the programs made different calls.
     Edits {
         /// The step, counted from 0.
         step: usize,
     },
-    /// The edits are equal, and the worlds differ after a step: one of the engines computes other bits.
+    /// The edits are equal, but the worlds differ after a step: the engines computed different bits.
     Step {
         /// The step, counted from 0.
         step: usize,
         /// The first stage after which the hashes differ, if both recordings have them.
         stage: Option<StepStage>,
-        /// The first body, counted in the order of handles, whose hash differs. `None`: no body, but a joint,
-        /// a pair or a collider.
+        /// The first body, counted in the order of handles, whose hash differs. `None` if only a joint, a
+        /// pair or a collider differs.
         body: Option<usize>,
     },
-    /// One of them has fewer steps. All that both have are equal.
+    /// One recording has fewer steps. All common steps are equal.
     Length {
         /// Number of steps of the shorter one.
         steps: usize,
@@ -55,10 +55,10 @@ impl core::fmt::Display for Difference {
 /// The first difference between two [recordings](super::Recorder) of the same run, for example on two
 /// machines. `None` if there is none.
 ///
-/// The comparison replays nothing: it compares the recorded hashes.
+/// The comparison uses the recorded hashes, without a replay.
 ///
 /// # Errors
-/// If one of them is no recording, or if it is damaged in front of the first difference.
+/// If one of them is not a recording, or is damaged before the first difference.
 ///
 /// ```
 /// # use rapier3d::prelude::*;

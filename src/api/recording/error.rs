@@ -4,7 +4,7 @@ use crate::api::snapshot::SnapshotError;
 use crate::model::body::RigidBodyHandle;
 use crate::step::StepStage;
 
-/// Why a recording cannot be made or read.
+/// Error of writing or reading a recording.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum RecordingError {
@@ -19,7 +19,7 @@ pub enum RecordingError {
         /// The format of this version.
         expected: u16,
     },
-    /// The data in front of the steps is damaged.
+    /// The data before the steps is damaged.
     #[error("the opening of the recording: {reason}")]
     Opening {
         /// The defect, with the value.
@@ -28,7 +28,7 @@ pub enum RecordingError {
     /// A snapshot in the recording cannot be made or restored.
     #[error(transparent)]
     Snapshot(#[from] SnapshotError),
-    /// The data of a step is damaged. A truncated file ends in this way: the steps in front of it can be
+    /// The data of a step is damaged. A truncated file ends with this error; the steps before it can be
     /// replayed.
     #[error("step {step}: {reason}")]
     Damaged {

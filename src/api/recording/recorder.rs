@@ -1,4 +1,4 @@
-//! A world in, a recording out.
+//! The recorder of a world's steps and edits.
 
 use super::error::RecordingError;
 use super::frame::{Edits, Frame, Opening, write_frame, write_opening};
@@ -7,11 +7,11 @@ use crate::api::world::PhysicsWorld;
 use crate::model::event::EventHandler;
 use crate::model::hooks::PhysicsHooks;
 
-/// Records a run: a first snapshot, all edits, and the hashes after every step.
+/// A recorder of a run: a first snapshot, all edits, and the hashes after every step.
 ///
-/// Step the world with [`Self::step`] instead of its own method. Edits between the steps are free. The world
-/// is saved twice per step, which takes about as long as several steps: a recorder serves to find a defect,
-/// and to report it as one file.
+/// Step the world with [`Self::step`] instead of its own method. Edit the world in any way between the steps.
+/// The recorder saves the world twice per step, which takes about as long as several steps. Use it to find a
+/// defect, and to report the defect as one file.
 ///
 /// ```
 /// # use rapier3d::prelude::*;
@@ -41,15 +41,15 @@ pub struct Recorder {
     next: Vec<u8>,
     steps: usize,
     with_stages: bool,
-    /// Why the recording has ended.
+    /// The error that ended the recording.
     failure: Option<RecordingError>,
 }
 
 impl Recorder {
-    /// Begins a recording of a world. The title says what it is.
+    /// Begins a recording of a world. The title describes it.
     ///
     /// # Errors
-    /// If the world cannot be saved: a collider has a shape of the user's own.
+    /// If the world cannot be saved, because a collider has a user-defined shape.
     pub fn new(world: &PhysicsWorld, title: &str) -> Result<Self, RecordingError> {
         let snapshot = world.to_snapshot()?;
         let engine = env!("CARGO_PKG_VERSION").to_string();
@@ -74,17 +74,18 @@ impl Recorder {
     /// Records the edits since the last step, steps the world, and records the hashes.
     ///
     /// # Errors
-    /// If the world cannot be saved. The recording ends in front of this step. The world is stepped
-    /// nevertheless, in this call and in all later ones, which return the same error.
+    /// If the world cannot be saved. The recording then ends before this step. This call and all later ones
+    /// step the world nevertheless, and return the same error.
     pub fn step(&mut self, world: &mut PhysicsWorld) -> Result<(), RecordingError> {
         self.step_with_events(world, &(), &())
     }
 
-    /// The same as [`Self::step`]. Hooks are not recorded: a replay needs the same ones.
+    /// The same as [`Self::step`], with hooks and events. Hooks are not recorded: a replay needs the same
+    /// ones.
     ///
     /// # Errors
-    /// If the world cannot be saved. The recording ends in front of this step. The world is stepped
-    /// nevertheless, in this call and in all later ones, which return the same error.
+    /// If the world cannot be saved. The recording then ends before this step. This call and all later ones
+    /// step the world nevertheless, and return the same error.
     pub fn step_with_events(
         &mut self,
         world: &mut PhysicsWorld,

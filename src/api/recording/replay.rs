@@ -1,4 +1,4 @@
-//! A recording in, the same steps out.
+//! The replay of a recording.
 
 use super::error::{Divergence, RecordingError, ReplayError};
 use super::frame::{Frame, Opening, read_frame, read_opening};
@@ -10,13 +10,13 @@ use crate::model::hooks::PhysicsHooks;
 /// Result of a replay.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 pub enum Replayed {
-    /// It took a step, and the world has the recorded hash.
+    /// The replay took a step, and the world has the recorded hash.
     Step,
     /// The recording is at its end.
     End,
 }
 
-/// Replays a [recording](super::Recorder), and compares the hash of every step.
+/// A replay of a [recording](super::Recorder), which compares the hash of every step.
 pub struct Replay<'a> {
     opening: Opening,
     /// The frames that follow.
@@ -31,7 +31,7 @@ impl<'a> Replay<'a> {
     /// Prepares the world of the first step.
     ///
     /// # Errors
-    /// If the data is no recording of this engine, or if it is damaged.
+    /// If the data is not a recording of this engine, or is damaged.
     pub fn new(recording: &'a [u8]) -> Result<Self, RecordingError> {
         let (opening, frames) = read_opening(recording)?;
         let world = PhysicsWorld::from_snapshot(&opening.snapshot)?;
@@ -48,7 +48,7 @@ impl<'a> Replay<'a> {
         &self.opening.engine
     }
 
-    /// The world as it is now.
+    /// The world in its current state.
     pub fn world(&self) -> &PhysicsWorld {
         &self.world
     }
@@ -58,7 +58,7 @@ impl<'a> Replay<'a> {
         self.steps
     }
 
-    /// Number of remaining steps; of a truncated file, the complete ones.
+    /// Number of remaining steps. For a truncated file, only complete steps count.
     pub fn steps_left(&self) -> usize {
         let (mut frames, mut steps) = (self.frames, 0);
         while let Ok((_, rest)) = read_frame(frames, steps) {
@@ -68,16 +68,16 @@ impl<'a> Replay<'a> {
         steps
     }
 
-    /// Returns whether the recording has edits in front of the last step.
+    /// Returns whether the recording has edits before the last step.
     pub fn was_edited(&self) -> bool {
         self.edited
     }
 
-    /// Makes the recorded edits, takes the next step, and compares the hashes.
+    /// Applies the recorded edits, takes the next step, and compares the hashes.
     ///
     /// # Errors
-    /// If the world differs from the recorded one (it stays as it is after the step), or if the recording is
-    /// damaged.
+    /// If the world differs from the recorded one, or if the recording is damaged. A different world keeps
+    /// its state after the step.
     pub fn step(&mut self) -> Result<Replayed, ReplayError> {
         self.step_with_events(&(), &())
     }
@@ -85,8 +85,8 @@ impl<'a> Replay<'a> {
     /// The same as [`Self::step`], with the hooks of the recorded run.
     ///
     /// # Errors
-    /// If the world differs from the recorded one (it stays as it is after the step), or if the recording is
-    /// damaged.
+    /// If the world differs from the recorded one, or if the recording is damaged. A different world keeps
+    /// its state after the step.
     pub fn step_with_events(
         &mut self,
         hooks: &dyn PhysicsHooks,

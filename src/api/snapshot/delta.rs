@@ -31,7 +31,7 @@ const SHIFTED_BYTES_MIN: usize = 32;
 /// [snapshots](crate::pipeline::PhysicsWorld::to_snapshot), usually of the same world at two times.
 ///
 /// # Errors
-/// If one of them is no snapshot of this engine.
+/// If one of them is not a snapshot of this engine.
 ///
 /// ```
 /// # use rapier3d::prelude::*;
@@ -58,10 +58,10 @@ pub fn snapshot_delta(base: &[u8], next: &[u8]) -> Result<Vec<u8>, SnapshotError
     Ok(bytes)
 }
 
-/// The snapshot that a [delta](snapshot_delta) was made for.
+/// The newer snapshot of a [delta](snapshot_delta).
 ///
 /// # Errors
-/// If `base` is another snapshot than the one that the delta was made from, or if the delta is damaged.
+/// If the delta was made from another snapshot than `base`, or if the delta is damaged.
 pub fn apply_snapshot_delta(base: &[u8], delta: &[u8]) -> Result<Vec<u8>, SnapshotError> {
     open(base)?;
     let rest = delta.strip_prefix(&MAGIC).ok_or(SnapshotError::NotADelta)?;

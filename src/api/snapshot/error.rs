@@ -1,20 +1,20 @@
-//! Why a snapshot cannot be made or restored.
+//! Error of making or restoring a snapshot.
 
 use super::codec::CodecError;
 use super::header::FORMAT;
 use crate::dim::math::DIM;
 
-/// Why a snapshot cannot be made or restored.
+/// Error of making or restoring a snapshot.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum SnapshotError {
-    /// The first bytes are not those of a snapshot.
+    /// The first bytes are not the mark of a snapshot.
     #[error("the data does not begin as a snapshot does")]
     NotASnapshot,
-    /// The first bytes are not those of a delta of snapshots.
+    /// The first bytes are not the mark of a delta of snapshots.
     #[error("the data does not begin as a delta of snapshots does")]
     NotADelta,
-    /// The data ends before its header says so.
+    /// The length of the data differs from the length in the header.
     #[error("the snapshot has {expected} bytes, the data {found}")]
     Length {
         /// Number of bytes that the header states.
@@ -50,7 +50,7 @@ pub enum SnapshotError {
         /// The checksum of the data.
         found: u64,
     },
-    /// A part of the world cannot be saved, or its data describes no valid world.
+    /// A part of the world cannot be saved, or its data is invalid.
     #[error("{part}: {reason}")]
     Invalid {
         /// The part of the world.

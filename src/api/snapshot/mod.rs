@@ -1,7 +1,7 @@
 //! # Snapshots: whole worlds as bytes
 //!
 //! A snapshot is a [header](header) and the nine parts of a world, in sequence, in the [format](codec) of
-//! this room. Each part checks itself when it is read; references between the sets are checked by the first
+//! this module. Each part checks itself when it is read; references between the sets are checked by the first
 //! step (`src/model/structure/check/`).
 
 pub(super) mod codec;
@@ -21,12 +21,12 @@ use serde::de::DeserializeOwned;
 impl PhysicsWorld {
     /// The whole world as bytes: gravity, parameters, bodies, colliders, joints, pairs, islands and trees.
     ///
-    /// A world that is [restored](Self::from_snapshot) from it continues bit for bit as this one does, on
-    /// every machine. The same history gives the same bytes. Pipelines have no state of the world; their
-    /// settings (threads, registers) are not saved.
+    /// A world that is [restored](Self::from_snapshot) from it continues bit for bit like this one, on every
+    /// machine. The same history gives the same bytes. Pipelines have no state of the world; their settings
+    /// (threads, registers) are not saved.
     ///
     /// # Errors
-    /// If a collider has a shape of the user's own.
+    /// If a collider has a user-defined shape.
     ///
     /// ```
     /// # use rapier3d::prelude::*;
@@ -45,10 +45,11 @@ impl PhysicsWorld {
         Ok(bytes)
     }
 
-    /// The same as [`Self::to_snapshot`], into a list whose content is replaced and whose memory is reused.
+    /// The same as [`Self::to_snapshot`], into an existing list: its content is replaced and its memory
+    /// reused.
     ///
     /// # Errors
-    /// If a collider has a shape of the user's own. The list is empty then.
+    /// If a collider has a user-defined shape. The list is then empty.
     pub fn write_snapshot(&self, bytes: &mut Vec<u8>) -> Result<(), SnapshotError> {
         bytes.clear();
         bytes.resize(HEADER_BYTES, 0);
@@ -76,8 +77,8 @@ impl PhysicsWorld {
     /// The world of a [snapshot](Self::to_snapshot), with new pipelines.
     ///
     /// # Errors
-    /// Another version of the format, another dimension or another precision wrote it; it is damaged or
-    /// truncated; or its data describes no valid world.
+    /// If the snapshot has another version of the format, another dimension or another precision. If it is
+    /// damaged or truncated. If its data does not describe a valid world.
     ///
     /// ```
     /// # use rapier3d::prelude::*;

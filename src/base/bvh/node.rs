@@ -124,7 +124,7 @@ impl Node {
         self.children[lane] = entry.child;
     }
 
-    /// Says how many children there are. The bounds of other lanes add nothing to what is around the node.
+    /// Sets the number of children. The bounds of other lanes do not contribute to the bounds of the node.
     pub fn set_len(&mut self, len: usize) {
         self.count = len as u32;
         for lane in len..LANES {

@@ -1,4 +1,4 @@
-//! Lists that threads make together.
+//! Lists that are filled by several threads.
 
 use super::Tasks;
 use crate::base::pool::Pool;

@@ -25,7 +25,7 @@ pub use threads::{Threads, ThreadsError};
 #[cfg(feature = "parallel")]
 const PIECES_PER_THREAD: usize = 4;
 
-/// The threads that a step may use. Only the thread that opened them can hand out work.
+/// The threads that a step may use. Only the thread that opened them can distribute work.
 #[derive(Copy, Clone)]
 pub struct Tasks<'a> {
     /// `None` for a single thread.
@@ -50,8 +50,8 @@ impl Tasks<'_> {
         Self::open_with(rayon::current_num_threads(), hire, work)
     }
 
-    /// Calls `work` with the calling thread and others, so many in all: `hire` has one help a crew under a
-    /// number.
+    /// Calls `work` with a worker team of `count` threads, the calling thread included. `hire` recruits one
+    /// worker for the team, with its number.
     #[cfg(feature = "parallel")]
     fn open_with<R>(
         count: usize,
@@ -84,9 +84,9 @@ impl Tasks<'_> {
 
     /// Calls `work` with ranges that together are `0..count`, each item in one of them.
     ///
-    /// `grain` is the smallest number of items that is worth the handing over to another thread (some
-    /// microseconds of work). Ranges begin at multiples of the grain. With one thread, or at most one grain
-    /// of work, there is one call with the whole range.
+    /// `grain` is the smallest number of items that justifies a transfer to another thread (some microseconds
+    /// of work). Ranges begin at multiples of the grain. With one thread, or at most one grain of work, there
+    /// is one call with the whole range.
     pub fn par_for(&self, count: usize, grain: usize, work: impl Fn(Range<usize>) + Sync) {
         if count == 0 {
             return;
@@ -103,7 +103,7 @@ impl Tasks<'_> {
         work(0..count);
     }
 
-    /// Gives each place what `make` makes of its index. `grain` as for [`Self::par_for`].
+    /// Fills each element with the result of `make` for its index. `grain` is that of [`Self::par_for`].
     pub fn par_fill<T: Send + Sync>(
         &self,
         places: &mut [T],

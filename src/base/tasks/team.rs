@@ -1,7 +1,7 @@
-//! The threads that help with a step.
+//! The worker team of a step.
 //!
 //! A step consists of some hundred loops with serial code in between, and many of them take at most ten
-//! microseconds: the time that a sleeping thread needs to wake. So helpers stay awake between loops. Workers
+//! microseconds: the time that a sleeping thread needs to wake. So workers stay awake between loops. Workers
 //! join at the first loop that is large enough, and spin until the next one. They leave after a while without
 //! work ([`YIELDS_MAX`]), because the pool belongs to the user. The next loop recruits them again.
 //!
@@ -45,7 +45,7 @@ pub struct WorkerTeam {
     work_ranges: [WorkRange; MAX_THREADS],
     current: UnsafeCell<Loop>,
     done: AtomicUsize,
-    /// By bit: the helpers that were hired and have not left.
+    /// By bit: the workers that were recruited and have not left.
     joined: AtomicU64,
     is_over: AtomicBool,
     panic: Mutex<Option<Box<dyn Any + Send>>>,
@@ -62,7 +62,7 @@ struct Loop {
 // SAFETY: the owner of the team alone writes `current`, and threads with a piece of the open loop read it;
 // see the module's head. The work is `Sync`, and all else is made for sharing.
 unsafe impl Sync for WorkerTeam {}
-// SAFETY: as above; the last helper to leave drops the crew, and of the work only the address.
+// SAFETY: as above; the last worker to leave drops the team. It drops only the address of the work.
 unsafe impl Send for WorkerTeam {}
 
 // A thread that works for one step does not start helping with another: that one might wait for what it is
@@ -90,13 +90,13 @@ impl WorkerTeam {
         self.threads
     }
 
-    /// Marks the calling thread as working for this crew, as its owner, until the guard goes.
+    /// Marks the calling thread as the owner of this team until the guard is dropped.
     pub fn own(&self) -> Owner<'_> {
         Owner { team: self, was_at_work: IS_AT_WORK.replace(true) }
     }
 
-    /// Calls `work` with all pieces of `0..count`, on this thread and on those that are hired; `hire` is
-    /// called with the numbers of the others.
+    /// Calls `work` with all pieces of `0..count`, on this thread and on recruited workers. `hire` is called
+    /// with the number of each worker to recruit.
     ///
     /// # Panics
     /// If the work does: when all pieces that were begun are done.
@@ -134,8 +134,8 @@ impl WorkerTeam {
         (1..self.threads).filter(|k| vacancies & (1 << k) != 0).for_each(hire);
     }
 
-    /// Helps until the crew is dissolved or there is nothing to do for long. `number` is that given to
-    /// `hire`.
+    /// Processes pieces until the team ends, or until no work has arrived for a while. `number` is the
+    /// argument of `hire`.
     pub fn help(&self, number: usize) {
         if !IS_AT_WORK.replace(true) {
             let mut pause = Pause::default();
@@ -187,7 +187,7 @@ impl WorkerTeam {
     }
 }
 
-/// Dissolves the crew.
+/// Ends the team.
 pub struct Owner<'a> {
     team: &'a WorkerTeam,
     was_at_work: bool,

@@ -8,10 +8,10 @@ use std::sync::Arc;
 
 /// Threads of a step.
 ///
-/// By default the threads of the rayon pool that calls the step. Outside of any pool that is rayon's global
-/// pool, with a thread per core by default. Rays that are cast by the thousand go to these, whatever a
-/// pipeline was given. The number of threads does not change a bit of the results. Without the feature
-/// `parallel` there is the calling thread alone, for any request.
+/// The default is the rayon pool of the thread that calls the step. Outside of any pool, that is rayon's
+/// global pool, by default with one thread per core. Batches of thousands of rays always use this default.
+/// The number of threads does not change a bit of the results. Without the feature `parallel`, the calling
+/// thread alone runs the step.
 ///
 /// ```
 /// # use rapier3d::prelude::*;
@@ -26,16 +26,16 @@ pub struct Threads {
     team: Option<Helpers>,
 }
 
-/// The helpers of the calling thread.
+/// The workers of the calling thread.
 #[cfg(feature = "parallel")]
 #[derive(Clone, Debug)]
 enum Helpers {
     Nobody,
-    /// Threads of a pool: with the calling one so many.
+    /// A pool, and the number of threads including the calling thread.
     Of(Arc<rayon::ThreadPool>, usize),
 }
 
-/// Threads that the system does not give.
+/// Error of the system when it creates threads.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("{count} threads cannot be created: {reason}")]
 pub struct ThreadsError {
@@ -46,13 +46,13 @@ pub struct ThreadsError {
 }
 
 impl Threads {
-    /// The calling thread and helpers of its own: `count` in all, or one per core if `count` is 0. More than
-    /// 64 are not of use.
+    /// A worker team of its own with `count` threads, the calling thread included; 0 selects one per core. At
+    /// most 64 threads are used.
     ///
-    /// Helpers live as long as this and its clones do, and sleep between steps.
+    /// The workers live as long as this value and its clones, and sleep between steps.
     ///
     /// # Errors
-    /// If the system does not let them be made.
+    /// If the system cannot create the threads.
     #[cfg(feature = "parallel")]
     pub fn new(count: usize) -> Result<Self, ThreadsError> {
         let cores = || std::thread::available_parallelism().map_or(1, usize::from);
@@ -66,7 +66,7 @@ impl Threads {
         Ok(Self { team: Some(Helpers::Of(Arc::new(pool), count)) })
     }
 
-    /// The calling thread: there are others with the feature `parallel`.
+    /// The calling thread alone. Other threads require the feature `parallel`.
     ///
     /// # Errors
     /// None.
@@ -75,8 +75,8 @@ impl Threads {
         Ok(Self {})
     }
 
-    /// As many threads as a pool has: the calling one, whether or not it is of that pool, and the others from
-    /// there. They help where they are idle; a step does not wait for those that are busy.
+    /// As many threads as a pool has: the calling thread, which need not belong to the pool, and workers of
+    /// the pool. Idle workers take part in a step; a step does not wait for busy ones.
     #[cfg(feature = "parallel")]
     pub fn of_pool(pool: Arc<rayon::ThreadPool>) -> Self {
         let count = pool.current_num_threads();

@@ -1,4 +1,4 @@
-//! Convex parts as the search sees them: whole, or without an outer layer.
+//! Convex parts of the search: whole, or without an outer layer.
 
 use crate::base::closest::{Closest, closest, extents};
 use crate::dim::collide::{Flat, as_flat};

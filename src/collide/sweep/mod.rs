@@ -24,7 +24,7 @@
 //! uses the *core* first: the shape without an outer layer nearly as deep as its thickness, half its minimum
 //! width ([`CORE_DEPTH`], [`Widths`]). If the core would hit, the body is stopped where its surface touches,
 //! unless it touched from the beginning. In that case it is stopped where it is a quarter deep
-//! ([`PENETRATION_FRACTION_MAX`]), so that contacts push a pressed body out on the original side.
+//! ([`PENETRATION_FRACTION_MAX`]), so that contacts push a deeply penetrating body out on the original side.
 //!
 //! A rod may have an end of its core in the wall already, because it was turned into it. Then the middle half
 //! of the core is searched with, and if that is in, the centre.
@@ -109,10 +109,10 @@ impl<'a> Solid<'a> {
     }
 }
 
-/// When a core gets in of which the surface has touched from the beginning.
+/// Treatment of a core that penetrates while its surface has touched since the start of the step.
 #[derive(Copy, Clone, Debug)]
 pub(crate) enum Overlap {
-    /// Contacts alone hold against it.
+    /// Contacts alone limit the penetration.
     Passes,
     /// It is stopped where its core arrives.
     StopsMiddle,
@@ -264,7 +264,7 @@ fn bend_of_other(own: &Sweep<'_>, other: &Sweep<'_>) -> Option<Real> {
     is_whole.then(|| segment.angle() * (segment.angle() * away + 2.0 * speed) / 8.0)
 }
 
-/// When the first part is stopped by the second.
+/// Returns the time (fraction of the step) at which the second part stops the first.
 fn impact_of_parts(
     [(part1, sweep1), (part2, sweep2)]: [MovingPart<'_, '_>; 2],
     widths: &Widths,

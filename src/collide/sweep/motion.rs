@@ -137,7 +137,7 @@ impl<'a> Sweep<'a> {
         if fraction < self.stop { self.segment(fraction).shift } else { Vector::ZERO }
     }
 
-    /// When it changes its velocity next: infinity if it does not any more.
+    /// The fraction of the step at which the velocity changes next; infinity after the last change.
     pub(super) fn next_change(&self, fraction: Real) -> Real {
         let end = self.segment(fraction).until;
         let next = if fraction < self.stop { end.min(self.stop) } else { Real::INFINITY };

@@ -66,7 +66,7 @@ pub(crate) fn find_touches(
     });
 }
 
-/// When two parts touch, if not later than `until`.
+/// Returns the fraction of the step at which two parts touch, if it is at most `until`.
 fn touch_of_parts(
     pair: [MovingPart<'_, '_>; 2],
     tolerance: Real,

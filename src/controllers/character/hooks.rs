@@ -14,8 +14,8 @@ use core::cell::RefCell;
 /// State of the hooks for the contacts of one character: the
 /// [`user_data`](ContactModificationContext::user_data) of each touching contact.
 ///
-/// One-way platforms need it: a character that jumps through one must not be stopped while inside. Keep one
-/// for each character, from call to call.
+/// One-way platforms need it, so that a character that jumps through a platform is not stopped while inside.
+/// Keep one value for each character between calls.
 #[derive(Clone, Debug, Default)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub struct CharacterContacts {
@@ -53,12 +53,12 @@ impl CharacterContacts {
         }
     }
 
-    /// A new call begins.
+    /// Marks the start of a call.
     pub(super) fn begin(&mut self) {
         self.entries.iter_mut().for_each(|entry| entry.is_current = false);
     }
 
-    /// The call is over: what did not touch during it is forgotten.
+    /// Marks the end of a call, and removes contacts that did not touch during it.
     pub(super) fn end(&mut self) {
         self.entries.retain(|entry| entry.is_current);
     }
@@ -137,7 +137,7 @@ impl<'a> Advisor<'a> {
         self.is_asked(obstacle, ActiveHooks::MODIFY_SOLVER_CONTACTS)
     }
 
-    /// Shows a manifold to the hooks. Returns whether it keeps the two apart.
+    /// Passes a manifold to the hooks. Returns whether it keeps the two apart.
     pub fn is_solid(
         &self,
         handle: ColliderHandle,

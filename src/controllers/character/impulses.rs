@@ -1,4 +1,4 @@
-//! Pushing what was met: the impulses of a character on dynamic bodies.
+//! Impulses of a character on dynamic bodies.
 //!
 //! Each collision is treated as a perfectly inelastic one of a point of the mass `m` at the character's
 //! velocity with the body, without friction. With the velocity of approach `v` along the unit normal `n` and
@@ -19,8 +19,8 @@ use crate::model::body::RigidBody;
 use parry::shape::Shape;
 
 impl KinematicCharacterController {
-    /// Applies impulses to the dynamic bodies that a character met: those of a body of mass `character_mass`
-    /// with the velocity of the character's remaining translation over `dt`.
+    /// Applies impulses to the dynamic bodies of the collisions. They are the impulses of a body of mass
+    /// `character_mass`, with the velocity of the character's remaining translation over `dt` (s).
     ///
     /// ```
     /// # use rapier3d::prelude::*;
@@ -40,12 +40,12 @@ impl KinematicCharacterController {
     /// assert!(world.bodies[crate_handle].linvel().x > 0.1);
     /// ```
     ///
-    /// No impulse is larger than `character_mass` times the velocity of approach, and no body gets faster
-    /// than the character at the contact: a light character does not push a truck. Bodies that are pushed
-    /// wake. Colliders that the filter of the queries leaves out are not pushed. The shape is unused:
-    /// collisions contain their positions.
+    /// No impulse is larger than `character_mass` times the velocity of approach, so a light character does
+    /// not push a truck. No body gets faster than the character at the contact. Pushed bodies wake. Colliders
+    /// that the filter of the queries excludes get no impulse. The shape is unused, because collisions
+    /// contain their positions.
     ///
-    /// A mass or a `dt` that is not positive pushes nothing, with a warning in the log.
+    /// A mass or a `dt` that is not positive results in no impulses, and the log contains a warning.
     pub fn solve_character_collision_impulses<'a>(
         &self,
         dt: Real,

@@ -7,7 +7,7 @@ use crate::dim::math::Real;
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub enum CharacterLength {
     /// A fraction of the character's height or width, depending on the setting. The height is the extent of
-    /// the shape along the up direction, the width its largest extent across.
+    /// the shape along the up direction, the width is the largest extent perpendicular to it.
     Relative(Real),
     /// A length (length units).
     Absolute(Real),

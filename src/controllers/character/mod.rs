@@ -1,11 +1,12 @@
 //! Characters: admissible moves of a shape that walks.
 //!
-//! A character is kinematic: no force moves it, the user does. [`KinematicCharacterController::move_shape`]
-//! says which part of a wished translation is possible without coming closer to anything than an offset. It
-//! moves on *planes*, in the manner that Quake made popular and Box2D 3 describes as its "plane solver":
+//! A character is kinematic: the user moves it, and no force does.
+//! [`KinematicCharacterController::move_shape`] computes the part of a desired translation that keeps an
+//! offset from all obstacles. It uses *planes*, a method that Quake made popular and that Box2D 3 describes
+//! as its "plane solver":
 //!
-//! 1. **Recover** ([`recover`]). If the shape is closer to an obstacle than the offset, because that moved,
-//!    push it out by the smallest sufficient translation.
+//! 1. **Recover** ([`recover`]). If the shape is closer to an obstacle than the offset, because the obstacle
+//!    moved, push it out by the smallest sufficient translation.
 //! 2. **Contacts** ([`obstacles`], [`touch`], [`planes`]). Every contact manifold near the shape is a plane
 //!    that the shape must stay in front of. `plane_pruning.rs` removes redundant planes, so that level tiles
 //!    and the triangles of a mesh have no internal edges.
@@ -15,9 +16,9 @@
 //! 5. **Step up** ([`stairs`]) at low obstacles, and **snap** down to a floor that was just lost.
 //!
 //! Three things follow. *A resting character does not move*: planes at the offset, within a tolerance, count
-//! as exactly there, so that a standing character moves by zero and not by a rounding error. *Floors support
-//! vertically*: on a walkable floor, gravity has no component along the slope. *Unwalkable walls count as
-//! upright*, independent of their slope, for horizontal motion.
+//! as exactly there. A standing character therefore moves by zero and not by a rounding error. *Floors
+//! support vertically*: on a walkable floor, gravity has no component along the slope. *Unwalkable walls
+//! count as upright*, independent of their slope, for horizontal motion.
 //!
 //! References: E. Catto, "Character mover" (Box2D 3.1 documentation); M. Abrash and J. Carmack's clip planes
 //! as described in K. Fauerby, "Improved Collision detection and Response" (2003), whose sliding loop this

@@ -9,9 +9,10 @@ use parry::query::ShapeCastHit;
 #[derive(Copy, Clone, PartialEq, Debug, Default)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub struct EffectiveCharacterMovement {
-    /// The translation to apply, in world space. Exactly zero if there is nothing to do.
+    /// The translation to apply, in world space. Exactly zero if no motion is necessary.
     pub translation: Vector,
-    /// Whether the character stands on something at the end. Never while the desired translation is upwards.
+    /// Whether the character stands on something at the end. It never does while the desired translation is
+    /// upwards.
     pub grounded: bool,
     /// Whether the character slid down a slope that is too steep to stand on.
     pub is_sliding_down_slope: bool,
@@ -37,15 +38,16 @@ impl CharacterGround {
         bodies.get(colliders.get(self.collider)?.parent()?)
     }
 
-    /// The velocity of the ground at [`Self::point`], in world space (length/s). Zero for ground that has no
-    /// body, or is gone.
+    /// The velocity of the ground at [`Self::point`], in world space (length/s). Zero if the ground has no
+    /// body, or was removed.
     ///
-    /// A jump adds it to its velocity. To ride, use [`Self::displacement`].
+    /// The engine does not apply it. For a jump, add it to the initial velocity of the character. To carry
+    /// the character along with the ground, use [`Self::displacement`].
     pub fn velocity(&self, bodies: &RigidBodySet, colliders: &ColliderSet) -> Vector {
         self.body(bodies, colliders).map_or(Vector::ZERO, |body| body.velocity_at_point(self.point))
     }
 
-    /// Displacement by the ground in the next step, in world space: to be added to
+    /// Displacement by the ground in the next step, in world space. Add it to
     /// [`EffectiveCharacterMovement::translation`].
     ///
     /// ```
@@ -79,11 +81,11 @@ impl CharacterGround {
     /// assert!((feet - floor - 0.018).abs() < 1.0e-3, "at the offset, still");
     /// ```
     ///
-    /// It is the displacement of [`Self::point`] with the body. For position-based kinematic bodies it
+    /// This is the displacement of [`Self::point`] with the body. For position-based kinematic bodies it
     /// follows from the next position, so set that first. For others it follows from the velocity including
     /// rotation, so that a character stays on a turntable. The next move detects obstacles on that path, and
-    /// pushes the character back. Zero for ground that has no body, or is gone, and for a `dt` that is not
-    /// finite.
+    /// pushes the character back. The result is zero if the ground has no body, was removed, or if `dt` is
+    /// not finite.
     pub fn displacement(&self, bodies: &RigidBodySet, colliders: &ColliderSet, dt: Real) -> Vector {
         let Some(body) = self.body(bodies, colliders) else { return Vector::ZERO };
         let next = match body.body_type() {
@@ -98,10 +100,10 @@ impl CharacterGround {
     }
 }
 
-/// An obstacle that a character met.
+/// A collision of a character with an obstacle.
 #[derive(Copy, Clone, Debug)]
 pub struct CharacterCollision {
-    /// The collider that was met.
+    /// The collider of the obstacle.
     pub handle: ColliderHandle,
     /// Pose of the character at that time.
     pub character_pos: Pose,
@@ -110,12 +112,12 @@ pub struct CharacterCollision {
     /// The remaining desired translation, in world space.
     pub translation_remaining: Vector,
     /// The contact point. Side 1 is the collider, in world space; side 2 is the character, in the frame of
-    /// its shape. The time of impact is 0: the character is there.
+    /// its shape. The time of impact is 0, because the character is at the contact.
     pub hit: ShapeCastHit,
 }
 
 impl CharacterCollision {
-    /// The unit normal in world space, from what was met to the character.
+    /// The unit normal in world space, from the obstacle to the character.
     pub fn normal(&self) -> Vector {
         self.hit.normal1
     }

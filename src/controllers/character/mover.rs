@@ -21,7 +21,7 @@ pub(super) struct Mover<'a> {
     /// The translation so far. Added to the start only where the pose is wanted, so that it is exactly zero
     /// when nothing happens, wherever the start is.
     pub moved: Vector,
-    /// Around the present pose.
+    /// The planes around the present pose.
     pub planes: Vec<Plane>,
     /// A buffer.
     pub scratch: Vec<Plane>,
@@ -53,7 +53,7 @@ impl<'a> Mover<'a> {
         Pose::from_parts(self.start.translation + self.moved, self.start.rotation)
     }
 
-    /// Learns which planes are around.
+    /// Updates the planes around the present pose.
     pub fn look(&mut self, reach: Real) {
         let pose = self.pose();
         self.obstacles.planes(&pose, reach, &self.settings, &mut self.planes);
@@ -128,7 +128,7 @@ impl<'a> Mover<'a> {
         self.find_steps(desired);
     }
 
-    /// Takes a hit for a plane that is around. If a sweep is stopped by an obstacle that has no plane at the
+    /// Adds the plane of a hit to the planes. If a sweep is stopped by an obstacle that has no plane at the
     /// final pose, the character would repeat the same move.
     fn believe(&mut self, plane: Plane) {
         let is_known = |other: &Plane| {
@@ -164,7 +164,7 @@ impl<'a> Mover<'a> {
         self.obstacles.sweep(pose, way, within, &self.settings)
     }
 
-    /// The most level thing that the character stands on.
+    /// The most level plane that supports the character.
     fn floor(&self) -> Option<&Plane> {
         let floors = self.planes.iter().filter(|plane| plane.holds(&self.settings));
         floors.max_by(|a, b| a.rise.total_cmp(&b.rise))

@@ -16,11 +16,11 @@ impl KinematicCharacterController {
     /// Computes the admissible part of `desired_translation` of a shape within `dt` seconds.
     ///
     /// * `queries`: the world without the colliders that the character ignores. Exclude its own body:
-    ///   `world.query_pipeline_with_filter(QueryFilter::default().exclude_rigid_body(player))`. Sensors never
-    ///   count.
+    ///   `world.query_pipeline_with_filter(QueryFilter::default().exclude_rigid_body(player))`. Sensors are
+    ///   always ignored.
     /// * `character_shape`, `character_pos`: usually those of the character's collider.
-    /// * `desired_translation`: in world space. Give it a part downwards, such as gravity's, or the character
-    ///   does not fall; an upward part is a jump.
+    /// * `desired_translation`: in world space (length units). It needs a downward part, such as that of
+    ///   gravity, or the character does not fall. An upward part is a jump.
     /// * `events` receives each obstacle once for each collider and direction; see
     ///   [`Self::solve_character_collision_impulses`].
     ///
@@ -28,8 +28,8 @@ impl KinematicCharacterController {
     /// [`translation`](EffectiveCharacterMovement::translation), to a kinematic body by
     /// [`set_next_kinematic_translation`](crate::dynamics::RigidBody::set_next_kinematic_translation).
     ///
-    /// Invalid numbers (a translation or pose that is not finite, a `dt` that is not positive, impossible
-    /// settings) give no movement, with a warning in the log.
+    /// Invalid numbers result in no movement, and the log contains a warning: a non-finite translation or
+    /// pose, a `dt` that is not positive, invalid settings.
     pub fn move_shape(
         &self,
         dt: Real,
@@ -51,10 +51,10 @@ impl KinematicCharacterController {
     /// The hooks are called as in the narrow phase, for the
     /// [`ActiveHooks`](crate::model::collider::ActiveHooks) of the obstacle and of the character's collider.
     /// `contact_pair_flags`, and with it `filter_contact_pair`, decides about the pair.
-    /// `modify_solver_contact` receives each manifold and may change it. The character passes where the
-    /// filter refuses the pair, where the modified manifold has no points, and where either leaves out
+    /// `modify_solver_contact` receives each manifold and may change it. The character passes an obstacle if
+    /// the filter refuses the pair, if the modified manifold has no points, or if either clears
     /// [`COMPUTE_RIGID_IMPULSES`](crate::model::contact::SolverFlags::COMPUTE_RIGID_IMPULSES). The obstacle
-    /// is always the first collider, the character the second. Solver groups count where
+    /// is always the first collider, the character the second. Solver groups apply where
     /// `modify_solver_contact` is called.
     ///
     /// ```
@@ -130,7 +130,7 @@ impl KinematicCharacterController {
         movement
     }
 
-    /// Checks everything; `None`, with a warning, if there can be no move.
+    /// Validates the input; `None`, with a warning, if it is invalid.
     fn trip(&self, dt: Real, shape: &dyn Shape, pose: &Pose, desired: Vector) -> Option<Trip> {
         if !(dt > 0.0 && dt.is_finite()) {
             log::warn!(

@@ -19,7 +19,7 @@ use smallvec::SmallVec;
 
 type Manifolds = SmallVec<[ContactManifold; 1]>;
 
-/// The world as a character sees it.
+/// The obstacles of a character.
 pub(super) struct Obstacles<'a> {
     pub queries: QueryView<'a>,
     pub shape: &'a dyn Shape,
@@ -82,8 +82,7 @@ impl<'a> Obstacles<'a> {
         }
     }
 
-    /// The upper side of what is below a point, no deeper than `depth`: its unit normal, and whether its body
-    /// is dynamic.
+    /// The surface below a point, no deeper than `depth`: its unit normal, and whether its body is dynamic.
     pub fn surface_below(&self, point: Vector, up: Vector, depth: Real) -> Option<(Vector, bool)> {
         let filter = self.queries.filter;
         let predicate = |handle, collider: &_| {

@@ -7,8 +7,7 @@ use crate::model::collider::ColliderHandle;
 use arrayvec::ArrayVec;
 use parry::query::{ShapeCastHit, ShapeCastStatus};
 
-/// Walls may lean over by this much (sine of the angle) and still be walls; what leans over more is a
-/// ceiling.
+/// Largest overhang of a wall (sine of the angle). A plane that overhangs more is a ceiling.
 pub(super) const WALL_LEAN_MAX: Real = 0.05;
 
 /// Kind of a plane for walking, standing and support.

@@ -45,7 +45,7 @@ pub(super) struct ResolvedSettings {
 }
 
 impl ResolvedSettings {
-    /// `None` where a number makes no sense.
+    /// `None` if a number is invalid.
     pub fn of(
         settings: &KinematicCharacterController,
         shape: &dyn Shape,
@@ -92,12 +92,12 @@ impl ResolvedSettings {
         (rise, vector - self.up * rise)
     }
 
-    /// Gaps up to this belong to what the character touches.
+    /// Gaps up to this length count as touching.
     pub fn reach(&self) -> Real {
         1.1 * self.offset
     }
 
-    /// Translations shorter than this are rounding.
+    /// Translations shorter than this are rounding errors.
     pub fn nothing(&self) -> Real {
         1.0e-3 * self.tolerance
     }

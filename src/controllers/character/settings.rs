@@ -10,10 +10,10 @@ pub struct CharacterAutostep {
     /// Largest height of a step; relative to the character's height.
     pub max_height: CharacterLength,
     /// Free depth of a step, in the direction of the motion, that the character needs to step up; relative to
-    /// its width. Measured from where it stands below, so a pole or the rim of a fence is stepped over if
-    /// what is behind is free.
+    /// its width. It is measured from the character's position below the step, so the character steps over a
+    /// pole or a fence if the space behind is free.
     pub min_width: CharacterLength,
-    /// Whether the character also steps onto dynamic bodies. If not, they are walls.
+    /// Whether the character also steps onto dynamic bodies. Otherwise they are walls.
     pub include_dynamic_bodies: bool,
 }
 
@@ -30,23 +30,24 @@ impl Default for CharacterAutostep {
 
 /// Speed of a character on walkable slopes.
 ///
-/// `v` is the speed that the wished translation has across the up direction, θ the angle of the slope.
+/// `v` is the speed of the desired translation perpendicular to the up direction, and θ the angle of the
+/// slope.
 #[derive(Copy, Clone, PartialEq, Eq, Debug, Default, Hash)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub enum CharacterSlopeSpeed {
-    /// `v` along the surface, so walking takes the same time for the same path length everywhere. The
-    /// default: a walking speed usually means this.
+    /// `v` along the surface: the same path length takes the same time everywhere. This is the default, and
+    /// the usual meaning of a walking speed.
     #[default]
     Constant,
-    /// `v` on the map: `v / cos θ` along the surface. For platformers with jumps measured in tiles.
+    /// `v` in the horizontal projection: `v / cos θ` along the surface. For platformers with jumps measured
+    /// in tiles.
     Horizontal,
-    /// `v · cos θ` along the surface: the component of the desired translation along it. Slower on slopes, as
-    /// a sliding body's velocity is that is cut off at the surface. Other controllers do this; take it where
-    /// a game was tuned for it.
+    /// `v · cos θ` along the surface: the component of the desired translation along it, which is slower on
+    /// slopes. Other controllers use this speed; select it for a game that was tuned for it.
     Projected,
 }
 
-/// Moves a shape through the world like a walking character: up slopes and steps, along walls, down with
+/// A controller that moves a shape like a walking character: up slopes and steps, along walls, down with
 /// gravity.
 ///
 /// ```
@@ -79,40 +80,39 @@ pub enum CharacterSlopeSpeed {
 /// assert!((world.bodies[player].translation().x - 2.0).abs() < 1.0e-3);
 /// ```
 ///
-/// It holds settings only, so one controller can move a crowd. The shape does not turn; turning it is up to
-/// the user. Everything happens within one call, in the current world. Moving obstacles, such as a lift, are
-/// at their pose of the last step, and
-/// [`EffectiveCharacterMovement::ground`](super::EffectiveCharacterMovement::ground) returns the data to ride
-/// them.
+/// It contains settings only, so one controller can move many characters. The controller never rotates the
+/// shape. A move is computed within one call, in the current world. Moving obstacles, such as a lift, are at
+/// their pose of the last step, and
+/// [`EffectiveCharacterMovement::ground`](super::EffectiveCharacterMovement::ground) returns the data to
+/// carry the character along.
 ///
-/// With an invalid setting (no up direction, a negative or infinite length, an angle that is no number) the
-/// character does not move, with a warning in the log.
+/// With an invalid setting the character does not move, and the log contains a warning. Invalid are a zero up
+/// direction, a negative or infinite length, and an angle that is NaN.
 #[derive(Copy, Clone, PartialEq, Debug)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub struct KinematicCharacterController {
-    /// The up direction, in world space. Need not have unit length.
+    /// The up direction, in world space, of any length.
     pub up: Vector,
-    /// The gap that the character keeps to everything; relative to its height. It allows for rounding and for
-    /// approaching obstacles, so it should not be much smaller than a hundredth of the character.
+    /// The gap between the character and all obstacles; relative to its height. It allows for rounding and
+    /// for approaching obstacles, so it should not be much smaller than a hundredth of the character.
     pub offset: CharacterLength,
-    /// Whether the character slides along obstacles. If not, it stops there; gravity still does not keep it
-    /// from walking on a floor.
+    /// Whether the character slides along obstacles. Otherwise it stops there, but still walks on floors.
     pub slide: bool,
     /// Settings for steps. `None` by default.
     pub autostep: Option<CharacterAutostep>,
-    /// The steepest slope that the character can walk up (rad, from level ground). Steeper ones are walls.
+    /// The steepest slope that the character can walk up (rad, from level ground). Steeper slopes are walls.
     /// 45° by default.
     pub max_slope_climb_angle: Real,
     /// The smallest slope angle at which the downward component of the desired translation makes the
-    /// character slide (rad, from level ground): on smaller ones it stands. 45° by default.
+    /// character slide (rad, from level ground): on smaller slopes it stands. 45° by default.
     pub min_slope_slide_angle: Real,
-    /// Distance below the feet within which the character is pulled down to a floor after it has walked off
-    /// another; relative to its height. Keeps it on the ground on its path down slopes and stairs. A fifth by
-    /// default. Disabled while the desired translation is upwards.
+    /// Distance below the feet within which the character moves down to a floor after it has left another;
+    /// relative to its height. It keeps the character on the ground on the way down slopes and stairs. A
+    /// fifth by default. Disabled while the desired translation is upwards.
     pub snap_to_ground: Option<CharacterLength>,
-    /// Tolerance of a gap around [`Self::offset`] (length units). The character does not move for less, so
-    /// that it does not tremble. Never taken for less than what rounding does, nor for more than a quarter of
-    /// the offset.
+    /// Tolerance of a gap around [`Self::offset`] (length units). Smaller corrections are skipped, so that
+    /// the character does not tremble. The effective tolerance is at least the rounding error and at most a
+    /// quarter of the offset.
     pub normal_nudge_factor: Real,
     /// Speed of the character on slopes.
     pub slope_speed: CharacterSlopeSpeed,

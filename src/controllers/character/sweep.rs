@@ -22,7 +22,7 @@ const PIECES_MAX: Real = 32.0;
 
 /// Result of a sweep.
 pub(super) struct Swept {
-    /// Share of the translation.
+    /// Fraction of the translation.
     pub fraction: Real,
     /// The obstacle at this pose.
     pub hit: Option<Plane>,

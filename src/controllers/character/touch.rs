@@ -1,8 +1,8 @@
-//! From a contact manifold to a plane.
+//! Conversion of a contact manifold into a plane.
 //!
-//! A manifold may say more than is there: the plane of a face is taken to reach a little beyond its edges. A
-//! body that falls does not mind; a character that walks over a ridge would follow the plane into the air.
-//! Contact points outside the obstacle are therefore ignored, and the closest points are used if none
+//! A manifold may extend beyond the obstacle: the plane of a face reaches a little beyond its edges. This
+//! does not affect falling bodies, but a character that walks over a ridge would follow the plane into the
+//! air. Contact points outside the obstacle are therefore ignored, and the closest points are used if none
 //! remains.
 
 use super::planes::Plane;
@@ -17,7 +17,7 @@ use parry::shape::Shape;
 /// Rounds of the search for closest points. From a point beside an edge, two or three are enough.
 const ROUNDS_MAX: usize = 8;
 
-/// A collider and the character, where they are.
+/// A collider and the character at their poses.
 #[derive(Copy, Clone)]
 pub(super) struct Touch<'a> {
     pub handle: ColliderHandle,
@@ -27,7 +27,7 @@ pub(super) struct Touch<'a> {
 }
 
 impl Touch<'_> {
-    /// A manifold as a plane; `None` if nothing of it is there within `reach`.
+    /// A manifold as a plane; `None` if it has no genuine point within `reach`.
     pub fn plane(
         &self,
         manifold: &ContactManifold,

@@ -1,4 +1,4 @@
-//! The controller without memory: springs and dampers.
+//! The controller without state: springs and dampers.
 
 use crate::dim::mask::AxesMask;
 use crate::dim::math::{
@@ -29,7 +29,8 @@ impl From<RigidBodyVelocity> for PdErrors {
     }
 }
 
-/// Leads a dynamic body to a pose: says by how much its velocity should change before the next step.
+/// A controller that moves a dynamic body to a pose. It computes the change of velocity to apply before the
+/// next step.
 ///
 /// `change = kp · (target pose - pose) + kd · (target velocity - velocity)`, along and about the
 /// [`axes`](Self::axes) only. The body keeps colliding on its path, unlike a kinematic one.
@@ -53,26 +54,26 @@ impl From<RigidBodyVelocity> for PdErrors {
 /// assert!((world.bodies[hand].translation() - target.translation).length() < 1.0e-3);
 /// ```
 ///
-/// The gains are per axis, and mean the same at any mass. At a time step `dt`, `kp = (1 - √(1 - kd))² / dt`
-/// gives critical damping; `kd = 1` and `kp = 1 / dt` reach the target in one step. Anything with `0 < kd <
-/// 2` and `0 < kp·dt < 2·(2 - kd)` comes home in the end.
+/// The gains are per axis, and independent of the mass. At a time step `dt`, `kp = (1 - √(1 - kd))² / dt`
+/// gives critical damping. With `kd = 1` and `kp = 1 / dt` the body reaches the target in one step. All gains
+/// with `0 < kd < 2` and `0 < kp·dt < 2·(2 - kd)` converge to the target.
 #[derive(Copy, Clone, PartialEq, Debug)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub struct PdController {
     /// Velocity for each unit of distance, per axis (1/s).
     pub lin_kp: Vector,
-    /// Share of the velocity's error that is removed, per axis.
+    /// Fraction of the velocity error that one correction removes, per axis.
     pub lin_kd: Vector,
     /// Angular velocity for each radian of error, per axis (1/s).
     pub ang_kp: AngVector,
-    /// Share of the angular velocity's error that is removed, per axis.
+    /// Fraction of the angular velocity error that one correction removes, per axis.
     pub ang_kd: AngVector,
     /// The world axes along and about which the controller acts.
     pub axes: AxesMask,
 }
 
 impl Default for PdController {
-    /// `kp = 60`, `kd = 0.8`, all axes: home within a few steps at 60 steps a second.
+    /// `kp = 60`, `kd = 0.8`, all axes: the body reaches the target within a few steps at 60 steps a second.
     fn default() -> Self {
         Self::new(60.0, 0.8, AxesMask::all())
     }
@@ -148,7 +149,7 @@ pub(super) fn velocity_errors(rb: &RigidBody, target: &RigidBodyVelocity) -> PdE
     }
 }
 
-/// The velocity, with zeros in the place of a part that is not finite.
+/// The velocity, with zeros in place of a part that is not finite.
 pub(super) fn sound(vels: RigidBodyVelocity) -> RigidBodyVelocity {
     let linvel = if vels.linvel.is_finite() { vels.linvel } else { Vector::ZERO };
     let angvel = if ang_is_finite(vels.angvel) { vels.angvel } else { ANG_ZERO };

@@ -5,7 +5,7 @@ use crate::dim::mask::AxesMask;
 use crate::dim::math::{ANG_ZERO, AngVector, Pose, Real, Rotation, Vector, ang_is_finite};
 use crate::model::body::{RigidBody, RigidBodyVelocity};
 
-/// A [`PdController`] that also learns which constant push, such as gravity, it has to work against.
+/// A [`PdController`] with an integral term, which compensates constant forces such as gravity.
 ///
 /// `change = PD + ki · ∫ error dt`. A PD controller that carries a body against gravity has a steady-state
 /// error, because only an error causes a force; the integral term removes it.
@@ -29,15 +29,15 @@ use crate::model::body::{RigidBody, RigidBodyVelocity};
 /// assert!((world.bodies[lamp].translation().y - 2.0).abs() < 1.0e-3, "no sag");
 /// ```
 ///
-/// It remembers one body: use one controller for each.
+/// The integrals belong to one body: use one controller for each body.
 #[derive(Copy, Clone, PartialEq, Debug)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub struct PidController {
-    /// The part without memory.
+    /// The proportional and derivative terms.
     pub pd: PdController,
-    /// Sum of the position's errors over time (length·s).
+    /// Integral of the position error over time (length·s).
     pub lin_integral: Vector,
-    /// Sum of the rotation's errors over time (rad·s).
+    /// Integral of the rotation error over time (rad·s).
     pub ang_integral: AngVector,
     /// Velocity for each unit of the integral, per axis (1/s²).
     pub lin_ki: Vector,
@@ -54,7 +54,7 @@ impl Default for PidController {
 
 impl PidController {
     /// A controller with the same gains for all axes (`kp` in 1/s, `ki` in 1/s², `kd` without a unit), and
-    /// nothing to remember yet.
+    /// zero integrals.
     pub fn new(kp: Real, ki: Real, kd: Real, axes: AxesMask) -> Self {
         Self {
             pd: PdController::new(kp, kd, axes),
@@ -77,13 +77,14 @@ impl PidController {
         self.ang_integral *= axes.angular();
     }
 
-    /// Forgets all errors so far: for a body that was teleported or got a new target far away.
+    /// Resets the integrals to zero. Call this when the body is teleported or gets a distant new target.
     pub fn reset_integrals(&mut self) {
         self.lin_integral = Vector::ZERO;
         self.ang_integral = ANG_ZERO;
     }
 
-    /// [`PdController::linear_rigid_body_correction`] with memory. `dt` is the length of the step in seconds.
+    /// [`PdController::linear_rigid_body_correction`] with the integral term. `dt` is the length of the step
+    /// in seconds.
     pub fn linear_rigid_body_correction(
         &mut self,
         dt: Real,
@@ -96,8 +97,8 @@ impl PidController {
         self.rigid_body_correction(dt, rb, target, target_vels).linvel
     }
 
-    /// [`PdController::angular_rigid_body_correction`] with memory. `dt` is the length of the step in
-    /// seconds.
+    /// [`PdController::angular_rigid_body_correction`] with the integral term. `dt` is the length of the step
+    /// in seconds.
     pub fn angular_rigid_body_correction(
         &mut self,
         dt: Real,
@@ -110,7 +111,8 @@ impl PidController {
         self.rigid_body_correction(dt, rb, target, target_vels).angvel
     }
 
-    /// [`PdController::rigid_body_correction`] with memory. `dt` is the length of the step in seconds.
+    /// [`PdController::rigid_body_correction`] with the integral term. `dt` is the length of the step in
+    /// seconds.
     pub fn rigid_body_correction(
         &mut self,
         dt: Real,
@@ -121,10 +123,10 @@ impl PidController {
         self.correction(dt, &pose_errors(rb, &target_pose), &velocity_errors(rb, &target_vels))
     }
 
-    /// [`PdController::correction`] with memory: adds the errors of the pose during `dt` seconds to the
-    /// integrals first.
+    /// [`PdController::correction`] with the integral term. The pose errors during `dt` seconds are first
+    /// added to the integrals.
     ///
-    /// Errors and times that are not finite, and times that are not positive, are not remembered.
+    /// Errors and times that are not finite, and times that are not positive, are not integrated.
     pub fn correction(
         &mut self,
         dt: Real,

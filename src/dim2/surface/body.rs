@@ -1,4 +1,4 @@
-//! Rigid bodies: which axes they can be pushed along, and whether they can be turned.
+//! Rigid bodies: locks of single axes.
 
 use crate::dim::axes::LockedAxes;
 use crate::model::body::{RigidBody, RigidBodyBuilder};
@@ -11,13 +11,13 @@ fn with_translations(mut locked: LockedAxes, x: bool, y: bool) -> LockedAxes {
 }
 
 impl RigidBodyBuilder {
-    /// Says along which world axes the body can be pushed.
+    /// Sets the world axes along which forces and impulses move the body. Other translations are locked.
     pub fn enabled_translations(mut self, x: bool, y: bool) -> Self {
         self.locked_axes = with_translations(self.locked_axes, x, y);
         self
     }
 
-    /// Says whether the body can be turned.
+    /// Sets whether torques and impulses rotate the body. Otherwise its rotation is locked.
     pub fn enabled_rotations(mut self, enabled: bool) -> Self {
         self.locked_axes.set(LockedAxes::ROTATION_LOCKED_Z, !enabled);
         self
@@ -31,12 +31,12 @@ impl RigidBodyBuilder {
 }
 
 impl RigidBody {
-    /// Says along which world axes the body can be pushed.
+    /// Sets the world axes along which forces and impulses move the body. Other translations are locked.
     pub fn set_enabled_translations(&mut self, x: bool, y: bool, wake_up: bool) {
         self.set_locked_axes(with_translations(self.locked_axes(), x, y), wake_up);
     }
 
-    /// Says whether the body can be turned.
+    /// Sets whether torques and impulses rotate the body. Otherwise its rotation is locked.
     pub fn set_enabled_rotations(&mut self, enabled: bool, wake_up: bool) {
         let mut locked_axes = self.locked_axes();
         locked_axes.set(LockedAxes::ROTATION_LOCKED_Z, !enabled);

@@ -1,4 +1,4 @@
-//! Shapes whose constructors have something for each axis of 2D space, or that exist in 2D alone.
+//! Shapes whose constructors have a parameter per axis of 2D space, and shapes that exist in 2D only.
 
 use crate::dim::hull;
 use crate::dim::math::{Real, Vector};

@@ -1,4 +1,4 @@
-//! Joints that only 2D has, or that are made differently there.
+//! Joints that exist in 2D only, or have other constructors there.
 
 use crate::dim::joint_axes::{JointAxesMask, JointAxis};
 use crate::dim::math::Vector;
@@ -33,7 +33,7 @@ impl RevoluteJointBuilder {
 }
 
 joint_kind! {
-    /// A pin of the second body slides in a slot of the first one, and rotates there: a wheel on a
+    /// A joint whose pin on the second body slides and rotates in a slot of the first body, like a wheel on a
     /// suspension.
     PinSlotJoint, PinSlotJointBuilder
 }
@@ -48,8 +48,8 @@ joint_view!(
 );
 
 impl PinSlotJoint {
-    /// A slot along an axis, given in the frames of both bodies. Its length does not matter; one without
-    /// a direction is logged, and X taken instead.
+    /// A slot along an axis, which is the same in the frames of both bodies. Its length does not matter. An
+    /// axis without a direction is logged and replaced by X.
     pub fn new(axis: Vector) -> Self {
         let mut data = GenericJoint::new(JointAxesMask::LOCKED_PIN_SLOT_AXES);
         data.set_local_axis1(axis).set_local_axis2(axis);

@@ -1,4 +1,4 @@
-//! Methods whose signature has something for each axis of the plane.
+//! Methods with a parameter per axis of the plane.
 
 mod body;
 mod collider;

@@ -1,4 +1,4 @@
-//! Rigid bodies: which axes they can be pushed along and turned about, and gyroscopic forces.
+//! Rigid bodies: locks of single axes, and gyroscopic forces.
 
 use crate::dim::axes::LockedAxes;
 use crate::dim::math::{AngVector, Real, ang_is_finite};
@@ -22,13 +22,13 @@ fn with_rotations(mut locked: LockedAxes, x: bool, y: bool, z: bool) -> LockedAx
 }
 
 impl RigidBodyBuilder {
-    /// Says along which world axes the body can be pushed.
+    /// Sets the world axes along which forces and impulses move the body. Other translations are locked.
     pub fn enabled_translations(mut self, x: bool, y: bool, z: bool) -> Self {
         self.locked_axes = with_translations(self.locked_axes, x, y, z);
         self
     }
 
-    /// Says about which world axes the body can be turned.
+    /// Sets the world axes about which torques and impulses rotate the body. Other rotations are locked.
     pub fn enabled_rotations(mut self, x: bool, y: bool, z: bool) -> Self {
         self.locked_axes = with_rotations(self.locked_axes, x, y, z);
         self
@@ -46,8 +46,7 @@ impl RigidBodyBuilder {
         self.enabled_rotations(x, y, z)
     }
 
-    /// Says whether gyroscopic forces act on the body. See
-    /// [`RigidBody::enable_gyroscopic_forces`].
+    /// Sets whether gyroscopic forces act on the body. See [`RigidBody::enable_gyroscopic_forces`].
     pub fn gyroscopic_forces_enabled(mut self, enabled: bool) -> Self {
         self.gyroscopic_forces_enabled = enabled;
         self
@@ -55,12 +54,12 @@ impl RigidBodyBuilder {
 }
 
 impl RigidBody {
-    /// Says along which world axes the body can be pushed.
+    /// Sets the world axes along which forces and impulses move the body. Other translations are locked.
     pub fn set_enabled_translations(&mut self, x: bool, y: bool, z: bool, wake_up: bool) {
         self.set_locked_axes(with_translations(self.locked_axes(), x, y, z), wake_up);
     }
 
-    /// Says about which world axes the body can be turned.
+    /// Sets the world axes about which torques and impulses rotate the body. Other rotations are locked.
     pub fn set_enabled_rotations(&mut self, x: bool, y: bool, z: bool, wake_up: bool) {
         self.set_locked_axes(with_rotations(self.locked_axes(), x, y, z), wake_up);
     }
@@ -77,7 +76,7 @@ impl RigidBody {
         self.set_enabled_rotations(x, y, z, wake_up);
     }
 
-    /// Whether the body is kept from turning about each of the world axes X, Y and Z.
+    /// Returns, for each of the world axes X, Y and Z, whether the rotation about it is locked.
     pub fn is_rotation_locked(&self) -> [bool; 3] {
         [
             LockedAxes::ROTATION_LOCKED_X,
@@ -99,8 +98,8 @@ impl RigidBody {
         self.gyroscopic_forces_enabled = enabled;
     }
 
-    /// The angular velocity (rad/s) that the body will have after turning freely for `dt` seconds under
-    /// gyroscopic forces, whether or not they are enabled.
+    /// The angular velocity (rad/s) of the body after free rotation for `dt` seconds under gyroscopic forces,
+    /// also if they are disabled.
     pub fn angvel_with_gyroscopic_forces(&self, dt: Real) -> AngVector {
         let after = angvel_after(&self.mprops.local_mprops, self.pose.rotation, self.angvel, dt);
         if ang_is_finite(after) { after } else { self.angvel }

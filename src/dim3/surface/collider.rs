@@ -1,4 +1,4 @@
-//! Shapes whose constructors have something for each axis of 3D space, or that exist in 3D alone.
+//! Shapes whose constructors have a parameter per axis of 3D space, and shapes that exist in 3D only.
 
 use crate::dim::hull;
 use crate::dim::math::{Real, Vector};
@@ -52,11 +52,11 @@ impl ColliderBuilder {
 }
 
 impl ColliderBuilder {
-    /// A convex polyhedron from its corners and triangles, without looking for the hull. They must
-    /// enclose a convex solid (that is not checked), all with the same winding, whichever it is.
+    /// A convex polyhedron from its corners and triangles, without a computation of the hull. The triangles
+    /// must enclose a convex solid, which is not checked, and must all have the same winding.
     ///
-    /// `None` if a coordinate is not finite, an index out of range, or if the triangles do not enclose
-    /// a volume.
+    /// `None` if a coordinate is not finite, an index is out of range, or the triangles do not enclose a
+    /// volume.
     pub fn convex_mesh(points: Vec<Vector>, indices: &[[u32; 3]]) -> Option<Self> {
         Self::try_convex_mesh(points, indices).ok()
     }
@@ -64,7 +64,7 @@ impl ColliderBuilder {
     /// A convex polyhedron as [`Self::convex_mesh`], or the reason why there is none.
     ///
     /// # Errors
-    /// If a coordinate is not finite, an index out of range, or if the triangles do not enclose a volume.
+    /// If a coordinate is not finite, an index is out of range, or the triangles do not enclose a volume.
     pub fn try_convex_mesh(
         points: Vec<Vector>,
         indices: &[[u32; 3]],

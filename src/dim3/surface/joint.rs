@@ -1,4 +1,4 @@
-//! Joints that only 3D has, or that are made differently there.
+//! Joints that exist in 3D only, or have other constructors there.
 
 use crate::dim::joint_axes::{JointAxesMask, JointAxis};
 use crate::dim::math::{Real, Vector};
@@ -7,8 +7,8 @@ use crate::model::joint::views::joint_view;
 use crate::model::joint::{GenericJoint, RevoluteJoint, RevoluteJointBuilder};
 
 impl RevoluteJoint {
-    /// A hinge about an axis, the same in the frames of both bodies. Its length does not matter; one
-    /// without a direction is logged, and X taken instead.
+    /// A hinge about an axis, which is the same in the frames of both bodies. Its length does not matter. An
+    /// axis without a direction is logged and replaced by X.
     pub fn new(axis: Vector) -> Self {
         let mut data = GenericJoint::new(JointAxesMask::LOCKED_REVOLUTE_AXES);
         data.set_local_axis1(axis).set_local_axis2(axis);
@@ -24,11 +24,11 @@ impl RevoluteJointBuilder {
 }
 
 joint_kind! {
-    /// Holds a point of each body together and lets them turn as they like: a ball in a socket.
+    /// A ball-and-socket joint: it locks the translations and leaves all rotations free.
     ///
-    /// Limits come in two kinds. Per axis ([`Self::set_limits`]), `AngX` bounds the twist and `AngY`, `AngZ`
-    /// the swing about these axes. Or one cone for the swing ([`Self::set_swing_limit`]), and `AngX` for
-    /// the twist: what shoulders and hips need.
+    /// The joint has two kinds of limits. With limits per axis ([`Self::set_limits`]), `AngX` bounds the
+    /// twist, and `AngY` and `AngZ` the swing about these axes. With a cone ([`Self::set_swing_limit`]), one
+    /// angle bounds the swing and `AngX` the twist, as for shoulders and hips.
     ///
     /// ```
     /// # use rapier3d::prelude::*;
@@ -67,20 +67,20 @@ impl Default for SphericalJointBuilder {
 }
 
 impl SphericalJoint {
-    /// A ball in a socket, at the origins of the bodies.
+    /// A ball-and-socket joint with its anchors at the origins of the bodies.
     pub fn new() -> Self {
         Self { data: GenericJoint::new(JointAxesMask::LOCKED_SPHERICAL_AXES) }
     }
 
-    /// The largest angle (radians) between the X axes of the two frames; `None`: as large as you like.
+    /// The largest angle (radians) between the X axes of the two frames; `None` without a limit.
     pub fn swing_limit(&self) -> Option<Real> {
         let coupled = self.data.coupled_axes.contains(SWING_AXES);
         let limits = self.data.limits(JointAxis::AngY).filter(|_| coupled)?;
         Some(limits.max)
     }
 
-    /// Sets the largest angle (radians) between the X axes of the two frames. From now on `AngY` is the swing
-    /// in any direction.
+    /// Sets the largest angle (radians) between the X axes of the two frames. After this call, `AngY` is the
+    /// swing in any direction.
     pub fn set_swing_limit(&mut self, angle: Real) -> &mut Self {
         self.data.coupled_axes |= SWING_AXES;
         self.data.set_limits(JointAxis::AngY, [0.0, angle]);
@@ -89,7 +89,7 @@ impl SphericalJoint {
 }
 
 impl SphericalJointBuilder {
-    /// A ball in a socket, at the origins of the bodies.
+    /// A ball-and-socket joint with its anchors at the origins of the bodies.
     pub fn new() -> Self {
         Self(SphericalJoint::new())
     }

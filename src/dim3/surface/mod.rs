@@ -1,4 +1,4 @@
-//! Methods whose signature has something for each axis of 3D space.
+//! Methods with a parameter per axis of 3D space.
 
 mod body;
 mod collider;

@@ -135,8 +135,8 @@ pub(super) struct Vehicle {
 }
 
 impl WheelContact {
-    /// A wheel that stands on the mover with this index, or will in the next step. `None` if it has no
-    /// contact, or if its axle points into the ground, so that it has no rolling direction.
+    /// A wheel in contact with the mover of this index, now or in the next step. `None` if it has no contact,
+    /// or if its axle points into the ground, so that it has no rolling direction.
     pub fn new(
         (index, wheel): (usize, &Wheel),
         below: &Below,

@@ -13,7 +13,7 @@ use crate::dim::math::{Real, Vector, mul_inertia};
 use crate::model::body::{RigidBody, RigidBodyHandle, RigidBodySet};
 use crate::model::collider::ColliderSet;
 
-/// A vehicle: a dynamic body on wheels that are rays.
+/// A vehicle: a dynamic chassis whose wheels are rays.
 ///
 /// Once a step, before or after it, [`Self::update_vehicle`] casts a ray for each wheel. Suspension, engine,
 /// brakes and tyres then apply impulses to the chassis during the next step, and opposite ones to the ground.
@@ -42,8 +42,8 @@ use crate::model::collider::ColliderSet;
 ///
 /// # Frames and units
 ///
-/// The rolling direction of a wheel follows from its axle: up × axle is forward. The fields of [`Wheel`] say
-/// what they mean; forces are forces at the ground, not torques.
+/// The rolling direction of a wheel follows from its axle: up × axle is forward. The fields of [`Wheel`]
+/// document their units. Forces act at the ground, and are not torques.
 ///
 /// # Guarantees of an update
 ///
@@ -53,16 +53,16 @@ use crate::model::collider::ColliderSet;
 ///   load. No brake stops a car on ice.
 /// * Brakes stop a standing car, on a slope as well, within their force and the tyres' grip; it does not
 ///   creep.
-/// * Rays see neither the chassis nor sensors, whatever the filter says.
-/// * The ground is pushed as the chassis is, with opposite impulses. Wheels go with ground that moves.
-/// * A sleeping chassis stays asleep until a wheel's controls or its ground change. On dynamic ground none
-///   sleeps.
+/// * Rays hit neither the chassis nor sensors, with any filter.
+/// * The ground gets opposite impulses. Wheels take the velocity of moving ground into account.
+/// * A sleeping chassis stays asleep until a wheel's controls or its ground change. On dynamic ground no
+///   chassis sleeps.
 ///
 /// # Limitations
 ///
-/// The wheels are lines: they sink into steps between their middle and their rim. Tyres do not heat, wear or
-/// pull themselves straight. If the chassis is not dynamic, its wheels find the ground and turn, and nothing
-/// pushes.
+/// The wheels are lines: they sink into steps between their middle and their rim. Tyres do not heat or wear,
+/// and have no self-aligning torque. If the chassis is not dynamic, its wheels detect the ground and rotate,
+/// and no impulses act.
 #[derive(Clone, Debug)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub struct DynamicRayCastVehicleController {
@@ -101,8 +101,8 @@ impl DynamicRayCastVehicleController {
     ///
     /// Its suspension starts at `chassis_connection_cs`, points along `direction_cs` (down), and has the
     /// length `suspension_rest_length` without load. Its axle without steering is `axle_cs`. All are in the
-    /// frame of the chassis. See [`Wheel`], whose fields have these names, for what happens to values that
-    /// cannot be.
+    /// frame of the chassis. [`Wheel`], whose fields have these names, documents the treatment of invalid
+    /// values.
     pub fn add_wheel(
         &mut self,
         chassis_connection_cs: Vector,
@@ -129,17 +129,17 @@ impl DynamicRayCastVehicleController {
         &self.wheels
     }
 
-    /// The wheels, to be driven and changed.
+    /// Mutable access to the wheels.
     pub fn wheels_mut(&mut self) -> &mut [Wheel] {
         &mut self.wheels
     }
 
     /// Applies the wheels to the chassis and the ground during the next step of `dt` seconds.
     ///
-    /// `queries` have the colliders that are ground, as their filter says, and the bodies. To be called once
-    /// for each step. With a `dt` of 0 the wheels are placed, and nothing else happens. Nothing happens if
-    /// there is no chassis, or it is disabled, or `dt` is negative, no number or more than 10¹⁵, or an axis
-    /// is none of the three. Except for a disabled chassis, `log` contains one warning.
+    /// `queries` contains the bodies, and the colliders of the ground as selected by its filter. Call this
+    /// once for each step. With a `dt` of 0 the call only places the wheels. The call has no effect if the
+    /// chassis is missing or disabled, if `dt` is negative, NaN or above 10¹⁵, or if an axis is out of range.
+    /// Except for a disabled chassis, `log` contains one warning.
     pub fn update_vehicle(&mut self, dt: Real, queries: QueryPipelineMut<'_>) {
         let Some(chassis) = self.checked_chassis(dt, queries.bodies) else { return };
         if !chassis.is_enabled() {
@@ -157,7 +157,7 @@ impl DynamicRayCastVehicleController {
         }
     }
 
-    /// The chassis, if there is one and all else makes sense. Tells the log if not.
+    /// The chassis, if it exists and the other input is valid. Logs a warning otherwise.
     fn checked_chassis<'a>(&mut self, dt: Real, bodies: &'a RigidBodySet) -> Option<&'a RigidBody> {
         let axis = self.index_up_axis.max(self.index_forward_axis);
         let chassis = bodies.get(self.chassis);
@@ -211,7 +211,7 @@ impl DynamicRayCastVehicleController {
         !is_asleep || wants_to_wake
     }
 
-    /// Pushes, and turns the wheels.
+    /// Applies the impulses, and rotates the wheels.
     fn drive(&mut self, dt: Real, bodies: &mut RigidBodySet, colliders: &ColliderSet) {
         let Some(chassis) = bodies.get(self.chassis) else { return };
         let stepped = !chassis.is_pushed();
@@ -283,7 +283,7 @@ impl DynamicRayCastVehicleController {
         self.seen.extend(self.wheels.iter().map(Seen::of));
     }
 
-    /// Hands the impulses over to the bodies, as forces for the next step.
+    /// Applies the impulses to the bodies, as forces for the next step.
     fn push(
         &mut self,
         contacts: &[WheelContact],

@@ -25,21 +25,21 @@ pub(super) struct Ground {
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub(super) struct Give {
     handle: RigidBodyHandle,
-    /// Shares, linear and angular.
+    /// Fractions, linear and angular.
     fractions: [Vector; 2],
     /// The velocities at the last update, and by how much pushes should have changed them.
     old: [Vector; 2],
     expected: [Vector; 2],
 }
 
-/// Everything the wheels stand on in one update, and what is remembered of it.
+/// The bodies below the wheels in one update, and their stored compliances.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Grounds {
     pub all: Vec<Ground>,
 }
 
 impl Grounds {
-    /// The index of what a collider belongs to.
+    /// The index of the body of a collider.
     pub fn index_of(
         &mut self,
         collider: ColliderHandle,
@@ -99,7 +99,7 @@ fn scaled(inertia: &AngularInertia, fractions: Vector) -> AngularInertia {
 }
 
 impl Give {
-    /// Looks how bodies took the pushes of the last update. Forgets those that are gone.
+    /// Measures the response of bodies to the pushes of the last update. Removes missing bodies.
     pub fn observe(gives: &mut Vec<Self>, bodies: &RigidBodySet) {
         gives.retain_mut(|give| {
             let Some(body) = bodies.get(give.handle) else { return false };
@@ -114,7 +114,7 @@ impl Give {
         });
     }
 
-    /// Notes what the waiting pushes should do to the bodies below the wheels.
+    /// Stores the expected effect of the pending pushes on the bodies below the wheels.
     pub fn expect(gives: &mut Vec<Self>, grounds: &Grounds, bodies: &RigidBodySet, dt: Real) {
         let known = core::mem::take(gives);
         for ground in grounds.all.iter().filter(|ground| ground.is_dynamic) {
@@ -134,7 +134,7 @@ impl Give {
     }
 }
 
-/// Half of the old estimate, and half of the new measurement: a bouncing body does not make the fraction
+/// The mean of the old estimate and the new measurement, so that a bouncing body does not make the fraction
 /// jump.
 fn next_fraction(fraction: Real, changed: Real, expected: Real) -> Real {
     let seen = changed / expected;

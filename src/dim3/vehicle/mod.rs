@@ -1,9 +1,9 @@
 //! # Ray-cast vehicles
 //!
-//! Ray-cast vehicles: each wheel casts a ray from its place on the chassis, and the forces of its suspension
-//! and tyre act on the chassis and the ground. Wheels have no mass and no shape, so nothing can tear them off
-//! or make them shake, and a car costs one ray per wheel. (A common model; a good account of a game that
-//! stands on it is Jared Cone, "It IS Rocket Science! The Physics of Rocket League Detailed", GDC 2018.)
+//! Each wheel casts a ray from its position on the chassis. The forces of its suspension and tyre act on the
+//! chassis and the ground. Wheels have no mass and no shape, so nothing can tear them off or make them shake,
+//! and a car costs one ray per wheel. (A common model; an account of a game that uses it is Jared Cone, "It
+//! IS Rocket Science! The Physics of Rocket League Detailed", GDC 2018.)
 //!
 //! One update, in this order:
 //!
@@ -19,7 +19,7 @@
 //!
 //! **Why pushes.** An impulse before a step acts at once, while gravity acts gradually. The impulses of a
 //! standing car would be compensated only at the end of the step, and the body would report a wrong speed. A
-//! force that acts as long as gravity does cancels it at all times, and what stands still has no velocity.
+//! force that acts as long as gravity does cancels it at all times, and a standing car has no velocity.
 //!
 //! **Why memory.** Friction prevents motion that would begin *during* the step, so the solver needs the
 //! external loads. The condition applies to the velocities at the end of the step.

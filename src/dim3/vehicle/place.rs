@@ -21,8 +21,8 @@ impl Wheel {
         }
     }
 
-    /// Follows the chassis, and looks for the ground as far as it may come within `dt` seconds. `queries` do
-    /// not contain the chassis.
+    /// Moves the wheel with the chassis, and casts its ray to the ground that it may reach within `dt`
+    /// seconds. `queries` do not contain the chassis.
     pub(super) fn place(&mut self, chassis: &RigidBody, dt: Real, queries: &QueryView<'_>) {
         self.below = None;
         match directions(self) {

@@ -8,7 +8,7 @@ use crate::dim::math::Real;
 use crate::model::body::{RigidBody, RigidBodySet};
 use crate::model::collider::{ColliderHandle, ColliderSet};
 
-/// Share of the radius by which the ground below a sleeping vehicle may seem to move: rounding.
+/// Fraction of the radius by which the ground below a sleeping vehicle may seem to move: rounding.
 const SAME_PLACE: Real = 1.0e-3;
 
 /// A wheel as it was when the vehicle was awake.
@@ -62,8 +62,7 @@ pub(super) fn is_disturbed(
     })
 }
 
-/// Returns whether an engine drives a vehicle. One that coasts is awake as long as any body that moves like
-/// it.
+/// Returns whether an engine drives a vehicle. A coasting vehicle falls asleep like any other body.
 pub(super) fn is_driven(wheels: &[Wheel]) -> bool {
     wheels.iter().any(|wheel| wheel.is_usable() && wheel.engine_force != 0.0)
 }

@@ -3,10 +3,10 @@
 use crate::dim::math::{Real, Rotation, Vector, rotation_from_angle};
 use crate::model::collider::ColliderHandle;
 
-/// Springs, dampers and tyres: what the wheels of a vehicle often have in common.
+/// Parameters of springs, dampers and tyres, which the wheels of a vehicle often have in common.
 ///
 /// [`DynamicRayCastVehicleController::add_wheel`](super::DynamicRayCastVehicleController::add_wheel) copies
-/// them into the [`Wheel`], whose fields say what they mean.
+/// them into the [`Wheel`], whose fields document them.
 #[derive(Copy, Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub struct WheelTuning {
@@ -49,13 +49,13 @@ pub struct RayCastInfo {
     pub contact_normal_ws: Vector,
     /// Contact point of the wheel, in world space. In the air: the lowest point of the wheel.
     pub contact_point_ws: Vector,
-    /// From the hard point to the middle of the wheel (length). In the air: the rest length.
+    /// Distance from the hard point to the middle of the wheel (length). In the air: the rest length.
     pub suspension_length: Real,
     /// Start of suspension and ray on the chassis, in world space.
     pub hard_point_ws: Vector,
     /// Whether the wheel is on the ground.
     pub is_in_contact: bool,
-    /// The collider below it.
+    /// The collider below the wheel.
     pub ground_object: Option<ColliderHandle>,
 }
 
@@ -74,7 +74,7 @@ pub(super) struct Below {
 ///
 /// Parameters and controls are public fields; both may change at any time. Lengths are in the units of the
 /// world, vectors that end in `_cs` in the frame of the chassis. Stiffness and damping are *per mass of the
-/// chassis*, so a car that is loaded sinks no deeper.
+/// chassis*, so a heavier chassis does not sink deeper.
 ///
 /// A wheel with unusable values (not finite, no radius, an axle of no length, a negative stiffness…) is
 /// inactive, as if it were in the air. `log` contains a warning with the value; the other wheels are
@@ -84,15 +84,15 @@ pub(super) struct Below {
 pub struct Wheel {
     /// Start of the suspension on the chassis (the "hard point"), in the frame of the chassis.
     pub chassis_connection_point_cs: Vector,
-    /// Direction of the suspension, down for most, in the frame of the chassis. Its length means nothing.
+    /// Direction of the suspension, down for most, in the frame of the chassis. Its length does not matter.
     pub direction_cs: Vector,
-    /// The axle without steering, in the frame of the chassis. Its length means nothing; its sign says what
-    /// is forward: up × axle. For a car that is to drive along +x with y up, +z.
+    /// The axle without steering, in the frame of the chassis. Its length does not matter. Its sign
+    /// determines the forward direction: up × axle. A car that drives along +x with y up has the axle +z.
     pub axle_cs: Vector,
-    /// From the hard point to the middle of the wheel when nothing presses (length, at least 0).
+    /// Distance from the hard point to the middle of the wheel without load (length, at least 0).
     pub suspension_rest_length: Real,
-    /// Largest compression of the suspension from its rest length (length, at least 0). Beyond that the
-    /// spring presses no harder, and it is for the colliders of the chassis to stop it.
+    /// Largest compression of the suspension from its rest length (length, at least 0). Beyond it the force
+    /// of the spring is constant, and the colliders of the chassis must stop the motion.
     pub max_suspension_travel: Real,
     /// The radius of the wheel (length).
     pub radius: Real,
@@ -114,29 +114,29 @@ pub struct Wheel {
     pub max_suspension_force: Real,
     /// Coefficient of friction µ of the tyre: drive, brakes and lateral grip together are at most µ times the
     /// load. Tyres have 1 on dry and 0.1 on icy roads; the default of 10.5 sticks to everything. The friction
-    /// of the colliders does not count.
+    /// of the colliders has no effect.
     pub friction_slip: Real,
-    /// Fraction of the lateral slip that the tyre aims to remove in one update, from 0 (drifts as on ice) to
-    /// 1; larger values count as 1.
+    /// Fraction of the lateral slip that the tyre aims to remove in one update, from 0 (as on ice) to 1.
+    /// Larger values count as 1.
     pub side_friction_stiffness: Real,
     /// The fraction of lateral grip that makes the car roll, from 0 to 1.
     ///
-    /// Friction on the ground acts below the centre of mass and leans a car out of its curve, or turns it
-    /// over. At 1 it does so as it should. At 0 it acts at the height of the centre of mass and the car stays
-    /// level; in between, in between. 0.1 by default, so that cars stay on their wheels.
+    /// Friction on the ground acts below the centre of mass, and leans a car out of its curve or turns it
+    /// over. The value 1 is this physical behaviour. At 0, friction acts at the height of the centre of mass,
+    /// and the car stays level. Values in between interpolate. 0.1 by default, so that cars do not turn over.
     pub roll_influence: Real,
     /// Angle of steering about the direction opposite to [`Self::direction_cs`] (rad): positive to the left.
     pub steering: Real,
-    /// Force of the engine along the rolling direction (mass·length/s²); negative to go backwards. It reaches
-    /// the ground as far as the tyre grips.
+    /// Force of the engine along the rolling direction (mass·length/s²); negative to go backwards. It acts
+    /// within the grip of the tyre.
     pub engine_force: Real,
     /// The largest braking impulse *in one update* (mass·length/s, at least 0, may be infinite). For a
     /// braking force set `force * dt`.
     ///
-    /// It reaches the ground as far as the tyre grips: a wheel that is braked harder is locked and slides.
+    /// It acts within the grip of the tyre: a wheel that is braked harder locks and slides.
     pub brake: Real,
-    /// Rolling angle of the wheel (rad), positive forwards, by the last update. It grows without end; take
-    /// whole turns off whenever you like. See [`Self::rotation_cs`].
+    /// Rolling angle of the wheel (rad), positive forwards, by the last update. It grows without bound; whole
+    /// turns can be subtracted at any time. See [`Self::rotation_cs`].
     pub rotation: Real,
     /// The force of the suspension in the last update (mass·length/s²).
     pub wheel_suspension_force: Real,
@@ -210,7 +210,7 @@ impl Wheel {
 
     /// The middle of the wheel in world space, as of the last update.
     ///
-    /// The chassis moves on with the step. To draw a wheel after it, use [`Self::center_cs`].
+    /// The step moves the chassis. To draw a wheel after the step, use [`Self::center_cs`].
     pub fn center(&self) -> Vector {
         self.raycast_info.hard_point_ws + self.suspension_ws * self.raycast_info.suspension_length
     }
@@ -223,8 +223,8 @@ impl Wheel {
 
     /// Rotation of the wheel in the frame of the chassis, by rolling and then by steering.
     ///
-    /// For a wheel that is drawn with its axle along [`Self::axle_cs`]. Rolling forwards turns about the axle
-    /// backwards: its angle is `-rotation`.
+    /// For a wheel that is drawn with its axle along [`Self::axle_cs`]. Forward rolling is a negative
+    /// rotation about the axle: its angle is `-rotation`.
     ///
     /// ```
     /// # use rapier3d::prelude::*;

@@ -1,8 +1,8 @@
-//! When a body may fall asleep, and whether it does.
+//! Sleep state of a body, and the thresholds of sleep.
 //!
-//! A body is a candidate for sleep while it does not drift. None of its points may move farther from its
-//! position at the start of a window of time than the threshold allows, nor take a longer path. Once every
-//! body of an island has been a candidate for long enough, the whole island sleeps and costs nothing.
+//! A body is a candidate for sleep while it does not drift. In each window of time, the displacement of every
+//! point and the length of its path must stay below the threshold. Once every body of an island has been a
+//! candidate for long enough, the whole island falls asleep, and no per-step loop visits it.
 
 use crate::dim::math::Real;
 
@@ -13,13 +13,13 @@ pub struct RigidBodyActivation {
     /// Mean speed below which every point of the body must stay for the body to fall asleep, as a multiple of
     /// `IntegrationParameters::length_unit` per second. Negative: never.
     ///
-    /// The mean is taken over windows of a quarter of a second for [`Self::time_until_sleep`]. In a window no
-    /// point may move farther from its start than the threshold times the length of the window, nor take a
-    /// longer path. A turn counts with the size of the body. Velocities that alternate from step to step
-    /// cancel: a body that trembles may be faster.
+    /// The mean is taken over windows of a quarter of a second for [`Self::time_until_sleep`]. In a window,
+    /// the displacement of every point and the length of its path must be at most the threshold times the
+    /// length of the window. Rotations count with the size of the body. Velocities that alternate from step
+    /// to step cancel, so a trembling body may be faster.
     pub normalized_linear_threshold: Real,
-    /// Mean angular speed below which the body must stay to fall asleep (rad/s), whatever its size. Negative:
-    /// never.
+    /// Mean angular speed below which the body must stay to fall asleep (rad/s), independent of its size.
+    /// Negative: never.
     pub angular_threshold: Real,
     /// Time below both thresholds after which the body may sleep (seconds).
     pub time_until_sleep: Real,
@@ -52,8 +52,8 @@ impl RigidBodyActivation {
 
     /// The default of [`Self::time_until_sleep`]: a second.
     ///
-    /// It must exceed momentary slow motions: a body at the top of its flight, a rocking box or a pendulum at
-    /// its turning point, a domino that begins to tip.
+    /// It must exceed momentary slow motions: a body at the top of its flight, a pendulum at its turning
+    /// point, a domino that begins to tip.
     pub const fn default_time_until_sleep() -> Real {
         1.0
     }
@@ -78,7 +78,7 @@ impl RigidBodyActivation {
         }
     }
 
-    /// An awake body that never falls asleep by itself.
+    /// An awake body that never falls asleep automatically.
     pub const fn cannot_sleep() -> Self {
         Self { normalized_linear_threshold: -1.0, angular_threshold: -1.0, ..Self::active() }
     }
@@ -93,7 +93,7 @@ impl RigidBodyActivation {
         self.time_since_can_sleep >= self.time_until_sleep
     }
 
-    /// Wakes the body. A `strong` wake-up also starts the time until it may sleep afresh.
+    /// Wakes the body. A `strong` wake-up also resets [`Self::time_since_can_sleep`].
     pub const fn wake_up(&mut self, strong: bool) {
         self.sleeping = false;
         if strong {

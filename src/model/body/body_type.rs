@@ -9,12 +9,12 @@ pub enum RigidBodyType {
     Dynamic,
     /// It never moves: the ground, a wall.
     Fixed,
-    /// The user says where it is at the end of the next step
-    /// ([`RigidBody::set_next_kinematic_position`](super::RigidBody::set_next_kinematic_position)).
-    /// The step derives its velocity, so that it pushes and carries what it touches.
+    /// The user sets its pose at the end of the next step
+    /// ([`RigidBody::set_next_kinematic_position`](super::RigidBody::set_next_kinematic_position)). The step
+    /// derives its velocity, so that it pushes and carries touching bodies.
     KinematicPositionBased,
-    /// The user says how fast it moves ([`RigidBody::set_linvel`](super::RigidBody::set_linvel)). Contacts do
-    /// not slow it down.
+    /// The user sets its velocity ([`RigidBody::set_linvel`](super::RigidBody::set_linvel)). Contacts do not
+    /// slow it down.
     KinematicVelocityBased,
 }
 

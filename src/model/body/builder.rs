@@ -1,4 +1,4 @@
-//! Describes a rigid body before it is made.
+//! The builder of rigid bodies.
 
 use super::mass::mass_is_usable;
 use super::{
@@ -12,20 +12,20 @@ use crate::model::params::ITERATIONS_MAX;
 use core::fmt::Debug;
 use parry::mass_properties::MassProperties;
 
-/// Why a [`RigidBodyBuilder`] makes no body: one of its values would not survive the simulation.
+/// Error of [`RigidBodyBuilder::try_build`]: a value is not finite or outside its range.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("the {field} of a rigid body is {value}, which is invalid")]
 pub struct InvalidRigidBody {
     /// The builder's field.
     pub field: &'static str,
-    /// The value that it had.
+    /// The refused value, as text.
     pub value: String,
 }
 
-/// Describes a rigid body: its type, where it is, how it moves, and what it is kept from.
+/// Description of a rigid body: its type, pose, velocity, locked axes and further settings.
 ///
-/// Everything has a default; the methods change one value each. [`Self::build`] makes the body, as
-/// does `RigidBodySet::insert`, which takes the builder as it is.
+/// Every property has a default, and each method changes one property. [`Self::build`] makes the body.
+/// `RigidBodySet::insert` also accepts the builder itself.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 #[must_use = "a builder does nothing until its body is built or inserted"]
@@ -38,31 +38,32 @@ pub struct RigidBodyBuilder {
     pub angvel: AngVector,
     /// Factor on gravity for the body. Default: 1.
     pub gravity_scale: Real,
-    /// Share of the linear velocity lost per second, to first order (1/s). Default: 0.
+    /// Fraction of the linear velocity lost per second, to first order (1/s). Default: 0.
     pub linear_damping: Real,
-    /// Share of the angular velocity lost per second, to first order (1/s). Default: 0.
+    /// Fraction of the angular velocity lost per second, to first order (1/s). Default: 0.
     pub angular_damping: Real,
     /// Type of the body: the cause of its motion.
     pub body_type: RigidBodyType,
-    /// The world axes along and about which the body cannot be pushed. Default: none.
+    /// The world axes along and about which forces and impulses have no effect. Default: none.
     pub locked_axes: LockedAxes,
     /// Mass beyond that of the colliders. Default: none.
     pub additional_mass_properties: Option<RigidBodyAdditionalMassProps>,
     /// Whether the body may fall asleep. Default: yes.
     pub can_sleep: bool,
-    /// Whether the body begins asleep. Default: no.
+    /// Whether the body starts asleep. Default: no.
     pub sleeping: bool,
-    /// Whether continuous collision detection is on. Default: no.
+    /// Whether continuous collision detection also stops the body at other dynamic bodies. Default: no.
     pub ccd_enabled: bool,
     /// Prediction distance of the body's contacts (length units). Default: 0, off.
     pub soft_ccd_prediction: Real,
-    /// The dominance group: the higher group wins contacts. Default: 0.
+    /// The dominance group: in a contact, a body of a higher group acts as if its mass were infinite.
+    /// Default: 0.
     pub dominance_group: i8,
     /// Whether the body takes part in the simulation. Default: yes.
     pub enabled: bool,
     /// Substeps of the solver beyond those of the integration parameters. Default: 0.
     pub additional_solver_iterations: usize,
-    /// Whether gyroscopic forces act on the body. Default: yes. Means nothing in 2D.
+    /// Whether gyroscopic forces act on the body. Default: yes. No effect in 2D.
     pub gyroscopic_forces_enabled: bool,
     /// User data. Default: 0.
     pub user_data: u128,
@@ -75,7 +76,7 @@ impl Default for RigidBodyBuilder {
 }
 
 impl RigidBodyBuilder {
-    /// A body of a type, at the origin, at rest.
+    /// A body of this type at the origin, at rest.
     pub fn new(body_type: RigidBodyType) -> Self {
         Self {
             position: Pose::IDENTITY,
@@ -104,7 +105,7 @@ impl RigidBodyBuilder {
         Self::new(RigidBodyType::Dynamic)
     }
 
-    /// A body that nothing moves.
+    /// A body that never moves.
     pub fn fixed() -> Self {
         Self::new(RigidBodyType::Fixed)
     }
@@ -173,7 +174,7 @@ impl RigidBodyBuilder {
         self
     }
 
-    /// Sets how many times gravity acts on the body.
+    /// Sets the factor on gravity for the body (1: full gravity, 0: none).
     pub fn gravity_scale(mut self, scale: Real) -> Self {
         self.gravity_scale = scale;
         self
@@ -191,7 +192,7 @@ impl RigidBodyBuilder {
         self
     }
 
-    /// Sets the dominance group: the higher group wins contacts.
+    /// Sets the dominance group: in a contact, a body of a higher group acts as if its mass were infinite.
     pub fn dominance_group(mut self, group: i8) -> Self {
         self.dominance_group = group;
         self
@@ -211,18 +212,18 @@ impl RigidBodyBuilder {
         self
     }
 
-    /// Sets the world axes along and about which the body cannot be pushed.
+    /// Sets the world axes along and about which forces and impulses have no effect.
     pub fn locked_axes(mut self, locked_axes: LockedAxes) -> Self {
         self.locked_axes = locked_axes;
         self
     }
 
-    /// Keeps the body from moving along every axis.
+    /// Locks the translation along every axis.
     pub fn lock_translations(self) -> Self {
         self.set_locked(LockedAxes::TRANSLATION_LOCKED, true)
     }
 
-    /// Keeps the body from turning about every axis.
+    /// Locks the rotation about every axis.
     pub fn lock_rotations(self) -> Self {
         self.set_locked(LockedAxes::ROTATION_LOCKED, true)
     }
@@ -232,26 +233,27 @@ impl RigidBodyBuilder {
         self
     }
 
-    /// Says whether the body may fall asleep.
+    /// Sets whether the body may fall asleep.
     pub fn can_sleep(mut self, can_sleep: bool) -> Self {
         self.can_sleep = can_sleep;
         self
     }
 
-    /// Says whether the body begins asleep.
+    /// Sets whether the body starts asleep.
     pub fn sleeping(mut self, sleeping: bool) -> Self {
         self.sleeping = sleeping;
         self
     }
 
-    /// Says whether the body, when it is fast, stops at other dynamic bodies, too: see
+    /// Sets whether continuous collision detection also stops the body at other dynamic bodies: see
     /// [`RigidBody::enable_ccd`].
     pub fn ccd_enabled(mut self, enabled: bool) -> Self {
         self.ccd_enabled = enabled;
         self
     }
 
-    /// Sets how far ahead of its surface the body looks for contacts (length units; 0 is off).
+    /// Sets the prediction distance of the body's contacts (length units; 0 is off): see
+    /// [`RigidBody::set_soft_ccd_prediction`].
     pub fn soft_ccd_prediction(mut self, distance: Real) -> Self {
         self.soft_ccd_prediction = distance;
         self
@@ -263,14 +265,14 @@ impl RigidBodyBuilder {
         self
     }
 
-    /// Sets how many more substeps the solver takes for this body and all that touches it, directly or
-    /// through other dynamic bodies; at most 1000.
+    /// Sets the number of additional substeps of the solver for the island of this body (at most 1000). The
+    /// island consists of all dynamic bodies that touch it, directly or through others.
     pub fn additional_solver_iterations(mut self, iterations: usize) -> Self {
         self.additional_solver_iterations = iterations;
         self
     }
 
-    /// Attaches a number by which the user finds things again.
+    /// Sets the user data. The engine never reads it.
     pub fn user_data(mut self, data: u128) -> Self {
         self.user_data = data;
         self
@@ -300,7 +302,7 @@ impl RigidBodyBuilder {
         }
     }
 
-    /// Replaces every impossible value by its default, and says which they were.
+    /// Replaces every impossible value by its default, and returns an error for each.
     fn mend(&mut self) -> Vec<InvalidRigidBody> {
         let default = Self::new(self.body_type);
         let mut errors = Vec::new();
@@ -379,7 +381,7 @@ impl RigidBodyBuilder {
     }
 }
 
-/// Notes an impossible value as an error, and puts its default in its place.
+/// Records an error for an impossible value, and replaces the value by its default.
 fn keep_if<T: Debug>(
     valid: bool,
     field: &'static str,

@@ -5,9 +5,9 @@ bitflags::bitflags! {
     #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
     #[derive(Copy, Clone, PartialEq, Eq, Debug, Default)]
     pub struct RigidBodyChanges: u32 {
-        /// The body's handle stands in its set's list of modified bodies.
+        /// The set's list of modified bodies contains the body's handle.
         const IN_MODIFIED_SET = 1 << 0;
-        /// The pose, or the pose that a kinematic body is to reach.
+        /// The pose, or the next pose of a kinematic body.
         const POSITION = 1 << 1;
         /// Whether the body sleeps.
         const SLEEP = 1 << 2;
@@ -17,7 +17,7 @@ bitflags::bitflags! {
         const TYPE = 1 << 4;
         /// The dominance group.
         const DOMINANCE = 1 << 5;
-        /// Something that the mass, centre of mass or inertia depends on.
+        /// A property that determines the mass, centre of mass or inertia.
         const LOCAL_MASS_PROPERTIES = 1 << 6;
         /// Whether the body takes part in the simulation.
         const ENABLED_OR_DISABLED = 1 << 7;
@@ -28,7 +28,7 @@ impl RigidBodyChanges {
     /// Edits that affect the lists of the body and the pairs of its colliders.
     pub(crate) const KIND: Self = Self::TYPE.union(Self::ENABLED_OR_DISABLED);
 
-    /// The notes of a body that the step has never seen.
+    /// All changes, for a body that is new to the step.
     pub(crate) fn everything() -> Self {
         Self::all() - Self::IN_MODIFIED_SET
     }

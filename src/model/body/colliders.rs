@@ -1,4 +1,4 @@
-//! The colliders of a body: which they are, and the mass and size that they give it.
+//! The colliders of a body, and their contribution to its mass and size.
 
 use super::{RigidBody, RigidBodyChanges};
 use crate::dim::mass::{mass_is_valid, no_mass, total_mass};
@@ -28,16 +28,16 @@ impl RigidBody {
         &self.colliders
     }
 
-    /// Notes that a collider is attached. Its mass comes by [`Self::add_collider_mass`].
+    /// Records that a collider is attached. [`Self::add_collider_mass`] adds its mass.
     ///
-    /// A body that was put in the place of another may list it already. The next step lists its colliders
+    /// A body that replaced another one may list the collider already. The next step lists its colliders
     /// anew.
     pub(crate) fn attach_collider(&mut self, handle: ColliderHandle) {
         self.colliders.push(handle);
         self.changes |= RigidBodyChanges::COLLIDERS | RigidBodyChanges::LOCAL_MASS_PROPERTIES;
     }
 
-    /// Notes that a collider is no longer attached. The next step takes its mass off.
+    /// Records that a collider is no longer attached. The next step subtracts its mass.
     pub(crate) fn detach_collider(&mut self, handle: ColliderHandle) {
         if let Some(position) = self.colliders.iter().position(|attached| *attached == handle) {
             self.colliders.remove(position);
@@ -66,8 +66,8 @@ impl RigidBody {
         self.update_extent([collider].into_iter());
     }
 
-    /// Sums up mass, centre of mass, inertia and size from the colliders as they are now, and adds the
-    /// additional mass. The step does so by itself for bodies whose colliders changed.
+    /// Recomputes mass, centre of mass, inertia and size from the current colliders and the additional mass.
+    /// The step does this automatically for bodies whose colliders changed.
     pub fn recompute_mass_properties_from_colliders(&mut self, colliders: &ColliderSet) {
         let attached: SmallVec<[&Collider; 4]> =
             self.colliders.iter().filter_map(|handle| colliders.get(*handle)).collect();

@@ -1,6 +1,6 @@
 //! Persistent forces, impulses, and energies of a body.
 //!
-//! Only dynamic bodies can be pushed; the others ignore all of it.
+//! Forces and impulses act on dynamic bodies only; other bodies ignore them.
 
 use super::{RigidBody, RigidBodyVelocity};
 use crate::base::measure::is_point;
@@ -11,18 +11,19 @@ use crate::dim::math::{
 use crate::model::check::refuse;
 
 impl RigidBody {
-    /// The force on the centre of mass that [`Self::add_force`] and its like have added up
-    /// (mass·length/s²). Gravity and contacts are not in it.
+    /// The sum of the forces added by [`Self::add_force`] and [`Self::add_force_at_point`] (mass·length/s²).
+    /// Gravity and contacts are excluded.
     pub fn user_force(&self) -> Vector {
         self.force
     }
 
-    /// The torque that [`Self::add_torque`] and its like have added up (mass·length²/s²).
+    /// The sum of the torques added by [`Self::add_torque`] and [`Self::add_force_at_point`]
+    /// (mass·length²/s²).
     pub fn user_torque(&self) -> AngVector {
         self.torque
     }
 
-    /// Takes back all forces that were added.
+    /// Sets the user force to zero.
     pub fn reset_forces(&mut self, wake_up: bool) {
         if self.force != Vector::ZERO {
             self.force = Vector::ZERO;
@@ -30,7 +31,7 @@ impl RigidBody {
         }
     }
 
-    /// Takes back all torques that were added, also those of forces added at a point.
+    /// Sets the user torque to zero, including the torques of forces added at a point.
     pub fn reset_torques(&mut self, wake_up: bool) {
         if self.torque != ANG_ZERO {
             self.torque = ANG_ZERO;
@@ -50,8 +51,8 @@ impl RigidBody {
         self.add_force_and_torque(Vector::ZERO, torque, wake_up);
     }
 
-    /// Adds a world-space force at a point in world space: the force on the centre of mass, and its
-    /// torque about it as of now. Both act in every step until they are reset.
+    /// Adds a world-space force at a point in world space: the force on the centre of mass, and its current
+    /// torque about the centre of mass. Both act in every step until they are reset.
     pub fn add_force_at_point(&mut self, force: Vector, point: Vector, wake_up: bool) {
         if !is_point(point) {
             return refuse("the point where a force acts on a rigid body", point);
@@ -72,19 +73,17 @@ impl RigidBody {
         self.wake_if(wake_up);
     }
 
-    /// Strikes the centre of mass with a world-space impulse (mass·length/s): the velocity changes at
-    /// once.
+    /// Applies a world-space impulse (mass·length/s) at the centre of mass. The velocity changes at once.
     pub fn apply_impulse(&mut self, impulse: Vector, wake_up: bool) {
         self.apply_push(impulse, ANG_ZERO, wake_up);
     }
 
-    /// Twists the body with a world-space angular impulse (mass·length²/s): the angular velocity
-    /// changes at once.
+    /// Applies a world-space angular impulse (mass·length²/s). The angular velocity changes at once.
     pub fn apply_torque_impulse(&mut self, torque_impulse: AngVector, wake_up: bool) {
         self.apply_push(Vector::ZERO, torque_impulse, wake_up);
     }
 
-    /// Strikes the body with a world-space impulse (mass·length/s) at a point in world space.
+    /// Applies a world-space impulse (mass·length/s) at a point in world space. The velocity changes at once.
     pub fn apply_impulse_at_point(&mut self, impulse: Vector, point: Vector, wake_up: bool) {
         if !is_point(point) {
             return refuse("the point where an impulse strikes a rigid body", point);
@@ -110,19 +109,20 @@ impl RigidBody {
 
     // ---- Energy ----
 
-    /// The energy of motion, `½ m v² + ½ ω·I ω` (mass·length²/s²).
+    /// The kinetic energy, `½ m v² + ½ ω·I ω` (mass·length²/s²).
     pub fn kinetic_energy(&self) -> Real {
         let momentum = angular_momentum(&self.mprops.local_mprops, self.pose.rotation, self.angvel);
         let linear = self.mass() * self.linvel.length_squared();
         0.5 * (linear + ang_dot(self.angvel, momentum))
     }
 
-    /// The energy of height in the given gravity (length/s²), zero at the world's origin.
+    /// The potential energy (mass·length²/s²) in the given gravity (length/s²), zero at the world's origin.
     ///
     /// Each substep moves a body with the velocity at its end, so pose and velocity belong to times half a
-    /// substep apart. With the length of a substep as `dt` (seconds; that of a step over the number of solver
-    /// iterations), this is the energy half a substep before. The sum with [`Self::kinetic_energy`] is then
-    /// constant in free fall. Given 0, it is that of the current pose.
+    /// substep apart. Pass the length of a substep as `dt` (seconds): that of a step divided by the number of
+    /// solver iterations. The result is then the energy half a substep before. The sum with
+    /// [`Self::kinetic_energy`] is then constant in free fall. With 0, the result is the energy at the
+    /// current pose.
     pub fn gravitational_potential_energy(&self, dt: Real, gravity: Vector) -> Real {
         let center_of_mass = self.mprops.world_com - self.linvel * (dt * 0.5);
         -self.mass() * self.gravity_scale * gravity.dot(center_of_mass)
@@ -147,23 +147,23 @@ impl RigidBody {
         self.pushed = true;
     }
 
-    /// The force and torque of the pushes that wait for the next step.
+    /// The force and torque of the pushes for the next step.
     pub(crate) fn pending_push(&self) -> (Vector, AngVector) {
         self.push
     }
 
-    /// Returns whether pushes wait for the next step.
+    /// Returns whether there are pushes for the next step.
     pub(crate) fn is_pushed(&self) -> bool {
         self.pushed
     }
 
-    /// Takes back the pushes that wait for the next step.
+    /// Removes the pushes for the next step.
     pub(crate) fn drop_push(&mut self) {
         self.push = (Vector::ZERO, ANG_ZERO);
         self.pushed = false;
     }
 
-    /// A step has taken the pushes.
+    /// Clears the pushes after a step has applied them.
     #[inline]
     pub(crate) fn use_up_push(&mut self) {
         if self.pushed {
@@ -171,7 +171,7 @@ impl RigidBody {
         }
     }
 
-    /// All forces and torques of the next step but gravity.
+    /// All forces and torques of the next step except gravity.
     pub(crate) fn forces(&self) -> (Vector, AngVector) {
         if !self.pushed {
             return (self.force, self.torque);

@@ -12,8 +12,8 @@ use crate::model::check::refuse;
 use crate::model::collider::MassSpread;
 use parry::mass_properties::MassProperties;
 
-/// Returns whether a body can have this mass. Zero means "none". Otherwise the inverse must be finite, too,
-/// and its own inverse.
+/// Returns whether a body can have this mass. Zero is no mass. For any other value, the inverse and its
+/// inverse must be finite.
 pub(super) fn mass_is_usable(mass: Real) -> bool {
     let inv_mass = 1.0 / mass;
     mass == 0.0 || (mass > 0.0 && inv_mass.is_finite() && (1.0 / inv_mass).is_finite())
@@ -23,10 +23,10 @@ pub(super) fn mass_is_usable(mass: Real) -> bool {
 #[derive(Copy, Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub enum RigidBodyAdditionalMassProps {
-    /// This much mass more, spread like the mass of the colliders: the centre of mass stays and the angular
-    /// inertia grows in proportion. If the colliders have no mass, it is spread evenly over their volume,
-    /// else over their surface, else over their length. Without colliders it is a point mass at the body's
-    /// origin and has no angular inertia.
+    /// Additional mass, distributed like the mass of the colliders. The centre of mass stays, and the angular
+    /// inertia grows in proportion. If the colliders have no mass, it is distributed evenly over their
+    /// volume, surface or length, in this order of preference. Without colliders it is a point mass at the
+    /// body's origin, without angular inertia.
     Mass(Real),
     /// Mass, centre of mass and principal inertia of one more part, in the body's frame.
     MassProps(MassProperties),
@@ -75,7 +75,7 @@ impl Default for RigidBodyMassProps {
 }
 
 impl RigidBodyMassProps {
-    /// Returns whether all numbers can be computed with.
+    /// Returns whether all numbers are usable.
     pub(super) fn is_valid(&self) -> bool {
         let parts = [&self.local_mprops, &self.from_colliders];
         let spread = self.spread.as_deref().is_none_or(MassSpread::is_valid);
@@ -98,12 +98,12 @@ impl RigidBodyMassProps {
         &self.local_mprops
     }
 
-    /// The mass that was given to the body itself, if any.
+    /// The additional mass of the body itself; `None` if it was not set.
     pub fn additional_local_mprops(&self) -> Option<&RigidBodyAdditionalMassProps> {
         self.additional.as_deref()
     }
 
-    /// The world axes along and about which the body cannot be pushed.
+    /// The world axes along and about which forces and impulses have no effect.
     pub fn flags(&self) -> LockedAxes {
         self.locked_axes
     }
@@ -114,7 +114,7 @@ impl RigidBodyMassProps {
         !self.locked_axes.intersects(LockedAxes::ROTATION_LOCKED)
     }
 
-    /// The mass of the colliders and the additional mass together, whether or not the body is fixed.
+    /// The mass of the colliders plus the additional mass, also for a fixed body.
     pub fn mass(&self) -> Real {
         self.local_mprops.mass()
     }
@@ -124,25 +124,25 @@ impl RigidBodyMassProps {
         self.world_com
     }
 
-    /// The inverse mass that impulses meet along each world axis. Zero along locked axes, and
-    /// altogether unless the body is dynamic.
+    /// The effective inverse mass along each world axis (1/mass). Zero along locked axes, and along all axes
+    /// unless the body is dynamic.
     pub fn effective_inv_mass(&self) -> Vector {
         self.inv_mass
     }
 
-    /// The inverse inertia about the centre of mass that angular impulses meet, in world space. Zero
-    /// about locked axes, and altogether unless the body is dynamic.
+    /// The effective inverse inertia about the centre of mass in world space (1/(mass·length²)). Zero about
+    /// locked axes, and about all axes unless the body is dynamic.
     pub fn effective_world_inv_inertia(&self) -> &AngularInertia {
         &self.inv_inertia
     }
 
-    /// The mass that impulses meet along each world axis. Zero means an infinite mass: along locked axes, and
-    /// altogether unless the body is dynamic.
+    /// The effective mass along each world axis. Zero represents an infinite mass: along locked axes, and
+    /// along all axes unless the body is dynamic.
     pub fn effective_mass(&self) -> Vector {
         self.inv_mass.map(|inv_mass| if inv_mass > 0.0 { 1.0 / inv_mass } else { 0.0 })
     }
 
-    /// Puts colliders and additional mass together. [`Self::update_world`] must follow.
+    /// Sums up the colliders and the additional mass. [`Self::update_world`] must follow.
     pub(crate) fn update_local(&mut self) {
         let from_colliders = self.mass_of_colliders();
         let total = match self.additional.as_deref() {
@@ -173,7 +173,7 @@ impl RigidBodyMassProps {
         from_density.unwrap_or(self.from_colliders)
     }
 
-    /// Carries the body's own mass properties to world space.
+    /// Transforms the body's own mass properties to world space.
     pub(crate) fn update_world(&mut self, pose: &Pose, body_type: RigidBodyType) {
         self.world_com = pose * self.local_mprops.local_com;
         if body_type.is_dynamic() {

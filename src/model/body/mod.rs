@@ -2,7 +2,7 @@
 //!
 //! A [`RigidBody`] is the user's record of one body; a [`RigidBodySet`] owns them. Setters refuse values that
 //! no simulation can use (not finite, a negative mass), and note each change, so that the next step visits
-//! changed bodies alone. The laws of motion are the step's.
+//! changed bodies alone. The step contains the laws of motion.
 
 mod activation;
 mod body_type;

@@ -35,9 +35,9 @@ impl RigidBody {
         &self.pose.rotation
     }
 
-    /// Moves the body to a pose at once, through whatever lies between. Its velocity stays.
+    /// Moves the body to a pose at once, without collisions on the way. Its velocity stays.
     ///
-    /// To have it push what lies between, give it a velocity, or make it kinematic and use
+    /// To push bodies on the way, give the body a velocity, or make it kinematic and use
     /// [`Self::set_next_kinematic_position`].
     pub fn set_position(&mut self, pose: Pose, wake_up: bool) {
         let Some(pose) = checked_pose(pose) else {
@@ -59,7 +59,7 @@ impl RigidBody {
         self.set_position(Pose::from_parts(translation, self.pose.rotation), wake_up);
     }
 
-    /// Turns the body's frame at once, about its origin.
+    /// Sets the orientation of the body's frame at once. The origin of the frame stays.
     pub fn set_rotation(&mut self, rotation: Rotation, wake_up: bool) {
         let Some(rotation) = checked_rotation(rotation) else {
             return refuse("the rotation of a rigid body", rotation);
@@ -76,10 +76,10 @@ impl RigidBody {
         }
     }
 
-    /// Says where the body will be after the next step. The step gives it the velocity that takes it
-    /// there, so that it pushes and carries what it touches.
+    /// Sets the pose of the body after the next step. The step derives the velocity that reaches it, so that
+    /// the body pushes and carries touching bodies.
     ///
-    /// For position-based kinematic bodies. Others ignore it.
+    /// Only for position-based kinematic bodies; others ignore the call.
     pub fn set_next_kinematic_position(&mut self, pose: Pose) {
         if self.body_type != RigidBodyType::KinematicPositionBased {
             return log::debug!("a {:?} body has no next kinematic position", self.body_type);
@@ -94,19 +94,19 @@ impl RigidBody {
         self.wake_if(self.next_pose != self.pose);
     }
 
-    /// Says where the origin of the body will be after the next step; its next rotation stays. See
+    /// Sets the origin of the body's frame after the next step; its next rotation stays. See
     /// [`Self::set_next_kinematic_position`].
     pub fn set_next_kinematic_translation(&mut self, translation: Vector) {
         self.set_next_kinematic_position(Pose::from_parts(translation, self.next_pose.rotation));
     }
 
-    /// Says how the body will be turned after the next step; its next translation stays. See
+    /// Sets the orientation of the body's frame after the next step; its next translation stays. See
     /// [`Self::set_next_kinematic_position`].
     pub fn set_next_kinematic_rotation(&mut self, rotation: Rotation) {
         self.set_next_kinematic_position(Pose::from_parts(self.next_pose.translation, rotation));
     }
 
-    /// The velocity that takes the body from its pose to the next one in `1 / inv_dt` seconds.
+    /// The velocity that moves the body from its pose to the next one in `1 / inv_dt` seconds.
     pub(crate) fn velocity_to_next_position(&self, inv_dt: Real) -> RigidBodyVelocity {
         let next_pose = self.next_position();
         if next_pose == &self.pose {
@@ -145,8 +145,8 @@ impl RigidBody {
 
     /// Sets the world-space velocity of the centre of mass (length/s).
     ///
-    /// Fixed bodies have none, and that of position-based kinematic bodies follows from their next
-    /// position: both ignore it.
+    /// Fixed bodies have no velocity, and the velocity of position-based kinematic bodies follows from their
+    /// next position. Both ignore the call.
     pub fn set_linvel(&mut self, linvel: Vector, wake_up: bool) {
         self.set_vels(RigidBodyVelocity::new(linvel, self.angvel), wake_up);
     }
@@ -181,8 +181,8 @@ impl RigidBody {
 
     /// The pose in `dt` seconds at constant velocity.
     ///
-    /// It turns about its centre of mass. If that leads to no finite pose (a `dt` that is not finite),
-    /// the current pose.
+    /// The rotation is about the centre of mass. If the result is not finite (a `dt` that is not finite), the
+    /// current pose is returned.
     pub fn predict_position_using_velocity(&self, dt: Real) -> Pose {
         self.predict(&self.vels(), dt)
     }
@@ -190,7 +190,7 @@ impl RigidBody {
     /// The pose in `dt` seconds under constant forces and torques, with damping. Gravity, which the body does
     /// not store, and contacts are excluded.
     ///
-    /// One step of the symplectic Euler method: first the velocity changes, then the pose.
+    /// The result is one step of the symplectic Euler method: first the velocity changes, then the pose.
     pub fn predict_position_using_velocity_and_forces(&self, dt: Real) -> Pose {
         let pushed = RigidBodyVelocity {
             linvel: self.linvel + self.force * self.mprops.inv_mass * dt,
@@ -205,7 +205,7 @@ impl RigidBody {
         checked_pose(pose).unwrap_or(self.pose)
     }
 
-    /// Makes the body stand still. Leaves no note.
+    /// Sets the velocity to zero without marking the body as changed.
     pub(super) fn halt(&mut self) {
         (self.linvel, self.angvel) = (Vector::ZERO, ANG_ZERO);
     }

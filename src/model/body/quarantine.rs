@@ -1,13 +1,13 @@
-//! Bodies that were disabled because a number of theirs left the usable range.
+//! Bodies that a step disabled because one of their quantities left the usable range.
 
 use super::{RigidBody, RigidBodyChanges, RigidBodyVelocity};
 use crate::dim::math::{AngVector, Pose, Real, Vector, ang_is_finite};
 use crate::model::check::checked_pose;
 use core::fmt;
 
-/// The unusable quantity, and its value.
+/// Cause of a quarantine: the unusable quantity, and its value.
 ///
-/// Positions and speeds beyond 1e15 cannot be calculated with: their squares would soon be infinite in single
+/// Positions and speeds above 1e15 are unusable: computations with their squares would overflow in single
 /// precision.
 ///
 /// ```
@@ -33,29 +33,30 @@ use core::fmt;
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub enum QuarantineCause {
-    /// The body's pose when the step began. Setters refuse such poses; saved worlds may have them.
+    /// The body's pose when the step began. Setters refuse unusable poses; saved worlds may contain them.
     Position(Pose),
-    /// The body's velocity when the step began: impossible by itself, or so large that it leads out of the
-    /// world within the step.
+    /// The body's velocity when the step began. The speed is above 1e15, or the body would leave the range of
+    /// positions within the step.
     Velocity(RigidBodyVelocity),
-    /// The user's force (mass·length/s²) and torque (mass·length²/s²) on the body: within a step of this
-    /// length they exceed the range of numbers.
+    /// The user's force (mass·length/s²) and torque (mass·length²/s²) on the body. The motion that they cause
+    /// within one step exceeds 1e15.
     Force {
         /// The force on the centre of mass.
         force: Vector,
-        /// The torque about it.
+        /// The torque about the centre of mass.
         torque: AngVector,
     },
-    /// Gravity (length/s²), times the body's gravity scale.
+    /// Gravity (length/s²), times the body's gravity scale. The motion that it causes within one step exceeds
+    /// 1e15.
     Gravity(Vector),
-    /// The body's inverse mass along each axis.
+    /// The body's inverse mass along each axis (1/mass). It is not finite.
     Mass(Vector),
-    /// The target of a kinematic body at the end of the step, too far away for a finite speed.
+    /// The target of a kinematic body at the end of the step. The speed that reaches it exceeds 1e15.
     KinematicTarget(Pose),
-    /// The velocity that contacts and joints, or the gyroscopic torque, gave to the body in the solver.
+    /// The velocity of the body after contacts, joints and the gyroscopic torque were solved.
     Constraints(RigidBodyVelocity),
-    /// The body is a link of a multibody. The value is the velocity that its joints gave to the first
-    /// diverged link. All moving links are disabled together.
+    /// The body is a link of a multibody. The value is the velocity of the first diverged link. All moving
+    /// links are disabled together.
     Multibody(RigidBodyVelocity),
     /// A contact's coefficient of restitution.
     Restitution(Real),
@@ -63,7 +64,7 @@ pub enum QuarantineCause {
     TangentVelocity(Vector),
     /// A contact's normal, and the distance at one of its points.
     Contact {
-        /// From the first collider to the second, in world space.
+        /// The contact normal from the first collider to the second, in world space.
         normal: Vector,
         /// The distance of the two surfaces (length units).
         dist: Real,
@@ -89,15 +90,16 @@ impl fmt::Display for QuarantineCause {
 }
 
 impl RigidBody {
-    /// The cause for which the step disabled the body, if it did. It stands where that step found it.
-    /// [`Self::set_enabled`] takes it back into the simulation, and forgets the cause; what caused it is
-    /// still there, unless it was changed. Saved worlds do not keep the cause.
+    /// The cause for which a step disabled the body; `None` if no step did. The body keeps its pose from the
+    /// start of that step. [`Self::set_enabled`] returns the body to the simulation and clears the cause. The
+    /// cause itself, such as a large force, remains until the user changes it. Saved worlds do not contain
+    /// the cause.
     pub fn quarantine(&self) -> Option<QuarantineCause> {
         self.quarantine.as_deref().copied()
     }
 
-    /// Takes the body out of the simulation as [`Self::set_enabled`] does. Numbers of its motion that are
-    /// none are made up: zero for velocities and forces, the origin for a place.
+    /// Takes the body out of the simulation as [`Self::set_enabled`] does. Unusable values of its motion are
+    /// replaced: velocities and forces by zero, poses by the origin.
     pub(crate) fn put_in_quarantine(&mut self, cause: QuarantineCause) {
         if self.enabled {
             self.enabled = false;

@@ -71,7 +71,7 @@ impl RestPose {
         self.velocity = body.vels();
     }
 
-    /// Returns whether all numbers can be computed with.
+    /// Returns whether all numbers are usable.
     pub(super) fn is_sound(&self) -> bool {
         let lengths = [self.age, self.path.distance, self.path.angle];
         is_point(self.center)
@@ -80,7 +80,7 @@ impl RestPose {
             && self.velocity.is_finite()
     }
 
-    /// The drift of the body since.
+    /// The drift of the body since the start of the window.
     pub fn drift(&self, body: &RigidBody) -> Drift {
         let angle = turn_bound(body.pose.rotation, self.rotation);
         let shift = (body.mprops.world_com - self.center).length();

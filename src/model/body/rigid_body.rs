@@ -1,7 +1,7 @@
-//! The record of one rigid body: its fields, and how they are read and set one by one.
+//! The record of one rigid body: its fields, getters and setters.
 //!
-//! Moving a body is in `motion.rs`, pushing it in `forces.rs`, the knobs of its simulation in `settings.rs`,
-//! its colliders in `colliders.rs`.
+//! `motion.rs` contains pose and velocity, `forces.rs` forces and impulses, `settings.rs` the settings of the
+//! simulation, `colliders.rs` the colliders.
 
 use super::mass::mass_is_usable;
 use super::{
@@ -20,12 +20,12 @@ use crate::model::island::BodyLink;
 use crate::model::params::ITERATIONS_MAX;
 use parry::mass_properties::MassProperties;
 
-/// A rigid body: something that moves, and the colliders that move with it.
+/// A rigid body: a pose, a velocity and a mass, and the colliders that move with it.
 ///
-/// Made by [`RigidBodyBuilder`] and kept in a [`RigidBodySet`](super::RigidBodySet).
+/// [`RigidBodyBuilder`] makes it, and a [`RigidBodySet`](super::RigidBodySet) owns it.
 ///
-/// Setters with a `wake_up` argument wake a sleeping body if it is `true`. Setters refuse values that
-/// are not finite or not possible: the old value stays, and `log` gets a warning with the value.
+/// Setters with a `wake_up` argument wake a sleeping body if it is `true`. Setters refuse values that are not
+/// finite or outside their range: the old value stays, and `log` gets a warning with the refused value.
 //
 // The order of the fields is fixed (`repr(C)`). The fields that each step reads and writes are at the front,
 // up to and including the first fields of `mprops`, in five cache lines (3D, `f32`). Rarely used fields come
@@ -45,19 +45,19 @@ pub struct RigidBody {
     pub(crate) force: Vector,
     /// The user's torque (mass·length²/s²); stays until it is reset.
     pub(crate) torque: AngVector,
-    /// Share of the linear velocity lost per second, to first order (1/s).
+    /// Fraction of the linear velocity lost per second, to first order (1/s).
     pub(crate) linear_damping: Real,
-    /// Share of the angular velocity lost per second, to first order (1/s).
+    /// Fraction of the angular velocity lost per second, to first order (1/s).
     pub(crate) angular_damping: Real,
-    /// Gravity acts this many times on the body.
+    /// Factor on gravity for the body.
     pub(crate) gravity_scale: Real,
-    /// Largest distance from the centre of mass to any point of the colliders: bounds how far a turn
-    /// can move a point of the surface.
+    /// Largest distance from the centre of mass to any point of the colliders: bounds the displacement of
+    /// surface points by a rotation.
     pub(crate) extent: Real,
     /// Thickness of the thinnest collider; infinite without any.
     pub(crate) thickness: Real,
     pub(crate) soft_ccd_prediction: Real,
-    /// Length (s) of the substeps in which the impulses of its contacts and joints were found; 0: none was.
+    /// Length (s) of the substeps that computed the impulses of its contacts and joints; 0 without impulses.
     pub(crate) substep: Real,
     pub(crate) activation: RigidBodyActivation,
     pub(crate) changes: RigidBodyChanges,
@@ -68,8 +68,8 @@ pub struct RigidBody {
     pub(crate) enabled: bool,
     pub(crate) ccd_enabled: bool,
     pub(crate) ccd_active: bool,
-    /// Whether the body penetrates a fixed collider almost up to its middle. Its path is searched then,
-    /// however short.
+    /// Whether the body penetrates a fixed collider almost up to its middle. Its path is then searched at any
+    /// length.
     pub(crate) deeply_penetrating: bool,
     pub(crate) gyroscopic_forces_enabled: bool,
     /// Whether [`Self::push`] is not zero.
@@ -88,7 +88,7 @@ pub struct RigidBody {
     /// Mark of a pending edit, if there is one.
     #[cfg_attr(feature = "serde-serialize", serde(skip))]
     pub(super) edit: EditMark,
-    /// Why the step has disabled the body. Not saved: it may hold numbers that are none.
+    /// The cause for which a step disabled the body. Not saved: it may contain NaN.
     #[cfg_attr(feature = "serde-serialize", serde(skip))]
     pub(super) quarantine: Option<Box<QuarantineCause>>,
     /// Whether the log contains the warning that the body has solid colliders and no mass. A loaded world
@@ -137,7 +137,7 @@ clone_in_place!(RigidBody {
 
 check_when_loaded!(RigidBody);
 
-/// All numbers can be computed with. (Large ones may lead out of the world: see [`Self::quarantine`].)
+/// All numbers are usable. (Large ones may exceed the range of positions: see [`Self::quarantine`].)
 impl Loaded for RigidBody {
     fn check_loaded(&self) -> Result<(), Fault> {
         for pose in [self.pose, self.next_pose] {
@@ -216,7 +216,7 @@ impl RigidBody {
         }
     }
 
-    /// Takes over everything from `other` but its colliders (and the mass they bring).
+    /// Copies everything from `other` except its colliders and their mass.
     pub fn copy_from(&mut self, other: &RigidBody) {
         let colliders = core::mem::take(&mut self.colliders);
         let (from_colliders, extent) = (self.mprops.from_colliders, self.extent);
@@ -248,7 +248,7 @@ impl RigidBody {
         self.body_type
     }
 
-    /// Changes what moves the body. A body that becomes fixed loses its velocity.
+    /// Sets the type of the body. A body that becomes fixed loses its velocity.
     pub fn set_body_type(&mut self, body_type: RigidBodyType, wake_up: bool) {
         if body_type == self.body_type {
             return;
@@ -289,13 +289,13 @@ impl RigidBody {
         self.enabled
     }
 
-    /// Takes the body and its colliders out of the simulation, or puts them back in. Its state is kept,
-    /// except the cause of its [quarantine](Self::quarantine).
+    /// Sets whether the body and its colliders take part in the simulation. A change keeps all other state,
+    /// but clears the cause of the [quarantine](Self::quarantine).
     pub fn set_enabled(&mut self, enabled: bool) {
         if enabled != self.enabled {
             self.enabled = enabled;
             self.quarantine = None;
-            // The step pays no heed to a disabled body: let it look at everything afterwards.
+            // The step skips changes of a disabled body, so it must process all of them afterwards.
             self.changes |= match enabled {
                 true => RigidBodyChanges::everything(),
                 false => RigidBodyChanges::ENABLED_OR_DISABLED,
@@ -303,19 +303,19 @@ impl RigidBody {
         }
     }
 
-    /// Whatever the user wanted to find again.
+    /// The user data. The engine never reads it.
     pub fn user_data(&self) -> u128 {
         self.user_data
     }
 
     // ---- Sleep ----
 
-    /// Whether the body sleeps, and its thresholds for sleep.
+    /// The sleep state of the body, and its thresholds of sleep.
     pub fn activation(&self) -> &RigidBodyActivation {
         &self.activation
     }
 
-    /// Mutable access to the sleep state and its thresholds.
+    /// Mutable access to the sleep state and the thresholds.
     pub fn activation_mut(&mut self) -> &mut RigidBodyActivation {
         self.changes.insert(RigidBodyChanges::SLEEP);
         &mut self.activation
@@ -326,9 +326,9 @@ impl RigidBody {
         self.activation.sleeping
     }
 
-    /// Puts the body to sleep: it stops, until something wakes it.
+    /// Puts the body to sleep: its velocity becomes zero until it wakes.
     ///
-    /// The step wakes it again if the bodies it touches do not sleep.
+    /// The next step wakes it again if a touching body does not sleep.
     pub fn sleep(&mut self) {
         if self.is_fixed() {
             return;
@@ -340,8 +340,8 @@ impl RigidBody {
 
     /// Wakes the body. A `strong` wake-up also restarts the time until it may sleep.
     ///
-    /// The next step wakes the island of a body that slept, and restarts the time of all its bodies, after a
-    /// weak wake-up too. A weak wake-up of an awake body has no effect.
+    /// The next step wakes the island of a body that slept. It also restarts the time of all bodies of the
+    /// island, after a weak wake-up too. A weak wake-up of an awake body has no effect.
     pub fn wake_up(&mut self, strong: bool) {
         if self.activation.sleeping {
             self.changes.insert(RigidBodyChanges::SLEEP);
@@ -357,7 +357,7 @@ impl RigidBody {
 
     // ---- Mass ----
 
-    /// The mass: that of the colliders and the additional mass together. Zero for a fixed body.
+    /// The mass of the colliders plus the additional mass. Zero for a fixed body.
     pub fn mass(&self) -> Real {
         if self.is_fixed() { 0.0 } else { self.mprops.mass() }
     }
@@ -377,8 +377,8 @@ impl RigidBody {
         self.mprops.local_mprops.local_com
     }
 
-    /// Sets the mass beyond that of the colliders (at least 0), in place of any additional mass or
-    /// mass properties set before. See [`RigidBodyAdditionalMassProps::Mass`].
+    /// Sets the mass beyond that of the colliders (at least 0). It replaces any additional mass or mass
+    /// properties set before. See [`RigidBodyAdditionalMassProps::Mass`].
     pub fn set_additional_mass(&mut self, additional_mass: Real, wake_up: bool) {
         if !mass_is_usable(additional_mass) {
             return refuse("the additional mass of a rigid body", additional_mass);
@@ -387,8 +387,8 @@ impl RigidBody {
         self.set_additional((additional_mass > 0.0).then_some(additional), wake_up);
     }
 
-    /// Sets mass, centre of mass and inertia that the body has beyond its colliders', in place of any
-    /// additional mass or mass properties set before.
+    /// Sets mass, centre of mass and inertia beyond those of the colliders, in the body's frame. They replace
+    /// any additional mass or mass properties set before.
     pub fn set_additional_mass_properties(&mut self, props: MassProperties, wake_up: bool) {
         if !mass_is_valid(&props) {
             return refuse("the additional mass properties of a rigid body", props);
@@ -405,13 +405,13 @@ impl RigidBody {
         }
     }
 
-    /// Puts the masses together again, after one of them changed.
+    /// Sums up the masses again, after one of them changed.
     pub(super) fn update_mass(&mut self) {
         self.mprops.update_local();
         self.update_world_mass_properties();
     }
 
-    /// Carries the mass properties to world space, after the pose, the type or the locks changed.
+    /// Transforms the mass properties to world space, after the pose, the type or the locks changed.
     pub(crate) fn update_world_mass_properties(&mut self) {
         self.mprops.update_world(&self.pose, self.body_type);
     }

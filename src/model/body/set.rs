@@ -1,4 +1,4 @@
-//! All rigid bodies of a simulation, and the notes that the user's changes leave for the next step.
+//! The set of rigid bodies, and the record of the user's changes for the next step.
 
 use super::{AttachedColliders, RigidBody, RigidBodyChanges, RigidBodyHandle};
 use crate::base::arena::{Arena, SharedArena};
@@ -12,19 +12,19 @@ use crate::model::stamp::WorldStamp;
 use core::ops::Range;
 use std::collections::BTreeSet;
 
-/// Bodies that are worth handing over to another thread together.
+/// Smallest number of bodies that justifies a transfer to another thread.
 pub(crate) const BODIES_PER_TASK: usize = 64;
-/// Prefetch distance for body records, which are spread over memory.
+/// Prefetch distance, in bodies: body records are spread over memory.
 const TURNS_AHEAD: usize = 3;
 
 /// Data of a removed body for the step: its colliders, which are removed with it (`None`: read from the
 /// colliders), and its place in the step's lists.
 pub(crate) type RemovedBody = (RigidBodyHandle, Option<AttachedColliders>, BodyLink);
 
-/// All rigid bodies of a simulation, each found by its handle.
+/// The rigid bodies of a simulation, accessed by handle.
 ///
-/// Indexing (`set[handle]`) panics if the handle finds nothing; [`Self::get`] returns `None` instead.
-/// Iteration is in the order of the slots: the same insertions and removals give the same order.
+/// Indexing (`set[handle]`) panics if the handle is stale; [`Self::get`] returns `None` instead. Iteration is
+/// in the order of the slots: the same insertions and removals give the same order.
 #[derive(Debug, Default)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub struct RigidBodySet {
@@ -41,7 +41,7 @@ clone_in_place!(RigidBodySet { bodies, notes, stamp });
 struct Notes {
     /// Bodies that the user may have changed since the last step, each once.
     modified: Vec<RigidBodyHandle>,
-    /// Their places in the step's lists, as they were when the note was left.
+    /// Their positions in the step's lists at the time of the change.
     places: Vec<BodyLink>,
     #[cfg_attr(feature = "serde-serialize", serde(skip))]
     marks: EditMarks,
@@ -54,7 +54,7 @@ impl Notes {
     /// The user may be about to change a body.
     ///
     /// A `&mut` to a body lets the user replace it (assign a copy, swap two bodies), including its record of
-    /// its *own* position. So the note says where the body really is.
+    /// its *own* position. So the note stores the real position of the body.
     fn change(&mut self, handle: RigidBodyHandle, body: &mut RigidBody) {
         if !body.changes.contains(RigidBodyChanges::IN_MODIFIED_SET) {
             body.changes.insert(RigidBodyChanges::IN_MODIFIED_SET);
@@ -91,9 +91,9 @@ impl RigidBodySet {
         self.bodies.contains(handle.0)
     }
 
-    /// Puts a body (or the body that a builder describes) into the set.
+    /// Inserts a body, or the body that a builder describes, and returns its handle.
     ///
-    /// A copy of a body from a set comes without colliders: those stay attached to the original.
+    /// A copy of a body from a set is inserted without colliders: these stay attached to the original.
     pub fn insert(&mut self, body: impl Into<RigidBody>) -> RigidBodyHandle {
         let mut body = body.into();
         body.detach_from_set();
@@ -109,10 +109,10 @@ impl RigidBodySet {
         handle
     }
 
-    /// Takes a body out of the set; `None` if the handle finds none.
+    /// Removes a body and returns it; `None` if the handle is stale.
     ///
-    /// Its colliders and joints go with it, and what touched it wakes, in the next step or update.
-    /// The body comes back without its colliders, ready to be inserted again.
+    /// The next step or update removes its colliders and joints, and wakes the bodies that touched it. The
+    /// returned body has no colliders, and can be inserted again.
     pub fn remove(&mut self, handle: RigidBodyHandle) -> Option<RigidBody> {
         let mut body = self.bodies.remove(handle.0)?;
         if body.changes.contains(RigidBodyChanges::IN_MODIFIED_SET) {
@@ -123,12 +123,12 @@ impl RigidBodySet {
         Some(body)
     }
 
-    /// The body that a handle finds.
+    /// The body of a handle; `None` if the handle is stale.
     pub fn get(&self, handle: RigidBodyHandle) -> Option<&RigidBody> {
         self.bodies.get(handle.0)
     }
 
-    /// The body that a handle finds, for changing it.
+    /// Mutable access to the body of a handle; `None` if the handle is stale.
     pub fn get_mut(&mut self, handle: RigidBodyHandle) -> Option<&mut RigidBody> {
         let body = self.bodies.get_mut(handle.0)?;
         self.notes.change(handle, body);
@@ -185,9 +185,9 @@ impl RigidBodySet {
         self.bodies.iter().map(|(index, body)| (RigidBodyHandle(index), body))
     }
 
-    /// All bodies with their handles, in the order of their slots, for changing them.
+    /// Mutable access to all bodies with their handles, in the order of their slots.
     ///
-    /// The next step looks at every body that the iteration came by.
+    /// The next step processes every visited body as changed.
     pub fn iter_mut(
         &mut self,
     ) -> impl DoubleEndedIterator<Item = (RigidBodyHandle, &mut RigidBody)> {
@@ -199,8 +199,8 @@ impl RigidBodySet {
         })
     }
 
-    /// Moves the colliders of bodies that were moved since the last step, so that queries find them at their
-    /// new pose before the next step does the same.
+    /// Moves the colliders of bodies whose pose changed since the last step, so that queries use the new
+    /// poses. The next step does the same.
     pub fn propagate_modified_body_positions_to_colliders(&self, colliders: &mut ColliderSet) {
         let moved = self.notes.modified.iter().filter_map(|handle| self.get(*handle));
         for body in moved.filter(|body| body.changes.contains(RigidBodyChanges::POSITION)) {
@@ -215,8 +215,8 @@ impl RigidBodySet {
 
     // ---- For the step ----
 
-    /// The bodies that the user may have changed, in the order of the first change; some of them may be gone.
-    /// The caller must clear the `changes` of each.
+    /// The bodies that the user may have changed, in the order of the first change; some of them may have
+    /// been removed. The caller must clear the `changes` of each.
     pub(crate) fn take_modified(&mut self) -> Vec<RigidBodyHandle> {
         self.notes.places.clear();
         self.notes.marks.clear();
@@ -228,8 +228,8 @@ impl RigidBodySet {
         &self.notes.modified
     }
 
-    /// Gives bodies that were put in the place of others the places of those, and returns their
-    /// handles. They are to be looked at as if they were new.
+    /// Corrects the stored positions of bodies that replaced others, and returns their handles. The step must
+    /// process them as new bodies.
     pub(crate) fn settle_replaced(&mut self) -> Vec<RigidBodyHandle> {
         let mut replaced = Vec::new();
         // Backwards: a replaced body may have left a second note, and the first one is right.
@@ -248,7 +248,7 @@ impl RigidBodySet {
         replaced
     }
 
-    /// Forgets what was known of the other sets: to the next step all bodies are new, awake, and without
+    /// Resets all references to other sets: for the next step all bodies are new, awake, and without
     /// colliders.
     pub(crate) fn begin_anew(&mut self) {
         self.notes = Notes::default();
@@ -263,7 +263,7 @@ impl RigidBodySet {
         }
     }
 
-    /// Brings the places in the notes up to date, after the step's lists changed while notes were out.
+    /// Updates the positions in the notes, after the step's lists changed while notes were pending.
     pub(crate) fn renew_places(&mut self) {
         let Notes { modified, places, .. } = &mut self.notes;
         for (&handle, place) in modified.iter().zip(places) {
@@ -328,14 +328,14 @@ impl RigidBodySet {
         }
     }
 
-    /// A body for the step's own use: leaves no note.
+    /// A body for the step's own use: does not mark it as changed.
     #[inline]
     pub(crate) fn get_unnoted_mut(&mut self, handle: RigidBodyHandle) -> Option<&mut RigidBody> {
         self.bodies.get_mut(handle.0)
     }
 
-    /// Visits bodies for the step's own use, on several threads, with their positions in the list: leaves no
-    /// notes. `None` for a handle that finds no body.
+    /// Visits bodies for the step's own use, on several threads, with their positions in the list: does not
+    /// mark them as changed. `None` for a stale handle.
     ///
     /// # Safety
     /// No handle may occur twice.
@@ -409,7 +409,7 @@ impl core::ops::Index<RigidBodyHandle> for RigidBodySet {
     type Output = RigidBody;
 
     /// # Panics
-    /// If the handle finds no body.
+    /// If the handle is stale.
     #[expect(clippy::panic, reason = "an index has no other way to say no")]
     fn index(&self, handle: RigidBodyHandle) -> &RigidBody {
         match self.get(handle) {
@@ -421,7 +421,7 @@ impl core::ops::Index<RigidBodyHandle> for RigidBodySet {
 
 impl core::ops::IndexMut<RigidBodyHandle> for RigidBodySet {
     /// # Panics
-    /// If the handle finds no body.
+    /// If the handle is stale.
     #[expect(clippy::panic, reason = "an index has no other way to say no")]
     fn index_mut(&mut self, handle: RigidBodyHandle) -> &mut RigidBody {
         match self.get_mut(handle) {

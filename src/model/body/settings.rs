@@ -1,4 +1,4 @@
-//! The knobs of a body's simulation: damping, gravity, dominance, locked axes, effort of the solver.
+//! Settings of a body's simulation: damping, gravity, dominance, locked axes, CCD and solver substeps.
 
 use super::{RigidBody, RigidBodyChanges};
 use crate::dim::axes::LockedAxes;
@@ -7,7 +7,7 @@ use crate::model::check::{is_non_negative, refuse};
 use crate::model::params::ITERATIONS_MAX;
 
 impl RigidBody {
-    /// Share of the linear velocity lost per second, to first order (1/s).
+    /// Fraction of the linear velocity lost per second, to first order (1/s).
     pub fn linear_damping(&self) -> Real {
         self.linear_damping
     }
@@ -20,7 +20,7 @@ impl RigidBody {
         self.linear_damping = damping;
     }
 
-    /// Share of the angular velocity lost per second, to first order (1/s).
+    /// Fraction of the angular velocity lost per second, to first order (1/s).
     pub fn angular_damping(&self) -> Real {
         self.angular_damping
     }
@@ -38,7 +38,7 @@ impl RigidBody {
         self.gravity_scale
     }
 
-    /// Sets how many times gravity acts on the body: 0 lets it float, -1 makes it rise.
+    /// Sets the factor on gravity for the body (1: full gravity, 0: none, -1: upwards).
     pub fn set_gravity_scale(&mut self, scale: Real, wake_up: bool) {
         if !scale.is_finite() {
             return refuse("the gravity scale of a rigid body", scale);
@@ -54,8 +54,8 @@ impl RigidBody {
         self.dominance
     }
 
-    /// Sets the dominance group: in a contact of two dynamic bodies the one of the higher group acts
-    /// as if its mass were infinite.
+    /// Sets the dominance group. In a contact of two dynamic bodies, the body of the higher group acts as if
+    /// its mass were infinite.
     pub fn set_dominance_group(&mut self, dominance: i8) {
         if dominance != self.dominance {
             self.dominance = dominance;
@@ -63,24 +63,24 @@ impl RigidBody {
         }
     }
 
-    /// The dominance that counts in contacts: its group if it is dynamic, and more than any group
-    /// otherwise.
+    /// The dominance in contacts: the dominance group of a dynamic body, and more than any group for all
+    /// others.
     pub fn effective_dominance_group(&self) -> i16 {
         if self.is_dynamic() { i16::from(self.dominance) } else { i16::from(i8::MAX) + 1 }
     }
 
-    /// [`Self::effective_dominance_group`] of a collider's body. A collider without one stands fast
-    /// like a fixed body.
+    /// [`Self::effective_dominance_group`] of a collider's body. A collider without a body has the dominance
+    /// of a fixed body.
     pub(crate) fn dominance_of(body: Option<&Self>) -> i16 {
         body.map_or(i16::from(i8::MAX) + 1, Self::effective_dominance_group)
     }
 
-    /// The world axes along and about which the body cannot be pushed.
+    /// The world axes along and about which forces and impulses have no effect.
     pub fn locked_axes(&self) -> LockedAxes {
         self.mprops.locked_axes
     }
 
-    /// Sets the world axes along and about which the body cannot be pushed.
+    /// Sets the world axes along and about which forces and impulses have no effect.
     pub fn set_locked_axes(&mut self, locked_axes: LockedAxes, wake_up: bool) {
         if locked_axes != self.mprops.locked_axes {
             self.mprops.locked_axes = locked_axes;
@@ -95,12 +95,12 @@ impl RigidBody {
         self.mprops.locked_axes.contains(LockedAxes::TRANSLATION_LOCKED)
     }
 
-    /// Keeps the body from moving along every axis, or lets it move along all.
+    /// Sets whether the translation is locked along every axis.
     pub fn lock_translations(&mut self, locked: bool, wake_up: bool) {
         self.set_axes_locked(LockedAxes::TRANSLATION_LOCKED, locked, wake_up);
     }
 
-    /// Keeps the body from turning about every axis, or lets it turn about all.
+    /// Sets whether the rotation is locked about every axis.
     pub fn lock_rotations(&mut self, locked: bool, wake_up: bool) {
         self.set_axes_locked(LockedAxes::ROTATION_LOCKED, locked, wake_up);
     }
@@ -116,15 +116,16 @@ impl RigidBody {
         self.ccd_enabled
     }
 
-    /// Says whether the body, when it is fast, stops at dynamic bodies that it would pass through between two
-    /// steps. Fixed and kinematic colliders stop every dynamic body, independent of this setting.
+    /// Sets whether continuous collision detection also stops the body at dynamic bodies that it would
+    /// otherwise pass through within a step. Fixed and kinematic colliders stop every dynamic body,
+    /// independent of this setting.
     pub fn enable_ccd(&mut self, enabled: bool) {
         self.ccd_enabled = enabled;
     }
 
     /// Returns whether the last step searched the body's path. A path is searched if the body moves by more
-    /// than half its thickness, or at all while it is a quarter of its thickness deep in a wall.
-    /// [`Self::is_ccd_enabled`] says what is searched for, and changes nothing about this.
+    /// than half its thickness. Any motion is searched while the body penetrates a wall by a quarter of its
+    /// thickness. [`Self::is_ccd_enabled`] only selects the obstacles of the search.
     pub fn is_ccd_active(&self) -> bool {
         self.ccd_active && self.is_dynamic()
     }
@@ -134,8 +135,8 @@ impl RigidBody {
         self.soft_ccd_prediction
     }
 
-    /// Sets how far ahead of its surface the body looks for contacts (length units, at least 0; 0 switches
-    /// soft continuous collision detection off). It is cheaper and softer than [`Self::enable_ccd`] for fast
+    /// Sets the prediction distance of the body's contacts (length units, at least 0; 0 switches soft
+    /// continuous collision detection off). It is cheaper and softer than [`Self::enable_ccd`] for fast
     /// bodies that must not pass through each other.
     pub fn set_soft_ccd_prediction(&mut self, prediction_distance: Real) {
         if !is_non_negative(prediction_distance) {
@@ -144,7 +145,7 @@ impl RigidBody {
         self.soft_ccd_prediction = prediction_distance;
     }
 
-    /// Substeps that the solver takes beyond those of the integration parameters.
+    /// Number of substeps beyond those of the integration parameters.
     pub fn additional_solver_iterations(&self) -> usize {
         self.additional_solver_iterations
     }

@@ -1,4 +1,4 @@
-//! The velocity of a rigid body, and where it leads.
+//! The velocity of a rigid body, and its integration.
 
 use crate::base::measure::{SIZE_MAX, is_point};
 use crate::dim::math::{
@@ -23,7 +23,7 @@ impl Default for RigidBodyVelocity {
 }
 
 impl RigidBodyVelocity {
-    /// The velocity made of a linear (length/s) and an angular one (rad/s).
+    /// A velocity with these linear (length/s) and angular (rad/s) parts.
     pub const fn new(linvel: Vector, angvel: AngVector) -> Self {
         Self { linvel, angvel }
     }
@@ -43,7 +43,7 @@ impl RigidBodyVelocity {
         self.linvel.is_finite() && ang_is_finite(self.angvel)
     }
 
-    /// Returns whether all components and their squares are finite.
+    /// Returns whether the linear and the angular speed are at most [`SIZE_MAX`].
     pub(crate) fn is_usable(&self) -> bool {
         is_point(self.linvel) && ang_length_squared(self.angvel) <= SIZE_MAX * SIZE_MAX
     }
@@ -64,7 +64,7 @@ impl RigidBodyVelocity {
 
     /// The velocity after `dt` seconds of damping (both factors in 1/s).
     ///
-    /// The implicit Euler step `v / (1 + dt·c)`: no factor, however large, turns the body around.
+    /// The implicit Euler step `v / (1 + dt·c)`: no factor reverses the velocity.
     #[must_use]
     pub fn apply_damping(&self, dt: Real, linear_damping: Real, angular_damping: Real) -> Self {
         Self {

@@ -68,11 +68,14 @@ bitflags::bitflags! {
     #[derive(Copy, Clone, Debug, Default, PartialEq, Eq, Hash)]
     #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
     pub struct ActiveHooks: u32 {
-        /// Ask whether contacts are to be computed for a pair.
+        /// Call [`contact_pair_flags`](crate::model::hooks::PhysicsHooks::contact_pair_flags), by default
+        /// [`filter_contact_pair`](crate::model::hooks::PhysicsHooks::filter_contact_pair), for the pairs.
         const FILTER_CONTACT_PAIRS = 1;
-        /// Ask whether intersections are to be computed for a pair with a sensor.
+        /// Call [`filter_intersection_pair`](crate::model::hooks::PhysicsHooks::filter_intersection_pair) for
+        /// pairs with a sensor.
         const FILTER_INTERSECTION_PAIR = 1 << 1;
-        /// Offer the contacts for changes before they are solved.
+        /// Call [`modify_solver_contact`](crate::model::hooks::PhysicsHooks::modify_solver_contact) before
+        /// the contacts are solved.
         const MODIFY_SOLVER_CONTACTS = 1 << 2;
     }
 }
@@ -82,9 +85,9 @@ bitflags::bitflags! {
     #[derive(Copy, Clone, Debug, Default, PartialEq, Eq, Hash)]
     #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
     pub struct ActiveEvents: u32 {
-        /// When two colliders begin or stop to touch or intersect.
+        /// Events of two colliders that begin or stop to touch or intersect.
         const COLLISION_EVENTS = 1;
-        /// In every step in which the contact forces of a pair sum up to more than the collider's
+        /// Events of every step in which the contact forces of a pair sum up to more than the collider's
         /// threshold.
         const CONTACT_FORCE_EVENTS = 1 << 1;
     }

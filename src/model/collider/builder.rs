@@ -15,9 +15,9 @@ use crate::model::tree::ColliderProxy;
 use parry::mass_properties::MassProperties;
 use parry::shape::SharedShape;
 
-/// Describes a collider. A program starts with a shape's constructor and chains the properties that differ
-/// from the defaults. It then calls [`build`](Self::build), or inserts the builder itself into the collider
-/// set.
+/// Description of a collider. A program starts with a shape's constructor and chains the properties that
+/// differ from the defaults. It then calls [`build`](Self::build), or inserts the builder itself into the
+/// collider set.
 ///
 /// Constructors accept any numbers. [`Self::try_build`] returns an error for invalid ones (a negative radius,
 /// a NaN, an empty mesh). [`Self::build`] logs the error and makes a disabled collider, so one invalid value
@@ -59,7 +59,7 @@ pub struct ColliderBuilder {
     pub contact_skin: Real,
     /// Total contact force magnitude of a pair (force units) above which an event is sent. 0 by default.
     pub contact_force_event_threshold: Real,
-    /// Why the constructor could not make its shape; `shape` is a placeholder then.
+    /// The error of the shape's constructor, if it failed; `shape` is then a placeholder.
     impossible: Option<InvalidCollider>,
 }
 
@@ -114,8 +114,7 @@ impl ColliderBuilder {
     /// Makes the collider.
     ///
     /// For an invalid value (see [`Self::try_build`]) the log contains a warning. The result is then a
-    /// disabled ball without mass, with the same user data, at the same place if that is valid. Enabling it
-    /// makes it a ball.
+    /// disabled ball without mass, with the same user data, and with the same pose if that is valid.
     pub fn build(&self) -> Collider {
         self.try_build().unwrap_or_else(|reason| {
             log::warn!("an invalid collider is built as a disabled ball: {reason}");
@@ -136,10 +135,10 @@ impl ColliderBuilder {
     /// Makes the collider, or returns the reason why it is invalid.
     ///
     /// # Errors
-    /// The shape has sizes that are not positive, coordinates that are not finite, indices out of range or no
-    /// elements, or is a convex shape that cannot collide; the position is not finite; friction, restitution,
-    /// contact skin, density, mass or the force threshold is negative or not finite (the threshold may be
-    /// infinite).
+    /// If the shape has sizes that are not positive, coordinates that are not finite, indices out of range or
+    /// no elements. If a convex shape cannot collide. If the position is not finite. If friction,
+    /// restitution, contact skin, density, mass or the force threshold is negative or not finite; the
+    /// threshold may be infinite.
     pub fn try_build(&self) -> Result<Collider, InvalidCollider> {
         self.try_shape()?;
         check_pose(&self.position)?;
@@ -166,7 +165,7 @@ impl ColliderBuilder {
     ///
     /// # Errors
     /// If the shape has sizes that are not positive, coordinates that are not finite, indices out of range or
-    /// nothing in it.
+    /// no elements.
     pub fn try_shape(&self) -> Result<SharedShape, InvalidCollider> {
         if let Some(reason) = &self.impossible {
             return Err(reason.clone());

@@ -1,7 +1,7 @@
 //! Validation of shapes.
 //!
-//! All shapes are validated here, whatever made them: a constructor of the builder, parry's constructors, or
-//! an edit through [`Collider::shape_mut`](super::Collider::shape_mut).
+//! All shapes are validated here, independent of their source: a constructor of the builder, parry's
+//! constructors, or an edit through [`Collider::shape_mut`](super::Collider::shape_mut).
 
 use super::InvalidCollider;
 use crate::base::measure::{Measure, is_coordinate, is_length, is_margin, is_point};

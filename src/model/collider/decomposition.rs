@@ -17,13 +17,13 @@ const HULLS_MAX: u32 = 65_536;
 
 /// Concave meshes as convex parts.
 impl ColliderBuilder {
-    /// A compound of convex parts that fill what a surface encloses (of segments in 2D, of triangles
-    /// in 3D). Slow: do it beforehand, for shapes that are used often.
+    /// A compound of convex parts that fill the interior of a surface (segments in 2D, triangles in 3D). The
+    /// decomposition is slow: compute it in advance for shapes that are used often.
     pub fn convex_decomposition(vertices: &[Vector], indices: &[[u32; DIM]]) -> Self {
         Self::convex_decomposition_with_params(vertices, indices, &VHACDParameters::default())
     }
 
-    /// A compound of convex parts that fill what a surface encloses, found with other parameters.
+    /// A compound of convex parts that fill the interior of a surface, computed with the given parameters.
     pub fn convex_decomposition_with_params(
         vertices: &[Vector],
         indices: &[[u32; DIM]],
@@ -32,8 +32,8 @@ impl ColliderBuilder {
         Self::of(decompose(vertices, indices, params, SharedShape::new))
     }
 
-    /// A compound of convex parts that fill what a surface encloses, each of them enlarged and rounded
-    /// by `border_radius` on all sides.
+    /// A compound of convex parts that fill the interior of a surface. Each part is enlarged and rounded by
+    /// `border_radius` (length units) on all sides.
     pub fn round_convex_decomposition(
         vertices: &[Vector],
         indices: &[[u32; DIM]],
@@ -43,7 +43,7 @@ impl ColliderBuilder {
         Self::round_convex_decomposition_with_params(vertices, indices, &params, border_radius)
     }
 
-    /// As [`Self::round_convex_decomposition`], found with other parameters.
+    /// As [`Self::round_convex_decomposition`], computed with the given parameters.
     pub fn round_convex_decomposition_with_params(
         vertices: &[Vector],
         indices: &[[u32; DIM]],
@@ -56,7 +56,7 @@ impl ColliderBuilder {
     }
 }
 
-/// A compound of what `finish` makes of each convex part.
+/// A compound of the results of `finish` for each convex part.
 pub(super) fn decompose(
     vertices: &[Vector],
     indices: &[[u32; DIM]],

@@ -1,4 +1,4 @@
-//! Why a collider cannot be built.
+//! Error of an invalid collider.
 
 use crate::dim::math::{Pose, Real, Vector};
 use parry::shape::TriMeshBuilderError;
@@ -65,7 +65,7 @@ pub enum InvalidCollider {
         /// Largest possible number.
         most: Real,
     },
-    /// An element names a vertex that does not exist.
+    /// An element contains the index of a missing vertex.
     #[error(
         "element {position} of {parameter} has the index {index}, but there are only {count} vertices"
     )]
@@ -74,17 +74,17 @@ pub enum InvalidCollider {
         parameter: &'static str,
         /// Index of the element, from 0.
         position: usize,
-        /// The vertex it names.
+        /// The vertex index.
         index: u32,
         /// Number of vertices.
         count: usize,
     },
-    /// The shape has no extent where it needs one.
+    /// The shape is degenerate: it lacks a necessary extent.
     #[error("the {shape} is degenerate: {reason}")]
     Degenerate {
         /// Kind of shape.
         shape: &'static str,
-        /// The missing elements.
+        /// The missing extent.
         reason: &'static str,
     },
     /// A part of a compound is itself made of parts.
@@ -98,10 +98,10 @@ pub enum InvalidCollider {
     Part {
         /// Index of the part, from 0.
         part: usize,
-        /// Why.
+        /// The error of the part.
         reason: Box<InvalidCollider>,
     },
-    /// The triangles of a mesh do not fit together.
+    /// The triangles of a mesh are inconsistent.
     #[error(transparent)]
     TriMesh(#[from] TriMeshBuilderError),
 }

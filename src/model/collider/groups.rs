@@ -1,4 +1,4 @@
-//! Collision groups: which colliders may meet at all.
+//! Collision groups: filters of the pairs of colliders.
 //!
 //! Every collider is a member of some of 32 groups, and has a filter of groups. Two colliders are compared
 //! twice with different settings: the *collision groups* decide whether contacts are computed, the *solver
@@ -105,8 +105,8 @@ pub enum InteractionTestMode {
     /// Each filter must accept the other collider.
     #[default]
     And,
-    /// One accepting filter is sufficient. Applies only if both colliders select it: the stricter
-    /// [`Self::And`] wins a disagreement.
+    /// One accepting filter is sufficient. This mode applies only if both colliders select it; otherwise
+    /// [`Self::And`] applies.
     Or,
 }
 

@@ -2,18 +2,18 @@
 
 use crate::base::unique::unique_number;
 
-/// Entries that are kept however few colliders there are.
+/// Smallest number of stored entries, independent of the number of colliders.
 const KEPT_MIN: usize = 1024;
 
 /// Number of entries per collider. A reader that is farther behind visits all colliders, which is less work
 /// than to read more entries.
 const KEPT_PER_COLLIDER: usize = 2;
 
-/// The slots of colliders in the order in which they came, went, were borrowed for changing, or got
-/// another box in the trees.
+/// The slots of colliders in the order of their insertion, removal, mutable access, or change of their box in
+/// the trees.
 #[derive(Debug)]
 pub(crate) struct Journal {
-    /// Tells journals apart, those of a set and of its copies, too.
+    /// Identifies the journal; copies of a set have other ids.
     id: u64,
     /// The number of the first entry that is kept.
     first: u64,
@@ -37,8 +37,8 @@ impl Journal {
         self.slots.push(slot);
     }
 
-    /// The changes since a bookmark was set; `None` if they are no longer known, or it was set in another
-    /// journal: anything may have changed.
+    /// The changes since a bookmark was set; `None` if they are no longer stored, or the bookmark belongs to
+    /// another journal. Then anything may have changed.
     pub fn since(&self, bookmark: Bookmark) -> Option<&[u32]> {
         let read = bookmark.next.checked_sub(self.first)?;
         if bookmark.journal == self.id { self.slots.get(read as usize..) } else { None }

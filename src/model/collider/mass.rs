@@ -18,7 +18,7 @@ pub enum ColliderMassProps {
     Density(Real),
     /// The mass, spread evenly over the shape.
     Mass(Real),
-    /// Mass, centre of mass and angular inertia, whatever the shape.
+    /// Mass, centre of mass and angular inertia, independent of the shape.
     MassProperties(Box<MassProperties>),
 }
 
@@ -36,7 +36,7 @@ impl From<MassProperties> for ColliderMassProps {
 }
 
 impl ColliderMassProps {
-    /// Returns whether the numbers are those that setters accept.
+    /// Returns whether the setters accept the numbers.
     pub(crate) fn is_valid(&self) -> bool {
         match self {
             Self::Density(number) | Self::Mass(number) => is_margin(*number),
@@ -47,9 +47,8 @@ impl ColliderMassProps {
     /// Mass, centre of mass and angular inertia in the frame of the shape.
     ///
     /// A density gives no mass to shapes without volume: segments, polylines, height fields, flat hulls,
-    /// half-spaces, and triangles in 3D. (It does give mass to a body that has no other colliders.) A mass is
-    /// spread evenly over their surface or length; half-spaces have neither, and get no angular inertia from
-    /// it.
+    /// half-spaces, and triangles in 3D. (It gives mass to a body that has no other colliders.) A mass is
+    /// distributed evenly over their surface or length. Half-spaces have neither, and no angular inertia.
     pub fn mass_properties(&self, shape: &dyn Shape) -> MassProperties {
         match self {
             Self::Density(density) if *density == 0.0 => no_mass(),
@@ -64,7 +63,7 @@ impl ColliderMassProps {
     }
 }
 
-/// Mass properties of the volume of a shape; those of no mass if it has none.
+/// Mass properties of the volume of a shape; zero mass if it has no volume.
 pub(super) fn volume_properties(shape: &dyn Shape, density: Real) -> MassProperties {
     let typed = shape.as_typed_shape();
     if let TypedShape::Compound(compound) = typed {
@@ -93,7 +92,7 @@ fn of_voxels(voxels: &Voxels, density: Real) -> MassProperties {
     total_mass(&cells)
 }
 
-/// A shape so large or small that its mass leaves the range of numbers has none that could be used.
+/// Replaces mass properties beyond the range of numbers, as of extremely large or small shapes, by zero.
 fn finite_or_zero(properties: MassProperties) -> MassProperties {
     if mass_is_valid(&properties) {
         return properties;

@@ -4,18 +4,18 @@ use crate::dim::math::Real;
 
 /// Combination rule for the coefficients of two surfaces.
 ///
-/// If the two surfaces have different rules, the one further down this list is used.
+/// If the two surfaces have different rules, the one that comes later in this list applies.
 #[derive(Copy, Clone, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub enum CoefficientCombineRule {
-    /// Half the sum.
+    /// The mean of both coefficients.
     #[default]
     Average = 0,
-    /// The smaller one: ice is slippery under any shoe.
+    /// The smaller coefficient: ice is slippery under any shoe.
     Min = 1,
     /// The product.
     Multiply = 2,
-    /// The larger one.
+    /// The larger coefficient.
     Max = 3,
     /// The sum, at most 1.
     ClampedSum = 4,
@@ -24,7 +24,7 @@ pub enum CoefficientCombineRule {
 }
 
 impl CoefficientCombineRule {
-    /// One coefficient out of those of two surfaces and their rules. Symmetric in the surfaces.
+    /// The combined coefficient of two surfaces. It is symmetric in the surfaces.
     pub fn combine(coefficient1: Real, rule1: Self, coefficient2: Real, rule2: Self) -> Real {
         let (a, b) = (coefficient1, coefficient2);
         match rule1.max(rule2) {
@@ -45,8 +45,8 @@ pub struct ColliderMaterial {
     /// Largest ratio of the tangential to the normal force, 0 (frictionless) or more; usually at
     /// most 1.
     pub friction: Real,
-    /// Ratio of the speeds of separation and approach: 0 does not bounce, 1 keeps its speed; more
-    /// than 1 gains energy.
+    /// Ratio of the speeds of separation and approach: 0 does not bounce, 1 keeps the speed, more than 1
+    /// gains energy.
     pub restitution: Real,
     /// Combination rule for friction.
     pub friction_combine_rule: CoefficientCombineRule,

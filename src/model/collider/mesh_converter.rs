@@ -1,4 +1,4 @@
-//! Ways to make one collider of a triangle mesh.
+//! Conversions of a triangle mesh into one collider.
 
 use super::decomposition::decompose;
 use super::shapes::{hull_of, trimesh_shape};
@@ -17,15 +17,15 @@ pub enum MeshConverter {
     TriMesh,
     /// A surface of the same triangles, with parry's options for it.
     TriMeshWithFlags(TriMeshFlags),
-    /// A box around it, turned to fit.
+    /// An oriented bounding box of the mesh.
     Obb,
-    /// A box around it, along the axes.
+    /// The axis-aligned bounding box of the mesh.
     Aabb,
     /// Its convex hull.
     ConvexHull,
     /// A compound of convex parts.
     ConvexDecomposition,
-    /// A compound of convex parts, found with the given parameters.
+    /// A compound of convex parts, computed with the given parameters.
     ConvexDecompositionWithParams(VHACDParameters),
 }
 
@@ -33,8 +33,8 @@ impl MeshConverter {
     /// The shape, and its pose in the frame of the mesh.
     ///
     /// # Errors
-    /// If a coordinate is not finite, an index out of range, or the mesh empty or, where the result
-    /// must have a volume, flat.
+    /// If a coordinate is not finite, an index is out of range, or the mesh is empty. If the mesh is flat and
+    /// the result must have a volume.
     pub fn convert(
         &self,
         vertices: Vec<Vector>,
@@ -74,7 +74,7 @@ fn box_around(
 }
 
 impl ColliderBuilder {
-    /// A collider made of a triangle mesh by the `converter`.
+    /// A collider that the `converter` makes of a triangle mesh.
     ///
     /// # Errors
     /// See [`MeshConverter::convert`].

@@ -4,7 +4,7 @@ use super::{ActiveCollisionTypes, ActiveEvents, ActiveHooks, InteractionGroups};
 use crate::dim::math::Pose;
 use crate::model::body::RigidBodyHandle;
 
-/// The body a collider is attached to, and where on it.
+/// The body of a collider, and the collider's pose relative to it.
 #[derive(Copy, Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub struct ColliderParent {
@@ -18,12 +18,12 @@ pub struct ColliderParent {
 #[derive(Copy, Clone, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub enum ColliderEnabled {
-    /// Yes.
+    /// The collider takes part.
     #[default]
     Enabled,
-    /// No, because its body is disabled.
+    /// The collider does not take part, because its body is disabled.
     DisabledByParent,
-    /// No.
+    /// The collider does not take part: the user disabled it.
     Disabled,
 }
 
@@ -41,7 +41,7 @@ pub struct ColliderFlags {
     pub active_hooks: ActiveHooks,
     /// Events of its pairs.
     pub active_events: ActiveEvents,
-    /// Whether the collider takes part at all.
+    /// Whether the collider takes part in the simulation and in queries.
     pub enabled: ColliderEnabled,
 }
 
@@ -50,7 +50,7 @@ bitflags::bitflags! {
     #[derive(Copy, Clone, Debug, PartialEq, Eq, Hash)]
     #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
     pub struct ColliderChanges: u32 {
-        /// It stands in the set's list of modified colliders. Says nothing of what was modified.
+        /// The set's list of modified colliders contains it, for any modification.
         const IN_MODIFIED_SET = 1;
         /// It was attached to another body, or detached.
         const PARENT = 1 << 1;
@@ -64,17 +64,17 @@ bitflags::bitflags! {
         const TYPE = 1 << 5;
         /// Its body's dominance group.
         const PARENT_EFFECTIVE_DOMINANCE = 1 << 6;
-        /// Its mass or how it is spread: the body's mass has to be summed up again.
+        /// Its mass or mass distribution: the body's mass must be recomputed.
         const LOCAL_MASS_PROPERTIES = 1 << 7;
         /// It was enabled or disabled.
         const ENABLED_OR_DISABLED = 1 << 8;
         /// Vertices of its shape moved, but the shape consists of the same parts as before.
         const DEFORMED = 1 << 9;
-        /// Its friction, restitution, or how they combine.
+        /// Its friction, restitution, or combination rules.
         const MATERIAL = 1 << 10;
         /// Its hooks, events, or the kinds of bodies it collides with.
         const INTERACTIONS = 1 << 11;
-        /// Its shape was handed out to be changed in place: it has to be checked.
+        /// Its shape was borrowed mutably, and must be checked.
         const UNCHECKED_SHAPE = 1 << 12;
     }
 }
@@ -97,7 +97,7 @@ impl ColliderChanges {
         Self::all().difference(Self::IN_MODIFIED_SET.union(Self::UNCHECKED_SHAPE))
     }
 
-    /// All that a collider has of its own.
+    /// All changes except those of the body.
     pub(crate) const fn of_everything_but_the_body() -> Self {
         Self::everything()
             .difference(Self::PARENT.union(Self::PARENT_EFFECTIVE_DOMINANCE).union(Self::DEFORMED))

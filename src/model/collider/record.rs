@@ -19,12 +19,11 @@ use parry::mass_properties::MassProperties;
 use parry::shape::{Shape, SharedShape};
 use std::sync::Arc;
 
-/// A shape that collides, attached to a rigid body or alone in the world.
+/// A shape with a pose, a material and interaction settings, attached to a rigid body or alone in the world.
 ///
-/// Made by [`ColliderBuilder`](super::ColliderBuilder), kept in a [`ColliderSet`](super::ColliderSet).
-/// Setters called between steps take effect in the next step. A setter refuses a value that nothing can be
-/// computed with (not finite, negative where that has no meaning). It keeps the old value, and logs a warning
-/// with the new one.
+/// [`ColliderBuilder`](super::ColliderBuilder) makes it, and a [`ColliderSet`](super::ColliderSet) owns it.
+/// Setters called between steps take effect in the next step. A setter refuses an unusable value (not finite,
+/// or negative where that has no meaning). It keeps the old value, and logs a warning with the refused value.
 //
 // The order of the fields is fixed (`repr(C)`). The fields that the narrow phase reads for each pair are at
 // the front, which is prefetched.
@@ -41,7 +40,7 @@ pub struct Collider {
     /// Cached data of the shape.
     pub(crate) form: ShapeForm,
     pub(crate) sensor: bool,
-    /// The type of the parent, for queries that do not see the bodies.
+    /// The type of the parent, for queries, which do not read the bodies.
     pub(crate) parent_type: Option<RigidBodyType>,
     pub(crate) parent: Option<ColliderParent>,
     pub(crate) material: ColliderMaterial,
@@ -59,7 +58,7 @@ pub struct Collider {
     /// saved, but computed on loading.
     #[cfg_attr(feature = "serde-serialize", serde(skip))]
     pub(crate) widths: Option<Arc<[Widths]>>,
-    /// User data. The engine does not look at it.
+    /// User data. The engine never reads it.
     pub user_data: u128,
 }
 
@@ -102,7 +101,7 @@ impl Collider {
 
 /// Getters of the configuration.
 impl Collider {
-    /// The number that the user keeps with it.
+    /// The user data. The engine never reads it.
     pub fn user_data(&self) -> u128 {
         self.user_data
     }
@@ -119,8 +118,8 @@ impl Collider {
         self.sensor
     }
 
-    /// Returns whether the collider takes part in the simulation and in queries. Not if it, or its body, is
-    /// disabled.
+    /// Returns whether the collider takes part in the simulation and in queries. It does not if the collider
+    /// or its body is disabled.
     #[inline]
     pub fn is_enabled(&self) -> bool {
         self.flags.enabled == ColliderEnabled::Enabled
@@ -186,8 +185,8 @@ impl Collider {
         self.material.restitution_combine_rule
     }
 
-    /// Thickness (length units) of an invisible layer around the shape: contacts keep the shapes apart
-    /// by the sum of their skins.
+    /// Thickness (length units) of an invisible layer around the shape. Contacts keep two shapes apart by the
+    /// sum of their skins.
     #[inline]
     pub fn contact_skin(&self) -> Real {
         self.contact_skin
@@ -233,13 +232,13 @@ impl Collider {
     }
 
     /// The world-space box around the shape and its contact skin, enlarged by `prediction` on every side
-    /// (length units; taken as 0 if it is negative or not a number).
+    /// (length units). A negative or NaN `prediction` counts as 0.
     pub fn compute_collision_aabb(&self, prediction: Real) -> Aabb {
         self.compute_aabb().loosened(self.contact_skin + prediction.max(0.0))
     }
 
-    /// The box around the shape at its pose and at `next_position`, and so around a translation from
-    /// one to the other.
+    /// The box around the shape at its pose and at `next_position`. It also contains the shape during a
+    /// translation between these poses.
     pub fn compute_swept_aabb(&self, next_position: &Pose) -> Aabb {
         self.shape.compute_swept_aabb(&self.pose, next_position)
     }
@@ -264,19 +263,19 @@ impl Collider {
         &*self.shape
     }
 
-    /// The shape, as it can be shared with other colliders.
+    /// The reference-counted shape, which other colliders can share.
     #[inline]
     pub fn shared_shape(&self) -> &SharedShape {
         &self.shape
     }
 
-    /// Volume of the shape; area in 2D. Zero for surfaces and for shapes without end.
+    /// Volume of the shape; area in 2D. Zero for surfaces and for infinite shapes.
     pub fn volume(&self) -> Real {
         ColliderMassProps::Density(1.0).mass_properties(&*self.shape).mass()
     }
 
-    /// Mass per volume (per area in 2D): as set, or the mass that was set over the volume; 0 for
-    /// shapes that have none.
+    /// Mass per volume (per area in 2D): the density that was set, or the mass that was set divided by the
+    /// volume. 0 for shapes without volume.
     pub fn density(&self) -> Real {
         let mass = match &self.mass_props {
             ColliderMassProps::Density(density) => return *density,

@@ -5,8 +5,8 @@
 //! they were made of, and built again; the same lists give the same tree. Convex hulls keep parry's form,
 //! because another construction might number the faces differently: their indices are checked. (Of a compound
 //! with pseudo-normals, the tolerance with which parry found neighbouring parts is not known: it is the
-//! default.) The saved form is not recursive, so damaged data cannot exhaust the stack. Whatever was loaded
-//! is [judged](super::check) as if the user had made it.
+//! default.) The saved form is not recursive, so damaged data cannot exhaust the stack. Loaded shapes are
+//! [checked](super::check) like shapes of the user.
 
 use super::check::{check_elements, check_parts, check_points, check_shape};
 use super::grid::filled_cells;
@@ -147,7 +147,7 @@ impl SavedShape {
 }
 
 /// # Errors
-/// If the shape is the user's own: nothing describes how to save it.
+/// If the shape is user-defined: it has no saved form.
 fn plain(shape: &SharedShape) -> Result<PlainShape, Fault> {
     let kind = shape.shape_type();
     PlainShape::of(shape.as_typed_shape())

@@ -1,4 +1,4 @@
-//! All colliders of a simulation, and the notes that the user's changes leave for the next step.
+//! The set of colliders, and the record of the user's changes for the next step.
 
 use super::journal::{Bookmark, Journal};
 use super::{Collider, ColliderChanges, ColliderEnabled, ColliderHandle, ColliderParent};
@@ -22,10 +22,10 @@ pub(crate) struct RemovedCollider {
     pub wake_up: bool,
 }
 
-/// All colliders of a simulation, each found by its handle.
+/// The colliders of a simulation, accessed by handle.
 ///
-/// Indexing (`set[handle]`) panics if the handle finds nothing; [`Self::get`] returns `None` instead.
-/// Iteration is in the order of the slots: the same insertions and removals give the same order.
+/// Indexing (`set[handle]`) panics if the handle is stale; [`Self::get`] returns `None` instead. Iteration is
+/// in the order of the slots: the same insertions and removals give the same order.
 #[derive(Debug, Default)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde-serialize", serde(remote = "Self"))]
@@ -75,7 +75,7 @@ impl ColliderSet {
         Self { colliders: Arena::with_capacity(capacity), ..Self::default() }
     }
 
-    /// A handle that finds nothing in any set.
+    /// A handle that refers to no collider in any set.
     pub fn invalid_handle() -> ColliderHandle {
         ColliderHandle::invalid()
     }
@@ -95,8 +95,8 @@ impl ColliderSet {
         self.colliders.contains(handle.0)
     }
 
-    /// Inserts a collider (or the one that a builder describes) without a body. It stays at its position,
-    /// like a part of a fixed body.
+    /// Inserts a collider, or the collider that a builder describes, without a body. It stays at its
+    /// position, like a collider of a fixed body.
     pub fn insert(&mut self, collider: impl Into<Collider>) -> ColliderHandle {
         let mut collider = collider.into();
         collider.replace_broken_shape();
@@ -104,11 +104,11 @@ impl ColliderSet {
         self.insert_new(collider)
     }
 
-    /// Inserts a collider (or the one that a builder describes) attached to a body. Its position is relative
-    /// to the body, and its mass is added to the body's.
+    /// Inserts a collider, or the collider that a builder describes, attached to a body. Its position is
+    /// relative to the body, and its mass is added to the body's.
     ///
-    /// If the handle finds no body, a warning says so, and the collider is inserted disabled and
-    /// attached to nothing. [`Self::set_parent`] and [`Collider::set_enabled`] mend that.
+    /// If the body's handle is stale, the log contains a warning, and the collider is inserted disabled and
+    /// without a body. To repair it, call [`Self::set_parent`] and [`Collider::set_enabled`].
     pub fn insert_with_parent(
         &mut self,
         collider: impl Into<Collider>,
@@ -154,9 +154,9 @@ impl ColliderSet {
 
     /// Attaches a collider to another body, or to none.
     ///
-    /// It keeps its position relative to the body, now on the new one. A collider without a body gets the
-    /// origin of the new one. Detached, it stays where it is in the world. A stale handle of the collider or
-    /// of the body changes nothing, with a warning.
+    /// It keeps its position relative to the body, on the new body. A collider without a body is placed at
+    /// the origin of the new body. A detached collider keeps its pose in the world. A stale handle of the
+    /// collider or of the body changes nothing, and the log contains a warning.
     pub fn set_parent(
         &mut self,
         handle: ColliderHandle,
@@ -198,10 +198,10 @@ impl ColliderSet {
         self.note_attachment(bodies);
     }
 
-    /// Takes a collider out of the set and off its body; `None` if the handle finds none.
+    /// Removes a collider from the set and from its body, and returns it; `None` if the handle is stale.
     ///
-    /// `wake_up` says whether its body, and bodies that touched it, are to wake: without support, they
-    /// would fall.
+    /// `wake_up` selects whether its body, and the bodies that touched it, wake. Bodies that lost their
+    /// support float until they wake.
     pub fn remove(
         &mut self,
         handle: ColliderHandle,
@@ -223,13 +223,13 @@ impl ColliderSet {
         Some(collider)
     }
 
-    /// The collider that a handle finds.
+    /// The collider of a handle; `None` if the handle is stale.
     #[inline]
     pub fn get(&self, handle: ColliderHandle) -> Option<&Collider> {
         self.colliders.get(handle.0)
     }
 
-    /// The collider that a handle finds, for changing it.
+    /// Mutable access to the collider of a handle; `None` if the handle is stale.
     pub fn get_mut(&mut self, handle: ColliderHandle) -> Option<&mut Collider> {
         let count = self.colliders.len();
         let collider = self.colliders.get_mut(handle.0)?;
@@ -275,14 +275,14 @@ impl ColliderSet {
         self.colliders.iter().map(|(index, collider)| (ColliderHandle(index), collider))
     }
 
-    /// All colliders that are enabled, with their handles, in the order of their slots.
+    /// All enabled colliders with their handles, in the order of their slots.
     pub fn iter_enabled(&self) -> impl DoubleEndedIterator<Item = (ColliderHandle, &Collider)> {
         self.iter().filter(|(_, collider)| collider.is_enabled())
     }
 
-    /// All colliders with their handles, in the order of their slots, for changing them.
+    /// Mutable access to all colliders with their handles, in the order of their slots.
     ///
-    /// The next step looks at every collider that the iteration came by.
+    /// The next step processes every visited collider as changed.
     pub fn iter_mut(&mut self) -> impl DoubleEndedIterator<Item = (ColliderHandle, &mut Collider)> {
         let (count, notes) = (self.colliders.len(), &mut self.notes);
         self.colliders.iter_mut().map(move |(index, collider)| {
@@ -292,8 +292,7 @@ impl ColliderSet {
         })
     }
 
-    /// All colliders that are enabled, with their handles, in the order of their slots, for changing
-    /// them.
+    /// Mutable access to all enabled colliders with their handles, in the order of their slots.
     pub fn iter_enabled_mut(
         &mut self,
     ) -> impl DoubleEndedIterator<Item = (ColliderHandle, &mut Collider)> {
@@ -398,8 +397,8 @@ fn detach_from_others(
 
 /// For the step.
 impl ColliderSet {
-    /// Forgets what was known of the other sets: to the next step all colliders are new. They are attached to
-    /// the bodies that they name, which must have none; the colliders of bodies that are gone go, too.
+    /// Resets all references to other sets: for the next step all colliders are new. They are attached to
+    /// their parent bodies, whose lists must be empty. Colliders of removed bodies are removed, too.
     pub(crate) fn begin_anew(&mut self, bodies: &mut RigidBodySet) {
         self.notes = Notes::default();
         let handles: Vec<_> = self.iter().map(|(handle, _)| handle).collect();
@@ -418,8 +417,8 @@ impl ColliderSet {
         }
     }
 
-    /// The colliders that the user may have changed, in the order of the first change; some of them may be
-    /// gone. The caller must clear the `changes` of each.
+    /// The colliders that the user may have changed, in the order of the first change; some of them may have
+    /// been removed. The caller must clear the `changes` of each.
     pub(crate) fn take_modified(&mut self) -> Vec<ColliderHandle> {
         self.notes.marks.clear();
         core::mem::take(&mut self.notes.modified)
@@ -461,7 +460,7 @@ impl ColliderSet {
         core::mem::take(&mut self.notes.removed)
     }
 
-    /// A collider got another box in the trees, or is gone.
+    /// Records that a collider got another box in the trees, or was removed.
     pub(crate) fn note_box(&mut self, handle: ColliderHandle) {
         self.notes.journal.note(handle.into_raw_parts().0, self.colliders.len());
     }
@@ -484,14 +483,14 @@ impl ColliderSet {
         Some(collider)
     }
 
-    /// A collider for the step's own use: leaves no note.
+    /// A collider for the step's own use: does not mark it as changed.
     #[inline]
     pub(crate) fn get_unnoted_mut(&mut self, handle: ColliderHandle) -> Option<&mut Collider> {
         self.colliders.get_mut(handle.0)
     }
 
-    /// Colliders for the step's own use, to be written by several threads: leaves no notes. They are read by
-    /// the indices in their handles.
+    /// Colliders for the step's own use, to be written by several threads: does not mark them as changed.
+    /// They are read by the indices in their handles.
     pub(crate) fn share(&mut self) -> SharedArena<'_, Collider> {
         self.colliders.share()
     }
@@ -511,14 +510,14 @@ impl ColliderSet {
 }
 
 impl Collider {
-    /// Is looked at by the next step as if it had never been seen. A note of it must be there.
+    /// Marks the collider as new to the next step. The list of modified colliders must contain it.
     fn be_new(&mut self, handle: ColliderHandle) {
         self.proxy = ColliderProxy::outside(handle.into_raw_parts().0);
         let unchecked = self.changes & ColliderChanges::UNCHECKED_SHAPE;
         self.changes = ColliderChanges::everything() | ColliderChanges::IN_MODIFIED_SET | unchecked;
     }
 
-    /// Forgets its body. It stays where it is in the world.
+    /// Detaches the collider from its body. Its pose in the world stays.
     fn leave_body(&mut self) {
         self.parent = None;
         self.parent_type = None;
@@ -529,7 +528,7 @@ impl Collider {
         self.changes |= ColliderChanges::PARENT;
     }
 
-    /// Goes to its place on a body. It had none before.
+    /// Attaches the collider to a body. It had none before.
     fn join_body(&mut self, handle: RigidBodyHandle, pos_wrt_parent: Pose, body: &RigidBody) {
         debug_assert!(self.parent.is_none());
         self.parent = Some(ColliderParent { handle, pos_wrt_parent });
@@ -549,7 +548,7 @@ impl core::ops::Index<ColliderHandle> for ColliderSet {
     type Output = Collider;
 
     /// # Panics
-    /// If the handle finds no collider.
+    /// If the handle is stale.
     #[expect(clippy::panic, reason = "an index has no other way to say no")]
     fn index(&self, handle: ColliderHandle) -> &Collider {
         match self.get(handle) {
@@ -561,7 +560,7 @@ impl core::ops::Index<ColliderHandle> for ColliderSet {
 
 impl core::ops::IndexMut<ColliderHandle> for ColliderSet {
     /// # Panics
-    /// If the handle finds no collider.
+    /// If the handle is stale.
     #[expect(clippy::panic, reason = "an index has no other way to say no")]
     fn index_mut(&mut self, handle: ColliderHandle) -> &mut Collider {
         match self.get_mut(handle) {

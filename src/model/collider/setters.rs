@@ -1,8 +1,7 @@
-//! Changing a collider between steps.
+//! Setters of a collider.
 //!
-//! Each setter leaves a bit in [`ColliderChanges`] that says what the next step has to look at again.
-//! A setter refuses a value that nothing could be computed with: it keeps the old one and logs a
-//! warning with the new one.
+//! Each setter sets the bit of its change in [`ColliderChanges`] for the next step. A setter refuses an
+//! unusable value: it keeps the old value and logs a warning with the refused one.
 
 use super::check::{check_margin, check_pose, check_shape};
 use super::form::ShapeForm;
@@ -16,12 +15,12 @@ use crate::dim::math::{AngVector, Pose, Real, Rotation, Vector, rotation_from_an
 use parry::mass_properties::MassProperties;
 use parry::shape::{Shape, SharedShape};
 
-/// Says what was refused, and why.
+/// Logs the refused value and the reason.
 fn refuse(setter: &str, reason: &InvalidCollider) {
     log::warn!("Collider::{setter} ignored: {reason}");
 }
 
-/// Returns whether the setter accepts the value. Warns if it is not.
+/// Returns whether the setter accepts the value. Logs a warning otherwise.
 fn accepts(setter: &str, verdict: Result<(), InvalidCollider>) -> bool {
     match verdict {
         Ok(()) => true,
@@ -34,8 +33,8 @@ fn accepts(setter: &str, verdict: Result<(), InvalidCollider>) -> bool {
 
 /// Pose of the collider.
 impl Collider {
-    /// Moves a collider that is not attached. An attached one follows its body: use
-    /// [`Self::set_position_wrt_parent`].
+    /// Sets the pose (collider frame → world) of a collider without a body. An attached collider follows its
+    /// body: use [`Self::set_position_wrt_parent`].
     pub fn set_position(&mut self, position: Pose) {
         if accepts("set_position", check_pose(&position)) {
             self.pose = normalized(position);
@@ -43,20 +42,20 @@ impl Collider {
         }
     }
 
-    /// Moves a collider that is not attached, without turning it.
+    /// Sets the translation of a collider without a body. Its rotation stays.
     pub fn set_translation(&mut self, translation: Vector) {
         let pose = Pose { translation, ..self.pose };
         self.set_position(pose);
     }
 
-    /// Turns a collider that is not attached, about the origin of its frame.
+    /// Sets the rotation of a collider without a body. Its translation stays.
     pub fn set_rotation(&mut self, rotation: Rotation) {
         let pose = Pose { rotation, ..self.pose };
         self.set_position(pose);
     }
 
-    /// Sets where it is attached on its body (collider frame → body frame). A collider without a body
-    /// is left alone.
+    /// Sets the pose relative to its body (collider frame → body frame). No effect on a collider without a
+    /// body.
     pub fn set_position_wrt_parent(&mut self, position: Pose) {
         if !accepts("set_position_wrt_parent", check_pose(&position)) {
             return;
@@ -70,15 +69,15 @@ impl Collider {
             | ColliderChanges::LOCAL_MASS_PROPERTIES;
     }
 
-    /// Moves it on its body, without turning it. A collider without a body is left alone.
+    /// Sets the translation relative to its body. Its rotation stays. No effect on a collider without a body.
     pub fn set_translation_wrt_parent(&mut self, translation: Vector) {
         if let Some(&pose) = self.position_wrt_parent() {
             self.set_position_wrt_parent(Pose { translation, ..pose });
         }
     }
 
-    /// Turns it on its body, to the angle (2D) or the rotation vector (3D) given in radians. A
-    /// collider without a body is left alone.
+    /// Sets the rotation relative to its body: an angle (2D) or a rotation vector (3D) in radians. No effect
+    /// on a collider without a body.
     pub fn set_rotation_wrt_parent(&mut self, angle: AngVector) {
         if let Some(&pose) = self.position_wrt_parent() {
             let rotation = rotation_from_angle(angle);
@@ -108,7 +107,7 @@ impl Collider {
         }
     }
 
-    /// Makes it a sensor, which only reports what it intersects, or a solid collider again.
+    /// Sets whether it is a sensor, which reports intersections and exerts no forces.
     pub fn set_sensor(&mut self, is_sensor: bool) {
         if self.sensor != is_sensor {
             self.sensor = is_sensor;
@@ -132,7 +131,7 @@ impl Collider {
         }
     }
 
-    /// Sets between which kinds of bodies it collides.
+    /// Sets the pairs of body types with which it collides.
     pub fn set_active_collision_types(&mut self, types: ActiveCollisionTypes) {
         if self.flags.active_collision_types != types {
             self.flags.active_collision_types = types;
@@ -140,7 +139,7 @@ impl Collider {
         }
     }
 
-    /// Sets which hooks are called for its pairs.
+    /// Sets the hooks that are called for its pairs.
     pub fn set_active_hooks(&mut self, hooks: ActiveHooks) {
         if self.flags.active_hooks != hooks {
             self.flags.active_hooks = hooks;
@@ -148,7 +147,7 @@ impl Collider {
         }
     }
 
-    /// Sets which events are sent for its pairs.
+    /// Sets the events that are sent for its pairs.
     pub fn set_active_events(&mut self, events: ActiveEvents) {
         if self.flags.active_events != events {
             self.flags.active_events = events;
@@ -178,7 +177,7 @@ impl Collider {
         }
     }
 
-    /// Sets how its friction combines with that of another collider.
+    /// Sets the rule that combines its friction with that of another collider.
     pub fn set_friction_combine_rule(&mut self, rule: CoefficientCombineRule) {
         self.material.friction_combine_rule = rule;
         self.changes |= ColliderChanges::MATERIAL;
@@ -192,7 +191,7 @@ impl Collider {
         }
     }
 
-    /// Sets how its restitution combines with that of another collider.
+    /// Sets the rule that combines its restitution with that of another collider.
     pub fn set_restitution_combine_rule(&mut self, rule: CoefficientCombineRule) {
         self.material.restitution_combine_rule = rule;
         self.changes |= ColliderChanges::MATERIAL;
@@ -218,10 +217,10 @@ impl Collider {
         }
     }
 
-    /// The shape, to be changed in place. A shape shared with other colliders is copied first.
+    /// Mutable access to the shape. A shape shared with other colliders is copied first.
     ///
-    /// The next step checks the result. A shape that cannot be simulated any more (a negative radius, say)
-    /// disables the collider, with a warning.
+    /// The next step checks the result. An invalid shape, for example with a negative radius, disables the
+    /// collider, and the log contains a warning.
     pub fn shape_mut(&mut self) -> &mut dyn Shape {
         self.changes |= ColliderChanges::SHAPE
             | ColliderChanges::UNCHECKED_SHAPE
@@ -278,8 +277,8 @@ impl Collider {
         }
     }
 
-    /// Copies everything from `other`, including shape and user data, except its body, and its place there if
-    /// it has one.
+    /// Copies everything from `other`, including shape and user data, except the body and the pose relative
+    /// to it.
     pub fn copy_from(&mut self, other: &Collider) {
         let by_parent = self.flags.enabled == ColliderEnabled::DisabledByParent;
         let enabled = match other.flags.enabled {

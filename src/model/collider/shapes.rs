@@ -23,8 +23,8 @@ impl ColliderBuilder {
         Self::new(SharedShape::new(Ball::new(radius)))
     }
 
-    /// Everything below a plane through the origin. `outward_normal` is the unit normal of the plane,
-    /// pointing out of the solid side.
+    /// The half-space below a plane through the origin. `outward_normal` is the unit normal of the plane, and
+    /// points out of the solid side.
     pub fn halfspace(outward_normal: Vector) -> Self {
         Self::new(SharedShape::new(HalfSpace::new(outward_normal)))
     }
@@ -71,7 +71,7 @@ impl ColliderBuilder {
 
 /// Shapes made of others.
 impl ColliderBuilder {
-    /// Several shapes as one rigid one, each with its pose in the frame of the whole. The parts cannot
+    /// Several shapes as one rigid shape, each with its pose in the frame of the compound. The parts cannot
     /// be composite themselves (compounds, meshes, polylines, height fields).
     pub fn compound(shapes: Vec<(Pose, SharedShape)>) -> Self {
         let checked = check_parts(&shapes);
@@ -112,7 +112,8 @@ impl ColliderBuilder {
         }
     }
 
-    /// A surface of triangles. It is hollow: in 3D, what got inside is not pushed out.
+    /// A surface of triangles. It is hollow: in 3D, contacts do not push out a body that is completely
+    /// inside.
     ///
     /// # Errors
     /// If there is no triangle, an index is out of range, a coordinate is not finite, or all triangles
@@ -124,7 +125,7 @@ impl ColliderBuilder {
     /// A surface of triangles, with parry's options for it.
     ///
     /// # Errors
-    /// As for [`Self::trimesh`], and no triangle is left after the requested deletions.
+    /// As for [`Self::trimesh`], and if no triangle is left after the requested deletions.
     pub fn trimesh_with_flags(
         vertices: Vec<Vector>,
         indices: Vec<[u32; 3]>,
@@ -259,7 +260,7 @@ impl ColliderBuilder {
     }
 }
 
-/// Refuses what is no surface of elements (segments in 2D, triangles in 3D).
+/// Refuses invalid surfaces of elements (segments in 2D, triangles in 3D).
 pub(super) fn check_surface(
     vertices: &[Vector],
     indices: &[[u32; DIM]],

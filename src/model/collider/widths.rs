@@ -202,8 +202,8 @@ fn mean(points: &[Vector]) -> Vector {
     points.iter().copied().sum::<Vector>() / points.len().max(1) as Real
 }
 
-/// A point inside a convex shape, in the middle of what has one: the mean of its farthest points along all
-/// diagonals. (Along the axes the farthest points of a box are whole faces, and it may say any of their
+/// A point inside a convex shape, at the centre of symmetric shapes: the mean of its farthest points along
+/// all diagonals. (Along the axes the farthest points of a box are whole faces, and it may say any of their
 /// corners.)
 fn inner_point(shape: &dyn SupportMap) -> Vector {
     let corners = 1 << DIM;

@@ -10,7 +10,7 @@ use crate::model::check::is_saved_unit;
 /// World orientation of two bodies when their contact points were transformed. Later positions follow from
 /// the motion of the bodies since.
 ///
-/// A fixed body, or none, stands at the origin and is not turned.
+/// For a fixed body or the world, the position is the origin and the rotation is the identity.
 ///
 /// # Frozen anchors
 ///
@@ -145,8 +145,8 @@ pub(crate) struct MotionSince<W: Wide> {
     /// `c = x1 - x2`, which converts moment arms of the first body into those of the second: at the
     /// transformation, and now.
     ///
-    /// The world has no centre of mass. Levers are measured from the other body's then, as short as they
-    /// can be, and `c` is zero.
+    /// The world has no centre of mass. Its moment arms are measured from the centre of the other body, which
+    /// makes them as short as possible, and `c` is zero.
     offsets: [WideVector<W>; 2],
     /// The normal: on the first body, or frozen.
     pub normal: WideVector<W>,

@@ -55,7 +55,7 @@ pub struct Contact {
 }
 
 impl Contact {
-    /// A new contact that carries no impulse yet.
+    /// A new contact without impulses.
     pub fn new(
         local_p1: Vector,
         local_p2: Vector,
@@ -78,7 +78,7 @@ impl Contact {
         }
     }
 
-    /// Returns whether all numbers can be computed with.
+    /// Returns whether all numbers are usable.
     fn is_sound(&self) -> bool {
         let vectors = [self.local_p1, self.local_p2, self.arm, self.point];
         let numbers = [self.placed_dist, self.dist, self.impulse, self.warmstart_impulse];
@@ -107,7 +107,7 @@ pub struct ContactManifoldData {
     pub rigid_body1: Option<RigidBodyHandle>,
     /// Body of the second collider, if it has one.
     pub rigid_body2: Option<RigidBodyHandle>,
-    /// Constraints that the solver makes of the manifold.
+    /// Flags that select the constraints of a manifold.
     pub solver_flags: SolverFlags,
     /// Unit normal in world space, from the first collider to the second.
     pub normal: Vector,
@@ -118,21 +118,20 @@ pub struct ContactManifoldData {
     /// Combined restitution coefficient.
     pub restitution: Real,
     /// Target velocity of friction: the velocity of the second body relative to the first along the contact
-    /// plane, in world space (length/s). It is the surface velocity of a conveyor belt that is the first
-    /// body, and the opposite for one that is the second. Set by
+    /// plane, in world space (length/s). For a conveyor belt as the first body, it is the velocity of the
+    /// belt's surface; as the second body, the opposite. Set by
     /// [`PhysicsHooks`](crate::model::hooks::PhysicsHooks).
     pub tangent_velocity: Vector,
     /// Dominance group of the first body minus that of the second. Positive: the first body moves
     /// the second as if it had infinite mass.
     pub relative_dominance: i16,
-    /// Free for the user's hooks; survives as long as the manifold does.
+    /// User data of the hooks. It persists as long as the manifold.
     pub user_data: u32,
     /// Friction impulse of the last substep in world space, at the manifold's friction centre.
     pub(crate) warmstart_friction: Vector,
     /// Twist-friction impulse of the last substep about the normal (3D).
     pub(crate) warmstart_twist: Real,
-    /// The points, all within the prediction distance. A contact pair and a manifold lend them for reading
-    /// only.
+    /// The points, all within the prediction distance. They are read-only in a contact pair and a manifold.
     pub points: ContactPoints,
 }
 
@@ -188,7 +187,7 @@ impl ContactManifoldData {
         self.warmstart_friction * fraction
     }
 
-    /// As if the two had just begun to touch.
+    /// Clears the impulses, as for a new contact.
     pub(crate) fn forget_impulses(&mut self) {
         self.warmstart_friction = Vector::ZERO;
         self.warmstart_twist = 0.0;
@@ -227,7 +226,7 @@ pub struct ContactManifold {
     pub(crate) slot: Option<ColorSlot>,
 }
 
-/// A manifold reads like its data: `manifold.points` are its points, `manifold.normal` its normal.
+/// A manifold dereferences to its data: `manifold.points` are its points, `manifold.normal` is its normal.
 impl core::ops::Deref for ContactManifold {
     type Target = ContactManifoldData;
 
@@ -242,9 +241,9 @@ impl ContactManifold {
         &self.data.points
     }
 
-    /// The solver's colour, from 0 to 64. Constraints with a dynamic body in common have different colours, except
-    /// for those of colour 64, which the solver processes one by one. `None` without a constraint,
-    /// as between sleeping bodies.
+    /// The solver's colour, from 0 to 64. Constraints with a common dynamic body have different colours. The
+    /// exception is colour 64, whose constraints the solver processes one by one. `None` without a
+    /// constraint, as between sleeping bodies.
     pub fn solver_color(&self) -> Option<u32> {
         self.slot.map(|slot| slot.color)
     }
@@ -255,8 +254,8 @@ impl ContactManifold {
             && self.data.solver_flags.contains(SolverFlags::COMPUTE_RIGID_IMPULSES)
     }
 
-    /// Returns whether all numbers can be computed with, and all normals are unit vectors. (The step computes
-    /// the present normal from the placed one.) A manifold that never had a point has no normals yet.
+    /// Returns whether all numbers are usable, and all normals are unit vectors. (The step computes the
+    /// present normal from the placed one.) A manifold that never had a point has no normals yet.
     pub(crate) fn is_sound(&self) -> bool {
         let data = &self.data;
         let directions = [self.local_n1, self.local_n2, data.normal, data.placed_normal];
@@ -282,7 +281,7 @@ impl ContactManifold {
         self.data.points.iter().map(|contact| contact.dist).fold(Real::INFINITY, Real::min)
     }
 
-    /// The point that overlaps most, or is closest if none overlaps.
+    /// The point with the largest overlap, or with the smallest distance if none overlaps.
     pub fn find_deepest_contact(&self) -> Option<&Contact> {
         self.data.points.iter().min_by(|a, b| a.dist.total_cmp(&b.dist))
     }

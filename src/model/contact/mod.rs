@@ -1,4 +1,4 @@
-//! Contacts: pairs of colliders that are close, and where exactly they touch.
+//! Contacts: pairs of nearby colliders, and their contact points.
 
 mod input;
 mod lanes;

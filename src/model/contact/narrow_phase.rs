@@ -73,7 +73,7 @@ impl serde::Serialize for NarrowPhase {
 }
 
 impl NarrowPhase {
-    /// Knows no pair.
+    /// An empty narrow phase.
     pub fn new() -> Self {
         Self::default()
     }
@@ -114,7 +114,7 @@ impl NarrowPhase {
         self.lanes.write_back(id, &mut self.contacts[id]);
     }
 
-    /// Tells all contact pairs.
+    /// Writes the results of the last step back to all contact pairs.
     pub(crate) fn settle_all(&mut self, tasks: Tasks<'_>) {
         if self.lanes.are_ahead() {
             self.contacts.for_each_awake_pair(tasks, |id, pair| self.lanes.write_back(id, pair));
@@ -131,8 +131,8 @@ impl NarrowPhase {
         pairs.map(|pair| (pair.collider1, pair.collider2, pair))
     }
 
-    /// The contact pair of two colliders, given in either order. `None` if their boxes do not overlap,
-    /// if one of them is a sensor, or if something filters the pair out.
+    /// The contact pair of two colliders, given in either order. `None` if their boxes do not overlap, if one
+    /// of them is a sensor, or if a filter excludes the pair.
     pub fn contact_pair(
         &self,
         collider1: ColliderHandle,
@@ -154,7 +154,7 @@ impl NarrowPhase {
             .filter(move |pair| pair.collider1 == collider || pair.collider2 == collider)
     }
 
-    /// All pairs with a sensor, as (first collider, second collider, do they intersect?).
+    /// All pairs with a sensor, as (first collider, second collider, whether they intersect).
     pub fn intersection_pairs(
         &self,
     ) -> impl Iterator<Item = (ColliderHandle, ColliderHandle, bool)> {
@@ -162,7 +162,7 @@ impl NarrowPhase {
     }
 
     /// Returns whether two colliders intersect, at least one of them a sensor. `None` if their boxes do not
-    /// overlap, if neither is a sensor, or if something filters the pair out.
+    /// overlap, if neither is a sensor, or if a filter excludes the pair.
     pub fn intersection_pair(
         &self,
         collider1: ColliderHandle,
@@ -173,7 +173,7 @@ impl NarrowPhase {
         pair.is_of(colliders).then_some(pair.intersecting)
     }
 
-    /// All sensor pairs of one collider, as (first collider, second collider, do they intersect?).
+    /// All sensor pairs of one collider, as (first collider, second collider, whether they intersect).
     pub fn intersection_pairs_with(
         &self,
         collider: ColliderHandle,

@@ -60,7 +60,7 @@ impl Default for ContactPair {
 }
 
 impl ContactPair {
-    /// A pair of which nothing is known yet.
+    /// A new pair without results.
     pub(crate) fn new(collider1: ColliderHandle, collider2: ColliderHandle) -> Self {
         Self {
             collider1,
@@ -104,8 +104,8 @@ impl ContactPair {
         self.manifolds.iter().map(ContactManifold::impulse).sum()
     }
 
-    /// The largest normal impulse of one contact during the last step, and its direction in world
-    /// space. Zero if nothing touched.
+    /// The largest normal impulse of one contact during the last step, and its direction in world space. Zero
+    /// without contacts.
     pub fn max_impulse(&self) -> (Real, Vector) {
         let mut result = (0.0, Vector::ZERO);
         for manifold in &self.manifolds {
@@ -147,7 +147,7 @@ pub struct IntersectionPair {
 }
 
 impl IntersectionPair {
-    /// A pair of which nothing is known yet.
+    /// A new pair without results.
     pub(crate) fn new(collider1: ColliderHandle, collider2: ColliderHandle) -> Self {
         Self { collider1, collider2, intersecting: false, start_event_emitted: false }
     }

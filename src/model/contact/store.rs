@@ -33,7 +33,7 @@ use core::ops::Range;
 /// Pages of 512 ids that are worth handing over to another thread together.
 const PAGES_PER_TASK: usize = 2;
 
-/// Stable for the life of the pair.
+/// Id of a pair, stable for its lifetime.
 pub(crate) type PairId = u32;
 
 /// The slack of a pair that must be computed whether or not anything moved.
@@ -56,7 +56,7 @@ pub(crate) trait Pair {
     /// Prefetches the results of the last step for the pair.
     fn prefetch_report(&self, _lanes: &ContactLanes) {}
 
-    /// Asks for what the pair keeps elsewhere in memory: for where it is, then for what is there.
+    /// Prefetches the pair's data elsewhere in memory: first its address, then its content.
     fn prefetch(&self, _what_is_there: bool) {}
 }
 
@@ -340,17 +340,17 @@ impl<P: Pair> PairStore<P> {
         self.renewed.contains(id)
     }
 
-    /// The solver has seen all pairs.
+    /// Marks all pairs as read by the solver.
     pub fn forget_renewed(&mut self) {
         self.renewed.clear();
     }
 
-    /// Must be computed in the next step, whether or not anything moves.
+    /// Marks the pair as due in the next step, independent of motion.
     pub fn invalidate(&mut self, id: PairId) {
         self.states[id as usize].slack = DUE;
     }
 
-    /// Must all be computed in the next step.
+    /// Marks all pairs as due in the next step.
     pub fn invalidate_all(&mut self) {
         self.states.iter_mut().for_each(|state| state.slack = DUE);
     }
@@ -372,20 +372,20 @@ impl<P: Pair> PairStore<P> {
         self.places[id as usize].slots
     }
 
-    /// Begins to bring the place near where a pair will stand that is added after so many others.
+    /// Prefetches the slot of the pair that is inserted after `after` others.
     pub fn prefetch_vacancy(&self, after: usize) {
         let last = self.free.len().checked_sub(1 + after);
         last.into_iter().for_each(|last| self.prefetch(self.free[last]));
     }
 
-    /// Begins to bring a pair near to the processor.
+    /// Prefetches a pair.
     pub fn prefetch(&self, id: PairId) {
         if let Some(pair) = self.pairs.get(id as usize) {
             prefetch(pair);
         }
     }
 
-    /// Begins to bring near where the lists of a pair's two colliders are.
+    /// Prefetches the lists of a pair's two colliders.
     pub fn prefetch_lists(&self, collider_slots: [u32; 2]) {
         let lists = collider_slots.map(|slot| self.of_collider.get(slot as usize));
         lists.into_iter().flatten().for_each(prefetch);
@@ -406,8 +406,8 @@ impl<P: Pair> PairStore<P> {
         });
     }
 
-    /// Appends the awake pairs for which `is_wanted` to a list, in their order. It may change what the narrow
-    /// phase asks of them.
+    /// Appends the awake pairs for which `is_wanted` to a list, in their order. The callback may change the
+    /// narrow phase's data of the pairs.
     pub fn list_awake(
         &mut self,
         tasks: Tasks<'_>,

@@ -45,7 +45,7 @@ impl TriangleCache {
         self.ids.len()
     }
 
-    /// Forgets all pieces, as none are known any more.
+    /// Removes all pieces.
     pub fn clear(&mut self) {
         self.region = Aabb::new_invalid();
         self.ids.clear();
@@ -65,7 +65,7 @@ impl TriangleCache {
         self.ids.push(id);
     }
 
-    /// Says that all pieces that reach into a box have been added.
+    /// Marks the cache as complete: it contains all pieces that reach into a box.
     pub fn keep(&mut self, region: Aabb) {
         self.region = region;
         self.is_crowded = self.ids.len() > MAX_KEPT;
@@ -83,7 +83,7 @@ impl TriangleCache {
         }
     }
 
-    /// Begins to bring the pieces near to the processor.
+    /// Prefetches the pieces.
     pub fn prefetch(&self) {
         self.blocks.iter().for_each(prefetch);
     }

@@ -1,4 +1,4 @@
-//! The ready-made handler: channels queue events until they are read.
+//! The event handler that sends events into channels.
 
 use super::{CollisionEvent, ContactForceEvent, EventHandler, QuarantineEvent};
 use crate::dim::math::Real;
@@ -7,7 +7,7 @@ use crate::model::collider::ColliderSet;
 use crate::model::contact::ContactPair;
 use std::sync::mpsc::Sender;
 
-/// Sends every event into a channel.
+/// An event handler that sends every event into a channel.
 ///
 /// ```
 /// # use rapier3d::prelude::*;
@@ -32,8 +32,8 @@ pub struct ChannelEventCollector {
 }
 
 impl ChannelEventCollector {
-    /// Sends collision events into one channel and contact-force events into the other. Events whose
-    /// receiver is gone are dropped.
+    /// A handler that sends collision events into one channel and contact-force events into the other. Events
+    /// whose receiver was dropped are discarded.
     pub fn new(
         collision_event_sender: Sender<CollisionEvent>,
         contact_force_event_sender: Sender<ContactForceEvent>,
@@ -45,7 +45,7 @@ impl ChannelEventCollector {
         }
     }
 
-    /// Sends quarantine events, too, into a channel of their own.
+    /// Also sends quarantine events, into a separate channel.
     ///
     /// ```
     /// # use rapier3d::prelude::*;

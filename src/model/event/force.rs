@@ -6,8 +6,7 @@ use crate::model::contact::ContactPair;
 
 /// Contact forces between two colliders, averaged over one step.
 ///
-/// Forces act along the contact normals, from the first collider onto the second; friction is not
-/// counted.
+/// Forces act along the contact normals, from the first collider onto the second. Friction is excluded.
 #[derive(Copy, Clone, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub struct ContactForceEvent {
@@ -31,9 +30,9 @@ pub struct ContactForceEvent {
 
 impl ContactForceEvent {
     /// The forces of a pair in a step of `dt` seconds. `total_force_magnitude` is taken as given, because the
-    /// stage that sends the event has computed it. In a step of no length there is no force. A force beyond
-    /// the range of numbers is the largest one within it. [`Self::started`] is not known here: it is `false`,
-    /// and the step sets it.
+    /// stage that sends the event has computed it. In a step of no length the force is zero. A force beyond
+    /// the range of numbers is replaced by the largest number. [`Self::started`] is `false`; the step sets
+    /// it.
     pub fn from_contact_pair(dt: Real, pair: &ContactPair, total_force_magnitude: Real) -> Self {
         let inv_dt = if dt > 0.0 { 1.0 / dt } else { 0.0 };
         let largest = Vector::splat(Real::MAX);

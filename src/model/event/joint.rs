@@ -4,19 +4,19 @@ use crate::dim::math::Real;
 use crate::model::body::RigidBodyHandle;
 use crate::model::joint::ImpulseJointHandle;
 
-/// A joint broke: its load exceeded its
-/// [thresholds](crate::model::joint::GenericJoint::set_break_thresholds), and it is disabled now.
+/// Event of a broken joint: its load exceeded its
+/// [thresholds](crate::model::joint::GenericJoint::set_break_thresholds), and the step disabled it.
 #[derive(Copy, Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub struct JointBreakEvent {
-    /// The joint. It stays in its set until it is removed.
+    /// The joint. It stays in its set until the user removes it.
     pub joint: ImpulseJointHandle,
     /// Its first body.
     pub body1: RigidBodyHandle,
     /// Its second body.
     pub body2: RigidBodyHandle,
-    /// Its force (mean of the step).
+    /// Magnitude of its force (mean of the step, mass·length/s²).
     pub force: Real,
-    /// Its torque (mean of the step).
+    /// Magnitude of its torque (mean of the step, mass·length²/s²).
     pub torque: Real,
 }

@@ -24,7 +24,7 @@ use crate::model::collider::{ColliderHandle, ColliderSet};
 use crate::model::contact::ContactPair;
 
 bitflags::bitflags! {
-    /// Why a collision began or stopped.
+    /// Circumstances of a collision event.
     #[derive(Copy, Clone, Debug, Default, PartialEq, Eq, Hash)]
     #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
     pub struct CollisionEventFlags: u32 {
@@ -35,13 +35,13 @@ bitflags::bitflags! {
     }
 }
 
-/// Two colliders began or stopped to touch (or to intersect, if one is a sensor).
+/// Event of two colliders that began or stopped to touch, or to intersect if one is a sensor.
 #[derive(Copy, Clone, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub enum CollisionEvent {
-    /// They touch now, and did not in the step before.
+    /// They touch now, but did not in the previous step.
     Started(ColliderHandle, ColliderHandle, CollisionEventFlags),
-    /// They touched in the step before, and do not now. The handle of a removed collider is stale.
+    /// They touched in the previous step, but do not now. The handle of a removed collider is stale.
     Stopped(ColliderHandle, ColliderHandle, CollisionEventFlags),
 }
 
@@ -84,7 +84,7 @@ impl CollisionEvent {
     }
 }
 
-/// Receives the events of a step.
+/// Handler of the events of a step.
 ///
 /// The handler reads the bodies and colliders at the end of the step. To change them, it stores a note for
 /// use after the step. A handler that panics is called for the remaining events nevertheless; then its first
@@ -110,7 +110,7 @@ impl CollisionEvent {
 /// }
 /// ```
 pub trait EventHandler: Send + Sync {
-    /// Two colliders began or stopped to touch or intersect, and at least one of them has
+    /// Called when two colliders began or stopped to touch or intersect, and at least one of them has
     /// [`COLLISION_EVENTS`](crate::model::collider::ActiveEvents::COLLISION_EVENTS).
     ///
     /// `contact_pair` is `None` if one of them is a sensor or was removed.
@@ -122,9 +122,10 @@ pub trait EventHandler: Send + Sync {
         contact_pair: Option<&ContactPair>,
     );
 
-    /// The contact forces between two colliders sum up to more than the `contact_force_event_threshold` of
-    /// one that has [`CONTACT_FORCE_EVENTS`](crate::model::collider::ActiveEvents::CONTACT_FORCE_EVENTS).
-    /// `dt` is the length of the step (s). Does nothing unless implemented.
+    /// Called when the contact forces between two colliders sum up to more than the
+    /// `contact_force_event_threshold` of one that has
+    /// [`CONTACT_FORCE_EVENTS`](crate::model::collider::ActiveEvents::CONTACT_FORCE_EVENTS). `dt` is the
+    /// length of the step (s). The default implementation does nothing.
     fn handle_contact_force_event(
         &self,
         dt: Real,
@@ -135,15 +136,15 @@ pub trait EventHandler: Send + Sync {
         let _ = (dt, event, bodies, colliders);
     }
 
-    /// A joint broke: its load exceeded its
-    /// [thresholds](crate::model::joint::GenericJoint::set_break_thresholds). It is disabled by now. Does
-    /// nothing unless implemented.
+    /// Called when a joint broke: its load exceeded its
+    /// [thresholds](crate::model::joint::GenericJoint::set_break_thresholds). The joint is already disabled.
+    /// The default implementation does nothing.
     fn handle_joint_break_event(&self, event: &JointBreakEvent, bodies: &RigidBodySet) {
         let _ = (event, bodies);
     }
 
-    /// Some numbers could not be calculated with: a body was disabled, or the number of a contact left out.
-    /// These events come before all others, one for each body. Does nothing unless implemented.
+    /// Called when a step disabled a body, or left out a contact, because of an unusable number. These events
+    /// precede all others, with one event per body. The default implementation does nothing.
     fn handle_quarantine_event(
         &self,
         event: &QuarantineEvent,

@@ -4,25 +4,25 @@ use crate::dim::math::Pose;
 use crate::model::body::{QuarantineCause, RigidBodyHandle, RigidBodyVelocity};
 use crate::model::collider::ColliderHandle;
 
-/// Some numbers could not be calculated with, and the step went on without what they belonged to.
+/// Event of an unusable number: the step continued without the body or contact that contains it.
 #[derive(Copy, Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub enum QuarantineEvent {
-    /// The body is disabled now, and was not there in this step:
+    /// The step disabled the body and was computed without it:
     /// [`RigidBody::quarantine`](crate::model::body::RigidBody::quarantine).
     Body {
         /// The body.
         body: RigidBodyHandle,
         /// The unusable value.
         cause: QuarantineCause,
-        /// Position of the body: where the step found it.
+        /// Pose of the body at the start of the step.
         position: Pose,
-        /// The velocity that it had then.
+        /// Velocity of the body at the start of the step.
         velocity: RigidBodyVelocity,
     },
-    /// A number of a contact was impossible, and is left out. Restitution and tangent velocity are zero
-    /// instead; where normals or distances are no numbers, the two do not press on each other. Sent whenever
-    /// such contacts are computed.
+    /// A number of a contact is unusable and was left out. Unusable restitution and tangent velocity are
+    /// replaced by zero. Contacts with an unusable normal or distance exert no force. The event is sent
+    /// whenever such contacts are computed.
     Contact {
         /// The first collider.
         collider1: ColliderHandle,
@@ -41,7 +41,7 @@ impl QuarantineEvent {
         }
     }
 
-    /// The body that was disabled; none if a contact was left out.
+    /// The disabled body; `None` if a contact was left out.
     pub fn body(&self) -> Option<RigidBodyHandle> {
         match *self {
             Self::Body { body, .. } => Some(body),

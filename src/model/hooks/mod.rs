@@ -34,11 +34,11 @@ pub struct PairFilterContext<'a> {
 /// User-defined decisions about single pairs and contacts.
 ///
 /// Hooks may be called from several threads at once and in any order, and again if a step is
-/// [repeated](crate::model::event::EventHandler::handle_quarantine_event). The answer should be a function of
-/// the context alone, so that results repeat.
+/// [repeated](crate::model::event::EventHandler::handle_quarantine_event). The result of a hook should be a
+/// function of the context alone, so that results repeat.
 ///
 /// A panic of a hook propagates to the caller of the step, after the events found so far are sent. The world
-/// stays in order: what the step has not done, the next one does.
+/// stays valid: the next step does the work that this one has not done.
 ///
 /// ```
 /// # use rapier3d::prelude::*;
@@ -55,15 +55,15 @@ pub struct PairFilterContext<'a> {
 pub trait PhysicsHooks: Send + Sync {
     /// Returns whether contacts are computed for this pair. Called for pairs with
     /// [`FILTER_CONTACT_PAIRS`](crate::model::collider::ActiveHooks::FILTER_CONTACT_PAIRS) whose boxes
-    /// overlap and that nothing else filters out. A pair that is refused neither collides nor sends events.
-    /// Yes, unless implemented.
+    /// overlap and that nothing else filters out. A refused pair neither collides nor sends events. The
+    /// default implementation returns `true`.
     fn filter_contact_pair(&self, context: &PairFilterContext) -> bool {
         let _ = context;
         true
     }
 
-    /// Constraints that the solver makes of the contacts of this pair; none for a refused pair. The engine
-    /// calls this in place of [`Self::filter_contact_pair`], which decides unless this is implemented.
+    /// Returns the solver flags of the pair; `None` refuses it. The engine calls this method only. The
+    /// default implementation returns the default flags if [`Self::filter_contact_pair`] returns `true`.
     /// Without [`COMPUTE_RIGID_IMPULSES`](SolverFlags::COMPUTE_RIGID_IMPULSES), contacts are computed and
     /// reported, and the bodies pass through each other.
     fn contact_pair_flags(&self, context: &PairFilterContext) -> Option<SolverFlags> {
@@ -73,15 +73,15 @@ pub trait PhysicsHooks: Send + Sync {
     /// Returns whether the intersection is computed for this pair, one collider of which is a sensor. Called
     /// for pairs with
     /// [`FILTER_INTERSECTION_PAIR`](crate::model::collider::ActiveHooks::FILTER_INTERSECTION_PAIR) whose
-    /// boxes overlap and that nothing else filters out. Yes, unless implemented.
+    /// boxes overlap and that nothing else filters out. The default implementation returns `true`.
     fn filter_intersection_pair(&self, context: &PairFilterContext) -> bool {
         let _ = context;
         true
     }
 
     /// Changes the contacts of one manifold before they are solved. Called in every step for touching pairs
-    /// with [`MODIFY_SOLVER_CONTACTS`](crate::model::collider::ActiveHooks::MODIFY_SOLVER_CONTACTS). Changes
-    /// nothing unless implemented.
+    /// with [`MODIFY_SOLVER_CONTACTS`](crate::model::collider::ActiveHooks::MODIFY_SOLVER_CONTACTS). The
+    /// default implementation changes nothing.
     fn modify_solver_contact(&self, context: &mut ContactModificationContext) {
         let _ = context;
     }

@@ -5,11 +5,11 @@ use crate::model::body::{RigidBodyHandle, RigidBodySet};
 use crate::model::collider::{ColliderHandle, ColliderSet};
 use crate::model::contact::{Contact, ContactManifold, SolverFlags};
 
-/// One manifold, offered for changes before it is solved.
+/// Mutable access to one manifold before it is solved.
 ///
-/// Friction, restitution, tangent velocity and the points are those that the narrow phase has just
-/// computed; changes hold for this step. [`Self::user_data`] alone survives: as long as the two shapes
-/// keep touching and the hook does not drop all points.
+/// The narrow phase computes friction, restitution, tangent velocity and points in each step, so changes
+/// apply to this step. Only [`Self::user_data`] persists, while the two shapes keep touching and the hook
+/// keeps at least one point.
 pub struct ContactModificationContext<'a> {
     /// All bodies.
     pub bodies: &'a RigidBodySet,
@@ -26,15 +26,15 @@ pub struct ContactModificationContext<'a> {
     pub(crate) manifold: &'a mut ContactManifold,
 }
 
-/// User data of [`ContactModificationContext::update_as_oneway_platform`]. A new manifold has 0 there:
-/// nothing is decided yet.
+/// User data of [`ContactModificationContext::update_as_oneway_platform`]. A new manifold has the value 0:
+/// undecided.
 mod oneway {
     pub const SOLID: u32 = 1;
     pub const PASSING: u32 = 2;
 }
 
 impl ContactModificationContext<'_> {
-    /// The manifold as it is now.
+    /// The manifold in its current state.
     pub fn manifold(&self) -> &ContactManifold {
         self.manifold
     }
@@ -49,13 +49,13 @@ impl ContactModificationContext<'_> {
         self.manifold.contacts()
     }
 
-    /// Keeps only the points for which `keep` says yes; the others are not solved in this step.
+    /// Keeps only the points for which `keep` returns `true`. The others are not solved in this step.
     pub fn retain_contacts(&mut self, mut keep: impl FnMut(&Contact) -> bool) {
         self.manifold.data.points.retain(|contact| keep(contact));
     }
 
     /// Removes all points: the two shapes pass through each other without an event, and the user data is
-    /// lost. To keep that, see [`Self::set_solver_flags`].
+    /// lost. To keep the events and the user data, see [`Self::set_solver_flags`].
     pub fn clear_contacts(&mut self) {
         self.manifold.data.points.clear();
     }
@@ -65,8 +65,8 @@ impl ContactModificationContext<'_> {
         self.manifold.data.friction
     }
 
-    /// Sets the combined friction coefficient. A negative or non-finite one is refused: the old one
-    /// stays, with a warning in the log.
+    /// Sets the combined friction coefficient. A negative or non-finite value is refused with a warning in
+    /// the log.
     pub fn set_friction(&mut self, friction: Real) {
         if is_coefficient("friction", friction) {
             self.manifold.data.friction = friction;
@@ -78,24 +78,23 @@ impl ContactModificationContext<'_> {
         self.manifold.data.restitution
     }
 
-    /// Sets the combined restitution coefficient (1: bounces back as fast as it came). A negative or
-    /// non-finite one is refused: the old one stays, with a warning in the log.
+    /// Sets the combined restitution coefficient (1: the speed is conserved). A negative or non-finite value
+    /// is refused with a warning in the log.
     pub fn set_restitution(&mut self, restitution: Real) {
         if is_coefficient("restitution", restitution) {
             self.manifold.data.restitution = restitution;
         }
     }
 
-    /// Velocity at which friction makes the second body move against the first, in world space
-    /// (length/s).
+    /// Target velocity of friction for the second body relative to the first, in world space (length/s).
     pub fn tangent_velocity(&self) -> Vector {
         self.manifold.data.tangent_velocity
     }
 
-    /// Makes a surface run like a conveyor belt: sets the target velocity of friction for the second body
-    /// relative to the first, in world space (length/s). It is the velocity of the belt's surface if the belt
-    /// is the first body, and the opposite if it is the second. Only the part along the contact plane counts.
-    /// A non-finite velocity is refused: the old one stays, with a warning in the log.
+    /// Sets the target velocity of friction for the second body relative to the first, in world space
+    /// (length/s), as for a conveyor belt. If the belt is the first body, this is the velocity of its
+    /// surface; if it is the second, the opposite. Only the part along the contact plane counts. A non-finite
+    /// velocity is refused with a warning in the log.
     pub fn set_tangent_velocity(&mut self, velocity: Vector) {
         if velocity.is_finite() {
             self.manifold.data.tangent_velocity = velocity;
@@ -106,35 +105,35 @@ impl ContactModificationContext<'_> {
         }
     }
 
-    /// Constraints that the solver makes of the manifold.
+    /// The flags that select the constraints of the manifold.
     pub fn solver_flags(&self) -> SolverFlags {
         self.manifold.data.solver_flags
     }
 
-    /// Sets what the solver does with the manifold. Without
+    /// Sets the flags that select the constraints of the manifold. Without
     /// [`COMPUTE_RIGID_IMPULSES`](SolverFlags::COMPUTE_RIGID_IMPULSES) the contact is reported, but the
     /// bodies pass through each other.
     pub fn set_solver_flags(&mut self, flags: SolverFlags) {
         self.manifold.data.solver_flags = flags;
     }
 
-    /// The number that an earlier step's hook left here; 0 when the shapes begin to touch.
+    /// The number that a hook stored in an earlier step; 0 when the shapes begin to touch.
     pub fn user_data(&self) -> u32 {
         self.manifold.data.user_data
     }
 
-    /// Leaves a number for the hooks of later steps.
+    /// Stores a number for the hooks of later steps.
     pub fn set_user_data(&mut self, user_data: u32) {
         self.manifold.data.user_data = user_data;
     }
 
-    /// Makes the contact hold bodies from one side only, as a platform through which one can jump up
-    /// and on which one can then stand.
+    /// Makes the contact solid from one side only, like a platform that characters jump through from below
+    /// and stand on.
     ///
     /// The contact is solid while the normal in the frame of the first collider is within `allowed_angle`
     /// (rad) of `allowed_local_n1`. A body from the other side passes until it no longer overlaps and touches
-    /// from the solid side; both contacts emit events. For a platform that is the second collider, mirror the
-    /// direction: it is always seen from the first one.
+    /// from the solid side; both contacts emit events. The direction is always that of the first collider's
+    /// frame: mirror it for a platform that is the second collider.
     ///
     /// Uses [`Self::user_data`], which the hook must not use for anything else. A zero or non-finite
     /// argument is refused with a warning in the log, and the contact stays solid.

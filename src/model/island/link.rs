@@ -15,7 +15,7 @@ pub(crate) struct BodyLink {
     pub island: u32,
     /// Position in the island's list of bodies.
     pub island_position: u32,
-    /// Whose place it is: the body's slot in its set; [`NONE`] outside of a set.
+    /// The body's slot in its set; [`NONE`] outside of a set.
     pub slot: u32,
 }
 

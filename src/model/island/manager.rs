@@ -18,7 +18,7 @@ use crate::model::stamp::WorldStamp;
 #[derive(Debug, Default)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) struct Island {
-    /// Dynamic bodies; each one's link says at which position it stands here.
+    /// Dynamic bodies. The link of each body contains its position here.
     pub bodies: Vec<RigidBodyHandle>,
     /// Whether links were cut since the island was last known to be connected.
     pub is_cut: bool,
@@ -30,12 +30,12 @@ pub(crate) struct Island {
 
 clone_in_place!(Island { bodies, is_cut, sleeping, split_at });
 
-/// Knows which bodies are awake and which move and sleep together.
+/// Islands of the simulation: the awake bodies, and the bodies that fall asleep together.
 ///
-/// Every enabled dynamic body belongs to one island. Bodies of an island fall asleep together, once
-/// each of them has been slow for its
+/// Every enabled dynamic body belongs to one island. Bodies of an island fall asleep together, once each of
+/// them has been slow for its
 /// [`time_until_sleep`](crate::model::body::RigidBodyActivation::time_until_sleep), and wake together.
-/// Sleeping bodies cost nothing per step.
+/// Sleeping bodies are free: no per-step loop visits them.
 #[derive(Debug, Default)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub struct IslandManager {
@@ -76,7 +76,7 @@ clone_in_place!(IslandManager {
 });
 
 impl IslandManager {
-    /// Knows no body.
+    /// An empty manager.
     pub fn new() -> Self {
         Self::default()
     }

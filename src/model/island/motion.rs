@@ -18,7 +18,7 @@ pub(crate) struct BodyMotion {
 }
 
 impl BodyMotion {
-    /// Moved not at all.
+    /// No motion.
     pub const NONE: Self = Self { shift: Vector::ZERO, rest: 0.0 };
 
     /// Motion of a body whose points are within `extent` of its centre of mass: the rotation moves them by at

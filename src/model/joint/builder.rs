@@ -1,10 +1,10 @@
-//! Describes a joint in full generality before it is made.
+//! The builder of generic joints.
 
 use super::{GenericJoint, MotorModel, SpringCoefficients};
 use crate::dim::joint_axes::{JointAxesMask, JointAxis};
 use crate::dim::math::{Pose, Real, Vector};
 
-/// Describes a [`GenericJoint`]. Values that no simulation could survive are refused as by its setters.
+/// Description of a [`GenericJoint`]. Its methods refuse unusable values as the setters of the joint do.
 #[derive(Copy, Clone, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 #[must_use = "a builder does nothing until its joint is built or inserted"]
@@ -27,13 +27,13 @@ impl GenericJointBuilder {
         Self(GenericJoint::new(locked_axes))
     }
 
-    /// Sets which axes are locked.
+    /// Sets the locked axes.
     pub fn locked_axes(mut self, axes: JointAxesMask) -> Self {
         self.0.locked_axes = axes;
         self
     }
 
-    /// Sets which axes are measured together: as one distance, or one angle.
+    /// Sets the axes that are measured together, as one distance or one angle.
     pub fn coupled_axes(mut self, axes: JointAxesMask) -> Self {
         self.0.coupled_axes = axes;
         self
@@ -54,23 +54,23 @@ impl GenericJointBuilder {
         local_axis1 => set_local_axis1(axis: Vector);
         /// Sets the joint's first axis on the second body, in that body's frame.
         local_axis2 => set_local_axis2(axis: Vector);
-        /// Sets where the joint holds the first body, in that body's frame.
+        /// Sets the anchor on the first body, in that body's frame (length units).
         local_anchor1 => set_local_anchor1(anchor: Vector);
-        /// Sets where the joint holds the second body, in that body's frame.
+        /// Sets the anchor on the second body, in that body's frame (length units).
         local_anchor2 => set_local_anchor2(anchor: Vector);
-        /// Says whether the two bodies' colliders touch each other.
+        /// Sets whether the colliders of the two bodies collide with each other.
         contacts_enabled => set_contacts_enabled(enabled: bool);
-        /// Makes the locked axes a spring.
+        /// Sets the softness of the locked axes: a spring, or `None` for the stiffest joint.
         softness => set_softness(softness: Option<SpringCoefficients>);
-        /// Sets the force or torque at which the joint breaks.
+        /// Sets the force and the torque above which the joint breaks.
         break_thresholds => set_break_thresholds(force: Real, torque: Real);
-        /// Says how far an axis reaches.
+        /// Sets the range of an axis (length units or radians).
         limits => set_limits(axis: JointAxis, limits: [Real; 2]);
         /// Sets the motor model of an axis.
         motor_model => set_motor_model(axis: JointAxis, model: MotorModel);
-        /// Drives an axis at a velocity.
+        /// Drives an axis at a velocity (length/s or rad/s). `factor` is the damping of the motor.
         motor_velocity => set_motor_velocity(axis: JointAxis, target_vel: Real, factor: Real);
-        /// Drives an axis to a position.
+        /// Drives an axis to a position (length units or radians), like a spring with a damper.
         motor_position => set_motor_position(
             axis: JointAxis, target_pos: Real, stiffness: Real, damping: Real
         );

@@ -1,4 +1,4 @@
-//! Why a joint, or a value of one, is refused.
+//! Error of a refused joint, or of a refused value of a joint.
 
 use crate::dim::joint_axes::{JointAxesMask, JointAxis};
 use crate::dim::math::{Pose, Real, Vector};
@@ -28,7 +28,7 @@ pub enum InvalidJoint {
         /// The frame.
         frame: Pose,
     },
-    /// A set of axes contains some that there are not.
+    /// A set of axes contains unknown axes.
     #[error("the axes {axes:?} are not all axes of a joint")]
     UnknownAxes {
         /// The axes.
@@ -56,10 +56,10 @@ pub enum InvalidJoint {
         /// The admissible values.
         expected: &'static str,
     },
-    /// A link of a multibody has no degree of freedom with a coordinate of its own there.
+    /// A link of a multibody has no degree of freedom with its own coordinate on this axis.
     #[error("link {link} has no coordinate {axis:?}: the axis is locked, or one of a ball joint")]
     Dof {
-        /// The link's position among the multibody's links.
+        /// The link's index among the multibody's links.
         link: usize,
         /// The axis.
         axis: JointAxis,
@@ -67,7 +67,7 @@ pub enum InvalidJoint {
     /// A degree of freedom is coupled with itself.
     #[error("a coordinate cannot be coupled with itself: {axis:?} of link {link}")]
     SameDof {
-        /// The link's position among the multibody's links.
+        /// The link's index among the multibody's links.
         link: usize,
         /// The axis.
         axis: JointAxis,
@@ -78,7 +78,7 @@ pub enum InvalidJoint {
         /// The body.
         body: RigidBodyHandle,
     },
-    /// A handle finds no body.
+    /// A body handle is stale.
     #[error("{body:?} is not the handle of a rigid body")]
     MissingBody {
         /// The handle.
@@ -92,25 +92,25 @@ pub enum InvalidJoint {
         /// The second body.
         body2: RigidBodyHandle,
     },
-    /// The body of a multibody joint has a parent already.
+    /// The child body of a multibody joint already has a parent.
     #[error("{body:?} already has a parent")]
     SecondParent {
-        /// The body that was to become a child.
+        /// The intended child body.
         body: RigidBodyHandle,
     },
-    /// A joint of a multibody is to limit or drive the distance along several axes, as ropes and springs do.
-    /// That distance is no coordinate of the multibody; an impulse joint between its links can measure it.
+    /// A multibody joint must not limit or drive the distance along several axes, as ropes and springs do.
+    /// That distance is not a coordinate of the multibody. Use an impulse joint between its links.
     #[error("a multibody has no coordinate for the distance along {axes:?}")]
     DistanceInMultibody {
         /// The axes.
         axes: JointAxesMask,
     },
-    /// The joint would close a loop of multibody joints. Impulse joints can.
+    /// The joint would close a loop of multibody joints. Close loops with impulse joints.
     #[error("{child:?} is an ancestor of {parent:?}")]
     Loop {
-        /// The body that was to become the parent.
+        /// The intended parent body.
         parent: RigidBodyHandle,
-        /// The body that was to become its child.
+        /// The intended child body.
         child: RigidBodyHandle,
     },
 }

@@ -1,11 +1,11 @@
-//! The joint that holds two bodies together as if they were one.
+//! The joint that locks all axes.
 
 use super::GenericJoint;
 use super::kind::{joint_frame_methods, joint_kind};
 use crate::dim::joint_axes::JointAxesMask;
 
 joint_kind! {
-    /// Holds two bodies together as if they were one: the two frames coincide.
+    /// A joint that locks all axes: the two frames coincide.
     ///
     /// ```
     /// # use rapier3d::prelude::*;

@@ -11,24 +11,24 @@ use crate::model::check::checked_pose;
 #[derive(Copy, Clone, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub enum JointEnabled {
-    /// It does.
+    /// The joint acts.
     #[default]
     Enabled,
-    /// It does not act, because one of its bodies does not take part. It will when the body does.
+    /// The joint does not act, because one of its bodies is disabled. It acts again when the body is enabled.
     DisabledByAttachedBody,
-    /// It does not: switched off, or broken.
+    /// The joint does not act: it was switched off, or it broke.
     Disabled,
 }
 
-/// A joint between two bodies, in full generality: which axes are locked, limited or driven.
+/// A joint between two bodies in full generality: each axis can be locked, limited or driven.
 ///
-/// A frame on each body; the axes are those of the first body's frame. Positions along them are those of the
-/// second frame's origin, and angles those by which the second frame is turned against the first. Where
+/// The joint has a frame on each body, and its axes are those of the first frame. A position along an axis is
+/// that of the second frame's origin. An angle is that of the second frame relative to the first. Where
 /// several rotations are free, the *swing* tilts the second frame's X axis relative to the first's, and the
 /// *twist* rotates about it. `AngX` is the twist, `AngY` and `AngZ` are the swing about these axes.
 ///
-/// Setters refuse values that no simulation could survive: they say so in the log, and the old value
-/// stays. The methods called `try_…` return the error instead.
+/// Setters refuse unusable values: they log a warning, and the old value stays. The methods called `try_…`
+/// return the error instead.
 ///
 /// ```
 /// # use rapier3d::prelude::*;
@@ -50,29 +50,29 @@ pub struct GenericJoint {
     pub local_frame1: Pose,
     /// The joint's frame on the second body, in that body's frame.
     pub local_frame2: Pose,
-    /// Axes along or about which the bodies cannot move against each other.
+    /// Axes along or about which relative motion of the bodies is locked.
     pub locked_axes: JointAxesMask,
-    /// Axes whose [`Self::limits`](#structfield.limits) hold.
+    /// Axes whose [`Self::limits`](#structfield.limits) are active.
     pub limit_axes: JointAxesMask,
-    /// Axes whose [`Self::motors`] drive.
+    /// Axes whose [`Self::motors`] are active.
     pub motor_axes: JointAxesMask,
-    /// Axes that are measured together: two or three translations as one distance, two or three rotations
-    /// as one angle. Limits and motor of the first of them are those of all.
+    /// Axes that are measured together: two or three translations as one distance, two or three rotations as
+    /// one angle. The limits and the motor of the first of these axes apply to the common distance or angle.
     pub coupled_axes: JointAxesMask,
     /// Softness of the locked axes (default `None`: as stiff as possible, see
     /// [`joint_erp`](crate::model::params::IntegrationParameters::joint_erp)).
     pub softness: Option<SpringCoefficients>,
-    /// The joint breaks when the force between the bodies is larger (default: infinite).
+    /// Force between the bodies above which the joint breaks (mass·length/s²; default: infinite).
     pub break_force: Real,
-    /// The joint breaks when the torque between the bodies is larger (default: infinite).
+    /// Torque between the bodies above which the joint breaks (mass·length²/s²; default: infinite).
     pub break_torque: Real,
-    /// Whether the colliders of the two bodies touch each other (default: yes).
+    /// Whether the colliders of the two bodies collide with each other (default: yes).
     pub contacts_enabled: bool,
     /// Whether the joint acts.
     pub enabled: JointEnabled,
-    /// By axis: how far it reaches.
+    /// Limits by axis (length units or radians).
     pub limits: [JointLimits; SPATIAL_DIM],
-    /// By axis: the motor.
+    /// Motors by axis.
     pub motors: [JointMotor; SPATIAL_DIM],
     /// User data.
     pub user_data: u128,
@@ -133,8 +133,7 @@ impl GenericJoint {
         self.enabled == JointEnabled::Enabled
     }
 
-    /// Switches the joint on or off. An enabled joint does not act while one of its bodies does not take
-    /// part.
+    /// Switches the joint on or off. An enabled joint does not act while one of its bodies is disabled.
     pub fn set_enabled(&mut self, enabled: bool) {
         self.enabled = match (self.enabled, enabled) {
             (JointEnabled::Disabled, true) => JointEnabled::Enabled,
@@ -207,13 +206,13 @@ impl GenericJoint {
         self.local_frame2.translation
     }
 
-    /// Sets where the joint holds the first body, in that body's frame.
+    /// Sets the anchor on the first body, in that body's frame (length units).
     pub fn set_local_anchor1(&mut self, anchor: Vector) -> &mut Self {
         let _ = self.try_set_local_anchor1(anchor).map_err(log_refusal);
         self
     }
 
-    /// Sets where the joint holds the second body, in that body's frame.
+    /// Sets the anchor on the second body, in that body's frame (length units).
     pub fn set_local_anchor2(&mut self, anchor: Vector) -> &mut Self {
         let _ = self.try_set_local_anchor2(anchor).map_err(log_refusal);
         self
@@ -237,7 +236,7 @@ impl GenericJoint {
 
     /// Exchanges the roles of the two bodies.
     ///
-    /// Positions and angles change their signs, and so do the limits and targets that are made of them.
+    /// Positions, angles, limits and targets change their signs.
     pub fn flip(&mut self) {
         core::mem::swap(&mut self.local_frame1, &mut self.local_frame2);
         for axis in JointAxis::ALL {
@@ -256,20 +255,20 @@ impl GenericJoint {
 
     // ---- Contacts, softness, breaking ----
 
-    /// Returns whether the colliders of the two bodies touch each other.
+    /// Returns whether the colliders of the two bodies collide with each other.
     pub fn contacts_enabled(&self) -> bool {
         self.contacts_enabled
     }
 
-    /// Says whether the two bodies' colliders touch each other.
+    /// Sets whether the colliders of the two bodies collide with each other.
     ///
-    /// Among several joints between the same bodies, one with `false` is sufficient.
+    /// If several joints join the same bodies, one with `false` suffices to disable the contacts.
     pub fn set_contacts_enabled(&mut self, enabled: bool) -> &mut Self {
         self.contacts_enabled = enabled;
         self
     }
 
-    /// Makes the locked axes a spring; `None`: as stiff as the solver can make them.
+    /// Sets the softness of the locked axes: a spring, or `None` for the stiffest joint of the solver.
     pub fn set_softness(&mut self, softness: Option<SpringCoefficients>) -> &mut Self {
         match softness.map_or(Ok(()), |spring| spring.check()) {
             Ok(()) => self.softness = softness,
@@ -302,7 +301,7 @@ impl GenericJoint {
         has_limits.then(|| &self.limits[axis as usize])
     }
 
-    /// Says how far an axis reaches (length units, or radians).
+    /// Sets the range of an axis (length units or radians).
     pub fn set_limits(&mut self, axis: JointAxis, limits: [Real; 2]) -> &mut Self {
         let _ = self.try_set_limits(axis, limits).map_err(log_refusal);
         self
@@ -341,7 +340,7 @@ impl GenericJoint {
         self
     }
 
-    /// Drives an axis at a velocity. `factor` is the motor's damping: how hard it tries.
+    /// Drives an axis at a velocity (length/s or rad/s). `factor` is the damping of the motor.
     pub fn set_motor_velocity(
         &mut self,
         axis: JointAxis,
@@ -352,7 +351,7 @@ impl GenericJoint {
         self.set_motor(axis, target_pos, target_vel, 0.0, factor)
     }
 
-    /// Drives an axis to a position, like a spring with a damper.
+    /// Drives an axis to a position (length units or radians), like a spring with a damper.
     pub fn set_motor_position(
         &mut self,
         axis: JointAxis,
@@ -372,7 +371,7 @@ impl GenericJoint {
         self
     }
 
-    /// Drives an axis: to a position as far as `stiffness` is large, at a velocity as far as `damping` is.
+    /// Drives an axis to a position with `stiffness`, and at a velocity with `damping`.
     pub fn set_motor(
         &mut self,
         axis: JointAxis,
@@ -402,12 +401,13 @@ impl GenericJoint {
         Ok(())
     }
 
-    /// Returns whether every number is usable. The setters see to it; the fields are open.
+    /// Checks that every number is usable. The setters guarantee it, but assignments to the fields are
+    /// unchecked.
     ///
-    /// A joint that is not valid does not act, until it is.
+    /// An invalid joint does not act until its values are valid.
     ///
     /// # Errors
-    /// The first value that is not.
+    /// If a value is unusable. The error contains the first one.
     pub fn validate(&self) -> Result<(), InvalidJoint> {
         for frame in [self.local_frame1, self.local_frame2] {
             checked_pose(frame).ok_or(InvalidJoint::Frame { frame })?;

@@ -7,30 +7,31 @@ use crate::dim::math::{
 };
 use crate::model::body::RigidBodyHandle;
 
-/// Finds a joint in its set until the joint is removed, and nothing after that.
+/// Handle of a joint in its set. It is stale after the joint is removed, and a stale handle refers to no
+/// joint.
 #[derive(Copy, Clone, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Default)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 #[repr(transparent)]
 pub struct ImpulseJointHandle(pub Index);
 
 impl ImpulseJointHandle {
-    /// A handle that finds nothing in any set.
+    /// A handle that refers to no joint in any set.
     pub const fn invalid() -> Self {
         Self(Index::INVALID)
     }
 
-    /// Puts a handle together again from [`Self::into_raw_parts`].
+    /// Restores a handle from the result of [`Self::into_raw_parts`].
     pub const fn from_raw_parts(id: u32, generation: u32) -> Self {
         Self(Index::from_raw_parts(id, generation))
     }
 
-    /// The slot in the set, and which of the slot's successive tenants is meant.
+    /// The slot in the set, and the generation of the slot. Each reuse of a slot gets a new generation.
     pub const fn into_raw_parts(self) -> (u32, u32) {
         self.0.into_raw_parts()
     }
 }
 
-/// The two bodies that a joint holds.
+/// The two bodies of a joint.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub struct BodyPair {
@@ -40,10 +41,10 @@ pub struct BodyPair {
     pub body2: RigidBodyHandle,
 }
 
-/// A joint between two bodies, enforced by impulses.
+/// A joint between two bodies that the solver enforces by impulses.
 ///
-/// `joint.body1` and `joint.body2` can be read, and not assigned:
-/// [`ImpulseJointSet::set_bodies`](super::ImpulseJointSet) also updates the lists of both bodies.
+/// `joint.body1` and `joint.body2` are read-only. To change them, call
+/// [`ImpulseJointSet::set_bodies`](super::ImpulseJointSet), which also updates the lists of both bodies.
 //
 // The order of the fields is fixed (`repr(C)`): see [`ImpulseJoint::FRONT`].
 #[derive(Clone, Debug, PartialEq)]
@@ -51,10 +52,10 @@ pub struct BodyPair {
 #[repr(C)]
 pub struct ImpulseJoint {
     pub(super) bodies: BodyPair,
-    /// Impulses on the locked axes in the last substep, on the second body. The next step starts with
-    /// them.
+    /// Impulses on the second body along the locked axes in the last substep (mass·length/s, mass·length²/s).
+    /// The next step starts with them.
     pub impulses: SpatialVector,
-    /// Mean force and torque of the last step, in world space.
+    /// Mean force of the last step, in world space.
     pub(crate) force: Vector,
     pub(crate) torque: AngVector,
     /// The angles at the end of the last step, of which turns are counted on. `None`: not known yet.
@@ -97,25 +98,26 @@ impl ImpulseJoint {
         self.body2
     }
 
-    /// The force of the joint on the second body, at the joint's anchor (world space, mean of the last step).
-    /// The first body gets the opposite. Locked axes, limits and motors together.
+    /// The force of the joint on the second body, at the joint's anchor (mass·length/s², world space, mean of
+    /// the last step). It includes locked axes, limits and motors. The first body gets the opposite force.
     pub fn force(&self) -> Vector {
         self.force
     }
 
-    /// The torque of the joint on the second body, about the joint's anchor (world space, mean of the last
-    /// step). The first body gets the opposite. Locked axes, limits and motors together.
+    /// The torque of the joint on the second body, about the joint's anchor (mass·length²/s², world space,
+    /// mean of the last step). It includes locked axes, limits and motors. The first body gets the opposite
+    /// torque.
     pub fn torque(&self) -> AngVector {
         self.torque
     }
 
-    /// Forgets impulses and turns, which were other bodies'.
+    /// Clears impulses and turns, which belonged to other bodies.
     pub(super) fn forget_past(&mut self) {
         self.angles = None;
         self.forget_impulses();
     }
 
-    /// Forgets all impulses. The next step starts without.
+    /// Clears all impulses, so that the next step starts with zeros.
     pub(crate) fn forget_impulses(&mut self) {
         self.impulses = [0.0; SPATIAL_DIM];
         (self.force, self.torque) = (Vector::ZERO, ANG_ZERO);

@@ -1,7 +1,7 @@
 //! Macros for the common methods of named joints.
 //!
-//! A named joint is a [`GenericJoint`](super::GenericJoint) whose axes are chosen, and methods for those
-//! that are left.
+//! A named joint is a [`GenericJoint`](super::GenericJoint) with chosen locked axes, and methods for its free
+//! axes.
 
 /// A named joint, its builder, and the conversions of both to the generic joint.
 macro_rules! joint_kind {
@@ -11,7 +11,7 @@ macro_rules! joint_kind {
         #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
         #[repr(transparent)]
         pub struct $joint {
-            /// The generic joint underneath.
+            /// The generic joint that this joint wraps.
             pub data: $crate::model::joint::GenericJoint,
         }
 
@@ -22,7 +22,7 @@ macro_rules! joint_kind {
         pub struct $builder(pub $joint);
 
         impl $joint {
-            /// The generic joint underneath.
+            /// The generic joint that this joint wraps.
             pub fn data(&self) -> &$crate::model::joint::GenericJoint {
                 &self.data
             }
@@ -41,23 +41,23 @@ macro_rules! joint_kind {
             $joint, $builder;
             /// Anchor on the first body, in that body's frame.
             local_anchor1() -> crate::dim::math::Vector;
-            /// Sets where the joint holds the first body, in that body's frame.
+            /// Sets the anchor on the first body, in that body's frame (length units).
             local_anchor1, set_local_anchor1(anchor: crate::dim::math::Vector);
             /// Anchor on the second body, in that body's frame.
             local_anchor2() -> crate::dim::math::Vector;
-            /// Sets where the joint holds the second body, in that body's frame.
+            /// Sets the anchor on the second body, in that body's frame (length units).
             local_anchor2, set_local_anchor2(anchor: crate::dim::math::Vector);
-            /// Whether the colliders of the two bodies touch each other.
+            /// Returns whether the colliders of the two bodies collide with each other.
             contacts_enabled() -> bool;
-            /// Says whether the two bodies' colliders touch each other.
+            /// Sets whether the colliders of the two bodies collide with each other.
             contacts_enabled, set_contacts_enabled(enabled: bool);
         }
         $crate::model::joint::kind::joint_methods! {
             $joint, $builder;
-            /// Makes the locked axes a spring; `None`: as stiff as the solver can make them.
+            /// Sets the softness of the locked axes: a spring, or `None` for the stiffest joint of the
+            /// solver.
             softness, set_softness(softness: Option<$crate::model::joint::SpringCoefficients>);
-            /// Sets the largest force (first number) and torque (second number), above which the joint
-            /// breaks: see
+            /// Sets the force (first number) and torque (second number) above which the joint breaks: see
             /// [`GenericJoint::set_break_thresholds`](crate::dynamics::GenericJoint::set_break_thresholds).
             break_thresholds, set_break_thresholds(
                 force: $crate::dim::math::Real, torque: $crate::dim::math::Real
@@ -200,16 +200,16 @@ macro_rules! joint_motor_methods {
             motor_model, set_motor_model(
                 $($name: $type,)? model: $crate::model::joint::MotorModel
             );
-            /// Drives at a velocity; `factor` is the motor's damping.
+            /// Drives the axis at a velocity (length/s or rad/s); `factor` is the damping of the motor.
             motor_velocity, set_motor_velocity(
                 $($name: $type,)? target_vel: $crate::dim::math::Real, factor: $crate::dim::math::Real
             );
-            /// Drives to a position, like a spring with a damper.
+            /// Drives the axis to a position (length units or radians), like a spring with a damper.
             motor_position, set_motor_position(
                 $($name: $type,)? target_pos: $crate::dim::math::Real,
                 stiffness: $crate::dim::math::Real, damping: $crate::dim::math::Real
             );
-            /// Drives to a position as far as `stiffness` is large, at a velocity as far as `damping` is.
+            /// Drives the axis to a position with `stiffness`, and at a velocity with `damping`.
             set_motor, set_motor(
                 $($name: $type,)? target_pos: $crate::dim::math::Real,
                 target_vel: $crate::dim::math::Real,
@@ -241,9 +241,9 @@ macro_rules! joint_drive_methods {
     ($joint:ident, $builder:ident, [$($axis:expr)?], ($($name:ident: $type:ty)?)) => {
         $crate::model::joint::kind::joint_methods! {
             $joint, $builder [$($axis)?];
-            /// The range; `None` without limits.
+            /// The range of the axis (length units or radians); `None` without limits.
             limits($($name: $type)?) -> Option<&$crate::model::joint::JointLimits>;
-            /// Says how far it reaches (length units, or radians).
+            /// Sets the range of the axis (length units or radians).
             limits, set_limits($($name: $type,)? limits: [$crate::dim::math::Real; 2]);
         }
         $crate::model::joint::kind::joint_motor_methods!(

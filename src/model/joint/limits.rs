@@ -13,7 +13,7 @@ const ANGLE_TOLERANCE: Real = 0.5;
 /// Range of a free axis of a joint: of lengths, or of angles in radians.
 ///
 /// Angles of joints with one free axis of rotation are continuous beyond half a turn, so a range may span
-/// several turns, or lie anywhere. `Real::MAX` (or more) is no limit on that side.
+/// several turns, or lie anywhere. `Real::MAX` or more disables the limit on that side.
 #[derive(Copy, Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub struct JointLimits<N = Real> {
@@ -21,8 +21,8 @@ pub struct JointLimits<N = Real> {
     pub min: N,
     /// The upper end of the range.
     pub max: N,
-    /// The impulse with which the limit pushed in the last substep: positive at the lower end, negative
-    /// at the upper one. The next step starts with it.
+    /// The impulse of the limit in the last substep (mass·length/s or mass·length²/s): positive at the lower
+    /// end, negative at the upper end. The next step starts with it.
     pub impulse: N,
 }
 

@@ -144,7 +144,7 @@ impl JointLinks {
         links.filter_map(|(slot, link)| Some((slot as u32, link.as_ref()?)))
     }
 
-    /// Takes in a joint whose slot is empty.
+    /// Inserts a joint whose slot is empty.
     pub fn insert(&mut self, link: JointLink) {
         let slot = link.handle.into_raw_parts().0;
         if slot as usize >= self.links.len() {
@@ -160,7 +160,7 @@ impl JointLinks {
         self.links[slot as usize] = Some(link);
     }
 
-    /// Forgets a joint, which must have no colour.
+    /// Removes a joint, which must have no colour.
     pub fn remove(&mut self, slot: u32) {
         let Some(link) = self.links[slot as usize].take() else { return };
         debug_assert!(link.slot.is_none());

@@ -1,7 +1,7 @@
 //! Joints between bodies: locked axes, limits and motors, and the sets that contain them.
 //!
-//! Everything is a [`GenericJoint`] underneath. The joints with a name choose its axes and offer methods
-//! for those that are left. An [`ImpulseJoint`] is one of them between two bodies of a world.
+//! Every joint wraps a [`GenericJoint`]. Named joints lock a fixed set of axes and have methods for the free
+//! axes. An [`ImpulseJoint`] is a joint between two bodies of a world.
 
 mod builder;
 mod error;

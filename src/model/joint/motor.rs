@@ -7,13 +7,13 @@ use crate::dim::math::Real;
 #[derive(Copy, Clone, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub enum MotorModel {
-    /// They are accelerations: multiplied by the mass (or inertia) of the joint's own two bodies, as the
-    /// joint lets them move. The motion is the same whatever these weigh. The inertia behind other joints is
+    /// They give accelerations: the solver multiplies them by the effective mass (or inertia) of the joint's
+    /// own two bodies. The motion is independent of their masses. The inertia behind other joints is
     /// excluded. The motor at the root of an arm with `n` times the inertia of its first link needs `n` times
     /// the stiffness and damping.
     #[default]
     AccelerationBased,
-    /// They are forces (or torques). Heavier bodies move more slowly.
+    /// They give forces (or torques). Heavier bodies move more slowly.
     ForceBased,
 }
 
@@ -45,20 +45,20 @@ impl MotorModel {
     }
 }
 
-/// Pulls a free axis of a joint towards a position, or to a velocity:
+/// The motor of a free axis, which drives it to a position or at a velocity:
 ///
 /// ```text
 /// force = stiffness · (target_pos - position) + damping · (target_vel - velocity)
 /// ```
 ///
-/// within `±max_force`. Lengths along axes of translation, radians about axes of rotation, where the
-/// force is a torque.
+/// within `±max_force`. Positions are lengths on axes of translation, and radians on axes of rotation, where
+/// the force is a torque.
 #[derive(Copy, Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub struct JointMotor {
-    /// The velocity to reach.
+    /// The target velocity (length/s or rad/s).
     pub target_vel: Real,
-    /// The position to reach.
+    /// The target position (length units or radians).
     pub target_pos: Real,
     /// Force (or acceleration) per unit of distance from the target position.
     pub stiffness: Real,
@@ -66,7 +66,8 @@ pub struct JointMotor {
     pub damping: Real,
     /// The largest force, or torque, of the motor.
     pub max_force: Real,
-    /// Impulse of the motor in the last substep. The next step starts with it.
+    /// Impulse of the motor in the last substep (mass·length/s or mass·length²/s). The next step starts with
+    /// it.
     pub impulse: Real,
     /// Unit of stiffness and damping.
     pub model: MotorModel,

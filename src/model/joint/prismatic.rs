@@ -1,4 +1,4 @@
-//! The joint that lets two bodies slide along a common axis.
+//! The sliding joint along a common axis.
 
 use super::GenericJoint;
 use super::kind::{joint_axis_methods, joint_drive_methods, joint_kind};
@@ -13,8 +13,8 @@ joint_axis_methods!(PrismaticJoint, PrismaticJointBuilder);
 joint_drive_methods!(PrismaticJoint, PrismaticJointBuilder, [JointAxis::LinX], ());
 
 impl PrismaticJoint {
-    /// A joint along an axis, the same in the frames of both bodies. Its length does not matter; one
-    /// without a direction is logged, and X taken instead.
+    /// A joint along an axis, which is the same in the frames of both bodies. Its length does not matter. An
+    /// axis without a direction is logged and replaced by X.
     pub fn new(axis: Vector) -> Self {
         let mut data = GenericJoint::new(JointAxesMask::LOCKED_PRISMATIC_AXES);
         data.set_local_axis1(axis).set_local_axis2(axis);

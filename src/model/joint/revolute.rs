@@ -1,4 +1,4 @@
-//! The joint that lets two bodies turn about a common axis.
+//! The hinge about a common axis.
 
 use super::generic::relative_rotation;
 use super::kind::{joint_drive_methods, joint_kind};
@@ -8,14 +8,14 @@ use crate::dim::math::{Real, Rotation};
 joint_kind! {
     /// A hinge: rotation about a common axis.
     ///
-    /// Its angle is counted on beyond half a turn: limits may span several turns.
+    /// Its angle is continuous beyond half a turn, so limits may span several turns.
     RevoluteJoint, RevoluteJointBuilder
 }
 joint_drive_methods!(RevoluteJoint, RevoluteJointBuilder, [JointAxis::AngX], ());
 
 impl RevoluteJoint {
-    /// The angle (radians, in `-π..=π`) by which the second body's frame is turned against the first's,
-    /// for bodies with these rotations.
+    /// The angle (radians, in `-π..=π`) of the second body's joint frame relative to the first's, for bodies
+    /// with these rotations.
     pub fn angle(&self, body_rotation1: &Rotation, body_rotation2: &Rotation) -> Real {
         let frame1 = *body_rotation1 * self.data.local_frame1.rotation;
         let frame2 = *body_rotation2 * self.data.local_frame2.rotation;

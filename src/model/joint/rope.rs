@@ -1,4 +1,4 @@
-//! The joint that keeps two points from getting too far apart.
+//! The joint that limits the distance of two points.
 
 use super::GenericJoint;
 use super::kind::{joint_kind, joint_motor_methods};
@@ -6,13 +6,13 @@ use crate::dim::joint_axes::{JointAxesMask, JointAxis};
 use crate::dim::math::Real;
 
 joint_kind! {
-    /// Keeps two points, one on each body, from getting further apart than a distance.
+    /// A joint that limits the distance of two points, one on each body.
     RopeJoint, RopeJointBuilder
 }
 joint_motor_methods!(RopeJoint, RopeJointBuilder, [JointAxis::LinX], ());
 
 impl RopeJoint {
-    /// A rope of a length.
+    /// A rope with this largest distance of the two points (length units).
     pub fn new(max_distance: Real) -> Self {
         let mut data = GenericJoint::new(JointAxesMask::empty());
         data.coupled_axes = JointAxesMask::LIN_AXES;
@@ -22,12 +22,13 @@ impl RopeJoint {
         rope
     }
 
-    /// The largest distance of the two points.
+    /// The largest distance of the two points (length units).
     pub fn max_distance(&self) -> Real {
         self.data.limits[JointAxis::LinX as usize].max
     }
 
-    /// Sets the largest distance of the two points. A negative one is logged, and the old one stays.
+    /// Sets the largest distance of the two points (length units). A negative value is refused with a warning
+    /// in the log.
     pub fn set_max_distance(&mut self, max_distance: Real) -> &mut Self {
         self.data.set_limits(JointAxis::LinX, [0.0, max_distance]);
         self
@@ -35,7 +36,7 @@ impl RopeJoint {
 }
 
 impl RopeJointBuilder {
-    /// A rope of a length.
+    /// A rope with this largest distance of the two points (length units).
     pub fn new(max_distance: Real) -> Self {
         Self(RopeJoint::new(max_distance))
     }

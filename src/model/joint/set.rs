@@ -1,4 +1,4 @@
-//! All impulse joints of a simulation, and the notes that the user's changes leave for the next step.
+//! The set of impulse joints, and the record of the user's changes for the next step.
 
 use super::{
     BodyPair, GenericJoint, ImpulseJoint, ImpulseJointHandle, InvalidJoint, JointEnabled,
@@ -23,7 +23,7 @@ pub(crate) struct Entry {
     filed: [RigidBodyHandle; 2],
 }
 
-/// Record of a joint's changes. It stays with the handle, whatever the user puts there.
+/// Record of a joint's changes. It belongs to the handle, also if the user replaces the joint.
 #[derive(Copy, Clone, Debug, Default)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 struct Note {
@@ -33,11 +33,11 @@ struct Note {
     wakes: bool,
 }
 
-/// The joints that hold bodies together by impulses, each found by its handle.
+/// The impulse joints of a simulation, accessed by handle.
 ///
 /// Iteration is in the order of the slots: the same insertions and removals give the same order.
 ///
-/// A joint goes when one of its bodies is removed, at the latest in the next step or update.
+/// If one of its bodies is removed, a joint is removed at the latest in the next step or update.
 #[derive(Debug, Default)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde-serialize", serde(remote = "Self"))]
@@ -76,11 +76,11 @@ impl ImpulseJointSet {
         self.joints.contains(handle.0)
     }
 
-    /// Joins two bodies, and wakes them if `wake_up`.
+    /// Inserts a joint between two bodies, and wakes them if `wake_up` is `true`.
     ///
-    /// A joint that joins a body to itself, or one of whose numbers is not usable, is logged and inserted
-    /// disabled; [`Self::try_insert`] returns the error instead. Whether the handles find bodies shows in the
-    /// next step: it removes joints without.
+    /// A joint between a body and itself, or with an unusable number, is logged and inserted disabled.
+    /// [`Self::try_insert`] returns the error instead. The next step removes a joint whose body handles are
+    /// stale.
     pub fn insert(
         &mut self,
         body1: RigidBodyHandle,
@@ -96,7 +96,7 @@ impl ImpulseJointSet {
         self.insert_new(body1, body2, data, wake_up)
     }
 
-    /// Joins two bodies, and wakes them if `wake_up`.
+    /// Inserts a joint between two bodies, and wakes them if `wake_up` is `true`.
     ///
     /// # Errors
     /// If the two bodies are the same, or a number of the joint is not usable.
@@ -130,7 +130,7 @@ impl ImpulseJointSet {
         handle
     }
 
-    /// Takes a joint out of the set; `None` if the handle finds none. Its bodies wake if `wake_up`.
+    /// Removes a joint and returns it; `None` if the handle is stale. Its bodies wake if `wake_up` is `true`.
     pub fn remove(&mut self, handle: ImpulseJointHandle, wake_up: bool) -> Option<ImpulseJoint> {
         let Entry { joint, filed, .. } = self.joints.remove(handle.0)?;
         self.unfile(handle, filed);
@@ -152,12 +152,12 @@ impl ImpulseJointSet {
         handles
     }
 
-    /// The joint that a handle finds.
+    /// The joint of a handle; `None` if the handle is stale.
     pub fn get(&self, handle: ImpulseJointHandle) -> Option<&ImpulseJoint> {
         self.joints.get(handle.0).map(|entry| &entry.joint)
     }
 
-    /// The joint that a handle finds, for changing it. Its bodies wake.
+    /// Mutable access to the joint of a handle; `None` if the handle is stale. Its bodies wake.
     pub fn get_mut(&mut self, handle: ImpulseJointHandle) -> Option<&mut ImpulseJoint> {
         let entry = self.joints.get_mut(handle.0)?;
         note(&mut self.modified, handle, entry);
@@ -182,8 +182,8 @@ impl ImpulseJointSet {
         Some((&mut entry.joint, handle))
     }
 
-    /// Joins other bodies by a joint than before. The old ones and the new ones wake. Nothing happens if
-    /// the handle finds no joint, or both bodies are the same.
+    /// Changes the bodies of a joint. The old bodies and the new ones wake. A stale handle, or two equal
+    /// bodies, changes nothing.
     pub fn set_bodies(
         &mut self,
         handle: ImpulseJointHandle,
@@ -205,8 +205,8 @@ impl ImpulseJointSet {
         self.joints.iter().map(|(index, entry)| (ImpulseJointHandle(index), &entry.joint))
     }
 
-    /// All joints with their handles, in the order of their slots, for changing them. The bodies of
-    /// every joint that the iteration comes by wake.
+    /// Mutable access to all joints with their handles, in the order of their slots. The bodies of every
+    /// visited joint wake.
     pub fn iter_mut(
         &mut self,
     ) -> impl DoubleEndedIterator<Item = (ImpulseJointHandle, &mut ImpulseJoint)> {
@@ -240,7 +240,8 @@ impl ImpulseJointSet {
         self.attached_joints(body).filter(|(.., joint)| joint.data.is_enabled())
     }
 
-    /// Changes each joint of a body, in the order of insertion. The joined bodies wake.
+    /// Calls a function with mutable access to each joint of a body, in the order of insertion. The joined
+    /// bodies wake.
     pub fn map_attached_joints_mut(
         &mut self,
         body: RigidBodyHandle,
@@ -281,8 +282,8 @@ impl ImpulseJointSet {
         self.joints.get(handle.0).is_some_and(|entry| entry.note.listed)
     }
 
-    /// Checks the change lists of a loaded set: the list contains each joint that is marked, and removed ones
-    /// are gone.
+    /// Checks the change lists of a loaded set: the list contains each joint that is marked, and the set
+    /// contains no removed joint.
     pub(crate) fn check_notes(&self) -> Result<(), Fault> {
         let mut listed = BTreeSet::new();
         for handle in self.modified.iter().filter(|handle| self.contains(**handle)) {
@@ -296,7 +297,7 @@ impl ImpulseJointSet {
         Ok(())
     }
 
-    /// To the next step all joints are new.
+    /// Marks all joints as new to the next step.
     pub(crate) fn begin_anew(&mut self) {
         (self.modified, self.removed) = (Vec::new(), Vec::new());
         for (index, entry) in self.joints.iter_mut() {
@@ -342,7 +343,7 @@ impl ImpulseJointSet {
         self.of_body.get(&body_slot).map_or(&[], Vec::as_slice)
     }
 
-    /// A joint broke: its bodies learn of it in the next step.
+    /// Records a broken joint for the next step.
     pub(crate) fn note_broken(&mut self, handle: ImpulseJointHandle) {
         let _ = self.get_mut(handle);
     }
@@ -452,7 +453,7 @@ impl core::ops::Index<ImpulseJointHandle> for ImpulseJointSet {
     type Output = ImpulseJoint;
 
     /// # Panics
-    /// If the handle finds no joint.
+    /// If the handle is stale.
     #[expect(clippy::panic, reason = "an index has no other way to say no")]
     fn index(&self, handle: ImpulseJointHandle) -> &ImpulseJoint {
         match self.get(handle) {
@@ -464,7 +465,7 @@ impl core::ops::Index<ImpulseJointHandle> for ImpulseJointSet {
 
 impl core::ops::IndexMut<ImpulseJointHandle> for ImpulseJointSet {
     /// # Panics
-    /// If the handle finds no joint.
+    /// If the handle is stale.
     #[expect(clippy::panic, reason = "an index has no other way to say no")]
     fn index_mut(&mut self, handle: ImpulseJointHandle) -> &mut ImpulseJoint {
         match self.get_mut(handle) {

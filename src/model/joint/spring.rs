@@ -1,4 +1,4 @@
-//! A spring by its frequency.
+//! Springs in terms of frequency and damping ratio.
 
 use super::InvalidJoint;
 use super::motor::check_factor;
@@ -7,18 +7,18 @@ use crate::model::params::Softness;
 
 /// Softness of the locked axes of a joint: a spring and a damper in mass-independent form.
 ///
-/// A joint without one is as stiff as the solver can make it.
+/// A joint without softness is as stiff as the solver allows.
 #[derive(Copy, Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub struct SpringCoefficients<N = Real> {
     /// Oscillations per second of the spring without damping (Hz).
     pub natural_frequency: N,
-    /// 1: comes back as fast as it can without swinging past the target; less: swings.
+    /// Damping ratio: 1 is critical damping, smaller values oscillate.
     pub damping_ratio: N,
 }
 
 impl SpringCoefficients {
-    /// From its frequency (Hz) and its damping ratio.
+    /// A spring with this frequency (Hz) and damping ratio.
     pub const fn new(natural_frequency: Real, damping_ratio: Real) -> Self {
         Self { natural_frequency, damping_ratio }
     }
@@ -48,7 +48,7 @@ impl SpringCoefficients {
     }
 
     /// The compliance of the spring in a step of `dt` seconds, in units of the inverse of the mass that it
-    /// moves: `1 / (dt ω (2 ζ + dt ω))`. Infinite if nothing pulls.
+    /// moves: `1 / (dt ω (2 ζ + dt ω))`. Infinite for a spring without force.
     pub fn cfm_coeff(&self, dt: Real) -> Real {
         self.in_steps_of(dt).compliance()
     }

@@ -1,4 +1,4 @@
-//! The joint that pulls two points to a distance.
+//! The spring between two points.
 
 use super::kind::joint_kind;
 use super::{GenericJoint, MotorModel};
@@ -6,11 +6,11 @@ use crate::dim::joint_axes::{JointAxesMask, JointAxis};
 use crate::dim::math::{Real, Vector};
 
 joint_kind! {
-    /// Pulls two points, one on each body, to a distance from each other:
-    /// `force = stiffness · (rest_length - distance) - damping · velocity`.
+    /// A spring between two points, one on each body: `force = stiffness · (rest_length - distance) - damping
+    /// · velocity`.
     ///
-    /// It is undamped unless [`Self::set_damping`] says otherwise: a mass `m` on it swings with the period
-    /// `2π √(m / stiffness)`.
+    /// It is undamped by default: a mass `m` on it oscillates with the period `2π √(m / stiffness)`.
+    /// [`Self::set_damping`] adds damping.
     ///
     /// ```
     /// # use rapier3d::prelude::*;
@@ -21,8 +21,8 @@ joint_kind! {
 }
 
 impl SpringJoint {
-    /// An undamped spring between a point of each body (in that body's frame). `rest_length` is the
-    /// distance at which it does not pull, `stiffness` the force per unit of length.
+    /// An undamped spring between a point of each body (in that body's frame). `rest_length` is the distance
+    /// without force, and `stiffness` the force per unit of length.
     pub fn new(anchor1: Vector, anchor2: Vector, rest_length: Real, stiffness: Real) -> Self {
         let mut data = GenericJoint::new(JointAxesMask::empty());
         data.coupled_axes = JointAxesMask::LIN_AXES;
@@ -35,7 +35,7 @@ impl SpringJoint {
         spring
     }
 
-    /// The distance at which the spring does not pull.
+    /// The distance at which the spring exerts no force (length units).
     pub fn rest_length(&self) -> Real {
         self.data.motors[JointAxis::LinX as usize].target_pos
     }
@@ -51,7 +51,7 @@ impl SpringJoint {
         self.data.motors[JointAxis::LinX as usize].damping
     }
 
-    /// Sets the distance at which the spring does not pull.
+    /// Sets the distance at which the spring exerts no force (length units).
     pub fn set_rest_length(&mut self, rest_length: Real) -> &mut Self {
         self.data.set_motor_position(
             JointAxis::LinX,
@@ -84,7 +84,7 @@ impl SpringJoint {
         self
     }
 
-    /// Says whether stiffness and damping are forces (the default) or accelerations.
+    /// Sets whether stiffness and damping give forces (the default) or accelerations.
     pub fn set_spring_model(&mut self, model: MotorModel) -> &mut Self {
         self.data.set_motor_model(JointAxis::LinX, model);
         self
@@ -103,7 +103,7 @@ impl SpringJointBuilder {
         self
     }
 
-    /// Says whether stiffness and damping are forces (the default) or accelerations.
+    /// Sets whether stiffness and damping give forces (the default) or accelerations.
     pub fn spring_model(mut self, model: MotorModel) -> Self {
         self.0.set_spring_model(model);
         self

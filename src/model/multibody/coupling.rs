@@ -6,22 +6,22 @@ use crate::dim::joint_axes::JointAxis;
 use crate::dim::math::{DIM, Real};
 use crate::model::joint::InvalidJoint;
 
-/// Two degrees of freedom of a multibody that move together: `q2 = coeff · q1 + offset`, with the coordinates
-/// `q1` and `q2` of the axes (length units, radians). Made by [`Multibody::add_dof_coupling`].
+/// Two coupled degrees of freedom of a multibody: `q2 = coeff · q1 + offset`, with the coordinates `q1` and
+/// `q2` of the axes (length units, radians). [`Multibody::add_dof_coupling`] creates it.
 #[derive(Copy, Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub struct MultibodyDofCoupling {
-    /// The link whose coordinate drives the other one (and is driven by it).
+    /// The first link. The coupling acts in both directions.
     pub link1: usize,
     /// The axis of its joint.
     pub axis1: JointAxis,
-    /// The other link.
+    /// The second link.
     pub link2: usize,
     /// The axis of its joint.
     pub axis2: JointAxis,
-    /// Displacement of the second coordinate per unit of the first: the ratio of a gear (negative if the
-    /// wheels touch on the outside), the radius of a pinion on a rack.
+    /// Displacement of the second coordinate per unit of the first. Examples are the ratio of a gear
+    /// (negative for external gears) and the radius of a pinion on a rack.
     pub coeff: Real,
     /// The second coordinate where the first one is 0.
     pub offset: Real,
@@ -41,8 +41,8 @@ impl Multibody {
     /// Couples two degrees of freedom, `q2 = coeff · q1 + offset`, and returns the position of the coupling
     /// in [`Self::couplings`]. An initial error is corrected over some steps.
     ///
-    /// Not for the rotations of a ball joint, which have no coordinate each. A coupling rests while one of
-    /// its axes is locked, and goes when a link that it names becomes part of another multibody, or none.
+    /// The rotations of a ball joint cannot be coupled, because they have no separate coordinates. A coupling
+    /// is inactive while one of its axes is locked. It is removed when one of its links leaves the multibody.
     ///
     /// ```
     /// # use rapier3d::prelude::*;
@@ -96,22 +96,23 @@ impl Multibody {
         &self.couplings
     }
 
-    /// Takes the coupling at a position out; those behind it move up. `None` if there is none.
+    /// Removes and returns the coupling at a position; later ones move up. `None` if there is no such
+    /// coupling.
     pub fn remove_dof_coupling(&mut self, position: usize) -> Option<MultibodyDofCoupling> {
         (position < self.couplings.len()).then(|| self.couplings.remove(position))
     }
 
-    /// Keeps those couplings of which `keep` says yes.
+    /// Keeps the couplings for which `keep` returns `true`.
     pub fn retain_dof_couplings(&mut self, keep: impl FnMut(&MultibodyDofCoupling) -> bool) {
         self.couplings.retain(keep);
     }
 
-    /// Takes all couplings out.
+    /// Removes all couplings.
     pub fn clear_dof_couplings(&mut self) {
         self.couplings.clear();
     }
 
-    /// The degrees of freedom of a coupling; `None` while it rests.
+    /// The degrees of freedom of a coupling; `None` while it is inactive.
     pub(crate) fn coupled_dofs(&self, coupling: &MultibodyDofCoupling) -> Option<[usize; 2]> {
         let usable = coupling.coeff.is_finite() && coupling.offset.is_finite();
         let first = self.coupled_dof(coupling.link1, coupling.axis1)?;

@@ -26,16 +26,16 @@ struct Spring {
 /// rotation. Three free rotations (3D) are stored as one rotation, which has no singular direction. Of two,
 /// the second rotates about the axis that the first moves, like a universal joint.
 ///
-/// Locked axes are exact, so `softness`, `break_force` and `break_torque` mean nothing here. Coupled
+/// Locked axes are exact, so `softness`, `break_force` and `break_torque` have no effect here. Coupled
 /// rotations have a common limit on the swing of a ball joint; other couplings have no effect.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub struct MultibodyJoint {
     /// Locked axes, limits and motors of the joint. The parent is its first body.
     pub data: GenericJoint,
-    /// Whether the joint moves at a prescribed velocity, independent of all forces.
+    /// Whether the joint moves at a prescribed velocity, independent of all forces (default: no).
     pub kinematic: bool,
-    /// By axis: the coordinate. Zero for locked axes, and for the rotations of a ball.
+    /// The coordinates by axis. Zero for locked axes, and for the rotations of a ball.
     coords: SpatialVector,
     /// The rotation of a ball.
     ball: Rotation,
@@ -69,7 +69,7 @@ impl MultibodyJoint {
         self.free_axes().bits().count_ones() as usize
     }
 
-    /// By axis: the coordinate (length units, radians). The rotations of a ball are given as one rotation
+    /// The coordinates by axis (length units, radians). The rotations of a ball are given as one rotation
     /// vector.
     pub fn coords(&self) -> SpatialVector {
         if !self.is_ball() {
@@ -91,7 +91,7 @@ impl MultibodyJoint {
         crate::dim::spatial::linear(&self.coords)
     }
 
-    /// Rotation of the joint's frame on the link against that on the parent.
+    /// Rotation of the joint's frame on the link relative to that on the parent.
     pub fn joint_rot(&self) -> Rotation {
         let q = |axis: usize| self.coords[DIM + axis];
         match angular_axes(self.free_axes()).as_slice() {
@@ -108,13 +108,14 @@ impl MultibodyJoint {
         self.data.local_frame1 * joint * self.data.local_frame2.inverse()
     }
 
-    /// Moves the coordinates by as many displacements as there are degrees of freedom: translations first, in
-    /// the order of the axes. Displacements that are missing are taken for 0.
+    /// Moves the coordinates by one displacement per degree of freedom (length units, radians), translations
+    /// first, in the order of the axes. Missing displacements are 0.
     pub fn apply_displacement(&mut self, displacements: &[Real]) {
         self.displace(displacements, |ball, turn| (rotation_from_angle(turn) * ball).normalize());
     }
 
-    /// Moves the coordinates for `dt` seconds at these velocities, one per degree of freedom.
+    /// Moves the coordinates for `dt` seconds at these velocities (length/s, rad/s), one per degree of
+    /// freedom.
     pub fn integrate(&mut self, dt: Real, velocities: &[Real]) {
         let mut displacements = [0.0; SPATIAL_DIM];
         for (displacement, velocity) in displacements.iter_mut().zip(velocities) {
@@ -144,7 +145,7 @@ impl MultibodyJoint {
     }
 
     /// Sets the coordinates to those with which the link stands nearest to `link`, a pose in the frame of the
-    /// parent's body. Angles are the ones that are closest to what they were.
+    /// parent's body. Among equivalent angles, the closest to the old ones is selected.
     pub(crate) fn read_pose(&mut self, link: &Pose) {
         let (frame1, frame2) = (self.data.local_frame1, self.data.local_frame2);
         let relative = frame1.inverse() * *link * frame2;
@@ -218,8 +219,7 @@ impl MultibodyJoint {
         axes
     }
 
-    /// The spring along an axis: its stiffness (force per length, torque per radian) and the coordinate at
-    /// which it is at rest.
+    /// The spring along an axis: its stiffness (force per length, torque per radian) and its rest coordinate.
     pub fn spring(&self, axis: JointAxis) -> (Real, Real) {
         let Spring { stiffness, rest } = self.springs[axis as usize];
         (stiffness, rest)
@@ -229,7 +229,7 @@ impl MultibodyJoint {
     /// default) and its rest coordinate. Its damping is
     /// [`Multibody::damping_mut`](super::Multibody::damping_mut).
     ///
-    /// It is integrated implicitly, so no stiffness is too large.
+    /// It is integrated implicitly, and stable at any stiffness.
     pub fn set_spring(&mut self, axis: JointAxis, stiffness: Real, rest: Real) {
         if !is_non_negative(stiffness) || !rest.is_finite() {
             return refuse("the spring of a multibody joint", (stiffness, rest));
@@ -237,8 +237,8 @@ impl MultibodyJoint {
         self.springs[axis as usize] = Spring { stiffness, rest };
     }
 
-    /// Angular velocity of the link against its parent at these velocities of the degrees of freedom, in the
-    /// joint's frame on the parent.
+    /// Angular velocity of the link relative to its parent (rad/s) at these velocities of the degrees of
+    /// freedom, in the joint's frame on the parent.
     pub fn angular_velocity(&self, velocities: &[Real]) -> AngVector {
         let linear = self.ndofs() - angular_axes(self.free_axes()).len();
         let rates = velocities.iter().skip(linear);

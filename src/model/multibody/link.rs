@@ -8,18 +8,18 @@ use crate::model::body::{RigidBodyHandle, RigidBodyVelocity};
 use crate::model::check::checked_pose;
 use parry::mass_properties::MassProperties;
 
-/// One body of a multibody, and the joint that holds it.
+/// One body of a multibody, and the joint to its parent.
 #[derive(Clone, Debug)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub struct MultibodyLink {
-    /// The joint to the parent. That of a root has no parent, and no effect.
+    /// The joint to the parent. The joint of a root has no effect.
     pub joint: MultibodyJoint,
     pub(crate) id: usize,
     pub(crate) parent: Option<usize>,
     pub(crate) body: RigidBodyHandle,
     pub(crate) handle: Option<MultibodyJointHandle>,
-    /// Links of the same group do not touch each other; 0: no group. They are of a multibody
-    /// without self-contacts that was merged into this one.
+    /// Links of the same group do not collide with each other; 0: no group. A group is a merged multibody
+    /// without self-contacts.
     pub(super) exclusion_group: u32,
     /// First of the link's degrees of freedom among the multibody's.
     pub(crate) first_dof: usize,
@@ -27,16 +27,16 @@ pub struct MultibodyLink {
     /// of mass.
     pub(crate) free: JointAxesMask,
     pub(crate) pose: Pose,
-    /// The body's own, as of the last look at it.
+    /// The mass properties of the body at the last update.
     pub(crate) mass: MassProperties,
-    /// The body's pose as the multibody last saw it, or gave it. `None`: not yet.
+    /// The body's pose at the last read or write by the multibody; `None` before the first.
     pub(crate) seen_pose: Option<Pose>,
     /// The same of its velocity.
     pub(crate) seen_velocity: Option<RigidBodyVelocity>,
 }
 
 impl MultibodyLink {
-    /// A link that stands nowhere yet.
+    /// A link without a pose yet.
     pub(super) fn new(body: RigidBodyHandle, joint: MultibodyJoint, parent: Option<usize>) -> Self {
         Self {
             free: if parent.is_some() { joint.free_axes() } else { JointAxesMask::empty() },
@@ -54,7 +54,7 @@ impl MultibodyLink {
         }
     }
 
-    /// Returns whether all numbers can be computed with.
+    /// Returns whether all numbers are usable.
     pub(super) fn is_sound(&self) -> bool {
         let poses = [Some(self.pose), self.seen_pose];
         let mut velocities = self.seen_velocity.iter();
@@ -74,12 +74,12 @@ impl MultibodyLink {
         self.handle
     }
 
-    /// The link's position among the multibody's links. Parents come before their children.
+    /// The link's index among the multibody's links. Parents precede their children.
     pub fn link_id(&self) -> usize {
         self.id
     }
 
-    /// The parent's position among the multibody's links; `None` for a root.
+    /// The parent's index among the multibody's links; `None` for a root.
     pub fn parent_id(&self) -> Option<usize> {
         self.parent
     }

@@ -1,11 +1,11 @@
 //! # Multibodies: articulated bodies in reduced coordinates
 //!
-//! An impulse joint lets two bodies go where they like and pulls them together; a multibody joint has no
-//! other directions than its free axes. The bodies of a [`Multibody`] form a tree: each [`MultibodyLink`] but
-//! the root stands where its parent, its [`MultibodyJoint`] and that joint's coordinates say. So joints never
-//! come apart, a chain costs as much as it is long, and a motor turns exactly what it has to turn.
+//! An impulse joint corrects the relative motion of two bodies; a multibody joint permits motion along its
+//! free axes only. The bodies of a [`Multibody`] form a tree. The pose of each [`MultibodyLink`] except the
+//! root follows from the pose of its parent and the coordinates of its [`MultibodyJoint`]. So joints have no
+//! position error, the cost of a chain is proportional to its length, and motors act on the exact inertia.
 //!
-//! The laws of motion are in [`crate::multibody`]; the step's part is in its solver.
+//! [`crate::multibody`] contains the laws of motion, and the solver of the step applies them.
 
 mod coupling;
 mod trajectory;

@@ -41,24 +41,23 @@ clone_in_place!(DofLists {
     friction_impulses
 });
 
-/// Bodies that joints hold together as a tree. Made by
-/// [`MultibodyJointSet::insert`](super::MultibodyJointSet::insert).
+/// A tree of bodies in reduced coordinates. [`MultibodyJointSet::insert`](super::MultibodyJointSet::insert)
+/// creates and extends multibodies.
 ///
 /// The state is one coordinate and one velocity per *degree of freedom*. They are numbered link by link,
 /// parents first, and within a link in the order of [`JointAxis`]: translations, then rotations. A dynamic
 /// root can move along and about all axes of the world, except those that [`RigidBody::locked_axes`] locks. A
-/// fixed or kinematic root has no degree of freedom and carries the others along.
+/// fixed or kinematic root has no degree of freedom, and its motion moves the other links.
 ///
 /// # Links and bodies
 ///
 /// Each step moves the links and writes their poses and velocities to the bodies. Edits of the bodies between
 /// steps are applied. A moved link gives its joint new coordinates, as far as its free axes allow, and
 /// impulses and velocities of bodies act on the whole multibody. Forces, gravity scale and damping of the
-/// bodies act on the links. Colliders touch as those of all bodies do; the side with the lower dominance
-/// gives way.
+/// bodies act on the links. Colliders collide as those of all bodies do; dominance groups apply.
 ///
-/// A multibody acts while all its links (but the root) are dynamic and enabled bodies, and all its joints are
-/// valid and enabled. Otherwise the bodies move as if nothing joined them.
+/// A multibody acts while all its links except the root are dynamic and enabled bodies, and all its joints
+/// are valid and enabled. Otherwise the bodies move as if they had no joints.
 #[derive(Debug)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde-serialize", serde(remote = "Self"))]
@@ -70,7 +69,7 @@ pub struct Multibody {
     pub(super) self_contacts_enabled: bool,
     /// The sum of the energy errors of free motion (J), not above 0: see `multibody/motion/free.rs`.
     pub(crate) flight_error: Real,
-    /// The energy that impulses left beyond what they should (J), which is bounded as well.
+    /// The excess energy of impulses (J), which is bounded as well.
     pub(crate) impulse_error: Real,
 }
 
@@ -186,17 +185,17 @@ impl Multibody {
         self.links.first()
     }
 
-    /// The root, for changing it.
+    /// Mutable access to the root.
     pub fn root_mut(&mut self) -> Option<&mut MultibodyLink> {
         self.links.first_mut()
     }
 
-    /// The link at a position.
+    /// The link at an index; `None` if there is no such link.
     pub fn link(&self, id: usize) -> Option<&MultibodyLink> {
         self.links.get(id)
     }
 
-    /// The link at a position, for changing it. If a link was replaced by another, the multibody is invalid:
+    /// Mutable access to the link at an index. If a link was replaced by another, the multibody is invalid:
     /// the next step removes its joints, with a warning.
     pub fn link_mut(&mut self, id: usize) -> Option<&mut MultibodyLink> {
         self.links.get_mut(id)
@@ -207,19 +206,19 @@ impl Multibody {
         self.links.iter()
     }
 
-    /// All links, parents before their children, for changing them.
+    /// Mutable access to all links, parents before their children.
     pub fn links_mut(
         &mut self,
     ) -> impl DoubleEndedIterator<Item = &mut MultibodyLink> + ExactSizeIterator {
         self.links.iter_mut()
     }
 
-    /// Number of links, with the root.
+    /// Number of links, including the root.
     pub fn num_links(&self) -> usize {
         self.links.len()
     }
 
-    /// The links from the root to this one, both included; empty if there is no such link.
+    /// The indices of the links from the root to this one, both included; empty for a missing link.
     pub fn kinematic_branch(&self, link_id: usize) -> Vec<usize> {
         let start = (link_id < self.links.len() && self.is_whole()).then_some(link_id);
         let mut branch: Vec<_> =
@@ -228,17 +227,17 @@ impl Multibody {
         branch
     }
 
-    /// Returns whether the colliders of its links touch each other. Links of a merged multibody that had this
-    /// disabled do not touch each other even then.
+    /// Returns whether the colliders of its links collide with each other. The links of a merged multibody
+    /// without self-contacts never collide with each other.
     pub fn self_contacts_enabled(&self) -> bool {
         self.self_contacts_enabled
     }
 
-    /// Sets whether the colliders of its links touch each other (default: yes). Contacts of a link and its
-    /// parent also need their joint's [`contacts_enabled`](GenericJoint::contacts_enabled).
+    /// Sets whether the colliders of its links collide with each other (default: yes). Contacts of a link and
+    /// its parent also need their joint's [`contacts_enabled`](GenericJoint::contacts_enabled).
     ///
-    /// A joint that merges two multibodies keeps the parent's setting for the whole. If the child's is
-    /// `false`, the child's links still do not touch each other. A later call decides for all links.
+    /// A joint that merges two multibodies keeps the parent's setting for the whole. If the child's setting
+    /// is `false`, the child's links still do not collide with each other. A later call applies to all links.
     pub fn set_self_contacts_enabled(&mut self, enabled: bool) {
         self.self_contacts_enabled = enabled;
         self.links.iter_mut().for_each(|link| link.exclusion_group = 0);
@@ -267,53 +266,53 @@ impl Multibody {
         &self.lists.velocities
     }
 
-    /// The velocity of each degree of freedom (length/s, rad/s), for changing it.
+    /// Mutable access to the velocity of each degree of freedom (length/s, rad/s).
     pub fn generalized_velocity_mut(&mut self) -> &mut [Real] {
         &mut self.lists.velocities
     }
 
-    /// The acceleration of each degree of freedom (length/s², rad/s²) in the last substep, by all but
-    /// contacts, limits and bounded motors.
+    /// The acceleration of each degree of freedom (length/s², rad/s²) in the last substep, without contacts,
+    /// limits and bounded motors.
     pub fn generalized_acceleration(&self) -> &[Real] {
         &self.lists.accelerations
     }
 
-    /// The velocities of the degrees of freedom of a link; empty if there is no such link.
+    /// The velocities of the degrees of freedom of a link (length/s, rad/s); empty for a missing link.
     pub fn joint_velocity(&self, link_id: usize) -> &[Real] {
         let own = self.link(link_id).and_then(|link| self.lists.velocities.get(link.dofs()));
         own.unwrap_or_default()
     }
 
-    /// Damping of each degree of freedom (force per velocity, default 0). Negative ones, and those that are
-    /// not finite, count as 0.
+    /// Damping of each degree of freedom (force per velocity, default 0). Negative and non-finite values
+    /// count as 0.
     pub fn damping(&self) -> &[Real] {
         &self.lists.damping
     }
 
-    /// Damping of each degree of freedom, for changing it.
+    /// Mutable access to the damping of each degree of freedom.
     pub fn damping_mut(&mut self) -> &mut [Real] {
         &mut self.lists.damping
     }
 
     /// Inertia of each degree of freedom in addition to that of the links (mass, or mass·length², default 0).
-    /// Example: that of a rotor behind a gear, times the square of the gear's ratio. Negative ones, and those
-    /// that are not finite, count as 0.
+    /// For example, the inertia of a rotor behind a gear times the square of the gear ratio. Negative and
+    /// non-finite values count as 0.
     pub fn armature(&self) -> &[Real] {
         &self.lists.armature
     }
 
-    /// Inertia of each degree of freedom beyond that of the links, for changing it.
+    /// Mutable access to the additional inertia of each degree of freedom.
     pub fn armature_mut(&mut self) -> &mut [Real] {
         &mut self.lists.armature
     }
 
-    /// Dry friction of each degree of freedom (force, or torque, default 0): the most with which it resists
-    /// its motion. Negative ones, and those that are not finite, count as 0.
+    /// Dry friction of each degree of freedom (force, or torque, default 0): the largest resistance to its
+    /// motion. Negative and non-finite values count as 0.
     pub fn frictions(&self) -> &[Real] {
         &self.lists.frictions
     }
 
-    /// Dry friction of each degree of freedom, for changing it.
+    /// Mutable access to the dry friction of each degree of freedom.
     pub fn frictions_mut(&mut self) -> &mut [Real] {
         &mut self.lists.frictions
     }
@@ -360,7 +359,7 @@ impl Multibody {
         }
     }
 
-    /// Numbers the degrees of freedom anew, and lets what is known of those that stay follow.
+    /// Renumbers the degrees of freedom, and moves the data of the remaining ones.
     pub(super) fn renumber(&mut self) {
         let old = core::mem::take(&mut self.dofs);
         for link in &mut self.links {

@@ -1,4 +1,4 @@
-//! All multibodies of a simulation, and the notes that the user's changes leave for the next step.
+//! The set of multibodies, and the record of the user's changes for the next step.
 
 use super::{
     Multibody, MultibodyIndex, MultibodyJoint, MultibodyJointHandle, MultibodyLink, MultibodyLinkId,
@@ -23,8 +23,7 @@ pub(crate) struct MultibodyEdits {
     pub groups: Vec<(Vec<RigidBodyHandle>, bool)>,
 }
 
-/// The joints that make bodies links of articulated wholes, each found by its handle, and these
-/// [`Multibody`]s.
+/// The multibody joints of a simulation, accessed by handle, and their [`Multibody`]s.
 ///
 /// ```
 /// # use rapier3d::prelude::*;
@@ -47,10 +46,10 @@ pub(crate) struct MultibodyEdits {
 pub struct MultibodyJointSet {
     multibodies: Arena<Multibody>,
     joints: Arena<MultibodyLinkId>,
-    /// By body: which link it is. It is a tree, because slots of forged handles are unbounded. The whole
-    /// handle is the key, because a stale one may have the slot of another link.
+    /// By body: its link. It is a tree, because slots of forged handles are unbounded. The whole handle is
+    /// the key, because a stale one may have the slot of another link.
     of_body: BTreeMap<u64, MultibodyLinkId>,
-    /// By slot of a multibody: how many links are filed of it.
+    /// By slot of a multibody: the number of its links in the lists.
     link_counts: Vec<usize>,
     /// Multibodies whose links changed since the last step, and whether they wake.
     modified: Vec<(MultibodyIndex, bool)>,
@@ -84,14 +83,14 @@ impl MultibodyJointSet {
 
     // ---- Inserting ----
 
-    /// Makes `body2` a child of `body1`, and wakes both if `wake_up`. Multibodies that they belonged to
-    /// become one.
+    /// Makes `body2` a child of `body1`, and wakes both if `wake_up` is `true`. Their multibodies are merged.
     ///
-    /// The joint's coordinates are read from the poses of the bodies in the next step, which puts `body2`
-    /// where they say.
+    /// The next step reads the joint's coordinates from the poses of the bodies, and moves `body2` to the
+    /// pose of the coordinates.
     ///
-    /// `None` if `body2` has a parent already, if it is `body1` or one of its ancestors, or if a number of
-    /// the joint is not usable; the log says why. Joints of handles that find no body go in the next step.
+    /// `None`, with a warning in the log, if `body2` already has a parent, or is `body1` or one of its
+    /// ancestors. The same if a number of the joint is unusable. The next step removes joints with stale body
+    /// handles.
     pub fn insert(
         &mut self,
         body1: RigidBodyHandle,
@@ -102,8 +101,8 @@ impl MultibodyJointSet {
         self.insert_or_warn([body1, body2], MultibodyJoint::new(data.into(), false), wake_up)
     }
 
-    /// The same as [`Self::insert`], for a joint that moves at the velocity that the user gives it
-    /// ([`Multibody::generalized_velocity_mut`]), whatever pushes.
+    /// The same as [`Self::insert`], for a joint that moves at a velocity prescribed by the user
+    /// ([`Multibody::generalized_velocity_mut`]), independent of forces.
     pub fn insert_kinematic(
         &mut self,
         body1: RigidBodyHandle,
@@ -117,8 +116,8 @@ impl MultibodyJointSet {
     /// The same as [`Self::insert`].
     ///
     /// # Errors
-    /// If `body2` has a parent already, if it is `body1` or one of its ancestors, or if a number of the joint
-    /// is not usable.
+    /// If `body2` already has a parent, if it is `body1` or one of its ancestors, or if a number of the joint
+    /// is unusable.
     pub fn try_insert(
         &mut self,
         body1: RigidBodyHandle,
@@ -222,9 +221,9 @@ impl MultibodyJointSet {
 
     // ---- Removing ----
 
-    /// Takes a joint out of the set; `None` if the handle finds none. Its bodies wake if `wake_up`.
+    /// Removes a joint and returns it; `None` if the handle is stale. Its bodies wake if `wake_up` is `true`.
     ///
-    /// The link becomes the root of what hangs on it; a body on which nothing hangs is no link any more.
+    /// The link becomes the root of its descendants. A body without descendants is no longer a link.
     pub fn remove(
         &mut self,
         handle: MultibodyJointHandle,
@@ -236,8 +235,8 @@ impl MultibodyJointSet {
         Some(joint)
     }
 
-    /// Takes all joints of the multibody to which a joint belongs out of the set. Its bodies wake if
-    /// `wake_up`. Nothing happens if the handle finds no joint.
+    /// Removes all joints of the multibody of a joint. Its bodies wake if `wake_up` is `true`. A stale handle
+    /// has no effect.
     pub fn remove_multibody_articulations(&mut self, handle: MultibodyJointHandle, wake_up: bool) {
         if let Some(place) = self.joints.get(handle.0).copied() {
             self.take_apart(place.multibody, wake_up, |_| true);
@@ -255,7 +254,7 @@ impl MultibodyJointSet {
         }
     }
 
-    /// Cuts joints. Parts of one body alone are multibodies no more.
+    /// Cuts joints. Parts of a single body are no longer multibodies.
     fn take_apart(
         &mut self,
         index: MultibodyIndex,
@@ -306,7 +305,7 @@ impl MultibodyJointSet {
         }
     }
 
-    /// Removes a multibody, its joints, and what is filed of it, whatever stands in its place.
+    /// Removes a multibody, its joints and its entries in all lists.
     fn drop_broken(&mut self, index: MultibodyIndex) {
         log::warn!(
             "{index:?} or its links are others than those that were joined: their joints go"
@@ -326,33 +325,33 @@ impl MultibodyJointSet {
 
     // ---- Finding ----
 
-    /// The multibody of a joint, and the position of the joint's link in it.
+    /// The multibody of a joint, and the index of the joint's link in it; `None` if the handle is stale.
     pub fn get(&self, handle: MultibodyJointHandle) -> Option<(&Multibody, usize)> {
         let place = self.joints.get(handle.0)?;
         Some((self.multibodies.get(place.multibody.0)?, place.id))
     }
 
-    /// The multibody of a joint, for changing it, and the position of the joint's link in it. Its bodies
-    /// wake.
+    /// Mutable access to the multibody of a joint, and the index of the joint's link in it; `None` if the
+    /// handle is stale. Its bodies wake.
     pub fn get_mut(&mut self, handle: MultibodyJointHandle) -> Option<(&mut Multibody, usize)> {
         let place = *self.joints.get(handle.0)?;
         Some((self.get_multibody_mut(place.multibody)?, place.id))
     }
 
-    /// The link that a joint holds.
+    /// The link of a joint; `None` if the handle is stale.
     pub fn get_link(&self, handle: MultibodyJointHandle) -> Option<&MultibodyLink> {
         let (multibody, id) = self.get(handle)?;
         multibody.link(id)
     }
 
-    /// Whatever joint stands in a slot (the first number of a handle) now: its multibody, the position of its
-    /// link, and its handle.
+    /// The joint in a slot (the first number of a handle): its multibody, the index of its link, and its
+    /// handle.
     pub fn get_unknown_gen(&self, slot: u32) -> Option<(&Multibody, usize, MultibodyJointHandle)> {
         let (index, place) = self.joints.at_slot(slot)?;
         Some((self.multibodies.get(place.multibody.0)?, place.id, MultibodyJointHandle(index)))
     }
 
-    /// The link and the multibody of a body; `None` if it has none.
+    /// The link and the multibody of a body; `None` if the body is not a link.
     pub fn rigid_body_link(&self, body: RigidBodyHandle) -> Option<&MultibodyLinkId> {
         self.of_body.get(&key(body))
     }
@@ -362,7 +361,7 @@ impl MultibodyJointSet {
         self.multibodies.get(index.0)
     }
 
-    /// The multibody at an index, for changing it. Its bodies wake.
+    /// Mutable access to the multibody at an index; `None` if the index is stale. Its bodies wake.
     pub fn get_multibody_mut(&mut self, index: MultibodyIndex) -> Option<&mut Multibody> {
         let multibody = self.multibodies.get_mut(index.0)?;
         if self.modified.last() != Some(&(index, true)) {
@@ -400,7 +399,7 @@ impl MultibodyJointSet {
         attached.filter_map(|link| Some((links.get(link.parent?)?.body, link.body, link.handle?)))
     }
 
-    /// The bodies that joints join with a body.
+    /// The bodies that are connected to a body by joints.
     pub fn attached_bodies(&self, body: RigidBodyHandle) -> impl Iterator<Item = RigidBodyHandle> {
         let joints = self.attached_joints(body);
         joints.map(move |(parent, child, _)| if child == body { parent } else { child })
@@ -431,12 +430,12 @@ impl MultibodyJointSet {
 
     // ---- For the step ----
 
-    /// A multibody for the step's own use: leaves no note.
+    /// A multibody for the step's own use: does not mark it as changed.
     pub(crate) fn get_unnoted_mut(&mut self, index: MultibodyIndex) -> Option<&mut Multibody> {
         self.multibodies.get_mut(index.0)
     }
 
-    /// Every multibody stands at a position below this bound.
+    /// Bound of the positions: every multibody has a smaller one.
     pub(crate) fn index_bound(&self) -> u32 {
         self.multibodies.slot_count() as u32
     }
@@ -446,7 +445,7 @@ impl MultibodyJointSet {
         self.multibodies.at_slot(position).map(|(index, _)| MultibodyIndex(index))
     }
 
-    /// Removes joints whose bodies are gone, and says how the others changed since the last time.
+    /// Removes joints whose bodies were removed, and returns the changes of the others since the last call.
     pub(crate) fn apply_changes(&mut self, bodies: &RigidBodySet) -> MultibodyEdits {
         for removed in bodies.removed() {
             self.remove_joints_attached_to_rigid_body(removed);
@@ -473,7 +472,7 @@ impl MultibodyJointSet {
         MultibodyEdits { cut, groups }
     }
 
-    /// To the next step all multibodies are new.
+    /// Marks all multibodies as new to the next step.
     pub(crate) fn begin_anew(&mut self) {
         self.cut.clear();
         let all = self.multibodies.iter().map(|(index, _)| (MultibodyIndex(index), true));

@@ -68,7 +68,7 @@ impl Multibody {
     }
 }
 
-/// Disconnects a link from its parent. Its degrees of freedom follow when the next step sees its body.
+/// Disconnects a link from its parent. The next step updates its degrees of freedom.
 fn make_root(link: &mut MultibodyLink) {
     link.joint = MultibodyJoint::new(GenericJoint::default(), false);
     (link.parent, link.handle, link.seen_pose, link.seen_velocity) = (None, None, None, None);

@@ -23,12 +23,12 @@ use crate::dim::math::Real;
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub enum FrictionModel {
     /// Friction once per manifold, at the centre of its points: two directions in the contact plane and, in
-    /// 3D, one torque about the normal. All points have one common friction, so this needs fewer rows and
-    /// converges in fewer iterations than friction at each point.
+    /// 3D, one torque about the normal. All points share the load, so this needs fewer rows and converges in
+    /// fewer iterations than friction at each point.
     #[default]
     Standard,
-    /// Friction at each point, kept within the exact cone `|friction| ≤ µ · normal` of that point.
-    /// Dearer; worth it where a single body slides and turns on a few unevenly loaded points.
+    /// Friction at each point, kept within the exact cone `|friction| ≤ µ · normal` of that point. It costs
+    /// more. Use it where a single body slides and turns on a few unevenly loaded points.
     Coulomb,
 }
 
@@ -41,8 +41,8 @@ pub enum FrictionModel {
 /// let params = IntegrationParameters { dt: 1.0 / 120.0, ..Default::default() };
 /// ```
 ///
-/// A step whose parameters are not valid (see [`Self::validate`]) is refused as a whole: it logs why
-/// and leaves the world as it was.
+/// A step with invalid parameters (see [`Self::validate`]) is refused as a whole: it logs the reason and
+/// leaves the world unchanged.
 #[derive(Copy, Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub struct IntegrationParameters {
@@ -60,11 +60,11 @@ pub struct IntegrationParameters {
     /// Additional iterations of all constraints without position correction, friction among them, per substep
     /// (default 0). For loads that hang on friction alone, such as a tower of cards or a gripper.
     pub num_additional_friction_iterations: usize,
-    /// Visits of all constraints, with position correction, per substep (default 1, at least 1).
-    /// More substeps are nearly always the better use of the same time.
+    /// Iterations over all constraints, with position correction, per substep (default 1, at least 1). More
+    /// substeps are nearly always the better use of the same time.
     pub num_internal_pgs_iterations: usize,
-    /// The fraction of a contact's position error that a substep removes (0 to 1, default 0.1): this times
-    /// [`CONTACT_SHARE`], which explains the reduction.
+    /// The fraction of a contact's position error that a substep aims to remove (0 to 1, default 0.1). The
+    /// solver multiplies it by [`CONTACT_SHARE`], whose documentation explains the reduction.
     ///
     /// The error is the overlap beyond [`Self::allowed_linear_error`]. At the default, 1 % of it is
     /// left after some 70 substeps. Larger values resolve overlap faster and make it burst apart
@@ -75,8 +75,8 @@ pub struct IntegrationParameters {
     ///
     /// The damping ratio is measured by compliance: an impulse that gives the free bodies a relative velocity
     /// `v` moves the contact at about `damping_ratio · v`. The deflection at rest under gravity `g` grows by
-    /// `damping_ratio · g h² / (0.7 erp)` (`h`: length of a substep). There is always a contact, however
-    /// large the value. [`Softness`] derives this and relates it to a frequency and a damping.
+    /// `damping_ratio · g h² / (0.7 erp)` (`h`: length of a substep). The contact persists at any value.
+    /// [`Softness`] derives this and relates it to a frequency and a damping.
     pub damping_ratio: Real,
     /// The same as [`Self::erp`], for joints (0 to 1, default 0.1).
     pub joint_erp: Real,
@@ -89,9 +89,9 @@ pub struct IntegrationParameters {
     pub allowed_linear_error: Real,
     /// Switches continuous collision detection off (0) or on (any other value, default 1).
     ///
-    /// Values above 1 do the same as 1, bit for bit. A step is not divided at impacts: a stopped body stays
-    /// at the impact, or is carried by the kinematic body that it hit, and continues in the next step. So
-    /// there is at most one stop per body and step, and nothing that more substeps could divide.
+    /// Values above 1 do the same as 1, bit for bit. Impacts do not divide a step. A stopped body stays at
+    /// the impact, or moves with the kinematic body that it hit, and continues in the next step. So there is
+    /// at most one stop per body and step, and nothing that more substeps could divide.
     pub max_ccd_substeps: usize,
     /// Whether continuous collision detection also stops a body that touches or overlaps something at the
     /// start, before its middle penetrates (default true). If not, contacts alone must hold it.
@@ -103,55 +103,57 @@ pub struct IntegrationParameters {
     /// is 100 pixels, set it to 100: the lengths and velocities called `normalized_…` and
     /// [`Self::allowed_linear_error`] are multiples of it.
     pub length_unit: Real,
-    /// Gap below which a pair already has contacts, so that an approaching body stops at the surface and not
-    /// inside (multiples of the length unit, default 0.02).
+    /// Gap below which a pair already has contacts (multiples of the length unit, default 0.02). It makes an
+    /// approaching body stop at the surface and not inside.
     pub normalized_prediction_distance: Real,
-    /// Fastest that overlap is undone (multiples of the length unit per second, default 4). Keeps
-    /// bodies that were created inside each other from bursting apart.
+    /// Largest velocity at which overlap is corrected (multiples of the length unit per second, default 4).
+    /// The limit keeps bodies that were created inside each other from bursting apart.
     pub normalized_max_corrective_velocity: Real,
-    /// Largest velocity at which a joint without a softness of its own brings its anchors together (multiples
-    /// of the length unit per second, default 100). Bodies that were created far from their joint anchors are
-    /// corrected over many steps, and do not leave at the speed of the correction: 10 km took 165 km/s. Only
-    /// joints whose anchors are farther apart than about 0.4 length units (at the defaults) notice it.
+    /// Largest velocity at which a joint without its own softness corrects the distance of its anchors
+    /// (multiples of the length unit per second, default 100). Bodies that were created far from their joint
+    /// anchors are corrected over many steps. Without the limit, a correction of 10 km left a body with 165
+    /// km/s. The limit affects only joints whose anchors are farther apart than about 0.4 length units (at
+    /// the defaults).
     pub normalized_max_joint_corrective_velocity: Real,
-    /// Fastest that any body may move (multiples of the length unit per second; default
-    /// `Real::MAX`: no limit).
+    /// Largest linear velocity of any body (multiples of the length unit per second; default `Real::MAX`: no
+    /// limit).
     pub normalized_max_linear_velocity: Real,
-    /// Distance that two touching bodies may move against each other before their contact points are
-    /// computed anew (multiples of the length unit, default 0.01). Until then the points of the last
-    /// computation are carried along. 0: computed anew in each step.
+    /// Relative displacement of two touching bodies above which their contact points are recomputed
+    /// (multiples of the length unit, default 0.01). Below it, the points of the last computation move with
+    /// the bodies. 0 recomputes them in each step.
     pub normalized_contact_recycle_distance: Real,
-    /// Approach slower than this does not bounce, whatever the restitution (multiples of the length
-    /// unit per second, default 1). Without it, gravity alone makes resting bodies bounce for ever.
+    /// Contacts that approach more slowly than this do not bounce, at any restitution (multiples of the
+    /// length unit per second, default 1). Without this threshold, gravity alone makes resting bodies bounce
+    /// for ever.
     pub normalized_restitution_velocity_threshold: Real,
-    /// Share of the last impulses with which a substep starts (0 to 1, default 1). Anything less
-    /// weakens stacks; of use only to study the solver.
+    /// Fraction of the last impulses with which a substep starts (0 to 1, default 1). Smaller values weaken
+    /// stacks and serve only to study the solver.
     pub warmstart_coefficient: Real,
-    /// The shortest piece into which impacts divide a step (s, default 1/6000). They divide none, so nothing
-    /// reads it: it is kept for programs that set it, and checked as other times are.
+    /// Accepted for compatibility and validated (s, default 1/6000); no effect, because impacts do not divide
+    /// a step.
     pub min_ccd_dt: Real,
-    /// With how many others of its size a collider can be in contact, and with how many larger ones (default
-    /// 128 each; `usize::MAX`: no limit). A size is a power of two.
+    /// Largest number of contact partners of a collider among others of its size, and among larger ones
+    /// (default 128 each; `usize::MAX`: no limit). Sizes are rounded to powers of two.
     ///
     /// The limit applies to movable partners whose fat AABBs overlap its own. Fixed bodies, sensors (which
     /// have a separate limit), and smaller colliders are excluded: a moving floor may carry any number of
-    /// crates. A compact body has room for less than half as many, unless bodies overlap: the limit is for
-    /// worlds in which thousands are created at one point. The number of their pairs would be the square of
+    /// crates. A compact body has room for less than half as many, unless bodies overlap. The limit is for
+    /// worlds that create thousands of bodies at one point. The number of their pairs would be the square of
     /// their number. With the limit it is their number times this, with about 1.5 kB for each. The nearest
     /// slots are selected; the rest are deferred. The log warns when the limit is met, and
-    /// [`ncrowded`](crate::model::counters::CollisionDetectionCounters::ncrowded) says by how many. Raise it
-    /// for heaps of hundreds of long sticks, all of whose boxes overlap.
+    /// [`ncrowded`](crate::model::counters::CollisionDetectionCounters::ncrowded) counts the affected
+    /// colliders. Raise the limit for heaps of hundreds of long sticks, all of whose boxes overlap.
     pub max_neighbors_per_collider: usize,
-    /// Most pairs with sensors that a collider owns with others of its size, and with larger ones (default
-    /// 256 each; `usize::MAX`: no limit). A size is a power of two.
+    /// Largest number of sensor pairs that a collider owns with others of its size, and with larger ones
+    /// (default 256 each; `usize::MAX`: no limit). Sizes are rounded to powers of two.
     ///
-    /// The smaller of a sensor and another collider owns their pair; of two of one size, the one that is no
-    /// sensor. So a sensor reports any number of visitors that are no larger than it. Limited are the sensors
-    /// in which one visitor is, and the sensors in one sensor. Pairs with fixed colliders are not limited.
-    /// 5000 sensors at one point would be 12.5 million pairs, 11 s a step and 2 GB. The nearest slots are
-    /// selected; the log warns when the limit is reached, and
+    /// The smaller of a sensor and another collider owns their pair; of two of one size, the collider that is
+    /// not a sensor. So a sensor reports any number of intersecting colliders that are not larger than it.
+    /// The limit applies to the sensors that one collider intersects, and to the sensors within one sensor.
+    /// Pairs with fixed colliders are not limited. 5000 sensors at one point would be 12.5 million pairs, 11
+    /// s a step and 2 GB. The nearest slots are selected; the log warns when the limit is reached, and
     /// [`ncrowded_sensors`](crate::model::counters::CollisionDetectionCounters::ncrowded_sensors) counts the
-    /// colliders. Sensors that do not look for each other belong into different [collision
+    /// colliders. Put sensors whose mutual intersections are not needed into different [collision
     /// groups](crate::model::collider::InteractionGroups).
     pub max_sensor_neighbors_per_collider: usize,
 }
@@ -196,7 +198,7 @@ impl IntegrationParameters {
     /// Sets the length of a step (s).
     ///
     /// # Errors
-    /// If it is negative or not finite; the old value stays.
+    /// If the length is negative or not finite; the old value stays.
     pub fn set_dt(&mut self, dt: Real) -> Result<(), InvalidParameters> {
         let changed = Self { dt, ..*self };
         changed.validate_dt()?;

@@ -10,7 +10,7 @@ pub(crate) struct ContactPass {
     pub inv_substep: Real,
     /// Softness of contacts.
     pub softness: Softness,
-    /// Fastest that overlap is undone (length/s).
+    /// Largest velocity at which overlap is corrected (length/s).
     pub push_velocity_max: Real,
     /// Overlap that is left alone (length).
     pub allowed_error: Real,

@@ -62,9 +62,9 @@ pub const CONTACT_YIELD: Real = 1.0 / 16.0;
 /// [`erp`](super::IntegrationParameters::erp).
 ///
 /// It is less than one because an iteration over a pile of contacts does not converge. The correction of one
-/// contact is an error of its neighbours in the next substep. If they answer fast enough, the pile as a whole
-/// gains energy. A pyramid of a hundred rows that is kept awake has, after 1,500 steps, up to this kinetic
-/// energy (J) with `σ` = 1/16:
+/// contact is an error of its neighbours in the next substep. If these corrections are large enough, the pile
+/// as a whole gains energy. A pyramid of a hundred rows that is kept awake has, after 1,500 steps, up to this
+/// kinetic energy (J) with `σ` = 1/16:
 ///
 /// ```text
 /// β     0.0378  0.05   0.06   0.07   0.08   0.09   0.10
@@ -75,12 +75,12 @@ pub const CONTACT_YIELD: Real = 1.0 / 16.0;
 /// sag and collapses under heavy tops.
 pub const CONTACT_SHARE: Real = 0.7;
 
-/// The fraction of a joint's error that a substep removes, in units of
-/// [`joint_erp`](super::IntegrationParameters::joint_erp).
+/// Factor on [`joint_erp`](super::IntegrationParameters::joint_erp). The product, limited to 1, is the
+/// fraction of a joint's error that a substep aims to remove.
 pub const JOINT_SHARE: Real = 2.0;
 
-/// The three coefficients with which the solver softens a constraint. See the source of this module,
-/// or the fields, for what they do.
+/// The three coefficients with which the solver softens a constraint. The source of this module contains the
+/// derivation.
 ///
 /// Each iteration adds the impulse `-m · mass_scale · (v + bias_rate · C) - impulse_scale · λ` to the
 /// accumulated impulse `λ`. `m` is the effective mass, `v` the relative velocity and `C` the position error.
@@ -95,11 +95,11 @@ pub struct Softness {
 }
 
 impl Softness {
-    /// No position correction, no softness. The relax pass uses it.
+    /// Hard constraint without position correction. The relax pass uses it.
     pub const RIGID: Self = Self { bias_rate: 0.0, mass_scale: 1.0, impulse_scale: 0.0 };
 
-    /// From the fraction of the error to remove in a substep (0 to 1) and the compliance (0: hard), for
-    /// substeps of `substep` seconds.
+    /// The softness for a fraction of the error to remove in a substep (0 to 1) and a compliance (0: hard),
+    /// for substeps of `substep` seconds.
     #[inline]
     pub fn new(fraction: Real, compliance: Real, substep: Real) -> Self {
         let bias_rate = if substep > 0.0 { fraction / substep } else { 0.0 };
@@ -113,10 +113,10 @@ impl Softness {
         self.impulse_scale / self.mass_scale
     }
 
-    /// From the angular frequency `ω` (rad/s) and damping ratio `ζ` (1: critical) of a spring, for
-    /// substeps of `substep` seconds.
+    /// The softness of a spring with the angular frequency `ω` (rad/s) and the damping ratio `ζ` (1:
+    /// critical), for substeps of `substep` seconds.
     ///
-    /// `ω = 0` is a spring of no force: all three coefficients say "do nothing".
+    /// `ω = 0` is a spring without force: the constraint has no effect.
     #[inline]
     pub fn spring(angular_frequency: Real, damping_ratio: Real, substep: Real) -> Self {
         let turn = substep * angular_frequency;

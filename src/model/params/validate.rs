@@ -4,8 +4,8 @@ use super::IntegrationParameters;
 use crate::base::measure::{is_length, is_margin};
 use crate::dim::math::Real;
 
-/// Most substeps, iterations or impacts that one step accepts: beyond it a typing error looks like a
-/// program that hangs.
+/// Largest number of substeps, iterations or impacts of one step. Larger numbers, such as typing errors,
+/// would make a program appear to hang.
 pub(crate) const ITERATIONS_MAX: usize = 1000;
 
 /// A field of [`IntegrationParameters`] has a value with which no step can be computed.
@@ -58,10 +58,10 @@ fn limit(field: &'static str, value: Real) -> Result<(), InvalidParameters> {
 }
 
 impl IntegrationParameters {
-    /// Returns an error if no step can be computed with these values.
+    /// Checks that all fields are within their documented ranges.
     ///
     /// # Errors
-    /// Names the first field that holds a value outside its documented range, and that value.
+    /// If a field is outside its documented range. The error contains the first such field and its value.
     pub fn validate(&self) -> Result<(), InvalidParameters> {
         self.validate_dt()?;
         count("num_solver_iterations", self.num_solver_iterations, 1)?;

@@ -16,7 +16,7 @@ impl Structure<'_> {
         }
     }
 
-    /// Forgets a joint. Its bodies wake if `wake_up`.
+    /// Removes a joint. Its bodies wake if `wake_up` is `true`.
     pub fn remove_joint(&mut self, slot: u32, wake_up: bool) {
         let Some(link) = self.islands.joints.get(slot).copied() else { return };
         self.detach_joint(slot);
@@ -37,7 +37,7 @@ impl Structure<'_> {
         }
     }
 
-    /// Cuts all joints of a body, which is about to change what it is.
+    /// Cuts all joints of a body before its type changes.
     pub fn detach_joints_of(&mut self, body: RigidBodyHandle) {
         self.for_each_joint_of(body, Self::detach_joint);
     }

@@ -412,7 +412,7 @@ impl Structure<'_> {
         }
     }
 
-    /// Cuts all links of a body, which is about to change what it is.
+    /// Cuts all links of a body before its type changes.
     pub fn detach_pairs_of(&mut self, handle: RigidBodyHandle) {
         for c in 0..self.collider_count(handle) {
             let Some(slot) = self.collider_slot(handle, c) else { continue };

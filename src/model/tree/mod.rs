@@ -1,4 +1,4 @@
-//! Trees of boxes: which colliders may touch which.
+//! Trees of boxes: the broad phase.
 //!
 //! Each collider is in one of three trees, with a box somewhat larger than itself. While it stays inside,
 //! nothing is done. When it leaves, it gets a new box and is noted as moved, and only moved colliders search
@@ -28,7 +28,7 @@ use crate::model::collider::{ColliderHandle, InteractionGroups};
 use crate::model::stamp::WorldStamp;
 use parry::bounding_volume::Aabb;
 
-/// The broad phase that a world uses. There is one.
+/// The broad phase of a world. It is the only implementation.
 pub type DefaultBroadPhase = BroadPhaseBvh;
 
 /// The fat AABBs of all colliders.
@@ -48,7 +48,7 @@ pub struct BroadPhaseBvh {
     has_sensors: bool,
     /// One bit per slot: set if its collider is a sensor.
     sensor_bits: Vec<u64>,
-    /// All memberships and wishes that colliders of these trees ever had, together.
+    /// Union of all groups and filters of the colliders of these trees.
     groups: Option<InteractionGroups>,
     pub(crate) stamp: WorldStamp,
 }
@@ -66,7 +66,7 @@ clone_in_place!(BroadPhaseBvh {
 });
 
 impl BroadPhaseBvh {
-    /// Knows no collider.
+    /// Empty trees.
     pub fn new() -> Self {
         Self::default()
     }
@@ -110,7 +110,7 @@ impl BroadPhaseBvh {
         self.mark_moved(slot);
     }
 
-    /// Begins to bring near what will be changed when a collider is given another box.
+    /// Prefetches the data that changes with the box of a collider.
     pub(crate) fn prefetch(&self, handle: ColliderHandle, kind: TreeKind) {
         self.boxes(kind).prefetch(handle.into_raw_parts().0);
     }
@@ -135,13 +135,13 @@ impl BroadPhaseBvh {
         order(slot, other_slot) < order(other_slot, slot)
     }
 
-    /// Takes a collider out. Returns whether it was in.
+    /// Removes a collider. Returns whether it was in a tree.
     pub(crate) fn remove(&mut self, slot: u32, proxy: &mut ColliderProxy) -> bool {
         self.remove_slot(slot);
         proxy.tree.take().is_some()
     }
 
-    /// Takes out whatever stands at the slot, after the collider is gone.
+    /// Removes the box at the slot, after the collider was removed.
     pub(crate) fn remove_slot(&mut self, slot: u32) {
         self.trees.remove(slot);
     }

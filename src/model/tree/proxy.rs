@@ -9,7 +9,7 @@ use parry::bounding_volume::{Aabb, BoundingVolume};
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) enum TreeKind {
-    /// Colliders of fixed bodies and of none: they look for movable neighbours only.
+    /// Colliders of fixed bodies and of none: the search finds movable neighbours only.
     Fixed,
     Kinematic,
     Dynamic,
@@ -46,7 +46,7 @@ pub(crate) struct ColliderProxy {
     pub clearance: Real,
     /// Whether the last box was unusable.
     pub is_refused: bool,
-    /// Whose place it is: the collider's slot.
+    /// The collider's slot.
     pub slot: u32,
 }
 
@@ -64,8 +64,8 @@ impl ColliderProxy {
     }
 
     /// Becomes the place of a collider of this kind that needs this box: as it is, or with another box.
-    /// Returns whether the box changed; the trees are not updated yet. Knows how far from its walls the
-    /// collider is.
+    /// Returns whether the box changed; the trees are not updated yet. The clearance to the walls of the fat
+    /// AABB is updated.
     #[must_use]
     pub fn fit(&mut self, kind: TreeKind, needed: &Aabb, margin: &BoxMargin) -> bool {
         let stays = self.tree == Some(kind) && self.fat_aabb.contains(needed);

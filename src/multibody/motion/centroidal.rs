@@ -27,8 +27,8 @@ use super::{Motion, add_all};
 use crate::dim::math::{Real, SpatialVector, Vector};
 
 impl Motion {
-    /// Notes an impulse from outside that the rates have felt already, as the impulses on the root's degrees
-    /// of freedom.
+    /// Records an external impulse that the rates already contain, as the impulses on the root's degrees of
+    /// freedom.
     pub fn note_external_impulse(&mut self, impulses: &[Real], factor: Real) {
         for (axis, impulse) in self.kinematics.axes.iter().zip(impulses) {
             add_scaled(&mut self.external_impulse, axis, impulse * factor);

@@ -22,7 +22,7 @@ const JOINT_ANGLE_MAX: Real = 0.5;
 /// Joints that rotate by a larger angle (rad) in a substep are not limited: the input is beyond the simulated
 /// range, and a [`QuarantineEvent`](crate::model::event::QuarantineEvent) reports it.
 const ANGLE_MEANINGFUL_MAX: Real = 1.0e6;
-/// From this fraction of the energy on, what is too much is removed from the change of shape.
+/// From this fraction of the energy on, the excess is removed from the change of shape.
 const GAIN_CONTRACTION_MAX: Real = 0.9;
 /// Relative rounding error of an energy.
 const ROUNDING: Real = 32.0 * Real::EPSILON;
@@ -106,9 +106,9 @@ impl Motion {
 
     /// Limits the kinetic energy. Returns the fraction of it that is kept.
     ///
-    /// A small surplus, or that of joints alone, is removed from the change of shape, so that what other
-    /// bodies gave stays momentum. For a large one all velocities are scaled: scaled velocities still lead
-    /// out of all contacts.
+    /// A small surplus, or that of joints alone, is removed from the change of shape, so that the momentum
+    /// from other bodies is conserved. For a large one all velocities are scaled: scaled velocities still
+    /// lead out of all contacts.
     pub fn limit_energy(&mut self, energy_max: Real, touches: bool) -> Real {
         let energy = self.kinetic_energy();
         let kept = energy_max.max(0.0) / energy;

@@ -213,7 +213,7 @@ impl Motion {
         converges
     }
 
-    /// Enters the energy error of a substep of `h` seconds, and removes what is too much.
+    /// Records the energy error of a substep of `h` seconds, and removes the excess.
     fn iterate(&mut self, multibody: &mut Multibody, h: Real, begin: &FreeMotionStart) -> Real {
         let (Some(before), Some(now)) = (begin.energy, self.flight_energy()) else { return 0.0 };
         let kicks = 0.5 * h * (begin.power + self.force_power());
@@ -298,7 +298,7 @@ impl Motion {
         self.carry_momentum(root_center);
     }
 
-    /// Undoes what inertia changed in the last `h` seconds, which led to the velocities that there are.
+    /// Reverses the velocity change by inertia in the last `h` seconds.
     pub fn fly_back(&mut self, h: Real) {
         let mut change = core::mem::take(&mut self.change);
         self.drift(h, &mut change);

@@ -123,8 +123,8 @@ pub struct Motion {
 }
 
 impl Motion {
-    /// Begins a step: links where the coordinates say, velocities as they were. `drives` are to be set
-    /// before.
+    /// Begins a step: the links get the poses of the coordinates, and the velocities of the last step.
+    /// `drives` must be set before.
     ///
     /// Velocities and impulses that the user applied to bodies since the last step count as momentum. The
     /// generalised velocities have, at each degree of freedom, the momentum of the bodies.
@@ -160,7 +160,7 @@ impl Motion {
         self.follow_momentum();
     }
 
-    /// Puts the links where the coordinates say.
+    /// Moves the links to the poses of the coordinates.
     fn place(&mut self, multibody: &Multibody) {
         self.kinematics.update(multibody);
         self.locked_inertia.update(&self.kinematics);

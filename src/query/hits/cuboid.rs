@@ -3,7 +3,7 @@
 use super::{Meeting, Touch, enter_first};
 use crate::dim::math::{DIM, Real, Vector};
 
-/// When a point meets the layer of thickness `radius` around a box about the origin.
+/// Returns the time at which a point meets the layer of thickness `radius` around a box about the origin.
 ///
 /// The box with its faces moved outward encloses the layer. If the path enters right above a face, it enters
 /// the layer. Otherwise it is in a gap of a rounded edge or corner (Ericson, "Real-Time Collision Detection",

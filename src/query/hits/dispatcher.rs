@@ -110,7 +110,7 @@ impl QueryDispatcher for Dispatcher {
 }
 
 impl Dispatcher {
-    /// Casts with parry, which asks back here for the parts of shapes that have parts.
+    /// Casts with parry, which calls this dispatcher for the parts of composite shapes.
     fn cast_parts(
         &self,
         pose12: &Pose,
@@ -157,7 +157,7 @@ enum Cast {
     Unclear,
 }
 
-/// A ball that moves, as the second shape sees it.
+/// A moving ball as the first shape, in the frame of the second.
 fn ball_first(
     pose12: &Pose,
     velocity12: Vector,
@@ -173,7 +173,7 @@ fn ball_first(
     })
 }
 
-/// A ball that moves, as the first shape sees it.
+/// A moving ball as the second shape, in the frame of the first.
 fn ball_second(
     pose12: &Pose,
     velocity12: Vector,
@@ -230,7 +230,8 @@ fn meet(
     }
 }
 
-/// When a point comes within `distance` of a shape; and how much of the shape is a layer around the core.
+/// Returns the time at which a point comes within `distance` of a shape, and the thickness of the shape's
+/// layer around its core.
 fn enter_layer(origin: Vector, dir: Vector, distance: Real, shape: &dyn Shape) -> (Meeting, Real) {
     // A velocity that is too small or too large to be squared has no formula.
     if !dir.length_squared().is_normal() || !origin.length_squared().is_finite() {
@@ -263,7 +264,7 @@ fn enter_layer(origin: Vector, dir: Vector, distance: Real, shape: &dyn Shape) -
     }
 }
 
-/// When a point meets the layer around a segment, or a point, which is a segment without length.
+/// Returns the time at which a point meets the layer around a segment. A point is a segment without length.
 fn enter_round(origin: Vector, dir: Vector, ends: [Vector; 2], radius: Real) -> Meeting {
     match enter_capsule(origin, dir, ends, radius) {
         None => Meeting::Never,

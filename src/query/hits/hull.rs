@@ -5,14 +5,14 @@ use super::{Meeting, Touch, enter_first};
 use crate::dim::facets::Facets;
 use crate::dim::math::{Real, Vector};
 
-/// With more borders than this, looking at all of them is slower than searching for closest points.
+/// Largest number of borders for which a test of all is faster than a search for closest points.
 const MAX_BORDERS: usize = 64;
 
 /// The time interval in which a path is below all faces, with its entry and exit faces.
 pub struct Span {
-    /// Minus infinity if it comes from the inside of all.
+    /// Minus infinity if the path comes from the inside of all faces.
     pub enter: (Real, usize),
-    /// Infinity if it never goes out.
+    /// Infinity if the path never leaves.
     pub leave: (Real, usize),
 }
 
@@ -40,7 +40,7 @@ pub fn clip(facets: &Facets<'_>, origin: Vector, dir: Vector, margin: Real) -> O
     Some(Span { enter, leave })
 }
 
-/// When a point meets the layer of thickness `radius` around the shape.
+/// Returns the time at which a point meets the layer of thickness `radius` around the shape.
 ///
 /// The faces, moved outward, enclose the layer. If the path enters right above a face, it enters the layer.
 /// If it enters between faces, it is in a gap of rounded edges, and can leave the gap to the inside only

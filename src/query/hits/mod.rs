@@ -22,22 +22,22 @@ use rounded::enter_capsule;
 /// Whether a moving point meets a layer around a shape.
 #[derive(Copy, Clone, Debug)]
 enum Meeting {
-    /// It does not.
+    /// The point does not meet the layer.
     Never,
-    /// It does, from outside or at once.
+    /// The point meets the layer from outside or at once.
     At(Touch),
-    /// It begins where no normal is the nearest, or there is no formula.
+    /// The start has no unique nearest normal, or there is no formula.
     Unclear,
 }
 
 /// The entry of a moving point into a layer, in the frame of the shape.
 #[derive(Copy, Clone, Debug)]
 struct Touch {
-    /// When (units of the velocity): zero if it begins there.
+    /// The time of the entry (units of the velocity): zero if the point starts there.
     time: Real,
     /// The outward normal there.
     normal: Vector,
-    /// The nearest point of what the layer is around.
+    /// The nearest point of the layer's core.
     core: Vector,
 }
 

@@ -8,7 +8,7 @@ use crate::dim::math::{DIM, Pose, Real, Vector};
 use parry::query::{Ray, RayCast, RayIntersection};
 use parry::shape::{Ball, Cuboid, FeatureId, Shape, TypedShape};
 
-/// When a ray hits a shape, no later than `limit`.
+/// Returns the time at which a ray hits a shape, if it is at most `limit`.
 pub fn time_of_impact(
     shape: &dyn Shape,
     pose: &Pose,
@@ -23,12 +23,12 @@ pub fn time_of_impact(
         TypedShape::Capsule(capsule) => capsule.cast_local_ray(&local(), limit, solid),
         TypedShape::TriMesh(mesh) if solid => mesh.cast_local_ray(&local(), limit, true),
         // Without a normal, parry's answer is wrong for hollow boxes whose wall is beyond the limit: it is
-        // the limit, where nothing is. Most shapes have no algorithm without a normal anyway.
+        // the limit, where there is no surface. Most shapes have no algorithm without a normal anyway.
         _ => intersection(shape, pose, ray, limit, solid).map(|hit| hit.time_of_impact),
     }
 }
 
-/// When a ray hits a shape, no later than `limit`, and the normal and feature there.
+/// Returns the time at which a ray hits a shape, if it is at most `limit`, with the normal and feature there.
 pub fn intersection(
     shape: &dyn Shape,
     pose: &Pose,
@@ -54,7 +54,8 @@ pub fn intersection(
     hit.map(|hit| hit.transform_by(pose))
 }
 
-/// When a ray hits a solid box, in the frame of the box: parry's formula, all axes at once.
+/// Returns the time at which a ray hits a solid box, in the frame of the box. This is parry's formula, for
+/// all axes at once.
 fn cuboid_time(cuboid: &Cuboid, ray: &Ray, limit: Real) -> Option<Real> {
     if (0..DIM).any(|axis| ray.dir[axis] == 0.0) {
         return cuboid.cast_local_ray(ray, limit, true); // zero by zero is no time
@@ -67,7 +68,7 @@ fn cuboid_time(cuboid: &Cuboid, ray: &Ray, limit: Real) -> Option<Real> {
     (start <= end).then_some(start)
 }
 
-/// When a ray hits a ball, and whether it does so from within.
+/// Returns the time at which a ray hits a ball, and whether the ray starts inside.
 fn ball_time(
     ball: &Ball,
     pose: &Pose,
@@ -102,7 +103,7 @@ fn ball_hit(
     Some(RayIntersection::new(time, normal, FeatureId::Face(0)))
 }
 
-/// A ray on a hull, in the frame of the hull.
+/// Returns the hit of a ray on a hull, in the frame of the hull.
 fn hull_hit(facets: &Facets<'_>, ray: &Ray, limit: Real, solid: bool) -> Option<RayIntersection> {
     let span = clip(facets, ray.origin, ray.dir, 0.0)?;
     let normal = |face| facets.facet(face).normal;
@@ -116,7 +117,7 @@ fn hull_hit(facets: &Facets<'_>, ray: &Ray, limit: Real, solid: bool) -> Option<
     (time <= limit).then(|| RayIntersection::new(time, normal, feature))
 }
 
-/// A ray on a shape for which parry searches, in the frame of the shape.
+/// Returns the hit of a ray on a shape for which parry searches, in the frame of the shape.
 ///
 /// The search loses digits along the path, and confuses lengths with times at the exit of a hollow shape. So
 /// it begins near the shape, and with a direction of unit length.

@@ -92,7 +92,7 @@ unsafe fn carry_colliders(
     }
 }
 
-/// Tells the trees of a collider.
+/// Inserts or updates a collider in the trees.
 fn follow(
     handle: ColliderHandle,
     carried: &MovedProxy,

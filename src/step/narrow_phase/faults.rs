@@ -34,8 +34,8 @@ pub(super) fn leave_out(manifold: &mut ContactManifold) -> Option<QuarantineCaus
     None
 }
 
-/// Tells of the pairs that were found, in the order of their colliders: which thread found them must not
-/// matter.
+/// Reports the found pairs in the order of their colliders: the result is independent of the threads that
+/// found them.
 pub(super) fn report(workers: &mut Pool<Worker>, events: &mut Vec<QuarantineEvent>) {
     let mut found = Vec::new();
     workers.for_each(|worker| found.append(&mut worker.faults));

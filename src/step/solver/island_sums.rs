@@ -15,7 +15,7 @@ pub(super) struct IslandSums<const N: usize> {
 }
 
 impl<const N: usize> IslandSums<N> {
-    /// Forgets all terms.
+    /// Removes all terms.
     pub fn clear(&mut self) {
         self.terms.clear();
     }

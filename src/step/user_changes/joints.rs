@@ -6,7 +6,7 @@ use crate::model::event::CollisionEventFlags;
 use crate::model::joint::{ImpulseJointHandle, JointLink};
 
 impl UserChanges<'_> {
-    /// Forgets the joints that were removed.
+    /// Removes the joints that the user removed.
     pub(super) fn apply_removed_joints(&mut self) {
         for (handle, wake_up) in self.joints.removed() {
             self.forget_joint(handle, wake_up);

@@ -19,7 +19,7 @@ pub use write::write;
 
 use core::fmt;
 
-/// Why a value cannot be saved or loaded.
+/// Error of saving or loading a value.
 #[derive(Debug)]
 pub struct CodecError(pub String);
 

@@ -1,4 +1,4 @@
-//! Awake bodies as the solver sees them: dense, and group after group.
+//! Awake bodies of the solver: dense, and group after group.
 
 mod load;
 mod motion;

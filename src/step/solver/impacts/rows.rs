@@ -47,7 +47,7 @@ pub(super) struct ActiveRow<T> {
     /// Its velocity of approach in this round (negative), and the one with which it is to part.
     pub approach: T,
     pub target: T,
-    /// When it hits, from the beginning of the substep (s).
+    /// Time of the impact since the beginning of the substep (s).
     pub time: T,
 }
 

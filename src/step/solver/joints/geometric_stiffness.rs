@@ -118,7 +118,7 @@ struct JointedBody {
 }
 
 impl GeometricStiffness {
-    /// Forgets all bodies.
+    /// Removes all bodies.
     pub fn clear(&mut self, body_count: usize) {
         let none = JointedBody { inv_mass: 0.0, inv_inertia: zero_inertia(), counted: 0 };
         self.evaluations = 0;

@@ -156,7 +156,7 @@ impl SolverJoints {
         });
     }
 
-    /// Tells those joints that are solved exactly where their rows are.
+    /// Stores the positions of their rows in the joints that are solved directly.
     fn note_exact_joints(&mut self, body_count: usize) {
         if self.direct.is_empty() {
             return self.memory.clear();

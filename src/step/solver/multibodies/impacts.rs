@@ -59,7 +59,7 @@ pub struct ImpactImpulse {
     mass: Real,
     approach: Real,
     target: Real,
-    /// When it hits, from the beginning of the substep (s).
+    /// Time of the impact since the beginning of the substep (s).
     time: Real,
     /// Impulses of this round, and of the whole impact: the committed fraction of each round.
     impulse: Real,

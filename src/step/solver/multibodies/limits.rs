@@ -28,7 +28,7 @@ use crate::model::joint::{
 use crate::model::multibody::{MultibodyJoint, MultibodyLink};
 use crate::step::solver::joints::CURVATURE_ANGLE_MAX;
 
-/// Whose axis a row is about: a link's joint's, or that of a joint that closes a loop.
+/// Owner of the axis of a row: the joint of a link, or a joint that closes a loop.
 #[derive(Copy, Clone, Debug)]
 pub enum Owner {
     Link {
@@ -321,7 +321,7 @@ impl Limit {
         self.impulses[0] - self.impulses[1]
     }
 
-    /// Returns whether the angle is near one of its limits, or pressed against it.
+    /// Returns whether the angle is near one of its limits, or a limit has an impulse.
     fn is_near(&self) -> bool {
         self.impulses != [0.0; 2] || self.room[0].min(self.room[1]) < LIMIT_DISTANCE_MAX
     }

@@ -105,7 +105,7 @@ impl JacobianPool {
         self.jacobians.len()
     }
 
-    /// Forgets all numbers but the first ones.
+    /// Removes all numbers except the first ones.
     pub fn truncate(&mut self, len: usize) {
         self.jacobians.truncate(len);
         self.responses.truncate(len);

@@ -53,7 +53,7 @@ impl PointToPointJoints {
         self.layout.len()
     }
 
-    /// Forgets all joints.
+    /// Removes all joints.
     pub fn clear(&mut self) {
         self.layout.clear();
     }
