@@ -52,6 +52,11 @@ writeData(
     golden.map(([crate, scene, hash]) => ({ crate, scene, hash })),
 );
 
+/** The arguments of the script that compares the hashes on all platforms. */
+const platforms = /"\$\{@:-([\w -]+)\}"/.exec(read("crates/golden/everywhere.sh"))?.[1];
+if (platforms === undefined) throw new Error("crates/golden/everywhere.sh has no list of platforms");
+writeData("platforms.json", platforms.split(" "));
+
 const engine = join(ROOT, "rapier3d/pkg/rapier.node.mjs");
 const pile = { platform: `${process.platform} ${process.arch}`, hashes: [] };
 if (existsSync(engine)) {
