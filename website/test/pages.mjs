@@ -1,4 +1,4 @@
-// The pages of the built site, and the ten that are photographed and checked for accessibility.
+// The pages of the built site, and the samples that are photographed and checked for accessibility.
 
 import { readdirSync } from "node:fs";
 import { join } from "node:path";

@@ -70,9 +70,8 @@ function usePlayer(scene: string) {
             }
             const made = new Player(engine, { canvas: element, theme: wanted.current.theme, report: setFigures, fail });
             player.current = made;
-            made.open(wanted.current.scene);
             made.clock.running = !wantsStillness();
-            setState(made.clock.running ? "running" : "paused");
+            open(wanted.current.scene);
         };
         const observer = new IntersectionObserver((entries) => {
             const visible = entries.some((entry) => entry.isIntersecting);
