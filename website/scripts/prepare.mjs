@@ -1,4 +1,4 @@
-// Generates the parts that are not committed: data of charts, hashes, and both references. Runs before `start` and `build`.
+// Generates the parts that are not committed: data of charts, hashes, stills, and both references. Runs before `start` and `build`.
 //
 // With `--strict`, a missing part ends the build. Without it the site starts, and a message names the part.
 
@@ -8,6 +8,7 @@ import { contests, growth, packages } from "./benchmarks.mjs";
 import { writeJavaScriptReference } from "./javascript.mjs";
 import { document } from "./rust/crate.mjs";
 import { writeRustReference } from "./rust/write.mjs";
+import { firstFrame } from "./stills.mjs";
 import { hashes } from "../src/live/pile.mjs";
 
 const WEBSITE = dirname(import.meta.dirname);
@@ -34,6 +35,11 @@ function writeData(name, value) {
 writeData("contests.json", contests(read("docs/benchmarks/latest.md")));
 writeData("growth.json", growth(read("docs/benchmarks/growth.md")));
 writeData("packages.json", packages(read("docs/benchmarks/javascript.md")));
+
+const IMAGES = "docs/images";
+mkdirSync(join(GENERATED, "images"), { recursive: true });
+for (const name of readdirSync(join(ROOT, IMAGES)).filter((file) => file.endsWith("-moving.png")))
+    writeFileSync(join(GENERATED, "images", name), firstFrame(readFileSync(join(ROOT, IMAGES, name))));
 
 /** One sentence on each scene of the native gallery, by name. */
 const SCENES = "examples3d/scenes/src/scenes";
