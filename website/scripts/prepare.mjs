@@ -49,6 +49,12 @@ const scenes = readdirSync(join(ROOT, SCENES)).map((file) => [
 ]);
 writeData("descriptions.json", Object.fromEntries(scenes.filter(([, text]) => text !== undefined)));
 
+/** Titles and descriptions of the scenes of the browser testbed, by name. */
+const TESTBED = "testbed3d/src/scenes";
+const SCENE = /id: "([^"]*)",\s*title: "([^"]*)",\s*description:\s*"([^"]*)"/g;
+const described = readdirSync(join(ROOT, TESTBED)).flatMap((file) => [...read(`${TESTBED}/${file}`).matchAll(SCENE)]);
+writeData("scenes.json", Object.fromEntries(described.map(([, id, title, description]) => [id, { title, description }])));
+
 const golden = read("crates/golden/src/hashes.txt")
     .trim()
     .split("\n")

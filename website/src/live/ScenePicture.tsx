@@ -1,7 +1,7 @@
 // A picture of a document. Where the testbed has the scene, a button runs it in place of the picture.
 
-import { type ComponentProps, type ReactNode, useEffect, useRef, useState } from "react";
-import LiveScene from "./LiveScene";
+import { type ComponentProps, type ReactNode, useState } from "react";
+import LiveInPlace from "./LiveInPlace";
 import styles from "./ScenePicture.module.css";
 
 /** Scenes of the testbed by name of a picture in docs/images. */
@@ -23,18 +23,10 @@ function sceneOf(address = ""): string | undefined {
 
 export default function ScenePicture(props: ComponentProps<"img">): ReactNode {
     const [live, setLive] = useState(false);
-    const player = useRef<HTMLDivElement>(null);
-    // The pressed button vanishes: the scene in its place takes the focus.
-    useEffect(() => player.current?.focus({ preventScroll: true }), [live]);
     const scene = sceneOf(props.src);
     const picture = <img loading="lazy" decoding="async" {...props} alt={props.alt ?? ""} />;
     if (scene === undefined) return picture;
-    if (live)
-        return (
-            <div ref={player} role="group" aria-label="Live scene" tabIndex={-1}>
-                <LiveScene scene={scene} label={props.alt ?? scene} className={styles.live} />
-            </div>
-        );
+    if (live) return <LiveInPlace scene={scene} label={props.alt ?? scene} />;
     return (
         <div className={styles.picture}>
             {picture}
