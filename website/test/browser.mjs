@@ -184,6 +184,51 @@ async function checkSearch(browser, address) {
     await context.close();
 }
 
+/** A failure of the module leads to a message, and the button works again. */
+async function checkFailure(browser, address) {
+    const context = await browser.newContext(SIZES.desktop);
+    const page = await context.newPage();
+    await page.route(/\.wasm$/, (route) => route.abort());
+    await page.goto(`${address}/determinism`, { waitUntil: "networkidle" });
+    const button = page.getByRole("button", { name: /^Run/ });
+    await button.click();
+    const message = page.getByRole("status").filter({ hasText: "did not run" });
+    await message.waitFor({ timeout: 60_000 }).catch(() => fail("/determinism", "no message without the module"));
+    if (await button.isDisabled()) fail("/determinism", "the button stays disabled after a failure");
+    await context.close();
+}
+
+/** A card of the guide runs its scene, and the scene takes the focus of the button. */
+async function checkCard(browser, address) {
+    const path = "/docs/guide/bodies";
+    const context = await browser.newContext(SIZES.desktop);
+    const { page } = await open(context, address, path);
+    await page.getByRole("button", { name: "Run the scene: T-handle in space" }).click();
+    await page.waitForSelector('[data-live="running"]', { timeout: 60_000 });
+    const focused = await page.evaluate(() => document.activeElement?.getAttribute("aria-label"));
+    if (focused !== "Live scene") fail(path, `the focus is on ${focused}`);
+    await context.close();
+}
+
+/** Moving pictures pause, and stand still where the system asks for less motion. */
+async function checkMotion(browser, address) {
+    for (const [reducedMotion, first, second] of [
+        ["no-preference", "Pause", "Play"],
+        ["reduce", "Play", "Pause"],
+    ]) {
+        const context = await browser.newContext({ ...SIZES.desktop, reducedMotion });
+        const page = await context.newPage();
+        await page.goto(`${address}/`, { waitUntil: "networkidle" });
+        const picture = page.locator("figure").first();
+        const source = () => picture.locator("img").getAttribute("src");
+        const before = await source();
+        await picture.getByRole("button", { name: new RegExp(`^${first}: `) }).click({ timeout: 20_000 });
+        await picture.getByRole("button", { name: new RegExp(`^${second}: `) }).waitFor({ timeout: 20_000 });
+        if ((await source()) === before) fail("/", `"${first}" does not change the picture`);
+        await context.close();
+    }
+}
+
 const samplesOnly = process.argv.includes("--shots");
 const executablePath = process.env.CHROMIUM ?? PLACES.find((place) => existsSync(place));
 if (executablePath === undefined) throw new Error("no Chromium: install the package `chromium`, or set CHROMIUM");
@@ -193,6 +238,9 @@ try {
     await checkScene(browser, server.address);
     await checkDeterminism(browser, server.address);
     await checkSearch(browser, server.address);
+    await checkFailure(browser, server.address);
+    await checkCard(browser, server.address);
+    await checkMotion(browser, server.address);
     if (!samplesOnly) await visitAll(browser, server.address);
     await photograph(browser, server.address);
 } finally {

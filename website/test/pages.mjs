@@ -16,6 +16,7 @@ export const SAMPLES = {
     home: "/",
     guide: "/docs/guide",
     "getting-started": "/docs/guide/getting-started",
+    bodies: "/docs/guide/bodies",
     joints: "/docs/guide/joints",
     architecture: "/docs/architecture",
     benchmarks: "/benchmarks",
