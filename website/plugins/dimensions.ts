@@ -1,6 +1,7 @@
 // Shows a program in 3D and its twin in 2D side by side: a program, a paragraph that ends with a colon, a program of `rapier2d`.
 
 import type { Code, Paragraph, Root, RootContent } from "mdast";
+import { element } from "./elements";
 
 function isProgram(node: RootContent | undefined, crate: string): node is Code {
     return node?.type === "code" && node.lang === "rust" && node.value.includes(`use ${crate}::prelude::*;`);
@@ -9,16 +10,6 @@ function isProgram(node: RootContent | undefined, crate: string): node is Code {
 function endsWithColon(node: RootContent | undefined): node is Paragraph {
     const last = node?.type === "paragraph" ? node.children.at(-1) : undefined;
     return last?.type === "text" && last.value.endsWith(":");
-}
-
-/** An element of the theme, as the parser of MDX would write it. */
-function element(name: string, attributes: Record<string, string>, children: readonly RootContent[]): RootContent {
-    return {
-        type: "mdxJsxFlowElement",
-        name,
-        attributes: Object.entries(attributes).map(([key, value]) => ({ type: "mdxJsxAttribute", name: key, value })),
-        children,
-    } as unknown as RootContent;
 }
 
 /** Replaces each pair of programs with tabs. All tabs of a page change together, and the choice is kept. */

@@ -2,11 +2,12 @@
 // `docs/` lead to the repository's file view.
 
 import { existsSync, readFileSync } from "node:fs";
-import { dirname, join, relative } from "node:path";
+import { basename, dirname, join, relative } from "node:path";
 import type { Code, InlineCode, Link, Parent, PhrasingContent, Root } from "mdast";
 import { SKIP, visit } from "unist-util-visit";
 import { showDimensions } from "./dimensions";
 import { ROOT, fileView } from "./repository";
+import { showScenes } from "./scenes";
 
 interface File {
     readonly path: string;
@@ -85,7 +86,8 @@ export default function documents() {
         });
         freePictures(tree);
         showDimensions(tree);
-        if (file.path.includes("docs/guide/"))
-            linkNames(tree, JAVASCRIPT.test(file.path) ? addresses.javascript : addresses.rust);
+        if (!file.path.includes("docs/guide/")) return;
+        linkNames(tree, JAVASCRIPT.test(file.path) ? addresses.javascript : addresses.rust);
+        showScenes(tree, basename(file.path, ".md"));
     };
 }

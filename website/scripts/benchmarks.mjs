@@ -1,4 +1,5 @@
-// Data for the charts, from the files that `cargo run -p bench -- --write` makes: no figure is written by hand.
+// Data for the charts, from the documents of `docs/benchmarks/`. `cargo run -p bench -- --write` writes latest.md and growth.md.
+// The tables of javascript.md are entered by hand from the output of `npm run bench`. This script copies figures and adds none.
 
 import { number, tables } from "./tables.mjs";
 

@@ -1,4 +1,4 @@
-// Generates the parts that are not committed: data of charts, hashes, and both references. Runs before `start` and `build`.
+// Generates the parts that are not committed: data of charts, hashes, stills, and both references. Runs before `start` and `build`.
 //
 // With `--strict`, a missing part ends the build. Without it the site starts, and a message names the part.
 
@@ -8,6 +8,7 @@ import { contests, growth, packages } from "./benchmarks.mjs";
 import { writeJavaScriptReference } from "./javascript.mjs";
 import { document } from "./rust/crate.mjs";
 import { writeRustReference } from "./rust/write.mjs";
+import { firstFrame } from "./stills.mjs";
 import { hashes } from "../src/live/pile.mjs";
 
 const WEBSITE = dirname(import.meta.dirname);
@@ -35,6 +36,11 @@ writeData("contests.json", contests(read("docs/benchmarks/latest.md")));
 writeData("growth.json", growth(read("docs/benchmarks/growth.md")));
 writeData("packages.json", packages(read("docs/benchmarks/javascript.md")));
 
+const IMAGES = "docs/images";
+mkdirSync(join(GENERATED, "images"), { recursive: true });
+for (const name of readdirSync(join(ROOT, IMAGES)).filter((file) => file.endsWith("-moving.png")))
+    writeFileSync(join(GENERATED, "images", name), firstFrame(readFileSync(join(ROOT, IMAGES, name))));
+
 /** One sentence on each scene of the native gallery, by name. */
 const SCENES = "examples3d/scenes/src/scenes";
 const scenes = readdirSync(join(ROOT, SCENES)).map((file) => [
@@ -42,6 +48,12 @@ const scenes = readdirSync(join(ROOT, SCENES)).map((file) => [
     /description: "([^"]*)"/.exec(read(`${SCENES}/${file}`))?.[1],
 ]);
 writeData("descriptions.json", Object.fromEntries(scenes.filter(([, text]) => text !== undefined)));
+
+/** Titles and descriptions of the scenes of the browser testbed, by name. */
+const TESTBED = "testbed3d/src/scenes";
+const SCENE = /id: "([^"]*)",\s*title: "([^"]*)",\s*description:\s*"([^"]*)"/g;
+const described = readdirSync(join(ROOT, TESTBED)).flatMap((file) => [...read(`${TESTBED}/${file}`).matchAll(SCENE)]);
+writeData("scenes.json", Object.fromEntries(described.map(([, id, title, description]) => [id, { title, description }])));
 
 const golden = read("crates/golden/src/hashes.txt")
     .trim()
@@ -51,6 +63,11 @@ writeData(
     "golden.json",
     golden.map(([crate, scene, hash]) => ({ crate, scene, hash })),
 );
+
+/** The arguments of the script that compares the hashes on all platforms. */
+const platforms = /"\$\{@:-([\w -]+)\}"/.exec(read("crates/golden/everywhere.sh"))?.[1];
+if (platforms === undefined) throw new Error("crates/golden/everywhere.sh has no list of platforms");
+writeData("platforms.json", platforms.split(" "));
 
 const engine = join(ROOT, "rapier3d/pkg/rapier.node.mjs");
 const pile = { platform: `${process.platform} ${process.arch}`, hashes: [] };

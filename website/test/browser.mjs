@@ -1,5 +1,6 @@
-// Visits every page of the build in headless Chromium. Fails at an error of the console, a request without an answer, a page
-// that is too heavy, or a serious finding of axe. Writes pictures of the sample pages to `shots/`.
+// Visits every page of the build in headless Chromium. Fails at an error of the console, a request without an answer, or a page
+// that is too heavy or wider than a phone. Axe checks the sample pages, and pictures of them go to `shots/`. With `--shots`,
+// only the sample pages are visited.
 
 import { existsSync, mkdirSync, readFileSync } from "node:fs";
 import { createRequire } from "node:module";
@@ -68,6 +69,12 @@ async function open(context, address, path) {
     return { page, weigh };
 }
 
+/** Fails if the page scrolls sideways. */
+async function checkWidth(page, path) {
+    const overflow = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
+    if (overflow > 0) fail(path, `${overflow} pixels wider than the window`);
+}
+
 /** Visits the pages that are left, and returns the heaviest one with the ordinary limit. */
 async function visit(context, address, left) {
     let heaviest = { path: "", weight: 0 };
@@ -77,6 +84,8 @@ async function visit(context, address, left) {
         if (weight > (WEIGHTS_MAX[path] ?? WEIGHT_MAX)) fail(path, `${weight} bytes`);
         if (path in WEIGHTS_MAX) console.log(`${path}: ${weight} bytes`);
         else if (weight > heaviest.weight) heaviest = { path, weight };
+        await page.setViewportSize(SIZES.phone.viewport);
+        await checkWidth(page, path);
         await page.close();
     }
     return heaviest;
@@ -116,8 +125,7 @@ async function photograph(browser, address) {
                 const { page } = await open(context, address, path);
                 if (LIVE.has(path)) await page.waitForTimeout(2500);
                 await checkAccess(page, `${path} (${size}, ${scheme})`);
-                const overflow = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
-                if (overflow > 0) fail(`${path} (${size})`, `${overflow} pixels wider than the window`);
+                await checkWidth(page, `${path} (${size})`);
                 await page.screenshot({ path: join(SHOTS, `${name}-${size}-${scheme}.png`) });
                 await page.close();
             }
@@ -164,16 +172,64 @@ async function checkDeterminism(browser, address) {
     await context.close();
 }
 
-/** The search finds a name of the reference. */
+/** The search finds a name of the reference, and suggests it first. */
 async function checkSearch(browser, address) {
+    const wanted = "RevoluteJointBuilder";
     const context = await browser.newContext(SIZES.desktop);
     const { page } = await open(context, address, "/docs/guide");
-    await page.getByRole("combobox", { name: "Search" }).or(page.getByPlaceholder("Search")).first().fill("RevoluteJointBuilder");
+    await page.getByRole("combobox", { name: "Search" }).or(page.getByPlaceholder("Search")).first().fill(wanted);
     const found = page.locator("[class*=suggestion]").first();
-    await found.waitFor({ timeout: 20_000 }).catch(() => fail("/docs/guide", "the search finds nothing"));
+    const text = await found.textContent({ timeout: 20_000 }).catch(() => "nothing");
+    if (!text.includes(wanted)) fail("/docs/guide", `the search for ${wanted} finds ${text}`);
     await context.close();
 }
 
+/** A failure of the module leads to a message, and the button works again. */
+async function checkFailure(browser, address) {
+    const context = await browser.newContext(SIZES.desktop);
+    const page = await context.newPage();
+    await page.route(/\.wasm$/, (route) => route.abort());
+    await page.goto(`${address}/determinism`, { waitUntil: "networkidle" });
+    const button = page.getByRole("button", { name: /^Run/ });
+    await button.click();
+    const message = page.getByRole("status").filter({ hasText: "did not run" });
+    await message.waitFor({ timeout: 60_000 }).catch(() => fail("/determinism", "no message without the module"));
+    if (await button.isDisabled()) fail("/determinism", "the button stays disabled after a failure");
+    await context.close();
+}
+
+/** A card of the guide runs its scene, and the scene takes the focus of the button. */
+async function checkCard(browser, address) {
+    const path = "/docs/guide/bodies";
+    const context = await browser.newContext(SIZES.desktop);
+    const { page } = await open(context, address, path);
+    await page.getByRole("button", { name: "Run the scene: T-handle in space" }).click();
+    await page.waitForSelector('[data-live="running"]', { timeout: 60_000 });
+    const focused = await page.evaluate(() => document.activeElement?.getAttribute("aria-label"));
+    if (focused !== "Live scene") fail(path, `the focus is on ${focused}`);
+    await context.close();
+}
+
+/** Moving pictures pause, and stand still where the system asks for less motion. */
+async function checkMotion(browser, address) {
+    for (const [reducedMotion, first, second] of [
+        ["no-preference", "Pause", "Play"],
+        ["reduce", "Play", "Pause"],
+    ]) {
+        const context = await browser.newContext({ ...SIZES.desktop, reducedMotion });
+        const page = await context.newPage();
+        await page.goto(`${address}/`, { waitUntil: "networkidle" });
+        const picture = page.locator("figure").first();
+        const source = () => picture.locator("img").getAttribute("src");
+        const before = await source();
+        await picture.getByRole("button", { name: new RegExp(`^${first}: `) }).click({ timeout: 20_000 });
+        await picture.getByRole("button", { name: new RegExp(`^${second}: `) }).waitFor({ timeout: 20_000 });
+        if ((await source()) === before) fail("/", `"${first}" does not change the picture`);
+        await context.close();
+    }
+}
+
+const samplesOnly = process.argv.includes("--shots");
 const executablePath = process.env.CHROMIUM ?? PLACES.find((place) => existsSync(place));
 if (executablePath === undefined) throw new Error("no Chromium: install the package `chromium`, or set CHROMIUM");
 const server = await serve(BUILD);
@@ -182,11 +238,14 @@ try {
     await checkScene(browser, server.address);
     await checkDeterminism(browser, server.address);
     await checkSearch(browser, server.address);
-    if (!process.argv.includes("--shots")) await visitAll(browser, server.address);
+    await checkFailure(browser, server.address);
+    await checkCard(browser, server.address);
+    await checkMotion(browser, server.address);
+    if (!samplesOnly) await visitAll(browser, server.address);
     await photograph(browser, server.address);
 } finally {
     await browser.close();
     server.close();
 }
-console.log(failures.length === 0 ? "all pages are sound" : `${failures.length} failures`);
+console.log(failures.length === 0 ? `${samplesOnly ? "the sample" : "all"} pages are sound` : `${failures.length} failures`);
 process.exit(failures.length === 0 ? 0 : 1);

@@ -1,4 +1,4 @@
-// The pages of the built site, and the ten that are photographed and checked for accessibility.
+// The pages of the built site, and the samples that are photographed and checked for accessibility.
 
 import { readdirSync } from "node:fs";
 import { join } from "node:path";
@@ -16,6 +16,7 @@ export const SAMPLES = {
     home: "/",
     guide: "/docs/guide",
     "getting-started": "/docs/guide/getting-started",
+    bodies: "/docs/guide/bodies",
     joints: "/docs/guide/joints",
     architecture: "/docs/architecture",
     benchmarks: "/benchmarks",

@@ -29,6 +29,8 @@ class Reference {
     constructor(json) {
         this.json = json;
         this.modules = publicModules(json);
+        const prelude = this.modules.find(({ module }) => module === "prelude");
+        this.prelude = new Set(prelude?.entries.map(({ name }) => name));
         this.addresses = new Map();
         this.pages = this.distribute();
         for (const page of this.pages) for (const entry of page.entries) this.register(page, entry);
@@ -197,20 +199,26 @@ class Reference {
         return [...head, guide, list, ...entries.map((entry) => this.entry(entry))].join("\n\n");
     }
 
+    /** The path of a name that the prelude does not have, in brackets. */
+    path(module, name) {
+        return this.prelude.has(name) ? "" : ` (\`rapier3d::${module}::${name}\`)`;
+    }
+
     /** Every public name of every module, with a link or the crate of its origin. */
     overview() {
         const lines = this.modules.flatMap(({ module, entries }) => {
             if (module === "prelude") return [];
             const names = entries.map(({ name, id, item }) => {
                 const url = this.addresses.get(id);
-                if (url !== undefined) return `* [\`${name}\`](${url}): ${summary(item, this.address)}`;
+                const path = this.path(module, name);
+                if (url !== undefined) return `* [\`${name}\`](${url})${path}: ${summary(item, this.address)}`;
                 const origin = this.json.paths[id]?.path[0];
-                return `* \`${name}\`${origin === undefined ? "" : ` of the crate \`${origin}\``}`;
+                return `* \`${name}\`${path}${origin === undefined ? "" : ` of the crate \`${origin}\``}`;
             });
             return [`## ${module} {#${module}}`, names.join("\n")];
         });
         const intro =
-            "All public names by module. A program imports them with `use rapier3d::prelude::*;`. The 2D crate has the same names with vectors of two components, and crates in double precision have `f64` in place of `f32`.";
+            "All public names by module. A program imports them with `use rapier3d::prelude::*;`; names outside the prelude have their own path beside them. The 2D crate has the same names with vectors of two components, and crates in double precision have `f64` in place of `f32`.";
         return ["---\nsidebar_position: 0\nslug: /rust\n---", "# Rust reference", intro, ...lines].join("\n\n");
     }
 

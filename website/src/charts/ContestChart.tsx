@@ -33,6 +33,7 @@ function Row({ contest, measure }: { readonly contest: Contest; readonly measure
                             className={styles.fill}
                             style={{ width: `${largest > 0 ? (72 * value) / largest : 0}%`, background: colour(engine) }}
                         />
+                        <span className="visually-hidden">{engine}:</span>
                         <span>{UNITS[measure].write(value)}</span>
                     </div>
                 ))}

@@ -8,7 +8,7 @@ export default function PackageTable({ title }: { readonly title: string }): Rea
     const table = data.find((candidate) => candidate.title === title);
     if (table === undefined) throw new RangeError(`docs/benchmarks/javascript.md has no table "${title}"`);
     return (
-        <ScrollTable>
+        <ScrollTable label={title}>
             <caption>{title}: milliseconds per step</caption>
             <thead>
                 <tr>

@@ -19,6 +19,9 @@ export interface Contest {
 
 export const { machine: MACHINE, conditions: CONDITIONS } = data;
 
+/** Names of the peers, with their versions where the tables have them. */
+export const PEERS = [...new Set(data.rows.map(({ engine }) => engine).filter(isPeer))];
+
 function contest(scene: string, entries: readonly Entry[]): Contest {
     const own = entries.find(({ engine }) => engine === OWN)?.value ?? Number.NaN;
     const peers = entries.filter(({ engine }) => isPeer(engine)).map(({ value }) => value);

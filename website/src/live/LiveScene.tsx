@@ -41,16 +41,25 @@ function usePlayer(scene: string) {
     const { colorMode } = useColorMode();
     const wanted = useRef({ scene, theme: colorMode });
     wanted.current = { scene, theme: colorMode };
+    const fail = (error: unknown): void => {
+        console.warn("the scene does not run", error);
+        setState("failed");
+    };
+    const open = (id: string): void => {
+        if (player.current === null) return;
+        try {
+            player.current.open(id);
+            setState(player.current.clock.running ? "running" : "paused");
+        } catch (error) {
+            fail(error);
+        }
+    };
 
     useEffect(() => {
         const element = canvas.current;
         if (element === null) return undefined;
         let ended = false;
         let started = false;
-        const fail = (error: unknown): void => {
-            console.warn("the scene does not run", error);
-            if (!ended) setState("failed");
-        };
         const start = async (): Promise<void> => {
             const { Player, loadPackage } = await import("./player");
             const engine = await loadPackage();
@@ -61,16 +70,15 @@ function usePlayer(scene: string) {
             }
             const made = new Player(engine, { canvas: element, theme: wanted.current.theme, report: setFigures, fail });
             player.current = made;
-            made.open(wanted.current.scene);
             made.clock.running = !wantsStillness();
-            setState(made.clock.running ? "running" : "paused");
+            open(wanted.current.scene);
         };
         const observer = new IntersectionObserver((entries) => {
             const visible = entries.some((entry) => entry.isIntersecting);
             if (player.current !== null) player.current.visible = visible;
             if (!visible || started) return;
             started = true;
-            start().catch(fail);
+            start().catch((error: unknown) => !ended && fail(error));
         });
         observer.observe(element);
         return () => {
@@ -81,13 +89,13 @@ function usePlayer(scene: string) {
         };
     }, []);
 
-    useEffect(() => player.current?.open(scene), [scene]);
+    useEffect(() => open(scene), [scene]);
     useEffect(() => player.current?.setTheme(colorMode), [colorMode]);
-    return { canvas, player, state, setState, figures };
+    return { canvas, player, state, setState, figures, open };
 }
 
 export default function LiveScene({ scene, label, className }: LiveSceneProps): ReactNode {
-    const { canvas, player, state, setState, figures } = usePlayer(scene);
+    const { canvas, player, state, setState, figures, open } = usePlayer(scene);
     const poster = useBaseUrl(`/thumbnails/${scene}.webp`);
     const ready = state === "running" || state === "paused";
     const toggle = (): void => {
@@ -110,7 +118,7 @@ export default function LiveScene({ scene, label, className }: LiveSceneProps): 
                     <button type="button" onClick={toggle}>
                         {state === "running" ? "Pause" : "Play"}
                     </button>
-                    <button type="button" onClick={() => player.current?.open(scene)}>
+                    <button type="button" onClick={() => open(scene)}>
                         Restart
                     </button>
                     <button type="button" onClick={() => player.current?.throwBall()}>

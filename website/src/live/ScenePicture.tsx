@@ -1,7 +1,7 @@
 // A picture of a document. Where the testbed has the scene, a button runs it in place of the picture.
 
 import { type ComponentProps, type ReactNode, useState } from "react";
-import LiveScene from "./LiveScene";
+import LiveInPlace from "./LiveInPlace";
 import styles from "./ScenePicture.module.css";
 
 /** Scenes of the testbed by name of a picture in docs/images. */
@@ -26,11 +26,11 @@ export default function ScenePicture(props: ComponentProps<"img">): ReactNode {
     const scene = sceneOf(props.src);
     const picture = <img loading="lazy" decoding="async" {...props} alt={props.alt ?? ""} />;
     if (scene === undefined) return picture;
-    if (live) return <LiveScene scene={scene} label={props.alt ?? scene} className={styles.live} />;
+    if (live) return <LiveInPlace scene={scene} label={props.alt ?? scene} />;
     return (
         <div className={styles.picture}>
             {picture}
-            <button type="button" onClick={() => setLive(true)}>
+            <button type="button" className="picture-button" onClick={() => setLive(true)}>
                 Run a scene like this
             </button>
         </div>

@@ -75,6 +75,8 @@ export class Player {
         if (scene === undefined) throw new RangeError(`there is no scene ${id}`);
         this.pointer.forget();
         this.stage?.dispose();
+        // A scene that throws leaves no disposed stage behind.
+        this.stage = null;
         this.stage = new Stage(DIMENSION_3, this.engine, scene);
         this.picture.frame(scene.camera);
         this.clock.reset();
@@ -100,8 +102,8 @@ export class Player {
         try {
             if (this.visible && this.stage !== null) this.advance(this.stage, seconds, now);
         } catch (error) {
+            this.stage = null;
             this.options.fail(error);
-            return;
         }
         this.request = requestAnimationFrame((next) => this.frame(next));
     }

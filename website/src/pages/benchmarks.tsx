@@ -16,7 +16,7 @@ export default function Benchmarks(): ReactNode {
             <main className="container margin-vert--lg markdown">
                 <h1>Benchmarks</h1>
                 <p>
-                    {MACHINE} {CONDITIONS} The charts show the files that the benchmark program writes. The{" "}
+                    {MACHINE} {CONDITIONS} The charts of native engines show the tables that the benchmark program writes. These{" "}
                     <Link to="/docs/benchmarks/latest">tables</Link> have more columns, and list the scenes in which engines have
                     different contacts. Times depend on the machine: <code>cargo run --release -p bench</code> measures others.
                 </p>
@@ -47,7 +47,8 @@ export default function Benchmarks(): ReactNode {
                     JavaScript
                 </Heading>
                 <p>
-                    The packages beside others, in Node.js.{" "}
+                    The packages beside others, in Node.js. The figures are entered by hand from the output of{" "}
+                    <code>npm run bench</code> in <code>javascript/peers</code>.{" "}
                     <Link to="/docs/benchmarks/javascript">Conditions, browsers and sizes</Link>
                 </p>
                 <PackageTable title="3D, Node.js" />

@@ -1,4 +1,4 @@
-// Which platforms compute equal bits, the recorded hashes, and a comparison that the visitor's browser makes.
+// The platforms whose bits are compared, the recorded hashes, and a comparison that the visitor's browser makes.
 
 import Link from "@docusaurus/Link";
 import Heading from "@theme/Heading";
@@ -6,18 +6,18 @@ import Layout from "@theme/Layout";
 import { type ReactNode, useState } from "react";
 import golden from "@site/generated/data/golden.json";
 import expected from "@site/generated/data/pile.json";
+import platforms from "@site/generated/data/platforms.json";
 import ScrollTable from "@site/src/components/ScrollTable";
 import { BODIES, TAKEN, hashes } from "@site/src/live/pile.mjs";
 import styles from "./determinism.module.css";
 
-/** The platforms of crates/golden/everywhere.sh, and how each runs the scenes. */
-const PLATFORMS = [
-    { name: "x86-64, AVX2", runs: "1, 2, 3 and 8 threads" },
-    { name: "x86-64, SSE2", runs: "1, 2, 3 and 8 threads" },
-    { name: "aarch64, NEON", runs: "1 thread, under qemu" },
-    { name: "WebAssembly, SIMD", runs: "1 thread, in Node.js" },
-    { name: "WebAssembly, scalar", runs: "1 thread, in Node.js" },
-];
+/** What crates/golden/everywhere.sh runs for each of its arguments. */
+const RUNS: Readonly<Record<string, readonly [platform: string, runs: string]>> = {
+    native: ["this machine's processor", "1, 2, 3 and 8 threads, each with the widest registers and with the baseline's"],
+    "wasm-simd": ["WebAssembly with SIMD", "1 thread, in Node.js"],
+    "wasm-scalar": ["WebAssembly without SIMD", "1 thread, in Node.js"],
+    aarch64: ["aarch64 Linux", "1 thread, under qemu"],
+};
 
 const CRATES = [...new Set(golden.map(({ crate }) => crate))];
 const SCENES = [...new Set(golden.map(({ scene }) => scene))];
@@ -26,13 +26,19 @@ function hashOf(crate: string, scene: string): string {
     return golden.find((entry) => entry.crate === crate && entry.scene === scene)?.hash ?? "";
 }
 
-type State = "idle" | "running" | "done" | "missing";
+function runsOf(argument: string): readonly [platform: string, runs: string] {
+    const found = RUNS[argument];
+    if (found === undefined) throw new RangeError(`crates/golden/everywhere.sh has a new platform "${argument}"`);
+    return found;
+}
+
+type State = "idle" | "running" | "done" | "missing" | "failed";
 
 function Comparison(): ReactNode {
     const [state, setState] = useState<State>("idle");
     const [found, setFound] = useState<readonly string[]>([]);
+    const [problem, setProblem] = useState("");
     const run = async (): Promise<void> => {
-        setState("running");
         const { loadPackage } = await import("@site/src/live/player");
         const engine = await loadPackage();
         // The message appears before the pile occupies the page.
@@ -40,18 +46,26 @@ function Comparison(): ReactNode {
         if (engine !== null) setFound(hashes(engine.module));
         setState(engine === null ? "missing" : "done");
     };
+    const start = (): void => {
+        setState("running");
+        run().catch((error: unknown) => {
+            setProblem(error instanceof Error ? error.message : String(error));
+            setState("failed");
+        });
+    };
     const equal = found.length > 0 && found.every((hash, index) => hash === expected.hashes[index]);
     return (
         <>
-            <button type="button" className="button button--primary" onClick={() => void run()} disabled={state === "running"}>
+            <button type="button" className="button button--primary" onClick={start} disabled={state === "running"}>
                 Run {BODIES} bodies in this browser
             </button>
             <p className={styles.verdict} role="status">
                 {state === "running" && "The pile runs …"}
                 {state === "missing" && "This page was built without the engine."}
+                {state === "failed" && `The pile did not run: ${problem}`}
                 {state === "done" && (equal ? "Equal bits: all hashes agree." : "The hashes differ: please report this browser.")}
             </p>
-            <ScrollTable>
+            <ScrollTable label="Hashes of the pile">
                 <thead>
                     <tr>
                         <th scope="col">after step</th>
@@ -77,30 +91,29 @@ function Comparison(): ReactNode {
     );
 }
 
-function Matrix(): ReactNode {
+function Platforms(): ReactNode {
     return (
-        <ScrollTable>
+        <ScrollTable label="Platforms">
             <thead>
                 <tr>
                     <th scope="col">platform</th>
                     <th scope="col">runs</th>
-                    {CRATES.map((crate) => (
-                        <th key={crate} scope="col">
-                            {crate}
-                        </th>
-                    ))}
+                    <th scope="col">command</th>
                 </tr>
             </thead>
             <tbody>
-                {PLATFORMS.map(({ name, runs }) => (
-                    <tr key={name}>
-                        <th scope="row">{name}</th>
-                        <td>{runs}</td>
-                        {CRATES.map((crate) => (
-                            <td key={crate}>{golden.filter((entry) => entry.crate === crate).length} scenes equal</td>
-                        ))}
-                    </tr>
-                ))}
+                {platforms.map((argument) => {
+                    const [platform, runs] = runsOf(argument);
+                    return (
+                        <tr key={argument}>
+                            <th scope="row">{platform}</th>
+                            <td>{runs}</td>
+                            <td>
+                                <code>crates/golden/everywhere.sh {argument}</code>
+                            </td>
+                        </tr>
+                    );
+                })}
             </tbody>
         </ScrollTable>
     );
@@ -127,15 +140,15 @@ export default function Determinism(): ReactNode {
                     Platforms
                 </Heading>
                 <p>
-                    The script <code>crates/golden/everywhere.sh</code> runs {golden.length} scenes on each of these platforms,
-                    and compares their hashes with the recorded ones. <code>cargo test -p golden</code> compares those of the
-                    machine at hand.
+                    The repository has the hashes of {golden.length} recorded scenes: {SCENES.length} for each of {CRATES.length}{" "}
+                    crates. <code>crates/golden/everywhere.sh</code> runs them on these platforms, prints the scenes whose hashes
+                    differ, and names the platforms that a machine cannot run.
                 </p>
-                <Matrix />
+                <Platforms />
                 <Heading as="h2" id="hashes">
                     Recorded hashes
                 </Heading>
-                <ScrollTable>
+                <ScrollTable label="Recorded hashes">
                     <thead>
                         <tr>
                             <th scope="col">scene</th>

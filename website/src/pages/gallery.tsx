@@ -5,17 +5,16 @@ import Layout from "@theme/Layout";
 import useBaseUrl from "@docusaurus/useBaseUrl";
 import { type ReactNode, useEffect, useState } from "react";
 import { SCENES } from "@repository/testbed3d/src/scenes/index";
+import MovingPicture from "@site/src/components/MovingPicture";
+import { MOVING } from "@site/src/components/moving";
 import LiveScene from "@site/src/live/LiveScene";
 import bullets from "@repository/docs/images/bullets.png";
 import characters from "@repository/docs/images/characters.png";
-import dominoes from "@repository/docs/images/dominoes-moving.png";
 import junkyard from "@repository/docs/images/junkyard.png";
 import motors from "@repository/docs/images/motors.png";
 import robotArm from "@repository/docs/images/robot_arm.png";
 import seams from "@repository/docs/images/seams.png";
-import strider from "@repository/docs/images/strider-moving.png";
 import vehicle from "@repository/docs/images/vehicle.png";
-import washer from "@repository/docs/images/washer-moving.png";
 import descriptions from "@site/generated/data/descriptions.json";
 import styles from "./gallery.module.css";
 
@@ -24,8 +23,21 @@ type Scene = (typeof SCENES)[number];
 const GROUPS = [...new Set(SCENES.map(({ group }) => group))];
 const FIRST = SCENES.find(({ id }) => id === "ziggurat") ?? SCENES[0];
 
-/** Pictures of the native gallery by name of the scene. */
-const PICTURES = { washer, strider, dominoes, junkyard, vehicle, characters, robot_arm: robotArm, motors, bullets, seams };
+/** Still pictures of the native gallery by name of the scene. */
+const STILL = { junkyard, vehicle, characters, robot_arm: robotArm, motors, bullets, seams };
+
+function keys<T extends object>(record: T): (keyof T)[] {
+    return Object.keys(record) as (keyof T)[];
+}
+
+function Picture({ name, children }: { readonly name: keyof typeof descriptions; readonly children: ReactNode }): ReactNode {
+    return (
+        <figure>
+            {children}
+            <figcaption>{descriptions[name]}</figcaption>
+        </figure>
+    );
+}
 
 function Pictures(): ReactNode {
     return (
@@ -37,11 +49,15 @@ function Pictures(): ReactNode {
                 <code>cargo run --release --bin all_examples3</code> opens a window with these scenes and others.
             </p>
             <div className={styles.pictures}>
-                {Object.entries(PICTURES).map(([name, image]) => (
-                    <figure key={name}>
-                        <img src={image} alt={descriptions[name as keyof typeof PICTURES]} loading="lazy" />
-                        <figcaption>{descriptions[name as keyof typeof PICTURES]}</figcaption>
-                    </figure>
+                {keys(MOVING).map((name) => (
+                    <Picture key={name} name={name}>
+                        <MovingPicture picture={MOVING[name]} alt={descriptions[name]} />
+                    </Picture>
+                ))}
+                {keys(STILL).map((name) => (
+                    <Picture key={name} name={name}>
+                        <img src={STILL[name]} alt={descriptions[name]} loading="lazy" />
+                    </Picture>
                 ))}
             </div>
         </section>

@@ -8,11 +8,10 @@ import Tabs from "@theme/Tabs";
 import { type ReactNode, useState } from "react";
 import Choice from "@site/src/charts/Choice";
 import LeadChart from "@site/src/charts/LeadChart";
-import { CONDITIONS, MACHINE } from "@site/src/charts/contests";
+import { CONDITIONS, MACHINE, PEERS } from "@site/src/charts/contests";
+import MovingPicture from "@site/src/components/MovingPicture";
+import { MOVING } from "@site/src/components/moving";
 import LiveScene from "@site/src/live/LiveScene";
-import dominoes from "@repository/docs/images/dominoes-moving.png";
-import strider from "@repository/docs/images/strider-moving.png";
-import washer from "@repository/docs/images/washer-moving.png";
 import descriptions from "@site/generated/data/descriptions.json";
 import styles from "./index.module.css";
 
@@ -24,11 +23,7 @@ const SCENES = [
     ["cards", "Card house"],
 ] as const;
 
-const MOVING = [
-    { image: washer, caption: descriptions.washer },
-    { image: strider, caption: descriptions.strider },
-    { image: dominoes, caption: descriptions.dominoes },
-];
+const PICTURES = ["washer", "strider", "dominoes"] as const;
 
 const PROMISES = [
     {
@@ -133,18 +128,18 @@ export default function Home(): ReactNode {
                     ))}
                 </section>
                 <section className={styles.pictures}>
-                    {MOVING.map(({ image, caption }) => (
-                        <figure key={caption}>
-                            <img src={image} alt={caption} loading="lazy" />
-                            <figcaption>{caption}</figcaption>
+                    {PICTURES.map((name) => (
+                        <figure key={name}>
+                            <MovingPicture picture={MOVING[name]} alt={descriptions[name]} />
+                            <figcaption>{descriptions[name]}</figcaption>
                         </figure>
                     ))}
                 </section>
                 <section className={styles.section}>
                     <h2>Beside its peers</h2>
                     <p>
-                        Time of the fastest of Rapier 0.36.1, Box3D and Box2D, divided by this engine's time. {MACHINE}{" "}
-                        {CONDITIONS} <Link to="/benchmarks">All figures</Link>
+                        Time of the fastest peer divided by this engine's time. Peers: {PEERS.join(", ")}. {MACHINE} {CONDITIONS}{" "}
+                        <Link to="/benchmarks">All figures</Link>
                     </p>
                     <div className={styles.charts}>
                         <LeadChart dimension="3d" />

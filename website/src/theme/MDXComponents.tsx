@@ -1,9 +1,10 @@
-// The elements of documents: tables scroll, and pictures of scenes run them.
+// The elements of documents: tables scroll, and scenes run in place of their pictures.
 
 import MDXComponents from "@theme-original/MDXComponents";
 import TabItem from "@theme/TabItem";
 import Tabs from "@theme/Tabs";
 import ScrollTable from "@site/src/components/ScrollTable";
+import SceneCard from "@site/src/live/SceneCard";
 import ScenePicture from "@site/src/live/ScenePicture";
 
-export default { ...MDXComponents, table: ScrollTable, img: ScenePicture, TabItem, Tabs };
+export default { ...MDXComponents, table: ScrollTable, img: ScenePicture, SceneCard, TabItem, Tabs };
