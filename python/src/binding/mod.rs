@@ -1,0 +1,34 @@
+//! The classes of a module, one source for all four engines.
+
+use super::rapier;
+use super::space;
+
+mod batch;
+mod body;
+mod collider;
+mod events;
+mod joint;
+pub mod numbers;
+mod options;
+mod query;
+mod shape;
+mod world;
+
+use pyo3::prelude::*;
+
+/// Fills a module with the classes of its engine.
+pub fn fill(module: &Bound<'_, PyModule>) -> PyResult<()> {
+    module.add("DIM", rapier::math::DIM)?;
+    module.add("STATE", numbers::STATE)?;
+    module.add("dtype", numbers::dtype(module.py())?)?;
+    module.add_class::<world::World>()?;
+    module.add_class::<body::Body>()?;
+    module.add_class::<collider::Collider>()?;
+    module.add_class::<shape::Shape>()?;
+    module.add_class::<joint::Joint>()?;
+    module.add_class::<query::RayHit>()?;
+    module.add_class::<query::PointProjection>()?;
+    module.add_class::<events::CollisionEvent>()?;
+    module.add_class::<batch::WorldBatch>()?;
+    Ok(())
+}

@@ -1,0 +1,156 @@
+//! Questions about a world.
+
+use super::collider::Collider;
+use super::numbers::{points, pose, vector_out};
+use super::rapier::geometry::{ColliderHandle, Ray};
+use super::rapier::math::{Real, Vector};
+use super::rapier::pipeline::QueryFilter;
+use super::shape::Shape;
+use super::space;
+use super::world::{State, World};
+use crate::errors::invalid;
+use numpy::{PyArray1, PyArray2, PyArrayMethods};
+use pyo3::prelude::*;
+
+/// The first collider that a ray hits.
+#[pyclass(frozen, module = "rapier")]
+pub struct RayHit {
+    /// The collider.
+    #[pyo3(get)]
+    collider: Py<Collider>,
+    /// The time of impact, in units of the direction: the point is `origin + direction * toi`.
+    #[pyo3(get)]
+    toi: Real,
+    point: Vector,
+    normal: Vector,
+}
+
+#[pymethods]
+impl RayHit {
+    /// The point (m, world).
+    #[getter]
+    fn point<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<Real>> {
+        vector_out(py, self.point)
+    }
+
+    /// The unit normal of the surface there.
+    #[getter]
+    fn normal<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<Real>> {
+        vector_out(py, self.normal)
+    }
+
+    fn __repr__(&self) -> String {
+        format!("<RayHit: toi {}>", self.toi)
+    }
+}
+
+/// The nearest point of the nearest collider.
+#[pyclass(frozen, module = "rapier")]
+pub struct PointProjection {
+    /// The collider.
+    #[pyo3(get)]
+    collider: Py<Collider>,
+    /// Whether the point is inside of the collider.
+    #[pyo3(get)]
+    inside: bool,
+    point: Vector,
+}
+
+#[pymethods]
+impl PointProjection {
+    /// The nearest point (m, world).
+    #[getter]
+    fn point<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<Real>> {
+        vector_out(py, self.point)
+    }
+}
+
+/// Casts many rays: the times of impact (infinite without a hit) and the normals (zero without a hit).
+fn cast_all(state: &mut State, rays: &[Ray], longest: Real, solid: bool) -> (Vec<Real>, Vec<Real>) {
+    let (queries, world) = state.queries();
+    let mut times = Vec::with_capacity(rays.len());
+    let mut normals = Vec::with_capacity(rays.len() * super::rapier::math::DIM);
+    for ray in rays {
+        let hit = queries.cast_ray_and_get_normal(&world.colliders, ray, longest, solid, QueryFilter::default());
+        let (time, normal) = hit.map_or((Real::INFINITY, Vector::ZERO), |(_, hit)| (hit.time_of_impact, hit.normal));
+        times.push(time);
+        normals.extend(normal.to_array());
+    }
+    (times, normals)
+}
+
+/// A bound of times. Infinite is the largest number, with which the engine computes.
+fn bound(max_toi: f64) -> PyResult<Real> {
+    match max_toi >= 0.0 {
+        true => Ok((max_toi as Real).min(Real::MAX)),
+        false => Err(invalid(format!("max_toi is {max_toi}, but must not be negative"))),
+    }
+}
+
+#[pymethods]
+impl World {
+    /// The first collider that a ray hits, or None. A ray that begins inside of a `solid` collider hits it at once.
+    #[pyo3(signature = (origin, direction, max_toi=f64::INFINITY, solid=true))]
+    fn cast_ray(slf: &Bound<'_, Self>, origin: &Bound<'_, PyAny>, direction: &Bound<'_, PyAny>, max_toi: f64, solid: bool) -> PyResult<Option<RayHit>> {
+        let ray = Ray::new(space::vector("origin", origin)?, space::vector("direction", direction)?);
+        let longest = bound(max_toi)?;
+        let mut state = slf.get().read();
+        let (queries, world) = state.queries();
+        let hit = queries.cast_ray_and_get_normal(&world.colliders, &ray, longest, solid, QueryFilter::default());
+        let Some((handle, hit)) = hit else { return Ok(None) };
+        let toi = hit.time_of_impact;
+        Ok(Some(RayHit { collider: collider(slf, handle)?, toi, point: ray.origin + ray.dir * toi, normal: hit.normal }))
+    }
+
+    /// Casts many rays: origins and directions of the shape (n, DIM). Returns the times of impact, infinite without a hit, and the normals. Releases the
+    /// interpreter's lock.
+    #[pyo3(signature = (origins, directions, max_toi=f64::INFINITY, solid=true))]
+    #[allow(clippy::type_complexity, reason = "two arrays")]
+    fn cast_rays<'py>(
+        &self,
+        py: Python<'py>,
+        origins: &Bound<'py, PyAny>,
+        directions: &Bound<'py, PyAny>,
+        max_toi: f64,
+        solid: bool,
+    ) -> PyResult<(Bound<'py, PyArray1<Real>>, Bound<'py, PyArray2<Real>>)> {
+        let (origins, directions) = (points("origins", origins)?, points("directions", directions)?);
+        if origins.len() != directions.len() {
+            return Err(invalid(format!("there are {} origins and {} directions", origins.len(), directions.len())));
+        }
+        let rays: Vec<Ray> = origins.into_iter().zip(directions).map(|(origin, direction)| Ray::new(origin, direction)).collect();
+        let longest = bound(max_toi)?;
+        let (times, normals) = py.detach(|| cast_all(&mut self.read(), &rays, longest, solid));
+        let normals = PyArray1::from_vec(py, normals).reshape([rays.len(), super::rapier::math::DIM])?;
+        Ok((PyArray1::from_vec(py, times), normals))
+    }
+
+    /// The nearest point of all colliders to a point, or None in an empty world.
+    #[pyo3(signature = (point, solid=true))]
+    fn project_point(slf: &Bound<'_, Self>, point: &Bound<'_, PyAny>, solid: bool) -> PyResult<Option<PointProjection>> {
+        let point = space::vector("point", point)?;
+        let mut state = slf.get().read();
+        let (queries, world) = state.queries();
+        let found = queries.project_point(&world.colliders, &point, solid, QueryFilter::default());
+        let Some((handle, projection)) = found else { return Ok(None) };
+        Ok(Some(PointProjection { collider: collider(slf, handle)?, inside: projection.is_inside, point: projection.point }))
+    }
+
+    /// The colliders that a shape intersects at a pose.
+    #[pyo3(signature = (shape, position=None, rotation=None))]
+    fn overlaps(slf: &Bound<'_, Self>, shape: &Shape, position: Option<&Bound<'_, PyAny>>, rotation: Option<&Bound<'_, PyAny>>) -> PyResult<Vec<Py<Collider>>> {
+        let place = pose(position, rotation)?;
+        let mut handles = Vec::new();
+        let mut state = slf.get().read();
+        let (queries, world) = state.queries();
+        queries.intersections_with_shape(&world.colliders, &place, &*shape.shape, QueryFilter::default(), |handle| {
+            handles.push(handle);
+            true
+        });
+        handles.into_iter().map(|handle| collider(slf, handle)).collect()
+    }
+}
+
+fn collider(world: &Bound<'_, World>, handle: ColliderHandle) -> PyResult<Py<Collider>> {
+    Py::new(world.py(), Collider { world: world.clone().unbind(), handle })
+}

@@ -1,0 +1,95 @@
+//! What differs in 2D: rotations and angular quantities are numbers (rad).
+
+use super::binding::numbers::{array, finite, numbers};
+use super::rapier::dynamics::{GenericJoint, PrismaticJointBuilder, RevoluteJointBuilder};
+use super::rapier::geometry::{ColliderBuilder, SharedShape};
+use super::rapier::math::{AngVector, Real, Rotation, Vector, rotation_from_angle};
+use crate::errors::invalid;
+use numpy::{PyArrayMethods, PyUntypedArrayMethods};
+use pyo3::prelude::*;
+
+/// Numbers of a rotation.
+pub const ROTATION: usize = 1;
+/// Numbers of an angular velocity.
+pub const ANGULAR: usize = 1;
+
+/// A vector of a Python sequence with two numbers.
+pub fn vector(name: &str, value: &Bound<'_, PyAny>) -> PyResult<Vector> {
+    Ok(Vector::from_array(numbers(name, value)?))
+}
+
+/// A rotation of an angle (rad).
+pub fn rotation(name: &str, value: &Bound<'_, PyAny>) -> PyResult<Rotation> {
+    Ok(rotation_from_angle(angular(name, value)?))
+}
+
+/// An angular quantity of a number.
+pub fn angular(name: &str, value: &Bound<'_, PyAny>) -> PyResult<AngVector> {
+    finite(name, value.extract()?)
+}
+
+/// The numbers of a rotation.
+pub fn rotation_numbers(rotation: &Rotation) -> [Real; ROTATION] {
+    [rotation.angle()]
+}
+
+/// The rotation with these numbers.
+pub fn rotation_of(numbers: &[Real]) -> Option<Rotation> {
+    numbers[0].is_finite().then(|| rotation_from_angle(numbers[0]))
+}
+
+/// The numbers of an angular quantity.
+pub fn angular_numbers(value: AngVector) -> [Real; ANGULAR] {
+    [value]
+}
+
+/// The angular quantity with these numbers.
+pub fn angular_of(numbers: &[Real]) -> AngVector {
+    numbers[0]
+}
+
+/// A hinge.
+pub fn revolute(axis: Option<Vector>) -> PyResult<GenericJoint> {
+    match axis {
+        None => Ok(RevoluteJointBuilder::new().build().into()),
+        Some(_) => Err(invalid("a revolute joint in 2D has no axis")),
+    }
+}
+
+/// A slider along an axis.
+pub fn prismatic(axis: Option<Vector>) -> PyResult<GenericJoint> {
+    let axis = axis.unwrap_or(Vector::X);
+    match axis.length() > 0.0 {
+        true => Ok(PrismaticJointBuilder::new(axis.normalize()).build().into()),
+        false => Err(invalid(format!("axis is {axis}, but must have a length greater than 0"))),
+    }
+}
+
+/// A ball and socket: 3D only.
+pub fn spherical() -> PyResult<GenericJoint> {
+    Err(invalid("a spherical joint exists in 3D only: in 2D it is a revolute joint"))
+}
+
+/// A box by its half extents.
+pub fn cuboid(half: [Real; 2]) -> SharedShape {
+    SharedShape::cuboid(half[0], half[1])
+}
+
+/// A cylinder: 3D only.
+pub fn cylinder(_half_height: f64, _radius: f64) -> PyResult<SharedShape> {
+    Err(invalid("a cylinder exists in 3D only"))
+}
+
+/// A cone: 3D only.
+pub fn cone(_half_height: f64, _radius: f64) -> PyResult<SharedShape> {
+    Err(invalid("a cone exists in 3D only"))
+}
+
+/// The heights over a line.
+pub fn height_field(heights: &Bound<'_, PyAny>, scale: Vector) -> PyResult<ColliderBuilder> {
+    let array = array("heights", heights)?;
+    match array.shape() {
+        [_] => Ok(ColliderBuilder::heightfield(array.to_vec()?, scale)),
+        shape => Err(invalid(format!("heights has the shape {shape:?}, but must have one dimension"))),
+    }
+}

@@ -1,0 +1,82 @@
+"""Batches: each world gives the bits that it gives alone."""
+
+import numpy as np
+import pytest
+from conftest import at, make_pile
+
+import rapier
+
+
+def test_a_batch_gives_the_bits_of_single_worlds(engine):
+    world = make_pile(engine)
+    batch = engine.WorldBatch(world, 5)
+    state = batch.state()
+    state[:, :, engine.DIM + (1 if engine.DIM == 2 else 4)] += np.arange(5)[:, None]  # velocities along x
+    batch.set_state(state)
+    single = [batch.world(index) for index in range(5)]
+    batch.step(60)
+    for index, world in enumerate(single):
+        world.step(60)
+        assert batch.hashes()[index] == world.hash
+        assert np.array_equal(batch.state()[index], world.state())
+    assert len(set(batch.hashes())) == 5
+
+
+def test_a_reset_returns_the_selected_worlds(engine):
+    world = make_pile(engine)
+    world.step(10)
+    batch = engine.WorldBatch(world, 3)
+    batch.step(20)
+    moved = batch.hashes()
+    batch.reset([True, False, True])
+    hashes = batch.hashes()
+    assert hashes[0] == hashes[2] == world.hash and hashes[1] == moved[1]
+    batch.step(20)
+    assert batch.hashes()[0] == moved[0]
+
+
+def test_arrays_are_filled_in_place(engine):
+    batch = engine.WorldBatch(make_pile(engine, 4), 2)
+    out = np.empty((2, 4, engine.STATE), engine.dtype)
+    for _ in range(3):
+        batch.step()
+        assert batch.state(out=out) is out
+        assert np.array_equal(out, batch.state())
+
+
+def test_forces_accelerate_by_the_formula(engine):
+    world = engine.World(gravity=at(engine, 0, 0))
+    body = world.add_body(shape=engine.Shape.ball(0.5), mass=2.0)
+    batch = engine.WorldBatch(world, 3)
+    forces = np.zeros((3, 1, engine.DIM + (1 if engine.DIM == 2 else 3)))
+    forces[:, 0, 0] = [0.0, 4.0, 8.0]
+    batch.set_forces(forces)
+    batch.step(60)
+    column = engine.DIM + (1 if engine.DIM == 2 else 4)
+    assert batch.state()[:, 0, column] == pytest.approx([0.0, 2.0, 4.0], rel=1e-4)
+    assert body.mass == pytest.approx(2.0, rel=1e-5)
+
+
+def test_motors_reach_the_targets_of_their_worlds(engine):
+    world = engine.World(gravity=at(engine, 0, 0))
+    base = world.add_body("fixed")
+    slide = world.add_body(shape=engine.Shape.ball(0.5), can_sleep=False)
+    joint = world.add_joint("prismatic", base, slide, axis=at(engine, 1, 0), reduced=True)
+    batch = engine.WorldBatch(world, 2)
+    batch.set_motors([joint], [[0.5], [-1.0]], stiffness=100, damping=20)
+    batch.step(240)
+    assert batch.state()[:, 1, 0] == pytest.approx([0.5, -1.0], abs=1e-2)
+
+
+def test_values_that_do_not_fit_change_nothing(engine):
+    batch = engine.WorldBatch(make_pile(engine, 3), 2)
+    before = batch.hashes()
+    state = batch.state()
+    state[1, 2, 0] = np.nan
+    with pytest.raises(rapier.InvalidValueError, match=r"state\[1, 2\]"):
+        batch.set_state(state)
+    with pytest.raises(rapier.InvalidValueError, match="state has the shape"):
+        batch.set_state(state[:, :2])
+    with pytest.raises(rapier.InvalidValueError, match="mask has 3"):
+        batch.reset([True] * 3)
+    assert np.array_equal(batch.hashes(), before)
