@@ -69,9 +69,9 @@ async function open(context, address, path) {
     return { page, weigh };
 }
 
-/** Fails if the page scrolls sideways. */
+/** Fails if the page scrolls sideways. `innerWidth` includes the overflow: a phone zooms out until the page fits. */
 async function checkWidth(page, path) {
-    const overflow = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
+    const overflow = await page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth);
     if (overflow > 0) fail(path, `${overflow} pixels wider than the window`);
 }
 
@@ -84,15 +84,15 @@ async function visit(context, address, left) {
         if (weight > (WEIGHTS_MAX[path] ?? WEIGHT_MAX)) fail(path, `${weight} bytes`);
         if (path in WEIGHTS_MAX) console.log(`${path}: ${weight} bytes`);
         else if (weight > heaviest.weight) heaviest = { path, weight };
-        await page.setViewportSize(SIZES.phone.viewport);
         await checkWidth(page, path);
         await page.close();
     }
     return heaviest;
 }
 
+/** Visits all pages in a window as wide as a phone. */
 async function visitAll(browser, address) {
-    const context = await browser.newContext(SIZES.desktop);
+    const context = await browser.newContext({ viewport: SIZES.phone.viewport });
     const left = allPages(BUILD);
     const count = left.length;
     const found = await Promise.all(Array.from({ length: VISITORS }, () => visit(context, address, left)));
@@ -210,7 +210,7 @@ async function checkCard(browser, address) {
     await context.close();
 }
 
-/** Moving pictures pause, and stand still where the system asks for less motion. */
+/** Moving pictures pause, and stand still where the system reduces motion. */
 async function checkMotion(browser, address) {
     for (const [reducedMotion, first, second] of [
         ["no-preference", "Pause", "Play"],

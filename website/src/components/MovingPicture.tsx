@@ -1,4 +1,4 @@
-// A picture that moves: visitors pause it, and it stands still where the system asks for less motion.
+// A moving picture with a button that pauses it. The picture stands still where the system reduces motion.
 
 import { type ReactNode, useEffect, useState } from "react";
 import styles from "./MovingPicture.module.css";
@@ -17,7 +17,7 @@ export default function MovingPicture({ picture, alt }: MovingPictureProps): Rea
     return (
         <div className={styles.frame}>
             <picture>
-                {/* The server does not know the setting: the browser chooses until the page is active. */}
+                {/* The setting is unknown on the server: the browser chooses until the page is active. */}
                 {moves === null && <source media={STILLNESS} srcSet={picture.still} />}
                 <img src={moves === false ? picture.still : picture.moving} alt={alt} loading="lazy" />
             </picture>

@@ -11,9 +11,9 @@ import ScrollTable from "@site/src/components/ScrollTable";
 import { BODIES, TAKEN, hashes } from "@site/src/live/pile.mjs";
 import styles from "./determinism.module.css";
 
-/** What crates/golden/everywhere.sh runs for each of its arguments. */
+/** Platform and runs by argument of crates/golden/everywhere.sh. */
 const RUNS: Readonly<Record<string, readonly [platform: string, runs: string]>> = {
-    native: ["this machine's processor", "1, 2, 3 and 8 threads, each with the widest registers and with the baseline's"],
+    native: ["processor of the machine", "1, 2, 3 and 8 threads, each with the widest registers and with the baseline's"],
     "wasm-simd": ["WebAssembly with SIMD", "1 thread, in Node.js"],
     "wasm-scalar": ["WebAssembly without SIMD", "1 thread, in Node.js"],
     aarch64: ["aarch64 Linux", "1 thread, under qemu"],
