@@ -1,31 +1,14 @@
 //! The Python package `rapier`: one extension with four modules, one for each dimension and precision.
 //!
-//! The classes are one source (`binding`), compiled once for each engine. A module of this file selects the engine and the folder `space`,
-//! which contains the differences between the dimensions.
+//! The classes are one source (`binding`), compiled once for each engine. `dim2`, `dim3` and their twins of double precision select the engine and the file of
+//! `space`, which contains the differences between the dimensions.
 
 mod errors;
 
-macro_rules! engine {
-    ($(#[$documentation:meta])* $name:ident, $engine:ident, $space:literal) => {
-        $(#[$documentation])*
-        mod $name {
-            use $engine as rapier;
-            #[path = $space]
-            mod space;
-            #[path = "../binding/mod.rs"]
-            pub mod binding;
-        }
-    };
-}
-
-engine!(/// 2D in single precision.
-    dim2, rapier2d, "../space/flat.rs");
-engine!(/// 3D in single precision.
-    dim3, rapier3d, "../space/solid.rs");
-engine!(/// 2D in double precision.
-    dim2_f64, rapier2d_f64, "../space/flat.rs");
-engine!(/// 3D in double precision.
-    dim3_f64, rapier3d_f64, "../space/solid.rs");
+mod dim2;
+mod dim2_f64;
+mod dim3;
+mod dim3_f64;
 
 use pyo3::prelude::*;
 

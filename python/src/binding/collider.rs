@@ -3,8 +3,9 @@
 use super::body::Body;
 use super::numbers::{finite, non_negative, pose, vector_out};
 use super::options::Options;
-use super::rapier::geometry::{ActiveEvents, Collider as EngineCollider, ColliderBuilder, ColliderHandle, Group, InteractionGroups};
+use super::rapier::geometry::{Collider as EngineCollider, ColliderBuilder, ColliderHandle, Group, InteractionGroups};
 use super::rapier::math::Real;
+use super::rapier::pipeline::ActiveEvents;
 use super::shape::Shape;
 use super::world::World;
 use crate::errors::{invalid, stale};

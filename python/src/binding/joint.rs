@@ -5,7 +5,7 @@ use super::options::Options;
 use super::rapier::dynamics::{
     FixedJointBuilder, GenericJoint, ImpulseJointHandle, JointAxis, MotorModel, MultibodyJointHandle, RigidBodyHandle, RopeJointBuilder, SpringJointBuilder,
 };
-use super::rapier::math::Real;
+use super::rapier::math::{Real, Vector};
 use super::rapier::pipeline::PhysicsWorld;
 use super::space;
 use super::world::World;
@@ -35,7 +35,7 @@ pub fn describe(kind: &str, options: &Options<'_>) -> PyResult<(GenericJoint, Op
         "spring" => {
             let stiffness = non_negative("stiffness", options.take("stiffness")?.unwrap_or(1.0e3))?;
             let damping = non_negative("damping", options.take("damping")?.unwrap_or(10.0))?;
-            (SpringJointBuilder::new(length(options)?, stiffness, damping).build().into(), None)
+            (SpringJointBuilder::new(Vector::ZERO, Vector::ZERO, length(options)?, stiffness).damping(damping).build().into(), None)
         }
         _ => return Err(invalid(format!("kind is {kind:?}, but must be fixed, revolute, prismatic, spherical, rope or spring"))),
     };
@@ -108,26 +108,34 @@ impl Joint {
     fn set_motor_position(&self, target: f64, stiffness: f64, damping: f64) -> PyResult<()> {
         let (axis, target) = (self.free_axis()?, finite("target", target)?);
         let (stiffness, damping) = (non_negative("stiffness", stiffness)?, non_negative("damping", damping)?);
-        self.change(|joint| drop(joint.set_motor_position(axis, target, stiffness, damping)))
+        self.change(|joint| {
+            joint.set_motor_position(axis, target, stiffness, damping);
+        })
     }
 
     /// Drives the coordinate of the joint at a velocity (rad/s or m/s). A larger factor (1/s) holds it more stiffly.
     fn set_motor_velocity(&self, target: f64, factor: f64) -> PyResult<()> {
         let (axis, target, factor) = (self.free_axis()?, finite("target", target)?, non_negative("factor", factor)?);
-        self.change(|joint| drop(joint.set_motor_velocity(axis, target, factor)))
+        self.change(|joint| {
+            joint.set_motor_velocity(axis, target, factor);
+        })
     }
 
     /// Limits the force (N) or torque (N·m) of the motor.
     fn set_motor_max_force(&self, force: f64) -> PyResult<()> {
         let (axis, force) = (self.free_axis()?, non_negative("force", force)?);
-        self.change(|joint| drop(joint.set_motor_max_force(axis, force)))
+        self.change(|joint| {
+            joint.set_motor_max_force(axis, force);
+        })
     }
 
     /// Whether stiffness and damping of the motor are forces (N/m, N·m/rad) instead of accelerations.
     fn set_motor_force_based(&self, force_based: bool) -> PyResult<()> {
         let model = if force_based { MotorModel::ForceBased } else { MotorModel::AccelerationBased };
         let axis = self.free_axis()?;
-        self.change(|joint| drop(joint.set_motor_model(axis, model)))
+        self.change(|joint| {
+            joint.set_motor_model(axis, model);
+        })
     }
 
     /// Limits the coordinate of the joint (rad or m).
