@@ -13,7 +13,12 @@ dim3 = _rapier.dim3
 dim2_f64 = _rapier.dim2_f64
 dim3_f64 = _rapier.dim3_f64
 for _name in ("dim2", "dim3", "dim2_f64", "dim3_f64"):
-    _sys.modules[f"{__name__}.{_name}"] = getattr(_rapier, _name)
+    _module = getattr(_rapier, _name)
+    _sys.modules[f"{__name__}.{_name}"] = _module
+    for _class in vars(_module).values():
+        if isinstance(_class, type):
+            # Pickles find a class by the name of its module.
+            _class.__module__ = f"{__name__}.{_name}"
 
 __all__ = [
     "InvalidValueError", "RapierError", "SnapshotError", "StaleHandleError", "__version__",

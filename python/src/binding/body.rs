@@ -293,7 +293,14 @@ impl Body {
 
     /// Removes the body with its colliders and joints.
     fn remove(&self) -> PyResult<()> {
-        self.world.get().write().world.remove_body(self.handle).map(drop).ok_or_else(|| stale("body"))
+        let world = &mut self.world.get().write().world;
+        let colliders = world.bodies.get(self.handle).ok_or_else(|| stale("body"))?.colliders().to_vec();
+        // The engine would remove them in the next step.
+        for collider in colliders {
+            world.remove_collider(collider);
+        }
+        world.remove_body(self.handle);
+        Ok(())
     }
 
     /// Whether the body is still in its world.
