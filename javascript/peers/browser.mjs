@@ -2,12 +2,12 @@
 
 import { createReadStream, existsSync } from "node:fs";
 import { createServer } from "node:http";
+import { FLAGS, requireChromium } from "../../testbed/tools/chromium.mjs";
 import { extname, join, normalize } from "node:path";
 
 const root = join(import.meta.dirname, "../..");
 const here = "/javascript/peers";
 const TYPES = { ".mjs": "text/javascript", ".js": "text/javascript", ".wasm": "application/wasm" };
-const FLAGS = ["--no-sandbox", "--disable-quic", "--no-first-run", "--disable-background-networking", "--disable-component-update", "--disable-sync"];
 /** What the names of packages stand for on the page. */
 const IMPORTS = {
     "#load": `${here}/load_web.mjs`,
@@ -38,13 +38,13 @@ function serve(request, response) {
     }
 }
 
-/** Starts Chromium. The environment variable CHROMIUM names another program than the distribution's. */
+/** Starts Chromium. */
 export async function openBrowser() {
     const { chromium } = await import("playwright-core");
     const server = createServer(serve);
     await new Promise((resolve) => server.listen(0, "127.0.0.1", resolve));
     const address = `http://127.0.0.1:${server.address().port}/`;
-    const browser = await chromium.launch({ executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium", args: FLAGS });
+    const browser = await chromium.launch({ executablePath: requireChromium(), args: FLAGS });
     return {
         async measure(...what) {
             const page = await browser.newPage();

@@ -5,6 +5,7 @@ import { execFileSync } from "node:child_process";
 import { existsSync, mkdirSync, mkdtempSync, rmSync, symlinkSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join, resolve } from "node:path";
+import { findChromium } from "../../testbed/tools/chromium.mjs";
 import { openBrowser } from "./browser.mjs";
 
 const here = import.meta.dirname;
@@ -46,7 +47,7 @@ function runProcess(dimension, threads, [path, ...options]) {
     }
 }
 
-const chromium = existsSync(process.env.CHROMIUM ?? "/usr/bin/chromium") ? await openBrowser() : null;
+const chromium = findChromium() ? await openBrowser() : null;
 if (!chromium) console.log("Chromium is not installed: left out");
 let failed = false;
 for (const dimension of [2, 3]) {

@@ -126,10 +126,12 @@ async function compile(options: InitOptions, kind: ModuleKind): Promise<WebAssem
     if (typeof module === "string" || module instanceof URL) {
         module = await fetch(module);
     }
-    if (!source) {
-        throw new RapierError("NotInitialized", "this entry of the package has no module: pass init({ module })");
+    if (module === undefined) {
+        if (!source) {
+            throw new RapierError("NotInitialized", "this entry of the package has no module: pass init({ module })");
+        }
+        module = await source.load(kind);
     }
-    module ??= await source.load(kind);
     if (typeof Response !== "undefined" && module instanceof Response) {
         if (!module.ok) {
             throw new RapierError("NotInitialized", `the module cannot be fetched: ${module.status} ${module.url}`);

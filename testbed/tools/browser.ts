@@ -1,29 +1,14 @@
 // A browser with the testbed's page, for tests and thumbnails.
 
-import { existsSync } from "node:fs";
 import type { Browser, BrowserType, Page } from "playwright-core";
 import type { InlineConfig, ViteDevServer } from "vite";
+import { FLAGS, RENDERING, requireChromium } from "./chromium.mjs";
 
 /** The packages that the testbed brings: shared source has no dependencies of its own. */
 export interface Tools {
     readonly chromium: BrowserType;
     createServer(config: InlineConfig): Promise<ViteDevServer>;
 }
-
-/** Software rendering, and no traffic of the browser's own. */
-const FLAGS = [
-    "--no-sandbox",
-    "--disable-quic",
-    "--no-first-run",
-    "--disable-background-networking",
-    "--disable-component-update",
-    "--disable-sync",
-    "--use-angle=swiftshader",
-    "--enable-unsafe-swiftshader",
-    "--ignore-gpu-blocklist",
-];
-
-const PLACES = ["/usr/bin/chromium", "/usr/bin/chromium-browser", "/usr/bin/google-chrome"];
 
 export interface Session {
     readonly browser: Browser;
@@ -34,8 +19,7 @@ export interface Session {
 
 /** Starts the development server of a testbed and a browser. `CHROMIUM` names another browser. */
 export async function openSession(testbed: string, { chromium, createServer }: Tools): Promise<Session> {
-    const executablePath = process.env["CHROMIUM"] ?? PLACES.find((place) => existsSync(place));
-    if (executablePath === undefined) throw new Error("no Chromium: install the package `chromium`, or set CHROMIUM");
+    const executablePath = requireChromium();
     const server = await createServer({
         root: testbed,
         configFile: `${testbed}/vite.config.ts`,
@@ -46,7 +30,7 @@ export async function openSession(testbed: string, { chromium, createServer }: T
     await server.listen();
     const address = server.resolvedUrls?.local[0];
     if (address === undefined) throw new Error("the development server has no address");
-    const browser = await chromium.launch({ executablePath, args: FLAGS });
+    const browser = await chromium.launch({ executablePath, args: [...FLAGS, ...RENDERING] });
     return {
         browser,
         server,

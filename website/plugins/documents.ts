@@ -7,20 +7,11 @@ import type { Code, InlineCode, Link, Parent, PhrasingContent, Root } from "mdas
 import { SKIP, visit } from "unist-util-visit";
 import { showDimensions } from "./dimensions";
 import { ROOT, fileView } from "./repository";
+import { withoutHiddenLines } from "./rustdoc.mjs";
 import { showScenes } from "./scenes";
 
 interface File {
     readonly path: string;
-}
-
-/** Removes the lines that rustdoc compiles and does not show. */
-export function withoutHiddenLines(code: string): string {
-    return code
-        .split("\n")
-        .filter((line) => !/^\s*#(\s|$)/.test(line))
-        .map((line) => line.replace(/^(\s*)##/, "$1#"))
-        .join("\n")
-        .trim();
 }
 
 /** Returns the path of a link's target in the repository, if the target is outside `docs/`. */
@@ -33,7 +24,7 @@ function outside(file: string, url: string): string | undefined {
 function showCode(node: Code): void {
     const [language, ...attributes] = (node.lang ?? "").split(",");
     node.lang = language || "text";
-    if (language === "rust") node.value = withoutHiddenLines(node.value);
+    if (language === "rust") node.value = withoutHiddenLines(node.value).trim();
     if (attributes.length > 0 && node.meta === undefined) node.meta = null;
 }
 

@@ -6,26 +6,13 @@ import { existsSync, mkdirSync, readFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { dirname, join } from "node:path";
 import { chromium } from "playwright-core";
+import { FLAGS, RENDERING, requireChromium } from "../../testbed/tools/chromium.mjs";
 import { LIVE, SAMPLES, allPages } from "./pages.mjs";
 import { serve } from "./server.mjs";
 
 const WEBSITE = dirname(import.meta.dirname);
 const BUILD = join(WEBSITE, "build");
 const SHOTS = join(WEBSITE, "shots");
-
-/** Software rendering, and no traffic of the browser's own. */
-const FLAGS = [
-    "--no-sandbox",
-    "--disable-quic",
-    "--no-first-run",
-    "--disable-background-networking",
-    "--disable-component-update",
-    "--disable-sync",
-    "--use-angle=swiftshader",
-    "--enable-unsafe-swiftshader",
-    "--ignore-gpu-blocklist",
-];
-const PLACES = ["/usr/bin/chromium", "/usr/bin/chromium-browser", "/usr/bin/google-chrome"];
 
 /** Bytes of a page of text before compression. */
 const WEIGHT_MAX = 2_000_000;
@@ -230,10 +217,8 @@ async function checkMotion(browser, address) {
 }
 
 const samplesOnly = process.argv.includes("--shots");
-const executablePath = process.env.CHROMIUM ?? PLACES.find((place) => existsSync(place));
-if (executablePath === undefined) throw new Error("no Chromium: install the package `chromium`, or set CHROMIUM");
 const server = await serve(BUILD);
-const browser = await chromium.launch({ executablePath, args: FLAGS });
+const browser = await chromium.launch({ executablePath: requireChromium(), args: [...FLAGS, ...RENDERING] });
 try {
     await checkScene(browser, server.address);
     await checkDeterminism(browser, server.address);

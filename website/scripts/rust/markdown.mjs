@@ -1,9 +1,6 @@
 // Doc comments as Markdown for pages: headings become bold lines, programs are marked as Rust, links lead to the reference.
 
-/** Lines of a program that readers see. */
-function visible(lines) {
-    return lines.filter((line) => !/^\s*#(\s|$)/.test(line)).map((line) => line.replace(/^(\s*)##/, "$1#"));
-}
+import { withoutHiddenLines } from "../../plugins/rustdoc.mjs";
 
 /** Rewrites the programs with `code` and each block of text between them with `text`: a link may span lines. */
 function byFences(docs, code, text) {
@@ -28,7 +25,8 @@ function byFences(docs, code, text) {
 
 function program({ info, lines }) {
     const rust = !/^(text|toml|sh|json)/.test(info);
-    return ["```" + (rust ? "rust" : info), ...(rust ? visible(lines) : lines), "```"].join("\n");
+    const code = lines.join("\n");
+    return ["```" + (rust ? "rust" : info), rust ? withoutHiddenLines(code) : code, "```"].join("\n");
 }
 
 function escape(text) {

@@ -7,7 +7,7 @@ import { type ReactNode, useEffect, useRef, useState } from "react";
 import type { Figures, Player } from "./player";
 import styles from "./LiveScene.module.css";
 
-export interface LiveSceneProps {
+interface LiveSceneProps {
     /** Name of a scene of the 3D testbed. */
     readonly scene: string;
     /** A description of the scene for screen readers. */
@@ -61,7 +61,7 @@ function usePlayer(scene: string) {
         let ended = false;
         let started = false;
         const start = async (): Promise<void> => {
-            const { Player, loadPackage } = await import("./player");
+            const [{ Player }, { loadPackage }] = await Promise.all([import("./player"), import("./package")]);
             const engine = await loadPackage();
             if (ended) return;
             if (engine === null) {

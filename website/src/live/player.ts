@@ -2,7 +2,7 @@
 
 import { Pointer } from "@repository/testbed/src/app/pointer";
 import { Clock } from "@repository/testbed/src/core/clock";
-import { loadEngine, type Engine } from "@repository/testbed/src/core/engine";
+import type { Engine } from "@repository/testbed/src/core/engine";
 import { Stage } from "@repository/testbed/src/core/stage";
 import { Picture } from "@repository/testbed/src/view/picture";
 import { THEMES, type ThemeName } from "@repository/testbed/src/view/theme";
@@ -26,12 +26,6 @@ export interface PlayerOptions {
     readonly theme: ThemeName;
     readonly report: (figures: Figures) => void;
     readonly fail: (error: unknown) => void;
-}
-
-/** Loads the engine. Returns null where the page was built without the package. */
-export async function loadPackage(): Promise<Engine<Rapier> | null> {
-    const module: object = await import("rapier3d");
-    return "World" in module ? loadEngine("own", module as Rapier) : null;
 }
 
 export class Player {

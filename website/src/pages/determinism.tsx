@@ -39,7 +39,7 @@ function Comparison(): ReactNode {
     const [found, setFound] = useState<readonly string[]>([]);
     const [problem, setProblem] = useState("");
     const run = async (): Promise<void> => {
-        const { loadPackage } = await import("@site/src/live/player");
+        const { loadPackage } = await import("@site/src/live/package");
         const engine = await loadPackage();
         // The message appears before the pile occupies the page.
         await new Promise((resolve) => setTimeout(resolve, 50));
@@ -132,7 +132,7 @@ export default function Determinism(): ReactNode {
                     In this browser
                 </Heading>
                 <p>
-                    A pile of {BODIES} boxes and balls falls. Each hash covers position, rotation and velocity of every body, bit
+                    A pile of {BODIES} boxes and balls falls. Each hash covers all bodies, colliders, joints and pairs, bit
                     by bit. Node.js computed the first column when this page was built.
                 </p>
                 <Comparison />
