@@ -3,7 +3,6 @@
 # in `shots`. Needs the npm package (`cd ../rapier3d; npm install; ./build_all.sh`), a Rust toolchain, and Chromium or CHROMIUM.
 set -euo pipefail
 cd "$(dirname "$0")"
-node --test test/markdown.test.mjs
 yarn --silent build
 yarn --silent check
 node test/browser.mjs "$@"

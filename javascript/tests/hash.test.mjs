@@ -5,20 +5,16 @@ import { execFile } from "node:child_process";
 import { join } from "node:path";
 import test from "node:test";
 import { promisify } from "node:util";
-import { DIM } from "./setup.mjs";
+import { DIM, output } from "./setup.mjs";
 
-const run = promisify(execFile);
 const root = join(import.meta.dirname, "../..");
 
-async function hash(lanes, steps) {
-    const { stdout } = await run(process.execPath, [join(import.meta.dirname, "hash_child.mjs"), DIM, lanes, steps]);
-    return stdout.trim();
-}
+const hash = (lanes, steps) => output(join(import.meta.dirname, "hash_child.mjs"), DIM, lanes, steps);
 
 // In the profile for tests: it is built already, and gives the same bits as a release build.
 async function nativeHash(steps) {
     const cargo = ["run", "--quiet", "-p", "rapier-wasm", "--bin", "native-hash", "--no-default-features", "--features", `dim${DIM}`];
-    const { stdout } = await run("cargo", [...cargo, "--", steps], { cwd: root });
+    const { stdout } = await promisify(execFile)("cargo", [...cargo, "--", steps], { cwd: root });
     return stdout.trim();
 }
 

@@ -1,38 +1,26 @@
 // The package as a whole: its entries, and its definitions.
 
 import assert from "node:assert/strict";
-import { execFile } from "node:child_process";
 import { readFileSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { join } from "node:path";
 import test from "node:test";
-import { pathToFileURL } from "node:url";
-import { promisify } from "node:util";
-import { DIM, PKG } from "./setup.mjs";
-
-const run = promisify(execFile);
-
-/** Runs a program in a process of its own. */
-async function output(program, ...options) {
-    const { stdout } = await run(process.execPath, [...options, "-e", program]);
-    return stdout.trim();
-}
+import { DIM, PKG, entry, output } from "./setup.mjs";
 
 const step = `
     const world = new RAPIER.PhysicsWorld();
     world.insert(RAPIER.RigidBodyDesc.dynamic(), RAPIER.ColliderDesc.ball(0.5));
     world.step();
     console.log(world.hash().toString());`;
-const entry = (file) => JSON.stringify(pathToFileURL(join(PKG, file)).href);
 
 test("all entries load, and give the same hash", async () => {
     const bytes = JSON.stringify(join(PKG, "rapier.wasm"));
     const hashes = await Promise.all([
-        output(`(async () => { const RAPIER = await import(${entry("rapier.node.mjs")}); await RAPIER.init(); ${step} })()`),
-        output(`(async () => { const RAPIER = await import(${entry("rapier.node.mjs")}); ${step} })()`),
-        output(`const RAPIER = require(${JSON.stringify(join(PKG, "rapier.node.cjs"))}); ${step}`),
-        output(`(async () => { const { default: RAPIER } = await import(${entry("rapier.compat.mjs")}); await RAPIER.init(); ${step} })()`),
-        output(`(async () => { const RAPIER = await import(${entry("rapier.mjs")}); await RAPIER.init({ module: require("fs").readFileSync(${bytes}) }); ${step} })()`),
+        output("-e", `(async () => { const RAPIER = await import(${entry("rapier.node.mjs")}); await RAPIER.init(); ${step} })()`),
+        output("-e", `(async () => { const RAPIER = await import(${entry("rapier.node.mjs")}); ${step} })()`),
+        output("-e", `const RAPIER = require(${JSON.stringify(join(PKG, "rapier.node.cjs"))}); ${step}`),
+        output("-e", `(async () => { const { default: RAPIER } = await import(${entry("rapier.compat.mjs")}); await RAPIER.init(); ${step} })()`),
+        output("-e", `(async () => { const RAPIER = await import(${entry("rapier.mjs")}); await RAPIER.init({ module: require("fs").readFileSync(${bytes}) }); ${step} })()`),
     ]);
     assert.match(hashes[0], /^\d+$/);
     assert.equal(new Set(hashes).size, 1, hashes.join());
@@ -40,7 +28,7 @@ test("all entries load, and give the same hash", async () => {
 
 test("without init, other entries say what is missing", async () => {
     const program = `(async () => { const RAPIER = await import(${entry("rapier.mjs")}); try { new RAPIER.PhysicsWorld(); } catch (error) { console.log(error.code, error.message); } })()`;
-    assert.match(await output(program), /^NotInitialized .*init/);
+    assert.match(await output("-e", program), /^NotInitialized .*init/);
 });
 
 test("the manifest names files that exist", () => {
@@ -64,7 +52,7 @@ test("a strict program compiles against the definitions", async () => {
         files: [join(import.meta.dirname, `client${DIM}d.ts`)],
     }));
     try {
-        await run(process.execPath, [resolve("typescript/bin/tsc"), "-p", configuration]);
+        await output(resolve("typescript/bin/tsc"), "-p", configuration);
     } catch (error) {
         assert.fail(error.stdout || error.message);
     }

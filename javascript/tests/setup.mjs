@@ -1,7 +1,9 @@
 // What all tests share: the package of the dimension that the environment names, and constructors that both dimensions have.
 
+import { execFile } from "node:child_process";
 import { join } from "node:path";
 import { pathToFileURL } from "node:url";
+import { promisify } from "node:util";
 
 export const DIM = Number(process.env.DIMENSION ?? 3);
 /** The package. Another build of it can be tested by `RAPIER_PKG`. */
@@ -63,4 +65,13 @@ export function near(actual, expected, tolerance) {
     if (!(Math.abs(actual - expected) <= tolerance)) {
         throw new Error(`${actual} is not within ${tolerance} of ${expected}`);
     }
+}
+
+/** The address of a file of the package, as a literal of JavaScript. */
+export const entry = (file) => JSON.stringify(pathToFileURL(join(PKG, file)).href);
+
+/** What a process of Node.js prints. */
+export async function output(...options) {
+    const { stdout } = await promisify(execFile)(process.execPath, options, { timeout: 120_000 });
+    return stdout.trim();
 }

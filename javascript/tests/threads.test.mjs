@@ -1,30 +1,22 @@
 // Steps on several threads: the bits of one thread, hooks, and starts that fail.
 
 import assert from "node:assert/strict";
-import { execFile } from "node:child_process";
 import { existsSync } from "node:fs";
 import { join } from "node:path";
 import test from "node:test";
-import { pathToFileURL } from "node:url";
-import { promisify } from "node:util";
-import { DIM, PKG, RAPIER } from "./setup.mjs";
+import { DIM, PKG, RAPIER, entry, output } from "./setup.mjs";
 
-const run = promisify(execFile);
 const hasThreads = existsSync(join(PKG, "rapier_threads.wasm"));
 const skip = !hasThreads && "this build has no module with threads: build_all.sh --threads makes it";
-const timeout = 120_000;
 
 /** Runs the scene of threads_child.mjs in a process of its own. */
 async function result(threads, hooks = "") {
-    const { stdout } = await run(process.execPath, [join(import.meta.dirname, "threads_child.mjs"), DIM, threads, hooks], { timeout });
-    return JSON.parse(stdout);
+    return JSON.parse(await output(join(import.meta.dirname, "threads_child.mjs"), DIM, threads, hooks));
 }
 
 /** Runs a program with an engine that is not loaded yet, in a process of its own. */
-async function output(program) {
-    const entry = JSON.stringify(pathToFileURL(join(PKG, "rapier.node.mjs")).href);
-    const { stdout } = await run(process.execPath, ["--input-type=module", "-e", `import * as RAPIER from ${entry};${program}`], { timeout });
-    return stdout.trim();
+function run(program) {
+    return output("--input-type=module", "-e", `import * as RAPIER from ${entry("rapier.node.mjs")};${program}`);
 }
 
 test("the number of threads changes no bit", { skip }, async () => {
@@ -48,7 +40,7 @@ test("two calls of init wait for the same threads", { skip }, async () => {
         console.log(RAPIER.threads());
         await first;
         console.log(RAPIER.threads());`;
-    assert.equal(await output(program), "3\n3");
+    assert.equal(await run(program), "3\n3");
 });
 
 test("a use before the end of init is an error of init, and the engine works", { skip }, async () => {
@@ -59,7 +51,7 @@ test("a use before the end of init is an error of init, and the engine works", {
         world.step();
         await RAPIER.init();
         console.log(RAPIER.threads());`;
-    assert.equal(await output(program), "NotInitialized\n1");
+    assert.equal(await run(program), "NotInitialized\n1");
 });
 
 test("a module without threads uses one", async () => {
@@ -69,11 +61,11 @@ test("a module without threads uses one", async () => {
         await RAPIER.init({ threads: 2, module: readFileSync(${file}) });
         new RAPIER.PhysicsWorld().step();
         console.log(RAPIER.threads());`;
-    assert.equal(await output(program), "1");
+    assert.equal(await run(program), "1");
 });
 
 test("a package without the module uses one thread", { skip: hasThreads && "this build has the module" }, async () => {
-    assert.equal(await output("await RAPIER.init({ threads: 0 }); new RAPIER.PhysicsWorld().step(); console.log(RAPIER.threads());"), "1");
+    assert.equal(await run("await RAPIER.init({ threads: 0 }); new RAPIER.PhysicsWorld().step(); console.log(RAPIER.threads());"), "1");
 });
 
 test("views stay valid when shared memory grows", { skip }, async () => {
@@ -87,13 +79,13 @@ test("views stay valid when shared memory grows", { skip }, async () => {
         RAPIER.reserveMemory(64 << 20);
         world.step();
         console.log(views.poses[1] < before, views.poses.buffer.byteLength > 64 << 20);`;
-    assert.equal(await output(program), "true true");
+    assert.equal(await run(program), "true true");
 });
 
 test("numbers of threads that cannot be are refused", async () => {
     assert.equal(RAPIER.threads(), 1);
     for (const threads of ["-1", "1.5", "65", "NaN"]) {
         const program = `await RAPIER.init({ threads: ${threads} }).catch(({ code, message }) => console.log(code, message));`;
-        assert.match(await output(program), new RegExp(`^InvalidValue threads is ${threads},`));
+        assert.match(await run(program), new RegExp(`^InvalidValue threads is ${threads},`));
     }
 });

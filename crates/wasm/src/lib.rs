@@ -46,5 +46,5 @@ mod events;
 mod hooks;
 mod mirror;
 mod world;
-#[cfg(feature = "threads")]
+#[cfg_attr(not(feature = "threads"), path = "one_thread.rs")]
 mod threads;

@@ -1,7 +1,6 @@
 //! What runs once, before everything else.
 
 use crate::fault::Kind;
-#[cfg(feature = "threads")]
 use crate::threads::is_worker;
 use crate::{host, memory};
 use log::{LevelFilter, Log, Metadata, Record};
@@ -22,12 +21,6 @@ impl Log for Warnings {
     }
 
     fn flush(&self) {}
-}
-
-/// A module with one thread has no workers.
-#[cfg(not(feature = "threads"))]
-fn is_worker() -> bool {
-    false
 }
 
 static WARNINGS: Warnings = Warnings;

@@ -8,9 +8,6 @@ use crate::rapier::pipeline::{PhysicsWorld, Threads};
 use std::alloc::{Layout, alloc_zeroed};
 use std::sync::{Condvar, Mutex, PoisonError};
 
-/// The most threads: as many as the engine uses.
-const THREADS_MAX: u32 = 64;
-
 /// Threads of the pool that no worker runs yet, and the signal that one was added.
 static WAITING: Mutex<Vec<rayon::ThreadBuilder>> = Mutex::new(Vec::new());
 static ADDED: Condvar = Condvar::new();
@@ -34,9 +31,6 @@ exports! {
     /// Creates the pool. The calling thread is one of its threads. Each other one is run by a worker, which is in `thread_run` already: the call returns when
     /// all threads run.
     fn threads_create(count: u32) {
-        if !(1..=THREADS_MAX).contains(&count) {
-            return Err(Fault::number("threads", count.into(), "a number from 1 to 64"));
-        }
         rayon::ThreadPoolBuilder::new()
             .num_threads(count as usize)
             .use_current_thread()

@@ -8,8 +8,7 @@ use crate::rapier::dynamics::{IntegrationParameters, SpringCoefficients};
 use crate::rapier::math::Real;
 use crate::rapier::pipeline::PhysicsWorld;
 use crate::registry::{free_world, insert_world, read, stepped, write};
-#[cfg(feature = "threads")]
-use crate::threads::choose as choose_threads;
+use crate::threads;
 
 /// The parameters, in the order of `Parameter` in TypeScript.
 mod parameter {
@@ -87,10 +86,6 @@ fn timings(world: &PhysicsWorld) -> [f64; 13] {
     ]
 }
 
-/// A module with one thread has no choice.
-#[cfg(not(feature = "threads"))]
-fn choose_threads(_world: &mut PhysicsWorld, _has_hooks: bool) {}
-
 exports! {
     /// Creates a world. Returns its number.
     fn world_new() -> u32 {
@@ -107,7 +102,7 @@ exports! {
         let gravity = memory::vector(0, "gravity")?;
         stepped(world, queue_number, |world, sets, events| {
             world.gravity = gravity;
-            choose_threads(world, hooks != 0);
+            threads::choose(world, hooks != 0);
             fill(events, |events| world.step_with_events(&Hooks::new(hooks, sets), events));
         })?;
     }
@@ -115,7 +110,7 @@ exports! {
     /// Brings contacts and intersections up to date, and moves nothing.
     fn world_detect_collisions(world: u32, queue_number: u32, hooks: u32) {
         stepped(world, queue_number, |world, sets, events| {
-            choose_threads(world, hooks != 0);
+            threads::choose(world, hooks != 0);
             fill(events, |events| world.detect_collisions(&Hooks::new(hooks, sets), events));
         })?;
     }
