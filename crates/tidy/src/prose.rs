@@ -8,7 +8,7 @@ use crate::source::Source;
 
 /// Places with checked comments.
 const CHECKED: [&str; 4] = ["src/", "tests/", "crates/golden/", "crates/tidy/"];
-/// Words for people, which data has none of: relative pronouns, and the indefinite pronouns that begin and end
+/// Words for people, which data lacks: relative pronouns, and the indefinite pronouns that begin and end
 /// with these.
 const RELATIVE_PRONOUNS: [&str; 4] = ["who", "whom", "whoever", "whomever"];
 const INDEFINITE_BEGINNINGS: [&str; 4] = ["no", "some", "any", "every"];
