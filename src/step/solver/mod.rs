@@ -259,7 +259,7 @@ fn solve_group(
     for substep in 0..substeps {
         let last = if substep == 0 { &mut states.before } else { &mut states.states };
         multibodies.note_velocities(last);
-        let when = (substep == 0, contacts.bounce());
+        let when = (substep == 0, contacts.has_restitution());
         let slowed = states.integrate_velocities(h, params, when, (simd, tasks));
         limited = limited.max(slowed);
         if substep > 0 {
