@@ -221,7 +221,7 @@ impl SolverJoints {
         let (_, states) = bodies.shared();
         let parts = Parts::new(&mut self.blocks, &mut self.rows);
         for_each_color(self.layout.colors(), (tasks, BLOCKS_PER_TASK), |range| {
-            simd.run(Visit::<AHEAD> { range, parts, states, pass });
+            simd.run(Iterate::<AHEAD> { range, parts, states, pass });
         });
         self.point_to_point.iterate::<AHEAD>(states, pass, simd, tasks);
         if !AHEAD {
@@ -433,14 +433,14 @@ impl Kernel for WarmStart<'_> {
 }
 
 /// See [`passes::iterate`].
-struct Visit<'a, const AHEAD: bool> {
+struct Iterate<'a, const AHEAD: bool> {
     range: Range<usize>,
     parts: Parts<'a>,
     states: DisjointMut<'a, BodyState>,
     pass: &'a JointPass,
 }
 
-impl<const AHEAD: bool> Kernel for Visit<'_, AHEAD> {
+impl<const AHEAD: bool> Kernel for Iterate<'_, AHEAD> {
     type Output = ();
 
     #[inline(always)]

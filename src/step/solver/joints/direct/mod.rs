@@ -277,7 +277,7 @@ impl Direct {
                     let (factor, component) = (factors.get_mut(index), pattern.component(index));
                     let solve_state = solve_states[index];
                     if solve_state.next == Next::Rollback {
-                        factor.take_back(component, read, &states);
+                        factor.roll_back(component, read, &states);
                         continue;
                     }
                     let (again, is_there) =
