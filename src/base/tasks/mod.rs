@@ -99,7 +99,7 @@ impl Tasks<'_> {
             // hold one.
             return unsafe { team.run(count, piece, &work, recruit) };
         }
-        let _ = grain; // of no use to one thread
+        let _ = grain; // One thread needs no grain.
         work(0..count);
     }
 

@@ -149,7 +149,7 @@ fn for_each_pair(
     let parts = shapes.map(Parts::of);
     // The parts of one shape that the whole of the other may meet.
     let near = [0, 1].map(|side| match parts[side] {
-        Parts::Convex(_) => Near::Inside(Aabb::new_invalid()), // its only part, wherever the other goes
+        Parts::Convex(_) => Near::Inside(Aabb::new_invalid()), // The only part is always in.
         _ => path_of_other(shapes, sweeps, side),
     });
     parts[0].for_each_part(&near[0], &mut |part1| {

@@ -24,9 +24,9 @@
 //! its centre of mass: light links that vibrate have little of it.
 //!
 //! One case of common rotation is damped nevertheless: thin bodies on hinges, faster than
-//! [`GYROSCOPIC_ANGLE_MAX`] (36 rad/s at 240 substeps per second). Impulses use their inertias at the start of a substep, and free
-//! motion those in its middle. The error of a hinge between the two grows slowly: at 60 rad/s the axis of two
-//! rods would tumble after four seconds.
+//! [`GYROSCOPIC_ANGLE_MAX`] (36 rad/s at 240 substeps per second). Impulses use their inertias at the start
+//! of a substep, and free motion those in its middle. The error of a hinge between the two grows slowly: at
+//! 60 rad/s the axis of two rods would tumble after four seconds.
 //!
 //! ## Large unconstrained displacements
 //! Joints must recover from the unconstrained poses of the bodies. When only gravity and their own speed lead
