@@ -280,7 +280,7 @@ fn voxel_manifolds(
     match found {
         Some(Ok(())) => {}
         Some(Err(_)) => return Real::INFINITY,
-        None => return 0.0, // The pose is unsupported; the next one may work.
+        None => return 0.0, // parry panics in this pose; the next one may succeed.
     }
     for raw in many {
         let poses = raw.subshape_poses.take();

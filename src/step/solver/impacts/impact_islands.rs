@@ -19,8 +19,8 @@ impl IslandRestitution {
     /// Number of iterations per substep.
     pub fn iterations(&self) -> usize {
         let smallness = SMALL_ISLAND as Real / self.contacts as Real;
-        let worth = self.restitution.max(smallness).min(1.0);
-        (ITERATIONS_MAX as Real * worth).ceil() as usize
+        let fraction = self.restitution.max(smallness).min(1.0);
+        (ITERATIONS_MAX as Real * fraction).ceil() as usize
     }
 }
 
@@ -30,7 +30,7 @@ impl IslandRestitution {
 pub(super) struct ImpactIsland {
     /// Remaining iterations of this substep.
     pub iterations: usize,
-    /// Whether the current round includes the island.
+    /// Whether the current round includes the island, and the island has not converged.
     pub is_active: bool,
     /// Whether the last iteration changed the island.
     pub is_moving: bool,

@@ -250,11 +250,11 @@ impl Impacts {
             );
             // The lanes beside it in a block must not matter: they depend on all of the world.
             let mut count = |island: u32, restitution: Real| {
-                if let Some(contacts) =
+                if let Some(of_island) =
                     restitutions.get_mut(island as usize).filter(|_| restitution != 0.0)
                 {
-                    contacts.contacts += 1;
-                    contacts.restitution = contacts.restitution.max(restitution);
+                    of_island.contacts += 1;
+                    of_island.restitution = of_island.restitution.max(restitution);
                 }
             };
             for block in blocks {
@@ -264,8 +264,8 @@ impl Impacts {
             links.restitutions().for_each(|(island, restitution)| count(island, restitution));
         }
         impact_islands.clear();
-        let impact_island = |contacts: &IslandRestitution| ImpactIsland {
-            iterations: contacts.iterations(),
+        let impact_island = |restitution: &IslandRestitution| ImpactIsland {
+            iterations: restitution.iterations(),
             ..ImpactIsland::default()
         };
         impact_islands.extend(restitutions.iter().map(impact_island));
