@@ -136,7 +136,8 @@ impl Search<'_> {
         let (normal, places, found) = (plane.normal, &places[..], &mut found[..places.len()]);
         let tolerance = self.pair.step_height_tolerance;
         self.pair.simd.run(Over { normal, tolerance, blocks, pieces, places, found });
-        let mut support = SupportedVertices { dist: Real::INFINITY, ..SupportedVertices::default() };
+        let mut support =
+            SupportedVertices { dist: Real::INFINITY, ..SupportedVertices::default() };
         for ((vertex, place), found) in support_feature.vertices.iter().zip(places).zip(found) {
             let (block, lane) = (*found)?;
             let (piece, shape) = flat_parts.triangle_cache.piece(block, lane);
@@ -145,7 +146,8 @@ impl Search<'_> {
             let dist = normal.dot(*place - point);
             let (on_floor, id) = (*place - normal * dist, PackedFeatureId::UNKNOWN);
             let is_second = flat_parts.side == 1;
-            let point = RawPoint::flipped(on_floor, vertex.point, id, vertex.feature, dist, is_second);
+            let point =
+                RawPoint::flipped(on_floor, vertex.point, id, vertex.feature, dist, is_second);
             support.points.push(point);
             if dist < support.dist {
                 (support.piece, support.normal, support.dist) = (piece, normal, dist);

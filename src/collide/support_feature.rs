@@ -26,8 +26,8 @@ pub(super) struct SupportFeature {
 }
 
 impl SupportFeature {
-    /// The support feature of a shape. `down` is the unit vector from it to the plane. `None` if the feature is
-    /// unknown, or if another point is lower than the vertices by more than `tolerance` (length units).
+    /// The support feature of a shape. `down` is the unit vector from it to the plane. `None` if the feature
+    /// is unknown, or if another point is lower than the vertices by more than `tolerance` (length units).
     pub fn of(shape: &dyn Shape, down: Vector, tolerance: Real) -> Option<Self> {
         let mut vertices = ArrayVec::new();
         let mut add = |point, feature| {

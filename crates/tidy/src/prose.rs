@@ -48,8 +48,8 @@ fn check_file(source: &Source) -> Vec<Complaint> {
     complaints
 }
 
-/// The text of a comment that is a whole line, or follows the code of a line. `code` is the line with blanks in
-/// place of its comments.
+/// The text of a comment that is a whole line, or follows the code of a line. `code` is the line with blanks
+/// in place of its comments.
 fn comment<'a>(line: &'a str, code: &str) -> Option<&'a str> {
     let (start, _) = line.char_indices().nth(code.trim_end().chars().count())?;
     let comment = line[start..].trim_start().strip_prefix("//")?;

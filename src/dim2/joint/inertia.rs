@@ -27,7 +27,13 @@ impl JointedInertias {
     pub const NONE: Self = Self([ZERO_INERTIA; 2]);
 
     /// Sets the inverse inertia of one lane's first (0) or second (1) body.
-    pub fn set_lane(&mut self, side: usize, lane: usize, value: &AngularInertia, _is_gyroscopic: bool) {
+    pub fn set_lane(
+        &mut self,
+        side: usize,
+        lane: usize,
+        value: &AngularInertia,
+        _is_gyroscopic: bool,
+    ) {
         set_symmetric_lane(&mut self.0[side], lane, value);
     }
 

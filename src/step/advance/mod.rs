@@ -19,7 +19,6 @@ use crate::model::params::IntegrationParameters;
 use crate::model::tree::{BroadPhaseBvh, MovedProxy, carry};
 use sleep_timer::update_sleep_timer;
 
-
 /// Buffers that are reused from step to step.
 #[derive(Default)]
 pub(crate) struct AdvanceScratch {

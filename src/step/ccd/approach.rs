@@ -277,7 +277,8 @@ impl Movers {
             }
             let Some(body) = context.bodies.get(handle) else { continue };
             for &handle in &body.colliders {
-                let collider = context.colliders.get(handle).filter(|collider| collider.is_enabled());
+                let collider =
+                    context.colliders.get(handle).filter(|collider| collider.is_enabled());
                 let Some(collider) = collider else { continue };
                 let sweep = sweep_of_slow(context, body, collider);
                 let region = region_of(collider, &sweep, context.params);

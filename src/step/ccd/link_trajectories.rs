@@ -128,7 +128,13 @@ impl LinkTrajectories {
 /// Segment `at` of a trajectory with this number of pieces. One more segment leads to the pose of the solver.
 /// That pose differs slightly from the trajectory if the link rotated about several axes in sequence. The
 /// last two take half as long as the others.
-fn segment(at: usize, pieces: usize, from: &LinkSample, to: Vector, rotvec: AngVector) -> PathSegment {
+fn segment(
+    at: usize,
+    pieces: usize,
+    from: &LinkSample,
+    to: Vector,
+    rotvec: AngVector,
+) -> PathSegment {
     let time = |at: usize| match at {
         at if at < pieces => at as Real / pieces as Real,
         at if at == pieces => 1.0 - 0.5 / pieces as Real,
@@ -137,7 +143,14 @@ fn segment(at: usize, pieces: usize, from: &LinkSample, to: Vector, rotvec: AngV
     let (begin, end) = (time(at), time(at + 1));
     let pace = 1.0 / (end - begin);
     let (shift, rotvec) = ((to - from.center) * pace, rotvec * pace);
-    PathSegment { from: begin, until: end, rotation: from.rotation, center: from.center, shift, rotvec }
+    PathSegment {
+        from: begin,
+        until: end,
+        rotation: from.rotation,
+        center: from.center,
+        shift,
+        rotvec,
+    }
 }
 
 /// Fraction of the trajectory after a fraction of the step. A link that stopped on the last segment is at its

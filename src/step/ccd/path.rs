@@ -105,7 +105,11 @@ impl<'a> Path<'a> {
 
     /// The path of all colliders of the fast body at a position along these segments, up to a fraction of the
     /// step.
-    pub fn along(search: Search<'a>, position: usize, way: (&'a [PathSegment], Real)) -> Option<Self> {
+    pub fn along(
+        search: Search<'a>,
+        position: usize,
+        way: (&'a [PathSegment], Real),
+    ) -> Option<Self> {
         let body = search.context.bodies.get(search.context.fast[position].body)?;
         Some(Self::of_segments(search, body, way))
     }

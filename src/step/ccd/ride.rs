@@ -274,7 +274,11 @@ fn carried(carrier: &Sweep<'_>, fraction: Real, start: &Pose) -> Pose {
 
 /// The straight segment from one pose to another in the rest of the step. `None` if it has no finite
 /// velocity.
-fn straight_segment(from: Real, [start, end]: [&Pose; 2], local_center: Vector) -> Option<PathSegment> {
+fn straight_segment(
+    from: Real,
+    [start, end]: [&Pose; 2],
+    local_center: Vector,
+) -> Option<PathSegment> {
     let pace = 1.0 / (1.0 - from);
     let center = *start * local_center;
     let shift = (*end * local_center - center) * pace;

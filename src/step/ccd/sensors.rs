@@ -41,7 +41,9 @@ pub(super) fn crossings(search: Search<'_>, path: &Path<'_>, stop: Real) -> Vec<
         let region = mover.sweep.region(mover.collider.shape());
         for kind in TreeKind::ALL {
             search.context.trees.for_each_overlapping(kind, &region, |slot| {
-                let Some((handle, collider)) = search.context.colliders.at_slot(slot) else { return };
+                let Some((handle, collider)) = search.context.colliders.at_slot(slot) else {
+                    return;
+                };
                 if !is_reported(mover.collider, collider) {
                     return;
                 }

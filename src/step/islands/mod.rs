@@ -17,7 +17,6 @@ use crate::model::event::{CollisionEvent, CollisionEventFlags};
 use crate::model::structure::Structure;
 use crate::step::notes::{PairChange, StepNotes};
 
-
 /// Links and cuts pairs that began and stopped touching, and wakes bodies that moving kinematic bodies touch.
 pub(crate) fn update(structure: &mut Structure<'_>, notes: &mut StepNotes) {
     let StepNotes { contacts, intersections, events, .. } = notes;

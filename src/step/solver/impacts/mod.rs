@@ -105,8 +105,8 @@ use crate::model::params::{ImpactPass, JointPass};
 pub(super) use active::ActiveBlock;
 use active::{Active, Phase, Round};
 pub(super) use active::{CONVERGENCE_TOLERANCE, POINT_SWEEPS};
-use impact_islands::{ImpactIsland, IslandRestitution};
 use core::ops::Range;
+use impact_islands::{ImpactIsland, IslandRestitution};
 pub(super) use points::NormalRows;
 pub(super) use rows::{
     APPROACH_CHANGE_MIN, DEFERRED_SEPARATION, FORCE_CORRECTION_MAX, ImpactBlock, ImpactMark,

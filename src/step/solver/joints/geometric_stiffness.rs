@@ -150,7 +150,8 @@ impl GeometricStiffness {
         let excess = swing - COMMON_ROTATION_FACTOR * angle * angle;
         excess > STIFFNESS_MAX
             || angle > COMMON_ANGLE_MAX
-            || (angle > GYROSCOPIC_ANGLE_MAX && members.iter().any(|member| is_gyroscopic(member, blocks)))
+            || (angle > GYROSCOPIC_ANGLE_MAX
+                && members.iter().any(|member| is_gyroscopic(member, blocks)))
     }
 
     /// `ω² h` by the pull of a joint's last substep, summed over its bodies.

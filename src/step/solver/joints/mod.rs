@@ -245,7 +245,11 @@ impl SolverJoints {
     /// Returns whether the direct solver needs another round.
     fn go_on(&mut self, bodies: &SolverBodies, pass: &JointPass) -> bool {
         let Self { blocks, memory, direct, geometric_stiffness, .. } = self;
-        direct.go_on(memory, pass.inv_substep, stiffness_tests(geometric_stiffness, blocks, bodies, pass))
+        direct.go_on(
+            memory,
+            pass.inv_substep,
+            stiffness_tests(geometric_stiffness, blocks, bodies, pass),
+        )
     }
 
     /// The islands of all joints, most of them more than once.
@@ -381,7 +385,9 @@ fn stiffness_tests(
 ) -> impl FnMut(&[DirectJoint], StiffnessTest) -> bool {
     let moving = moving(bodies);
     move |members, test| match test {
-        StiffnessTest::IsStiff => geometric_stiffness.is_stiff(members, blocks, moving, pass.substep),
+        StiffnessTest::IsStiff => {
+            geometric_stiffness.is_stiff(members, blocks, moving, pass.substep)
+        }
         StiffnessTest::HasLargeDisplacement => {
             note_stiff(members, blocks, true);
             have_large_displacement(members, moving, pass.substep)

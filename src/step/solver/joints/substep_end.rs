@@ -86,8 +86,8 @@ impl<W: Wide> SubstepEnd<W> {
     }
 
     /// Curvature of a free axis over the substep, from its `now` position: a body on a rope, or on a cone,
-    /// leaves along a tangent. No more than [`CURVATURE_FRACTION_MAX`]. Angles of iterated joints are excluded:
-    /// most of these are limbs of ragdolls, where the curvature is invisible.
+    /// leaves along a tangent. No more than [`CURVATURE_FRACTION_MAX`]. Angles of iterated joints are
+    /// excluded: most of these are limbs of ragdolls, where the curvature is invisible.
     #[cfg_attr(not(target_arch = "wasm32"), inline(always))]
     pub fn curvature(
         &self,

@@ -4,7 +4,7 @@
 //! normal row with the same softness, and friction within the exact cone `|λt| ≤ μ λn`, independent of
 //! [`FrictionModel`](crate::model::params::FrictionModel).
 
-use super::impacts::{LinkImpactRow, LinkImpact};
+use super::impacts::{LinkImpact, LinkImpactRow};
 use super::rows::{ConstrainedStates, JacobianPool, Part, Row};
 use super::{LinkPlace, SoftPass, SolverMultibodies};
 use crate::dim::math::{

@@ -196,15 +196,12 @@ impl SolverMultibodies {
             contact.impact.active = false;
             let takes_part = takes_part(contact.impact.island);
             for Point { normal, impact, separation, .. } in &mut contact.points {
-                let velocity =
-                    jacobians.velocity(normal, &states) + impact.support_velocity;
+                let velocity = jacobians.velocity(normal, &states) + impact.support_velocity;
                 let separation = *separation + jacobians.displacement(normal, &states);
                 impact.impulse = 0.0;
                 impact.mass = 0.0;
                 let earliest = if jacobians.goes_back(normal, &states) { -pass.step } else { 0.0 };
-                if impact.find_time(velocity, separation, earliest, pass.substep)
-                    && takes_part
-                {
+                if impact.find_time(velocity, separation, earliest, pass.substep) && takes_part {
                     impact.mass = normal.mass;
                     contact.impact.active |= impact.mass > 0.0;
                     let gains = contact.restitution > 1.0;
@@ -219,8 +216,7 @@ impl SolverMultibodies {
             for Point { normal, impact, .. } in &mut contact.points {
                 if impact.mass > 0.0 {
                     impact.mass = normal.mass;
-                    let velocity =
-                        jacobians.velocity(normal, &states) + impact.support_velocity;
+                    let velocity = jacobians.velocity(normal, &states) + impact.support_velocity;
                     impact.aim(velocity, contact.restitution, pass);
                 }
             }
@@ -261,8 +257,7 @@ impl SolverMultibodies {
                     let change = new - impact.impulse;
                     impact.impulse = new;
                     jacobians.apply_impact(normal, change, &mut states);
-                    let little =
-                        -(impact.mass * impact.approach * CONVERGENCE_TOLERANCE);
+                    let little = -(impact.mass * impact.approach * CONVERGENCE_TOLERANCE);
                     contact.impact.moving |= sweep == 0 && change.abs() > little;
                 }
             }
@@ -276,16 +271,11 @@ impl SolverMultibodies {
             let allowed = contact.restitution.max(1.0);
             (contact.impact.dissipated, contact.impact.energy_gain) = (0.0, 0.0);
             for Point { normal, impact, .. } in &mut contact.points {
-                let velocity =
-                    jacobians.velocity(normal, &states) + impact.support_velocity;
+                let velocity = jacobians.velocity(normal, &states) + impact.support_velocity;
                 contact.impact.dissipated += impact.impulse * impact.approach;
                 contact.impact.energy_gain +=
                     impact.impulse * (velocity + allowed * impact.approach) * 0.5;
-                jacobians.note_impulse(
-                    normal,
-                    [impact.impulse, impact.time],
-                    delays,
-                );
+                jacobians.note_impulse(normal, [impact.impulse, impact.time], delays);
             }
         }
     }
@@ -294,9 +284,10 @@ impl SolverMultibodies {
     pub fn commit_round(&mut self, fraction: impl Fn(u32) -> Real) {
         for contact in self.active() {
             let fraction = fraction(contact.impact.island);
-            contact.points.iter_mut().for_each(|point| {
-                point.impact.given += fraction * point.impact.impulse
-            });
+            contact
+                .points
+                .iter_mut()
+                .for_each(|point| point.impact.given += fraction * point.impact.impulse);
         }
     }
 
@@ -311,8 +302,7 @@ impl SolverMultibodies {
     pub fn solve_active_friction(&mut self, states: &mut [BodyState]) {
         let (jacobians, contacts, mut states) = self.bouncing(states);
         for contact in contacts.bouncing().filter(|contact| contact.impact.was_active) {
-            for point in contact.points.iter_mut().filter(|point| point.impact.given > 0.0)
-            {
+            for point in contact.points.iter_mut().filter(|point| point.impact.given > 0.0) {
                 point.total += point.impact.given;
                 let most = contact.friction * point.impact.given;
                 let none = [0.0; DIM - 1];

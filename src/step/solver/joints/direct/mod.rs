@@ -162,8 +162,7 @@ impl Direct {
                 // Stiff joints take other rows than those of the last relax pass.
                 self.factors[index].forget();
             }
-            let linearization =
-                if is_stiff { Linearization::There } else { Linearization::Ahead };
+            let linearization = if is_stiff { Linearization::There } else { Linearization::Ahead };
             self.solve_states.push(SolveState { linearization, rounds: 0, next: Next::Solve });
         }
     }
@@ -222,7 +221,10 @@ impl Direct {
                 Next::Rollback => {
                     factor.forget();
                     solve_state.rounds = 0;
-                    solve_state.linearize_stiff(test(component.members, StiffnessTest::HasLargeDisplacement));
+                    solve_state.linearize_stiff(test(
+                        component.members,
+                        StiffnessTest::HasLargeDisplacement,
+                    ));
                     note_linearization(component.members, rows, solve_state.linearization);
                     Next::Solve
                 }
@@ -300,7 +302,11 @@ impl Direct {
 }
 
 /// Notes the linearisation of a component in its rows.
-fn note_linearization(members: &[DirectJoint], rows: &mut [JacobianBlock], linearization: Linearization) {
+fn note_linearization(
+    members: &[DirectJoint],
+    rows: &mut [JacobianBlock],
+    linearization: Linearization,
+) {
     for member in members {
         let (memory, lane) = (&mut rows[member.block as usize], member.lane as usize);
         memory.are_there.0[lane] = if linearization == Linearization::There { 1.0 } else { 0.0 };
