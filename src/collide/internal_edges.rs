@@ -189,7 +189,8 @@ pub(super) struct Facet<'a> {
     /// The touching feature of the piece.
     face: Face,
     /// The body, and its touching part.
-    body: (Parts<'a>, u32),
+    body: Parts<'a>,
+    body_part: u32,
     /// Unit normal, from the piece to the body.
     normal: Vector,
     /// The same, or the normal of the piece's face if the contact is with a face: a plane that extends over
@@ -204,7 +205,8 @@ pub(super) struct Facet<'a> {
 impl<'a> Facet<'a> {
     pub fn new(
         piece: Piece<'a>,
-        body: (Parts<'a>, u32),
+        body: Parts<'a>,
+        body_part: u32,
         normal: Vector,
         place: Vector,
         dist: Real,
@@ -214,7 +216,7 @@ impl<'a> Facet<'a> {
             Face::Flat(face) if face.distance_squared(normal) < LEVEL => face,
             _ => normal,
         };
-        Self { piece, face, body, normal, plane, place, dist }
+        Self { piece, face, body, body_part, normal, plane, place, dist }
     }
 }
 
@@ -225,13 +227,12 @@ impl Facet<'_> {
         if self.plane.distance_squared(other.plane) <= SAME_NORMAL {
             return false;
         }
-        let (parts, id) = self.body;
         let is_above = || {
             let level = other.plane.dot(other.place) + other.dist.min(0.0) - tolerance;
-            let depth = Piece::new(parts, id, Pose::IDENTITY).height(-other.plane);
+            let depth = Piece::new(self.body, self.body_part, Pose::IDENTITY).height(-other.plane);
             depth.is_some_and(|depth| -depth >= level)
         };
-        id == other.body.1 || is_above()
+        self.body_part == other.body_part || is_above()
     }
 
     /// Returns whether the contact lies in the plane of another.

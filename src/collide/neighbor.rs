@@ -62,7 +62,7 @@ impl<'a> Neighbor<'a> {
         let Self { part: id, pose, on, normal, dist, .. } = *self;
         let piece = Piece::new(Parts::of(self.shape), id, pose);
         let place = self.points.first().copied().unwrap_or(Vector::ZERO);
-        Facet::new(piece, (Parts::of(self.body), on), normal, place, dist)
+        Facet::new(piece, Parts::of(self.body), on, normal, place, dist)
     }
 }
 

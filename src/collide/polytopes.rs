@@ -56,8 +56,7 @@ struct Separation {
 /// it.
 pub(super) fn polytope_polytope(
     pos12: &Pose,
-    (polytope1, radius1): (Polytope<'_>, Real),
-    (polytope2, radius2): (Polytope<'_>, Real),
+    [(polytope1, radius1), (polytope2, radius2)]: [(Polytope<'_>, Real); 2],
     prediction: Real,
     raw: &mut RawManifold,
 ) -> Real {

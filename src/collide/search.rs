@@ -153,8 +153,8 @@ impl Search<'_> {
             .filter(|_| side == self.culled.side)
             .unwrap_or_else(|| Piece::new(self.parts[side], patch.parts[side], pose));
         let place = deepest.map_or(Vector::ZERO, |point| pair.on_obstacle(side, point));
-        let body = (self.parts[1 - side], patch.parts[1 - side]);
-        Facet::new(piece, body, normal, place, patch.dist)
+        let (body, body_part) = (self.parts[1 - side], patch.parts[1 - side]);
+        Facet::new(piece, body, body_part, normal, place, patch.dist)
     }
 
     /// Recomputes a patch along the normal with which its piece may still support the body.

@@ -30,16 +30,23 @@ pub(crate) struct AdvanceScratch {
 /// A collider that is not in its box any more, or has none.
 type MovedCollider = (ColliderHandle, MovedProxy);
 
+/// Context of the advance.
+pub(crate) struct AdvanceContext<'a> {
+    pub tasks: Tasks<'a>,
+    pub params: &'a IntegrationParameters,
+    pub bodies: &'a mut RigidBodySet,
+    pub colliders: &'a mut ColliderSet,
+    pub islands: &'a IslandManager,
+    pub tree: &'a mut BroadPhaseBvh,
+}
+
 /// Updates colliders, boxes and sleep timers of the awake bodies, and notes the bodies that may sleep.
 pub(crate) fn advance(
-    tasks: Tasks<'_>,
-    (bodies, colliders): (&mut RigidBodySet, &mut ColliderSet),
-    islands: &IslandManager,
-    tree: &mut BroadPhaseBvh,
-    params: &IntegrationParameters,
-    sleepy: &mut Vec<bool>,
+    context: AdvanceContext<'_>,
     AdvanceScratch { moved, gather }: &mut AdvanceScratch,
+    sleepy: &mut Vec<bool>,
 ) {
+    let AdvanceContext { tasks, params, bodies, colliders, islands, tree } = context;
     let awake = &*islands.awake;
     moved.clear();
     sleepy.clear();
@@ -63,7 +70,7 @@ pub(crate) fn advance(
         if let Some((later, MovedProxy::Leaves(kind, _))) = moved.get(index + PREFETCH_DISTANCE) {
             tree.prefetch(*later, *kind);
         }
-        follow(*handle, carried, (bodies, colliders), tree, params);
+        follow(*handle, carried, bodies, colliders, tree, params);
     }
 }
 
@@ -94,7 +101,8 @@ unsafe fn carry_colliders(
 fn follow(
     handle: ColliderHandle,
     carried: &MovedProxy,
-    (bodies, colliders): (&RigidBodySet, &mut ColliderSet),
+    bodies: &RigidBodySet,
+    colliders: &mut ColliderSet,
     tree: &mut BroadPhaseBvh,
     params: &IntegrationParameters,
 ) {

@@ -1,6 +1,5 @@
 //! A copy of the world as it is when a step begins.
 
-use super::World;
 use crate::model::body::RigidBodySet;
 use crate::model::collider::ColliderSet;
 use crate::model::contact::NarrowPhase;
@@ -8,6 +7,7 @@ use crate::model::island::IslandManager;
 use crate::model::joint::ImpulseJointSet;
 use crate::model::multibody::MultibodyJointSet;
 use crate::model::tree::BroadPhaseBvh;
+use crate::step::world::World;
 
 /// Everything that a step changes, and the lists of the user's edits, which the repeated step applies again.
 pub(crate) struct Checkpoint {
@@ -24,11 +24,11 @@ impl Checkpoint {
     /// Copies the world. Shapes are shared.
     pub fn new(world: &World<'_>) -> Self {
         Self {
-            islands: world.islands.clone(),
+            islands: world.structure.islands.clone(),
             broad_phase: world.broad_phase.clone(),
-            narrow_phase: world.narrow_phase.clone(),
-            bodies: world.bodies.clone(),
-            colliders: world.colliders.clone(),
+            narrow_phase: world.structure.narrow_phase.clone(),
+            bodies: world.structure.bodies.clone(),
+            colliders: world.structure.colliders.clone(),
             joints: world.joints.clone(),
             multibodies: world.multibodies.clone(),
         }
@@ -36,11 +36,11 @@ impl Checkpoint {
 
     /// Restores the world.
     pub fn restore(&self, world: &mut World<'_>) {
-        world.islands.clone_from(&self.islands);
+        world.structure.islands.clone_from(&self.islands);
         world.broad_phase.clone_from(&self.broad_phase);
-        world.narrow_phase.clone_from(&self.narrow_phase);
-        world.bodies.clone_from(&self.bodies);
-        world.colliders.clone_from(&self.colliders);
+        world.structure.narrow_phase.clone_from(&self.narrow_phase);
+        world.structure.bodies.clone_from(&self.bodies);
+        world.structure.colliders.clone_from(&self.colliders);
         world.joints.clone_from(&self.joints);
         world.multibodies.clone_from(&self.multibodies);
     }

@@ -28,22 +28,19 @@
 mod causes;
 mod checkpoint;
 
-pub(crate) use checkpoint::Checkpoint;
-
 use crate::base::hash::FastHashMap;
 use crate::base::measure::{COORDINATE_MODERATE_MAX, MODERATE_MAX};
 use crate::dim::math::{AngVector, Real, Vector, ang_length_squared, mul_inertia};
 use crate::model::body::{QuarantineCause, RigidBody, RigidBodyHandle, RigidBodySet};
-use crate::model::collider::{ColliderHandle, ColliderMassProps, ColliderSet};
-use crate::model::contact::NarrowPhase;
+use crate::model::collider::{ColliderHandle, ColliderMassProps};
 use crate::model::event::{CollisionEvent, QuarantineEvent};
-use crate::model::island::IslandManager;
-use crate::model::joint::{ImpulseJointSet, JointMotor};
-use crate::model::multibody::MultibodyJointSet;
+use crate::model::joint::JointMotor;
 use crate::model::params::IntegrationParameters;
-use crate::model::tree::BroadPhaseBvh;
+use crate::model::structure::Structure;
 use crate::step::notes::StepNotes;
+use crate::step::world::World;
 use causes::Causes;
+use checkpoint::Checkpoint;
 
 /// A velocity set by the user above this value, or reached within a step, requires a checkpoint (in length
 /// units, and radians, per second).
@@ -52,78 +49,60 @@ const EDIT_VELOCITY_MAX: Real = 1.0e3;
 /// Steps longer than this (s) always have a checkpoint: rotations within them are unpredictable.
 const DURATION_MAX: Real = 0.1;
 
-/// All that a step changes.
-pub(crate) struct World<'a> {
-    pub islands: &'a mut IslandManager,
-    pub broad_phase: &'a mut BroadPhaseBvh,
-    pub narrow_phase: &'a mut NarrowPhase,
-    pub bodies: &'a mut RigidBodySet,
-    pub colliders: &'a mut ColliderSet,
-    pub joints: &'a mut ImpulseJointSet,
-    pub multibodies: &'a mut MultibodyJointSet,
-}
-
-/// Gravity and parameters of the step.
-#[derive(Copy, Clone)]
-pub(crate) struct StepConditions<'a> {
-    pub gravity: Vector,
-    pub params: &'a IntegrationParameters,
-}
-
 /// The bodies that were disabled in this step.
 #[derive(Default)]
 pub(crate) struct Quarantine {
     taken: Vec<(RigidBodyHandle, QuarantineCause)>,
     /// Number of failed attempts.
     failures: usize,
-    /// Number of events that failed attempts emitted.
+    /// Number of events before the first attempt, and after failed attempts.
+    emitted_before: usize,
     emitted: usize,
+    checkpoint: Option<Checkpoint>,
 }
 
 impl Quarantine {
     /// A new step begins.
-    pub fn open(&mut self) {
+    pub fn open(&mut self, world: &World<'_>, notes: &StepNotes) {
         self.taken.clear();
         self.failures = 0;
-        self.emitted = 0;
+        self.emitted_before = notes.events.len();
+        self.checkpoint = is_at_risk(world).then(|| Checkpoint::new(world));
     }
 
     /// Disables the causes in a world in which a step has failed, and restores everything else for the
     /// repetition.
-    pub fn take_out(
-        &mut self,
-        mut world: World<'_>,
-        checkpoint: Option<&Checkpoint>,
-        conditions: StepConditions<'_>,
-        notes: &mut StepNotes,
-    ) {
-        let causes = Causes { world: &world, conditions, diverged: &notes.diverged };
+    pub fn take_out(&mut self, world: &mut World<'_>, notes: &mut StepNotes) {
+        let causes = Causes { world, diverged: &notes.diverged };
         causes.find(self.failures, &mut self.taken);
         self.failures += 1;
         // The order is that of the handles, so manual disabling of the same bodies gives the same result.
         self.taken.sort_by_key(|(handle, _)| handle.into_raw_parts());
         self.taken.dedup_by_key(|(handle, _)| *handle);
-        match checkpoint {
+        match &self.checkpoint {
             Some(checkpoint) => {
-                checkpoint.restore(&mut world);
-                notes.clear();
+                checkpoint.restore(world);
+                notes.clear_attempt();
+                notes.events.truncate(self.emitted_before);
+                notes.broken.clear();
             }
             None => {
                 // All pairs already include the last motion.
-                world.islands.forget_motion();
+                world.structure.islands.forget_motion();
                 notes.clear_attempt();
             }
         }
         self.emitted = notes.events.len();
         for &(handle, cause) in &self.taken {
-            if let Some(body) = world.bodies.get_mut(handle) {
+            if let Some(body) = world.structure.bodies.get_mut(handle) {
                 body.put_in_quarantine(cause);
             }
         }
     }
 
     /// Reports the disabled bodies. Returns how many.
-    pub fn close(&self, bodies: &RigidBodySet, notes: &mut StepNotes) -> usize {
+    pub fn close(&mut self, bodies: &RigidBodySet, notes: &mut StepNotes) -> usize {
+        self.checkpoint = None;
         if self.failures > 0 {
             cancel_out(&mut notes.events, self.emitted);
         }
@@ -161,8 +140,10 @@ fn cancel_out(events: &mut Vec<CollisionEvent>, emitted: usize) {
 }
 
 /// Returns whether the step that is about to begin may fail.
-pub(crate) fn is_at_risk(world: &World<'_>, conditions: StepConditions<'_>) -> bool {
-    let World { islands, bodies, colliders, joints, .. } = world;
+fn is_at_risk(world: &World<'_>) -> bool {
+    let &World { gravity, params, ref joints, .. } = world;
+    let Structure { bodies, colliders, islands, .. } = &world.structure;
+    let conditions = StepConditions { gravity, params };
     let is_ill_conditioned = |&handle: &RigidBodyHandle| {
         bodies.get(handle).is_some_and(|body| !conditions.is_moderate_edit(body))
     };
@@ -179,6 +160,13 @@ pub(crate) fn is_at_risk(world: &World<'_>, conditions: StepConditions<'_>) -> b
                 let motors = joints.get(handle).map(|joint| &joint.data.motors);
                 motors.is_some_and(|motors| !motors.iter().all(motor_is_moderate))
             }))
+}
+
+/// Gravity and parameters of the step.
+#[derive(Copy, Clone)]
+struct StepConditions<'a> {
+    gravity: Vector,
+    params: &'a IntegrationParameters,
 }
 
 impl StepConditions<'_> {
