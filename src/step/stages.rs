@@ -56,6 +56,8 @@ impl Step<'_> {
             UserChanges { structure: set, tree, joints, multibodies, params, events }.run();
             joints.apply_changes(&mut structure.islands.joints);
         });
+        let Structure { bodies, colliders, .. } = structure;
+        debug_assert!(bodies.modified().is_empty() && colliders.modified().is_empty());
         self.trace(StepStage::UserChanges);
     }
 
@@ -165,6 +167,7 @@ impl Step<'_> {
         stages.solver_time.measure(|| solver::solve(context, scratch, counters));
         if notes.diverged.is_empty() {
             self.duration = params.dt;
+            debug_assert!(structure.has_usable_bodies(), "the solver stores finite numbers");
         }
         self.trace(StepStage::Solver);
     }

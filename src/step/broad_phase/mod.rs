@@ -104,6 +104,11 @@ pub(crate) fn find_pairs(
         }
     });
     pairs.sort_unstable();
+    debug_assert!(pairs.is_sorted_by(|one, other| one < other), "each pair is new once");
+    debug_assert!(
+        pairs.iter().all(|&(low, high)| colliders.contains(low) && colliders.contains(high)),
+        "pairs are of living colliders"
+    );
     tree.clear_moved();
     for list in refused.iter_mut() {
         list.sort_unstable();

@@ -219,6 +219,7 @@ pub(crate) fn add_approached(
     approaches: &[Approach],
     fast: &mut Vec<FastMotion>,
 ) {
+    debug_assert!(approaches.is_sorted_by_key(order), "the approaches of a body stand together");
     let mut last = None;
     for near in approaches {
         let body = context.bodies.get(near.body).filter(|body| body.is_dynamic());

@@ -48,6 +48,7 @@ impl LinkTrajectories {
             let links = &context.fast[next..];
             let before = links.iter().take_while(|motion| !is_own(motion)).count();
             let count = links[before..].iter().take_while(is_own).count();
+            debug_assert!(count > 0, "the links of a fast multibody are fast bodies");
             let links = next + before..next + before + count;
             next = links.end;
             let pieces =

@@ -217,6 +217,16 @@ pub(crate) fn stop(
     counters: &mut CCDCounters,
 ) {
     scratch.complete();
+    let is_fraction = |fraction: Real| (0.0..=1.0).contains(&fraction);
+    debug_assert_eq!(scratch.stops.len(), context.fast.len(), "every fast body was searched");
+    debug_assert!(scratch.stops.iter().all(|&stop| is_fraction(stop)), "a body stops in the step");
+    debug_assert!(
+        scratch
+            .rides
+            .iter()
+            .all(|(at, ride)| is_fraction(ride.end) && ride.end >= scratch.stops[at]),
+        "a ride follows a stop"
+    );
     let StopContext { bodies, islands, fast, dt, .. } = &mut context;
     counters.num_fast_bodies = fast.len();
     counters.num_searches = scratch.searched.load(Ordering::Relaxed);

@@ -278,6 +278,7 @@ fn apply<P: Pair>(
                 slots.prefetch(due[index + SLOT_PREFETCH_DISTANCE]);
             }
             let (id, outcome) = (due[index], &outcomes[index]);
+            debug_assert!(!outcome.slack.is_nan(), "the slack of pair {id} is a distance");
             // SAFETY: ids of awake pairs differ, and so do the indices of different tasks.
             unsafe { states.get_mut(id as usize) }.slack = outcome.slack;
             found.extend(outcome.change.map(|change| (slots.of(id), id, change)));

@@ -73,12 +73,14 @@ impl Quarantine {
     /// Disables the causes in a world in which a step has failed, and restores everything else for the
     /// repetition.
     pub fn take_out(&mut self, world: &mut World<'_>, notes: &mut StepNotes) {
+        let known = self.taken.len();
         let causes = Causes { world, diverged: &notes.diverged };
         causes.find(self.failures, &mut self.taken);
         self.failures += 1;
         // The order is that of the handles, so manual disabling of the same bodies gives the same result.
         self.taken.sort_by_key(|(handle, _)| handle.into_raw_parts());
         self.taken.dedup_by_key(|(handle, _)| *handle);
+        debug_assert!(self.taken.len() > known, "a failed step has a cause that was not taken yet");
         match &self.checkpoint {
             Some(checkpoint) => {
                 checkpoint.restore(world);

@@ -15,6 +15,7 @@ mod trees;
 use super::Structure;
 use crate::base::fault::Fault;
 use crate::base::loading::Loaded;
+use crate::base::measure::is_point;
 use crate::model::joint::ImpulseJointSet;
 use crate::model::multibody::MultibodyJointSet;
 use crate::model::tree::BroadPhaseBvh;
@@ -39,6 +40,13 @@ impl Structure<'_> {
     pub fn validate(&self) {
         let fault = self.check().err();
         assert!(fault.is_none(), "{}", fault.map_or(String::new(), |fault| fault.to_string()));
+    }
+
+    /// Returns whether positions and velocities of all awake bodies are finite and within their limits.
+    pub fn has_usable_bodies(&self) -> bool {
+        let awake = self.islands.awake.iter().filter_map(|&handle| self.bodies.get(handle));
+        let mut awake = awake;
+        awake.all(|body| body.vels().is_usable() && is_point(body.pose.translation))
     }
 
     fn check(&self) -> Verdict {
