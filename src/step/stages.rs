@@ -41,7 +41,7 @@ impl Step<'_> {
     pub(super) fn resync(&mut self) -> WorldStamp {
         let Resynced { parted, stamp, .. } = resync_before_step(&mut self.world);
         self.scratch.notes.events.extend(parted);
-        self.scratch.quarantine.open(&self.world, &self.scratch.notes);
+        self.scratch.quarantine.open(&mut self.world);
         stamp
     }
 

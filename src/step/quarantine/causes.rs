@@ -66,6 +66,21 @@ impl Causes<'_> {
         }
     }
 
+    /// Adds the edited bodies that move in this step and diverge on their own. Links move with the coordinates
+    /// of their multibody.
+    pub fn find_in_edits(&self, taken: &mut Vec<Cause>) {
+        let World { structure, multibodies, params, .. } = self.world;
+        let moves = |body: &RigidBody| {
+            params.dt > 0.0 && body.is_enabled() && !body.is_fixed() && !body.is_sleeping()
+        };
+        let causes = structure.bodies.modified().iter().filter_map(|&handle| {
+            let body = structure.bodies.get(handle).filter(|body| moves(body))?;
+            let is_link = multibodies.rigid_body_link(handle).is_some();
+            Some((handle, self.cause_in(body).filter(|_| !is_link)?))
+        });
+        taken.extend(causes);
+    }
+
     fn body(&self, diverged: &Diverged) -> Option<&RigidBody> {
         self.world.structure.bodies.get(diverged.body)
     }

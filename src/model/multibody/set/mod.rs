@@ -8,7 +8,7 @@ use super::{
 use crate::base::arena::Arena;
 use crate::base::in_place::clone_in_place;
 use crate::dim::joint_axes::JointAxesMask;
-use crate::model::body::{RigidBodyHandle, RigidBodySet};
+use crate::model::body::RigidBodyHandle;
 use crate::model::joint::{GenericJoint, InvalidJoint};
 use crate::model::stamp::WorldStamp;
 use std::collections::BTreeMap;
