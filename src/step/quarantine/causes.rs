@@ -66,8 +66,8 @@ impl Causes<'_> {
         }
     }
 
-    /// Adds the edited bodies that move in this step and diverge on their own. Links move with the coordinates
-    /// of their multibody.
+    /// Adds the edited bodies that move in this step and diverge on their own. Links move with the
+    /// coordinates of their multibody.
     pub fn find_in_edits(&self, taken: &mut Vec<Cause>) {
         let World { structure, multibodies, params, .. } = self.world;
         let moves = |body: &RigidBody| {
