@@ -2,7 +2,7 @@
 
 use super::ball::ball_manifold;
 use super::capsule::capsule_capsule;
-use super::parts::Part;
+use super::part::Part;
 use super::polytopes::{face_contacts, polytope_polytope};
 use super::support::{Core, contacts_along, support_manifold};
 use crate::dim::collide::{Polytope, RawManifold, RawPoint, capsule_triangle, cuboid_cuboid};

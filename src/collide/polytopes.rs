@@ -6,7 +6,7 @@
 //! The same holds for the two edges that are farthest along the last normal, if no corner is deeper. Else the
 //! closest points are searched, which takes several times as long.
 
-use super::internal_edges::LOOKS_ALONG;
+use super::normals::LOOKS_ALONG;
 use crate::base::axis::{BestAxis, Side};
 use crate::base::closest::{Closest, closest, extents};
 use crate::dim::collide::{

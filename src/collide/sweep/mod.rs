@@ -44,7 +44,8 @@ pub(crate) use motion::{PathSegment, Sweep, turned};
 pub(crate) use touch::{Touch, find_touches};
 
 use super::manifolds::shapes_intersect;
-use super::parts::{Line, Near, Part, Parts};
+use super::part::Part;
+use super::parts::{Line, Near, Parts};
 use crate::dim::math::{Pose, Real, Vector};
 use crate::model::collider::{Collider, Widths};
 use body::Body;

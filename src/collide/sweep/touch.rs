@@ -14,7 +14,7 @@ use super::{
     Goal, Meeting, MovingPart, Overlap, Sweep, SweepGoal, advance, impact_of_parts, other_of,
 };
 use crate::base::bvh::SlabProbe;
-use crate::collide::parts::Part;
+use crate::collide::part::Part;
 use crate::dim::math::{Pose, Real, Vector};
 use crate::model::collider::Widths;
 use parry::shape::Shape;
