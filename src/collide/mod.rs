@@ -3,11 +3,11 @@
 //! Contact manifolds of any two shapes, from their poses and from the manifolds of a moment ago. Its code is
 //! independent of bodies and of time: the narrow phase, queries and controllers use it.
 //!
-//! [`manifolds`] splits shapes into convex [`parts`], [`search`]es for contacts between these, removes those at
-//! [`internal_edges`], and merges the remaining [`patches`]. [`convex`] selects the algorithm for two parts: [`ball`],
-//! [`capsule`], [`polytopes`] (boxes, hulls, triangles, and their rounded forms), or [`support`] for all
-//! others. Dimension-specific code is in [`crate::dim::collide`]. [`matching`] hands impulses on from step to
-//! step.
+//! [`manifolds`] splits shapes into convex [`parts`], [`search`]es for contacts between these, removes those
+//! at [`internal_edges`], and merges the remaining [`patches`]. [`convex`] selects the algorithm for two
+//! parts: [`ball`], [`capsule`], [`polytopes`] (boxes, hulls, triangles, and their rounded forms), or
+//! [`support`] for all others. Dimension-specific code is in [`crate::dim::collide`]. [`matching`] hands
+//! impulses on from step to step. The modules have no circular imports.
 
 mod ball;
 mod capsule;

@@ -1,7 +1,7 @@
 //! The search for contacts between the parts of two shapes.
 //!
-//! Pieces of a [`surface`] are culled together, and [`coplanar`] pieces are processed as one patch. Two shapes
-//! with many parts are searched pair by pair ([`part_pairs`]). [`ghost_contacts`] go in the end.
+//! Pieces of a [`surface`] are culled together, and [`coplanar`] pieces are processed as one patch. Two
+//! shapes with many parts are searched pair by pair ([`part_pairs`]). Last, [`ghost_contacts`] are removed.
 
 mod coplanar;
 mod ghost_contacts;
