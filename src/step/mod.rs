@@ -64,6 +64,7 @@ impl Step<'_> {
     /// All stages. A step in which bodies diverged is repeated without the causes.
     fn run(mut self) {
         let stamp = self.resync();
+        self.quarantine_edits();
         self.hold_panic(|step| {
             loop {
                 step.user_changes();

@@ -41,8 +41,12 @@ impl Step<'_> {
     pub(super) fn resync(&mut self) -> WorldStamp {
         let Resynced { parted, stamp, .. } = resync_before_step(&mut self.world);
         self.scratch.notes.events.extend(parted);
-        self.scratch.quarantine.open(&mut self.world);
         stamp
+    }
+
+    /// Disables edited bodies that diverge on their own.
+    pub(super) fn quarantine_edits(&mut self) {
+        self.scratch.quarantine.open(&mut self.world);
     }
 
     /// Applies the edits since the last step.
