@@ -12,8 +12,9 @@ use crate::model::island::IslandManager;
 use crate::model::joint::ImpulseJointSet;
 use crate::model::multibody::MultibodyJointSet;
 use crate::model::params::IntegrationParameters;
+use crate::model::structure::Structure;
 use crate::model::tree::BroadPhaseBvh;
-use crate::step::{self, StepParts, StepScratch};
+use crate::step::{self, StepScratch, World};
 
 /// The pipeline of collision detection. It computes contacts and intersections, and moves nothing.
 ///
@@ -67,18 +68,17 @@ impl CollisionPipeline {
             log::error!("collision detection refused: {error}");
             return;
         }
-        let parts = StepParts {
+        let world = World {
             gravity: Vector::ZERO,
             params: integration_parameters,
-            islands,
+            structure: Structure { bodies, colliders, narrow_phase, islands },
             broad_phase,
-            narrow_phase,
-            bodies,
-            colliders,
+            joints: &mut ImpulseJointSet::new(),
+            multibodies: &mut MultibodyJointSet::new(),
             hooks,
             events,
-            counters: &mut self.counters,
         };
-        step::detect_collisions(parts, impulse_joints, &mut self.scratch, handle_user_changes);
+        let (counters, scratch) = (&mut self.counters, &mut self.scratch);
+        step::detect_collisions(world, impulse_joints, counters, scratch, handle_user_changes);
     }
 }

@@ -13,8 +13,9 @@ use crate::model::island::IslandManager;
 use crate::model::joint::ImpulseJointSet;
 use crate::model::multibody::MultibodyJointSet;
 use crate::model::params::IntegrationParameters;
+use crate::model::structure::Structure;
 use crate::model::tree::BroadPhaseBvh;
-use crate::step::{self, StepParts, StepScratch, StepStage};
+use crate::step::{self, StepScratch, StepStage, World};
 use core::borrow::Borrow;
 
 /// The pipeline that steps a simulation.
@@ -111,18 +112,16 @@ impl PhysicsPipeline {
             log::error!("step refused: {error}");
             return;
         }
-        let parts = StepParts {
+        let world = World {
             gravity,
             params: integration_parameters,
-            islands,
+            structure: Structure { bodies, colliders, narrow_phase, islands },
             broad_phase,
-            narrow_phase,
-            bodies,
-            colliders,
+            joints: impulse_joints,
+            multibodies: multibody_joints,
             hooks,
             events,
-            counters: &mut self.counters,
         };
-        step::step(parts, impulse_joints, multibody_joints, &mut self.scratch);
+        step::step(world, &mut self.counters, &mut self.scratch);
     }
 }

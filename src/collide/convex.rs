@@ -2,7 +2,7 @@
 
 use super::ball::ball_manifold;
 use super::capsule::capsule_capsule;
-use super::parts::Part;
+use super::part::Part;
 use super::polytopes::{face_contacts, polytope_polytope};
 use super::support::{Core, contacts_along, support_manifold};
 use crate::dim::collide::{Polytope, RawManifold, RawPoint, capsule_triangle, cuboid_cuboid};
@@ -111,10 +111,9 @@ fn others(
     prediction: Real,
     raw: &mut RawManifold,
 ) -> Option<Real> {
-    if let (Some(polytope1), Some(polytope2)) =
-        (Polytope::of(part1.shape), Polytope::of(part2.shape))
+    if let [Some(polytope1), Some(polytope2)] = [part1, part2].map(|part| Polytope::of(part.shape))
     {
-        return Some(polytope_polytope(pos12, polytope1, polytope2, prediction, raw));
+        return Some(polytope_polytope(pos12, [polytope1, polytope2], prediction, raw));
     }
     general_manifold(pos12, part1, part2, prediction, raw).then_some(0.0)
 }

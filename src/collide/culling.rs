@@ -9,7 +9,7 @@
 //! The selection depends on the items alone and not on their order. An item replaces a less deep one, and of
 //! equals the one with the lower part numbers stays.
 
-use super::manifolds::ShapePair;
+use super::pair::ShapePair;
 use crate::dim::math::{DIM, Real, Vector};
 use core::cmp::Ordering;
 use parry::bounding_volume::{Aabb, BoundingVolume};

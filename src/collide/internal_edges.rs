@@ -32,6 +32,7 @@
 //! Other engines mark the edges of a mesh as convex or not (Bullet, Jolt, parry), or store the corners of
 //! neighbours in segments (Box2D). That requires known neighbours, and works within one shape only.
 
+use super::normals::{FACE, LOOKS_ALONG, SAME_NORMAL};
 use super::parts::Parts;
 use crate::dim::collide::{Flat, FlatShape, Polytope, flat_corners};
 use crate::dim::math::{Pose, Real, Vector};
@@ -39,18 +40,12 @@ use parry::query::PointQuery;
 use parry::shape::Shape;
 use smallvec::SmallVec;
 
-/// A contact normal with at least this cosine to that of a face (1.1 degrees) is the face's.
-pub(super) const FACE: Real = 0.9998;
 /// The plane of a contact is that of the piece's face if their normals differ by at most this squared length
 /// (0.17 degrees). Bodies on a face are level to about that.
 const LEVEL: Real = 9.0e-6;
-/// A face is along a direction if their cosine is at least this.
-pub(super) const LOOKS_ALONG: Real = 0.5;
 /// Minimum rise of the other side of a hidden internal edge above the contact plane, as a fraction of the
 /// tolerance.
 const RISE: Real = 0.05;
-/// Normals whose difference has at most this squared length (0.06 degrees) are the same.
-pub(crate) const SAME_NORMAL: Real = 1.0e-6;
 /// Planes whose normals differ by less than this squared length stay together over 1000 times the tolerance
 /// and more.
 const PARALLEL: Real = 1.0e-10;
@@ -62,7 +57,7 @@ const MAX_PLANES: usize = 16;
 pub(super) enum Piece<'a> {
     /// A piece of a surface, in the common frame.
     Flat(Flat),
-    /// A piece of a [coplanar patch](super::coplanar) in the common frame, and all of them in a frame at a
+    /// A piece of a [coplanar patch](super::search) in the common frame, and all of them in a frame at a
     /// pose.
     CoplanarPatch(Flat, &'a [FlatShape], Pose),
     /// A convex shape, the polytope that it is, if it is one, and its pose.
@@ -189,7 +184,8 @@ pub(super) struct Facet<'a> {
     /// The touching feature of the piece.
     face: Face,
     /// The body, and its touching part.
-    body: (Parts<'a>, u32),
+    body: Parts<'a>,
+    body_part: u32,
     /// Unit normal, from the piece to the body.
     normal: Vector,
     /// The same, or the normal of the piece's face if the contact is with a face: a plane that extends over
@@ -204,7 +200,8 @@ pub(super) struct Facet<'a> {
 impl<'a> Facet<'a> {
     pub fn new(
         piece: Piece<'a>,
-        body: (Parts<'a>, u32),
+        body: Parts<'a>,
+        body_part: u32,
         normal: Vector,
         place: Vector,
         dist: Real,
@@ -214,7 +211,7 @@ impl<'a> Facet<'a> {
             Face::Flat(face) if face.distance_squared(normal) < LEVEL => face,
             _ => normal,
         };
-        Self { piece, face, body, normal, plane, place, dist }
+        Self { piece, face, body, body_part, normal, plane, place, dist }
     }
 }
 
@@ -225,13 +222,12 @@ impl Facet<'_> {
         if self.plane.distance_squared(other.plane) <= SAME_NORMAL {
             return false;
         }
-        let (parts, id) = self.body;
         let is_above = || {
             let level = other.plane.dot(other.place) + other.dist.min(0.0) - tolerance;
-            let depth = Piece::new(parts, id, Pose::IDENTITY).height(-other.plane);
+            let depth = Piece::new(self.body, self.body_part, Pose::IDENTITY).height(-other.plane);
             depth.is_some_and(|depth| -depth >= level)
         };
-        id == other.body.1 || is_above()
+        self.body_part == other.body_part || is_above()
     }
 
     /// Returns whether the contact lies in the plane of another.

@@ -6,15 +6,14 @@
 //! search, and the buffers in [`ManifoldScratch`] only save allocations.
 
 use super::convex::{DISTANCE_FRACTION, is_sound, part_manifold};
-use super::flat_parts::CulledParts;
 use super::internal_edges::GhostContact;
 use super::matching::replace_contacts;
-use super::neighbor::Neighbor;
-use super::parts::{Part, Parts};
+use super::pair::ShapePair;
+use super::part::Part;
+use super::parts::Parts;
 use super::patches::{Patches, push_manifold, unit_normal};
-use super::search::Search;
+use super::search::{CulledParts, Search};
 use crate::base::guard::guarded;
-use crate::base::wide::Simd;
 use crate::dim::collide::{RawManifold, RawPoint, reduce};
 use crate::dim::math::{MAX_MANIFOLD_POINTS, Pose, Real, Vector};
 use crate::model::contact::{ContactManifold, TriangleCache};
@@ -51,24 +50,6 @@ impl ManifoldScratch {
     pub fn is_culled(&self) -> bool {
         self.are_parts_culled || self.patches.are_culled()
     }
-}
-
-/// Two shapes, and which contacts of theirs are wanted.
-#[derive(Copy, Clone)]
-pub(crate) struct ShapePair<'a> {
-    /// Pose of the second shape in the frame of the first.
-    pub pos12: Pose,
-    pub shapes: [&'a dyn Shape; 2],
-    /// Approximate displacement of the second relative to the first in a step, in the frame of the first.
-    pub motion: Vector,
-    /// Largest distance of points (length units).
-    pub prediction: Real,
-    /// Height below which a step is ignored (length units).
-    pub step_height_tolerance: Real,
-    /// The other contacts of each of the two.
-    pub neighbors: [&'a [Neighbor<'a>]; 2],
-    /// The instructions that kernels run on.
-    pub simd: Simd,
 }
 
 /// Computes the manifolds of two shapes.
@@ -212,38 +193,6 @@ pub(crate) fn shapes_intersect(pos12: &Pose, shape1: &dyn Shape, shape2: &dyn Sh
 fn pose_is_usable(pose: &Pose) -> bool {
     let distance = pose.translation.abs().max_element();
     pose.is_finite() && distance < DISTANCE_MAX
-}
-
-impl<'a> ShapePair<'a> {
-    /// Two shapes that touch nothing else, and among whose own parts no step is too low to be one.
-    #[cfg(test)]
-    pub fn alone(pos12: &Pose, shapes: [&'a dyn Shape; 2], prediction: Real) -> Self {
-        Self {
-            pos12: *pos12,
-            shapes,
-            motion: Vector::ZERO,
-            prediction,
-            step_height_tolerance: 0.0,
-            neighbors: [&[], &[]],
-            simd: Simd::detect(),
-        }
-    }
-
-    /// Displacement of the shape on a side relative to the other in a step, in the frame of the other.
-    pub fn motion_of(&self, side: usize) -> Vector {
-        match side {
-            0 => self.pos12.rotation.inverse() * -self.motion,
-            _ => self.motion,
-        }
-    }
-
-    /// The position of a contact on the shape on a side, in the frame of the other shape.
-    pub fn on_obstacle(&self, side: usize, point: &RawPoint) -> Vector {
-        match side {
-            0 => self.pos12.inverse_transform_point(point.local_p1),
-            _ => self.pos12 * point.local_p2,
-        }
-    }
 }
 
 /// Returns whether parry has a faster algorithm for voxels against the other shape than a search of all

@@ -1,6 +1,7 @@
 //! The contacts of a body with other shapes than that of the current pair.
 
-use super::internal_edges::{Facet, GhostContact, Piece, SAME_NORMAL, find_ghost_contacts};
+use super::internal_edges::{Facet, GhostContact, Piece, find_ghost_contacts};
+use super::normals::SAME_NORMAL;
 use super::parts::Parts;
 use crate::dim::math::{MAX_MANIFOLD_POINTS, Pose, Real, Vector};
 use crate::model::contact::ContactManifold;
@@ -62,7 +63,7 @@ impl<'a> Neighbor<'a> {
         let Self { part: id, pose, on, normal, dist, .. } = *self;
         let piece = Piece::new(Parts::of(self.shape), id, pose);
         let place = self.points.first().copied().unwrap_or(Vector::ZERO);
-        Facet::new(piece, (Parts::of(self.body), on), normal, place, dist)
+        Facet::new(piece, Parts::of(self.body), on, normal, place, dist)
     }
 }
 

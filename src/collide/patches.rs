@@ -5,10 +5,10 @@
 //! therefore merged, and only the outermost of their points are kept, as for a single face.
 
 use super::culling::{Grid, Rank, main_direction};
-use super::internal_edges::SAME_NORMAL;
-use super::manifolds::ShapePair;
 use super::matching::set_contacts;
-use super::parts::Part;
+use super::normals::SAME_NORMAL;
+use super::pair::ShapePair;
+use super::part::Part;
 use crate::dim::collide::{FlatShape, RawManifold, RawPoint, reduce};
 use crate::dim::math::{DIM, Pose, Real, Vector};
 use crate::model::contact::ContactManifold;
@@ -45,7 +45,7 @@ pub(super) struct Patch {
     is_broad: bool,
     /// Range of its points.
     points: Range<usize>,
-    /// The number of its [coplanar patch](super::coplanar).
+    /// The number of its [coplanar patch](super::search).
     coplanar_patch: Option<u32>,
     /// Range of the pieces of the coplanar patch; empty for one part alone.
     pieces: Range<usize>,
@@ -120,7 +120,7 @@ impl Patches {
         self.add_on(pair, raw, parts, None)
     }
 
-    /// Adds contacts with a [coplanar patch](super::coplanar) of this number, if it is one.
+    /// Adds contacts with a [coplanar patch](super::search) of this number, if it is one.
     pub fn add_on(
         &mut self,
         pair: &ShapePair<'_>,

@@ -6,7 +6,7 @@
 //! The same holds for the two edges that are farthest along the last normal, if no corner is deeper. Else the
 //! closest points are searched, which takes several times as long.
 
-use super::internal_edges::LOOKS_ALONG;
+use super::normals::LOOKS_ALONG;
 use crate::base::axis::{BestAxis, Side};
 use crate::base::closest::{Closest, closest, extents};
 use crate::dim::collide::{
@@ -56,8 +56,7 @@ struct Separation {
 /// it.
 pub(super) fn polytope_polytope(
     pos12: &Pose,
-    (polytope1, radius1): (Polytope<'_>, Real),
-    (polytope2, radius2): (Polytope<'_>, Real),
+    [(polytope1, radius1), (polytope2, radius2)]: [(Polytope<'_>, Real); 2],
     prediction: Real,
     raw: &mut RawManifold,
 ) -> Real {

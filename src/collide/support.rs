@@ -1,6 +1,6 @@
 //! Two convex parts of any kind: closest points, then the features of the two that meet there.
 
-use super::parts::Part;
+use super::part::Part;
 use crate::base::closest::{Closest, closest, extents};
 use crate::base::facing::FacingParts;
 use crate::dim::collide::{RawManifold, RawPoint, feature_contacts};

@@ -1,6 +1,6 @@
 //! The feature of a convex shape that meets a plane: the corners of a face, an edge or a point.
 
-use super::parts::Part;
+use super::part::Part;
 use super::support::Core;
 use crate::base::feature;
 use crate::dim::collide::Polytope;

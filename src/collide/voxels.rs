@@ -1,6 +1,6 @@
 //! Voxels as boxes whose contacts leave through free faces only.
 
-use super::parts::Part;
+use super::part::Part;
 use crate::dim::math::{DIM, Pose, Vector};
 use parry::bounding_volume::Aabb;
 use parry::query::details::NormalConstraints;

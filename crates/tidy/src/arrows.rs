@@ -24,6 +24,8 @@ enum Room<'a> {
     Collide,
     /// Names in `step/` for all stages.
     Notes,
+    /// All sets of a step, for the stages of [`WHOLE_WORLD`] only.
+    StepWorld,
     Stage(&'a str),
     Step,
     /// Queries of the world: reads it, writes nothing.
@@ -38,6 +40,13 @@ enum Room<'a> {
 
 /// Files of `step/` that are no stages but data between stages.
 const NOTES: [&str; 1] = ["notes"];
+/// Files of `step/` for its driver only.
+const DRIVER: [&str; 3] = ["scratch", "stages", "trace"];
+/// Stages that get the whole world of a step instead of the sets that their signatures list, with the reason.
+const WHOLE_WORLD: [(&str, &str); 2] = [
+    ("user_changes", "compares the stamps of all sets"),
+    ("quarantine", "looks for causes in all sets"),
+];
 
 /// Files that may use globs, with the reason.
 const GLOBS: [(&str, &str); 4] = [
@@ -61,6 +70,8 @@ impl<'a> Room<'a> {
             ["multibody", ..] => Self::Multibody,
             ["collide", ..] => Self::Collide,
             ["step", notes, ..] if NOTES.contains(notes) => Self::Notes,
+            ["step", "world", ..] => Self::StepWorld,
+            ["step", driver, ..] if DRIVER.contains(driver) => Self::Step,
             ["step", stage, ..] if stage.starts_with(char::is_lowercase) && *stage != "mod" => {
                 Self::Stage(stage)
             }
@@ -81,23 +92,26 @@ impl<'a> Room<'a> {
     fn may_use(self, other: Self) -> bool {
         use Room::{
             Api, Base, Collide, Controllers, DebugRender, Dim, DimContact, DimSurface, Door, Model,
-            Multibody, Notes, Query, Stage, Step,
+            Multibody, Notes, Query, Stage, Step, StepWorld,
         };
         match self {
             _ if self == other => true,
             Door | Api => true,
             Base => false,
             Dim => other == Base,
-            DimContact | DimSurface | Multibody | Collide | Notes | DebugRender => {
+            DimContact | DimSurface | Multibody | Collide | Notes | StepWorld | DebugRender => {
                 matches!(other, Base | Dim | Model)
             }
             Query => matches!(other, Base | Dim | Model | Collide),
             Controllers => matches!(other, Base | Dim | Model | Collide | Query),
             Model => matches!(other, Base | Dim),
+            Stage(stage) if other == StepWorld => {
+                WHOLE_WORLD.iter().any(|(whole, _)| *whole == stage)
+            }
             Stage(_) => {
                 matches!(other, Base | Dim | DimContact | Model | Multibody | Collide | Notes)
             }
-            Step => matches!(other, Base | Dim | Model | Notes | Stage(_)),
+            Step => matches!(other, Base | Dim | Model | Notes | StepWorld | Stage(_)),
         }
     }
 }
@@ -244,7 +258,9 @@ mod tests {
         assert_eq!(complaints("src/step/islands/a.rs", other), 0);
         assert_eq!(complaints("src/step/mod.rs", other), 0);
         assert_eq!(complaints("src/step/solver/a.rs", "use super::super::islands::update;"), 1);
-        assert_eq!(complaints("src/step/solver/a.rs", "use crate::step::StepParts;"), 1);
+        assert_eq!(complaints("src/step/solver/a.rs", "use crate::step::StepScratch;"), 1);
+        assert_eq!(complaints("src/step/solver/a.rs", "use crate::step::world::World;"), 1);
+        assert_eq!(complaints("src/step/quarantine/a.rs", "use crate::step::world::World;"), 0);
         assert_eq!(complaints("src/step/solver/a.rs", "use crate::step::notes::StepNotes;"), 0);
     }
 

@@ -16,7 +16,7 @@ const ALLOWED: [(&str, &str); 21] = [
     ("src/dim3/contact/", "constraints of one colour write bodies concurrently"),
     ("src/model/body/set.rs", "threads visit bodies concurrently"),
     ("src/model/contact/narrow_phase.rs", "the first read of a pair writes its results back"),
-    ("src/model/contact/store.rs", "a pair is written behind a shared reference"),
+    ("src/model/contact/store/mod.rs", "a pair is written behind a shared reference"),
     ("src/model/joint/views.rs", "a wrapper of a joint is that joint"),
     ("src/model/joint/kind.rs", "declares each wrapper as one"),
     ("src/step/solver/", "constraints of a colour run concurrently"),

@@ -2,23 +2,35 @@
 
 use crate::Complaint;
 use crate::source::Source;
+use core::ops::Range;
 
 /// Lines of a file, all counted.
 const FILE_LINES: usize = 600;
 /// Lines of a function from `fn` to its last brace, without blank lines and comments.
 const FUNCTION_LINES: usize = 70;
 
+/// Parameters of a function, each field of a tuple counted. Clippy counts a tuple as one parameter.
+const PARAMETERS: usize = 7;
+
 /// Files that may be longer, with the reason.
 const LONG_FILES: [(&str, &str); 0] = [];
 /// Functions that may be longer, with their files and the reason.
 const LONG_FUNCTIONS: [(&str, &str, &str); 0] = [];
+/// Functions whose tuples may hide more parameters, with their files and the reason.
+const MANY_PARAMETERS: [(&str, &str, &str); 3] = [
+    ("src/step/solver/bodies/store.rs", "store", "gets a context with the rooms of the solver"),
+    ("src/step/solver/groups.rs", "divide", "gets a context with the rooms of the solver"),
+    ("src/step/solver/joints/point_to_point/load.rs", "load_end", "the same"),
+];
 
-/// Complains of files and functions that are too long, that have no header, or that are unfinished.
+/// Complains of files and functions that are too long, that have no header or too many parameters, or that
+/// are unfinished.
 pub fn check(sources: &[Source]) -> Vec<Complaint> {
     let mut complaints = Vec::new();
     for source in sources {
         check_file(source, &mut complaints);
         check_functions(source, &mut complaints);
+        check_parameters(source, &mut complaints);
         check_finished(source, &mut complaints);
     }
     complaints
@@ -56,6 +68,67 @@ fn check_functions(source: &Source, complaints: &mut Vec<Complaint>) {
             complaints.push(Complaint::new(&source.path, first, what));
         }
     }
+}
+
+fn check_parameters(source: &Source, complaints: &mut Vec<Complaint>) {
+    for at in 0..source.tokens.len() {
+        let Some(count) = parameters_of(source, at) else { continue };
+        let name = source.token(at + 1);
+        let listed =
+            MANY_PARAMETERS.iter().any(|(path, many, _)| *path == source.path && *many == name);
+        if count > PARAMETERS && !listed {
+            let what = format!("{name}: {count} parameters in tuples, more than {PARAMETERS}");
+            complaints.push(Complaint::new(&source.path, source.tokens[at].line, what));
+        }
+    }
+}
+
+/// Number of parameters of the function whose `fn` is this token, with the fields of tuples counted; `None`
+/// without a tuple.
+fn parameters_of(source: &Source, at: usize) -> Option<usize> {
+    if source.token(at) != "fn" {
+        return None;
+    }
+    let open = if source.token(at + 2) == "<" { list_at(source, at + 2).1 + 1 } else { at + 2 };
+    if source.token(open) != "(" {
+        return None;
+    }
+    let fields = list_at(source, open).0.into_iter().map(|parameter| {
+        let is_colon = |&index: &usize| source.token(index) == ":";
+        let kind = parameter.clone().find(is_colon).map_or(parameter.start, |colon| colon + 1);
+        let mut kind = kind..parameter.end;
+        while let "&" | "mut" | "'" = source.token(kind.start) {
+            kind.start += if source.token(kind.start) == "'" { 2 } else { 1 };
+        }
+        let is_tuple = source.token(kind.start) == "(";
+        if is_tuple { list_at(source, kind.start).0.len() } else { 1 }
+    });
+    let fields: Vec<usize> = fields.collect();
+    fields.iter().any(|&count| count != 1).then(|| fields.iter().sum())
+}
+
+/// The items of a list in brackets that opens at a token, and the token that closes it.
+fn list_at(source: &Source, open: usize) -> (Vec<Range<usize>>, usize) {
+    let (mut items, mut start, mut depth) = (Vec::new(), open + 1, 0_usize);
+    for at in open..source.tokens.len() {
+        match source.token(at) {
+            "(" | "[" | "{" | "<" => depth += 1,
+            ">" if source.token(at - 1) == "-" => {}
+            ")" | "]" | "}" | ">" => depth -= 1,
+            "," if depth == 1 => {
+                items.push(start..at);
+                start = at + 1;
+            }
+            _ => {}
+        }
+        if depth == 0 {
+            if start < at {
+                items.push(start..at);
+            }
+            return (items, at);
+        }
+    }
+    (items, source.tokens.len())
 }
 
 /// The first and the last line of the function whose `fn` is this token, if it has a body.
@@ -135,6 +208,18 @@ mod tests {
             "static A: u8 = 1;\n".repeat(80)
         );
         assert!(complaints(&text).is_empty());
+    }
+
+    #[test]
+    fn tuples_hide_no_parameters() {
+        let text =
+            |parameters: &str| format!("//! A.\nfn f<'a, F: Fn(u8) -> u8>({parameters}) {{}}");
+        let five = "&self, a: A<B, C>, b: [(D, E); 2], (c, d): (&'a C, D<E, F>)";
+        assert!(complaints(&text(five)).is_empty());
+        let seven = format!("{five}, (e, f): &'a mut (E, F),");
+        assert!(complaints(&text(&seven)).is_empty());
+        assert_eq!(complaints(&text(&format!("{seven} g: &(impl G + H)"))).len(), 1);
+        assert!(complaints(&text("a: A, b: B, c: C, d: D, e: E, f: F, g: G, h: H")).is_empty());
     }
 
     #[test]

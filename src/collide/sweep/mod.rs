@@ -44,7 +44,8 @@ pub(crate) use motion::{PathSegment, Sweep, turned};
 pub(crate) use touch::{Touch, find_touches};
 
 use super::manifolds::shapes_intersect;
-use super::parts::{Line, Near, Part, Parts};
+use super::part::Part;
+use super::parts::{Line, Near, Parts};
 use crate::dim::math::{Pose, Real, Vector};
 use crate::model::collider::{Collider, Widths};
 use body::Body;
@@ -123,7 +124,8 @@ pub(crate) enum Overlap {
 
 /// The fraction of the step at which the second shape stops the first; `None` if not before `until`.
 pub(crate) fn first_impact(
-    (solid, other): (Solid<'_>, &dyn Shape),
+    solid: Solid<'_>,
+    other: &dyn Shape,
     sweeps: [&Sweep<'_>; 2],
     goal: SweepGoal,
     until: Real,
@@ -131,14 +133,18 @@ pub(crate) fn first_impact(
     let (mut first, mut last) = (None, None);
     for_each_pair([solid.shape, other], sweeps, &mut |parts| {
         let until = first.unwrap_or(until);
-        let widths = solid.widths_once(parts[0].0, &mut last);
+        let widths = solid.widths_once(parts[0].part, &mut last);
         first = impact_of_parts(parts, &widths, goal, until).or(first);
     });
     first
 }
 
 /// A part of a shape, and its motion.
-type MovingPart<'a, 'b> = (&'a Part<'b>, &'a Sweep<'b>);
+#[derive(Copy, Clone)]
+struct MovingPart<'a, 'b> {
+    part: &'a Part<'b>,
+    sweep: &'a Sweep<'b>,
+}
 
 /// Calls `visit` with the parts of two shapes that may meet, and their motions.
 fn for_each_pair(
@@ -156,7 +162,10 @@ fn for_each_pair(
         let sweep1 = sweeps[0].of_part(&part1.pose());
         parts[1].for_each_part(&near[1], &mut |part2| {
             let sweep2 = sweeps[1].of_part(&part2.pose());
-            visit([(&part1, &sweep1), (&part2, &sweep2)]);
+            visit([
+                MovingPart { part: &part1, sweep: &sweep1 },
+                MovingPart { part: &part2, sweep: &sweep2 },
+            ]);
         });
     });
 }
@@ -171,11 +180,10 @@ pub(crate) fn passes(
 ) -> bool {
     let goal = Goal::new(0.0, tolerance, true);
     let (mut meet, mut met) = (false, false);
-    for_each_pair(shapes, sweeps, &mut |[(part1, sweep1), (part2, sweep2)]| {
-        let other = other_of((part1, sweep1), (part2, sweep2), tolerance);
-        let bodies = Body::whole(part1.shape).zip(other);
+    for_each_pair(shapes, sweeps, &mut |parts| {
+        let bodies = Body::whole(parts[0].part.shape).zip(other_of(parts, tolerance));
         let Some((body1, body2)) = bodies.filter(|_| !met) else { return };
-        match advance([&body1, &body2], [sweep1, sweep2], goal, until) {
+        match advance([&body1, &body2], parts.map(|moving| moving.sweep), goal, until) {
             Meeting::FromTheBeginning => met = true,
             Meeting::At(_) => meet = true,
             Meeting::Never => {}
@@ -187,26 +195,23 @@ pub(crate) fn passes(
 
 /// Returns whether the first shape is deeper in the second than [`PENETRATION_FRACTION_MAX`] at the end of
 /// its motion.
-pub(crate) fn ends_deep((solid, other): (Solid<'_>, &dyn Shape), sweeps: [&Sweep<'_>; 2]) -> bool {
+pub(crate) fn ends_deep(solid: Solid<'_>, other: &dyn Shape, sweeps: [&Sweep<'_>; 2]) -> bool {
     let ends = sweeps.map(|sweep| Sweep::at_rest(sweep.at(1.0)));
     let (mut deep, mut last) = (false, None);
     let shapes = [solid.shape, other];
-    for_each_pair(shapes, [&ends[0], &ends[1]], &mut |[(part1, sweep1), (part2, sweep2)]| {
+    for_each_pair(shapes, [&ends[0], &ends[1]], &mut |parts| {
         if deep {
             return;
         }
-        let widths = solid.widths_once(part1, &mut last);
+        let part = parts[0].part;
+        let widths = solid.widths_once(part, &mut last);
         let thickness = widths.thickness;
         if thickness == 0.0 || thickness == Real::INFINITY {
             return;
         }
-        let other = other_of((part1, sweep1), (part2, sweep2), 0.0);
-        let Some((own, other)) =
-            Body::core(part1.shape, &widths, PENETRATION_FRACTION_MAX).zip(other)
-        else {
-            return;
-        };
-        let poses = [sweep1, sweep2].map(|sweep| sweep.at(1.0));
+        let own = Body::core(part.shape, &widths, PENETRATION_FRACTION_MAX);
+        let Some((own, other)) = own.zip(other_of(parts, 0.0)) else { return };
+        let poses = parts.map(|moving| moving.sweep.at(1.0));
         deep = own.distance(&other, &poses, 0.0, Vector::ZERO).is_some();
     });
     deep
@@ -240,17 +245,13 @@ fn path_of_other(shapes: [&dyn Shape; 2], sweeps: [&Sweep<'_>; 2], side: usize) 
 }
 
 /// The second part, as far as the first comes within `near` of it. The moving shape is treated as a whole.
-fn other_of<'a>(
-    (part, sweep): (&Part<'_>, &Sweep<'_>),
-    (other, other_sweep): (&Part<'a>, &Sweep<'_>),
-    near: Real,
-) -> Option<Body<'a>> {
-    let body = Body::whole(other.shape)?;
-    if other_sweep.travel() != [0.0; 2] {
+fn other_of<'b>([moving, other]: [MovingPart<'_, 'b>; 2], near: Real) -> Option<Body<'b>> {
+    let body = Body::whole(other.part.shape)?;
+    if other.sweep.travel() != [0.0; 2] {
         return Some(body);
     }
-    let region = sweep.region(part.shape).loosened(near);
-    Some(body.within(&region.transform_by(&other_sweep.at(0.0).inverse())))
+    let region = moving.sweep.region(moving.part.shape).loosened(near);
+    Some(body.within(&region.transform_by(&other.sweep.at(0.0).inverse())))
 }
 
 /// Deviation of one centre from its chord, in the frame of the other that rotates by `θ`, if both move
@@ -266,22 +267,22 @@ fn bend_of_other(own: &Sweep<'_>, other: &Sweep<'_>) -> Option<Real> {
 
 /// Returns the time (fraction of the step) at which the second part stops the first.
 fn impact_of_parts(
-    [(part1, sweep1), (part2, sweep2)]: [MovingPart<'_, '_>; 2],
+    parts: [MovingPart<'_, '_>; 2],
     widths: &Widths,
     goal: SweepGoal,
     until: Real,
 ) -> Option<Real> {
-    let sweeps = [sweep1, sweep2];
+    let (own_shape, sweeps) = (parts[0].part.shape, parts.map(|moving| moving.sweep));
     let thickness = widths.thickness;
     if thickness == Real::INFINITY {
         return None;
     }
-    let whole = Body::whole(part1.shape)?;
-    let other = other_of((part1, sweep1), (part2, sweep2), goal.gap)?;
+    let whole = Body::whole(own_shape)?;
+    let other = other_of(parts, goal.gap)?;
     let goal_of_whole = Goal::new(goal.gap, 0.5 * goal.gap, false);
     if thickness == 0.0 {
         return CORES.iter().find_map(|&fraction| {
-            let own = Body::middle(part1.shape, widths, fraction)?;
+            let own = Body::middle(own_shape, widths, fraction)?;
             match advance([&own, &other], sweeps, goal_of_whole, until) {
                 Meeting::FromTheBeginning => None,
                 meeting => Some(meeting.fraction()),
@@ -291,7 +292,7 @@ fn impact_of_parts(
     let tolerance = (CORE_TOLERANCE * thickness).max(goal.gap);
     let core_goal = Goal::new(0.0, tolerance, true);
     let latest = CORES.iter().find_map(|&fraction| {
-        let core = Body::core(part1.shape, widths, CORE_DEPTH)?.shrunk(fraction);
+        let core = Body::core(own_shape, widths, CORE_DEPTH)?.shrunk(fraction);
         match advance([&core, &other], sweeps, core_goal, until) {
             Meeting::FromTheBeginning => None,
             meeting => Some(meeting.fraction()),
@@ -304,7 +305,7 @@ fn impact_of_parts(
             Overlap::Passes => None,
             Overlap::StopsMiddle => Some(latest),
             Overlap::StopsEarly => {
-                let shallow = Body::core(part1.shape, widths, PENETRATION_FRACTION_MAX)?;
+                let shallow = Body::core(own_shape, widths, PENETRATION_FRACTION_MAX)?;
                 let goal = Goal::new(0.0, goal_of_whole.tolerance, true);
                 Some(match advance([&shallow, &other], sweeps, goal, latest) {
                     Meeting::At(fraction) => fraction,

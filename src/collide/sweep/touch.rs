@@ -14,7 +14,7 @@ use super::{
     Goal, Meeting, MovingPart, Overlap, Sweep, SweepGoal, advance, impact_of_parts, other_of,
 };
 use crate::base::bvh::SlabProbe;
-use crate::collide::parts::Part;
+use crate::collide::part::Part;
 use crate::dim::math::{Pose, Real, Vector};
 use crate::model::collider::Widths;
 use parry::shape::Shape;
@@ -60,7 +60,7 @@ pub(crate) fn find_touches(
     super::for_each_pair(shapes, sweeps, &mut |pair| {
         if let Some(fraction) = touch_of_parts(pair, tolerance, at_once, until) {
             until = fraction;
-            let sides = pair.map(|(part, _)| TouchedPart::new(part));
+            let sides = pair.map(|moving| TouchedPart::new(moving.part));
             found(Touch { fraction, sides });
         }
     });
@@ -73,11 +73,11 @@ fn touch_of_parts(
     at_once: bool,
     until: Real,
 ) -> Option<Real> {
-    let [(part1, sweep1), (_, sweep2)] = pair;
+    let part1 = pair[0].part;
     let [from, until] = window(pair, tolerance, until)?;
-    let (body1, body2) = (Body::whole(part1.shape)?, other_of(pair[0], pair[1], tolerance)?);
+    let (body1, body2) = (Body::whole(part1.shape)?, other_of(pair, tolerance)?);
     let goal = Goal { gap: 0.0, tolerance, counts_at_once: false, from, jumps_max: JUMPS_MAX };
-    match advance([&body1, &body2], [sweep1, sweep2], goal, until) {
+    match advance([&body1, &body2], pair.map(|moving| moving.sweep), goal, until) {
         Meeting::At(fraction) => Some(fraction),
         Meeting::Never => None,
         Meeting::FromTheBeginning if at_once || from > 0.0 => Some(from),
@@ -89,19 +89,15 @@ fn touch_of_parts(
 }
 
 /// The fractions between which two parts may touch.
-fn window(
-    [(part1, sweep1), (part2, sweep2)]: [MovingPart<'_, '_>; 2],
-    tolerance: Real,
-    until: Real,
-) -> Option<[Real; 2]> {
-    let (Some(segment), true) = (sweep1.straight(), sweep2.travel() == [0.0; 2]) else {
+fn window([one, two]: [MovingPart<'_, '_>; 2], tolerance: Real, until: Real) -> Option<[Real; 2]> {
+    let (Some(segment), true) = (one.sweep.straight(), two.sweep.travel() == [0.0; 2]) else {
         return Some([0.0, until]);
     };
-    let reach = reach_about(part1.shape, sweep1.local_center) + tolerance;
+    let reach = reach_about(one.part.shape, one.sweep.local_center) + tolerance;
     if !reach.is_finite() {
         return Some([0.0, until]);
     }
-    let other = part2.shape.compute_aabb(&sweep2.at(0.0));
+    let other = two.part.shape.compute_aabb(&two.sweep.at(0.0));
     let probe = SlabProbe::new(segment.center, segment.shift, Vector::splat(reach));
     let [enter, leave] = probe.span(&other);
     let turned =

@@ -11,8 +11,9 @@ mod polytopes;
 mod small;
 mod timing;
 
-use super::manifolds::{ManifoldScratch, ShapePair, compute_manifolds, shapes_intersect};
+use super::manifolds::{ManifoldScratch, compute_manifolds, shapes_intersect};
 use super::matching::inherit_impulses;
+use super::pair::ShapePair;
 use crate::base::random::Random;
 use crate::dim::collide::samples;
 use crate::dim::math::{Pose, Real, Vector};

@@ -1,8 +1,9 @@
 //! Running time of contact generation. Run with `--release -- --ignored --nocapture timing`.
 
 use crate::base::random::Random;
-use crate::collide::manifolds::{ManifoldScratch, ShapePair, compute_manifolds};
+use crate::collide::manifolds::{ManifoldScratch, compute_manifolds};
 use crate::collide::matching::inherit_impulses;
+use crate::collide::pair::ShapePair;
 use crate::dim::collide::samples;
 use crate::dim::math::{Pose, Vector};
 use parry::shape::{Shape, SharedShape};

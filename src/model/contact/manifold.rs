@@ -1,5 +1,6 @@
 //! The contact manifold: up to [`MAX_MANIFOLD_POINTS`] points with one normal.
 
+use crate::base::measure::is_point;
 use crate::dim::math::{DIM, MAX_MANIFOLD_POINTS, Real, Vector};
 use crate::model::body::RigidBodyHandle;
 use crate::model::check::is_saved_unit;
@@ -252,6 +253,12 @@ impl ContactManifold {
     pub(crate) fn is_solved(&self) -> bool {
         !self.data.points.is_empty()
             && self.data.solver_flags.contains(SolverFlags::COMPUTE_RIGID_IMPULSES)
+    }
+
+    /// Returns whether the solver can use the manifold, or does not read it.
+    pub(crate) fn is_solvable(&self) -> bool {
+        let are_finite = self.data.points.iter().all(|point| point.dist.is_finite());
+        !self.is_solved() || is_point(self.data.normal) && are_finite
     }
 
     /// Returns whether all numbers are usable, and all normals are unit vectors. (The step computes the

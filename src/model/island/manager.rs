@@ -56,8 +56,6 @@ pub struct IslandManager {
     pub(crate) step: u32,
     /// By body slot: how far the body moved in the last step.
     pub(crate) motion: Vec<BodyMotion>,
-    /// Whether a body left the last step so fast or so far away that the next step may overflow.
-    pub(crate) ill_conditioned: bool,
     pub(crate) stamp: WorldStamp,
 }
 
@@ -71,7 +69,6 @@ clone_in_place!(IslandManager {
     groups,
     step,
     motion,
-    ill_conditioned,
     stamp
 });
 

@@ -18,8 +18,6 @@ mod islands;
 mod joints;
 mod touching;
 
-pub(crate) use check::World;
-
 use crate::base::wide::PREFETCH_DISTANCE;
 use crate::model::body::{RestPose, RigidBody, RigidBodyHandle, RigidBodySet};
 use crate::model::collider::ColliderHandle;
@@ -37,6 +35,16 @@ pub(crate) struct Structure<'a> {
 }
 
 impl Structure<'_> {
+    /// The same access for a shorter time.
+    pub fn reborrow(&mut self) -> Structure<'_> {
+        Structure {
+            bodies: self.bodies,
+            colliders: self.colliders,
+            narrow_phase: self.narrow_phase,
+            islands: self.islands,
+        }
+    }
+
     fn body(&self, slot: u32) -> Option<&RigidBody> {
         self.bodies.at_slot(slot).map(|(_, body)| body)
     }

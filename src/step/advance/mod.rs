@@ -16,7 +16,7 @@ use crate::model::body::{RigidBody, RigidBodySet};
 use crate::model::collider::{Collider, ColliderHandle, ColliderSet};
 use crate::model::island::IslandManager;
 use crate::model::params::IntegrationParameters;
-use crate::model::tree::{BroadPhaseBvh, MovedProxy, carry};
+use crate::model::tree::{BroadPhaseBvh, MovedProxy, carry, is_in_box};
 use sleep_timer::update_sleep_timer;
 
 /// Buffers that are reused from step to step.
@@ -30,16 +30,23 @@ pub(crate) struct AdvanceScratch {
 /// A collider that is not in its box any more, or has none.
 type MovedCollider = (ColliderHandle, MovedProxy);
 
+/// Context of the advance.
+pub(crate) struct AdvanceContext<'a> {
+    pub tasks: Tasks<'a>,
+    pub params: &'a IntegrationParameters,
+    pub bodies: &'a mut RigidBodySet,
+    pub colliders: &'a mut ColliderSet,
+    pub islands: &'a IslandManager,
+    pub tree: &'a mut BroadPhaseBvh,
+}
+
 /// Updates colliders, boxes and sleep timers of the awake bodies, and notes the bodies that may sleep.
 pub(crate) fn advance(
-    tasks: Tasks<'_>,
-    (bodies, colliders): (&mut RigidBodySet, &mut ColliderSet),
-    islands: &IslandManager,
-    tree: &mut BroadPhaseBvh,
-    params: &IntegrationParameters,
-    sleepy: &mut Vec<bool>,
+    context: AdvanceContext<'_>,
     AdvanceScratch { moved, gather }: &mut AdvanceScratch,
+    sleepy: &mut Vec<bool>,
 ) {
+    let AdvanceContext { tasks, params, bodies, colliders, islands, tree } = context;
     let awake = &*islands.awake;
     moved.clear();
     sleepy.clear();
@@ -63,8 +70,15 @@ pub(crate) fn advance(
         if let Some((later, MovedProxy::Leaves(kind, _))) = moved.get(index + PREFETCH_DISTANCE) {
             tree.prefetch(*later, *kind);
         }
-        follow(*handle, carried, (bodies, colliders), tree, params);
+        follow(*handle, carried, bodies, colliders, tree, params);
     }
+    debug_assert!(
+        awake.iter().filter_map(|&body| bodies.get(body)).all(|body| {
+            let mut attached = body.colliders.iter().filter_map(|&handle| colliders.get(handle));
+            attached.all(is_in_box)
+        }),
+        "the trees find every collider of an awake body"
+    );
 }
 
 /// Updates the poses of a body's colliders, and lists the colliders that left their fat AABB.
@@ -94,7 +108,8 @@ unsafe fn carry_colliders(
 fn follow(
     handle: ColliderHandle,
     carried: &MovedProxy,
-    (bodies, colliders): (&RigidBodySet, &mut ColliderSet),
+    bodies: &RigidBodySet,
+    colliders: &mut ColliderSet,
     tree: &mut BroadPhaseBvh,
     params: &IntegrationParameters,
 ) {

@@ -32,6 +32,8 @@ const COLLIDERS_PER_TASK: usize = 16;
 /// Buffers that are reused from step to step.
 #[derive(Default)]
 pub(crate) struct BroadPhaseScratch {
+    /// The pairs that were found.
+    pub pairs: Vec<(ColliderHandle, ColliderHandle)>,
     /// One for each task that runs at the same time.
     finds: Pool<Finds>,
     late: Vec<u32>,
@@ -71,20 +73,20 @@ impl KnownPairs for NarrowPhase {
 ///
 /// Only colliders with a new box search for partners, and find the others. The result excludes `known` pairs,
 /// and pairs that cannot interact: colliders of one body, and pairs that their groups or body types exclude.
-/// `out` is overwritten: the collider with the lower slot first, in the order of the slots.
+/// `scratch.pairs` contains the result: the collider with the lower slot first, in the order of the slots.
 ///
 /// Colliders that own the maximum of pairs (`most`) search again in the next step. Returns how many these
 /// are.
 pub(crate) fn find_pairs(
     tasks: Tasks<'_>,
-    (tree, most): (&mut BroadPhaseBvh, NeighborLimits),
+    tree: &mut BroadPhaseBvh,
+    most: NeighborLimits,
     colliders: &ColliderSet,
     known: &impl KnownPairs,
     scratch: &mut BroadPhaseScratch,
-    out: &mut Vec<(ColliderHandle, ColliderHandle)>,
 ) -> Crowded {
-    let BroadPhaseScratch { finds, late, refused } = scratch;
-    out.clear();
+    let BroadPhaseScratch { pairs, finds, late, refused } = scratch;
+    pairs.clear();
     late.clear();
     tree.tidy();
     let search = Search { tree, colliders, known, most, only_owned: false };
@@ -96,12 +98,17 @@ pub(crate) fn find_pairs(
     let had_refused = refused.each_ref().map(|list| !list.is_empty());
     refused.iter_mut().for_each(Vec::clear);
     finds.for_each(|found| {
-        out.append(&mut found.pairs);
+        pairs.append(&mut found.pairs);
         for (all, some) in refused.iter_mut().zip(&mut found.refused) {
             all.append(some);
         }
     });
-    out.sort_unstable();
+    pairs.sort_unstable();
+    debug_assert!(pairs.is_sorted_by(|one, other| one < other), "each pair is new once");
+    debug_assert!(
+        pairs.iter().all(|&(low, high)| colliders.contains(low) && colliders.contains(high)),
+        "pairs are of living colliders"
+    );
     tree.clear_moved();
     for list in refused.iter_mut() {
         list.sort_unstable();
@@ -110,13 +117,13 @@ pub(crate) fn find_pairs(
         list.iter().for_each(|&slot| tree.mark_moved(slot));
     }
     let [solids, sensors] = &*refused;
-    warn(solids, had_refused[0], ("max_neighbors_per_collider", most.solids));
-    warn(sensors, had_refused[1], ("max_sensor_neighbors_per_collider", most.sensors));
+    warn(solids, had_refused[0], "max_neighbors_per_collider", most.solids);
+    warn(sensors, had_refused[1], "max_sensor_neighbors_per_collider", most.sensors);
     Crowded { solids: solids.len(), sensors: sensors.len() }
 }
 
 /// Warns when colliders begin to have more neighbours than a parameter allows.
-fn warn(refused: &[u32], had_refused: bool, (parameter, most): (&str, usize)) {
+fn warn(refused: &[u32], had_refused: bool, parameter: &str, most: usize) {
     if let (Some(slot), false) = (refused.first(), had_refused) {
         let count = refused.len();
         log::warn!(

@@ -94,12 +94,12 @@ impl Boxes {
 
     /// The new pairs, which are known from then on.
     fn find(&mut self) -> Vec<Pair> {
-        let mut found = Vec::new();
-        let (known, scratch) = (&Partners::of(&self.known), &mut BroadPhaseScratch::default());
-        let tree = (&mut self.tree, NeighborLimits::of(&self.params));
+        let (known, mut scratch) = (&Partners::of(&self.known), BroadPhaseScratch::default());
+        let (tree, limits) = (&mut self.tree, NeighborLimits::of(&self.params));
         self.crowded = Tasks::open(|tasks| {
-            find_pairs(tasks, tree, &self.colliders, known, scratch, &mut found)
+            find_pairs(tasks, tree, limits, &self.colliders, known, &mut scratch)
         });
+        let found = scratch.pairs;
         self.known.extend(found.iter().map(|&(a, b)| (a.into_raw_parts().0, b.into_raw_parts().0)));
         found
     }

@@ -102,7 +102,7 @@ pub(crate) fn find_approaches(
         let Some(body) = structure.bodies.get(handle) else { continue };
         let drive = Drive::ahead(body, params);
         if !drive.is_rest() {
-            list(structure, trees, params, (handle, body, drive), approaches);
+            list(structure, trees, params, handle, drive, approaches);
         }
     }
     // Each kinematic body has listed each of them once: there are no copies.
@@ -127,9 +127,11 @@ fn list(
     structure: &Structure<'_>,
     trees: &BroadPhaseBvh,
     params: &IntegrationParameters,
-    (kinematic, body, drive): (RigidBodyHandle, &RigidBody, Drive),
+    kinematic: RigidBodyHandle,
+    drive: Drive,
     approaches: &mut Vec<Approach>,
 ) {
+    let Some(body) = structure.bodies.get(kinematic) else { return };
     let begin = approaches.len();
     let mut limit = begin + CANDIDATES_MIN;
     for collider in body.colliders.iter().filter_map(|&handle| structure.colliders.get(handle)) {
@@ -217,6 +219,7 @@ pub(crate) fn add_approached(
     approaches: &[Approach],
     fast: &mut Vec<FastMotion>,
 ) {
+    debug_assert!(approaches.is_sorted_by_key(order), "the approaches of a body stand together");
     let mut last = None;
     for near in approaches {
         let body = context.bodies.get(near.body).filter(|body| body.is_dynamic());

@@ -7,11 +7,10 @@
 //!
 //! A kinematic root carries its links through walls, as kinematic bodies pass walls.
 
-use super::CcdContext;
+use super::{CcdContext, StopContext};
 use crate::collide::PathSegment;
 use crate::dim::math::{AngVector, Real, Vector, rotation_to_angle};
-use crate::model::body::RigidBodySet;
-use crate::model::multibody::{LinkTrajectory, Multibody, MultibodyJointSet};
+use crate::model::multibody::{LinkTrajectory, Multibody};
 use crate::multibody::LinkSample;
 use crate::step::notes::FastMotion;
 use core::ops::Range;
@@ -49,6 +48,7 @@ impl LinkTrajectories {
             let links = &context.fast[next..];
             let before = links.iter().take_while(|motion| !is_own(motion)).count();
             let count = links[before..].iter().take_while(is_own).count();
+            debug_assert!(count > 0, "the links of a fast multibody are fast bodies");
             let links = next + before..next + before + count;
             next = links.end;
             let pieces =
@@ -68,18 +68,12 @@ impl LinkTrajectories {
     }
 
     /// Puts multibodies back to where they were stopped.
-    pub fn stop(
-        &self,
-        bodies: &mut RigidBodySet,
-        multibodies: &mut MultibodyJointSet,
-        (fast, trajectories): (&[FastMotion], &[LinkTrajectory]),
-        stops: &[Real],
-        dt: Real,
-    ) {
+    pub fn stop(&self, context: &mut StopContext<'_>, stops: &[Real]) {
+        let StopContext { bodies, multibodies, fast, trajectories, dt, .. } = context;
         if stops.is_empty() {
             return;
         }
-        for (tree, trajectory) in self.of_tree.iter().zip(trajectories) {
+        for (tree, trajectory) in self.of_tree.iter().zip(*trajectories) {
             let links = &fast[tree.links.clone()];
             let fraction = stops[tree.links.clone()].first().copied().unwrap_or(1.0);
             let multibody = multibodies.get_unnoted_mut(trajectory.index);
@@ -90,7 +84,7 @@ impl LinkTrajectories {
                 motion.map(|motion| motion.acceleration).unwrap_or_default()
             };
             let fraction = gone(fraction, tree.pieces);
-            trajectory.go_back(multibody, bodies, (fraction, tree.pieces, dt), acceleration);
+            trajectory.go_back(multibody, bodies, (fraction, tree.pieces, *dt), acceleration);
         }
     }
 

@@ -164,7 +164,7 @@ pub(crate) fn find_impacts(tasks: Tasks<'_>, context: CcdContext<'_>, scratch: &
     stops.extend(first.iter().map(|stop| stop.fraction));
     groups.stop_together(stops);
     bullets.find(search, stops);
-    rides.find(tasks, search, (first, stops));
+    rides.find(tasks, search, first, stops);
     deeply_penetrating.resize(count, true);
     tasks.par_fill(deeply_penetrating, BODIES_PER_TASK, |position| {
         let path = match rides.of(position) {
@@ -199,16 +199,35 @@ pub(crate) fn watch(
     }
 }
 
+/// Context of the stops.
+pub(crate) struct StopContext<'a> {
+    pub bodies: &'a mut RigidBodySet,
+    pub islands: &'a mut IslandManager,
+    pub multibodies: &'a mut MultibodyJointSet,
+    pub fast: &'a [FastMotion],
+    pub trajectories: &'a [LinkTrajectory],
+    pub dt: Real,
+}
+
 /// Puts the bodies where they were stopped, and notes the sensors that were passed.
 pub(crate) fn stop(
-    (bodies, islands): (&mut RigidBodySet, &mut IslandManager),
-    multibodies: &mut MultibodyJointSet,
-    (fast, trajectories): (&[FastMotion], &[LinkTrajectory]),
-    dt: Real,
+    mut context: StopContext<'_>,
     scratch: &mut CcdScratch,
-    (events, counters): (&mut Vec<CollisionEvent>, &mut CCDCounters),
+    events: &mut Vec<CollisionEvent>,
+    counters: &mut CCDCounters,
 ) {
     scratch.complete();
+    let is_fraction = |fraction: Real| (0.0..=1.0).contains(&fraction);
+    debug_assert_eq!(scratch.stops.len(), context.fast.len(), "every fast body was searched");
+    debug_assert!(scratch.stops.iter().all(|&stop| is_fraction(stop)), "a body stops in the step");
+    debug_assert!(
+        scratch
+            .rides
+            .iter()
+            .all(|(at, ride)| is_fraction(ride.end) && ride.end >= scratch.stops[at]),
+        "a ride follows a stop"
+    );
+    let StopContext { bodies, islands, fast, dt, .. } = &mut context;
     counters.num_fast_bodies = fast.len();
     counters.num_searches = scratch.searched.load(Ordering::Relaxed);
     let stopped = fast.iter().zip(&scratch.stops).filter(|(_, fraction)| **fraction < 1.0);
@@ -217,7 +236,7 @@ pub(crate) fn stop(
         counters.num_substeps += 1;
         if motion.link.is_none() {
             let there = sweep_of(motion, motion.start, fraction).at(fraction);
-            body.angvel = body.angvel_at(there.rotation, (fraction - 1.0) * dt);
+            body.angvel = body.angvel_at(there.rotation, (fraction - 1.0) * *dt);
             body.pose = there;
             body.linvel = motion.velocity_before(1.0 - fraction, body.linvel);
             body.update_world_mass_properties();
@@ -240,7 +259,7 @@ pub(crate) fn stop(
         let body = bodies.get_unnoted_mut(motion.body);
         body.into_iter().for_each(|body| body.deeply_penetrating = deeply_penetrating);
     }
-    scratch.link_trajectories.stop(bodies, multibodies, (fast, trajectories), &scratch.stops, dt);
+    scratch.link_trajectories.stop(&mut context, &scratch.stops);
     for crossing in scratch.crossings.iter().flatten() {
         counters.num_sensors_passed += 1;
         events.extend(crossing.events());

@@ -97,7 +97,7 @@ impl<'a> Path<'a> {
         let body = search.context.bodies.get(motion.body)?;
         let segments = motion.link.map_or(&[] as &[_], |link| search.link_trajectories.of(link));
         if !segments.is_empty() {
-            return Some(Self::of_segments(search, body, (segments, stop)));
+            return Some(Self::of_segments(search, body, segments, stop));
         }
         let sweep = |collider: &Collider| sweep_of(motion, collider.pose, stop);
         Some(Self { body, movers: movers(search, body, sweep) })
@@ -108,16 +108,18 @@ impl<'a> Path<'a> {
     pub fn along(
         search: Search<'a>,
         position: usize,
-        way: (&'a [PathSegment], Real),
+        segments: &'a [PathSegment],
+        stop: Real,
     ) -> Option<Self> {
         let body = search.context.bodies.get(search.context.fast[position].body)?;
-        Some(Self::of_segments(search, body, way))
+        Some(Self::of_segments(search, body, segments, stop))
     }
 
     fn of_segments(
         search: Search<'a>,
         body: &'a RigidBody,
-        (segments, stop): (&'a [PathSegment], Real),
+        segments: &'a [PathSegment],
+        stop: Real,
     ) -> Self {
         let center = body.local_center_of_mass();
         let sweep = |collider: &Collider| match &collider.parent {
@@ -172,7 +174,7 @@ impl<'a> Path<'a> {
             search.for_each_obstacle(Obstacles::All, &region, |other| {
                 deep = deep
                     || mover.is_stopped_by(&other, search)
-                        && ends_deep((solid, other.collider.shape()), [&mover.sweep, &other.sweep]);
+                        && ends_deep(solid, other.collider.shape(), [&mover.sweep, &other.sweep]);
             });
         }
         deep
@@ -223,8 +225,8 @@ impl<'a> Mover<'a> {
                 false => Overlap::Passes,
             },
         };
-        let shapes = (Solid::of(self.collider), other.collider.shape());
-        first_impact(shapes, [&self.sweep, &other.sweep], goal, until)
+        let (solid, other_shape) = (Solid::of(self.collider), other.collider.shape());
+        first_impact(solid, other_shape, [&self.sweep, &other.sweep], goal, until)
     }
 
     /// Returns whether a contact of the two would exert forces. If a hook modifies contacts, only the hook

@@ -88,12 +88,7 @@ impl Rides {
 
     /// Finds the rides from the first stop of each body and the final stops. Final stops are earlier for
     /// joined bodies and bullets.
-    pub fn find(
-        &mut self,
-        tasks: Tasks<'_>,
-        search: Search<'_>,
-        (first, stops): (&[Stop], &[Real]),
-    ) {
+    pub fn find(&mut self, tasks: Tasks<'_>, search: Search<'_>, first: &[Stop], stops: &[Real]) {
         if search.movers.is_empty() {
             return;
         }
@@ -255,7 +250,7 @@ impl Ride {
 
     /// The path of all colliders of the body as far as it rides.
     pub fn path_of_all<'a>(&'a self, search: Search<'a>, position: usize) -> Option<Path<'a>> {
-        Path::along(search, position, (&self.segments, self.end))
+        Path::along(search, position, &self.segments, self.end)
     }
 
     /// The path of the solid ones.

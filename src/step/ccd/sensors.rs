@@ -54,8 +54,7 @@ pub(super) fn crossings(search: Search<'_>, path: &Path<'_>, stop: Real) -> Vec<
                     return;
                 }
                 let Some(other) = Mover::not_fast(search, handle, collider) else { return };
-                if may_pass(search, (path.body, mover), &other)
-                    && mover.passes(&other, search, stop)
+                if may_pass(search, path.body, mover, &other) && mover.passes(&other, search, stop)
                 {
                     found.push(SensorCrossing {
                         colliders: mover.in_order(&other).map(|m| m.handle),
@@ -77,11 +76,7 @@ fn is_reported(collider1: &Collider, collider2: &Collider) -> bool {
 }
 
 /// Returns whether the filters let the two intersect.
-fn may_pass(
-    search: Search<'_>,
-    (body, mover): (&RigidBody, &Mover<'_>),
-    other: &Mover<'_>,
-) -> bool {
+fn may_pass(search: Search<'_>, body: &RigidBody, mover: &Mover<'_>, other: &Mover<'_>) -> bool {
     let parent = other.collider.parent().and_then(|parent| search.context.bodies.get(parent));
     let dynamic = parent.filter(|parent| parent.is_dynamic());
     let counts = dynamic.is_none_or(|other| body.ccd_enabled || other.ccd_enabled);

@@ -13,14 +13,20 @@ use crate::model::contact::{ContactPair, NarrowPhase};
 use crate::model::event::{ContactForceEvent, EventHandler};
 use crate::step::notes::StepNotes;
 
+/// Context of the events.
+pub(crate) struct EventContext<'a> {
+    pub bodies: &'a RigidBodySet,
+    pub colliders: &'a ColliderSet,
+    pub narrow_phase: &'a mut NarrowPhase,
+    pub notes: &'a StepNotes,
+    /// Duration of the motion: 0 if no contact has an impulse.
+    pub duration: Real,
+    pub handler: &'a dyn EventHandler,
+}
+
 /// Sends all events of a step. A handler that panics is called for the rest of them, too: none is lost.
-pub(crate) fn report(
-    (bodies, colliders, narrow_phase): (&RigidBodySet, &ColliderSet, &mut NarrowPhase),
-    notes: &StepNotes,
-    dt: Real,
-    handler: &dyn EventHandler,
-    panic: &mut HeldPanic,
-) {
+pub(crate) fn report(context: EventContext<'_>, panic: &mut HeldPanic) {
+    let EventContext { bodies, colliders, narrow_phase, notes, duration: dt, handler } = context;
     for event in &notes.quarantined {
         panic.hold(|| handler.handle_quarantine_event(event, bodies, colliders));
     }

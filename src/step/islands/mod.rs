@@ -12,7 +12,7 @@ pub(crate) use sleep::{SleepScratch, put_to_sleep};
 use crate::base::wide::PREFETCH_DISTANCE;
 use crate::model::body::{RigidBody, RigidBodyHandle};
 use crate::model::collider::{ActiveEvents, ColliderHandle, ColliderSet};
-use crate::model::contact::PairId;
+use crate::model::contact::{ContactManifold, PairId};
 use crate::model::event::{CollisionEvent, CollisionEventFlags};
 use crate::model::structure::Structure;
 use crate::step::notes::{PairChange, StepNotes};
@@ -44,6 +44,10 @@ fn follow_contact(
         return events.extend(heard.map(|[one, two]| CollisionEvent::Stopped(one, two, none)));
     }
     structure.follow_contact(id);
+    debug_assert!(
+        structure.narrow_phase.contacts[id].manifolds.iter().all(ContactManifold::is_solvable),
+        "the solver reads finite contacts"
+    );
     let pair = &mut structure.narrow_phase.contacts[id];
     let (colliders, touching) = ([pair.collider1, pair.collider2], pair.is_touching());
     report(structure.colliders, colliders, touching, &mut pair.start_event_emitted, none, events);

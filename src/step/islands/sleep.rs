@@ -31,6 +31,7 @@ pub(crate) fn put_to_sleep(
     sleepy: &[bool],
     scratch: &mut SleepScratch,
 ) {
+    debug_assert_eq!(sleepy.len(), structure.islands.awake.len(), "every awake body has advanced");
     structure.islands.step = structure.islands.step.wrapping_add(1);
     count_sleepy(structure, sleepy, scratch);
     for island in scratch.islands.drain(..) {
@@ -38,6 +39,7 @@ pub(crate) fn put_to_sleep(
         let count = core::mem::take(&mut scratch.sleepy[island as usize]);
         let record = structure.islands.island(island);
         let age = structure.islands.step.wrapping_sub(record.split_at);
+        debug_assert!(count <= record.bodies.len(), "islands share no body");
         let are_all = count == record.bodies.len();
         if !record.is_cut {
             if are_all {

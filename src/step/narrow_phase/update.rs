@@ -130,7 +130,8 @@ impl Outcome {
 pub(crate) fn update(
     tasks: Tasks<'_>,
     context: NarrowPhaseContext<'_>,
-    (contacts, intersections): (&mut PairStore<ContactPair>, &mut PairStore<IntersectionPair>),
+    contacts: &mut PairStore<ContactPair>,
+    intersections: &mut PairStore<IntersectionPair>,
     scratch: &mut NarrowPhaseScratch,
     notes: &mut StepNotes,
 ) -> usize {
@@ -206,7 +207,7 @@ fn update_store<P: Update>(
         workers,
     );
     changes.clear();
-    apply(tasks, store, (due, outcomes), gather_changes, changes);
+    apply(tasks, store, Computed { due, outcomes }, gather_changes, changes);
     // The free ids depend on all pairs of the world. Colours are given in the order of the notes, and what
     // happens far away must not change them.
     changes.sort_unstable_by_key(|&(slots, ..)| slots);
@@ -253,7 +254,7 @@ fn look_at_all<P: Update>(
             let (pair, result) = unsafe { (pairs.get_mut(id as usize), results.get_mut(index)) };
             let Some(pair) = pair else { continue };
             let last = Outcome::unchanged(states[id as usize].slack, reporting.contains(id));
-            *result = look_at(context, (id, pair), last, &mut worker);
+            *result = look_at(context, id, pair, last, &mut worker);
         }
         workers.put(worker);
     });
@@ -263,10 +264,11 @@ fn look_at_all<P: Update>(
 fn apply<P: Pair>(
     tasks: Tasks<'_>,
     store: &mut PairStore<P>,
-    (due, outcomes): (&[PairId], &[Outcome]),
+    computed: Computed<'_>,
     gather: &mut Gather<Change>,
     changes: &mut Vec<Change>,
 ) {
+    let (due, outcomes) = (computed.due, &*computed.outcomes);
     let StoreParts { states, slots, .. } = store.split();
     let states = DisjointMut::new(states);
     let apply = |range: Range<usize>, found: &mut Vec<Change>| {
@@ -276,6 +278,7 @@ fn apply<P: Pair>(
                 slots.prefetch(due[index + SLOT_PREFETCH_DISTANCE]);
             }
             let (id, outcome) = (due[index], &outcomes[index]);
+            debug_assert!(!outcome.slack.is_nan(), "the slack of pair {id} is a distance");
             // SAFETY: ids of awake pairs differ, and so do the indices of different tasks.
             unsafe { states.get_mut(id as usize) }.slack = outcome.slack;
             found.extend(outcome.change.map(|change| (slots.of(id), id, change)));
@@ -326,7 +329,8 @@ impl<P: Update> Ahead<'_, P> {
 
 fn look_at<P: Update>(
     context: NarrowPhaseContext<'_>,
-    (id, pair): (PairId, &mut P),
+    id: PairId,
+    pair: &mut P,
     last: Outcome,
     worker: &mut Worker,
 ) -> Outcome {

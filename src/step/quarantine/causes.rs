@@ -12,7 +12,6 @@
 //! Each round costs a step. After [`ROUNDS`] of them all diverged bodies are disabled, and after twice as
 //! many all awake bodies. Then nothing moves, and the step cannot fail.
 
-use super::{StepConditions, World};
 use crate::dim::axes::inv_mass_per_axis;
 use crate::dim::math::{AngVector, Real, Vector, ang_length_squared, mul_inertia};
 use crate::model::body::{
@@ -21,6 +20,7 @@ use crate::model::body::{
 use crate::model::check::checked_pose;
 use crate::model::joint::JointMotor;
 use crate::step::notes::Diverged;
+use crate::step::world::World;
 
 /// Number of rounds in which the most stressed bodies are selected one by one.
 const ROUNDS: usize = 4;
@@ -31,7 +31,6 @@ type Cause = (RigidBodyHandle, QuarantineCause);
 /// A failed step.
 pub(super) struct Causes<'a> {
     pub world: &'a World<'a>,
-    pub conditions: StepConditions<'a>,
     pub diverged: &'a [Diverged],
 }
 
@@ -40,7 +39,7 @@ impl Causes<'_> {
     pub fn find(&self, failures: usize, taken: &mut Vec<Cause>) {
         let known = taken.len();
         if failures >= 2 * ROUNDS {
-            let awake = self.world.islands.awake.iter();
+            let awake = self.world.structure.islands.awake.iter();
             let at_rest = RigidBodyVelocity::zero();
             let all = awake.map(|&body| Diverged { body, velocity: at_rest, is_link: false });
             return all.for_each(|diverged| self.take(&diverged, taken));
@@ -50,7 +49,7 @@ impl Causes<'_> {
             let links = if diverged.is_link { self.group_of(diverged.body) } else { &[] };
             let suspects = core::iter::once(&diverged.body).chain(links);
             let mut causes = suspects.filter_map(|&suspect| {
-                Some((suspect, self.cause_in(self.world.bodies.get(suspect)?)?))
+                Some((suspect, self.cause_in(self.world.structure.bodies.get(suspect)?)?))
             });
             if let Some((culprit, cause)) = causes.next() {
                 self.take_with_group(culprit, cause, taken);
@@ -67,8 +66,23 @@ impl Causes<'_> {
         }
     }
 
+    /// Adds the edited bodies that move in this step and diverge on their own. Links move with the
+    /// coordinates of their multibody.
+    pub fn find_in_edits(&self, taken: &mut Vec<Cause>) {
+        let World { structure, multibodies, params, .. } = self.world;
+        let moves = |body: &RigidBody| {
+            params.dt > 0.0 && body.is_enabled() && !body.is_fixed() && !body.is_sleeping()
+        };
+        let causes = structure.bodies.modified().iter().filter_map(|&handle| {
+            let body = structure.bodies.get(handle).filter(|body| moves(body))?;
+            let is_link = multibodies.rigid_body_link(handle).is_some();
+            Some((handle, self.cause_in(body).filter(|_| !is_link)?))
+        });
+        taken.extend(causes);
+    }
+
     fn body(&self, diverged: &Diverged) -> Option<&RigidBody> {
-        self.world.bodies.get(diverged.body)
+        self.world.structure.bodies.get(diverged.body)
     }
 
     fn take(&self, diverged: &Diverged, taken: &mut Vec<Cause>) {
@@ -87,7 +101,7 @@ impl Causes<'_> {
         taken: &mut Vec<Cause>,
     ) {
         let moves = |link: &&RigidBodyHandle| {
-            self.world.bodies.get(**link).is_some_and(RigidBody::is_dynamic)
+            self.world.structure.bodies.get(**link).is_some_and(RigidBody::is_dynamic)
         };
         taken.push((body, cause));
         let others = self.group_of(body).iter().filter(moves).filter(|link| **link != body);
@@ -95,14 +109,14 @@ impl Causes<'_> {
     }
 
     fn group_of(&self, body: RigidBodyHandle) -> &[RigidBodyHandle] {
-        self.world.islands.groups.of(body.into_raw_parts().0)
+        self.world.structure.islands.groups.of(body.into_raw_parts().0)
     }
 
     // ---- Blame ----
 
     /// The cause for which a body diverges on its own.
     fn cause_in(&self, body: &RigidBody) -> Option<QuarantineCause> {
-        let StepConditions { gravity, params } = self.conditions;
+        let &World { gravity, params, .. } = self.world;
         if checked_pose(body.pose).is_none() {
             return Some(QuarantineCause::Position(body.pose));
         }
@@ -149,15 +163,15 @@ impl Causes<'_> {
     fn stress_of(&self, diverged: &Diverged) -> Real {
         let links = if diverged.is_link { self.group_of(diverged.body) } else { &[] };
         let strains = core::iter::once(&diverged.body).chain(links).filter_map(|&handle| {
-            Some(self.stress_of_body(handle, self.world.bodies.get(handle)?))
+            Some(self.stress_of_body(handle, self.world.structure.bodies.get(handle)?))
         });
         strains.fold(0.0, larger)
     }
 
     /// Largest displacement (length units) of a point of the body within a step by any single load.
     fn stress_of_body(&self, handle: RigidBodyHandle, body: &RigidBody) -> Real {
-        let dt = self.conditions.params.dt;
-        let Pull { fall, push, twist } = Pull::on(body, self.conditions.gravity);
+        let dt = self.world.params.dt;
+        let Pull { fall, push, twist } = Pull::on(body, self.world.gravity);
         let by_motors = self.pull_of_motors(handle) * body.mprops.local_mprops.inv_mass;
         let length = |turn| ang_length_squared(turn).sqrt() * body.extent;
         let speeds = [body.linvel.length(), length(body.angvel)];
@@ -169,7 +183,7 @@ impl Causes<'_> {
 
     /// The largest force of a motor that holds a body, a unit of length or velocity away from its target.
     fn pull_of_motors(&self, handle: RigidBodyHandle) -> Real {
-        let World { islands, joints, .. } = self.world;
+        let (islands, joints) = (&self.world.structure.islands, &self.world.joints);
         let slots = islands.joints.of_body(handle.into_raw_parts().0).iter();
         let links = slots.filter_map(|&slot| islands.joints.get(slot));
         let motors = links.filter_map(|link| joints.get(link.handle)).flat_map(|joint| {

@@ -1,74 +1,33 @@
 //! # Quarantine: bodies with unusable numbers are disabled, and the step is repeated
 //!
-//! Reads:   the solver's note of bodies that it could not store, and their user input and joint loads
-//! Writes:  enabled flags of bodies; the whole world, restored to the start of the step
-//! Runs:    serial, after a failed step; a step at risk begins with a copy of the world
-//! Never:   touches a body that the solver could store
+//! Reads:   edited bodies; the solver's note of bodies that it could not store; their user input and joint
+//!     loads
+//! Writes:  enabled flags of bodies
+//! Runs:    serial, before the first stage for edited bodies, and after a failed step
+//! Never:   restores pairs, islands or colours
 //!
 //! Numbers overflow: forces add up, motors are stiff beyond reason, speeds grow. A body that is not finite
 //! would spread that to all bodies that it touches, and from these to their neighbours. The solver therefore
 //! stores no body if it cannot store all of them. This stage finds the [causes] and disables them, as a user
-//! would disable them. The step is then repeated without them from the beginning. The failed attempt leaves
-//! no impulses, wakes no body and emits no event.
+//! would disable them. The step is then repeated without them. The failed attempt leaves no impulses and
+//! emits no event.
 //!
-//! **The checkpoint.** By the time when the solver has failed, pairs, islands and colours have followed the
-//! step. They are not unwound one by one: that would need a journal of everything that the structure does. A
-//! step begins with a [copy of the world](Checkpoint) if it may fail. There are four conditions. The last
-//! step left a body faster than [`MODERATE_MAX`] or farther than [`COORDINATE_MODERATE_MAX`]; a body touches
-//! a much lighter one; an edit is not [moderate](EDIT_VELOCITY_MAX); or the step is [long](DURATION_MAX).
-//! That is rare. Other steps pay for a comparison per number of the solver's states
-//! (`src/step/solver/bodies/divergence.rs`). Moderate and non-finite numbers are a factor of 10⁹ apart.
-//! Values that grow there grow over several steps, and are detected.
+//! Edits are the usual cause. Before the first attempt, edited bodies that diverge on their own are therefore
+//! disabled at once, and the rest of the world is as if the user had disabled them.
 //!
-//! A step may fail without such a sign, for example because of an extreme motor that was blocked so far. It
-//! is then repeated from the current state: bodies and impulses are unchanged. Numbers are as safe then. But
-//! new contacts are coloured already, and sleeping bodies are awake, with the causes still enabled. The order
-//! of their contacts may therefore differ.
+//! A step may also fail because of values that grew, or of constraints. It is then repeated from the current
+//! state. Poses, velocities and impulses are those of the step's beginning. Contacts that began in the failed
+//! attempt have colours already, and bodies that it woke are awake. The order of contacts may therefore
+//! differ from a step without the causes.
 
 mod causes;
-mod checkpoint;
-
-pub(crate) use checkpoint::Checkpoint;
 
 use crate::base::hash::FastHashMap;
-use crate::base::measure::{COORDINATE_MODERATE_MAX, MODERATE_MAX};
-use crate::dim::math::{AngVector, Real, Vector, ang_length_squared, mul_inertia};
-use crate::model::body::{QuarantineCause, RigidBody, RigidBodyHandle, RigidBodySet};
-use crate::model::collider::{ColliderHandle, ColliderMassProps, ColliderSet};
-use crate::model::contact::NarrowPhase;
+use crate::model::body::{QuarantineCause, RigidBodyHandle, RigidBodySet};
 use crate::model::event::{CollisionEvent, QuarantineEvent};
-use crate::model::island::IslandManager;
-use crate::model::joint::{ImpulseJointSet, JointMotor};
-use crate::model::multibody::MultibodyJointSet;
-use crate::model::params::IntegrationParameters;
-use crate::model::tree::BroadPhaseBvh;
 use crate::step::notes::StepNotes;
+use crate::step::world::World;
 use causes::Causes;
-
-/// A velocity set by the user above this value, or reached within a step, requires a checkpoint (in length
-/// units, and radians, per second).
-const EDIT_VELOCITY_MAX: Real = 1.0e3;
-
-/// Steps longer than this (s) always have a checkpoint: rotations within them are unpredictable.
-const DURATION_MAX: Real = 0.1;
-
-/// All that a step changes.
-pub(crate) struct World<'a> {
-    pub islands: &'a mut IslandManager,
-    pub broad_phase: &'a mut BroadPhaseBvh,
-    pub narrow_phase: &'a mut NarrowPhase,
-    pub bodies: &'a mut RigidBodySet,
-    pub colliders: &'a mut ColliderSet,
-    pub joints: &'a mut ImpulseJointSet,
-    pub multibodies: &'a mut MultibodyJointSet,
-}
-
-/// Gravity and parameters of the step.
-#[derive(Copy, Clone)]
-pub(crate) struct StepConditions<'a> {
-    pub gravity: Vector,
-    pub params: &'a IntegrationParameters,
-}
 
 /// The bodies that were disabled in this step.
 #[derive(Default)]
@@ -81,42 +40,34 @@ pub(crate) struct Quarantine {
 }
 
 impl Quarantine {
-    /// A new step begins.
-    pub fn open(&mut self) {
+    /// Before the first attempt: disables edited bodies that diverge on their own.
+    pub fn open(&mut self, world: &mut World<'_>) {
         self.taken.clear();
-        self.failures = 0;
-        self.emitted = 0;
+        (self.failures, self.emitted) = (0, 0);
+        Causes { world, diverged: &[] }.find_in_edits(&mut self.taken);
+        self.disable(world);
     }
 
-    /// Disables the causes in a world in which a step has failed, and restores everything else for the
-    /// repetition.
-    pub fn take_out(
-        &mut self,
-        mut world: World<'_>,
-        checkpoint: Option<&Checkpoint>,
-        conditions: StepConditions<'_>,
-        notes: &mut StepNotes,
-    ) {
-        let causes = Causes { world: &world, conditions, diverged: &notes.diverged };
-        causes.find(self.failures, &mut self.taken);
+    /// Disables the causes in a world in which a step has failed, for the repetition.
+    pub fn take_out(&mut self, world: &mut World<'_>, notes: &mut StepNotes) {
+        let before = self.taken.len();
+        Causes { world, diverged: &notes.diverged }.find(self.failures, &mut self.taken);
         self.failures += 1;
-        // The order is that of the handles, so manual disabling of the same bodies gives the same result.
+        // All pairs already include the last motion.
+        world.structure.islands.forget_motion();
+        notes.clear_attempt();
+        self.emitted = notes.events.len();
+        self.disable(world);
+        debug_assert!(self.taken.len() > before, "a failed step has a cause that is still enabled");
+    }
+
+    /// Disables the bodies in the order of their handles, so that manual disabling of the same bodies gives
+    /// the same result.
+    fn disable(&mut self, world: &mut World<'_>) {
         self.taken.sort_by_key(|(handle, _)| handle.into_raw_parts());
         self.taken.dedup_by_key(|(handle, _)| *handle);
-        match checkpoint {
-            Some(checkpoint) => {
-                checkpoint.restore(&mut world);
-                notes.clear();
-            }
-            None => {
-                // All pairs already include the last motion.
-                world.islands.forget_motion();
-                notes.clear_attempt();
-            }
-        }
-        self.emitted = notes.events.len();
         for &(handle, cause) in &self.taken {
-            if let Some(body) = world.bodies.get_mut(handle) {
+            if let Some(body) = world.structure.bodies.get_mut(handle) {
                 body.put_in_quarantine(cause);
             }
         }
@@ -158,80 +109,6 @@ fn cancel_out(events: &mut Vec<CollisionEvent>, emitted: usize) {
     }
     let mut is_void = is_void.into_iter();
     events.retain(|_| !is_void.next().unwrap_or_default());
-}
-
-/// Returns whether the step that is about to begin may fail.
-pub(crate) fn is_at_risk(world: &World<'_>, conditions: StepConditions<'_>) -> bool {
-    let World { islands, bodies, colliders, joints, .. } = world;
-    let is_ill_conditioned = |&handle: &RigidBodyHandle| {
-        bodies.get(handle).is_some_and(|body| !conditions.is_moderate_edit(body))
-    };
-    let is_heavy = |&handle: &ColliderHandle| {
-        colliders.get(handle).is_some_and(|collider| !mass_is_moderate(&collider.mass_props))
-    };
-    conditions.params.dt > 0.0
-        && (islands.ill_conditioned
-            || conditions.params.dt > DURATION_MAX
-            || !conditions.is_moderate_velocity(conditions.gravity * conditions.params.dt)
-            || bodies.modified().iter().any(is_ill_conditioned)
-            || colliders.modified().iter().any(is_heavy)
-            || joints.modified().any(|(handle, _)| {
-                let motors = joints.get(handle).map(|joint| &joint.data.motors);
-                motors.is_some_and(|motors| !motors.iter().all(motor_is_moderate))
-            }))
-}
-
-impl StepConditions<'_> {
-    /// Returns whether all user-provided values of a body are moderate, its position included.
-    fn is_moderate_edit(self, body: &RigidBody) -> bool {
-        let Self { gravity, params } = self;
-        let (force, torque) = body.forces();
-        let to_target = body.velocity_to_next_position(params.inv_dt());
-        let inv_mass = body.mprops.local_mprops.inv_mass;
-        let acceleration = gravity * body.gravity_scale + force * inv_mass;
-        let twist = mul_inertia(&body.mprops.inv_inertia, torque);
-        self.is_moderate_velocity(body.linvel)
-            && self.is_moderate_velocity(acceleration * params.dt)
-            && self.is_moderate_velocity(to_target.linvel)
-            && rotates_moderately(body.angvel)
-            && rotates_moderately(twist * params.dt)
-            && rotates_moderately(to_target.angvel)
-            // The mass of a new body is not yet computed.
-            && is_within(force, MODERATE_MAX)
-            && ang_length_squared(torque) <= MODERATE_MAX * MODERATE_MAX
-            && inv_mass <= MODERATE_MAX
-            && is_within(body.pose.translation, COORDINATE_MODERATE_MAX)
-    }
-
-    /// Returns whether the value is moderate as a velocity, even in a long step.
-    fn is_moderate_velocity(self, velocity: Vector) -> bool {
-        is_within(
-            velocity * self.params.dt.max(1.0),
-            EDIT_VELOCITY_MAX * self.params.length_unit.max(1.0),
-        )
-    }
-}
-
-fn rotates_moderately(velocity: AngVector) -> bool {
-    ang_length_squared(velocity) <= EDIT_VELOCITY_MAX * EDIT_VELOCITY_MAX
-}
-
-fn is_within(vector: Vector, bound: Real) -> bool {
-    vector.abs().max_element() <= bound
-}
-
-/// Returns whether masses of this order and their inverses are harmless.
-fn mass_is_moderate(mass: &ColliderMassProps) -> bool {
-    let value = match mass {
-        ColliderMassProps::Density(value) | ColliderMassProps::Mass(value) => *value,
-        ColliderMassProps::MassProperties(mass) => mass.inv_mass,
-    };
-    value == 0.0 || (1.0 / MODERATE_MAX..=MODERATE_MAX).contains(&value)
-}
-
-fn motor_is_moderate(motor: &JointMotor) -> bool {
-    let numbers = [motor.stiffness, motor.damping, motor.target_pos, motor.target_vel];
-    numbers.into_iter().all(|value| value.abs() <= MODERATE_MAX)
 }
 
 #[cfg(test)]

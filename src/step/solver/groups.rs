@@ -18,7 +18,6 @@
 //! 32. The rejected alternatives: a direct solution of loaded contacts, which change within a substep, and
 //! increased masses of supporting bodies, which then fall incorrectly.
 
-use crate::base::measure::MODERATE_MAX;
 use crate::base::tasks::{Gather, Tasks};
 use crate::dim::joint::inertia_about;
 use crate::dim::joint_axes::JointAxesMask;
@@ -90,13 +89,6 @@ impl IslandRequirement {
         heaviest <= MASS_RATIO_EVEN_MAX * lightest
     }
 
-    /// Returns whether a body touches or is joined to a much heavier one, so that impulses may overflow.
-    fn is_ill_conditioned(&self) -> bool {
-        [self.masses, self.joined]
-            .iter()
-            .any(|[lightest, heaviest]| *heaviest > MODERATE_MAX * MODERATE_MAX * lightest)
-    }
-
     /// The factor on the usual number of substeps for an island of this size with substeps of `h` seconds: a
     /// power of two, so there are few groups.
     fn factor(&self, bodies: usize, gravity: Real, h: Real) -> usize {
@@ -156,7 +148,6 @@ pub(super) struct Groups {
     /// Substeps of each island, then those that occur.
     substeps: Vec<usize>,
     counts: Vec<usize>,
-    ill_conditioned: bool,
     gather: Gather<BodyRequirement>,
 }
 
@@ -168,11 +159,6 @@ impl Groups {
 
     pub fn iter(&self) -> impl ExactSizeIterator<Item = &Group> {
         self.groups.iter()
-    }
-
-    /// Returns whether the mass ratios within an island may cause overflow.
-    pub fn are_ill_conditioned(&self) -> bool {
-        self.ill_conditioned
     }
 
     /// The number of bodies before the groups.
@@ -191,7 +177,6 @@ impl Groups {
     ) {
         self.order.clear();
         self.groups.clear();
-        self.ill_conditioned = false;
         self.read_bodies(islands, bodies, tasks);
         if self.are_all_alike() {
             self.order.extend_from_slice(&islands.awake);
@@ -311,7 +296,6 @@ impl Groups {
             let h = params.dt / usual as Real;
             self.substeps.push(usual * requirement.factor(island.bodies.len(), gravity, h));
             if !island.bodies.is_empty() && !island.sleeping {
-                self.ill_conditioned |= requirement.is_ill_conditioned();
                 self.counts.extend(self.substeps.last());
             }
         }

@@ -112,7 +112,6 @@ pub(crate) fn solve(
     counters.velocity_assembly_time.pause();
     let is_only_group = groups.iter().len() == 1;
     constraints.iter_mut().for_each(|of_group| of_group.contacts.clear());
-    let mut is_moderate = true;
     counters.nlimited_bodies = 0;
     for (group, constraints) in groups.iter().zip(&mut *constraints) {
         counters.velocity_assembly_time.resume();
@@ -143,7 +142,6 @@ pub(crate) fn solve(
         if !group_is_moderate || states.any_far {
             states.find_diverged(groups, bodies, &constraints.multibodies, diverged);
         }
-        is_moderate &= group_is_moderate;
         counters.velocity_writeback_time.pause();
     }
     counters.velocity_writeback_time.resume();
@@ -157,7 +155,6 @@ pub(crate) fn solve(
         store_constraints(constraints, world, &mut notes, params, (counters, simd, tasks));
         let world = (&mut *islands, bodies, &constraints[0].multibodies);
         states.store(groups, world, params, notes.fast, tasks);
-        islands.ill_conditioned = !is_moderate || states.any_far || groups.are_ill_conditioned();
     } else {
         for of_group in constraints {
             of_group.multibodies.give_back(trees);

@@ -5,7 +5,7 @@
 //! Runs:    serial, in the order of the edits
 //! Never:   visits anything that was neither edited nor touches an edited object
 //!
-//! Replacing a whole set edits everything in it: [`Resync`] comes before everything else.
+//! Replacing a whole set edits everything in it: [`resync`] comes before everything else.
 //!
 //! Removals come first, because slots of removed bodies and colliders may have new tenants already.
 
@@ -17,7 +17,7 @@ mod multibodies;
 mod removals;
 mod resync;
 
-pub(crate) use resync::{Resync, Resynced};
+pub(crate) use resync::{Resynced, resync_before_detection, resync_before_step};
 
 use crate::model::body::{RigidBodyChanges, RigidBodyHandle};
 use crate::model::collider::ColliderHandle;

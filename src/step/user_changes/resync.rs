@@ -13,21 +13,16 @@
 use crate::base::fault::{Fault, ensure};
 use crate::collide::form_of;
 use crate::dim::math::Vector;
-use crate::model::collider::ColliderChanges;
+use crate::model::collider::{ColliderChanges, ColliderSet};
 use crate::model::contact::NarrowPhase;
 use crate::model::event::{CollisionEvent, CollisionEventFlags};
 use crate::model::island::IslandManager;
 use crate::model::joint::ImpulseJointSet;
 use crate::model::multibody::MultibodyJointSet;
 use crate::model::stamp::WorldStamp;
-use crate::model::structure::{Structure, World};
+use crate::model::structure::Structure;
 use crate::model::tree::BroadPhaseBvh;
-
-/// The sets that refer to each other.
-pub(crate) struct Resync<'a> {
-    pub structure: Structure<'a>,
-    pub tree: &'a mut BroadPhaseBvh,
-}
+use crate::step::world::World;
 
 /// The result of a resync.
 pub(crate) struct Resynced {
@@ -40,171 +35,163 @@ pub(crate) struct Resynced {
     pub joints_fit: bool,
 }
 
-impl Resync<'_> {
-    /// Before a step.
-    pub fn before_step(
-        mut self,
-        joints: &mut ImpulseJointSet,
-        multibodies: &mut MultibodyJointSet,
-    ) -> Resynced {
-        let unverified = self.any_unverified()
-            || [joints.stamp, multibodies.stamp].iter().any(|s| s.is_unverified());
-        let mut parted = Vec::new();
-        if unverified {
-            if let Err(fault) = self.check(joints, Some(multibodies)) {
-                log::warn!("a loaded world is taken in as new: {fault}");
-                parted = self.begin_anew();
-                joints.begin_anew();
-                multibodies.begin_anew();
-            }
-        } else {
-            parted = self.unite();
-            parted.extend(self.unite_joints(joints, multibodies));
-        }
-        let stamp = self.structure.islands.stamp.after_step(&self.trace());
-        self.put(stamp);
-        (joints.stamp, multibodies.stamp) = (stamp, stamp);
-        self.structure.islands.stamp = WorldStamp::of_unfinished_step();
-        Resynced { parted, stamp, joints_fit: true }
-    }
-
-    /// Before collisions are detected without a step.
-    pub fn before_detection(mut self, joints: &ImpulseJointSet) -> Resynced {
-        let parted = if !self.any_unverified() {
-            self.unite()
-        } else if let Err(fault) = self.check(joints, None) {
+/// Before a step.
+pub(crate) fn resync_before_step(world: &mut World<'_>) -> Resynced {
+    let unverified = any_unverified(world)
+        || world.joints.stamp.is_unverified()
+        || world.multibodies.stamp.is_unverified();
+    let mut parted = Vec::new();
+    if unverified {
+        if let Err(fault) = check(world, world.joints, Some(world.multibodies)) {
             log::warn!("a loaded world is taken in as new: {fault}");
-            self.begin_anew()
-        } else {
-            Vec::new()
-        };
-        let joints_fit = self.structure.islands.joints.are_of(joints, self.structure.bodies);
-        let stamp = self.structure.islands.stamp.after_detection(&self.trace());
-        self.put(stamp);
-        self.structure.islands.stamp = WorldStamp::of_unfinished_step();
-        Resynced { parted, stamp, joints_fit }
-    }
-
-    fn stamps(&self) -> [WorldStamp; 5] {
-        let Structure { bodies, colliders, narrow_phase, islands } = &self.structure;
-        [bodies.stamp, colliders.stamp, narrow_phase.stamp, islands.stamp, self.tree.stamp]
-    }
-
-    fn any_unverified(&self) -> bool {
-        self.stamps().iter().any(|stamp| stamp.is_unverified())
-    }
-
-    fn check(
-        &self,
-        joints: &ImpulseJointSet,
-        multibodies: Option<&MultibodyJointSet>,
-    ) -> Result<(), Fault> {
-        let stamp = self.structure.islands.stamp;
-        let fit = self.stamps().iter().all(|other| other.has_same_history(stamp));
-        ensure!(fit, "the sets are of different times");
-        // A set without joints may be replaced by another one.
-        let islands = &self.structure.islands;
-        let has_none = joints.is_empty() && islands.joints.iter().next().is_none();
-        let fit = has_none || joints.stamp.has_same_steps(stamp);
-        ensure!(fit, "the joints are of another time than the bodies");
-        let has_none =
-            |set: &MultibodyJointSet| set.is_empty() && islands.groups.bodies().next().is_none();
-        let fit = multibodies.is_none_or(|set| has_none(set) || set.stamp.has_same_steps(stamp));
-        ensure!(fit, "the multibodies are of another time than the bodies");
-        self.structure.check_world(World { tree: self.tree, joints, multibodies })?;
-        for (handle, collider) in self.structure.colliders.iter() {
-            let (known, form) = (collider.form, form_of(&*collider.shape));
-            let is_edited = collider.changes.contains(ColliderChanges::SHAPE);
-            ensure!(known == form || is_edited, "{handle:?} is {known:?} and not {form:?}");
+            parted = begin_anew(world);
+            world.joints.begin_anew();
+            world.multibodies.begin_anew();
         }
-        Ok(())
+    } else {
+        parted = unite(world);
+        parted.extend(unite_joints(world));
     }
+    let stamp = world.structure.islands.stamp.after_step(&trace(&world.structure));
+    put(stamp, world);
+    (world.joints.stamp, world.multibodies.stamp) = (stamp, stamp);
+    world.structure.islands.stamp = WorldStamp::of_unfinished_step();
+    Resynced { parted, stamp, joints_fit: true }
+}
 
-    /// Takes everything in as new unless the sets are of one step.
-    fn unite(&mut self) -> Vec<CollisionEvent> {
-        let Structure { bodies, colliders, islands, .. } = &self.structure;
-        let are_of_one_world =
-            self.stamps().iter().all(|stamp| stamp.is_of_same_detection(islands.stamp));
-        if are_of_one_world && bodies.stamp == colliders.stamp {
-            return Vec::new();
-        }
-        log::warn!("a set is not that of the last step: everything is taken in as new");
-        self.begin_anew()
-    }
+/// Before collisions are detected without a step.
+pub(crate) fn resync_before_detection(world: &mut World<'_>, joints: &ImpulseJointSet) -> Resynced {
+    let parted = if !any_unverified(world) {
+        unite(world)
+    } else if let Err(fault) = check(world, joints, None) {
+        log::warn!("a loaded world is taken in as new: {fault}");
+        begin_anew(world)
+    } else {
+        Vec::new()
+    };
+    let Structure { bodies, islands, .. } = &world.structure;
+    let joints_fit = islands.joints.are_of(joints, bodies);
+    let stamp = islands.stamp.after_detection(&trace(&world.structure));
+    put(stamp, world);
+    world.structure.islands.stamp = WorldStamp::of_unfinished_step();
+    Resynced { parted, stamp, joints_fit }
+}
 
-    /// The same for joints. A set without joints may be replaced by another one in each step at no cost.
-    fn unite_joints(
-        &mut self,
-        joints: &mut ImpulseJointSet,
-        multibodies: &mut MultibodyJointSet,
-    ) -> Vec<CollisionEvent> {
-        let islands = &self.structure.islands;
-        let other_joints = !joints.stamp.is_of_same_step(islands.stamp)
-            || islands.stamp.has_detected()
-                && !islands.joints.are_of(joints, self.structure.bodies);
-        let other_multibodies = !multibodies.stamp.is_of_same_step(islands.stamp);
-        let known_are_others = other_joints && islands.joints.iter().next().is_some()
-            || other_multibodies && islands.groups.bodies().next().is_some();
-        let parted = if known_are_others { self.begin_anew() } else { Vec::new() };
-        if other_joints || known_are_others {
-            joints.begin_anew();
-        }
-        if other_multibodies || known_are_others {
-            multibodies.begin_anew();
-        }
-        parted
-    }
+fn stamps(world: &World<'_>) -> [WorldStamp; 5] {
+    let Structure { bodies, colliders, narrow_phase, islands } = &world.structure;
+    [bodies.stamp, colliders.stamp, narrow_phase.stamp, islands.stamp, world.broad_phase.stamp]
+}
 
-    /// Discards islands, pairs and trees: everything is new.
-    fn begin_anew(&mut self) -> Vec<CollisionEvent> {
-        let Structure { bodies, colliders, narrow_phase, islands } = &mut self.structure;
-        bodies.begin_anew();
-        colliders.begin_anew(bodies);
-        let known = core::mem::take(*narrow_phase);
-        **islands = IslandManager::new();
-        *self.tree = BroadPhaseBvh::new();
-        self.parted(&known)
-    }
+fn any_unverified(world: &World<'_>) -> bool {
+    stamps(world).iter().any(|stamp| stamp.is_unverified())
+}
 
-    /// The end of each contact and intersection whose begin was reported.
-    fn parted(&self, known: &NarrowPhase) -> Vec<CollisionEvent> {
-        let contacts = known.contacts.iter().filter(|pair| pair.start_event_emitted);
-        let contacts = contacts.map(|pair| ([pair.collider1, pair.collider2], false));
-        let intersections = known.intersections.iter().filter(|pair| pair.start_event_emitted);
-        let intersections = intersections.map(|pair| ([pair.collider1, pair.collider2], true));
-        let is_there = |&collider: &_| self.structure.colliders.contains(collider);
-        let event = |(pair, is_sensor): ([_; 2], bool)| {
-            let mut flags = CollisionEventFlags::empty();
-            flags.set(CollisionEventFlags::SENSOR, is_sensor);
-            flags.set(CollisionEventFlags::REMOVED, !pair.iter().all(is_there));
-            CollisionEvent::Stopped(pair[0], pair[1], flags)
-        };
-        contacts.chain(intersections).map(event).collect()
+fn check(
+    world: &World<'_>,
+    joints: &ImpulseJointSet,
+    multibodies: Option<&MultibodyJointSet>,
+) -> Result<(), Fault> {
+    let Structure { colliders, islands, .. } = &world.structure;
+    let stamp = islands.stamp;
+    let fit = stamps(world).iter().all(|other| other.has_same_history(stamp));
+    ensure!(fit, "the sets are of different times");
+    // A set without joints may be replaced by another one.
+    let has_none = joints.is_empty() && islands.joints.iter().next().is_none();
+    let fit = has_none || joints.stamp.has_same_steps(stamp);
+    ensure!(fit, "the joints are of another time than the bodies");
+    let has_none =
+        |set: &MultibodyJointSet| set.is_empty() && islands.groups.bodies().next().is_none();
+    let fit = multibodies.is_none_or(|set| has_none(set) || set.stamp.has_same_steps(stamp));
+    ensure!(fit, "the multibodies are of another time than the bodies");
+    world.structure.check_world(world.broad_phase, joints, multibodies)?;
+    for (handle, collider) in colliders.iter() {
+        let (known, form) = (collider.form, form_of(&*collider.shape));
+        let is_edited = collider.changes.contains(ColliderChanges::SHAPE);
+        ensure!(known == form || is_edited, "{handle:?} is {known:?} and not {form:?}");
     }
+    Ok(())
+}
 
-    fn put(&mut self, stamp: WorldStamp) {
-        self.structure.bodies.stamp = stamp;
-        self.structure.colliders.stamp = stamp;
-        self.structure.narrow_phase.stamp = stamp;
-        self.structure.islands.stamp = stamp;
-        self.tree.stamp = stamp;
+/// Takes everything in as new unless the sets are of one step.
+fn unite(world: &mut World<'_>) -> Vec<CollisionEvent> {
+    let Structure { bodies, colliders, islands, .. } = &world.structure;
+    let are_of_one_world =
+        stamps(world).iter().all(|stamp| stamp.is_of_same_detection(islands.stamp));
+    if are_of_one_world && bodies.stamp == colliders.stamp {
+        return Vec::new();
     }
+    log::warn!("a set is not that of the last step: everything is taken in as new");
+    begin_anew(world)
+}
 
-    /// Identifies a world among others with the same history: counts, and the pose of one awake body, a
-    /// different one in each step.
-    fn trace(&self) -> [u64; 6] {
-        let Structure { bodies, colliders, narrow_phase, islands } = &self.structure;
-        let awake = islands.active_bodies();
-        let index = islands.step as usize % awake.len().max(1);
-        let body = awake.get(index).and_then(|&handle| bodies.get(handle));
-        let place = body.map_or(Vector::ZERO, |body| body.pose.translation);
-        [
-            bodies.len() as u64,
-            colliders.len() as u64,
-            narrow_phase.contacts.len() as u64,
-            awake.len() as u64,
-            (bodies.modified().len() + colliders.modified().len()) as u64,
-            f64::from(place.element_sum()).to_bits(),
-        ]
+/// The same for joints. A set without joints may be replaced by another one in each step at no cost.
+fn unite_joints(world: &mut World<'_>) -> Vec<CollisionEvent> {
+    let World { joints, multibodies, .. } = world;
+    let Structure { bodies, islands, .. } = &world.structure;
+    let other_joints = !joints.stamp.is_of_same_step(islands.stamp)
+        || islands.stamp.has_detected() && !islands.joints.are_of(joints, bodies);
+    let other_multibodies = !multibodies.stamp.is_of_same_step(islands.stamp);
+    let known_are_others = other_joints && islands.joints.iter().next().is_some()
+        || other_multibodies && islands.groups.bodies().next().is_some();
+    let parted = if known_are_others { begin_anew(world) } else { Vec::new() };
+    if other_joints || known_are_others {
+        world.joints.begin_anew();
     }
+    if other_multibodies || known_are_others {
+        world.multibodies.begin_anew();
+    }
+    parted
+}
+
+/// Discards islands, pairs and trees: everything is new.
+fn begin_anew(world: &mut World<'_>) -> Vec<CollisionEvent> {
+    let Structure { bodies, colliders, narrow_phase, islands } = &mut world.structure;
+    bodies.begin_anew();
+    colliders.begin_anew(bodies);
+    let known = core::mem::take(*narrow_phase);
+    **islands = IslandManager::new();
+    *world.broad_phase = BroadPhaseBvh::new();
+    parted(&known, colliders)
+}
+
+/// The end of each contact and intersection whose begin was reported.
+fn parted(known: &NarrowPhase, colliders: &ColliderSet) -> Vec<CollisionEvent> {
+    let contacts = known.contacts.iter().filter(|pair| pair.start_event_emitted);
+    let contacts = contacts.map(|pair| ([pair.collider1, pair.collider2], false));
+    let intersections = known.intersections.iter().filter(|pair| pair.start_event_emitted);
+    let intersections = intersections.map(|pair| ([pair.collider1, pair.collider2], true));
+    let is_there = |&collider: &_| colliders.contains(collider);
+    let event = |(pair, is_sensor): ([_; 2], bool)| {
+        let mut flags = CollisionEventFlags::empty();
+        flags.set(CollisionEventFlags::SENSOR, is_sensor);
+        flags.set(CollisionEventFlags::REMOVED, !pair.iter().all(is_there));
+        CollisionEvent::Stopped(pair[0], pair[1], flags)
+    };
+    contacts.chain(intersections).map(event).collect()
+}
+
+fn put(stamp: WorldStamp, world: &mut World<'_>) {
+    world.structure.bodies.stamp = stamp;
+    world.structure.colliders.stamp = stamp;
+    world.structure.narrow_phase.stamp = stamp;
+    world.structure.islands.stamp = stamp;
+    world.broad_phase.stamp = stamp;
+}
+
+/// Identifies a world among others with the same history: counts, and the pose of one awake body, a
+/// different one in each step.
+fn trace(structure: &Structure<'_>) -> [u64; 6] {
+    let Structure { bodies, colliders, narrow_phase, islands } = structure;
+    let awake = islands.active_bodies();
+    let index = islands.step as usize % awake.len().max(1);
+    let body = awake.get(index).and_then(|&handle| bodies.get(handle));
+    let place = body.map_or(Vector::ZERO, |body| body.pose.translation);
+    [
+        bodies.len() as u64,
+        colliders.len() as u64,
+        narrow_phase.contacts.len() as u64,
+        awake.len() as u64,
+        (bodies.modified().len() + colliders.modified().len()) as u64,
+        f64::from(place.element_sum()).to_bits(),
+    ]
 }

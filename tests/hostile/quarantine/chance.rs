@@ -1,7 +1,7 @@
-//! Anything done at any time: two worlds, of which one takes out and the other one is told.
+//! Anything done at any time to two equal worlds.
 
 use super::super::random::Dice;
-use super::stage::{Stage, Taken, step_beside};
+use super::stage::{Stage, Taken, step_alike};
 use crate::dim::{about_z, vec};
 use rapier::prelude::*;
 
@@ -52,7 +52,7 @@ fn anything_at_any_time() {
                 mistreat(&mut stage, &mut dice[0]);
                 mistreat(&mut twin, &mut dice[1]);
             }
-            all.extend(step_beside(step, &mut stage, &mut twin));
+            all.extend(step_alike(step, &mut stage, &mut twin));
         }
     }
     assert!(all.len() > 4, "{all:?}");

@@ -1,9 +1,10 @@
 //! # Quarantine
 //!
 //! A body whose numbers leave the range in which one can calculate is left where the step found it, disabled,
-//! and reported; the others go on bit for bit as if it had been disabled before the step. Every test here
-//! steps two worlds side by side. One is mistreated. In the other, its *twin*, the user disables the same
-//! bodies before each step. Bodies and events must be the same.
+//! and reported. Most tests here step two worlds side by side. One is mistreated. In the other, its *twin*,
+//! the user disables the same bodies before each step. Bodies and events must be the same. That holds
+//! exactly for edits that a body cannot survive. A step that failed for another reason may have woken bodies
+//! and coloured contacts that the twin has not. It has the same bits in each run (`chance.rs`).
 
 mod chance;
 mod contacts;

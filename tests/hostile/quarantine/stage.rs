@@ -186,6 +186,27 @@ pub fn beside_its_twin(stage: &mut Stage, twin: &mut Stage) -> Vec<Taken> {
     (0..120).flat_map(|step| step_beside(step, stage, twin)).collect()
 }
 
+/// One step of two stages to which the same was done.
+///
+/// # Panics
+/// Panics if a bit differs, or an event does, or a body is not back where it was.
+pub fn step_alike(step: usize, stage: &mut Stage, twin: &mut Stage) -> Vec<Taken> {
+    let before: BTreeMap<_, _> =
+        stage.world.bodies.iter().map(|(handle, body)| (handle, *body.position())).collect();
+    let told = stage.step();
+    // Some values are not numbers, which do not equal themselves.
+    assert_eq!(format!("{told:?}"), format!("{:?}", twin.step()), "step {step}");
+    assert_eq!(stage.bits(), twin.bits(), "step {step}");
+    let taken = told.quarantines.iter().filter_map(|event| match *event {
+        QuarantineEvent::Body { body, cause, position, .. } => {
+            assert_eq!(position, before[&body], "back where it was");
+            Some((step, body, cause))
+        }
+        _ => None,
+    });
+    taken.collect()
+}
+
 /// One step of a stage and its twin.
 ///
 /// # Panics

@@ -82,8 +82,8 @@ fn add_ragdoll(world: &mut PhysicsWorld, hips: Vector) -> Vec<RigidBodyHandle> {
     let shape = ColliderBuilder::cuboid(0.14, 0.28, 0.2);
     let chest = add(world, hips + Vector::Y * 0.3, shape);
     let head = add(world, hips + Vector::Y * 0.78, ColliderBuilder::ball(0.14));
-    let neck = (Vector::Y * 0.3, Vector::Y * -0.18);
-    socket(world, (chest, neck.0), (head, neck.1), Vector::Y, (0.6, 0.8));
+    let neck = [Vector::Y * 0.3, Vector::Y * -0.18];
+    socket(world, [chest, head], neck, Vector::Y, [0.6, 0.8]);
     let mut bodies = vec![chest, head];
     for side in [-1.0, 1.0] {
         let shoulder = Vector::new(0.0, 0.22, side * 0.28);
@@ -116,10 +116,10 @@ fn add_ragdoll(world: &mut PhysicsWorld, hips: Vector) -> Vec<RigidBodyHandle> {
 /// A ball joint with a cone for the swing and a range for the twist.
 fn socket(
     world: &mut PhysicsWorld,
-    (body1, anchor1): (RigidBodyHandle, Vector),
-    (body2, anchor2): (RigidBodyHandle, Vector),
+    [body1, body2]: [RigidBodyHandle; 2],
+    [anchor1, anchor2]: [Vector; 2],
     direction: Vector,
-    (swing, twist): (Real, Real),
+    [swing, twist]: [Real; 2],
 ) {
     let joint = SphericalJointBuilder::new()
         .local_frame1(along(anchor1, direction))

@@ -58,6 +58,13 @@ struct Ragdoll<'w> {
     spin: AngVector,
 }
 
+/// A limb, and its middle in the frame of the standing ragdoll.
+#[derive(Copy, Clone)]
+struct Limb {
+    body: RigidBodyHandle,
+    middle: Vector,
+}
+
 impl Ragdoll<'_> {
     fn build(&mut self) {
         let pelvis = self.limb(Vector::new(-0.06, 0.0, 0.0), Vector::new(0.06, 0.0, 0.0), 0.12);
@@ -83,21 +90,22 @@ impl Ragdoll<'_> {
     }
 
     /// A capsule between two points of the standing ragdoll, as a body whose origin is in its middle.
-    fn limb(&mut self, from: Vector, to: Vector, radius: Real) -> (RigidBodyHandle, Vector) {
+    fn limb(&mut self, from: Vector, to: Vector, radius: Real) -> Limb {
         let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
         let body = RigidBodyBuilder::dynamic()
             .pose(self.at * Pose::from_translation(middle))
             .angvel(self.spin);
         let capsule = ColliderBuilder::capsule_from_endpoints(-half, half, radius);
-        (self.world.insert(body, capsule.density(1000.0).friction(0.6)).0, middle)
+        let (body, _) = self.world.insert(body, capsule.density(1000.0).friction(0.6));
+        Limb { body, middle }
     }
 
     /// A ball in a socket, with a cone about the way on which the second limb leads away, and room to twist to
     /// either side.
     fn socket(
         &mut self,
-        first: (RigidBodyHandle, Vector),
-        second: (RigidBodyHandle, Vector),
+        first: Limb,
+        second: Limb,
         at: Vector,
         way: Vector,
         cone: Real,
@@ -105,27 +113,21 @@ impl Ragdoll<'_> {
     ) {
         let turn = Rotation::from_rotation_arc(Vector::X, way);
         let joint = SphericalJointBuilder::new()
-            .local_frame1(Pose::from_parts(at - first.1, turn))
-            .local_frame2(Pose::from_parts(at - second.1, turn))
+            .local_frame1(Pose::from_parts(at - first.middle, turn))
+            .local_frame2(Pose::from_parts(at - second.middle, turn))
             .swing_limit(cone)
             .limits(JointAxis::AngX, [-twist, twist])
             .contacts_enabled(false);
-        self.world.insert_impulse_joint(first.0, second.0, joint);
+        self.world.insert_impulse_joint(first.body, second.body, joint);
     }
 
     /// A knee or an elbow, that bends one way only.
-    fn hinge(
-        &mut self,
-        first: (RigidBodyHandle, Vector),
-        second: (RigidBodyHandle, Vector),
-        at: Vector,
-        axis: Vector,
-    ) {
+    fn hinge(&mut self, first: Limb, second: Limb, at: Vector, axis: Vector) {
         let joint = RevoluteJointBuilder::new(axis)
-            .local_anchor1(at - first.1)
-            .local_anchor2(at - second.1)
+            .local_anchor1(at - first.middle)
+            .local_anchor2(at - second.middle)
             .limits([0.0, 2.4])
             .contacts_enabled(false);
-        self.world.insert_impulse_joint(first.0, second.0, joint);
+        self.world.insert_impulse_joint(first.body, second.body, joint);
     }
 }

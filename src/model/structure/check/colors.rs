@@ -25,7 +25,9 @@ impl<'a, C: Copy + Debug + PartialEq> Colors<'a, C> {
     /// A constraint between the bodies in two slots says that it has a place, or that it has none.
     pub fn check(
         &mut self,
-        (constraint, place, wanted): (C, Option<ColorSlot>, bool),
+        constraint: C,
+        place: Option<ColorSlot>,
+        wanted: bool,
         bodies: [u32; 2],
         then: &LastStep<'_>,
     ) -> Verdict {

@@ -21,7 +21,7 @@ impl Structure<'_> {
                 ensure!(islands[0] == islands[1], "joint {slot} is of islands {islands:?}");
             }
             let wanted = link.attached && dynamic.iter().flatten().any(|&body| then.is_awake(body));
-            colors.check((slot, link.slot, wanted), slots, then)?;
+            colors.check(slot, link.slot, wanted, slots, then)?;
         }
         colors.finish()
     }

@@ -15,18 +15,11 @@ mod trees;
 use super::Structure;
 use crate::base::fault::Fault;
 use crate::base::loading::Loaded;
+use crate::base::measure::is_point;
 use crate::model::joint::ImpulseJointSet;
 use crate::model::multibody::MultibodyJointSet;
 use crate::model::tree::BroadPhaseBvh;
 use last_step::LastStep;
-
-/// The sets of a world beside those of the structure.
-pub(crate) struct World<'a> {
-    pub tree: &'a BroadPhaseBvh,
-    pub joints: &'a ImpulseJointSet,
-    /// `None` before a collision detection, which does not use them.
-    pub multibodies: Option<&'a MultibodyJointSet>,
-}
 
 type Verdict = Result<(), Fault>;
 
@@ -49,6 +42,13 @@ impl Structure<'_> {
         assert!(fault.is_none(), "{}", fault.map_or(String::new(), |fault| fault.to_string()));
     }
 
+    /// Returns whether positions and velocities of all awake bodies are finite and within their limits.
+    pub fn has_usable_bodies(&self) -> bool {
+        let awake = self.islands.awake.iter().filter_map(|&handle| self.bodies.get(handle));
+        let mut awake = awake;
+        awake.all(|body| body.vels().is_usable() && is_point(body.pose.translation))
+    }
+
     fn check(&self) -> Verdict {
         self.narrow_phase.contacts.check_views()?;
         self.narrow_phase.intersections.check_views()?;
@@ -63,11 +63,17 @@ impl Structure<'_> {
         self.check_joints(then, depth)
     }
 
-    /// Checks all references between the sets of a world that was loaded, and the numbers in its lists.
+    /// Checks all references between the sets of a world that was loaded, and the numbers in its lists. A
+    /// collision detection uses no multibodies.
     ///
     /// # Errors
     /// If a reference is wrong, or a number is not finite.
-    pub fn check_world(&self, world: World<'_>) -> Verdict {
+    pub fn check_world(
+        &self,
+        tree: &BroadPhaseBvh,
+        joints: &ImpulseJointSet,
+        multibodies: Option<&MultibodyJointSet>,
+    ) -> Verdict {
         self.narrow_phase.contacts.check_loaded()?;
         self.narrow_phase.intersections.check_loaded()?;
         let then = LastStep::of(self)?;
@@ -77,8 +83,8 @@ impl Structure<'_> {
         self.check_attachments(&then)?;
         self.check_company()?;
         self.check_contact_data()?;
-        self.check_known_joints(world.joints)?;
-        self.check_groups(&then, world.multibodies)?;
-        self.check_trees(world.tree)
+        self.check_known_joints(joints)?;
+        self.check_groups(&then, multibodies)?;
+        self.check_trees(tree)
     }
 }

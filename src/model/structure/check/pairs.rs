@@ -32,8 +32,8 @@ impl Structure<'_> {
             let wanted = pair.attached && dynamic.iter().flatten().any(|&slot| then.is_awake(slot));
             for (index, manifold) in pair.manifolds.iter().enumerate() {
                 let here = ManifoldRef { pair: id, manifold: index as u32 };
-                let place = (here, manifold.slot, wanted && manifold.is_solved());
-                colors.check(place, slots, then)?;
+                let wanted = wanted && manifold.is_solved();
+                colors.check(here, manifold.slot, wanted, slots, then)?;
             }
         }
         colors.finish()

@@ -1,10 +1,11 @@
 //! Culling of surface parts: most parts whose boxes overlap a body's are far from it.
 
-use super::convex::{DISTANCE_FRACTION, is_sound};
-use super::parts::{Near, Part, Parts};
-use super::polytopes::contacts_on_axis;
-use super::search::Search;
+use super::Search;
 use crate::base::wide::{Kernel, LANES, Wide};
+use crate::collide::convex::{DISTANCE_FRACTION, is_sound};
+use crate::collide::part::Part;
+use crate::collide::parts::{Near, Parts};
+use crate::collide::polytopes::contacts_on_axis;
 use crate::dim::collide::{
     Flat, FlatAxes, FlatBlock, Polytope, RawManifold, TriangleCulling, as_flat,
 };
@@ -32,7 +33,7 @@ pub(super) type Bits = SmallVec<[u32; 16]>;
 
 /// Result of the culling of flat parts.
 #[derive(Default)]
-pub(super) struct CulledParts {
+pub(in crate::collide) struct CulledParts {
     /// Side of the surface.
     pub side: usize,
     /// Parts that remain.

@@ -15,13 +15,13 @@
 //! clipped as usual. Box3D clusters the clipped points, PhysX and Bullet keep persistent points; either way
 //! each triangle is clipped.
 
-use super::convex::is_sound;
-use super::flat_parts::{Bits, FlatParts};
-use super::parts::Part;
-use super::polytopes::OVERLAP_RATIO_MAX;
-use super::search::Search;
-use super::support_feature::{SUPPORT_VERTICES_MAX, SupportFeature};
+use super::Search;
+use super::surface::{Bits, FlatParts};
 use crate::base::wide::{Kernel, LANES, Wide};
+use crate::collide::convex::is_sound;
+use crate::collide::part::Part;
+use crate::collide::polytopes::OVERLAP_RATIO_MAX;
+use crate::collide::support_feature::{SUPPORT_VERTICES_MAX, SupportFeature};
 use crate::dim::collide::{Flat, FlatBlock, RawPoint, Rims};
 use crate::dim::math::{Real, Vector};
 use crate::dim::wide::WideVector;

@@ -5,9 +5,10 @@
 //! those whose boxes overlap most. Choosing them takes a second walk through the trees, which only crowded
 //! pairs of shapes pay for.
 
-use super::culling::{CELLS_MAX, Grid, Rank};
-use super::parts::{Near, Part};
-use super::search::Search;
+use super::Search;
+use crate::collide::culling::{CELLS_MAX, Grid, Rank};
+use crate::collide::part::Part;
+use crate::collide::parts::Near;
 use crate::dim::math::{Real, Vector};
 use parry::bounding_volume::{Aabb, BoundingVolume};
 

@@ -1,0 +1,107 @@
+//! The step's access to multibodies, its notes of edits, and the check of a loaded set.
+
+use super::{MultibodyEdits, MultibodyJointSet};
+use crate::base::fault::{Fault, ensure};
+use crate::base::loading::{Loaded, check_when_loaded};
+use crate::model::body::{RigidBodyHandle, RigidBodySet};
+use crate::model::island::BodyGroups;
+use crate::model::multibody::{Multibody, MultibodyIndex};
+use std::collections::BTreeSet;
+
+impl MultibodyJointSet {
+    /// A multibody for the step's own use: does not mark it as changed.
+    pub(crate) fn get_unnoted_mut(&mut self, index: MultibodyIndex) -> Option<&mut Multibody> {
+        self.multibodies.get_mut(index.0)
+    }
+
+    /// Bound of the positions: every multibody has a smaller one.
+    pub(crate) fn index_bound(&self) -> u32 {
+        self.multibodies.slot_count() as u32
+    }
+
+    /// The index of the multibody at a position, if there is one.
+    pub(crate) fn index_at(&self, position: u32) -> Option<MultibodyIndex> {
+        self.multibodies.at_slot(position).map(|(index, _)| MultibodyIndex(index))
+    }
+
+    /// Removes joints whose bodies were removed, and returns the changes of the others since the last call.
+    pub(crate) fn apply_changes(&mut self, bodies: &RigidBodySet) -> MultibodyEdits {
+        for removed in bodies.removed() {
+            self.remove_joints_attached_to_rigid_body(removed);
+        }
+        let mut next = 0;
+        while let Some(&(index, _)) = self.modified.get(next) {
+            if self.is_broken(index) {
+                self.drop_broken(index);
+            }
+            let links = self.get_multibody(index).map_or(&[] as &[_], |multibody| &multibody.links);
+            let missing: Vec<_> =
+                links.iter().map(|link| link.body).filter(|&body| !bodies.contains(body)).collect();
+            missing.into_iter().for_each(|body| self.remove_joints_attached_to_rigid_body(body));
+            next += 1;
+        }
+        let modified = core::mem::take(&mut self.modified);
+        let groups = modified.into_iter().filter_map(|(index, wake_up)| {
+            let links = &self.get_multibody(index)?.links;
+            Some((links.iter().map(|link| link.body).collect(), wake_up))
+        });
+        let groups = groups.collect();
+        let mut cut = core::mem::take(&mut self.cut);
+        cut.retain(|&(body, _)| bodies.contains(body));
+        MultibodyEdits { cut, groups }
+    }
+
+    /// Marks all multibodies as new to the next step.
+    pub(crate) fn begin_anew(&mut self) {
+        self.cut.clear();
+        let all = self.multibodies.iter().map(|(index, _)| (MultibodyIndex(index), true));
+        self.modified = all.collect();
+    }
+
+    /// Checks that groups are the bodies of multibodies, unless these were edited since.
+    pub(crate) fn check_groups(&self, groups: &BodyGroups) -> Result<(), Fault> {
+        let slot = |body: &RigidBodyHandle| body.into_raw_parts().0;
+        let edited: BTreeSet<_> = self.modified.iter().map(|(index, _)| *index).collect();
+        let cut: BTreeSet<_> = self.cut.iter().map(|(body, _)| *body).collect();
+        for (index, multibody) in self.multibodies.iter() {
+            let index = MultibodyIndex(index);
+            if edited.contains(&index) {
+                continue;
+            }
+            let bodies: Vec<_> = multibody.links.iter().map(|link| link.body).collect();
+            let group = bodies.first().map_or(&[] as &[_], |body| groups.of(slot(body)));
+            ensure!(group == bodies, "the links of {index:?} are {bodies:?}, not {group:?}");
+        }
+        let is_link =
+            |body: &RigidBodyHandle| self.rigid_body_link(*body).is_some() || cut.contains(body);
+        let other = groups.bodies().find(|body| !is_link(body));
+        ensure!(other.is_none(), "{other:?} is in a group, and no link");
+        Ok(())
+    }
+
+    /// Marks a multibody as changed for the next step.
+    pub(crate) fn note(&mut self, index: MultibodyIndex) {
+        self.modified.push((index, false));
+    }
+}
+
+check_when_loaded!(MultibodyJointSet);
+
+/// Each link is found by its body and its joint, and nothing else is.
+impl Loaded for MultibodyJointSet {
+    fn check_loaded(&self) -> Result<(), Fault> {
+        let (mut links, mut joints) = (0, 0);
+        for (index, multibody) in self.multibodies.iter() {
+            let index = MultibodyIndex(index);
+            ensure!(!self.is_broken(index), "links of {index:?} are not those that are filed");
+            links += multibody.num_links();
+            joints += multibody.links.iter().filter(|link| link.handle.is_some()).count();
+        }
+        let filed = [self.of_body.len(), self.joints.len()];
+        ensure!(
+            filed == [links, joints],
+            "{filed:?} of {links} links and {joints} joints are filed"
+        );
+        Ok(())
+    }
+}

@@ -1,0 +1,289 @@
+//! The calls of the stages: each gets the sets that its signature lists, and its time is measured.
+
+use super::advance::{self, AdvanceContext};
+use super::broad_phase::{self, NeighborLimits};
+use super::ccd::{self, CcdContext, StopContext};
+use super::events::{self, EventContext};
+use super::islands;
+use super::narrow_phase::{self, NarrowPhaseContext};
+use super::notes::StepNotes;
+use super::solver::{self, SolverContext};
+use super::trace::StepStage;
+use super::user_changes::{Resynced, UserChanges, resync_before_detection, resync_before_step};
+use super::{Step, StepScratch, World};
+use crate::base::held::HeldPanic;
+use crate::base::tasks::Tasks;
+use crate::model::contact::NarrowPhase;
+use crate::model::counters::Counters;
+use crate::model::joint::ImpulseJointSet;
+use crate::model::multibody::MultibodyEdits;
+use crate::model::stamp::WorldStamp;
+use crate::model::structure::Structure;
+
+impl<'a> Step<'a> {
+    /// A step begins.
+    pub(super) fn new(
+        world: World<'a>,
+        counters: &'a mut Counters,
+        scratch: &'a mut StepScratch,
+        tasks: Tasks<'a>,
+    ) -> Self {
+        counters.reset();
+        counters.step_time.resume();
+        scratch.notes.clear();
+        scratch.trace.clear();
+        Self { world, counters, scratch, tasks, duration: 0.0, panic: HeldPanic::default() }
+    }
+}
+
+impl Step<'_> {
+    /// Registers everything anew if a set is not that of the last step. Returns the stamp of this step.
+    pub(super) fn resync(&mut self) -> WorldStamp {
+        let Resynced { parted, stamp, .. } = resync_before_step(&mut self.world);
+        self.scratch.notes.events.extend(parted);
+        stamp
+    }
+
+    /// Disables edited bodies that diverge on their own.
+    pub(super) fn quarantine_edits(&mut self) {
+        self.scratch.quarantine.open(&mut self.world);
+    }
+
+    /// Applies the edits since the last step.
+    pub(super) fn user_changes(&mut self) {
+        let World { structure, broad_phase: tree, joints, multibodies, params, .. } =
+            &mut self.world;
+        let events = &mut self.scratch.notes.events;
+        self.counters.stages.user_changes.measure(|| {
+            let multibodies = multibodies.apply_changes(structure.bodies);
+            let set = structure.reborrow();
+            UserChanges { structure: set, tree, joints, multibodies, params, events }.run();
+            joints.apply_changes(&mut structure.islands.joints);
+        });
+        let Structure { bodies, colliders, .. } = structure;
+        debug_assert!(bodies.modified().is_empty() && colliders.modified().is_empty());
+        self.trace(StepStage::UserChanges);
+    }
+
+    /// The same before a detection: applies edits of bodies and colliders, or removals only. Returns the
+    /// stamp of the detection.
+    pub(super) fn detect_user_changes(
+        &mut self,
+        joints: &ImpulseJointSet,
+        are_applied: bool,
+    ) -> WorldStamp {
+        let Resynced { parted, stamp, joints_fit } =
+            resync_before_detection(&mut self.world, joints);
+        let World { structure, broad_phase: tree, joints: none, params, .. } = &mut self.world;
+        // Joints of another world wait for the next step.
+        let joints = if joints_fit { joints } else { none };
+        let (structure, multibodies) = (structure.reborrow(), MultibodyEdits::default());
+        let events = &mut self.scratch.notes.events;
+        events.extend(parted);
+        let changes = UserChanges { structure, tree, joints, multibodies, params, events };
+        let timer = &mut self.counters.stages.user_changes;
+        timer.measure(|| if are_applied { changes.run() } else { changes.run_removals() });
+        stamp
+    }
+
+    /// Finds new pairs of colliders.
+    pub(super) fn broad_phase(&mut self) {
+        let World { structure, broad_phase: tree, params, .. } = &mut self.world;
+        let (limits, scratch) = (NeighborLimits::of(params), &mut self.scratch.broad_phase);
+        let Counters { stages, cd, .. } = self.counters;
+        let find = || {
+            let (colliders, known) = (&*structure.colliders, &*structure.narrow_phase);
+            let crowded =
+                broad_phase::find_pairs(self.tasks, tree, limits, colliders, known, scratch);
+            (cd.ncrowded, cd.ncrowded_sensors) = (crowded.solids, crowded.sensors);
+            structure.add_pairs(&scratch.pairs);
+        };
+        stages.collision_detection_time.measure(|| cd.broad_phase_time.measure(find));
+    }
+
+    /// Computes the contacts and intersections of pairs.
+    pub(super) fn narrow_phase(&mut self) {
+        let StepScratch { narrow_phase: scratch, notes, simd, .. } = self.scratch;
+        let Structure { bodies, colliders, islands, narrow_phase } = &mut self.world.structure;
+        let NarrowPhase { contacts, intersections, lanes, .. } = &mut **narrow_phase;
+        let context = NarrowPhaseContext {
+            bodies,
+            colliders,
+            islands,
+            lanes,
+            params: self.world.params,
+            hooks: self.world.hooks,
+            simd: *simd,
+        };
+        let Counters { stages, cd, .. } = self.counters;
+        let update =
+            || narrow_phase::update(self.tasks, context, contacts, intersections, scratch, notes);
+        cd.nculled_pairs =
+            stages.collision_detection_time.measure(|| cd.narrow_phase_time.measure(update));
+        (cd.ncontact_pairs, cd.nintersection_pairs) = (contacts.len(), intersections.len());
+    }
+
+    /// Links and cuts islands, and wakes bodies.
+    pub(super) fn islands(&mut self) {
+        let World { structure, params, .. } = &mut self.world;
+        let notes = &mut self.scratch.notes;
+        self.counters.stages.island_construction_time.measure(|| {
+            islands::update(structure, notes);
+            ccd::watch(structure.bodies, &notes.deeply_penetrating, params);
+        });
+        self.trace(StepStage::CollisionDetection);
+    }
+
+    /// Lists and wakes the bodies that kinematic bodies approach in this step.
+    pub(super) fn ccd_candidates(&mut self) {
+        let World { structure, broad_phase: trees, params, .. } = &mut self.world;
+        let approaches = &mut self.scratch.notes.approaches;
+        self.counters.stages.island_construction_time.measure(|| {
+            ccd::find_approaches(structure, trees, params, approaches);
+        });
+        self.validate();
+    }
+
+    /// Moves the bodies, unless the step has no duration. If a body diverged, nothing is stored.
+    pub(super) fn solver(&mut self) {
+        let World { gravity, params, structure, joints, multibodies, .. } = &mut self.world;
+        if params.dt <= 0.0 {
+            structure.islands.forget_motion();
+            return;
+        }
+        let StepScratch { notes, solver: scratch, simd, .. } = self.scratch;
+        let context = SolverContext {
+            gravity: *gravity,
+            params,
+            simd: *simd,
+            tasks: self.tasks,
+            bodies: structure.bodies,
+            narrow_phase: structure.narrow_phase,
+            joints,
+            multibodies,
+            islands: structure.islands,
+            fast: &mut notes.fast,
+            trajectories: &mut notes.trajectories,
+            broken: &mut notes.broken,
+            diverged: &mut notes.diverged,
+        };
+        let Counters { stages, solver: counters, .. } = self.counters;
+        stages.solver_time.measure(|| solver::solve(context, scratch, counters));
+        if notes.diverged.is_empty() {
+            self.duration = params.dt;
+            debug_assert!(structure.has_usable_bodies(), "the solver stores finite numbers");
+        }
+        self.trace(StepStage::Solver);
+    }
+
+    /// Returns whether the solver could store all bodies.
+    pub(super) fn all_converged(&self) -> bool {
+        self.scratch.notes.diverged.is_empty()
+    }
+
+    /// Disables the causes of a failed step.
+    pub(super) fn quarantine(&mut self) {
+        let StepScratch { quarantine, notes, .. } = self.scratch;
+        quarantine.take_out(&mut self.world, notes);
+    }
+
+    /// Stops fast bodies at their first impact. Bodies have moved: even if a hook panics, the rest of the
+    /// world must follow them.
+    pub(super) fn ccd(&mut self) {
+        let World { structure, broad_phase: trees, multibodies, params, hooks, .. } =
+            &mut self.world;
+        let Structure { bodies, colliders, narrow_phase, islands } = structure;
+        let StepScratch { ccd: scratch, notes, .. } = self.scratch;
+        let StepNotes { fast, trajectories, approaches, events, .. } = notes;
+        let Counters { stages, ccd: counters, .. } = self.counters;
+        stages.ccd_time.measure(|| {
+            let context = CcdContext {
+                bodies,
+                colliders,
+                multibodies,
+                islands,
+                trees,
+                narrow_phase,
+                params,
+                hooks: *hooks,
+                fast: &[],
+                trajectories,
+            };
+            counters.toi_computation_time.measure(|| {
+                self.panic.hold(|| {
+                    ccd::add_approached(context, approaches, fast);
+                    ccd::find_impacts(self.tasks, CcdContext { fast, ..context }, scratch);
+                })
+            });
+            let dt = params.dt;
+            let context = StopContext { bodies, islands, multibodies, fast, trajectories, dt };
+            ccd::stop(context, scratch, events, counters);
+        });
+    }
+
+    /// Updates colliders, boxes and sleep timers.
+    pub(super) fn advance(&mut self) {
+        let World { structure, broad_phase: tree, params, .. } = &mut self.world;
+        let Structure { bodies, colliders, islands, .. } = structure;
+        let context =
+            AdvanceContext { tasks: self.tasks, params, bodies, colliders, islands, tree };
+        let StepScratch { notes, advance: scratch, .. } = self.scratch;
+        let timer = &mut self.counters.stages.update_time;
+        timer.measure(|| advance::advance(context, scratch, &mut notes.sleepy));
+        self.trace(StepStage::Finalize);
+    }
+
+    /// Puts islands at rest to sleep.
+    pub(super) fn sleep(&mut self) {
+        let StepScratch { notes, sleep: scratch, .. } = self.scratch;
+        let structure = &mut self.world.structure;
+        self.counters
+            .stages
+            .island_construction_time
+            .measure(|| islands::put_to_sleep(structure, &notes.sleepy, scratch));
+        self.trace(StepStage::Sleep);
+        self.validate();
+    }
+
+    /// Calls the user's event handler. Contacts have impulses only if bodies moved.
+    pub(super) fn events(&mut self) {
+        let StepScratch { notes, quarantine, .. } = self.scratch;
+        let Structure { bodies, colliders, narrow_phase, .. } = &mut self.world.structure;
+        self.counters.solver.nquarantined = quarantine.close(bodies, notes);
+        notes.order_events();
+        let context = EventContext {
+            bodies,
+            colliders,
+            narrow_phase,
+            notes,
+            duration: self.duration,
+            handler: self.world.events,
+        };
+        events::report(context, &mut self.panic);
+    }
+
+    /// After a detection: contacts have no impulses, and no body has moved.
+    pub(super) fn forget_last_step(&mut self) {
+        self.world.structure.islands.forget_motion();
+        self.world.structure.narrow_phase.forget_step_impulses();
+    }
+
+    /// Marks the sets as those of one step, and continues a panic.
+    pub(super) fn end(self, stamp: WorldStamp) {
+        self.world.structure.islands.stamp = stamp;
+        self.counters.step_time.pause();
+        self.panic.release();
+    }
+
+    /// Adds a hash of the world to the trace.
+    fn trace(&mut self, stage: StepStage) {
+        self.scratch.trace.add(stage, &self.world.hashed_sets());
+    }
+
+    /// In debug builds, asserts that bodies, pairs, islands and colours agree.
+    fn validate(&self) {
+        if cfg!(debug_assertions) {
+            self.world.structure.validate();
+        }
+    }
+}
