@@ -147,6 +147,14 @@ pub trait Wide<S = Real, const N: usize = LANES>:
     unsafe fn store_transposed(columns: [Self; N], rows: [*mut S; N]);
 }
 
+/// `1 / value` where the value is positive, zero elsewhere.
+#[inline(always)]
+pub fn invert<W: Wide>(value: W) -> W {
+    let positive = W::zero().lt(value);
+    let one = W::splat(1.0);
+    W::select(positive, one / W::select(positive, value, one), W::zero())
+}
+
 /// Does a piece of work for each group of [`LANES`] components of a record. The lines are unrolled by hand:
 /// compilers unroll a loop around so much work late or not at all, and meanwhile keep all registers of the
 /// record in memory.

@@ -23,7 +23,6 @@ mod groups;
 mod impacts;
 mod island_sums;
 mod joints;
-mod store_impulses;
 mod layout;
 mod multibodies;
 mod overflow;

@@ -1,16 +1,19 @@
 //! Contact constraints: from manifolds to lane-wide blocks, through the passes, and back.
 
+pub(super) mod passes;
+mod prepare;
+mod store_impulses;
+
 use super::bodies::SolverBodies;
 use super::impacts::{ImpactContext, Impacts};
 use super::layout::Layout;
 use super::multibodies::SolverMultibodies;
 use super::overflow::OverflowOrder;
 use super::recovery::{Recovery, deep_overlap};
-use super::store_impulses::store_impulses;
 use crate::base::disjoint::DisjointMut;
 use crate::base::tasks::Tasks;
 use crate::base::wide::{Kernel, LANES, Lane, Simd, Wide};
-use crate::dim::contact::{self, ContactBlock, CoulombBlock};
+use crate::dim::contact::{ContactBlock, CoulombBlock};
 use crate::dim::math::Real;
 use crate::dim::state::{BodyPose, BodyState};
 use crate::model::constraint_graph::{ConstraintGraph, ManifoldRef, OVERFLOW};
@@ -21,6 +24,9 @@ use crate::model::contact::{
 use crate::model::params::{ContactPass, FrictionModel, ImpactPass, IntegrationParameters};
 use core::ops::Range;
 use core::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+pub(super) use passes::{Bodies, solve_friction, values_at};
+pub(super) use prepare::{PrepareContext, prepare};
+pub(super) use store_impulses::store_impulses;
 
 /// Blocks that are worth handing over to another thread together (a microsecond or two).
 const BLOCKS_PER_TASK: usize = 8;
@@ -450,7 +456,7 @@ impl<'a> Blocks<'a> {
     }
 }
 
-/// See [`contact::prepare`].
+/// See [`prepare()`].
 struct Prepare<'a> {
     range: Range<usize>,
     lanes: &'a [LaneBlock],
@@ -476,8 +482,8 @@ impl Kernel for Prepare<'_> {
             unsafe {
                 let (block, coulomb) = self.blocks.get(index);
                 let input = &self.lanes[index].input;
-                let context = contact::PrepareContext { poses, states: &states };
-                contact::prepare::<W>(input, block, coulomb, context, prediction);
+                let context = PrepareContext { poses, states: &states, prediction };
+                prepare::<W>(input, block, coulomb, context);
                 for point in &block.points {
                     least = least.min(W::load(&point.separation));
                 }
@@ -542,7 +548,7 @@ macro_rules! pass_kernel {
     };
 }
 
-pass_kernel!(Solve, |block, _coulomb, states, pass| contact::solve::<W>(block, states, pass));
+pass_kernel!(Solve, |block, _coulomb, states, pass| passes::solve::<W>(block, states, pass));
 pass_kernel!(Relax, |block, coulomb, states, pass| {
-    contact::relax::<W>(block, coulomb, states, pass);
+    passes::relax::<W>(block, coulomb, states, pass);
 });
