@@ -31,6 +31,7 @@ mod pair;
 ))]
 mod portable;
 mod prefetch;
+mod record;
 #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
 mod simd128;
 #[cfg(target_arch = "x86_64")]
@@ -54,6 +55,7 @@ use parry::math::Real;
 
 pub use dispatch::{Kernel, Simd};
 pub use prefetch::{PREFETCH_DISTANCE, prefetch, prefetch_front};
+pub(crate) use record::{record_of_lanes, vector_of_lanes};
 
 /// The number of lanes of a register: 8 single-precision or 4 double-precision numbers.
 pub const LANES: usize = 32 / size_of::<Real>();

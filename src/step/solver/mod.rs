@@ -27,6 +27,7 @@ mod layout;
 mod multibodies;
 mod overflow;
 mod recovery;
+mod states;
 #[cfg(test)]
 mod tests;
 

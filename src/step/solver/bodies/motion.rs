@@ -5,8 +5,9 @@ use crate::dim::axes::inv_mass_per_axis;
 use crate::dim::math::{Real, Vector, mul_inertia};
 use crate::dim::motion::{FreeMotion, accelerated, gyroscopic};
 use crate::dim::rotation_vector::turned_further;
-use crate::dim::state::{BodyState, WideDisplacement, WideMotion, load_states, store_states};
+use crate::dim::state::{BodyState, WideDisplacement, WideMotion};
 use crate::model::body::RigidBody;
+use crate::step::solver::states::{load_states, store_states};
 
 /// The free motion of a dynamic body in a step with this substep.
 pub(super) fn motion_of(body: &RigidBody, gravity: Vector, substep: Real) -> FreeMotion {

@@ -6,9 +6,10 @@ use crate::dim::contact::{
     ContactBlock, CoulombBlock, Frame, NormalImpulse, NormalRow, solve_friction as solve_rows,
 };
 use crate::dim::math::MAX_MANIFOLD_POINTS;
-use crate::dim::state::{BodyState, WideDisplacement, WideMotion, gather_states, scatter_states};
+use crate::dim::state::{BodyState, WideDisplacement, WideMotion};
 use crate::dim::wide::WideVector;
 use crate::model::params::{ContactPass, SoftRow};
+use crate::step::solver::states::{gather_states, scatter_states};
 
 /// Velocities and displacements of a block's two bodies.
 pub(in super::super) struct Bodies<W> {

@@ -7,9 +7,10 @@ use crate::dim::contact::{
     ContactBlock, CoulombBlock, Frame, NormalImpulse, Pair, prepare_friction,
 };
 use crate::dim::math::{MAX_MANIFOLD_POINTS, Real};
-use crate::dim::state::{BodyPose, BodyState, WideMotion, gather_poses};
+use crate::dim::state::{BodyPose, BodyState, WideMotion};
 use crate::dim::wide::WideVector;
 use crate::model::contact::{ContactInput, MotionSince, WidePoint};
+use crate::step::solver::states::gather_poses;
 
 /// The bodies as constraints are prepared.
 #[derive(Copy, Clone)]

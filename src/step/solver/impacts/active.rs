@@ -11,8 +11,9 @@ use crate::base::disjoint::DisjointMut;
 use crate::base::wide::{Kernel, LANES, Lane, Wide};
 use crate::dim::contact::ContactBlock;
 use crate::dim::math::{MAX_MANIFOLD_POINTS, Real};
-use crate::dim::state::{BodyState, gather_states, scatter_states};
+use crate::dim::state::BodyState;
 use crate::step::solver::contacts::Blocks;
+use crate::step::solver::states::{gather_states, scatter_states};
 use core::ops::Range;
 
 /// Gauss–Seidel sweeps over the points of a manifold in each iteration. The points couple with each other

@@ -6,9 +6,10 @@ use crate::base::disjoint::DisjointMut;
 use crate::base::wide::{Lane, Wide};
 use crate::dim::contact::{ContactBlock, CoulombBlock, Frame, NormalImpulse, NormalRow};
 use crate::dim::math::MAX_MANIFOLD_POINTS;
-use crate::dim::state::{BodyState, gather_velocities};
+use crate::dim::state::BodyState;
 use crate::dim::wide::WideVector;
 use crate::step::solver::contacts::{self, Bodies, values_at};
+use crate::step::solver::states::gather_velocities;
 
 /// The normal rows of a block with the motion of its bodies.
 pub struct NormalRows<'a, W> {

@@ -9,11 +9,12 @@ use crate::base::disjoint::DisjointMut;
 use crate::base::wide::Wide;
 use crate::dim::joint::{angular_to_frame, angular_to_world};
 use crate::dim::math::{DIM, SPATIAL_DIM};
-use crate::dim::state::{BodyState, WideDisplacement, WideMotion, gather_states, scatter_states};
+use crate::dim::state::{BodyState, WideDisplacement, WideMotion};
 use crate::dim::wide::{
     ANG_ZERO_LANES, WideAngVector, WideVector, ang_dot, load_ang, store_ang, torque,
 };
 use crate::model::params::JointPass;
+use crate::step::solver::states::{gather_states, scatter_states};
 
 /// Velocities and displacements of a block's two bodies.
 pub(super) struct Bodies<W> {
