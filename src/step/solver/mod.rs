@@ -17,15 +17,14 @@
 //! end of that substep and before any impulse. We keep the latter per body and add the difference, instead of
 //! visiting all constraints.
 
+mod blocks;
 mod bodies;
 mod contacts;
 mod groups;
 mod impacts;
 mod island_sums;
 mod joints;
-mod layout;
 mod multibodies;
-mod overflow;
 mod recovery;
 mod states;
 #[cfg(test)]

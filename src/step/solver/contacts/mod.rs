@@ -4,11 +4,10 @@ pub(super) mod passes;
 mod prepare;
 mod store_impulses;
 
+use super::blocks::{Layout, OverflowOrder, block_kernel, for_each_color};
 use super::bodies::SolverBodies;
 use super::impacts::{ImpactContext, Impacts};
-use super::layout::Layout;
 use super::multibodies::SolverMultibodies;
-use super::overflow::OverflowOrder;
 use super::recovery::{Recovery, deep_overlap};
 use crate::base::disjoint::DisjointMut;
 use crate::base::tasks::Tasks;
@@ -219,7 +218,7 @@ impl SolverContacts {
         let lanes = &self.lanes.blocks[..];
         let blocks = Blocks::new(&mut self.blocks, &mut self.coulomb);
         let (deep, has_deep_overlap) = (deep_overlap(pass), AtomicBool::new(false));
-        for_each_color(self.layout.colors(), (tasks, BLOCKS_PER_TASK), |range| {
+        for_each_color(self.layout.colors(), tasks, BLOCKS_PER_TASK, |range| {
             if simd.run(Prepare { range, lanes, blocks, poses, states, prediction, deep }) {
                 has_deep_overlap.store(true, Ordering::Relaxed);
             }
@@ -280,7 +279,7 @@ impl SolverContacts {
     ) {
         let (_, states) = bodies.shared();
         let blocks = Blocks::new(&mut self.blocks, &mut self.coulomb);
-        for_each_color(self.layout.colors(), (tasks, BLOCKS_PER_TASK), |range| {
+        for_each_color(self.layout.colors(), tasks, BLOCKS_PER_TASK, |range| {
             simd.run(Solve { range, blocks, states, pass });
         });
     }
@@ -295,7 +294,7 @@ impl SolverContacts {
     ) {
         let (_, states) = bodies.shared();
         let blocks = Blocks::new(&mut self.blocks, &mut self.coulomb);
-        for_each_color(self.layout.colors(), (tasks, BLOCKS_PER_TASK), |range| {
+        for_each_color(self.layout.colors(), tasks, BLOCKS_PER_TASK, |range| {
             simd.run(Relax { range, blocks, states, pass });
         });
     }
@@ -324,7 +323,7 @@ impl SolverContacts {
         let blocks = Blocks::new(&mut self.blocks, &mut self.coulomb);
         let layout = &self.layout;
         tasks.par_for(layout.block_count(), BLOCKS_PER_TASK, |range| {
-            simd.run(Keep { range, layout, lanes, reports, blocks });
+            simd.run(Store { range, layout, lanes, reports, blocks });
         });
         self.lanes.are_rough = !self.coulomb.is_empty();
         for color in self.layout.colors().iter().take_while(|color| self.needs_write_back(color)) {
@@ -418,19 +417,6 @@ fn scale_impulses(input: &mut ContactInput, bodies: &SolverBodies, per_point: bo
     }
 }
 
-/// Distributes the blocks colour by colour, in tasks of this size; blocks of one colour run concurrently.
-pub(super) fn for_each_color(
-    colors: &[Range<usize>],
-    (tasks, grain): (Tasks<'_>, usize),
-    work: impl Fn(Range<usize>) + Sync,
-) {
-    for color in colors {
-        tasks.par_for(color.len(), grain, |range| {
-            work(color.start + range.start..color.start + range.end);
-        });
-    }
-}
-
 /// All blocks, and the friction per point of each if that is wanted.
 #[derive(Clone, Copy)]
 pub(super) struct Blocks<'a> {
@@ -493,62 +479,40 @@ impl Kernel for Prepare<'_> {
     }
 }
 
-/// See [`store_impulses`].
-struct Keep<'a> {
-    range: Range<usize>,
-    layout: &'a Layout<ManifoldRef>,
-    lanes: DisjointMut<'a, LaneBlock>,
-    reports: DisjointMut<'a, [ContactReport; LANES]>,
-    blocks: Blocks<'a>,
-}
-
-impl Kernel for Keep<'_> {
-    type Output = ();
-
-    #[inline(always)]
-    fn run<W: Wide>(self) {
-        for index in self.range.filter(|&index| !self.layout.block(index).is_empty()) {
-            // SAFETY: each block belongs to one task.
-            unsafe {
-                let (block, coulomb) = self.blocks.get(index);
-                let input = &mut self.lanes.get_mut(index).input;
-                let reports = self.reports.get_mut(index);
-                store_impulses::<W>(block, coulomb.as_deref(), input, reports);
-            }
-        }
+block_kernel! {
+    /// See [`store_impulses`].
+    struct Store<'a> {
+        layout: &'a Layout<ManifoldRef>,
+        lanes: DisjointMut<'a, LaneBlock>,
+        reports: DisjointMut<'a, [ContactReport; LANES]>,
+        blocks: Blocks<'a>,
+    }
+    |index| if !layout.block(index).is_empty() {
+        let (block, coulomb) = blocks.get(index);
+        let input = &mut lanes.get_mut(index).input;
+        store_impulses::<W>(block, coulomb.as_deref(), input, reports.get_mut(index));
     }
 }
 
-/// A pass over some blocks of one colour.
-macro_rules! pass_kernel {
-    ($name:ident, |$block:ident, $coulomb:ident, $states:ident, $pass:ident| $visit:expr) => {
-        struct $name<'a> {
-            range: Range<usize>,
-            blocks: Blocks<'a>,
-            states: DisjointMut<'a, BodyState>,
-            pass: &'a ContactPass,
-        }
-
-        impl Kernel for $name<'_> {
-            type Output = ();
-
-            #[inline(always)]
-            fn run<W: Wide>(self) {
-                let ($states, $pass) = (&self.states, self.pass);
-                for index in self.range {
-                    // SAFETY: each block belongs to one task, constraints of one colour have no common
-                    // dynamic body, and the colours run in sequence.
-                    unsafe {
-                        let ($block, $coulomb) = self.blocks.get(index);
-                        $visit
-                    }
-                }
-            }
-        }
-    };
+block_kernel! {
+    /// See [`passes::solve`].
+    struct Solve<'a> {
+        blocks: Blocks<'a>,
+        states: DisjointMut<'a, BodyState>,
+        pass: &'a ContactPass,
+    }
+    |index| passes::solve::<W>(blocks.get(index).0, &states, pass)
 }
 
-pass_kernel!(Solve, |block, _coulomb, states, pass| passes::solve::<W>(block, states, pass));
-pass_kernel!(Relax, |block, coulomb, states, pass| {
-    passes::relax::<W>(block, coulomb, states, pass);
-});
+block_kernel! {
+    /// See [`passes::relax`].
+    struct Relax<'a> {
+        blocks: Blocks<'a>,
+        states: DisjointMut<'a, BodyState>,
+        pass: &'a ContactPass,
+    }
+    |index| {
+        let (block, coulomb) = blocks.get(index);
+        passes::relax::<W>(block, coulomb, &states, pass);
+    }
+}

@@ -12,7 +12,7 @@ use crate::model::params::{ContactPass, SoftRow};
 use crate::step::solver::states::{gather_states, scatter_states};
 
 /// Velocities and displacements of a block's two bodies.
-pub(in super::super) struct Bodies<W> {
+pub(in crate::step::solver) struct Bodies<W> {
     pub velocities: [WideMotion<W>; 2],
     pub displacements: [WideDisplacement<W>; 2],
 }
@@ -54,7 +54,7 @@ impl<W: Wide> Bodies<W> {
 /// # Safety
 /// The caller has exclusive access to the states of the block's bodies.
 #[inline(always)]
-pub(in super::super) unsafe fn solve<W: Wide>(
+pub(in crate::step::solver) unsafe fn solve<W: Wide>(
     block: &mut ContactBlock,
     states: &DisjointMut<BodyState>,
     pass: &ContactPass,
@@ -76,7 +76,7 @@ pub(in super::super) unsafe fn solve<W: Wide>(
 /// # Safety
 /// The caller has exclusive access to the states of the block's bodies.
 #[inline(always)]
-pub(in super::super) unsafe fn relax<W: Wide>(
+pub(in crate::step::solver) unsafe fn relax<W: Wide>(
     block: &mut ContactBlock,
     coulomb: Option<&mut CoulombBlock>,
     states: &DisjointMut<BodyState>,
@@ -98,7 +98,7 @@ pub(in super::super) unsafe fn relax<W: Wide>(
 
 /// Solves the friction rows once, central ones or those of the points, under the normal impulses as they are.
 #[inline(always)]
-pub(in super::super) fn solve_friction<W: Wide>(
+pub(in crate::step::solver) fn solve_friction<W: Wide>(
     block: &mut ContactBlock,
     coulomb: Option<&mut CoulombBlock>,
     velocities: [WideMotion<W>; 2],
@@ -144,7 +144,7 @@ fn solve_normals<W: Wide, const BIAS: bool>(
 
 /// The relative normal velocities, or displacements, at the points.
 #[inline(always)]
-pub(in super::super) fn values_at<W: Wide>(
+pub(in crate::step::solver) fn values_at<W: Wide>(
     block: &ContactBlock,
     row: NormalRow<W>,
 ) -> [W; MAX_MANIFOLD_POINTS] {

@@ -14,7 +14,7 @@ use crate::step::solver::states::gather_poses;
 
 /// The bodies as constraints are prepared.
 #[derive(Copy, Clone)]
-pub(in super::super) struct PrepareContext<'a> {
+pub(in crate::step::solver) struct PrepareContext<'a> {
     pub poses: &'a [BodyPose],
     pub states: &'a DisjointMut<'a, BodyState>,
     /// Distance up to which points may be apart.
@@ -28,7 +28,7 @@ pub(in super::super) struct PrepareContext<'a> {
 /// # Safety
 /// The caller has exclusive access to the states of the block's bodies.
 #[inline(always)]
-pub(in super::super) unsafe fn prepare<W: Wide>(
+pub(in crate::step::solver) unsafe fn prepare<W: Wide>(
     input: &ContactInput,
     block: &mut ContactBlock,
     coulomb: Option<&mut CoulombBlock>,

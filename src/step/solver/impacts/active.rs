@@ -8,10 +8,11 @@ use super::points::NormalRows;
 use super::rows::{ActiveRow, ImpactBlock, ImpactMark};
 use super::{ImpactIsland, lanes};
 use crate::base::disjoint::DisjointMut;
-use crate::base::wide::{Kernel, LANES, Lane, Wide};
+use crate::base::wide::{LANES, Lane, Wide};
 use crate::dim::contact::ContactBlock;
 use crate::dim::math::{MAX_MANIFOLD_POINTS, Real};
 use crate::dim::state::BodyState;
+use crate::step::solver::blocks::block_kernel;
 use crate::step::solver::contacts::Blocks;
 use crate::step::solver::states::{gather_states, scatter_states};
 use core::ops::Range;
@@ -277,30 +278,19 @@ pub(super) enum Phase {
     End,
 }
 
-/// A turn, for some blocks of one colour.
-pub(super) struct Round<'a> {
-    pub phase: Phase,
-    pub range: Range<usize>,
-    pub blocks: DisjointMut<'a, ActiveBlock>,
-    pub states: DisjointMut<'a, BodyState>,
-    pub delays: DisjointMut<'a, BodyState>,
-}
-
-impl Kernel for Round<'_> {
-    type Output = ();
-
-    #[inline(always)]
-    fn run<W: Wide>(self) {
-        for index in self.range {
-            // SAFETY: each block belongs to one task, constraints of one colour have no common dynamic body,
-            // and the colours run in sequence.
-            unsafe {
-                let block = self.blocks.get_mut(index);
-                match self.phase {
-                    Phase::Iterate => block.iterate::<W>(&self.states),
-                    Phase::End => block.end::<W>(&self.states, &self.delays),
-                }
-            }
+block_kernel! {
+    /// A turn, for some blocks of one colour.
+    pub(super) struct Round<'a> {
+        phase: Phase,
+        blocks: DisjointMut<'a, ActiveBlock>,
+        states: DisjointMut<'a, BodyState>,
+        delays: DisjointMut<'a, BodyState>,
+    }
+    |index| {
+        let block = blocks.get_mut(index);
+        match phase {
+            Phase::Iterate => block.iterate::<W>(&states),
+            Phase::End => block.end::<W>(&states, &delays),
         }
     }
 }

@@ -87,8 +87,9 @@ mod points;
 mod rows;
 mod active;
 mod touched;
+use super::blocks::for_each_color;
 use super::bodies::SolverBodies;
-use super::contacts::{Blocks, for_each_color};
+use super::contacts::Blocks;
 use super::island_sums::IslandSums;
 use super::joints::{Changes, SolverJoints};
 use super::multibodies::SolverMultibodies;
@@ -472,7 +473,7 @@ impl Impacts {
             // They change no body: all blocks may be looked at at once.
             _ => (core::slice::from_ref(&all), BLOCKS_PER_TASK),
         };
-        for_each_color(colors, (context.tasks, grain), |range| {
+        for_each_color(colors, context.tasks, grain, |range| {
             simd.run(Look { stage, range, contacts, impacts, marks, states, known, touched, pass });
         });
     }
@@ -483,7 +484,7 @@ impl Impacts {
         let Self { active: Active { blocks, colors, .. }, touched, .. } = self;
         let (blocks, delays) = (DisjointMut::new(blocks), DisjointMut::new(&mut touched.delays));
         let simd = context.simd;
-        for_each_color(colors, (context.tasks, BLOCKS_PER_TASK), |range| {
+        for_each_color(colors, context.tasks, BLOCKS_PER_TASK, |range| {
             simd.run(Round { phase, range, blocks, states, delays });
         });
     }

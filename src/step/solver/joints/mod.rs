@@ -74,17 +74,15 @@ mod geometric_stiffness;
 
 pub(super) use substep_end::CURVATURE_FRACTION_MAX;
 
+use super::blocks::{Layout, block_kernel, for_each_color};
 use super::bodies::SolverBodies;
-use super::contacts::for_each_color;
-use super::layout::Layout;
 use crate::base::disjoint::DisjointMut;
 use crate::base::tasks::Tasks;
-use crate::base::wide::{Kernel, Simd, Wide};
+use crate::base::wide::Simd;
 use crate::dim::math::Real;
 use crate::dim::state::{BodyPose, BodyState, READ_ONLY};
 use crate::model::params::JointPass;
 use block::{AxisRow, JointBlock};
-use core::ops::Range;
 use direct::{Direct, DirectJoint, ImpactImpulse, JacobianBlock, StiffnessTest};
 use geometric_stiffness::{GeometricStiffness, Moving, have_large_displacement};
 pub(super) use load::JointSources;
@@ -163,7 +161,7 @@ impl SolverJoints {
     pub fn warm_start(&mut self, bodies: &mut SolverBodies, simd: Simd, tasks: Tasks<'_>) {
         let (_, states) = bodies.shared();
         let parts = Parts::new(&mut self.blocks, &mut self.rows);
-        for_each_color(self.layout.colors(), (tasks, BLOCKS_PER_TASK), |range| {
+        for_each_color(self.layout.colors(), tasks, BLOCKS_PER_TASK, |range| {
             simd.run(WarmStart { range, parts, states });
         });
         self.point_to_point.warm_start(states, simd, tasks);
@@ -220,7 +218,7 @@ impl SolverJoints {
     ) {
         let (_, states) = bodies.shared();
         let parts = Parts::new(&mut self.blocks, &mut self.rows);
-        for_each_color(self.layout.colors(), (tasks, BLOCKS_PER_TASK), |range| {
+        for_each_color(self.layout.colors(), tasks, BLOCKS_PER_TASK, |range| {
             simd.run(Iterate::<AHEAD> { range, parts, states, pass });
         });
         self.point_to_point.iterate::<AHEAD>(states, pass, simd, tasks);
@@ -416,123 +414,67 @@ impl<'a> Parts<'a> {
     }
 }
 
-/// See [`passes::warm_start`].
-struct WarmStart<'a> {
-    range: Range<usize>,
-    parts: Parts<'a>,
-    states: DisjointMut<'a, BodyState>,
+block_kernel! {
+    /// See [`passes::warm_start`].
+    struct WarmStart<'a> {
+        parts: Parts<'a>,
+        states: DisjointMut<'a, BodyState>,
+    }
+    |index| passes::warm_start::<W>(parts.blocks.get_mut(index), &parts.rows, &states)
 }
 
-impl Kernel for WarmStart<'_> {
-    type Output = ();
+block_kernel! {
+    /// See [`passes::iterate`].
+    struct Iterate<'a, const AHEAD: bool> {
+        parts: Parts<'a>,
+        states: DisjointMut<'a, BodyState>,
+        pass: &'a JointPass,
+    }
+    |index| {
+        passes::iterate::<W, AHEAD>(parts.blocks.get_mut(index), &parts.rows, &states, pass);
+    }
+}
 
-    #[inline(always)]
-    fn run<W: Wide>(self) {
-        for index in self.range {
-            // SAFETY: each block belongs to one task, and joints of one colour have no common dynamic body.
-            unsafe {
-                let block = self.parts.blocks.get_mut(index);
-                passes::warm_start::<W>(block, &self.parts.rows, &self.states);
-            }
+block_kernel! {
+    /// See [`direct::write_rows`].
+    struct WriteRows<'a, const AHEAD: bool> {
+        blocks: DisjointMut<'a, JointBlock>,
+        memory: DisjointMut<'a, JacobianBlock>,
+        states: DisjointMut<'a, BodyState>,
+        pass: &'a JointPass,
+    }
+    |index| {
+        let block = blocks.get_mut(index);
+        if block.has_exact {
+            direct::write_rows::<W, AHEAD>(block, memory.get_mut(index), &states, pass);
         }
     }
 }
 
-/// See [`passes::iterate`].
-struct Iterate<'a, const AHEAD: bool> {
-    range: Range<usize>,
-    parts: Parts<'a>,
-    states: DisjointMut<'a, BodyState>,
-    pass: &'a JointPass,
-}
-
-impl<const AHEAD: bool> Kernel for Iterate<'_, AHEAD> {
-    type Output = ();
-
-    #[inline(always)]
-    fn run<W: Wide>(self) {
-        for index in self.range {
-            // SAFETY: each block belongs to one task, joints of one colour have no common dynamic body, and
-            // the colours run in sequence.
-            unsafe {
-                let block = self.parts.blocks.get_mut(index);
-                passes::iterate::<W, AHEAD>(block, &self.parts.rows, &self.states, self.pass);
-            }
+block_kernel! {
+    /// See [`direct::finish`].
+    struct Finish<'a> {
+        blocks: DisjointMut<'a, JointBlock>,
+        memory: &'a [JacobianBlock],
+        is_last: bool,
+    }
+    |index| {
+        let block = blocks.get_mut(index);
+        if block.has_exact {
+            direct::finish::<W>(block, &memory[index], is_last);
         }
     }
 }
 
-/// See [`direct::write_rows`].
-struct WriteRows<'a, const AHEAD: bool> {
-    range: Range<usize>,
-    blocks: DisjointMut<'a, JointBlock>,
-    memory: DisjointMut<'a, JacobianBlock>,
-    states: DisjointMut<'a, BodyState>,
-    pass: &'a JointPass,
-}
-
-impl<const AHEAD: bool> Kernel for WriteRows<'_, AHEAD> {
-    type Output = ();
-
-    #[inline(always)]
-    fn run<W: Wide>(self) {
-        for index in self.range {
-            // SAFETY: each block belongs to one task, and no thread writes states.
-            unsafe {
-                let block = self.blocks.get_mut(index);
-                if block.has_exact {
-                    let memory = self.memory.get_mut(index);
-                    direct::write_rows::<W, AHEAD>(block, memory, &self.states, self.pass);
-                }
-            }
-        }
+block_kernel! {
+    /// See [`direct::count`].
+    struct Count<'a> {
+        blocks: &'a [JointBlock],
+        memory: &'a [JacobianBlock],
+        impact_impulses: DisjointMut<'a, ImpactImpulse>,
     }
-}
-
-/// See [`direct::finish`].
-struct Finish<'a> {
-    range: Range<usize>,
-    blocks: DisjointMut<'a, JointBlock>,
-    memory: &'a [JacobianBlock],
-    is_last: bool,
-}
-
-impl Kernel for Finish<'_> {
-    type Output = ();
-
-    #[inline(always)]
-    fn run<W: Wide>(self) {
-        for index in self.range {
-            // SAFETY: each block belongs to one task.
-            let block = unsafe { self.blocks.get_mut(index) };
-            if block.has_exact {
-                direct::finish::<W>(block, &self.memory[index], self.is_last);
-            }
-        }
-    }
-}
-
-/// See [`direct::count`].
-struct Count<'a> {
-    range: Range<usize>,
-    blocks: &'a [JointBlock],
-    memory: &'a [JacobianBlock],
-    impact_impulses: DisjointMut<'a, ImpactImpulse>,
-}
-
-impl Kernel for Count<'_> {
-    type Output = ();
-
-    #[inline(always)]
-    fn run<W: Wide>(self) {
-        for index in self.range.filter(|&index| self.blocks[index].has_exact) {
-            // SAFETY: the impact impulse of each block belongs to one task.
-            let impact_impulse = unsafe { self.impact_impulses.get_mut(index) };
-            direct::count::<W>(
-                impact_impulse,
-                &self.memory[index],
-                self.blocks[index].locks_rotations,
-            );
-        }
+    |index| if blocks[index].has_exact {
+        let impact_impulse = impact_impulses.get_mut(index);
+        direct::count::<W>(impact_impulse, &memory[index], blocks[index].locks_rotations);
     }
 }
