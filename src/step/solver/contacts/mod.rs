@@ -1,17 +1,18 @@
 //! Contact constraints: from manifolds to lane-wide blocks, through the passes, and back.
 
+mod load;
 pub(super) mod passes;
 mod prepare;
 mod store_impulses;
 
 use super::blocks::{Layout, OverflowOrder, block_kernel, for_each_color};
 use super::bodies::SolverBodies;
-use super::impacts::{ImpactContext, Impacts};
-use super::multibodies::SolverMultibodies;
+use super::context::{SolverContext, SolverPass};
+use super::links::Links;
 use super::recovery::{Recovery, deep_overlap};
 use crate::base::disjoint::DisjointMut;
 use crate::base::tasks::Tasks;
-use crate::base::wide::{Kernel, LANES, Lane, Simd, Wide};
+use crate::base::wide::{Kernel, LANES, Lane, Wide};
 use crate::dim::contact::{ContactBlock, CoulombBlock};
 use crate::dim::math::Real;
 use crate::dim::state::{BodyPose, BodyState};
@@ -20,26 +21,16 @@ use crate::model::contact::{
     ContactInput, ContactLanes, ContactPair, ContactReport, LaneBlock, LaneCapacity, NarrowPhase,
     PairStore, reserve_blocks,
 };
-use crate::model::params::{ContactPass, FrictionModel, ImpactPass, IntegrationParameters};
+use crate::model::params::{ContactPass, FrictionModel};
 use core::ops::Range;
 use core::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+pub(super) use load::ContactSources;
 pub(super) use passes::{Bodies, solve_friction, values_at};
 pub(super) use prepare::{PrepareContext, prepare};
 pub(super) use store_impulses::store_impulses;
 
 /// Blocks that are worth handing over to another thread together (a microsecond or two).
 const BLOCKS_PER_TASK: usize = 8;
-/// Prefetch distance, in blocks.
-const BLOCKS_AHEAD: usize = 2;
-
-/// The context for which contacts are loaded.
-#[derive(Copy, Clone)]
-pub(super) struct LoadKind {
-    /// Whether all moving bodies are solved together.
-    pub is_only_group: bool,
-    /// Whether each point has its own friction.
-    pub per_point: bool,
-}
 
 /// All contact constraints of a step.
 #[derive(Default)]
@@ -57,7 +48,8 @@ pub(super) struct SolverContacts {
     coulomb: Vec<CoulombBlock>,
     layout: Layout<ManifoldRef>,
     overflow: OverflowOrder,
-    impacts: Impacts,
+    /// Manifolds of links, which have no lanes.
+    of_links: Vec<ManifoldRef>,
     point_count: usize,
     /// Whether a contact is deep enough that its correction may eject bodies.
     has_deep_overlap: bool,
@@ -74,96 +66,6 @@ impl SolverContacts {
         self.point_count
     }
 
-    /// There are none.
-    pub fn clear(&mut self) {
-        self.layout.clear();
-        self.starts.clear();
-        self.are_on_loan = false;
-        self.point_count = 0;
-    }
-
-    /// Fills the lanes from the manifolds of the solved bodies: whole lanes of a colour, and independent
-    /// constraints of the overflow. Manifolds of links are left to their multibodies.
-    pub fn load(
-        &mut self,
-        graph: &ConstraintGraph,
-        narrow_phase: &mut NarrowPhase,
-        (bodies, kind): (&SolverBodies, LoadKind),
-        multibodies: &mut SolverMultibodies,
-        tasks: Tasks<'_>,
-    ) {
-        let LoadKind { is_only_group, per_point } = kind;
-        let are_all = is_only_group && multibodies.move_no_body();
-        let NarrowPhase { contacts, lanes, .. } = &mut *narrow_phase;
-        let capacity = is_only_group.then_some(&mut lanes.capacity);
-        self.lay_out((graph, contacts, capacity), (bodies, are_all), multibodies);
-        // A lane whose manifold changed is filled from the manifold, which must be written back by then. So
-        // must those be whose impulses are about to change before they act.
-        let lanes = &narrow_phase.lanes;
-        let stay = is_only_group && lanes.starts() == self.starts;
-        if !stay || lanes.are_rough != per_point || bodies.any_scaled() {
-            narrow_phase.settle_all(tasks);
-        }
-        // The set of groups may change from step to step, and a group has no data of the others.
-        self.lanes_are_scaled = bodies.any_scaled();
-        self.are_on_loan = is_only_group;
-        if is_only_group {
-            self.lanes = core::mem::take(&mut narrow_phase.lanes);
-        } else {
-            narrow_phase.lanes.forget();
-            self.lanes.forget();
-        }
-        let count = self.layout.block_count();
-        self.lanes.resize(count);
-        reserve_blocks(&mut self.blocks, count);
-        self.blocks.resize_with(count, || ContactBlock::EMPTY);
-        self.point_count = self.fill_lanes(narrow_phase, (bodies, per_point), tasks);
-        self.impacts.load(&self.lanes, self.layout.colors(), bodies);
-    }
-
-    /// Assigns manifolds to lanes: all of the graph, or those of the solved bodies.
-    fn lay_out(
-        &mut self,
-        (graph, contacts, mut capacity): (
-            &ConstraintGraph,
-            &PairStore<ContactPair>,
-            Option<&mut LaneCapacity>,
-        ),
-        (bodies, are_all): (&SolverBodies, bool),
-        multibodies: &mut SolverMultibodies,
-    ) {
-        self.layout.clear();
-        self.starts.clear();
-        for (color, list) in graph.all_in_solving_order() {
-            let first = self.layout.block_count();
-            let slots = |at: ManifoldRef| contacts.bodies(at.pair);
-            let members = list.iter().copied().filter(|&at| {
-                are_all || !multibodies.adopt(at, slots(at)) && bodies.has_one_of(slots(at))
-            });
-            if color == OVERFLOW {
-                // These are solved one after the other, and their order in the list depends on the rest of
-                // the world.
-                let mut members: Vec<_> = members.collect();
-                members.sort_unstable_by_key(|at| (contacts.collider_slots(at.pair), at.manifold));
-                let members = members.into_iter().map(|at| (at, slots(at)));
-                self.layout.add_side_by_side(members, &mut self.overflow);
-            } else if are_all {
-                // All manifolds are loaded, so the list is copied as it is.
-                self.layout.add(color, list.iter().copied());
-                self.starts.push(first as u32);
-            } else {
-                self.layout.add(color, members);
-                self.starts.push(first as u32);
-            }
-            if let Some(capacity) = &mut capacity {
-                self.layout.keep_room(first, &mut capacity[color as usize]);
-            }
-        }
-        if !are_all {
-            self.starts.clear();
-        }
-    }
-
     /// Discards the results of the step.
     pub fn give_back(&mut self, narrow_phase: &mut NarrowPhase) {
         if self.lanes_are_scaled {
@@ -174,42 +76,9 @@ impl SolverContacts {
         }
     }
 
-    /// Returns the number of points.
-    fn fill_lanes(
-        &mut self,
-        narrow_phase: &NarrowPhase,
-        bodies: (&SolverBodies, bool),
-        tasks: Tasks<'_>,
-    ) -> usize {
-        let (layout, lanes) = (&self.layout, DisjointMut::new(&mut self.lanes.blocks));
-        let point_count = AtomicUsize::new(0);
-        tasks.par_for(layout.block_count(), BLOCKS_PER_TASK, |range| {
-            let mut count = 0;
-            for index in range.clone() {
-                let soon = index + BLOCKS_AHEAD;
-                if soon < range.end {
-                    // SAFETY: each block has lanes, and belongs to one task.
-                    let block = unsafe { lanes.get(soon) };
-                    prefetch(block, layout.block(soon), narrow_phase);
-                }
-                // SAFETY: as above.
-                let block = unsafe { lanes.get_mut(index) };
-                fill(block, layout.block(index), narrow_phase, bodies);
-                count += block.point_count();
-            }
-            point_count.fetch_add(count, Ordering::Relaxed);
-        });
-        point_count.into_inner()
-    }
-
     /// Makes constraints of the manifolds, and gives the bodies last step's impulses.
-    pub fn prepare(
-        &mut self,
-        bodies: &mut SolverBodies,
-        (params, pass): (&IntegrationParameters, &ContactPass),
-        simd: Simd,
-        tasks: Tasks<'_>,
-    ) {
+    pub fn warm_start(&mut self, bodies: &mut SolverBodies, pass: &SolverPass<'_>) {
+        let &SolverPass { params, simd, tasks, .. } = pass;
         let per_point = params.friction_model == FrictionModel::Coulomb;
         let rows = if per_point { self.blocks.len() } else { 0 };
         self.coulomb.resize(rows, CoulombBlock::EMPTY);
@@ -217,7 +86,7 @@ impl SolverContacts {
         let (poses, states) = bodies.shared();
         let lanes = &self.lanes.blocks[..];
         let blocks = Blocks::new(&mut self.blocks, &mut self.coulomb);
-        let (deep, has_deep_overlap) = (deep_overlap(pass), AtomicBool::new(false));
+        let (deep, has_deep_overlap) = (deep_overlap(&pass.contacts), AtomicBool::new(false));
         for_each_color(self.layout.colors(), tasks, BLOCKS_PER_TASK, |range| {
             if simd.run(Prepare { range, lanes, blocks, poses, states, prediction, deep }) {
                 has_deep_overlap.store(true, Ordering::Relaxed);
@@ -231,12 +100,12 @@ impl SolverContacts {
         &self,
         recovery: &mut Recovery,
         bodies: &SolverBodies,
-        pass: &ContactPass,
+        pass: &SolverPass<'_>,
     ) -> bool {
         recovery.clear();
         if self.has_deep_overlap {
             recovery.begin(bodies);
-            let deep = deep_overlap(pass);
+            let deep = deep_overlap(&pass.contacts);
             // Blocks beyond the colour's count keep the data of an earlier step.
             for index in self.layout.colors().iter().flat_map(Clone::clone) {
                 recovery.note(&self.blocks[index], &self.lanes.blocks[index].input, deep, bodies);
@@ -245,8 +114,9 @@ impl SolverContacts {
         self.has_deep_overlap
     }
 
-    /// Scales the warm-start impulses of a substep by this fraction, as for bodies.
-    pub fn scale_impulses(&mut self, factor: Real) {
+    /// Begins a substep: scales its warm-start impulses as those of bodies.
+    pub fn begin_substep(&mut self, pass: &SolverPass<'_>) {
+        let factor = pass.params.warmstart_coefficient;
         if factor != 1.0 {
             let factors = Lane::splat(factor);
             self.blocks.iter_mut().for_each(|block| block.scale_impulses(&factors));
@@ -270,54 +140,48 @@ impl SolverContacts {
     }
 
     /// Solves all constraints once, with bias.
-    pub fn solve(
-        &mut self,
-        bodies: &mut SolverBodies,
-        pass: &ContactPass,
-        simd: Simd,
-        tasks: Tasks<'_>,
-    ) {
+    pub fn solve(&mut self, bodies: &mut SolverBodies, pass: &SolverPass<'_>) {
         let (_, states) = bodies.shared();
         let blocks = Blocks::new(&mut self.blocks, &mut self.coulomb);
+        let (simd, pass, tasks) = (pass.simd, &pass.contacts, pass.tasks);
         for_each_color(self.layout.colors(), tasks, BLOCKS_PER_TASK, |range| {
             simd.run(Solve { range, blocks, states, pass });
         });
     }
 
     /// Solves all constraints once, without bias and with friction.
-    pub fn relax(
-        &mut self,
-        bodies: &mut SolverBodies,
-        pass: &ContactPass,
-        simd: Simd,
-        tasks: Tasks<'_>,
-    ) {
+    pub fn relax(&mut self, bodies: &mut SolverBodies, pass: &SolverPass<'_>) {
         let (_, states) = bodies.shared();
         let blocks = Blocks::new(&mut self.blocks, &mut self.coulomb);
+        let (simd, pass, tasks) = (pass.simd, &pass.contacts, pass.tasks);
         for_each_color(self.layout.colors(), tasks, BLOCKS_PER_TASK, |range| {
             simd.run(Relax { range, blocks, states, pass });
         });
     }
 
-    /// Returns whether any contact has restitution.
-    pub fn has_restitution(&self) -> bool {
-        !self.impacts.is_empty()
+    /// The blocks of each colour.
+    pub fn colors(&self) -> &[Range<usize>] {
+        self.layout.colors()
     }
 
-    /// Applies restitution to the contacts that hit in this substep.
-    pub fn solve_impacts(
-        &mut self,
-        bodies: &mut SolverBodies,
-        context: ImpactContext<'_>,
-        pass: &ImpactPass,
-    ) {
-        let blocks = Blocks::new(&mut self.blocks, &mut self.coulomb);
-        self.impacts.run(blocks, bodies, context, pass);
+    /// The manifolds of each block.
+    pub fn lanes(&self) -> &[LaneBlock] {
+        &self.lanes.blocks
+    }
+
+    /// The manifolds of links, which have no lanes.
+    pub fn of_links(&self) -> &[ManifoldRef] {
+        &self.of_links
+    }
+
+    /// The blocks, for impacts.
+    pub fn blocks(&mut self) -> Blocks<'_> {
+        Blocks::new(&mut self.blocks, &mut self.coulomb)
     }
 
     /// Stores the impulses for the next step, and writes back the manifolds whose lanes are not indexed.
-    pub fn store(&mut self, narrow_phase: &mut NarrowPhase, simd: Simd, tasks: Tasks<'_>) {
-        self.impacts.restore(&mut self.blocks);
+    pub fn store(&mut self, context: &mut SolverContext<'_>) {
+        let &mut SolverContext { simd, tasks, ref mut narrow_phase, .. } = context;
         let lanes = DisjointMut::new(&mut self.lanes.blocks);
         let reports = DisjointMut::new(&mut self.lanes.reports);
         let blocks = Blocks::new(&mut self.blocks, &mut self.coulomb);
@@ -357,63 +221,6 @@ impl SolverContacts {
                 }
             }
         });
-    }
-}
-
-/// Asks for the manifolds with which lanes will be filled: pairs are spread over memory.
-fn prefetch(lanes: &LaneBlock, chunk: &[ManifoldRef], narrow_phase: &NarrowPhase) {
-    for (lane, &at) in chunk.iter().enumerate() {
-        if !lanes.is_seated(lane, at) || narrow_phase.contacts.is_renewed(at.pair) {
-            narrow_phase.contacts.prefetch(at.pair);
-        }
-    }
-}
-
-/// Fills the lanes of a block that are not up to date, and sets the body indices of all lanes.
-fn fill(
-    block: &mut LaneBlock,
-    chunk: &[ManifoldRef],
-    narrow_phase: &NarrowPhase,
-    (bodies, per_point): (&SolverBodies, bool),
-) {
-    if chunk.is_empty() && block.is_empty() {
-        return;
-    }
-    let contacts = &narrow_phase.contacts;
-    for (lane, &at) in chunk.iter().enumerate() {
-        if block.assign(lane, Some(at)) || contacts.is_renewed(at.pair) {
-            block.learn(lane, at.manifold, &contacts[at.pair], contacts.bodies(at.pair));
-        }
-    }
-    for lane in chunk.len()..LANES {
-        block.clear(lane);
-    }
-    for lane in 0..chunk.len() {
-        assign_bodies(block, lane, bodies);
-    }
-    if bodies.any_scaled() {
-        scale_impulses(&mut block.input, bodies, per_point);
-    }
-}
-
-fn assign_bodies(block: &mut LaneBlock, lane: usize, bodies: &SolverBodies) {
-    let (index1, creeps1) = bodies.find(block.slots[0][lane]);
-    let (index2, creeps2) = bodies.find(block.slots[1][lane]);
-    let input = &mut block.input;
-    (input.bodies[0][lane], input.bodies[1][lane]) = (index1, index2);
-    for (side, index) in [index1, index2].into_iter().enumerate() {
-        input.is_world[side].0[lane] = if index == BodyPose::WORLD_INDEX { 1.0 } else { 0.0 };
-    }
-    input.anchor_frame.set_near_rest(lane, creeps1 && creeps2);
-}
-
-/// Scales the warm-start impulses of all lanes by the fraction of their bodies.
-fn scale_impulses(input: &mut ContactInput, bodies: &SolverBodies, per_point: bool) {
-    for lane in 0..LANES {
-        let fraction = bodies.impulse_fraction([input.bodies[0][lane], input.bodies[1][lane]]);
-        if fraction != 1.0 {
-            input.scale_impulses(lane, fraction, per_point);
-        }
     }
 }
 

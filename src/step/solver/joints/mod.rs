@@ -72,10 +72,9 @@ mod rows;
 mod store;
 mod geometric_stiffness;
 
-pub(super) use substep_end::CURVATURE_FRACTION_MAX;
-
 use super::blocks::{Layout, block_kernel, for_each_color};
 use super::bodies::SolverBodies;
+use super::context::SolverPass;
 use crate::base::disjoint::DisjointMut;
 use crate::base::tasks::Tasks;
 use crate::base::wide::Simd;
@@ -87,7 +86,6 @@ use direct::{Direct, DirectJoint, ImpactImpulse, JacobianBlock, StiffnessTest};
 use geometric_stiffness::{GeometricStiffness, Moving, have_large_displacement};
 pub(super) use load::JointSources;
 use point_to_point::PointToPointJoints;
-pub(super) use store::break_if_overloaded;
 
 /// All joint constraints of a step.
 #[derive(Default)]
@@ -158,7 +156,8 @@ impl SolverJoints {
     }
 
     /// Gives the bodies the impulses with which the step starts.
-    pub fn warm_start(&mut self, bodies: &mut SolverBodies, simd: Simd, tasks: Tasks<'_>) {
+    pub fn warm_start(&mut self, bodies: &mut SolverBodies, pass: &SolverPass<'_>) {
+        let (simd, tasks) = (pass.simd, pass.tasks);
         let (_, states) = bodies.shared();
         let parts = Parts::new(&mut self.blocks, &mut self.rows);
         for_each_color(self.layout.colors(), tasks, BLOCKS_PER_TASK, |range| {
@@ -167,17 +166,8 @@ impl SolverJoints {
         self.point_to_point.warm_start(states, simd, tasks);
     }
 
-    /// Scales the warm-start impulses of a substep by this fraction, as for bodies.
-    pub fn scale_impulses(&mut self, factor: Real) {
-        if factor != 1.0 {
-            self.blocks.iter_mut().for_each(|block| block.scale_impulses(factor));
-            self.rows.iter_mut().for_each(|row| row.scale_impulses(factor));
-            self.point_to_point.scale_impulses(factor);
-        }
-    }
-
-    /// Begins a substep: finds the stiff components.
-    pub fn select_method(&mut self, bodies: &SolverBodies, pass: &JointPass) {
+    /// Begins a substep: finds the stiff components, and scales the warm-start impulses as those of bodies.
+    pub fn begin_substep(&mut self, bodies: &SolverBodies, pass: &SolverPass<'_>) {
         let Self { blocks, direct, geometric_stiffness, .. } = self;
         let moving = moving(bodies);
         direct.select_method(|members| {
@@ -185,37 +175,26 @@ impl SolverJoints {
             note_stiff(members, blocks, is_stiff);
             is_stiff
         });
+        let factor = pass.params.warmstart_coefficient;
+        if factor != 1.0 {
+            self.blocks.iter_mut().for_each(|block| block.scale_impulses(factor));
+            self.rows.iter_mut().for_each(|row| row.scale_impulses(factor));
+            self.point_to_point.scale_impulses(factor);
+        }
     }
 
     /// Solves all joints once, looking ahead.
-    pub fn solve(
-        &mut self,
-        bodies: &mut SolverBodies,
-        pass: &JointPass,
-        simd: Simd,
-        tasks: Tasks<'_>,
-    ) {
-        self.iterate::<true>(bodies, pass, simd, tasks);
+    pub fn solve(&mut self, bodies: &mut SolverBodies, pass: &SolverPass<'_>) {
+        self.iterate::<true>(bodies, pass);
     }
 
     /// Solves all joints once, where the bodies are.
-    pub fn relax(
-        &mut self,
-        bodies: &mut SolverBodies,
-        pass: &JointPass,
-        simd: Simd,
-        tasks: Tasks<'_>,
-    ) {
-        self.iterate::<false>(bodies, pass, simd, tasks);
+    pub fn relax(&mut self, bodies: &mut SolverBodies, pass: &SolverPass<'_>) {
+        self.iterate::<false>(bodies, pass);
     }
 
-    fn iterate<const AHEAD: bool>(
-        &mut self,
-        bodies: &mut SolverBodies,
-        pass: &JointPass,
-        simd: Simd,
-        tasks: Tasks<'_>,
-    ) {
+    fn iterate<const AHEAD: bool>(&mut self, bodies: &mut SolverBodies, pass: &SolverPass<'_>) {
+        let &SolverPass { joints: ref pass, simd, tasks, .. } = pass;
         let (_, states) = bodies.shared();
         let parts = Parts::new(&mut self.blocks, &mut self.rows);
         for_each_color(self.layout.colors(), tasks, BLOCKS_PER_TASK, |range| {
@@ -271,9 +250,9 @@ impl SolverJoints {
         mut changes: Changes<'_>,
         wanted: impl Fn(u32) -> bool + Sync,
         mut add_work: impl FnMut(u32, Real),
-        pass: &JointPass,
-        (simd, tasks): (Simd, Tasks<'_>),
+        pass: &SolverPass<'_>,
     ) {
+        let &SolverPass { joints: ref pass, simd, tasks, .. } = pass;
         if self.direct.is_empty() {
             return;
         }

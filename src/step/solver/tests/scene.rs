@@ -352,7 +352,7 @@ unsafe fn bounce<W: Wide>(
         impact.begin(&rows, block, known, pass);
         impact.mark(&mut mark, &rows, block, pass);
         let mut active = ActiveBlock::EMPTY;
-        lanes(mark.active).for_each(|lane| active.push((0, lane), &impact, block));
+        lanes(mark.active).for_each(|lane| active.push(0, lane, &impact, block));
         active.iterate::<W>(states);
         let mut delays = vec![BodyState::default(); states.len()];
         active.end::<W>(states, &DisjointMut::new(&mut delays));

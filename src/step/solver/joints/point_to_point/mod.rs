@@ -21,7 +21,6 @@ mod store;
 
 use super::BLOCKS_PER_TASK;
 use super::load::JointSources;
-use super::store::is_overloaded;
 use crate::base::disjoint::DisjointMut;
 use crate::base::tasks::Tasks;
 use crate::base::wide::Simd;
@@ -31,6 +30,7 @@ use crate::model::island::IslandManager;
 use crate::model::joint::{ImpulseJoint, ImpulseJointSet};
 use crate::model::params::JointPass;
 use crate::step::solver::blocks::{Layout, block_kernel, for_each_color};
+use crate::step::solver::joint_rules::is_overloaded;
 use block::{PointToPointBlock, PointToPointPass};
 use core::sync::atomic::{AtomicBool, Ordering};
 
@@ -88,7 +88,7 @@ impl PointToPointJoints {
             for (lane, &slot) in layout.block(index).iter().enumerate() {
                 let link = islands.joints.get(slot);
                 if let Some(joint) = link.and_then(|link| joints.get(link.handle)) {
-                    load::load_lane(&mut block, lane, joint, world, (bodies, pass));
+                    load::load_lane(&mut block, lane, joint, world, bodies, pass);
                 }
             }
             block
@@ -135,7 +135,8 @@ impl PointToPointJoints {
     /// its limit.
     pub fn store(
         &self,
-        (islands, joints): (&IslandManager, &mut ImpulseJointSet),
+        islands: &IslandManager,
+        joints: &mut ImpulseJointSet,
         inv_dt: Real,
         overload: &AtomicBool,
         tasks: Tasks<'_>,
