@@ -8,7 +8,6 @@ mod store_impulses;
 use super::blocks::{Layout, OverflowOrder, block_kernel, for_each_color};
 use super::bodies::SolverBodies;
 use super::context::{SolverContext, SolverPass};
-use super::links::Links;
 use super::recovery::{Recovery, deep_overlap};
 use crate::base::disjoint::DisjointMut;
 use crate::base::tasks::Tasks;
@@ -16,14 +15,11 @@ use crate::base::wide::{Kernel, LANES, Lane, Wide};
 use crate::dim::contact::{ContactBlock, CoulombBlock};
 use crate::dim::math::Real;
 use crate::dim::state::{BodyPose, BodyState};
-use crate::model::constraint_graph::{ConstraintGraph, ManifoldRef, OVERFLOW};
-use crate::model::contact::{
-    ContactInput, ContactLanes, ContactPair, ContactReport, LaneBlock, LaneCapacity, NarrowPhase,
-    PairStore, reserve_blocks,
-};
+use crate::model::constraint_graph::ManifoldRef;
+use crate::model::contact::{ContactLanes, ContactReport, LaneBlock, NarrowPhase};
 use crate::model::params::{ContactPass, FrictionModel};
 use core::ops::Range;
-use core::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use core::sync::atomic::{AtomicBool, Ordering};
 pub(super) use load::ContactSources;
 pub(super) use passes::{Bodies, solve_friction, values_at};
 pub(super) use prepare::{PrepareContext, prepare};

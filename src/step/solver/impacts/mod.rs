@@ -97,9 +97,7 @@ use super::joints::{Changes, SolverJoints};
 use super::multibodies::{MultibodySources, SolverMultibodies};
 use crate::base::disjoint::DisjointMut;
 use crate::base::wide::{Kernel, LANES, Lane, Wide};
-use crate::dim::contact::ContactBlock;
 use crate::dim::math::Real;
-use crate::dim::state::{BodyState, READ_ONLY};
 use crate::model::contact::ContactInput;
 use crate::model::params::ImpactPass;
 #[cfg(test)]

@@ -5,17 +5,12 @@
 //! [`FrictionModel`](crate::model::params::FrictionModel).
 
 use super::impacts::{LinkImpact, LinkImpactRow};
-use super::rows::{ConstrainedStates, JacobianPool, Part, Row};
+use super::rows::{ConstrainedStates, JacobianPool, Row};
 use super::sides::{Geometry, Side, normal_of};
 use super::{MultibodySources, SoftPass, SolverMultibodies};
-use crate::dim::math::{
-    DIM, MAX_MANIFOLD_POINTS, Real, Rotation, SpatialVector, Vector, mul_inertia, tangents, torque,
-};
-use crate::dim::spatial::{angular, join, linear};
-use crate::model::body::{RigidBody, RigidBodySet};
+use crate::dim::math::{DIM, MAX_MANIFOLD_POINTS, Real, Vector, tangents};
 use crate::model::constraint_graph::ManifoldRef;
-use crate::model::contact::{AnchorFrame, ContactManifold, NarrowPhase};
-use crate::model::island::NONE;
+use crate::model::contact::{ContactManifold, NarrowPhase};
 use crate::step::solver::bodies::SolverBodies;
 use arrayvec::ArrayVec;
 

@@ -222,7 +222,7 @@ impl SolverMultibodies {
         h: Real,
     ) {
         for moving in &mut self.moving {
-            let [sum, count] = core::mem::take(&mut moving.before_impact.hit.times);
+            let [sum, count] = core::mem::take(&mut moving.before_impact.times);
             if count > 0.0 {
                 moving.move_on(sum / count, h);
             }
