@@ -6,6 +6,7 @@
 //! * [`character`]: walking characters. The controller determines the admissible translation of a shape.
 //! * [`pid`]: PD and PID controllers. They determine the change of velocity that moves a body to a target
 //!   pose.
+//! * `vehicle/`: ray-cast vehicles, in 3D only. `dim3/mod.rs` declares the module.
 //!
 //! Controllers contain settings, and state from call to call; they own no bodies, no colliders and no
 //! handles. So one controller can move many characters, and a world can be saved without it.

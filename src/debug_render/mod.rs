@@ -12,6 +12,7 @@ mod backend;
 mod joints;
 mod outlines;
 mod pipeline;
+mod sketch;
 mod style;
 
 #[cfg(test)]

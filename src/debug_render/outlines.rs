@@ -1,7 +1,7 @@
 //! Sketches of shapes, kept from one picture to the next where they are dear.
 
+use super::sketch::outline;
 use crate::base::outline::{Detail, Outline};
-use crate::dim::outline::outline;
 use parry::shape::SharedShape;
 use std::collections::HashMap;
 use std::sync::Arc;

@@ -2,10 +2,11 @@
 
 use super::backend::{DebugRenderBackend, DebugRenderObject};
 use super::outlines::Outlines;
+use super::sketch::box_outline;
 use super::style::{AXIS_HUES, DebugColor, DebugRenderStyle, times};
 use crate::base::outline::Detail;
 use crate::dim::math::{Pose, Vector};
-use crate::dim::outline::{box_outline, pseudo_normals};
+use crate::dim::outline::pseudo_normals;
 use crate::model::body::{RigidBody, RigidBodySet, RigidBodyType};
 use crate::model::collider::{Collider, ColliderSet};
 use crate::model::contact::NarrowPhase;

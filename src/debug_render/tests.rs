@@ -1,8 +1,10 @@
 //! The drawn lines and their colours.
 
 use super::*;
+use crate::base::outline::Detail;
 use crate::dim::joint_axes::{JointAxesMask, JointAxis};
 use crate::dim::math::{ANG_DIM, DIM, Real, Vector};
+use crate::dim::outline::samples;
 use crate::model::body::{RigidBodyBuilder, RigidBodyHandle, RigidBodySet};
 use crate::model::collider::{ColliderBuilder, ColliderSet};
 use crate::model::contact::NarrowPhase;
@@ -273,4 +275,32 @@ fn arcs_and_ways_reach_as_far_as_limits() {
     let lines = axes_of(slider);
     assert_eq!((lines[0].0, lines[0].1), (-Vector::X * length, Vector::X * length));
     assert!(axes_of(GenericJointBuilder::new(JointAxesMask::LOCKED_FIXED_AXES)).is_empty());
+}
+
+#[test]
+fn every_sketch_fills_the_box_of_its_shape() {
+    for detail in [Detail::new(0, 0), Detail::new(32, 5)] {
+        // With 4 pieces a circle is a square that touches the box at its corners only.
+        let tolerance = if detail.subdivisions < 8 { 0.35 } else { 0.05 };
+        for shape in samples::shapes() {
+            let sketch = sketch::outline(&shape.as_typed_shape(), detail);
+            let aabb = shape.compute_local_aabb();
+            let kind = shape.shape_type();
+            assert!(!sketch.lines.is_empty(), "{kind:?} is drawn");
+            let (mut low, mut high) = (Vector::MAX, Vector::MIN);
+            for &id in sketch.lines.as_flattened() {
+                low = low.min(sketch.points[id as usize]);
+                high = high.max(sketch.points[id as usize]);
+            }
+            let size = (aabb.maxs - aabb.mins).max_element();
+            let near = |a: Vector, b: Vector| (a - b).abs().max_element() < tolerance * size;
+            assert!(near(low, aabb.mins), "{kind:?}: {low} in {aabb:?}");
+            // The box of voxels is that of the blocks in which they are stored.
+            if let Some(voxels) = shape.as_voxels() {
+                assert_eq!(high, voxels.voxel_aabb(voxels.voxel_at_point(high * 0.999)).maxs);
+            } else {
+                assert!(near(high, aabb.maxs), "{kind:?}: {high} in {aabb:?}");
+            }
+        }
+    }
 }

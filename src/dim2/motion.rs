@@ -21,7 +21,7 @@ pub(crate) struct FreeMotion([Real; RECORD_LEN]);
 impl FreeMotion {
     /// Neither accelerates nor is damped.
     pub fn at_rest(rotation: Rotation) -> Self {
-        Self::new(rotation, (Vector::ZERO, 0.0), [0.0; 2], true)
+        Self::new(rotation, Vector::ZERO, 0.0, [0.0; 2], true)
     }
 
     /// A body with this orientation, linear and angular acceleration by gravity and the user's forces
@@ -31,7 +31,8 @@ impl FreeMotion {
     /// `bears_weight`.
     pub fn new(
         rotation: Rotation,
-        (linear, angular): (Vector, AngVector),
+        linear: Vector,
+        angular: AngVector,
         [linear_damping, angular_damping]: [Real; 2],
         bears_weight: bool,
     ) -> Self {

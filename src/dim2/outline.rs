@@ -2,58 +2,41 @@
 //! be seen.
 
 use crate::base::outline::{Detail, Outline};
-use crate::dim::math::{Pose, Real, Vector, tangents};
+use crate::dim::math::{Real, Vector, tangents};
 use core::f64::consts::{PI, TAU};
 use parry::shape::{
-    Capsule, Compound, ConvexPolygon, Cuboid, RoundConvexPolygon, RoundCuboid, RoundTriangle,
-    TypedShape,
+    Capsule, ConvexPolygon, Cuboid, RoundConvexPolygon, RoundCuboid, RoundTriangle, TypedShape,
 };
 
 /// Half the length of the line that represents an infinite one (length units).
 const PLANE_EXTENT: Real = 1000.0;
 
-/// The sketch of a shape, in the shape's frame. Shapes of the user's own are drawn as their box.
-pub(crate) fn outline(shape: &TypedShape, detail: Detail) -> Outline {
-    let Detail { subdivisions, border_subdivisions } = detail;
-    let mut out = Outline::default();
+/// Adds the sketch of a shape whose kind exists in this dimension only, or is drawn in its own way.
+pub(crate) fn add_shape(out: &mut Outline, shape: &TypedShape, detail: Detail) {
+    let border_subdivisions = detail.border_subdivisions;
     match shape {
-        TypedShape::Ball(s) => ball(&mut out, s.radius, subdivisions),
-        TypedShape::Cuboid(s) => cuboid(&mut out, s, Vector::ZERO),
-        TypedShape::Capsule(s) => capsule(&mut out, s, subdivisions),
-        TypedShape::Segment(s) => out.segment(s.a, s.b),
-        TypedShape::Triangle(s) => out.ring(&[s.a, s.b, s.c]),
-        TypedShape::Voxels(s) => return s.to_polyline().into(),
-        TypedShape::TriMesh(s) => return mesh(s.vertices(), s.indices()),
-        TypedShape::Polyline(s) => {
-            return (s.vertices().to_vec(), s.indices().to_vec()).into();
-        }
-        TypedShape::HalfSpace(s) => plane(&mut out, s.normal),
+        TypedShape::Voxels(s) => *out = s.to_polyline().into(),
         TypedShape::HeightField(s) => s.segments().for_each(|piece| out.segment(piece.a, piece.b)),
-        TypedShape::Compound(s) => compound(&mut out, s, detail),
         TypedShape::ConvexPolygon(s) => out.ring(s.points()),
-        TypedShape::RoundCuboid(s) => round_cuboid(&mut out, s, border_subdivisions),
-        TypedShape::RoundTriangle(s) => round_triangle(&mut out, s, border_subdivisions),
-        TypedShape::RoundConvexPolygon(s) => round_polygon(&mut out, s, border_subdivisions),
-        TypedShape::Custom(s) => {
-            let aabb = s.compute_local_aabb();
-            cuboid(&mut out, &Cuboid::new(aabb.half_extents()), aabb.center());
-        }
+        TypedShape::RoundCuboid(s) => round_cuboid(out, s, border_subdivisions),
+        TypedShape::RoundTriangle(s) => round_triangle(out, s, border_subdivisions),
+        TypedShape::RoundConvexPolygon(s) => round_polygon(out, s, border_subdivisions),
+        _ => {}
     }
-    out
 }
 
-fn ball(out: &mut Outline, radius: Real, pieces: u32) {
+pub(crate) fn ball(out: &mut Outline, radius: Real, pieces: u32) {
     let axes = [Vector::X * radius, Vector::Y * radius];
     out.arc(Vector::ZERO, axes, [0.0, TAU as Real], pieces);
     out.segment(Vector::ZERO, axes[0]);
 }
 
-fn cuboid(out: &mut Outline, shape: &Cuboid, center: Vector) {
+pub(crate) fn cuboid(out: &mut Outline, shape: &Cuboid, center: Vector) {
     let (x, y) = (Vector::X * shape.half_extents.x, Vector::Y * shape.half_extents.y);
     out.ring(&[center - x - y, center + x - y, center + x + y, center - x + y]);
 }
 
-fn capsule(out: &mut Outline, shape: &Capsule, pieces: u32) {
+pub(crate) fn capsule(out: &mut Outline, shape: &Capsule, pieces: u32) {
     let (a, b) = (shape.segment.a, shape.segment.b);
     let along = (b - a).normalize_or(Vector::Y) * shape.radius;
     let across = Vector::new(along.y, -along.x);
@@ -61,11 +44,6 @@ fn capsule(out: &mut Outline, shape: &Capsule, pieces: u32) {
     out.arc(b, [across, along], [0.0, PI as Real], pieces / 2);
     out.segment(a + across, b + across);
     out.segment(a - across, b - across);
-}
-
-fn mesh(vertices: &[Vector], triangles: &[[u32; 3]]) -> Outline {
-    let lines = triangles.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]).collect();
-    Outline { points: vertices.to_vec(), lines }.without_repeats()
 }
 
 fn round_cuboid(out: &mut Outline, shape: &RoundCuboid, pieces: u32) {
@@ -97,24 +75,10 @@ fn round_triangle(out: &mut Outline, shape: &RoundTriangle, pieces: u32) {
 }
 
 /// The border, and an arrow to the side that is empty.
-fn plane(out: &mut Outline, normal: Vector) {
+pub(crate) fn plane(out: &mut Outline, normal: Vector) {
     let [along] = tangents(normal);
     out.segment(-along * PLANE_EXTENT, along * PLANE_EXTENT);
     out.segment(Vector::ZERO, normal);
-}
-
-fn compound(out: &mut Outline, shape: &Compound, detail: Detail) {
-    for (pose, part) in shape.shapes() {
-        out.append(&outline(&part.as_typed_shape(), detail), pose);
-    }
-}
-
-/// The edges of a box with the given half extents and pose.
-pub(crate) fn box_outline(half_extents: Vector, pose: &Pose) -> Outline {
-    let (mut local, mut out) = (Outline::default(), Outline::default());
-    cuboid(&mut local, &Cuboid::new(half_extents), Vector::ZERO);
-    out.append(&local, pose);
-    out
 }
 
 /// Places and directions of the normals with which a polyline decides what is inside: those of its
@@ -126,12 +90,13 @@ pub(crate) fn pseudo_normals(shape: &TypedShape) -> [Vec<(Vector, Vector)>; 2] {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
+pub(crate) mod samples {
+    use super::Vector;
+    use crate::dim::math::Pose;
     use parry::shape::{Polyline, SharedShape, TriMesh, Voxels};
 
     /// One shape of every kind that has an extent, and a few degenerate ones.
-    fn shapes() -> Vec<SharedShape> {
+    pub fn shapes() -> Vec<SharedShape> {
         let corners = [Vector::ZERO, Vector::X * 2.0, Vector::Y];
         let [a, b, c] = corners;
         let part = (Pose::translation(1.0, 2.0), SharedShape::ball(1.0));
@@ -156,33 +121,5 @@ mod tests {
             SharedShape::round_triangle(a, b, c, 0.1),
             SharedShape::round_triangle(a, b, b, 0.0),
         ]
-    }
-
-    #[test]
-    fn every_sketch_fills_the_box_of_its_shape() {
-        for detail in [Detail::new(0, 0), Detail::new(32, 5)] {
-            // With 4 pieces a circle is a square that touches the box at its corners only.
-            let tolerance = if detail.subdivisions < 8 { 0.35 } else { 0.05 };
-            for shape in shapes() {
-                let sketch = outline(&shape.as_typed_shape(), detail);
-                let aabb = shape.compute_local_aabb();
-                let kind = shape.shape_type();
-                assert!(!sketch.lines.is_empty(), "{kind:?} is drawn");
-                let (mut low, mut high) = (Vector::MAX, Vector::MIN);
-                for &id in sketch.lines.as_flattened() {
-                    low = low.min(sketch.points[id as usize]);
-                    high = high.max(sketch.points[id as usize]);
-                }
-                let size = (aabb.maxs - aabb.mins).max_element();
-                let near = |a: Vector, b: Vector| (a - b).abs().max_element() < tolerance * size;
-                assert!(near(low, aabb.mins), "{kind:?}: {low} in {aabb:?}");
-                // The box of voxels is that of the blocks in which they are stored.
-                if let Some(voxels) = shape.as_voxels() {
-                    assert_eq!(high, voxels.voxel_aabb(voxels.voxel_at_point(high * 0.999)).maxs);
-                } else {
-                    assert!(near(high, aabb.maxs), "{kind:?}: {high} in {aabb:?}");
-                }
-            }
-        }
     }
 }

@@ -3,13 +3,10 @@
 //! A constraint gathers the records of its two bodies, one lane per constraint, and a gather reads whole
 //! registers. Records are therefore arrays of numbers, whose meaning is stated here only.
 
-use super::math::{
-    AngVector, AngularInertia, Real, Rotation, SPATIAL_DIM, Vector, integrate_rotation,
-};
+use super::math::{AngVector, AngularInertia, Real, Rotation, Vector, integrate_rotation};
 use super::rotation_vector::rotation_by;
 use super::wide::{WideAngVector, WideRotation, WideSymmetric, WideVector};
-use crate::base::disjoint::DisjointMut;
-use crate::base::wide::{LANES, Wide, gather, gather_adjacent, scatter, scatter_adjacent};
+use crate::base::wide::{LANES, Wide};
 
 /// Marks a body index of a constraint whose body the constraint must not write: a fixed or kinematic
 /// one, or the world. Such bodies may stand in many constraints that are solved at the same time.
@@ -17,20 +14,20 @@ pub(crate) const READ_ONLY: u32 = 1 << 31;
 
 /// Numbers in a velocity or displacement: two linear, one angular. The real part of the rotation follows the
 /// velocity, the imaginary one the displacement.
-const MOTION_LEN: usize = 4;
-const STATE_LEN: usize = 2 * MOTION_LEN;
-const POSE_LEN: usize = 8;
+pub(crate) const MOTION_LEN: usize = 4;
+pub(crate) const STATE_LEN: usize = 2 * MOTION_LEN;
+pub(crate) const POSE_LEN: usize = 8;
 
 /// The part of a state that a write covers: its velocity and, where a register is longer than that (single
 /// precision), the displacement behind it.
-const WRITTEN_LEN: usize = if LANES > MOTION_LEN { LANES } else { MOTION_LEN };
+pub(crate) const WRITTEN_LEN: usize = if LANES > MOTION_LEN { LANES } else { MOTION_LEN };
 
 /// State that changes from substep to substep; read and written by every constraint in every pass.
 ///
 /// One register in single precision, one cache line in double precision.
 #[derive(Copy, Clone, Debug)]
 #[repr(C, align(32))]
-pub(crate) struct BodyState([Real; STATE_LEN]);
+pub(crate) struct BodyState(pub [Real; STATE_LEN]);
 
 const _: () = assert!(size_of::<BodyState>() == 8 * size_of::<Real>());
 
@@ -43,13 +40,6 @@ impl Default for BodyState {
 impl BodyState {
     /// A body that neither moves nor has moved.
     pub const AT_REST: Self = Self([0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0]);
-
-    /// A body with these velocities that has not moved yet.
-    pub fn new(linvel: Vector, angvel: AngVector) -> Self {
-        let mut state = Self::AT_REST;
-        state.set_velocity(linvel, angvel);
-        state
-    }
 
     /// Velocity of the centre of mass and angular velocity, in world space.
     #[inline]
@@ -65,14 +55,6 @@ impl BodyState {
         self.0[2] = angvel;
     }
 
-    /// Adds to the linear and then the angular components of the velocity.
-    #[inline]
-    pub fn add_velocity(&mut self, change: [Real; SPATIAL_DIM]) {
-        for (value, change) in self.0.iter_mut().zip(change) {
-            *value += change;
-        }
-    }
-
     /// Displacement of the centre of mass, and rotation of the body, since the step began.
     #[inline]
     pub fn displacement(&self) -> (Vector, AngVector) {
@@ -80,12 +62,9 @@ impl BodyState {
         (Vector::new(s[0], s[1]), s[2])
     }
 
-    /// Adds to the linear and then the angular components of the displacement.
+    /// Recomputes the stored rotation from the rotation of the displacement.
     #[inline]
-    pub fn add_displacement(&mut self, change: [Real; SPATIAL_DIM]) {
-        for (value, change) in self.0[MOTION_LEN..].iter_mut().zip(change) {
-            *value += change;
-        }
+    pub fn update_rotation(&mut self) {
         let rotation = integrate_rotation(Rotation::IDENTITY, self.0[MOTION_LEN + 2]);
         (self.0[3], self.0[7]) = (rotation.re, rotation.im);
     }
@@ -95,26 +74,12 @@ impl BodyState {
         self.0[MOTION_LEN..].copy_from_slice(&other.0[MOTION_LEN..]);
         self.0[3] = other.0[3];
     }
-
-    /// Returns whether all numbers of these states are finite and within a bound.
-    ///
-    /// Counts those that are, place by place and as numbers of the same size, so that several are compared at
-    /// once.
-    pub fn are_within(states: &[Self], bound: Real) -> bool {
-        let mut beyond = [0.0; STATE_LEN];
-        for state in states {
-            for (beyond, value) in beyond.iter_mut().zip(state.0) {
-                *beyond += if value.abs() <= bound { 0.0 } else { 1.0 };
-            }
-        }
-        beyond == [0.0; STATE_LEN]
-    }
 }
 
 /// Data that is constant during a step; read when constraints are prepared.
 #[derive(Copy, Clone, Debug)]
 #[repr(C, align(32))]
-pub(crate) struct BodyPose([Real; POSE_LEN]);
+pub(crate) struct BodyPose(pub [Real; POSE_LEN]);
 
 impl BodyPose {
     /// The index under which constraints find [`Self::WORLD`].
@@ -191,77 +156,9 @@ impl<W: Wide> WideDisplacement<W> {
 /// Velocity and displacement of one body per lane.
 pub(crate) type WideState<W> = (WideMotion<W>, WideDisplacement<W>);
 
-/// Reads velocity and displacement of one body per lane.
-///
-/// # Safety
-/// No other thread writes the states of these bodies.
+/// Velocity and displacement from the numbers of a state.
 #[inline(always)]
-pub(crate) unsafe fn gather_states<W: Wide>(
-    states: &DisjointMut<BodyState>,
-    indices: &[u32; LANES],
-) -> WideState<W> {
-    let mut rows = [const { &[0.0; STATE_LEN] }; LANES];
-    for (row, &index) in rows.iter_mut().zip(indices) {
-        // SAFETY: the caller's promise.
-        *row = unsafe { &states.get((index & !READ_ONLY) as usize).0 };
-    }
-    motions(gather::<W, STATE_LEN>(rows))
-}
-
-/// Writes the velocity of one body per lane, except read-only ones.
-///
-/// The displacement must be the one that was gathered with it: half a register cannot be written.
-///
-/// # Safety
-/// The caller has exclusive access to the states of the bodies that are not read-only.
-#[inline(always)]
-pub(crate) unsafe fn scatter_states<W: Wide>(
-    states: &DisjointMut<BodyState>,
-    indices: &[u32; LANES],
-    state: WideState<W>,
-) {
-    let mut rows = [const { None }; LANES];
-    for (row, &index) in rows.iter_mut().zip(indices) {
-        if index & READ_ONLY == 0 {
-            // SAFETY: the caller's promise.
-            let state = unsafe { states.get_mut(index as usize) };
-            *row = state.0.first_chunk_mut();
-        }
-    }
-    let mut written = [W::zero(); WRITTEN_LEN];
-    written.copy_from_slice(&numbers(state)[..WRITTEN_LEN]);
-    scatter::<W, WRITTEN_LEN>(written, rows);
-}
-
-/// Reads the velocity of one body per lane.
-#[inline(always)]
-pub(crate) fn gather_velocities<W: Wide>(
-    states: &[BodyState],
-    indices: &[u32; LANES],
-) -> WideMotion<W> {
-    let mut rows = [const { &[0.0; STATE_LEN] }; LANES];
-    for (row, &index) in rows.iter_mut().zip(indices) {
-        *row = &states[(index & !READ_ONLY) as usize].0;
-    }
-    let (velocity, _) = motions(gather::<W, STATE_LEN>(rows));
-    velocity
-}
-
-/// Reads velocity and displacement of up to [`LANES`] bodies that stand side by side; the other lanes get
-/// zeros.
-#[inline(always)]
-pub(crate) fn load_states<W: Wide>(states: &[BodyState]) -> WideState<W> {
-    motions(gather_adjacent(states, |state| &state.0))
-}
-
-/// Writes velocity and displacement of up to [`LANES`] bodies that stand side by side.
-#[inline(always)]
-pub(crate) fn store_states<W: Wide>(states: &mut [BodyState], motions: WideState<W>) {
-    scatter_adjacent(numbers(motions), states, |state| &mut state.0);
-}
-
-#[inline(always)]
-fn motions<W: Wide>(s: [W; STATE_LEN]) -> WideState<W> {
+pub(crate) fn motions<W: Wide>(s: [W; STATE_LEN]) -> WideState<W> {
     let velocity = WideMotion { linear: WideVector { x: s[0], y: s[1] }, angular: s[2] };
     let linear = WideVector { x: s[4], y: s[5] };
     (
@@ -270,8 +167,9 @@ fn motions<W: Wide>(s: [W; STATE_LEN]) -> WideState<W> {
     )
 }
 
+/// The numbers of a state.
 #[inline(always)]
-fn numbers<W: Wide>((v, d): WideState<W>) -> [W; STATE_LEN] {
+pub(crate) fn numbers<W: Wide>((v, d): WideState<W>) -> [W; STATE_LEN] {
     let WideRotation { re, im } = d.rotation;
     [v.linear.x, v.linear.y, v.angular, re, d.linear.x, d.linear.y, d.angular, im]
 }
@@ -285,14 +183,9 @@ pub(crate) struct WidePose<W> {
     pub inv_inertia: WideSymmetric<W>,
 }
 
-/// Reads the pose of one body per lane.
+/// A pose from its numbers.
 #[inline(always)]
-pub(crate) fn gather_poses<W: Wide>(poses: &[BodyPose], indices: &[u32; LANES]) -> WidePose<W> {
-    let mut rows = [const { &[0.0; POSE_LEN] }; LANES];
-    for (row, &index) in rows.iter_mut().zip(indices) {
-        *row = &poses[(index & !READ_ONLY) as usize].0;
-    }
-    let p = gather::<W, POSE_LEN>(rows);
+pub(crate) fn pose<W: Wide>(p: [W; POSE_LEN]) -> WidePose<W> {
     WidePose {
         rotation: WideRotation { re: p[0], im: p[1] },
         center_of_mass: WideVector { x: p[2], y: p[3] },

@@ -18,6 +18,8 @@ pub mod saved;
 pub mod shapes;
 #[allow(dead_code, reason = "the same words in both dimensions; not each is needed in both")]
 pub mod spatial;
+// Vehicles drive in 3D only, so this dimension declares the module.
+#[path = "../controllers/vehicle/mod.rs"]
 pub mod vehicle;
 #[allow(dead_code, reason = "the same words in both dimensions; not each is needed in both")]
 pub mod wide;

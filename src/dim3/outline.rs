@@ -1,11 +1,11 @@
 //! Sketches of 3D shapes: the edges of what has edges, a few circles of what is round.
 
 use crate::base::outline::{Detail, Outline};
-use crate::dim::math::{Pose, Real, Vector, tangents};
+use crate::dim::math::{Real, Vector, tangents};
 use core::f64::consts::{PI, TAU};
 use parry::shape::{
-    Capsule, Compound, Cone, ConvexPolyhedron, Cuboid, Cylinder, HeightField,
-    HeightFieldCellStatus, RoundTriangle, Triangle, TypedShape,
+    Capsule, Cone, ConvexPolyhedron, Cuboid, Cylinder, HeightField, HeightFieldCellStatus,
+    RoundTriangle, Triangle, TypedShape,
 };
 
 /// Half the side of the square that represents an infinite plane (length units).
@@ -13,50 +13,34 @@ const PLANE_EXTENT: Real = 50.0;
 /// Lines across that square, in each direction.
 const PLANE_CELLS: i32 = 10;
 
-/// The sketch of a shape, in the shape's frame. Shapes of the user's own are drawn as their box.
-pub(crate) fn outline(shape: &TypedShape, detail: Detail) -> Outline {
+/// Adds the sketch of a shape whose kind exists in this dimension only, or is drawn in its own way.
+pub(crate) fn add_shape(out: &mut Outline, shape: &TypedShape, detail: Detail) {
     let Detail { subdivisions, border_subdivisions } = detail;
-    let mut out = Outline::default();
     match shape {
-        TypedShape::Ball(s) => ball(&mut out, s.radius, subdivisions),
-        TypedShape::Cuboid(s) => cuboid(&mut out, s, Vector::ZERO),
-        TypedShape::Capsule(s) => capsule(&mut out, s, subdivisions),
-        TypedShape::Segment(s) => out.segment(s.a, s.b),
-        TypedShape::Triangle(s) => out.ring(&[s.a, s.b, s.c]),
-        TypedShape::Voxels(s) => return s.to_outline().into(),
-        TypedShape::TriMesh(s) => return mesh(s.vertices(), s.indices()),
-        TypedShape::Polyline(s) => {
-            return (s.vertices().to_vec(), s.indices().to_vec()).into();
-        }
-        TypedShape::HalfSpace(s) => plane(&mut out, s.normal),
-        TypedShape::HeightField(s) => height_field(&mut out, s),
-        TypedShape::Compound(s) => compound(&mut out, s, detail),
-        TypedShape::ConvexPolyhedron(s) => return polyhedron(s),
-        TypedShape::Cylinder(s) => cylinder(&mut out, s, subdivisions),
-        TypedShape::Cone(s) => cone(&mut out, s, subdivisions),
+        TypedShape::Voxels(s) => *out = s.to_outline().into(),
+        TypedShape::HeightField(s) => height_field(out, s),
+        TypedShape::ConvexPolyhedron(s) => *out = polyhedron(s),
+        TypedShape::Cylinder(s) => cylinder(out, s, subdivisions),
+        TypedShape::Cone(s) => cone(out, s, subdivisions),
         TypedShape::RoundCuboid(s) if s.border_radius > 0.0 => {
-            return s.to_outline(border_subdivisions).into();
+            *out = s.to_outline(border_subdivisions).into();
         }
-        TypedShape::RoundCuboid(s) => cuboid(&mut out, &s.inner_shape, Vector::ZERO),
-        TypedShape::RoundTriangle(s) => round_triangle(&mut out, s, border_subdivisions),
+        TypedShape::RoundCuboid(s) => cuboid(out, &s.inner_shape, Vector::ZERO),
+        TypedShape::RoundTriangle(s) => round_triangle(out, s, border_subdivisions),
         TypedShape::RoundCylinder(s) if s.border_radius > 0.0 => {
-            return s.to_outline(subdivisions, border_subdivisions).into();
+            *out = s.to_outline(subdivisions, border_subdivisions).into();
         }
-        TypedShape::RoundCylinder(s) => cylinder(&mut out, &s.inner_shape, subdivisions),
+        TypedShape::RoundCylinder(s) => cylinder(out, &s.inner_shape, subdivisions),
         TypedShape::RoundCone(s) if s.border_radius > 0.0 => {
-            return s.to_outline(subdivisions, border_subdivisions).into();
+            *out = s.to_outline(subdivisions, border_subdivisions).into();
         }
-        TypedShape::RoundCone(s) => cone(&mut out, &s.inner_shape, subdivisions),
+        TypedShape::RoundCone(s) => cone(out, &s.inner_shape, subdivisions),
         TypedShape::RoundConvexPolyhedron(s) if s.border_radius > 0.0 => {
-            return s.to_outline(border_subdivisions).into();
+            *out = s.to_outline(border_subdivisions).into();
         }
-        TypedShape::RoundConvexPolyhedron(s) => return polyhedron(&s.inner_shape),
-        TypedShape::Custom(s) => {
-            let aabb = s.compute_local_aabb();
-            cuboid(&mut out, &Cuboid::new(aabb.half_extents()), aabb.center());
-        }
+        TypedShape::RoundConvexPolyhedron(s) => *out = polyhedron(&s.inner_shape),
+        _ => {}
     }
-    out
 }
 
 /// A full circle.
@@ -64,14 +48,14 @@ fn circle(out: &mut Outline, center: Vector, axes: [Vector; 2], pieces: u32) {
     out.arc(center, axes, [0.0, TAU as Real], pieces);
 }
 
-fn ball(out: &mut Outline, radius: Real, pieces: u32) {
+pub(crate) fn ball(out: &mut Outline, radius: Real, pieces: u32) {
     let [x, y, z] = Vector::AXES.map(|axis| axis * radius);
     for axes in [[x, y], [y, z], [z, x]] {
         circle(out, Vector::ZERO, axes, pieces);
     }
 }
 
-fn cuboid(out: &mut Outline, shape: &Cuboid, center: Vector) {
+pub(crate) fn cuboid(out: &mut Outline, shape: &Cuboid, center: Vector) {
     let h = shape.half_extents;
     let corner = |x: Real, y: Real, z: Real| center + h * Vector::new(x, y, z);
     let side = |z| {
@@ -85,7 +69,7 @@ fn cuboid(out: &mut Outline, shape: &Cuboid, center: Vector) {
     }
 }
 
-fn capsule(out: &mut Outline, shape: &Capsule, pieces: u32) {
+pub(crate) fn capsule(out: &mut Outline, shape: &Capsule, pieces: u32) {
     let (a, b) = (shape.segment.a, shape.segment.b);
     let axis = (b - a).normalize_or(Vector::Y);
     let [u, v] = tangents(axis).map(|tangent| tangent * shape.radius);
@@ -124,11 +108,6 @@ fn polyhedron(shape: &ConvexPolyhedron) -> Outline {
     (shape.points().to_vec(), lines).into()
 }
 
-fn mesh(vertices: &[Vector], triangles: &[[u32; 3]]) -> Outline {
-    let lines = triangles.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]).collect();
-    Outline { points: vertices.to_vec(), lines }.without_repeats()
-}
-
 /// Both sides of the slab around the triangle, joined by half circles at the corners.
 fn round_triangle(out: &mut Outline, shape: &RoundTriangle, pieces: u32) {
     let Triangle { a, b, c } = shape.inner_shape;
@@ -165,7 +144,7 @@ fn height_field(out: &mut Outline, field: &HeightField) {
 }
 
 /// A net of squares on the plane, and an arrow to the side that is empty.
-fn plane(out: &mut Outline, normal: Vector) {
+pub(crate) fn plane(out: &mut Outline, normal: Vector) {
     let [u, v] = tangents(normal);
     for i in -PLANE_CELLS..=PLANE_CELLS {
         let offset = PLANE_EXTENT * i as Real / PLANE_CELLS as Real;
@@ -175,20 +154,6 @@ fn plane(out: &mut Outline, normal: Vector) {
         }
     }
     out.segment(Vector::ZERO, normal);
-}
-
-fn compound(out: &mut Outline, shape: &Compound, detail: Detail) {
-    for (pose, part) in shape.shapes() {
-        out.append(&outline(&part.as_typed_shape(), detail), pose);
-    }
-}
-
-/// The edges of a box with the given half extents and pose.
-pub(crate) fn box_outline(half_extents: Vector, pose: &Pose) -> Outline {
-    let (mut local, mut out) = (Outline::default(), Outline::default());
-    cuboid(&mut local, &Cuboid::new(half_extents), Vector::ZERO);
-    out.append(&local, pose);
-    out
 }
 
 /// Places and directions of the normals with which a mesh decides what is inside: those of its
@@ -208,13 +173,14 @@ pub(crate) fn pseudo_normals(shape: &TypedShape) -> [Vec<(Vector, Vector)>; 2] {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
+pub(crate) mod samples {
+    use super::Vector;
+    use crate::dim::math::Pose;
     use parry::shape::{Polyline, SharedShape, TriMesh, Voxels};
     use parry::utils::Array2;
 
     /// One shape of every kind that has an extent, and a few degenerate ones.
-    fn shapes() -> Vec<SharedShape> {
+    pub fn shapes() -> Vec<SharedShape> {
         let corners = [Vector::ZERO, Vector::X * 2.0, Vector::Y, Vector::Z * 3.0];
         let faces = vec![[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]];
         let (a, b, c) = (corners[1], corners[2], corners[3]);
@@ -246,33 +212,5 @@ mod tests {
             SharedShape::round_convex_hull(&corners, 0.0).unwrap(),
             SharedShape::round_triangle(a, b, c, 0.01),
         ]
-    }
-
-    #[test]
-    fn every_sketch_fills_the_box_of_its_shape() {
-        for detail in [Detail::new(0, 0), Detail::new(32, 5)] {
-            // With 4 pieces a circle is a square that touches the box at its corners only.
-            let tolerance = if detail.subdivisions < 8 { 0.35 } else { 0.05 };
-            for shape in shapes() {
-                let sketch = outline(&shape.as_typed_shape(), detail);
-                let aabb = shape.compute_local_aabb();
-                let kind = shape.shape_type();
-                assert!(!sketch.lines.is_empty(), "{kind:?} is drawn");
-                let (mut low, mut high) = (Vector::MAX, Vector::MIN);
-                for &id in sketch.lines.as_flattened() {
-                    low = low.min(sketch.points[id as usize]);
-                    high = high.max(sketch.points[id as usize]);
-                }
-                let size = (aabb.maxs - aabb.mins).max_element();
-                let near = |a: Vector, b: Vector| (a - b).abs().max_element() < tolerance * size;
-                assert!(near(low, aabb.mins), "{kind:?}: {low} in {aabb:?}");
-                // The box of voxels is that of the blocks in which they are stored.
-                if let Some(voxels) = shape.as_voxels() {
-                    assert_eq!(high, voxels.voxel_aabb(voxels.voxel_at_point(high * 0.999)).maxs);
-                } else {
-                    assert!(near(high, aabb.maxs), "{kind:?}: {high} in {aabb:?}");
-                }
-            }
-        }
     }
 }

@@ -3,11 +3,10 @@
 //! A constraint gathers the records of its two bodies, one lane per constraint, and a gather reads whole
 //! registers. Records are therefore arrays of numbers, whose meaning is stated here only.
 
-use super::math::{AngVector, AngularInertia, Real, Rotation, SPATIAL_DIM, Vector};
+use super::math::{AngVector, AngularInertia, Real, Rotation, Vector};
 use super::rotation_vector::{unit_quaternion, wide_unit_quaternion};
 use super::wide::{WideAngVector, WideRotation, WideSymmetric, WideVector};
-use crate::base::disjoint::DisjointMut;
-use crate::base::wide::{LANES, Wide, gather, gather_adjacent, scatter, scatter_adjacent};
+use crate::base::wide::Wide;
 
 /// Marks a body index of a constraint whose body the constraint must not write: a fixed or kinematic
 /// one, or the world. Such bodies may stand in many constraints that are solved at the same time.
@@ -17,15 +16,18 @@ pub(crate) const READ_ONLY: u32 = 1 << 31;
 /// they are the rotation as a quaternion: the scale from the rotation vector to its vector part, and its real
 /// part.
 pub(crate) const MOTION_LEN: usize = 8;
-const STATE_LEN: usize = 2 * MOTION_LEN;
-const POSE_LEN: usize = 16;
+pub(crate) const STATE_LEN: usize = 2 * MOTION_LEN;
+pub(crate) const POSE_LEN: usize = 16;
+
+/// The part of a state that a write covers: its velocity.
+pub(crate) const WRITTEN_LEN: usize = MOTION_LEN;
 
 /// State that changes from substep to substep; read and written by every constraint in every pass.
 ///
 /// One cache line in single precision.
 #[derive(Copy, Clone, Debug)]
 #[repr(C, align(64))]
-pub(crate) struct BodyState([Real; STATE_LEN]);
+pub(crate) struct BodyState(pub [Real; STATE_LEN]);
 
 const _: () = assert!(size_of::<BodyState>() == 16 * size_of::<Real>());
 
@@ -43,13 +45,6 @@ impl BodyState {
         Self(numbers)
     };
 
-    /// A body with these velocities that has not moved yet.
-    pub fn new(linvel: Vector, angvel: AngVector) -> Self {
-        let mut state = Self::AT_REST;
-        state.set_velocity(linvel, angvel);
-        state
-    }
-
     /// Velocity of the centre of mass and angular velocity, in world space.
     #[inline]
     pub fn velocity(&self) -> (Vector, AngVector) {
@@ -64,14 +59,6 @@ impl BodyState {
         self.0[3..6].copy_from_slice(&angvel.to_array());
     }
 
-    /// Adds to the linear and then the angular components of the velocity.
-    #[inline]
-    pub fn add_velocity(&mut self, change: [Real; SPATIAL_DIM]) {
-        for (value, change) in self.0.iter_mut().zip(change) {
-            *value += change;
-        }
-    }
-
     /// Displacement of the centre of mass, and rotation of the body, since the step began.
     #[inline]
     pub fn displacement(&self) -> (Vector, AngVector) {
@@ -79,12 +66,9 @@ impl BodyState {
         (Vector::new(s[0], s[1], s[2]), Vector::new(s[3], s[4], s[5]))
     }
 
-    /// Adds to the linear and then the angular components of the displacement.
+    /// Recomputes the stored rotation from the rotation of the displacement.
     #[inline]
-    pub fn add_displacement(&mut self, change: [Real; SPATIAL_DIM]) {
-        for (value, change) in self.0[MOTION_LEN..].iter_mut().zip(change) {
-            *value += change;
-        }
+    pub fn update_rotation(&mut self) {
         let (scale, real) = unit_quaternion(self.displacement().1);
         (self.0[STATE_LEN - 2], self.0[STATE_LEN - 1]) = (scale, real);
     }
@@ -93,26 +77,12 @@ impl BodyState {
     pub fn copy_displacement(&mut self, other: &Self) {
         self.0[MOTION_LEN..].copy_from_slice(&other.0[MOTION_LEN..]);
     }
-
-    /// Returns whether all numbers of these states are finite and within a bound.
-    ///
-    /// Counts those that are, place by place and as numbers of the same size, so that several are compared at
-    /// once.
-    pub fn are_within(states: &[Self], bound: Real) -> bool {
-        let mut beyond = [0.0; STATE_LEN];
-        for state in states {
-            for (beyond, value) in beyond.iter_mut().zip(state.0) {
-                *beyond += if value.abs() <= bound { 0.0 } else { 1.0 };
-            }
-        }
-        beyond == [0.0; STATE_LEN]
-    }
 }
 
 /// Data that is constant during a step; read when constraints are prepared.
 #[derive(Copy, Clone, Debug)]
 #[repr(C, align(64))]
-pub(crate) struct BodyPose([Real; POSE_LEN]);
+pub(crate) struct BodyPose(pub [Real; POSE_LEN]);
 
 impl BodyPose {
     /// The index under which constraints find [`Self::WORLD`].
@@ -204,90 +174,9 @@ impl<W: Wide> WideDisplacement<W> {
 /// Velocity and displacement of one body per lane.
 pub(crate) type WideState<W> = (WideMotion<W>, WideDisplacement<W>);
 
-/// Reads velocity and displacement of one body per lane.
-///
-/// # Safety
-/// No other thread writes the states of these bodies.
+/// Velocity and displacement from the numbers of a state.
 #[inline(always)]
-pub(crate) unsafe fn gather_states<W: Wide>(
-    states: &DisjointMut<BodyState>,
-    indices: &[u32; LANES],
-) -> WideState<W> {
-    let mut rows = [const { &[0.0; STATE_LEN] }; LANES];
-    for (row, &index) in rows.iter_mut().zip(indices) {
-        // SAFETY: the caller's promise.
-        *row = unsafe { &states.get((index & !READ_ONLY) as usize).0 };
-    }
-    motions(gather::<W, STATE_LEN>(rows))
-}
-
-/// Writes the velocity of one body per lane, except read-only ones.
-///
-/// # Safety
-/// The caller has exclusive access to the states of the bodies that are not read-only.
-#[inline(always)]
-pub(crate) unsafe fn scatter_velocities<W: Wide>(
-    states: &DisjointMut<BodyState>,
-    indices: &[u32; LANES],
-    velocities: WideMotion<W>,
-) {
-    let mut rows = [const { None }; LANES];
-    for (row, &index) in rows.iter_mut().zip(indices) {
-        if index & READ_ONLY == 0 {
-            // SAFETY: the caller's promise.
-            let state = unsafe { states.get_mut(index as usize) };
-            *row = state.0.first_chunk_mut();
-        }
-    }
-    let (v, w) = (velocities.linear, velocities.angular);
-    scatter::<W, MOTION_LEN>([v.x, v.y, v.z, w.x, w.y, w.z, W::zero(), W::zero()], rows);
-}
-
-/// Writes the velocity of one body per lane, except read-only ones. The displacement, which must be the one
-/// that was gathered with it, stays.
-///
-/// # Safety
-/// As [`scatter_velocities`].
-#[inline(always)]
-pub(crate) unsafe fn scatter_states<W: Wide>(
-    states: &DisjointMut<BodyState>,
-    indices: &[u32; LANES],
-    (velocity, _): WideState<W>,
-) {
-    // SAFETY: the caller's promise.
-    unsafe { scatter_velocities(states, indices, velocity) };
-}
-
-/// Reads the velocity of one body per lane.
-#[expect(clippy::expect_used, reason = "a state begins with a motion")]
-#[inline(always)]
-pub(crate) fn gather_velocities<W: Wide>(
-    states: &[BodyState],
-    indices: &[u32; LANES],
-) -> WideMotion<W> {
-    let mut rows = [const { &[0.0; MOTION_LEN] }; LANES];
-    for (row, &index) in rows.iter_mut().zip(indices) {
-        let state = &states[(index & !READ_ONLY) as usize];
-        *row = state.0.first_chunk().expect("a state begins with a motion");
-    }
-    motion(gather::<W, MOTION_LEN>(rows))
-}
-
-/// Reads velocity and displacement of up to [`LANES`] bodies that stand side by side; the other lanes get
-/// zeros.
-#[inline(always)]
-pub(crate) fn load_states<W: Wide>(states: &[BodyState]) -> WideState<W> {
-    motions(gather_adjacent(states, |state| &state.0))
-}
-
-/// Writes velocity and displacement of up to [`LANES`] bodies that stand side by side.
-#[inline(always)]
-pub(crate) fn store_states<W: Wide>(states: &mut [BodyState], motions: WideState<W>) {
-    scatter_adjacent(numbers(motions), states, |state| &mut state.0);
-}
-
-#[inline(always)]
-fn motions<W: Wide>(s: [W; STATE_LEN]) -> WideState<W> {
+pub(crate) fn motions<W: Wide>(s: [W; STATE_LEN]) -> WideState<W> {
     let velocity = motion([s[0], s[1], s[2], s[3], s[4], s[5], s[6], s[7]]);
     let moved = motion([s[8], s[9], s[10], s[11], s[12], s[13], s[14], s[15]]);
     (
@@ -309,8 +198,9 @@ fn motion<W: Wide>(s: [W; MOTION_LEN]) -> WideMotion<W> {
     }
 }
 
+/// The numbers of a state.
 #[inline(always)]
-fn numbers<W: Wide>((v, d): WideState<W>) -> [W; STATE_LEN] {
+pub(crate) fn numbers<W: Wide>((v, d): WideState<W>) -> [W; STATE_LEN] {
     let unused = W::zero();
     [
         v.linear.x,
@@ -341,14 +231,9 @@ pub(crate) struct WidePose<W> {
     pub inv_inertia: WideSymmetric<W>,
 }
 
-/// Reads the pose of one body per lane.
+/// A pose from its numbers.
 #[inline(always)]
-pub(crate) fn gather_poses<W: Wide>(poses: &[BodyPose], indices: &[u32; LANES]) -> WidePose<W> {
-    let mut rows = [const { &[0.0; POSE_LEN] }; LANES];
-    for (row, &index) in rows.iter_mut().zip(indices) {
-        *row = &poses[(index & !READ_ONLY) as usize].0;
-    }
-    let p = gather::<W, POSE_LEN>(rows);
+pub(crate) fn pose<W: Wide>(p: [W; POSE_LEN]) -> WidePose<W> {
     WidePose {
         rotation: WideRotation { x: p[0], y: p[1], z: p[2], w: p[3] },
         center_of_mass: WideVector { x: p[4], y: p[5], z: p[6] },

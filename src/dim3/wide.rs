@@ -5,7 +5,7 @@
 //! kernels. `load` and `store` go from one to the other.
 
 use super::math::{AngVector, AngularInertia, Real, Rotation, Vector};
-use crate::base::wide::{Lane, Wide};
+use crate::base::wide::{Lane, Wide, record_of_lanes, vector_of_lanes};
 use core::ops::{Add, Mul, Neg, Sub};
 
 /// A vector per lane.
@@ -42,21 +42,14 @@ pub struct WideRotation<W> {
     pub w: W,
 }
 
+record_of_lanes!(WideVector of Vector { x, y, z });
+vector_of_lanes!(WideVector of Vector { x, y, z });
+record_of_lanes!(WideRotation of &Rotation { x, y, z, w });
+record_of_lanes!(WideSymmetric of &AngularInertia { m11, m12, m13, m22, m23, m33 });
+
 impl WideVector<Lane> {
-    /// The zero vector in every lane.
-    pub const ZERO: Self = Self { x: Lane::ZERO, y: Lane::ZERO, z: Lane::ZERO };
     /// The unit vector along the second axis in every lane.
     pub const Y: Self = Self { y: Lane::splat(1.0), ..Self::ZERO };
-
-    /// Sets the vector of one lane.
-    pub fn set_lane(&mut self, lane: usize, value: Vector) {
-        (self.x.0[lane], self.y.0[lane], self.z.0[lane]) = (value.x, value.y, value.z);
-    }
-
-    /// The vector of one lane.
-    pub fn lane(&self, lane: usize) -> Vector {
-        Vector::new(self.x.0[lane], self.y.0[lane], self.z.0[lane])
-    }
 }
 
 /// Sets the angular vector of one lane.
@@ -71,12 +64,7 @@ pub fn ang_lane(source: &WideAngVector<Lane>, lane: usize) -> AngVector {
 
 /// Sets the matrix of one lane.
 pub fn set_symmetric_lane(target: &mut WideSymmetric<Lane>, lane: usize, value: &AngularInertia) {
-    target.m11.0[lane] = value.m11;
-    target.m12.0[lane] = value.m12;
-    target.m13.0[lane] = value.m13;
-    target.m22.0[lane] = value.m22;
-    target.m23.0[lane] = value.m23;
-    target.m33.0[lane] = value.m33;
+    target.set_lane(lane, value);
 }
 
 /// The matrix of one lane.
@@ -94,138 +82,18 @@ pub fn symmetric_lane(source: &WideSymmetric<Lane>, lane: usize) -> AngularInert
 /// No angular vector in any lane.
 pub const ANG_ZERO_LANES: WideAngVector<Lane> = WideVector::ZERO;
 /// No inverse inertia in any lane.
-pub const ZERO_INERTIA: WideSymmetric<Lane> = {
-    let zero = Lane::ZERO;
-    WideSymmetric { m11: zero, m12: zero, m13: zero, m22: zero, m23: zero, m33: zero }
-};
+pub const ZERO_INERTIA: WideSymmetric<Lane> = WideSymmetric::ZERO;
 
 impl WideRotation<Lane> {
     /// No rotation in any lane.
-    pub const IDENTITY: Self =
-        Self { x: Lane::ZERO, y: Lane::ZERO, z: Lane::ZERO, w: Lane::splat(1.0) };
-
-    /// Sets the rotation of one lane.
-    pub fn set_lane(&mut self, lane: usize, value: &Rotation) {
-        (self.x.0[lane], self.y.0[lane]) = (value.x, value.y);
-        (self.z.0[lane], self.w.0[lane]) = (value.z, value.w);
-    }
+    pub const IDENTITY: Self = Self { w: Lane::splat(1.0), ..Self::ZERO };
 }
 
 impl<W: Wide> WideVector<W> {
-    /// Reads a vector per lane from memory.
-    #[inline(always)]
-    pub fn load(from: &WideVector<Lane>) -> Self {
-        Self { x: W::load(&from.x), y: W::load(&from.y), z: W::load(&from.z) }
-    }
-
     /// Its components, in their order.
     #[inline(always)]
     pub fn components(self) -> [W; 3] {
         [self.x, self.y, self.z]
-    }
-
-    /// Writes a vector per lane to memory.
-    #[inline(always)]
-    pub fn store(self, to: &mut WideVector<Lane>) {
-        self.x.store(&mut to.x);
-        self.y.store(&mut to.y);
-        self.z.store(&mut to.z);
-    }
-
-    /// The same vector in every lane.
-    #[inline(always)]
-    pub fn splat(value: Vector) -> Self {
-        Self { x: W::splat(value.x), y: W::splat(value.y), z: W::splat(value.z) }
-    }
-
-    /// The zero vector in every lane.
-    #[inline(always)]
-    pub fn zero() -> Self {
-        Self { x: W::zero(), y: W::zero(), z: W::zero() }
-    }
-
-    /// The dot product.
-    #[inline(always)]
-    pub fn dot(self, other: Self) -> W {
-        self.x * other.x + self.y * other.y + self.z * other.z
-    }
-
-    /// The product of each component with the same component of `other`.
-    #[inline(always)]
-    pub fn component_mul(self, other: Self) -> Self {
-        Self { x: self.x * other.x, y: self.y * other.y, z: self.z * other.z }
-    }
-
-    /// The smaller of each component.
-    #[inline(always)]
-    pub fn min(self, other: Self) -> Self {
-        Self { x: self.x.min(other.x), y: self.y.min(other.y), z: self.z.min(other.z) }
-    }
-
-    /// The larger of each component.
-    #[inline(always)]
-    pub fn max(self, other: Self) -> Self {
-        Self { x: self.x.max(other.x), y: self.y.max(other.y), z: self.z.max(other.z) }
-    }
-
-    /// The vector, shortened to this length where it is longer, and one bit per lane where it is.
-    #[inline(always)]
-    pub fn clamped(self, length_max: Real) -> (Self, u32) {
-        let square = self.dot(self);
-        let is_longer = W::splat(length_max * length_max).lt(square);
-        if !W::any(is_longer) {
-            return (self, 0);
-        }
-        let shortened = self * (W::splat(length_max) / square.sqrt());
-        (Self::select(is_longer, shortened, self), W::bits(is_longer))
-    }
-
-    /// Returns whether no component is larger than that of the other.
-    #[inline(always)]
-    pub fn all_le(self, other: Self) -> W::Mask {
-        self.x.le(other.x) & self.y.le(other.y) & self.z.le(other.z)
-    }
-
-    /// `yes` in the lanes where the mask says yes, `no` in the others.
-    #[inline(always)]
-    pub fn select(mask: W::Mask, yes: Self, no: Self) -> Self {
-        Self {
-            x: W::select(mask, yes.x, no.x),
-            y: W::select(mask, yes.y, no.y),
-            z: W::select(mask, yes.z, no.z),
-        }
-    }
-}
-
-impl<W: Wide> Add for WideVector<W> {
-    type Output = Self;
-    #[inline(always)]
-    fn add(self, other: Self) -> Self {
-        Self { x: self.x + other.x, y: self.y + other.y, z: self.z + other.z }
-    }
-}
-
-impl<W: Wide> Sub for WideVector<W> {
-    type Output = Self;
-    #[inline(always)]
-    fn sub(self, other: Self) -> Self {
-        Self { x: self.x - other.x, y: self.y - other.y, z: self.z - other.z }
-    }
-}
-
-impl<W: Wide> Neg for WideVector<W> {
-    type Output = Self;
-    #[inline(always)]
-    fn neg(self) -> Self {
-        Self { x: -self.x, y: -self.y, z: -self.z }
-    }
-}
-
-impl<W: Wide> Mul<W> for WideVector<W> {
-    type Output = Self;
-    #[inline(always)]
-    fn mul(self, factor: W) -> Self {
-        Self { x: self.x * factor, y: self.y * factor, z: self.z * factor }
     }
 }
 
@@ -272,25 +140,13 @@ pub fn select_ang<W: Wide>(
 /// Reads a symmetric matrix per lane from memory.
 #[inline(always)]
 pub fn load_symmetric<W: Wide>(from: &WideSymmetric<Lane>) -> WideSymmetric<W> {
-    WideSymmetric {
-        m11: W::load(&from.m11),
-        m12: W::load(&from.m12),
-        m13: W::load(&from.m13),
-        m22: W::load(&from.m22),
-        m23: W::load(&from.m23),
-        m33: W::load(&from.m33),
-    }
+    WideSymmetric::load(from)
 }
 
 /// Writes a symmetric matrix per lane to memory.
 #[inline(always)]
 pub fn store_symmetric<W: Wide>(value: WideSymmetric<W>, to: &mut WideSymmetric<Lane>) {
-    value.m11.store(&mut to.m11);
-    value.m12.store(&mut to.m12);
-    value.m13.store(&mut to.m13);
-    value.m22.store(&mut to.m22);
-    value.m23.store(&mut to.m23);
-    value.m33.store(&mut to.m33);
+    value.store(to);
 }
 
 /// The angular velocity change `I⁻¹ τ` of an angular impulse `τ`.
@@ -304,12 +160,6 @@ pub fn mul_inertia<W: Wide>(m: WideSymmetric<W>, torque: WideAngVector<W>) -> Wi
 }
 
 impl<W: Wide> WideRotation<W> {
-    /// Reads a rotation per lane from memory.
-    #[inline(always)]
-    pub fn load(from: &WideRotation<Lane>) -> Self {
-        Self { x: W::load(&from.x), y: W::load(&from.y), z: W::load(&from.z), w: W::load(&from.w) }
-    }
-
     /// Turns a vector: `v + 2 u × (u × v + w v)` for the quaternion with vector part `u` and
     /// scalar part `w`.
     #[inline(always)]
@@ -374,99 +224,5 @@ impl<W: Wide> WideRotation<W> {
         let u = WideVector { x: self.x, y: self.y, z: self.z };
         let half = cross(u, cross(u, v) + v * self.w);
         half + half
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::super::math;
-    use super::{
-        Lane, Rotation, Vector, Wide, WideAngVector, WideRotation, WideSymmetric, WideVector,
-        ang_dot, ang_lane, cross, load_ang, load_symmetric, mul_inertia, set_ang_lane,
-        set_symmetric_lane, store_ang, torque,
-    };
-    use crate::base::wide::{Kernel, LANES, Simd};
-    use parry::math::Real;
-
-    /// Input and output of the formulas below.
-    #[derive(Copy, Clone, Default)]
-    struct Probe {
-        a: WideVector<Lane>,
-        b: WideVector<Lane>,
-        w: WideAngVector<Lane>,
-        inertia: WideSymmetric<Lane>,
-        rotation: WideRotation<Lane>,
-        vectors: [WideVector<Lane>; 4],
-        angular: [WideAngVector<Lane>; 2],
-        numbers: [Lane; 2],
-    }
-
-    impl Kernel for &mut Probe {
-        type Output = ();
-        #[inline(always)]
-        fn run<W: Wide>(self) {
-            let (a, b) = (WideVector::<W>::load(&self.a), WideVector::<W>::load(&self.b));
-            let w = load_ang::<W>(&self.w);
-            cross(w, a).store(&mut self.vectors[0]);
-            WideRotation::<W>::load(&self.rotation).rotate(a).store(&mut self.vectors[1]);
-            (-(a - b) * a.dot(b) + WideVector::splat(Vector::X)).store(&mut self.vectors[2]);
-            let less = WideVector::select(a.x.lt(b.x), a, WideVector::zero());
-            less.component_mul(b).store(&mut self.vectors[3]);
-            store_ang::<W>(torque(a, b), &mut self.angular[0]);
-            let inertia = load_symmetric::<W>(&self.inertia);
-            store_ang::<W>(mul_inertia(inertia, w), &mut self.angular[1]);
-            a.dot(b).store(&mut self.numbers[0]);
-            ang_dot::<W>(w, w).store(&mut self.numbers[1]);
-        }
-    }
-
-    fn vector(lane: usize, phase: Real) -> Vector {
-        let t = lane as Real + phase;
-        Vector::new(t.sin(), (2.0 * t).cos(), (3.0 * t).sin())
-    }
-
-    fn inputs(lane: usize) -> (Vector, Vector, math::AngVector, math::AngularInertia, Rotation) {
-        let (a, b) = (vector(lane, 0.3), vector(lane, 1.1));
-        let angular = vector(lane, 2.3);
-        let inertia =
-            math::AngularInertia { m11: a.x, m12: a.y, m13: a.z, m22: b.x, m23: b.y, m33: b.z };
-        (a, b, angular, inertia, math::rotation_from_angle(angular))
-    }
-
-    #[track_caller]
-    fn assert_near(found: Vector, expected: Vector) {
-        assert!((found - expected).length() < 1.0e-5, "{found} instead of {expected}");
-    }
-
-    #[track_caller]
-    fn assert_ang_near(found: math::AngVector, expected: math::AngVector) {
-        let error = math::ang_length_squared(found - expected);
-        assert!(error < 1.0e-10, "{found} instead of {expected}");
-    }
-
-    #[test]
-    fn lanes_compute_what_single_bodies_do() {
-        let mut probe = Probe::default();
-        for lane in 0..LANES {
-            let (a, b, w, inertia, rotation) = inputs(lane);
-            probe.a.set_lane(lane, a);
-            probe.b.set_lane(lane, b);
-            set_ang_lane(&mut probe.w, lane, w);
-            set_symmetric_lane(&mut probe.inertia, lane, &inertia);
-            probe.rotation.set_lane(lane, &rotation);
-        }
-        Simd::detect().run(&mut probe);
-        for lane in 0..LANES {
-            let (a, b, w, inertia, rotation) = inputs(lane);
-            let less = if a.x < b.x { a } else { Vector::ZERO };
-            assert_near(probe.vectors[0].lane(lane), math::cross(w, a));
-            assert_near(probe.vectors[1].lane(lane), rotation * a);
-            assert_near(probe.vectors[2].lane(lane), (b - a) * a.dot(b) + Vector::X);
-            assert_near(probe.vectors[3].lane(lane), less * b);
-            assert_ang_near(ang_lane(&probe.angular[0], lane), math::torque(a, b));
-            assert_ang_near(ang_lane(&probe.angular[1], lane), math::mul_inertia(&inertia, w));
-            assert!((probe.numbers[0].0[lane] - a.dot(b)).abs() < 1.0e-5);
-            assert!((probe.numbers[1].0[lane] - math::ang_dot(w, w)).abs() < 1.0e-5);
-        }
     }
 }

@@ -80,7 +80,9 @@ impl LinkTrajectory {
         &self,
         multibody: &mut Multibody,
         bodies: &mut RigidBodySet,
-        (fraction, pieces, dt): (Real, usize, Real),
+        fraction: Real,
+        pieces: usize,
+        dt: Real,
         acceleration: impl Fn(usize) -> Vector,
     ) {
         let centers = |bodies: &RigidBodySet, multibody: &Multibody| -> Vec<Vector> {
@@ -88,7 +90,7 @@ impl LinkTrajectory {
             multibody.links.iter().map(|link| center(link.body)).collect()
         };
         let (energy, ends) = (kinetic_energy(multibody, bodies), centers(bodies, multibody));
-        let (mut motion, has_diverged) = self.fly_back(multibody, bodies, (fraction, pieces, dt));
+        let (mut motion, has_diverged) = self.fly_back(multibody, bodies, fraction, pieces, dt);
         store(multibody, &mut motion, bodies);
         let now = centers(bodies, multibody);
         let mut work = 0.0;
@@ -110,7 +112,9 @@ impl LinkTrajectory {
         &self,
         multibody: &mut Multibody,
         bodies: &RigidBodySet,
-        (fraction, pieces, dt): (Real, usize, Real),
+        fraction: Real,
+        pieces: usize,
+        dt: Real,
     ) -> (Motion, bool) {
         let mut motion = Motion::default();
         motion.drives = inertias(multibody);

@@ -27,6 +27,8 @@ enum Room<'a> {
     /// All sets of a step, for the stages of [`WHOLE_WORLD`] only.
     StepWorld,
     Stage(&'a str),
+    /// A room of the solver: see [`SOLVER`].
+    Solver(&'a str),
     Step,
     /// Queries of the world: reads it, writes nothing.
     Query,
@@ -48,6 +50,38 @@ const WHOLE_WORLD: [(&str, &str); 2] = [
     ("quarantine", "looks for causes in all sets"),
 ];
 
+/// The rooms of the solver, each with the rooms that it may use, which stand before it. The solver's `mod.rs`
+/// and its tests use all of them.
+const SOLVER: [(&str, &[&str]); 14] = [
+    ("blocks", &[]),
+    ("context", &[]),
+    ("island_sums", &[]),
+    ("joint_rules", &[]),
+    ("links", &[]),
+    ("restitution", &[]),
+    ("states", &[]),
+    ("groups", &["context"]),
+    ("bodies", &["context", "groups", "links", "states"]),
+    ("recovery", &["bodies", "island_sums"]),
+    ("contacts", &["blocks", "bodies", "context", "links", "recovery", "states"]),
+    ("joints", &["blocks", "bodies", "context", "joint_rules", "links", "states"]),
+    ("multibodies", &["bodies", "context", "joint_rules", "links", "restitution"]),
+    (
+        "impacts",
+        &[
+            "blocks",
+            "bodies",
+            "contacts",
+            "context",
+            "island_sums",
+            "joints",
+            "multibodies",
+            "restitution",
+            "states",
+        ],
+    ),
+];
+
 /// Files that may use globs, with the reason.
 const GLOBS: [(&str, &str); 4] = [
     ("src/api/prelude.rs", "gathers all public names"),
@@ -64,6 +98,7 @@ impl<'a> Room<'a> {
             ["base", ..] => Self::Base,
             ["dim" | "dim2" | "dim3", "contact" | "joint", ..] => Self::DimContact,
             ["dim" | "dim2" | "dim3", "surface", ..] => Self::DimSurface,
+            // Declared by the dimension that has vehicles; the files are in `controllers/`.
             ["dim" | "dim2" | "dim3", "vehicle", ..] => Self::Controllers,
             ["dim" | "dim2" | "dim3", ..] => Self::Dim,
             ["model", ..] => Self::Model,
@@ -72,6 +107,9 @@ impl<'a> Room<'a> {
             ["step", notes, ..] if NOTES.contains(notes) => Self::Notes,
             ["step", "world", ..] => Self::StepWorld,
             ["step", driver, ..] if DRIVER.contains(driver) => Self::Step,
+            ["step", "solver", room, ..] if SOLVER.iter().any(|(name, _)| name == room) => {
+                Self::Solver(room)
+            }
             ["step", stage, ..] if stage.starts_with(char::is_lowercase) && *stage != "mod" => {
                 Self::Stage(stage)
             }
@@ -92,7 +130,7 @@ impl<'a> Room<'a> {
     fn may_use(self, other: Self) -> bool {
         use Room::{
             Api, Base, Collide, Controllers, DebugRender, Dim, DimContact, DimSurface, Door, Model,
-            Multibody, Notes, Query, Stage, Step, StepWorld,
+            Multibody, Notes, Query, Solver, Stage, Step, StepWorld,
         };
         match self {
             _ if self == other => true,
@@ -108,9 +146,16 @@ impl<'a> Room<'a> {
             Stage(stage) if other == StepWorld => {
                 WHOLE_WORLD.iter().any(|(whole, _)| *whole == stage)
             }
+            Stage("solver") if matches!(other, Solver(_)) => true,
             Stage(_) => {
                 matches!(other, Base | Dim | DimContact | Model | Multibody | Collide | Notes)
             }
+            Solver(room) => match other {
+                Solver(used) => {
+                    SOLVER.iter().any(|(name, may_use)| *name == room && may_use.contains(&used))
+                }
+                _ => other != Stage("solver") && Stage("solver").may_use(other),
+            },
             Step => matches!(other, Base | Dim | Model | Notes | StepWorld | Stage(_)),
         }
     }
@@ -232,7 +277,7 @@ impl<'a> InlineModules<'a> {
 
 #[cfg(test)]
 mod tests {
-    use super::check;
+    use super::{SOLVER, check};
     use crate::source::Source;
 
     fn complaints(path: &str, text: &str) -> usize {
@@ -247,8 +292,8 @@ mod tests {
         assert_eq!(complaints("src/model/a.rs", "fn f() { crate::dynamics::g() }"), 1);
         assert_eq!(complaints("src/dim3/contact/a.rs", "use crate::model::params::Softness;"), 0);
         assert_eq!(complaints("src/dim3/math.rs", "use crate::model::params::Softness;"), 1);
-        assert_eq!(complaints("src/dim3/vehicle/a.rs", "use crate::query::QueryView;"), 0);
-        assert_eq!(complaints("src/dim3/vehicle/a.rs", "use crate::step::step;"), 1);
+        assert_eq!(complaints("src/controllers/vehicle/a.rs", "use crate::query::QueryView;"), 0);
+        assert_eq!(complaints("src/controllers/vehicle/a.rs", "use crate::step::step;"), 1);
     }
 
     #[test]
@@ -262,6 +307,22 @@ mod tests {
         assert_eq!(complaints("src/step/solver/a.rs", "use crate::step::world::World;"), 1);
         assert_eq!(complaints("src/step/quarantine/a.rs", "use crate::step::world::World;"), 0);
         assert_eq!(complaints("src/step/solver/a.rs", "use crate::step::notes::StepNotes;"), 0);
+    }
+
+    #[test]
+    fn rooms_of_the_solver_form_no_circle() {
+        for (position, (room, may_use)) in SOLVER.iter().enumerate() {
+            let before = |used: &&&str| SOLVER[..position].iter().all(|(name, _)| name != *used);
+            assert_eq!(may_use.iter().find(before), None, "{room} stands before a room it uses");
+        }
+        let contacts = "use crate::step::solver::contacts::Blocks;";
+        assert_eq!(complaints("src/step/solver/impacts/a.rs", contacts), 0);
+        assert_eq!(complaints("src/step/solver/joints/a.rs", contacts), 1);
+        assert_eq!(complaints("src/step/solver/mod.rs", contacts), 0);
+        assert_eq!(complaints("src/step/solver/tests/a.rs", contacts), 0);
+        assert_eq!(complaints("src/step/solver/blocks/a.rs", "use super::super::bodies::B;"), 1);
+        assert_eq!(complaints("src/step/solver/bodies/a.rs", "use crate::step::solver::S;"), 1);
+        assert_eq!(complaints("src/step/islands/a.rs", contacts), 1);
     }
 
     #[test]

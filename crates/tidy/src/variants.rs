@@ -9,11 +9,10 @@ const VARIANTS: [&str; 4] = ["dim2", "dim3", "f32", "f64"];
 /// The folder with threads.
 const PARALLEL: &str = "src/base/tasks/";
 
-/// Files, and folders except their `mod.rs`, that exist in one of `dim2/` and `dim3/` only, with the reason.
-const SINGLES: [(&str, &str); 3] = [
+/// Files that exist in one of `dim2/` and `dim3/` only, with the reason.
+const SINGLES: [(&str, &str); 2] = [
     ("src/dim3/collide/cuboid_faces.rs", "faces are clipped by faces; in 2D faces are edges"),
     ("src/dim3/gyroscopic.rs", "gyroscopic motion needs three axes"),
-    ("src/dim3/vehicle/", "ray-cast vehicles exist in 3D only"),
 ];
 
 /// Complains of misplaced `cfg`s and of twins that differ.
@@ -89,27 +88,16 @@ fn check_dimensions(sources: &[Source], complaints: &mut Vec<Complaint>) {
     let exists = |path: &str| sources.iter().any(|source| source.path == path);
     for source in sources {
         let Some(twin) = twin(&source.path) else { continue };
-        if !SINGLES.iter().any(|(path, _)| covers(path, &source.path)) && !exists(&twin) {
+        if !SINGLES.iter().any(|(path, _)| *path == source.path) && !exists(&twin) {
             let what = format!("has no twin {twin}, and is not listed as single");
             complaints.push(Complaint::new(&source.path, 1, what));
         }
     }
     for (path, _) in SINGLES {
-        let mut covered = sources.iter().filter(|source| covers(path, &source.path)).peekable();
-        let has_none = covered.peek().is_none();
-        let has_twin = covered.any(|source| twin(&source.path).is_some_and(|twin| exists(&twin)));
-        if !sources.is_empty() && (has_none || has_twin) {
+        let has_twin = twin(path).is_some_and(|twin| exists(&twin));
+        if !sources.is_empty() && (!exists(path) || has_twin) {
             complaints.push(Complaint::new(path, 1, "is listed as single but is not"));
         }
-    }
-}
-
-/// Returns whether an entry of [`SINGLES`] matches a file.
-fn covers(entry: &str, path: &str) -> bool {
-    match path.strip_prefix(entry) {
-        Some("") => true,
-        Some(rest) => entry.ends_with('/') && rest != "mod.rs",
-        None => false,
     }
 }
 
@@ -169,11 +157,7 @@ mod tests {
 
     #[test]
     fn dimensions_have_the_same_files() {
-        let singles = [
-            ("src/dim3/collide/cuboid_faces.rs", ""),
-            ("src/dim3/gyroscopic.rs", ""),
-            ("src/dim3/vehicle/a.rs", ""),
-        ];
+        let singles = [("src/dim3/collide/cuboid_faces.rs", ""), ("src/dim3/gyroscopic.rs", "")];
         assert!(of(check_dimensions, &singles).is_empty());
         let mut files = singles.to_vec();
         files.push(("src/dim3/motion.rs", ""));
@@ -182,8 +166,5 @@ mod tests {
         assert!(of(check_dimensions, &files).is_empty());
         files.push(("src/dim2/collide/cuboid_faces.rs", ""));
         assert_eq!(of(check_dimensions, &files)[0].file, "src/dim3/collide/cuboid_faces.rs");
-        files.pop();
-        files.push(("src/dim3/vehicle/mod.rs", ""));
-        assert_eq!(of(check_dimensions, &files)[0].file, "src/dim3/vehicle/mod.rs");
     }
 }

@@ -31,6 +31,7 @@ mod pair;
 ))]
 mod portable;
 mod prefetch;
+mod record;
 #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
 mod simd128;
 #[cfg(target_arch = "x86_64")]
@@ -54,6 +55,7 @@ use parry::math::Real;
 
 pub use dispatch::{Kernel, Simd};
 pub use prefetch::{PREFETCH_DISTANCE, prefetch, prefetch_front};
+pub(crate) use record::{record_of_lanes, vector_of_lanes};
 
 /// The number of lanes of a register: 8 single-precision or 4 double-precision numbers.
 pub const LANES: usize = 32 / size_of::<Real>();
@@ -145,6 +147,14 @@ pub trait Wide<S = Real, const N: usize = LANES>:
     /// # Safety
     /// Each pointer must be good for writing `N` numbers.
     unsafe fn store_transposed(columns: [Self; N], rows: [*mut S; N]);
+}
+
+/// `1 / value` where the value is positive, zero elsewhere.
+#[inline(always)]
+pub fn invert<W: Wide>(value: W) -> W {
+    let positive = W::zero().lt(value);
+    let one = W::splat(1.0);
+    W::select(positive, one / W::select(positive, value, one), W::zero())
 }
 
 /// Does a piece of work for each group of [`LANES`] components of a record. The lines are unrolled by hand:

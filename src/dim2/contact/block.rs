@@ -28,6 +28,12 @@ impl PointRow {
     pub fn place<W: Wide>(&self) -> [W; 1] {
         [W::load(&self.x)]
     }
+
+    /// Stores the position of a point of the contact frame.
+    #[inline(always)]
+    pub fn store_place<W: Wide>(&mut self, local: WideVector<W>) {
+        local.x.store(&mut self.x);
+    }
 }
 
 /// [`LANES`] contact constraints of one colour.

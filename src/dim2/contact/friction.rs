@@ -17,17 +17,18 @@
 //! Source: Catto, "Modeling and Solving Constraints" (GDC 2009); the central row is Bepu's.
 
 use super::block::{ContactBlock, FrictionRow};
-use super::prepare::{Pair, Point};
-use super::rows::{Frame, invert, push};
-use crate::base::wide::Wide;
+use super::coulomb::CoulombBlock;
+use super::pair::Pair;
+use super::rows::{Frame, push};
+use crate::base::wide::{Wide, invert};
 use crate::dim2::math::{MAX_MANIFOLD_POINTS, Real};
 use crate::dim2::state::WideMotion;
 use crate::dim2::wide::WideVector;
-use crate::model::contact::ContactInput;
+use crate::model::contact::{ContactInput, WidePoint};
 
 /// A [`FrictionRow`] in registers.
 #[derive(Copy, Clone)]
-pub(super) struct WideFriction<W> {
+pub(crate) struct WideFriction<W> {
     pub height: W,
     pub coefficient: W,
     pub mass: W,
@@ -37,18 +38,18 @@ pub(super) struct WideFriction<W> {
 
 /// The row of a block's friction.
 #[inline(always)]
-pub(super) fn prepare<W: Wide>(
+pub(crate) fn prepare<W: Wide>(
     input: &ContactInput,
     pair: &Pair<W>,
-    points: &[Point<W>; MAX_MANIFOLD_POINTS],
+    points: &[WidePoint<W>; MAX_MANIFOLD_POINTS],
     prediction: W,
 ) -> WideFriction<W> {
     let t = pair.frame.t;
     let height = center_height(points, prediction);
     let height2 = height + pair.offset.y;
-    let [p1, p2] = &pair.poses;
-    let linear = t.dot(t.component_mul(p1.inv_mass + p2.inv_mass));
-    let angular = height * height * p1.inv_inertia + height2 * height2 * p2.inv_inertia;
+    let [i1, i2] = pair.inv_inertia;
+    let linear = t.dot(t.component_mul(pair.inv_mass[0] + pair.inv_mass[1]));
+    let angular = height * height * i1 + height2 * height2 * i2;
     WideFriction {
         height,
         coefficient: W::load(&input.friction),
@@ -58,9 +59,25 @@ pub(super) fn prepare<W: Wide>(
     }
 }
 
+/// Solves the friction row once, under the normal impulses as they are.
+#[inline(always)]
+pub(crate) fn solve<W: Wide>(
+    block: &mut ContactBlock,
+    _: Option<&mut CoulombBlock>,
+    normal_impulse: W,
+    velocities: [WideMotion<W>; 2],
+) -> [WideMotion<W>; 2] {
+    let frame = Frame::load(block);
+    let c = WideVector::load(&block.offset);
+    let mut friction = WideFriction::load(&block.friction);
+    let added = friction.solve(&frame, c, velocities, normal_impulse);
+    friction.impulse.store(&mut block.friction.impulse);
+    friction.apply(added, block, &frame, velocities)
+}
+
 /// The coordinate of the friction centre along the normal.
 #[inline(always)]
-fn center_height<W: Wide>(points: &[Point<W>; MAX_MANIFOLD_POINTS], prediction: W) -> W {
+fn center_height<W: Wide>(points: &[WidePoint<W>; MAX_MANIFOLD_POINTS], prediction: W) -> W {
     // Weights decrease as points move apart; the lower bound keeps a separated manifold well defined.
     let floor = (prediction * W::splat(0.01)).max(W::splat(Real::EPSILON));
     let (mut sum, mut height) = (W::zero(), W::zero());
@@ -75,7 +92,7 @@ fn center_height<W: Wide>(points: &[Point<W>; MAX_MANIFOLD_POINTS], prediction: 
 
 impl<W: Wide> WideFriction<W> {
     #[inline(always)]
-    pub fn load(row: &FrictionRow) -> Self {
+    fn load(row: &FrictionRow) -> Self {
         Self {
             height: W::load(&row.height),
             coefficient: W::load(&row.coefficient),
@@ -86,12 +103,27 @@ impl<W: Wide> WideFriction<W> {
     }
 
     #[inline(always)]
-    pub fn store(&self, row: &mut FrictionRow) {
+    fn store(&self, row: &mut FrictionRow) {
         self.height.store(&mut row.height);
         self.coefficient.store(&mut row.coefficient);
         self.mass.store(&mut row.mass);
         self.surface_velocity.store(&mut row.surface_velocity);
         self.impulse.store(&mut row.impulse);
+    }
+
+    /// Stores the row, and applies the impulse with which the step starts.
+    #[inline(always)]
+    pub fn begin(
+        self,
+        _: &ContactInput,
+        block: &mut ContactBlock,
+        _: Option<&mut CoulombBlock>,
+        pair: &Pair<W>,
+        _: &[WidePoint<W>; MAX_MANIFOLD_POINTS],
+        velocities: [WideMotion<W>; 2],
+    ) -> [WideMotion<W>; 2] {
+        self.store(&mut block.friction);
+        self.apply(self.impulse, block, &pair.frame, velocities)
     }
 
     /// Solves the row once under a normal impulse and returns the change.

@@ -33,14 +33,6 @@ impl<W: Wide> Frame<W> {
     }
 }
 
-/// `1 / value` where the value is positive, zero elsewhere.
-#[inline(always)]
-pub(super) fn invert<W: Wide>(value: W) -> W {
-    let positive = W::zero().lt(value);
-    let one = W::splat(1.0);
-    W::select(positive, one / W::select(positive, value, one), W::zero())
-}
-
 /// The normal component of a relative motion, as a function of the point along the tangent.
 #[derive(Copy, Clone)]
 pub(crate) struct NormalRow<W> {

@@ -3,14 +3,14 @@
 //! Tests of both dimensions are in `step/solver/tests`, where the passes are called.
 
 use super::friction::{self, WideFriction};
-use super::prepare::{Pair, Point};
+use super::pair::Pair;
 use super::rows::Frame;
 use crate::base::random::Random;
 use crate::base::wide::{Kernel, LANES, Lane, Simd, Wide};
 use crate::dim2::math::{MAX_MANIFOLD_POINTS, Real, Rotation, Vector, cross, tangents, torque};
-use crate::dim2::state::{WideMotion, WidePose};
-use crate::dim2::wide::{WideRotation, WideVector};
-use crate::model::contact::ContactInput;
+use crate::dim2::state::WideMotion;
+use crate::dim2::wide::WideVector;
+use crate::model::contact::{ContactInput, WidePoint};
 
 const ROUNDING: Real = 1000.0 * Real::EPSILON;
 
@@ -66,23 +66,19 @@ impl Kernel for Iterate<'_> {
         let touch = self.0;
         let frame = Frame::<W>::about(WideVector::splat(touch.normal));
         let (zero, one) = (W::zero(), W::splat(1.0));
-        let pose = WidePose {
-            rotation: WideRotation { re: one, im: zero },
-            center_of_mass: WideVector::zero(),
-            inv_mass: WideVector { x: one, y: one },
-            inv_inertia: zero,
-        };
-        let mut poses = [pose; 2];
-        for (pose, &inv_inertia) in poses.iter_mut().zip(&touch.inv_inertia) {
-            pose.inv_inertia = W::splat(inv_inertia);
-        }
         let point =
-            Point { local: WideVector::zero(), separation: zero, present: one, impulse: zero };
+            WidePoint { local: WideVector::zero(), separation: zero, present: one, impulse: zero };
         let mut points = [point; MAX_MANIFOLD_POINTS];
         for (point, &at) in points.iter_mut().zip(&touch.points) {
             point.local = frame.local(WideVector::splat(at));
         }
-        let pair = Pair { frame, poses, offset: frame.local(WideVector::splat(touch.offset)) };
+        let [i1, i2] = touch.inv_inertia;
+        let pair = Pair {
+            frame,
+            offset: frame.local(WideVector::splat(touch.offset)),
+            inv_mass: [WideVector { x: one, y: one }; 2],
+            inv_inertia: [W::splat(i1), W::splat(i2)],
+        };
         let mut input = ContactInput::EMPTY;
         input.friction = Lane::splat(0.5);
         let mut row: WideFriction<W> = friction::prepare(&input, &pair, &points, W::splat(0.02));

@@ -29,6 +29,13 @@ impl PointRow {
     pub fn place<W: Wide>(&self) -> [W; 2] {
         [W::load(&self.x), W::load(&self.y)]
     }
+
+    /// Stores the position of a point of the contact frame.
+    #[inline(always)]
+    pub fn store_place<W: Wide>(&mut self, local: WideVector<W>) {
+        local.x.store(&mut self.x);
+        local.y.store(&mut self.y);
+    }
 }
 
 /// [`LANES`] contact constraints of one colour.

@@ -12,13 +12,13 @@
 
 use super::block::ContactBlock;
 use super::friction::{self, tangent_mass, to_cone};
-use super::prepare::{Pair, Point};
+use super::pair::Pair;
 use super::rows::{Frame, push};
 use crate::base::wide::{Lane, Wide};
 use crate::dim3::math::MAX_MANIFOLD_POINTS;
 use crate::dim3::state::WideMotion;
 use crate::dim3::wide::WideVector;
-use crate::model::contact::ContactInput;
+use crate::model::contact::{ContactInput, WidePoint};
 
 /// The tangential rows of one point of each lane.
 #[derive(Copy, Clone, Debug)]
@@ -70,7 +70,7 @@ impl CoulombBlock {
         input: &ContactInput,
         block: &mut ContactBlock,
         pair: &Pair<W>,
-        points: &[Point<W>; MAX_MANIFOLD_POINTS],
+        points: &[WidePoint<W>; MAX_MANIFOLD_POINTS],
     ) {
         block.friction.impulse = [Lane::ZERO; 3];
         for (k, rows) in self.0.iter_mut().enumerate() {

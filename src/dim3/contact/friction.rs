@@ -18,13 +18,14 @@
 //! Source: Catto, "Box2D v3.1" release notes and Bepu's contact constraints for the central rows.
 
 use super::block::{ContactBlock, FrictionRow};
-use super::prepare::{Pair, Point};
-use super::rows::{Frame, invert, push};
-use crate::base::wide::{Lane, Wide};
+use super::coulomb::CoulombBlock;
+use super::pair::Pair;
+use super::rows::{Frame, push};
+use crate::base::wide::{Lane, Wide, invert};
 use crate::dim3::math::{MAX_MANIFOLD_POINTS, Real};
 use crate::dim3::state::WideMotion;
 use crate::dim3::wide::{WideSymmetric, WideVector};
-use crate::model::contact::ContactInput;
+use crate::model::contact::{ContactInput, WidePoint};
 
 /// Of two eigenvalues, the smaller one counts if it is at least about this fraction of the larger one. Bodies
 /// that can slide freely stay above a hundredth, whatever their shape.
@@ -32,7 +33,7 @@ const EIGENVALUE_RATIO_MIN: Real = 1.0e-3;
 
 /// A [`FrictionRow`] in registers.
 #[derive(Copy, Clone)]
-pub(super) struct WideFriction<W> {
+pub(crate) struct WideFriction<W> {
     pub center: WideVector<W>,
     pub coefficient: W,
     pub tangent_mass: [W; 3],
@@ -45,10 +46,10 @@ pub(super) struct WideFriction<W> {
 
 /// The rows of a block's friction.
 #[inline(always)]
-pub(super) fn prepare<W: Wide>(
+pub(crate) fn prepare<W: Wide>(
     input: &ContactInput,
     pair: &Pair<W>,
-    points: &[Point<W>; MAX_MANIFOLD_POINTS],
+    points: &[WidePoint<W>; MAX_MANIFOLD_POINTS],
     prediction: W,
 ) -> WideFriction<W> {
     let (center, radius) = center(points, prediction);
@@ -67,9 +68,31 @@ pub(super) fn prepare<W: Wide>(
     }
 }
 
+/// Solves the friction rows once, central ones or those of the points, under the normal impulses as they are.
+#[inline(always)]
+pub(crate) fn solve<W: Wide>(
+    block: &mut ContactBlock,
+    coulomb: Option<&mut CoulombBlock>,
+    normal_impulse: W,
+    velocities: [WideMotion<W>; 2],
+) -> [WideMotion<W>; 2] {
+    let frame = Frame::load(block);
+    if let Some(rows) = coulomb {
+        return rows.solve(block, &frame, velocities);
+    }
+    let c = WideVector::load(&block.offset);
+    let mut friction = WideFriction::load(&block.friction);
+    let added = friction.solve(&frame, c, velocities, normal_impulse);
+    store(friction.impulse, &mut block.friction.impulse);
+    friction.apply(added, block, &frame, velocities)
+}
+
 /// The friction centre, and the mean distance of the points from it.
 #[inline(always)]
-fn center<W: Wide>(points: &[Point<W>; MAX_MANIFOLD_POINTS], prediction: W) -> (WideVector<W>, W) {
+fn center<W: Wide>(
+    points: &[WidePoint<W>; MAX_MANIFOLD_POINTS],
+    prediction: W,
+) -> (WideVector<W>, W) {
     // Weights decrease as points move apart; the lower bound keeps a separated manifold well defined.
     let floor = (prediction * W::splat(0.01)).max(W::splat(Real::EPSILON));
     let mut weights = [W::zero(); MAX_MANIFOLD_POINTS];
@@ -137,7 +160,7 @@ fn invert_matrix<W: Wide>([k11, k12, k22]: [W; 3]) -> [W; 3] {
 
 impl<W: Wide> WideFriction<W> {
     #[inline(always)]
-    pub fn load(row: &FrictionRow) -> Self {
+    fn load(row: &FrictionRow) -> Self {
         Self {
             center: WideVector::load(&row.center),
             coefficient: W::load(&row.coefficient),
@@ -151,7 +174,7 @@ impl<W: Wide> WideFriction<W> {
     }
 
     #[inline(always)]
-    pub fn store(self, row: &mut FrictionRow) {
+    fn store(self, row: &mut FrictionRow) {
         self.center.store(&mut row.center);
         self.coefficient.store(&mut row.coefficient);
         store(self.tangent_mass, &mut row.tangent_mass);
@@ -160,6 +183,27 @@ impl<W: Wide> WideFriction<W> {
         store(self.twist_coupling, &mut row.twist_coupling);
         store(self.surface_velocity, &mut row.surface_velocity);
         store(self.impulse, &mut row.impulse);
+    }
+
+    /// Stores the rows, and applies the impulses with which the step starts: its own, or those of the points.
+    #[inline(always)]
+    pub fn begin(
+        self,
+        input: &ContactInput,
+        block: &mut ContactBlock,
+        coulomb: Option<&mut CoulombBlock>,
+        pair: &Pair<W>,
+        points: &[WidePoint<W>; MAX_MANIFOLD_POINTS],
+        velocities: [WideMotion<W>; 2],
+    ) -> [WideMotion<W>; 2] {
+        self.store(&mut block.friction);
+        match coulomb {
+            None => self.apply(self.impulse, block, &pair.frame, velocities),
+            Some(rows) => {
+                rows.prepare(input, block, pair, points);
+                rows.warm_start(block, &pair.frame, velocities)
+            }
+        }
     }
 
     /// Solves the three rows once under a normal impulse and returns the change.

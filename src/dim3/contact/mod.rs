@@ -39,14 +39,13 @@
 mod block;
 mod coulomb;
 mod friction;
-mod prepare;
+mod pair;
 mod rows;
-mod solve;
 #[cfg(test)]
 mod tests;
 
 pub(crate) use block::ContactBlock;
 pub(crate) use coulomb::CoulombBlock;
-pub(crate) use prepare::{PrepareContext, prepare};
+pub(crate) use friction::{prepare as prepare_friction, solve as solve_friction};
+pub(crate) use pair::Pair;
 pub(crate) use rows::{Frame, NormalImpulse, NormalRow};
-pub(crate) use solve::{Bodies, relax, solve, solve_block_friction, values_at};

@@ -3,7 +3,7 @@
 //! Tests of both dimensions are in `step/solver/tests`, where the passes are called.
 
 use super::friction::{self, WideFriction};
-use super::prepare::{Pair, Point};
+use super::pair::Pair;
 use super::rows::Frame;
 use crate::base::random::Random;
 use crate::base::wide::{Kernel, LANES, Lane, Simd, Wide};
@@ -12,7 +12,7 @@ use crate::dim3::math::{
 };
 use crate::dim3::state::WideMotion;
 use crate::dim3::wide::{WideSymmetric, WideVector, set_symmetric_lane};
-use crate::model::contact::ContactInput;
+use crate::model::contact::{ContactInput, WidePoint};
 use parry::mass_properties::MassProperties;
 
 const ROUNDING: Real = 1000.0 * Real::EPSILON;
@@ -129,9 +129,12 @@ impl Kernel for Iterate<'_> {
             local[side] = frame.local_symmetric(frame.columns(world));
         }
         let zero = W::zero();
-        let mut points =
-            [Point { local: WideVector::zero(), separation: zero, present: zero, impulse: zero };
-                MAX_MANIFOLD_POINTS];
+        let mut points = [WidePoint {
+            local: WideVector::zero(),
+            separation: zero,
+            present: zero,
+            impulse: zero,
+        }; MAX_MANIFOLD_POINTS];
         for (point, &at) in points.iter_mut().zip(&touch.points) {
             point.local = frame.local(WideVector::splat(at));
             point.present = W::splat(1.0);

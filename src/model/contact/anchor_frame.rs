@@ -211,3 +211,23 @@ impl<W: Wide> MotionSince<W> {
         (WideVector::select(self.is_second_world, from_first, from_second), moved)
     }
 }
+
+/// A contact point per lane, between manifold and row.
+#[derive(Copy, Clone)]
+pub(crate) struct WidePoint<W> {
+    /// In the contact frame, from the first centre of mass.
+    pub local: WideVector<W>,
+    pub separation: W,
+    /// One for points that exist, else zero.
+    pub present: W,
+    pub impulse: W,
+}
+
+impl<W: Wide> WidePoint<W> {
+    /// No point in any lane.
+    #[inline(always)]
+    pub fn absent() -> Self {
+        let zero = W::zero();
+        Self { local: WideVector::zero(), separation: zero, present: zero, impulse: zero }
+    }
+}

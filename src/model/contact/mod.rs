@@ -10,7 +10,7 @@ mod anchor_frame;
 mod report;
 mod store;
 
-pub(crate) use anchor_frame::{AnchorFrame, MotionSince};
+pub(crate) use anchor_frame::{AnchorFrame, MotionSince, WidePoint};
 pub(crate) use input::ContactInput;
 pub(crate) use lanes::{ContactLanes, LaneBlock, LaneCapacity, reserve_blocks};
 pub use manifold::{Contact, ContactManifold, ContactManifoldData, ContactPoints, SolverFlags};

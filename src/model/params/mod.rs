@@ -5,6 +5,7 @@
 //! gives them in the world's own units.
 
 mod pass;
+mod soft_row;
 mod softness;
 mod validate;
 
@@ -12,6 +13,7 @@ mod validate;
 mod tests;
 
 pub(crate) use pass::{ContactPass, ImpactPass, JointPass};
+pub(crate) use soft_row::SoftRow;
 pub use softness::{CONTACT_SHARE, CONTACT_YIELD, JOINT_SHARE, Softness};
 pub(crate) use validate::ITERATIONS_MAX;
 pub use validate::InvalidParameters;

@@ -84,7 +84,7 @@ impl LinkTrajectories {
                 motion.map(|motion| motion.acceleration).unwrap_or_default()
             };
             let fraction = gone(fraction, tree.pieces);
-            trajectory.go_back(multibody, bodies, (fraction, tree.pieces, *dt), acceleration);
+            trajectory.go_back(multibody, bodies, fraction, tree.pieces, *dt, acceleration);
         }
     }
 

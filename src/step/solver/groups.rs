@@ -21,12 +21,13 @@
 use crate::base::tasks::{Gather, Tasks};
 use crate::dim::joint::inertia_about;
 use crate::dim::joint_axes::JointAxesMask;
-use crate::dim::math::{Real, Vector};
+use crate::dim::math::Real;
 use crate::model::body::{BODIES_PER_TASK, RigidBody, RigidBodyHandle, RigidBodySet};
 use crate::model::contact::NarrowPhase;
 use crate::model::island::{IslandManager, NONE};
 use crate::model::joint::ImpulseJointSet;
 use crate::model::params::IntegrationParameters;
+use crate::step::solver::context::SolverContext;
 use core::ops::Range;
 
 /// Up to this ratio of masses the usual substeps do: four cubes under one of 30 times the mass sink in by 15
@@ -161,20 +162,25 @@ impl Groups {
         self.groups.iter()
     }
 
+    /// Number of groups.
+    pub fn len(&self) -> usize {
+        self.groups.len()
+    }
+
+    /// The group at a position.
+    pub fn get(&self, position: usize) -> &Group {
+        &self.groups[position]
+    }
+
     /// The number of bodies before the groups.
     pub fn ungrouped(&self) -> usize {
         self.groups.first().map_or(0, |group| group.members.start)
     }
 
     /// Divides the awake bodies.
-    pub fn divide(
-        &mut self,
-        islands: &IslandManager,
-        bodies: &RigidBodySet,
-        narrow_phase: &NarrowPhase,
-        joints: &ImpulseJointSet,
-        (gravity, params, tasks): (Vector, &IntegrationParameters, Tasks<'_>),
-    ) {
+    pub fn divide(&mut self, context: &SolverContext<'_>) {
+        let &SolverContext { gravity, params, tasks, .. } = context;
+        let SolverContext { islands, bodies, narrow_phase, joints, .. } = context;
         self.order.clear();
         self.groups.clear();
         self.read_bodies(islands, bodies, tasks);

@@ -17,277 +17,277 @@
 //! end of that substep and before any impulse. We keep the latter per body and add the difference, instead of
 //! visiting all constraints.
 
+mod blocks;
 mod bodies;
 mod contacts;
+mod context;
 mod groups;
 mod impacts;
 mod island_sums;
+mod joint_rules;
 mod joints;
-mod store_impulses;
-mod layout;
+mod links;
 mod multibodies;
-mod overflow;
 mod recovery;
+mod restitution;
+mod states;
 #[cfg(test)]
 mod tests;
 
-use crate::base::tasks::Tasks;
-use crate::base::wide::Simd;
-use crate::dim::math::{Real, Vector};
 use crate::model::body::{RigidBodyHandle, RigidBodySet};
-use crate::model::contact::NarrowPhase;
 use crate::model::counters::SolverCounters;
-use crate::model::event::JointBreakEvent;
-use crate::model::island::IslandManager;
-use crate::model::joint::ImpulseJointSet;
-use crate::model::multibody::{LinkTrajectory, MultibodyJointSet};
-use crate::model::params::{
-    ContactPass, FrictionModel, ImpactPass, IntegrationParameters, JointPass,
-};
-use crate::step::notes::{Diverged, FastMotion};
+use crate::model::params::FrictionModel;
 use bodies::SolverBodies;
-use contacts::{LoadKind, SolverContacts};
+use contacts::{ContactSources, SolverContacts};
+pub(crate) use context::SolverContext;
+use context::SolverPass;
 use groups::Groups;
-use impacts::ImpactContext;
+use impacts::{ImpactContext, Impacts};
 use joints::{JointSources, SolverJoints};
-use multibodies::{MultibodyContext, SolverMultibodies};
+use links::Links;
+use multibodies::{MultibodySources, SolverMultibodies};
 use recovery::Recovery;
 
 /// Buffers that are reused from step to step.
 #[derive(Default)]
 pub(crate) struct SolverScratch {
     groups: Groups,
+    links: Links,
     bodies: SolverBodies,
-    /// By group.
+    /// By group, and some that are not needed now.
     constraints: Vec<Constraints>,
 }
 
-/// Joints, contacts and multibodies of a group.
+/// Constraints of a group.
 #[derive(Default)]
 struct Constraints {
     joints: SolverJoints,
     contacts: SolverContacts,
     multibodies: SolverMultibodies,
+    impacts: Impacts,
     recovery: Recovery,
-}
-
-/// Input and output of the solver.
-pub(crate) struct SolverContext<'a> {
-    pub gravity: Vector,
-    pub params: &'a IntegrationParameters,
-    /// The instructions that kernels run on.
-    pub simd: Simd,
-    pub tasks: Tasks<'a>,
-    pub bodies: &'a mut RigidBodySet,
-    pub narrow_phase: &'a mut NarrowPhase,
-    pub joints: &'a mut ImpulseJointSet,
-    pub multibodies: &'a mut MultibodyJointSet,
-    pub islands: &'a mut IslandManager,
-    /// Gets the motions of fast bodies.
-    pub fast: &'a mut Vec<FastMotion>,
-    /// Output: the trajectories of fast multibodies.
-    pub trajectories: &'a mut Vec<LinkTrajectory>,
-    /// Gets the joints that break.
-    pub broken: &'a mut Vec<JointBreakEvent>,
-    /// Gets the bodies that cannot be stored.
-    pub diverged: &'a mut Vec<Diverged>,
 }
 
 /// Solves one step for all awake bodies.
 ///
 /// If there are bodies that cannot be stored, nothing is.
 pub(crate) fn solve(
-    context: SolverContext<'_>,
+    mut context: SolverContext<'_>,
     scratch: &mut SolverScratch,
     counters: &mut SolverCounters,
 ) {
-    let SolverContext { gravity, params, simd, tasks, bodies, narrow_phase, islands, .. } = context;
-    let (set, trees, diverged) = (context.joints, context.multibodies, context.diverged);
-    let SolverScratch { groups, bodies: states, constraints } = scratch;
     counters.velocity_assembly_time.resume();
-    groups.divide(islands, bodies, narrow_phase, set, (gravity, params, tasks));
-    let constraints = for_each_group(constraints, groups);
-    constraints.iter_mut().for_each(|of_group| of_group.multibodies.register_links(trees, bodies));
-    states.load(groups, bodies, &constraints[0].multibodies, (gravity, params), tasks);
+    scratch.load(&mut context);
     counters.velocity_assembly_time.pause();
-    let is_only_group = groups.iter().len() == 1;
-    constraints.iter_mut().for_each(|of_group| of_group.contacts.clear());
     counters.nlimited_bodies = 0;
-    for (group, constraints) in groups.iter().zip(&mut *constraints) {
-        counters.velocity_assembly_time.resume();
-        states.enter(group, groups);
-        let pass = JointPass::new(params, params.dt / group.substeps as Real);
-        let Constraints { joints, contacts, multibodies, .. } = constraints;
-        multibodies.load(&groups.order()[group.members.clone()], trees, bodies);
-        multibodies.begin(bodies, gravity, pass.substep);
-        let from = JointSources { islands, world: bodies, bodies: states, multibodies };
-        joints.load(set, from, &pass, tasks);
-        let per_point = params.friction_model == FrictionModel::Coulomb;
-        let kind = LoadKind { is_only_group, per_point };
-        contacts.load(&islands.graph, narrow_phase, (states, kind), multibodies, tasks);
-        let multibody_context =
-            MultibodyContext { narrow_phase, islands, joints: set, world: bodies };
-        multibodies.prepare(multibody_context, states, &pass);
-        counters.velocity_assembly_time.pause();
-
-        let place = (&*narrow_phase, &*bodies);
-        let order = &groups.order()[group.members.clone()];
-        let context = GroupContext { gravity, params, place, order, simd, tasks };
-        solve_group(group.substeps, &context, states, constraints, counters);
-
-        counters.velocity_writeback_time.resume();
-        constraints.joints.finish(states, simd, tasks);
-        let links_are_moderate = constraints.multibodies.finish(diverged, pass.substep);
-        let group_is_moderate = links_are_moderate & states.are_moderate(tasks);
-        if !group_is_moderate || states.any_far {
-            states.find_diverged(groups, bodies, &constraints.multibodies, diverged);
-        }
-        counters.velocity_writeback_time.pause();
+    for index in 0..scratch.groups.len() {
+        scratch.solve_group(index, &mut context, counters);
     }
     counters.velocity_writeback_time.resume();
-    if diverged.is_empty() {
-        if groups.iter().len() > 0 {
-            narrow_phase.contacts.forget_renewed();
-        }
-        let world = World { narrow_phase, set, trees, islands, bodies };
-        let SolverContext { fast, trajectories, broken, .. } = context;
-        let mut notes = Notes { fast, trajectories, broken };
-        store_constraints(constraints, world, &mut notes, params, (counters, simd, tasks));
-        let world = (&mut *islands, bodies, &constraints[0].multibodies);
-        states.store(groups, world, params, notes.fast, tasks);
+    if context.diverged.is_empty() {
+        scratch.store(&mut context, counters);
     } else {
-        for of_group in constraints {
-            of_group.multibodies.give_back(trees);
-            of_group.contacts.give_back(narrow_phase);
-        }
+        scratch.discard(&mut context);
     }
     counters.velocity_writeback_time.pause();
 }
 
-/// A buffer for each group: all groups are solved before any is stored.
-fn for_each_group<'a>(
-    constraints: &'a mut Vec<Constraints>,
-    groups: &Groups,
-) -> &'a mut [Constraints] {
-    let count = groups.iter().len().max(1);
-    constraints.resize_with(count.max(constraints.len()), Constraints::default);
-    &mut constraints[..count]
+impl SolverScratch {
+    /// Divides the awake bodies into groups, and gathers their states.
+    fn load(&mut self, context: &mut SolverContext<'_>) {
+        let Self { groups, links, bodies, constraints } = self;
+        groups.divide(context);
+        links.register(context.multibodies, context.bodies);
+        bodies.load(groups, links, context);
+        // All groups are solved before any is stored.
+        constraints.resize_with(groups.len().max(constraints.len()), Constraints::default);
+    }
+
+    /// Solves one step for the bodies of a group.
+    fn solve_group(
+        &mut self,
+        index: usize,
+        context: &mut SolverContext<'_>,
+        counters: &mut SolverCounters,
+    ) {
+        let Self { groups, links, bodies, constraints } = self;
+        let (group, constraints) = (groups.get(index), &mut constraints[index]);
+        let pass = context.pass(group.substeps);
+        let members = &groups.order()[group.members.clone()];
+        let is_only_group = groups.len() == 1;
+
+        counters.velocity_assembly_time.resume();
+        bodies.enter(group, groups);
+        constraints.load_links(members, links, context, &pass);
+        constraints.load(is_only_group, bodies, links, context, &pass);
+        let sources = MultibodySources {
+            narrow_phase: context.narrow_phase,
+            islands: context.islands,
+            joints: context.joints,
+            world: context.bodies,
+        };
+        constraints.prepare(sources, bodies, &pass);
+        let links = members.iter().filter(|body| links.moves(body.into_raw_parts().0));
+        constraints.watch_energy(links, sources.world, bodies, &pass);
+        counters.velocity_assembly_time.pause();
+
+        counters.velocity_resolution_time.resume();
+        counters.nlimited_bodies += constraints.solve(group.substeps, sources, bodies, &pass);
+        counters.velocity_resolution_time.pause();
+
+        counters.velocity_writeback_time.resume();
+        constraints.joints.finish(bodies, &pass);
+        let links_are_moderate = constraints.multibodies.finish(context.diverged, pass.substep);
+        let is_moderate = links_are_moderate & bodies.are_moderate(pass.tasks);
+        if !is_moderate || bodies.any_far {
+            bodies.find_diverged(groups, &self.links, context);
+        }
+        counters.velocity_writeback_time.pause();
+    }
+
+    /// Writes the results back, and notes what later stages need.
+    fn store(&mut self, context: &mut SolverContext<'_>, counters: &mut SolverCounters) {
+        let Self { groups, links, bodies, constraints } = self;
+        if groups.len() > 0 {
+            context.narrow_phase.contacts.forget_renewed();
+        }
+        (counters.nconstraints, counters.ncontacts) = (0, 0);
+        for constraints in &mut constraints[..groups.len()] {
+            constraints.store(context, counters);
+        }
+        bodies.store(groups, links, context);
+    }
+
+    /// Returns what was borrowed, unchanged.
+    fn discard(&mut self, context: &mut SolverContext<'_>) {
+        for Constraints { contacts, multibodies, .. } in &mut self.constraints[..self.groups.len()]
+        {
+            multibodies.give_back(context.multibodies);
+            contacts.give_back(context.narrow_phase);
+        }
+    }
 }
 
-/// Destination sets of stored results.
-struct World<'a> {
-    narrow_phase: &'a mut NarrowPhase,
-    set: &'a mut ImpulseJointSet,
-    trees: &'a mut MultibodyJointSet,
-    islands: &'a mut IslandManager,
-    bodies: &'a mut RigidBodySet,
-}
+impl Constraints {
+    /// Moves the multibodies of a group out of their set.
+    fn load_links(
+        &mut self,
+        members: &[RigidBodyHandle],
+        links: &Links,
+        context: &mut SolverContext<'_>,
+        pass: &SolverPass<'_>,
+    ) {
+        self.multibodies.load(members, links, context.multibodies, context.bodies);
+        self.multibodies.begin(context.bodies, context.gravity, pass.substep);
+    }
 
-/// Notes for later stages, made while results are stored.
-struct Notes<'a> {
-    fast: &'a mut Vec<FastMotion>,
-    trajectories: &'a mut Vec<LinkTrajectory>,
-    broken: &'a mut Vec<JointBreakEvent>,
-}
+    /// Makes blocks of joints and contacts.
+    fn load(
+        &mut self,
+        is_only_group: bool,
+        bodies: &SolverBodies,
+        links: &Links,
+        context: &mut SolverContext<'_>,
+        pass: &SolverPass<'_>,
+    ) {
+        let SolverContext { islands, bodies: world, joints, narrow_phase, .. } = context;
+        let sources = JointSources { islands, world, bodies, links };
+        self.joints.load(joints, sources, &pass.joints, pass.tasks);
+        let per_point = pass.params.friction_model == FrictionModel::Coulomb;
+        let sources = ContactSources { bodies, links, is_only_group, per_point };
+        self.contacts.load(sources, &islands.graph, narrow_phase, pass.tasks);
+        self.impacts.load(&self.contacts, bodies);
+    }
 
-/// Stores the impulses of contacts and joints, and the state of multibodies in their links; breaks overloaded
-/// joints.
-fn store_constraints(
-    constraints: &mut [Constraints],
-    world: World<'_>,
-    Notes { fast, trajectories, broken }: &mut Notes<'_>,
-    params: &IntegrationParameters,
-    (counters, simd, tasks): (&mut SolverCounters, Simd, Tasks<'_>),
-) {
-    let World { narrow_phase, set, trees, islands, bodies } = world;
-    (counters.nconstraints, counters.ncontacts) = (0, 0);
-    for Constraints { joints, contacts, multibodies, .. } in constraints {
-        contacts.store(narrow_phase, simd, tasks);
-        joints.store((islands, set), params.inv_dt(), broken, tasks);
-        multibodies.store_constraints(set, narrow_phase, params.inv_dt(), broken);
-        let displacements = (&mut **fast, &mut **trajectories);
-        counters.nlimited_bodies +=
-            multibodies.store(trees, (islands, bodies), params, displacements);
+    /// Computes effective masses, and applies the impulses of the last step.
+    fn prepare(
+        &mut self,
+        sources: MultibodySources<'_>,
+        bodies: &mut SolverBodies,
+        pass: &SolverPass<'_>,
+    ) {
+        let Self { joints, contacts, multibodies, .. } = self;
+        multibodies.prepare(contacts.of_links(), sources, bodies, pass);
+        joints.warm_start(bodies, pass);
+        contacts.warm_start(bodies, pass);
+        multibodies.warm_start(bodies);
+    }
+
+    /// Solves one step in substeps. Returns the number of bodies that were limited to the largest speed.
+    fn solve(
+        &mut self,
+        substeps: usize,
+        sources: MultibodySources<'_>,
+        bodies: &mut SolverBodies,
+        pass: &SolverPass<'_>,
+    ) -> usize {
+        let mut limited = 0;
+        for substep in 0..substeps {
+            let slowed = self.begin_substep(substep == 0, sources, bodies, pass);
+            limited = limited.max(slowed);
+            let Self { joints, contacts, multibodies, impacts, recovery } = self;
+            let context = ImpactContext { joints, multibodies, sources, pass };
+            impacts.solve(contacts, bodies, context);
+            for _ in 0..pass.params.num_internal_pgs_iterations {
+                joints.solve(bodies, pass);
+                contacts.solve(bodies, pass);
+                multibodies.solve(bodies, pass);
+            }
+            bodies.integrate_positions(pass);
+            multibodies.integrate_positions(sources, bodies, pass);
+            for pass in pass.relaxations() {
+                joints.relax(bodies, &pass);
+                contacts.relax(bodies, &pass);
+                multibodies.relax(bodies, &pass);
+            }
+            contacts.return_gains(recovery, bodies);
+        }
+        limited
+    }
+
+    /// Integrates velocities, and begins a substep with the impulses of the last one. Returns the number of
+    /// bodies that were limited to the largest speed.
+    fn begin_substep(
+        &mut self,
+        is_first: bool,
+        sources: MultibodySources<'_>,
+        bodies: &mut SolverBodies,
+        pass: &SolverPass<'_>,
+    ) -> usize {
+        let Self { joints, contacts, multibodies, impacts, .. } = self;
+        multibodies.note_velocities(if is_first { &mut bodies.before } else { &mut bodies.states });
+        let keep_last = !impacts.is_empty();
+        let limited = bodies.integrate_velocities(is_first, keep_last, pass);
+        multibodies.integrate_velocities(is_first, sources, bodies, pass);
+        joints.begin_substep(bodies, pass);
+        contacts.begin_substep(pass);
+        limited
+    }
+
+    /// Begins to watch the energy of islands with deep overlap, except those that something drives.
+    fn watch_energy<'a>(
+        &mut self,
+        links: impl Iterator<Item = &'a RigidBodyHandle>,
+        world: &RigidBodySet,
+        bodies: &SolverBodies,
+        pass: &SolverPass<'_>,
+    ) {
+        let Self { joints, contacts, recovery, .. } = self;
+        if contacts.note_deep_overlaps(recovery, bodies, pass) {
+            let links = links.map(|&link| world[link].link.island);
+            joints.islands(bodies).chain(links).for_each(|island| recovery.leave_out(island));
+        }
+    }
+
+    /// Stores impulses of contacts and joints, and the state of multibodies in their links; breaks overloaded
+    /// joints.
+    fn store(&mut self, context: &mut SolverContext<'_>, counters: &mut SolverCounters) {
+        let Self { joints, contacts, multibodies, impacts, .. } = self;
+        impacts.restore(contacts);
+        contacts.store(context);
+        joints.store(context);
+        counters.nlimited_bodies += multibodies.store(context);
         counters.nconstraints += contacts.len() + joints.len();
         counters.ncontacts += contacts.point_count();
     }
-}
-
-/// Common context of all solved bodies.
-struct GroupContext<'a> {
-    gravity: Vector,
-    params: &'a IntegrationParameters,
-    /// Contacts and bodies.
-    place: (&'a NarrowPhase, &'a RigidBodySet),
-    /// The bodies that are solved.
-    order: &'a [RigidBodyHandle],
-    simd: Simd,
-    tasks: Tasks<'a>,
-}
-
-/// Solves one step for some bodies, in substeps.
-fn solve_group(
-    substeps: usize,
-    context: &GroupContext<'_>,
-    states: &mut SolverBodies,
-    constraints: &mut Constraints,
-    counters: &mut SolverCounters,
-) {
-    let Constraints { joints, contacts, multibodies, recovery } = constraints;
-    let &GroupContext { gravity, params, place, order, simd, tasks } = context;
-    let h = params.dt / substeps as Real;
-    let pass = ContactPass::new(params, h);
-    let early_pass = ContactPass { is_last_iteration: false, ..pass };
-    let joint_pass = JointPass::new(params, h);
-    let impact_pass = ImpactPass::new(params, gravity.length(), h);
-    let early_joint_pass = JointPass { is_last_iteration: false, ..joint_pass };
-    counters.velocity_assembly_time.resume();
-    joints.warm_start(states, simd, tasks);
-    contacts.prepare(states, (params, &pass), simd, tasks);
-    if contacts.note_deep_overlaps(recovery, states, &pass) {
-        let links = order.iter().filter(|link| multibodies.moves(link.into_raw_parts().0));
-        let links = links.map(|&link| place.1[link].link.island);
-        joints.islands(states).chain(links).for_each(|island| recovery.leave_out(island));
-    }
-    multibodies.warm_start(states);
-    counters.velocity_assembly_time.pause();
-
-    counters.velocity_resolution_time.resume();
-    let mut limited = 0;
-    for substep in 0..substeps {
-        let last = if substep == 0 { &mut states.before } else { &mut states.states };
-        multibodies.note_velocities(last);
-        let when = (substep == 0, contacts.has_restitution());
-        let slowed = states.integrate_velocities(h, params, when, (simd, tasks));
-        limited = limited.max(slowed);
-        if substep > 0 {
-            multibodies.follow_loops(place.1, states);
-        }
-        multibodies.integrate_velocities(h, params, tasks);
-        joints.select_method(states, &joint_pass);
-        joints.scale_impulses(params.warmstart_coefficient);
-        contacts.scale_impulses(params.warmstart_coefficient);
-        let links = (&mut *multibodies, place);
-        let impact_context = ImpactContext { joints, joint_pass: &joint_pass, links, simd, tasks };
-        contacts.solve_impacts(states, impact_context, &impact_pass);
-        for _ in 0..params.num_internal_pgs_iterations {
-            joints.solve(states, &joint_pass, simd, tasks);
-            contacts.solve(states, &pass, simd, tasks);
-            multibodies.solve(states, &pass, params);
-        }
-        states.integrate_positions(h, (simd, tasks));
-        multibodies.integrate_positions(states, h, params.max_linear_velocity(), tasks);
-        multibodies.follow_contacts(place, states);
-        for _ in 0..params.num_additional_friction_iterations {
-            joints.relax(states, &early_joint_pass, simd, tasks);
-            contacts.relax(states, &early_pass, simd, tasks);
-            multibodies.relax(states, &early_pass, params);
-        }
-        joints.relax(states, &joint_pass, simd, tasks);
-        contacts.relax(states, &pass, simd, tasks);
-        multibodies.relax(states, &pass, params);
-        contacts.return_gains(recovery, states);
-    }
-    counters.nlimited_bodies += limited;
-    counters.velocity_resolution_time.pause();
 }

@@ -13,30 +13,25 @@ use crate::model::body::{RigidBody, RigidBodyHandle, RigidBodySet, RigidBodyType
 use crate::model::contact::AnchorFrame;
 use crate::model::island::NONE;
 use crate::model::params::IntegrationParameters;
+use crate::step::solver::context::SolverContext;
 use crate::step::solver::groups::Groups;
-use crate::step::solver::multibodies::SolverMultibodies;
+use crate::step::solver::links::Links;
 use core::ops::Range;
 use core::sync::atomic::{AtomicBool, Ordering};
 
 impl SolverBodies {
     /// Gathers all awake bodies. Links of multibodies have an index without a state.
-    pub fn load(
-        &mut self,
-        groups: &Groups,
-        bodies: &mut RigidBodySet,
-        multibodies: &SolverMultibodies,
-        (gravity, params): (Vector, &IntegrationParameters),
-        tasks: Tasks<'_>,
-    ) {
+    pub fn load(&mut self, groups: &Groups, links: &Links, context: &mut SolverContext<'_>) {
+        let &mut SolverContext { gravity, params, tasks, ref mut bodies, .. } = context;
         self.make_room(groups.order().len(), bodies.slot_count());
         let order = groups.order();
-        let context = LoadContext { multibodies, gravity, params };
+        let context = LoadContext { links, gravity, params };
         let ungrouped = 0..groups.ungrouped();
-        self.any_far = self.load_members((order, ungrouped), bodies, &context, params.dt, tasks);
+        self.any_far = self.load_members(order, ungrouped, bodies, &context, params.dt, tasks);
         for group in groups.iter() {
             let h = params.dt / group.substeps as Real;
-            let members = (order, group.members.clone());
-            self.any_far |= self.load_members(members, bodies, &context, h, tasks);
+            let members = group.members.clone();
+            self.any_far |= self.load_members(order, members, bodies, &context, h, tasks);
         }
         self.any_scaled = self.impulse_scales.iter().any(|&impulse_scale| impulse_scale != 1.0);
     }
@@ -75,7 +70,8 @@ impl SolverBodies {
     /// Returns whether one of them is far away.
     fn load_members(
         &mut self,
-        (order, members): (&[RigidBodyHandle], Range<usize>),
+        order: &[RigidBodyHandle],
+        members: Range<usize>,
         bodies: &mut RigidBodySet,
         context: &LoadContext<'_>,
         h: Real,
@@ -90,7 +86,7 @@ impl SolverBodies {
             unsafe {
                 let place = places.at(index);
                 match body {
-                    Some(body) if !context.multibodies.moves(slot) => {
+                    Some(body) if !context.links.moves(slot) => {
                         if body.pose.translation.abs().max_element() > COORDINATE_MODERATE_MAX {
                             any_far.store(true, Ordering::Relaxed);
                         }
@@ -109,7 +105,7 @@ impl SolverBodies {
 
 /// Context for loading bodies.
 struct LoadContext<'a> {
-    multibodies: &'a SolverMultibodies,
+    links: &'a Links,
     gravity: Vector,
     params: &'a IntegrationParameters,
 }

@@ -5,17 +5,16 @@ mod motion;
 mod store;
 mod divergence;
 
+use super::context::SolverPass;
 use super::groups::{Group, Groups};
 use crate::base::disjoint::DisjointMut;
 use crate::base::tasks::{Gather, Tasks};
-use crate::base::wide::Simd;
 use crate::dim::math::Real;
 use crate::dim::motion::FreeMotion;
 use crate::dim::spatial::join;
 use crate::dim::state::{BodyPose, BodyState, READ_ONLY};
 use crate::model::body::BODIES_PER_TASK;
 use crate::model::island::NONE;
-use crate::model::params::IntegrationParameters;
 use crate::step::notes::FastMotion;
 use core::ops::Range;
 use core::sync::atomic::{AtomicUsize, Ordering};
@@ -137,11 +136,11 @@ impl SolverBodies {
     /// to the largest speed.
     pub fn integrate_velocities(
         &mut self,
-        h: Real,
-        params: &IntegrationParameters,
-        (is_first, keep_last): (bool, bool),
-        (simd, tasks): (Simd, Tasks<'_>),
+        is_first: bool,
+        keep_last: bool,
+        pass: &SolverPass<'_>,
     ) -> usize {
+        let &SolverPass { params, substep: h, simd, tasks, .. } = pass;
         self.last.resize(if keep_last { self.states.len() } else { 0 }, BodyState::AT_REST);
         let (warm_start_coefficient, speed_max) =
             (params.warmstart_coefficient, params.max_linear_velocity());
@@ -192,7 +191,8 @@ impl SolverBodies {
     }
 
     /// Moves all bodies by their velocities.
-    pub fn integrate_positions(&mut self, h: Real, (simd, tasks): (Simd, Tasks<'_>)) {
+    pub fn integrate_positions(&mut self, pass: &SolverPass<'_>) {
+        let &SolverPass { substep: h, simd, tasks, .. } = pass;
         self.for_all_moving(tasks, |bodies| simd.run(Advance { bodies, h }));
     }
 

@@ -5,8 +5,9 @@ use crate::dim::axes::inv_mass_per_axis;
 use crate::dim::math::{Real, Vector, mul_inertia};
 use crate::dim::motion::{FreeMotion, accelerated, gyroscopic};
 use crate::dim::rotation_vector::turned_further;
-use crate::dim::state::{BodyState, WideDisplacement, WideMotion, load_states, store_states};
+use crate::dim::state::{BodyState, WideDisplacement, WideMotion};
 use crate::model::body::RigidBody;
+use crate::step::solver::states::{load_states, store_states};
 
 /// The free motion of a dynamic body in a step with this substep.
 pub(super) fn motion_of(body: &RigidBody, gravity: Vector, substep: Real) -> FreeMotion {
@@ -14,13 +15,11 @@ pub(super) fn motion_of(body: &RigidBody, gravity: Vector, substep: Real) -> Fre
     let mprops = &body.mprops;
     // Gravity accelerates whatever can move, with or without mass.
     let free = inv_mass_per_axis(mprops.locked_axes, 1.0);
-    let acceleration = (
-        gravity * body.gravity_scale * free + force * mprops.inv_mass,
-        mul_inertia(&mprops.inv_inertia, torque),
-    );
+    let linear = gravity * body.gravity_scale * free + force * mprops.inv_mass;
+    let angular = mul_inertia(&mprops.inv_inertia, torque);
     let damping = [body.linear_damping, body.angular_damping];
     let bears_weight = gravity * body.gravity_scale != Vector::ZERO;
-    let motion = FreeMotion::new(body.pose.rotation, acceleration, damping, bears_weight);
+    let motion = FreeMotion::new(body.pose.rotation, linear, angular, damping, bears_weight);
     if body.gyroscopic_forces_enabled && mprops.rotates_freely() {
         motion.with_gyroscope(&mprops.local_mprops, body.angvel, substep)
     } else {

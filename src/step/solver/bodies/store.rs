@@ -2,36 +2,29 @@
 
 use super::SolverBodies;
 use crate::base::disjoint::DisjointMut;
-use crate::base::tasks::Tasks;
 use crate::collide::turned;
 use crate::dim::math::{ANG_ZERO, AngVector, Pose, Real, Vector};
 use crate::dim::motion::FreeMotion;
 use crate::dim::state::BodyState;
-use crate::model::body::{RigidBody, RigidBodySet, RigidBodyType, RigidBodyVelocity};
+use crate::model::body::{RigidBody, RigidBodyType, RigidBodyVelocity};
 use crate::model::check::checked_pose;
-use crate::model::island::{BodyMotion, IslandManager};
-use crate::model::params::IntegrationParameters;
+use crate::model::island::BodyMotion;
 use crate::step::notes::FastMotion;
+use crate::step::solver::context::SolverContext;
 use crate::step::solver::groups::Groups;
-use crate::step::solver::multibodies::SolverMultibodies;
+use crate::step::solver::links::Links;
 
 impl SolverBodies {
     /// Writes velocities and poses back to the bodies, and notes how far each one moved, and how the fast
     /// ones did.
-    pub fn store(
-        &mut self,
-        groups: &Groups,
-        (islands, bodies, multibodies): (&mut IslandManager, &mut RigidBodySet, &SolverMultibodies),
-        params: &IntegrationParameters,
-        fast: &mut Vec<FastMotion>,
-        tasks: Tasks<'_>,
-    ) {
+    pub fn store(&mut self, groups: &Groups, links: &Links, context: &mut SolverContext<'_>) {
+        let SolverContext { islands, bodies, params, fast, tasks, .. } = context;
         let order = groups.order();
         let moved = DisjointMut::new(islands.motions_mut(bodies.slot_count()));
         let (states, motions) = (&self.states, &self.motions);
         let store = |position: usize, body: Option<&mut RigidBody>, fast: &mut Vec<_>| {
             let slot = order[position].into_raw_parts().0;
-            let Some(body) = body.filter(|_| !multibodies.moves(slot)) else { return };
+            let Some(body) = body.filter(|_| !links.moves(slot)) else { return };
             let (state, motion) = (&states[position + 1], &motions[position + 1]);
             let displacement = match body.body_type {
                 RigidBodyType::KinematicPositionBased => move_to(body, body.next_pose, params.dt),
@@ -66,7 +59,7 @@ impl SolverBodies {
             unsafe { *moved.get_mut(slot as usize) = displacement };
         };
         // SAFETY: the order names each body once.
-        unsafe { bodies.visit_gathering(order, tasks, &mut self.fast, store, fast) };
+        unsafe { bodies.visit_gathering(order, *tasks, &mut self.fast, store, fast) };
     }
 }
 

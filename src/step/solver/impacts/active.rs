@@ -5,22 +5,18 @@
 //! the blocks. Lanes do not depend on each other, and the order of colours is kept.
 
 use super::points::NormalRows;
-use super::rows::{ActiveRow, ImpactBlock, ImpactMark};
+use super::rows::{ImpactBlock, ImpactMark};
 use super::{ImpactIsland, lanes};
 use crate::base::disjoint::DisjointMut;
-use crate::base::wide::{Kernel, LANES, Lane, Wide};
+use crate::base::wide::{LANES, Lane, Wide};
 use crate::dim::contact::ContactBlock;
 use crate::dim::math::{MAX_MANIFOLD_POINTS, Real};
-use crate::dim::state::{BodyState, gather_states, scatter_states};
+use crate::dim::state::BodyState;
+use crate::step::solver::blocks::block_kernel;
 use crate::step::solver::contacts::Blocks;
+use crate::step::solver::restitution::{HitRow, POINT_SWEEPS};
+use crate::step::solver::states::{gather_states, scatter_states};
 use core::ops::Range;
-
-/// Gauss–Seidel sweeps over the points of a manifold in each iteration. The points couple with each other
-/// more than with other manifolds.
-pub(in super::super) const POINT_SWEEPS: usize = 4;
-/// A round has converged when no point changes its velocity by more than this fraction of its approach
-/// velocity.
-pub(in super::super) const CONVERGENCE_TOLERANCE: Real = 1.0e-3;
 
 /// All contacts of a round.
 #[derive(Default)]
@@ -51,7 +47,8 @@ impl Active {
     pub fn add_color(
         &mut self,
         color: Range<usize>,
-        (impacts, marks): (&[ImpactBlock], &[ImpactMark]),
+        impacts: &[ImpactBlock],
+        marks: &[ImpactMark],
         contacts: Blocks<'_>,
         impact_islands: &mut [ImpactIsland],
     ) {
@@ -72,7 +69,7 @@ impl Active {
                 // SAFETY: no task runs meanwhile.
                 let (contact, _) = unsafe { contacts.get(impact.at) };
                 let last = self.blocks.len() - 1;
-                self.blocks[last].push((index, lane), impact, contact);
+                self.blocks[last].push(index, lane, impact, contact);
             }
         }
         if start < self.blocks.len() {
@@ -84,7 +81,7 @@ impl Active {
 /// One contact point of each lane.
 #[derive(Copy, Clone, Debug)]
 struct RoundRow {
-    active: ActiveRow<Lane>,
+    active: HitRow<Lane>,
     /// The impulse of this round.
     impulse: Lane,
 }
@@ -113,16 +110,9 @@ impl ActiveBlock {
     /// No contact in any lane.
     pub const EMPTY: Self = {
         let zero = Lane::ZERO;
-        let active = ActiveRow {
-            mass: zero,
-            support_velocity: zero,
-            approach: zero,
-            target: zero,
-            time: zero,
-        };
         Self {
             contact: ContactBlock::EMPTY,
-            rows: [RoundRow { active, impulse: zero }; MAX_MANIFOLD_POINTS],
+            rows: [RoundRow { active: HitRow::ZERO, impulse: zero }; MAX_MANIFOLD_POINTS],
             restitution: zero,
             from: [(0, 0); LANES],
             islands: [0; LANES],
@@ -150,7 +140,8 @@ impl ActiveBlock {
     /// Copies a lane of a block.
     pub fn push(
         &mut self,
-        (index, lane): (usize, usize),
+        index: usize,
+        lane: usize,
         impact: &ImpactBlock,
         contact: &ContactBlock,
     ) {
@@ -195,13 +186,10 @@ impl ActiveBlock {
             let mut changes = zero.lt(zero);
             normals.iterate(|k, velocity| {
                 let RoundRow { active, impulse } = &mut rows[k];
-                let (mass, old) = (W::load(&active.mass), W::load(impulse));
-                let missing =
-                    W::load(&active.target) - W::load(&active.support_velocity) - velocity;
-                let new = W::select(goes_on, (old + mass * missing).max(zero), old);
+                let (active, old) = (HitRow::<W>::load(active), W::load(impulse));
+                let new = W::select(goes_on, active.impulse(velocity, old), old);
                 new.store(impulse);
-                let little = -(mass * W::load(&active.approach) * W::splat(CONVERGENCE_TOLERANCE));
-                changes = changes | little.lt((new - old).abs());
+                changes = changes | active.tolerance().lt((new - old).abs());
                 new - old
             });
             if sweep == 0 {
@@ -230,17 +218,16 @@ impl ActiveBlock {
     ) {
         // SAFETY: the caller's promise.
         let velocities = unsafe { NormalRows::<W>::gather(states, &self.contact) }.velocities();
-        let half = W::splat(0.5);
-        let allowed = W::load(&self.restitution).max(W::splat(1.0));
+        let restitution = W::load(&self.restitution);
         let (mut dissipated, mut energy_gain) = (W::zero(), W::zero());
         let (mut weight, mut moment) = (W::zero(), W::zero());
         for (k, RoundRow { active, impulse }) in self.rows.iter().enumerate() {
-            let (impulse, approach) = (W::load(impulse), W::load(&active.approach));
-            dissipated = dissipated + impulse * approach;
-            let velocity = velocities[k] + W::load(&active.support_velocity);
-            energy_gain = energy_gain + impulse * (velocity + allowed * approach) * half;
+            let (active, impulse) = (HitRow::<W>::load(active), W::load(impulse));
+            let [of_approach, gain] = active.energies(velocities[k], impulse, restitution);
+            dissipated = dissipated + of_approach;
+            energy_gain = energy_gain + gain;
             weight = weight + impulse;
-            moment = moment + impulse * W::load(&active.time);
+            moment = moment + impulse * active.time;
         }
         dissipated.store(&mut self.dissipated);
         energy_gain.store(&mut self.energy_gain);
@@ -276,30 +263,19 @@ pub(super) enum Phase {
     End,
 }
 
-/// A turn, for some blocks of one colour.
-pub(super) struct Round<'a> {
-    pub phase: Phase,
-    pub range: Range<usize>,
-    pub blocks: DisjointMut<'a, ActiveBlock>,
-    pub states: DisjointMut<'a, BodyState>,
-    pub delays: DisjointMut<'a, BodyState>,
-}
-
-impl Kernel for Round<'_> {
-    type Output = ();
-
-    #[inline(always)]
-    fn run<W: Wide>(self) {
-        for index in self.range {
-            // SAFETY: each block belongs to one task, constraints of one colour have no common dynamic body,
-            // and the colours run in sequence.
-            unsafe {
-                let block = self.blocks.get_mut(index);
-                match self.phase {
-                    Phase::Iterate => block.iterate::<W>(&self.states),
-                    Phase::End => block.end::<W>(&self.states, &self.delays),
-                }
-            }
+block_kernel! {
+    /// A turn, for some blocks of one colour.
+    pub(super) struct Round<'a> {
+        phase: Phase,
+        blocks: DisjointMut<'a, ActiveBlock>,
+        states: DisjointMut<'a, BodyState>,
+        delays: DisjointMut<'a, BodyState>,
+    }
+    |index| {
+        let block = blocks.get_mut(index);
+        match phase {
+            Phase::Iterate => block.iterate::<W>(&states),
+            Phase::End => block.end::<W>(&states, &delays),
         }
     }
 }

@@ -83,34 +83,32 @@
 //! added to the velocities "before any impulse" of the substep: they are no warm-start load.
 
 mod impact_islands;
+mod look;
 mod points;
 mod rows;
 mod active;
 mod touched;
+use super::blocks::for_each_color;
 use super::bodies::SolverBodies;
-use super::contacts::{Blocks, for_each_color};
+use super::contacts::{Blocks, SolverContacts};
+use super::context::SolverPass;
 use super::island_sums::IslandSums;
 use super::joints::{Changes, SolverJoints};
-use super::multibodies::SolverMultibodies;
+use super::multibodies::{MultibodySources, SolverMultibodies};
 use crate::base::disjoint::DisjointMut;
-use crate::base::tasks::Tasks;
-use crate::base::wide::{Kernel, LANES, Lane, Simd, Wide};
-use crate::dim::contact::ContactBlock;
+use crate::base::wide::{Kernel, LANES, Lane, Wide};
 use crate::dim::math::Real;
-use crate::dim::state::{BodyState, READ_ONLY};
-use crate::model::body::RigidBodySet;
-use crate::model::contact::{ContactInput, ContactLanes, NarrowPhase};
-use crate::model::params::{ImpactPass, JointPass};
+use crate::model::contact::ContactInput;
+use crate::model::params::ImpactPass;
 #[cfg(test)]
 pub(super) use active::ActiveBlock;
 use active::{Active, Phase, Round};
-pub(super) use active::{CONVERGENCE_TOLERANCE, POINT_SWEEPS};
 use core::ops::Range;
 use impact_islands::{ImpactIsland, IslandRestitution};
+use look::{Look, Stage};
+#[cfg(test)]
 pub(super) use points::NormalRows;
-pub(super) use rows::{
-    APPROACH_CHANGE_MIN, DEFERRED_SEPARATION, FORCE_CORRECTION_MAX, ImpactBlock, ImpactMark,
-};
+pub(super) use rows::{ImpactBlock, ImpactMark};
 use touched::Touched;
 
 /// Largest number of iterations of a round.
@@ -151,24 +149,23 @@ struct Memory {
 /// Constraints and context besides the contacts of bodies.
 pub(super) struct ImpactContext<'a> {
     pub joints: &'a mut SolverJoints,
-    pub joint_pass: &'a JointPass,
-    /// The contacts of links, which take part, and their input.
-    pub links: (&'a mut SolverMultibodies, (&'a NarrowPhase, &'a RigidBodySet)),
-    pub simd: Simd,
-    pub tasks: Tasks<'a>,
+    /// The contacts of links, which take part.
+    pub multibodies: &'a mut SolverMultibodies,
+    pub sources: MultibodySources<'a>,
+    pub pass: &'a SolverPass<'a>,
 }
 
 impl Impacts {
     /// Finds the contacts with restitution among the blocks of each colour.
-    pub fn load(&mut self, lanes: &ContactLanes, colors: &[Range<usize>], bodies: &SolverBodies) {
+    pub fn load(&mut self, contacts: &SolverContacts, bodies: &SolverBodies) {
+        let lanes = contacts.lanes();
         self.blocks.clear();
         self.colors.clear();
         self.memory.restitutions.clear();
-        for color in colors {
+        for color in contacts.colors() {
             let start = self.blocks.len();
-            for at in color.clone().filter(|&at| lanes.blocks[at].input.restitution != Lane::ZERO) {
-                let ContactInput { bodies: [first, second], restitution, .. } =
-                    &lanes.blocks[at].input;
+            for at in color.clone().filter(|&at| lanes[at].input.restitution != Lane::ZERO) {
+                let ContactInput { bodies: [first, second], restitution, .. } = &lanes[at].input;
                 let islands = core::array::from_fn(|k| bodies.island_of([first[k], second[k]]));
                 self.blocks.push(ImpactBlock::new(at, *restitution, islands));
             }
@@ -186,53 +183,55 @@ impl Impacts {
     }
 
     /// Applies restitution to everything that hits in this substep.
-    pub fn run(
+    pub fn solve(
         &mut self,
-        contacts: Blocks<'_>,
+        contacts: &mut SolverContacts,
         bodies: &mut SolverBodies,
         mut context: ImpactContext<'_>,
-        pass: &ImpactPass,
     ) {
-        if self.is_empty() && !context.links.0.has_restitution() {
+        let (contacts, pass) = (contacts.blocks(), &context.pass.impacts);
+        let sources = context.sources;
+        if self.is_empty() && !context.multibodies.has_restitution() {
             return;
         }
         bodies.swap_before();
-        let (links, place) = &mut context.links;
-        links.begin_impact(bodies, pass);
-        links.mark_active(*place, bodies, |_| true, pass);
+        context.multibodies.begin_impact(bodies, pass);
+        context.multibodies.mark_active(sources, bodies, |_| true, pass);
         self.look(Stage::Begin, contacts, bodies, &context, pass);
         let hits = self.marks.iter().any(|mark| mark.active != 0);
-        let hits = hits || context.links.0.active().next().is_some();
+        let hits = hits || context.multibodies.active().next().is_some();
         if hits {
-            self.open_islands(bodies, context.links.0);
+            self.open_islands(bodies, context.multibodies);
             let held = self.begin(bodies, &context);
-            while self.find_active(contacts, context.links.0) {
+            while self.find_active(contacts, context.multibodies) {
                 self.solve_round(held, bodies, &mut context, pass);
-                let (links, place) = &mut context.links;
                 let impact_islands = &self.memory.impact_islands;
                 let has_iterations = |island: u32| impact_islands[island as usize].iterations > 0;
-                links.mark_active(*place, bodies, has_iterations, pass);
+                context.multibodies.mark_active(sources, bodies, has_iterations, pass);
                 self.look(Stage::Mark, contacts, bodies, &context, pass);
             }
         }
-        context.links.0.defer();
+        context.multibodies.defer();
         self.look(Stage::Defer, contacts, bodies, &context, pass);
         if hits {
-            self.begin_round(bodies, context.links.0);
-            context.links.0.solve_active_friction(&mut bodies.states);
+            self.begin_round(bodies, context.multibodies);
+            context.multibodies.solve_active_friction(&mut bodies.states);
             self.look(Stage::Friction, contacts, bodies, &context, pass);
             self.accept(bodies, &mut context, |_| 1.0, pass);
             context.joints.forget_places();
         }
-        context.links.0.end_impact();
+        context.multibodies.end_impact();
         bodies.swap_before();
     }
 
     /// Restores the points that the last substep deferred.
-    pub fn restore(&mut self, contacts: &mut [ContactBlock]) {
+    pub fn restore(&mut self, contacts: &mut SolverContacts) {
+        let contacts = contacts.blocks();
         for (impact, mark) in self.blocks.iter().zip(&mut self.marks) {
             if mark.is_aside() {
-                impact.restore(mark, &mut contacts[impact.at]);
+                // SAFETY: no task runs meanwhile.
+                let (block, _) = unsafe { contacts.get(impact.at) };
+                impact.restore(mark, block);
             }
         }
     }
@@ -279,7 +278,7 @@ impl Impacts {
         self.touched.add(context.joints.held());
         let of_joints = self.touched.bodies.len();
         // The set of bodies that a hit multibody pushes is unknown.
-        if context.links.0.has_restitution() {
+        if context.multibodies.has_restitution() {
             self.touched.add_all(bodies.moving());
         }
         self.touched.keep();
@@ -299,7 +298,7 @@ impl Impacts {
         active.clear();
         touched.begin_round();
         for color in &*colors {
-            active.add_color(color.clone(), (blocks, marks), contacts, impact_islands);
+            active.add_color(color.clone(), blocks, marks, contacts, impact_islands);
         }
         active.blocks.iter().for_each(|block| touched.add(block.bodies()));
         for contact in links.active() {
@@ -317,13 +316,13 @@ impl Impacts {
         context: &mut ImpactContext<'_>,
         pass: &ImpactPass,
     ) {
-        self.begin_round(bodies, context.links.0);
+        self.begin_round(bodies, context.multibodies);
         context.joints.forget_places();
         context.joints.begin_impact_impulses();
         for _ in 0..ROUND_ITERATIONS {
-            context.links.0.iterate_active(&mut bodies.states);
+            context.multibodies.iterate_active(&mut bodies.states);
             self.iterate(Phase::Iterate, bodies, context);
-            if !self.find_moving(context.links.0) {
+            if !self.find_moving(context.multibodies) {
                 break;
             }
             let Memory { impact_islands, sums, .. } = &mut self.memory;
@@ -339,10 +338,9 @@ impl Impacts {
                 states: &mut bodies.states,
                 poses: &bodies.poses,
             };
-            let ImpactContext { joints, joint_pass, simd, tasks, .. } = context;
-            joints.project(changes, is_moving, add_work, joint_pass, (*simd, *tasks));
+            context.joints.project(changes, is_moving, add_work, context.pass);
         }
-        context.links.0.end_round(&mut bodies.states, &mut self.touched.delays);
+        context.multibodies.end_round(&mut bodies.states, &mut self.touched.delays);
         self.iterate(Phase::End, bodies, context);
         let sums = &mut self.memory.sums;
         for block in &self.active.blocks {
@@ -353,7 +351,7 @@ impl Impacts {
                 );
             }
         }
-        for contact in context.links.0.active() {
+        for contact in context.multibodies.active() {
             sums.push(
                 contact.impact.island,
                 [contact.impact.dissipated, contact.impact.energy_gain],
@@ -388,7 +386,7 @@ impl Impacts {
         self.active.blocks.iter().for_each(|block| block.commit(&mut self.blocks, fraction));
         let islands = &bodies.islands;
         context.joints.commit_impact_impulses(|body| fraction(islands[body as usize]));
-        context.links.0.commit_round(fraction);
+        context.multibodies.commit_round(fraction);
         self.accept(bodies, context, fraction, pass);
     }
 
@@ -402,7 +400,7 @@ impl Impacts {
     ) {
         let Touched { bodies: touched, start, delays, .. } = &self.touched;
         bodies.accept_impact(touched, start, delays, fraction);
-        context.links.0.accept_impact(pass.substep, fraction);
+        context.multibodies.accept_impact(pass.substep, fraction);
     }
 
     /// Finds the islands that the last iteration changed, and deactivates the others for the rest of the
@@ -465,14 +463,14 @@ impl Impacts {
         let states = DisjointMut::new(&mut bodies.states);
         let impacts = DisjointMut::new(&mut self.blocks);
         let marks = DisjointMut::new(&mut self.marks);
-        let (simd, touched) = (context.simd, &self.touched);
+        let (simd, touched) = (context.pass.simd, &self.touched);
         let all = 0..impacts.len();
         let (colors, grain) = match stage {
             Stage::Friction => (&self.colors[..], BLOCKS_PER_TASK * BLOCKS_PER_ACTIVE),
             // They change no body: all blocks may be looked at at once.
             _ => (core::slice::from_ref(&all), BLOCKS_PER_TASK),
         };
-        for_each_color(colors, (context.tasks, grain), |range| {
+        for_each_color(colors, context.pass.tasks, grain, |range| {
             simd.run(Look { stage, range, contacts, impacts, marks, states, known, touched, pass });
         });
     }
@@ -482,8 +480,8 @@ impl Impacts {
         let (_, states) = bodies.shared();
         let Self { active: Active { blocks, colors, .. }, touched, .. } = self;
         let (blocks, delays) = (DisjointMut::new(blocks), DisjointMut::new(&mut touched.delays));
-        let simd = context.simd;
-        for_each_color(colors, (context.tasks, BLOCKS_PER_TASK), |range| {
+        let simd = context.pass.simd;
+        for_each_color(colors, context.pass.tasks, BLOCKS_PER_TASK, |range| {
             simd.run(Round { phase, range, blocks, states, delays });
         });
     }
@@ -492,88 +490,4 @@ impl Impacts {
 /// The lanes whose bits are set.
 pub(super) fn lanes(bits: u32) -> impl Iterator<Item = usize> {
     (0..LANES).filter(move |lane| bits >> lane & 1 == 1)
-}
-
-/// The operation on each block.
-#[derive(Copy, Clone, PartialEq, Eq)]
-enum Stage {
-    Begin,
-    Mark,
-    Defer,
-    Friction,
-}
-
-/// A stage, for some blocks.
-struct Look<'a> {
-    stage: Stage,
-    range: Range<usize>,
-    contacts: Blocks<'a>,
-    impacts: DisjointMut<'a, ImpactBlock>,
-    marks: DisjointMut<'a, ImpactMark>,
-    states: DisjointMut<'a, BodyState>,
-    /// Velocities of the bodies when the last substep ended, and with its impulses in this one.
-    known: [&'a [BodyState]; 2],
-    touched: &'a Touched,
-    pass: &'a ImpactPass,
-}
-
-impl Kernel for Look<'_> {
-    type Output = ();
-
-    #[inline(always)]
-    fn run<W: Wide>(self) {
-        for index in self.range.clone() {
-            // SAFETY: each block belongs to one task. The stage that changes bodies runs colour by colour,
-            // and constraints of one colour have no common dynamic body. The other stages change their block
-            // alone.
-            unsafe { self.look_at::<W>(index) };
-        }
-    }
-}
-
-impl Look<'_> {
-    fn is_changed(&self, block: &ContactBlock) -> bool {
-        let mut movable = block.bodies.iter().flatten().filter(|&body| body & READ_ONLY == 0);
-        movable.any(|&body| self.touched.is_changed(body))
-    }
-
-    /// # Safety
-    /// The caller has exclusive access to the block, and no other thread writes the states of its bodies.
-    #[inline(always)]
-    unsafe fn look_at<W: Wide>(&self, index: usize) {
-        let (states, pass) = (&self.states, self.pass);
-        // SAFETY: the caller's promise.
-        unsafe {
-            let mark = self.marks.get_mut(index);
-            let is_of_interest = match self.stage {
-                Stage::Begin | Stage::Mark => true,
-                Stage::Defer => mark.waits(),
-                Stage::Friction => mark.was_active,
-            };
-            if !is_of_interest {
-                return;
-            }
-            let impact = self.impacts.get_mut(index);
-            let (block, coulomb) = self.contacts.get(impact.at);
-            match self.stage {
-                Stage::Begin => {
-                    if mark.is_aside() {
-                        impact.restore(mark, block);
-                    }
-                    *mark = ImpactMark::default();
-                    let rows = NormalRows::<W>::gather(states, block);
-                    impact.begin(&rows, block, self.known, pass);
-                    impact.mark(mark, &rows, block, pass);
-                }
-                // Unchanged blocks keep their last mark.
-                Stage::Mark if !self.is_changed(block) => {}
-                Stage::Mark => {
-                    let rows = NormalRows::<W>::gather(states, block);
-                    impact.mark(mark, &rows, block, pass);
-                }
-                Stage::Defer => impact.defer(mark, block),
-                Stage::Friction => impact.solve_friction::<W>(block, coulomb, states),
-            }
-        }
-    }
 }

@@ -4,13 +4,12 @@
 
 use crate::base::disjoint::DisjointMut;
 use crate::base::wide::{Lane, Wide};
-use crate::dim::contact::{
-    Bodies, ContactBlock, CoulombBlock, Frame, NormalImpulse, NormalRow, solve_block_friction,
-    values_at,
-};
+use crate::dim::contact::{ContactBlock, CoulombBlock, Frame, NormalImpulse, NormalRow};
 use crate::dim::math::MAX_MANIFOLD_POINTS;
-use crate::dim::state::{BodyState, gather_velocities};
+use crate::dim::state::BodyState;
 use crate::dim::wide::WideVector;
+use crate::step::solver::contacts::{self, Bodies, values_at};
+use crate::step::solver::states::gather_velocities;
 
 /// The normal rows of a block with the motion of its bodies.
 pub struct NormalRows<'a, W> {
@@ -113,7 +112,7 @@ pub unsafe fn solve_friction<W: Wide>(
     }
     // SAFETY: the caller's promise.
     let mut bodies = unsafe { Bodies::<W>::gather(states, block) };
-    solve_block_friction(block, fresh.as_mut(), &mut bodies);
+    bodies.velocities = contacts::solve_friction(block, fresh.as_mut(), bodies.velocities);
     // SAFETY: the caller's promise.
     unsafe { bodies.scatter(states, block) };
     let (normal, friction) = kept;

@@ -9,16 +9,7 @@ use crate::dim::contact::{ContactBlock, CoulombBlock};
 use crate::dim::math::{MAX_MANIFOLD_POINTS, Real};
 use crate::dim::state::BodyState;
 use crate::model::params::ImpactPass;
-
-/// Largest correction of a point's approach for forces in the rest of the substep, as a fraction of its
-/// speed.
-pub(in super::super) const FORCE_CORRECTION_MAX: Real = 0.25;
-/// Points at rest when the impact began take part when their approach increases by this fraction of the
-/// restitution threshold. Rounding must not wake them.
-pub(in super::super) const APPROACH_CHANGE_MIN: Real = 0.01;
-
-/// Separation of deferred points: beyond the reach of all passes.
-pub(in super::super) const DEFERRED_SEPARATION: Real = 1.0e10;
+use crate::step::solver::restitution::{DEFERRED_SEPARATION, HitRow, supported};
 
 /// One contact point of each lane.
 #[derive(Copy, Clone, Debug, Default)]
@@ -34,43 +25,7 @@ struct ImpactRow {
     /// Impulses of the whole impact: the committed fraction of each round.
     given: Lane,
     /// Support velocity and, in active blocks, the data of this round.
-    active: ActiveRow<Lane>,
-}
-
-/// Data of a hitting point, in one lane or all.
-#[derive(Copy, Clone, Debug, Default)]
-pub(super) struct ActiveRow<T> {
-    /// `1 / K` where it hits in this round, zero elsewhere.
-    pub mass: T,
-    /// The part of the force-induced velocity change that supports cancel.
-    pub support_velocity: T,
-    /// Its velocity of approach in this round (negative), and the one with which it is to part.
-    pub approach: T,
-    pub target: T,
-    /// Time of the impact since the beginning of the substep (s).
-    pub time: T,
-}
-
-impl ActiveRow<Lane> {
-    /// Data of one lane.
-    pub fn lane(&self, lane: usize) -> ActiveRow<Real> {
-        ActiveRow {
-            mass: self.mass.0[lane],
-            support_velocity: self.support_velocity.0[lane],
-            approach: self.approach.0[lane],
-            target: self.target.0[lane],
-            time: self.time.0[lane],
-        }
-    }
-
-    /// Sets that of one lane.
-    pub fn set_lane(&mut self, lane: usize, row: &ActiveRow<Real>) {
-        self.mass.0[lane] = row.mass;
-        self.support_velocity.0[lane] = row.support_velocity;
-        self.approach.0[lane] = row.approach;
-        self.target.0[lane] = row.target;
-        self.time.0[lane] = row.time;
-    }
+    active: HitRow<Lane>,
 }
 
 /// The contacts of one block that bounce.
@@ -158,16 +113,12 @@ impl ImpactBlock {
     ) {
         let free = rows.velocities();
         let [then, loaded] = [last, loaded].map(|states| points::velocities_of::<W>(states, block));
-        let (zero, threshold) = (W::zero(), W::splat(-pass.threshold));
-        let (noticed, fall) = (W::splat(pass.threshold * APPROACH_CHANGE_MIN), W::splat(pass.fall));
+        let fall = W::splat(pass.fall);
         for (k, row) in self.rows.iter_mut().enumerate() {
-            let forced = free[k] - then[k];
-            let support_velocity = (loaded[k] - free[k]).min(-forced).max(zero);
+            let (support_velocity, limit) = supported(free[k], then[k], loaded[k], pass);
             support_velocity.store(&mut row.active.support_velocity);
-            let now = free[k] + support_velocity;
-            let at_rest = threshold.le(now.max(then[k]));
-            (W::select(at_rest, now.min(zero), zero) - noticed).store(&mut row.limit);
-            let most = forced.abs().max(fall);
+            limit.store(&mut row.limit);
+            let most = (free[k] - then[k]).abs().max(fall);
             let accelerated = (loaded[k] - then[k]).max(-most).min(most);
             accelerated.store(&mut row.accelerated);
             row.given = Lane::ZERO;
@@ -204,24 +155,17 @@ impl ImpactBlock {
         mark.was_active = true;
         for (k, row) in self.rows.iter_mut().enumerate() {
             let velocity = velocities[k] + W::load(&row.active.support_velocity);
-            let mass = W::select(hits[k], W::load(&block.points[k].mass), zero);
             let speed = W::select(hits[k], -velocity, W::splat(1.0));
-            let time = (separations[k] / speed).max(W::splat(-pass.step)).min(h);
-            let most = speed * W::splat(FORCE_CORRECTION_MAX);
-            let correction =
-                W::load(&row.accelerated) * (time * W::splat(pass.inv_substep) - W::splat(0.5));
-            let correction = correction.max(-most).min(most);
-            let target = (restitution * (speed - correction) - correction).max(zero);
-            let active = &mut row.active;
-            mass.store(&mut active.mass);
-            (correction + correction - speed).store(&mut active.approach);
-            target.store(&mut active.target);
-            time.store(&mut active.time);
+            let mut active = HitRow::<W>::load(&row.active);
+            active.mass = W::select(hits[k], W::load(&block.points[k].mass), zero);
+            active.time = (separations[k] / speed).max(W::splat(-pass.step)).min(h);
+            active.aim(speed, W::load(&row.accelerated), restitution, pass);
+            active.store(&mut row.active);
         }
     }
 
     /// The targets of the points of a lane.
-    pub(super) fn active_rows(&self, lane: usize) -> [ActiveRow<Real>; MAX_MANIFOLD_POINTS] {
+    pub(super) fn active_rows(&self, lane: usize) -> [HitRow<Real>; MAX_MANIFOLD_POINTS] {
         core::array::from_fn(|k| self.rows[k].active.lane(lane))
     }
 

@@ -22,7 +22,7 @@ use crate::model::joint::{
 };
 use crate::model::params::JointPass;
 use crate::step::solver::bodies::SolverBodies;
-use crate::step::solver::multibodies::SolverMultibodies;
+use crate::step::solver::links::Links;
 
 /// The least compliance of iteratively solved joints. Iterations leave errors, and a chain without compliance
 /// gains energy by its own corrections: see [`CONTACT_YIELD`](crate::model::params::CONTACT_YIELD).
@@ -40,7 +40,7 @@ pub(in crate::step::solver) struct JointSources<'a> {
     pub islands: &'a IslandManager,
     pub world: &'a RigidBodySet,
     pub bodies: &'a SolverBodies,
-    pub multibodies: &'a SolverMultibodies,
+    pub links: &'a Links,
 }
 
 impl SolverJoints {
@@ -184,10 +184,10 @@ impl SolverJoints {
 impl JointSources<'_> {
     /// The joint in a slot, if it is active.
     fn member(&self, slot: u32) -> Option<DirectJoint> {
-        let Self { bodies, multibodies, .. } = self;
+        let Self { bodies, links, .. } = self;
         let link = self.islands.joints.get(slot)?;
         let slots = link.body_slots();
-        if !bodies.has_one_of(slots) || multibodies.owns_joint(slots) {
+        if !bodies.has_one_of(slots) || links.moves_one_of(slots) {
             return None;
         }
         let ends = slots.map(|slot| bodies.index_of(slot));
@@ -212,7 +212,8 @@ impl End {
         body: &RigidBody,
         slot: u32,
         frame: Pose,
-        (bodies, pass): (&SolverBodies, &JointPass),
+        bodies: &SolverBodies,
+        pass: &JointPass,
     ) -> Self {
         let (pose, mprops) = (body.position(), &body.mprops);
         let index = bodies.index_of(slot);
@@ -249,8 +250,8 @@ fn load_lane(
     let (Some(first), Some(second)) = (world.get(body1), world.get(body2)) else { return };
     let frames = [joint.data.local_frame1, joint.data.local_frame2];
     let ends = [
-        End::new(first, body1.into_raw_parts().0, frames[0], (bodies, pass)),
-        End::new(second, body2.into_raw_parts().0, frames[1], (bodies, pass)),
+        End::new(first, body1.into_raw_parts().0, frames[0], bodies, pass),
+        End::new(second, body2.into_raw_parts().0, frames[1], bodies, pass),
     ];
     for (side, end) in ends.iter().enumerate() {
         block.bodies[side][lane] = end.index;

@@ -72,24 +72,20 @@ mod rows;
 mod store;
 mod geometric_stiffness;
 
-pub(super) use substep_end::CURVATURE_FRACTION_MAX;
-
+use super::blocks::{Layout, block_kernel, for_each_color};
 use super::bodies::SolverBodies;
-use super::contacts::for_each_color;
-use super::layout::Layout;
+use super::context::SolverPass;
 use crate::base::disjoint::DisjointMut;
 use crate::base::tasks::Tasks;
-use crate::base::wide::{Kernel, Simd, Wide};
+use crate::base::wide::Simd;
 use crate::dim::math::Real;
 use crate::dim::state::{BodyPose, BodyState, READ_ONLY};
 use crate::model::params::JointPass;
 use block::{AxisRow, JointBlock};
-use core::ops::Range;
 use direct::{Direct, DirectJoint, ImpactImpulse, JacobianBlock, StiffnessTest};
 use geometric_stiffness::{GeometricStiffness, Moving, have_large_displacement};
 pub(super) use load::JointSources;
 use point_to_point::PointToPointJoints;
-pub(super) use store::break_if_overloaded;
 
 /// All joint constraints of a step.
 #[derive(Default)]
@@ -160,26 +156,18 @@ impl SolverJoints {
     }
 
     /// Gives the bodies the impulses with which the step starts.
-    pub fn warm_start(&mut self, bodies: &mut SolverBodies, simd: Simd, tasks: Tasks<'_>) {
+    pub fn warm_start(&mut self, bodies: &mut SolverBodies, pass: &SolverPass<'_>) {
+        let (simd, tasks) = (pass.simd, pass.tasks);
         let (_, states) = bodies.shared();
         let parts = Parts::new(&mut self.blocks, &mut self.rows);
-        for_each_color(self.layout.colors(), (tasks, BLOCKS_PER_TASK), |range| {
+        for_each_color(self.layout.colors(), tasks, BLOCKS_PER_TASK, |range| {
             simd.run(WarmStart { range, parts, states });
         });
         self.point_to_point.warm_start(states, simd, tasks);
     }
 
-    /// Scales the warm-start impulses of a substep by this fraction, as for bodies.
-    pub fn scale_impulses(&mut self, factor: Real) {
-        if factor != 1.0 {
-            self.blocks.iter_mut().for_each(|block| block.scale_impulses(factor));
-            self.rows.iter_mut().for_each(|row| row.scale_impulses(factor));
-            self.point_to_point.scale_impulses(factor);
-        }
-    }
-
-    /// Begins a substep: finds the stiff components.
-    pub fn select_method(&mut self, bodies: &SolverBodies, pass: &JointPass) {
+    /// Begins a substep: finds the stiff components, and scales the warm-start impulses as those of bodies.
+    pub fn begin_substep(&mut self, bodies: &SolverBodies, pass: &SolverPass<'_>) {
         let Self { blocks, direct, geometric_stiffness, .. } = self;
         let moving = moving(bodies);
         direct.select_method(|members| {
@@ -187,40 +175,29 @@ impl SolverJoints {
             note_stiff(members, blocks, is_stiff);
             is_stiff
         });
+        let factor = pass.params.warmstart_coefficient;
+        if factor != 1.0 {
+            self.blocks.iter_mut().for_each(|block| block.scale_impulses(factor));
+            self.rows.iter_mut().for_each(|row| row.scale_impulses(factor));
+            self.point_to_point.scale_impulses(factor);
+        }
     }
 
     /// Solves all joints once, looking ahead.
-    pub fn solve(
-        &mut self,
-        bodies: &mut SolverBodies,
-        pass: &JointPass,
-        simd: Simd,
-        tasks: Tasks<'_>,
-    ) {
-        self.iterate::<true>(bodies, pass, simd, tasks);
+    pub fn solve(&mut self, bodies: &mut SolverBodies, pass: &SolverPass<'_>) {
+        self.iterate::<true>(bodies, pass);
     }
 
     /// Solves all joints once, where the bodies are.
-    pub fn relax(
-        &mut self,
-        bodies: &mut SolverBodies,
-        pass: &JointPass,
-        simd: Simd,
-        tasks: Tasks<'_>,
-    ) {
-        self.iterate::<false>(bodies, pass, simd, tasks);
+    pub fn relax(&mut self, bodies: &mut SolverBodies, pass: &SolverPass<'_>) {
+        self.iterate::<false>(bodies, pass);
     }
 
-    fn iterate<const AHEAD: bool>(
-        &mut self,
-        bodies: &mut SolverBodies,
-        pass: &JointPass,
-        simd: Simd,
-        tasks: Tasks<'_>,
-    ) {
+    fn iterate<const AHEAD: bool>(&mut self, bodies: &mut SolverBodies, pass: &SolverPass<'_>) {
+        let &SolverPass { joints: ref pass, simd, tasks, .. } = pass;
         let (_, states) = bodies.shared();
         let parts = Parts::new(&mut self.blocks, &mut self.rows);
-        for_each_color(self.layout.colors(), (tasks, BLOCKS_PER_TASK), |range| {
+        for_each_color(self.layout.colors(), tasks, BLOCKS_PER_TASK, |range| {
             simd.run(Iterate::<AHEAD> { range, parts, states, pass });
         });
         self.point_to_point.iterate::<AHEAD>(states, pass, simd, tasks);
@@ -273,9 +250,9 @@ impl SolverJoints {
         mut changes: Changes<'_>,
         wanted: impl Fn(u32) -> bool + Sync,
         mut add_work: impl FnMut(u32, Real),
-        pass: &JointPass,
-        (simd, tasks): (Simd, Tasks<'_>),
+        pass: &SolverPass<'_>,
     ) {
+        let &SolverPass { joints: ref pass, simd, tasks, .. } = pass;
         if self.direct.is_empty() {
             return;
         }
@@ -416,123 +393,67 @@ impl<'a> Parts<'a> {
     }
 }
 
-/// See [`passes::warm_start`].
-struct WarmStart<'a> {
-    range: Range<usize>,
-    parts: Parts<'a>,
-    states: DisjointMut<'a, BodyState>,
+block_kernel! {
+    /// See [`passes::warm_start`].
+    struct WarmStart<'a> {
+        parts: Parts<'a>,
+        states: DisjointMut<'a, BodyState>,
+    }
+    |index| passes::warm_start::<W>(parts.blocks.get_mut(index), &parts.rows, &states)
 }
 
-impl Kernel for WarmStart<'_> {
-    type Output = ();
+block_kernel! {
+    /// See [`passes::iterate`].
+    struct Iterate<'a, const AHEAD: bool> {
+        parts: Parts<'a>,
+        states: DisjointMut<'a, BodyState>,
+        pass: &'a JointPass,
+    }
+    |index| {
+        passes::iterate::<W, AHEAD>(parts.blocks.get_mut(index), &parts.rows, &states, pass);
+    }
+}
 
-    #[inline(always)]
-    fn run<W: Wide>(self) {
-        for index in self.range {
-            // SAFETY: each block belongs to one task, and joints of one colour have no common dynamic body.
-            unsafe {
-                let block = self.parts.blocks.get_mut(index);
-                passes::warm_start::<W>(block, &self.parts.rows, &self.states);
-            }
+block_kernel! {
+    /// See [`direct::write_rows`].
+    struct WriteRows<'a, const AHEAD: bool> {
+        blocks: DisjointMut<'a, JointBlock>,
+        memory: DisjointMut<'a, JacobianBlock>,
+        states: DisjointMut<'a, BodyState>,
+        pass: &'a JointPass,
+    }
+    |index| {
+        let block = blocks.get_mut(index);
+        if block.has_exact {
+            direct::write_rows::<W, AHEAD>(block, memory.get_mut(index), &states, pass);
         }
     }
 }
 
-/// See [`passes::iterate`].
-struct Iterate<'a, const AHEAD: bool> {
-    range: Range<usize>,
-    parts: Parts<'a>,
-    states: DisjointMut<'a, BodyState>,
-    pass: &'a JointPass,
-}
-
-impl<const AHEAD: bool> Kernel for Iterate<'_, AHEAD> {
-    type Output = ();
-
-    #[inline(always)]
-    fn run<W: Wide>(self) {
-        for index in self.range {
-            // SAFETY: each block belongs to one task, joints of one colour have no common dynamic body, and
-            // the colours run in sequence.
-            unsafe {
-                let block = self.parts.blocks.get_mut(index);
-                passes::iterate::<W, AHEAD>(block, &self.parts.rows, &self.states, self.pass);
-            }
+block_kernel! {
+    /// See [`direct::finish`].
+    struct Finish<'a> {
+        blocks: DisjointMut<'a, JointBlock>,
+        memory: &'a [JacobianBlock],
+        is_last: bool,
+    }
+    |index| {
+        let block = blocks.get_mut(index);
+        if block.has_exact {
+            direct::finish::<W>(block, &memory[index], is_last);
         }
     }
 }
 
-/// See [`direct::write_rows`].
-struct WriteRows<'a, const AHEAD: bool> {
-    range: Range<usize>,
-    blocks: DisjointMut<'a, JointBlock>,
-    memory: DisjointMut<'a, JacobianBlock>,
-    states: DisjointMut<'a, BodyState>,
-    pass: &'a JointPass,
-}
-
-impl<const AHEAD: bool> Kernel for WriteRows<'_, AHEAD> {
-    type Output = ();
-
-    #[inline(always)]
-    fn run<W: Wide>(self) {
-        for index in self.range {
-            // SAFETY: each block belongs to one task, and no thread writes states.
-            unsafe {
-                let block = self.blocks.get_mut(index);
-                if block.has_exact {
-                    let memory = self.memory.get_mut(index);
-                    direct::write_rows::<W, AHEAD>(block, memory, &self.states, self.pass);
-                }
-            }
-        }
+block_kernel! {
+    /// See [`direct::count`].
+    struct Count<'a> {
+        blocks: &'a [JointBlock],
+        memory: &'a [JacobianBlock],
+        impact_impulses: DisjointMut<'a, ImpactImpulse>,
     }
-}
-
-/// See [`direct::finish`].
-struct Finish<'a> {
-    range: Range<usize>,
-    blocks: DisjointMut<'a, JointBlock>,
-    memory: &'a [JacobianBlock],
-    is_last: bool,
-}
-
-impl Kernel for Finish<'_> {
-    type Output = ();
-
-    #[inline(always)]
-    fn run<W: Wide>(self) {
-        for index in self.range {
-            // SAFETY: each block belongs to one task.
-            let block = unsafe { self.blocks.get_mut(index) };
-            if block.has_exact {
-                direct::finish::<W>(block, &self.memory[index], self.is_last);
-            }
-        }
-    }
-}
-
-/// See [`direct::count`].
-struct Count<'a> {
-    range: Range<usize>,
-    blocks: &'a [JointBlock],
-    memory: &'a [JacobianBlock],
-    impact_impulses: DisjointMut<'a, ImpactImpulse>,
-}
-
-impl Kernel for Count<'_> {
-    type Output = ();
-
-    #[inline(always)]
-    fn run<W: Wide>(self) {
-        for index in self.range.filter(|&index| self.blocks[index].has_exact) {
-            // SAFETY: the impact impulse of each block belongs to one task.
-            let impact_impulse = unsafe { self.impact_impulses.get_mut(index) };
-            direct::count::<W>(
-                impact_impulse,
-                &self.memory[index],
-                self.blocks[index].locks_rotations,
-            );
-        }
+    |index| if blocks[index].has_exact {
+        let impact_impulse = impact_impulses.get_mut(index);
+        direct::count::<W>(impact_impulse, &memory[index], blocks[index].locks_rotations);
     }
 }

@@ -9,11 +9,12 @@ use crate::base::disjoint::DisjointMut;
 use crate::base::wide::Wide;
 use crate::dim::joint::{angular_to_frame, angular_to_world};
 use crate::dim::math::{DIM, SPATIAL_DIM};
-use crate::dim::state::{BodyState, WideDisplacement, WideMotion, gather_states, scatter_states};
+use crate::dim::state::{BodyState, WideDisplacement, WideMotion};
 use crate::dim::wide::{
     ANG_ZERO_LANES, WideAngVector, WideVector, ang_dot, load_ang, store_ang, torque,
 };
 use crate::model::params::JointPass;
+use crate::step::solver::states::{gather_states, scatter_states};
 
 /// Velocities and displacements of a block's two bodies.
 pub(super) struct Bodies<W> {
@@ -299,14 +300,14 @@ unsafe fn solve_axes<W: Wide, const AHEAD: bool, const N: usize>(
         for index in block.first_row..block.first_row + block.row_count {
             // SAFETY: the caller's promise; the block's rows are in range.
             let row = unsafe { rows.get_mut(index) };
-            let added = solve_free::<W, AHEAD, N>(row, block, (joint, &factored), bodies, pass);
+            let added = solve_free::<W, AHEAD, N>(row, block, joint, &factored, bodies, pass);
             bodies.velocities = joint.masses.push(&added, bodies.velocities);
             wrench = wrench.plus(&added);
         }
         matrix = Some(factored);
     }
     if block.has_swept {
-        let added = solve_locked::<W, AHEAD, N>(block, (joint, matrix.as_ref()), bodies);
+        let added = solve_locked::<W, AHEAD, N>(block, joint, matrix.as_ref(), bodies);
         bodies.velocities = joint.masses.push(&added, bodies.velocities);
         wrench = wrench.plus(&added);
     }
@@ -322,7 +323,8 @@ unsafe fn solve_axes<W: Wide, const AHEAD: bool, const N: usize>(
 fn solve_free<W: Wide, const AHEAD: bool, const N: usize>(
     row: &mut AxisRow,
     block: &mut JointBlock,
-    (joint, matrix): (&JointNow<'_, W, N>, &Factored<W, N>),
+    joint: &JointNow<'_, W, N>,
+    matrix: &Factored<W, N>,
     bodies: &Bodies<W>,
     pass: &JointPass,
 ) -> Wrench<W> {
@@ -330,7 +332,7 @@ fn solve_free<W: Wide, const AHEAD: bool, const N: usize>(
     let fractions = joint.locked.reactions_of(&along, joint.masses, matrix);
     let mut curvature = W::zero();
     if let Some((substep_end, curvatures)) = joint.substep_end {
-        curvature = substep_end.curvature((block, row), joint.geometry, (&along, position), pass);
+        curvature = substep_end.curvature(block, row, joint.geometry, &along, position, pass);
         for k in 0..N {
             curvature = curvature - curvatures[k] * fractions[k];
         }
@@ -363,7 +365,8 @@ fn solve_free<W: Wide, const AHEAD: bool, const N: usize>(
 #[inline(always)]
 fn solve_locked<W: Wide, const AHEAD: bool, const N: usize>(
     block: &mut JointBlock,
-    (joint, matrix): (&JointNow<'_, W, N>, Option<&Factored<W, N>>),
+    joint: &JointNow<'_, W, N>,
+    matrix: Option<&Factored<W, N>>,
     bodies: &Bodies<W>,
 ) -> Wrench<W> {
     let (Locked { rows, locked }, mut coupling) = (joint.locked, joint.coupling);

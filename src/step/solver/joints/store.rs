@@ -2,34 +2,30 @@
 
 use super::block::{AxisRow, JointBlock};
 use super::{BLOCKS_PER_TASK, SolverJoints};
-use crate::base::tasks::Tasks;
-use crate::base::wide::Simd;
 use crate::dim::joint::set_couple;
-use crate::dim::math::{DIM, Real, ang_length_squared};
+use crate::dim::math::{DIM, Real};
 use crate::dim::wide::ang_lane;
 use crate::model::event::JointBreakEvent;
 use crate::model::island::IslandManager;
-use crate::model::joint::{ImpulseJoint, ImpulseJointHandle, ImpulseJointSet, JointEnabled};
+use crate::model::joint::{ImpulseJoint, ImpulseJointSet};
 use crate::step::solver::bodies::SolverBodies;
+use crate::step::solver::context::{SolverContext, SolverPass};
+use crate::step::solver::joint_rules::{break_if_overloaded, is_overloaded};
 use core::sync::atomic::{AtomicBool, Ordering};
 
 impl SolverJoints {
     /// Ends the step, while the bodies are still where the solver has put them.
-    pub fn finish(&mut self, bodies: &mut SolverBodies, simd: Simd, tasks: Tasks<'_>) {
+    pub fn finish(&mut self, bodies: &mut SolverBodies, pass: &SolverPass<'_>) {
         let (_, states) = bodies.shared();
-        self.point_to_point.finish(states, simd, tasks);
+        self.point_to_point.finish(states, pass.simd, pass.tasks);
     }
 
     /// Writes impulses, forces and turn counts back to the joints, and breaks overloaded joints.
-    pub fn store(
-        &self,
-        (islands, joints): (&IslandManager, &mut ImpulseJointSet),
-        inv_dt: Real,
-        broken: &mut Vec<JointBreakEvent>,
-        tasks: Tasks<'_>,
-    ) {
+    pub fn store(&self, context: &mut SolverContext<'_>) {
+        let SolverContext { islands, joints, params, broken, .. } = context;
+        let (inv_dt, tasks) = (params.inv_dt(), context.tasks);
         let overload = AtomicBool::new(false);
-        self.point_to_point.store((islands, joints), inv_dt, &overload, tasks);
+        self.point_to_point.store(islands, joints, inv_dt, &overload, tasks);
         let (layout, blocks, all_rows) = (&self.layout, &self.blocks, &self.rows);
         let shared = joints.share();
         tasks.par_for(blocks.len(), BLOCKS_PER_TASK, |range| {
@@ -48,14 +44,15 @@ impl SolverJoints {
             }
         });
         if overload.into_inner() {
-            self.break_overloaded((islands, joints), broken);
+            self.break_overloaded(islands, joints, broken);
         }
     }
 
     /// Breaks joints in the order in which they were solved: which thread saw them first must not matter.
     fn break_overloaded(
         &self,
-        (islands, joints): (&IslandManager, &mut ImpulseJointSet),
+        islands: &IslandManager,
+        joints: &mut ImpulseJointSet,
         broken: &mut Vec<JointBreakEvent>,
     ) {
         let slots =
@@ -96,28 +93,4 @@ fn store_lane(
     if !joint.is_sound() {
         joint.forget_impulses();
     }
-}
-
-/// Returns whether the load of a joint exceeds its limit.
-pub(super) fn is_overloaded(joint: &ImpulseJoint) -> bool {
-    let (force, torque) = load_of(joint);
-    !(force <= joint.data.break_force && torque <= joint.data.break_torque)
-}
-
-fn load_of(joint: &ImpulseJoint) -> (Real, Real) {
-    (joint.force.length(), ang_length_squared(joint.torque).sqrt())
-}
-
-/// Breaks an overloaded joint, and reports it.
-pub(in crate::step::solver) fn break_if_overloaded(
-    handle: ImpulseJointHandle,
-    joint: &mut ImpulseJoint,
-) -> Option<JointBreakEvent> {
-    if !is_overloaded(joint) {
-        return None;
-    }
-    let (force, torque) = load_of(joint);
-    joint.data.enabled = JointEnabled::Disabled;
-    let (body1, body2) = (joint.body1(), joint.body2());
-    Some(JointBreakEvent { joint: handle, body1, body2, force, torque })
 }

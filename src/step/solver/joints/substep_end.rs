@@ -5,16 +5,11 @@ use super::geometry::Geometry;
 use super::passes::Bodies;
 use super::rows::Row;
 use crate::base::wide::Wide;
-use crate::dim::math::Real;
 use crate::dim::rotation_vector::turned_further;
 use crate::dim::state::{WideDisplacement, WideMotion};
 use crate::dim::wide::{ang_dot, cross};
 use crate::model::params::JointPass;
-
-/// Largest curvature of a free axis in a substep, as a fraction of its speed. A chord deviates from a circle
-/// by half of the arc angle. This is half a radian, up to which one step towards the end of the substep
-/// converges.
-pub(in crate::step::solver) const CURVATURE_FRACTION_MAX: Real = 0.25;
+use crate::step::solver::joint_rules::CURVATURE_FRACTION_MAX;
 
 /// Joint positions of a block at the end of the substep.
 pub(super) struct SubstepEnd<W> {
@@ -91,9 +86,11 @@ impl<W: Wide> SubstepEnd<W> {
     #[cfg_attr(not(target_arch = "wasm32"), inline(always))]
     pub fn curvature(
         &self,
-        (block, row): (&JointBlock, &AxisRow),
+        block: &JointBlock,
+        row: &AxisRow,
         now: &Geometry<W>,
-        (along, position): (&Row<W>, W),
+        along: &Row<W>,
+        position: W,
         pass: &JointPass,
     ) -> W {
         let (_, then) = self.then.free_row(row);

@@ -26,17 +26,14 @@
 
 use super::contacts::{LinkContact, LinkContacts, Point};
 use super::rows::{ConstrainedStates, JacobianPool};
-use super::{Moving, SolverMultibodies};
+use super::{Moving, MultibodySources, SolverMultibodies};
 use crate::dim::math::{DIM, Real, SpatialVector};
 use crate::dim::state::BodyState;
-use crate::model::body::RigidBodySet;
-use crate::model::contact::NarrowPhase;
 use crate::model::island::NONE;
 use crate::model::params::ImpactPass;
 use crate::step::solver::bodies::SolverBodies;
-use crate::step::solver::impacts::{
-    APPROACH_CHANGE_MIN, CONVERGENCE_TOLERANCE, DEFERRED_SEPARATION, FORCE_CORRECTION_MAX,
-    POINT_SWEEPS,
+use crate::step::solver::restitution::{
+    APPROACH_CHANGE_MIN, DEFERRED_SEPARATION, HitRow, POINT_SWEEPS, supported,
 };
 
 /// A contact point in an impact. See `ImpactRow` in `impacts/rows.rs`.
@@ -47,20 +44,13 @@ pub struct LinkImpactRow {
     loaded: Real,
     /// Velocity change in this substep by forces and their supports.
     accelerated: Real,
-    /// The part of the force-induced velocity change that supports cancel.
-    support_velocity: Real,
     /// It hits where its velocity is below this.
     limit: Real,
     /// Its velocity in the substep's middle when the round began.
     middle: Real,
     /// Whether the point approaches fast and does not arrive in this substep.
     waits: bool,
-    /// `1 / K` if it hits in this round.
-    mass: Real,
-    approach: Real,
-    target: Real,
-    /// Time of the impact since the beginning of the substep (s).
-    time: Real,
+    hit: HitRow<Real>,
     /// Impulses of this round, and of the whole impact: the committed fraction of each round.
     impulse: Real,
     given: Real,
@@ -186,7 +176,7 @@ impl SolverMultibodies {
     /// other islands need another round.
     pub fn mark_active(
         &mut self,
-        place: (&NarrowPhase, &RigidBodySet),
+        sources: MultibodySources<'_>,
         bodies: &mut SolverBodies,
         takes_part: impl Fn(u32) -> bool,
         pass: &ImpactPass,
@@ -196,27 +186,28 @@ impl SolverMultibodies {
             contact.impact.active = false;
             let takes_part = takes_part(contact.impact.island);
             for Point { normal, impact, separation, .. } in &mut contact.points {
-                let velocity = jacobians.velocity(normal, &states) + impact.support_velocity;
+                let velocity = jacobians.velocity(normal, &states) + impact.hit.support_velocity;
                 let separation = *separation + jacobians.displacement(normal, &states);
                 impact.impulse = 0.0;
-                impact.mass = 0.0;
+                impact.hit.mass = 0.0;
                 let earliest = if jacobians.goes_back(normal, &states) { -pass.step } else { 0.0 };
                 if impact.find_time(velocity, separation, earliest, pass.substep) && takes_part {
-                    impact.mass = normal.mass;
-                    contact.impact.active |= impact.mass > 0.0;
+                    impact.hit.mass = normal.mass;
+                    contact.impact.active |= impact.hit.mass > 0.0;
                     let gains = contact.restitution > 1.0;
-                    jacobians.note_time(normal, (impact.time, gains), &mut states);
+                    jacobians.note_time(normal, impact.hit.time, gains, &mut states);
                 }
             }
             contact.impact.was_active |= contact.impact.active;
         }
-        self.move_to_impact(place, bodies, pass.substep);
+        self.move_to_impact(sources, bodies, pass.substep);
         let (jacobians, contacts, states) = self.bouncing(&mut bodies.states);
         for contact in contacts.bouncing().filter(|contact| contact.impact.active) {
             for Point { normal, impact, .. } in &mut contact.points {
-                if impact.mass > 0.0 {
-                    impact.mass = normal.mass;
-                    let velocity = jacobians.velocity(normal, &states) + impact.support_velocity;
+                if impact.hit.mass > 0.0 {
+                    impact.hit.mass = normal.mass;
+                    let velocity =
+                        jacobians.velocity(normal, &states) + impact.hit.support_velocity;
                     impact.aim(velocity, contact.restitution, pass);
                 }
             }
@@ -226,7 +217,7 @@ impl SolverMultibodies {
     /// Moves the hit multibodies to the time of their impact, and makes the impact rows there.
     fn move_to_impact(
         &mut self,
-        place: (&NarrowPhase, &RigidBodySet),
+        sources: MultibodySources<'_>,
         bodies: &mut SolverBodies,
         h: Real,
     ) {
@@ -238,7 +229,7 @@ impl SolverMultibodies {
         }
         for position in 0..self.contacts.contacts.len() {
             if self.contacts.contacts[position].impact.active {
-                self.follow_contact(position, place, bodies);
+                self.follow_contact(position, sources, bodies);
             }
         }
     }
@@ -250,15 +241,12 @@ impl SolverMultibodies {
             contact.impact.moving = false;
             for sweep in 0..POINT_SWEEPS {
                 for Point { normal, impact, .. } in &mut contact.points {
-                    let missing = impact.target
-                        - impact.support_velocity
-                        - jacobians.velocity(normal, &states);
-                    let new = (impact.impulse + impact.mass * missing).max(0.0);
+                    let velocity = jacobians.velocity(normal, &states);
+                    let new = impact.hit.impulse(velocity, impact.impulse);
                     let change = new - impact.impulse;
                     impact.impulse = new;
                     jacobians.apply_impact(normal, change, &mut states);
-                    let little = -(impact.mass * impact.approach * CONVERGENCE_TOLERANCE);
-                    contact.impact.moving |= sweep == 0 && change.abs() > little;
+                    contact.impact.moving |= sweep == 0 && change.abs() > impact.hit.tolerance();
                 }
             }
         }
@@ -268,14 +256,14 @@ impl SolverMultibodies {
     pub fn end_round(&mut self, states: &mut [BodyState], delays: &mut [BodyState]) {
         let (jacobians, contacts, states) = self.bouncing(states);
         for contact in contacts.bouncing().filter(|contact| contact.impact.active) {
-            let allowed = contact.restitution.max(1.0);
             (contact.impact.dissipated, contact.impact.energy_gain) = (0.0, 0.0);
             for Point { normal, impact, .. } in &mut contact.points {
-                let velocity = jacobians.velocity(normal, &states) + impact.support_velocity;
-                contact.impact.dissipated += impact.impulse * impact.approach;
-                contact.impact.energy_gain +=
-                    impact.impulse * (velocity + allowed * impact.approach) * 0.5;
-                jacobians.note_impulse(normal, [impact.impulse, impact.time], delays);
+                let velocity = jacobians.velocity(normal, &states);
+                let [of_approach, gain] =
+                    impact.hit.energies(velocity, impact.impulse, contact.restitution);
+                contact.impact.dissipated += of_approach;
+                contact.impact.energy_gain += gain;
+                jacobians.note_impulse(normal, [impact.impulse, impact.hit.time], delays);
             }
         }
     }
@@ -361,7 +349,7 @@ impl LinkContact {
 
     /// Leaves it as it is for the rest of the round.
     pub fn deactivate(&mut self) {
-        self.points.iter_mut().for_each(|point| point.impact.mass = 0.0);
+        self.points.iter_mut().for_each(|point| point.impact.hit.mass = 0.0);
     }
 }
 
@@ -375,12 +363,7 @@ impl Point {
 impl LinkImpactRow {
     /// Begins a substep in which the point moves like this without the impulses of the last one.
     fn begin(&mut self, free: Real, pass: &ImpactPass) {
-        let forced = free - self.last;
-        self.support_velocity = (self.loaded - free).min(-forced).max(0.0);
-        let now = free + self.support_velocity;
-        let is_at_rest = now.max(self.last) >= -pass.threshold;
-        self.limit =
-            if is_at_rest { now.min(0.0) } else { 0.0 } - pass.threshold * APPROACH_CHANGE_MIN;
+        (self.hit.support_velocity, self.limit) = supported(free, self.last, self.loaded, pass);
         self.accelerated = self.accelerated.clamp(-pass.fall, pass.fall);
         self.given = 0.0;
     }
@@ -392,7 +375,7 @@ impl LinkImpactRow {
         self.waits = comes && !arrives;
         self.middle = velocity;
         if comes {
-            self.time = (separation / -velocity).max(earliest).min(h);
+            self.hit.time = (separation / -velocity).max(earliest).min(h);
         }
         comes && arrives
     }
@@ -402,15 +385,10 @@ impl LinkImpactRow {
         if velocity >= self.limit {
             // It has separated by then, and only returns to the middle of the substep, as it would in each
             // further round.
-            self.mass = 0.0;
+            self.hit.mass = 0.0;
             self.limit = self.middle - pass.threshold * APPROACH_CHANGE_MIN;
         }
-        let speed = (-velocity).max(0.0);
-        let most = speed * FORCE_CORRECTION_MAX;
-        let correction = self.accelerated * (self.time * pass.inv_substep - 0.5);
-        let correction = correction.max(-most).min(most);
-        self.approach = correction + correction - speed;
-        self.target = (restitution * (speed - correction) - correction).max(0.0);
+        self.hit.aim((-velocity).max(0.0), self.accelerated, restitution, pass);
     }
 }
 

@@ -26,7 +26,7 @@ use crate::model::joint::{
     GenericJoint, ImpulseJointHandle, ImpulseJointSet, JointLimits, JointMotor, MotorModel, mask_of,
 };
 use crate::model::multibody::{MultibodyJoint, MultibodyLink};
-use crate::step::solver::joints::CURVATURE_FRACTION_MAX;
+use crate::step::solver::joint_rules::CURVATURE_FRACTION_MAX;
 
 /// Owner of the axis of a row: the joint of a link, or a joint that closes a loop.
 #[derive(Copy, Clone, Debug)]
@@ -119,7 +119,7 @@ impl JointRows {
                 && let Some((q, gradient)) = limited_angle(&link.joint, axis)
             {
                 let row = row_of(jacobians, multibodies, multibody, link, &gradient);
-                self.add_limits((owner, axis), row, q, limits);
+                self.add_limits(owner, axis, row, q, limits);
                 if let Some(limit) = self.limits.last_mut().filter(|_| is_curved(&link.joint, axis))
                 {
                     limit.is_followed = limit.is_near();
@@ -128,13 +128,13 @@ impl JointRows {
             let unit = unit(axis);
             if let Some(motor) = data.motor(axis).filter(|motor| motor.max_force < Real::MAX) {
                 let row = row_of(jacobians, multibodies, multibody, link, &unit);
-                self.add_motor((owner, axis), row, link.joint.coordinate(axis), motor, h);
+                self.add_motor(owner, axis, row, link.joint.coordinate(axis), motor, h);
             }
             let lists = &multibodies[multibody].multibody.lists;
             let (friction, impulse) = (lists.frictions[dof], lists.friction_impulses[dof]);
             if friction > 0.0 && friction.is_finite() {
                 let row = row_of(jacobians, multibodies, multibody, link, &unit);
-                self.drives.push(Drive::friction((owner, axis), row, friction * h, impulse));
+                self.drives.push(Drive::friction(owner, axis, row, friction * h, impulse));
             }
         }
     }
@@ -142,7 +142,8 @@ impl JointRows {
     /// Adds the limits of an axis whose coordinate is `q`.
     pub fn add_limits(
         &mut self,
-        (owner, axis): (Owner, JointAxis),
+        owner: Owner,
+        axis: JointAxis,
         row: Row,
         q: Real,
         limits: &JointLimits,
@@ -163,13 +164,14 @@ impl JointRows {
     /// Adds the motor of an axis whose coordinate is `q`, for substeps of `h` seconds.
     pub fn add_motor(
         &mut self,
-        (owner, axis): (Owner, JointAxis),
+        owner: Owner,
+        axis: JointAxis,
         row: Row,
         q: Real,
         motor: &JointMotor,
         h: Real,
     ) {
-        self.drives.push(Drive::motor((owner, axis), row, q, motor, h));
+        self.drives.push(Drive::motor(owner, axis, row, q, motor, h));
     }
 
     /// Makes the rows of balls near their limits anew, where the links are now.
@@ -350,7 +352,8 @@ impl Limit {
 
 impl Drive {
     fn motor(
-        (owner, axis): (Owner, JointAxis),
+        owner: Owner,
+        axis: JointAxis,
         row: Row,
         q: Real,
         motor: &JointMotor,
@@ -379,12 +382,7 @@ impl Drive {
         }
     }
 
-    fn friction(
-        (owner, axis): (Owner, JointAxis),
-        row: Row,
-        impulse_max: Real,
-        impulse: Real,
-    ) -> Self {
+    fn friction(owner: Owner, axis: JointAxis, row: Row, impulse_max: Real, impulse: Real) -> Self {
         let impulse = impulse.clamp(-impulse_max, impulse_max);
         let (pull, distance, velocity, yielding) = (0.0, 0.0, 0.0, 0.0);
         Self {

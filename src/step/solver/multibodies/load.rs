@@ -1,78 +1,58 @@
 //! Loads multibodies and their bodies into the solver.
 
-use super::{Moving, NOT_SOLVED, Registration, SolverMultibodies};
+use super::{LinkPlace, Moving, SolverMultibodies};
 use crate::dim::math::{Real, Vector};
 use crate::dim::spatial::join;
-use crate::model::body::{RigidBody, RigidBodyHandle, RigidBodySet};
+use crate::model::body::{RigidBodyHandle, RigidBodySet};
 use crate::model::island::NONE;
 use crate::model::joint::{GenericJoint, JointMotor, MotorModel};
 use crate::model::multibody::{Multibody, MultibodyJointSet};
 use crate::multibody::{Drive, LinkForce, usable};
+use crate::step::solver::links::Links;
 
 impl SolverMultibodies {
-    /// Lays claim to the links of all multibodies that are awake and act.
-    pub fn register_links(&mut self, set: &mut MultibodyJointSet, bodies: &RigidBodySet) {
-        for slot in self.listed.drain(..) {
-            self.registrations[slot as usize] = None;
-        }
-        self.positions.clear();
-        self.positions.resize(set.index_bound() as usize, NOT_SOLVED);
-        for owner in 0..set.index_bound() {
-            let Some(index) = set.index_at(owner) else { continue };
-            let Some(multibody) = set.get_multibody(index) else { continue };
-            if !is_awake(multibody, bodies) {
-                continue;
-            }
-            if acts(multibody, bodies) {
-                self.register_tree(owner, multibody, bodies);
-            } else if multibody.links.iter().any(|link| !bodies.contains(link.body)) {
-                set.note(index);
-            }
-        }
-    }
-
-    fn register_tree(&mut self, owner: u32, multibody: &Multibody, bodies: &RigidBodySet) {
-        for link in &multibody.links {
-            let slot = link.body.into_raw_parts().0;
-            if slot as usize >= self.registrations.len() {
-                self.registrations.resize(slot as usize + 1, None);
-            }
-            let is_moved = bodies.get(link.body).is_some_and(|body| body.is_dynamic());
-            self.registrations[slot as usize] =
-                Some(Registration { owner, link: link.id, is_moved });
-            self.listed.push(slot);
-        }
-    }
-
     /// Takes the multibodies of these bodies, which are solved now, out of their set.
     pub fn load(
         &mut self,
         members: &[RigidBodyHandle],
+        links: &Links,
         set: &mut MultibodyJointSet,
         bodies: &RigidBodySet,
     ) {
-        self.left_out.clear();
-        if self.move_no_body() {
+        for slot in self.listed.drain(..) {
+            self.places[slot as usize] = None;
+        }
+        if links.is_empty() {
             return;
         }
         for member in members {
-            let register_links = self
-                .registration(member.into_raw_parts().0)
-                .filter(|register_links| register_links.is_moved);
-            let Some(owner) = register_links.map(|register_links| register_links.owner) else {
-                continue;
-            };
-            if self.positions[owner as usize] != NOT_SOLVED {
+            let slot = member.into_raw_parts().0;
+            let Some(owner) = links.owner(slot) else { continue };
+            if self.place(slot).is_some() {
                 continue;
             }
             let Some(index) = set.index_at(owner) else { continue };
             let Some(multibody) = set.get_unnoted_mut(index) else { continue };
-            self.positions[owner as usize] = self.moving.len();
+            self.list_links(multibody, bodies);
             let mut moving = self.spare.pop().unwrap_or_default();
             (moving.index, moving.multibody) = (index, core::mem::take(multibody));
             moving.island = bodies.get(*member).map_or(NONE, |body| body.link.island);
             moving.multibody.forward_kinematics(bodies, false);
             self.moving.push(moving);
+        }
+    }
+
+    /// Lists the links of the next multibody.
+    fn list_links(&mut self, multibody: &Multibody, bodies: &RigidBodySet) {
+        for link in &multibody.links {
+            let slot = link.body.into_raw_parts().0;
+            if slot as usize >= self.places.len() {
+                self.places.resize(slot as usize + 1, None);
+            }
+            let is_moved = bodies.get(link.body).is_some_and(|body| body.is_dynamic());
+            self.places[slot as usize] =
+                Some(LinkPlace { multibody: self.moving.len(), link: link.id, is_moved });
+            self.listed.push(slot);
         }
     }
 
@@ -108,20 +88,6 @@ impl SolverMultibodies {
 pub(super) fn scale_impulses(joint: &mut GenericJoint, fraction: Real) {
     joint.limits.iter_mut().for_each(|limits| limits.impulse *= fraction);
     joint.motors.iter_mut().for_each(|motor| motor.impulse *= fraction);
-}
-
-/// Returns whether one of its links is awake.
-fn is_awake(multibody: &Multibody, bodies: &RigidBodySet) -> bool {
-    let moves = |body: &RigidBody| body.is_dynamic() && body.link.awake != NONE;
-    multibody.links.iter().any(|link| bodies.get(link.body).is_some_and(moves))
-}
-
-/// Returns whether the multibody acts.
-fn acts(multibody: &Multibody, bodies: &RigidBodySet) -> bool {
-    multibody.acts(|body| {
-        let body = bodies.get(body).filter(|body| body.is_enabled())?;
-        Some(body.is_dynamic())
-    })
 }
 
 impl Moving {

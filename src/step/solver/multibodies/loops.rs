@@ -14,11 +14,11 @@
 //! pivot in it and get no impulse. Joints are visited one after the other; the exact solution of connected
 //! joints is for ordinary bodies.
 
-use super::SolverMultibodies;
-use super::contacts::Side;
 use super::limits::Owner;
 use super::load::scale_impulses;
 use super::rows::{ConstrainedStates, JacobianPool, Row};
+use super::sides::Side;
+use super::{MultibodySources, SolverMultibodies};
 use crate::base::square::SquareMatrix;
 use crate::dim::joint::{FreeRotations, angle_about};
 use crate::dim::joint_axes::{JointAxesMask, JointAxis};
@@ -30,13 +30,12 @@ use crate::dim::spatial::{angular, join, linear, locked_angles, turn_axis};
 use crate::dim::state::READ_ONLY;
 use crate::model::body::RigidBodySet;
 use crate::model::event::JointBreakEvent;
-use crate::model::island::IslandManager;
 use crate::model::joint::{
     GenericJoint, ImpulseJointHandle, ImpulseJointSet, mask_of, relative_rotation,
 };
 use crate::model::params::{JointPass, Softness};
 use crate::step::solver::bodies::SolverBodies;
-use crate::step::solver::joints::break_if_overloaded;
+use crate::step::solver::joint_rules::break_if_overloaded;
 use arrayvec::ArrayVec;
 
 /// A locked axis.
@@ -92,12 +91,11 @@ impl SolverMultibodies {
     /// Makes constraints of the joints that were left out of the lanes.
     pub(super) fn prepare_loops(
         &mut self,
-        islands: &IslandManager,
-        joints: &ImpulseJointSet,
-        world: &RigidBodySet,
+        sources: MultibodySources<'_>,
         bodies: &SolverBodies,
         pass: &JointPass,
     ) {
+        let MultibodySources { islands, joints, world, .. } = sources;
         self.loops.loops.clear();
         let slots = islands.joint_graph.in_solving_order().flat_map(|(_, list)| list);
         let links = slots.filter_map(|&slot| islands.joints.get(slot));
@@ -126,8 +124,7 @@ impl SolverMultibodies {
     /// Makes the rows of the locked axes. They must be the last ones.
     pub(super) fn lock_loops(
         &mut self,
-        joints: &ImpulseJointSet,
-        world: &RigidBodySet,
+        MultibodySources { joints, world, .. }: MultibodySources<'_>,
         bodies: &mut SolverBodies,
     ) {
         self.loops.first_number = self.jacobians.len();
@@ -250,10 +247,10 @@ impl SolverMultibodies {
                 if is_distance && limits.min <= 0.0 {
                     limits.min = -Real::MAX;
                 }
-                self.joints.add_limits((owner, axis), row, q, &limits);
+                self.joints.add_limits(owner, axis, row, q, &limits);
             }
             if let Some(motor) = joint.motor(axis) {
-                self.joints.add_motor((owner, axis), row, q, motor, h);
+                self.joints.add_motor(owner, axis, row, q, motor, h);
             }
         }
     }

@@ -15,9 +15,11 @@ mod limits;
 mod load;
 mod loops;
 mod rows;
+mod sides;
 mod store;
 
 use super::bodies::SolverBodies;
+use super::context::SolverPass;
 use crate::base::disjoint::DisjointMut;
 use crate::base::tasks::Tasks;
 use crate::dim::math::{Pose, Real};
@@ -28,7 +30,7 @@ use crate::model::contact::NarrowPhase;
 use crate::model::island::IslandManager;
 use crate::model::joint::ImpulseJointSet;
 use crate::model::multibody::{Multibody, MultibodyIndex, MultibodyJoint};
-use crate::model::params::{ContactPass, IntegrationParameters, JointPass, Softness};
+use crate::model::params::{ContactPass, IntegrationParameters, Softness};
 use crate::multibody::Motion;
 use contacts::LinkContacts;
 use gears::Gears;
@@ -79,19 +81,6 @@ pub(super) struct Moving {
     start: (Vec<MultibodyJoint>, Pose),
 }
 
-/// A link that a constraint of the solver may involve.
-#[derive(Copy, Clone, Debug)]
-struct Registration {
-    /// The multibody's position in its set.
-    owner: u32,
-    link: usize,
-    /// Whether the solver moves it. A root without degrees of freedom is an ordinary body for the solver.
-    is_moved: bool,
-}
-
-/// The position of a multibody that is not among those that are solved now.
-const NOT_SOLVED: usize = usize::MAX;
-
 /// A link of a multibody that is solved now.
 #[derive(Copy, Clone, Debug)]
 struct LinkPlace {
@@ -100,20 +89,18 @@ struct LinkPlace {
     is_moved: bool,
 }
 
-/// All multibodies that are awake: claimed at the beginning, and solved group by group as the bodies are.
+/// The awake multibodies of a group.
 #[derive(Default)]
 pub(super) struct SolverMultibodies {
     moving: Vec<Moving>,
-    /// By position in the set: the position above, or [`NOT_SOLVED`].
-    positions: Vec<usize>,
     /// Buffers of those that were awake before.
     spare: Vec<Moving>,
     /// By body slot: the link that is there.
-    registrations: Vec<Option<Registration>>,
+    places: Vec<Option<LinkPlace>>,
     /// The slots where there is one, to be cleared by the next step.
     listed: Vec<u32>,
-    /// Manifolds of links, left out of the lanes.
-    left_out: Vec<ManifoldRef>,
+    /// The manifolds of the contacts below.
+    manifolds: Vec<ManifoldRef>,
     jacobians: JacobianPool,
     joints: JointRows,
     gears: Gears,
@@ -123,7 +110,7 @@ pub(super) struct SolverMultibodies {
 
 /// Input for making constraints.
 #[derive(Copy, Clone)]
-pub(super) struct MultibodyContext<'a> {
+pub(super) struct MultibodySources<'a> {
     pub narrow_phase: &'a NarrowPhase,
     pub islands: &'a IslandManager,
     pub joints: &'a ImpulseJointSet,
@@ -180,58 +167,29 @@ impl SoftPass {
 }
 
 impl SolverMultibodies {
-    /// Returns whether no multibody is awake.
-    pub fn move_no_body(&self) -> bool {
-        self.listed.is_empty()
-    }
-
-    /// Returns whether a body of the pair is a link that is solved now.
-    pub fn owns_joint(&self, slots: [u32; 2]) -> bool {
-        slots.into_iter().any(|slot| self.moves(slot))
-    }
-
-    /// Returns whether its multibody moves a body.
-    pub fn moves(&self, slot: u32) -> bool {
-        self.registration(slot).is_some_and(|register_links| register_links.is_moved)
-    }
-
-    /// Takes over a manifold if one of its bodies is a link. True: it must be left out of the lanes.
-    pub fn adopt(&mut self, manifold: ManifoldRef, slots: [u32; 2]) -> bool {
-        let is_ours = self.owns_joint(slots);
-        if is_ours && self.solves_one_of(slots) {
-            self.left_out.push(manifold);
-        }
-        is_ours
-    }
-
     /// Returns whether one of these bodies is a link that is moved now.
     fn solves_one_of(&self, slots: [u32; 2]) -> bool {
         slots.into_iter().any(|slot| self.place(slot).is_some_and(|place| place.is_moved))
     }
 
-    fn registration(&self, slot: u32) -> Option<Registration> {
-        self.registrations.get(slot as usize).copied().flatten()
-    }
-
     fn place(&self, slot: u32) -> Option<LinkPlace> {
-        let Registration { owner, link, is_moved } = self.registration(slot)?;
-        let multibody = self.positions.get(owner as usize).copied()?;
-        (multibody != NOT_SOLVED).then_some(LinkPlace { multibody, link, is_moved })
+        self.places.get(slot as usize).copied().flatten()
     }
 
-    /// Makes the constraints.
+    /// Makes the constraints, with the manifolds of links in the order of the constraint graph.
     pub fn prepare(
         &mut self,
-        MultibodyContext { narrow_phase, islands, joints, world }: MultibodyContext<'_>,
+        manifolds: &[ManifoldRef],
+        sources: MultibodySources<'_>,
         bodies: &mut SolverBodies,
-        pass: &JointPass,
+        pass: &SolverPass<'_>,
     ) {
         self.jacobians.clear();
         self.joints.prepare(&mut self.jacobians, &mut self.moving, pass.substep);
-        self.gears.prepare(&mut self.jacobians, &mut self.moving, pass.softness);
-        self.prepare_loops(islands, joints, world, bodies, pass);
-        self.prepare_contacts(narrow_phase, world, bodies);
-        self.lock_loops(joints, world, bodies);
+        self.gears.prepare(&mut self.jacobians, &mut self.moving, pass.joints.softness);
+        self.prepare_loops(sources, bodies, &pass.joints);
+        self.prepare_contacts(manifolds, sources, bodies);
+        self.lock_loops(sources, bodies);
     }
 
     /// Applies the last step's impulses to all multibodies.
@@ -244,18 +202,23 @@ impl SolverMultibodies {
         self.warm_loops(bodies, 1.0);
     }
 
-    /// Applies gravity, forces, springs and dampers for `h` seconds, and warm-starts the substep.
+    /// Applies gravity, forces, springs and dampers, and warm-starts the substep.
     pub fn integrate_velocities(
         &mut self,
-        h: Real,
-        params: &IntegrationParameters,
-        tasks: Tasks<'_>,
+        is_first: bool,
+        sources: MultibodySources<'_>,
+        bodies: &mut SolverBodies,
+        pass: &SolverPass<'_>,
     ) {
+        if !is_first {
+            self.follow_loops(sources.world, bodies);
+        }
+        let &SolverPass { params, substep, .. } = pass;
         let (warm_start_coefficient, speed_max) =
             (params.warmstart_coefficient, params.max_linear_velocity());
-        for_each(&mut self.moving, tasks, |moving| {
+        for_each(&mut self.moving, pass.tasks, |moving| {
             moving.pushed.iter_mut().for_each(|pushed| *pushed *= warm_start_coefficient);
-            moving.motion.accelerate(&mut moving.multibody, h, speed_max, &moving.pushed);
+            moving.motion.accelerate(&mut moving.multibody, substep, speed_max, &moving.pushed);
             moving.measure(params.dt);
             moving.add_pushed(1.0);
             moving.root_pushed.iter_mut().for_each(|impulse| *impulse *= warm_start_coefficient);
@@ -266,43 +229,34 @@ impl SolverMultibodies {
         }
     }
 
-    /// Moves all links by their velocities.
+    /// Moves all links by their velocities, and updates the rows that this changes.
     pub fn integrate_positions(
         &mut self,
+        sources: MultibodySources<'_>,
         bodies: &mut SolverBodies,
-        h: Real,
-        speed_max: Real,
-        tasks: Tasks<'_>,
+        pass: &SolverPass<'_>,
     ) {
-        for_each(&mut self.moving, tasks, |moving| moving.advance(h, speed_max));
+        let (h, speed_max) = (pass.substep, pass.params.max_linear_velocity());
+        for_each(&mut self.moving, pass.tasks, |moving| moving.advance(h, speed_max));
         let mut states =
             ConstrainedStates { multibodies: &mut self.moving, states: &mut bodies.states };
         self.joints.follow_balls(&mut self.jacobians, &mut states);
+        self.follow_contacts(sources, bodies);
     }
 
     /// Solves all constraints once, with bias.
-    pub fn solve(
-        &mut self,
-        bodies: &mut SolverBodies,
-        pass: &ContactPass,
-        params: &IntegrationParameters,
-    ) {
-        self.iterate(bodies, pass, params, true);
-        self.limit_push(&mut bodies.states, pass.push_velocity_max);
+    pub fn solve(&mut self, bodies: &mut SolverBodies, pass: &SolverPass<'_>) {
+        self.iterate(bodies, pass, true);
+        self.limit_push(&mut bodies.states, pass.contacts.push_velocity_max);
     }
 
     /// Solves all constraints once, without bias and with friction.
-    pub fn relax(
-        &mut self,
-        bodies: &mut SolverBodies,
-        pass: &ContactPass,
-        params: &IntegrationParameters,
-    ) {
-        self.iterate(bodies, pass, params, false);
+    pub fn relax(&mut self, bodies: &mut SolverBodies, pass: &SolverPass<'_>) {
+        self.iterate(bodies, pass, false);
         let Self { jacobians, joints, loops, contacts, moving, .. } = self;
         let mut states = ConstrainedStates { multibodies: moving, states: &mut bodies.states };
         contacts.solve_friction(jacobians, &mut states);
-        if pass.is_last_iteration {
+        if pass.contacts.is_last_iteration {
             joints.count();
             loops.count();
             contacts.count();
@@ -375,14 +329,9 @@ impl SolverMultibodies {
     }
 
     /// Visits all rows but those of friction.
-    fn iterate(
-        &mut self,
-        bodies: &mut SolverBodies,
-        pass: &ContactPass,
-        params: &IntegrationParameters,
-        bias: bool,
-    ) {
-        let (contact, limit) = (SoftPass::contact(pass), SoftPass::limit(pass, params));
+    fn iterate(&mut self, bodies: &mut SolverBodies, pass: &SolverPass<'_>, bias: bool) {
+        let contact = SoftPass::contact(&pass.contacts);
+        let limit = SoftPass::limit(&pass.contacts, pass.params);
         let Self { jacobians, joints, gears, loops, contacts, moving, .. } = self;
         let mut states = ConstrainedStates { multibodies: moving, states: &mut bodies.states };
         loops.solve(jacobians, &mut states, bias);

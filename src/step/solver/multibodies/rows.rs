@@ -280,7 +280,8 @@ impl JacobianPool {
     pub fn note_time(
         &self,
         row: &Row,
-        (time, gains): (Real, bool),
+        time: Real,
+        gains: bool,
         states: &mut ConstrainedStates<'_>,
     ) {
         let [first, second] = &row.parts;

@@ -1,33 +1,25 @@
 //! Stores the solver's results in multibodies and their bodies.
 
-use super::{Moving, NOT_SOLVED, SolverMultibodies};
+use super::{Moving, SolverMultibodies};
 use crate::base::measure::{COORDINATE_MODERATE_MAX, MODERATE_MAX, is_coordinate};
 use crate::dim::math::{ANG_ZERO, Pose, Real, SPATIAL_DIM, SpatialVector, ang_length_squared};
 use crate::dim::spatial::{angular, linear};
 use crate::model::body::{RigidBodySet, RigidBodyVelocity};
 use crate::model::check::checked_pose;
-use crate::model::contact::NarrowPhase;
-use crate::model::event::JointBreakEvent;
 use crate::model::island::{BodyMotion, IslandManager};
-use crate::model::joint::ImpulseJointSet;
 use crate::model::multibody::{LinkTrajectory, MultibodyJointSet};
-use crate::model::params::IntegrationParameters;
 use crate::step::notes::{Diverged, FastMotion};
+use crate::step::solver::context::SolverContext;
 
 impl SolverMultibodies {
     /// Writes impulses to manifolds and joints, and breaks overloaded joints.
-    pub fn store_constraints(
-        &mut self,
-        joints: &mut ImpulseJointSet,
-        narrow_phase: &mut NarrowPhase,
-        inv_dt: Real,
-        broken: &mut Vec<JointBreakEvent>,
-    ) {
+    fn store_constraints(&mut self, context: &mut SolverContext<'_>) {
+        let SolverContext { narrow_phase, joints, broken, params, .. } = context;
         self.contacts.store(narrow_phase);
         self.joints.store(&mut self.moving, joints);
         self.gears.store(&mut self.moving);
-        self.loops.store(joints, inv_dt);
-        self.joints.add_forces(joints, inv_dt);
+        self.loops.store(joints, params.inv_dt());
+        self.joints.add_forces(joints, params.inv_dt());
         self.loops.break_overloaded(joints, broken);
     }
 
@@ -63,29 +55,22 @@ impl SolverMultibodies {
             if let Some(place) = set.get_unnoted_mut(moving.index) {
                 *place = core::mem::take(&mut moving.multibody);
             }
-            self.positions[moving.index.0.slot()] = NOT_SOLVED;
             self.spare.push(moving);
         }
     }
 
-    /// Writes poses and velocities to bodies, and notes how far each one moved, and how those of fast
-    /// multibodies did. The multibodies go back to their set. Returns how many were slowed down to the
-    /// largest speed.
-    pub fn store(
-        &mut self,
-        set: &mut MultibodyJointSet,
-        (islands, bodies): (&mut IslandManager, &mut RigidBodySet),
-        params: &IntegrationParameters,
-        (fast, trajectories): (&mut Vec<FastMotion>, &mut Vec<LinkTrajectory>),
-    ) -> usize {
+    /// Writes impulses to manifolds and joints, and poses and velocities to bodies. Notes how far each body
+    /// moved, and the trajectories of fast multibodies. The multibodies go back to their set. Returns the
+    /// number of multibodies that were limited to the largest speed.
+    pub fn store(&mut self, context: &mut SolverContext<'_>) -> usize {
+        self.store_constraints(context);
         let mut limited = 0;
         for mut moving in self.moving.drain(..) {
             limited += usize::from(moving.motion.is_limited);
-            moving.store((islands, bodies), params, (fast, trajectories));
-            if let Some(place) = set.get_unnoted_mut(moving.index) {
+            moving.store(context);
+            if let Some(place) = context.multibodies.get_unnoted_mut(moving.index) {
                 *place = core::mem::take(&mut moving.multibody);
             }
-            self.positions[moving.index.0.slot()] = NOT_SOLVED;
             self.spare.push(moving);
         }
         limited
@@ -111,12 +96,8 @@ impl Moving {
         note_travel(&mut self.travel, self.motion.link_velocities_at(rates), h);
     }
 
-    fn store(
-        &mut self,
-        (islands, bodies): (&mut IslandManager, &mut RigidBodySet),
-        params: &IntegrationParameters,
-        (fast, trajectories): (&mut Vec<FastMotion>, &mut Vec<LinkTrajectory>),
-    ) {
+    fn store(&mut self, context: &mut SolverContext<'_>) {
+        let SolverContext { islands, bodies, params, fast, trajectories, .. } = context;
         self.multibody.lists.velocities.clone_from(&self.motion.rates);
         let (first, mut is_fast) = (fast.len(), false);
         for id in 0..self.multibody.links.len() {

@@ -7,3 +7,4 @@ mod friction;
 mod memory;
 mod normal;
 mod scene;
+mod wide;

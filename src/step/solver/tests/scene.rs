@@ -3,7 +3,7 @@
 use crate::base::disjoint::DisjointMut;
 use crate::base::random::Random;
 use crate::base::wide::{Kernel, LANES, Lane, Simd, Wide};
-use crate::dim::contact::{self, ContactBlock, CoulombBlock};
+use crate::dim::contact::{ContactBlock, CoulombBlock};
 use crate::dim::math::{
     ANG_ZERO, AngVector, AngularInertia, DIM, Real, Rotation, Vector, cross, mul_inertia,
     rotation_from_angle, torque, zero_inertia,
@@ -12,8 +12,8 @@ use crate::dim::spatial::join;
 use crate::dim::state::{BodyPose, BodyState, READ_ONLY};
 use crate::model::contact::{AnchorFrame, ContactInput, ContactReport};
 use crate::model::params::{ContactPass, ImpactPass, Softness};
+use crate::step::solver::contacts::{PrepareContext, passes, prepare, store_impulses};
 use crate::step::solver::impacts::{ActiveBlock, ImpactBlock, ImpactMark, NormalRows, lanes};
-use crate::step::solver::store_impulses::store_impulses;
 use parry::shape::{Cuboid, Shape};
 
 /// The lane that tests of one contact use.
@@ -310,12 +310,12 @@ impl Kernel for Run<'_> {
         unsafe {
             match self.pass {
                 Pass::Prepare => {
-                    let context = contact::PrepareContext { poses, states: &states };
+                    let context = PrepareContext { poses, states: &states, prediction };
                     let coulomb = coulomb.as_mut();
-                    contact::prepare::<W>(input, block, coulomb, context, prediction);
+                    prepare::<W>(input, block, coulomb, context);
                 }
-                Pass::Solve => contact::solve::<W>(block, &states, pass),
-                Pass::Relax => contact::relax::<W>(block, coulomb.as_mut(), &states, pass),
+                Pass::Solve => passes::solve::<W>(block, &states, pass),
+                Pass::Relax => passes::relax::<W>(block, coulomb.as_mut(), &states, pass),
                 Pass::Keep => store_impulses::<W>(block, coulomb.as_ref(), input, reports),
                 Pass::Bounce => {
                     let pass = ImpactPass {
@@ -352,7 +352,7 @@ unsafe fn bounce<W: Wide>(
         impact.begin(&rows, block, known, pass);
         impact.mark(&mut mark, &rows, block, pass);
         let mut active = ActiveBlock::EMPTY;
-        lanes(mark.active).for_each(|lane| active.push((0, lane), &impact, block));
+        lanes(mark.active).for_each(|lane| active.push(0, lane, &impact, block));
         active.iterate::<W>(states);
         let mut delays = vec![BodyState::default(); states.len()];
         active.end::<W>(states, &DisjointMut::new(&mut delays));

@@ -236,8 +236,8 @@ fn finish_first_rows<W: Wide, const N: usize>(
     Wrench::load(&block.applied).plus(&added).store(&mut block.applied);
     note_turned(block, Masses::load(block).turned(&added));
     if is_last_of_substep {
-        let totals = (&mut block.total_impulse, &mut block.total_moment);
-        add_to_totals(totals, memory, &rows, &added);
+        let JointBlock { total_impulse, total_moment, .. } = block;
+        add_to_totals(total_impulse, total_moment, memory, &rows, &added);
         store_couple(block, &rows);
     }
 }
@@ -264,7 +264,7 @@ fn count_first_rows<W: Wide, const N: usize>(
 ) {
     let rows = rows_of::<W, N>(memory);
     let added = added(memory, &rows);
-    add_to_totals((&mut impact_impulse.impulse, &mut impact_impulse.moment), memory, &rows, &added);
+    add_to_totals(&mut impact_impulse.impulse, &mut impact_impulse.moment, memory, &rows, &added);
 }
 
 #[inline(always)]
@@ -290,7 +290,8 @@ fn added<W: Wide, const N: usize>(memory: &JacobianBlock, rows: &[Row<W>; N]) ->
 
 #[inline(always)]
 fn add_to_totals<W: Wide, const N: usize>(
-    (total_impulse, total_moment): (&mut WideVector<Lane>, &mut WideAngVector<Lane>),
+    total_impulse: &mut WideVector<Lane>,
+    total_moment: &mut WideAngVector<Lane>,
     memory: &JacobianBlock,
     rows: &[Row<W>; N],
     added: &Wrench<W>,

@@ -5,12 +5,13 @@ use crate::base::disjoint::DisjointMut;
 use crate::base::wide::{LANES, Lane, Wide};
 use crate::dim::joint::{JointedInertias, axes, from_numbers, numbers, point_response};
 use crate::dim::math::{DIM, Real};
-use crate::dim::state::{BodyState, READ_ONLY, WideMotion, gather_states, scatter_states};
+use crate::dim::state::{BodyState, READ_ONLY, WideMotion};
 use crate::dim::wide::{
     ANG_ZERO_LANES, WideAngVector, WideRotation, WideSymmetric, WideVector, ang_lane, cross,
     load_ang, mul_inertia, set_ang_lane, store_ang, torque,
 };
 use crate::model::params::JointPass;
+use crate::step::solver::states::{gather_states, scatter_states};
 
 /// The least compliance of point-to-point joints: half that of other iterated joints. In a net of 100 × 100 a
 /// quarter of it pumps.

@@ -4,7 +4,7 @@ use super::super::load::is_gyroscopic;
 use super::block::PointToPointBlock;
 use crate::dim::math::{Pose, Real, Vector};
 use crate::dim::state::READ_ONLY;
-use crate::model::body::{RigidBody, RigidBodyHandle, RigidBodySet};
+use crate::model::body::{RigidBody, RigidBodySet};
 use crate::model::joint::ImpulseJoint;
 use crate::model::params::JointPass;
 use crate::step::solver::bodies::SolverBodies;
@@ -15,14 +15,18 @@ pub(super) fn load_lane(
     lane: usize,
     joint: &ImpulseJoint,
     set: &RigidBodySet,
-    (bodies, pass): (&SolverBodies, &JointPass),
+    bodies: &SolverBodies,
+    pass: &JointPass,
 ) {
     let substep = pass.substep;
     let (handle1, handle2) = (joint.body1(), joint.body2());
     let (Some(body1), Some(body2)) = (set.get(handle1), set.get(handle2)) else { return };
     let (frame1, frame2) = (&joint.data.local_frame1, &joint.data.local_frame2);
-    let arm1 = load_end(block, 0, lane, (handle1, body1), frame1, (bodies, substep));
-    let arm2 = load_end(block, 1, lane, (handle2, body2), frame2, (bodies, substep));
+    for (side, handle) in [handle1, handle2].into_iter().enumerate() {
+        block.bodies[side][lane] = bodies.index_of(handle.into_raw_parts().0);
+    }
+    let arm1 = load_end(block, 0, lane, body1, frame1, substep);
+    let arm2 = load_end(block, 1, lane, body2, frame2, substep);
     // Differences of positions first: far from the origin these have few digits.
     let separation = (body2.mprops.world_com - body1.mprops.world_com) + (arm2 - arm1);
     block.separation.set_lane(lane, separation);
@@ -38,14 +42,12 @@ fn load_end(
     block: &mut PointToPointBlock,
     side: usize,
     lane: usize,
-    (handle, body): (RigidBodyHandle, &RigidBody),
+    body: &RigidBody,
     frame: &Pose,
-    (bodies, substep): (&SolverBodies, Real),
+    substep: Real,
 ) -> Vector {
     let mprops = &body.mprops;
-    let index = bodies.index_of(handle.into_raw_parts().0);
-    block.bodies[side][lane] = index;
-    if index & READ_ONLY == 0 {
+    if block.bodies[side][lane] & READ_ONLY == 0 {
         block.inv_mass[side].set_lane(lane, mprops.inv_mass);
         block.inertias.set_lane(side, lane, &mprops.inv_inertia, is_gyroscopic(body, substep));
     }

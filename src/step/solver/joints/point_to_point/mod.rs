@@ -19,21 +19,19 @@ mod block;
 mod load;
 mod store;
 
-use super::super::contacts::for_each_color;
-use super::super::layout::Layout;
 use super::BLOCKS_PER_TASK;
 use super::load::JointSources;
-use super::store::is_overloaded;
 use crate::base::disjoint::DisjointMut;
 use crate::base::tasks::Tasks;
-use crate::base::wide::{Kernel, Simd, Wide};
+use crate::base::wide::Simd;
 use crate::dim::math::Real;
 use crate::dim::state::BodyState;
 use crate::model::island::IslandManager;
 use crate::model::joint::{ImpulseJoint, ImpulseJointSet};
 use crate::model::params::JointPass;
+use crate::step::solver::blocks::{Layout, block_kernel, for_each_color};
+use crate::step::solver::joint_rules::is_overloaded;
 use block::{PointToPointBlock, PointToPointPass};
-use core::ops::Range;
 use core::sync::atomic::{AtomicBool, Ordering};
 
 /// All point-to-point joints of a step.
@@ -90,7 +88,7 @@ impl PointToPointJoints {
             for (lane, &slot) in layout.block(index).iter().enumerate() {
                 let link = islands.joints.get(slot);
                 if let Some(joint) = link.and_then(|link| joints.get(link.handle)) {
-                    load::load_lane(&mut block, lane, joint, world, (bodies, pass));
+                    load::load_lane(&mut block, lane, joint, world, bodies, pass);
                 }
             }
             block
@@ -100,7 +98,7 @@ impl PointToPointJoints {
     /// Gives the bodies the impulses with which the step starts.
     pub fn warm_start(&mut self, states: DisjointMut<'_, BodyState>, simd: Simd, tasks: Tasks<'_>) {
         let blocks = DisjointMut::new(&mut self.blocks);
-        for_each_color(self.layout.colors(), (tasks, BLOCKS_PER_TASK), |range| {
+        for_each_color(self.layout.colors(), tasks, BLOCKS_PER_TASK, |range| {
             simd.run(WarmStart { range, blocks, states });
         });
     }
@@ -120,7 +118,7 @@ impl PointToPointJoints {
     ) {
         let pass = PointToPointPass::new(pass);
         let blocks = DisjointMut::new(&mut self.blocks);
-        for_each_color(self.layout.colors(), (tasks, BLOCKS_PER_TASK), |range| {
+        for_each_color(self.layout.colors(), tasks, BLOCKS_PER_TASK, |range| {
             simd.run(Iterate::<BIASED> { range, blocks, states, pass });
         });
     }
@@ -137,7 +135,8 @@ impl PointToPointJoints {
     /// its limit.
     pub fn store(
         &self,
-        (islands, joints): (&IslandManager, &mut ImpulseJointSet),
+        islands: &IslandManager,
+        joints: &mut ImpulseJointSet,
         inv_dt: Real,
         overload: &AtomicBool,
         tasks: Tasks<'_>,
@@ -163,63 +162,30 @@ impl PointToPointJoints {
     }
 }
 
-/// See [`block::warm_start`].
-struct WarmStart<'a> {
-    range: Range<usize>,
-    blocks: DisjointMut<'a, PointToPointBlock>,
-    states: DisjointMut<'a, BodyState>,
-}
-
-impl Kernel for WarmStart<'_> {
-    type Output = ();
-
-    #[inline(always)]
-    fn run<W: Wide>(self) {
-        for index in self.range {
-            // SAFETY: each block belongs to one task, and joints of one colour have no common dynamic body.
-            unsafe { block::warm_start::<W>(self.blocks.get_mut(index), &self.states) };
-        }
+block_kernel! {
+    /// See [`block::warm_start`].
+    struct WarmStart<'a> {
+        blocks: DisjointMut<'a, PointToPointBlock>,
+        states: DisjointMut<'a, BodyState>,
     }
+    |index| block::warm_start::<W>(blocks.get_mut(index), &states)
 }
 
-/// See [`block::iterate`].
-struct Iterate<'a, const BIASED: bool> {
-    range: Range<usize>,
-    blocks: DisjointMut<'a, PointToPointBlock>,
-    states: DisjointMut<'a, BodyState>,
-    pass: PointToPointPass,
-}
-
-impl<const BIASED: bool> Kernel for Iterate<'_, BIASED> {
-    type Output = ();
-
-    #[inline(always)]
-    fn run<W: Wide>(self) {
-        for index in self.range {
-            // SAFETY: each block belongs to one task, joints of one colour have no common dynamic body, and
-            // the colours run in sequence.
-            unsafe {
-                block::iterate::<W, BIASED>(self.blocks.get_mut(index), &self.states, &self.pass);
-            }
-        }
+block_kernel! {
+    /// See [`block::iterate`].
+    struct Iterate<'a, const BIASED: bool> {
+        blocks: DisjointMut<'a, PointToPointBlock>,
+        states: DisjointMut<'a, BodyState>,
+        pass: PointToPointPass,
     }
+    |index| block::iterate::<W, BIASED>(blocks.get_mut(index), &states, &pass)
 }
 
-/// See [`block::turn_back`].
-struct TurnBack<'a> {
-    range: Range<usize>,
-    blocks: DisjointMut<'a, PointToPointBlock>,
-    states: DisjointMut<'a, BodyState>,
-}
-
-impl Kernel for TurnBack<'_> {
-    type Output = ();
-
-    #[inline(always)]
-    fn run<W: Wide>(self) {
-        for index in self.range {
-            // SAFETY: each block belongs to one task, and no thread writes states.
-            unsafe { block::turn_back::<W>(self.blocks.get_mut(index), &self.states) };
-        }
+block_kernel! {
+    /// See [`block::turn_back`].
+    struct TurnBack<'a> {
+        blocks: DisjointMut<'a, PointToPointBlock>,
+        states: DisjointMut<'a, BodyState>,
     }
+    |index| block::turn_back::<W>(blocks.get_mut(index), &states)
 }

@@ -11,7 +11,7 @@ use crate::model::island::NONE;
 
 /// Puts constraints into blocks. Reused from step to step.
 #[derive(Default)]
-pub(super) struct OverflowOrder {
+pub(in crate::step::solver) struct OverflowOrder {
     /// By body slot: the first block behind all that hold one of its constraints.
     behind: Vec<u32>,
     /// By block: itself while it has a free lane, else one that is nearer to the next that has.

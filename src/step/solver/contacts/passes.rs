@@ -1,18 +1,18 @@
 //! The passes over a block: solve and relax in each substep.
 
-use super::block::ContactBlock;
-use super::coulomb::CoulombBlock;
-use super::friction::WideFriction;
-use super::rows::{Frame, NormalImpulse, NormalRow};
 use crate::base::disjoint::DisjointMut;
 use crate::base::wide::Wide;
-use crate::dim2::math::MAX_MANIFOLD_POINTS;
-use crate::dim2::state::{BodyState, WideDisplacement, WideMotion, gather_states, scatter_states};
-use crate::dim2::wide::WideVector;
-use crate::model::params::{ContactPass, Softness};
+use crate::dim::contact::{
+    ContactBlock, CoulombBlock, Frame, NormalImpulse, NormalRow, solve_friction as solve_rows,
+};
+use crate::dim::math::MAX_MANIFOLD_POINTS;
+use crate::dim::state::{BodyState, WideDisplacement, WideMotion};
+use crate::dim::wide::WideVector;
+use crate::model::params::{ContactPass, SoftRow};
+use crate::step::solver::states::{gather_states, scatter_states};
 
 /// Velocities and displacements of a block's two bodies.
-pub(crate) struct Bodies<W> {
+pub(in crate::step::solver) struct Bodies<W> {
     pub velocities: [WideMotion<W>; 2],
     pub displacements: [WideDisplacement<W>; 2],
 }
@@ -54,7 +54,7 @@ impl<W: Wide> Bodies<W> {
 /// # Safety
 /// The caller has exclusive access to the states of the block's bodies.
 #[inline(always)]
-pub(crate) unsafe fn solve<W: Wide>(
+pub(in crate::step::solver) unsafe fn solve<W: Wide>(
     block: &mut ContactBlock,
     states: &DisjointMut<BodyState>,
     pass: &ContactPass,
@@ -76,16 +76,16 @@ pub(crate) unsafe fn solve<W: Wide>(
 /// # Safety
 /// The caller has exclusive access to the states of the block's bodies.
 #[inline(always)]
-pub(crate) unsafe fn relax<W: Wide>(
+pub(in crate::step::solver) unsafe fn relax<W: Wide>(
     block: &mut ContactBlock,
-    _coulomb: Option<&mut CoulombBlock>,
+    coulomb: Option<&mut CoulombBlock>,
     states: &DisjointMut<BodyState>,
     pass: &ContactPass,
 ) {
     // SAFETY: the caller's promise.
     let mut bodies = unsafe { Bodies::<W>::gather(states, block) };
     solve_normals::<W, false>(block, &mut bodies, pass);
-    solve_block_friction(block, None, &mut bodies);
+    bodies.velocities = solve_friction(block, coulomb, bodies.velocities);
     if pass.is_last_iteration {
         for k in 0..MAX_MANIFOLD_POINTS {
             let total = W::load(&block.totals[k]) + W::load(&block.points[k].impulse);
@@ -96,23 +96,18 @@ pub(crate) unsafe fn relax<W: Wide>(
     unsafe { bodies.scatter(states, block) };
 }
 
-/// Solves the friction row once, under the normal impulses as they are.
+/// Solves the friction rows once, central ones or those of the points, under the normal impulses as they are.
 #[inline(always)]
-pub(crate) fn solve_block_friction<W: Wide>(
+pub(in crate::step::solver) fn solve_friction<W: Wide>(
     block: &mut ContactBlock,
-    _coulomb: Option<&mut CoulombBlock>,
-    bodies: &mut Bodies<W>,
-) {
-    let frame = Frame::load(block);
-    let c = WideVector::load(&block.offset);
+    coulomb: Option<&mut CoulombBlock>,
+    velocities: [WideMotion<W>; 2],
+) -> [WideMotion<W>; 2] {
     let mut normal_impulse = W::load(&block.points[0].impulse);
     for point in &block.points[1..] {
         normal_impulse = normal_impulse + W::load(&point.impulse);
     }
-    let mut friction = WideFriction::load(&block.friction);
-    let added = friction.solve(&frame, c, bodies.velocities, normal_impulse);
-    friction.impulse.store(&mut block.friction.impulse);
-    bodies.velocities = friction.apply(added, block, &frame, bodies.velocities);
+    solve_rows(block, coulomb, normal_impulse, velocities)
 }
 
 /// Gauss–Seidel over the points of each lane.
@@ -149,7 +144,7 @@ fn solve_normals<W: Wide, const BIAS: bool>(
 
 /// The relative normal velocities, or displacements, at the points.
 #[inline(always)]
-pub(crate) fn values_at<W: Wide>(
+pub(in crate::step::solver) fn values_at<W: Wide>(
     block: &ContactBlock,
     row: NormalRow<W>,
 ) -> [W; MAX_MANIFOLD_POINTS] {
@@ -158,50 +153,4 @@ pub(crate) fn values_at<W: Wide>(
         *value = row.at(point.place());
     }
     values
-}
-
-/// A [`ContactPass`] in registers.
-struct SoftRow<W> {
-    /// Bias rate times mass scale (1/s).
-    rate: W,
-    mass_scale: W,
-    impulse_scale: W,
-    inv_substep: W,
-    /// Overlap that is left alone.
-    allowed: W,
-    /// Fastest that overlap is undone, downwards.
-    push: W,
-}
-
-impl<W: Wide> SoftRow<W> {
-    #[inline(always)]
-    fn new(pass: &ContactPass) -> Self {
-        let Softness { bias_rate, mass_scale, impulse_scale } = pass.softness;
-        Self {
-            rate: W::splat(bias_rate * mass_scale),
-            mass_scale: W::splat(mass_scale),
-            impulse_scale: W::splat(impulse_scale),
-            inv_substep: W::splat(pass.inv_substep),
-            allowed: W::splat(pass.allowed_error),
-            push: W::splat(-pass.push_velocity_max),
-        }
-    }
-
-    /// Decrease of a point's impulse.
-    #[inline(always)]
-    fn wanted<const BIAS: bool>(&self, velocity: W, separation: W, mass: W, impulse: W) -> W {
-        let zero = W::zero();
-        let apart = zero.lt(separation);
-        // Separated points may close the gap within the substep, and no more.
-        let closing = separation * self.inv_substep;
-        if !BIAS {
-            return mass * (velocity + W::select(apart, closing, zero));
-        }
-        let error = (separation + self.allowed).min(zero);
-        let opening = (error * self.rate).max(self.push);
-        let bias = W::select(apart, closing, opening);
-        let mass_scale = W::select(apart, W::splat(1.0), self.mass_scale);
-        let impulse_scale = W::select(apart, zero, self.impulse_scale);
-        mass * (velocity * mass_scale + bias) + impulse * impulse_scale
-    }
 }

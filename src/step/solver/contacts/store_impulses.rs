@@ -9,7 +9,7 @@ use crate::model::contact::{ContactInput, ContactReport, WideReport};
 ///
 /// A lane in which not all numbers stayed finite starts with none: its bodies would never get rid of them.
 #[inline(always)]
-pub(super) fn store_impulses<W: Wide>(
+pub(in crate::step::solver) fn store_impulses<W: Wide>(
     block: &ContactBlock,
     coulomb: Option<&CoulombBlock>,
     input: &mut ContactInput,

@@ -10,7 +10,7 @@ use core::ops::Range;
 const SPARE: usize = 2;
 
 /// The constraints (as `T` names them) of all blocks.
-pub(super) struct Layout<T> {
+pub(in crate::step::solver) struct Layout<T> {
     /// Block by block, and where those of each block begin.
     members: Vec<T>,
     starts: Vec<usize>,

@@ -138,7 +138,8 @@ impl WheelContact {
     /// A wheel in contact with the mover of this index, now or in the next step. `None` if it has no contact,
     /// or if its axle points into the ground, so that it has no rolling direction.
     pub fn new(
-        (index, wheel): (usize, &Wheel),
+        index: usize,
+        wheel: &Wheel,
         below: &Below,
         ground: usize,
         movers: [&Mover; 2],

@@ -250,7 +250,7 @@ impl DynamicRayCastVehicleController {
             let ground =
                 grounds.index_of(below.collider, bodies, colliders, &self.gives, vehicle.dt);
             let movers = [&*chassis, &grounds.all[ground].mover];
-            contacts.extend(WheelContact::new((index, wheel), &below, ground, movers, vehicle));
+            contacts.extend(WheelContact::new(index, wheel, &below, ground, movers, vehicle));
         }
         for contact in &mut contacts {
             let ground = &mut grounds.all[contact.ground].mover;

@@ -1,1 +1,0 @@
-//! Vehicles drive in 3D only.

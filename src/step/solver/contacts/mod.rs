@@ -1,0 +1,321 @@
+//! Contact constraints: from manifolds to lane-wide blocks, through the passes, and back.
+
+mod load;
+pub(super) mod passes;
+mod prepare;
+mod store_impulses;
+
+use super::blocks::{Layout, OverflowOrder, block_kernel, for_each_color};
+use super::bodies::SolverBodies;
+use super::context::{SolverContext, SolverPass};
+use super::recovery::{Recovery, deep_overlap};
+use crate::base::disjoint::DisjointMut;
+use crate::base::tasks::Tasks;
+use crate::base::wide::{Kernel, LANES, Lane, Wide};
+use crate::dim::contact::{ContactBlock, CoulombBlock};
+use crate::dim::math::Real;
+use crate::dim::state::{BodyPose, BodyState};
+use crate::model::constraint_graph::ManifoldRef;
+use crate::model::contact::{ContactLanes, ContactReport, LaneBlock, NarrowPhase};
+use crate::model::params::{ContactPass, FrictionModel};
+use core::ops::Range;
+use core::sync::atomic::{AtomicBool, Ordering};
+pub(super) use load::ContactSources;
+pub(super) use passes::{Bodies, solve_friction, values_at};
+pub(super) use prepare::{PrepareContext, prepare};
+pub(super) use store_impulses::store_impulses;
+
+/// Blocks that are worth handing over to another thread together (a microsecond or two).
+const BLOCKS_PER_TASK: usize = 8;
+
+/// All contact constraints of a step.
+#[derive(Default)]
+pub(super) struct SolverContacts {
+    /// Blocks of one colour are contiguous.
+    blocks: Vec<ContactBlock>,
+    /// The lanes of the narrow phase while they are borrowed, else an own set.
+    lanes: ContactLanes,
+    are_on_loan: bool,
+    /// Whether the lanes begin with a reduced fraction of the last impulses.
+    lanes_are_scaled: bool,
+    /// By colour, its first block, if each colour is solved in the order of the graph; else empty.
+    starts: Vec<u32>,
+    /// Friction per point of each block; empty with the standard friction model.
+    coulomb: Vec<CoulombBlock>,
+    layout: Layout<ManifoldRef>,
+    overflow: OverflowOrder,
+    /// Manifolds of links, which have no lanes.
+    of_links: Vec<ManifoldRef>,
+    point_count: usize,
+    /// Whether a contact is deep enough that its correction may eject bodies.
+    has_deep_overlap: bool,
+}
+
+impl SolverContacts {
+    /// Number of manifolds.
+    pub fn len(&self) -> usize {
+        self.layout.len()
+    }
+
+    /// Number of contact points in them.
+    pub fn point_count(&self) -> usize {
+        self.point_count
+    }
+
+    /// Discards the results of the step.
+    pub fn give_back(&mut self, narrow_phase: &mut NarrowPhase) {
+        if self.lanes_are_scaled {
+            self.lanes.forget();
+        }
+        if self.are_on_loan {
+            narrow_phase.lanes = core::mem::take(&mut self.lanes);
+        }
+    }
+
+    /// Makes constraints of the manifolds, and gives the bodies last step's impulses.
+    pub fn warm_start(&mut self, bodies: &mut SolverBodies, pass: &SolverPass<'_>) {
+        let &SolverPass { params, simd, tasks, .. } = pass;
+        let per_point = params.friction_model == FrictionModel::Coulomb;
+        let rows = if per_point { self.blocks.len() } else { 0 };
+        self.coulomb.resize(rows, CoulombBlock::EMPTY);
+        let prediction = params.prediction_distance();
+        let (poses, states) = bodies.shared();
+        let lanes = &self.lanes.blocks[..];
+        let blocks = Blocks::new(&mut self.blocks, &mut self.coulomb);
+        let (deep, has_deep_overlap) = (deep_overlap(&pass.contacts), AtomicBool::new(false));
+        for_each_color(self.layout.colors(), tasks, BLOCKS_PER_TASK, |range| {
+            if simd.run(Prepare { range, lanes, blocks, poses, states, prediction, deep }) {
+                has_deep_overlap.store(true, Ordering::Relaxed);
+            }
+        });
+        self.has_deep_overlap = has_deep_overlap.into_inner();
+    }
+
+    /// Notes the islands in which overlap is deep, if there are any. Returns whether there may be.
+    pub fn note_deep_overlaps(
+        &self,
+        recovery: &mut Recovery,
+        bodies: &SolverBodies,
+        pass: &SolverPass<'_>,
+    ) -> bool {
+        recovery.clear();
+        if self.has_deep_overlap {
+            recovery.begin(bodies);
+            let deep = deep_overlap(&pass.contacts);
+            // Blocks beyond the colour's count keep the data of an earlier step.
+            for index in self.layout.colors().iter().flat_map(Clone::clone) {
+                recovery.note(&self.blocks[index], &self.lanes.blocks[index].input, deep, bodies);
+            }
+        }
+        self.has_deep_overlap
+    }
+
+    /// Begins a substep: scales its warm-start impulses as those of bodies.
+    pub fn begin_substep(&mut self, pass: &SolverPass<'_>) {
+        let factor = pass.params.warmstart_coefficient;
+        if factor != 1.0 {
+            let factors = Lane::splat(factor);
+            self.blocks.iter_mut().for_each(|block| block.scale_impulses(&factors));
+            self.coulomb.iter_mut().for_each(|rows| rows.scale_impulses(&factors));
+        }
+    }
+
+    /// Removes the energy that the correction of overlap added to bodies, and the corresponding impulses.
+    pub fn return_gains(&mut self, recovery: &mut Recovery, bodies: &mut SolverBodies) {
+        if !recovery.limit(bodies) {
+            return;
+        }
+        // Blocks that no colour fills name bodies of an earlier step.
+        for index in self.layout.colors().iter().flat_map(Clone::clone) {
+            let block = &mut self.blocks[index];
+            if let Some(factors) = recovery.kept_by(block) {
+                block.scale_impulses(&factors);
+                self.coulomb.get_mut(index).into_iter().for_each(|it| it.scale_impulses(&factors));
+            }
+        }
+    }
+
+    /// Solves all constraints once, with bias.
+    pub fn solve(&mut self, bodies: &mut SolverBodies, pass: &SolverPass<'_>) {
+        let (_, states) = bodies.shared();
+        let blocks = Blocks::new(&mut self.blocks, &mut self.coulomb);
+        let (simd, pass, tasks) = (pass.simd, &pass.contacts, pass.tasks);
+        for_each_color(self.layout.colors(), tasks, BLOCKS_PER_TASK, |range| {
+            simd.run(Solve { range, blocks, states, pass });
+        });
+    }
+
+    /// Solves all constraints once, without bias and with friction.
+    pub fn relax(&mut self, bodies: &mut SolverBodies, pass: &SolverPass<'_>) {
+        let (_, states) = bodies.shared();
+        let blocks = Blocks::new(&mut self.blocks, &mut self.coulomb);
+        let (simd, pass, tasks) = (pass.simd, &pass.contacts, pass.tasks);
+        for_each_color(self.layout.colors(), tasks, BLOCKS_PER_TASK, |range| {
+            simd.run(Relax { range, blocks, states, pass });
+        });
+    }
+
+    /// The blocks of each colour.
+    pub fn colors(&self) -> &[Range<usize>] {
+        self.layout.colors()
+    }
+
+    /// The manifolds of each block.
+    pub fn lanes(&self) -> &[LaneBlock] {
+        &self.lanes.blocks
+    }
+
+    /// The manifolds of links, which have no lanes.
+    pub fn of_links(&self) -> &[ManifoldRef] {
+        &self.of_links
+    }
+
+    /// The blocks, for impacts.
+    pub fn blocks(&mut self) -> Blocks<'_> {
+        Blocks::new(&mut self.blocks, &mut self.coulomb)
+    }
+
+    /// Stores the impulses for the next step, and writes back the manifolds whose lanes are not indexed.
+    pub fn store(&mut self, context: &mut SolverContext<'_>) {
+        let &mut SolverContext { simd, tasks, ref mut narrow_phase, .. } = context;
+        let lanes = DisjointMut::new(&mut self.lanes.blocks);
+        let reports = DisjointMut::new(&mut self.lanes.reports);
+        let blocks = Blocks::new(&mut self.blocks, &mut self.coulomb);
+        let layout = &self.layout;
+        tasks.par_for(layout.block_count(), BLOCKS_PER_TASK, |range| {
+            simd.run(Store { range, layout, lanes, reports, blocks });
+        });
+        self.lanes.are_rough = !self.coulomb.is_empty();
+        for color in self.layout.colors().iter().take_while(|color| self.needs_write_back(color)) {
+            self.write_back(color.clone(), narrow_phase, tasks);
+        }
+        if self.are_on_loan {
+            self.lanes.go_ahead(&self.starts, narrow_phase.contacts.id_bound());
+            narrow_phase.lanes = core::mem::take(&mut self.lanes);
+        }
+    }
+
+    /// Returns whether the blocks of a colour must write back to their manifolds now. The overflow comes
+    /// first, in an order of its own.
+    fn needs_write_back(&self, color: &Range<usize>) -> bool {
+        self.starts.first().is_none_or(|&first| color.start < first as usize)
+    }
+
+    fn write_back(&self, color: Range<usize>, narrow_phase: &mut NarrowPhase, tasks: Tasks<'_>) {
+        let pairs = DisjointMut::new(narrow_phase.contacts.split().pairs);
+        tasks.par_for(color.len(), BLOCKS_PER_TASK, |range| {
+            for index in color.start + range.start..color.start + range.end {
+                let soon = self.layout.block_or_none(index + 1);
+                soon.iter().for_each(|later| pairs.prefetch(later.pair as usize));
+                for (lane, at) in self.layout.block(index).iter().enumerate() {
+                    // SAFETY: the manifolds of a pair have the same bodies, so no two of them have the same
+                    // colour.
+                    if let Some(pair) = unsafe { pairs.get_mut(at.pair as usize) } {
+                        let manifold = &mut pair.manifolds[at.manifold as usize];
+                        self.lanes.write_back_manifold(index, lane, manifold);
+                    }
+                }
+            }
+        });
+    }
+}
+
+/// All blocks, and the friction per point of each if that is wanted.
+#[derive(Clone, Copy)]
+pub(super) struct Blocks<'a> {
+    contacts: DisjointMut<'a, ContactBlock>,
+    coulomb: DisjointMut<'a, CoulombBlock>,
+}
+
+impl<'a> Blocks<'a> {
+    fn new(contacts: &'a mut [ContactBlock], coulomb: &'a mut [CoulombBlock]) -> Self {
+        Self { contacts: DisjointMut::new(contacts), coulomb: DisjointMut::new(coulomb) }
+    }
+
+    /// # Safety
+    /// The caller must own the block with this index exclusively.
+    #[inline(always)]
+    pub unsafe fn get(&self, index: usize) -> (&'a mut ContactBlock, Option<&'a mut CoulombBlock>) {
+        // SAFETY: the caller's promise; every index of a colour is one of a block.
+        unsafe {
+            let block = self.contacts.get_mut(index);
+            let per_point = index < self.coulomb.len();
+            (block, if per_point { Some(self.coulomb.get_mut(index)) } else { None })
+        }
+    }
+}
+
+/// See [`prepare()`].
+struct Prepare<'a> {
+    range: Range<usize>,
+    lanes: &'a [LaneBlock],
+    blocks: Blocks<'a>,
+    poses: &'a [BodyPose],
+    states: DisjointMut<'a, BodyState>,
+    prediction: Real,
+    /// The overlap from which on contacts are reported.
+    deep: Real,
+}
+
+impl Kernel for Prepare<'_> {
+    /// Whether one of the contacts is deep.
+    type Output = bool;
+
+    #[inline(always)]
+    fn run<W: Wide>(self) -> bool {
+        let Self { poses, states, prediction, .. } = self;
+        let mut least = W::zero();
+        for index in self.range {
+            // SAFETY: each block belongs to one task, and constraints of one colour have no common dynamic
+            // body.
+            unsafe {
+                let (block, coulomb) = self.blocks.get(index);
+                let input = &self.lanes[index].input;
+                let context = PrepareContext { poses, states: &states, prediction };
+                prepare::<W>(input, block, coulomb, context);
+                for point in &block.points {
+                    least = least.min(W::load(&point.separation));
+                }
+            }
+        }
+        W::any(least.lt(W::splat(-self.deep)))
+    }
+}
+
+block_kernel! {
+    /// See [`store_impulses`].
+    struct Store<'a> {
+        layout: &'a Layout<ManifoldRef>,
+        lanes: DisjointMut<'a, LaneBlock>,
+        reports: DisjointMut<'a, [ContactReport; LANES]>,
+        blocks: Blocks<'a>,
+    }
+    |index| if !layout.block(index).is_empty() {
+        let (block, coulomb) = blocks.get(index);
+        let input = &mut lanes.get_mut(index).input;
+        store_impulses::<W>(block, coulomb.as_deref(), input, reports.get_mut(index));
+    }
+}
+
+block_kernel! {
+    /// See [`passes::solve`].
+    struct Solve<'a> {
+        blocks: Blocks<'a>,
+        states: DisjointMut<'a, BodyState>,
+        pass: &'a ContactPass,
+    }
+    |index| passes::solve::<W>(blocks.get(index).0, &states, pass)
+}
+
+block_kernel! {
+    /// See [`passes::relax`].
+    struct Relax<'a> {
+        blocks: Blocks<'a>,
+        states: DisjointMut<'a, BodyState>,
+        pass: &'a ContactPass,
+    }
+    |index| {
+        let (block, coulomb) = blocks.get(index);
+        passes::relax::<W>(block, coulomb, &states, pass);
+    }
+}

@@ -1,0 +1,96 @@
+//! The visits of all blocks in an impact: what hits, what is deferred, and friction at the end.
+
+use super::points::NormalRows;
+use super::rows::{ImpactBlock, ImpactMark};
+use super::touched::Touched;
+use crate::base::disjoint::DisjointMut;
+use crate::base::wide::{Kernel, Wide};
+use crate::dim::contact::ContactBlock;
+use crate::dim::state::{BodyState, READ_ONLY};
+use crate::model::params::ImpactPass;
+use crate::step::solver::contacts::Blocks;
+use core::ops::Range;
+
+/// The operation on each block.
+#[derive(Copy, Clone, PartialEq, Eq)]
+pub(super) enum Stage {
+    Begin,
+    Mark,
+    Defer,
+    Friction,
+}
+
+/// A stage, for some blocks.
+pub(super) struct Look<'a> {
+    pub stage: Stage,
+    pub range: Range<usize>,
+    pub contacts: Blocks<'a>,
+    pub impacts: DisjointMut<'a, ImpactBlock>,
+    pub marks: DisjointMut<'a, ImpactMark>,
+    pub states: DisjointMut<'a, BodyState>,
+    /// Velocities of the bodies when the last substep ended, and with its impulses in this one.
+    pub known: [&'a [BodyState]; 2],
+    pub touched: &'a Touched,
+    pub pass: &'a ImpactPass,
+}
+
+impl Kernel for Look<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<W: Wide>(self) {
+        for index in self.range.clone() {
+            // SAFETY: each block belongs to one task. The stage that changes bodies runs colour by colour,
+            // and constraints of one colour have no common dynamic body. The other stages change their block
+            // alone.
+            unsafe { self.look_at::<W>(index) };
+        }
+    }
+}
+
+impl Look<'_> {
+    fn is_changed(&self, block: &ContactBlock) -> bool {
+        let mut movable = block.bodies.iter().flatten().filter(|&body| body & READ_ONLY == 0);
+        movable.any(|&body| self.touched.is_changed(body))
+    }
+
+    /// # Safety
+    /// The caller has exclusive access to the block, and no other thread writes the states of its bodies.
+    #[inline(always)]
+    unsafe fn look_at<W: Wide>(&self, index: usize) {
+        let (states, pass) = (&self.states, self.pass);
+        // SAFETY: the caller's promise.
+        unsafe {
+            let mark = self.marks.get_mut(index);
+            let is_of_interest = match self.stage {
+                Stage::Begin | Stage::Mark => true,
+                Stage::Defer => mark.waits(),
+                Stage::Friction => mark.was_active,
+            };
+            if !is_of_interest {
+                return;
+            }
+            let impact = self.impacts.get_mut(index);
+            let (block, coulomb) = self.contacts.get(impact.at);
+            match self.stage {
+                Stage::Begin => {
+                    if mark.is_aside() {
+                        impact.restore(mark, block);
+                    }
+                    *mark = ImpactMark::default();
+                    let rows = NormalRows::<W>::gather(states, block);
+                    impact.begin(&rows, block, self.known, pass);
+                    impact.mark(mark, &rows, block, pass);
+                }
+                // Unchanged blocks keep their last mark.
+                Stage::Mark if !self.is_changed(block) => {}
+                Stage::Mark => {
+                    let rows = NormalRows::<W>::gather(states, block);
+                    impact.mark(mark, &rows, block, pass);
+                }
+                Stage::Defer => impact.defer(mark, block),
+                Stage::Friction => impact.solve_friction::<W>(block, coulomb, states),
+            }
+        }
+    }
+}

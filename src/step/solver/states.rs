@@ -1,0 +1,128 @@
+//! Body states and poses in registers: one body per lane.
+
+use crate::base::disjoint::DisjointMut;
+use crate::base::wide::{LANES, Wide, gather, gather_adjacent, scatter, scatter_adjacent};
+use crate::dim::math::{AngVector, Real, SPATIAL_DIM, Vector};
+use crate::dim::state::{
+    BodyPose, BodyState, MOTION_LEN, POSE_LEN, READ_ONLY, STATE_LEN, WRITTEN_LEN, WideMotion,
+    WidePose, WideState, motions, numbers, pose,
+};
+
+impl BodyState {
+    /// A body with these velocities that has not moved yet.
+    pub fn new(linvel: Vector, angvel: AngVector) -> Self {
+        let mut state = Self::AT_REST;
+        state.set_velocity(linvel, angvel);
+        state
+    }
+
+    /// Adds to the linear and then the angular components of the velocity.
+    #[inline]
+    pub fn add_velocity(&mut self, change: [Real; SPATIAL_DIM]) {
+        for (value, change) in self.0.iter_mut().zip(change) {
+            *value += change;
+        }
+    }
+
+    /// Adds to the linear and then the angular components of the displacement.
+    #[inline]
+    pub fn add_displacement(&mut self, change: [Real; SPATIAL_DIM]) {
+        for (value, change) in self.0[MOTION_LEN..].iter_mut().zip(change) {
+            *value += change;
+        }
+        self.update_rotation();
+    }
+
+    /// Returns whether all numbers of these states are finite and within a bound.
+    ///
+    /// Counts those that are, place by place and as numbers of the same size, so that several are compared at
+    /// once.
+    pub fn are_within(states: &[Self], bound: Real) -> bool {
+        let mut beyond = [0.0; STATE_LEN];
+        for state in states {
+            for (beyond, value) in beyond.iter_mut().zip(state.0) {
+                *beyond += if value.abs() <= bound { 0.0 } else { 1.0 };
+            }
+        }
+        beyond == [0.0; STATE_LEN]
+    }
+}
+
+/// Reads velocity and displacement of one body per lane.
+///
+/// # Safety
+/// No other thread writes the states of these bodies.
+#[inline(always)]
+pub(super) unsafe fn gather_states<W: Wide>(
+    states: &DisjointMut<BodyState>,
+    indices: &[u32; LANES],
+) -> WideState<W> {
+    let mut rows = [const { &[0.0; STATE_LEN] }; LANES];
+    for (row, &index) in rows.iter_mut().zip(indices) {
+        // SAFETY: the caller's promise.
+        *row = unsafe { &states.get((index & !READ_ONLY) as usize).0 };
+    }
+    motions(gather::<W, STATE_LEN>(rows))
+}
+
+/// Writes the velocity of one body per lane, except read-only ones.
+///
+/// The displacement must be the one that was gathered with it: half a register cannot be written.
+///
+/// # Safety
+/// The caller has exclusive access to the states of the bodies that are not read-only.
+#[inline(always)]
+pub(super) unsafe fn scatter_states<W: Wide>(
+    states: &DisjointMut<BodyState>,
+    indices: &[u32; LANES],
+    state: WideState<W>,
+) {
+    let mut rows = [const { None }; LANES];
+    for (row, &index) in rows.iter_mut().zip(indices) {
+        if index & READ_ONLY == 0 {
+            // SAFETY: the caller's promise.
+            let state = unsafe { states.get_mut(index as usize) };
+            *row = state.0.first_chunk_mut();
+        }
+    }
+    let mut written = [W::zero(); WRITTEN_LEN];
+    written.copy_from_slice(&numbers(state)[..WRITTEN_LEN]);
+    scatter::<W, WRITTEN_LEN>(written, rows);
+}
+
+/// Reads the velocity of one body per lane.
+#[inline(always)]
+pub(super) fn gather_velocities<W: Wide>(
+    states: &[BodyState],
+    indices: &[u32; LANES],
+) -> WideMotion<W> {
+    let mut rows = [const { &[0.0; STATE_LEN] }; LANES];
+    for (row, &index) in rows.iter_mut().zip(indices) {
+        *row = &states[(index & !READ_ONLY) as usize].0;
+    }
+    let (velocity, _) = motions(gather::<W, STATE_LEN>(rows));
+    velocity
+}
+
+/// Reads velocity and displacement of up to [`LANES`] bodies that stand side by side; the other lanes get
+/// zeros.
+#[inline(always)]
+pub(super) fn load_states<W: Wide>(states: &[BodyState]) -> WideState<W> {
+    motions(gather_adjacent(states, |state| &state.0))
+}
+
+/// Writes velocity and displacement of up to [`LANES`] bodies that stand side by side.
+#[inline(always)]
+pub(super) fn store_states<W: Wide>(states: &mut [BodyState], motions: WideState<W>) {
+    scatter_adjacent(numbers(motions), states, |state| &mut state.0);
+}
+
+/// Reads the pose of one body per lane.
+#[inline(always)]
+pub(super) fn gather_poses<W: Wide>(poses: &[BodyPose], indices: &[u32; LANES]) -> WidePose<W> {
+    let mut rows = [const { &[0.0; POSE_LEN] }; LANES];
+    for (row, &index) in rows.iter_mut().zip(indices) {
+        *row = &poses[(index & !READ_ONLY) as usize].0;
+    }
+    pose(gather::<W, POSE_LEN>(rows))
+}
