@@ -1,4 +1,4 @@
-//! Characters that walk, and bodies that follow a target.
+//! Character controllers, and bodies that follow a target.
 
 use super::colliders::OTHERS;
 use super::play::Play;
@@ -7,7 +7,7 @@ use super::rapier::prelude::*;
 use super::values::{some_pose, some_positive, some_real, some_vector};
 use crate::choices::Choices;
 
-/// Walks, or follows.
+/// Moves a character, or a body that follows a target.
 pub fn walk(play: &mut Play<'_>) {
     if play.choices.coin() { walk_as_character(play) } else { follow(play) }
 }
