@@ -3,7 +3,7 @@
 //! They touch each other without overlap, without gravity, and in a separate interaction group. No force acts
 //! on them, so the laws of motion keep them at rest in steps of any length.
 
-use super::colliders::APART;
+use super::colliders::BYSTANDERS;
 use super::dim::cuboid;
 use super::rapier::prelude::*;
 
@@ -24,7 +24,7 @@ pub struct Bystanders {
 
 impl Bystanders {
     pub fn new(world: &mut PhysicsWorld) -> Self {
-        let own = InteractionGroups::new(APART, APART);
+        let own = InteractionGroups::new(BYSTANDERS, BYSTANDERS);
         let mut stand = |height: Real| {
             let body =
                 RigidBodyBuilder::dynamic().translation(Vector::ONE * PLACE + Vector::Y * height);

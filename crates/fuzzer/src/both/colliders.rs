@@ -8,10 +8,10 @@ use super::values::{some_pose, some_positive, some_real, some_vector, within};
 use crate::choices::Choices;
 
 /// Interaction group of the bystanders. No other collider is in it.
-pub const APART: Group = Group::GROUP_32;
+pub const BYSTANDERS: Group = Group::GROUP_32;
 /// Interaction groups of all other colliders.
 pub const OTHERS: InteractionGroups =
-    InteractionGroups::new(APART.complement(), APART.complement());
+    InteractionGroups::new(BYSTANDERS.complement(), BYSTANDERS.complement());
 
 /// Returns a collider of any kind.
 pub fn some_collider(choices: &mut Choices<'_>) -> ColliderBuilder {
