@@ -6,7 +6,7 @@ use rapier::control::*;
 use rapier::prelude::*;
 
 #[test]
-fn impossible_wishes_times_and_poses_move_nobody() {
+fn invalid_translations_times_and_poses_cause_no_motion() {
     let mut walker = Walker::new(level(), vec(0.0, 1.2)).settled();
     for bad in [Real::NAN, Real::INFINITY, Real::NEG_INFINITY, Real::MAX] {
         for wish in [vec(bad, 0.0), vec(0.0, bad), Vector::ONE * bad] {
@@ -26,9 +26,9 @@ fn impossible_wishes_times_and_poses_move_nobody() {
     still(DT, Pose::from_translation(vec(0.0, Real::INFINITY)));
 }
 
-/// A change of velocity is a number, or none, whatever the controller, the time and the target are.
+/// The change of velocity is finite or absent, whatever the controller, the time step and the target.
 #[test]
-fn feedback_of_nonsense_is_a_velocity() {
+fn feedback_of_invalid_input_is_a_velocity() {
     let values = crate::suite::hostile::values::EDGES;
     let body = RigidBodyBuilder::dynamic().translation(vec(1.0, 2.0)).linvel(vec(3.0, 4.0)).build();
     let usable = |change: RigidBodyVelocity| {
@@ -51,7 +51,7 @@ fn feedback_of_nonsense_is_a_velocity() {
 }
 
 #[test]
-fn impossible_settings_move_nobody() {
+fn invalid_settings_cause_no_motion() {
     let mut walker = Walker::new(level(), vec(0.0, 1.2)).settled();
     let good = KinematicCharacterController::default();
     let mut settings = Vec::new();
@@ -82,10 +82,9 @@ fn impossible_settings_move_nobody() {
     }
 }
 
-/// An empty world is free; an up direction of any length will do; angles beyond a quarter turn are a quarter
-/// turn.
+/// An empty world is free, an up direction may have any length, and angles beyond 90° act as 90°.
 #[test]
-fn odd_settings_have_a_meaning() {
+fn unusual_settings_are_accepted() {
     let mut walker = Walker::new(PhysicsWorld::new(), Vector::ZERO);
     assert_eq!(walker.ask(vec(0.1, -0.1)).translation, vec(0.1, -0.1));
     let mut walker = Walker::new(level(), vec(0.0, 1.2)).settled();
@@ -103,9 +102,9 @@ fn odd_settings_have_a_meaning() {
     assert!(walker.ask(vec(0.1, -0.1)).translation.is_finite());
 }
 
-/// Deep inside of something it gets out within a few calls, or at least stays finite.
+/// A character deep inside an obstacle leaves it within a few calls, or at least stays finite.
 #[test]
-fn who_is_buried_gets_out() {
+fn a_buried_character_gets_out() {
     let mut world = PhysicsWorld::new();
     world.insert_collider(cuboid(2.0, 2.0), None);
     let mut walker = Walker::new(world, vec(0.3, 1.5));
@@ -116,7 +115,7 @@ fn who_is_buried_gets_out() {
     assert!(walker.place().y > 2.5 || walker.place().x.abs() > 2.2, "{}", walker.place());
 }
 
-/// Random worlds, wishes and settings: always finite, always the same.
+/// Random worlds, translations and settings give finite and reproducible results.
 #[test]
 fn nothing_panics_and_everything_repeats() {
     let mut state = 12345_u64;
@@ -147,8 +146,7 @@ fn nothing_panics_and_everything_repeats() {
     }
 }
 
-/// Whatever has a shape can be a character: where it goes is finite, and over a level floor it goes
-/// somewhere.
+/// Every shape can be a character: its motion is finite, and over a level floor it is not zero.
 #[test]
 fn all_shapes_can_walk() {
     for shape in crate::dim::hostile::shapes(0.5) {
@@ -161,9 +159,9 @@ fn all_shapes_can_walk() {
     }
 }
 
-/// So can be everything that has a shape what it meets.
+/// Every shape can be an obstacle.
 #[test]
-fn all_shapes_can_be_met() {
+fn all_shapes_can_be_obstacles() {
     for shape in crate::dim::hostile::shapes(1.0) {
         let mut world = level();
         world.insert_collider(shape.translation(vec(2.0, 1.0)), None);
@@ -176,9 +174,9 @@ fn all_shapes_can_be_met() {
     }
 }
 
-/// Sizes and places at the ends of what is usual.
+/// Sizes and positions at the limits of the usual range.
 #[test]
-fn odd_sizes_and_places_do_no_harm() {
+fn unusual_sizes_and_positions_are_harmless() {
     for size in [1.0e-6, 1.0e-3, 1.0e3, 1.0e6] {
         for place in [0.0, 1.0e3, 1.0e6] {
             let mut world = PhysicsWorld::new();
@@ -198,10 +196,10 @@ fn odd_sizes_and_places_do_no_harm() {
     }
 }
 
-/// A shape that is given to `move_shape` never saw the checks of a collider: its sizes may be no numbers, on
-/// floors of every kind.
+/// A shape passed to `move_shape` bypasses the checks of a collider. Its sizes may be NaN, on floors of every
+/// kind.
 #[test]
-fn shapes_without_a_size_move_somewhere_or_nowhere() {
+fn shapes_without_a_size_do_not_panic() {
     for (name, floor) in super::floors::level_floors() {
         let mut world = PhysicsWorld::new();
         for part in floor {
