@@ -1,12 +1,12 @@
-//! Handles that find nothing: stale, foreign, invalid, and far out of range.
+//! Handles without an object: stale, foreign, invalid, and far out of range.
 
 use super::listener::listen;
 use super::scene::Scene;
 use super::world::check;
 use rapier::prelude::*;
 
-/// Handles of bodies that the scene does not hold.
-fn lost_bodies(scene: &mut Scene) -> Vec<RigidBodyHandle> {
+/// Returns handles of bodies that the scene does not contain.
+fn missing_bodies(scene: &mut Scene) -> Vec<RigidBodyHandle> {
     let gone = scene.world.insert_body(RigidBodyBuilder::dynamic());
     scene.world.remove_body(gone);
     let (slot, generation) = scene.body.into_raw_parts();
@@ -22,8 +22,8 @@ fn lost_bodies(scene: &mut Scene) -> Vec<RigidBodyHandle> {
     ]
 }
 
-/// Handles of colliders that the scene does not hold.
-fn lost_colliders(scene: &mut Scene) -> Vec<ColliderHandle> {
+/// Returns handles of colliders that the scene does not contain.
+fn missing_colliders(scene: &mut Scene) -> Vec<ColliderHandle> {
     let gone = scene.world.insert_collider(ColliderBuilder::ball(0.1), None);
     scene.world.remove_collider(gone);
     let (slot, generation) = scene.collider.into_raw_parts();
@@ -44,7 +44,7 @@ fn lost_colliders(scene: &mut Scene) -> Vec<ColliderHandle> {
 fn a_lost_body_is_found_by_nobody() {
     let mut scene = Scene::new();
     let before = scene.world.bodies.len();
-    for lost in lost_bodies(&mut scene) {
+    for lost in missing_bodies(&mut scene) {
         let bodies = &mut scene.world.bodies;
         assert!(!bodies.contains(lost), "{lost:?}");
         assert!(bodies.get(lost).is_none() && bodies.get_mut(lost).is_none(), "{lost:?}");
@@ -65,10 +65,10 @@ fn a_lost_body_is_found_by_nobody() {
 }
 
 #[test]
-fn a_lost_collider_is_found_by_nobody() {
+fn a_missing_collider_is_never_found() {
     let mut scene = Scene::new();
     let before = scene.world.colliders.len();
-    for lost in lost_colliders(&mut scene) {
+    for lost in missing_colliders(&mut scene) {
         let colliders = &mut scene.world.colliders;
         assert!(!colliders.contains(lost), "{lost:?}");
         assert!(colliders.get(lost).is_none() && colliders.get_mut(lost).is_none(), "{lost:?}");
@@ -93,12 +93,12 @@ fn a_lost_collider_is_found_by_nobody() {
 }
 
 #[test]
-fn nothing_is_attached_to_a_lost_body() {
+fn no_collider_is_attached_to_a_missing_body() {
     let mut untouched = Scene::new();
-    lost_bodies(&mut untouched);
+    missing_bodies(&mut untouched);
     let expected = untouched.bystanders_in_the_end();
     let mut scene = Scene::new();
-    for lost in lost_bodies(&mut scene) {
+    for lost in missing_bodies(&mut scene) {
         let parent = scene.collider().parent();
         let PhysicsWorld { colliders, bodies, .. } = &mut scene.world;
         let (_, heard) = listen(|| colliders.set_parent(scene.collider, Some(lost), bodies));
@@ -111,7 +111,7 @@ fn nothing_is_attached_to_a_lost_body() {
         let orphan = &scene.world.colliders[orphan];
         assert!(orphan.parent().is_none() && !orphan.is_enabled(), "{lost:?}");
     }
-    for lost in lost_colliders(&mut scene) {
+    for lost in missing_colliders(&mut scene) {
         let PhysicsWorld { colliders, bodies, .. } = &mut scene.world;
         let (_, heard) = listen(|| colliders.set_parent(lost, Some(scene.body), bodies));
         assert!(heard.iter().any(|text| text.contains(&format!("{lost:?}"))), "{heard:?}");
@@ -120,12 +120,11 @@ fn nothing_is_attached_to_a_lost_body() {
     assert!(scene.bystanders_in_the_end() == expected, "lost handles are felt far away");
 }
 
-/// A joint to a body that was made up goes in the next step, and costs no memory for all the bodies that are
-/// not there.
+/// The next step removes a joint to a forged body handle. It allocates no memory for the slots in between.
 #[test]
-fn nothing_is_joined_to_a_lost_body() {
+fn no_joint_is_attached_to_a_missing_body() {
     let mut scene = Scene::new();
-    let mut lost = lost_bodies(&mut scene);
+    let mut lost = missing_bodies(&mut scene);
     lost.push(RigidBodyHandle::from_raw_parts(4_000_000_000, 7));
     for (k, &lost) in lost.iter().enumerate() {
         let joint = FixedJointBuilder::new().build();
@@ -168,16 +167,16 @@ fn nothing_is_joined_to_a_lost_body() {
 
 /// A capacity is a hint: the memory need not exist.
 #[test]
-fn any_capacity_may_be_wished_for() {
+fn any_capacity_may_be_requested() {
     for capacity in [0, 1, usize::MAX / 2, usize::MAX] {
         assert!(RigidBodySet::with_capacity(capacity).is_empty());
         assert!(ColliderSet::with_capacity(capacity).is_empty());
     }
 }
 
-/// The handle of a slot's last tenant does not find the next one.
+/// The handle of a slot's old object does not find the new one.
 #[test]
-fn a_slot_forgets_its_last_tenant() {
+fn a_reused_slot_invalidates_the_old_handle() {
     let mut scene = Scene::new();
     let old = (scene.body, scene.collider);
     for _ in 0..50 {
@@ -195,8 +194,8 @@ fn a_slot_forgets_its_last_tenant() {
     assert_eq!(scene.world.colliders.len(), 8);
 }
 
-/// Handles of another world may happen to find something here. That is then edited in its place, and
-/// nothing worse happens.
+/// Handles of another world may match an object here. Edits then affect that object, and cause no other
+/// damage.
 #[test]
 fn handles_of_another_world_do_no_harm() {
     let mut home = Scene::new();
@@ -219,13 +218,13 @@ fn handles_of_another_world_do_no_harm() {
     assert!(home.world.bodies.is_empty(), "all slots of the small world were hit");
 }
 
-/// `Index` is the one way to ask that has no way to say no.
+/// Indexing is the only access that panics on a missing object.
 #[test]
 fn only_indexing_panics_and_names_the_handle() {
     use std::panic::{AssertUnwindSafe, catch_unwind};
     let mut scene = Scene::new();
-    let bodies = lost_bodies(&mut scene);
-    let colliders = lost_colliders(&mut scene);
+    let bodies = missing_bodies(&mut scene);
+    let colliders = missing_colliders(&mut scene);
     let message = |result: std::thread::Result<()>| {
         let panic = result.expect_err("a lost handle was indexed");
         *panic.downcast::<String>().expect("a message")
@@ -241,9 +240,9 @@ fn only_indexing_panics_and_names_the_handle() {
     }
 }
 
-/// The same before the first step. Each collider goes with its own body, on whatever thread.
+/// The same holds before the first step. Each collider follows its own body, on any thread.
 #[test]
-fn bodies_can_be_replaced_before_they_are_known() {
+fn bodies_can_be_replaced_before_the_first_step() {
     let mut world = PhysicsWorld::new();
     world.gravity = Vector::ZERO;
     let place = |k: usize| crate::dim::vec(4.0 * k as Real, 0.0);
@@ -272,9 +271,9 @@ fn bodies_can_be_replaced_before_they_are_known() {
     }
 }
 
-/// A `&mut` to a body lets the user replace it by another one. The world must not mix them up.
+/// A `&mut` to a body allows its replacement by another body. The world keeps both apart.
 #[test]
-fn a_body_put_in_the_place_of_another_takes_that_place() {
+fn a_replacing_body_takes_over_the_slot() {
     let mut world = PhysicsWorld::new();
     let ground = RigidBodyBuilder::fixed().translation(crate::dim::vec(0.0, -1.0));
     world.insert(ground, crate::dim::cuboid(20.0, 1.0));
@@ -300,7 +299,7 @@ fn a_body_put_in_the_place_of_another_takes_that_place() {
     world.bodies.remove(handles[0]);
     world.bodies.remove(handles[1]);
     for _ in 0..120 {
-        world.step(); // debug builds check here that all lists agree
+        world.step(); // Debug builds check here that all lists agree.
     }
     assert_eq!(world.bodies.len(), 4);
     assert!(world.bodies.iter().all(|(_, body)| body.position().is_finite()));

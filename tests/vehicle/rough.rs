@@ -74,8 +74,8 @@ fn coasting_gains_no_energy() {
     }
 }
 
-/// A car drives over bumps with random throttle and steering. Speed, rotation and height stay below bounds that
-/// a gain of energy from bumps would exceed.
+/// A car drives over bumps with random throttle and steering. Speed, rotation and height stay below bounds
+/// that a gain of energy from bumps would exceed.
 #[test]
 fn wild_driving() {
     let columns = ["rate", "µ", "fastest (m/s)", "turns (rad/s)", "highest (m)"];

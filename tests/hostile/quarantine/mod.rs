@@ -1,9 +1,9 @@
 //! # Quarantine
 //!
-//! A body whose numbers leave the range in which one can calculate is left where the step found it, disabled,
-//! and reported; the others go on bit for bit as if it had been disabled before the step. Every test here
-//! steps two worlds side by side. One is mistreated. In the other, its *twin*, the user disables the same
-//! bodies before each step. Bodies and events must be the same.
+//! A body whose numbers overflow is disabled at its pose before the step, and reported. All other bodies move
+//! bit for bit as if the user had disabled it before the step. Every test here steps two worlds side by side
+//! and misuses one of them. In the other, its *twin*, the user disables the same bodies before each step.
+//! Bodies and events must be equal.
 
 mod chance;
 mod contacts;
