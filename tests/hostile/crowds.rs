@@ -25,10 +25,10 @@ fn ten_thousand_bodies_at_one_point() {
     const PAIRS_MAX: usize = 8;
     for shape in [ColliderBuilder::ball(0.5), cuboid(0.5, 0.5)] {
         let mut world = heap(COUNT, &shape, PAIRS_MAX);
-        let ((), detected) = listen(|| world.step());
+        let ((), logged) = listen(|| world.step());
         assert!(
-            detected.iter().any(|text| text.contains("max_neighbors_per_collider")),
-            "{detected:?}"
+            logged.iter().any(|text| text.contains("max_neighbors_per_collider")),
+            "{logged:?}"
         );
         let counters = world.physics_pipeline.counters;
         // All but the first few own the maximum number of pairs, and all touch the ground.

@@ -1,4 +1,4 @@
-//! Invalid input is refused with an error that names it, or ignored; other bodies are unaffected.
+//! Invalid input is rejected with an error that names it, or ignored; other bodies are unaffected.
 
 use super::stage::{bob, post};
 use crate::dim::{hinge, vec};
@@ -6,7 +6,7 @@ use crate::suite::physics::stage::{run, world};
 use rapier::prelude::*;
 
 #[test]
-fn bad_values_are_named() {
+fn invalid_values_are_named() {
     let mut joint = GenericJoint::new(JointAxesMask::LOCKED_REVOLUTE_AXES);
     let old = joint;
     let nan = vec(Real::NAN, 0.0);
@@ -31,7 +31,7 @@ fn bad_values_are_named() {
 }
 
 #[test]
-fn joints_of_nobody_go_and_joints_to_oneself_do_nothing() {
+fn joints_of_missing_bodies_are_removed_and_self_joints_do_nothing() {
     let mut world = world(60);
     let body = world.insert_body(bob(1.0, 0.1));
     let set = &mut world.impulse_joints;
@@ -48,7 +48,7 @@ fn joints_of_nobody_go_and_joints_to_oneself_do_nothing() {
 }
 
 #[test]
-fn open_fields_with_nonsense_switch_a_joint_off_until_they_are_mended() {
+fn invalid_public_fields_disable_a_joint_until_repaired() {
     let mut world = world(60);
     let post = post(&mut world, Vector::ZERO);
     let load = world.insert_body(bob(1.0, 0.1));

@@ -3,12 +3,13 @@
 use crate::suite::physics::stage::{G, RATES, run, steps, weightless, world};
 use rapier::prelude::*;
 
-/// Radius of the disc, from its middle to the joint, and its moment of inertia about its axis (mass 1).
+/// Distance from the middle of the disc to the joint, which is also its radius, and its moment of inertia
+/// about its axis (mass 1).
 const RADIUS: Real = 0.5;
 const ARM: Real = 0.2;
 const INERTIA: Real = 0.5 * RADIUS * RADIUS;
 
-/// A disc of mass 1 that spins about the level axis X, and goes round a post at the origin as it should.
+/// Adds a disc of mass 1 that spins about the horizontal axis X, and precesses about a post at the origin.
 fn top(world: &mut PhysicsWorld, spin: Real, round: Real, is_multibody: bool) -> RigidBodyHandle {
     let post = world.insert_body(RigidBodyBuilder::fixed());
     let inertia = Vector::new(INERTIA, 0.5 * INERTIA, 0.5 * INERTIA);
@@ -56,7 +57,7 @@ fn tops_go_round_as_fast_as_the_formula_says() {
                 println!(
                     "{rate} Hz, {spin} rad/s, multibody {is_multibody}: {found:.5} of {exact:.5}, {error:+.4}, sinks {sunk:.4}"
                 );
-                // Second order in the angle of a substep, 0.33 rad at 30 Hz.
+                // The error is of second order in the angle of a substep, 0.33 rad at 30 Hz.
                 let angle = spin * world.integration_parameters.substep();
                 assert!(
                     error.abs() < 0.3 * angle * angle + 0.01,

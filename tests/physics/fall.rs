@@ -27,7 +27,7 @@ fn free_fall() {
             format!("{exact:.5}"),
             format!("{:+.5}", drop - exact),
         ]);
-        // The velocity is a sum over substeps and is itself summed over the time of the fall.
+        // The velocity is a sum over substeps, and is itself summed over the duration of the fall.
         let substeps = 4 * steps(&world, time);
         let tolerance = rounding(substeps, G * time) * time + rounding(substeps, exact);
         table.check("the drop", drop, formula, tolerance);

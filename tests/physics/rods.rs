@@ -5,10 +5,10 @@ use crate::suite::physics::stage::{Dice, G, add_ground, steps, world};
 use crate::suite::physics::table::Table;
 use rapier::prelude::*;
 
-/// Throws of each kind.
+/// Number of throws of each kind.
 const THROWS: u64 = 12;
-/// Half the length and half the thickness (m): the moments about the middle are 355 times that about the rod
-/// itself.
+/// Half the length and half the thickness (m): the moment of inertia about the middle is 355 times that about
+/// the long axis.
 const HALF: [Real; 2] = [0.8, 0.03];
 
 fn shapes() -> [(&'static str, ColliderBuilder); 4] {
@@ -21,8 +21,8 @@ fn shapes() -> [(&'static str, ColliderBuilder); 4] {
     ]
 }
 
-/// The largest energy of a rod in the first two seconds after a throw, as a share of the one that it began
-/// with.
+/// Returns the largest energy of a rod in the first two seconds after a throw, as a fraction of its initial
+/// energy.
 fn largest_energy(
     rate: u32,
     shape: &ColliderBuilder,
