@@ -25,12 +25,12 @@ pub fn turntable() -> Option<(Real, Real)> {
     None
 }
 
-/// A vector.
+/// Returns a vector.
 pub fn vec(x: Real, y: Real) -> Vector {
     Vector::new(x, y)
 }
 
-/// An angle or angular velocity.
+/// Returns an angle or angular velocity.
 pub fn about_z(angle: Real) -> AngVector {
     angle
 }

@@ -202,7 +202,7 @@ fn leaves_cage(rate: Real, speed: Real, seed: Real) -> bool {
     })
 }
 
-/// Between a piston and a wall a ball has nowhere to go. It never passes the wall.
+/// A ball between a piston and a wall never passes the wall.
 #[test]
 fn pistons_push_nothing_through_walls() {
     for speed in [1.0, 10.0, 100.0] {

@@ -79,8 +79,8 @@ fn platforms_carry_sideways() {
     assert!((on_raft(&walker) - before - 1.0).abs() < 1.0e-3);
 }
 
-/// Returns the largest drift of the point below the feet on a platform that tilts (and in 3D rotates) for
-/// four seconds, and the largest deviation of the gap.
+/// Returns the largest drift of the point below the feet, and the largest deviation of the gap. The platform
+/// tilts, and in 3D rotates, for four seconds.
 pub fn rocking() -> (Real, Real) {
     let mut world = PhysicsWorld::new();
     let (raft, _) = world.insert(RigidBodyBuilder::kinematic_velocity_based(), cuboid(5.0, 0.5));

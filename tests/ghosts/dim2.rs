@@ -1,4 +1,4 @@
-//! Grounds whose surface is the line y = 0, made of many pieces, in 2D.
+//! Grounds of many pieces, with the line y = 0 as their surface, in 2D.
 
 use crate::suite::ghosts::lay::{self, add, on_a_body};
 use rapier::parry::math::IVector;

@@ -1,4 +1,4 @@
-//! Grounds whose surface is the plane y = 0, made of many pieces, in 3D.
+//! Grounds of many pieces, with the plane y = 0 as their surface, in 3D.
 
 use crate::suite::ghosts::lay::{self, add, on_a_body};
 use rapier::parry::math::IVector;

@@ -120,7 +120,7 @@ fn require_no_gain(title: &str, chain: Chain, rates: &[u32], throws: usize) {
     }
 }
 
-/// A thrown chain of unlike boards never has more energy than it began with.
+/// A thrown chain of boards with different densities never exceeds its initial energy.
 #[test]
 fn thrown_chains_of_unlike_boards_gain_no_energy() {
     let chain =
@@ -128,8 +128,8 @@ fn thrown_chains_of_unlike_boards_gain_no_energy() {
     require_no_gain("six boards of 1:10:100 on hinges, thrown from 7 m", chain, &RATES, 8);
 }
 
-/// Nor has one that bounces: a board that turns by a radian in a step is hit through joints that turn with
-/// it, and what these take away of a blow is not to be given twice.
+/// The same holds for elastic chains. A board that rotates by a radian in a step is hit through joints that
+/// rotate with it. The impulse that these joints absorb must not be applied twice.
 #[test]
 fn thrown_chains_that_bounce_gain_no_energy() {
     let chain =
@@ -137,8 +137,9 @@ fn thrown_chains_that_bounce_gain_no_energy() {
     require_no_gain("four boards of 1:10:100 that bounce, e = 0.9", chain, &[30, 60], 12);
 }
 
-/// Even chains are solved in sweeps, which feel a blow one joint after the other. One of these begins with
-/// its lower end in the ground, and is hit there as if it had arrived long ago.
+/// Chains of equal boards are solved iteratively, so an impact propagates one joint per iteration. One of
+/// these chains begins with its lower end in the ground, and must be hit there like a chain that arrived
+/// earlier.
 #[test]
 fn thrown_chains_of_like_boards_that_bounce_gain_no_energy() {
     let densities = [1000.0; 3];

@@ -112,7 +112,7 @@ fn most_of_doll(world: &mut PhysicsWorld, limbs: &[RigidBodyHandle], ground: Rea
     most(world, limbs, ground)
 }
 
-/// Eleven limbs are solved in sweeps where nothing holds them, and exactly where they hang.
+/// Eleven limbs are solved iteratively in free flight, and directly when they hang.
 #[test]
 fn dolls_keep_their_energy() {
     for rate in RATES {
@@ -133,10 +133,10 @@ fn dolls_keep_their_energy() {
     }
 }
 
-/// A thin limb of 22 g, held 0.75 and 1.7 m away from its middle by bodies of six and twelve times its mass,
-/// is hit by a box of 570 g at 9 m/s. A fuzzer found it: the places that its joints let it be are curved
-/// within a few millimetres, and their exact solution led to a place far away and to ten times the energy.
-/// Nothing here brings in any: no restitution, no motor.
+/// A thin limb of 22 g is joined to bodies of six and twelve times its mass, 0.75 and 1.7 m away from its
+/// middle. A box of 570 g hits it at 9 m/s. A fuzzer found this case: the joints' constraint surface is
+/// curved within a few millimetres. Their linear solution led to a distant pose and to ten times the energy.
+/// No part of the scene adds energy: there is no restitution and no motor.
 #[test]
 fn a_blow_on_a_limb_that_is_held_far_outside_brings_in_no_energy() {
     let throw = |world: &mut PhysicsWorld, at: Vector, velocity: Vector, shape: ColliderBuilder| {

@@ -1,4 +1,4 @@
-//! Limits hold, anywhere on the circle and beyond it.
+//! Limits of joints, anywhere on the circle and beyond it.
 
 use super::stage::{bob, post};
 use crate::dim::{about_z, angle, hinge, vec, z_of};
@@ -51,8 +51,8 @@ fn hinges_stop_at_their_limits_wherever_these_are() {
     }
 }
 
-/// A joint between limits beyond half a turn starts there: the first angle of a hinge is ambiguous by turns,
-/// and is chosen within the limits.
+/// A joint between limits beyond half a revolution starts there: the first angle of a hinge is ambiguous by
+/// revolutions, and is chosen within the limits.
 #[test]
 fn what_is_put_between_its_limits_stays_there() {
     for limits in [[2.5, 4.0], [3.0, 3.3], [-4.0, -2.5], [0.0, 3.4], [6.0, 7.0], [0.0, 20.0]] {
@@ -113,8 +113,8 @@ impl Wheels {
     }
 }
 
-/// Wheels run into a limit many turns away, in the step in which their speed brings them there, and stay:
-/// also if they turn by more than half of one in each step, or several.
+/// Wheels reach a limit many revolutions away in the step that their speed predicts, and stay there. This
+/// holds for half a revolution and for several revolutions per step.
 #[test]
 fn wheels_that_turn_several_times_in_a_step_stop_at_their_limits() {
     for (rate, speed) in [30, 60].into_iter().flat_map(|rate| {
@@ -149,8 +149,7 @@ fn wheels_that_turn_several_times_in_a_step_stop_at_their_limits() {
     }
 }
 
-/// A motor brings wheels to a place that is many turns away, and not to one that looks like it, however fast
-/// it turns them there.
+/// A motor moves wheels to a target many revolutions away, and not to an equivalent angle, at any speed.
 #[test]
 fn motors_reach_targets_many_turns_away() {
     for rate in [30, 60] {
@@ -243,7 +242,7 @@ fn ropes_lead_round_in_circles() {
     }
 }
 
-/// A pendulum on a rope swings as high after half a minute as at first: taut throughout, it loses nothing.
+/// A pendulum on a rope keeps its amplitude for half a minute: a rope under tension dissipates nothing.
 #[test]
 fn ropes_let_pendulums_swing() {
     for rate in RATES {

@@ -1,4 +1,4 @@
-//! Joined bodies keep their momentum: what joints give to one body they take from the other.
+//! Joints conserve momentum: their impulses on both bodies are opposite.
 
 use super::stage::bob;
 use crate::dim::{about_z, ang_length, hinge, moment, spin_momentum, vec};

@@ -1,4 +1,4 @@
-//! Motors turn as their torque lets them, and get where they should.
+//! Motors accelerate by their torque, and reach their targets.
 
 use super::stage::{bob, falls_through_zero, inertia, period, post};
 use crate::dim::{about_z, angle, hinge, vec, z_of};

@@ -1,4 +1,4 @@
-//! Nets, which are solved in sweeps, come to rest and do not stretch.
+//! Nets, which are solved iteratively, come to rest and do not stretch.
 
 use super::stage::{bob, post};
 use crate::dim::vec;

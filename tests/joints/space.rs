@@ -162,8 +162,8 @@ fn universal_joints_lock_the_twist_alone() {
     assert!(swing(&world, [post, arm]) > 0.5);
 }
 
-/// Returns the force along `axis` of each of three hinges on one line of a door, and the largest transverse
-/// force, as fractions of the weight.
+/// Returns forces of three hinges on one line of a door, as fractions of the weight: each force along `axis`,
+/// and the largest transverse one.
 fn hinges_of_a_door(rate: u32, axis: Vector) -> ([Real; 2], Real) {
     const MASS: Real = 20.0;
     let mut world = world(rate);

@@ -1,4 +1,4 @@
-//! Springs swing with the period of their stiffness, and die down as they are damped.
+//! Springs oscillate with the period of their stiffness, and decay by their damping.
 
 use super::stage::{bob, falls_through_zero, period, post};
 use crate::dim::vec;

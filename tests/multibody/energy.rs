@@ -209,9 +209,9 @@ fn check_trees(seeds: core::ops::Range<u64>, steps: usize, is_judged: impl Fn(&C
 /// of penetration does work against gravity, and heights at a substep's middle are accurate to second order.
 const GAIN_MAX: Real = 0.06;
 
-/// Random trees: chains and branched ones, of all joints, with mass ratios up to 1:10⁴ in space and 1:10
-/// among walls, limits, speeds up to 150 m/s (below that among walls) and restitutions up to 1. Nothing
-/// drives them, so their energy stays or falls.
+/// Random trees have chains and branches of all joints, limits, and restitutions up to 1. Mass ratios are up
+/// to 1:10⁴ in space and 1:10 among walls. Speeds are up to 150 m/s, and lower among walls. There are no
+/// motors, so the energy never increases.
 #[test]
 fn energy_of_random_trees_never_grows() {
     check_trees(0..1000, 40, |case| {
@@ -219,7 +219,7 @@ fn energy_of_random_trees_never_grows() {
     });
 }
 
-/// All of them, for longer. Five trees in a thousand with mass ratios above 1:10 still gain energy when they
+/// All trees, for longer. Five trees in a thousand with mass ratios above 1:10 still gain energy when they
 /// are thrown at walls.
 #[test]
 #[ignore = "fails: uneven trees that hit walls at high speed"]

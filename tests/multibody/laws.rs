@@ -46,7 +46,7 @@ fn largest(numbers: &[Real]) -> Real {
     numbers.iter().fold(1.0, |largest, number| largest.max(number.abs()))
 }
 
-/// `½ q̇ᵀ M q̇` is the energy of all links, for all `q̇`: `M = Σ Jᵀ diag(m, I) J`.
+/// `½ q̇ᵀ M q̇` equals the energy of all links, for all `q̇`: `M = Σ Jᵀ diag(m, I) J`.
 #[test]
 fn the_mass_matrix_agrees_with_the_links() {
     for seed in 0..10 {

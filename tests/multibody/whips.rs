@@ -94,7 +94,8 @@ fn what_hangs_on_long_arms_gains_no_energy_from_the_ground() {
     }
 }
 
-/// Thin walls hold them, whatever the links behind press: a board of 2 cm and a sheet without any thickness.
+/// Chains do not pass thin walls under the pressure of their other links: a board of 2 cm, and a sheet
+/// without thickness.
 #[test]
 fn chains_do_not_whip_through_walls() {
     for is_sheet in [false, true] {

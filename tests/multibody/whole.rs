@@ -43,9 +43,9 @@ fn pair(world: &mut PhysicsWorld, at: Vector, collider: &ColliderBuilder) -> [Ri
     [first, second]
 }
 
-/// Two links, of which one is up to a hundred times as heavy, rotate about each other at 10 rad/s while they
-/// move at 5 m/s through empty space: momentum and energy are constant in any frame. (There are no contacts,
-/// so there is no contact error.)
+/// Two links rotate about each other at 10 rad/s while they move at 5 m/s through empty space. One is up to a
+/// hundred times as heavy. Momentum and energy are constant in any frame. (There are no contacts, so there is
+/// no contact error.)
 #[test]
 fn what_turns_on_its_way_through_space_goes_on() {
     for ratio in [1.0, 10.0, 100.0] {
@@ -119,8 +119,7 @@ fn tumbling_chains_fall_as_all_things_do() {
     }
 }
 
-/// Without friction the ground rotates no body, independent of the motion of the contact in a step: here by
-/// 17 cm.
+/// Without friction the ground rotates no body, independent of the contact's motion per step: here 17 cm.
 #[test]
 fn what_slides_does_not_turn() {
     for hinged in [false, true] {
@@ -149,7 +148,7 @@ fn what_slides_does_not_turn() {
     }
 }
 
-/// A hub with two wheels on hinges rolls on as fast as it began, and the hub does not turn.
+/// A hub with two wheels on hinges keeps rolling at its speed, and the hub does not rotate.
 #[test]
 fn wheels_of_a_multibody_roll() {
     let (radius, speed) = (0.3, 3.0);
@@ -230,8 +229,8 @@ fn arms_on_carriages_turn_on() {
     }
 }
 
-/// Springs of degrees of freedom that nothing damps swing on: at 2 Hz and 240 substeps a second they lose 0.2
-/// % of their swing in three seconds.
+/// Undamped springs of degrees of freedom keep oscillating: at 2 Hz and 240 substeps per second they lose 0.2
+/// % of their amplitude in three seconds.
 #[test]
 fn springs_of_degrees_of_freedom_swing_on() {
     for rate in [60, 120] {

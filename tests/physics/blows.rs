@@ -311,7 +311,7 @@ fn a_break_shot_keeps_momentum_and_energy() {
     }
 }
 
-/// A body without contact is not pushed: its bits stay.
+/// A body without contact is not pushed: its bits are constant.
 #[test]
 fn blows_do_not_reach_across_a_gap() {
     for e in [0.0, 0.5, 1.0] {

@@ -35,7 +35,7 @@ fn free_fall() {
     }
 }
 
-/// Gravity that is scaled by `s` is gravity of `s g`; at 0 a body floats.
+/// Gravity with the scale `s` is `s g`; at 0 a body floats.
 #[test]
 fn gravity_scale() {
     for rate in RATES {
@@ -53,7 +53,7 @@ fn gravity_scale() {
     }
 }
 
-/// Nothing holds a thrown body back: `x = v t`.
+/// A thrown body keeps its velocity: `x = v t`.
 #[test]
 fn throw() {
     for rate in RATES {

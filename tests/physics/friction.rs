@@ -176,8 +176,8 @@ fn ball_rolls() {
     }
 }
 
-/// The friction impulse of each contact can be read in the default model: together they are `µ m g h` of a
-/// box that slides, against its motion, and none is more than `µ` times the normal impulse of its point.
+/// The friction impulse of each contact can be read in the default model. For a sliding box the sum is `µ m g
+/// h`, against its motion. None exceeds `µ` times the normal impulse of its point.
 #[test]
 fn friction_impulses_of_contacts_can_be_read() {
     for friction in [0.1, 0.4, 0.7] {

@@ -31,8 +31,8 @@ impl Table {
         self.rows.push(cells.into());
     }
 
-    /// Fails the test, once the table is complete, unless `figure` of the last row is within
-    /// `tolerance` of what it should be.
+    /// Fails the test, once the table is complete, unless `figure` of the last row is within `tolerance` of
+    /// `expected`.
     pub fn check(&mut self, what: &str, figure: Real, expected: Real, tolerance: Real) {
         let near = (figure - expected).abs() <= tolerance;
         self.require(near, &format!("{what} is {figure}, not {expected} ± {tolerance}"));

@@ -5,8 +5,8 @@ use super::table::Table;
 use crate::dim::{about_z, cuboid, vec};
 use rapier::prelude::*;
 
-/// A pillar that leans too far falls over its lower edge. The edge stands still all the while, so the
-/// contact points there do not move; those of the side that comes down must be found all the same.
+/// A pillar that leans too far falls over its lower edge. The edge is at rest, so the contact points there do
+/// not move. The step must still find the new points of the approaching side.
 #[test]
 fn a_falling_pillar_does_not_sink_in() {
     for rate in RATES {

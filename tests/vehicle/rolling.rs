@@ -217,8 +217,8 @@ fn three_kinds_of_queries() {
     assert_eq!(by_world, by_queries);
 }
 
-/// The drawn pose of a wheel agrees with its rolling. Forwards its top moves ahead, steered to the left its
-/// front moves left (-z, in a view along x with y up), and its drawn axle is the physical one.
+/// The drawn pose of a wheel agrees with its rolling. Forwards, the wheel's top moves ahead. Steered to the
+/// left, its front moves left (-z, in a view along x with y up). Its drawn axle is the physical one.
 #[test]
 fn drawn_as_it_rolls() {
     let mut road = Road::level(60, 1.0);

@@ -1,4 +1,4 @@
-//! Joints, links and mass ratios beyond the range of numbers.
+//! Joints, links and mass ratios that overflow numbers.
 
 use super::stage::{Stage, experiment};
 use crate::dim::{hinge, vec};
