@@ -2,7 +2,7 @@
 //! disables the same bodies in the second.
 
 use super::super::random::Dice;
-use super::stage::{Stage, Taken, step_beside};
+use super::stage::{Stage, Disabled, step_beside};
 use crate::dim::{about_z, vec};
 use rapier::prelude::*;
 
@@ -44,7 +44,7 @@ fn edit_at_random(stage: &mut Stage, dice: &mut Dice) {
 
 #[test]
 fn random_edits_at_random_times() {
-    let mut all: Vec<Taken> = Vec::new();
+    let mut all: Vec<Disabled> = Vec::new();
     for seed in 0..WORLDS {
         let (mut stage, mut twin) = (Stage::new(), Stage::new());
         let mut dice = [Dice::new(seed), Dice::new(seed)];
