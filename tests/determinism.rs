@@ -240,16 +240,16 @@ fn added(world: &mut PhysicsWorld, add: impl FnOnce(&mut PhysicsWorld)) -> Vec<R
 /// while the other heap moves.
 #[test]
 fn determinism_among_strangers() {
-    let run = |strangers: bool| {
+    let run = |has_unrelated: bool| {
         let mut world = PhysicsWorld::new();
         let watched = added(&mut world, |world| heap(world, Vector::ZERO));
         let mut others = Vec::new();
         let mut hashes = Vec::new();
         for step in 0..STEPS {
-            if strangers && step == 20 {
+            if has_unrelated && step == 20 {
                 others = added(&mut world, |world| heap(world, vec(2000.0, 0.0)));
             }
-            if strangers && step > 60 && step % 10 == 0 {
+            if has_unrelated && step > 60 && step % 10 == 0 {
                 others.drain(..5).for_each(|body| drop(world.remove_body(body)));
                 let ball = RigidBodyBuilder::dynamic().translation(vec(2000.0, 20.0));
                 world.insert(ball.linvel(vec(0.0, -90.0)), ColliderBuilder::ball(0.5));
@@ -265,7 +265,7 @@ fn determinism_among_strangers() {
 }
 
 /// Steps the workshop beside unrelated bodies, and compares its bodies with those of a workshop alone.
-fn compare_workshops(add_strangers: impl Fn(&mut PhysicsWorld)) {
+fn compare_workshops(add_unrelated: impl Fn(&mut PhysicsWorld)) {
     let run = |add: &dyn Fn(&mut PhysicsWorld)| {
         let mut world = workshop();
         let watched: Vec<_> = world.bodies.iter().map(|(handle, _)| handle).collect();
@@ -276,7 +276,7 @@ fn compare_workshops(add_strangers: impl Fn(&mut PhysicsWorld)) {
         };
         (0..STEPS).map(run).collect::<Vec<_>>()
     };
-    let (alone, among) = (run(&|_| {}), run(&add_strangers));
+    let (alone, among) = (run(&|_| {}), run(&add_unrelated));
     let first = (0..STEPS).find(|&step| alone[step] != among[step]);
     let bodies = first.map(|step| {
         let pairs = alone[step].iter().zip(&among[step]).enumerate();

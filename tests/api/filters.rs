@@ -30,10 +30,10 @@ fn collision_groups_filter_pairs() {
     let (held, events) = drop_with(set, LEVEL, PLAYER);
     assert!(held && events.len() == 1);
     let (held, events) = drop_with(set, LEVEL, GHOST);
-    assert!(!held && events.is_empty(), "the level does not want to meet ghosts");
+    assert!(!held && events.is_empty(), "the level rejects ghosts");
     let either = InteractionTestMode::Or;
     let (held, _) = drop_with(set, LEVEL.with_test_mode(either), GHOST.with_test_mode(either));
-    assert!(held, "one wish is enough if both agree to that");
+    assert!(held, "one request is enough if both groups agree");
     let (held, events) = drop_with(set, InteractionGroups::all(), InteractionGroups::none());
     assert!(!held && events.is_empty());
 }

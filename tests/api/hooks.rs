@@ -34,8 +34,8 @@ fn a_filter_is_called_for_pairs_with_active_hooks() {
     let (mut world, ground) = world_with_ground();
     let refusal = RejectsAll::default();
     let (kept, _) = add_box(&mut world, vec(0.0, 0.6), plain);
-    let wish = ActiveHooks::FILTER_CONTACT_PAIRS;
-    let (passes, refused) = add_box(&mut world, vec(3.0, 0.6), |c| telling(c).active_hooks(wish));
+    let flags = ActiveHooks::FILTER_CONTACT_PAIRS;
+    let (passes, refused) = add_box(&mut world, vec(3.0, 0.6), |c| telling(c).active_hooks(flags));
     let protocol = Protocol::default();
     for _ in 0..60 {
         world.step_with_events(&refusal, &protocol);
@@ -50,17 +50,17 @@ fn a_filter_is_called_for_pairs_with_active_hooks() {
 
 #[test]
 fn a_filter_is_called_for_sensors() {
-    for wish in [ActiveHooks::empty(), ActiveHooks::FILTER_INTERSECTION_PAIR] {
+    for flags in [ActiveHooks::empty(), ActiveHooks::FILTER_INTERSECTION_PAIR] {
         let (mut world, ground) = world_with_ground();
         let refusal = RejectsAll::default();
-        let zone = telling(cuboid(1.0, 1.0)).sensor(true).active_hooks(wish);
+        let zone = telling(cuboid(1.0, 1.0)).sensor(true).active_hooks(flags);
         let zone = world.insert_collider(zone, None);
         let (_, collider) = add_box(&mut world, vec(0.0, 0.5), plain);
         let protocol = Protocol::default();
         for _ in 0..3 {
             world.step_with_events(&refusal, &protocol);
         }
-        let asked = !wish.is_empty();
+        let asked = !flags.is_empty();
         assert_eq!(refusal.intersections.load(Relaxed) > 0, asked);
         assert_eq!(protocol.collisions().is_empty(), asked);
         assert_eq!(world.intersection_pair(zone, collider), Some(!asked));
@@ -233,8 +233,8 @@ fn events_are_sent_after_a_panic() {
     let (mut world, ground) = world_with_ground();
     world.gravity = Vector::ZERO;
     let (_, collider) = add_box(&mut world, vec(0.0, 0.499), telling);
-    let wish = ActiveHooks::FILTER_INTERSECTION_PAIR;
-    world.insert_collider(cuboid(1.0, 1.0).sensor(true).active_hooks(wish), None);
+    let flags = ActiveHooks::FILTER_INTERSECTION_PAIR;
+    world.insert_collider(cuboid(1.0, 1.0).sensor(true).active_hooks(flags), None);
     let step = AssertUnwindSafe(|| world.step_with_events(&PanicsForSensors, &()));
     assert!(catch_unwind(step).is_err());
     let heard = Protocol::default().of_steps(&mut world, 2);

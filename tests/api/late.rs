@@ -121,8 +121,8 @@ fn several_threads_may_read_at_once() {
             copy.contact_pairs().flat_map(|(.., pair)| numbers(pair)).collect()
         };
         let found: Vec<_> = std::thread::scope(|scope| {
-            let lookers: Vec<_> = (0..4).map(|k| scope.spawn(move || look(k % 2 == 1))).collect();
-            lookers.into_iter().map(|looker| looker.join().expect("no panic")).collect()
+            let readers: Vec<_> = (0..4).map(|k| scope.spawn(move || look(k % 2 == 1))).collect();
+            readers.into_iter().map(|reader| reader.join().expect("no panic")).collect()
         });
         assert!(found.iter().all(|contacts| *contacts == found[0]));
     }

@@ -103,8 +103,8 @@ fn pairs_that_a_hook_rejects_do_not_touch() {
     for hooked in [true, false] {
         let mut world = level();
         let ghost = cuboid(0.5, 2.0).translation(vec(2.0, 2.0)).user_data(7);
-        let wishes = if hooked { ActiveHooks::FILTER_CONTACT_PAIRS } else { ActiveHooks::empty() };
-        world.insert_collider(ghost.active_hooks(wishes), None);
+        let flags = if hooked { ActiveHooks::FILTER_CONTACT_PAIRS } else { ActiveHooks::empty() };
+        world.insert_collider(ghost.active_hooks(flags), None);
         let mut walker = Walker::new(world, vec(0.0, FOOT + OFFSET));
         let hooks = OneWay { platform: ColliderHandle::invalid() };
         let mut contacts = CharacterContacts::new();

@@ -9,8 +9,8 @@ use rapier::prelude::*;
 fn invalid_translations_times_and_poses_cause_no_motion() {
     let mut walker = Walker::new(level(), vec(0.0, 1.2)).settled();
     for bad in [Real::NAN, Real::INFINITY, Real::NEG_INFINITY, Real::MAX] {
-        for wish in [vec(bad, 0.0), vec(0.0, bad), Vector::ONE * bad] {
-            assert_eq!(walker.ask(wish), EffectiveCharacterMovement::default(), "{wish}");
+        for desired in [vec(bad, 0.0), vec(0.0, bad), Vector::ONE * bad] {
+            assert_eq!(walker.compute(desired), EffectiveCharacterMovement::default(), "{desired}");
         }
     }
     let shape = walker.world.colliders[walker.collider].shape();
@@ -75,7 +75,7 @@ fn invalid_settings_cause_no_motion() {
     for controller in settings {
         walker.controller = controller;
         assert_eq!(
-            walker.ask(vec(0.1, -0.1)),
+            walker.compute(vec(0.1, -0.1)),
             EffectiveCharacterMovement::default(),
             "{controller:?}"
         );
@@ -86,20 +86,20 @@ fn invalid_settings_cause_no_motion() {
 #[test]
 fn unusual_settings_are_accepted() {
     let mut walker = Walker::new(PhysicsWorld::new(), Vector::ZERO);
-    assert_eq!(walker.ask(vec(0.1, -0.1)).translation, vec(0.1, -0.1));
+    assert_eq!(walker.compute(vec(0.1, -0.1)).translation, vec(0.1, -0.1));
     let mut walker = Walker::new(level(), vec(0.0, 1.2)).settled();
     for length in [1.0e-20, 7.0, 1.0e20] {
         walker.controller.up = Vector::Y * length;
-        let movement = walker.ask(vec(0.1, -0.1));
+        let movement = walker.compute(vec(0.1, -0.1));
         assert!(movement.grounded && (movement.translation - vec(0.1, 0.0)).length() < 1.0e-4);
     }
     walker.controller.up = Vector::Y;
     for angle in [10.0, -10.0, Real::INFINITY] {
         walker.controller.max_slope_climb_angle = angle;
-        assert!(walker.ask(vec(0.1, -0.1)).translation.is_finite());
+        assert!(walker.compute(vec(0.1, -0.1)).translation.is_finite());
     }
     walker.controller.offset = CharacterLength::Absolute(0.0);
-    assert!(walker.ask(vec(0.1, -0.1)).translation.is_finite());
+    assert!(walker.compute(vec(0.1, -0.1)).translation.is_finite());
 }
 
 /// A character deep inside an obstacle leaves it within a few calls, or at least stays finite.
@@ -135,10 +135,10 @@ fn nothing_panics_and_everything_repeats() {
         walker.controller.autostep = Some(CharacterAutostep::default());
         walker.controller.slide = random(0.0, 1.0) > 0.2;
         for _ in 0..20 {
-            let wish = vec(random(-0.3, 0.3), random(-0.3, 0.1));
-            let movement = walker.ask(wish);
+            let desired = vec(random(-0.3, 0.3), random(-0.3, 0.1));
+            let movement = walker.compute(desired);
             assert!(movement.translation.is_finite());
-            assert_eq!(movement, walker.ask(wish));
+            assert_eq!(movement, walker.compute(desired));
             let next = walker.place() + movement.translation;
             walker.world.bodies[walker.body].set_next_kinematic_translation(next);
             walker.world.step();
@@ -186,7 +186,7 @@ fn unusual_sizes_and_positions_are_harmless() {
             let mut walker = Walker::of(world, shape, vec(place, 1.6 * size));
             walker.controller.autostep = Some(CharacterAutostep::default());
             for _ in 0..20 {
-                let movement = walker.ask(vec(size, -size) * 0.05);
+                let movement = walker.compute(vec(size, -size) * 0.05);
                 assert!(movement.translation.is_finite());
                 let next = walker.place() + movement.translation;
                 walker.world.bodies[walker.body].set_next_kinematic_translation(next);
@@ -213,8 +213,8 @@ fn shapes_without_a_size_do_not_panic() {
                 [SharedShape::ball(value), SharedShape::new(Cuboid::new(Vector::splat(value)))]
             {
                 let pose = Pose::from_translation(vec(0.3, 0.4));
-                let wish = vec(0.3, -0.1);
-                let movement = controller.move_shape(DT, &queries, &*shape, &pose, wish, |_| ());
+                let desired = vec(0.3, -0.1);
+                let movement = controller.move_shape(DT, &queries, &*shape, &pose, desired, |_| ());
                 assert!(movement.translation.is_finite(), "{value} on {name}");
             }
         }

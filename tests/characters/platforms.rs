@@ -118,7 +118,7 @@ fn the_ground_velocity_includes_rotation() {
     let (raft, raft_collider) = world.insert(raft, cuboid(5.0, 0.5));
     let mut walker = Walker::new(world, vec(2.0, 0.5 + FOOT + OFFSET));
     walker.world.bodies[raft].set_angvel(about_z(0.2), true);
-    let movement = walker.ask(vec(0.0, -0.01));
+    let movement = walker.compute(vec(0.0, -0.01));
     let ground = movement.ground.expect("it stands on the raft");
     assert_eq!(ground.collider, raft_collider);
     let (bodies, colliders) = (&walker.world.bodies, &walker.world.colliders);

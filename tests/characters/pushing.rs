@@ -24,7 +24,7 @@ fn pushed(mass: Real) -> Real {
     let (crate_body, _) =
         world.insert(crate_body.lock_rotations(), cuboid(0.5, 0.5).density(0.0).mass(mass));
     let mut walker = Walker::new(world, vec(0.0, middle));
-    walker.ask(vec(3.0, 0.0) * DT);
+    walker.compute(vec(3.0, 0.0) * DT);
     push(&mut walker, DT, MASS);
     walker.world.bodies[crate_body].linvel().x
 }
@@ -64,8 +64,8 @@ fn collisions_are_reported() {
     let mut world = level();
     let wall = world.insert_collider(cuboid(1.0, 5.0).translation(vec(2.0, 5.0)), None);
     let mut walker = Walker::new(world, vec(0.0, 1.2)).settled();
-    let wish = vec(1.0, -0.1);
-    let movement = walker.ask(wish);
+    let desired = vec(1.0, -0.1);
+    let movement = walker.compute(desired);
     let of_wall: Vec<_> = walker.collisions.iter().filter(|c| c.handle == wall).collect();
     assert_eq!(
         (of_wall.len(), walker.collisions.len()),
@@ -76,7 +76,7 @@ fn collisions_are_reported() {
     assert!((collision.normal() + Vector::X).length() < 1.0e-3, "{}", collision.normal());
     assert!((collision.translation_applied.x - movement.translation.x).abs() < 1.0e-3);
     let left = collision.translation_remaining.x + collision.translation_applied.x;
-    assert!((left - wish.x).abs() < 1.0e-3, "{collision:?}");
+    assert!((left - desired.x).abs() < 1.0e-3, "{collision:?}");
     assert!((collision.point().x - (movement.translation.x + CAPSULE.1)).abs() < OFFSET);
     let on_wall = collision.hit.witness1;
     assert!((on_wall.x - 1.0).abs() < OFFSET, "{on_wall}");
@@ -89,7 +89,7 @@ fn a_character_without_mass_pushes_nothing() {
     let (body, _) = world
         .insert(RigidBodyBuilder::dynamic().translation(vec(0.7, 1.0)), ColliderBuilder::ball(0.3));
     let mut walker = Walker::new(world, vec(0.0, 1.0));
-    walker.ask(vec(0.5, 0.0));
+    walker.compute(vec(0.5, 0.0));
     let before = walker.world.bodies[body].vels();
     for (dt, mass) in [(DT, 0.0), (DT, Real::NAN), (DT, -1.0), (0.0, MASS), (Real::INFINITY, MASS)]
     {

@@ -56,7 +56,7 @@ impl Walker {
     }
 
     /// Returns the controller's result without applying it.
-    pub fn ask(&mut self, wish: Vector) -> EffectiveCharacterMovement {
+    pub fn compute(&mut self, desired: Vector) -> EffectiveCharacterMovement {
         self.collisions.clear();
         let filter = QueryFilter::default().exclude_rigid_body(self.body);
         let collider = &self.world.colliders[self.collider];
@@ -66,7 +66,7 @@ impl Walker {
             &self.world.query_pipeline_with_filter(filter),
             collider.shape(),
             collider.position(),
-            wish,
+            desired,
             |collision| collisions.push(collision),
         )
     }
@@ -74,7 +74,7 @@ impl Walker {
     /// Moves by a desired velocity for a step, with gravity. Returns the effective movement.
     pub fn step(&mut self, velocity: Vector) -> EffectiveCharacterMovement {
         self.fall = if self.grounded { 0.0 } else { self.fall } - 9.81 * DT;
-        let movement = self.ask((velocity + Vector::Y * self.fall) * DT);
+        let movement = self.compute((velocity + Vector::Y * self.fall) * DT);
         self.grounded = movement.grounded;
         let (bodies, colliders) = (&self.world.bodies, &self.world.colliders);
         let ride = match movement.ground {

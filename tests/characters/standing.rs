@@ -50,9 +50,9 @@ fn a_capsule_in_a_valley_or_at_a_wall_keeps_its_place() {
 #[test]
 fn free_motion_is_exact() {
     let mut walker = Walker::new(level(), vec(0.0, 50.0));
-    let wish = vec(0.37, -0.11);
-    assert_eq!(walker.ask(wish).translation, wish);
-    assert!(!walker.ask(wish).grounded);
+    let desired = vec(0.37, -0.11);
+    assert_eq!(walker.compute(desired).translation, desired);
+    assert!(!walker.compute(desired).grounded);
 }
 
 /// A fall ends at the offset, whatever its speed, in one step.
@@ -80,7 +80,7 @@ fn jumps_leave_the_ground() {
     let (mut velocity, mut highest): (Real, Real) = (4.0, 0.0);
     for step in 0..60 {
         velocity -= 9.81 * DT;
-        let movement = walker.ask(vec(0.0, velocity * DT));
+        let movement = walker.compute(vec(0.0, velocity * DT));
         assert!(step > 10 || !movement.grounded, "still on the ground in step {step}");
         let next = walker.place() + movement.translation;
         walker.world.bodies[walker.body].set_next_kinematic_translation(next);

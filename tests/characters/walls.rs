@@ -43,10 +43,10 @@ fn walls_take_away_what_goes_into_them_and_nothing_else() {
         let ball = ColliderBuilder::ball(0.3);
         let mut walker = Walker::of(world, ball, away * 0.5);
         walker.controller.up = along;
-        let wish = along * 0.05 - away * 0.02;
+        let desired = along * 0.05 - away * 0.02;
         let mut way = Vector::ZERO;
         for _ in 0..120 {
-            let movement = walker.ask(wish);
+            let movement = walker.compute(desired);
             let next = walker.place() + movement.translation;
             walker.world.bodies[walker.body].set_next_kinematic_translation(next);
             walker.world.step();
@@ -75,7 +75,7 @@ fn corners_hold_still() {
         // The lower side of the corner is a floor.
         let mut walker = Walker::of(world, ColliderBuilder::ball(0.3), vec(0.0, 0.0));
         for step in 0..400 {
-            let movement = walker.ask(vec(0.1, -0.01));
+            let movement = walker.compute(vec(0.1, -0.01));
             let next = walker.place() + movement.translation;
             walker.world.bodies[walker.body].set_next_kinematic_translation(next);
             walker.world.step();
@@ -97,14 +97,14 @@ pub fn corridor(extra: Real) -> Real {
     let mut walker = Walker::of(world, ColliderBuilder::ball(0.3), vec(0.0, 0.0));
     let mut error: Real = 0.0;
     for _ in 0..60 {
-        let movement = walker.ask(vec(0.05, 0.01));
+        let movement = walker.compute(vec(0.05, 0.01));
         error = error.max((movement.translation.x / 0.05 - 1.0).abs());
         let next = walker.place() + movement.translation;
         walker.world.bodies[walker.body].set_next_kinematic_translation(next);
         walker.world.step();
         assert!(walker.place().y.abs() < 0.006 * (1.0 + extra.abs()), "{}", walker.place());
     }
-    let rest = walker.ask(Vector::ZERO).translation.length();
+    let rest = walker.compute(Vector::ZERO).translation.length();
     assert!(rest < 2.0e-3, "{extra}: trembles by {rest}");
     error
 }
@@ -182,9 +182,9 @@ fn a_character_without_sliding_stops() {
     assert!((walker.place().x - 1.0).abs() < 0.01, "{}", walker.place());
     walker.steps(120, vec(2.0, 0.0));
     let place = walker.place();
-    let jump = walker.ask(vec(0.1, 0.1));
+    let jump = walker.compute(vec(0.1, 0.1));
     assert!(jump.translation.length() < 0.02, "{jump:?} at {place}");
     walker.controller.slide = true;
-    let jump = walker.ask(vec(0.1, 0.1));
+    let jump = walker.compute(vec(0.1, 0.1));
     assert!(jump.translation.y > 0.05, "{jump:?} at {place}");
 }

@@ -44,7 +44,7 @@ fn pairs_of_sensors_grow_with_their_number() {
 
 /// A sensor reports any number of bodies of its size or smaller, inserted before or after it.
 #[test]
-fn a_sensor_reports_any_number_of_visitors() {
+fn a_sensor_reports_any_number_of_bodies() {
     const COUNT: usize = 200;
     for size in [0.5, 0.1] {
         for place in [0, COUNT / 2, COUNT] {
@@ -61,8 +61,8 @@ fn a_sensor_reports_any_number_of_visitors() {
                 }
             }
             world.step();
-            let visitors = sensor.map(|it| world.narrow_phase.intersection_pairs_with(it).count());
-            assert_eq!(visitors, Some(COUNT), "size {size}, sensor in place {place}");
+            let reported = sensor.map(|it| world.narrow_phase.intersection_pairs_with(it).count());
+            assert_eq!(reported, Some(COUNT), "size {size}, sensor in place {place}");
             assert_eq!(world.physics_pipeline.counters.cd.ncrowded_sensors, 0);
         }
     }

@@ -44,17 +44,17 @@ fn missing_colliders(scene: &mut Scene) -> Vec<ColliderHandle> {
 fn a_lost_body_is_found_by_nobody() {
     let mut scene = Scene::new();
     let before = scene.world.bodies.len();
-    for lost in missing_bodies(&mut scene) {
+    for missing in missing_bodies(&mut scene) {
         let bodies = &mut scene.world.bodies;
-        assert!(!bodies.contains(lost), "{lost:?}");
-        assert!(bodies.get(lost).is_none() && bodies.get_mut(lost).is_none(), "{lost:?}");
-        assert!(bodies.remove(lost).is_none(), "{lost:?}");
-        let pair = bodies.get_pair_mut(lost, scene.body);
-        assert!(pair.0.is_none() && pair.1.is_some(), "{lost:?}");
-        let pair = bodies.get_pair_mut(scene.body, lost);
-        assert!(pair.0.is_some() && pair.1.is_none(), "{lost:?}");
-        assert!(scene.world.remove_body(lost).is_none(), "{lost:?}");
-        scene.world.wake_up(lost, true);
+        assert!(!bodies.contains(missing), "{missing:?}");
+        assert!(bodies.get(missing).is_none() && bodies.get_mut(missing).is_none(), "{missing:?}");
+        assert!(bodies.remove(missing).is_none(), "{missing:?}");
+        let pair = bodies.get_pair_mut(missing, scene.body);
+        assert!(pair.0.is_none() && pair.1.is_some(), "{missing:?}");
+        let pair = bodies.get_pair_mut(scene.body, missing);
+        assert!(pair.0.is_some() && pair.1.is_none(), "{missing:?}");
+        assert!(scene.world.remove_body(missing).is_none(), "{missing:?}");
+        scene.world.wake_up(missing, true);
     }
     let pair = scene.world.bodies.get_pair_mut(scene.body, scene.body);
     assert!(pair.0.is_some() && pair.1.is_none(), "one body cannot be borrowed twice");
@@ -68,21 +68,24 @@ fn a_lost_body_is_found_by_nobody() {
 fn a_missing_collider_is_never_found() {
     let mut scene = Scene::new();
     let before = scene.world.colliders.len();
-    for lost in missing_colliders(&mut scene) {
+    for missing in missing_colliders(&mut scene) {
         let colliders = &mut scene.world.colliders;
-        assert!(!colliders.contains(lost), "{lost:?}");
-        assert!(colliders.get(lost).is_none() && colliders.get_mut(lost).is_none(), "{lost:?}");
-        let pair = colliders.get_pair_mut(lost, scene.collider);
-        assert!(pair.0.is_none() && pair.1.is_some(), "{lost:?}");
-        let pair = colliders.get_pair_mut(scene.collider, lost);
-        assert!(pair.0.is_some() && pair.1.is_none(), "{lost:?}");
+        assert!(!colliders.contains(missing), "{missing:?}");
+        assert!(
+            colliders.get(missing).is_none() && colliders.get_mut(missing).is_none(),
+            "{missing:?}"
+        );
+        let pair = colliders.get_pair_mut(missing, scene.collider);
+        assert!(pair.0.is_none() && pair.1.is_some(), "{missing:?}");
+        let pair = colliders.get_pair_mut(scene.collider, missing);
+        assert!(pair.0.is_some() && pair.1.is_none(), "{missing:?}");
         let world = &mut scene.world;
-        assert!(world.remove_collider(lost).is_none(), "{lost:?}");
-        assert!(world.contact_pair(lost, scene.collider).is_none(), "{lost:?}");
-        assert!(world.contact_pair(lost, lost).is_none(), "{lost:?}");
-        assert_eq!(world.contact_pairs_with(lost).count(), 0, "{lost:?}");
-        assert!(world.intersection_pair(scene.collider, lost).is_none(), "{lost:?}");
-        assert_eq!(world.intersection_pairs_with(lost).count(), 0, "{lost:?}");
+        assert!(world.remove_collider(missing).is_none(), "{missing:?}");
+        assert!(world.contact_pair(missing, scene.collider).is_none(), "{missing:?}");
+        assert!(world.contact_pair(missing, missing).is_none(), "{missing:?}");
+        assert_eq!(world.contact_pairs_with(missing).count(), 0, "{missing:?}");
+        assert!(world.intersection_pair(scene.collider, missing).is_none(), "{missing:?}");
+        assert_eq!(world.intersection_pairs_with(missing).count(), 0, "{missing:?}");
     }
     let pair = scene.world.colliders.get_pair_mut(scene.collider, scene.collider);
     assert!(pair.0.is_some() && pair.1.is_none(), "one collider cannot be borrowed twice");
@@ -98,54 +101,54 @@ fn no_collider_is_attached_to_a_missing_body() {
     missing_bodies(&mut untouched);
     let expected = untouched.bystanders_in_the_end();
     let mut scene = Scene::new();
-    for lost in missing_bodies(&mut scene) {
+    for missing in missing_bodies(&mut scene) {
         let parent = scene.collider().parent();
         let PhysicsWorld { colliders, bodies, .. } = &mut scene.world;
-        let (_, heard) = listen(|| colliders.set_parent(scene.collider, Some(lost), bodies));
-        assert!(heard.iter().any(|text| text.contains(&format!("{lost:?}"))), "{heard:?}");
-        assert_eq!(scene.collider().parent(), parent, "{lost:?}");
+        let (_, heard) = listen(|| colliders.set_parent(scene.collider, Some(missing), bodies));
+        assert!(heard.iter().any(|text| text.contains(&format!("{missing:?}"))), "{heard:?}");
+        assert_eq!(scene.collider().parent(), parent, "{missing:?}");
 
         let ball = ColliderBuilder::ball(0.5);
-        let (orphan, heard) = listen(|| scene.world.insert_collider(ball, Some(lost)));
-        assert!(heard.iter().any(|text| text.contains(&format!("{lost:?}"))), "{heard:?}");
+        let (orphan, heard) = listen(|| scene.world.insert_collider(ball, Some(missing)));
+        assert!(heard.iter().any(|text| text.contains(&format!("{missing:?}"))), "{heard:?}");
         let orphan = &scene.world.colliders[orphan];
-        assert!(orphan.parent().is_none() && !orphan.is_enabled(), "{lost:?}");
+        assert!(orphan.parent().is_none() && !orphan.is_enabled(), "{missing:?}");
     }
-    for lost in missing_colliders(&mut scene) {
+    for missing in missing_colliders(&mut scene) {
         let PhysicsWorld { colliders, bodies, .. } = &mut scene.world;
-        let (_, heard) = listen(|| colliders.set_parent(lost, Some(scene.body), bodies));
-        assert!(heard.iter().any(|text| text.contains(&format!("{lost:?}"))), "{heard:?}");
-        colliders.set_parent(lost, None, bodies);
+        let (_, heard) = listen(|| colliders.set_parent(missing, Some(scene.body), bodies));
+        assert!(heard.iter().any(|text| text.contains(&format!("{missing:?}"))), "{heard:?}");
+        colliders.set_parent(missing, None, bodies);
     }
-    assert!(scene.bystanders_in_the_end() == expected, "lost handles are felt far away");
+    assert!(scene.bystanders_in_the_end() == expected, "missing handles are felt far away");
 }
 
 /// The next step removes a joint to a forged body handle. It allocates no memory for the slots in between.
 #[test]
 fn no_joint_is_attached_to_a_missing_body() {
     let mut scene = Scene::new();
-    let mut lost = missing_bodies(&mut scene);
-    lost.push(RigidBodyHandle::from_raw_parts(4_000_000_000, 7));
-    for (k, &lost) in lost.iter().enumerate() {
+    let mut missing = missing_bodies(&mut scene);
+    missing.push(RigidBodyHandle::from_raw_parts(4_000_000_000, 7));
+    for (k, &missing) in missing.iter().enumerate() {
         let joint = FixedJointBuilder::new().build();
-        let ends = if k % 2 == 0 { [lost, scene.body] } else { [scene.body, lost] };
+        let ends = if k % 2 == 0 { [missing, scene.body] } else { [scene.body, missing] };
         let kept = scene.world.impulse_joints.insert(ends[0], ends[1], joint, true);
-        let gone = scene.world.impulse_joints.insert(lost, lost, joint, true);
-        assert_eq!(scene.world.impulse_joints.attached_joints(lost).count(), 2, "{lost:?}");
-        assert!(scene.world.impulse_joints.remove(gone, true).is_some(), "{lost:?}");
-        assert_eq!(scene.world.impulse_joints.joints_between(lost, scene.body).count(), 1);
-        scene.world.impulse_joints.remove_joints_attached_to_rigid_body(lost);
-        assert!(scene.world.impulse_joints.get(kept).is_none(), "{lost:?}");
+        let gone = scene.world.impulse_joints.insert(missing, missing, joint, true);
+        assert_eq!(scene.world.impulse_joints.attached_joints(missing).count(), 2, "{missing:?}");
+        assert!(scene.world.impulse_joints.remove(gone, true).is_some(), "{missing:?}");
+        assert_eq!(scene.world.impulse_joints.joints_between(missing, scene.body).count(), 1);
+        scene.world.impulse_joints.remove_joints_attached_to_rigid_body(missing);
+        assert!(scene.world.impulse_joints.get(kept).is_none(), "{missing:?}");
         listen(|| {
             scene.world.impulse_joints.insert(ends[0], ends[1], joint, true);
             scene.world.multibody_joints.insert(ends[0], ends[1], joint, true);
-            scene.world.multibody_joints.remove_joints_attached_to_rigid_body(lost);
+            scene.world.multibody_joints.remove_joints_attached_to_rigid_body(missing);
             scene.world.multibody_joints.insert(ends[0], ends[1], joint, true);
         });
-        scene.world.wake_up(lost, true);
+        scene.world.wake_up(missing, true);
         scene.world.step();
-        assert!(scene.world.impulse_joints.is_empty(), "{lost:?}");
-        assert!(scene.world.multibody_joints.is_empty(), "{lost:?}");
+        assert!(scene.world.impulse_joints.is_empty(), "{missing:?}");
+        assert!(scene.world.multibody_joints.is_empty(), "{missing:?}");
     }
     assert!(scene.world.impulse_joints.get_unknown_gen(u32::MAX).is_none());
     assert!(scene.world.multibody_joints.get_unknown_gen(u32::MAX).is_none());
@@ -226,17 +229,17 @@ fn only_indexing_panics_and_names_the_handle() {
     let bodies = missing_bodies(&mut scene);
     let colliders = missing_colliders(&mut scene);
     let message = |result: std::thread::Result<()>| {
-        let panic = result.expect_err("a lost handle was indexed");
+        let panic = result.expect_err("a missing handle was indexed");
         *panic.downcast::<String>().expect("a message")
     };
     let world = AssertUnwindSafe(&mut scene.world);
-    for lost in bodies {
-        let text = message(catch_unwind(|| drop(world.bodies[lost].clone())));
-        assert!(text.contains(&format!("{lost:?}")), "{text}");
+    for missing in bodies {
+        let text = message(catch_unwind(|| drop(world.bodies[missing].clone())));
+        assert!(text.contains(&format!("{missing:?}")), "{text}");
     }
-    for lost in colliders {
-        let text = message(catch_unwind(|| drop(world.colliders[lost].clone())));
-        assert!(text.contains(&format!("{lost:?}")), "{text}");
+    for missing in colliders {
+        let text = message(catch_unwind(|| drop(world.colliders[missing].clone())));
+        assert!(text.contains(&format!("{missing:?}")), "{text}");
     }
 }
 

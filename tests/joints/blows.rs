@@ -172,16 +172,16 @@ fn pairs_that_are_joined_twenty_times() {
 /// Moment arms from a micrometre to a thousand kilometres keep the joint closed and the world finite.
 #[test]
 fn anchors_near_and_far() {
-    for lever in [1.0e-6, 1.0e-3, 1.0, 1.0e3, 1.0e6] {
+    for moment_arm in [1.0e-6, 1.0e-3, 1.0, 1.0e3, 1.0e6] {
         let mut world = world(60);
         let post = post(&mut world, vec(0.0, 0.0));
-        let load = world.insert_body(bob(1.0, 0.2).translation(vec(lever, 0.0)));
-        world.insert_impulse_joint(post, load, hinge().local_anchor2(vec(-lever, 0.0)));
+        let load = world.insert_body(bob(1.0, 0.2).translation(vec(moment_arm, 0.0)));
+        world.insert_impulse_joint(post, load, hinge().local_anchor2(vec(-moment_arm, 0.0)));
         run(&mut world, 2.0);
         let pose = world.bodies[load].position();
-        let gap = (*pose * vec(-lever, 0.0)).length();
+        let gap = (*pose * vec(-moment_arm, 0.0)).length();
         // The errors are the rounding of positions, and that of a rotation times the moment arm.
-        assert!(gap < 1.0e-3 + 16.0 * Real::EPSILON * lever, "{gap} with {lever}");
+        assert!(gap < 1.0e-3 + 16.0 * Real::EPSILON * moment_arm, "{gap} with {moment_arm}");
     }
 }
 

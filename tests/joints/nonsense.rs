@@ -37,11 +37,11 @@ fn joints_of_missing_bodies_are_removed_and_self_joints_do_nothing() {
     let set = &mut world.impulse_joints;
     assert_eq!(set.try_insert(body, body, hinge(), true), Err(InvalidJoint::SameBody { body }));
     let own = set.insert(body, body, hinge(), true);
-    let nobody = set.insert(body, RigidBodyHandle::invalid(), hinge(), true);
+    let joint_of_missing_body = set.insert(body, RigidBodyHandle::invalid(), hinge(), true);
     let stale = RigidBodyHandle::from_raw_parts(3, 9);
     set.insert(stale, body, hinge(), true);
     run(&mut world, 0.5);
-    assert!(!world.impulse_joints.contains(nobody));
+    assert!(!world.impulse_joints.contains(joint_of_missing_body));
     assert!(world.impulse_joints.contains(own) && world.impulse_joints.len() == 1);
     assert!(!world.impulse_joints[own].data.is_enabled());
     assert!(world.bodies[body].translation().y < -1.0, "it falls as if there were no joints");

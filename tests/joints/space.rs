@@ -129,19 +129,20 @@ fn hinges_turn_about_their_axis_alone() {
         let mut world = world(rate);
         let post = post(&mut world, Vector::ZERO);
         let axis = Vector::new(0.48, 0.6, 0.64);
-        let lever = axis.cross(Vector::Y).normalize();
+        let moment_arm = axis.cross(Vector::Y).normalize();
         let (door, _) = world.insert(
-            RigidBodyBuilder::dynamic().translation(lever).can_sleep(false),
+            RigidBodyBuilder::dynamic().translation(moment_arm).can_sleep(false),
             ColliderBuilder::cuboid(0.2, 0.6, 0.4),
         );
-        let joint = RevoluteJointBuilder::new(axis).local_anchor2(-lever);
+        let joint = RevoluteJointBuilder::new(axis).local_anchor2(-moment_arm);
         world.insert_impulse_joint(post, door, joint);
         let mut worst: Real = 0.0;
         for _ in 0..steps(&world, 5.0) {
             world.step();
             let body = &world.bodies[door];
             let tilt = (*body.rotation() * axis).cross(axis).length();
-            worst = worst.max(tilt).max((body.translation() - *body.rotation() * lever).length());
+            worst =
+                worst.max(tilt).max((body.translation() - *body.rotation() * moment_arm).length());
         }
         println!("an askew hinge at {rate} Hz is off by {worst:e}");
         assert!(worst < 1.0e-3, "{worst} at {rate} Hz");

@@ -161,7 +161,7 @@ exports! {
     /// Computes the movement of a collider. The scratch block holds the desired translation. A mass that is
     /// not NaN pushes dynamic bodies.
     fn character_move(number: u32, world: u32, handle: f64, mass: f64) {
-        let wish = vector(0, "desiredTranslationDelta")?;
+        let desired = vector(0, "desiredTranslationDelta")?;
         let moved = collider(world, handle)?;
         let (shape, pose, parent) = (moved.shared_shape().clone(), *moved.position(), moved.parent());
         let own = ColliderHandle::of_number(handle);
@@ -173,7 +173,7 @@ exports! {
         let movement = queried(world, |world| {
             let dt = world.integration_parameters.dt;
             let queries = world.query_pipeline_with_filter(asked);
-            controller.move_shape(dt, &queries, &*shape, &pose, wish, |collision| collisions.push(collision))
+            controller.move_shape(dt, &queries, &*shape, &pose, desired, |collision| collisions.push(collision))
         })?;
         if mass > 0.0 {
             let world = write(world)?;

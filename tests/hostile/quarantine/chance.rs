@@ -2,7 +2,7 @@
 //! disables the same bodies in the second.
 
 use super::super::random::Dice;
-use super::stage::{Stage, Disabled, step_beside};
+use super::stage::{Disabled, Stage, step_beside};
 use crate::dim::{about_z, vec};
 use rapier::prelude::*;
 
