@@ -1,4 +1,5 @@
-// Builds the JavaScript of a package: node build.mjs DIMENSION PKG [64]. The folder holds the WebAssembly modules already.
+// Builds the JavaScript of a package: node build.mjs DIMENSION PKG [64]. The folder holds the WebAssembly
+// modules already.
 
 import { existsSync, readFileSync, readdirSync, writeFileSync, mkdirSync, copyFileSync } from "node:fs";
 import { execFileSync } from "node:child_process";

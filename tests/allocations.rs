@@ -1,10 +1,10 @@
-//! Steps in which nothing new happens ask for no memory.
+//! Steps without new contacts or bodies allocate no memory.
 
 use crate::dim::{self, cuboid, hinge, vec};
 use allocation_counter::measure;
 use rapier::prelude::*;
 
-/// How often memory is asked for in a second, once the world has had some seconds for itself.
+/// Returns the number of allocations in 60 steps, after some seconds for the growth of buffers.
 fn allocations(mut world: PhysicsWorld) -> u64 {
     (0..300).for_each(|_| world.step());
     let awake = world.active_bodies().len();
@@ -12,8 +12,8 @@ fn allocations(mut world: PhysicsWorld) -> u64 {
     allocations_of(&mut world)
 }
 
-/// How often memory is asked for in 60 steps, on one thread: to hire a second one for a step asks for a
-/// little.
+/// Returns the number of allocations in 60 steps on one thread. A second thread would allocate a little in
+/// each step.
 fn allocations_of(world: &mut PhysicsWorld) -> u64 {
     let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build().expect("a pool");
     pool.install(|| measure(|| (0..60).for_each(|_| world.step())).count_total)
@@ -25,12 +25,12 @@ fn world_with_floor() -> PhysicsWorld {
     world
 }
 
-/// A body that stays awake.
+/// Returns a body that stays awake.
 fn body(at: Vector) -> RigidBodyBuilder {
     RigidBodyBuilder::dynamic().translation(at).can_sleep(false)
 }
 
-/// A pyramid of boxes.
+/// Returns a pyramid of boxes.
 fn pyramid(can_sleep: bool) -> PhysicsWorld {
     let mut world = world_with_floor();
     for row in 0..12_u8 {
@@ -44,11 +44,12 @@ fn pyramid(can_sleep: bool) -> PhysicsWorld {
 }
 
 #[test]
-fn a_pile_asks_for_no_memory() {
+fn a_pile_allocates_nothing() {
     assert_eq!(allocations(pyramid(false)), 0);
 }
 
-/// Arms of five links that swing a little: hinges, the first of them driven, the others with limits.
+/// Adds arms of five links that swing with a small amplitude: hinges, the first with a motor, the others with
+/// limits.
 fn arms(
     mut join: impl FnMut(&mut PhysicsWorld, [RigidBodyHandle; 2], GenericJoint),
 ) -> PhysicsWorld {
@@ -71,7 +72,7 @@ fn arms(
 }
 
 #[test]
-fn arms_of_joints_ask_for_no_memory() {
+fn arms_of_joints_allocate_nothing() {
     let world = arms(|world, [first, second], joint| {
         world.impulse_joints.insert(first, second, joint, true);
     });
@@ -79,17 +80,16 @@ fn arms_of_joints_ask_for_no_memory() {
 }
 
 #[test]
-fn multibodies_ask_for_no_memory() {
+fn multibodies_allocate_nothing() {
     let world = arms(|world, [first, second], joint| {
         world.multibody_joints.insert(first, second, joint, true).expect("the joint fits");
     });
     assert_eq!(allocations(world), 0);
 }
 
-/// Boxes on their way: each leaves its enlarged box every few steps, and the tree of these is built anew
-/// several times a second.
+/// Moving boxes leave their fat AABBs every few steps, so the tree is rebuilt several times per second.
 #[test]
-fn trees_that_are_built_anew_ask_for_no_memory() {
+fn rebuilt_trees_allocate_nothing() {
     let mut world = PhysicsWorld::new();
     for k in 0..100_u8 {
         let [column, row] = [k % 10, k / 10].map(Real::from);
@@ -101,9 +101,9 @@ fn trees_that_are_built_anew_ask_for_no_memory() {
     assert_eq!(allocations(world), 0);
 }
 
-/// Boxes and balls at rest on a floor of many pieces.
+/// Boxes and balls rest on a floor of many pieces.
 #[test]
-fn what_lies_on_a_mesh_asks_for_no_memory() {
+fn bodies_on_a_mesh_allocate_nothing() {
     let mut world = PhysicsWorld::new();
     dim::grounds::GROUNDS[1].1(&mut world, Pose::IDENTITY, 0.5);
     for k in 0..10_u8 {
@@ -113,9 +113,9 @@ fn what_lies_on_a_mesh_asks_for_no_memory() {
     assert_eq!(allocations(world), 0);
 }
 
-/// A world whose bodies sleep.
+/// All bodies of the world sleep.
 #[test]
-fn sleepers_ask_for_no_memory() {
+fn sleeping_bodies_allocate_nothing() {
     let mut world = pyramid(true);
     (0..600).for_each(|_| world.step());
     assert_eq!(world.active_bodies().len(), 0);

@@ -1,8 +1,9 @@
-//! The same bits: from run to run, on any number of threads, with any instructions, and next to strangers.
+//! Bitwise determinism: from run to run, on any number of threads, with any instructions, and beside
+//! unrelated bodies.
 //!
-//! The scene falls, collides, piles up and comes to rest, with bodies removed and put in on the way, so that
-//! every list of the engine is reordered. The comparison covers every bit of every pose and velocity. Without
-//! the feature `parallel` all thread counts are one; the gate runs this with the feature too.
+//! The scene falls, collides, piles up and comes to rest. Removals and insertions on the way reorder every
+//! list of the engine. The comparison covers every bit of every pose and velocity. Without the feature
+//! `parallel` all thread counts are one; the gate runs this with the feature as well.
 
 use crate::dim::grounds::GROUNDS;
 use crate::dim::{self, cuboid, vec};
@@ -10,7 +11,7 @@ use rapier::prelude::*;
 
 const STEPS: usize = 150;
 
-/// All numbers of all bodies.
+/// Returns all numbers of all bodies.
 fn bits(world: &PhysicsWorld) -> Vec<u64> {
     let mut bits = Vec::new();
     let mut push = |value: Real| bits.push(f64::from(value).to_bits());
@@ -26,7 +27,7 @@ fn bits(world: &PhysicsWorld) -> Vec<u64> {
     bits
 }
 
-/// A floor and a heap of balls, boxes and capsules above it.
+/// Adds a floor and a heap of balls, boxes and capsules above it.
 fn heap(world: &mut PhysicsWorld, center: Vector) {
     let floor = RigidBodyBuilder::fixed().translation(center - dim::vec(0.0, 1.0));
     world.insert(floor, dim::cuboid(30.0, 1.0));
@@ -43,7 +44,7 @@ fn heap(world: &mut PhysicsWorld, center: Vector) {
     }
 }
 
-/// Runs the heap, with bodies going and coming.
+/// Runs the heap, with removals and insertions of bodies.
 fn run(mut world: PhysicsWorld) -> Vec<u64> {
     for step in 0..STEPS {
         if step % 25 == 24 {
@@ -64,8 +65,8 @@ fn world() -> PhysicsWorld {
     world
 }
 
-/// All that the heap lacks: chains and nets of joints, some of which break, links, bullets, a mesh, and
-/// sleepers.
+/// Returns a world with all features that the heap lacks: chains and nets of joints, some of which break,
+/// links, bullets, a mesh, and sleeping bodies.
 fn workshop() -> PhysicsWorld {
     let mut world = PhysicsWorld::new();
     GROUNDS[1].1(&mut world, Pose::IDENTITY, 0.5);
@@ -101,7 +102,7 @@ fn workshop() -> PhysicsWorld {
     world
 }
 
-/// A net of pins that hangs on two of its corners.
+/// Adds a net of point-to-point joints that hangs on two of its corners.
 fn net(world: &mut PhysicsWorld, corner: Vector) {
     const SIDE: usize = 14;
     let mut knots: Vec<RigidBodyHandle> = Vec::new();
@@ -126,7 +127,7 @@ fn net(world: &mut PhysicsWorld, corner: Vector) {
     }
 }
 
-/// Steps the workshop on some threads, and takes down what hangs there.
+/// Steps the workshop on some threads, and removes the suspended bodies on the way.
 fn run_workshop() -> Vec<u64> {
     let mut world = workshop();
     let (mut slept, mut stopped) = (false, 0);
@@ -156,7 +157,7 @@ fn determinism_of_joints_links_and_bullets_on_any_number_of_threads() {
     }
 }
 
-/// Worlds that are stepped at the same time in one pool, each by one of its threads and all idle ones.
+/// Worlds are stepped at the same time in one pool, each by one of its threads and all idle ones.
 #[test]
 fn determinism_of_worlds_that_share_a_pool() {
     use rayon::prelude::*;
@@ -181,7 +182,7 @@ fn determinism_on_any_number_of_threads() {
     }
 }
 
-/// Threads that the pipeline was given: its own, and those of a pool, from within the pool and from outside.
+/// The pipeline has its own threads, or those of a pool, from inside and outside the pool.
 #[test]
 fn determinism_with_threads_of_the_pipeline() {
     let expected = run(world());
@@ -217,17 +218,17 @@ fn determinism_next_to_strangers() {
     let mut crowded = world();
     heap(&mut crowded, dim::vec(1000.0, 0.0));
     let (alone, among_others) = (run(world()), run(crowded));
-    // The heap's own bodies come first: those of the second one have later slots. The last one put in
-    // takes the slot of the last one removed in both worlds.
+    // The heap's own bodies come first: those of the second heap have later slots. The last inserted body
+    // takes the slot of the last removed one in both worlds.
     assert_eq!(alone[..], among_others[..alone.len()]);
 }
 
-/// The bits of some bodies.
+/// Returns the bits of some bodies.
 fn bits_of(world: &PhysicsWorld, bodies: &[RigidBodyHandle]) -> Vec<u64> {
     bodies.iter().map(|&body| world.bodies[body].hash()).collect()
 }
 
-/// The bodies that a function adds to a world.
+/// Returns the bodies that a function adds to a world.
 fn added(world: &mut PhysicsWorld, add: impl FnOnce(&mut PhysicsWorld)) -> Vec<RigidBodyHandle> {
     let before: Vec<_> = world.bodies.iter().map(|(handle, _)| handle).collect();
     add(world);
@@ -235,20 +236,20 @@ fn added(world: &mut PhysicsWorld, add: impl FnOnce(&mut PhysicsWorld)) -> Vec<R
     all.filter(|handle| !before.contains(handle)).collect()
 }
 
-/// A heap that falls far away changes no bit of another one, although it comes and goes, sleeps and wakes
-/// while the other one moves.
+/// A heap that falls far away changes no bit of another heap. It is inserted and removed, sleeps and wakes
+/// while the other heap moves.
 #[test]
 fn determinism_among_strangers() {
-    let run = |strangers: bool| {
+    let run = |has_unrelated: bool| {
         let mut world = PhysicsWorld::new();
         let watched = added(&mut world, |world| heap(world, Vector::ZERO));
         let mut others = Vec::new();
         let mut hashes = Vec::new();
         for step in 0..STEPS {
-            if strangers && step == 20 {
+            if has_unrelated && step == 20 {
                 others = added(&mut world, |world| heap(world, vec(2000.0, 0.0)));
             }
-            if strangers && step > 60 && step % 10 == 0 {
+            if has_unrelated && step > 60 && step % 10 == 0 {
                 others.drain(..5).for_each(|body| drop(world.remove_body(body)));
                 let ball = RigidBodyBuilder::dynamic().translation(vec(2000.0, 20.0));
                 world.insert(ball.linvel(vec(0.0, -90.0)), ColliderBuilder::ball(0.5));
@@ -263,8 +264,8 @@ fn determinism_among_strangers() {
     assert_eq!(first, None, "the first step that differs");
 }
 
-/// Steps the workshop among strangers, and compares its bodies with those of a workshop alone.
-fn compare_workshops(add_strangers: impl Fn(&mut PhysicsWorld)) {
+/// Steps the workshop beside unrelated bodies, and compares its bodies with those of a workshop alone.
+fn compare_workshops(add_unrelated: impl Fn(&mut PhysicsWorld)) {
     let run = |add: &dyn Fn(&mut PhysicsWorld)| {
         let mut world = workshop();
         let watched: Vec<_> = world.bodies.iter().map(|(handle, _)| handle).collect();
@@ -275,7 +276,7 @@ fn compare_workshops(add_strangers: impl Fn(&mut PhysicsWorld)) {
         };
         (0..STEPS).map(run).collect::<Vec<_>>()
     };
-    let (alone, among) = (run(&|_| {}), run(&add_strangers));
+    let (alone, among) = (run(&|_| {}), run(&add_unrelated));
     let first = (0..STEPS).find(|&step| alone[step] != among[step]);
     let bodies = first.map(|step| {
         let pairs = alone[step].iter().zip(&among[step]).enumerate();
@@ -284,8 +285,7 @@ fn compare_workshops(add_strangers: impl Fn(&mut PhysicsWorld)) {
     assert_eq!(first, None, "the first step that differs, in the bodies {bodies:?}");
 }
 
-/// Bodies around one that is too heavy for them to move much: more contacts and joints than there are
-/// colours.
+/// Adds bodies around a heavy one that they hardly move, with more contacts and joints than colours.
 fn hub(world: &mut PhysicsWorld, center: Vector) {
     world.insert(RigidBodyBuilder::fixed().translation(center - vec(0.0, 6.0)), cuboid(9.0, 1.0));
     let hub = RigidBodyBuilder::dynamic().translation(center).angvel(dim::about_z(1.5));

@@ -1,4 +1,4 @@
-//! The vocabulary of the shared tests in 3D. Their pictures lie in the plane of x and y.
+//! Definitions of the shared tests in 3D. Their scenes are in the plane of x and y.
 
 use rapier::prelude::*;
 
@@ -35,50 +35,51 @@ mod vehicle;
 
 /// Heading of tables.
 pub const NAME: &str = "3D";
-/// Acceleration of a ball that rolls down a slope, as a share of sliding: `1 / (1 + I / m r²)` with
-/// `I = 2/5 m r²`.
+/// Acceleration of a ball that rolls down a slope, as a fraction of that of sliding: `1 / (1 + I / m r²)`
+/// with `I = 2/5 m r²`.
 pub const ROLLING_BALL: Real = 5.0 / 7.0;
-/// How much easier the corner of a face between two unit cubes gives way than its share of the load: `m K /
-/// 4` of a quarter of the load, with `K = 2/m + 2 r² / I`, `r² = 1/2` and `I = m/6`.
+/// Compliance of a contact at the corner of a face between two unit cubes, relative to its fraction of the
+/// load. The value is `m K / 4` for a quarter of the load, with `K = 2/m + 2 r² / I`, `r² = 1/2` and `I =
+/// m/6`.
 pub const CORNER_YIELD: Real = 2.0;
 
-/// By how much riding a turntable is off: see `space`.
+/// Returns the errors of a ride on a turntable: see `space`.
 pub fn turntable() -> Option<(Real, Real)> {
     Some(space::turntable())
 }
 
-/// A vector in the plane of the picture.
+/// Returns a vector in the plane of the picture.
 pub fn vec(x: Real, y: Real) -> Vector {
     Vector::new(x, y, 0.0)
 }
 
-/// A rotation vector or angular velocity about the axis that points out of the picture.
+/// Returns a rotation vector or angular velocity about the axis out of the plane.
 pub fn about_z(angle: Real) -> AngVector {
     AngVector::new(0.0, 0.0, angle)
 }
 
-/// By what angle a rotation about that axis turns.
+/// Returns the angle of a rotation about that axis.
 pub fn turned_about_z(rotation: &Rotation) -> Real {
     rotation.to_scaled_axis().z
 }
 
-/// Its component about that axis.
+/// Returns the component about that axis.
 pub fn z_of(w: AngVector) -> Real {
     w.z
 }
 
-/// The angle by which a body is turned about that axis.
+/// Returns the angle of a body's rotation about that axis.
 pub fn angle(rotation: &Rotation) -> Real {
     rotation.to_scaled_axis().z
 }
 
-/// A hinge about the axis that points out of the picture.
+/// Returns a hinge about the axis out of the plane.
 pub fn hinge() -> RevoluteJointBuilder {
     RevoluteJointBuilder::new(Vector::Z)
 }
 
-/// A joint that lets its bodies turn against each other, at these points of theirs: balls in sockets and
-/// hinges about several axes in turn.
+/// Returns a joint at these local anchors that leaves rotation free: ball joints, and hinges about several
+/// axes in turn.
 pub fn loose_joint(k: usize, anchor1: Vector, anchor2: Vector) -> GenericJoint {
     let hinge =
         |axis| RevoluteJointBuilder::new(axis).local_anchor1(anchor1).local_anchor2(anchor2);
@@ -97,17 +98,17 @@ pub fn loose_joint(k: usize, anchor1: Vector, anchor2: Vector) -> GenericJoint {
     }
 }
 
-/// Mass and inertia of a box that is as long as wide as nothing else.
+/// Returns mass and inertia of a box with three different sides.
 pub fn slab() -> MassProperties {
     MassProperties::from_cuboid(1.0, Vector::new(0.5, 0.25, 0.15))
 }
 
-/// An angular velocity about an axis that stands askew.
+/// Returns an angular velocity about an oblique axis.
 pub fn tumble(about_z: Real, across: Real) -> AngVector {
     AngVector::new(across, 0.6 * across, about_z)
 }
 
-/// The momentum of a body at this spatial velocity.
+/// Returns the momentum of a body at this spatial velocity.
 pub fn momentum_of(body: &RigidBody, velocity: &[Real; 6]) -> [Real; 6] {
     let mut moving = body.clone();
     let [x, y, z, a, b, c] = *velocity;
@@ -116,12 +117,12 @@ pub fn momentum_of(body: &RigidBody, velocity: &[Real; 6]) -> [Real; 6] {
     [p.x, p.y, p.z, l.x, l.y, l.z]
 }
 
-/// The moment of inertia about that axis.
+/// Returns the moment of inertia about that axis.
 pub fn about_z_of(mass: &MassProperties) -> Real {
     mass.principal_inertia().z
 }
 
-/// Closes a cage of this half width before and behind the plane of the picture.
+/// Closes a cage of this half width in front of and behind the plane of the picture.
 pub fn close_cage(world: &mut PhysicsWorld, half: Real) {
     for side in [1.0, -1.0] {
         let wall =
@@ -130,41 +131,41 @@ pub fn close_cage(world: &mut PhysicsWorld, half: Real) {
     }
 }
 
-/// A box that is as deep as it is wide.
+/// Returns a box that is as deep as it is wide.
 pub fn cuboid(half_width: Real, half_height: Real) -> ColliderBuilder {
     ColliderBuilder::cuboid(half_width, half_height, half_width)
 }
 
-/// The length of a rotation vector, angular velocity or angular momentum.
+/// Returns the length of a rotation vector, angular velocity or angular momentum.
 pub fn ang_length(w: AngVector) -> Real {
     w.length()
 }
 
-/// The moment `r × p`.
+/// Returns the moment `r × p`.
 pub fn moment(r: Vector, p: Vector) -> AngVector {
     r.cross(p)
 }
 
-/// Lets a body slide along x while it goes round the upright axis, to which its arm along x leads.
+/// Makes a body slide along x while it revolves about the vertical axis at the distance of its arm along x.
 pub fn spin_upright(body: &mut RigidBody, spin: Real, arm: Real, slide: Real) {
     body.set_angvel(Vector::Y * spin, true);
     body.set_linvel(Vector::new(slide, 0.0, -spin * arm), true);
 }
 
-/// The angular momentum `I ω` of a body about its centre of mass.
+/// Returns the angular momentum `I ω` of a body about its centre of mass.
 pub fn spin_momentum(body: &RigidBody) -> AngVector {
     let local = body.mass_properties().local_mprops();
     let to_world = *body.rotation() * local.principal_inertia_local_frame;
     to_world * (local.principal_inertia() * (to_world.inverse() * body.angvel()))
 }
 
-/// All components of a pose, to be compared bit by bit.
+/// Returns all components of a pose, for bitwise comparison.
 pub fn components(pose: &Pose) -> [Real; 7] {
     let (r, t) = (pose.rotation, pose.translation);
     [t.x, t.y, t.z, r.x, r.y, r.z, r.w]
 }
 
-/// One shape of each kind that rolls, slides or stacks, about half a metre in size.
+/// Returns one shape of each kind that rolls, slides or stacks, about half a metre in size.
 pub fn assortment() -> Vec<ColliderBuilder> {
     let (half, tip): (Real, Real) = (0.25, 0.4);
     let axes = [Vector::X * half, Vector::Z * half, Vector::Y * tip];

@@ -1,8 +1,8 @@
 //! The integration tests, shared by all crates.
 //!
-//! A crate's root (`crates/*/tests/suite.rs`) links the crate under the name `rapier` and picks the
-//! vocabulary `dim` of its dimension. So what stands here is written once and runs four times: in 2D and
-//! 3D, in single and double precision.
+//! A crate's root (`crates/*/tests/suite.rs`) links the crate under the name `rapier` and selects the
+//! definitions `dim` of its dimension. Each test is therefore written once and runs four times: in 2D and 3D,
+//! in single and double precision.
 
 mod allocations;
 mod determinism;

@@ -1,5 +1,7 @@
-// Runs the golden scenes as WebAssembly and compares their hashes with the expected ones: node run.mjs golden.wasm
-// With --time it prints the median processor time of a step in a pile of 1,000 boxes instead: node run.mjs --time golden.wasm
+// Runs the golden scenes as WebAssembly and compares their hashes with the expected ones:
+// node run.mjs golden.wasm
+// With --time it prints the median processor time of a step in a pile of 1,000 boxes instead:
+// node run.mjs --time golden.wasm
 
 import { readFile } from "node:fs/promises";
 
@@ -9,7 +11,7 @@ if (paths.length !== 1) {
     process.exit(2);
 }
 const [path] = paths;
-// Processor time is the same beside other programs, wall time is not.
+// Processor time does not depend on other programs, wall time does.
 function now() {
     const { user, system } = process.cpuUsage();
     return (user + system) / 1000;

@@ -1,4 +1,4 @@
-//! Does to a 2D world what the bytes say.
+//! Runs the operations of the bytes on a 2D world.
 #![no_main]
 
 libfuzzer_sys::fuzz_target!(|bytes: &[u8]| {

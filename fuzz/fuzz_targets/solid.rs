@@ -1,4 +1,4 @@
-//! Does to a 3D world what the bytes say.
+//! Runs the operations of the bytes on a 3D world.
 #![no_main]
 
 libfuzzer_sys::fuzz_target!(|bytes: &[u8]| {

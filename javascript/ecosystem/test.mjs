@@ -1,4 +1,5 @@
-// Type-checks and runs scenes of @react-three/rapier and of three.js's addon with the package of this repository in place of the published one. It must be built.
+// Type-checks and runs scenes of @react-three/rapier and of three.js's addon with the package of this
+// repository in place of the published one. It must be built.
 
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
@@ -15,7 +16,7 @@ mkdirSync(out, { recursive: true });
 const OURS = "@dimforge/rapier3d-compat";
 assert.equal(realpathSync(join(here, "node_modules", OURS)), join(here, "../../rapier3d/pkg"), "npm took the package of this repository");
 
-/** Checks the scene, and the definitions of the library against ours. Other libraries are not our concern. */
+/** Checks the scene, and the definitions of the library against ours. Other libraries are not checked. */
 function checkTypes() {
     const configuration = join(out, "tsconfig.json");
     writeFileSync(configuration, JSON.stringify({
@@ -33,7 +34,9 @@ function checkTypes() {
     }
 }
 
-/** The addon downloads the published package: this puts ours in its place, as an import map does on a page. */
+/**
+ * The addon downloads the published package: this puts ours in its place, as an import map does on a page.
+ */
 const redirect = {
     name: "redirect",
     setup(setup) {

@@ -1,5 +1,7 @@
-// Times the steps of all scenes with each engine: node bench.mjs [DIMENSION] [ROUNDS] [--browser]. Prints a table of milliseconds per step: of processor time in
-// Node.js, of wall-clock time in Chromium. Each measurement is a process or a page of its own. Rounds take turns, and the smallest time of a scene counts; each round prints the table so far.
+// Times the steps of all scenes with each engine: node bench.mjs [DIMENSION] [ROUNDS] [--browser]. Prints a
+// table of milliseconds per step: of processor time in Node.js, of wall-clock time in Chromium. Each
+// measurement is a process or a page of its own. Rounds take turns, and the smallest time of a scene counts;
+// each round prints the table so far.
 
 import { execFileSync } from "node:child_process";
 import { fileURLToPath } from "node:url";

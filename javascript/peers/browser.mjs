@@ -8,7 +8,7 @@ import { extname, join, normalize } from "node:path";
 const root = join(import.meta.dirname, "../..");
 const here = "/javascript/peers";
 const TYPES = { ".mjs": "text/javascript", ".js": "text/javascript", ".wasm": "application/wasm" };
-/** What the names of packages stand for on the page. */
+/** Import map of the page, by package name. */
 const IMPORTS = {
     "#load": `${here}/load_web.mjs`,
     "@dimforge/rapier2d-compat": `${here}/node_modules/@dimforge/rapier2d-compat/dist/rapier.mjs`,
@@ -56,7 +56,10 @@ export async function openBrowser() {
                 await page.close();
             }
         },
-        /** Runs a program in a worker. Returns its first message. The program imports files of this repository from the address that it is called with. */
+        /**
+         * Runs a program in a worker. Returns its first message. The program imports files of this repository
+         * from the address that it is called with.
+         */
         async runWorker(program) {
             const page = await browser.newPage();
             try {

@@ -1,4 +1,5 @@
-// Type-checks and runs the programs that were written for the published packages: with these, and with ours. Both packages must be built.
+// Type-checks and runs the programs that were written for the published packages: with these, and with ours.
+// Both packages must be built.
 
 import { build } from "esbuild";
 import { execFileSync } from "node:child_process";

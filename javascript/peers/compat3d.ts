@@ -1,4 +1,5 @@
-// A program written for @dimforge/rapier3d-compat. It type-checks and runs with that package and with ours: only the import differs.
+// A program written for @dimforge/rapier3d-compat. It type-checks and runs with that package and with ours:
+// only the import differs.
 
 import RAPIER, { type Collider, type RigidBody, Vector3 } from "rapier";
 

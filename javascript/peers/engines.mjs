@@ -1,5 +1,6 @@
-// One adapter for each engine: builds a scene, and returns the function that steps it and one that reads a height. In Node.js, node_modules contains the packages of the
-// registry; on a page, an import map does: see browser.mjs.
+// One adapter for each engine: builds a scene, and returns the function that steps it and one that reads a
+// height. In Node.js, node_modules contains the packages of the registry; on a page, an import map does: see
+// browser.mjs.
 
 import { load } from "#load";
 

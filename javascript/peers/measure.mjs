@@ -13,7 +13,10 @@ async function begin(dimension, engine, scene, warm) {
     return running;
 }
 
-/** Milliseconds per step by this clock (ms). The scene runs before the measurement until V8 has compiled the module: processor time contains that of the compiler. */
+/**
+ * Milliseconds per step by this clock (ms). The scene runs before the measurement until V8 has compiled the
+ * module: processor time contains that of the compiler.
+ */
 export async function measure(dimension, engine, scene, clock) {
     const { steps = 200, warm = 20 } = SCENES[scene](dimension);
     for (const begun = clock(); clock() - begun < WARM_UP_MS; ) {

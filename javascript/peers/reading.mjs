@@ -1,4 +1,5 @@
-// Times how long a program reads the poses of 2000 bodies once: node --expose-gc reading.mjs [DIMENSION]. Microseconds and bytes of garbage per frame.
+// Times how long a program reads the poses of 2000 bodies once: node --expose-gc reading.mjs [DIMENSION].
+// Microseconds and bytes of garbage per frame.
 
 import { join } from "node:path";
 import { pathToFileURL } from "node:url";

@@ -1,5 +1,5 @@
-// Runs one program with the packages in Node.js, Deno, Bun and a worker of Chromium, on one and on two threads: the same hash everywhere. npm run runtimes
-// Chromium is left out where it is not installed.
+// Runs one program with the packages in Node.js, Deno, Bun and a worker of Chromium, on one and on two
+// threads: the same hash everywhere. npm run runtimes Chromium is left out where it is not installed.
 
 import { execFileSync } from "node:child_process";
 import { existsSync, mkdirSync, mkdtempSync, rmSync, symlinkSync, writeFileSync } from "node:fs";
@@ -16,7 +16,7 @@ const RUNTIMES = {
     Bun: [binary("bun"), "run"],
 };
 
-/** A pile of balls. The program imports the engine by a name, and passes what it found to a function. */
+/** A pile of balls. The program imports the engine by a name, and passes its result to a function. */
 function program(dimension, threads, engine, report) {
     const at = (...components) => components.slice(0, dimension).join(", ");
     return `import RAPIER from ${JSON.stringify(engine)};

@@ -1,4 +1,4 @@
-// Prints the sizes of the packages: what a page downloads, raw and compressed with brotli.
+// Prints the sizes of the packages: the downloads of a page, raw and compressed with brotli.
 
 import { existsSync, readFileSync } from "node:fs";
 import { join } from "node:path";

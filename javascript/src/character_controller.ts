@@ -19,15 +19,15 @@ const Setting = {
     nudge: 8,
 } as const;
 
-/** What a character met on its way. */
+/** Collision of a character during its movement. */
 export class CharacterCollision {
-    /** The collider that was met. */
+    /** The collider that was hit. */
     collider: Collider | null = null;
-    /** The movement until then. */
+    /** The movement before the collision. */
     translationDeltaApplied: Vector = VectorOps.zeros();
-    /** The movement that was left then. */
+    /** The remaining movement at the collision. */
     translationDeltaRemaining: Vector = VectorOps.zeros();
-    /** The fraction of the movement until then. */
+    /** The fraction of the movement before the collision. */
     toi = 0;
     /** The contact point on the collider. */
     witness1: Vector = VectorOps.zeros();
@@ -81,7 +81,7 @@ export class KinematicCharacterController extends Owner {
         return this.pushes;
     }
 
-    /** Says whether the character pushes dynamic bodies. */
+    /** Sets whether the character pushes dynamic bodies. */
     setApplyImpulsesToDynamicBodies(enabled: boolean): void {
         this.pushes = enabled;
     }
@@ -96,32 +96,32 @@ export class KinematicCharacterController extends Owner {
         this.mass = mass;
     }
 
-    /** The gap that the character keeps to everything. */
+    /** The gap between the character and obstacles. */
     offset(): number {
         return this.get(Setting.offset);
     }
 
-    /** Sets the gap that the character keeps to everything. */
+    /** Sets the gap between the character and obstacles. */
     setOffset(value: number): void {
         this.set(Setting.offset, value);
     }
 
-    /** By how much a gap may differ from the offset. */
+    /** The largest difference between a gap and the offset. */
     normalNudgeFactor(): number {
         return this.get(Setting.nudge);
     }
 
-    /** Sets by how much a gap may differ from the offset. */
+    /** Sets the largest difference between a gap and the offset. */
     setNormalNudgeFactor(value: number): void {
         this.set(Setting.nudge, value);
     }
 
-    /** Returns whether the character slides along what it meets. */
+    /** Returns whether the character slides along obstacles. */
     slideEnabled(): boolean {
         return this.get(Setting.slide) !== 0;
     }
 
-    /** Says whether the character slides along what it meets. */
+    /** Sets whether the character slides along obstacles. */
     setSlideEnabled(enabled: boolean): void {
         this.set(Setting.slide, +enabled);
     }
@@ -147,12 +147,12 @@ export class KinematicCharacterController extends Owner {
         return this.autostepMaxHeight() !== null;
     }
 
-    /** Makes the character climb steps. */
+    /** Enables the climbing of steps. */
     enableAutostep(maxHeight: number, minWidth: number, includeDynamicBodies: boolean): void {
         raw.character_set_autostep(this.id, maxHeight, minWidth, +includeDynamicBodies);
     }
 
-    /** Makes the character climb no steps. */
+    /** Disables the climbing of steps. */
     disableAutostep(): void {
         raw.character_clear_autostep(this.id);
     }
@@ -177,27 +177,29 @@ export class KinematicCharacterController extends Owner {
         this.set(Setting.slideAngle, angle);
     }
 
-    /** How far below the feet the ground pulls the character down, or null. */
+    /** The distance below the feet within which the character snaps to the ground, or null. */
     snapToGroundDistance(): number | null {
         return orNull(this.get(Setting.snap));
     }
 
-    /** Makes the ground pull the character down. */
+    /** Enables snapping to the ground. */
     enableSnapToGround(distance: number): void {
         this.set(Setting.snap, distance);
     }
 
-    /** Stops the ground from pulling the character down. */
+    /** Disables snapping to the ground. */
     disableSnapToGround(): void {
         raw.character_clear_snap(this.id);
     }
 
-    /** Returns whether the ground pulls the character down. */
+    /** Returns whether the character snaps to the ground. */
     snapToGroundEnabled(): boolean {
         return this.snapToGroundDistance() !== null;
     }
 
-    /** Computes the movement of a collider. The results are read with `computedMovement` and its companions. */
+    /**
+     * Computes the movement of a collider. The results are read with `computedMovement` and its companions.
+     */
     computeColliderMovement(
         collider: Collider,
         desiredTranslationDelta: Vector,
@@ -221,17 +223,17 @@ export class KinematicCharacterController extends Owner {
         return getVector(0, target);
     }
 
-    /** Returns whether the character stands at the end of the computed movement. */
+    /** Returns whether the character is grounded at the end of the computed movement. */
     computedGrounded(): boolean {
         return raw.character_movement(this.id) !== 0;
     }
 
-    /** The number of collisions on the way. */
+    /** The number of collisions of the computed movement. */
     numComputedCollisions(): number {
         return raw.character_collisions(this.id);
     }
 
-    /** A collision on the way, by its index. */
+    /** A collision of the computed movement, by its index. */
     computedCollision(i: number, out?: CharacterCollision): CharacterCollision | null {
         const handle = raw.character_collision(this.id, i);
         if (Number.isNaN(handle)) {

@@ -147,12 +147,12 @@ export class Collider {
         this.setSetting(Setting.sensor, +isSensor);
     }
 
-    /** Switches the collider on or off. */
+    /** Enables or disables the collider. */
     setEnabled(enabled: boolean): void {
         this.setSetting(Setting.enabled, +enabled);
     }
 
-    /** Returns whether the collider is switched on. */
+    /** Returns whether the collider is enabled. */
     isEnabled(): boolean {
         return this.setting(Setting.enabled) !== 0;
     }
@@ -177,42 +177,42 @@ export class Collider {
         this.setSetting(Setting.friction, friction);
     }
 
-    /** How frictions combine. */
+    /** The combine rule of friction. */
     frictionCombineRule(): CoefficientCombineRule {
         return this.setting(Setting.frictionRule);
     }
 
-    /** Sets how frictions combine. */
+    /** Sets the combine rule of friction. */
     setFrictionCombineRule(rule: CoefficientCombineRule): void {
         this.setSetting(Setting.frictionRule, rule);
     }
 
-    /** How restitutions combine. */
+    /** The combine rule of restitution. */
     restitutionCombineRule(): CoefficientCombineRule {
         return this.setting(Setting.restitutionRule);
     }
 
-    /** Sets how restitutions combine. */
+    /** Sets the combine rule of restitution. */
     setRestitutionCombineRule(rule: CoefficientCombineRule): void {
         this.setSetting(Setting.restitutionRule, rule);
     }
 
-    /** The groups that decide with which colliders pairs are formed. */
+    /** The interaction groups that filter collision pairs. */
     collisionGroups(): InteractionGroups {
         return this.setting(Setting.collisionGroups);
     }
 
-    /** Sets the groups that decide with which colliders pairs are formed. */
+    /** Sets the interaction groups that filter collision pairs. */
     setCollisionGroups(groups: InteractionGroups): void {
         this.setSetting(Setting.collisionGroups, groups >>> 0);
     }
 
-    /** The groups that decide for which pairs forces are computed. */
+    /** The interaction groups that filter contact forces. */
     solverGroups(): InteractionGroups {
         return this.setting(Setting.solverGroups);
     }
 
-    /** Sets the groups that decide for which pairs forces are computed. */
+    /** Sets the interaction groups that filter contact forces. */
     setSolverGroups(groups: InteractionGroups): void {
         this.setSetting(Setting.solverGroups, groups >>> 0);
     }
@@ -247,12 +247,12 @@ export class Collider {
         this.setSetting(Setting.activeEvents, activeEvents);
     }
 
-    /** Which pairs of body types collide. */
+    /** Pairs of body types that collide. */
     activeCollisionTypes(): ActiveCollisionTypes {
         return this.setting(Setting.activeCollisionTypes);
     }
 
-    /** Sets which pairs of body types collide. */
+    /** Sets the pairs of body types that collide. */
     setActiveCollisionTypes(activeCollisionTypes: ActiveCollisionTypes): void {
         this.setSetting(Setting.activeCollisionTypes, activeCollisionTypes);
     }
@@ -412,7 +412,7 @@ export class Collider {
         return this.cachedShape;
     }
 
-    /** Forgets the description of the shape: the next one is read anew. */
+    /** Clears the cached description of the shape: the next access reads it again. */
     clearShapeCache(): void {
         this.cachedShape = undefined;
     }
@@ -448,7 +448,7 @@ export class Collider {
         return new RapierError("WrongShape", `a ${shape} has no ${name}`);
     }
 
-    /** Makes the shape anew after a change of its numbers. */
+    /** Rebuilds the shape after a change of its numbers. */
     private remake(codes: readonly number[], name: string, change: () => void): void {
         const code = this.describe();
         if (!codes.includes(code)) {
@@ -560,7 +560,10 @@ export class Collider {
         this.cachedShape = undefined;
     }
 
-    /** Tells neighbouring voxels of another collider about a change, so that no internal edges are between them. */
+    /**
+     * Reports a change to neighbouring voxels of another collider, so that no internal edges are between
+     * them.
+     */
     propagateVoxelChange(voxels2: Collider, ...coordinates: VoxelAndShift): void {
         putIntegers(coordinates);
         raw.collider_propagate_voxel(this.world.id, this.handle, voxels2.handle);

@@ -1,4 +1,5 @@
-// The parts of descriptions of colliders that both dimensions have. collider_shapes.ts and those of the dimensions add constructors.
+// The parts of descriptions of colliders that both dimensions have. collider_shapes.ts and those of the
+// dimensions add constructors.
 
 import {
     type AngVector,

@@ -34,7 +34,7 @@ export class ColliderSet {
         this.map.delete(handle);
     }
 
-    /** Forgets the object of a collider that is not in the module any more. */
+    /** Removes the object of a collider that the module no longer contains. */
     unmap(handle: ColliderHandle): void {
         this.map.delete(handle);
     }

@@ -99,7 +99,7 @@ export class ColliderShapes extends ColliderDescBase {
         return describe(new Compound(shapes, positions, rotations, flags));
     }
 
-    /** The convex parts that fill what a surface encloses. Null if it encloses nothing. */
+    /** The convex parts of the volume inside a surface. Null if it encloses no volume. */
     static convexDecomposition(
         vertices: ArrayLike<number>,
         indices: Uint32Array,

@@ -23,7 +23,7 @@ export class DebugRenderPipeline {
     private readonly world: World;
     vertices: RealArray;
     colors: Float32Array = new Float32Array(0);
-    /** Which lines are drawn, as bits of the engine's `DebugRenderMode`. 0 stands for the usual lines. */
+    /** The drawn lines, as bits of the engine's `DebugRenderMode`. 0 selects the default lines. */
     mode = 0;
 
     /** @internal Worlds make theirs. */

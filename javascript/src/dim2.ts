@@ -1,4 +1,4 @@
-// What differs by dimension: vectors, rotations, and enumerations. dim3.ts has the same names.
+// Parts that depend on the dimension: vectors, rotations, and enumerations. dim3.ts has the same names.
 
 import { scratch } from "./raw.js";
 import type { RealArray } from "#real";
@@ -89,17 +89,17 @@ function fill(target: Vector, numbers: ArrayLike<number>, at: number): Vector {
     return target;
 }
 
-/** A vector of its own with the same components. Those of other libraries may be accessors, which a spread leaves out. */
+/** A copy of a vector. Vectors of other libraries may have accessors, which a spread omits. */
 export function copyVector({ x, y }: Vector): Vector {
     return new Vector2(x, y);
 }
 
-/** An angular quantity of its own. In 2D it is a number. */
+/** A copy of an angular quantity. In 2D it is a number. */
 export function copyAngular(value: AngVector): AngVector {
     return value;
 }
 
-/** A rotation of its own. In 2D it is a number. */
+/** A copy of a rotation. In 2D it is a number. */
 export function copyRotation(rotation: Rotation): Rotation {
     return rotation;
 }

@@ -1,4 +1,4 @@
-// What differs by dimension: vectors, rotations, and enumerations. dim2.ts has the same names.
+// Parts that depend on the dimension: vectors, rotations, and enumerations. dim2.ts has the same names.
 
 import { scratch } from "./raw.js";
 import type { RealArray } from "#real";
@@ -197,15 +197,15 @@ function fillRotation(target: Rotation, numbers: ArrayLike<number>, at: number):
     return target;
 }
 
-/** A vector of its own with the same components. Those of other libraries may be accessors, which a spread leaves out. */
+/** A copy of a vector. Vectors of other libraries may have accessors, which a spread omits. */
 export function copyVector({ x, y, z }: Vector): Vector {
     return new Vector3(x, y, z);
 }
 
-/** An angular quantity of its own. */
+/** A copy of an angular quantity. */
 export const copyAngular: (value: AngVector) => AngVector = copyVector;
 
-/** A rotation of its own with the same components. */
+/** A copy of a rotation. */
 export function copyRotation({ x, y, z, w }: Rotation): Rotation {
     return new Quaternion(x, y, z, w);
 }

@@ -1,4 +1,5 @@
-// The entry without files: the module is part of the source. Platforms without SIMD, and programs with threads, fetch other ones.
+// The entry without files: the module is part of the source. Platforms without SIMD, and programs with
+// threads, fetch other ones.
 
 import { setSource } from "./raw.js";
 import { webWorkers } from "./threads.js";

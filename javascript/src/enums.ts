@@ -1,4 +1,4 @@
-/** How the coefficients of two colliders combine. The rule with the higher number wins. */
+/** Rules that combine the coefficients of two colliders. The rule with the higher number takes precedence. */
 export enum CoefficientCombineRule {
     Average = 0,
     Min = 1,
@@ -10,7 +10,7 @@ export enum CoefficientCombineRule {
     GeometricMean = 5,
 }
 
-/** Which pairs of body types collide. */
+/** Pairs of body types that collide. */
 export enum ActiveCollisionTypes {
     DYNAMIC_DYNAMIC = 1,
     DYNAMIC_KINEMATIC = 12,
@@ -38,21 +38,21 @@ export enum ActiveHooks {
     MODIFY_SOLVER_CONTACTS = 4,
 }
 
-/** What the solver does with a pair. */
+/** Treatment of a pair by the solver. */
 export enum SolverFlags {
     /** Contacts are computed and reported, and the bodies pass through each other. */
     EMPTY = 0,
     COMPUTE_IMPULSE = 1,
 }
 
-/** How the mass of a collider is given. */
+/** Modes of a collider's mass. */
 export enum MassPropsMode {
     Density = 0,
     Mass = 1,
     MassProps = 2,
 }
 
-/** Which colliders a query leaves out. */
+/** Colliders that a query excludes. */
 export enum QueryFilterFlags {
     EXCLUDE_FIXED = 1,
     EXCLUDE_KINEMATIC = 2,
@@ -64,13 +64,14 @@ export enum QueryFilterFlags {
     ONLY_FIXED = 6,
 }
 
-/** How a motor's strength depends on masses. */
+/** Dependence of a motor's strength on masses. */
 export enum MotorModel {
     AccelerationBased = 0,
     ForceBased = 1,
 }
 
 /**
- * Two masks of 16 bits: the memberships above the filter. Two colliders interact if each is a member of a group that the filter of the other one has.
+ * Two masks of 16 bits: the memberships above the filter. Two colliders interact if each is a member of a
+ * group that the filter of the other one has.
  */
 export type InteractionGroups = number;

@@ -1,4 +1,4 @@
-/** What kind of mistake an error is about. */
+/** Kinds of errors. */
 export type RapierErrorCode =
     | "StaleHandle"
     | "InvalidValue"
@@ -15,7 +15,7 @@ const CODES: RapierErrorCode[] = ["Internal", "StaleHandle", "InvalidValue", "Fr
 
 /** An error of the engine. The message names the value, and the world is as it was before the call. */
 export class RapierError extends Error {
-    /** What kind of mistake it is. */
+    /** The kind of the error. */
     readonly code: RapierErrorCode;
 
     /** Creates an error. */

@@ -69,7 +69,7 @@ export class EventQueue extends Owner {
         super(raw.queue_new(+autoDrain), (id) => raw.queue_free(id));
     }
 
-    /** Calls a function with each collision that started or stopped, and forgets them. */
+    /** Calls a function with each collision that started or stopped, and removes them. */
     drainCollisionEvents(f: (handle1: ColliderHandle, handle2: ColliderHandle, started: boolean) => void): void {
         const events = this.takeCollisionEvents();
         for (let at = 0; at < events.length; at += 3) {
@@ -77,12 +77,15 @@ export class EventQueue extends Owner {
         }
     }
 
-    /** The collisions that started or stopped, three numbers each: two handles, then 1 for a start and 0 for an end. They are forgotten. */
+    /**
+     * Removes and returns the collisions that started or stopped. Each has three numbers: two handles, then 1
+     * for a start and 0 for an end.
+     */
     takeCollisionEvents(): Float64Array {
         return listCopy(raw.queue_take_collisions(this.id));
     }
 
-    /** Calls a function with each strong contact force, and forgets them. */
+    /** Calls a function with each strong contact force, and removes them. */
     drainContactForceEvents(f: (event: TempContactForceEvent) => void): void {
         const count = raw.queue_take_forces(this.id) / 2;
         if (count === 0) {
@@ -101,7 +104,7 @@ export class EventQueue extends Owner {
         }
     }
 
-    /** Forgets all events. */
+    /** Discards all events. */
     clear(): void {
         raw.queue_clear(this.id);
     }

@@ -6,7 +6,7 @@ import { getNumber, raw } from "./raw.js";
 
 /** A ray. */
 export class Ray {
-    /** Where the ray begins. */
+    /** The origin of the ray. */
     origin: Vector;
     /** The direction. Its length is the distance that the ray covers per unit of time. */
     dir: Vector;

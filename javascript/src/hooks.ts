@@ -6,7 +6,7 @@ import type { RigidBodyHandle } from "./rigid_body.js";
 
 /** The kinds of hooks, in the order of crates/wasm/src/hooks.rs. */
 const Kind = { contact: 0, intersection: 1, modification: 2 } as const;
-/** Bits of the answer to a modification. */
+/** Bits of the result of a modification. */
 const Answer = { keepContacts: 1, computeImpulses: 2, written: 4 } as const;
 
 /** The contacts of a pair, before they are solved. It is valid while the hook runs. */
@@ -53,9 +53,14 @@ export class ContactModification {
     }
 }
 
-/** Decides about pairs and changes contacts while a step runs. Hooks may read bodies and colliders, and change nothing. */
+/**
+ * Filters pairs and changes contacts during a step. Hooks may read bodies and colliders, but not change them.
+ */
 export interface PhysicsHooks {
-    /** Returns what the solver does with a pair: `EMPTY` computes and reports contacts without forces. Null leaves the pair out. */
+    /**
+     * Returns the treatment of a pair by the solver: `EMPTY` computes and reports contacts without forces.
+     * Null excludes the pair.
+     */
     filterContactPair?(
         collider1: ColliderHandle,
         collider2: ColliderHandle,
@@ -79,7 +84,7 @@ export interface PhysicsHooks {
     ): void;
 }
 
-/** Bits that say which hooks there are. */
+/** Returns the bits of the present hooks. */
 export function presentHooks(hooks: PhysicsHooks): number {
     const present = (hook: unknown, kind: number): number => (hook ? 1 << kind : 0);
     return (
@@ -89,7 +94,7 @@ export function presentHooks(hooks: PhysicsHooks): number {
     );
 }
 
-/** The bits of the answer to a filter. */
+/** Returns the bits of a filter's result. */
 function pairAnswer(flags: SolverFlags | null): number {
     return flags === null ? 0 : Answer.keepContacts | computeBit(flags);
 }

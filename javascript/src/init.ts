@@ -1,6 +1,6 @@
 import { type InitOptions, load, raw } from "./raw.js";
 
-/** Loads the engine. Everything else waits for it. */
+/** Loads the engine. No other function works before its end. */
 export function init(options?: InitOptions): Promise<void> {
     return load(options);
 }

@@ -73,7 +73,7 @@ export class IntegrationParameters {
         this.set(Parameter.lengthUnit, value);
     }
 
-    /** The penetration that is left alone, in length units. */
+    /** The allowed penetration, in length units. */
     get normalizedAllowedLinearError(): number {
         return this.get(Parameter.allowedLinearError);
     }

@@ -135,7 +135,7 @@ abstract class Joint {
         this.setFrame(1, anchor, rot);
     }
 
-    /** Says whether the two bodies collide. */
+    /** Sets whether the two bodies collide. */
     setContactsEnabled(enabled: boolean): void {
         raw.joint_set_contacts_enabled(this.world.id, this.set, this.handle, +enabled);
     }
@@ -186,7 +186,7 @@ abstract class Joint {
     }
 }
 
-/** A joint that impulses hold. */
+/** A joint that the solver enforces by impulses. */
 export class ImpulseJoint extends Joint {
     /** @internal */
     readonly set = Set.impulse;
@@ -265,7 +265,7 @@ export class FixedImpulseJoint extends ImpulseJoint {}
 export class RopeImpulseJoint extends ImpulseJoint {}
 /** A joint that drives a distance. */
 export class SpringImpulseJoint extends ImpulseJoint {}
-/** A joint whose axes the program chose. */
+/** A joint with user-defined axes. */
 export class GenericImpulseJoint extends ImpulseJoint {}
 
 /** A slider. */
@@ -512,7 +512,7 @@ abstract class JointSet<T extends Joint> {
         listCopy(raw.joints_of_body(this.world.id, this.set, handle)).forEach((joint) => f(joint));
     }
 
-    /** Forgets the object of a joint that is not in the module any more. */
+    /** Removes the object of a joint that the module no longer contains. */
     unmap(handle: number): void {
         this.map.delete(handle);
     }

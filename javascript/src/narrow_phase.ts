@@ -162,7 +162,10 @@ export class NarrowPhase {
         listCopy(raw.intersections_with(this.world.id, collider1)).forEach((handle) => f(handle));
     }
 
-    /** Calls a function with each manifold of a pair. `flipped` says that the manifold has the colliders in the other order. */
+    /**
+     * Calls a function with each manifold of a pair. `flipped` is true if the manifold has the colliders in
+     * the other order.
+     */
     contactPair(
         collider1: ColliderHandle,
         collider2: ColliderHandle,

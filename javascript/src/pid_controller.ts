@@ -17,7 +17,7 @@ import type { World } from "./world.js";
 /** The gains, in the order of crates/wasm/src/controller.rs. */
 const Gain = { proportional: 0, integral: 1, derivative: 2 } as const;
 
-/** Holds a body at a pose by corrections of its velocity. */
+/** Keeps a body at a pose by corrections of its velocity. */
 export class PidController extends Owner {
     private readonly world: World;
 
@@ -47,7 +47,7 @@ export class PidController extends Owner {
         raw.pid_set_axes(this.id, axes);
     }
 
-    /** Forgets the integrals. */
+    /** Resets the integrals. */
     resetIntegrals(): void {
         raw.pid_reset(this.id);
     }

@@ -1,4 +1,4 @@
-// Names of the published packages whose work the world does.
+// Names of the published packages. The world does their work.
 
 import type { Vector } from "#dim";
 import { World as OwnWorld } from "#world";
@@ -24,7 +24,10 @@ function worldOf(bodies: RigidBodySet): World {
 
 /** Steps a world through its sets. `World.step` is shorter. */
 export class PhysicsPipeline {
-    /** Moves the world of the sets forward by one time step. The last arguments may be an event queue and hooks. */
+    /**
+     * Moves the world of the sets forward by one time step. The last arguments may be an event queue and
+     * hooks.
+     */
     step(
         gravity: Vector,
         _integrationParameters: unknown,

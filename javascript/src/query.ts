@@ -16,7 +16,7 @@ import type { RigidBodyHandle } from "./rigid_body.js";
 import type { Shape } from "./shape.js";
 import type { World } from "./world.js";
 
-/** What a query leaves out, as the last arguments of a query: flags, groups, a collider, a body, a predicate. */
+/** The filter of a query, as its last arguments: flags, groups, a collider, a body, a predicate. */
 export type Filter = [
     filterFlags?: QueryFilterFlags | undefined,
     filterGroups?: InteractionGroups | undefined,
@@ -42,7 +42,7 @@ export function run<R>(filter: Filter, call: () => R, visitor?: (collider: Colli
     return withCallbacks({ ...(predicate && { accept: predicate }), ...(visitor && { visitor }) }, call);
 }
 
-/** The boxes of a world's colliders, which queries look through. */
+/** The bounding boxes of a world's colliders, which queries search. */
 export class BroadPhase {
     private readonly world: World;
 
@@ -78,7 +78,7 @@ export class BroadPhase {
         return found && RayColliderIntersection.read(found, target);
     }
 
-    /** Shows all colliders that a ray hits to a callback, until it returns false. */
+    /** Calls a callback with all colliders that a ray hits, until it returns false. */
     intersectionsWithRay(
         _n: unknown,
         _b: unknown,
@@ -141,7 +141,7 @@ export class BroadPhase {
         return found && PointColliderProjection.read(found, true, target);
     }
 
-    /** Shows all colliders that hold a point to a callback, until it returns false. */
+    /** Calls a callback with all colliders that contain a point, until it returns false. */
     intersectionsWithPoint(
         _n: unknown,
         _b: unknown,
@@ -154,7 +154,7 @@ export class BroadPhase {
         run(filter, () => raw.query_intersections_with_point(this.world.id), callback);
     }
 
-    /** The first collider in the way of a shape. */
+    /** The first collider in the path of a shape. */
     castShape(
         _n: unknown,
         _b: unknown,
@@ -179,7 +179,7 @@ export class BroadPhase {
         return collider && ColliderShapeCastHit.readOf(collider, target);
     }
 
-    /** Shows all colliders that a shape touches to a callback, until it returns false. */
+    /** Calls a callback with all colliders that a shape touches, until it returns false. */
     intersectionsWithShape(
         _n: unknown,
         _b: unknown,
@@ -197,7 +197,7 @@ export class BroadPhase {
         });
     }
 
-    /** Shows all colliders whose boxes overlap a box to a callback, until it returns false. */
+    /** Calls a callback with all colliders whose boxes overlap a box, until it returns false. */
     collidersWithAabbIntersectingAabb(
         _n: unknown,
         _b: unknown,

@@ -1,4 +1,4 @@
-// The WebAssembly module: how it is loaded, what it imports, and the memory that both sides share.
+// The WebAssembly module: loading, imports, and the shared memory.
 
 import { RapierError } from "./error.js";
 import type { Functions } from "./functions.js";
@@ -17,16 +17,17 @@ export interface Raw extends Functions {
     __wasm_init_tls?(address: number): void;
 }
 
-/** What `init` accepts beside the package's own module. */
+/** Options of `init`. */
 export interface InitOptions {
-    /** The module, its bytes, or where they are fetched from. Default: the file of the package. */
+    /** The module, its bytes, or their address. Default: the file of the package. */
     module?: WebAssembly.Module | BufferSource | Response | URL | string;
     /** Whether the module with SIMD is used. Default: if the platform has SIMD. */
     simd?: boolean;
     /**
-     * Threads that step worlds together, 0 for one per core. Default: 1. Results do not depend on the number. More than one need the module with threads and SIMD,
-     * and Node.js or a worker of a page that is cross-origin isolated. Elsewhere one is used: `threads` returns the number. A world with hooks is stepped
-     * on one thread.
+     * Threads that step worlds together, 0 for one per core. Default: 1. Results do not depend on the number.
+     * More than one need the module with threads and SIMD, and Node.js or a worker of a page that is
+     * cross-origin isolated. Elsewhere one is used: `threads` returns the number. A world with hooks is
+     * stepped on one thread.
      */
     threads?: number;
 }
@@ -37,13 +38,13 @@ export type ModuleKind = "simd" | "scalar" | "threads";
 /** Their files, beside the entries. */
 export const FILES = { simd: "./rapier_simd.wasm", scalar: "./rapier.wasm", threads: "./rapier_threads.wasm" } as const;
 
-/** Where an entry of the package finds its module. */
+/** Source of an entry's module. */
 export interface Source {
     /** Loads the module. */
     load(kind: ModuleKind): Promise<WebAssembly.Module | BufferSource | Response>;
     /** Loads the module at once, where the platform can. */
     loadNow?(kind: ModuleKind): BufferSource;
-    /** What the platform offers for threads, if it does. */
+    /** The platform's support of threads, if there is any. */
     workers?: Workers | undefined;
 }
 
@@ -66,7 +67,7 @@ const uninitialized = new Proxy({} as Raw, {
 /** The functions of the module. */
 export let raw: Raw = uninitialized;
 
-/** Says where the module is found. */
+/** Sets the source of the module. */
 export function setSource(entry: Source): void {
     source = entry;
 }
@@ -145,7 +146,7 @@ function instantiateNow(bytes: BufferSource): void {
     begin(new WebAssembly.Instance(new WebAssembly.Module(bytes), { rapier: imported }));
 }
 
-/** Makes an instance the engine, if there is none. Returns whether it did. */
+/** Makes an instance the engine, if there is none. Returns whether it became the engine. */
 function begin(instance: WebAssembly.Instance): boolean {
     if (exportsOfModule) {
         return false;
@@ -185,32 +186,37 @@ export function getNumber(place: number, component: number): number {
     return scratch()[PLACE * place + component]!;
 }
 
-/** The list of numbers that the last call left. It is valid until the next call. */
+/** The list of numbers of the last call. It is valid until the next call. */
 export function list(length: number): Float64Array {
     return new Float64Array(raw.memory.buffer, raw.list_address(), length);
 }
 
-/** A copy of the list of numbers that the last call left. */
+/** A copy of the list of numbers of the last call. */
 export function listCopy(length: number): Float64Array {
     return list(length).slice();
 }
 
-/** A copy of the real numbers that the last call left. */
+/** A copy of the real numbers of the last call. */
 export function realsCopy(): RealArray {
     return new RealArrayType(raw.memory.buffer, raw.reals_address(), raw.reals_len()).slice();
 }
 
-/** A copy of the integers that the last call left. */
+/** A copy of the integers of the last call. */
 export function integersCopy(): Uint32Array {
     return new Uint32Array(raw.memory.buffer, raw.integers_address(), raw.integers_len()).slice();
 }
 
-/** Returns whether a buffer may be the module's before it grew. Buffers that are not shared are detached then. */
+/**
+ * Returns whether a buffer may be the module's before it grew. Buffers that are not shared are detached then.
+ */
 function isSharedBuffer(buffer: ArrayBufferLike): boolean {
     return typeof SharedArrayBuffer !== "undefined" && buffer instanceof SharedArrayBuffer;
 }
 
-/** The numbers, or a copy of them if they lie in the module's memory, which may grow or change before they are used. */
+/**
+ * The numbers, or a copy of them if they lie in the module's memory, which may grow or change before they are
+ * used.
+ */
 export function apart<T extends ArrayLike<number>>(numbers: T): T {
     const isView = ArrayBuffer.isView(numbers) && (numbers.buffer === raw.memory.buffer || isSharedBuffer(numbers.buffer));
     return isView ? (numbers as unknown as RealArray).slice() as unknown as T : numbers;
@@ -244,7 +250,7 @@ export function putBytes(bytes: Uint8Array): void {
     new Uint8Array(raw.memory.buffer, address, bytes.length).set(bytes);
 }
 
-/** A copy of the bytes that the last call left. */
+/** A copy of the bytes of the last call. */
 export function bytesCopy(length: number): Uint8Array {
     return new Uint8Array(raw.memory.buffer, raw.bytes_address(), length).slice();
 }
@@ -260,15 +266,18 @@ function text(address: number, length: number): string {
 
 // ---- Calls from the module ----
 
-/** The stack pointer of the call from JavaScript that is running: an exception gives the stack back down to it. */
+/**
+ * The stack pointer of the call from JavaScript that is running: an exception gives the stack back down to
+ * it.
+ */
 let stackFloor = 0;
 
 /** The exception of a callback. It is thrown when the module has returned. */
 let pending: { error: unknown } | undefined;
 
-/** Decides whether a collider takes part in a query. */
+/** Returns whether a collider takes part in a query. */
 export type Accept = (collider: number) => boolean;
-/** Decides about a pair or a contact in a step. */
+/** Filters a pair or changes a contact in a step. */
 export type Hook = (kind: number, collider1: number, collider2: number, body1: number, body2: number) => number;
 
 let accept: Accept | undefined;
@@ -276,7 +285,7 @@ let visitor: Accept | undefined;
 let hook: Hook | undefined;
 let warn: (message: string) => void = (message) => console.warn(`rapier: ${message}`);
 
-/** Runs a callback between two calls of the module. An exception is kept, and the answer is 0. */
+/** Runs a callback between two calls of the module. An exception is stored, and the result is 0. */
 function guarded(call: () => number): number {
     if (pending) {
         return 0;
@@ -307,7 +316,7 @@ const imported = {
         guarded(() => (warn(message), 0));
     },
     now: (): number => performance.now(),
-    // An answer that is no boolean, as that of a function without a result, counts as true.
+    // A result that is not a boolean, as that of a function without a result, counts as true.
     accepts: (collider: number): number => guarded(() => Number(accept!(collider) !== false)),
     visit: (collider: number): number => guarded(() => Number(visitor!(collider) !== false)),
     hook: (kind: number, collider1: number, collider2: number, body1: number, body2: number): number =>
@@ -337,7 +346,10 @@ export function withCallbacks<R>(callbacks: { accept?: Accept; visitor?: Accept;
     return result;
 }
 
-/** Ends the calls of the module that an exception ended: gives their stack back, and the worlds and queues that they used. */
+/**
+ * Ends the calls of the module that an exception ended: gives their stack back, and the worlds and queues
+ * that they used.
+ */
 function recover(): void {
     raw.__stack_pointer.value = stackFloor;
     raw.calls_abandon(stackFloor);

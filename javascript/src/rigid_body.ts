@@ -34,11 +34,11 @@ import type { World } from "./world.js";
 /** Identifies a rigid body of a world: slot and generation as the bits of a double. */
 export type RigidBodyHandle = number;
 
-/** What moves a rigid body. */
+/** Cause of a rigid body's motion. */
 export enum RigidBodyType {
     /** Forces, contacts and joints. */
     Dynamic = 0,
-    /** Nothing. */
+    /** None: the body does not move. */
     Fixed = 1,
     /** The program, which sets the pose after the next step. */
     KinematicPositionBased = 2,
@@ -95,7 +95,7 @@ export class RigidBody {
         raw.body_set_locked_axes(this.world.id, this.handle, ROTATIONS, locked ? ROTATIONS : 0, +wakeUp);
     }
 
-    /** Says along which axes the body can be moved. */
+    /** Sets the axes along which the body can move. */
     setEnabledTranslations(...flags: AxisFlagsAndWakeUp): void {
         const [enabled, wakeUp] = splitLast<boolean, boolean>(flags);
         raw.body_set_locked_axes(this.world.id, this.handle, TRANSLATIONS, lockedBits(enabled as AxisFlags), +wakeUp);
@@ -136,22 +136,22 @@ export class RigidBody {
         this.setSetting(Setting.additionalSolverIterations, iters);
     }
 
-    /** Switches continuous collision detection on or off. */
+    /** Enables or disables continuous collision detection. */
     enableCcd(enabled: boolean): void {
         raw.body_set_ccd(this.world.id, this.handle, +enabled);
     }
 
-    /** Returns whether continuous collision detection is on. */
+    /** Returns whether continuous collision detection is enabled. */
     isCcdEnabled(): boolean {
         return this.flag(Flag.ccd);
     }
 
-    /** Sets how far ahead of the body contacts are looked for. 0 switches this off. */
+    /** Sets the prediction distance of contacts ahead of the body. 0 disables the prediction. */
     setSoftCcdPrediction(distance: number): void {
         this.setSetting(Setting.softCcdPrediction, distance);
     }
 
-    /** How far ahead of the body contacts are looked for. */
+    /** The prediction distance of contacts ahead of the body. */
     softCcdPrediction(): number {
         return this.setting(Setting.softCcdPrediction);
     }
@@ -366,17 +366,17 @@ export class RigidBody {
         return this.flag(Flag.moving);
     }
 
-    /** Switches the body with its colliders and joints on or off. */
+    /** Enables or disables the body with its colliders and joints. */
     setEnabled(enabled: boolean): void {
         raw.body_set_enabled(this.world.id, this.handle, +enabled);
     }
 
-    /** Returns whether the body is switched on. */
+    /** Returns whether the body is enabled. */
     isEnabled(): boolean {
         return this.flag(Flag.enabled);
     }
 
-    /** Returns whether a step switched the body off, because its numbers had become impossible. */
+    /** Returns whether a step disabled the body, because its numbers had overflowed. */
     isQuarantined(): boolean {
         return this.flag(Flag.quarantined);
     }
@@ -391,18 +391,18 @@ export class RigidBody {
         raw.body_set_type(this.world.id, this.handle, type, +wakeUp);
     }
 
-    /** Returns whether nothing moves the body. */
+    /** Returns whether the body is fixed. */
     isFixed(): boolean {
         return this.bodyType() === RigidBodyType.Fixed;
     }
 
-    /** Returns whether the program moves the body. */
+    /** Returns whether the body is kinematic. */
     isKinematic(): boolean {
         const type = this.bodyType();
         return type === RigidBodyType.KinematicPositionBased || type === RigidBodyType.KinematicVelocityBased;
     }
 
-    /** Returns whether forces move the body. */
+    /** Returns whether the body is dynamic. */
     isDynamic(): boolean {
         return this.bodyType() === RigidBodyType.Dynamic;
     }
@@ -419,12 +419,12 @@ export class RigidBody {
 
     // ---- Forces ----
 
-    /** Forgets the forces that were added. */
+    /** Resets the added forces. */
     resetForces(wakeUp: boolean): void {
         raw.body_reset_forces(this.world.id, this.handle, +wakeUp);
     }
 
-    /** Forgets the torques that were added. */
+    /** Resets the added torques. */
     resetTorques(wakeUp: boolean): void {
         raw.body_reset_torques(this.world.id, this.handle, +wakeUp);
     }

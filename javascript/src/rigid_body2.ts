@@ -60,7 +60,7 @@ export class RigidBodyDesc extends Desc {
         return this;
     }
 
-    /** Says along which axes the body can be moved. */
+    /** Sets the axes along which the body can move. */
     enabledTranslations(...enabled: AxisFlags): this {
         [this.translationsEnabledX, this.translationsEnabledY] = enabled;
         return this;

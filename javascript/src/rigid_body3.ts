@@ -20,7 +20,7 @@ import { RigidBodyDesc as Desc, RigidBody as Body, RigidBodyType } from "./rigid
 
 /** A rigid body of a world. */
 export class RigidBody extends Body {
-    /** Says about which axes the body can be turned. */
+    /** Sets the axes about which the body can rotate. */
     setEnabledRotations(...flags: AxisFlagsAndWakeUp): void {
         const [enabled, wakeUp] = splitLast<boolean, boolean>(flags);
         const locked = lockedBits(enabled as AxisFlags) << ROTATION_SHIFT;
@@ -99,7 +99,7 @@ export class RigidBodyDesc extends Desc {
         return this;
     }
 
-    /** Says along which axes the body can be moved. */
+    /** Sets the axes along which the body can move. */
     enabledTranslations(...enabled: AxisFlags): this {
         [this.translationsEnabledX, this.translationsEnabledY, this.translationsEnabledZ] = enabled;
         return this;
@@ -115,7 +115,7 @@ export class RigidBodyDesc extends Desc {
         return this.enabledTranslations(false, false, false);
     }
 
-    /** Says about which axes the body can be turned. */
+    /** Sets the axes about which the body can rotate. */
     enabledRotations(...enabled: AxisFlags): this {
         [this.rotationsEnabledX, this.rotationsEnabledY, this.rotationsEnabledZ] = enabled;
         return this;

@@ -481,7 +481,7 @@ export class TriMesh extends Shape {
     }
 }
 
-/** How a surface is split into convex parts. What is left out keeps its default. */
+/** Parameters of a convex decomposition. Omitted ones keep their defaults. */
 export interface VHACDParameters {
     alpha?: number;
     beta?: number;
@@ -493,7 +493,7 @@ export interface VHACDParameters {
     convexHullApproximation?: boolean;
 }
 
-/** The compound of convex parts that fill what a surface encloses. */
+/** The compound of convex parts of the volume inside a surface. */
 export function decompose(vertices: ArrayLike<number>, indices: Uint32Array, parameters: VHACDParameters = {}, flags = 0): Shape {
     const { concavity, alpha, beta, resolution, planeDownsampling, convexHullDownsampling, maxConvexHulls } = parameters;
     const numbers = [concavity, alpha, beta, resolution, planeDownsampling, convexHullDownsampling, maxConvexHulls];

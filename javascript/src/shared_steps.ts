@@ -20,7 +20,7 @@ export interface Step {
     poses: RealArray;
 }
 
-/** What publishers and followers tell each other. Other messages through the same port are left alone. */
+/** Messages between publishers and followers. Other messages through the same port are ignored. */
 export type Message =
     | { rapier: "hello" }
     | { rapier: "shared"; buffer: SharedArrayBuffer; capacity: number }
@@ -104,7 +104,9 @@ export class SharedSteps {
         return Atomics.load(this.header, WRITTEN);
     }
 
-    /** Copies a step. Null if this memory does not contain it yet or any more, or a write overlaps the copy. */
+    /**
+     * Copies a step. Null if this memory does not contain it yet or any more, or a write overlaps the copy.
+     */
     read(number: number): Step | null {
         if (number < 1 || number > this.last()) {
             return null;

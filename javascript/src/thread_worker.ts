@@ -1,8 +1,9 @@
-// The program of a worker of a module with threads. The build makes a text of it, which precedes `scope` with the worker's end of its connection.
+// The program of a worker of a module with threads. The build makes a text of it, which precedes `scope` with
+// the worker's end of its connection.
 
 import type { Raw } from "./raw.js";
 
-/** What a worker receives. */
+/** Data of a worker. */
 export interface Start {
     module: WebAssembly.Module;
     memory: WebAssembly.Memory;

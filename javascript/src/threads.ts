@@ -28,7 +28,7 @@ export interface ThreadWorker {
     terminate(): void;
 }
 
-/** What a platform offers for threads. */
+/** A platform's support of threads. */
 export interface Workers {
     /** Starts a worker with a program. */
     start(program: string): ThreadWorker;
@@ -41,7 +41,9 @@ export function canShareMemory(): boolean {
     return typeof SharedArrayBuffer !== "undefined" && (globalThis as { crossOriginIsolated?: boolean }).crossOriginIsolated !== false;
 }
 
-/** The number of threads that the package and the platform support, of those that are wanted. 0 wants one per core. */
+/**
+ * The number of threads that the package and the platform support, up to `wanted`. 0 requests one per core.
+ */
 export function supportedThreads(wanted: number, workers: Workers | undefined): number {
     if (!(Number.isInteger(wanted) && wanted >= 0 && wanted <= THREADS_MAX)) {
         throw new RapierError("InvalidValue", `threads is ${wanted}, but must be an integer from 0 to ${THREADS_MAX}`);

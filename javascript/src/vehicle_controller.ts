@@ -21,14 +21,17 @@ export class DynamicRayCastVehicleController extends Owner {
         this.body = chassis;
     }
 
-    /** Finds the ground under the wheels, and changes the velocity of the chassis. To be called before each step. */
+    /**
+     * Finds the ground under the wheels, and changes the velocity of the chassis. To be called before each
+     * step.
+     */
     updateVehicle(
         dt: number,
         filterFlags?: QueryFilterFlags,
         filterGroups?: InteractionGroups,
         filterPredicate?: (collider: Collider) => boolean,
     ): void {
-        // The vehicle changes the world while it looks for the ground, so the predicate is asked before.
+        // The vehicle changes the world while it searches for the ground, so the predicate is called before.
         const leftOut = filterPredicate ? this.world.colliders.getAll().filter((collider) => filterPredicate(collider) === false) : [];
         const handles = Float64Array.from(leftOut, (collider) => collider.handle);
         putIntegers(new Uint32Array(handles.buffer));
@@ -96,7 +99,9 @@ export class DynamicRayCastVehicleController extends Owner {
         raw.wheel_set_vector(this.id, i, what);
     }
 
-    /** The point where the suspension is fixed to the chassis, in its frame. Null if there is no such wheel. */
+    /**
+     * The point where the suspension is fixed to the chassis, in its frame. Null if there is no such wheel.
+     */
     wheelChassisConnectionPointCs(i: number, target?: Vector): Vector | null {
         return this.vector(i, 0, target);
     }
@@ -151,12 +156,12 @@ export class DynamicRayCastVehicleController extends Owner {
         raw.wheel_set(this.id, i, 0, value);
     }
 
-    /** How far the suspension moves at most from its length without load. Null if there is no such wheel. */
+    /** The largest travel of the suspension from its length without load. Null if there is no such wheel. */
     wheelMaxSuspensionTravel(i: number): number | null {
         return this.get(i, 1);
     }
 
-    /** Sets how far the suspension moves at most from its length without load. */
+    /** Sets the largest travel of the suspension from its length without load. */
     setWheelMaxSuspensionTravel(i: number, value: number): void {
         raw.wheel_set(this.id, i, 1, value);
     }

@@ -14,9 +14,10 @@ const HANDLE = new Float64Array(1);
 const HALVES = new Uint32Array(HANDLE.buffer);
 
 /**
- * Poses, velocities and sleep flags of all bodies, by slot, as views of the engine's memory. Each step brings them up to date. A view is valid until bodies are
- * created or the memory grows: read the property anew in each frame. It creates no object unless the memory has moved. In a module with threads, an older view
- * shows memory that has another use.
+ * Poses, velocities and sleep flags of all bodies, by slot, as views of the engine's memory. Each step brings
+ * them up to date. A view is valid until bodies are created or the memory grows: read the property anew in
+ * each frame. It creates no object unless the memory has moved. In a module with threads, an older view shows
+ * memory that has another use.
  */
 export class BodyViews {
     /** Numbers of a body in `poses`: translation, rotation. */

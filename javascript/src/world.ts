@@ -56,7 +56,7 @@ function adopt<T extends World>(kind: WorldClass<T>, id: number): T {
     return world;
 }
 
-/** What `World.changeBodies` changes. */
+/** The quantities that `World.changeBodies` changes. */
 export type BodyChange =
     | "translation"
     | "rotation"
@@ -79,7 +79,7 @@ const BODY_CHANGES: readonly BodyChange[] = [
     "applyImpulse",
 ];
 
-/** What a query leaves out, as its last arguments. */
+/** The filter of a query, as its last arguments. */
 type ObjectFilter = [
     filterFlags?: QueryFilterFlags,
     filterGroups?: InteractionGroups,
@@ -88,7 +88,7 @@ type ObjectFilter = [
     filterPredicate?: (collider: Collider) => boolean,
 ];
 
-/** A simulation: bodies, colliders, joints, and all that a step needs. */
+/** A simulation: bodies, colliders, joints, and the state of the step. */
 export class World extends Owner {
     /** The acceleration of all dynamic bodies. */
     gravity: Vector;
@@ -128,7 +128,7 @@ export class World extends Owner {
         this.debugRenderPipeline = new DebugRenderPipeline(this);
     }
 
-    /** Frees the world with all that is in it. A second call does nothing. */
+    /** Frees the world with all its objects. A second call does nothing. */
     override free(): void {
         super.free();
         for (const controllers of [this.characterControllers, this.pidControllers]) {
@@ -246,22 +246,22 @@ export class World extends Owner {
         return this.timing(9);
     }
 
-    /** Milliseconds in which continuous collision detection looks for impacts. */
+    /** Milliseconds in which continuous collision detection searches for impacts. */
     timingCcdToiComputation(): number {
         return this.timing(10);
     }
 
-    /** Always 0: continuous collision detection has no broad phase of its own. */
+    /** Always 0: continuous collision detection has no separate broad phase. */
     timingCcdBroadPhase(): number {
         return 0;
     }
 
-    /** Always 0: continuous collision detection has no narrow phase of its own. */
+    /** Always 0: continuous collision detection has no separate narrow phase. */
     timingCcdNarrowPhase(): number {
         return 0;
     }
 
-    /** Always 0: continuous collision detection has no solver of its own. */
+    /** Always 0: continuous collision detection has no separate solver. */
     timingCcdSolver(): number {
         return 0;
     }
@@ -406,7 +406,7 @@ export class World extends Owner {
 
     // ---- Controllers ----
 
-    /** Creates a character controller. The offset is the gap that it keeps to everything. */
+    /** Creates a character controller. The offset is its gap to obstacles. */
     createCharacterController(offset: number): KinematicCharacterController {
         const controller = new KinematicCharacterController(this, offset);
         this.characterControllers.add(controller);
@@ -434,13 +434,19 @@ export class World extends Owner {
 
     // ---- Batches and views ----
 
-    /** Poses, velocities and sleep flags of all bodies as views of the engine's memory. From the first use on, each step writes them. */
+    /**
+     * Poses, velocities and sleep flags of all bodies as views of the engine's memory. From the first use on,
+     * each step writes them.
+     */
     get views(): BodyViews {
         this.bodyViews ??= new BodyViews(this);
         return this.bodyViews;
     }
 
-    /** Changes many bodies at once: none if one of the values cannot be used. The values stand side by side, in the order of the bodies. */
+    /**
+     * Changes many bodies at once: none if one of the values cannot be used. The values stand side by side,
+     * in the order of the bodies.
+     */
     changeBodies(change: BodyChange, bodies: readonly RigidBody[] | Float64Array, values: ArrayLike<number>, wakeUp = true): void {
         const own = apart(values);
         putList(bodies instanceof Float64Array ? bodies : bodies.map((body) => this.handleOf(body, "rigid body")));
@@ -459,7 +465,7 @@ export class World extends Owner {
 
     // ---- Queries ----
 
-    /** What a query leaves out, with colliders and bodies as objects. */
+    /** The filter of a query, with colliders and bodies as objects. */
     private filter([flags, groups, collider, body, predicate]: ObjectFilter): Filter {
         const accept = predicate && ((handle: ColliderHandle) => predicate(this.colliders.get(handle)!));
         const left = [collider && this.handleOf(collider, "collider"), body && this.handleOf(body, "rigid body")] as const;
@@ -478,7 +484,7 @@ export class World extends Owner {
         return broadPhase.castRayAndGetNormal(narrowPhase, bodies, colliders, ray, maxToi, solid, ...this.filter(filter));
     }
 
-    /** Shows all colliders that a ray hits to a callback, until it returns false. */
+    /** Calls a callback with all colliders that a ray hits, until it returns false. */
     intersectionsWithRay(
         ray: Ray,
         maxToi: number,
@@ -509,13 +515,13 @@ export class World extends Owner {
         return broadPhase.projectPointAndGetFeature(narrowPhase, bodies, colliders, point, ...this.filter(filter));
     }
 
-    /** Shows all colliders that hold a point to a callback, until it returns false. */
+    /** Calls a callback with all colliders that contain a point, until it returns false. */
     intersectionsWithPoint(point: Vector, callback: (collider: Collider) => boolean, ...filter: ObjectFilter): void {
         const { broadPhase, narrowPhase, bodies, colliders } = this;
         broadPhase.intersectionsWithPoint(narrowPhase, bodies, colliders, point, this.visitor(callback), ...this.filter(filter));
     }
 
-    /** The first collider in the way of a shape. */
+    /** The first collider in the path of a shape. */
     castShape(
         shapePos: Vector,
         shapeRot: Rotation,
@@ -542,7 +548,7 @@ export class World extends Owner {
         );
     }
 
-    /** Shows all colliders that a shape touches to a callback, until it returns false. */
+    /** Calls a callback with all colliders that a shape touches, until it returns false. */
     intersectionsWithShape(
         shapePos: Vector,
         shapeRot: Rotation,
@@ -555,7 +561,7 @@ export class World extends Owner {
         broadPhase.intersectionsWithShape(narrowPhase, bodies, colliders, shapePos, shapeRot, shape, visitor, ...this.filter(filter));
     }
 
-    /** Shows all colliders whose boxes overlap a box to a callback, until it returns false. */
+    /** Calls a callback with all colliders whose boxes overlap a box, until it returns false. */
     collidersWithAabbIntersectingAabb(aabbCenter: Vector, aabbHalfExtents: Vector, callback: (handle: Collider) => boolean): void {
         const { broadPhase, narrowPhase, bodies, colliders } = this;
         const visitor = this.visitor(callback);
@@ -578,7 +584,10 @@ export class World extends Owner {
         this.narrowPhase.intersectionPairsWith(this.handleOf(collider1, "collider"), (handle) => f(this.colliders.get(handle)!));
     }
 
-    /** Calls a function with each manifold of a pair. `flipped` says that the manifold has the colliders in the other order. */
+    /**
+     * Calls a function with each manifold of a pair. `flipped` is true if the manifold has the colliders in
+     * the other order.
+     */
     contactPair(collider1: Collider, collider2: Collider, f: (manifold: TempContactManifold, flipped: boolean) => void): void {
         const [first, second] = [this.handleOf(collider1, "collider"), this.handleOf(collider2, "collider")];
         this.narrowPhase.contactPair(first, second, this.bodies, f);
@@ -591,7 +600,7 @@ export class World extends Owner {
 
     /** @internal The handle of an object of this world. Objects of other worlds are refused. */
     handleOf(object: { readonly world: World; readonly handle: number }, what: string): number {
-        // Libraries pass proxies of worlds: the number tells worlds apart.
+        // Libraries pass proxies of worlds: the number distinguishes worlds.
         if (object.world.id !== this.id) {
             throw new RapierError("StaleHandle", `the ${what} ${bodyIndex(object.handle)} belongs to another world`);
         }

@@ -4,7 +4,7 @@ import type { RigidBody } from "#rigid_body";
 import { DynamicRayCastVehicleController } from "./vehicle_controller.js";
 import { World as Base } from "./world.js";
 
-/** A simulation: bodies, colliders, joints, and all that a step needs. */
+/** A simulation: bodies, colliders, joints, and the state of the step. */
 export class World extends Base {
     /** The vehicles of the world. */
     vehicleControllers = new Set<DynamicRayCastVehicleController>();

@@ -3,8 +3,8 @@ import { type RealArray, RealArrayType } from "#real";
 import { type Message, POSE, type Port, SharedSteps, type Step, listen } from "./shared_steps.js";
 
 /**
- * Follows the world of a `WorldPublisher` in another thread: gives the poses of its bodies between the last two steps, at the times of frames. It needs no `init`. A page makes
- * one of its worker.
+ * Follows the world of a `WorldPublisher` in another thread: gives the poses of its bodies between the last
+ * two steps, at the times of frames. It needs no `init`. A page makes one of its worker.
  */
 export class WorldFollower {
     /** Numbers of a body in the poses: translation, rotation. */
@@ -33,14 +33,18 @@ export class WorldFollower {
         return this.last?.number ?? 0;
     }
 
-    /** The handle of the body in each slot, at the step of the last call of `poses` or `step`. NaN for slots without a body. */
+    /**
+     * The handle of the body in each slot, at the step of the last call of `poses` or `step`. NaN for slots
+     * without a body.
+     */
     get handles(): Float64Array {
         return this.last?.handles ?? new Float64Array(0);
     }
 
     /**
-     * Translation and rotation of each body by slot, between the last two steps: one step behind the world. The array is the same in each call unless the number of
-     * slots changes. The time is in milliseconds since 1970.
+     * Translation and rotation of each body by slot, between the last two steps: one step behind the world.
+     * The array is the same in each call unless the number of slots changes. The time is in milliseconds
+     * since 1970.
      */
     poses(time = performance.timeOrigin + performance.now()): RealArray {
         this.update();
@@ -59,7 +63,7 @@ export class WorldFollower {
         return this.blended;
     }
 
-    /** Leaves the port alone. */
+    /** Releases the port. */
     free(): void {
         this.unlisten();
     }

@@ -3,11 +3,14 @@ import { RapierError } from "./error.js";
 import { canShareMemory } from "./threads.js";
 import { type Port, SharedSteps, type Step, listen } from "./shared_steps.js";
 
-/** How a world is published. */
+/** Options of a publisher. */
 export interface PublishOptions {
     /** Steps per second. The world's time step becomes the inverse. */
     rate?: number;
-    /** Whether poses are written to shared memory. If not, each step is a message. By default memory is shared where the platform allows it. */
+    /**
+     * Whether poses are written to shared memory. Otherwise each step is a message. By default memory is
+     * shared if the platform allows it.
+     */
     shared?: boolean;
     /** Called before each step, for forces, events and inputs. */
     beforeStep?: (world: World) => void;
@@ -19,8 +22,9 @@ const STEPS_MAX = 5;
 const CAPACITY_MIN = 64;
 
 /**
- * Steps a world at a fixed rate, and publishes the poses of its bodies to a `WorldFollower` in another thread. A worker makes one of its world and the port to its page:
- * `self` in a browser, `parentPort` of `node:worker_threads`.
+ * Steps a world at a fixed rate, and publishes the poses of its bodies to a `WorldFollower` in another
+ * thread. A worker makes one of its world and the port to its page: `self` in a browser, `parentPort` of
+ * `node:worker_threads`.
  */
 export class WorldPublisher {
     private readonly world: World;
@@ -78,13 +82,13 @@ export class WorldPublisher {
         run();
     }
 
-    /** Steps no longer, until the next `start`. */
+    /** Stops until the next `start`. */
     stop(): void {
         clearTimeout(this.timer);
         this.timer = undefined;
     }
 
-    /** Stops, and leaves the port alone. The world lives on. */
+    /** Stops, and releases the port. The world continues to exist. */
     free(): void {
         this.stop();
         this.unlisten();

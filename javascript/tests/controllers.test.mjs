@@ -173,7 +173,7 @@ test("a predicate may free the controller that asks it", () => {
     };
     assert.throws(() => walk(v(0.05, -0.1), 1, undefined, undefined, frees), fails("Freed", "character controller"));
     assert.equal(asked, 1);
-    // The exception of the predicate is forgotten with the call that failed.
+    // The exception of the predicate ends with the failed call.
     const next = world.createCharacterController(0.01);
     assert.equal(next.numComputedCollisions(), 0);
     next.computeColliderMovement(collider, v(0.05, -0.1), undefined, undefined, () => ((asked += 1), true));

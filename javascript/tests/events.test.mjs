@@ -150,7 +150,7 @@ test("a hook can neither free nor use the queue of its step", () => {
     };
     world.step(queue, hooks);
     assert.ok(refused >= calls.length);
-    // A step that is refused forgets no event.
+    // A rejected step keeps all events.
     other.free();
     assert.throws(() => other.step(queue), fails("Freed", "world"));
     assert.equal(queue.takeCollisionEvents().length, 3);

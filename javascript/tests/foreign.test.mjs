@@ -4,7 +4,10 @@ import assert from "node:assert/strict";
 import test from "node:test";
 import { DIM, RAPIER, box, makeGround, v } from "./setup.mjs";
 
-/** An object that has the components of another one as accessors of its prototype, as quaternions of three.js have. */
+/**
+ * An object that has the components of another one as accessors of its prototype, as quaternions of three.js
+ * have.
+ */
 function accessors(components) {
     const getters = Object.keys(components).map((name) => [name, { get: () => components[name] }]);
     return Object.create(Object.create(Object.prototype, Object.fromEntries(getters)));

@@ -1,4 +1,5 @@
-// Runs the programs of docs/guide/javascript.md, those of this dimension. A failed `console.assert` fails the test.
+// Runs the programs of docs/guide/javascript.md, those of this dimension. A failed `console.assert` fails the
+// test.
 
 import assert from "node:assert/strict";
 import { mkdirSync, readFileSync, writeFileSync } from "node:fs";

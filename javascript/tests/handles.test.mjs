@@ -1,4 +1,4 @@
-// Wrong handles and wrong values: a typed error that names the value, and a world that lives on.
+// Wrong handles and wrong values: a typed error that names the value, and a world that continues.
 
 import assert from "node:assert/strict";
 import test from "node:test";

@@ -1,4 +1,4 @@
-// What all tests share: the package of the dimension that the environment names, and constructors that both dimensions have.
+// Common parts of all tests: the package of the environment's dimension, and constructors of both dimensions.
 
 import { execFile } from "node:child_process";
 import { join } from "node:path";
@@ -11,7 +11,7 @@ export const PKG = process.env.RAPIER_PKG ?? join(import.meta.dirname, `../../ra
 export const RAPIER = (await import(pathToFileURL(join(PKG, "rapier.node.mjs")))).default;
 await RAPIER.init();
 
-/** A vector. Two dimensions leave out z. */
+/** A vector. 2D omits z. */
 export const v = (x, y, z = 0) => (DIM === 2 ? { x, y } : { x, y, z });
 /** The components of a vector as arguments. */
 export const c = (x, y, z = 0) => (DIM === 2 ? [x, y] : [x, y, z]);
@@ -60,7 +60,7 @@ export function fails(code, ...parts) {
     };
 }
 
-/** Whether two numbers are close. */
+/** Returns whether two numbers are close. */
 export function near(actual, expected, tolerance) {
     if (!(Math.abs(actual - expected) <= tolerance)) {
         throw new Error(`${actual} is not within ${tolerance} of ${expected}`);
@@ -70,7 +70,7 @@ export function near(actual, expected, tolerance) {
 /** The address of a file of the package, as a literal of JavaScript. */
 export const entry = (file) => JSON.stringify(pathToFileURL(join(PKG, file)).href);
 
-/** What a process of Node.js prints. */
+/** The output of a process of Node.js. */
 export async function output(...options) {
     const { stdout } = await promisify(execFile)(process.execPath, options, { timeout: 120_000 });
     return stdout.trim();

@@ -1,4 +1,4 @@
-// Snapshots: restored worlds continue bit for bit, damaged ones are refused.
+// Snapshots: restored worlds continue bit for bit, damaged ones are rejected.
 
 import assert from "node:assert/strict";
 import test from "node:test";

@@ -144,7 +144,9 @@ for (const [before, after] of [[true, true], [true, false], [false, true], [fals
 /** Milliseconds per step of the publishers with a clock. */
 const INTERVAL = 8;
 
-/** A publisher whose timers run by a clock of the test. `act` is called in each step, with its number from 1. */
+/**
+ * A publisher whose timers run by a clock of the test. `act` is called in each step, with its number from 1.
+ */
 function makeClocked(t, act) {
     const { world } = makeGround();
     const timers = new Map();

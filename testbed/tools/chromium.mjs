@@ -1,4 +1,5 @@
-// The Chromium of the machine, for everything that drives one: tests of the testbeds and of the website, comparisons.
+// The Chromium of the machine, for everything that drives one: tests of the testbeds and of the website,
+// comparisons.
 
 import { existsSync } from "node:fs";
 

@@ -1,4 +1,5 @@
-// Pictures of scenes for the eye: `npm run shots -- [scene ...] [--engine both] [--theme light] [--steps 60] [--phone]`.
+// Pictures of scenes for the eye: `npm run shots -- [scene ...] [--engine both] [--theme light] [--steps 60]
+// [--phone]`.
 
 import { mkdirSync } from "node:fs";
 import { join } from "node:path";

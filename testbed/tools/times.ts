@@ -1,5 +1,5 @@
-// Compares the engines on all scenes: `npm run times -- [scene ...]`. It measures the processor's time of a step,
-// including the scene's script, so other programs on the machine hardly matter.
+// Compares the engines on all scenes: `npm run times -- [scene ...]`. It measures the processor's time of a
+// step, including the scene's script, so other programs on the machine hardly matter.
 
 import type { Dimension } from "../src/core/dimension.ts";
 import type { Engine, EngineModule, WorldLike } from "../src/core/engine.ts";

@@ -1,4 +1,4 @@
-// What many scenes begin with: a floor, boxes, walls.
+// Common parts of scenes: a floor, boxes, walls.
 
 import type { ColliderDesc, Context, Paint, RigidBody, Vector } from "./rapier.ts";
 
@@ -33,7 +33,7 @@ export function addWalls(context: Context, half: number, height: number): void {
     }
 }
 
-/** A hook that a joint hangs on, which collides with nothing. */
+/** A suspension point of a joint, which collides with nothing. */
 export function addHook({ RAPIER, world, paint }: Context, at: Vector): RigidBody {
     const body = world.createRigidBody(RAPIER.RigidBodyDesc.fixed().setTranslation(at.x, at.y));
     world.createCollider(RAPIER.ColliderDesc.ball(0.1).setCollisionGroups(0), body);

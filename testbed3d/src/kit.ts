@@ -1,4 +1,4 @@
-// What many scenes begin with: a floor, boxes, a pit.
+// Common parts of scenes: a floor, boxes, a pit.
 
 import type { ColliderDesc, Context, RigidBody, Rotation, Vector } from "./rapier.ts";
 
@@ -60,7 +60,7 @@ export function addPit(context: Context, half: number, height: number): void {
     }
 }
 
-/** A hook that a joint hangs on, which collides with nothing. */
+/** A suspension point of a joint, which collides with nothing. */
 export function addHook({ RAPIER, world, paint }: Context, at: Vector, half = 0.12): RigidBody {
     const body = world.createRigidBody(RAPIER.RigidBodyDesc.fixed().setTranslation(at.x, at.y, at.z));
     world.createCollider(RAPIER.ColliderDesc.cuboid(half, half, half).setCollisionGroups(0), body);

@@ -1,4 +1,4 @@
-// Pictures of scenes, for the eye.
+// Pictures of scenes.
 
 import { dirname } from "node:path";
 import { fileURLToPath } from "node:url";

@@ -6,7 +6,7 @@ use rapier::prelude::*;
 
 const G: Real = 9.81;
 
-/// Two overlapping balls, looked at but not moved.
+/// Returns two overlapping balls, after collision detection without a step.
 fn two_balls(distance: Real) -> (PhysicsWorld, ColliderHandle, ColliderHandle) {
     let mut world = PhysicsWorld::new();
     let (_, a) = world.insert(RigidBodyBuilder::dynamic(), ColliderBuilder::ball(0.5));
@@ -67,7 +67,8 @@ fn a_pair_is_found_in_either_order_and_from_either_side() {
     assert_eq!(narrow_phase.intersection_pairs().count(), 0);
 }
 
-/// After a step, impulses are those of this step: what carries a box is its weight times the step.
+/// After a step, contact impulses are those of the step: the impulse under a box is its weight times the
+/// step.
 #[test]
 fn impulses_carry_the_weight() {
     for model in [FrictionModel::Standard, FrictionModel::Coulomb] {
@@ -95,7 +96,7 @@ fn impulses_carry_the_weight() {
     }
 }
 
-/// In a stack, each contact carries all that stands on it.
+/// Each contact of a stack carries the weight of all boxes above it.
 #[test]
 fn impulses_of_a_stack_add_up() {
     let (mut world, ground) = world_with_ground();
@@ -118,7 +119,7 @@ fn impulses_of_a_stack_add_up() {
 
 /// A sleeping pile keeps its contacts, and they can be read.
 #[test]
-fn contacts_of_sleepers_can_be_read() {
+fn contacts_of_sleeping_bodies_can_be_read() {
     let (mut world, ground) = world_with_ground();
     let (body, collider) = add_box(&mut world, vec(0.0, 0.5), plain);
     steps(&mut world, 200);

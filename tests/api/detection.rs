@@ -4,10 +4,10 @@ use super::stage::{Protocol, add_box, between, plain, steps, telling, world_with
 use crate::dim::vec;
 use rapier::prelude::*;
 
-/// Detects collisions with a pipeline of one's own; `take_in` says whether edits are taken in.
+/// Detects collisions with a separate pipeline. `applies_edits` applies edits.
 pub fn detect(
     world: &mut PhysicsWorld,
-    take_in: bool,
+    applies_edits: bool,
     hooks: &dyn PhysicsHooks,
     events: &dyn EventHandler,
 ) {
@@ -23,7 +23,7 @@ pub fn detect(
         &world.multibody_joints,
         hooks,
         events,
-        take_in,
+        applies_edits,
     );
     assert!(pipeline.counters.step_time_ms() >= pipeline.counters.solver_time_ms());
     assert_eq!(pipeline.counters.solver_time_ms(), 0.0);
@@ -56,7 +56,7 @@ fn detection_finds_contacts_and_moves_nothing() {
 }
 
 #[test]
-fn detection_sees_edits_when_it_takes_them_in() {
+fn detection_uses_edits_that_it_applies() {
     let (mut world, ground) = world_with_ground();
     let (body, collider) = add_box(&mut world, vec(0.0, 5.0), telling);
     let protocol = Protocol::default();
@@ -74,7 +74,7 @@ fn detection_sees_edits_when_it_takes_them_in() {
 }
 
 #[test]
-fn detection_survives_removals_that_it_does_not_take_in() {
+fn detection_survives_removals_that_it_does_not_apply() {
     let (mut world, ground) = world_with_ground();
     let (body, collider) = add_box(&mut world, vec(0.0, 0.5), telling);
     let (other, _) = add_box(&mut world, vec(0.0, 1.5), telling);
@@ -95,9 +95,9 @@ fn detection_survives_removals_that_it_does_not_take_in() {
     assert!(world.bodies[next].translation().y < 0.0, "nothing holds it any more");
 }
 
-/// Steps of a simulation and looks in between do not disturb each other.
+/// Collision detections between the steps of a simulation do not change the result.
 #[test]
-fn looking_changes_nothing() {
+fn detection_changes_nothing() {
     let pile = || {
         let (mut world, _) = world_with_ground();
         for i in 0..5_u8 {

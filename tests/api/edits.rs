@@ -4,7 +4,7 @@ use super::stage::{add_box, close, height, plain, steps, world_with_ground};
 use crate::dim::{cuboid, vec};
 use rapier::prelude::*;
 
-/// A box asleep on a shelf above the ground.
+/// Returns a box asleep on a shelf above the ground.
 fn asleep_on_shelf() -> (PhysicsWorld, RigidBodyHandle, ColliderHandle) {
     let (mut world, _) = world_with_ground();
     let shelf = world.insert_collider(cuboid(2.0, 0.5).translation(vec(0.0, 4.5)), None);
@@ -15,9 +15,9 @@ fn asleep_on_shelf() -> (PhysicsWorld, RigidBodyHandle, ColliderHandle) {
     (world, body, shelf)
 }
 
-/// Whatever takes a sleeper's support away wakes it.
+/// Every edit that removes the support of a sleeping body wakes it.
 #[test]
-fn a_sleeper_whose_support_goes_falls() {
+fn a_sleeping_body_without_support_falls() {
     type Loss = (&'static str, fn(&mut PhysicsWorld, ColliderHandle));
     let losses: [Loss; 9] = [
         ("moved away", |w, shelf| w.colliders[shelf].set_translation(vec(9.0, 4.5))),
@@ -48,9 +48,9 @@ fn a_sleeper_whose_support_goes_falls() {
     }
 }
 
-/// The same with a support that is a body.
+/// The same holds for a support with a body.
 #[test]
-fn a_sleeper_whose_supporting_body_goes_falls() {
+fn a_sleeping_body_without_supporting_body_falls() {
     type Loss = (&'static str, fn(&mut PhysicsWorld, RigidBodyHandle));
     let losses: [Loss; 5] = [
         ("moved", |w, body| w.bodies[body].set_translation(vec(9.0, 4.5), true)),
@@ -76,9 +76,9 @@ fn a_sleeper_whose_supporting_body_goes_falls() {
     }
 }
 
-/// Edits of bodies in passing, by `iter_mut` and `get_pair_mut`.
+/// Edits through `iter_mut` and `get_pair_mut` take effect.
 #[test]
-fn edits_in_passing_are_noticed() {
+fn edits_through_iterators_take_effect() {
     let (mut world, body, _) = asleep_on_shelf();
     for (_, body) in world.bodies.iter_mut() {
         body.set_linvel(vec(0.0, 3.0), true);
@@ -96,7 +96,7 @@ fn edits_in_passing_are_noticed() {
 }
 
 #[test]
-fn a_collider_goes_from_body_to_body() {
+fn a_collider_moves_from_body_to_body() {
     let (mut world, ground) = world_with_ground();
     let (left, collider) = add_box(&mut world, vec(0.0, 0.5), plain);
     let right = RigidBodyBuilder::dynamic().translation(vec(5.0, 0.5)).gravity_scale(0.0);
@@ -139,7 +139,7 @@ fn a_disabled_body_stays_as_it_was() {
     assert!(world.contact_pair(ground, collider).is_some());
 }
 
-/// A collider that the user disabled stays so when its body comes back.
+/// A collider that the user disabled stays disabled when its body is enabled.
 #[test]
 fn a_disabled_collider_is_not_enabled_with_its_body() {
     let (mut world, _) = world_with_ground();
@@ -154,7 +154,7 @@ fn a_disabled_collider_is_not_enabled_with_its_body() {
 }
 
 #[test]
-fn a_body_changes_what_it_is() {
+fn a_body_changes_its_type() {
     let (mut world, _) = world_with_ground();
     let (body, _) = add_box(&mut world, vec(0.0, 3.0), plain);
     let set = |world: &mut PhysicsWorld, body_type| {
@@ -179,9 +179,9 @@ fn a_body_changes_what_it_is() {
     close(height(&world, body), 0.5, 0.01);
 }
 
-/// Growing under a sleeper lifts it.
+/// A support that grows lifts the sleeping body on it.
 #[test]
-fn a_support_that_grows_lifts_what_sleeps_on_it() {
+fn a_growing_support_lifts_a_sleeping_body() {
     let (mut world, body, shelf) = asleep_on_shelf();
     world.colliders[shelf].set_shape(cuboid(2.0, 1.0).shape);
     steps(&mut world, 200);

@@ -1,4 +1,4 @@
-//! When solid colliders begin and stop to touch.
+//! Start and end events of touching solid colliders.
 
 use super::stage::{Protocol, add_box, between, plain, steps, telling, world_with_ground};
 use crate::dim::{cuboid, vec};
@@ -27,7 +27,7 @@ fn a_bounce_begins_once_and_ends_once() {
 }
 
 #[test]
-fn who_did_not_ask_is_not_told() {
+fn colliders_without_active_events_send_none() {
     let (mut world, ground) = world_with_ground();
     let protocol = Protocol::default();
     let (body, _) = add_box(&mut world, vec(0.0, 0.6), plain);
@@ -88,9 +88,9 @@ fn removal_is_flagged() {
     }
 }
 
-/// All that ends a touch, but for a removal.
+/// Edits other than a removal end a contact without the flag `removed`.
 #[test]
-fn what_ends_otherwise_is_not_flagged_as_removed() {
+fn other_ends_are_not_flagged_as_removed() {
     type End = (&'static str, fn(&mut PhysicsWorld, RigidBodyHandle, ColliderHandle));
     let ends: [End; 7] = [
         ("leap", |w, body, _| w.bodies[body].set_translation(vec(0.0, 9.0), true)),
@@ -137,9 +137,10 @@ fn a_solid_that_becomes_a_sensor_stops_and_begins() {
     assert_eq!(protocol.of_steps(&mut world, 1), expected);
 }
 
-/// In the order of the pairs, which is that of the colliders where all begin at once.
+/// Events of one step are in the order of the pairs. Pairs that begin at once are in the order of the
+/// colliders.
 #[test]
-fn events_of_one_step_come_in_order() {
+fn events_of_one_step_are_in_order() {
     let (mut world, ground) = world_with_ground();
     let boxes: Vec<_> =
         (0..5_u8).map(|i| add_box(&mut world, vec(3.0 * Real::from(i), 0.7), telling).1).collect();
@@ -150,15 +151,14 @@ fn events_of_one_step_come_in_order() {
     assert_eq!(events, expected);
 }
 
-/// A number below `count` for each below it, all of them once: multiples of a number without a common
-/// divisor.
+/// Returns all numbers below `count` once each, as multiples of a number without a common divisor.
 fn shuffled(count: usize, by: usize) -> impl Iterator<Item = usize> {
     (0..count).map(move |k| k * by % count)
 }
 
-/// Boxes on pads; each fourth pad is moved, removed or made a sensor. The test compares sets of events
-/// without their order. Returns what happens then.
-fn upheaval(arrivals: impl Iterator<Item = usize>) -> Vec<CollisionEvent> {
+/// Builds boxes on pads, and moves or removes each fourth pad or makes it a sensor. Returns the following
+/// events. The test compares sets of events without their order.
+fn edited_pads(arrivals: impl Iterator<Item = usize>) -> Vec<CollisionEvent> {
     const COUNT: usize = 240;
     let mut world = PhysicsWorld::new();
     let at = |k: usize, height: Real| vec(3.0 * k as Real, height);
@@ -187,11 +187,11 @@ fn upheaval(arrivals: impl Iterator<Item = usize>) -> Vec<CollisionEvent> {
     Protocol::default().of_steps(&mut world, 1)
 }
 
-/// Hundreds that begin and end at once, for all kinds of reasons, are told in the order of the colliders:
-/// whatever happened before. Events of one pair keep their order.
+/// Hundreds of simultaneous starts and ends with different causes are sent in the order of the colliders,
+/// whatever the history. Events of one pair keep their order.
 #[test]
-fn events_of_one_step_come_in_the_order_of_colliders() {
-    let events = upheaval(0..240);
+fn events_of_one_step_are_in_the_order_of_colliders() {
+    let events = edited_pads(0..240);
     assert_eq!(events.len(), 300, "60 begin, 120 end, and 60 end and begin");
     let pair = |event: &CollisionEvent| {
         [event.collider1(), event.collider2()].map(ColliderHandle::into_raw_parts)
@@ -200,16 +200,16 @@ fn events_of_one_step_come_in_the_order_of_colliders() {
     for two in events.windows(2).filter(|two| pair(&two[0]) == pair(&two[1])) {
         assert!(two[0].stopped() && two[1].started() && two[1].sensor(), "{two:?}");
     }
-    assert_eq!(upheaval((0..240).rev()), events);
-    assert_eq!(upheaval(shuffled(240, 131)), events);
+    assert_eq!(edited_pads((0..240).rev()), events);
+    assert_eq!(edited_pads(shuffled(240, 131)), events);
 }
 
-/// Checks what a handler is given.
-struct Judge {
+/// Checks the arguments of a handler.
+struct ArgumentChecker {
     ball: ColliderHandle,
 }
 
-impl EventHandler for Judge {
+impl EventHandler for ArgumentChecker {
     fn handle_collision_event(
         &self,
         bodies: &RigidBodySet,
@@ -233,13 +233,13 @@ fn a_handler_sees_the_hit() {
     let (body, ball) = add_box(&mut world, vec(0.0, 1.5), telling);
     world.bodies[body].set_linvel(vec(0.0, -6.0), true);
     for _ in 0..30 {
-        world.step_with_events(&(), &Judge { ball });
+        world.step_with_events(&(), &ArgumentChecker { ball });
     }
     assert!(world.contact_pairs().any(|(_, _, pair)| pair.has_any_active_contact));
 }
 
 #[test]
-fn a_collector_sends_what_a_handler_would_get() {
+fn a_collector_sends_the_events_of_a_handler() {
     let (send_collision, collisions) = channel();
     let (send_force, forces) = channel();
     let events = ChannelEventCollector::new(send_collision, send_force);

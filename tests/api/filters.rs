@@ -1,10 +1,10 @@
-//! Groups and body types: which pairs collide, and which pass through each other.
+//! Interaction groups and body types: colliding pairs, and pairs without contacts.
 
 use super::stage::{Protocol, add_box, height, plain, steps, telling, world_with_ground};
 use crate::dim::{cuboid, vec};
 use rapier::prelude::*;
 
-/// Drops a box onto the ground, both with these groups; returns whether the ground held it, and the
+/// Drops a box onto the ground, both with these groups. Returns whether the box rests on the ground, and the
 /// collision events.
 fn drop_with(
     set: fn(&mut Collider, InteractionGroups),
@@ -25,21 +25,21 @@ const PLAYER: InteractionGroups = InteractionGroups::new(Group::GROUP_2, Group::
 const GHOST: InteractionGroups = InteractionGroups::new(Group::GROUP_3, Group::GROUP_1);
 
 #[test]
-fn collision_groups_decide_who_meets() {
+fn collision_groups_filter_pairs() {
     let set = Collider::set_collision_groups;
     let (held, events) = drop_with(set, LEVEL, PLAYER);
     assert!(held && events.len() == 1);
     let (held, events) = drop_with(set, LEVEL, GHOST);
-    assert!(!held && events.is_empty(), "the level does not want to meet ghosts");
+    assert!(!held && events.is_empty(), "the level rejects ghosts");
     let either = InteractionTestMode::Or;
     let (held, _) = drop_with(set, LEVEL.with_test_mode(either), GHOST.with_test_mode(either));
-    assert!(held, "one wish is enough if both agree to that");
+    assert!(held, "one request is enough if both groups agree");
     let (held, events) = drop_with(set, InteractionGroups::all(), InteractionGroups::none());
     assert!(!held && events.is_empty());
 }
 
 #[test]
-fn solver_groups_let_pass_what_they_report() {
+fn solver_groups_filter_forces_but_not_events() {
     let set = Collider::set_solver_groups;
     let (held, events) = drop_with(set, LEVEL, PLAYER);
     assert!(held && events.len() == 1);
@@ -49,7 +49,7 @@ fn solver_groups_let_pass_what_they_report() {
     assert!(events[0].started() && events[1].stopped());
 }
 
-/// Pairs without contact forces have readable contacts, and no impulses.
+/// Pairs without contact forces have readable contacts without impulses.
 #[test]
 fn contacts_without_forces_can_be_read() {
     let (mut world, ground) = world_with_ground();
@@ -64,9 +64,9 @@ fn contacts_without_forces_can_be_read() {
     assert!(!flags.contains(SolverFlags::COMPUTE_RIGID_IMPULSES));
 }
 
-/// Groups changed in mid-air, on the ground and asleep.
+/// Edits of groups take effect in mid-air, on the ground, and for sleeping bodies.
 #[test]
-fn groups_take_effect_at_once() {
+fn group_edits_take_effect_in_the_next_step() {
     let (mut world, _) = world_with_ground();
     let (body, collider) = add_box(&mut world, vec(0.0, 0.5), plain);
     steps(&mut world, 200);
@@ -83,7 +83,7 @@ fn groups_take_effect_at_once() {
 }
 
 #[test]
-fn what_rests_meets_what_rests_on_request_alone() {
+fn fixed_colliders_touch_on_request_only() {
     for types in [ActiveCollisionTypes::default(), ActiveCollisionTypes::FIXED_FIXED] {
         let (mut world, ground) = world_with_ground();
         let wall = telling(cuboid(0.5, 1.0)).active_collision_types(types);
@@ -100,9 +100,9 @@ fn what_rests_meets_what_rests_on_request_alone() {
     }
 }
 
-/// A kinematic platform and the ground are aware of each other if asked to be, and pass all the same.
+/// Active collision types give a kinematic platform and the ground contacts, but no contact forces.
 #[test]
-fn kinematic_bodies_pass_what_they_touch() {
+fn kinematic_bodies_pass_fixed_colliders() {
     let (mut world, ground) = world_with_ground();
     let body = RigidBodyBuilder::kinematic_velocity_based().linvel(vec(0.0, -1.0));
     let platform = telling(cuboid(0.5, 0.5)).active_collision_types(ActiveCollisionTypes::all());
@@ -115,7 +115,7 @@ fn kinematic_bodies_pass_what_they_touch() {
 }
 
 #[test]
-fn colliders_of_one_body_never_meet() {
+fn colliders_of_one_body_never_touch() {
     let mut world = PhysicsWorld::new();
     let body = world.insert_body(RigidBodyBuilder::dynamic());
     for _ in 0..3 {

@@ -1,4 +1,4 @@
-//! Contact-force events: how hard colliders press on each other.
+//! Contact-force events: magnitudes and thresholds of contact forces.
 
 use super::stage::{Protocol, add_box, close, steps, telling, world_with_ground};
 use crate::dim::vec;
@@ -6,7 +6,7 @@ use rapier::prelude::*;
 
 const G: Real = 9.81;
 
-fn force_telling(threshold: Real) -> impl FnOnce(ColliderBuilder) -> ColliderBuilder {
+fn with_force_events(threshold: Real) -> impl FnOnce(ColliderBuilder) -> ColliderBuilder {
     move |collider| {
         let events = ActiveEvents::CONTACT_FORCE_EVENTS;
         collider.active_events(events).contact_force_event_threshold(threshold)
@@ -31,10 +31,10 @@ fn a_resting_box_presses_with_its_weight() {
 }
 
 #[test]
-fn only_more_than_the_threshold_is_told() {
+fn only_forces_above_the_threshold_send_events() {
     for (share, expected) in [(0.0, true), (0.9, true), (1.1, false), (Real::INFINITY, false)] {
         let (mut world, _) = world_with_ground();
-        let (body, collider) = add_box(&mut world, vec(0.0, 0.5), force_telling(0.0));
+        let (body, collider) = add_box(&mut world, vec(0.0, 0.5), with_force_events(0.0));
         steps(&mut world, 20);
         let weight = world.bodies[body].mass() * G;
         let threshold = if share == 0.0 { 0.0 } else { share * weight };
@@ -45,11 +45,11 @@ fn only_more_than_the_threshold_is_told() {
     }
 }
 
-/// Of two colliders that ask, the one that is content with less decides.
+/// Of two colliders with force events, the lower threshold decides.
 #[test]
 fn the_lower_threshold_counts() {
     let (mut world, ground) = world_with_ground();
-    let (_, collider) = add_box(&mut world, vec(0.0, 0.5), force_telling(1.0e9));
+    let (_, collider) = add_box(&mut world, vec(0.0, 0.5), with_force_events(1.0e9));
     steps(&mut world, 20);
     let protocol = Protocol::default();
     world.colliders[ground].set_contact_force_event_threshold(0.1);
@@ -63,13 +63,13 @@ fn the_lower_threshold_counts() {
     assert_eq!(protocol.forces().len(), 1);
 }
 
-/// The impulses of a hit, told as forces from its first step on, are what stopped the body.
+/// The forces of an impact, summed from its first step on, add up to the momentum of the body.
 #[test]
 fn the_forces_of_a_hit_add_up_to_its_momentum() {
     for restitution in [0.0, 0.5] {
         let (mut world, _) = world_with_ground();
         world.gravity = Vector::ZERO;
-        let tell = force_telling(0.0);
+        let tell = with_force_events(0.0);
         let rule = CoefficientCombineRule::Max;
         let (body, _) = add_box(&mut world, vec(0.0, 1.0), |c| {
             tell(c).restitution(restitution).restitution_combine_rule(rule)

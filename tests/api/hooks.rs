@@ -1,4 +1,4 @@
-//! Hooks: the user decides which pairs meet, and how contacts behave.
+//! Hooks filter pairs and modify contacts.
 
 use super::stage::{Protocol, add_box, close, height, plain, steps, telling, world_with_ground};
 use crate::dim::{cuboid, vec};
@@ -6,14 +6,14 @@ use rapier::prelude::*;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 
-/// Refuses all pairs it is asked about, and counts.
+/// Hook that rejects and counts all pairs.
 #[derive(Default)]
-struct Refusal {
+struct RejectsAll {
     contacts: AtomicUsize,
     intersections: AtomicUsize,
 }
 
-impl PhysicsHooks for Refusal {
+impl PhysicsHooks for RejectsAll {
     fn filter_contact_pair(&self, context: &PairFilterContext) -> bool {
         self.contacts.fetch_add(1, Relaxed);
         let parent = |handle| context.colliders.get(handle).and_then(Collider::parent);
@@ -30,12 +30,12 @@ impl PhysicsHooks for Refusal {
 }
 
 #[test]
-fn a_filter_is_asked_about_those_who_wish_it() {
+fn a_filter_is_called_for_pairs_with_active_hooks() {
     let (mut world, ground) = world_with_ground();
-    let refusal = Refusal::default();
+    let refusal = RejectsAll::default();
     let (kept, _) = add_box(&mut world, vec(0.0, 0.6), plain);
-    let wish = ActiveHooks::FILTER_CONTACT_PAIRS;
-    let (passes, refused) = add_box(&mut world, vec(3.0, 0.6), |c| telling(c).active_hooks(wish));
+    let flags = ActiveHooks::FILTER_CONTACT_PAIRS;
+    let (passes, refused) = add_box(&mut world, vec(3.0, 0.6), |c| telling(c).active_hooks(flags));
     let protocol = Protocol::default();
     for _ in 0..60 {
         world.step_with_events(&refusal, &protocol);
@@ -49,18 +49,18 @@ fn a_filter_is_asked_about_those_who_wish_it() {
 }
 
 #[test]
-fn a_filter_is_asked_about_sensors() {
-    for wish in [ActiveHooks::empty(), ActiveHooks::FILTER_INTERSECTION_PAIR] {
+fn a_filter_is_called_for_sensors() {
+    for flags in [ActiveHooks::empty(), ActiveHooks::FILTER_INTERSECTION_PAIR] {
         let (mut world, ground) = world_with_ground();
-        let refusal = Refusal::default();
-        let zone = telling(cuboid(1.0, 1.0)).sensor(true).active_hooks(wish);
+        let refusal = RejectsAll::default();
+        let zone = telling(cuboid(1.0, 1.0)).sensor(true).active_hooks(flags);
         let zone = world.insert_collider(zone, None);
         let (_, collider) = add_box(&mut world, vec(0.0, 0.5), plain);
         let protocol = Protocol::default();
         for _ in 0..3 {
             world.step_with_events(&refusal, &protocol);
         }
-        let asked = !wish.is_empty();
+        let asked = !flags.is_empty();
         assert_eq!(refusal.intersections.load(Relaxed) > 0, asked);
         assert_eq!(protocol.collisions().is_empty(), asked);
         assert_eq!(world.intersection_pair(zone, collider), Some(!asked));
@@ -68,7 +68,7 @@ fn a_filter_is_asked_about_sensors() {
     }
 }
 
-/// A platform that holds from above. It may be the first or the second collider of a pair.
+/// Platform that acts on bodies from above. It may be the first or the second collider of a pair.
 struct OneWay {
     platform: ColliderHandle,
 }
@@ -80,9 +80,9 @@ impl PhysicsHooks for OneWay {
     }
 }
 
-/// A box jumps through a platform, lands on it, and stays; or falls onto it.
+/// A box passes a platform from below, lands on it and stays. Another one falls onto it and stays.
 #[test]
-fn a_one_way_platform_is_passed_from_below_and_holds_from_above() {
+fn a_one_way_platform_acts_from_above_only() {
     for platform_first in [true, false] {
         for (start, velocity) in [(-2.0, 11.0), (3.0, -5.0)] {
             let mut world = PhysicsWorld::new();
@@ -106,7 +106,7 @@ fn a_one_way_platform_is_passed_from_below_and_holds_from_above() {
     }
 }
 
-/// A belt that runs to the right, whichever of the two colliders it is.
+/// Belt that moves to the right, as the first or the second collider of a pair.
 struct Belt {
     belt: ColliderHandle,
 }
@@ -141,7 +141,7 @@ fn a_belt_carries_what_lies_on_it() {
     }
 }
 
-/// Counts the steps for which a contact lives, in the contact itself.
+/// Hook that counts the steps of a contact in the contact's user data.
 struct Memory;
 
 impl PhysicsHooks for Memory {
@@ -152,7 +152,7 @@ impl PhysicsHooks for Memory {
 }
 
 #[test]
-fn user_data_lives_as_long_as_the_touch() {
+fn user_data_lasts_as_long_as_the_contact() {
     let (mut world, ground) = world_with_ground();
     let (body, collider) =
         add_box(&mut world, vec(0.0, 0.5), |c| c.active_hooks(ActiveHooks::all()));
@@ -174,7 +174,7 @@ fn user_data_lives_as_long_as_the_touch() {
     assert!(age(&world).is_some_and(|age| age < 60), "a new touch starts from zero");
 }
 
-/// Changes one number of each contact.
+/// Hook that changes one number of each contact.
 struct Change(fn(&mut ContactModificationContext));
 
 impl PhysicsHooks for Change {
@@ -184,7 +184,7 @@ impl PhysicsHooks for Change {
 }
 
 #[test]
-fn contacts_behave_as_the_hook_says() {
+fn contacts_use_the_values_of_the_hook() {
     type Case = (&'static str, fn(&mut ContactModificationContext), fn(&RigidBody) -> bool);
     let cases: [Case; 6] = [
         ("as they are", |_| {}, |b| b.linvel().x == 0.0 && b.translation().y > 0.45),
@@ -206,9 +206,9 @@ fn contacts_behave_as_the_hook_says() {
     }
 }
 
-/// Without the wish, modification is not offered.
+/// Pairs without the active hook are not modified.
 #[test]
-fn who_did_not_wish_it_is_not_modified() {
+fn pairs_without_active_hooks_are_not_modified() {
     let (mut world, _) = world_with_ground();
     let filters = ActiveHooks::FILTER_CONTACT_PAIRS | ActiveHooks::FILTER_INTERSECTION_PAIR;
     let (body, _) = add_box(&mut world, vec(0.0, 0.5), |c| c.active_hooks(filters));
@@ -218,24 +218,24 @@ fn who_did_not_wish_it_is_not_modified() {
     close(height(&world, body), 0.5, 0.01);
 }
 
-/// Panics where a sensor is.
-struct Allergic;
+/// Hook that panics for a sensor.
+struct PanicsForSensors;
 
-impl PhysicsHooks for Allergic {
+impl PhysicsHooks for PanicsForSensors {
     fn filter_intersection_pair(&self, _: &PairFilterContext) -> bool {
         panic!("a sensor");
     }
 }
 
-/// Events of a step that a hook broke off are sent by the next.
+/// Events of a step that a hook interrupted are sent by the next step.
 #[test]
-fn contacts_are_told_of_after_a_panic() {
+fn events_are_sent_after_a_panic() {
     let (mut world, ground) = world_with_ground();
     world.gravity = Vector::ZERO;
     let (_, collider) = add_box(&mut world, vec(0.0, 0.499), telling);
-    let wish = ActiveHooks::FILTER_INTERSECTION_PAIR;
-    world.insert_collider(cuboid(1.0, 1.0).sensor(true).active_hooks(wish), None);
-    let step = AssertUnwindSafe(|| world.step_with_events(&Allergic, &()));
+    let flags = ActiveHooks::FILTER_INTERSECTION_PAIR;
+    world.insert_collider(cuboid(1.0, 1.0).sensor(true).active_hooks(flags), None);
+    let step = AssertUnwindSafe(|| world.step_with_events(&PanicsForSensors, &()));
     assert!(catch_unwind(step).is_err());
     let heard = Protocol::default().of_steps(&mut world, 2);
     assert_eq!(heard.iter().filter(|event| event.started() && !event.sensor()).count(), 1);

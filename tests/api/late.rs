@@ -1,9 +1,9 @@
-//! Results of contacts are written back at the first read, without any visible effect.
+//! Contact results are written back at the first read, without side effects.
 
 use crate::dim::{self, cuboid, vec};
 use rapier::prelude::*;
 
-/// A heap of which something is taken away, pushed, refined and held by links now and then.
+/// Heap with removals, pushes, additional solver iterations and links at intervals.
 struct Heap {
     world: PhysicsWorld,
     step: usize,
@@ -51,7 +51,7 @@ impl Heap {
         self.step += 1;
     }
 
-    /// All numbers of all contacts.
+    /// Returns all numbers of all contacts.
     fn contacts(&self) -> Vec<Real> {
         let pairs = self.world.contact_pairs().map(|(_, _, pair)| pair);
         pairs.flat_map(numbers).collect()
@@ -63,7 +63,7 @@ impl Heap {
     }
 }
 
-/// All numbers of the contacts of a pair.
+/// Returns all numbers of the contacts of a pair.
 fn numbers(pair: &ContactPair) -> Vec<Real> {
     let mut numbers = Vec::new();
     for manifold in &pair.manifolds {
@@ -79,10 +79,10 @@ fn numbers(pair: &ContactPair) -> Vec<Real> {
 
 const STEPS: usize = 200;
 
-/// Looking at all contacts after each step, or at those of one collider, or never, does not change a bit of
-/// anything.
+/// Reading all contacts after each step, or those of one collider, or none, does not change a bit of any
+/// result.
 #[test]
-fn who_looks_changes_nothing() {
+fn reads_change_nothing() {
     let (mut never, mut always, mut sometimes) = (Heap::new(), Heap::new(), Heap::new());
     for step in 0..STEPS {
         [&mut never, &mut always, &mut sometimes].into_iter().for_each(Heap::step);
@@ -104,9 +104,9 @@ fn who_looks_changes_nothing() {
     assert_eq!(never.contacts(), always.contacts());
 }
 
-/// Several threads may look at the same contacts at the same time, each for the first time, or copy them.
+/// Several threads may read or copy the same contacts at the same time, each for the first time.
 #[test]
-fn several_may_look_at_once() {
+fn several_threads_may_read_at_once() {
     let mut heap = Heap::new();
     for _ in 0..60 {
         heap.step();
@@ -121,16 +121,16 @@ fn several_may_look_at_once() {
             copy.contact_pairs().flat_map(|(.., pair)| numbers(pair)).collect()
         };
         let found: Vec<_> = std::thread::scope(|scope| {
-            let lookers: Vec<_> = (0..4).map(|k| scope.spawn(move || look(k % 2 == 1))).collect();
-            lookers.into_iter().map(|looker| looker.join().expect("no panic")).collect()
+            let readers: Vec<_> = (0..4).map(|k| scope.spawn(move || look(k % 2 == 1))).collect();
+            readers.into_iter().map(|reader| reader.join().expect("no panic")).collect()
         });
         assert!(found.iter().all(|contacts| *contacts == found[0]));
     }
 }
 
-/// A copy that is made before the first read has the same results, and continues in the same way.
+/// A copy made before the first read has the same results, and continues in the same way.
 #[test]
-fn a_copy_knows_the_same() {
+fn a_copy_has_the_same_results() {
     let mut heap = Heap::new();
     (0..70).for_each(|_| heap.step());
     let copy = heap.world.narrow_phase.clone();
@@ -147,7 +147,7 @@ fn a_copy_knows_the_same() {
     assert_eq!(kept.contacts(), exchanged.contacts());
 }
 
-/// A pipeline that steps two worlds in turn mixes nothing up, however different they are.
+/// A pipeline may step two different worlds in turn.
 #[test]
 fn two_worlds_share_a_pipeline() {
     let (mut alone, mut large, mut small) = (Heap::new(), Heap::new(), Heap::new());
@@ -164,8 +164,8 @@ fn two_worlds_share_a_pipeline() {
     assert_eq!(alone.contacts(), large.contacts());
 }
 
-/// Detection alone moves nothing: nothing presses on anything, and the next step starts with the impulses of
-/// the last.
+/// Detection alone moves no body and applies no impulses. The next step starts with the impulses of the last
+/// step.
 #[test]
 fn detection_between_steps_forgets_impulses_and_starts_with_them() {
     let (mut plain, mut detected) = (Heap::new(), Heap::new());

@@ -1,4 +1,4 @@
-//! # What the public API promises
+//! # Guarantees of the public API
 //!
 //! Events, hooks, groups, reading of contacts, edits between steps, collision detection alone, and worlds
 //! that are saved and restored.

@@ -1,4 +1,4 @@
-//! The names that ported programs use.
+//! Names that ported programs use.
 //!
 //! Programs for upstream's engine name the types of one dimension, read fields of joints and contacts, and
 //! write `rapier3d::parry` and `rapier3d::glamx`. This file compiles if these names exist and mean the same.
@@ -81,7 +81,7 @@ fn joints_name_their_bodies_and_links_their_joint() {
     assert_eq!(jacobian.len(), multibody.ndofs());
 }
 
-/// `started` is true in the step in which the force passes the threshold, and again after it was below.
+/// `started` is true in the step in which the force passes the threshold, and again after a step below it.
 #[test]
 fn a_contact_force_starts_once() {
     let (mut world, _) = world_with_ground();
@@ -103,7 +103,7 @@ fn a_contact_force_starts_once() {
     };
     let first = run(&mut world, 10);
     assert!(first.len() > 5 && first[0] && first[1..].iter().all(|started| !started), "{first:?}");
-    // In the air no force acts; the landing starts anew, once.
+    // In the air there is no force; the landing starts again, once.
     world.bodies[body].set_linvel(vec(0.0, 3.0), true);
     let again = run(&mut world, 60);
     assert_eq!(again.iter().filter(|started| **started).count(), 1, "{again:?}");

@@ -5,7 +5,7 @@ use crate::dim::{cuboid, vec};
 use rapier::prelude::*;
 
 #[test]
-fn a_body_falls_through_a_sensor_that_sees_it() {
+fn a_body_falls_through_a_sensor_that_detects_it() {
     let mut world = PhysicsWorld::new();
     let zone = cuboid(1.0, 1.0).sensor(true).active_events(ActiveEvents::COLLISION_EVENTS);
     let zone = world.insert_collider(zone, None);
@@ -26,7 +26,8 @@ fn a_body_falls_through_a_sensor_that_sees_it() {
     assert!(world.intersection_pair(zone, collider).is_none(), "out of sight");
 }
 
-/// By default, sensors see dynamic bodies and each other on them; what rests is seen on request.
+/// By default, sensors detect dynamic bodies and sensors on them. Detection of fixed bodies needs active
+/// collision types.
 #[test]
 fn who_is_seen_follows_the_collision_types() {
     use RigidBodyType::{Dynamic, Fixed, KinematicPositionBased as Kinematic};
@@ -78,9 +79,9 @@ fn sensors_add_mass_but_no_contacts() {
     assert_eq!(world.intersection_pairs().count(), 1);
 }
 
-/// A body that falls asleep in a zone is in it, and leaves it when one of the two goes.
+/// A body that falls asleep in a sensor stays in it. Its removal, or the sensor's, ends the intersection.
 #[test]
-fn a_sleeper_stays_in_sight() {
+fn a_sleeping_body_stays_detected() {
     let (mut world, _) = world_with_ground();
     let (body, collider) = add_box(&mut world, vec(0.0, 0.5), plain);
     let zone = telling(cuboid(1.0, 1.0)).sensor(true);

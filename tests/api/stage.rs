@@ -1,10 +1,10 @@
-//! Small worlds, and a handler that writes events down.
+//! Small worlds, and a handler that records events.
 
 use crate::dim::{cuboid, vec};
 use rapier::prelude::*;
 use std::sync::Mutex;
 
-/// A world with fixed ground whose top is at height 0.
+/// Returns a world with fixed ground, with its top at height 0.
 pub fn world_with_ground() -> (PhysicsWorld, ColliderHandle) {
     let mut world = PhysicsWorld::new();
     let ground = cuboid(50.0, 1.0).translation(vec(0.0, -1.0));
@@ -12,7 +12,7 @@ pub fn world_with_ground() -> (PhysicsWorld, ColliderHandle) {
     (world, ground)
 }
 
-/// A dynamic box of half extents 0.5 that cannot turn, with its centre here.
+/// Adds a dynamic box of half extents 0.5 with locked rotations.
 pub fn add_box(
     world: &mut PhysicsWorld,
     place: Vector,
@@ -22,12 +22,12 @@ pub fn add_box(
     world.insert(body, collider(cuboid(0.5, 0.5)))
 }
 
-/// A collider as it is.
+/// Returns the collider unchanged.
 pub fn plain(collider: ColliderBuilder) -> ColliderBuilder {
     collider
 }
 
-/// A collider that sends all events.
+/// Returns the collider with all events active.
 pub fn telling(collider: ColliderBuilder) -> ColliderBuilder {
     collider.active_events(ActiveEvents::all())
 }
@@ -36,7 +36,7 @@ pub fn steps(world: &mut PhysicsWorld, count: usize) {
     (0..count).for_each(|_| world.step());
 }
 
-/// Height of a body.
+/// Returns the height of a body.
 pub fn height(world: &PhysicsWorld, body: RigidBodyHandle) -> Real {
     world.bodies[body].translation().y
 }
@@ -47,7 +47,7 @@ pub fn close(found: Real, expected: Real, error: Real) {
     assert!((found - expected).abs() <= error, "{found} is not {expected}");
 }
 
-/// Writes all events down, in the order in which they come.
+/// Handler that records all events in their order.
 #[derive(Default)]
 pub struct Protocol {
     pub collisions: Mutex<Vec<CollisionEvent>>,
@@ -55,12 +55,12 @@ pub struct Protocol {
 }
 
 impl Protocol {
-    /// Output since the last call.
+    /// Returns the collision events since the last call.
     pub fn collisions(&self) -> Vec<CollisionEvent> {
         std::mem::take(&mut self.collisions.lock().unwrap())
     }
 
-    /// Output since the last call.
+    /// Returns the contact-force events since the last call.
     pub fn forces(&self) -> Vec<ContactForceEvent> {
         std::mem::take(&mut self.forces.lock().unwrap())
     }
@@ -94,7 +94,7 @@ impl EventHandler for Protocol {
     }
 }
 
-/// An event between these two, in whichever order.
+/// Panics unless the event is between these two colliders, in either order.
 #[track_caller]
 pub fn between(event: &CollisionEvent, a: ColliderHandle, b: ColliderHandle) {
     let mut found = [event.collider1(), event.collider2()];

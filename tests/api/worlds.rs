@@ -17,7 +17,7 @@ fn the_smallest_program_is_small() {
 }
 
 #[test]
-fn the_world_answers_what_its_parts_answer() {
+fn queries_of_the_world_equal_those_of_its_sets() {
     let (mut world, ground) = world_with_ground();
     let (body, collider) = add_box(&mut world, vec(0.0, 0.5), plain);
     let zone = ColliderBuilder::ball(1.0).sensor(true);
@@ -37,7 +37,7 @@ fn the_world_answers_what_its_parts_answer() {
 }
 
 #[test]
-fn the_world_wakes_one_or_all() {
+fn the_world_wakes_one_body_or_all() {
     let (mut world, _) = world_with_ground();
     let (near, _) = add_box(&mut world, vec(0.0, 0.5), plain);
     let (above, _) = add_box(&mut world, vec(0.0, 1.5), plain);
@@ -54,9 +54,9 @@ fn the_world_wakes_one_or_all() {
     assert_eq!(awake(&world), [true; 3]);
 }
 
-/// A removed body comes back without its colliders, and can be inserted again.
+/// A removed body is returned without its colliders, and can be inserted again.
 #[test]
-fn what_is_removed_can_be_inserted_again() {
+fn removed_bodies_can_be_inserted_again() {
     let (mut world, ground) = world_with_ground();
     let (body, collider) = add_box(&mut world, vec(0.0, 0.5), plain);
     steps(&mut world, 10);

@@ -11,7 +11,7 @@ fn add_bullet(world: &mut PhysicsWorld, at: Vector, velocity: Vector) -> RigidBo
     world.insert(body, ColliderBuilder::ball(RADIUS).friction(0.0)).0
 }
 
-/// How many of 20 bullets pass what `add_target` puts at the origin, which is hit at this speed.
+/// Returns the number of bullets, of 20 at this speed, that pass the target of `add_target` at the origin.
 fn count_passed(
     speed: Real,
     add_target: impl Fn(&mut PhysicsWorld, Real) -> RigidBodyHandle,
@@ -59,7 +59,7 @@ fn bullets_do_not_pass_each_other() {
     }
 }
 
-/// A file of bullets at one speed: the first hits a wall and stops, and the others do not go on through it.
+/// Of a file of bullets at one speed, the first stops at a wall, and the others do not pass it.
 #[test]
 fn bullets_in_file_stop_behind_each_other() {
     for speed in SPEEDS {
@@ -93,7 +93,7 @@ fn files_of_unlike_bullets_do_not_pass_walls() {
     }
 }
 
-/// Where four bullets are that are thrown at a wall one behind the other, step by step.
+/// Throws four bullets in a file at a wall. Returns their positions after each step.
 fn throw_file(densities: [Real; 4], speed: Real, rate: u32, phase: usize) -> Vec<[Real; 4]> {
     let mut world = weightless(rate);
     world.insert_collider(wall(), None);
@@ -113,7 +113,7 @@ fn throw_file(densities: [Real; 4], speed: Real, rate: u32, phase: usize) -> Vec
     (0..20).map(|_| step()).collect()
 }
 
-/// Momentum is the same before and after: stopping a body loses time and nothing else.
+/// Momentum is constant: the stop of a body loses time only.
 #[test]
 fn bullets_keep_their_momentum() {
     let mut world = weightless(60);

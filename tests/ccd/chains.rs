@@ -13,7 +13,7 @@ struct Chain {
     joints: Vec<ImpulseJointHandle>,
 }
 
-/// A row of balls with hinges between them that flies askew towards the plane x = 0.
+/// A row of balls with hinges between them that flies obliquely towards the plane x = 0.
 fn add_chain(world: &mut PhysicsWorld, at: Vector, aslant: Real, speed: Real) -> Chain {
     let step = vec(aslant, 1.0).normalize() * (4.0 * RADIUS);
     let mut chain = Chain { bodies: Vec::new(), joints: Vec::new() };
@@ -30,7 +30,7 @@ fn add_chain(world: &mut PhysicsWorld, at: Vector, aslant: Real, speed: Real) ->
     chain
 }
 
-/// How far the joint that gives most is apart (m).
+/// Returns the largest separation of a joint (m).
 fn gap(world: &PhysicsWorld, chain: &Chain) -> Real {
     let gaps = chain.joints.iter().map(|&joint| {
         let joint = &world.impulse_joints.get(joint).expect("it is there");
@@ -85,7 +85,7 @@ fn chains_hit_walls_as_wholes() {
             // Path length of a ball in one step, at the speeds that the substeps can integrate.
             if speed <= 100.0 {
                 table.require(left < 0.01, "joints stayed torn");
-                // No farther than a step is long.
+                // The bound is the motion of one step.
                 table.require(widest < speed / 60.0, "a joint was torn");
                 table.require(most < 1.1, "energy came from nowhere");
             }
@@ -93,7 +93,7 @@ fn chains_hit_walls_as_wholes() {
     }
 }
 
-/// The balls of a row stop where the first does: none is ahead of the others in the step of the impact.
+/// The balls of a row stop with the first: none is ahead of the others in the step of the impact.
 #[test]
 fn the_first_stops_all() {
     let mut world = weightless(60);

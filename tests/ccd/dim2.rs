@@ -15,7 +15,7 @@ fn plate(half: Vector, angle: Real) -> ColliderBuilder {
     ColliderBuilder::convex_hull(&corners).unwrap()
 }
 
-/// Shapes of about 2 cm along their narrowest axis.
+/// Returns shapes of about 2 cm along their narrowest axis.
 pub fn thin_shapes() -> Vec<(&'static str, ColliderBuilder)> {
     let quarter = core::f64::consts::FRAC_PI_4 as Real;
     let board = SharedShape::cuboid(0.4, 0.01);
@@ -44,7 +44,7 @@ pub fn thin_shapes() -> Vec<(&'static str, ColliderBuilder)> {
     ]
 }
 
-/// Grounds as thin as can be, with their tops at y = 0, 10 m to both sides at least.
+/// Grounds of minimum thickness, with their tops at y = 0, at least 10 m to both sides.
 pub const THIN_GROUNDS: [Ground; 7] = [
     ("board", |world, _, _| {
         world.insert_collider(ColliderBuilder::cuboid(50.0, 0.01).translation(v(0.0, -0.01)), None);
@@ -73,12 +73,12 @@ pub const THIN_GROUNDS: [Ground; 7] = [
     }),
 ];
 
-/// A rotation by a random angle (rad).
+/// Returns a rotation by a random angle (rad).
 pub fn random_turn([x, ..]: [Real; 3]) -> AngVector {
     x
 }
 
-/// A sideways velocity.
+/// Returns a sideways velocity.
 pub fn sideways([x, _]: [Real; 2]) -> Vector {
     v(x, 0.0)
 }

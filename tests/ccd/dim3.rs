@@ -9,7 +9,7 @@ fn v(x: Real, y: Real, z: Real) -> Vector {
     Vector::new(x, y, z)
 }
 
-/// A plate that stands aslant in its own frame, as a hull.
+/// Returns a plate that is oblique in its own frame, as a hull.
 fn plate(half: Vector, angle: Vector) -> ColliderBuilder {
     let turn = Rotation::from_scaled_axis(angle);
     let signs = [-1.0, 1.0];
@@ -17,7 +17,7 @@ fn plate(half: Vector, angle: Vector) -> ColliderBuilder {
     ColliderBuilder::convex_hull(&corners.concat().concat()).unwrap()
 }
 
-/// Shapes of about 2 cm along their narrowest axis.
+/// Returns shapes of about 2 cm along their narrowest axis.
 pub fn thin_shapes() -> Vec<(&'static str, ColliderBuilder)> {
     let askew = v(0.7, 0.3, 0.5);
     let wedge = [0.3, -0.3].map(|z| [v(0.5, 0.0, z), v(-0.5, 0.02, z), v(-0.5, -0.02, z)]);
@@ -46,7 +46,7 @@ pub fn thin_shapes() -> Vec<(&'static str, ColliderBuilder)> {
     ]
 }
 
-/// Grounds as thin as can be, with their tops at y = 0, 10 m to all sides at least.
+/// Grounds of minimum thickness, with their tops at y = 0, at least 10 m to all sides.
 pub const THIN_GROUNDS: [Ground; 7] = [
     ("board", |world, _, _| {
         world.insert_collider(
@@ -85,12 +85,12 @@ pub const THIN_GROUNDS: [Ground; 7] = [
     }),
 ];
 
-/// A rotation by three random angles (rad).
+/// Returns a rotation by three random angles (rad).
 pub fn random_turn([x, y, z]: [Real; 3]) -> AngVector {
     v(x, y, z)
 }
 
-/// A sideways velocity.
+/// Returns a sideways velocity.
 pub fn sideways([x, z]: [Real; 2]) -> Vector {
     v(x, 0.0, z)
 }

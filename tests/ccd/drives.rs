@@ -9,7 +9,7 @@ use rapier::prelude::*;
 
 const DT: Real = 1.0 / 60.0;
 
-/// A ball, and a wall of 2 cm that comes towards it.
+/// A ball, and a wall of 2 cm that approaches it.
 struct Meeting {
     radius: Real,
     ball: Real,
@@ -17,7 +17,7 @@ struct Meeting {
 }
 
 impl Meeting {
-    /// How many of 20 balls the wall passes.
+    /// Returns the number of balls, of 20, that the wall passes.
     fn count_passed(&self, position_based: bool, shape: &ColliderBuilder, bullet: bool) -> usize {
         (0..PHASES).filter(|&phase| self.passes(position_based, shape, bullet, phase)).count()
     }
@@ -77,7 +77,7 @@ fn walls_that_come_do_not_pass_balls() {
     }
 }
 
-/// Balls at rest before a door of 2.5 m on a hinge at the origin, at nine distances from it.
+/// Counts balls at rest that a door of 2.5 m on a hinge at the origin passes, at nine distances from it.
 fn count_passed_by_door(rate: Real, radius: Real, asleep: bool) -> usize {
     let passes = |place: usize| {
         let mut world = weightless(60);
@@ -91,7 +91,7 @@ fn count_passed_by_door(rate: Real, radius: Real, asleep: bool) -> usize {
             world.step();
             let at = world.bodies[ball].translation();
             let seen = world.bodies[door].position().inverse_transform_point(at);
-            // Not if it went round the end.
+            // A ball beyond the end of the door does not count.
             let passed = before > 0.0 && seen.y < 0.0 && seen.x > 0.0 && seen.x < 2.5;
             before = seen.y;
             passed
@@ -115,8 +115,8 @@ fn doors_sweep_balls_along() {
     }
 }
 
-/// A ball of 10 cm that lands on a floor while a blade of 2 cm sweeps the floor, where the blade is at the
-/// tip of an arm that turns at 10 rad/s.
+/// Returns whether a sweeping blade of 2 cm passes a ball of 10 cm that lands on a floor. The blade is at the
+/// tip of an arm that rotates at 10 rad/s.
 fn blade_passes(arm: Real, speed: Real, phase: usize) -> bool {
     let (mut world, blade_speed) = (weightless(60), 10.0 * arm);
     world.insert_collider(cuboid(20.0, 0.1).translation(vec(0.0, -0.1)), None);
@@ -125,7 +125,7 @@ fn blade_passes(arm: Real, speed: Real, phase: usize) -> bool {
         .translation(vec(start, 1.01))
         .linvel(vec(blade_speed, 0.0));
     let (blade, _) = world.insert(blade, cuboid(0.01, 1.0));
-    // It lands in the fourth step, and the blade arrives in that step.
+    // The ball lands in the fourth step, and the blade arrives in that step.
     let height = 0.05 + speed * DT * 3.3;
     let ball = RigidBodyBuilder::dynamic().translation(vec(0.0, height)).linvel(vec(0.0, -speed));
     let (ball, _) = world.insert(ball, ColliderBuilder::ball(0.05));
@@ -150,7 +150,7 @@ fn blades_that_sweep_a_floor_take_along_what_lands_on_it() {
     }
 }
 
-/// Collision detection alone moves no kinematic body, and so wakes nothing in the way of one.
+/// Collision detection alone moves no kinematic body, and wakes no body in its path.
 #[test]
 fn detection_alone_wakes_nothing() {
     let mut world = weightless(60);
@@ -202,7 +202,7 @@ fn leaves_cage(rate: Real, speed: Real, seed: Real) -> bool {
     })
 }
 
-/// Between a piston and a wall a ball has nowhere to go. It never passes the wall.
+/// A ball between a piston and a wall never passes the wall.
 #[test]
 fn pistons_push_nothing_through_walls() {
     for speed in [1.0, 10.0, 100.0] {
@@ -227,7 +227,7 @@ fn pistons_push_nothing_through_walls() {
     }
 }
 
-/// Worlds whose kinematic bodies stand still search nothing.
+/// Worlds with resting kinematic bodies run no CCD search.
 #[test]
 fn resting_kinematic_bodies_cost_nothing() {
     let mut world = weightless(60);

@@ -7,8 +7,8 @@ use crate::suite::physics::stage::{G, weightless};
 use crate::suite::physics::table::Table;
 use rapier::prelude::*;
 
-/// A chain of balls, one next to the other across the x axis at `at`, hinged in the middle between them. The
-/// first is a free root.
+/// Adds a chain of balls, side by side across the x axis at `at`, with hinges at the middles between them.
+/// The first ball is a free root.
 fn add_chain(
     world: &mut PhysicsWorld,
     at: Vector,
@@ -67,7 +67,7 @@ fn chains_do_not_pass_walls() {
     }
 }
 
-/// An arm on a fixed hinge swings at a post that it would skip, and stops at it without a joint that gives.
+/// An arm on a fixed hinge stops at a post that it would skip without CCD. Its joint does not separate.
 #[test]
 fn arms_do_not_skip_posts() {
     for speed in [20.0, 60.0, 200.0, 1000.0] {
@@ -75,7 +75,7 @@ fn arms_do_not_skip_posts() {
             let mut world = weightless(60);
             world.insert_collider(cuboid(0.02, 0.02).translation(vec(0.0, 0.9)), None);
             let post = world.insert_body(RigidBodyBuilder::fixed());
-            // It starts before the post, within the quarter turn that leads there.
+            // The arm starts before the post, within the quarter revolution that leads to it.
             let start = 0.3 + 0.12 * phase as Real;
             let arm = vec(0.5 * start.cos(), 0.5 * start.sin());
             let body = RigidBodyBuilder::dynamic().translation(arm).rotation(about_z(start));
@@ -94,7 +94,8 @@ fn arms_do_not_skip_posts() {
     }
 }
 
-/// In the step in which it is stopped nothing has pushed it yet: momentum and energy are those of before.
+/// In the step of the stop no contact has pushed the chain yet: momentum and energy have their values before
+/// the stop.
 #[test]
 fn stopped_chains_keep_momentum_and_energy() {
     for spin in [0.0, 5.0, 20.0] {
@@ -113,7 +114,8 @@ fn stopped_chains_keep_momentum_and_energy() {
         }
         assert_eq!(stopped, chain.len(), "all links are stopped together");
         let (p2, l2, energy2) = state(&world);
-        // The flight back of third order in the angle of a piece, half a radian at most: (0.5)³/12.
+        // The error of the return to the time of impact is of third order in the angle of a segment, half a
+        // radian at most: (0.5)³/12.
         let close = 0.01;
         assert!((p2 - p).length() < close * p.length(), "{spin}: momentum {p} became {p2}");
         let angular = ang_length(l2 - l);
@@ -125,7 +127,7 @@ fn stopped_chains_keep_momentum_and_energy() {
     }
 }
 
-/// A chain that falls on a thin floor at 100 m/s stays above it, and never has more energy than it fell with.
+/// A chain that falls on a thin floor at 100 m/s stays above it, and never exceeds its initial energy.
 #[test]
 fn fallen_chains_gain_no_energy() {
     let mut world = weightless(60);
@@ -149,7 +151,7 @@ fn fallen_chains_gain_no_energy() {
             let at = world.bodies[link].translation();
             assert!(at.y > 0.0, "a link is at {at}");
         }
-        // Gravity is integrated in substeps: half a substep of it at this speed, 100 · 9.81/480 of 5000 per
+        // Gravity is integrated in substeps. Half a substep of it at this speed is 100 · 9.81/480 of 5000 per
         // mass.
         assert!(energy(&world) < start * 1.002, "energy {start} became {}", energy(&world));
     }

@@ -24,23 +24,24 @@ use rapier::prelude::*;
 
 /// Speeds of the balls (m/s).
 pub const SPEEDS: [Real; 4] = [50.0, 100.0, 400.0, 1000.0];
-/// From how many places each ball starts.
+/// Number of initial positions of each ball.
 pub const PHASES: usize = 20;
 /// Radius of the balls (m).
 pub const RADIUS: Real = 0.05;
 
-/// A wall of 2 cm in the plane x = 0, wide enough that nothing goes round it.
+/// Returns a wall of 2 cm in the plane x = 0, wide enough that no ball goes round it.
 pub fn wall() -> ColliderBuilder {
     cuboid(500.0, 0.01).rotation(about_z(core::f64::consts::FRAC_PI_2 as Real))
 }
 
-/// A ball that does not rub or bounce.
+/// Adds a ball without friction and restitution.
 pub fn add_ball(world: &mut PhysicsWorld, at: Vector, velocity: Vector) -> RigidBodyHandle {
     let body = RigidBodyBuilder::dynamic().translation(at).linvel(velocity);
     world.insert(body, ColliderBuilder::ball(RADIUS).friction(0.0)).0
 }
 
-/// How many of the balls that `shoot` puts into worlds are beyond `passed` after some steps, at this speed.
+/// Returns the number of balls that are beyond `passed` after some steps at this speed. `shoot` adds a ball
+/// to a world.
 fn count_passed(
     speed: Real,
     shoot: impl Fn(&mut PhysicsWorld, Real) -> RigidBodyHandle,

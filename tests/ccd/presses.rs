@@ -11,22 +11,22 @@ use crate::suite::physics::stage::weightless;
 use crate::suite::physics::table::Table;
 use rapier::prelude::*;
 
-/// A body this far from the impact may have moved around the ground.
+/// Bodies farther than this from the impact may have moved around the ground.
 const DISTANCE: Real = 3.0;
 
-/// A ground whose surface is the plane y = 0, and what lies on it.
+/// Ground with its surface at y = 0, and the bodies on it.
 struct Press<'a> {
     lay: fn(&mut PhysicsWorld, Pose, Real),
     shape: &'a dyn Fn() -> ColliderBuilder,
-    /// How many bodies lie on each other.
+    /// Number of bodies in the pile.
     pile: usize,
-    /// The mass of what hits them, as a multiple of theirs.
+    /// Mass of the hitting body, as a multiple of theirs.
     heavier: Real,
     rate: u32,
 }
 
 impl Press<'_> {
-    /// How many times of 20 a body gets through.
+    /// Returns the number of passes in 20 runs.
     fn count_passed(&self, speed: Real) -> usize {
         (0..PHASES).filter(|&phase| self.passes(speed, phase as Real / PHASES as Real)).count()
     }

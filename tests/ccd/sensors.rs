@@ -8,7 +8,7 @@ use crate::suite::physics::stage::weightless;
 use crate::suite::physics::table::Table;
 use rapier::prelude::*;
 
-/// A gate of 2 cm across the x axis that reports crossings.
+/// Returns a gate of 2 cm across the x axis that reports crossings.
 fn gate() -> ColliderBuilder {
     cuboid(0.01, 2.0).sensor(true).active_events(ActiveEvents::COLLISION_EVENTS)
 }
@@ -22,7 +22,7 @@ fn add_ball(
     world.insert(body, ColliderBuilder::ball(RADIUS))
 }
 
-/// Events between a gate at the origin and a ball along the x axis, `aside` of it.
+/// Returns the events between a gate at the origin and a ball along the x axis, `aside` of it.
 fn events(speed: Real, phase: usize, gate: ColliderBuilder, aside: Real) -> Vec<bool> {
     let mut world = weightless(60);
     let protocol = Protocol::default();
@@ -65,7 +65,7 @@ fn gates_notice_what_flies_through() {
 }
 
 #[test]
-fn gates_that_nobody_asked_say_nothing() {
+fn gates_without_active_events_send_none() {
     let quiet = || cuboid(0.01, 2.0).sensor(true);
     let deaf = || gate().collision_groups(InteractionGroups::none());
     for phase in 0..PHASES {
@@ -74,9 +74,9 @@ fn gates_that_nobody_asked_say_nothing() {
     }
 }
 
-/// A body that a wall stops was not behind it.
+/// A gate behind a wall does not detect a body that the wall stops.
 #[test]
-fn gates_behind_walls_notice_nobody() {
+fn gates_behind_walls_detect_nothing() {
     let mut world = weightless(60);
     let protocol = Protocol::default();
     world.insert_collider(cuboid(0.01, 2.0), None);
@@ -86,9 +86,9 @@ fn gates_behind_walls_notice_nobody() {
     assert_eq!(world.physics_pipeline.counters.ccd.num_sensors_passed, 0);
 }
 
-/// A gate on a body that moves: bullets are noticed, and what carries a gate past something notices it.
+/// A moving gate detects bullets, and bodies that the gate passes.
 #[test]
-fn gates_that_move_notice_bullets() {
+fn moving_gates_detect_bullets() {
     for ccd in [false, true] {
         let mut world = weightless(60);
         let protocol = Protocol::default();

@@ -5,7 +5,7 @@ use crate::dim::{cuboid, vec};
 use crate::suite::physics::stage::weightless;
 use rapier::prelude::*;
 
-/// A wall of 2 cm, and a ball that flies at it at 100 m/s from 3 m away.
+/// Returns a wall of 2 cm, and a ball that moves towards it at 100 m/s from 3 m away.
 fn scene() -> (PhysicsWorld, RigidBodyHandle) {
     let mut world = weightless(60);
     world.insert_collider(wall(), None);
@@ -21,7 +21,7 @@ fn passes(world: &mut PhysicsWorld, ball: RigidBodyHandle) -> bool {
 }
 
 #[test]
-fn no_substeps_no_continuous_collision() {
+fn zero_substeps_disable_ccd() {
     for (substeps, wanted) in [(0, true), (1, false), (8, false)] {
         let (mut world, ball) = scene();
         world.integration_parameters.max_ccd_substeps = substeps;
@@ -31,9 +31,9 @@ fn no_substeps_no_continuous_collision() {
     }
 }
 
-/// No division of time, so no shortest one: whatever `min_ccd_dt` says, each bit is the same.
+/// Time is not divided, so `min_ccd_dt` has no effect on any bit.
 #[test]
-fn the_shortest_substep_means_nothing() {
+fn the_shortest_substep_has_no_effect() {
     let place = |min_ccd_dt: Real| {
         let (mut world, ball) = scene();
         world.integration_parameters.min_ccd_dt = min_ccd_dt;
@@ -44,10 +44,10 @@ fn the_shortest_substep_means_nothing() {
     assert_eq!(place(0.0), place(1.0));
 }
 
-/// A ball that is in a wall with its front already, its middle still outside, when a kinematic plate at 100
-/// m/s drives it in further. Contacts alone would have to hold against it.
+/// A ball penetrates a wall with its front, its middle still outside, when a kinematic plate pushes it
+/// further at 100 m/s. Without CCD only contacts act against it.
 #[test]
-fn what_overlaps_is_stopped_if_it_is_wanted() {
+fn overlapping_bodies_are_stopped_on_request() {
     let place = |wanted: bool| {
         let mut world = weightless(60);
         world.integration_parameters.ccd_on_penetration = wanted;
@@ -66,7 +66,7 @@ fn what_overlaps_is_stopped_if_it_is_wanted() {
 }
 
 #[test]
-fn bodies_say_whether_they_were_searched_for() {
+fn bodies_report_active_ccd() {
     let (mut world, ball) = scene();
     assert!(!world.bodies[ball].is_ccd_active() && !world.bodies[ball].is_ccd_enabled());
     world.step();
@@ -76,7 +76,7 @@ fn bodies_say_whether_they_were_searched_for() {
     world.step();
     assert_eq!(world.physics_pipeline.counters.ccd.num_substeps, 1, "the wall");
     assert_eq!(world.physics_pipeline.counters.ccd.num_searches, 1);
-    // Half the thickness of the ball in a step is 1.5 m/s.
+    // Half the thickness of the ball per step is 1.5 m/s.
     world.bodies[ball].set_linvel(vec(0.0, 1.4), true);
     world.step();
     assert!(!world.bodies[ball].is_ccd_active(), "2.3 cm in a step");
@@ -90,9 +90,9 @@ fn bodies_say_whether_they_were_searched_for() {
     assert!(!world.bodies[ball].is_ccd_active(), "nothing stops what is kinematic");
 }
 
-/// A thin body counts as what it is now, whatever it was when it came.
+/// CCD uses the present thickness of a body, whatever its shape at insertion.
 #[test]
-fn what_a_body_has_become_decides_whom_it_stops() {
+fn ccd_uses_the_present_shape() {
     use RigidBodyType::{Dynamic, Fixed, KinematicPositionBased, KinematicVelocityBased};
     for (was, is) in [
         (Dynamic, KinematicPositionBased),
@@ -111,10 +111,10 @@ fn what_a_body_has_become_decides_whom_it_stops() {
     }
 }
 
-/// Bodies that are not marked pass each other; with a prediction as long as the way of a step, contacts stop
-/// them.
+/// Bodies that are not bullets pass each other. With a prediction distance as long as the motion of a step,
+/// contacts stop them.
 #[test]
-fn soft_prediction_stops_what_is_straight_ahead() {
+fn soft_prediction_stops_bodies_straight_ahead() {
     for (prediction, wanted) in [(0.0, true), (2.0, false)] {
         let mut world = weightless(60);
         let target = add_ball(&mut world, Vector::ZERO, Vector::ZERO);
@@ -129,9 +129,9 @@ fn soft_prediction_stops_what_is_straight_ahead() {
     }
 }
 
-/// The only speed limit is the parameter, and limited bodies are counted.
+/// The parameter is the only speed limit, and limited bodies are counted.
 #[test]
-fn speeds_are_limited_where_it_is_wanted_alone() {
+fn speeds_are_limited_by_the_parameter_only() {
     let mut world = weightless(60);
     let ball = add_ball(&mut world, Vector::ZERO, vec(1.0e6, 0.0));
     world.step();

@@ -7,7 +7,7 @@ use crate::suite::physics::stage::weightless;
 use crate::suite::physics::table::Table;
 use rapier::prelude::*;
 
-/// How many of 20 bodies of this shape get through a floor of 2 cm, or a ground.
+/// Returns the number of bodies of this shape, of 20, that pass through a floor of 2 cm or a ground.
 fn count_passed(
     speed: Real,
     lay: impl Fn(&mut PhysicsWorld),
@@ -17,7 +17,7 @@ fn count_passed(
     count_passed_at(60, speed, lay, shape, (turned, 0.0))
 }
 
-/// The same at a number of steps per second, of bodies that spin so fast.
+/// The same at a number of steps per second, for bodies with this angular velocity.
 fn count_passed_at(
     rate: u32,
     speed: Real,
@@ -45,7 +45,7 @@ fn lay_floor(world: &mut PhysicsWorld) {
     world.insert_collider(cuboid(100.0, 0.01), None);
 }
 
-/// A frame of boards of 2 cm.
+/// Returns a frame of boards of 2 cm.
 fn frame() -> ColliderBuilder {
     let board = |x: Real, y: Real, half: [Real; 2]| {
         (Pose::from_parts(vec(x, y), Rotation::IDENTITY), cuboid(half[0], half[1]).shape)

@@ -7,10 +7,10 @@ use rapier::prelude::*;
 
 /// Ranges of the speeds (m/s).
 const SPEEDS: [[Real; 2]; 3] = [[0.0, 5.0], [5.0, 40.0], [40.0, 600.0]];
-/// Whatever is farther to a side may have left the ground.
+/// Largest sideways distance of a body that is still above the ground.
 const SIDE_MAX: Real = 9.0;
 
-/// Reproducible numbers from -1 to 1 (xorshift).
+/// Generator of reproducible numbers from -1 to 1 (xorshift).
 struct Random(u64);
 
 impl Random {
@@ -62,7 +62,7 @@ fn passes(
     false
 }
 
-/// Fails if more than `rate_max` of all throws pass.
+/// Fails if more than a fraction `rate_max` of all throws pass.
 fn count_passed(seeds: u64, rate_max: f64) {
     let title = format!("thin things that pass a thin ground, of {seeds}");
     let mut table = Table::new(&title, &["ground", "shape", "0-5 m/s", "5-40 m/s", "40-600 m/s"]);
@@ -87,12 +87,12 @@ fn thin_things_do_not_pass_thin_grounds() {
     count_passed(3, 0.0);
 }
 
-/// The rate of all throws that `docs/guide/fast-bodies.md` states as a limit.
+/// Largest passing rate, as stated in `docs/guide/fast-bodies.md`.
 const RATE_MAX: f64 = 0.01;
 
-/// The same with more throws: minutes. Slivers on large pieces pass now and then.
+/// The same with more throws, which take minutes. Slivers on large pieces pass occasionally.
 #[test]
 #[ignore = "takes minutes"]
-fn few_thin_things_pass_thin_grounds_in_many_throws() {
+fn few_thin_bodies_pass_thin_grounds_in_many_throws() {
     count_passed(40, RATE_MAX);
 }

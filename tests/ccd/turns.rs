@@ -4,7 +4,7 @@ use crate::dim::{about_z, cuboid, vec};
 use crate::suite::physics::stage::weightless;
 use rapier::prelude::*;
 
-/// A bar of 2 m turns about a hinge at its middle, past a post of 4 cm.
+/// A bar of 2 m rotates about a hinge at its middle, past a post of 4 cm.
 #[test]
 fn a_bar_does_not_skip_a_post() {
     for rate in [30, 60, 240] {
@@ -12,7 +12,7 @@ fn a_bar_does_not_skip_a_post() {
             for phase in 0..8 {
                 let mut world = weightless(rate);
                 world.insert_collider(cuboid(0.02, 0.02).translation(vec(0.0, 0.9)), None);
-                // It starts before the post, within the quarter turn that leads there.
+                // The bar starts before the post, within the quarter revolution that leads to it.
                 let start = -1.2 + 0.12 * phase as Real;
                 let body = RigidBodyBuilder::dynamic().angvel(about_z(speed));
                 let body = body.rotation(about_z(start)).angular_damping(0.0);
@@ -21,8 +21,8 @@ fn a_bar_does_not_skip_a_post() {
                     world.step();
                     let tip = world.bodies[bar].position().rotation * vec(1.0, 0.0);
                     let at = world.bodies[bar].translation();
-                    // Pushed off by the post it may go anywhere, but not through: its side stays before the
-                    // post.
+                    // The post may push the bar in any direction, but not through itself: the side of the bar
+                    // stays in front of the post.
                     if at.length() < 0.05 {
                         assert!(
                             tip.x > -0.1,
@@ -35,7 +35,7 @@ fn a_bar_does_not_skip_a_post() {
     }
 }
 
-/// A bar that spins in a closed box of walls of 2 cm, and is thrown about in it.
+/// A bar that spins in a closed box with walls of 2 cm stays inside.
 #[test]
 fn spinners_stay_in_their_box() {
     for speed in [20.0, 100.0, 400.0, 1000.0] {
@@ -65,7 +65,7 @@ fn spinners_stay_in_their_box() {
     }
 }
 
-/// Nothing slows a free turn: there is no largest angular velocity.
+/// A free rotation keeps its speed: there is no largest angular velocity.
 #[test]
 fn free_turns_are_not_capped() {
     let dt = 1.0 / 60.0;
@@ -79,7 +79,8 @@ fn free_turns_are_not_capped() {
         let expected = speed * dt;
         let difference = (turned - expected) / full;
         let off = (difference - difference.round()).abs() * full;
-        // The fifth order of a quarter of a turn of half a radian: (0.5)⁵/80 of each half.
+        // The error is of fifth order: for a quarter revolution in rotations of half a radian, (0.5)⁵/80 of
+        // each half.
         assert!(off < 1.0e-3 * expected, "{speed} rad/s turned by {turned}, not by {expected}");
     }
 }

@@ -1,4 +1,4 @@
-//! Floors in 2D: lines over the axis of x.
+//! Floors in 2D: lines over the x axis.
 
 use rapier::prelude::*;
 
@@ -6,14 +6,14 @@ fn sample(half_side: Real, cells: usize, i: usize) -> Real {
     half_side * (2.0 * i as Real / cells as Real - 1.0)
 }
 
-/// A polyline with its heights given by x.
+/// Returns a polyline with heights as a function of x.
 pub fn mesh(half_side: Real, cells: usize, height: impl Fn(Real) -> Real) -> ColliderBuilder {
     let at = |i| sample(half_side, cells, i);
     let points = (0..=cells).map(|i| Vector::new(at(i), height(at(i)))).collect();
     ColliderBuilder::polyline(points, None)
 }
 
-/// A height field with its heights given by x.
+/// Returns a height field with heights as a function of x.
 pub fn heights(half_side: Real, cells: usize, height: impl Fn(Real) -> Real) -> ColliderBuilder {
     let heights = (0..=cells).map(|i| height(sample(half_side, cells, i))).collect();
     ColliderBuilder::heightfield(heights, Vector::new(2.0 * half_side, 1.0))

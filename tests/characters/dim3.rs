@@ -7,7 +7,7 @@ fn sample(half_side: Real, cells: usize, i: usize) -> Real {
     half_side * (2.0 * i as Real / cells as Real - 1.0)
 }
 
-/// A mesh of triangles with its heights given by x.
+/// Returns a mesh of triangles with heights as a function of x.
 pub fn mesh(half_side: Real, cells: usize, height: impl Fn(Real) -> Real) -> ColliderBuilder {
     let at = |i| sample(half_side, cells, i);
     let count = cells as u32 + 1;
@@ -21,7 +21,7 @@ pub fn mesh(half_side: Real, cells: usize, height: impl Fn(Real) -> Real) -> Col
     ColliderBuilder::trimesh(points, triangles).expect("a sound mesh")
 }
 
-/// A height field with its heights given by x.
+/// Returns a height field with heights as a function of x.
 pub fn heights(half_side: Real, cells: usize, height: impl Fn(Real) -> Real) -> ColliderBuilder {
     let mut field = Array2::zeros(cells + 1, cells + 1);
     for (i, j) in (0..=cells).flat_map(|i| (0..=cells).map(move |j| (i, j))) {

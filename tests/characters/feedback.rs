@@ -1,4 +1,4 @@
-//! Controllers that lead a body to a pose.
+//! Feedback controllers that move a body to a pose.
 
 use crate::dim::{about_z, cuboid, turned_about_z, vec, z_of};
 use rapier::control::*;
@@ -20,7 +20,7 @@ fn target() -> Pose {
     )
 }
 
-/// The distance from the target, in place and angle, after each step.
+/// Returns the errors of position and angle after each step.
 fn errors(controller: &PdController, steps: usize) -> Vec<(Real, Real)> {
     let (mut world, handle) = weightless();
     let mut errors = Vec::new();
@@ -38,14 +38,14 @@ fn errors(controller: &PdController, steps: usize) -> Vec<(Real, Real)> {
 }
 
 #[test]
-fn the_body_comes_to_the_target() {
+fn the_body_reaches_the_target() {
     let (off, turn) = errors(&PdController::default(), 60)[59];
     assert!(off.abs() < 1.0e-4 && turn.abs() < 1.0e-4, "{off}, {turn}");
 }
 
-/// The critical gains do not swing, those a little stiffer do, and the deadbeat ones arrive in one step.
+/// Critical gains do not oscillate, slightly stiffer gains do, and deadbeat gains arrive in one step.
 #[test]
-fn critical_damping_is_where_the_formula_says() {
+fn critical_damping_agrees_with_the_formula() {
     let kd: Real = 0.5;
     let critical = (1.0 - (1.0 - kd).sqrt()).powi(2) / DT;
     let overshoot = |kp: Real| {
@@ -61,7 +61,7 @@ fn critical_damping_is_where_the_formula_says() {
 }
 
 #[test]
-fn only_the_chosen_axes_are_touched() {
+fn only_the_chosen_axes_are_controlled() {
     let (world, handle) = weightless();
     let body = &world.bodies[handle];
     let asked = |axes| {
@@ -84,12 +84,12 @@ fn only_the_chosen_axes_are_touched() {
     assert!((z_of(angular) - 12.0).abs() < 1.0e-3);
 }
 
-/// Against gravity the PD controller hangs low, with an integral it does not. With n substeps a body that
-/// begins a step at the velocity u ends it at u - g dt and moves by (u - g dt (n + 1)/2n) dt: zero, once it
-/// hangs. So u = 5/8 g dt for four substeps, which is what the controller makes of the last end velocity,
-/// -3/8 g dt: kp e = (5/8 + (1 - kd) 3/8) g dt.
+/// Under gravity, the PD controller has a constant error, and the integral removes it. With n substeps, a
+/// body that begins a step at the velocity u ends it at u - g dt. It moves by (u - g dt (n + 1)/2n) dt, which
+/// is zero at equilibrium. So u = 5/8 g dt for four substeps. The controller computes it from the last end
+/// velocity, -3/8 g dt: kp e = (5/8 + (1 - kd) 3/8) g dt.
 #[test]
-fn the_integral_learns_gravity() {
+fn the_integral_compensates_gravity() {
     let sag = |ki: Real| {
         let (mut world, handle) = weightless();
         world.gravity = vec(0.0, -9.81);
@@ -110,7 +110,7 @@ fn the_integral_learns_gravity() {
 }
 
 #[test]
-fn integrals_can_be_forgotten_and_are_not_poisoned() {
+fn integrals_can_be_reset_and_stay_finite() {
     let mut controller = PidController::default();
     let off = PdErrors { linear: vec(1.0, 2.0), angular: about_z(3.0) };
     controller.correction(DT, &off, &PdErrors::default());

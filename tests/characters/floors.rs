@@ -5,8 +5,8 @@ use crate::dim::floors::{heights, mesh};
 use crate::dim::{cuboid, vec};
 use rapier::prelude::*;
 
-/// How a character walks over a level floor at 4/s: the largest deviation of its speed in one step, as a
-/// share, and that of its height.
+/// Returns the largest deviations of the speed in one step, as a fraction, and of the height. The character
+/// walks over a level floor at 4/s.
 pub fn stumbles(floor: Vec<ColliderBuilder>, shape: ColliderBuilder) -> (Real, Real) {
     let mut world = PhysicsWorld::new();
     for part in floor {
@@ -24,7 +24,7 @@ pub fn stumbles(floor: Vec<ColliderBuilder>, shape: ColliderBuilder) -> (Real, R
     (speed, bump)
 }
 
-/// Level floors made of parts.
+/// Returns level floors made of parts.
 pub fn level_floors() -> Vec<(&'static str, Vec<ColliderBuilder>)> {
     let tiles = (-30..30).map(|i| cuboid(0.25, 0.25).translation(vec(0.5 * i as Real, -0.25)));
     let flat = |_: Real| 0.0;
@@ -37,7 +37,7 @@ pub fn level_floors() -> Vec<(&'static str, Vec<ColliderBuilder>)> {
 }
 
 #[test]
-fn seams_of_level_floors_are_not_felt() {
+fn internal_edges_of_level_floors_have_no_effect() {
     let capsule = ColliderBuilder::capsule_y(CAPSULE.0, CAPSULE.1);
     for shape in [capsule, cuboid(0.3, FOOT)] {
         for (name, floor) in level_floors() {
@@ -48,10 +48,10 @@ fn seams_of_level_floors_are_not_felt() {
     }
 }
 
-/// Over hills made of facets, the way in each step has the wished length but where two facets meet, and it
-/// never leaves the ground or sinks.
+/// On hills made of facets, the displacement of each step has the desired length, except at the edges between
+/// facets. The character never leaves the ground or sinks in.
 #[test]
-fn hills_are_walked_over() {
+fn walking_over_hills_keeps_the_speed() {
     let hills = |x: Real| 0.6 * (0.8 * x).sin();
     for floor in [mesh(20.0, 80, hills), heights(20.0, 80, hills)] {
         let mut world = PhysicsWorld::new();
@@ -63,7 +63,8 @@ fn hills_are_walked_over() {
             let at = walker.place();
             assert!(movement.grounded, "left the ground at {at}");
             total += movement.translation.length();
-            // Upright on a slope, the capsule's foot is higher than the ground by r (1/cos - 1), 0.04 here.
+            // For an upright capsule on a slope, the lowest point is higher than the ground by r (1/cos - 1),
+            // 0.04 here.
             let above = walker.feet() - hills(at.x);
             assert!((OFFSET - 0.02..0.09).contains(&above), "{above} above the ground at {at}");
         }

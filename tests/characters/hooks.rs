@@ -5,7 +5,7 @@ use crate::dim::{cuboid, vec};
 use rapier::control::*;
 use rapier::prelude::*;
 
-/// The same hook serves bodies: see `api::hooks`.
+/// One-way platform. The same hook acts on bodies: see `api::hooks`.
 struct OneWay {
     platform: ColliderHandle,
 }
@@ -22,7 +22,7 @@ impl PhysicsHooks for OneWay {
     }
 }
 
-/// Moves with hooks, and says whether it stands.
+/// Moves the character with hooks, and records whether it is grounded.
 fn step(walker: &mut Walker, hooks: &OneWay, contacts: &mut CharacterContacts, velocity: Vector) {
     let filter = QueryFilter::default().exclude_rigid_body(walker.body);
     let collider = &walker.world.colliders[walker.collider];
@@ -63,7 +63,7 @@ fn one_way_platforms_are_jumped_through_and_stood_on() {
         velocity = if walker.grounded { 0.0 } else { velocity } - 9.81 * DT;
         step(&mut walker, &hooks, &mut contacts, vec(0.3, velocity));
         let moved = walker.place().y - last;
-        // Nothing throws it out of the platform while it is inside, or holds it there.
+        // Inside the platform, the character is neither pushed out nor stopped.
         assert!(
             (moved - velocity * DT).abs() < OFFSET + GAP_TOLERANCE || walker.grounded,
             "{moved}"
@@ -85,9 +85,9 @@ fn a_platform_without_hooks_is_solid() {
     assert!((head - 2.4 + OFFSET).abs() < GAP_TOLERANCE, "head at {head}");
 }
 
-/// A jump that is too low stops halfway at no platform: the character falls back down.
+/// A jump that is too low does not stop halfway at the platform: the character falls back.
 #[test]
-fn who_does_not_get_through_falls_back() {
+fn a_jump_that_is_too_low_falls_back() {
     let (mut walker, hooks) = with_platform(ActiveHooks::MODIFY_SOLVER_CONTACTS);
     let mut contacts = CharacterContacts::new();
     let mut velocity = 5.5;
@@ -99,12 +99,12 @@ fn who_does_not_get_through_falls_back() {
 }
 
 #[test]
-fn pairs_that_a_hook_refuses_do_not_meet() {
+fn pairs_that_a_hook_rejects_do_not_touch() {
     for hooked in [true, false] {
         let mut world = level();
         let ghost = cuboid(0.5, 2.0).translation(vec(2.0, 2.0)).user_data(7);
-        let wishes = if hooked { ActiveHooks::FILTER_CONTACT_PAIRS } else { ActiveHooks::empty() };
-        world.insert_collider(ghost.active_hooks(wishes), None);
+        let flags = if hooked { ActiveHooks::FILTER_CONTACT_PAIRS } else { ActiveHooks::empty() };
+        world.insert_collider(ghost.active_hooks(flags), None);
         let mut walker = Walker::new(world, vec(0.0, FOOT + OFFSET));
         let hooks = OneWay { platform: ColliderHandle::invalid() };
         let mut contacts = CharacterContacts::new();
@@ -117,7 +117,7 @@ fn pairs_that_a_hook_refuses_do_not_meet() {
 }
 
 #[test]
-fn filters_groups_and_sensors_count() {
+fn filters_groups_and_sensors_are_respected() {
     let mut world = level();
     let group = |n| InteractionGroups::new(Group::from_bits_retain(n), Group::ALL);
     world.insert_collider(cuboid(0.5, 2.0).translation(vec(2.0, 2.0)).sensor(true), None);

@@ -1,6 +1,6 @@
 //! Characters: walking, standing, climbing and pushing.
 //!
-//! Each test states a complaint that users have of character controllers, as a figure with the reason for its
+//! Each test states a user's complaint about character controllers, as a figure with the reason for its
 //! tolerance. `table` prints the figures together (`cargo nextest run -p rapier3d characters::table
 //! --no-capture`).
 

@@ -6,11 +6,11 @@ use rapier::control::*;
 use rapier::prelude::*;
 
 #[test]
-fn impossible_wishes_times_and_poses_move_nobody() {
+fn invalid_translations_times_and_poses_cause_no_motion() {
     let mut walker = Walker::new(level(), vec(0.0, 1.2)).settled();
     for bad in [Real::NAN, Real::INFINITY, Real::NEG_INFINITY, Real::MAX] {
-        for wish in [vec(bad, 0.0), vec(0.0, bad), Vector::ONE * bad] {
-            assert_eq!(walker.ask(wish), EffectiveCharacterMovement::default(), "{wish}");
+        for desired in [vec(bad, 0.0), vec(0.0, bad), Vector::ONE * bad] {
+            assert_eq!(walker.compute(desired), EffectiveCharacterMovement::default(), "{desired}");
         }
     }
     let shape = walker.world.colliders[walker.collider].shape();
@@ -26,9 +26,9 @@ fn impossible_wishes_times_and_poses_move_nobody() {
     still(DT, Pose::from_translation(vec(0.0, Real::INFINITY)));
 }
 
-/// A change of velocity is a number, or none, whatever the controller, the time and the target are.
+/// The change of velocity is finite or absent, whatever the controller, the time step and the target.
 #[test]
-fn feedback_of_nonsense_is_a_velocity() {
+fn feedback_of_invalid_input_is_a_velocity() {
     let values = crate::suite::hostile::values::EDGES;
     let body = RigidBodyBuilder::dynamic().translation(vec(1.0, 2.0)).linvel(vec(3.0, 4.0)).build();
     let usable = |change: RigidBodyVelocity| {
@@ -51,7 +51,7 @@ fn feedback_of_nonsense_is_a_velocity() {
 }
 
 #[test]
-fn impossible_settings_move_nobody() {
+fn invalid_settings_cause_no_motion() {
     let mut walker = Walker::new(level(), vec(0.0, 1.2)).settled();
     let good = KinematicCharacterController::default();
     let mut settings = Vec::new();
@@ -75,37 +75,36 @@ fn impossible_settings_move_nobody() {
     for controller in settings {
         walker.controller = controller;
         assert_eq!(
-            walker.ask(vec(0.1, -0.1)),
+            walker.compute(vec(0.1, -0.1)),
             EffectiveCharacterMovement::default(),
             "{controller:?}"
         );
     }
 }
 
-/// An empty world is free; an up direction of any length will do; angles beyond a quarter turn are a quarter
-/// turn.
+/// An empty world is free, an up direction may have any length, and angles beyond 90° act as 90°.
 #[test]
-fn odd_settings_have_a_meaning() {
+fn unusual_settings_are_accepted() {
     let mut walker = Walker::new(PhysicsWorld::new(), Vector::ZERO);
-    assert_eq!(walker.ask(vec(0.1, -0.1)).translation, vec(0.1, -0.1));
+    assert_eq!(walker.compute(vec(0.1, -0.1)).translation, vec(0.1, -0.1));
     let mut walker = Walker::new(level(), vec(0.0, 1.2)).settled();
     for length in [1.0e-20, 7.0, 1.0e20] {
         walker.controller.up = Vector::Y * length;
-        let movement = walker.ask(vec(0.1, -0.1));
+        let movement = walker.compute(vec(0.1, -0.1));
         assert!(movement.grounded && (movement.translation - vec(0.1, 0.0)).length() < 1.0e-4);
     }
     walker.controller.up = Vector::Y;
     for angle in [10.0, -10.0, Real::INFINITY] {
         walker.controller.max_slope_climb_angle = angle;
-        assert!(walker.ask(vec(0.1, -0.1)).translation.is_finite());
+        assert!(walker.compute(vec(0.1, -0.1)).translation.is_finite());
     }
     walker.controller.offset = CharacterLength::Absolute(0.0);
-    assert!(walker.ask(vec(0.1, -0.1)).translation.is_finite());
+    assert!(walker.compute(vec(0.1, -0.1)).translation.is_finite());
 }
 
-/// Deep inside of something it gets out within a few calls, or at least stays finite.
+/// A character deep inside an obstacle leaves it within a few calls, or at least stays finite.
 #[test]
-fn who_is_buried_gets_out() {
+fn a_buried_character_gets_out() {
     let mut world = PhysicsWorld::new();
     world.insert_collider(cuboid(2.0, 2.0), None);
     let mut walker = Walker::new(world, vec(0.3, 1.5));
@@ -116,7 +115,7 @@ fn who_is_buried_gets_out() {
     assert!(walker.place().y > 2.5 || walker.place().x.abs() > 2.2, "{}", walker.place());
 }
 
-/// Random worlds, wishes and settings: always finite, always the same.
+/// Random worlds, translations and settings give finite and reproducible results.
 #[test]
 fn nothing_panics_and_everything_repeats() {
     let mut state = 12345_u64;
@@ -136,10 +135,10 @@ fn nothing_panics_and_everything_repeats() {
         walker.controller.autostep = Some(CharacterAutostep::default());
         walker.controller.slide = random(0.0, 1.0) > 0.2;
         for _ in 0..20 {
-            let wish = vec(random(-0.3, 0.3), random(-0.3, 0.1));
-            let movement = walker.ask(wish);
+            let desired = vec(random(-0.3, 0.3), random(-0.3, 0.1));
+            let movement = walker.compute(desired);
             assert!(movement.translation.is_finite());
-            assert_eq!(movement, walker.ask(wish));
+            assert_eq!(movement, walker.compute(desired));
             let next = walker.place() + movement.translation;
             walker.world.bodies[walker.body].set_next_kinematic_translation(next);
             walker.world.step();
@@ -147,8 +146,7 @@ fn nothing_panics_and_everything_repeats() {
     }
 }
 
-/// Whatever has a shape can be a character: where it goes is finite, and over a level floor it goes
-/// somewhere.
+/// Every shape can be a character: its motion is finite, and over a level floor it is not zero.
 #[test]
 fn all_shapes_can_walk() {
     for shape in crate::dim::hostile::shapes(0.5) {
@@ -161,9 +159,9 @@ fn all_shapes_can_walk() {
     }
 }
 
-/// So can be everything that has a shape what it meets.
+/// Every shape can be an obstacle.
 #[test]
-fn all_shapes_can_be_met() {
+fn all_shapes_can_be_obstacles() {
     for shape in crate::dim::hostile::shapes(1.0) {
         let mut world = level();
         world.insert_collider(shape.translation(vec(2.0, 1.0)), None);
@@ -176,9 +174,9 @@ fn all_shapes_can_be_met() {
     }
 }
 
-/// Sizes and places at the ends of what is usual.
+/// Sizes and positions at the limits of the usual range.
 #[test]
-fn odd_sizes_and_places_do_no_harm() {
+fn unusual_sizes_and_positions_are_harmless() {
     for size in [1.0e-6, 1.0e-3, 1.0e3, 1.0e6] {
         for place in [0.0, 1.0e3, 1.0e6] {
             let mut world = PhysicsWorld::new();
@@ -188,7 +186,7 @@ fn odd_sizes_and_places_do_no_harm() {
             let mut walker = Walker::of(world, shape, vec(place, 1.6 * size));
             walker.controller.autostep = Some(CharacterAutostep::default());
             for _ in 0..20 {
-                let movement = walker.ask(vec(size, -size) * 0.05);
+                let movement = walker.compute(vec(size, -size) * 0.05);
                 assert!(movement.translation.is_finite());
                 let next = walker.place() + movement.translation;
                 walker.world.bodies[walker.body].set_next_kinematic_translation(next);
@@ -198,10 +196,10 @@ fn odd_sizes_and_places_do_no_harm() {
     }
 }
 
-/// A shape that is given to `move_shape` never saw the checks of a collider: its sizes may be no numbers, on
-/// floors of every kind.
+/// A shape passed to `move_shape` bypasses the checks of a collider. Its sizes may be NaN, on floors of every
+/// kind.
 #[test]
-fn shapes_without_a_size_move_somewhere_or_nowhere() {
+fn shapes_without_a_size_do_not_panic() {
     for (name, floor) in super::floors::level_floors() {
         let mut world = PhysicsWorld::new();
         for part in floor {
@@ -215,8 +213,8 @@ fn shapes_without_a_size_move_somewhere_or_nowhere() {
                 [SharedShape::ball(value), SharedShape::new(Cuboid::new(Vector::splat(value)))]
             {
                 let pose = Pose::from_translation(vec(0.3, 0.4));
-                let wish = vec(0.3, -0.1);
-                let movement = controller.move_shape(DT, &queries, &*shape, &pose, wish, |_| ());
+                let desired = vec(0.3, -0.1);
+                let movement = controller.move_shape(DT, &queries, &*shape, &pose, desired, |_| ());
                 assert!(movement.translation.is_finite(), "{value} on {name}");
             }
         }

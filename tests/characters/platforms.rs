@@ -4,8 +4,8 @@ use super::stage::{CAPSULE, DT, FOOT, GAP_TOLERANCE, OFFSET, Walker};
 use crate::dim::{about_z, cuboid, vec};
 use rapier::prelude::*;
 
-/// The largest deviation of the gap from the offset on a lift that goes at this speed; with a sine, up and
-/// down.
+/// Returns the largest deviation of the gap from the offset on a lift at this speed, with an optional
+/// sinusoidal motion.
 pub fn ride(amplitude: Real, frequency: Real, steady: Real, by_position: bool) -> Real {
     let mut world = PhysicsWorld::new();
     let lift = if by_position {
@@ -45,9 +45,10 @@ fn who_rides_a_lift_keeps_the_offset() {
     }
 }
 
-/// Without riding, a rising lift still carries it: no further inside than the lift came in one step.
+/// Without riding, a rising lift still carries the character. It penetrates the offset by at most one step of
+/// the lift's motion.
 #[test]
-fn lifts_carry_who_does_not_ride() {
+fn lifts_carry_characters_that_do_not_ride() {
     let mut world = PhysicsWorld::new();
     let lift = RigidBodyBuilder::kinematic_velocity_based().linvel(vec(0.0, 2.0));
     let (lift, _) = world.insert(lift, cuboid(3.0, 0.5));
@@ -60,7 +61,8 @@ fn lifts_carry_who_does_not_ride() {
     }
 }
 
-/// Walking on a platform that moves sideways adds to its motion; standing on it keeps the place.
+/// A platform's sideways motion adds to the motion of a walking character. A standing character keeps its
+/// place on it.
 #[test]
 fn platforms_carry_sideways() {
     let mut world = PhysicsWorld::new();
@@ -77,8 +79,8 @@ fn platforms_carry_sideways() {
     assert!((on_raft(&walker) - before - 1.0).abs() < 1.0e-3);
 }
 
-/// How far from its place on a platform that tilts, and in 3D turns, the point below the feet gets within
-/// four seconds, and by how much the gap is off.
+/// Returns the largest drift of the point below the feet, and the largest deviation of the gap. The platform
+/// tilts, and in 3D rotates, for four seconds.
 pub fn rocking() -> (Real, Real) {
     let mut world = PhysicsWorld::new();
     let (raft, _) = world.insert(RigidBodyBuilder::kinematic_velocity_based(), cuboid(5.0, 0.5));
@@ -101,22 +103,22 @@ pub fn rocking() -> (Real, Real) {
 #[test]
 fn rocking_platforms_are_not_sunk_into() {
     let (off, worst) = rocking();
-    // The platform turns by 0.3/2 rad at most: upright on a tilted floor, the ball's lowest contact moves by
-    // r·sin.
+    // The platform rotates by at most 0.3/2 rad. For an upright character on a tilted floor, the lowest
+    // contact of the ball moves by r·sin.
     assert!(off < 0.2, "wandered {off}");
     assert!(worst < 2.0e-3, "the gap was off by {worst}");
 }
 
-/// The velocity of the ground is that of the point below, turning included; jumping off with it keeps the
+/// The velocity of the ground is that of the point below, including rotation. A jump with it keeps the
 /// momentum.
 #[test]
-fn the_ground_says_how_fast_it_is() {
+fn the_ground_velocity_includes_rotation() {
     let mut world = PhysicsWorld::new();
     let raft = RigidBodyBuilder::kinematic_velocity_based().linvel(vec(1.5, 0.5));
     let (raft, raft_collider) = world.insert(raft, cuboid(5.0, 0.5));
     let mut walker = Walker::new(world, vec(2.0, 0.5 + FOOT + OFFSET));
     walker.world.bodies[raft].set_angvel(about_z(0.2), true);
-    let movement = walker.ask(vec(0.0, -0.01));
+    let movement = walker.compute(vec(0.0, -0.01));
     let ground = movement.ground.expect("it stands on the raft");
     assert_eq!(ground.collider, raft_collider);
     let (bodies, colliders) = (&walker.world.bodies, &walker.world.colliders);
@@ -125,7 +127,7 @@ fn the_ground_says_how_fast_it_is() {
     assert!((velocity - expected).length() < 1.0e-5 && velocity.y > 0.8, "{velocity}");
     assert!((ground.displacement(bodies, colliders, DT) / DT - velocity).length() < 0.01);
     assert_eq!(ground.displacement(bodies, colliders, Real::NAN), Vector::ZERO);
-    // Gone with its collider.
+    // The removal of the body removes its collider.
     walker.world.remove_body(raft);
     walker.world.step();
     assert_eq!(ground.velocity(&walker.world.bodies, &walker.world.colliders), Vector::ZERO);

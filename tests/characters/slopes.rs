@@ -5,7 +5,7 @@ use crate::dim::{about_z, cuboid, vec};
 use rapier::control::CharacterSlopeSpeed;
 use rapier::prelude::*;
 
-/// The length of the way in each step, as a share of the wish, at its worst; and how many steps were not on
+/// Returns the worst displacement of a step, as a fraction of the desired one, and the number of steps off
 /// the ground.
 pub fn walk_on_slope(degrees: Real, speed: Real, rule: CharacterSlopeSpeed) -> (Real, usize) {
     let mut walker = Walker::new(slope(degrees), on_slope(degrees, 0.0)).settled();
@@ -47,7 +47,7 @@ fn other_rules_give_other_speeds() {
     }
 }
 
-/// A character does not walk up a slope that is too steep, and can walk away at once.
+/// A character does not walk up a slope beyond the limit, and can walk away from it at once.
 #[test]
 fn steep_slopes_are_walls() {
     for degrees in [50.0, 60.0, 75.0] {
@@ -74,9 +74,9 @@ fn steep_slopes_are_walls() {
     }
 }
 
-/// A character that falls onto a slope that is too steep slides down, also while walking against it.
+/// A character on a slope beyond the limit slides down, also while it walks against it.
 #[test]
-fn steep_slopes_do_not_hold() {
+fn characters_slide_down_steep_slopes() {
     for speed in [0.0, 4.0, -1.0] {
         let mut walker = Walker::new(slope(60.0), on_slope(60.0, 0.0) + vec(0.0, 0.3));
         walker.steps(30, vec(speed, 0.0));
@@ -93,7 +93,7 @@ fn steep_slopes_do_not_hold() {
 
 /// The two angles are independent: a slope can be climbable and slippery, or neither.
 #[test]
-fn slippery_slopes_can_be_climbed_and_steep_ones_stood_on() {
+fn slippery_and_climbable_are_independent() {
     let mut walker = Walker::new(slope(35.0), on_slope(35.0, 0.0)).settled();
     walker.controller.min_slope_slide_angle = Real::to_radians(20.0);
     let movement = walker.step(Vector::ZERO);
@@ -112,7 +112,7 @@ fn slippery_slopes_can_be_climbed_and_steep_ones_stood_on() {
     assert!(walker.place().y - place.y < GAP_TOLERANCE, "climbed what is too steep");
 }
 
-/// A slope of exactly the largest angle is still one that can be climbed, and stood on.
+/// A slope of exactly the largest angle is climbable and holds the character.
 #[test]
 fn the_largest_angle_itself_can_be_climbed() {
     let mut walker = Walker::new(slope(45.0), on_slope(45.0, 0.0)).settled();
@@ -122,7 +122,7 @@ fn the_largest_angle_itself_can_be_climbed() {
     assert!((walker.place().x - way).abs() < 0.02, "at {}", walker.place());
 }
 
-/// A level with a roof on it, whose ridge is at x = 0.
+/// Returns a level with a roof on it, with the ridge at x = 0.
 fn roof(degrees: Real) -> PhysicsWorld {
     let mut world = level();
     for side in [-1.0, 1.0] {
@@ -136,10 +136,10 @@ fn roof(degrees: Real) -> PhysicsWorld {
     world
 }
 
-/// From a level up a slope, over its ridge, and down again: never off the ground, at the wished speed but
-/// where the slope changes, and never closer than the offset.
+/// The character walks from a level up a slope, over its ridge, and down again. It stays on the ground and
+/// keeps the desired speed except at changes of slope. The gap never falls below the offset.
 #[test]
-fn ridges_and_valleys_do_not_throw_it_off() {
+fn ridges_and_valleys_keep_the_character_on_the_ground() {
     for (degrees, speed) in [(30.0, 3.0), (40.0, 6.0), (20.0, 10.0)] {
         let mut walker = Walker::new(roof(degrees), vec(-9.0, 1.0)).settled();
         let (mut highest, mut changes): (Real, usize) = (0.0, 0);
@@ -152,9 +152,9 @@ fn ridges_and_valleys_do_not_throw_it_off() {
             assert!((0.7..1.5).contains(&share), "{degrees}°, {speed}: {share} at {at}");
             highest = highest.max(at.y);
         }
-        // Over the ridge the capsule's middle comes as high as its foot is above it.
+        // Over the ridge, the capsule's middle is as high as its lowest point is below it.
         assert!((highest - 2.0 - FOOT - OFFSET).abs() < 0.05, "{highest}");
-        // A ball rolls over a ridge by its radius times the turn; in a valley there are two planes at once.
+        // A ball rolls over a ridge by its radius times the angle; in a valley there are two planes at once.
         let round = CAPSULE.1 * 2.0 * Real::to_radians(degrees) / (speed * DT);
         assert!((changes as Real) < round + 8.0, "{changes} steps of another speed");
     }

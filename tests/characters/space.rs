@@ -4,8 +4,8 @@ use crate::suite::characters::stage::{CAPSULE, DT, FOOT, GAP_TOLERANCE, OFFSET, 
 use rapier::control::*;
 use rapier::prelude::*;
 
-/// Rides a turntable at 2 rad/s for ten seconds, 2 from its middle: by how much the distance from the middle
-/// and the gap are off at the end, at their worst.
+/// Rides a turntable at 2 rad/s for ten seconds, 2 from its middle. Returns the worst deviations of the
+/// distance from the middle and of the gap.
 pub fn turntable() -> (Real, Real) {
     let mut world = PhysicsWorld::new();
     let table = RigidBodyBuilder::kinematic_velocity_based().angvel(Vector::Y * 2.0);
@@ -23,7 +23,8 @@ pub fn turntable() -> (Real, Real) {
     (off, worst)
 }
 
-/// A chord instead of the arc would carry it outwards by `r (ω dt)² / 2` in each step: 0.7 in ten seconds.
+/// The displacement follows the arc. A chord would move the character outwards by `r (ω dt)² / 2` in each
+/// step: 0.7 in ten seconds.
 #[test]
 fn turntables_carry_round() {
     let (off, gap) = turntable();
@@ -31,7 +32,7 @@ fn turntables_carry_round() {
     assert!(gap < GAP_TOLERANCE, "gap off by {gap}");
 }
 
-/// A room's corner: two walls and the floor. The motion ends there and stays ended.
+/// In a corner of two walls and the floor, the motion ends and stays ended.
 #[test]
 fn corners_of_three_sides_hold_still() {
     for degrees in [90.0, 60.0, 30.0] {
@@ -54,9 +55,9 @@ fn corners_of_three_sides_hold_still() {
     }
 }
 
-/// Along a wall, pressing against it at 45°: the part along the wall is kept.
+/// Along a wall, pressing against it at 45°, the tangential part of the velocity remains.
 #[test]
-fn walls_are_slid_along() {
+fn characters_slide_along_walls() {
     let mut world = level();
     let wall = ColliderBuilder::cuboid(50.0, 5.0, 1.0).translation(Vector::new(0.0, 5.0, 1.5));
     world.insert_collider(wall, None);
@@ -71,9 +72,9 @@ fn walls_are_slid_along() {
     assert!((walker.place().z - (0.5 - CAPSULE.1 - OFFSET)).abs() < GAP_TOLERANCE);
 }
 
-/// Stairs at an angle of 45° are climbed as well as straight on.
+/// Stairs at an angle of 45° are climbed as well as straight ones.
 #[test]
-fn stairs_can_be_met_at_an_angle() {
+fn stairs_at_an_angle_are_climbed() {
     let mut world = level();
     for i in 0..6 {
         let height = 0.2 * (i + 1) as Real;

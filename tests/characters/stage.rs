@@ -1,4 +1,4 @@
-//! A character in a world, moved as a game moves it.
+//! A character in a world, moved as in a game.
 
 use crate::dim::{about_z, cuboid, vec};
 use rapier::control::*;
@@ -6,16 +6,16 @@ use rapier::prelude::*;
 
 /// Length of a step (s).
 pub const DT: Real = 1.0 / 60.0;
-/// Half the height of the capsule's straight part, and its radius.
+/// Half the length of the capsule's straight part, and its radius.
 pub const CAPSULE: (Real, Real) = (0.6, 0.3);
-/// From the capsule's middle to its lowest point.
+/// Distance from the capsule's middle to its lowest point.
 pub const FOOT: Real = CAPSULE.0 + CAPSULE.1;
-/// The gap that the character keeps: a hundredth of its height.
+/// Gap of the character: a hundredth of its height.
 pub const OFFSET: Real = 0.02 * FOOT;
-/// By how much a gap may differ from the offset: the controller's tolerance, and what casts lose.
+/// Largest difference between a gap and the offset: the controller's tolerance, plus the error of casts.
 pub const GAP_TOLERANCE: Real = 5.0e-4;
 
-/// A walking character.
+/// Walking character.
 pub struct Walker {
     pub world: PhysicsWorld,
     pub controller: KinematicCharacterController,
@@ -23,15 +23,15 @@ pub struct Walker {
     pub collider: ColliderHandle,
     /// Collisions of the last step.
     pub collisions: Vec<CharacterCollision>,
-    /// The vertical velocity of the fall so far (length/s).
+    /// Vertical velocity of the fall (length/s).
     pub fall: Real,
-    /// Whether it rides on its ground.
+    /// Whether the character rides on its ground.
     pub rides: bool,
     pub grounded: bool,
 }
 
 impl Walker {
-    /// A capsule with its middle at a place.
+    /// Creates a capsule with its middle at a place.
     pub fn new(world: PhysicsWorld, place: Vector) -> Self {
         Self::of(world, ColliderBuilder::capsule_y(CAPSULE.0, CAPSULE.1), place)
     }
@@ -50,13 +50,13 @@ impl Walker {
         self.world.bodies[self.body].translation()
     }
 
-    /// Where the lowest point of the capsule is.
+    /// Returns the height of the capsule's lowest point.
     pub fn feet(&self) -> Real {
         self.place().y - FOOT
     }
 
-    /// The controller's answer, without applying it.
-    pub fn ask(&mut self, wish: Vector) -> EffectiveCharacterMovement {
+    /// Returns the controller's result without applying it.
+    pub fn compute(&mut self, desired: Vector) -> EffectiveCharacterMovement {
         self.collisions.clear();
         let filter = QueryFilter::default().exclude_rigid_body(self.body);
         let collider = &self.world.colliders[self.collider];
@@ -66,15 +66,15 @@ impl Walker {
             &self.world.query_pipeline_with_filter(filter),
             collider.shape(),
             collider.position(),
-            wish,
+            desired,
             |collision| collisions.push(collision),
         )
     }
 
-    /// Wishes to go at a velocity for a step, and to fall; returns how far it came.
+    /// Moves by a desired velocity for a step, with gravity. Returns the effective movement.
     pub fn step(&mut self, velocity: Vector) -> EffectiveCharacterMovement {
         self.fall = if self.grounded { 0.0 } else { self.fall } - 9.81 * DT;
-        let movement = self.ask((velocity + Vector::Y * self.fall) * DT);
+        let movement = self.compute((velocity + Vector::Y * self.fall) * DT);
         self.grounded = movement.grounded;
         let (bodies, colliders) = (&self.world.bodies, &self.world.colliders);
         let ride = match movement.ground {
@@ -87,14 +87,14 @@ impl Walker {
         movement
     }
 
-    /// Many steps.
+    /// Runs several steps.
     pub fn steps(&mut self, count: usize, velocity: Vector) {
         for _ in 0..count {
             self.step(velocity);
         }
     }
 
-    /// Lets it come to rest.
+    /// Runs until the character is at rest.
     pub fn settled(mut self) -> Self {
         self.steps(60, Vector::ZERO);
         assert!(self.grounded, "it should have landed, but is at {}", self.place());
@@ -102,14 +102,14 @@ impl Walker {
     }
 }
 
-/// A world whose ground is level at height 0.
+/// Returns a world with level ground at height 0.
 pub fn level() -> PhysicsWorld {
     let mut world = PhysicsWorld::new();
     world.insert_collider(cuboid(100.0, 1.0).translation(vec(0.0, -1.0)), None);
     world
 }
 
-/// A world with a plane through the origin that rises to the right.
+/// Returns a world with a plane through the origin that rises to the right.
 pub fn slope(degrees: Real) -> PhysicsWorld {
     let mut world = PhysicsWorld::new();
     let angle = degrees.to_radians();
@@ -119,10 +119,10 @@ pub fn slope(degrees: Real) -> PhysicsWorld {
     world
 }
 
-/// Where a capsule's middle is when it stands, at the offset, on a slope through the origin.
+/// Returns the position of a standing capsule's middle, at the offset, on a slope through the origin.
 pub fn on_slope(degrees: Real, x: Real) -> Vector {
     let angle = degrees.to_radians();
-    // The lower ball touches where its normal is that of the slope.
+    // The lower ball touches the slope at its normal.
     let ball = (CAPSULE.1 + OFFSET) / angle.cos();
     vec(x, x * angle.tan() + ball + CAPSULE.0)
 }

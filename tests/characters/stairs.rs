@@ -14,7 +14,7 @@ fn autostep(max_height: Real) -> Option<CharacterAutostep> {
     })
 }
 
-/// A level with a long block on it that begins at x = 1.
+/// Returns a level with a long block on it that begins at x = 1.
 fn step_of(height: Real) -> PhysicsWorld {
     let mut world = level();
     world.insert_collider(cuboid(5.0, height).translation(vec(6.0, 0.0)), None);
@@ -34,7 +34,7 @@ pub fn goes_up(shape: &ColliderBuilder, height: Real, max_height: Real, speed: R
         highest = highest.max(walker.place().y - before);
     }
     let up = walker.place().y - before;
-    // Coming down onto an edge is stopped early, at an edge that is almost upright by a few tolerances.
+    // The descent onto an edge stops early, by a few tolerances at an almost vertical edge.
     assert!(highest < height + 2.0e-3, "got as high as {highest}");
     let expected = if walker.place().x > 1.5 { height } else { 0.0 };
     assert!((up - expected).abs() < GAP_TOLERANCE, "{up} at {}", walker.place());
@@ -42,7 +42,7 @@ pub fn goes_up(shape: &ColliderBuilder, height: Real, max_height: Real, speed: R
 }
 
 #[test]
-fn low_steps_are_taken_and_high_ones_are_walls() {
+fn low_steps_are_climbed_and_high_ones_are_walls() {
     let capsule = ColliderBuilder::capsule_y(super::stage::CAPSULE.0, super::stage::CAPSULE.1);
     for shape in [capsule, cuboid(0.3, FOOT)] {
         for (height, expected) in
@@ -56,7 +56,7 @@ fn low_steps_are_taken_and_high_ones_are_walls() {
     }
 }
 
-/// A character that walks against a step that is too narrow stays below.
+/// A character does not climb a step that is too narrow.
 #[test]
 fn steps_need_room() {
     for (room, expected) in [(0.2, false), (0.5, true)] {
@@ -83,9 +83,9 @@ fn stairs(count: usize, rise: Real, run: Real) -> PhysicsWorld {
     world
 }
 
-/// Up and down a flight of stairs: always on the ground, at the wished horizontal speed.
+/// On a flight of stairs, up and down, the character stays on the ground at the desired horizontal speed.
 #[test]
-fn stairs_are_walked_up_and_down() {
+fn characters_walk_up_and_down_stairs() {
     for speed in [1.5, 4.0] {
         let mut walker = Walker::new(stairs(8, 0.2, 0.3), vec(0.0, 1.2)).settled();
         walker.controller.autostep = autostep(0.3);
@@ -96,8 +96,8 @@ fn stairs_are_walked_up_and_down() {
                 assert!(movement.grounded, "left the ground at {}", walker.place());
             }
             let came = (walker.place().x - from).abs() / (speed * DT * steps as Real);
-            // A little less than all, because a round bottom rolls over each edge: its way is longer than the
-            // stairs.
+            // The fraction is slightly below 1, because a round bottom rolls over each edge: its path is
+            // longer than the stairs.
             assert!((0.93..1.001).contains(&came), "came {came} of the way at {speed}");
             let expected = if direction > 0.0 { 1.6 } else { 0.0 };
             let feet = walker.feet() - OFFSET;
@@ -113,7 +113,7 @@ fn without_autostep_a_step_is_a_wall() {
     assert!(walker.feet() < 0.1, "{}", walker.place());
 }
 
-/// A slope that is too steep is no staircase, however small its parts.
+/// A slope that is too steep is not a staircase, however small its parts.
 #[test]
 fn steep_slopes_are_no_steps() {
     let mut world = level();
@@ -126,7 +126,7 @@ fn steep_slopes_are_no_steps() {
     assert!((walker.feet() - OFFSET).abs() < GAP_TOLERANCE, "{}", walker.place());
 }
 
-/// From a slope onto a step, and from a step onto a slope.
+/// Steps work from a slope onto a step, and from a step onto a slope.
 #[test]
 fn steps_work_on_slopes() {
     let angle = Real::to_radians(20.0);
@@ -135,7 +135,7 @@ fn steps_work_on_slopes() {
         let mut world = super::stage::slope(20.0);
         let corner = along * 2.0;
         let block = if tilted {
-            // A slab of 0.15 on the slope.
+            // A slab of 0.15 is on the slope.
             let middle = corner + along * 5.0 + out * 0.05;
             cuboid(5.0, 0.1).translation(middle).rotation(about_z(angle))
         } else {
@@ -156,7 +156,7 @@ fn steps_work_on_slopes() {
     }
 }
 
-/// Dynamic bodies are steps only if they should be.
+/// Dynamic bodies are steps only if the setting allows it.
 #[test]
 fn dynamic_bodies_may_be_steps() {
     for include in [true, false] {
@@ -172,9 +172,9 @@ fn dynamic_bodies_may_be_steps() {
     }
 }
 
-/// Off a cliff it falls, and does not stick to its side.
+/// Beyond a cliff the character falls, and does not stick to the side.
 #[test]
-fn cliffs_are_fallen_from() {
+fn characters_fall_from_cliffs() {
     let mut world = PhysicsWorld::new();
     world.insert_collider(cuboid(2.0, 2.0).translation(vec(0.0, -2.0)), None);
     let mut walker = Walker::new(world, vec(0.0, 1.2)).settled();

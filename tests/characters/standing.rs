@@ -4,7 +4,7 @@ use super::stage::{DT, GAP_TOLERANCE, OFFSET, Walker, level, on_slope, slope};
 use crate::dim::{about_z, cuboid, vec};
 use rapier::prelude::*;
 
-/// A minute of gravity: the displacement is zero, not nearly so.
+/// A minute of gravity gives a displacement of exactly zero.
 fn stands(mut walker: Walker) {
     let place = walker.place();
     for step in 0..3600 {
@@ -23,17 +23,17 @@ fn who_stands_on_level_ground_for_a_minute_moves_by_zero() {
 }
 
 #[test]
-fn so_does_a_box() {
+fn a_box_on_level_ground_keeps_its_place() {
     stands(Walker::of(level(), cuboid(0.4, 0.9), vec(0.3, 1.2)).settled());
 }
 
 #[test]
-fn so_does_who_stands_on_a_slope_far_from_the_origin() {
+fn a_capsule_on_a_slope_far_from_the_origin_keeps_its_place() {
     stands(Walker::new(slope(30.0), on_slope(30.0, 40.0) + vec(0.0, 0.1)).settled());
 }
 
 #[test]
-fn so_does_who_stands_in_a_valley_or_against_a_wall() {
+fn a_capsule_in_a_valley_or_at_a_wall_keeps_its_place() {
     let mut world = slope(25.0);
     let rise = Real::to_radians(25.0);
     let other =
@@ -46,16 +46,16 @@ fn so_does_who_stands_in_a_valley_or_against_a_wall() {
     stands(Walker::new(world, vec(-0.01, 1.2)).settled());
 }
 
-/// The desired translation of a flying character is kept to the bit.
+/// The translation of a character without obstacles is exact to the bit.
 #[test]
-fn who_meets_nothing_goes_where_it_wants() {
+fn free_motion_is_exact() {
     let mut walker = Walker::new(level(), vec(0.0, 50.0));
-    let wish = vec(0.37, -0.11);
-    assert_eq!(walker.ask(wish).translation, wish);
-    assert!(!walker.ask(wish).grounded);
+    let desired = vec(0.37, -0.11);
+    assert_eq!(walker.compute(desired).translation, desired);
+    assert!(!walker.compute(desired).grounded);
 }
 
-/// A fall ends at the offset, whatever its speed, and is over at once.
+/// A fall ends at the offset, whatever its speed, in one step.
 #[test]
 fn falls_end_at_the_offset() {
     for speed in [1.0, 20.0, 500.0] {
@@ -72,7 +72,7 @@ fn falls_end_at_the_offset() {
     }
 }
 
-/// A jumping character leaves the ground, even where it would snap back, and lands at the same place.
+/// A jumping character leaves the ground, also within the snapping distance, and lands at the same place.
 #[test]
 fn jumps_leave_the_ground() {
     let mut walker = Walker::new(level(), vec(0.0, 1.2)).settled();
@@ -80,14 +80,14 @@ fn jumps_leave_the_ground() {
     let (mut velocity, mut highest): (Real, Real) = (4.0, 0.0);
     for step in 0..60 {
         velocity -= 9.81 * DT;
-        let movement = walker.ask(vec(0.0, velocity * DT));
+        let movement = walker.compute(vec(0.0, velocity * DT));
         assert!(step > 10 || !movement.grounded, "still on the ground in step {step}");
         let next = walker.place() + movement.translation;
         walker.world.bodies[walker.body].set_next_kinematic_translation(next);
         walker.world.step();
         highest = highest.max(walker.place().y - before.y);
     }
-    // v²/2g, less what a step's discreteness takes: v·dt/2.
+    // The height is v²/2g minus the error of the step, v·dt/2.
     assert!((highest - 16.0 / 19.62).abs() < 4.0 * DT, "jumped {highest}");
     assert!((walker.place() - before).length() < GAP_TOLERANCE);
 }

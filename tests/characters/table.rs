@@ -1,4 +1,4 @@
-//! The figures, together.
+//! All figures in one table.
 
 use super::floors::{level_floors, stumbles};
 use super::platforms::{ride, rocking};

@@ -5,7 +5,7 @@ use super::stage::{CAPSULE, DT, GAP_TOLERANCE, OFFSET, Walker, level};
 use crate::dim::{about_z, cuboid, vec};
 use rapier::prelude::*;
 
-/// The side of a capsule at the offset from a wall whose side is at `x`.
+/// Returns the centre of a capsule at the offset from a wall with its side at `x`.
 fn at_wall(x: Real) -> Real {
     x - CAPSULE.1 - OFFSET
 }
@@ -29,7 +29,7 @@ fn walking_into_a_wall_ends_at_the_offset() {
     }
 }
 
-/// Flying along a wall while pressing against it keeps the part of the speed along the wall.
+/// Flight along a wall, pressing against it, keeps the tangential part of the speed.
 #[test]
 fn walls_take_away_what_goes_into_them_and_nothing_else() {
     for degrees in [0.0, 20.0, -20.0] {
@@ -43,10 +43,10 @@ fn walls_take_away_what_goes_into_them_and_nothing_else() {
         let ball = ColliderBuilder::ball(0.3);
         let mut walker = Walker::of(world, ball, away * 0.5);
         walker.controller.up = along;
-        let wish = along * 0.05 - away * 0.02;
+        let desired = along * 0.05 - away * 0.02;
         let mut way = Vector::ZERO;
         for _ in 0..120 {
-            let movement = walker.ask(wish);
+            let movement = walker.compute(desired);
             let next = walker.place() + movement.translation;
             walker.world.bodies[walker.body].set_next_kinematic_translation(next);
             walker.world.step();
@@ -58,7 +58,7 @@ fn walls_take_away_what_goes_into_them_and_nothing_else() {
     }
 }
 
-/// In an acute corner the motion ends, stays ended, and never comes closer to either side than the offset.
+/// In an acute corner the motion ends, stays ended, and keeps the offset from both sides.
 #[test]
 fn corners_hold_still() {
     for half_angle in [5.0, 15.0, 30.0, 40.0] {
@@ -72,10 +72,10 @@ fn corners_hold_still() {
                 None,
             );
         }
-        // The lower side is a floor.
+        // The lower side of the corner is a floor.
         let mut walker = Walker::of(world, ColliderBuilder::ball(0.3), vec(0.0, 0.0));
         for step in 0..400 {
-            let movement = walker.ask(vec(0.1, -0.01));
+            let movement = walker.compute(vec(0.1, -0.01));
             let next = walker.place() + movement.translation;
             walker.world.bodies[walker.body].set_next_kinematic_translation(next);
             walker.world.step();
@@ -85,8 +85,8 @@ fn corners_hold_still() {
     }
 }
 
-/// The largest error of the speed, as a share, in a corridor whose sides leave room for the character and so
-/// many offsets more than the two that it keeps.
+/// Returns the largest error of the speed, as a fraction, in a corridor. The corridor leaves room for the
+/// character and its two offsets, plus `extra` offsets.
 pub fn corridor(extra: Real) -> Real {
     let mut world = PhysicsWorld::new();
     let width = 2.0 * (0.3 + 0.006 * (1.0 + extra));
@@ -97,19 +97,19 @@ pub fn corridor(extra: Real) -> Real {
     let mut walker = Walker::of(world, ColliderBuilder::ball(0.3), vec(0.0, 0.0));
     let mut error: Real = 0.0;
     for _ in 0..60 {
-        let movement = walker.ask(vec(0.05, 0.01));
+        let movement = walker.compute(vec(0.05, 0.01));
         error = error.max((movement.translation.x / 0.05 - 1.0).abs());
         let next = walker.place() + movement.translation;
         walker.world.bodies[walker.body].set_next_kinematic_translation(next);
         walker.world.step();
         assert!(walker.place().y.abs() < 0.006 * (1.0 + extra.abs()), "{}", walker.place());
     }
-    let rest = walker.ask(Vector::ZERO).translation.length();
+    let rest = walker.compute(Vector::ZERO).translation.length();
     assert!(rest < 2.0e-3, "{extra}: trembles by {rest}");
     error
 }
 
-/// As wide as the character and its offsets, and narrower: it goes through all the same, at full speed.
+/// A corridor as wide as the character and its offsets, or narrower, is passed at full speed.
 #[test]
 fn narrow_corridors_are_no_trap() {
     for extra in [0.5, 0.0, -0.5, -1.0, -1.5] {
@@ -118,8 +118,8 @@ fn narrow_corridors_are_no_trap() {
     }
 }
 
-/// By how much more a wall that comes at this speed gets into the offset than it moves in one step, at its
-/// worst.
+/// Returns the worst penetration of the offset by a wall at this speed, in excess of the wall's motion in one
+/// step.
 pub fn pushed_by_wall(speed: Real) -> Real {
     let mut world = level();
     let wall = RigidBodyBuilder::kinematic_velocity_based()
@@ -140,7 +140,7 @@ pub fn pushed_by_wall(speed: Real) -> Real {
     short
 }
 
-/// A wall that moves pushes it along, and it is never further inside than the wall came in one step.
+/// A moving wall pushes the character, and penetrates its offset by at most one step of motion.
 #[test]
 fn moving_walls_push() {
     for speed in [-1.0, -6.0] {
@@ -149,9 +149,9 @@ fn moving_walls_push() {
     }
 }
 
-/// Between a moving wall and one that stands, nothing can be done; but nothing explodes, either.
+/// Between a moving and a fixed wall there is no solution, but the result stays finite.
 #[test]
-fn who_is_crushed_stays_between() {
+fn a_crushed_character_stays_between_the_walls() {
     let mut world = level();
     wall(&mut world, 1.0);
     let press = RigidBodyBuilder::kinematic_velocity_based()
@@ -170,9 +170,9 @@ fn who_is_crushed_stays_between() {
     assert!(walker.world.bodies[press].translation().x > -0.5);
 }
 
-/// Without sliding it stops where it meets a wall, but walks on floors.
+/// Without sliding the character stops at a wall, but walks on floors.
 #[test]
-fn who_does_not_slide_stops() {
+fn a_character_without_sliding_stops() {
     let mut world = level();
     let leaning = cuboid(1.0, 20.0).translation(vec(4.0, 0.0)).rotation(about_z(-0.2));
     world.insert_collider(leaning, None);
@@ -182,9 +182,9 @@ fn who_does_not_slide_stops() {
     assert!((walker.place().x - 1.0).abs() < 0.01, "{}", walker.place());
     walker.steps(120, vec(2.0, 0.0));
     let place = walker.place();
-    let jump = walker.ask(vec(0.1, 0.1));
+    let jump = walker.compute(vec(0.1, 0.1));
     assert!(jump.translation.length() < 0.02, "{jump:?} at {place}");
     walker.controller.slide = true;
-    let jump = walker.ask(vec(0.1, 0.1));
+    let jump = walker.compute(vec(0.1, 0.1));
     assert!(jump.translation.y > 0.05, "{jump:?} at {place}");
 }

@@ -17,12 +17,12 @@ fn what_is_fixed_makes_no_pairs() {
     let ball = RigidBodyBuilder::dynamic().translation(vec(100.2, 0.5));
     world.insert(ball, ColliderBuilder::ball(0.5));
     run(&mut world, 1.0);
-    // A ball of half a metre reaches three cubes of one metre in each direction at most.
+    // A ball with a radius of half a metre reaches at most three cubes of one metre in each direction.
     let pairs = world.physics_pipeline.counters.cd.ncontact_pairs;
     assert!((1..=9).contains(&pairs), "{pairs} pairs");
 }
 
-/// The places of what is removed are given to what comes, and nothing that belonged to it stays.
+/// Slots of removed objects are reused, without any state of the old objects.
 #[test]
 fn who_comes_takes_the_place_of_who_went() {
     let mut world = world(60);
@@ -40,7 +40,8 @@ fn who_comes_takes_the_place_of_who_went() {
         }
         let (slot, _) = body.into_raw_parts();
         let (collider_slot, _) = collider.into_raw_parts();
-        // Thirteen at once; and the ground, and a collider that goes in the next step.
+        // There are at most thirteen bodies at once, plus the ground and a collider that is removed in the
+        // next step.
         assert!(slot < 13 && collider_slot < 15, "slots {slot} and {collider_slot}");
     }
     for (body, _) in living {

@@ -5,7 +5,8 @@ use crate::suite::joints::stage::{bob, inertia, post};
 use crate::suite::physics::stage::{RATES, run, substep, weightless};
 use rapier::prelude::*;
 
-/// Where a wheel at 0 that is pulled to 1 rad is after this time: `I θ'' = k (1 - θ) - c θ'`, underdamped.
+/// Returns the angle after this time of a wheel that starts at 0 with the target 1 rad: `I θ'' = k (1 - θ) -
+/// c θ'`, underdamped.
 fn exact(stiffness: Real, damping: Real, inertia: Real, time: Real) -> Real {
     let natural = (stiffness / inertia).sqrt();
     let decay = damping / (2.0 * inertia);
@@ -14,10 +15,10 @@ fn exact(stiffness: Real, damping: Real, inertia: Real, time: Real) -> Real {
     1.0 - left * (phase.cos() + decay / swing * phase.sin())
 }
 
-/// A motor is a spring and a damper, and these have units: at any rate, and for any inertia, the motion is
-/// that of the formula. Implicit integration with substeps of `h` adds `ω h / 2` to the share of damping, `ω²
-/// h t / 2` of the amplitude in the time `t`; and positions and velocities stand half a substep apart, `ω h /
-/// 2` at the start and at the end.
+/// A motor is a spring and a damper with physical units: the motion follows the formula at any rate and for
+/// any inertia. Implicit integration with substeps of `h` adds `ω h / 2` to the damping ratio, `ω² h t / 2`
+/// of the amplitude in the time `t`. Positions and velocities are half a substep apart, `ω h / 2` at the
+/// start and at the end.
 #[test]
 fn the_gains_of_motors_mean_the_same_at_any_rate() {
     let (stiffness, damping) = (8.0, 0.6);

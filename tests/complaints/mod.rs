@@ -1,7 +1,7 @@
 //! # Complaints
 //!
-//! Known complaints about physics engines that no other test covers. `docs/complaints.md` says which test
-//! answers which complaint.
+//! Known complaints about physics engines that no other test covers. `docs/complaints.md` maps complaints to
+//! tests.
 
 mod crowds;
 mod gains;

@@ -4,7 +4,7 @@ use crate::dim::{cuboid, vec};
 use crate::suite::physics::stage::{run, world};
 use rapier::prelude::*;
 
-/// A tower of five cubes on a slab that is a body of its own.
+/// Builds a tower of five cubes on a slab with its own body.
 fn tower(world: &mut PhysicsWorld, x: Real) -> Vec<RigidBodyHandle> {
     let slab = RigidBodyBuilder::fixed().translation(vec(x, -0.5));
     world.insert(slab, cuboid(3.0, 0.5));
@@ -23,8 +23,8 @@ fn shift(world: &mut PhysicsWorld, by: Vector) {
     }
 }
 
-/// Sleeping bodies stay asleep at exactly their new pose; awake bodies keep their height above the others. At
-/// 1000 m a number in single precision has steps of 0.06 mm, and a tower takes some of them to settle.
+/// Sleeping bodies stay asleep at exactly their new pose, and awake bodies keep their relative height. At
+/// 1000 m, single precision has a resolution of 0.06 mm, and a tower settles by a few of these.
 #[test]
 fn shifting_the_origin_is_not_felt() {
     for awake in [false, true] {

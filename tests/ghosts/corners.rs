@@ -6,17 +6,17 @@ use crate::suite::physics::stage::{Dice, penetration, steps, world};
 use crate::suite::physics::table::Table;
 use rapier::prelude::*;
 
-/// Where the wall is (m).
+/// Position of the wall (m).
 const WALL: Real = 2.0;
 
-/// A floor and a wall 4 m high, which a body can come to from above and from the left.
+/// Returns a floor and a wall 4 m high, with free access from above and from the left.
 fn corner(is_mesh: bool) -> PhysicsWorld {
     let mut world = world(60);
     for (half, place) in [(vec(5.0, 0.5), vec(0.0, -0.5)), (vec(0.5, 2.0), vec(WALL + 0.5, 2.0))] {
         let block = if is_mesh { box_mesh(half) } else { crate::dim::cuboid(half.x, half.y) };
         world.insert_collider(block.translation(place).friction(0.3), None);
     }
-    // Everything falls into the corner.
+    // Gravity pulls all bodies into the corner.
     world.gravity = vec(6.0, -9.81);
     world
 }

@@ -1,13 +1,13 @@
-//! Grounds whose surface is the line y = 0, made of many pieces, in 2D.
+//! Grounds of many pieces, with the line y = 0 as their surface, in 2D.
 
 use crate::suite::ghosts::lay::{self, add, on_a_body};
 use rapier::parry::math::IVector;
 use rapier::prelude::*;
 
-/// From where to where the grounds reach (m).
+/// Range of the grounds along x (m).
 const ALONG: [Real; 2] = [-3.0, 45.0];
 
-/// A ground's name, and what puts it into a world at a pose, with this friction.
+/// Name of a ground, and the function that adds it to a world at a pose with this friction.
 pub type Ground = (&'static str, fn(&mut PhysicsWorld, Pose, Real));
 
 /// All grounds.
@@ -31,7 +31,7 @@ fn polyline(size: Real) -> ColliderBuilder {
 }
 
 fn height_field() -> ColliderBuilder {
-    // Its middle is the origin.
+    // The middle of a height field is the origin.
     let reach = ALONG[1].max(-ALONG[0]);
     let heights = vec![0.0; (2.0 * reach) as usize + 1];
     ColliderBuilder::heightfield(heights, Vector::new(2.0 * reach, 1.0))
@@ -50,7 +50,7 @@ fn segment() -> ColliderBuilder {
     ColliderBuilder::segment(Vector::new(-0.5, 0.5), Vector::new(0.5, 0.5))
 }
 
-/// The middles of the tiles.
+/// Returns the middles of the tiles.
 fn places() -> impl Iterator<Item = Vector> {
     (ALONG[0] as i32..ALONG[1] as i32).map(|i| Vector::new(i as Real + 0.5, -0.5))
 }
@@ -72,7 +72,7 @@ fn colliders_on_a_body(world: &mut PhysicsWorld, pose: Pose, friction: Real) {
     on_a_body(world, pose, friction, &tile(), places());
 }
 
-/// Each tile a collider of its own, on a body of its own if `with_bodies`.
+/// Adds each tile as a separate collider, each on a separate body if `with_bodies`.
 fn scatter(
     world: &mut PhysicsWorld,
     pose: Pose,
@@ -83,7 +83,7 @@ fn scatter(
     lay::scatter(world, pose, &tile.friction(friction), places(), with_bodies);
 }
 
-/// Bodies that slide: their names, how high their middle is above the ground, and how they stand.
+/// Returns sliding bodies: name, height of the middle above the ground, pose, and collider.
 pub fn sliders() -> Vec<(&'static str, Real, Pose, ColliderBuilder)> {
     let straight = Pose::IDENTITY;
     let lying = Pose::from_rotation(Rotation::new(core::f64::consts::FRAC_PI_2 as Real));
@@ -101,17 +101,17 @@ pub fn sliders() -> Vec<(&'static str, Real, Pose, ColliderBuilder)> {
     ]
 }
 
-/// Two boxes, one behind the other, as parts of a compound.
+/// Returns two boxes, one behind the other, as parts of a compound.
 fn sledge() -> ColliderBuilder {
     let half = SharedShape::cuboid(0.2, 0.3);
     let at = |x: Real| (Pose::from_translation(Vector::new(x, 0.0)), half.clone());
     ColliderBuilder::compound(vec![at(-0.3), at(0.3)])
 }
 
-/// A way to the side: there is none.
+/// Sideways displacement: none in 2D.
 pub const ASIDE: Vector = Vector::ZERO;
 
-/// A ground in the shape of a V, of this slope on both sides of x = 0, of pieces of 0.25 m.
+/// Adds a V-shaped ground with this slope on both sides of x = 0, in pieces of 0.25 m.
 pub fn gutter(world: &mut PhysicsWorld, slope: Real) {
     let vertex = |i: i32| {
         let x = 0.25 * (i - 20) as Real;
@@ -121,7 +121,7 @@ pub fn gutter(world: &mut PhysicsWorld, slope: Real) {
     world.insert_collider(ground.friction(0.0), None);
 }
 
-/// A closed box of segments.
+/// Returns a closed box of segments.
 pub fn box_mesh(half: Vector) -> ColliderBuilder {
     let corners = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0], [-1.0, -1.0]];
     let corners = corners.map(|corner| Vector::from_array(corner) * half);

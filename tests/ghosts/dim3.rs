@@ -1,16 +1,16 @@
-//! Grounds whose surface is the plane y = 0, made of many pieces, in 3D.
+//! Grounds of many pieces, with the plane y = 0 as their surface, in 3D.
 
 use crate::suite::ghosts::lay::{self, add, on_a_body};
 use rapier::parry::math::IVector;
 use rapier::parry::utils::Array2;
 use rapier::prelude::*;
 
-/// From where to where the grounds reach (m).
+/// Range of the grounds along x (m).
 const ALONG: [Real; 2] = [-3.0, 45.0];
-/// How far they reach to both sides.
+/// Range of the grounds to both sides (m).
 const TO_THE_SIDE: Real = 4.0;
 
-/// A ground's name, and what puts it into a world at a pose, with this friction.
+/// Name of a ground, and the function that adds it to a world at a pose with this friction.
 pub type Ground = (&'static str, fn(&mut PhysicsWorld, Pose, Real));
 
 /// All grounds.
@@ -45,7 +45,7 @@ fn mesh(size: Real) -> ColliderBuilder {
 }
 
 fn height_field() -> ColliderBuilder {
-    // Its middle is the origin.
+    // The middle of a height field is the origin.
     let reach = ALONG[1].max(-ALONG[0]);
     let (rows, columns) = ((2.0 * TO_THE_SIDE) as usize + 1, (2.0 * reach) as usize + 1);
     let heights = Array2::new(rows, columns, vec![0.0; rows * columns]);
@@ -66,7 +66,7 @@ fn hull() -> ColliderBuilder {
     ColliderBuilder::convex_hull(&corners()).unwrap()
 }
 
-/// Corner 4 x + 2 y + z; each face as two triangles, seen from outside.
+/// Corner 4 x + 2 y + z; each face as two triangles, counter-clockwise from outside.
 fn box_triangles() -> Vec<[u32; 3]> {
     let faces: [[u32; 4]; 6] =
         [[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]];
@@ -83,7 +83,7 @@ fn square() -> ColliderBuilder {
     ColliderBuilder::trimesh(vertices, vec![[0, 1, 2], [0, 2, 3]]).unwrap()
 }
 
-/// The middles of the tiles.
+/// Returns the middles of the tiles.
 fn places() -> impl Iterator<Item = Vector> {
     let columns = ALONG[0] as i32..ALONG[1] as i32;
     let rows = -TO_THE_SIDE as i32..TO_THE_SIDE as i32;
@@ -108,7 +108,7 @@ fn colliders_on_a_body(world: &mut PhysicsWorld, pose: Pose, friction: Real) {
     on_a_body(world, pose, friction, &tile(), places());
 }
 
-/// Each tile a collider of its own, on a body of its own if `with_bodies`.
+/// Adds each tile as a separate collider, each on a separate body if `with_bodies`.
 fn scatter(
     world: &mut PhysicsWorld,
     pose: Pose,
@@ -119,7 +119,7 @@ fn scatter(
     lay::scatter(world, pose, &tile.friction(friction), places(), with_bodies);
 }
 
-/// Bodies that slide: their names, how high their middle is above the ground, and how they stand.
+/// Returns sliding bodies: name, height of the middle above the ground, pose, and collider.
 pub fn sliders() -> Vec<(&'static str, Real, Pose, ColliderBuilder)> {
     let turned = |angle| Pose::from_rotation(Rotation::from_rotation_y(angle));
     let straight = Pose::IDENTITY;
@@ -148,17 +148,17 @@ pub fn sliders() -> Vec<(&'static str, Real, Pose, ColliderBuilder)> {
     ]
 }
 
-/// Two boxes side by side, as parts of a compound.
+/// Returns two boxes side by side, as parts of a compound.
 fn sledge() -> ColliderBuilder {
     let half = SharedShape::cuboid(0.5, 0.3, 0.2);
     let at = |z: Real| (Pose::from_translation(Vector::new(0.0, 0.0, z)), half.clone());
     ColliderBuilder::compound(vec![at(-0.3), at(0.3)])
 }
 
-/// A way to the side, off the seams.
+/// Sideways displacement, away from internal edges.
 pub const ASIDE: Vector = Vector::new(0.0, 0.0, 0.27);
 
-/// A ground in the shape of a V along z, of this slope on both sides of x = 0, of strips of 0.25 m.
+/// Adds a V-shaped ground along z with this slope on both sides of x = 0, in strips of 0.25 m.
 pub fn gutter(world: &mut PhysicsWorld, slope: Real) {
     let vertex = |i: i32, z: Real| {
         let x = 0.25 * (i - 20) as Real;
@@ -170,7 +170,7 @@ pub fn gutter(world: &mut PhysicsWorld, slope: Real) {
     world.insert_collider(ground.unwrap().friction(0.0), None);
 }
 
-/// A closed box of triangles, as deep as it is wide.
+/// Returns a closed box of triangles, as deep as it is wide.
 pub fn box_mesh(half: Vector) -> ColliderBuilder {
     let corners = corners().into_iter().map(|c| c * 2.0 * Vector::new(half.x, half.y, 5.0));
     ColliderBuilder::trimesh(corners.collect(), box_triangles()).unwrap()

@@ -6,10 +6,11 @@ use crate::suite::physics::stage::{steps, world};
 use crate::suite::physics::table::Table;
 use rapier::prelude::*;
 
-/// Where the grounds end (m), and how much farther the next one of the same kind must be put to begin there.
+/// End of the grounds (m), which is also the displacement of the next one of the same kind.
 const END: Real = 45.0;
 
-/// A ground to `END`, another that begins `gap` behind it and is higher by `step`, and a box on the first.
+/// Returns a ground to `END`, another that begins `gap` behind it and is higher by `step`, and a box on the
+/// first.
 fn before(ground: Ground, gap: Real, step: Real, speed: Real) -> (PhysicsWorld, RigidBodyHandle) {
     let (name, lay) = ground;
     let length = if name == "height field" { 90.0 } else { 48.0 };

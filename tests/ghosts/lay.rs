@@ -1,8 +1,8 @@
-//! How grounds are laid, in one piece or in many.
+//! Construction of grounds from one piece or from many.
 
 use rapier::prelude::*;
 
-/// Adds a ground that is one collider.
+/// Adds a ground of one collider.
 pub fn add(world: &mut PhysicsWorld, pose: Pose, friction: Real, ground: ColliderBuilder) {
     world.insert_collider(ground.position(pose).friction(friction), None);
 }
@@ -21,7 +21,7 @@ pub fn on_a_body(
     }
 }
 
-/// Adds a tile at each place, on a body of its own if `with_bodies`.
+/// Adds a tile at each place, on a separate body if `with_bodies`.
 pub fn scatter(
     world: &mut PhysicsWorld,
     pose: Pose,

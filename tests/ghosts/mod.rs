@@ -1,7 +1,7 @@
 //! Ghost contacts: flat ground of any pieces has no edges.
 //!
-//! Bodies must not catch on the seams between the triangles, cells, parts, colliders or bodies that make up a
-//! surface, and must feel the edges, steps and gaps that are really there.
+//! Bodies must not catch on internal edges between triangles, cells, parts, colliders or bodies of one
+//! surface. Real edges, steps and gaps must have their effect.
 
 mod corners;
 mod edges;

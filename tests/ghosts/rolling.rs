@@ -6,7 +6,7 @@ use crate::suite::physics::stage::{G, steps, substep, world};
 use crate::suite::physics::table::Table;
 use rapier::prelude::*;
 
-/// How long the ball rolls (s).
+/// Duration of rolling (s).
 const TIME: Real = 3.0;
 
 /// `a = k g sin θ`, with `k` of a solid ball (3D) or disc (2D). Semi-implicit Euler adds `a h T / 2`

@@ -6,10 +6,10 @@ use crate::suite::physics::stage::{steps, world};
 use crate::suite::physics::table::Table;
 use rapier::prelude::*;
 
-/// How fast the bodies start (m/s).
+/// Initial speed of the bodies (m/s).
 const SPEED: Real = 10.0;
 
-/// The least and the greatest that was seen.
+/// Smallest and largest observed value.
 struct Range([Real; 2]);
 
 impl Range {
@@ -17,7 +17,7 @@ impl Range {
         Self([Real::INFINITY, Real::NEG_INFINITY])
     }
 
-    fn see(&mut self, value: Real) {
+    fn include(&mut self, value: Real) {
         let Self([least, greatest]) = self;
         (*least, *greatest) = (least.min(value), greatest.max(value));
     }
@@ -45,11 +45,11 @@ fn bodies_glide() {
             for _ in 0..steps(&world, 4.0) {
                 world.step();
                 let body = &world.bodies[body];
-                heights.see(1000.0 * (body.translation().y - height));
-                speeds.see(body.linvel().x);
+                heights.include(1000.0 * (body.translation().y - height));
+                speeds.include(body.linvel().x);
                 let aside = body.linvel() - vec(body.linvel().x, body.linvel().y);
-                asides.see(aside.length());
-                turns.see(crate::dim::ang_length(body.angvel()));
+                asides.include(aside.length());
+                turns.include(crate::dim::ang_length(body.angvel()));
             }
             table.row([
                 ground.to_string(),
@@ -63,7 +63,8 @@ fn bodies_glide() {
             ]);
             table.require(heights.0[1] < 1.0, "hops");
             table.require(heights.0[0] > -5.0, "sinks");
-            // A thousandth of the speed, and what a tilt of some thousandths makes of a round bottom.
+            // The bound is a thousandth of the speed, plus the deflection of a round bottom by a tilt of some
+            // thousandths.
             table.require(asides.0[1] < 5.0e-3 * SPEED, "is led to the side");
             table.require(turns.0[1] < 0.5, "turns");
             // On each new tile the body tilts by some thousandths, and is pushed along its own bottom.

@@ -20,7 +20,7 @@ fn valleys_are_no_bumps() {
             gutter(&mut world, slope);
             let (angle, speed) = (Real::atan(slope), 4.0);
             let (sin, cos) = angle.sin_cos();
-            // It touches the left side, 2 m from the corner.
+            // The ball touches the left side, 2 m from the corner.
             let start = vec(-2.0 * cos + radius * sin, 2.0 * sin + radius * cos);
             let body = RigidBodyBuilder::dynamic()
                 .translation(start + ASIDE)
@@ -38,7 +38,7 @@ fn valleys_are_no_bumps() {
                 format!("{:.4}", found.length()),
                 format!("{formula:.4}"),
             ]);
-            // Undoing the overlap of the corner may throw it off by a little.
+            // The correction of the penetration at the corner may change the speed slightly.
             table.check("the speed", found.length(), formula, 2.0e-3 * speed);
             table.require(found.y > 0.0, "does not go up the other side");
         }

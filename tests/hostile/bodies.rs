@@ -1,4 +1,4 @@
-//! Impossible values for the setters of bodies.
+//! Invalid values for the setters of bodies.
 
 use super::listener::{listen, names};
 use super::scene::Scene;
@@ -6,7 +6,7 @@ use super::values::{EDGES, edge_vectors};
 use crate::dim::{about_z, hostile::broken_rotations, z_of};
 use rapier::prelude::*;
 
-/// A setter of a number, and where the number can be read back.
+/// Name of a setter of a number, body type, the setter, and the getter.
 type Knob = (&'static str, RigidBodyType, fn(&mut RigidBody, Real), fn(&RigidBody) -> Real);
 
 const DYNAMIC: RigidBodyType = RigidBodyType::Dynamic;
@@ -31,7 +31,7 @@ const KNOBS: [Knob; 10] = [
     ),
 ];
 
-/// A number is taken, or refused with a message that names it, and then nothing changes at all.
+/// A number is accepted, or rejected with a message that names it and without any change.
 #[test]
 fn numbers_are_taken_or_refused_by_name() {
     for (name, body_type, set, get) in KNOBS {
@@ -56,7 +56,7 @@ fn numbers_are_taken_or_refused_by_name() {
     }
 }
 
-/// Edits of a body by a vector.
+/// Name of an edit of a body by a vector, and the edit.
 type Push = (&'static str, fn(&mut RigidBody, Vector));
 
 const PUSHES: [Push; 9] = [
@@ -71,19 +71,19 @@ const PUSHES: [Push; 9] = [
     ("turning impulse", |b, v| b.apply_torque_impulse(about_z(v.y), true)),
 ];
 
-/// Returns whether a text names an impossible component of a vector.
+/// Returns whether a text names an invalid component of a vector.
 fn names_one_of(text: &str, vector: Vector) -> bool {
     vector.to_array().into_iter().any(|value| !value.is_finite() && names(text, value))
 }
 
 #[test]
-fn no_vector_breaks_a_pile_or_reaches_another_one() {
+fn no_vector_affects_another_pile() {
     let bystanders = Scene::new().bystanders_in_the_end();
     for (name, push) in PUSHES {
         for vector in edge_vectors() {
             let mut scene = Scene::new();
             let ((), heard) = listen(|| push(scene.body(), vector));
-            // A vector along x turns nothing about it.
+            // A vector along x has no moment about x.
             if !vector.is_finite() && (name != "turning impulse" || !vector.y.is_finite()) {
                 assert!(heard.iter().any(|text| names_one_of(text, vector)), "{name}: {heard:?}");
             }
@@ -94,7 +94,7 @@ fn no_vector_breaks_a_pile_or_reaches_another_one() {
 }
 
 #[test]
-fn what_is_no_rotation_is_refused() {
+fn invalid_rotations_are_rejected() {
     for rotation in broken_rotations() {
         for body_type in [DYNAMIC, KINEMATIC] {
             let untouched = Scene::with_body_type(body_type).all_in_the_end();
@@ -115,7 +115,7 @@ fn what_is_no_rotation_is_refused() {
 }
 
 #[test]
-fn impossible_masses_are_refused() {
+fn invalid_masses_are_rejected() {
     let untouched = Scene::new().all_in_the_end();
     for value in EDGES {
         let mut scene = Scene::new();
@@ -160,7 +160,7 @@ fn predictions_of_impossible_times_stay_finite() {
         body.set_angvel(about_z(3.0), true);
         body.add_force(Vector::Y * 1.0e9, true);
         for vector in edge_vectors() {
-            // May be anything, but must not panic.
+            // Any result is valid, but there must be no panic.
             let _ = body.velocity_at_point(vector);
             let _ = body.gravitational_potential_energy(value, vector);
         }
@@ -169,9 +169,9 @@ fn predictions_of_impossible_times_stay_finite() {
     }
 }
 
-/// More substeps than can be computed in any reasonable time.
+/// A number of substeps beyond any reasonable computation time is rejected.
 #[test]
-fn a_wish_for_endless_substeps_is_refused() {
+fn excessive_substeps_are_rejected() {
     let untouched = Scene::new().all_in_the_end();
     for count in [usize::MAX, usize::MAX / 2, 1_000_000] {
         let mut scene = Scene::new();

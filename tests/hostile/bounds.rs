@@ -1,13 +1,13 @@
-//! Steps are bounded: the work of a step grows in proportion to the scene, and not with its square.
+//! Steps are bounded: the work of a step grows linearly with the scene, not quadratically.
 //!
 //! The tests count work (pairs, contact points) as scenes double. `cargo run --release -p rapier3d --example
-//! crowds` measures time and memory of the same scenes, and larger ones.
+//! crowds` measures time and memory of the same and larger scenes.
 
 use super::listener::listen;
 use crate::dim::{cuboid, hostile::rough_ground, vec};
 use rapier::prelude::*;
 
-/// Sensors of dynamic bodies at one point.
+/// Returns sensors of dynamic bodies at one point.
 fn sensors(count: usize, most: usize) -> PhysicsWorld {
     let mut world = PhysicsWorld::new();
     world.integration_parameters.max_sensor_neighbors_per_collider = most;
@@ -17,7 +17,8 @@ fn sensors(count: usize, most: usize) -> PhysicsWorld {
     world
 }
 
-/// The pairs of sensors at one point were half of the square of their number: 12.5 million for 5000.
+/// Without a limit, the pairs of sensors at one point were half the square of their number: 12.5 million for
+/// 5000.
 #[test]
 fn pairs_of_sensors_grow_with_their_number() {
     const PAIRS_MAX: usize = 16;
@@ -30,7 +31,7 @@ fn pairs_of_sensors_grow_with_their_number() {
         let counters = world.physics_pipeline.counters.cd;
         println!("{count:>8} {:>8} {:>8}", counters.nintersection_pairs, counters.ncrowded_sensors);
         assert_eq!(counters.ncrowded_sensors, count - 1 - PAIRS_MAX);
-        // All but the first few own as many pairs as they may.
+        // All but the first few sensors own the maximum number of pairs.
         assert_eq!(
             counters.nintersection_pairs,
             PAIRS_MAX * (count - PAIRS_MAX) + PAIRS_MAX * (PAIRS_MAX - 1) / 2
@@ -41,9 +42,9 @@ fn pairs_of_sensors_grow_with_their_number() {
     }
 }
 
-/// A sensor reports visitors of its size and smaller ones without a limit, whichever comes first.
+/// A sensor reports any number of bodies of its size or smaller, inserted before or after it.
 #[test]
-fn a_sensor_reports_any_number_of_visitors() {
+fn a_sensor_reports_any_number_of_bodies() {
     const COUNT: usize = 200;
     for size in [0.5, 0.1] {
         for place in [0, COUNT / 2, COUNT] {
@@ -60,16 +61,16 @@ fn a_sensor_reports_any_number_of_visitors() {
                 }
             }
             world.step();
-            let visitors = sensor.map(|it| world.narrow_phase.intersection_pairs_with(it).count());
-            assert_eq!(visitors, Some(COUNT), "size {size}, sensor in place {place}");
+            let reported = sensor.map(|it| world.narrow_phase.intersection_pairs_with(it).count());
+            assert_eq!(reported, Some(COUNT), "size {size}, sensor in place {place}");
             assert_eq!(world.physics_pipeline.counters.cd.ncrowded_sensors, 0);
         }
     }
 }
 
-/// A plate as large as a rough ground whose every piece it nearly touches. Internal edges compare contacts
-/// with each other, so a step took as long as the square of the number of pieces; now the deepest contacts of
-/// each region are kept.
+/// A plate nearly touches every piece of an equally large rough ground. The internal-edge filter compares
+/// contacts with each other, so without culling a step takes quadratic time in the number of pieces. Only the
+/// deepest contacts of each region are kept.
 #[test]
 fn a_plate_rests_on_a_ground_of_thousands_of_pieces() {
     println!("{:>8} {:>8} {:>8} {:>10} {:>8}", "pieces", "points", "culled", "height", "tilt");
@@ -82,7 +83,7 @@ fn a_plate_rests_on_a_ground_of_thousands_of_pieces() {
         let mut culled = 0;
         for _ in 0..40 {
             world.step();
-            // Contacts of a body at rest are not computed in each step.
+            // Contacts of a body at rest are not recomputed in each step.
             culled = culled.max(world.physics_pipeline.counters.cd.nculled_pairs);
         }
         let points = world.physics_pipeline.counters.solver.ncontacts;
@@ -91,7 +92,7 @@ fn a_plate_rests_on_a_ground_of_thousands_of_pieces() {
         let up = body.position().rotation * Vector::Y;
         let tilt = (up - Vector::Y).length();
         println!("{pieces:>8} {points:>8} {culled:>8} {height:>10.5} {tilt:>8.5}");
-        // It lies on the highest pieces, less the overlap that is left alone and that of its weight.
+        // The plate rests on the highest pieces, minus the allowed overlap and that of its weight.
         assert!((0.498..0.5045).contains(&height), "{pieces} pieces: the plate is at {height}");
         assert!(tilt < 2.0e-3, "{pieces} pieces: the plate leans by {tilt}");
         assert!(body.linvel().length() < 0.02, "{pieces} pieces: {}", body.linvel());
@@ -100,8 +101,8 @@ fn a_plate_rests_on_a_ground_of_thousands_of_pieces() {
     }
 }
 
-/// Joints bring bodies together at a bounded speed, however far apart these were made: each link of a chain
-/// adds no more than the limit to the speed of the next one. Ten kilometres made 165 km/s.
+/// Joints pull bodies together at a bounded speed, whatever their initial distance. Each link of a chain adds
+/// at most the limit to the speed of the next one. Without the bound, ten kilometres gave 165 km/s.
 #[test]
 fn badly_placed_joints_do_not_throw_bodies() {
     println!("{:>8} {:>10} {:>12}", "links", "apart", "fastest");
@@ -126,8 +127,8 @@ fn badly_placed_joints_do_not_throw_bodies() {
                 fastest = speeds.fold(fastest, Real::max);
             }
             println!("{count:>8} {apart:>10.0} {fastest:>12.1}");
-            // A light body swings about an anchor that is ten times its size away: its middle is faster than
-            // the anchor.
+            // A light body rotates about an anchor at ten times its size, so its middle is faster than the
+            // anchor.
             let bound = 10.0 * limit * Real::from(count as u8);
             assert!(fastest < bound, "{count} links {apart} apart reach {fastest}");
         }

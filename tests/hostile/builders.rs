@@ -1,4 +1,4 @@
-//! Impossible values for the builders.
+//! Invalid values for the builders.
 
 use super::listener::{listen, names};
 use super::scene::Scene;
@@ -7,7 +7,7 @@ use super::world::check;
 use crate::dim::{about_z, hostile::broken_rotations, hostile::shapes_of_number, vec};
 use rapier::prelude::*;
 
-/// A field of a body's builder.
+/// Name of a field of a body's builder, and its setter.
 type Field = (&'static str, fn(RigidBodyBuilder, Real) -> RigidBodyBuilder);
 
 const FIELDS: [Field; 10] = [
@@ -28,7 +28,7 @@ const FIELDS: [Field; 10] = [
 ];
 
 #[test]
-fn a_body_is_built_or_refused_by_name() {
+fn a_body_is_built_or_rejected_by_name() {
     let bystanders = Scene::new().bystanders_in_the_end();
     for (field, set) in FIELDS {
         for value in EDGES {
@@ -55,7 +55,7 @@ fn a_body_is_built_or_refused_by_name() {
 }
 
 #[test]
-fn a_body_is_built_without_what_is_no_rotation() {
+fn a_body_is_built_without_invalid_rotations() {
     for rotation in broken_rotations() {
         let builder = RigidBodyBuilder::dynamic().pose(Pose::from_parts(Vector::ONE, rotation));
         assert_eq!(builder.try_build().unwrap_err().field, "position");
@@ -70,7 +70,7 @@ fn a_body_is_built_without_what_is_no_rotation() {
     }
 }
 
-/// Lets what a builder makes fall onto the first pile, and lie on the ground without a body.
+/// Drops the builder's collider onto the first pile, and inserts it into the ground without a body.
 fn survive(builder: &ColliderBuilder, name: &str) {
     let mut scene = Scene::new();
     let world = &mut scene.world;
@@ -87,9 +87,9 @@ fn survive(builder: &ColliderBuilder, name: &str) {
     let _ = name;
 }
 
-/// A shape, made from one number: a radius, a coordinate, a height, a border…
+/// A shape made from one number: a radius, a coordinate, a height, or a border radius.
 #[test]
-fn a_shape_is_built_or_refused_by_name() {
+fn a_shape_is_built_or_rejected_by_name() {
     for (name, make) in shapes_of_number() {
         let usual = make(1.0).map(|builder| builder.try_build());
         assert!(matches!(usual, Some(Ok(_))), "{name} of 1: {usual:?}");
@@ -119,7 +119,7 @@ fn a_shape_is_built_or_refused_by_name() {
     }
 }
 
-/// A number of a collider's builder that is not part of its shape.
+/// Name and setter of a number of a collider's builder outside of its shape.
 type Knob = (&'static str, fn(ColliderBuilder, Real) -> ColliderBuilder);
 
 const KNOBS: [Knob; 9] = [
@@ -139,7 +139,7 @@ const KNOBS: [Knob; 9] = [
 ];
 
 #[test]
-fn a_collider_is_built_or_refused_by_name() {
+fn a_collider_is_built_or_rejected_by_name() {
     for (name, set) in KNOBS {
         for value in EDGES {
             let builder = set(ColliderBuilder::ball(0.5), value);
@@ -159,7 +159,7 @@ fn a_collider_is_built_or_refused_by_name() {
 }
 
 #[test]
-fn any_vector_is_a_place_or_refused() {
+fn any_vector_is_a_position_or_rejected() {
     for vector in edge_vectors() {
         let builder = ColliderBuilder::ball(0.5).translation(vector);
         let usable = vector.is_finite() && vector.abs().max_element() <= 1.0e15;

@@ -1,4 +1,4 @@
-//! Impossible values for the setters of colliders.
+//! Invalid values for the setters of colliders.
 
 use super::listener::{listen, names};
 use super::scene::Scene;
@@ -6,7 +6,7 @@ use super::values::{EDGES, edge_vectors};
 use crate::dim::{about_z, hostile::broken_rotations};
 use rapier::prelude::*;
 
-/// A setter of a number, and where the number can be read back.
+/// Name of a setter of a number, the setter, and the getter.
 type Knob = (&'static str, fn(&mut Collider, Real), fn(&Collider) -> Real);
 
 const KNOBS: [Knob; 7] = [
@@ -27,7 +27,7 @@ const KNOBS: [Knob; 7] = [
     ),
 ];
 
-/// Whatever is larger than this reaches the bystanders, and they rightly notice.
+/// Largest coordinate that keeps the collider away from the second pile.
 const COORDINATE: Real = 900.0;
 
 #[test]
@@ -55,9 +55,9 @@ fn numbers_are_taken_or_refused_by_name() {
     }
 }
 
-/// A ground without a body, moved about.
+/// A ground without a body is moved.
 #[test]
-fn a_lonely_collider_is_moved_nowhere_impossible() {
+fn a_collider_without_body_stays_at_valid_positions() {
     let mut other = Scene::new();
     other.steps(3);
     let bystanders = other.bystanders_in_the_end();
@@ -75,7 +75,7 @@ fn a_lonely_collider_is_moved_nowhere_impossible() {
 }
 
 #[test]
-fn what_is_no_rotation_is_refused() {
+fn invalid_rotations_are_rejected() {
     let untouched = Scene::new().all_in_the_end();
     for rotation in broken_rotations() {
         let mut scene = Scene::new();
@@ -97,9 +97,9 @@ fn what_is_no_rotation_is_refused() {
     }
 }
 
-/// Through `shape_mut`, the user gets at numbers behind the engine's back.
+/// `shape_mut` lets the user change numbers without the engine's checks.
 #[test]
-fn a_shape_that_was_broken_takes_its_collider_out_and_nothing_else() {
+fn a_broken_shape_disables_its_collider_only() {
     let mut other = Scene::new();
     other.steps(4);
     let bystanders = other.bystanders_in_the_end();
@@ -109,7 +109,7 @@ fn a_shape_that_was_broken_takes_its_collider_out_and_nothing_else() {
         scene.steps(2);
         let ball = scene.collider().shape_mut().as_ball_mut();
         ball.unwrap().radius = value;
-        // Before the next step, anything may be asked of it.
+        // Before the next step, queries of the shape must not panic.
         let collider = scene.collider();
         let _ = (collider.mass(), collider.volume(), collider.density());
         let _ = (collider.compute_aabb(), collider.mass_properties());
@@ -119,7 +119,7 @@ fn a_shape_that_was_broken_takes_its_collider_out_and_nothing_else() {
 
         let ((), heard) = listen(|| scene.steps(2));
         let possible = (1.0e-15..=1.0e15).contains(&value);
-        // A ball as large as the world may be more than its body can be calculated with.
+        // A ball of the world's size may overflow its body's numbers.
         let quarantined = possible && scene.body().quarantine().is_some();
         assert_eq!(scene.collider().is_enabled(), possible && !quarantined, "{value}");
         if !possible {
@@ -131,7 +131,7 @@ fn a_shape_that_was_broken_takes_its_collider_out_and_nothing_else() {
 }
 
 #[test]
-fn impossible_shapes_and_masses_are_refused() {
+fn invalid_shapes_and_masses_are_rejected() {
     let untouched = Scene::new().all_in_the_end();
     for value in EDGES.into_iter().filter(|v| !(1.0e-15..=1.0e15).contains(v)) {
         let mut scene = Scene::new();

@@ -1,11 +1,11 @@
-//! Extreme numbers of bodies, or all of them at one point.
+//! Extreme numbers of bodies, or many bodies at one point.
 
 use super::listener::listen;
 use super::world::check;
 use crate::dim::{cuboid, vec};
 use rapier::prelude::*;
 
-/// Bodies at one point, over a ground.
+/// Returns bodies at one point, above a ground.
 fn heap(count: usize, shape: &ColliderBuilder, most: usize) -> PhysicsWorld {
     let mut world = PhysicsWorld::new();
     world.integration_parameters.max_neighbors_per_collider = most;
@@ -17,19 +17,21 @@ fn heap(count: usize, shape: &ColliderBuilder, most: usize) -> PhysicsWorld {
     world
 }
 
-/// Fifty million pairs of boxes overlap; of these as many are looked at as the parameters allow, and each
-/// body is in some of them. (With the default of 128, a step takes two to four seconds in a release build,
-/// and 2.3 GB.)
+/// Fifty million pairs of boxes overlap. The step creates as many as the parameters allow, with each body in
+/// some of them. (With the default of 128, a step takes two to four seconds in a release build, and 2.3 GB.)
 #[test]
 fn ten_thousand_bodies_at_one_point() {
     const COUNT: usize = 10_000;
     const PAIRS_MAX: usize = 8;
     for shape in [ColliderBuilder::ball(0.5), cuboid(0.5, 0.5)] {
         let mut world = heap(COUNT, &shape, PAIRS_MAX);
-        let ((), heard) = listen(|| world.step());
-        assert!(heard.iter().any(|text| text.contains("max_neighbors_per_collider")), "{heard:?}");
+        let ((), logged) = listen(|| world.step());
+        assert!(
+            logged.iter().any(|text| text.contains("max_neighbors_per_collider")),
+            "{logged:?}"
+        );
         let counters = world.physics_pipeline.counters;
-        // All but the first few bear as many pairs as they may, and all touch the ground.
+        // All but the first few own the maximum number of pairs, and all touch the ground.
         assert_eq!(counters.cd.ncrowded, COUNT - 1 - PAIRS_MAX);
         let borne = PAIRS_MAX * (COUNT - 1 - PAIRS_MAX) + PAIRS_MAX * (PAIRS_MAX + 1) / 2;
         assert_eq!(counters.cd.ncontact_pairs, borne + COUNT);
@@ -41,12 +43,12 @@ fn ten_thousand_bodies_at_one_point() {
     }
 }
 
-/// Deferred pairs get their contacts when there is room: finally no body is inside another.
+/// Deferred pairs get contacts later: at the end no body is inside another.
 #[test]
-fn a_crowd_comes_apart_and_forgets_the_limit() {
+fn a_crowd_separates_without_a_trace_of_the_limit() {
     let mut world = heap(0, &cuboid(0.5, 0.5), 6);
     for k in 0..60_u8 {
-        // Bodies at exactly one height and width would stand on each other for a long time.
+        // Bodies at exactly equal heights and widths would balance on each other for a long time.
         let body = RigidBodyBuilder::dynamic().translation(vec(0.001 * Real::from(k), 1.0));
         world.insert(body, ColliderBuilder::ball(0.2));
     }
@@ -66,10 +68,10 @@ fn a_crowd_comes_apart_and_forgets_the_limit() {
     }
 }
 
-/// A collider with the maximum of partners searches again when another one arrives. A collider that arrives
-/// in the same step, and is found by its own motion, is not found twice.
+/// A collider with the maximum number of pairs searches again when another one arrives. A collider that
+/// arrives in the same step, and is found by its own motion, is not found twice.
 #[test]
-fn who_looks_again_finds_no_pair_twice() {
+fn repeated_searches_find_no_pair_twice() {
     let mut world = PhysicsWorld::new();
     world.gravity = Vector::ZERO;
     world.integration_parameters.max_neighbors_per_collider = 1;
@@ -77,7 +79,7 @@ fn who_looks_again_finds_no_pair_twice() {
     let big = cuboid(2.0, 2.0);
     let [_, crowded] = [0.0, 0.0].map(|x| world.insert(body(x), cuboid(0.5, 0.5)).1);
     (0..3).for_each(|_| world.step());
-    // A large body, whose pair the small one would own, and beside it bodies that do not count.
+    // The small body would own the pair with the large body. The bodies beside them do not count.
     world.insert(body(1.0), big.clone());
     let (_, sensor) = world.insert(body(-1.0), big.clone().sensor(true));
     let wall = world.insert_collider(big.translation(vec(-2.2, 0.0)), None);
@@ -89,9 +91,9 @@ fn who_looks_again_finds_no_pair_twice() {
     assert_eq!(with_wall.count(), 1);
 }
 
-/// A sensor in a crowd, and one that comes late, hear of all that is inside of them.
+/// A sensor in a crowd, and a later sensor, detect all bodies inside them.
 #[test]
-fn sensors_hear_of_all_of_a_crowd() {
+fn sensors_detect_all_of_a_crowd() {
     for slot in [0, 30, 59] {
         let mut world = heap(0, &cuboid(0.5, 0.5), 4);
         let mut sensor = None;
@@ -102,15 +104,16 @@ fn sensors_hear_of_all_of_a_crowd() {
             sensor = if is_sensor { Some(collider) } else { sensor };
         }
         world.step();
-        let heard = sensor.map(|sensor| world.narrow_phase.intersection_pairs_with(sensor).count());
-        assert_eq!(heard, Some(60), "the sensor was made as number {slot}"); // and of the ground
+        let detected =
+            sensor.map(|sensor| world.narrow_phase.intersection_pairs_with(sensor).count());
+        assert_eq!(detected, Some(60), "the sensor was made as number {slot}"); // and of the ground
     }
 }
 
 /// A body under many small ones is not crowded: it has contacts with all of them, and with bodies of its
 /// size.
 #[test]
-fn the_limit_is_not_for_what_carries_many() {
+fn the_limit_excludes_large_bodies_under_small_ones() {
     let mut world = PhysicsWorld::new();
     world.integration_parameters.max_neighbors_per_collider = 4;
     world.insert_collider(ColliderBuilder::halfspace(Vector::Y), None);
@@ -134,7 +137,7 @@ fn the_limit_is_not_for_what_carries_many() {
     }
 }
 
-/// A million fixed colliders cost a step nothing, and what falls on them lies there.
+/// A million fixed colliders take no time in a step, and bodies rest on them.
 #[test]
 fn a_million_colliders() {
     const SIDE: usize = 1000;
@@ -158,9 +161,9 @@ fn a_million_colliders() {
     assert_eq!(world.colliders.len(), SIDE * SIDE + bodies.len());
 }
 
-/// A million sleeping bodies cost a step nothing; a hit wakes one body and its neighbours only.
+/// A million sleeping bodies take no time in a step; an impact wakes one body and its neighbours only.
 #[test]
-fn a_million_sleepers() {
+fn a_million_sleeping_bodies() {
     const COUNT: usize = 1_000_000;
     let mut world = PhysicsWorld::new();
     world.bodies = RigidBodySet::with_capacity(COUNT + 1);

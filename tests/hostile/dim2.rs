@@ -2,7 +2,7 @@
 
 use rapier::prelude::*;
 
-/// Rotations that are none.
+/// Returns invalid rotations.
 pub fn broken_rotations() -> [Rotation; 5] {
     let rotation = |re, im| Rotation { re, im };
     [
@@ -14,7 +14,7 @@ pub fn broken_rotations() -> [Rotation; 5] {
     ]
 }
 
-/// Solid and hollow shapes of every kind, about as large as `size`.
+/// Returns solid and hollow shapes of every kind, of about this size.
 pub fn shapes(size: Real) -> Vec<ColliderBuilder> {
     let s = size;
     let corners = vec![point![-s, -s], point![s, -s], point![s, s], point![-s, s]];
@@ -44,16 +44,16 @@ pub fn shapes(size: Real) -> Vec<ColliderBuilder> {
     shapes
 }
 
-/// All bits of a pose.
+/// Returns all bits of a pose.
 pub fn pose_bits(pose: &Pose) -> [u64; 4] {
     let (r, t) = (pose.rotation, pose.translation);
     [t.x, t.y, r.re, r.im].map(|number| f64::from(number).to_bits())
 }
 
-/// A shape made from one number.
+/// Name of a shape made from one number, and its constructor.
 pub type ShapeOfNumber = (&'static str, fn(Real) -> Option<ColliderBuilder>);
 
-/// Every constructor of a shape, with the number in each place where it can stand.
+/// Returns every shape constructor, with the number in each of its arguments.
 pub fn shapes_of_number() -> Vec<ShapeOfNumber> {
     vec![
         ("ball", |v| Some(ColliderBuilder::ball(v))),
@@ -110,12 +110,11 @@ fn mesh(v: Real) -> Result<ColliderBuilder, InvalidCollider> {
     ColliderBuilder::trimesh(corners(v), vec![[0, 1, 2], [0, 2, 3]])
 }
 
-/// A shape that should not be: its name, what the refusal says (nothing if there is no place for a
-/// message), and how it is tried.
+/// A degenerate shape: its name, the message of the rejection (if there is one), and its construction.
 pub type Degenerate =
     (&'static str, &'static str, fn() -> Result<Option<ColliderBuilder>, InvalidCollider>);
 
-/// Shapes that are none.
+/// Returns degenerate shapes.
 pub fn degenerate_shapes() -> Vec<Degenerate> {
     let mut shapes = degenerate_areas();
     shapes.extend(degenerate_chains());
@@ -210,7 +209,7 @@ fn line() -> Vec<Vector> {
     (0..4_u8).map(|i| Vector::ONE * Real::from(i)).collect()
 }
 
-/// Shapes of very many parts, and very large ones.
+/// Returns shapes with very many parts, and very large ones.
 pub fn huge_shapes() -> Vec<ColliderBuilder> {
     let count = 200_000;
     let height = |i: usize| ((i % 17) as Real) * 0.01;
@@ -227,7 +226,7 @@ pub fn huge_shapes() -> Vec<ColliderBuilder> {
 /// A shape without area: its name, the shape, and its length.
 pub type Weightless = (&'static str, ColliderBuilder, Real);
 
-/// Shapes to which a density gives no mass, about as large as `size` and turned by `angle`.
+/// Returns shapes that get no mass from a density, of about this size, rotated by `angle`.
 pub fn weightless_shapes(size: Real, angle: Real) -> Vec<Weightless> {
     let turn = Rotation::new(angle);
     let place = |x: Real, y: Real| turn * (vector![x, y] * size);
@@ -252,7 +251,7 @@ pub fn weightless_shapes(size: Real, angle: Real) -> Vec<Weightless> {
     ]
 }
 
-/// Shapes from parry's constructors that cannot collide, and a word that says why.
+/// Returns shapes of parry's constructors that cannot collide, and a word of the reason.
 pub fn unsound_shapes() -> Vec<(&'static str, &'static str, Option<SharedShape>)> {
     let square = [[0.0, 0.0], [0.0, 1.0], [1.0, 1.0], [1.0, 0.0]].map(Vector::from_array);
     let line: Vec<Vector> = (0..4).map(|i| Vector::ONE * i as Real).collect();
@@ -273,7 +272,7 @@ pub fn unsound_shapes() -> Vec<(&'static str, &'static str, Option<SharedShape>)
     ]
 }
 
-/// Ground of so many segments, `width` long, with heights from 0 to `rise`.
+/// Returns a ground of this number of segments, `width` long, with heights from 0 to `rise`.
 pub fn rough_ground(segments: usize, width: Real, rise: Real) -> ColliderBuilder {
     let points = (0..=segments).map(|k| {
         let height = rise * Real::from((k * 7919 % 101) as u8) / 100.0;

@@ -2,7 +2,7 @@
 
 use rapier::prelude::*;
 
-/// Rotations that are none.
+/// Returns invalid rotations.
 pub fn broken_rotations() -> [Rotation; 5] {
     let rotation = Rotation::from_xyzw;
     [
@@ -14,7 +14,7 @@ pub fn broken_rotations() -> [Rotation; 5] {
     ]
 }
 
-/// Solid and hollow shapes of every kind, about as large as `size`.
+/// Returns solid and hollow shapes of every kind, of about this size.
 pub fn shapes(size: Real) -> Vec<ColliderBuilder> {
     let s = size;
     let corners =
@@ -50,16 +50,16 @@ pub fn shapes(size: Real) -> Vec<ColliderBuilder> {
     shapes
 }
 
-/// All bits of a pose.
+/// Returns all bits of a pose.
 pub fn pose_bits(pose: &Pose) -> [u64; 7] {
     let (r, t) = (pose.rotation, pose.translation);
     [t.x, t.y, t.z, r.x, r.y, r.z, r.w].map(|number| f64::from(number).to_bits())
 }
 
-/// A shape made from one number.
+/// Name of a shape made from one number, and its constructor.
 pub type ShapeOfNumber = (&'static str, fn(Real) -> Option<ColliderBuilder>);
 
-/// Every constructor of a shape, with the number in each place where it can stand.
+/// Returns every shape constructor, with the number in each of its arguments.
 pub fn shapes_of_number() -> Vec<ShapeOfNumber> {
     let mut shapes = convex_shapes_of_number();
     shapes.extend(composite_shapes_of_number());
@@ -139,12 +139,11 @@ fn heights(height: Real, scale: Real) -> ColliderBuilder {
     ColliderBuilder::heightfield(heights, vector![1.0, scale, 1.0])
 }
 
-/// A shape that should not be: its name, what the refusal says (nothing if there is no place for a
-/// message), and how it is tried.
+/// A degenerate shape: its name, the message of the rejection (if there is one), and its construction.
 pub type Degenerate =
     (&'static str, &'static str, fn() -> Result<Option<ColliderBuilder>, InvalidCollider>);
 
-/// Shapes that are none.
+/// Returns degenerate shapes.
 pub fn degenerate_shapes() -> Vec<Degenerate> {
     let mut shapes = degenerate_solids();
     shapes.extend(degenerate_surfaces());
@@ -250,7 +249,7 @@ fn field(rows: usize, columns: usize, scale: Vector) -> ColliderBuilder {
     ColliderBuilder::heightfield(heights, scale)
 }
 
-/// Shapes of very many parts, and very large ones.
+/// Returns shapes with very many parts, and very large ones.
 pub fn huge_shapes() -> Vec<ColliderBuilder> {
     let count = 400;
     let height = |i: usize| ((i % 17) as Real) * 0.01;
@@ -269,7 +268,7 @@ pub fn huge_shapes() -> Vec<ColliderBuilder> {
 /// A shape without volume: its name, the shape, and its area or length.
 pub type Weightless = (&'static str, ColliderBuilder, Real);
 
-/// Shapes to which a density gives no mass, about as large as `size` and turned by `angle`.
+/// Returns shapes that get no mass from a density, of about this size, rotated by `angle`.
 pub fn weightless_shapes(size: Real, angle: Real) -> Vec<Weightless> {
     let turn = Rotation::from_scaled_axis(vector![angle, 0.3 * angle, -angle]);
     let place = |x: Real, z: Real| turn * (vector![x, 0.0, z] * size);
@@ -304,7 +303,7 @@ pub fn weightless_shapes(size: Real, angle: Real) -> Vec<Weightless> {
     ]
 }
 
-/// Shapes from parry's constructors that cannot collide, and a word that says why.
+/// Returns shapes of parry's constructors that cannot collide, and a word of the reason.
 pub fn unsound_shapes() -> Vec<(&'static str, &'static str, Option<SharedShape>)> {
     let inside_out: Vec<[u32; 3]> = TETRAHEDRON.iter().map(|[a, b, c]| [*a, *c, *b]).collect();
     let mesh = |triangles: &[[u32; 3]]| ConvexPolyhedron::from_convex_mesh(corners(1.0), triangles);
@@ -316,7 +315,7 @@ pub fn unsound_shapes() -> Vec<(&'static str, &'static str, Option<SharedShape>)
     ]
 }
 
-/// Ground of about so many triangles, `width` long and wide, with heights from 0 to `rise`.
+/// Returns a ground of about this number of triangles, `width` long and wide, with heights from 0 to `rise`.
 pub fn rough_ground(triangles: usize, width: Real, rise: Real) -> ColliderBuilder {
     let side = (0..).find(|side| 2 * side * side >= triangles).unwrap_or(1) + 1;
     let at = |k: usize| width * (k as Real / (side - 1) as Real - 0.5);

@@ -1,11 +1,10 @@
-//! Edits of what bodies and colliders are, between any two steps, of bodies that touch others, move,
-//! or sleep.
+//! Edits of body and collider properties between any two steps, for touching, moving and sleeping bodies.
 
 use super::scene::Scene;
 use crate::dim::{cuboid, vec};
 use rapier::prelude::*;
 
-/// One edit of the scene, given the number of the step.
+/// Name of an edit, and the edit. Its second argument is the number of the step.
 type Edit = (&'static str, fn(&mut Scene, usize));
 
 const EDITS: [Edit; 22] = [
@@ -96,7 +95,7 @@ fn groups(step: usize) -> InteractionGroups {
     if step.is_multiple_of(2) { InteractionGroups::none() } else { InteractionGroups::all() }
 }
 
-/// Makes an edit after every step, or after every few.
+/// Repeats an edit after every `pause` steps.
 fn edit_between_steps(scene: &mut Scene, edit: fn(&mut Scene, usize), pause: usize) {
     for step in 0..24 {
         let is_there = scene.world.bodies.contains(scene.body)
@@ -111,7 +110,7 @@ fn edit_between_steps(scene: &mut Scene, edit: fn(&mut Scene, usize), pause: usi
 }
 
 #[test]
-fn edits_of_touching_bodies_are_felt_by_nobody_else() {
+fn edits_of_touching_bodies_affect_no_other_body() {
     let mut untouched = Scene::new();
     untouched.steps(24);
     let expected = untouched.bystanders_in_the_end();
@@ -123,7 +122,7 @@ fn edits_of_touching_bodies_are_felt_by_nobody_else() {
 }
 
 #[test]
-fn edits_of_sleeping_bodies_are_felt_by_nobody_else() {
+fn edits_of_sleeping_bodies_affect_no_other_body() {
     let asleep = || {
         let mut scene = Scene::new();
         scene.steps(600);
@@ -140,9 +139,9 @@ fn edits_of_sleeping_bodies_are_felt_by_nobody_else() {
     }
 }
 
-/// All edits again, for bodies that kinematic ones push.
+/// All edits again, for bodies that kinematic bodies push.
 #[test]
-fn edits_of_pushed_bodies_leave_the_world_in_order() {
+fn edits_of_pushed_bodies_keep_the_invariants() {
     for (_, edit) in EDITS {
         let mut scene = Scene::new();
         let pusher = RigidBodyBuilder::kinematic_velocity_based().linvel(vec(1.0, 0.1));

@@ -1,17 +1,17 @@
-//! Whole sets taken, or put in the place of others: `mem::take(&mut world.bodies)`, one set alone set back to
-//! an older copy.
+//! Whole sets that are taken or replaced: `mem::take(&mut world.bodies)`, or one set returned to an older
+//! copy.
 //!
-//! The sets know of each other. The step notices that one of them is not that of the last step, and goes on
-//! with what there is.
+//! The sets refer to each other. A step detects a set that does not belong to its last step, and continues
+//! with the present contents.
 
 use super::scene::Scene;
-use super::witness::Witness;
+use super::witness::EventChecker;
 use super::world::check;
 use crate::dim::{cuboid, vec};
 use core::mem::{swap, take};
 use rapier::prelude::*;
 
-/// One set of a world, and the same one of another.
+/// Exchange of one set of two worlds.
 type Exchange = fn(&mut PhysicsWorld, &mut PhysicsWorld);
 
 const SETS: [(&str, Exchange); 7] = [
@@ -24,7 +24,7 @@ const SETS: [(&str, Exchange); 7] = [
     ("multibody joints", |one, two| swap(&mut one.multibody_joints, &mut two.multibody_joints)),
 ];
 
-/// A pile, a pendulum and a chain of links beside it.
+/// Returns a pile, a pendulum and a chain of links beside it.
 fn busy_world() -> PhysicsWorld {
     let Scene { mut world, .. } = Scene::new();
     let ceiling = world.insert_body(RigidBodyBuilder::fixed().translation(vec(9.0, 9.0)));
@@ -42,8 +42,8 @@ fn busy_world() -> PhysicsWorld {
     world
 }
 
-/// Some steps with everything listened to.
-fn steps(world: &mut PhysicsWorld, witness: &Witness, count: usize) {
+/// Runs some steps with an event checker.
+fn steps(world: &mut PhysicsWorld, witness: &EventChecker, count: usize) {
     for _ in 0..count {
         world.step_with_events(&(), witness);
         check(world);
@@ -52,7 +52,7 @@ fn steps(world: &mut PhysicsWorld, witness: &Witness, count: usize) {
 }
 
 #[test]
-fn a_world_goes_on_without_a_set() {
+fn a_world_continues_without_a_set() {
     for (name, exchange) in SETS {
         let mut world = busy_world();
         exchange(&mut world, &mut PhysicsWorld::new());
@@ -65,7 +65,7 @@ fn a_world_goes_on_without_a_set() {
 }
 
 #[test]
-fn detection_of_collisions_goes_on_without_a_set() {
+fn collision_detection_continues_without_a_set() {
     for (name, exchange) in SETS {
         let mut world = busy_world();
         exchange(&mut world, &mut PhysicsWorld::new());
@@ -77,9 +77,9 @@ fn detection_of_collisions_goes_on_without_a_set() {
     }
 }
 
-/// Two worlds whose sets have as many things, at other slots of their lists.
+/// Two worlds have sets of equal sizes, with other slots.
 #[test]
-fn a_world_goes_on_with_a_set_of_another_one() {
+fn a_world_continues_with_a_set_of_another_world() {
     for (name, exchange) in SETS {
         let (mut one, mut two) = (busy_world(), busy_world());
         let fallen = RigidBodyBuilder::dynamic().translation(vec(3.0, 0.5));
@@ -91,14 +91,14 @@ fn a_world_goes_on_with_a_set_of_another_one() {
         println!("other {name}");
         exchange(&mut one, &mut two);
         for world in [&mut one, &mut two] {
-            steps(world, &Witness::default(), 3);
+            steps(world, &EventChecker::default(), 3);
         }
     }
 }
 
-/// Nothing but one set is set back: the others have gone on, with bodies more and bodies less.
+/// One set returns to an older copy, while bodies were inserted into and removed from the others.
 #[test]
-fn a_set_alone_can_be_set_back() {
+fn one_set_can_return_to_a_copy() {
     for (name, exchange) in SETS {
         let mut world = busy_world();
         let mut old = PhysicsWorld {
@@ -126,8 +126,8 @@ fn a_set_alone_can_be_set_back() {
     }
 }
 
-/// Before the first step, and between two steps, too: colliders name bodies that are not there, and bodies
-/// list colliders of which they know nothing.
+/// Sets are exchanged before the first step and between two steps. Colliders refer to missing bodies, and
+/// bodies list colliders that refer to other bodies.
 #[test]
 fn sets_are_exchanged_between_edits_and_the_next_step() {
     for steps in [0, 3] {
@@ -152,9 +152,10 @@ fn sets_are_exchanged_between_edits_and_the_next_step() {
     }
 }
 
-/// A body is another's copy, and its joints are gone: positions are corrected before any body wakes.
+/// A body is replaced by a copy of another one, and its joints are removed. Positions are corrected before
+/// any body wakes.
 #[test]
-fn joints_go_while_a_body_is_put_in_the_place_of_another() {
+fn joints_are_removed_while_a_body_is_replaced() {
     for (name, exchange) in SETS {
         let mut world = busy_world();
         let handles: Vec<_> = world.bodies.iter().map(|(handle, _)| handle).collect();
@@ -172,15 +173,15 @@ fn joints_go_while_a_body_is_put_in_the_place_of_another() {
     }
 }
 
-/// Missing bodies count as removed, and bodies on them fall, although they slept.
+/// Missing bodies count as removed, and sleeping bodies on them fall.
 #[test]
-fn bodies_that_are_gone_take_their_colliders_along() {
+fn missing_bodies_lose_their_colliders() {
     let mut world = PhysicsWorld::new();
     let ground = ColliderBuilder::halfspace(Vector::Y).active_events(ActiveEvents::all());
     let ground = world.insert_collider(ground, None);
     let (body, collider) =
         world.insert(RigidBodyBuilder::dynamic().translation(vec(0.0, 0.5)), cuboid(0.5, 0.5));
-    let witness = Witness::default();
+    let witness = EventChecker::default();
     steps(&mut world, &witness, 300);
     assert!(world.bodies[body].is_sleeping());
     let bodies = take(&mut world.bodies);
@@ -190,7 +191,7 @@ fn bodies_that_are_gone_take_their_colliders_along() {
 }
 
 #[test]
-fn bodies_fall_when_the_ground_is_gone() {
+fn bodies_fall_without_the_ground() {
     let mut world = PhysicsWorld::new();
     world.insert_collider(ColliderBuilder::halfspace(Vector::Y), None);
     let body = RigidBodyBuilder::dynamic().translation(vec(0.0, 0.5)).additional_mass(1.0);
@@ -207,13 +208,13 @@ fn bodies_fall_when_the_ground_is_gone() {
     assert!((velocity - expected).abs() < 1.0e-4, "it falls at {velocity}, not {expected}");
 }
 
-/// Touch events stay consistent: discarded pairs end, and begin again if they still touch.
+/// Contact events stay consistent: discarded pairs end, and begin again if they still touch.
 #[test]
-fn events_stay_true_when_a_set_is_exchanged() {
+fn events_stay_consistent_when_a_set_is_exchanged() {
     for (name, exchange) in SETS.into_iter().filter(|(name, _)| *name != "narrow phase") {
         let mut world = busy_world();
         world.colliders.iter_mut().for_each(|(_, it)| it.set_active_events(ActiveEvents::all()));
-        let witness = Witness::default();
+        let witness = EventChecker::default();
         steps(&mut world, &witness, 60);
         println!("without {name}");
         exchange(&mut world, &mut PhysicsWorld::new());
@@ -221,7 +222,7 @@ fn events_stay_true_when_a_set_is_exchanged() {
     }
 }
 
-/// A world without joints accepts a new set of them each time, without a resync.
+/// A world without joints accepts a new empty set of joints each time, without a resync.
 #[test]
 fn new_empty_sets_of_joints_change_nothing() {
     let run = |exchanges: bool| {
@@ -238,9 +239,9 @@ fn new_empty_sets_of_joints_change_nothing() {
     assert_eq!(run(true), run(false));
 }
 
-/// Joints that come back hold again.
+/// Joints that return act again.
 #[test]
-fn joints_that_were_taken_and_put_back_hold() {
+fn joints_that_return_act_again() {
     let mut world = PhysicsWorld::new();
     let ceiling = world.insert_body(RigidBodyBuilder::fixed());
     let bob = RigidBodyBuilder::dynamic().translation(vec(1.0, 0.0));

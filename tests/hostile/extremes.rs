@@ -1,11 +1,11 @@
-//! Valid but extreme values: tiny, huge, far away, and all at once.
+//! Valid but extreme values: tiny, huge, far away, and combined.
 
 use super::scene::Scene;
 use super::world::check;
 use crate::dim::{about_z, cuboid, vec};
 use rapier::prelude::*;
 
-/// Ground, and a box on it of this size and mass, pushed and turned.
+/// Returns a ground, and on it a box of this size and mass with linear and angular velocity.
 fn pushed(size: Real, mass: Real, place: Vector) -> (PhysicsWorld, RigidBodyHandle) {
     let mut world = PhysicsWorld::new();
     let ground = cuboid(10.0 * size, size).translation(place - Vector::Y * size);
@@ -26,7 +26,7 @@ fn steps(world: &mut PhysicsWorld, count: usize) {
 }
 
 #[test]
-fn steps_of_any_length_leave_the_world_in_order() {
+fn steps_of_any_length_keep_the_invariants() {
     for dt in [0.0, 1.0e-15, 1.0e-9, 1.0e-6, 1.0, 10.0, 1.0e6, 1.0e15] {
         let mut scene = Scene::new();
         scene.world.integration_parameters.dt = dt;
@@ -41,7 +41,7 @@ fn steps_of_any_length_leave_the_world_in_order() {
     }
 }
 
-/// At a length of zero, a step detects collisions and moves nothing, however often.
+/// A step of length zero detects collisions and moves no body, however often.
 #[test]
 fn steps_of_no_length_move_nothing() {
     let mut scene = Scene::new();
@@ -65,7 +65,7 @@ fn masses_from_a_microgram_to_a_mountain_rest_on_the_ground() {
     }
 }
 
-/// A neighbour of 10⁹ times its mass squeezes a body out, without a gain of energy.
+/// A body is squeezed out by a neighbour of 10⁹ times its mass, without a gain of energy.
 #[test]
 fn masses_of_any_ratio_may_touch() {
     const MASSES: [Real; 4] = [1.0e-9, 1.0e-3, 1.0e3, 1.0e9];
@@ -82,7 +82,7 @@ fn masses_of_any_ratio_may_touch() {
                 scene.bystanders_in_the_end() == untouched,
                 "{above} on {below} is felt far away"
             );
-            // Centres at half a metre, a metre and a half, and two and a half.
+            // The centres are at half a metre, a metre and a half, and two and a half.
             let energy = 9.81 * (0.5 * below + 1.5 + 2.5 * above);
             for step in 0..120 {
                 scene.steps(1);
@@ -93,7 +93,7 @@ fn masses_of_any_ratio_may_touch() {
                     let case =
                         format!("{above} on {below}, step {step}: {kinetic} J at {height} m");
                     assert!(body.is_enabled() && kinetic <= energy, "{case} of {energy} J");
-                    // A crushed body gives way; the crushing one does not fall through the ground.
+                    // A crushed body yields; the crushing one does not fall through the ground.
                     let is_heaviest = body.mass() >= below.max(above).max(1.0);
                     assert!(height > 0.4 || !is_heaviest, "{case}");
                 }
@@ -103,7 +103,7 @@ fn masses_of_any_ratio_may_touch() {
 }
 
 #[test]
-fn sizes_and_masses_of_any_ratio_leave_the_world_in_order() {
+fn sizes_and_masses_of_any_ratio_keep_the_invariants() {
     for (small, large) in [(1.0e-6, 1.0e6), (1.0e-3, 1.0e3), (1.0e-15, 1.0e15), (0.1, 1.0e9)] {
         let mut world = PhysicsWorld::new();
         world.insert_collider(ColliderBuilder::halfspace(Vector::Y), None);
@@ -130,9 +130,9 @@ fn piles_far_out_leave_the_world_in_order() {
     }
 }
 
-/// At the edge of what positions can be, a body stops with a message instead of leaving.
+/// At the limit of positions, a body stops with a message.
 #[test]
-fn nobody_leaves_the_world() {
+fn no_body_leaves_the_world() {
     for speed in [1.0e9, 1.0e14, 1.0e15] {
         let mut scene = Scene::new();
         let bystanders = Scene::new().bystanders_in_the_end();
@@ -146,7 +146,7 @@ fn nobody_leaves_the_world() {
 }
 
 #[test]
-fn bodies_at_one_point_come_apart_or_stay_in_order() {
+fn bodies_at_one_point_keep_the_invariants() {
     let mut world = PhysicsWorld::new();
     world.insert_collider(ColliderBuilder::halfspace(Vector::Y), None);
     for i in 0..400 {
@@ -175,9 +175,9 @@ fn very_many_colliders_on_one_body() {
     assert!(world.bodies[body].colliders().is_empty());
 }
 
-/// Friction and restitution far beyond what surfaces have.
+/// Friction and restitution far beyond physical values.
 #[test]
-fn surfaces_that_cannot_be_leave_the_world_in_order() {
+fn impossible_surfaces_keep_the_invariants() {
     for value in [2.0, 100.0, 1.0e6, 1.0e15] {
         let (mut world, body) = pushed(0.5, 1.0, Vector::ZERO);
         let collider = world.bodies[body].colliders()[0];
@@ -189,9 +189,9 @@ fn surfaces_that_cannot_be_leave_the_world_in_order() {
     }
 }
 
-/// Kinematic bodies obey whatever the others do, unless they would have to be faster than anything can be.
+/// Kinematic bodies follow their targets, unless the speed would exceed the representable range.
 #[test]
-fn kinematic_leaps_leave_the_world_in_order() {
+fn kinematic_jumps_keep_the_invariants() {
     for distance in [1.0, 1.0e3, 1.0e9, 1.0e15] {
         for dt in [1.0 / 60.0, 1.0e-9] {
             let mut scene = Scene::with_body_type(RigidBodyType::KinematicPositionBased);

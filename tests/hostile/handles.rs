@@ -1,12 +1,12 @@
-//! Handles that find nothing: stale, foreign, invalid, and far out of range.
+//! Handles without an object: stale, foreign, invalid, and far out of range.
 
 use super::listener::listen;
 use super::scene::Scene;
 use super::world::check;
 use rapier::prelude::*;
 
-/// Handles of bodies that the scene does not hold.
-fn lost_bodies(scene: &mut Scene) -> Vec<RigidBodyHandle> {
+/// Returns handles of bodies that the scene does not contain.
+fn missing_bodies(scene: &mut Scene) -> Vec<RigidBodyHandle> {
     let gone = scene.world.insert_body(RigidBodyBuilder::dynamic());
     scene.world.remove_body(gone);
     let (slot, generation) = scene.body.into_raw_parts();
@@ -22,8 +22,8 @@ fn lost_bodies(scene: &mut Scene) -> Vec<RigidBodyHandle> {
     ]
 }
 
-/// Handles of colliders that the scene does not hold.
-fn lost_colliders(scene: &mut Scene) -> Vec<ColliderHandle> {
+/// Returns handles of colliders that the scene does not contain.
+fn missing_colliders(scene: &mut Scene) -> Vec<ColliderHandle> {
     let gone = scene.world.insert_collider(ColliderBuilder::ball(0.1), None);
     scene.world.remove_collider(gone);
     let (slot, generation) = scene.collider.into_raw_parts();
@@ -44,17 +44,17 @@ fn lost_colliders(scene: &mut Scene) -> Vec<ColliderHandle> {
 fn a_lost_body_is_found_by_nobody() {
     let mut scene = Scene::new();
     let before = scene.world.bodies.len();
-    for lost in lost_bodies(&mut scene) {
+    for missing in missing_bodies(&mut scene) {
         let bodies = &mut scene.world.bodies;
-        assert!(!bodies.contains(lost), "{lost:?}");
-        assert!(bodies.get(lost).is_none() && bodies.get_mut(lost).is_none(), "{lost:?}");
-        assert!(bodies.remove(lost).is_none(), "{lost:?}");
-        let pair = bodies.get_pair_mut(lost, scene.body);
-        assert!(pair.0.is_none() && pair.1.is_some(), "{lost:?}");
-        let pair = bodies.get_pair_mut(scene.body, lost);
-        assert!(pair.0.is_some() && pair.1.is_none(), "{lost:?}");
-        assert!(scene.world.remove_body(lost).is_none(), "{lost:?}");
-        scene.world.wake_up(lost, true);
+        assert!(!bodies.contains(missing), "{missing:?}");
+        assert!(bodies.get(missing).is_none() && bodies.get_mut(missing).is_none(), "{missing:?}");
+        assert!(bodies.remove(missing).is_none(), "{missing:?}");
+        let pair = bodies.get_pair_mut(missing, scene.body);
+        assert!(pair.0.is_none() && pair.1.is_some(), "{missing:?}");
+        let pair = bodies.get_pair_mut(scene.body, missing);
+        assert!(pair.0.is_some() && pair.1.is_none(), "{missing:?}");
+        assert!(scene.world.remove_body(missing).is_none(), "{missing:?}");
+        scene.world.wake_up(missing, true);
     }
     let pair = scene.world.bodies.get_pair_mut(scene.body, scene.body);
     assert!(pair.0.is_some() && pair.1.is_none(), "one body cannot be borrowed twice");
@@ -65,24 +65,27 @@ fn a_lost_body_is_found_by_nobody() {
 }
 
 #[test]
-fn a_lost_collider_is_found_by_nobody() {
+fn a_missing_collider_is_never_found() {
     let mut scene = Scene::new();
     let before = scene.world.colliders.len();
-    for lost in lost_colliders(&mut scene) {
+    for missing in missing_colliders(&mut scene) {
         let colliders = &mut scene.world.colliders;
-        assert!(!colliders.contains(lost), "{lost:?}");
-        assert!(colliders.get(lost).is_none() && colliders.get_mut(lost).is_none(), "{lost:?}");
-        let pair = colliders.get_pair_mut(lost, scene.collider);
-        assert!(pair.0.is_none() && pair.1.is_some(), "{lost:?}");
-        let pair = colliders.get_pair_mut(scene.collider, lost);
-        assert!(pair.0.is_some() && pair.1.is_none(), "{lost:?}");
+        assert!(!colliders.contains(missing), "{missing:?}");
+        assert!(
+            colliders.get(missing).is_none() && colliders.get_mut(missing).is_none(),
+            "{missing:?}"
+        );
+        let pair = colliders.get_pair_mut(missing, scene.collider);
+        assert!(pair.0.is_none() && pair.1.is_some(), "{missing:?}");
+        let pair = colliders.get_pair_mut(scene.collider, missing);
+        assert!(pair.0.is_some() && pair.1.is_none(), "{missing:?}");
         let world = &mut scene.world;
-        assert!(world.remove_collider(lost).is_none(), "{lost:?}");
-        assert!(world.contact_pair(lost, scene.collider).is_none(), "{lost:?}");
-        assert!(world.contact_pair(lost, lost).is_none(), "{lost:?}");
-        assert_eq!(world.contact_pairs_with(lost).count(), 0, "{lost:?}");
-        assert!(world.intersection_pair(scene.collider, lost).is_none(), "{lost:?}");
-        assert_eq!(world.intersection_pairs_with(lost).count(), 0, "{lost:?}");
+        assert!(world.remove_collider(missing).is_none(), "{missing:?}");
+        assert!(world.contact_pair(missing, scene.collider).is_none(), "{missing:?}");
+        assert!(world.contact_pair(missing, missing).is_none(), "{missing:?}");
+        assert_eq!(world.contact_pairs_with(missing).count(), 0, "{missing:?}");
+        assert!(world.intersection_pair(scene.collider, missing).is_none(), "{missing:?}");
+        assert_eq!(world.intersection_pairs_with(missing).count(), 0, "{missing:?}");
     }
     let pair = scene.world.colliders.get_pair_mut(scene.collider, scene.collider);
     assert!(pair.0.is_some() && pair.1.is_none(), "one collider cannot be borrowed twice");
@@ -93,60 +96,59 @@ fn a_lost_collider_is_found_by_nobody() {
 }
 
 #[test]
-fn nothing_is_attached_to_a_lost_body() {
+fn no_collider_is_attached_to_a_missing_body() {
     let mut untouched = Scene::new();
-    lost_bodies(&mut untouched);
+    missing_bodies(&mut untouched);
     let expected = untouched.bystanders_in_the_end();
     let mut scene = Scene::new();
-    for lost in lost_bodies(&mut scene) {
+    for missing in missing_bodies(&mut scene) {
         let parent = scene.collider().parent();
         let PhysicsWorld { colliders, bodies, .. } = &mut scene.world;
-        let (_, heard) = listen(|| colliders.set_parent(scene.collider, Some(lost), bodies));
-        assert!(heard.iter().any(|text| text.contains(&format!("{lost:?}"))), "{heard:?}");
-        assert_eq!(scene.collider().parent(), parent, "{lost:?}");
+        let (_, heard) = listen(|| colliders.set_parent(scene.collider, Some(missing), bodies));
+        assert!(heard.iter().any(|text| text.contains(&format!("{missing:?}"))), "{heard:?}");
+        assert_eq!(scene.collider().parent(), parent, "{missing:?}");
 
         let ball = ColliderBuilder::ball(0.5);
-        let (orphan, heard) = listen(|| scene.world.insert_collider(ball, Some(lost)));
-        assert!(heard.iter().any(|text| text.contains(&format!("{lost:?}"))), "{heard:?}");
+        let (orphan, heard) = listen(|| scene.world.insert_collider(ball, Some(missing)));
+        assert!(heard.iter().any(|text| text.contains(&format!("{missing:?}"))), "{heard:?}");
         let orphan = &scene.world.colliders[orphan];
-        assert!(orphan.parent().is_none() && !orphan.is_enabled(), "{lost:?}");
+        assert!(orphan.parent().is_none() && !orphan.is_enabled(), "{missing:?}");
     }
-    for lost in lost_colliders(&mut scene) {
+    for missing in missing_colliders(&mut scene) {
         let PhysicsWorld { colliders, bodies, .. } = &mut scene.world;
-        let (_, heard) = listen(|| colliders.set_parent(lost, Some(scene.body), bodies));
-        assert!(heard.iter().any(|text| text.contains(&format!("{lost:?}"))), "{heard:?}");
-        colliders.set_parent(lost, None, bodies);
+        let (_, heard) = listen(|| colliders.set_parent(missing, Some(scene.body), bodies));
+        assert!(heard.iter().any(|text| text.contains(&format!("{missing:?}"))), "{heard:?}");
+        colliders.set_parent(missing, None, bodies);
     }
-    assert!(scene.bystanders_in_the_end() == expected, "lost handles are felt far away");
+    assert!(scene.bystanders_in_the_end() == expected, "missing handles are felt far away");
 }
 
-/// A joint to a body that was made up goes in the next step, and costs no memory for all the bodies that are
-/// not there.
+/// The next step removes a joint to a forged body handle. It allocates no memory for the slots in between.
 #[test]
-fn nothing_is_joined_to_a_lost_body() {
+fn no_joint_is_attached_to_a_missing_body() {
     let mut scene = Scene::new();
-    let mut lost = lost_bodies(&mut scene);
-    lost.push(RigidBodyHandle::from_raw_parts(4_000_000_000, 7));
-    for (k, &lost) in lost.iter().enumerate() {
+    let mut missing = missing_bodies(&mut scene);
+    missing.push(RigidBodyHandle::from_raw_parts(4_000_000_000, 7));
+    for (k, &missing) in missing.iter().enumerate() {
         let joint = FixedJointBuilder::new().build();
-        let ends = if k % 2 == 0 { [lost, scene.body] } else { [scene.body, lost] };
+        let ends = if k % 2 == 0 { [missing, scene.body] } else { [scene.body, missing] };
         let kept = scene.world.impulse_joints.insert(ends[0], ends[1], joint, true);
-        let gone = scene.world.impulse_joints.insert(lost, lost, joint, true);
-        assert_eq!(scene.world.impulse_joints.attached_joints(lost).count(), 2, "{lost:?}");
-        assert!(scene.world.impulse_joints.remove(gone, true).is_some(), "{lost:?}");
-        assert_eq!(scene.world.impulse_joints.joints_between(lost, scene.body).count(), 1);
-        scene.world.impulse_joints.remove_joints_attached_to_rigid_body(lost);
-        assert!(scene.world.impulse_joints.get(kept).is_none(), "{lost:?}");
+        let gone = scene.world.impulse_joints.insert(missing, missing, joint, true);
+        assert_eq!(scene.world.impulse_joints.attached_joints(missing).count(), 2, "{missing:?}");
+        assert!(scene.world.impulse_joints.remove(gone, true).is_some(), "{missing:?}");
+        assert_eq!(scene.world.impulse_joints.joints_between(missing, scene.body).count(), 1);
+        scene.world.impulse_joints.remove_joints_attached_to_rigid_body(missing);
+        assert!(scene.world.impulse_joints.get(kept).is_none(), "{missing:?}");
         listen(|| {
             scene.world.impulse_joints.insert(ends[0], ends[1], joint, true);
             scene.world.multibody_joints.insert(ends[0], ends[1], joint, true);
-            scene.world.multibody_joints.remove_joints_attached_to_rigid_body(lost);
+            scene.world.multibody_joints.remove_joints_attached_to_rigid_body(missing);
             scene.world.multibody_joints.insert(ends[0], ends[1], joint, true);
         });
-        scene.world.wake_up(lost, true);
+        scene.world.wake_up(missing, true);
         scene.world.step();
-        assert!(scene.world.impulse_joints.is_empty(), "{lost:?}");
-        assert!(scene.world.multibody_joints.is_empty(), "{lost:?}");
+        assert!(scene.world.impulse_joints.is_empty(), "{missing:?}");
+        assert!(scene.world.multibody_joints.is_empty(), "{missing:?}");
     }
     assert!(scene.world.impulse_joints.get_unknown_gen(u32::MAX).is_none());
     assert!(scene.world.multibody_joints.get_unknown_gen(u32::MAX).is_none());
@@ -168,16 +170,16 @@ fn nothing_is_joined_to_a_lost_body() {
 
 /// A capacity is a hint: the memory need not exist.
 #[test]
-fn any_capacity_may_be_wished_for() {
+fn any_capacity_may_be_requested() {
     for capacity in [0, 1, usize::MAX / 2, usize::MAX] {
         assert!(RigidBodySet::with_capacity(capacity).is_empty());
         assert!(ColliderSet::with_capacity(capacity).is_empty());
     }
 }
 
-/// The handle of a slot's last tenant does not find the next one.
+/// The handle of a slot's old object does not find the new one.
 #[test]
-fn a_slot_forgets_its_last_tenant() {
+fn a_reused_slot_invalidates_the_old_handle() {
     let mut scene = Scene::new();
     let old = (scene.body, scene.collider);
     for _ in 0..50 {
@@ -195,8 +197,8 @@ fn a_slot_forgets_its_last_tenant() {
     assert_eq!(scene.world.colliders.len(), 8);
 }
 
-/// Handles of another world may happen to find something here. That is then edited in its place, and
-/// nothing worse happens.
+/// Handles of another world may match an object here. Edits then affect that object, and cause no other
+/// damage.
 #[test]
 fn handles_of_another_world_do_no_harm() {
     let mut home = Scene::new();
@@ -219,31 +221,31 @@ fn handles_of_another_world_do_no_harm() {
     assert!(home.world.bodies.is_empty(), "all slots of the small world were hit");
 }
 
-/// `Index` is the one way to ask that has no way to say no.
+/// Indexing is the only access that panics on a missing object.
 #[test]
 fn only_indexing_panics_and_names_the_handle() {
     use std::panic::{AssertUnwindSafe, catch_unwind};
     let mut scene = Scene::new();
-    let bodies = lost_bodies(&mut scene);
-    let colliders = lost_colliders(&mut scene);
+    let bodies = missing_bodies(&mut scene);
+    let colliders = missing_colliders(&mut scene);
     let message = |result: std::thread::Result<()>| {
-        let panic = result.expect_err("a lost handle was indexed");
+        let panic = result.expect_err("a missing handle was indexed");
         *panic.downcast::<String>().expect("a message")
     };
     let world = AssertUnwindSafe(&mut scene.world);
-    for lost in bodies {
-        let text = message(catch_unwind(|| drop(world.bodies[lost].clone())));
-        assert!(text.contains(&format!("{lost:?}")), "{text}");
+    for missing in bodies {
+        let text = message(catch_unwind(|| drop(world.bodies[missing].clone())));
+        assert!(text.contains(&format!("{missing:?}")), "{text}");
     }
-    for lost in colliders {
-        let text = message(catch_unwind(|| drop(world.colliders[lost].clone())));
-        assert!(text.contains(&format!("{lost:?}")), "{text}");
+    for missing in colliders {
+        let text = message(catch_unwind(|| drop(world.colliders[missing].clone())));
+        assert!(text.contains(&format!("{missing:?}")), "{text}");
     }
 }
 
-/// The same before the first step. Each collider goes with its own body, on whatever thread.
+/// The same holds before the first step. Each collider follows its own body, on any thread.
 #[test]
-fn bodies_can_be_replaced_before_they_are_known() {
+fn bodies_can_be_replaced_before_the_first_step() {
     let mut world = PhysicsWorld::new();
     world.gravity = Vector::ZERO;
     let place = |k: usize| crate::dim::vec(4.0 * k as Real, 0.0);
@@ -272,9 +274,9 @@ fn bodies_can_be_replaced_before_they_are_known() {
     }
 }
 
-/// A `&mut` to a body lets the user replace it by another one. The world must not mix them up.
+/// A `&mut` to a body allows its replacement by another body. The world keeps both apart.
 #[test]
-fn a_body_put_in_the_place_of_another_takes_that_place() {
+fn a_replacing_body_takes_over_the_slot() {
     let mut world = PhysicsWorld::new();
     let ground = RigidBodyBuilder::fixed().translation(crate::dim::vec(0.0, -1.0));
     world.insert(ground, crate::dim::cuboid(20.0, 1.0));
@@ -300,7 +302,7 @@ fn a_body_put_in_the_place_of_another_takes_that_place() {
     world.bodies.remove(handles[0]);
     world.bodies.remove(handles[1]);
     for _ in 0..120 {
-        world.step(); // debug builds check here that all lists agree
+        world.step(); // Debug builds check here that all lists agree.
     }
     assert_eq!(world.bodies.len(), 4);
     assert!(world.bodies.iter().all(|(_, body)| body.position().is_finite()));

@@ -1,4 +1,4 @@
-//! Hooks that answer nonsense, and hooks and event handlers that panic.
+//! Hooks with inconsistent results, and hooks and event handlers that panic.
 
 use super::listener::{listen, names};
 use super::scene::Scene;
@@ -11,7 +11,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 use std::sync::{Mutex, PoisonError};
 
-/// Calls closures instead of having opinions of its own.
+/// Hooks that call closures.
 #[derive(Default)]
 struct Hooks<'a> {
     filter: Option<&'a (dyn Fn() -> bool + Sync)>,
@@ -34,7 +34,7 @@ impl PhysicsHooks for Hooks<'_> {
     }
 }
 
-/// A scene whose first pile is at the mercy of hooks, and never sleeps.
+/// Returns a scene with hooks on its first pile, which never sleeps.
 fn scene() -> Scene {
     let mut scene = Scene::new();
     *scene.body().activation_mut() = RigidBodyActivation::cannot_sleep();
@@ -55,7 +55,7 @@ fn steps(scene: &mut Scene, hooks: &Hooks<'_>, count: usize) {
 }
 
 #[test]
-fn filters_that_change_their_mind_are_felt_by_nobody_else() {
+fn inconsistent_filters_affect_no_other_body() {
     let mut untouched = scene();
     steps(&mut untouched, &Hooks::default(), 40);
     let expected = untouched.bystanders_in_the_end();
@@ -70,7 +70,7 @@ fn filters_that_change_their_mind_are_felt_by_nobody_else() {
 }
 
 #[test]
-fn contacts_modified_at_random_are_felt_by_nobody_else() {
+fn randomly_modified_contacts_affect_no_other_body() {
     let mut untouched = scene();
     steps(&mut untouched, &Hooks::default(), 40);
     let expected = untouched.bystanders_in_the_end();
@@ -109,9 +109,9 @@ fn contacts_modified_at_random_are_felt_by_nobody_else() {
     }
 }
 
-/// Numbers given to a hook are taken or refused by name.
+/// Numbers passed to a contact are accepted, or rejected by name.
 #[test]
-fn numbers_of_a_contact_are_taken_or_refused_by_name() {
+fn numbers_of_a_contact_are_accepted_or_rejected_by_name() {
     for value in EDGES {
         let modify = |context: &mut ContactModificationContext| {
             let before = (context.friction(), context.restitution());
@@ -140,7 +140,7 @@ fn numbers_of_a_contact_are_taken_or_refused_by_name() {
     }
 }
 
-/// Panics in every step that touches something.
+/// Handler that panics in every step with a contact.
 struct Panicking;
 
 impl EventHandler for Panicking {
@@ -165,7 +165,7 @@ impl EventHandler for Panicking {
     }
 }
 
-/// A panic of the user's own code reaches the user. After a caught panic, the world continues.
+/// A panic of user code reaches the caller. After a caught panic, the world continues.
 #[test]
 fn a_world_outlives_the_panics_of_hooks_and_handlers() {
     let mut scene = scene();
@@ -185,11 +185,11 @@ fn a_world_outlives_the_panics_of_hooks_and_handlers() {
     scene.steps(60);
 }
 
-/// Of a detection that leaves edits for later, removals are all that is taken in: others are awake at other
-/// places of the list then, also if a hook panics before the detection is over. The note of an edit, which
-/// names such a place, must not bring back the old one.
+/// A detection that defers edits applies removals only. Removals reorder the list of awake bodies, also if a
+/// hook panics before the end of the detection. The record of an edit contains an index into this list, and
+/// must not restore the old one.
 #[test]
-fn an_edited_body_knows_its_place_after_a_detection_that_panicked() {
+fn an_edited_body_keeps_its_index_after_a_detection_that_panicked() {
     for panics in [false, true] {
         let mut world = PhysicsWorld::new();
         let bodies: [_; 4] = core::array::from_fn(|k| {
@@ -213,13 +213,13 @@ fn an_edited_body_knows_its_place_after_a_detection_that_panicked() {
     }
 }
 
-/// Events of a handler: colliders that began or stopped to touch, and disabled bodies.
-type Told = Vec<(bool, ColliderHandle, ColliderHandle)>;
+/// Recorded events: colliders that began or stopped to touch, and disabled bodies.
+type Events = Vec<(bool, ColliderHandle, ColliderHandle)>;
 
-/// Takes notes, and panics as often as it is told to.
+/// Handler that records events, and panics a given number of times.
 #[derive(Default)]
 struct Notes {
-    told: Mutex<Told>,
+    told: Mutex<Events>,
     quarantined: AtomicUsize,
     panics: AtomicUsize,
 }
@@ -231,7 +231,7 @@ impl Notes {
         assert!(left.is_err(), "a handler, with {left:?} panics left");
     }
 
-    fn into_told(self) -> Told {
+    fn into_events(self) -> Events {
         self.told.into_inner().unwrap_or_else(PoisonError::into_inner)
     }
 }
@@ -252,9 +252,9 @@ impl EventHandler for Notes {
     }
 }
 
-/// Bullets that fall onto a plate, some of which go again: what a handler is told in sixty steps that do not
-/// panic. `panics_at` is the call of the hooks that does.
-fn bullets_on_a_plate(panics_at: Option<usize>, notes: Notes) -> Told {
+/// Returns the events of sixty steps of bullets that fall onto a plate, some of which are removed again.
+/// Steps that panic are repeated. `panics_at` is the index of the hook call that panics.
+fn bullets_on_a_plate(panics_at: Option<usize>, notes: Notes) -> Events {
     let mut world = PhysicsWorld::new();
     world.insert_collider(cuboid(50.0, 0.05), None);
     let balls: [_; 6] = core::array::from_fn(|k| {
@@ -280,11 +280,11 @@ fn bullets_on_a_plate(panics_at: Option<usize>, notes: Notes) -> Told {
             once();
         }
     }
-    notes.into_told()
+    notes.into_events()
 }
 
-/// Whatever call of a hook panics, in whatever stage: what was found before it is told, and what it kept from
-/// being found is found later.
+/// A hook may panic at any call in any stage. Earlier findings of the step are sent as events, and later ones
+/// are sent by the next step.
 #[test]
 fn no_event_is_lost_when_a_hook_panics() {
     let mut expected = bullets_on_a_plate(None, Notes::default());
@@ -298,7 +298,7 @@ fn no_event_is_lost_when_a_hook_panics() {
     }
 }
 
-/// A handler that panics is told the rest all the same, in the same step and the same order.
+/// A handler that panics still gets the other events, in the same step and the same order.
 #[test]
 fn no_event_is_lost_when_a_handler_panics() {
     let expected = bullets_on_a_plate(None, Notes::default());
@@ -308,9 +308,9 @@ fn no_event_is_lost_when_a_handler_panics() {
     }
 }
 
-/// The body was disabled, so its event must be sent, even though the step ends with a panic.
+/// The event of a disabled body is sent even if the step ends with a panic.
 #[test]
-fn who_is_taken_out_is_told_when_a_hook_panics() {
+fn quarantine_events_are_sent_when_a_hook_panics() {
     for panics_at in 0..6 {
         let mut scene = scene();
         let force = Vector::Y * 1.0e30;
@@ -331,13 +331,13 @@ fn who_is_taken_out_is_told_when_a_hook_panics() {
     }
 }
 
-/// A handler may ask the world that it is told of, and step another one that tells it, too.
-struct Curious {
+/// Handler that queries the world of its events, and steps another world with the same handler.
+struct ReentrantHandler {
     asked: AtomicUsize,
     inner: ChannelEventCollector,
 }
 
-impl EventHandler for Curious {
+impl EventHandler for ReentrantHandler {
     fn handle_collision_event(
         &self,
         bodies: &RigidBodySet,
@@ -365,11 +365,11 @@ impl EventHandler for Curious {
 }
 
 #[test]
-fn handlers_may_come_back() {
+fn handlers_may_call_the_engine() {
     let (send_collision, collisions) = std::sync::mpsc::channel();
     let (send_force, _forces) = std::sync::mpsc::channel();
     let inner = ChannelEventCollector::new(send_collision, send_force);
-    let handler = Curious { asked: AtomicUsize::new(0), inner };
+    let handler = ReentrantHandler { asked: AtomicUsize::new(0), inner };
     let mut scene = scene();
     let (body, _) = scene.world.insert(
         RigidBodyBuilder::dynamic().translation(vec(0.0, 3.6)),
@@ -387,9 +387,9 @@ fn handlers_may_come_back() {
     assert_eq!(collisions.try_iter().count(), asked);
 }
 
-/// Nothing gets through a plate because a hook panicked while its path was searched.
+/// No body passes a plate because a hook panics during the search of its path.
 #[test]
-fn nothing_passes_while_a_hook_panics() {
+fn no_body_passes_while_a_hook_panics() {
     for at in 0..20 {
         let mut world = PhysicsWorld::new();
         world.insert_collider(cuboid(50.0, 0.05), None);
@@ -416,9 +416,9 @@ fn nothing_passes_while_a_hook_panics() {
     }
 }
 
-/// A hook may use the pool of the step, step another world, and ask the world that is stepped.
+/// A hook may use the pool of the step, step another world, and query the world in the step.
 #[test]
-fn hooks_may_do_all_that_is_parallel() {
+fn hooks_may_use_threads() {
     let filter = || {
         let mut other = PhysicsWorld::new();
         other.insert_collider(cuboid(5.0, 0.5), None);

@@ -1,4 +1,4 @@
-//! Listens to what the engine logs.
+//! Captures the engine's log.
 
 use log::{LevelFilter, Log, Metadata, Record};
 use rapier::prelude::*;
@@ -7,7 +7,7 @@ use std::sync::Once;
 
 thread_local! {
     /// Log of this thread: tests run concurrently.
-    static HEARD: RefCell<Vec<String>> = const { RefCell::new(Vec::new()) };
+    static CAPTURED: RefCell<Vec<String>> = const { RefCell::new(Vec::new()) };
 }
 
 struct Listener;
@@ -18,22 +18,22 @@ impl Log for Listener {
     }
 
     fn log(&self, record: &Record<'_>) {
-        HEARD.with_borrow_mut(|heard| heard.push(record.args().to_string()));
+        CAPTURED.with_borrow_mut(|heard| heard.push(record.args().to_string()));
     }
 
     fn flush(&self) {}
 }
 
-/// The result of `work`, and its warnings and errors in the engine's log.
+/// Returns the result of `work`, and its warnings and errors in the engine's log.
 pub fn listen<T>(work: impl FnOnce() -> T) -> (T, Vec<String>) {
     static INSTALLED: Once = Once::new();
     INSTALLED.call_once(|| {
         log::set_logger(&Listener).unwrap();
         log::set_max_level(LevelFilter::Warn);
     });
-    HEARD.take();
+    CAPTURED.take();
     let result = work();
-    (result, HEARD.take())
+    (result, CAPTURED.take())
 }
 
 /// Returns whether a text names a number, in either printed form.

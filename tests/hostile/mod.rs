@@ -1,11 +1,10 @@
 //! # Hostile users
 //!
-//! Everything here tries to break the engine through its public API. Whatever is done, nothing may
-//! panic (but `Index` on a handle that a set does not hold), no number in the world may stop being
-//! finite, what is refused is named in an error or in the log, and bodies that have nothing to do with
-//! it must not notice: they end bit for bit where they would have ended.
+//! The tests misuse the public API in every possible way. No call may panic, except `Index` on a missing
+//! handle, and all numbers in the world stay finite. Rejected input is named in an error or in the log.
+//! Unrelated bodies are unaffected: they end bit for bit at the same place.
 //!
-//! These users are invented. One without sense is in `crates/fuzzer`, with the same [`world::check`].
+//! Here the misuse is systematic. `crates/fuzzer` adds random misuse, with the same [`world::check`].
 
 use crate::rapier;
 
@@ -13,7 +12,7 @@ pub mod listener;
 mod random;
 mod scene;
 pub mod values;
-/// The fuzzer's own.
+/// The fuzzer's event checker.
 #[allow(dead_code, reason = "here all events are heard")]
 #[path = "../../crates/fuzzer/src/both/witness.rs"]
 mod witness;

@@ -1,11 +1,11 @@
-//! Impossible parameters of a step, and impossible gravity.
+//! Invalid parameters of a step, and invalid gravity.
 
 use super::listener::{listen, names};
 use super::scene::Scene;
 use super::values::{EDGES, NOT_FINITE, edge_vectors};
 use rapier::prelude::*;
 
-/// A field of the parameters.
+/// Name of a field of the parameters, and its setter.
 type Field = (&'static str, fn(&mut IntegrationParameters, Real));
 
 const FIELDS: [Field; 15] = [
@@ -28,7 +28,7 @@ const FIELDS: [Field; 15] = [
     ("dt", |p, v| p.dt = -v.abs()),
 ];
 
-/// A step is refused as a whole, with the field and the value in the log, or leaves all in order.
+/// A step is rejected as a whole, with the field and the value in the log, or keeps all invariants.
 #[test]
 fn each_number_is_refused_by_name_or_survived() {
     let mut still = Scene::new();
@@ -46,7 +46,7 @@ fn each_number_is_refused_by_name_or_survived() {
                 let told = heard.iter().any(|text| text.contains(&error.to_string()));
                 assert!(told, "{name} {value}: {heard:?}");
                 assert!(scene.all_in_the_end() == untouched, "{name} {value} changed something");
-                refused_by_collision_detection_too(&mut scene, &error);
+                rejected_by_collision_detection_too(&mut scene, &error);
             } else {
                 scene.steps(10);
             }
@@ -57,13 +57,13 @@ fn each_number_is_refused_by_name_or_survived() {
     }
 }
 
-fn refused_by_collision_detection_too(scene: &mut Scene, error: &InvalidParameters) {
+fn rejected_by_collision_detection_too(scene: &mut Scene, error: &InvalidParameters) {
     let ((), heard) = listen(|| scene.world.detect_collisions(&(), &()));
     assert!(heard.iter().any(|text| text.contains(&error.to_string())), "{error}: {heard:?}");
 }
 
 #[test]
-fn endless_iterations_are_refused_by_name() {
+fn excessive_iterations_are_rejected_by_name() {
     type Counter = (&'static str, fn(&mut IntegrationParameters, usize));
     let fields: [Counter; 4] = [
         ("num_solver_iterations", |p, n| p.num_solver_iterations = n),
@@ -88,7 +88,7 @@ fn endless_iterations_are_refused_by_name() {
     scene.steps(2);
 }
 
-/// No neighbours of its size, or as many as there are: both can be done.
+/// Zero neighbours of the same size are allowed, and so is any larger number.
 #[test]
 fn any_number_of_neighbours_is_a_limit() {
     let expected = Scene::new().all_in_the_end();
@@ -121,9 +121,9 @@ fn setters_of_the_time_step_keep_the_old_one() {
     }
 }
 
-/// Gravity acts on all bodies, so there is no bystander here.
+/// Gravity acts on all bodies, so this test has no unaffected body.
 #[test]
-fn impossible_gravity_is_refused_by_name() {
+fn invalid_gravity_is_rejected_by_name() {
     let mut still = Scene::new();
     still.world.gravity = Vector::NAN;
     let untouched = still.all_in_the_end();
@@ -141,9 +141,9 @@ fn impossible_gravity_is_refused_by_name() {
     }
 }
 
-/// The parameters recover as soon as the values do.
+/// The simulation recovers with the parameters.
 #[test]
-fn the_simulation_goes_on_after_refused_steps() {
+fn the_simulation_continues_after_rejected_steps() {
     let expected = Scene::new().all_in_the_end();
     let mut scene = Scene::new();
     let good = scene.world.integration_parameters;

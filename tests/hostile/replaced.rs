@@ -1,7 +1,7 @@
-//! Records put in the place of others: `set[a] = set[b].clone()`, and two of them swapped.
+//! Replaced records: `set[a] = set[b].clone()`, and two swapped records.
 //!
-//! A body or collider in hand is a `&mut`, and whatever is assigned to it brings along what it knew of *its*
-//! place: its body, its colliders, where it stood in the lists of the step.
+//! A `&mut` to a body or collider allows an assignment. The new value brings references of *its* slot along:
+//! its body, its colliders, its indices in the lists of the step.
 
 use super::listener::listen;
 use super::scene::Scene;
@@ -9,7 +9,8 @@ use super::world::check;
 use crate::dim::{cuboid, vec};
 use rapier::prelude::*;
 
-/// A collider with the shape and the body of its neighbour's stands there twice: once in each place.
+/// A collider is assigned to its neighbour's slot. It then exists twice, once in each slot, with the same
+/// shape and body.
 #[test]
 fn a_collider_that_is_assigned_belongs_to_the_body_that_it_names() {
     let mut scene = Scene::new();
@@ -28,7 +29,7 @@ fn a_collider_that_is_assigned_belongs_to_the_body_that_it_names() {
     assert!((mass - 2.0 * part).abs() < 1.0e-5 * mass, "two parts of {part} weigh {mass}");
 }
 
-/// The same just before it is attached elsewhere, or removed: no list contains it.
+/// The same holds just before it is attached to another body, or removed: no list contains it.
 #[test]
 fn a_collider_that_was_assigned_can_be_moved_and_removed() {
     for removes in [false, true] {
@@ -48,7 +49,7 @@ fn a_collider_that_was_assigned_can_be_moved_and_removed() {
     }
 }
 
-/// Two colliders that change places change bodies: each goes on with the one that it names.
+/// Two swapped colliders change bodies: each belongs to the body that its record names.
 #[test]
 fn colliders_that_are_swapped_stay_with_their_bodies() {
     let mut scene = Scene::new();
@@ -61,8 +62,7 @@ fn colliders_that_are_swapped_stay_with_their_bodies() {
     assert_eq!(scene.world.bodies[scene.neighbours[0]].colliders(), [scene.collider]);
 }
 
-/// A fixed body stands in no list of the step: nothing but its slot says that another one was put in its
-/// place.
+/// A fixed body is in no list of the step. Only its slot shows that another body replaced it.
 #[test]
 fn fixed_bodies_that_are_swapped_keep_the_colliders_of_their_places() {
     let mut world = PhysicsWorld::new();
@@ -72,7 +72,7 @@ fn fixed_bodies_that_are_swapped_keep_the_colliders_of_their_places() {
     for _ in 0..2 {
         if let (Some(one), Some(two)) = world.bodies.get_pair_mut(bare, clad) {
             core::mem::swap(one, two);
-            // Attaching it where it is already, as far as the record in this place knows.
+            // The collider is attached to the body that the record in this slot already names.
             let PhysicsWorld { colliders, bodies, .. } = &mut world;
             colliders.set_parent(collider, Some(bare), bodies);
             colliders.set_parent(collider, Some(clad), bodies);
@@ -83,10 +83,10 @@ fn fixed_bodies_that_are_swapped_keep_the_colliders_of_their_places() {
     }
 }
 
-/// A body that is set back to an older copy of itself takes its colliders along, though the copy knows of no
+/// A body that is set back to an older copy of itself takes its colliders along, although the copy records no
 /// change.
 #[test]
-fn a_body_that_is_set_back_takes_its_colliders_along() {
+fn a_body_set_back_to_a_copy_keeps_its_colliders() {
     let mut world = PhysicsWorld::new();
     let body = RigidBodyBuilder::fixed().translation(vec(1.0, 2.0));
     let (body, collider) = world.insert(body, cuboid(0.5, 0.5));
@@ -99,9 +99,9 @@ fn a_body_that_is_set_back_takes_its_colliders_along() {
     assert_eq!(world.colliders[collider].translation(), vec(1.0, 2.0));
 }
 
-/// A joint of a multibody between a body and the one that stood in its slot before.
+/// A multibody joint connects a body to the former body of its slot.
 #[test]
-fn a_multibody_of_a_body_and_its_predecessor_is_none() {
+fn a_multibody_of_a_body_and_its_predecessor_is_removed() {
     let mut world = PhysicsWorld::new();
     let gone = world.insert_body(RigidBodyBuilder::dynamic());
     world.remove_body(gone);
@@ -115,7 +115,7 @@ fn a_multibody_of_a_body_and_its_predecessor_is_none() {
     }
 }
 
-/// Chains of balls: their joints, in the order of the links.
+/// Adds chains of balls. Returns their joints, in the order of the links.
 fn chains(world: &mut PhysicsWorld, lengths: &[usize]) -> Vec<Vec<MultibodyJointHandle>> {
     let mut chain = |row: usize, length: usize| {
         let ball = |k: usize| {
@@ -139,8 +139,8 @@ fn multibody(world: &mut PhysicsWorld, joint: MultibodyJointHandle) -> &mut Mult
     world.multibody_joints.get_mut(joint).expect("it was not removed").0
 }
 
-/// All that can be asked of a multibody, whatever it is made of.
-fn ask(multibody: &mut Multibody, bodies: &mut RigidBodySet) {
+/// Runs all queries of a multibody.
+fn query(multibody: &mut Multibody, bodies: &mut RigidBodySet) {
     let count = multibody.num_links() + 2;
     multibody.mass_matrix();
     multibody.bias_forces();
@@ -164,9 +164,10 @@ fn ask(multibody: &mut Multibody, bodies: &mut RigidBodySet) {
     multibody.update_rigid_bodies(bodies, true);
 }
 
-/// A multibody with other links than those that were joined is none: its joints go, and nothing else does.
+/// A multibody with links other than the joined ones is invalid: its joints are removed, and no other object
+/// is.
 #[test]
-fn multibodies_and_links_that_were_swapped_are_none() {
+fn swapped_multibodies_and_links_are_removed() {
     type Change = (&'static str, fn(&mut PhysicsWorld, &[Vec<MultibodyJointHandle>]));
     let changes: [Change; 7] = [
         ("emptied", |world, chains| *multibody(world, chains[0][0]) = Multibody::new()),
@@ -208,7 +209,7 @@ fn multibodies_and_links_that_were_swapped_are_none() {
                 world.step();
             }
             change(&mut world, &chains);
-            listen(|| go_on(&mut world, chains[0][1], then));
+            listen(|| continue_world(&mut world, chains[0][1], then));
             let left = |k: usize| chains[k].iter().filter(|j| world.multibody_joints.contains(**j));
             assert_eq!(left(0).count(), 0, "{name}, {then}: joints of the broken one are left");
             assert_eq!(left(2).count(), 1, "{name}, {then}: a bystander lost its joint");
@@ -216,12 +217,12 @@ fn multibodies_and_links_that_were_swapped_are_none() {
     }
 }
 
-/// Asks, edits in one of four ways, and steps a world with a multibody that is not what it was.
-fn go_on(world: &mut PhysicsWorld, joint: MultibodyJointHandle, then: usize) {
+/// Queries, edits in one of four ways, and steps a world with an invalid multibody.
+fn continue_world(world: &mut PhysicsWorld, joint: MultibodyJointHandle, then: usize) {
     let bodies: Vec<_> = world.bodies.iter().map(|(handle, _)| handle).collect();
     let PhysicsWorld { multibody_joints, bodies: set, .. } = &mut *world;
     if let Some((multibody, _)) = multibody_joints.get_mut(joint) {
-        ask(multibody, set);
+        query(multibody, set);
     }
     match then {
         0 => {}
@@ -242,9 +243,9 @@ fn go_on(world: &mut PhysicsWorld, joint: MultibodyJointHandle, then: usize) {
     }
 }
 
-/// Joints that are swapped hold the other's bodies from then on, or none.
+/// Swapped joints act on each other's bodies, or on none.
 #[test]
-fn joints_that_are_swapped_hold_what_they_say() {
+fn swapped_joints_act_on_the_bodies_of_their_records() {
     let mut world = PhysicsWorld::new();
     let balls: [_; 6] = core::array::from_fn(|k| {
         let body = RigidBodyBuilder::dynamic().translation(vec(k as Real, 0.0));

@@ -1,10 +1,10 @@
-//! A stage with two piles: one to be mistreated, and one far away that must not notice.
+//! A stage with two piles: a misused one, and a distant one that must be unaffected.
 
 use super::world::check;
 use crate::dim::{about_z, cuboid, hostile::pose_bits, vec};
 use rapier::prelude::*;
 
-/// Number of undisturbed steps before, and of observed steps afterwards.
+/// Numbers of undisturbed steps before, and of observed steps afterwards.
 const BEFORE: usize = 20;
 const AFTER: usize = 20;
 
@@ -12,20 +12,20 @@ const AFTER: usize = 20;
 pub struct Scene {
     pub world: PhysicsWorld,
     pub ground: ColliderHandle,
-    /// The body to be mistreated, between two others of the first pile.
+    /// The misused body, between two others of the first pile.
     pub body: RigidBodyHandle,
     pub collider: ColliderHandle,
-    /// The two others.
+    /// The two neighbours.
     pub neighbours: [RigidBodyHandle; 2],
-    /// The second pile: still falling and tumbling.
+    /// The second pile, which still falls and tumbles.
     bystanders: Vec<RigidBodyHandle>,
 }
 
-/// Every bit of the state of some bodies.
+/// All bits of the state of some bodies.
 pub type Bits = Vec<String>;
 
 impl Scene {
-    /// The piles after a few steps: the first one stands, the second one falls.
+    /// Creates the piles and runs a few steps: the first pile stands, the second one falls.
     pub fn new() -> Self {
         let mut world = PhysicsWorld::new();
         let ground = world.insert_collider(ColliderBuilder::halfspace(Vector::Y), None);
@@ -47,7 +47,7 @@ impl Scene {
         scene
     }
 
-    /// The same with the body to be mistreated of another type.
+    /// Creates the same scene with another type of the misused body.
     pub fn with_body_type(body_type: RigidBodyType) -> Self {
         let mut scene = Self::new();
         scene.world.bodies[scene.body].set_body_type(body_type, true);
@@ -63,7 +63,7 @@ impl Scene {
         &mut self.world.colliders[self.collider]
     }
 
-    /// Some steps, after each of which the world is in order.
+    /// Runs some steps, and checks the invariants after each.
     pub fn steps(&mut self, count: usize) {
         for _ in 0..count {
             self.world.step();
@@ -80,13 +80,13 @@ impl Scene {
         handles.iter().map(of).collect()
     }
 
-    /// Steps on and returns the bits of the bodies that have nothing to do with the first pile.
+    /// Runs the remaining steps and returns the bits of the second pile.
     pub fn bystanders_in_the_end(&mut self) -> Bits {
         self.steps(AFTER);
         self.bits_of(&self.bystanders)
     }
 
-    /// Steps on and returns the bits of all bodies.
+    /// Runs the remaining steps and returns the bits of all bodies.
     pub fn all_in_the_end(&mut self) -> Bits {
         self.steps(AFTER);
         let handles: Vec<_> = self.world.bodies.iter().map(|(handle, _)| handle).collect();

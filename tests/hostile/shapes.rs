@@ -1,4 +1,4 @@
-//! Shapes that are none: empty, flat, tangled, and naming what is not there.
+//! Degenerate shapes: empty, flat, self-intersecting, and with invalid indices.
 
 use super::listener::listen;
 use super::scene::Scene;
@@ -7,10 +7,10 @@ use crate::dim::hostile::{degenerate_shapes, huge_shapes, shapes};
 use crate::dim::vec;
 use rapier::prelude::*;
 
-/// How a shape was refused: `None` by constructors that return an option, else a message.
+/// Result of a rejected shape: `None` by constructors that return an option, or a message.
 type Refusal = Option<String>;
 
-/// Tries to make a shape that should not be.
+/// Tries to create a degenerate shape.
 fn refusal(made: Result<Option<ColliderBuilder>, InvalidCollider>) -> Result<Refusal, String> {
     match made {
         Err(error) => Ok(Some(error.to_string())),
@@ -23,7 +23,7 @@ fn refusal(made: Result<Option<ColliderBuilder>, InvalidCollider>) -> Result<Ref
 }
 
 #[test]
-fn what_is_no_shape_is_refused_with_a_reason() {
+fn degenerate_shapes_are_rejected_with_a_reason() {
     for (name, expected, make) in degenerate_shapes() {
         match refusal(make()) {
             Ok(Some(text)) => assert!(text.contains(expected), "{name}: {text}"),
@@ -33,9 +33,9 @@ fn what_is_no_shape_is_refused_with_a_reason() {
     }
 }
 
-/// A pile goes on beneath an impossible collider, which is there, but takes part in nothing.
+/// A pile continues beneath an invalid collider, which exists but takes part in no collision.
 #[test]
-fn what_is_no_shape_disturbs_nobody() {
+fn degenerate_shapes_affect_no_other_body() {
     let untouched = Scene::new().all_in_the_end();
     let bystanders = Scene::new().bystanders_in_the_end();
     for (name, _, make) in degenerate_shapes() {
@@ -54,9 +54,9 @@ fn what_is_no_shape_disturbs_nobody() {
     }
 }
 
-/// Every kind of shape, deep inside every other, many of them at the same place.
+/// Shapes of every kind, deep inside each other, many of them at the same place.
 #[test]
-fn shapes_in_each_other_come_apart_or_stay_in_order() {
+fn overlapping_shapes_keep_the_invariants() {
     for size in [0.5, 1.0e-3, 100.0] {
         let mut world = PhysicsWorld::new();
         world.insert_collider(ColliderBuilder::halfspace(Vector::Y), None);
@@ -75,9 +75,9 @@ fn shapes_in_each_other_come_apart_or_stay_in_order() {
     }
 }
 
-/// Each kind of shape dropped onto each other one, from the distance of a hair.
+/// Each kind of shape falls onto each other one, from a tiny distance.
 #[test]
-fn each_shape_meets_each_other() {
+fn each_shape_collides_with_each_other() {
     let kinds = shapes(0.5).len();
     for first in 0..kinds {
         let mut world = PhysicsWorld::new();
@@ -96,7 +96,7 @@ fn each_shape_meets_each_other() {
 }
 
 #[test]
-fn large_shapes_are_no_trouble() {
+fn large_shapes_are_harmless() {
     for builder in huge_shapes() {
         let mut world = PhysicsWorld::new();
         world.insert_collider(builder, None);

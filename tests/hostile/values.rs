@@ -1,15 +1,15 @@
-//! Invalid numbers, and some that may occur.
+//! Invalid numbers, and some valid ones.
 
 use crate::dim::vec;
 use rapier::prelude::*;
 
-/// The least number above zero.
+/// Smallest number above zero.
 pub const SUBNORMAL: Real = Real::MIN_POSITIVE * Real::EPSILON;
 
-/// No numbers at all.
+/// Values that are not finite.
 pub const NOT_FINITE: [Real; 3] = [Real::NAN, Real::INFINITY, Real::NEG_INFINITY];
 
-/// Numbers at every edge of what a number can be.
+/// Extreme and invalid numbers.
 pub const EDGES: [Real; 16] = [
     Real::NAN,
     Real::INFINITY,
@@ -29,12 +29,12 @@ pub const EDGES: [Real; 16] = [
     1.0e30,
 ];
 
-/// A vector with `value` in each component, or in one of them.
+/// Returns vectors with `value` in all components, or in one of them.
 pub fn vectors_of(value: Real) -> [Vector; 3] {
     [Vector::splat(value), vec(value, 0.0), vec(0.0, value)]
 }
 
-/// All vectors made of [`EDGES`].
+/// Returns all vectors made of [`EDGES`].
 pub fn edge_vectors() -> impl Iterator<Item = Vector> {
     EDGES.into_iter().flat_map(vectors_of)
 }

@@ -1,8 +1,8 @@
 //! Shapes without volume, and shapes from the geometry library's own constructors.
 //!
-//! A user found flat hulls that fell through the floor without a message: a density gave their body no mass,
-//! and no contact could stop it. Such a body takes the mass of its surface; what cannot collide at all is
-//! refused with a reason.
+//! Flat hulls once fell through the floor without a message: a density gave their body no mass, and no
+//! contact could stop it. Such a body now takes the mass of its surface. Shapes that cannot collide are
+//! rejected with a reason.
 
 use super::listener::listen;
 use crate::dim::hostile::{unsound_shapes, weightless_shapes};
@@ -32,7 +32,7 @@ fn shapes_without_volume_rest_on_a_floor() {
                 run(&mut world, 3.0);
                 let mass = world.bodies[body].mass();
                 assert!((mass / (3.0 * measure) - 1.0).abs() < 0.02, "{name} of {size}: {mass} kg");
-                // Resting contacts overlap by a millimetre, impacts by a little more. (The boxes of compounds
+                // Resting contacts overlap by a millimetre, impacts by slightly more. (The boxes of compounds
                 // are not tight.)
                 let pair = world.contact_pair(ground, collider);
                 let deepest = pair.and_then(ContactPair::find_deepest_contact);
@@ -49,7 +49,7 @@ fn shapes_without_volume_rest_on_a_floor() {
     }
 }
 
-/// `additional_mass` on colliders of density 0 is that of the same shapes with this mass.
+/// `additional_mass` on colliders of density 0 gives the inertia of the same shapes with this mass.
 #[test]
 fn additional_mass_is_spread_over_shapes_without_density() {
     let solids =
@@ -98,7 +98,7 @@ fn a_tilted_cube_of_additional_mass_falls_on_a_face() {
     }
 }
 
-/// Shapes with volume keep their weight beside shapes without.
+/// Shapes with volume keep their mass beside shapes without.
 #[test]
 fn shapes_without_volume_add_nothing_to_bodies_with_mass() {
     for (name, shape, _) in weightless_shapes(1.0, 0.4) {
@@ -114,7 +114,8 @@ fn shapes_without_volume_add_nothing_to_bodies_with_mass() {
     }
 }
 
-/// A body that contacts cannot hold is reported, once a change; the rest is silent.
+/// A body without mass, which contacts cannot stop, is reported once per change. Other bodies are not
+/// reported.
 #[test]
 fn a_dynamic_body_without_mass_is_reported() {
     let count = |body: RigidBodyBuilder, shape: ColliderBuilder| {
@@ -136,7 +137,7 @@ fn a_dynamic_body_without_mass_is_reported() {
     }
 }
 
-/// Shapes that cannot collide are refused, in whichever way they come.
+/// Shapes that cannot collide are rejected by every constructor and setter.
 #[test]
 fn unsound_shapes_are_refused_with_a_reason() {
     for (name, word, shape) in unsound_shapes() {
@@ -155,7 +156,7 @@ fn unsound_shapes_are_refused_with_a_reason() {
     }
 }
 
-/// The `try_` constructors return the reason that `None` hides.
+/// The `try_` constructors return the reason for `None`.
 #[test]
 fn hulls_say_why_there_is_none() {
     let line: Vec<Vector> = (0..9).map(|i| Vector::ONE * i as Real).collect();

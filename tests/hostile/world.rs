@@ -2,10 +2,10 @@
 
 use super::rapier::prelude::*;
 
-/// Checks that a world is in order after a step.
+/// Checks the invariants of a world after a step.
 ///
 /// # Panics
-/// If it is not.
+/// If an invariant is violated.
 pub fn check(world: &PhysicsWorld) {
     check_bodies(world);
     check_colliders(world);

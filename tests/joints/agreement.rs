@@ -1,12 +1,12 @@
-//! Two ways to hold the same bodies: by impulses, and in reduced coordinates. Mechanics knows only one
-//! result.
+//! The same mechanism with impulse joints and in reduced coordinates: both must give the same motion.
 
 use super::stage::{bob, post};
 use crate::dim::{hinge, vec};
 use crate::suite::physics::stage::{RATES, steps, world};
 use rapier::prelude::*;
 
-/// A double pendulum of two bobs on rods of length 1, both let go sideways. Returns the bobs.
+/// Adds a double pendulum of two bobs on rods of length 1, both released from the horizontal. Returns the
+/// bobs.
 fn double_pendulum(world: &mut PhysicsWorld, is_multibody: bool) -> [RigidBodyHandle; 2] {
     let mut parent = post(world, Vector::ZERO);
     [1.0, 2.0].map(|x| {
@@ -22,9 +22,8 @@ fn double_pendulum(world: &mut PhysicsWorld, is_multibody: bool) -> [RigidBodyHa
     })
 }
 
-/// In the first second the bobs fall through their lowest points; after it chaos begins to magnify what is
-/// left of the difference. Both ways are of second order or nearly so: their difference shrinks with the
-/// step.
+/// In the first second the bobs fall through their lowest points; afterwards chaos magnifies the difference.
+/// Both solvers are of about second order: their difference shrinks with the step.
 #[test]
 fn impulse_joints_and_multibodies_agree_on_a_double_pendulum() {
     let mut last = Real::MAX;
@@ -41,7 +40,7 @@ fn impulse_joints_and_multibodies_agree_on_a_double_pendulum() {
             }
         }
         println!("{rate} Hz: {apart:.5} apart after a second");
-        // The second bob reaches 7 units a second: at 30 Hz this is the way of half a step.
+        // The second bob reaches 7 units per second: at 30 Hz the bound is the motion of half a step.
         assert!(apart < 0.1 && apart < last, "{apart} apart at {rate} Hz, {last} before");
         last = apart;
     }

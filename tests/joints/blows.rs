@@ -1,11 +1,11 @@
-//! Blows on what joints hold, and joints that users treat badly.
+//! Impacts on jointed bodies, and misuse of joints.
 
 use super::stage::{bob, post};
 use crate::dim::{hinge, vec};
 use crate::suite::physics::stage::{run, weightless, world};
 use rapier::prelude::*;
 
-/// A ball of 1 kg that bounces with `e` off whatever it meets, at this place and velocity.
+/// Adds a ball of 1 kg with the restitution `e`, at this position and velocity.
 fn throw(world: &mut PhysicsWorld, at: Vector, velocity: Vector, e: Real) -> RigidBodyHandle {
     let shape = ColliderBuilder::ball(0.25).mass(1.0).friction(0.0).restitution(e);
     let shape = shape.restitution_combine_rule(CoefficientCombineRule::Max);
@@ -13,15 +13,15 @@ fn throw(world: &mut PhysicsWorld, at: Vector, velocity: Vector, e: Real) -> Rig
     world.insert(body, shape).0
 }
 
-/// The kinetic energy of all bodies (J).
+/// Returns the kinetic energy of all bodies (J).
 fn energy(world: &PhysicsWorld) -> Real {
     world.bodies.iter().map(|(_, body)| body.kinetic_energy()).sum()
 }
 
-/// A plate of 2 kg that is welded to the world, hit at 30 m/s: it throws back with `e`, and the weld bears
-/// `(1 + e) m v` in the step of the blow.
+/// A plate of 2 kg that is welded to the world is hit at 30 m/s. It reflects the ball with `e`, and the weld
+/// carries `(1 + e) m v` in the step of the impact.
 #[test]
-fn joints_bear_blows() {
+fn joints_withstand_impacts() {
     for e in [0.0, 0.5, 1.0] {
         for limit in [Real::INFINITY, 1000.0] {
             let mut world = weightless(60);
@@ -38,7 +38,8 @@ fn joints_bear_blows() {
             }
             let thrown = -world.bodies[ball].linvel().x;
             let formula = (1.0 + e) * 30.0 * 60.0;
-            // Without restitution the passes stop the ball softly: the weld gives, and throws it back a bit.
+            // Without restitution the solver stops the ball softly: the weld yields, and reflects the ball
+            // slightly.
             let tolerance = if e == 0.0 { 0.1 } else { 0.001 };
             assert!((most / formula - 1.0).abs() < tolerance, "{most}, not {formula}");
             assert!((thrown - e * 30.0).abs() < tolerance * 30.0, "{thrown}, e = {e}");
@@ -47,9 +48,9 @@ fn joints_bear_blows() {
     }
 }
 
-/// A door that stands at its limit is hit against the limit, or away from it.
+/// A door at its limit is hit towards the limit, or away from it.
 #[test]
-fn levers_at_their_limits_are_hit() {
+fn doors_at_their_limits_are_hit() {
     for e in [0.0, 0.5, 1.0] {
         for side in [-1.0, 1.0] {
             let mut world = weightless(60);
@@ -76,10 +77,9 @@ fn levers_at_their_limits_are_hit() {
     }
 }
 
-/// A chain whose links rest on each other and are hit: swept joints, limits and motors with contacts that
-/// bounce.
+/// Chains with links in contact are hit: iterated joints, limits and motors combine with elastic contacts.
 #[test]
-fn ragged_chains_that_are_hit_do_not_gain_energy() {
+fn chains_in_contact_that_are_hit_do_not_gain_energy() {
     for e in [0.0, 0.5, 1.0] {
         for speed in [1.0, 10.0, 100.0] {
             for held in [false, true] {
@@ -115,8 +115,8 @@ fn ragged_chains_that_are_hit_do_not_gain_energy() {
     }
 }
 
-/// Bodies that overlap when they are joined, with and without contacts between them, come to where the joint
-/// wants them.
+/// Bodies that overlap at the insertion of the joint reach the joint's anchors, with and without contacts
+/// between them.
 #[test]
 fn joints_between_bodies_that_overlap() {
     for contacts in [false, true] {
@@ -141,7 +141,7 @@ fn joints_between_bodies_that_overlap() {
     }
 }
 
-/// Twenty joints of the same pair hold as one does.
+/// Twenty joints of one pair act like one joint.
 #[test]
 fn pairs_that_are_joined_twenty_times() {
     for count in [1, 20] {
@@ -169,23 +169,23 @@ fn pairs_that_are_joined_twenty_times() {
     }
 }
 
-/// Levers from a micrometre to a thousand kilometres leave the joint shut and the world finite.
+/// Moment arms from a micrometre to a thousand kilometres keep the joint closed and the world finite.
 #[test]
 fn anchors_near_and_far() {
-    for lever in [1.0e-6, 1.0e-3, 1.0, 1.0e3, 1.0e6] {
+    for moment_arm in [1.0e-6, 1.0e-3, 1.0, 1.0e3, 1.0e6] {
         let mut world = world(60);
         let post = post(&mut world, vec(0.0, 0.0));
-        let load = world.insert_body(bob(1.0, 0.2).translation(vec(lever, 0.0)));
-        world.insert_impulse_joint(post, load, hinge().local_anchor2(vec(-lever, 0.0)));
+        let load = world.insert_body(bob(1.0, 0.2).translation(vec(moment_arm, 0.0)));
+        world.insert_impulse_joint(post, load, hinge().local_anchor2(vec(-moment_arm, 0.0)));
         run(&mut world, 2.0);
         let pose = world.bodies[load].position();
-        let gap = (*pose * vec(-lever, 0.0)).length();
-        // Positions have an error of rounding, and a rotation times the lever.
-        assert!(gap < 1.0e-3 + 16.0 * Real::EPSILON * lever, "{gap} with {lever}");
+        let gap = (*pose * vec(-moment_arm, 0.0)).length();
+        // The errors are the rounding of positions, and that of a rotation times the moment arm.
+        assert!(gap < 1.0e-3 + 16.0 * Real::EPSILON * moment_arm, "{gap} with {moment_arm}");
     }
 }
 
-/// Bodies whose joints broke may be removed at once.
+/// Bodies with broken joints can be removed at once.
 #[test]
 fn bodies_are_removed_after_a_break() {
     let mut world = world(60);
@@ -217,7 +217,7 @@ fn bodies_are_removed_after_a_break() {
     assert!(world.bodies.iter().all(|(_, body)| body.translation().is_finite()));
 }
 
-/// Joints that change in every step do what they are told last.
+/// Joints that are edited in every step follow the last edit.
 #[test]
 fn joints_edited_in_every_step() {
     let mut world = world(60);
@@ -238,7 +238,7 @@ fn joints_edited_in_every_step() {
     assert!(gap < 1.0e-3, "{gap}");
 }
 
-/// A handle of a removed joint finds nothing, although its slot is occupied again.
+/// The handle of a removed joint finds nothing, although its slot is reused.
 #[test]
 fn handles_of_joints_are_not_recycled() {
     let mut world = world(60);
@@ -256,7 +256,7 @@ fn handles_of_joints_are_not_recycled() {
     assert_eq!(world.impulse_joints.len(), 0);
 }
 
-/// A joint that is switched on or off, changed or removed wakes its bodies; one that is looked at does not.
+/// A joint that is enabled, disabled, edited or removed wakes its bodies; reading does not.
 #[test]
 fn joints_wake_their_bodies() {
     let rest = || {
@@ -283,9 +283,9 @@ fn joints_wake_their_bodies() {
     assert!(!world.bodies[load].is_sleeping() && world.bodies[load].linvel().y < -0.5);
 }
 
-/// A plate on a spring, or a soft weld, that is hit: the impact is over before they yield.
+/// A plate on a spring, or on a soft weld, is hit: the impact ends before the joint yields.
 #[test]
-fn springs_do_not_feel_blows_at_once() {
+fn springs_yield_after_the_impact() {
     for e in [0.5, 1.0] {
         for soft in [0, 1, 2] {
             let mut world = weightless(240);

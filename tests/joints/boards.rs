@@ -9,14 +9,15 @@ use rapier::prelude::*;
 
 /// Densities of the boards, in turn.
 const DENSITIES: [Real; 3] = [100.0, 1000.0, 10_000.0];
-/// From where they are thrown.
+/// Initial height of the chains.
 const HEIGHT: Real = 7.0;
 
-/// Neither the ground nor joints do work, friction takes some, and no contact gives back more than it took.
-/// Temporary energy of position corrections must be far less than this.
-const ROOM: Real = 0.02;
+/// Largest energy gain, as a fraction. Neither the ground nor joints do work, friction dissipates energy, and
+/// no contact returns more than it absorbed. The temporary energy of position corrections must be far
+/// smaller.
+const GAIN_MAX: Real = 0.02;
 
-/// Vectors within a cube of half length 1, one after another.
+/// Generator of vectors within a cube of half length 1.
 struct Dice(u64);
 
 impl Dice {
@@ -31,19 +32,19 @@ impl Dice {
     }
 }
 
-/// The projectile.
+/// Parameters of a thrown chain.
 #[derive(Copy, Clone)]
 struct Chain {
     boards: usize,
-    /// In turn.
+    /// Densities of the boards, in turn.
     densities: [Real; 3],
     limits: Option<[Real; 2]>,
-    /// Joined by balls instead of hinges.
+    /// Whether ball joints connect the boards instead of hinges.
     balls: bool,
     restitution: Real,
 }
 
-/// A chain of boards above the ground that turns and flies as a whole.
+/// Adds a chain of boards above the ground with a common linear and angular velocity.
 fn throw(world: &mut PhysicsWorld, dice: &mut Dice, chain: Chain) -> Vec<RigidBodyHandle> {
     let ground = ColliderBuilder::cuboid(50.0, 0.5, 50.0).translation(Vector::Y * -0.5);
     world.insert_collider(ground.restitution(chain.restitution), None);
@@ -64,7 +65,7 @@ fn throw(world: &mut PhysicsWorld, dice: &mut Dice, chain: Chain) -> Vec<RigidBo
     boards
 }
 
-/// The joint of a chain's boards.
+/// Returns the joint between a chain's boards.
 fn joint(chain: Chain) -> GenericJoint {
     let anchors = [Vector::X * 0.5, Vector::X * -0.5];
     if chain.balls {
@@ -76,7 +77,7 @@ fn joint(chain: Chain) -> GenericJoint {
     chain.limits.map_or(hinge, |limits| hinge.limits(limits)).into()
 }
 
-/// The energy of bodies, seen from the ground.
+/// Returns the energy of bodies relative to the ground.
 fn energy(world: &PhysicsWorld, bodies: &[RigidBodyHandle]) -> Real {
     let of = |body: &RigidBody| {
         body.kinetic_energy() + body.mass() * world.gravity.length() * body.center_of_mass().y
@@ -84,7 +85,7 @@ fn energy(world: &PhysicsWorld, bodies: &[RigidBodyHandle]) -> Real {
     bodies.iter().map(|body| of(&world.bodies[*body])).sum()
 }
 
-/// The most energy that each of some throws ever has, as a share of what it began with.
+/// Returns the largest energy of each throw, as a fraction of its initial energy.
 fn most_energies(chain: Chain, rate: u32, throws: usize) -> Vec<Real> {
     let mut dice = Dice(12345);
     let most_of_one = |_| {
@@ -104,7 +105,7 @@ fn most_energies(chain: Chain, rate: u32, throws: usize) -> Vec<Real> {
     (0..throws).map(most_of_one).collect()
 }
 
-/// Throws chains at these rates, with limits and without, and requires that none gains energy.
+/// Throws chains at these rates, with and without limits, and requires that none gains energy.
 fn require_no_gain(title: &str, chain: Chain, rates: &[u32], throws: usize) {
     let mut table = Table::new(title, &["rate", "limits", "throw", "most energy"]);
     for &rate in rates {
@@ -113,13 +114,13 @@ fn require_no_gain(title: &str, chain: Chain, rates: &[u32], throws: usize) {
             for (k, most) in energies.into_iter().enumerate() {
                 let limited = if limits.is_some() { "yes" } else { "no" };
                 table.row([rate.to_string(), limited.into(), k.to_string(), format!("{most:.4}")]);
-                table.require(most < 1.0 + ROOM, "gains energy");
+                table.require(most < 1.0 + GAIN_MAX, "gains energy");
             }
         }
     }
 }
 
-/// A thrown chain of unlike boards never has more energy than it began with.
+/// A thrown chain of boards with different densities never exceeds its initial energy.
 #[test]
 fn thrown_chains_of_unlike_boards_gain_no_energy() {
     let chain =
@@ -127,8 +128,8 @@ fn thrown_chains_of_unlike_boards_gain_no_energy() {
     require_no_gain("six boards of 1:10:100 on hinges, thrown from 7 m", chain, &RATES, 8);
 }
 
-/// Nor has one that bounces: a board that turns by a radian in a step is hit through joints that turn with
-/// it, and what these take away of a blow is not to be given twice.
+/// The same holds for elastic chains. A board that rotates by a radian in a step is hit through joints that
+/// rotate with it. The impulse that these joints absorb must not be applied twice.
 #[test]
 fn thrown_chains_that_bounce_gain_no_energy() {
     let chain =
@@ -136,8 +137,9 @@ fn thrown_chains_that_bounce_gain_no_energy() {
     require_no_gain("four boards of 1:10:100 that bounce, e = 0.9", chain, &[30, 60], 12);
 }
 
-/// Even chains are solved in sweeps, which feel a blow one joint after the other. One of these begins with
-/// its lower end in the ground, and is hit there as if it had arrived long ago.
+/// Chains of equal boards are solved iteratively, so an impact propagates one joint per iteration. One of
+/// these chains begins with its lower end in the ground, and must be hit there like a chain that arrived
+/// earlier.
 #[test]
 fn thrown_chains_of_like_boards_that_bounce_gain_no_energy() {
     let densities = [1000.0; 3];
@@ -145,11 +147,12 @@ fn thrown_chains_of_like_boards_that_bounce_gain_no_energy() {
     require_no_gain("ten like boards that bounce, e = 0.9", chain, &[120], 6);
 }
 
-/// The board at one end of a chain: its joint is all that it has to do with other boards.
+/// The board at one end of a chain. Its joint is its only connection to other boards.
 struct FreeEnd {
     board: RigidBodyHandle,
     joint: ImpulseJointHandle,
-    /// One if it is the joint's second body, which gets the joint's force; minus one if it is the first.
+    /// One if the board is the joint's second body, which gets the joint's force; minus one if it is the
+    /// first.
     side: Real,
 }
 
@@ -164,14 +167,14 @@ impl FreeEnd {
         ends.map(of).collect()
     }
 
-    /// Returns whether any contact pressed on it in the last step.
+    /// Returns whether any contact pressed on the board in the last step.
     fn is_touched(&self, world: &PhysicsWorld) -> bool {
         let collider = world.bodies[self.board].colliders()[0];
         let mut pairs = world.narrow_phase.contact_pairs_with(collider);
         pairs.any(|pair| pair.total_impulse_magnitude() != 0.0)
     }
 
-    /// The reported impulse of the joint on the board in the last step.
+    /// Returns the reported impulse of the joint on the board in the last step.
     fn given(&self, world: &PhysicsWorld) -> Vector {
         world.impulse_joints[self.joint].force() * (self.side * world.integration_parameters.dt)
     }
@@ -207,7 +210,7 @@ fn joints_tell_of_blows_what_their_bodies_got() {
                         let (got, given) =
                             ((body.linvel() - before) * body.mass(), end.given(&world));
                         let weight = world.gravity * (body.mass() * dt);
-                        // A blow: more than it could get in free flight.
+                        // An impact: an impulse larger than any in free flight.
                         if end.is_touched(&world) || given.length() < body.mass() * 1.0 {
                             continue;
                         }

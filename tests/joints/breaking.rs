@@ -1,4 +1,4 @@
-//! Joints that bear too much break, and say so.
+//! Joints break above their limit, and report it.
 
 use super::stage::{bob, post};
 use crate::dim::vec;
@@ -6,7 +6,7 @@ use crate::suite::physics::stage::{G, world};
 use rapier::prelude::*;
 use std::sync::Mutex;
 
-/// Keeps the joints that broke.
+/// Handler that records broken joints.
 #[derive(Default)]
 struct Breaks(Mutex<Vec<JointBreakEvent>>);
 
@@ -26,7 +26,7 @@ impl EventHandler for Breaks {
     }
 }
 
-/// Hangs 2 kg on a joint that breaks at this force, for half a second.
+/// Hangs 2 kg on a joint with this breaking force, for half a second.
 fn hang(limit: Real) -> (PhysicsWorld, RigidBodyHandle, ImpulseJointHandle, Breaks) {
     let mut world = world(60);
     let post = post(&mut world, Vector::ZERO);
@@ -57,14 +57,14 @@ fn overloaded_joints_break_once_and_let_go() {
     assert_eq!((breaks[0].joint, breaks[0].body2), (joint, load));
     assert!((breaks[0].force - 2.0 * G).abs() < 0.01 * G, "{}", breaks[0].force);
     assert!(!world.impulse_joints[joint].data.is_enabled());
-    // It falls from the second step on.
+    // The load falls from the second step on.
     let exact = 0.5 * G * (29.0 / 60.0) * (29.0 / 60.0);
     let fallen = -world.bodies[load].translation().y;
     assert!((fallen / exact - 1.0).abs() < 0.03, "{fallen} instead of {exact}");
 }
 
-/// Joints on links bear and break as others do: locked axes and limits. The link is a plate on a fixed root
-/// that cannot turn far.
+/// Joints on links report forces and break like others: locked axes and limits. The link is a plate on a
+/// fixed root with a small range of rotation.
 #[test]
 fn joints_on_links_break_too() {
     let rope = RopeJointBuilder::new(0.5).local_anchor2(Vector::ZERO).build().into();

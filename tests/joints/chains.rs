@@ -13,11 +13,11 @@ const HALF: Real = 0.25;
 /// Parameters of a chain.
 #[derive(Copy, Clone, Debug)]
 enum Kind {
-    /// Hinges about the axis that points out of the picture.
+    /// Hinges about the axis out of the plane.
     Hinges,
-    /// Balls in sockets, hinges about several axes in turn.
+    /// Ball joints, and hinges about several axes in turn.
     Loose,
-    /// Joints that hold everything: a beam.
+    /// Fixed joints: a beam.
     Fixed,
 }
 
@@ -32,8 +32,8 @@ fn joint(kind: Kind, k: usize, anchor1: Vector, anchor2: Vector) -> GenericJoint
     }
 }
 
-/// A chain of links that begins straight at the origin, at this angle from level, with a ball at its end that
-/// weighs `ratio` links. Returns the ball.
+/// Adds a straight chain of links from the origin, at this angle from the horizontal, with a ball at its end
+/// that weighs `ratio` links. Returns the ball.
 fn chain(world: &mut PhysicsWorld, kind: Kind, angle: Real, ratio: Real) -> RigidBodyHandle {
     let mut last = post(world, Vector::ZERO);
     let mut anchor = Vector::ZERO;
@@ -54,7 +54,7 @@ fn chain(world: &mut PhysicsWorld, kind: Kind, angle: Real, ratio: Real) -> Rigi
     ball
 }
 
-/// The largest share by which the joints of a chain come apart, together, in this time (s).
+/// Returns the largest total separation of a chain's joints in this time (s), as a fraction of its length.
 fn stretch(world: &mut PhysicsWorld, seconds: Real) -> Real {
     let mut worst: Real = 0.0;
     for _ in 0..steps(world, seconds) {
@@ -123,7 +123,7 @@ fn bridges_hold_what_hangs_on_them() {
             for ratio in [100.0, 1000.0] {
                 let mut world = world(rate);
                 let middle = chain(&mut world, kind, 0.3, ratio);
-                // From the weight on it goes up again, as the first half goes down.
+                // Beyond the weight the chain rises again, symmetric to the first half.
                 let turn = about_z(0.3);
                 let start = world.bodies[middle].position() * vec(HALF, 0.0);
                 let (mut previous, mut anchor) = (middle, vec(HALF, 0.0));

@@ -1,9 +1,10 @@
-//! The same bits with joints, too: on any number of threads, with any instructions, next to strangers.
+//! Bitwise determinism with joints: on any number of threads, with any instructions, and beside unrelated
+//! bodies.
 
 use crate::dim::{about_z, cuboid, hinge, vec};
 use rapier::prelude::*;
 
-/// A tree of joints with a net and a motor in it, above a floor.
+/// Adds a tree of joints with a net and a motor in it, above a floor.
 fn contraption(world: &mut PhysicsWorld, at: Vector) {
     let floor = RigidBodyBuilder::fixed().translation(at - vec(0.0, 3.0));
     world.insert(floor, cuboid(20.0, 1.0));
@@ -38,7 +39,7 @@ fn contraption(world: &mut PhysicsWorld, at: Vector) {
     loose(world, at + vec(8.0, 0.0));
 }
 
-/// Something that nothing holds and that has too many joints to be solved exactly.
+/// Adds a free structure with too many joints for the direct solver.
 fn loose(world: &mut PhysicsWorld, at: Vector) {
     let mut last = None;
     for k in 0..12_u8 {
@@ -63,7 +64,7 @@ fn world() -> PhysicsWorld {
     world
 }
 
-/// Runs a world, with joints going and coming, and returns all numbers of the first contraption.
+/// Runs a world with insertions and removals of joints, and returns all numbers of the first contraption.
 fn run(mut world: PhysicsWorld) -> Vec<u64> {
     for step in 0..120 {
         if step % 30 == 29 {

@@ -1,11 +1,11 @@
-//! Joints come and go: islands, sleep, contacts and bodies follow.
+//! Insertion and removal of joints: islands, sleep, contacts and bodies follow.
 
 use super::stage::post;
 use crate::dim::{cuboid, hinge, vec};
 use crate::suite::physics::stage::{add_ground, run, world};
 use rapier::prelude::*;
 
-/// Two boxes on the ground, three metres apart.
+/// Adds two boxes on the ground, three metres apart.
 fn two_boxes(world: &mut PhysicsWorld) -> [RigidBodyHandle; 2] {
     add_ground(world, 0.6);
     [-1.5, 1.5].map(|x| {
@@ -49,14 +49,14 @@ fn changing_a_joint_wakes_its_bodies_and_reading_does_not() {
 }
 
 #[test]
-fn joints_may_come_without_waking_anybody() {
+fn joints_may_be_inserted_without_waking_bodies() {
     let mut world = world(60);
     let boxes = two_boxes(&mut world);
     run(&mut world, 5.0);
     let joint = world.impulse_joints.insert(boxes[0], boxes[1], RopeJoint::new(4.0), false);
     world.step();
     assert_eq!(asleep(&world, boxes), [true; 2]);
-    // One island now: they wake together.
+    // The boxes are one island now: they wake together.
     world.bodies[boxes[1]].wake_up(true);
     world.step();
     assert_eq!(asleep(&world, boxes), [false; 2]);
@@ -83,7 +83,7 @@ fn removing_a_body_removes_its_joints_and_wakes_its_neighbours() {
 }
 
 #[test]
-fn what_hung_on_a_removed_post_falls() {
+fn bodies_fall_when_their_post_is_removed() {
     let mut world = world(60);
     let post = post(&mut world, Vector::ZERO);
     let (load, _) = world.insert(RigidBodyBuilder::dynamic(), ColliderBuilder::ball(0.2));
@@ -96,7 +96,7 @@ fn what_hung_on_a_removed_post_falls() {
 }
 
 #[test]
-fn disabled_joints_and_bodies_let_go_and_hold_again() {
+fn disabled_joints_and_bodies_release_and_act_again() {
     let mut world = world(60);
     let post = post(&mut world, Vector::ZERO);
     let (load, _) = world.insert(RigidBodyBuilder::dynamic(), ColliderBuilder::ball(0.2));
@@ -119,7 +119,7 @@ fn disabled_joints_and_bodies_let_go_and_hold_again() {
 }
 
 #[test]
-fn joined_bodies_touch_each_other_unless_told_otherwise() {
+fn joined_bodies_touch_each_other_unless_disabled() {
     for enabled in [true, false] {
         let mut world = world(60);
         world.gravity = Vector::ZERO;
@@ -133,7 +133,7 @@ fn joined_bodies_touch_each_other_unless_told_otherwise() {
         run(&mut world, 1.0);
         let pushed = world.bodies[load].translation().x > 0.9;
         assert_eq!(pushed, enabled);
-        // And the other way round, at any time.
+        // The filter works in the other direction as well, at any time.
         world.bodies[load].set_translation(vec(0.6, 0.0), true);
         world.bodies[load].set_linvel(Vector::ZERO, true);
         world.impulse_joints[joint].data.set_contacts_enabled(!enabled);

@@ -8,12 +8,12 @@ use crate::suite::joints::stage::post;
 use crate::suite::physics::stage::{RATES, steps, weightless, world};
 use rapier::prelude::*;
 
-/// Joints do no work. The substep is of second order in the angle that the limbs turn by in it, and where
-/// they whirl at 20 rad/s that is 0.04 rad at worst (30 Hz, 16 substeps); what is left wanders, and does not
-/// grow.
-const ROOM: Real = 0.05;
+/// Largest energy gain, as a fraction. Joints do no work. The substep is of second order in the angle per
+/// substep: at 20 rad/s it is 0.04 rad at worst (30 Hz, 16 substeps). The remaining error oscillates and does
+/// not grow.
+const GAIN_MAX: Real = 0.05;
 
-/// A capsule of this half length about X, of the density of water, without collisions.
+/// Adds a capsule of this half length along X, with the density of water, without collisions.
 fn limb(world: &mut PhysicsWorld, at: Vector, axis: Vector, half: Real) -> RigidBodyHandle {
     let capsule = ColliderBuilder::capsule_from_endpoints(axis * -half, axis * half, 0.04)
         .density(1000.0)
@@ -21,7 +21,7 @@ fn limb(world: &mut PhysicsWorld, at: Vector, axis: Vector, half: Real) -> Rigid
     world.insert(RigidBodyBuilder::dynamic().translation(at).can_sleep(false), capsule).0
 }
 
-/// Joins two bodies at a point of the world: by a ball in a socket, or by a hinge about an axis.
+/// Joins two bodies at a point of the world, by a ball joint or by a hinge about an axis.
 fn join(world: &mut PhysicsWorld, pair: [RigidBodyHandle; 2], at: Vector, hinge: Option<Vector>) {
     let [anchor1, anchor2] = pair.map(|body| at - world.bodies[body].translation());
     let joint: GenericJoint = match hinge {
@@ -33,7 +33,7 @@ fn join(world: &mut PhysicsWorld, pair: [RigidBodyHandle; 2], at: Vector, hinge:
     world.insert_impulse_joint(pair[0], pair[1], joint);
 }
 
-/// The energy of bodies, seen from this height.
+/// Returns the energy of bodies relative to this height.
 fn energy(world: &PhysicsWorld, bodies: &[RigidBodyHandle], ground: Real) -> Real {
     let g = world.gravity.length();
     let of = |body: &RigidBody| {
@@ -42,7 +42,7 @@ fn energy(world: &PhysicsWorld, bodies: &[RigidBodyHandle], ground: Real) -> Rea
     bodies.iter().map(|body| of(&world.bodies[*body])).sum()
 }
 
-/// The most energy in ten seconds, as a share of that at the start.
+/// Returns the largest energy in ten seconds, as a fraction of the initial energy.
 fn most(world: &mut PhysicsWorld, bodies: &[RigidBodyHandle], ground: Real) -> Real {
     let (start, mut most) = (energy(world, bodies, ground), 0.0);
     for _ in 0..steps(world, 10.0) {
@@ -52,7 +52,7 @@ fn most(world: &mut PhysicsWorld, bodies: &[RigidBodyHandle], ground: Real) -> R
     most
 }
 
-/// An arm that is let go level: a ball in a socket on a post, then a hinge.
+/// Adds an arm that is released at the horizontal: a ball joint on a post, then a hinge.
 fn arm(world: &mut PhysicsWorld) -> [RigidBodyHandle; 2] {
     let post = post(world, Vector::ZERO);
     let upper = limb(world, Vector::X * 0.38, Vector::X, 0.1);
@@ -70,15 +70,15 @@ fn arms_of_thin_limbs_keep_their_energy() {
             let mut world = world(rate);
             world.integration_parameters.num_solver_iterations = substeps;
             let bodies = arm(&mut world);
-            // The lowest that the arm's tip can be.
+            // The lowest possible height of the arm's tip.
             let most = most(&mut world, &bodies, -0.98);
             println!("arm, {rate} Hz, {substeps} substeps: {most:.4} of its energy at most");
-            assert!(most < 1.0 + ROOM, "{most} at {rate} Hz with {substeps} substeps");
+            assert!(most < 1.0 + GAIN_MAX, "{most} at {rate} Hz with {substeps} substeps");
         }
     }
 }
 
-/// A body of eleven limbs: hips, chest and head above each other, arms and legs to the sides.
+/// Adds a body of eleven limbs: hips, chest and head above each other, arms and legs to the sides.
 fn doll(world: &mut PhysicsWorld) -> Vec<RigidBodyHandle> {
     const HALF: Real = 0.12;
     let [hips, chest, head] =
@@ -99,19 +99,20 @@ fn doll(world: &mut PhysicsWorld) -> Vec<RigidBodyHandle> {
     limbs
 }
 
-/// The most energy of a doll whose limbs are set spinning, as a share of what its joints leave of that.
+/// Returns the largest energy of a doll with spinning limbs, as a fraction of the energy after the joints'
+/// first step.
 fn most_of_doll(world: &mut PhysicsWorld, limbs: &[RigidBodyHandle], ground: Real) -> Real {
     for (k, limb) in limbs.iter().enumerate() {
         let k = k as Real;
         let spin = Vector::new((1.7 * k).sin(), (2.9 * k).cos(), (0.7 * k).sin());
         world.bodies[*limb].set_angvel(spin * 4.0, true);
     }
-    // The joints take from these velocities what they do not allow: a blow, in the first step.
+    // The first step removes the velocities along locked axes, like an impact.
     world.step();
     most(world, limbs, ground)
 }
 
-/// Eleven limbs are solved in sweeps where nothing holds them, and exactly where they hang.
+/// Eleven limbs are solved iteratively in free flight, and directly when they hang.
 #[test]
 fn dolls_keep_their_energy() {
     for rate in RATES {
@@ -126,16 +127,16 @@ fn dolls_keep_their_energy() {
                 }
                 let most = most_of_doll(&mut world, &limbs, -1.5);
                 println!("{rate} Hz, {substeps} substeps, hangs {hangs}: {most:.4} at most");
-                assert!(most < 1.0 + ROOM, "{most} at {rate} Hz with {substeps} substeps");
+                assert!(most < 1.0 + GAIN_MAX, "{most} at {rate} Hz with {substeps} substeps");
             }
         }
     }
 }
 
-/// A thin limb of 22 g, held 0.75 and 1.7 m away from its middle by bodies of six and twelve times its mass,
-/// is hit by a box of 570 g at 9 m/s. A fuzzer found it: the places that its joints let it be are curved
-/// within a few millimetres, and their exact solution led to a place far away and to ten times the energy.
-/// Nothing here brings in any: no restitution, no motor.
+/// A thin limb of 22 g is joined to bodies of six and twelve times its mass, 0.75 and 1.7 m away from its
+/// middle. A box of 570 g hits it at 9 m/s. A fuzzer found this case: the joints' constraint surface is
+/// curved within a few millimetres. Their linear solution led to a distant pose and to ten times the energy.
+/// No part of the scene adds energy: there is no restitution and no motor.
 #[test]
 fn a_blow_on_a_limb_that_is_held_far_outside_brings_in_no_energy() {
     let throw = |world: &mut PhysicsWorld, at: Vector, velocity: Vector, shape: ColliderBuilder| {
@@ -168,7 +169,7 @@ fn a_blow_on_a_limb_that_is_held_far_outside_brings_in_no_energy() {
     }
 }
 
-/// Its inertia does not turn with it, or it would turn where it cannot.
+/// With locked rotations the inertia of a limb does not rotate, or the limb would rotate about a locked axis.
 #[test]
 fn limbs_that_cannot_turn_about_an_axis_do_not() {
     let mut world = world(60);

@@ -1,15 +1,16 @@
-//! Limits hold, anywhere on the circle and beyond it.
+//! Limits of joints, anywhere on the circle and beyond it.
 
 use super::stage::{bob, post};
 use crate::dim::{about_z, angle, hinge, vec, z_of};
 use crate::suite::physics::stage::{RATES, run, steps, substep, weightless, world};
 use rapier::prelude::*;
 
-/// Half a degree.
-const ROOM: Real = 0.5 * core::f64::consts::PI as Real / 180.0;
+/// Half a degree: the tolerance of limits.
+const TOLERANCE: Real = 0.5 * core::f64::consts::PI as Real / 180.0;
 const TURN: Real = 2.0 * core::f64::consts::PI as Real;
 
-/// Turns a wheel against a limit with a motor; returns the largest and the last angle, with all turns.
+/// Rotates a wheel against a limit by a motor. Returns the largest and the last angle, including all
+/// revolutions.
 fn turned_to(rate: u32, limits: [Real; 2], speed: Real) -> (Real, Real) {
     let mut world = weightless(rate);
     let post = post(&mut world, Vector::ZERO);
@@ -37,9 +38,12 @@ fn hinges_stop_at_their_limits_wherever_these_are() {
                 [([-0.1, limit], 4.0, limit), ([-limit, 0.1], -4.0, -limit)]
             {
                 let (largest, last) = turned_to(rate, limits, speed);
-                assert!((largest - expected).abs() < ROOM, "{largest} at {rate} Hz, {expected}");
                 assert!(
-                    (last - expected).abs() < ROOM,
+                    (largest - expected).abs() < TOLERANCE,
+                    "{largest} at {rate} Hz, {expected}"
+                );
+                assert!(
+                    (last - expected).abs() < TOLERANCE,
                     "{last} at {rate} Hz instead of {expected}"
                 );
             }
@@ -47,8 +51,8 @@ fn hinges_stop_at_their_limits_wherever_these_are() {
     }
 }
 
-/// A joint between limits beyond half a turn starts there: the first angle of a hinge is ambiguous by turns,
-/// and is chosen within the limits.
+/// A joint between limits beyond half a revolution starts there: the first angle of a hinge is ambiguous by
+/// revolutions, and is chosen within the limits.
 #[test]
 fn what_is_put_between_its_limits_stays_there() {
     for limits in [[2.5, 4.0], [3.0, 3.3], [-4.0, -2.5], [0.0, 3.4], [6.0, 7.0], [0.0, 20.0]] {
@@ -76,13 +80,13 @@ fn what_is_put_between_its_limits_stays_there() {
 struct Wheels {
     world: PhysicsWorld,
     wheels: [RigidBodyHandle; 2],
-    /// By how much the second one has turned against the first, with all turns.
+    /// Angle of the second wheel relative to the first, including all revolutions.
     turned: Real,
 }
 
 impl Wheels {
-    /// Joined like this, they turn against each other at this speed: the first one, which nothing stops, at
-    /// that `carried`.
+    /// Adds wheels with this joint that rotate relative to each other at `speed`. The first wheel, which
+    /// nothing stops, rotates at `carried`.
     fn new(rate: u32, joint: impl Into<GenericJoint>, [speed, carried]: [Real; 2]) -> Self {
         let mut world = weightless(rate);
         let carrier = RigidBodyBuilder::kinematic_velocity_based().angvel(about_z(carried));
@@ -97,8 +101,8 @@ impl Wheels {
         second - first
     }
 
-    /// Steps, and counts turns: how the wheels stand says by how much they have turned but for whole turns,
-    /// and the speeds that they had how many these are.
+    /// Steps the world and counts revolutions. The wheels' poses give the angle up to whole revolutions, and
+    /// their speeds give the number of revolutions.
     fn step(&mut self) {
         let before = self.speed();
         self.world.step();
@@ -109,8 +113,8 @@ impl Wheels {
     }
 }
 
-/// Wheels run into a limit many turns away, in the step in which their speed brings them there, and stay:
-/// also if they turn by more than half of one in each step, or several.
+/// Wheels reach a limit many revolutions away in the step that their speed predicts, and stay there. This
+/// holds for half a revolution and for several revolutions per step.
 #[test]
 fn wheels_that_turn_several_times_in_a_step_stop_at_their_limits() {
     for (rate, speed) in [30, 60].into_iter().flat_map(|rate| {
@@ -122,8 +126,8 @@ fn wheels_that_turn_several_times_in_a_step_stop_at_their_limits() {
                 let mut wheels = Wheels::new(rate, joint, [sign * speed, carried]);
                 let what = format!("{speed} on {carried} rad/s, limit {limit}, at {rate} Hz");
                 let each = speed / rate as Real;
-                // How far turns are from what speeds say is in `base/turning.rs`: a thousandth at 13 rad in a
-                // step. And a limit slows down what would reach it in the substep that follows.
+                // The error of counted revolutions is in `base/turning.rs`: a thousandth at 13 rad per step.
+                // A limit also slows down wheels that would reach it in the next substep.
                 let free = (limit / (1.002 * each) - 0.3) as usize;
                 for k in 1..=free {
                     wheels.step();
@@ -131,28 +135,28 @@ fn wheels_that_turn_several_times_in_a_step_stop_at_their_limits() {
                     assert!((turned - expected).abs() < 2.0e-3 * expected, "{turned}, {what}");
                     assert!((wheels.speed() - sign * speed).abs() < 1.0e-3 * speed, "{k}, {what}");
                 }
-                // The next step, or if that was near, the one after it, leads to the limit: how they stand
-                // says whether to its end.
+                // The next step, or the step after it if the limit was near, leads to the limit. The pose
+                // shows whether the wheel reached it.
                 run(&mut wheels.world, 2.0 / rate as Real);
                 assert!(wheels.speed().abs() < 1.0e-2, "{} rad/s, {what}", wheels.speed());
                 run(&mut wheels.world, 0.5);
                 wheels.step();
                 let off = (wheels.turned - sign * limit) / TURN;
                 let off = (off - off.round()) * TURN;
-                assert!(off.abs() < ROOM, "{off} rad, {what}");
+                assert!(off.abs() < TOLERANCE, "{off} rad, {what}");
             }
         }
     }
 }
 
-/// A motor brings wheels to a place that is many turns away, and not to one that looks like it, however fast
-/// it turns them there.
+/// A motor moves wheels to a target many revolutions away, and not to an equivalent angle, at any speed.
 #[test]
 fn motors_reach_targets_many_turns_away() {
     for rate in [30, 60] {
         for target in [30.0, -100.0, 200.5] {
             for carried in [0.0, 20.0] {
-                // Without overshoot: the largest speed is 5/e times the way, 368 rad/s for the longest.
+                // There is no overshoot: the largest speed is 5/e times the distance, 368 rad/s for the
+                // longest.
                 let joint = hinge().motor_position(target, 25.0, 10.0);
                 let mut wheels = Wheels::new(rate, joint, [0.0, carried]);
                 let mut fastest: Real = 0.0;
@@ -178,7 +182,7 @@ fn a_flap_rests_on_its_limit() {
         world.insert_impulse_joint(post, flap, joint);
         run(&mut world, 3.0);
         let found = angle(world.bodies[flap].rotation());
-        assert!((found + 0.6).abs() < ROOM, "{found} at {rate} Hz");
+        assert!((found + 0.6).abs() < TOLERANCE, "{found} at {rate} Hz");
     }
 }
 
@@ -238,7 +242,7 @@ fn ropes_lead_round_in_circles() {
     }
 }
 
-/// A pendulum on a rope swings as high after half a minute as at first: taut throughout, it loses nothing.
+/// A pendulum on a rope keeps its amplitude for half a minute: a rope under tension dissipates nothing.
 #[test]
 fn ropes_let_pendulums_swing() {
     for rate in RATES {
@@ -252,7 +256,7 @@ fn ropes_let_pendulums_swing() {
             world.step();
             highest = highest.max(world.bodies[load].translation().y);
         }
-        // 1 cm below the level of 90° is 0.6° of the amplitude.
+        // A height of 1 cm below the level of 90° is 0.6° of the amplitude.
         assert!(highest.abs() < 0.01, "{highest} m at {rate} Hz");
     }
 }
@@ -267,7 +271,7 @@ fn ropes_hold_at_their_length_and_not_before() {
         let mut longest: Real = 0.0;
         for _ in 0..steps(&world, 0.3) {
             world.step();
-            // Free fall: nothing pulls yet.
+            // The load is in free fall, without tension.
             assert!((world.bodies[load].translation().x - 0.5).abs() < 1.0e-5);
         }
         for _ in 0..steps(&world, 5.0) {

@@ -1,6 +1,6 @@
 //! Mechanics of joints: locked axes, motion, motors, limits and breaking.
 //!
-//! Like `physics`: formulas, at several lengths of a step, with the figures printed.
+//! As in `physics`, the tests check formulas at several lengths of a step, and print the figures.
 
 pub mod stage;
 

@@ -1,11 +1,11 @@
-//! Joined bodies keep their momentum: what joints give to one body they take from the other.
+//! Joints conserve momentum: their impulses on both bodies are opposite.
 
 use super::stage::bob;
 use crate::dim::{about_z, ang_length, hinge, moment, spin_momentum, vec};
 use crate::suite::physics::stage::{RATES, steps, weightless};
 use rapier::prelude::*;
 
-/// Momentum and angular momentum about the origin.
+/// Returns linear and angular momentum about the origin.
 pub fn momenta(world: &PhysicsWorld) -> (Vector, AngVector) {
     let mut total = (Vector::ZERO, about_z(0.0));
     for (_, body) in world.bodies.iter() {
@@ -25,8 +25,8 @@ fn check(world: &mut PhysicsWorld, what: &str, rate: u32) {
     let lost = (push_after - push).length() / push.length().max(1.0);
     let spin_lost = ang_length(spin_after - spin) / ang_length(spin).max(1.0);
     println!("{what} at {rate} Hz: momentum off by {lost:e}, angular momentum by {spin_lost:e}");
-    // Rounding alone changes the momentum; the moment of an impulse is that of the substep's beginning at one
-    // end and of its end at the other: second order in h ω.
+    // Rounding alone changes the linear momentum. The moment of an impulse uses the substep's start at one
+    // anchor and its end at the other: second order in h ω.
     assert!(lost < 1.0e-4, "{what}: momentum {push} became {push_after}");
     assert!(spin_lost < 1.0e-2, "{what}: angular momentum {spin:?} became {spin_after:?}");
 }

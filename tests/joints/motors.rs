@@ -1,11 +1,11 @@
-//! Motors turn as their torque lets them, and get where they should.
+//! Motors accelerate by their torque, and reach their targets.
 
 use super::stage::{bob, falls_through_zero, inertia, period, post};
 use crate::dim::{about_z, angle, hinge, vec, z_of};
 use crate::suite::physics::stage::{RATES, run, steps, weightless, world};
 use rapier::prelude::*;
 
-/// A wheel of mass 2 on a post, with this joint.
+/// Adds a wheel of mass 2 on a post, with this joint.
 fn wheel(world: &mut PhysicsWorld, joint: RevoluteJointBuilder) -> RigidBodyHandle {
     let post = post(world, Vector::ZERO);
     let wheel = world.insert_body(bob(2.0, 0.5));
@@ -25,7 +25,7 @@ fn motors_accelerate_by_torque_over_inertia() {
             let exact = torque / inertia(2.0, 0.5);
             run(&mut world, 1.0);
             let found = z_of(world.bodies[wheel].angvel());
-            // α t, but for rounding.
+            // The angular velocity is α t, except for rounding.
             assert!((found / exact - 1.0).abs() < 1.0e-4, "{found} instead of {exact}");
         }
     }
@@ -62,7 +62,7 @@ fn motors_reach_their_position() {
 }
 
 #[test]
-fn acceleration_motors_do_not_care_for_the_mass() {
+fn acceleration_motors_are_independent_of_the_mass() {
     let swing = |mass: Real| {
         let mut world = weightless(60);
         let post = post(&mut world, Vector::ZERO);
@@ -74,10 +74,10 @@ fn acceleration_motors_do_not_care_for_the_mass() {
     assert!((swing(0.1) - swing(50.0)).abs() < 1.0e-3);
 }
 
-/// The mass that an acceleration is multiplied by is that of the motor's own two bodies: with a second wheel
-/// of the same inertia welded to the first, `ω² = k / 2`.
+/// The mass of an acceleration-based motor is that of its own two bodies: with a second wheel of the same
+/// inertia welded to the first, `ω² = k / 2`.
 #[test]
-fn acceleration_motors_count_their_own_bodies() {
+fn acceleration_motors_use_their_own_bodies() {
     let (stiffness, start): (Real, Real) = (30.0, 0.3);
     for welded in [0, 1, 3] {
         let mut world = weightless(240);
@@ -90,7 +90,7 @@ fn acceleration_motors_count_their_own_bodies() {
         let turn = |world: &PhysicsWorld| start - angle(world.bodies[wheel].rotation());
         let found =
             core::f64::consts::TAU as Real / period(&falls_through_zero(&mut world, 4, turn));
-        // Welds pass on what the motor does a visit later.
+        // Welds transmit the effect of the motor one iteration later.
         assert!((found / exact - 1.0).abs() < 0.02, "{found} instead of {exact}");
     }
 }
@@ -104,7 +104,7 @@ fn sliding_motors_lift_what_their_force_can_lift() {
         let joint = PrismaticJointBuilder::new(Vector::Y).motor_velocity(1.0, 1000.0);
         world.insert_impulse_joint(post, load, joint.motor_max_force(force));
         run(&mut world, 1.0);
-        // 2 kg weigh 19.6 N.
+        // The weight of 2 kg is 19.6 N.
         let speed = world.bodies[load].linvel().y;
         assert_eq!(speed > 0.0, lifts, "{force} N: {speed} m/s");
         let exact = if lifts { 1.0 } else { force / 2.0 - 9.81 };
@@ -124,7 +124,7 @@ fn a_motor_turns_both_bodies_against_each_other() {
 }
 
 #[test]
-fn kinematic_bodies_carry_what_is_joined_to_them() {
+fn kinematic_bodies_carry_joined_bodies() {
     let mut world = world(60);
     let crane = RigidBodyBuilder::kinematic_velocity_based().linvel(vec(1.0, 0.5));
     let crane = world.insert_body(crane);

@@ -1,4 +1,4 @@
-//! Nets, which are solved in sweeps, come to rest and do not stretch.
+//! Nets, which are solved iteratively, come to rest and do not stretch.
 
 use super::stage::{bob, post};
 use crate::dim::vec;
@@ -7,8 +7,8 @@ use rapier::prelude::*;
 
 const SIDE: usize = 30;
 
-/// Knots of mass 1, half a metre apart, each joined to its left and its upper neighbour; the upper ones hang
-/// on posts.
+/// Adds bodies of mass 1, half a metre apart, each joined to its left and its upper neighbour. The upper ones
+/// hang on posts.
 fn net(world: &mut PhysicsWorld) {
     let mut knots = Vec::new();
     for row in 0..SIDE {
@@ -28,7 +28,7 @@ fn net(world: &mut PhysicsWorld) {
     }
 }
 
-/// Holds two points together.
+/// Returns a point-to-point joint.
 fn pin(anchor1: Vector, anchor2: Vector) -> GenericJointBuilder {
     let pin = GenericJointBuilder::new(JointAxesMask::LIN_AXES);
     pin.local_anchor1(anchor1).local_anchor2(anchor2)
@@ -49,8 +49,8 @@ fn nets_hang_still() {
         let speeds = world.bodies.iter().map(|(_, body)| body.linvel().length());
         let speed = speeds.fold(0.0, Real::max);
         println!("net at {rate} Hz: gaps up to {gap:e} m, speeds up to {speed:e} m/s");
-        // The upper joints bear a whole column. A soft constraint gives way by σ g h²/β for each body that it
-        // bears, with σ/β no more than a half here.
+        // The upper joints carry a whole column. A soft constraint yields by σ g h²/β for each carried body,
+        // with σ/β at most a half here.
         let h = 1.0 / (4 * rate) as Real;
         let sag = SIDE as Real * 0.5 * G * h * h;
         assert!(gap < 2.0 * sag + 1.0e-4, "{gap} m at {rate} Hz");

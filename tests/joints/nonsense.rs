@@ -1,4 +1,4 @@
-//! Invalid input is refused with an error that names it, or ignored; other bodies are unaffected.
+//! Invalid input is rejected with an error that names it, or ignored; other bodies are unaffected.
 
 use super::stage::{bob, post};
 use crate::dim::{hinge, vec};
@@ -6,7 +6,7 @@ use crate::suite::physics::stage::{run, world};
 use rapier::prelude::*;
 
 #[test]
-fn bad_values_are_named() {
+fn invalid_values_are_named() {
     let mut joint = GenericJoint::new(JointAxesMask::LOCKED_REVOLUTE_AXES);
     let old = joint;
     let nan = vec(Real::NAN, 0.0);
@@ -31,24 +31,24 @@ fn bad_values_are_named() {
 }
 
 #[test]
-fn joints_of_nobody_go_and_joints_to_oneself_do_nothing() {
+fn joints_of_missing_bodies_are_removed_and_self_joints_do_nothing() {
     let mut world = world(60);
     let body = world.insert_body(bob(1.0, 0.1));
     let set = &mut world.impulse_joints;
     assert_eq!(set.try_insert(body, body, hinge(), true), Err(InvalidJoint::SameBody { body }));
     let own = set.insert(body, body, hinge(), true);
-    let nobody = set.insert(body, RigidBodyHandle::invalid(), hinge(), true);
+    let joint_of_missing_body = set.insert(body, RigidBodyHandle::invalid(), hinge(), true);
     let stale = RigidBodyHandle::from_raw_parts(3, 9);
     set.insert(stale, body, hinge(), true);
     run(&mut world, 0.5);
-    assert!(!world.impulse_joints.contains(nobody));
+    assert!(!world.impulse_joints.contains(joint_of_missing_body));
     assert!(world.impulse_joints.contains(own) && world.impulse_joints.len() == 1);
     assert!(!world.impulse_joints[own].data.is_enabled());
     assert!(world.bodies[body].translation().y < -1.0, "it falls as if there were no joints");
 }
 
 #[test]
-fn open_fields_with_nonsense_switch_a_joint_off_until_they_are_mended() {
+fn invalid_public_fields_disable_a_joint_until_repaired() {
     let mut world = world(60);
     let post = post(&mut world, Vector::ZERO);
     let load = world.insert_body(bob(1.0, 0.1));

@@ -4,7 +4,7 @@ use super::stage::{falls_through_zero, hang, inertia, largest, period, swing};
 use crate::suite::physics::stage::{G, RATES, run, world};
 use rapier::prelude::*;
 
-/// The arithmetic-geometric mean.
+/// Returns the arithmetic-geometric mean.
 fn agm(mut a: f64, mut b: f64) -> f64 {
     for _ in 0..8 {
         (a, b) = (0.5 * (a + b), (a * b).sqrt());
@@ -12,8 +12,8 @@ fn agm(mut a: f64, mut b: f64) -> f64 {
     a
 }
 
-/// The period `2π √(L/g) / agm(1, cos(θ/2))` of a pendulum that is let go at the angle θ. For a body the
-/// length is `I / (m L)` with the inertia about the hinge.
+/// Returns the period `2π √(L/g) / agm(1, cos(θ/2))` of a pendulum that is released at the angle θ. For a
+/// body the length is `I / (m L)` with the inertia about the hinge.
 pub fn exact_period(length: Real, radius: Real, angle: Real) -> Real {
     let effective = f64::from((inertia(1.0, radius) + length * length) / length);
     let small = 2.0 * core::f64::consts::PI * (effective / f64::from(G)).sqrt();
@@ -32,7 +32,7 @@ fn pendulums_take_the_time_that_the_formula_says() {
             let (found, exact) = (period(&crossings), exact_period(1.0, 0.1, angle));
             let error = (found - exact).abs() / exact;
             println!("period at {degrees}°, {rate} Hz: {found} of {exact}, off by {error:e}");
-            // The step is of second order in h ω: an eighth of its square, and room for the crossings.
+            // The step is of second order in h ω: an eighth of its square, plus the error of the crossings.
             assert!(error < 2.0e-3, "{degrees}° at {rate} Hz: {found} instead of {exact}");
         }
     }

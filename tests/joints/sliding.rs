@@ -16,7 +16,7 @@ fn sliders_fall_along_their_axis_as_on_a_smooth_slope() {
         world.insert_impulse_joint(post, load, PrismaticJointBuilder::new(axis));
         run(&mut world, 1.0);
         let (at, h) = (world.bodies[load].translation(), world.integration_parameters.substep());
-        // g sin θ, with the step's own t (t + h) / 2.
+        // The acceleration is g sin θ, with the step's time t (t + h) / 2.
         let exact = 0.8 * G * 0.5 * (1.0 + h);
         assert!((at - axis * exact).length() < 2.0e-3, "{at} at {rate} Hz instead of {exact}");
         assert!(angle(world.bodies[load].rotation()).abs() < 1.0e-4);
@@ -41,7 +41,7 @@ fn sliders_on_a_turning_body_follow_it() {
 }
 
 #[test]
-fn what_is_fixed_stays_as_one() {
+fn fixed_joints_keep_bodies_together() {
     for rate in RATES {
         let mut world = world(rate);
         let mut last = post(&mut world, Vector::ZERO);
@@ -64,12 +64,12 @@ fn what_is_fixed_stays_as_one() {
     }
 }
 
-/// Sections of a telescope, and how far each comes out of the one before.
+/// Number of sections of a telescope, and the travel of each relative to the one before.
 const SECTIONS: usize = 5;
 const TRAVEL: Real = 0.5;
 
-/// A telescope on a post: sections of mass 1 that slide in each other along `axis` from 0 to [`TRAVEL`],
-/// `out` by now, and a load at the last one's middle.
+/// Adds a telescope on a post: sections of mass 1 that slide in each other along `axis` from 0 to [`TRAVEL`].
+/// They start at `out`, with a load at the middle of the last section.
 fn telescope(
     world: &mut PhysicsWorld,
     axis: Vector,
@@ -89,8 +89,8 @@ fn telescope(
     sections
 }
 
-/// How far the sections are, at worst and for each of them, from where a telescope that is `out` has them;
-/// and how far they are beside its axis.
+/// Returns the largest error of a section along the axis, for a telescope at `out`, and the largest distance
+/// of a section from the axis.
 fn off(world: &PhysicsWorld, sections: &[RigidBodyHandle], axis: Vector, out: Real) -> [Real; 2] {
     let [mut along, mut beside]: [Real; 2] = [0.0; 2];
     for (k, &section) in (1..).zip(sections) {
@@ -108,7 +108,7 @@ fn off(world: &PhysicsWorld, sections: &[RigidBodyHandle], axis: Vector, out: Re
 fn telescopes_stop_at_their_limits_and_do_not_sag() {
     let columns = ["rate", "axis", "load", "off per section (m)", "sag (m)"];
     let mut table = Table::new("a telescope of five sections", &columns);
-    // From where it starts, and where it should come to rest.
+    // Start positions, and expected rest positions.
     let ways = [
         (vec(0.0, -1.0), 0.1, TRAVEL),
         (vec(0.0, 1.0), 0.1, 0.0),
@@ -150,7 +150,7 @@ fn soft_joints_give_way_like_springs() {
     let joint = FixedJointBuilder::new().softness(Some(softness));
     world.insert_impulse_joint(post, load, joint);
     run(&mut world, 5.0);
-    // A spring of the angular frequency ω under its mass: g / ω².
+    // A spring with the angular frequency ω yields by g / ω² under its mass.
     let exact = G / (softness.angular_frequency() * softness.angular_frequency());
     let found = -world.bodies[load].translation().y;
     assert!((found / exact - 1.0).abs() < 0.02, "{found} instead of {exact}");

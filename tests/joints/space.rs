@@ -1,13 +1,13 @@
-//! Joints of 3D only: swing, twist, hinges about any axis.
+//! Joints in 3D only: swing, twist, hinges about any axis.
 
 use crate::suite::joints::stage::{bob, post};
 use crate::suite::physics::stage::{G, RATES, run, steps, weightless, world};
 use rapier::prelude::*;
 
-/// Half a degree.
-const ROOM: Real = 0.5 * core::f64::consts::PI as Real / 180.0;
+/// Half a degree: the tolerance of limits.
+const TOLERANCE: Real = 0.5 * core::f64::consts::PI as Real / 180.0;
 
-/// The angle between the X axes of two bodies.
+/// Returns the angle between the X axes of two bodies.
 fn swing(world: &PhysicsWorld, [one, two]: [RigidBodyHandle; 2]) -> Real {
     let [a, b] = [one, two].map(|body| *world.bodies[body].rotation() * Vector::X);
     a.cross(b).length().atan2(a.dot(b))
@@ -33,15 +33,15 @@ fn the_swing_stays_in_its_cone() {
                     world.step();
                     widest = widest.max(swing(&world, [post, arm]));
                 }
-                assert!((widest - cone).abs() < ROOM, "{widest} of {cone} at {rate} Hz");
+                assert!((widest - cone).abs() < TOLERANCE, "{widest} of {cone} at {rate} Hz");
             }
         }
     }
 }
 
-/// A rod that goes round in its cone without friction stays in it, and keeps its speed: a cone is no brake.
+/// A rod that revolves at the limit of its cone without friction stays in the cone, and keeps its speed.
 #[test]
-fn what_goes_round_in_a_cone_neither_leaves_it_nor_slows_down() {
+fn a_rod_on_its_cone_limit_stays_there_and_keeps_its_speed() {
     for rate in RATES {
         for speed in [2.0, 4.0, 8.0] {
             for is_multibody in [false, true] {
@@ -67,9 +67,9 @@ fn what_goes_round_in_a_cone_neither_leaves_it_nor_slows_down() {
                     (narrowest, widest) = (narrowest.min(now), widest.max(now));
                 }
                 let what = format!("{speed} rad/s at {rate} Hz, {is_multibody}");
-                assert!(widest - cone < ROOM, "{widest}, {what}");
-                assert!(cone - narrowest < ROOM, "{narrowest}, {what}");
-                // In half a turn at 30 Hz there are 47 substeps, each a chord of the circle.
+                assert!(widest - cone < TOLERANCE, "{widest}, {what}");
+                assert!(cone - narrowest < TOLERANCE, "{narrowest}, {what}");
+                // Half a revolution at 30 Hz has 47 substeps, each a chord of the circle.
                 let kept = world.bodies[rod].kinetic_energy() / before;
                 assert!((kept - 1.0).abs() < 0.02, "{kept} of the energy, {what}");
             }
@@ -87,7 +87,7 @@ fn the_twist_stays_in_its_range() {
         world.insert_impulse_joint(post, arm, joint.swing_limit(0.5));
         run(&mut world, 2.0);
         let twist = world.bodies[arm].rotation().to_scaled_axis().x;
-        assert!((twist - 0.7).abs() < ROOM, "{twist} at {rate} Hz");
+        assert!((twist - 0.7).abs() < TOLERANCE, "{twist} at {rate} Hz");
     }
 }
 
@@ -101,7 +101,7 @@ fn each_axis_of_the_swing_has_its_own_limits() {
         world.insert_impulse_joint(post, arm, joint);
         run(&mut world, 2.0);
         let found = world.bodies[arm].rotation().to_scaled_axis().dot(direction);
-        assert!((found + 0.4).abs() < ROOM, "{found} about {direction}");
+        assert!((found + 0.4).abs() < TOLERANCE, "{found} about {direction}");
     }
 }
 
@@ -118,7 +118,7 @@ fn spherical_motors_reach_their_pose() {
     world.insert_impulse_joint(post, arm, joint);
     run(&mut world, 3.0);
     let rotation = *world.bodies[arm].rotation();
-    // The swing about Z after the twist about X.
+    // The rotation is the swing about Z after the twist about X.
     let exact = Rotation::from_rotation_z(-0.5) * Rotation::from_rotation_x(0.3);
     assert!(rotation.angle_between(exact) < 2.0e-2, "{rotation} instead of {exact}");
 }
@@ -129,19 +129,20 @@ fn hinges_turn_about_their_axis_alone() {
         let mut world = world(rate);
         let post = post(&mut world, Vector::ZERO);
         let axis = Vector::new(0.48, 0.6, 0.64);
-        let lever = axis.cross(Vector::Y).normalize();
+        let moment_arm = axis.cross(Vector::Y).normalize();
         let (door, _) = world.insert(
-            RigidBodyBuilder::dynamic().translation(lever).can_sleep(false),
+            RigidBodyBuilder::dynamic().translation(moment_arm).can_sleep(false),
             ColliderBuilder::cuboid(0.2, 0.6, 0.4),
         );
-        let joint = RevoluteJointBuilder::new(axis).local_anchor2(-lever);
+        let joint = RevoluteJointBuilder::new(axis).local_anchor2(-moment_arm);
         world.insert_impulse_joint(post, door, joint);
         let mut worst: Real = 0.0;
         for _ in 0..steps(&world, 5.0) {
             world.step();
             let body = &world.bodies[door];
             let tilt = (*body.rotation() * axis).cross(axis).length();
-            worst = worst.max(tilt).max((body.translation() - *body.rotation() * lever).length());
+            worst =
+                worst.max(tilt).max((body.translation() - *body.rotation() * moment_arm).length());
         }
         println!("an askew hinge at {rate} Hz is off by {worst:e}");
         assert!(worst < 1.0e-3, "{worst} at {rate} Hz");
@@ -162,8 +163,8 @@ fn universal_joints_lock_the_twist_alone() {
     assert!(swing(&world, [post, arm]) > 0.5);
 }
 
-/// The force along `axis` that each of three hinges on one line gives a door, and the largest across, in
-/// shares of the weight.
+/// Returns forces of three hinges on one line of a door, as fractions of the weight: each force along `axis`,
+/// and the largest transverse one.
 fn hinges_of_a_door(rate: u32, axis: Vector) -> ([Real; 2], Real) {
     const MASS: Real = 20.0;
     let mut world = world(rate);
@@ -178,7 +179,7 @@ fn hinges_of_a_door(rate: u32, axis: Vector) -> ([Real; 2], Real) {
         let mut joint: GenericJoint = RevoluteJointBuilder::new(Vector::Y).build().into();
         joint.set_local_anchor2(Vector::new(-0.45, height, 0.0));
         joint.local_frame1 = pose * joint.local_frame2;
-        // Joints above and below also carry against tipping: a quarter of the weight each.
+        // The upper and lower joints also carry the moment: a quarter of the weight each.
         joint.set_break_thresholds(3.0 * share, Real::INFINITY);
         joints.push(world.insert_impulse_joint(wall, door, joint));
     }
@@ -195,26 +196,26 @@ fn hinges_of_a_door(rate: u32, axis: Vector) -> ([Real; 2], Real) {
     ([least, most], across)
 }
 
-/// Held along its axis by one hinge of three and against tipping by one of them, as mechanics would have it,
-/// or by any two: all share.
+/// One hinge would suffice against sliding along the axis, and any two against tipping. All three share the
+/// load.
 #[test]
-fn three_hinges_of_a_door_bear_a_third_each() {
+fn three_hinges_of_a_door_carry_a_third_each() {
     for rate in RATES {
         let ([least, most], across) = hinges_of_a_door(rate, Vector::Y);
         println!(
             "door at {rate} Hz: each hinge bears {least} to {most} of its share, {across} across"
         );
         assert!(least > 0.95 && most < 1.05, "{least} to {most} at {rate} Hz");
-        // The moment m g b/2 held by the two outer hinges alone, 1.8 m apart, is a force of m g / 4 across:
-        // 0.75 shares. Where the hinges' own torques help it is less.
+        // The moment m g b/2 on the two outer hinges alone, 1.8 m apart, is a transverse force of m g / 4:
+        // 0.75 of a hinge's fraction. The hinges' own torques reduce it.
         assert!(across < 0.8, "{across} at {rate} Hz");
     }
 }
 
-/// Two cranks and a coupler on four hinges with parallel axes: three of the twenty equations say what the
-/// others say. It hangs like a swing; each crank bears half of the coupler.
+/// A four-bar linkage of two cranks and a coupler has four hinges with parallel axes: three of its twenty
+/// equations are redundant. It hangs like a swing, and each crank carries half of the coupler.
 #[test]
-fn a_four_bar_of_hinges_does_not_strain() {
+fn a_four_bar_linkage_of_hinges_has_no_internal_forces() {
     for rate in RATES {
         let mut world = world(rate);
         let bar = |world: &mut PhysicsWorld, at: Vector, half: Vector, mass: Real| {
@@ -244,7 +245,7 @@ fn a_four_bar_of_hinges_does_not_strain() {
             world.step();
             for &(joint, mass) in &hinges {
                 let force = world.impulse_joints[joint].force();
-                // The axis is not level: some of this is along it.
+                // The axis is not level, so some of the force is along it.
                 worst = worst.max((force.length() - mass * G).abs() / (mass * G));
             }
         }

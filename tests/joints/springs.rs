@@ -1,4 +1,4 @@
-//! Springs swing with the period of their stiffness, and die down as they are damped.
+//! Springs oscillate with the period of their stiffness, and decay by their damping.
 
 use super::stage::{bob, falls_through_zero, period, post};
 use crate::dim::vec;
@@ -8,10 +8,10 @@ use rapier::prelude::*;
 const MASS: Real = 2.0;
 const STIFFNESS: Real = 50.0;
 const REST: Real = 1.5;
-/// How far it is pulled.
+/// Initial elongation.
 const PULL: Real = 0.4;
 
-/// A mass on a spring along x, pulled aside; returns it.
+/// Adds a mass on an elongated spring along x.
 fn pulled(world: &mut PhysicsWorld, damping: Real) -> RigidBodyHandle {
     let post = post(world, Vector::ZERO);
     let mass = world.insert_body(bob(MASS, 0.1).translation(vec(REST + PULL, 0.0)));
@@ -20,7 +20,7 @@ fn pulled(world: &mut PhysicsWorld, damping: Real) -> RigidBodyHandle {
     mass
 }
 
-/// How far the spring is stretched.
+/// Returns the elongation of the spring.
 fn stretch(world: &PhysicsWorld, mass: RigidBodyHandle) -> Real {
     world.bodies[mass].translation().x - REST
 }
@@ -34,7 +34,8 @@ fn springs_swing_with_the_period_of_the_formula() {
         let exact = 2.0 * core::f64::consts::PI as Real * (MASS / STIFFNESS).sqrt();
         let error = (found - exact).abs() / exact;
         println!("spring at {rate} Hz: {found} s of {exact}, off by {error:e}");
-        // The trapezoidal rule is slow by (h ω)²/12, 4e-4 of it at 30 Hz; crossings are interpolated.
+        // The period of the trapezoidal rule is too long by (h ω)²/12, 4e-4 of it at 30 Hz; crossings are
+        // interpolated.
         assert!(error < 2.0e-3, "{found} instead of {exact} at {rate} Hz");
     }
 }
@@ -51,7 +52,7 @@ fn undamped_springs_do_not_die_down() {
     }
 }
 
-/// The next maxima of the stretch, each fitted by the parabola through the three highest points.
+/// Returns the next maxima of the elongation, each from the parabola through the three highest points.
 fn maxima(world: &mut PhysicsWorld, mass: RigidBodyHandle, count: usize) -> Vec<Real> {
     let (mut maxima, mut last) = (Vec::new(), [stretch(world, mass); 2]);
     while maxima.len() < count {
@@ -76,11 +77,11 @@ fn damped_springs_die_down_by_the_ratio_of_the_formula() {
             let mass = pulled(&mut world, damping);
             let maxima = maxima(&mut world, mass, 3);
             let found = maxima[1] / maxima[0];
-            // Successive maxima: exp(-2π ζ / √(1 - ζ²)).
+            // Successive maxima have the ratio exp(-2π ζ / √(1 - ζ²)).
             let exact =
                 (-2.0 * core::f64::consts::PI as Real * ratio / (1.0 - ratio * ratio).sqrt()).exp();
             println!("damped {ratio} at {rate} Hz: maxima by {found}, {exact} exactly");
-            // The damper is implicit, of first order: it is weaker by h ω ζ of itself.
+            // The damper is implicit, of first order: it is too weak by the fraction h ω ζ.
             let h_omega = world.integration_parameters.substep() * (STIFFNESS / MASS).sqrt();
             let room = 2.0 * h_omega * ratio * exact.ln().abs() + 0.01;
             assert!((found / exact - 1.0).abs() < room, "{found} instead of {exact}");

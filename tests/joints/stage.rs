@@ -3,29 +3,29 @@
 use crate::dim::{hinge, vec};
 use rapier::prelude::*;
 
-/// A body without colliders, of this mass and with the inertia of a ball of this radius.
+/// Returns a body without colliders, with this mass and the inertia of a ball of this radius.
 pub fn bob(mass: Real, radius: Real) -> RigidBodyBuilder {
     RigidBodyBuilder::dynamic()
         .additional_mass_properties(MassProperties::from_ball(density(mass, radius), radius))
         .can_sleep(false)
 }
 
-/// The density that gives a ball of this radius this mass.
+/// Returns the density of a ball with this radius and mass.
 fn density(mass: Real, radius: Real) -> Real {
     mass / MassProperties::from_ball(1.0, radius).mass()
 }
 
-/// The moment of inertia of [`bob`] about its centre.
+/// Returns the moment of inertia of [`bob`] about its centre.
 pub fn inertia(mass: Real, radius: Real) -> Real {
     crate::dim::about_z_of(&MassProperties::from_ball(density(mass, radius), radius))
 }
 
-/// A fixed body at a place.
+/// Adds a fixed body at a place.
 pub fn post(world: &mut PhysicsWorld, at: Vector) -> RigidBodyHandle {
     world.insert_body(RigidBodyBuilder::fixed().translation(at))
 }
 
-/// Hangs a bob of mass 1 from a post at the origin, at the angle `angle` from straight down.
+/// Hangs a bob of mass 1 from a post at the origin, at the angle `angle` from the vertical.
 pub fn hang(world: &mut PhysicsWorld, length: Real, radius: Real, angle: Real) -> RigidBodyHandle {
     let post = post(world, Vector::ZERO);
     let at = vec(length * angle.sin(), -length * angle.cos());
@@ -35,13 +35,13 @@ pub fn hang(world: &mut PhysicsWorld, length: Real, radius: Real, angle: Real) -
     bob
 }
 
-/// The angle of something at this place from straight down, seen from the origin.
+/// Returns the angle of a point from the vertical about the origin.
 pub fn swing(at: Vector) -> Real {
     at.x.atan2(-at.y)
 }
 
-/// Runs a world until a reading falls through zero `count` times; returns the times of the crossings,
-/// interpolated.
+/// Runs a world until a reading falls through zero `count` times. Returns the interpolated times of the
+/// crossings.
 pub fn falls_through_zero(
     world: &mut PhysicsWorld,
     count: usize,
@@ -63,12 +63,12 @@ pub fn falls_through_zero(
     panic!("only {} crossings", crossings.len());
 }
 
-/// The mean of the times between crossings.
+/// Returns the mean of the times between crossings.
 pub fn period(crossings: &[Real]) -> Real {
     (crossings[crossings.len() - 1] - crossings[0]) / (crossings.len() - 1) as Real
 }
 
-/// The largest value that a reading takes within this time (s).
+/// Returns the largest value of a reading within this time (s).
 pub fn largest(
     world: &mut PhysicsWorld,
     seconds: Real,

@@ -1,14 +1,15 @@
-//! A spinning top that is held at one end of its axis: it does not fall, it goes round (3D).
+//! A spinning top with one end of its axis fixed precesses and does not fall (3D).
 
 use crate::suite::physics::stage::{G, RATES, run, steps, weightless, world};
 use rapier::prelude::*;
 
-/// Radius of the disc, from its middle to the joint, and its moment of inertia about its axis (mass 1).
+/// Distance from the middle of the disc to the joint, which is also its radius, and its moment of inertia
+/// about its axis (mass 1).
 const RADIUS: Real = 0.5;
 const ARM: Real = 0.2;
 const INERTIA: Real = 0.5 * RADIUS * RADIUS;
 
-/// A disc of mass 1 that spins about the level axis X, and goes round a post at the origin as it should.
+/// Adds a disc of mass 1 that spins about the horizontal axis X, and precesses about a post at the origin.
 fn top(world: &mut PhysicsWorld, spin: Real, round: Real, is_multibody: bool) -> RigidBodyHandle {
     let post = world.insert_body(RigidBodyBuilder::fixed());
     let inertia = Vector::new(INERTIA, 0.5 * INERTIA, 0.5 * INERTIA);
@@ -29,8 +30,7 @@ fn top(world: &mut PhysicsWorld, spin: Real, round: Real, is_multibody: bool) ->
     disc
 }
 
-/// `Ω = m g r / (I ω)`, exactly so if the axis is level: the torque `m g r` turns the angular momentum `I ω`
-/// round.
+/// `Ω = m g r / (I ω)`, exact for a horizontal axis: the torque `m g r` rotates the angular momentum `I ω`.
 #[test]
 fn tops_go_round_as_fast_as_the_formula_says() {
     for rate in RATES {
@@ -56,7 +56,7 @@ fn tops_go_round_as_fast_as_the_formula_says() {
                 println!(
                     "{rate} Hz, {spin} rad/s, multibody {is_multibody}: {found:.5} of {exact:.5}, {error:+.4}, sinks {sunk:.4}"
                 );
-                // Second order in the angle of a substep, 0.33 rad at 30 Hz.
+                // The error is of second order in the angle of a substep, 0.33 rad at 30 Hz.
                 let angle = spin * world.integration_parameters.substep();
                 assert!(
                     error.abs() < 0.3 * angle * angle + 0.01,
@@ -68,10 +68,10 @@ fn tops_go_round_as_fast_as_the_formula_says() {
     }
 }
 
-/// A wheel on an axle keeps its speed, and the axle holds it, though it turns by up to 2 rad in a substep,
-/// and 8 in a step. Its shape is turned in the body, so that rounding gives it something to wobble with. One
-/// wheel is on a post, and two are on each other, with a total momentum of zero: the direction of their axle
-/// is undetermined.
+/// A wheel on an axle keeps its speed and its axle, at rotations of up to 2 rad per substep and 8 rad per
+/// step. Its shape is rotated in the body, so that rounding excites a wobble. One wheel is on a post. Two
+/// others are joined to each other with a total momentum of zero, so that the direction of their axle is
+/// undetermined.
 #[test]
 fn fast_wheels_keep_their_speed_on_their_axles() {
     for (rate, speed) in [(60, 50.0), (60, 250.0), (60, 480.0), (30, 125.0), (30, 240.0)] {

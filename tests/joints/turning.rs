@@ -8,15 +8,15 @@ use crate::suite::physics::stage::{G, RATES, run, steps, weightless, world};
 use crate::suite::physics::table::Table;
 use rapier::prelude::*;
 
-/// Half the distance of two bodies that are joined.
+/// Half the distance of two joined bodies.
 const HALF: Real = 0.3;
 
-/// The kinetic energy of all bodies.
+/// Returns the kinetic energy of all bodies.
 fn kinetic_energy(world: &PhysicsWorld) -> Real {
     world.bodies.iter().map(|(_, body)| body.kinetic_energy()).sum()
 }
 
-/// Bodies in a row that turn together about its middle at this rate (rad/s).
+/// Adds bodies in a row that rotates about its middle at this rate (rad/s).
 fn spin(world: &mut PhysicsWorld, count: usize, rate: Real, joint: &GenericJoint) {
     let mut last = None;
     for k in 0..count {
@@ -125,15 +125,15 @@ fn short_pendulums_keep_their_swing() {
                     degrees.to_string(),
                     format!("{:.2}", left.to_degrees()),
                 ]);
-                // It is seen at the ends of steps alone: at 30 Hz the largest angle of the shortest may fall
-                // between two.
+                // The amplitude is read at the ends of steps only: at 30 Hz, the maximum of the shortest
+                // pendulum may fall between two.
                 table.check("the amplitude", left / angle, 1.0, 0.05);
             }
         }
     }
 }
 
-/// Of motion and of height, of all bodies.
+/// Returns the kinetic and potential energy of all bodies.
 fn energy(world: &PhysicsWorld) -> Real {
     let heights = world.bodies.iter().map(|(_, body)| body.mass() * body.center_of_mass().y * G);
     kinetic_energy(world) + heights.sum::<Real>()
@@ -158,7 +158,7 @@ fn double_pendulums_keep_their_energy() {
             );
             (last, anchor) = (rod, half);
         }
-        // Above both hanging straight down: their middles 1/2 and 3/2 lengths below the post.
+        // The reference is the lowest position: the middles are 1/2 and 3/2 lengths below the post.
         let scale = 2.0 * length * G;
         let start = energy(&world);
         let (mut least, mut most) = (Real::INFINITY, 0.0 as Real);

@@ -10,20 +10,20 @@ use crate::suite::physics::stage::{G, RATES, run, steps, world};
 use crate::suite::physics::table::Table;
 use rapier::prelude::*;
 
-/// The mass of what hangs, and half its length.
+/// Mass of the board, and half its length.
 const MASS: Real = 5.0;
 const HALF: Real = 1.5;
-/// A joint that breaks at this many times its share of the load should hold.
+/// Breaking force of a joint, as a multiple of its fraction of the load. It should not break.
 const RESERVE: Real = 3.0;
 
-/// How a board is held.
+/// Support of a board.
 #[derive(Copy, Clone, Debug)]
 enum Held {
-    /// By this many hinges along its length, each on a post of its own.
+    /// This number of hinges along its length, each on a separate post.
     ByPosts(usize),
-    /// By this many hinges on one beam, which hangs on one post.
+    /// This number of hinges on one beam, which hangs on one post.
     ByBeam(usize),
-    /// By this many joints in one place that hold everything.
+    /// This number of fixed joints in one place.
     Welded(usize),
 }
 
@@ -34,7 +34,7 @@ struct Shared {
     board: RigidBodyHandle,
 }
 
-/// A board at a place, turned by an angle.
+/// Adds a board at a place, rotated by an angle.
 fn board(world: &mut PhysicsWorld, at: Vector, angle: Real) -> RigidBodyHandle {
     let body =
         RigidBodyBuilder::dynamic().translation(at).rotation(about_z(angle)).can_sleep(false);
@@ -43,7 +43,8 @@ fn board(world: &mut PhysicsWorld, at: Vector, angle: Real) -> RigidBodyHandle {
 }
 
 impl Shared {
-    /// At an angle, so that numbers are not round. Joints break at [`RESERVE`] times their share.
+    /// Builds the scene at an angle, so that numbers are not round. Joints break at [`RESERVE`] times their
+    /// fraction of the load.
     fn new(mut world: PhysicsWorld, held: Held, angle: Real) -> Self {
         let middle = vec(0.37, 1.13);
         let board = board(&mut world, middle, angle);
@@ -79,7 +80,7 @@ impl Shared {
     }
 }
 
-/// A beam beside a board that is welded to one post.
+/// Adds a beam beside a board that is welded to one post.
 fn beam(world: &mut PhysicsWorld, beside: Vector, angle: Real) -> RigidBodyHandle {
     let (beam, post) = (board(world, beside + vec(0.0, 0.3), angle), post(world, beside));
     let weld = FixedJointBuilder::new().local_anchor2(vec(0.0, 0.0)).build();
@@ -152,7 +153,7 @@ fn hinges_of_a_bridge_do_not_strain_sideways() {
         let (half, mut end, mut joints) = (0.25, vec(0.0, 0.0), Vec::new());
         let mut last = post(&mut world, end);
         for k in 0..COUNT {
-            // Directions from -0.5 to 0.5 rad.
+            // Angles are from -0.5 to 0.5 rad.
             let angle = (2 * k + 1) as Real / (2 * COUNT) as Real - 0.5;
             let along = vec(angle.cos(), angle.sin()) * half;
             let plank = RigidBodyBuilder::dynamic().translation(end + along);

@@ -8,25 +8,25 @@ use rapier::prelude::*;
 
 const RADIUS: Real = 0.25;
 
-/// A ball that bounces by `restitution`, whatever it meets, without friction.
+/// Returns a frictionless ball with this restitution for all pairs.
 fn ball(restitution: Real) -> ColliderBuilder {
     let ball = ColliderBuilder::ball(RADIUS).restitution(restitution).friction(0.0);
     let ball = ball.restitution_combine_rule(CoefficientCombineRule::Max);
     ball.friction_combine_rule(CoefficientCombineRule::Min)
 }
 
-/// How a ball belongs to a multibody.
+/// Role of the ball in a multibody.
 #[derive(Copy, Clone, Debug)]
 enum Belongs {
-    /// As the bob of an arm that lies level when the ball touches the ground.
+    /// The bob of an arm that is horizontal when the ball touches the ground.
     Bob,
-    /// As the free root, with another ball welded on.
+    /// The free root, with another ball welded to it.
     Root,
-    /// As what is welded on a free root.
+    /// A ball that is welded to a free root.
     Weld,
 }
 
-/// A world with ground and a ball that falls on it from `height`.
+/// Returns a world with ground and a ball that falls on it from `height`.
 fn drop(
     rate: u32,
     belongs: Belongs,
@@ -60,7 +60,7 @@ fn drop(
     (world, if matches!(belongs, Belongs::Root) { root } else { link })
 }
 
-/// How high the ball gets after its first bounce, above where it touches the ground.
+/// Returns the apex of the ball after its first bounce, relative to its height at the contact.
 fn apex(mut world: PhysicsWorld, body: RigidBodyHandle) -> Real {
     let (mut apex, mut rose): (Real, bool) = (0.0, false);
     for _ in 0..steps(&world, 2.0) {
@@ -95,8 +95,8 @@ fn links_rise_to_where_bodies_do() {
                     format!("{formula:.4}"),
                     format!("{:+.4}", apex - formula),
                 ]);
-                // Bounces are right to second order: an error of the height `(g h)²/2g`, and the apex is
-                // between two steps.
+                // Bounces are accurate to second order: the error of the height is `(g h)²/2g`, and the apex
+                // is between two steps.
                 let between = G * (1.0 / rate as Real).powi(2) / 8.0;
                 table.check("the apex", apex, formula, 0.005 + between);
             }
@@ -104,8 +104,8 @@ fn links_rise_to_where_bodies_do() {
     }
 }
 
-/// The energy of all bodies (J): with the heights of the middle of the last substep, when they had their
-/// velocities.
+/// Returns the energy of all bodies (J), with heights at the middle of the last substep, in agreement with
+/// the velocities.
 fn energy(world: &PhysicsWorld) -> Real {
     let half = 0.5 * substep(world);
     let of = |(_, body): (RigidBodyHandle, &RigidBody)| {
@@ -161,9 +161,9 @@ fn chains_that_bounce_gain_no_energy() {
                 format!("{gain:+.4}"),
                 format!("{left:.4}"),
             ]);
-            // Blows are right to second order in the angle by which links turn in a substep, at some 20
-            // rad/s. Beyond that single blows at a bad moment, to links that have just been hit, leave up to
-            // 7 % at any rate: an open end.
+            // Impacts are accurate to second order in the links' angle per substep, at about 20 rad/s. Single
+            // impacts on links directly after another impact leave up to 7 % at any rate; this error is
+            // unresolved.
             let tolerance = 0.1 + (10.0 / rate as Real).powi(2);
             table.require(gain < tolerance, &format!("gains {gain}, more than {tolerance}"));
         }
@@ -206,7 +206,7 @@ fn what_is_welded_lands_on_its_corners_and_gains_no_energy() {
                 spin.to_string(),
                 format!("{gain:+.4}"),
             ]);
-            // As above, for a whole at some 10 rad/s.
+            // The reason is the same, for a rotation of the whole at about 10 rad/s.
             let tolerance = 0.02 + (5.0 / rate as Real).powi(2);
             table.require(gain < tolerance, &format!("gains {gain}, more than {tolerance}"));
         }
@@ -241,7 +241,7 @@ fn what_a_blow_drives_into_the_ground_does_not_strike_back() {
                     }
                 };
                 insert(RADIUS, 0.0, true);
-                // The combined value of two materials is the mean.
+                // The combined coefficient of two materials is the mean.
                 insert(3.0 * RADIUS + 1.0, 2.0 * restitution, is_link);
                 let (mut least, mut gain): (Real, Real) = (energy(&world), 0.0);
                 for _ in 0..steps(&world, 2.0) {
@@ -255,8 +255,8 @@ fn what_a_blow_drives_into_the_ground_does_not_strike_back() {
                     restitution.to_string(),
                     format!("{gain:+.4}"),
                 ]);
-                // In a substep the blow drives the pair into the ground, and the ball into the pair, by up to
-                // its speed times `h`. Soft contacts lift a mass of 1, and of 2, out again.
+                // In a substep the impact drives the pair into the ground, and the ball into the pair, by up
+                // to its speed times `h`. Soft contacts push a mass of 1, and of 2, out again.
                 let tolerance = 3.0 * (2.0 * G).sqrt() * substep(&world);
                 table.require(gain < tolerance, &format!("gains {gain}, more than {tolerance}"));
             }
@@ -301,7 +301,7 @@ fn links_pass_on_a_blow() {
                 format!("{others:.4}"),
                 format!("{:+.2e}", energy / 4.5 - 1.0),
             ]);
-            // An approach by less than a centimetre per second is stopped without a bounce.
+            // An approach below one centimetre per second stops without a bounce.
             table.check("the last one's speed", speed(4), 3.0, 0.03);
             table.require(energy < 4.5 * 1.0001, "the energy does not rise");
         }
@@ -351,7 +351,7 @@ fn a_cradle_of_links() {
                 if is_one { "one" } else { "five" }.to_string(),
                 listed.join(" "),
             ]);
-            // A tenth of a second later a ball has climbed by 2 cm, which takes 0.1 m/s off its speed.
+            // After a tenth of a second a ball has risen by 2 cm, which reduces its speed by 0.1 m/s.
             for (k, speed) in speeds.into_iter().enumerate() {
                 table.check("the speed", speed, if k == 4 { 1.9 } else { 0.0 }, 0.1);
             }

@@ -1,11 +1,11 @@
-//! Links touch the world, other bodies and each other.
+//! Contacts of links with the ground, with other bodies and with each other.
 
 use super::stage::{Chain, chain_of, energy, momentum};
 use crate::dim::{cuboid, hinge, vec};
 use crate::suite::physics::stage::{G, add_ground, penetration, run, steps, weightless, world};
 use rapier::prelude::*;
 
-/// A chain of boxes along x, hinged at their ends.
+/// Adds a chain of boxes along x, with hinges at their ends.
 fn boxes(world: &mut PhysicsWorld, count: usize, height: Real) -> Chain {
     chain_of(world, None, count, |world, k| {
         let body = RigidBodyBuilder::dynamic().translation(vec(k as Real, height));
@@ -15,7 +15,7 @@ fn boxes(world: &mut PhysicsWorld, count: usize, height: Real) -> Chain {
     })
 }
 
-/// A chain that was dropped comes to rest on the ground, lies still, and falls asleep as one.
+/// A falling chain comes to rest on the ground, lies still, and falls asleep as a unit.
 #[test]
 fn a_chain_on_the_ground_lies_still_and_sleeps() {
     for rate in [30, 60, 240] {
@@ -43,9 +43,9 @@ fn a_chain_on_the_ground_lies_still_and_sleeps() {
     }
 }
 
-/// A chain of capsules that hangs by its end, stretched out along x: they touch with their round ends, where
-/// they are hinged, with limits. Every third has so many times the mass of the others. The post is a capsule,
-/// too, if it `is_solid`.
+/// Adds a chain of capsules that hangs by its end, horizontal along x. Their round ends touch at the hinges,
+/// which have limits. Every third capsule has a multiple of the others' mass. The post is a capsule as well
+/// if it `is_solid`.
 fn capsules(
     world: &mut PhysicsWorld,
     count: usize,
@@ -68,10 +68,10 @@ fn capsules(
     })
 }
 
-/// Links whose round ends touch where they are hinged swing, hit their limits and each other, and have no
-/// more energy for it. (The levers of such contacts are next to nothing.)
+/// Links that touch at their hinges swing, hit their limits and each other, and gain no energy. (The moment
+/// arms of such contacts are almost zero.)
 #[test]
-fn links_that_touch_at_their_joints_gain_nothing() {
+fn links_that_touch_at_their_joints_gain_no_energy() {
     for is_solid in [false, true] {
         for (count, limit, mass) in
             [(5, 0.5, 1.0), (20, 0.5, 1.0), (20, 0.2, 1.0), (20, 2.0, 1.0), (12, 0.5, 30.0)]
@@ -83,7 +83,8 @@ fn links_that_touch_at_their_joints_gain_nothing() {
             for step in 0..600 {
                 world.step();
                 let gained = energy(&world, &chain.bodies) - start;
-                // A hundredth of what it falls through: to hold overlap apart takes some work.
+                // The bound is a hundredth of the energy of fall, because the correction of penetration does
+                // some work.
                 let most = 0.01 * all * G * 0.5 * count as Real;
                 let case = format!("{count} links, {limit} rad, {mass}, {is_solid}");
                 assert!(gained < most, "{case}: {gained} J gained by step {step}");
@@ -94,8 +95,8 @@ fn links_that_touch_at_their_joints_gain_nothing() {
     }
 }
 
-/// Colliders of an arm that is closed up to its limits are kept apart nevertheless. Within the limits the
-/// ends of two capsules would overlap by `2 r (1 - cos(α/2))`, which the contact prevents.
+/// Colliders of an arm that closes up to its limits do not overlap. Within the limits the ends of two
+/// capsules would overlap by `2 r (1 - cos(α/2))`, which the contact prevents.
 #[test]
 fn links_that_touch_at_their_joints_are_held_apart() {
     let mut world = world(60);
@@ -104,7 +105,7 @@ fn links_that_touch_at_their_joints_are_held_apart() {
     assert!(penetration(&world) < 0.01, "{} deep", penetration(&world));
 }
 
-/// The ground carries the weight of all links: the contacts' impulses of a step are `m g dt`.
+/// The ground carries the weight of all links: the contact impulses of a step are `m g dt`.
 #[test]
 fn the_ground_carries_the_weight() {
     let mut world = world(60);
@@ -125,8 +126,8 @@ fn the_ground_carries_the_weight() {
     assert!((total / expected - 1.0).abs() < 0.01, "{total} instead of {expected}");
 }
 
-/// A box hits the end of a chain in free flight. Contacts push both sides alike: the momentum of all together
-/// stays.
+/// A box hits the end of a chain in free flight. Contact impulses are opposite: the total momentum is
+/// constant.
 #[test]
 fn collisions_keep_momentum() {
     for restitution in [0.0, 0.7] {
@@ -142,14 +143,14 @@ fn collisions_keep_momentum() {
         let after = momentum(&world, &bodies);
         let changed = world.bodies[chain.bodies[3]].linvel().length();
         assert!(changed > 0.5, "the link was hit");
-        // Kept by construction: rounding alone.
+        // The error is rounding alone.
         let error = (after - before).length() / before.length();
         println!("momentum is off by {:.4} %", error * 100.0);
         assert!(error < 1.0e-4, "{after} instead of {before}");
     }
 }
 
-/// A bouncing chain's end rises to `e² h`.
+/// The end of an elastic chain rises to `e² h`.
 #[test]
 fn a_link_bounces() {
     let mut world = world(240);
@@ -165,13 +166,13 @@ fn a_link_bounces() {
         world.step();
         top = top.max(world.bodies[first].translation().y - 0.5);
     }
-    // Coefficients are averaged with the ground's 0: 0.4² of 1 m.
+    // The coefficient is averaged with the ground's 0: 0.4² of 1 m.
     assert!((top - 0.16).abs() < 0.02, "{top}");
 }
 
-/// Links of one multibody touch each other if they may, and else pass through.
+/// Links of one multibody collide if their contacts are enabled, and otherwise pass through each other.
 #[test]
-fn links_touch_each_other_if_they_may() {
+fn links_collide_if_enabled() {
     for enabled in [true, false] {
         let mut world = weightless(60);
         let post = world.insert_body(RigidBodyBuilder::fixed());
@@ -198,7 +199,7 @@ fn links_touch_each_other_if_they_may() {
     }
 }
 
-/// An ordinary box lies on a link that a limit holds up, and the link is loaded with its weight.
+/// A box rests on a link at its limit, and the link carries the box's weight.
 #[test]
 fn bodies_rest_on_links() {
     let mut world = world(60);
@@ -221,10 +222,10 @@ fn bodies_rest_on_links() {
     assert!((torque / expected - 1.0).abs() < 0.03, "{torque} instead of {expected}");
 }
 
-/// Islands have substeps of their own: a chain whose links ask for more falls and lies beside one whose links
-/// do not.
+/// Islands have separate numbers of substeps: a chain with additional substeps falls and lies beside a chain
+/// without.
 #[test]
-fn chains_with_other_substeps_live_side_by_side() {
+fn chains_with_different_substeps_coexist() {
     let mut world = world(60);
     add_ground(&mut world, 0.6);
     let usual = boxes(&mut world, 4, 0.5);

@@ -6,7 +6,7 @@ use crate::suite::joints::stage::{bob, inertia, swing};
 use crate::suite::physics::stage::{G, RATES, run, steps, weightless, world};
 use rapier::prelude::*;
 
-/// The only degree of freedom of a pendulum about the axis that points out of the picture.
+/// The only degree of freedom of a pendulum about the axis out of the plane.
 const AXIS: JointAxis = JointAxis::AngX;
 
 fn joint(world: &mut PhysicsWorld, handle: MultibodyJointHandle) -> &mut MultibodyJoint {
@@ -19,7 +19,7 @@ fn rate_of(world: &PhysicsWorld, handle: MultibodyJointHandle) -> Real {
     multibody.joint_velocity(link)[0]
 }
 
-/// A pendulum falls onto its limit, and onto the other one. It stops there within half a degree.
+/// A pendulum falls onto its limit, and onto the opposite one. It stops there within half a degree.
 #[test]
 fn limits_hold() {
     for rate in RATES {
@@ -39,7 +39,7 @@ fn limits_hold() {
     }
 }
 
-/// A weight that leans on a limit for ever: the joint carries `m g L sin φ`.
+/// A weight rests on a limit permanently: the joint carries `m g L sin φ`.
 #[test]
 fn a_limit_carries_a_weight() {
     let mut world = world(60);
@@ -67,7 +67,7 @@ fn motors_accelerate_links_and_armature() {
             let (multibody, link) = world.multibody_joints.get_mut(handle).expect("it is there");
             multibody.armature_mut()[0] = armature;
             let joint = &mut multibody.link_mut(link).expect("a link").joint;
-            // Far from the speed that it is to reach, it pushes as hard as it may.
+            // Far below its target speed, the motor applies its largest force.
             joint.data.set_motor_velocity(AXIS, 1.0e3, 1.0e3).set_motor_max_force(AXIS, 2.0);
             run(&mut world, 1.0);
             let found = rate_of(&world, handle);
@@ -83,8 +83,7 @@ fn motors_accelerate_links_and_armature() {
     }
 }
 
-/// A strong motor spins a wheel up however fast it turns already: no guard against energy from nowhere takes
-/// its work for that.
+/// A strong motor accelerates a wheel at any speed. The energy guard does not remove the motor's work.
 #[test]
 fn strong_motors_spin_wheels_up() {
     for rate in RATES {
@@ -102,7 +101,7 @@ fn strong_motors_spin_wheels_up() {
     }
 }
 
-/// Motors without a largest force reach what they are told, and hold it.
+/// Motors without a force limit reach their target and keep it.
 #[test]
 fn motors_reach_velocities_and_positions() {
     let mut world = world(60);
@@ -113,7 +112,7 @@ fn motors_reach_velocities_and_positions() {
     joint(&mut world, handle).data.set_motor_position(AXIS, 1.0, 1.0e4, 2.0e2);
     run(&mut world, 3.0);
     let at = joint(&mut world, handle).coords()[AXIS as usize];
-    // It gives way by the load over the stiffness: g sin 1 / 10⁴.
+    // The joint yields by the load divided by the stiffness: g sin 1 / 10⁴.
     assert!((at - 1.0).abs() < 2.0e-3, "{at}");
 }
 
@@ -139,7 +138,7 @@ fn springs_swing_and_never_explode() {
     assert!(at.abs() < 0.01, "a rigid spring leaves {at} rad");
 }
 
-/// Damping takes `exp(-d t / I)` of the velocity; dry friction a constant part, and then it holds.
+/// Damping reduces the velocity by `exp(-d t / I)`. Dry friction decelerates it uniformly, and then sticks.
 #[test]
 fn damping_and_friction_slow_down() {
     let total = inertia(1.0, 0.1) + 1.0;
@@ -165,9 +164,9 @@ fn damping_and_friction_slow_down() {
     assert!(rate_of(&world, handle).abs() < 1.0e-4, "{}", rate_of(&world, handle));
 }
 
-/// A kinematic joint turns at the velocity that it is given, whatever hangs on it.
+/// A kinematic joint moves at its velocity, whatever its load.
 #[test]
-fn kinematic_joints_move_as_they_are_told() {
+fn kinematic_joints_keep_their_velocity() {
     let mut world = world(60);
     let post = world.insert_body(RigidBodyBuilder::fixed());
     let arm = world.insert_body(bob(5.0, 0.1).translation(vec(1.0, 0.0)));
@@ -181,7 +180,7 @@ fn kinematic_joints_move_as_they_are_told() {
     assert!((z_of(world.bodies[arm].angvel()) - 0.7).abs() < 1.0e-5);
 }
 
-/// A slider on an inclined rail: `a = g sin φ`, along the rail and nowhere else.
+/// A slider on an inclined rail accelerates by `a = g sin φ` along the rail, and nowhere else.
 #[test]
 fn sliders_slide() {
     let mut world = world(60);

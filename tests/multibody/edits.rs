@@ -41,7 +41,7 @@ fn a_removed_joint_splits() {
     assert!(apart.length() > 1.2, "the parts go their ways");
 }
 
-/// A body that is removed takes its joints with it; what is left goes on.
+/// The removal of a body removes its joints; the other links continue.
 #[test]
 fn a_removed_body_takes_its_joints_with_it() {
     let mut world = weightless(60);
@@ -55,14 +55,15 @@ fn a_removed_body_takes_its_joints_with_it() {
     assert_eq!(links(&world, chain.joints[0]), Some(2));
     assert_eq!(links(&world, chain.joints[3]), Some(2));
 
-    // The same behind the back of the step: a detection takes the removal in, and the next step heals.
+    // The same happens before a step: a detection applies the removal, and the next step continues with the
+    // remaining links.
     world.remove_body(chain.bodies[1]);
     world.detect_collisions(&(), &());
     run(&mut world, 0.1);
     assert_eq!(world.multibody_joints.len(), 1);
 }
 
-/// The whole is taken apart at once.
+/// All joints of a multibody are removed at once.
 #[test]
 fn articulations_are_removed_together() {
     let mut world = weightless(60);
@@ -77,7 +78,7 @@ fn articulations_are_removed_together() {
     assert!(world.bodies[chain.bodies[1]].translation().y.abs() < 1.0e-4);
 }
 
-/// Two chains are joined while they fly: they become one, and their momentum stays.
+/// Two chains are joined in flight: they become one multibody, and the momentum is constant.
 #[test]
 fn multibodies_merge() {
     let mut world = weightless(60);
@@ -103,7 +104,7 @@ fn multibodies_merge() {
     }
 }
 
-/// A body that the user turned gives its joint a new coordinate, and what hangs on it follows.
+/// A body that the user rotates gives its joint a new coordinate, and its child links follow.
 #[test]
 fn a_body_that_was_moved_moves_its_joint() {
     let mut world = weightless(60);
@@ -129,7 +130,7 @@ fn a_body_that_was_moved_moves_its_joint() {
     );
 }
 
-/// Rotations are made differently in each dimension.
+/// Conversion of an angle to a rotation, which depends on the dimension.
 struct RotationOf(Real);
 
 impl From<RotationOf> for Rotation {
@@ -138,10 +139,10 @@ impl From<RotationOf> for Rotation {
     }
 }
 
-/// The user's forces and torques act on the whole: a torque on the last of two links of a chain in free
-/// flight turns both.
+/// The user's forces and torques act on the whole: a torque on the second of two links in free flight rotates
+/// both.
 #[test]
-fn forces_on_links_act_on_the_whole() {
+fn forces_on_links_act_on_the_multibody() {
     let mut world = weightless(60);
     let chain = chain(&mut world, None, 3);
     world.bodies[chain.bodies[2]].add_force(vec(0.0, 0.4), true);
@@ -151,7 +152,7 @@ fn forces_on_links_act_on_the_whole() {
     assert!(z_of(world.bodies[chain.bodies[0]].angvel()).abs() > 1.0e-3, "the first link feels it");
 }
 
-/// A root that becomes fixed holds the chain, and lets it go again.
+/// A root that becomes fixed stops the chain, and releases it again.
 #[test]
 fn roots_may_change_their_type() {
     let mut world = world(60);
@@ -167,7 +168,7 @@ fn roots_may_change_their_type() {
     assert!(world.bodies[root].translation().y < -0.5, "it falls");
 }
 
-/// A kinematic root carries the others along, and keeps them awake.
+/// A kinematic root moves the other links, and keeps them awake.
 #[test]
 fn kinematic_roots_carry() {
     let mut world = weightless(60);
@@ -181,9 +182,9 @@ fn kinematic_roots_carry() {
     assert!((world.bodies[rider].linvel() - vec(0.2, 0.0)).length() < 1.0e-5);
 }
 
-/// Queries find the joints and the links of a body.
+/// Queries return the joints and the links of a body.
 #[test]
-fn bodies_know_their_joints() {
+fn joints_are_found_by_their_bodies() {
     let mut world = weightless(60);
     let chain = chain(&mut world, None, 4);
     let set = &world.multibody_joints;

@@ -15,14 +15,14 @@ pub enum Place {
     Cage,
 }
 
-/// One random tree and what happens to it.
+/// A random tree, and its scene.
 #[derive(Copy, Clone, Debug)]
 pub struct Case {
     pub seed: u64,
     pub links: usize,
     pub hangs: bool,
     pub is_chain: bool,
-    /// The largest ratio of masses is ten to this.
+    /// Decadic logarithm of the largest mass ratio.
     pub mass_decades: Real,
     pub has_limits: bool,
     pub speed: Real,
@@ -32,7 +32,7 @@ pub struct Case {
 }
 
 impl Case {
-    /// The tree of a number.
+    /// Creates the tree with this seed.
     pub fn new(seed: u64) -> Self {
         let mut dice = Dice(seed.wrapping_mul(0x1234_5679));
         let mut pick = |list: &[Real]| {
@@ -53,7 +53,7 @@ impl Case {
         }
     }
 
-    /// The world of the case, and the links.
+    /// Builds the world of the case. Returns the world and the links.
     pub fn build(&self) -> (PhysicsWorld, Vec<RigidBodyHandle>) {
         let mut world = world(60);
         let mut dice = Dice(self.seed);
@@ -134,8 +134,8 @@ fn add_cage(world: &mut PhysicsWorld, half: Real) {
     close_cage(world, half);
 }
 
-/// All energy of the links, with the heights of the middle of the last substep, when they had their
-/// velocities.
+/// Returns the kinetic and potential energy of the links, with heights at the middle of the last substep, in
+/// agreement with the velocities.
 pub fn energy(world: &PhysicsWorld, links: &[RigidBodyHandle]) -> [Real; 2] {
     let half = 0.5 * world.integration_parameters.substep();
     let mut sum = [0.0; 2];
@@ -148,9 +148,9 @@ pub fn energy(world: &PhysicsWorld, links: &[RigidBodyHandle]) -> [Real; 2] {
     sum
 }
 
-/// How a case went.
+/// Result of a case.
 pub struct Outcome {
-    /// The largest energy above the least one before (J).
+    /// Largest energy above an earlier minimum (J).
     pub gain: Real,
     /// Reference energy (J).
     pub scale: Real,
@@ -178,8 +178,8 @@ pub fn run_case(case: &Case, steps: usize) -> Outcome {
     Outcome { gain, scale, fastest }
 }
 
-/// Runs trees and judges the largest gains of energy of each place.
-fn judge_trees(seeds: core::ops::Range<u64>, steps: usize, is_judged: impl Fn(&Case) -> bool) {
+/// Runs trees and checks the largest energy gains of each place.
+fn check_trees(seeds: core::ops::Range<u64>, steps: usize, is_judged: impl Fn(&Case) -> bool) {
     let columns = ["place", "trees", "worst gain (%)", "of tree", "fastest (m/s)"];
     let mut table = Table::new("largest gain of energy of random trees", &columns);
     for place in [Place::Space, Place::Floor, Place::Cage] {
@@ -204,27 +204,27 @@ fn judge_trees(seeds: core::ops::Range<u64>, steps: usize, is_judged: impl Fn(&C
     }
 }
 
-/// The largest gain, as a fraction of the kinetic energy that a tree starts with and of `m g L`. The account
-/// of the integrator bounds its error by 2.5 %, either way, and that of the impulses theirs; overlap is
-/// pushed out against gravity, and heights are those of a substep's middle only to second order.
+/// Largest energy gain, as a fraction of the initial kinetic energy plus `m g L`. The integrator's energy
+/// check bounds its error by 2.5 % in either direction, and the impulses' check bounds theirs. The correction
+/// of penetration does work against gravity, and heights at a substep's middle are accurate to second order.
 const GAIN_MAX: Real = 0.06;
 
-/// Random trees: chains and branched ones, of all joints, with mass ratios up to 1:10⁴ in space and 1:10
-/// among walls, limits, speeds up to 150 m/s (below that among walls) and restitutions up to 1. Nothing
-/// drives them, so their energy stays or falls.
+/// Random trees have chains and branches of all joints, limits, and restitutions up to 1. Mass ratios are up
+/// to 1:10⁴ in space and 1:10 among walls. Speeds are up to 150 m/s, and lower among walls. There are no
+/// motors, so the energy never increases.
 #[test]
 fn energy_of_random_trees_never_grows() {
-    judge_trees(0..1000, 40, |case| {
+    check_trees(0..1000, 40, |case| {
         case.place == Place::Space || case.mass_decades <= 1.0 && case.speed < 150.0
     });
 }
 
-/// All of them, for longer. Five trees in a thousand with mass ratios above 1:10 still gain energy when they
+/// All trees, for longer. Five trees in a thousand with mass ratios above 1:10 still gain energy when they
 /// are thrown at walls.
 #[test]
 #[ignore = "fails: uneven trees that hit walls at high speed"]
 fn energy_of_random_trees_never_grows_for_long() {
-    judge_trees(0..1000, 120, |_| true);
+    check_trees(0..1000, 120, |_| true);
 }
 
 /// Trees without external forces have constant linear and angular momentum.
@@ -253,7 +253,7 @@ fn free_trees_keep_their_momentum() {
         for _ in 0..60 {
             world.step();
         }
-        // Momentum that corresponds to the kinetic energy, with arms of a metre.
+        // The scale is the momentum of the kinetic energy, with moment arms of a metre.
         let scale = (2.0 * mass * kinetic).sqrt().max(Real::MIN_POSITIVE);
         let lost = (momentum(&world, &links) - linear).length() / scale;
         let turned = ang_length(spin(&world) - angular) / scale;

@@ -1,5 +1,4 @@
-//! Multibodies that are driven too hard, made of masses that do not fit, or edited in the middle of
-//! everything.
+//! Multibodies with extreme motors, extreme mass ratios, and edits at any time.
 
 use super::stage::{chain, slab};
 use crate::dim::{about_z, cuboid, hinge, loose_joint, vec};
@@ -15,7 +14,7 @@ fn assert_finite(world: &PhysicsWorld, what: &str) {
     }
 }
 
-/// No link gets faster than bodies may, whatever drives it: forces, torques, motors, what the user says.
+/// No link exceeds the speed limit of bodies, whatever the cause: forces, torques, motors, or setters.
 #[test]
 fn links_are_no_faster_than_bodies_may_be() {
     for rate in RATES {
@@ -39,15 +38,15 @@ fn links_are_no_faster_than_bodies_may_be() {
                     most = speeds.fold(most, Real::max);
                     assert_finite(&world, &format!("{force} N"));
                 }
-                // At the step's end the links turn on from where the cap was held, to where momentum stays: a
-                // rounding of velocities in which links have turned by a substep.
+                // At the end of a step the links rotate from the pose of the speed limit to a pose with the
+                // same momentum. This changes the velocities by the rotation of a substep.
                 assert!(most < 21.0, "{force} N at {rate} Hz: {most} m/s");
             }
         }
     }
 }
 
-/// Masses, steps and drives that no simulation survives leave numbers that are finite.
+/// Masses, steps and motors beyond any valid simulation leave finite numbers.
 #[test]
 fn extremes_stay_finite() {
     for dt in [1.0e-9, 1.0 / 60.0, 10.0] {
@@ -85,15 +84,15 @@ fn extremes_stay_finite() {
     }
 }
 
-/// Impulses of a step are those of its substeps: if these become shorter, what lies and what is held must not
-/// be thrown.
+/// Warm-start impulses belong to the old length of a substep. Shorter substeps must not throw resting or
+/// suspended bodies.
 #[test]
-fn other_substeps_throw_nothing() {
+fn changed_substeps_throw_no_body() {
     let mut world = world(60);
     add_ground(&mut world, 0.6);
     let mut bodies = Vec::new();
     let joint = || hinge().local_anchor1(vec(0.5, 0.0)).local_anchor2(vec(-0.5, 0.0));
-    // A chain that lies on the ground, with a box on it.
+    // A chain lies on the ground, with a box on it.
     for k in 0..8 {
         let body = RigidBodyBuilder::dynamic().translation(vec(k as Real, 0.2)).can_sleep(false);
         let (body, _) = world.insert(body, cuboid(0.45, 0.2).friction(0.6));
@@ -104,7 +103,7 @@ fn other_substeps_throw_nothing() {
     }
     let lid = RigidBodyBuilder::dynamic().translation(vec(3.5, 0.6)).can_sleep(false);
     world.insert(lid, cuboid(1.0, 0.2).density(5.0).friction(0.6));
-    // An arm whose joints are held by limits, by motors with a largest force, by dry friction and by a loop.
+    // Joints of an arm have limits, motors with force limits, dry friction and a loop.
     let post = world.insert_body(RigidBodyBuilder::fixed().translation(vec(-20.0, 5.0)));
     let mut parent = post;
     for k in 0..4 {
@@ -141,12 +140,12 @@ fn other_substeps_throw_nothing() {
         most = most.max(fastest(&world));
     }
     println!("{before} m/s before, {most} m/s after");
-    // Eight times the impulses of a substep of 1/1920 s would give 4 cm/s; softness that follows the substep
-    // lets overlap come out.
+    // Eight times the impulses of a substep of 1/1920 s would give 4 cm/s. The softness follows the substep,
+    // so some overlap is pushed out.
     assert!(most < before + 1.0e-2, "{most} m/s");
 }
 
-/// Two multibodies that an impulse joint joins, cut from it and from each other in mid-air.
+/// An impulse joint connects two multibodies. Both the joint and the multibodies are cut in mid-air.
 #[test]
 fn joined_multibodies_are_cut_in_mid_air() {
     let mut world = world(60);
@@ -178,8 +177,7 @@ fn joined_multibodies_are_cut_in_mid_air() {
     assert!(gap.length() < 1.0e-3, "joined at {gap}");
 }
 
-/// A chain that sleeps wakes as a whole when something falls on one link, or when one of its joints is
-/// changed.
+/// A sleeping chain wakes as a whole when a body falls on one link, or when one of its joints is edited.
 #[test]
 fn sleeping_chains_wake() {
     let mut world = world(60);
@@ -219,8 +217,8 @@ fn sleeping_chains_wake() {
     assert_eq!(asleep(&world), 0, "it was hit");
 }
 
-/// A sensor on a link notices and does not push; a link with a disabled joint is a body like others until it
-/// is enabled.
+/// A sensor on a link detects bodies without forces. A link with a disabled joint is a free body until the
+/// joint is enabled.
 #[test]
 fn sensors_and_disabled_joints() {
     let mut world = weightless(60);
@@ -235,9 +233,9 @@ fn sensors_and_disabled_joints() {
     run(&mut world, 1.5);
     assert_eq!(world.intersection_pair(sensor, wall), Some(true));
     let speed = world.bodies[arm].linvel().length();
-    // All that was given to the arm is its angular momentum about the post.
-    let share = 1.0 / (1.0 + crate::suite::joints::stage::inertia(1.0, 0.2));
-    assert!((speed - share).abs() < 1.0e-3, "it passes through: {speed}");
+    // The total angular momentum of the arm is about the post.
+    let fraction = 1.0 / (1.0 + crate::suite::joints::stage::inertia(1.0, 0.2));
+    assert!((speed - fraction).abs() < 1.0e-3, "it passes through: {speed}");
     let data = |world: &mut PhysicsWorld, enabled: JointEnabled| {
         let (multibody, link) = world.multibody_joints.get_mut(handle).expect("it is there");
         multibody.link_mut(link).expect("a link").joint.data.enabled = enabled;
@@ -250,7 +248,7 @@ fn sensors_and_disabled_joints() {
     assert!((world.bodies[arm].translation().length() - 1.0).abs() < 1.0e-4, "it is back");
 }
 
-/// Whatever is done to multibodies between steps, in any order: the world goes on with finite numbers.
+/// Random edits of multibodies between steps, in any order, leave finite numbers.
 #[test]
 fn edits_in_any_order() {
     for seed in 0..4 {

@@ -45,15 +45,15 @@ fn a_tumbling_chain_keeps_energy_and_momentum() {
             format!("{:.6}", lost * 100.0),
             format!("{:.6}", turned * 100.0),
         ]);
-        // Of second order in the angle of a substep, for the fastest link there was.
+        // The error is of second order in the angle of a substep, for the fastest link.
         let angle = fastest * substep(&world);
         table.check("the error of the energy", largest, 0.0, Real::max(0.01, angle * angle));
         if rate >= 60 {
             table.check("the error of the energy", largest, 0.0, 0.01);
         }
-        // Kept by construction: what is left is rounding, in each substep, of speeds several times the mean.
-        // About the axis along which the chain is thin, what a flight misses, in third order, is made up for
-        // slowly, by a tenth in a substep: that of ten may be open.
+        // The remaining error is rounding in each substep, at several times the mean speed. About the axis
+        // along which the chain is thin, the free motion has an error of third order. It is corrected by a
+        // tenth per substep, so the error of ten substeps may remain.
         let drift = rounding(steps(&world, 10.0) * 4, 8.0);
         table.check("the error of the momentum", lost, 0.0, drift);
         let open = 10.0 * angle.powi(3) / 12.0;
@@ -61,8 +61,8 @@ fn a_tumbling_chain_keeps_energy_and_momentum() {
     }
 }
 
-/// A chain that falls is a chain without gravity, seen from something that falls: its centre of mass falls as
-/// a ball does.
+/// A falling chain moves like a chain without gravity in a falling frame: its centre of mass falls like a
+/// ball.
 #[test]
 fn a_chain_falls_like_a_ball() {
     let mut world = crate::suite::physics::stage::world(60);
@@ -81,6 +81,6 @@ fn a_chain_falls_like_a_ball() {
     let apart = center(&world) - world.bodies[ball].translation();
     run(&mut world, 2.0);
     let moved = center(&world) - world.bodies[ball].translation() - apart - velocity * 2.0;
-    // Fifty metres of fall have this much rounding, and the flight of the links is of second order.
+    // Fifty metres of fall have this rounding error, and the motion of the links is of second order.
     assert!(moved.length() < 2.0e-3, "the chain is {moved} from where the ball would be");
 }

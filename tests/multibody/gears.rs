@@ -1,11 +1,11 @@
-//! Degrees of freedom that are coupled move together, and share forces as gears do.
+//! Gears: coupled degrees of freedom move in a constant ratio, and share forces accordingly.
 
 use crate::dim::{about_z, hinge, vec, z_of};
 use crate::suite::joints::stage::{bob, inertia};
 use crate::suite::physics::stage::{RATES, steps, weightless};
 use rapier::prelude::*;
 
-/// Two wheels of mass 1 and these radii on one frame.
+/// Adds two wheels of mass 1 and these radii on one frame.
 fn wheels(world: &mut PhysicsWorld, radii: [Real; 2]) -> [MultibodyJointHandle; 2] {
     let frame = world.insert_body(RigidBodyBuilder::fixed());
     let mut x = 0.0;
@@ -17,7 +17,7 @@ fn wheels(world: &mut PhysicsWorld, radii: [Real; 2]) -> [MultibodyJointHandle; 
     })
 }
 
-/// Couples two joints: the second turns `ratio` times as far as the first.
+/// Couples two joints: the second rotates by `ratio` times the angle of the first.
 fn couple(
     world: &mut PhysicsWorld,
     [first, second]: [MultibodyJointHandle; 2],
@@ -30,14 +30,14 @@ fn couple(
     multibody.add_dof_coupling(link1, axis, link2, axis, ratio, offset).expect("it fits");
 }
 
-/// Angle and angular velocity of a joint.
+/// Returns angle and angular velocity of a joint.
 fn turned(world: &PhysicsWorld, joint: MultibodyJointHandle) -> (Real, Real) {
     let (multibody, id) = world.multibody_joints.get(joint).expect("it is there");
     let link = multibody.link(id).expect("it is there");
     (link.joint().coords()[JointAxis::AngX as usize], multibody.joint_velocity(id)[0])
 }
 
-/// A torque `τ` on the first wheel turns both: `α₁ = τ / (I₁ + r² I₂)`, `α₂ = r α₁`.
+/// A torque `τ` on the first wheel rotates both: `α₁ = τ / (I₁ + r² I₂)`, `α₂ = r α₁`.
 #[test]
 fn gears_turn_by_their_ratio() {
     let radii = [0.2, 0.5];
@@ -57,8 +57,7 @@ fn gears_turn_by_their_ratio() {
             let alpha = torque / (i1 + ratio * ratio * i2);
             let [(q1, w1), (q2, w2)] = joints.map(|joint| turned(&world, joint));
             println!("{rate} Hz, {ratio}: ω {w1:.5} of {alpha:.5}, ratio {:.6}", q2 / q1);
-            // The coupling acts in the substep in which the torque does; what rounding leaves is far less
-            // than 0.1 %.
+            // The coupling acts in the same substep as the torque; rounding is far below 0.1 %.
             assert!((w1 / alpha - 1.0).abs() < 1.0e-3, "{w1} instead of {alpha}");
             assert!((w2 / w1 / ratio - 1.0).abs() < 1.0e-3, "{w2} is not {ratio} times {w1}");
             assert!((q2 - ratio * q1).abs() < 1.0e-3 * q1.abs(), "{q2} is not {ratio} times {q1}");
@@ -69,9 +68,9 @@ fn gears_turn_by_their_ratio() {
     }
 }
 
-/// Wheels that do not stand as their coupling says come together, and a motor turns both.
+/// Wheels whose angles violate their coupling converge to it, and a motor rotates both.
 #[test]
-fn gears_that_are_apart_come_together() {
+fn violated_couplings_converge() {
     let mut world = weightless(60);
     let joints = wheels(&mut world, [0.3, 0.3]);
     couple(&mut world, joints, 2.0, 0.5);
@@ -91,7 +90,7 @@ fn gears_that_are_apart_come_together() {
     assert!((q1 - 1.0).abs() < 1.0e-2 && (q2 - 2.5).abs() < 2.0e-2, "{q1} and {q2}");
 }
 
-/// A train of gears on a free frame turns itself, and neither momentum nor energy comes or goes.
+/// A gear train on a free frame drives itself; momentum and energy are constant.
 #[test]
 fn free_gears_keep_momentum_and_energy() {
     let mut world = weightless(60);
@@ -128,7 +127,7 @@ fn free_gears_keep_momentum_and_energy() {
     assert!((energy_now / energy - 1.0).abs() < 0.01, "{energy} to {energy_now}");
 }
 
-/// Couplings follow their links when multibodies split, and go with them.
+/// Couplings move with their links when multibodies split, and are removed with them.
 #[test]
 fn couplings_follow_their_links() {
     let mut world = weightless(60);
@@ -157,7 +156,7 @@ fn couplings_follow_their_links() {
 }
 
 #[test]
-fn couplings_that_cannot_be_are_refused() {
+fn invalid_couplings_are_rejected() {
     let mut world = weightless(60);
     let joints = wheels(&mut world, [0.3, 0.3]);
     let (multibody, link) = world.multibody_joints.get_mut(joints[0]).expect("it is there");

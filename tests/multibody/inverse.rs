@@ -1,12 +1,12 @@
-//! Inverse kinematics: an arm reaches for things.
+//! Inverse kinematics: an arm reaches for targets.
 
 use crate::dim::{about_z, hinge, vec};
 use crate::suite::joints::stage::bob;
 use crate::suite::physics::stage::{run, weightless};
 use rapier::prelude::*;
 
-/// An arm of five links of length 1 along x, on a fixed base at the origin. Each body stands at the far end
-/// of its link.
+/// Adds an arm of five links of length 1 along x, on a fixed base at the origin. The origin of each body is
+/// at the far end of its link.
 fn arm(world: &mut PhysicsWorld) -> MultibodyJointHandle {
     let mut parent = world.insert_body(RigidBodyBuilder::fixed());
     let mut last = MultibodyJointHandle::invalid();
@@ -19,7 +19,7 @@ fn arm(world: &mut PhysicsWorld) -> MultibodyJointHandle {
     last
 }
 
-/// The axes in the plane of the picture along which a tip can go.
+/// Returns the translation axes of a tip in the plane of the picture.
 fn plane() -> JointAxesMask {
     JointAxesMask::LIN_X | JointAxesMask::LIN_Y
 }
@@ -32,7 +32,8 @@ fn an_arm_reaches_targets_in_its_workspace() {
         let joint = arm(&mut world);
         let (multibody, tip) = world.multibody_joints.get_mut(joint).expect("it is there");
         multibody.forward_kinematics(&world.bodies, true);
-        // A stretched arm has no direction to fold to: give it one.
+        // A stretched arm is singular and has no preferred direction of folding. These displacements give it
+        // one.
         let mut displacements = vec![0.2, 0.3, 0.3, 0.3, 0.3];
         let options = InverseKinematicsOption {
             damping: 0.1,
@@ -59,14 +60,14 @@ fn an_arm_reaches_targets_in_its_workspace() {
         let error = (world.bodies[tip].translation() - target).length();
         println!("{target}: off by {error:e}");
         assert!(error < 1.1e-3, "{error} from {target}");
-        // The step finds the bodies where they were put, and leaves them there.
+        // The step keeps the new poses of the bodies.
         run(&mut world, 0.1);
         let error = (world.bodies[tip].translation() - target).length();
         assert!(error < 1.5e-3, "{error} from {target}, after steps");
     }
 }
 
-/// A direction for the tip, too: three numbers of five joints.
+/// The target includes a direction of the tip: three numbers for five joints.
 #[test]
 fn an_arm_reaches_a_pose() {
     let mut world = weightless(60);
@@ -92,8 +93,8 @@ fn an_arm_reaches_a_pose() {
     assert!(error < 1.1e-3 && turn.abs() < 1.1e-3, "{error} and {turn} off");
 }
 
-/// Out of reach: the arm stretches towards the target, and nothing grows without bound. Links that must not
-/// move do not.
+/// For a target out of reach, the arm stretches towards it, and all numbers stay bounded. Links with locked
+/// coordinates do not move.
 #[test]
 fn an_arm_stretches_for_what_is_too_far() {
     let mut world = weightless(60);

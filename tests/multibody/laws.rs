@@ -1,11 +1,12 @@
-//! Algorithms of multibodies against each other and against definitions. Random trees, random states.
+//! Algorithms of multibodies against each other and against definitions, for random trees and random states.
 
 use super::stage::{chain, slab};
 use crate::dim::{about_z_of, loose_joint, vec};
 use crate::suite::physics::stage::Dice;
 use rapier::prelude::*;
 
-/// A tree of nine links with branches, sliders and armature, in some configuration, with some velocities.
+/// Returns a tree of nine links with branches, sliders and armature, in a random configuration with random
+/// velocities.
 fn tree(seed: u64, is_fixed: bool) -> (PhysicsWorld, MultibodyJointHandle) {
     let mut world = PhysicsWorld::new();
     let mut dice = Dice(seed);
@@ -45,9 +46,9 @@ fn largest(numbers: &[Real]) -> Real {
     numbers.iter().fold(1.0, |largest, number| largest.max(number.abs()))
 }
 
-/// `½ q̇ᵀ M q̇` is the energy of all links, for all `q̇`: `M = Σ Jᵀ diag(m, I) J`.
+/// `½ q̇ᵀ M q̇` equals the energy of all links, for all `q̇`: `M = Σ Jᵀ diag(m, I) J`.
 #[test]
-fn the_mass_matrix_is_that_of_the_links() {
+fn the_mass_matrix_agrees_with_the_links() {
     for seed in 0..10 {
         let (world, joint) = tree(seed, seed % 2 == 0);
         let (multibody, _) = world.multibody_joints.get(joint).expect("it is there");
@@ -82,7 +83,7 @@ fn the_mass_matrix_is_that_of_the_links() {
     }
 }
 
-/// The articulated-body algorithm and the mass matrix say the same: `M (M⁻¹ τ) = τ`.
+/// The articulated-body algorithm inverts the mass matrix: `M (M⁻¹ τ) = τ`.
 #[test]
 fn articulated_bodies_invert_the_mass_matrix() {
     for seed in 0..10 {
@@ -99,9 +100,9 @@ fn articulated_bodies_invert_the_mass_matrix() {
     }
 }
 
-/// Without forces `M q̈ = -C q̇`, and that is what a very short step does.
+/// Without forces `M q̈ = -C q̇`. A very short step must agree with it.
 #[test]
-fn links_that_nothing_pushes_move_as_newton_and_euler_say() {
+fn free_links_follow_newton_and_euler() {
     for seed in 0..10 {
         let (mut world, joint) = tree(seed, seed % 2 == 0);
         world.gravity = Vector::ZERO;
@@ -117,7 +118,7 @@ fn links_that_nothing_pushes_move_as_newton_and_euler_say() {
     }
 }
 
-/// A Jacobian is what moving the coordinates a little does.
+/// A Jacobian is the derivative of the pose by the coordinates.
 #[test]
 fn jacobians_are_derivatives() {
     let step: Real = if Real::EPSILON < 1.0e-10 { 1.0e-6 } else { 4.0e-3 };
@@ -143,9 +144,9 @@ fn jacobians_are_derivatives() {
     }
 }
 
-/// A push on the last link of a chain that hangs from a post acts through all hinges: an impulse `p` at a
-/// free rod's end across it changes the velocity there by `4 p / m` (rod of length `L`, `I = m L²/12`), and
-/// by `3 p / m` if the other end is held.
+/// An impulse `p` on the last link of a hanging chain acts through all hinges. At a free end of a rod it
+/// changes the velocity there by `4 p / m` (rod of length `L`, `I = m L²/12`). If the other end is fixed, the
+/// change is `3 p / m`.
 #[test]
 fn impulses_act_through_joints() {
     let mut world = PhysicsWorld::new();

@@ -1,4 +1,4 @@
-//! Impulse joints on links: closed loops, and ordinary bodies that hang on multibodies.
+//! Impulse joints on links: closed loops, and single bodies that hang on multibodies.
 
 use super::stage::{chain, energy, momentum, slab};
 use crate::dim::{about_z, hinge, vec, z_of};
@@ -6,8 +6,8 @@ use crate::suite::joints::stage::{bob, post};
 use crate::suite::physics::stage::{G, RATES, steps, weightless, world};
 use rapier::prelude::*;
 
-/// A swing: two rods of length 1 from two posts, and a bar between their lower ends. The bar stays level, and
-/// the whole swings like a pendulum; the last hinge, which closes the loop, holds.
+/// Two rods of length 1 hang from two posts, with a bar between their lower ends. The bar stays level, the
+/// whole swings like a pendulum, and the hinge that closes the loop holds.
 #[test]
 fn a_loop_that_is_closed_holds() {
     for rate in RATES {
@@ -39,7 +39,7 @@ fn a_loop_that_is_closed_holds() {
     }
 }
 
-/// An ordinary body hangs on the end of a chain in free flight: momentum goes to and fro, and none is lost.
+/// A body hangs on the end of a chain in free flight: the total momentum is constant.
 #[test]
 fn bodies_on_links_share_momentum() {
     let mut world = weightless(60);

@@ -1,6 +1,7 @@
 //! Mechanics of multibodies.
 //!
-//! Like `physics` and `joints`: formulas, at several lengths of a step, with the figures printed.
+//! As in `physics` and `joints`, the tests check formulas at several lengths of a step, and print the
+//! figures.
 
 pub mod stage;
 

@@ -1,4 +1,4 @@
-//! Nothing that a user says makes a multibody panic, or spoils other bodies.
+//! Invalid input does not make a multibody panic, and does not affect other bodies.
 
 use super::stage::{chain, hang};
 use crate::dim::{hinge, loose_joint, vec};
@@ -7,7 +7,7 @@ use rapier::prelude::*;
 
 /// A world returns the reason as a value, with the bodies in it.
 #[test]
-fn a_world_says_why_a_joint_cannot_be() {
+fn a_world_returns_the_reason_of_a_rejected_joint() {
     let mut world = world(60);
     let [a, b, c] = [0.0, 1.0, 2.0].map(|x| world.insert_body(super::stage::slab(vec(x, 0.0))));
     let [post, wall] = [0, 1].map(|_| world.insert_body(RigidBodyBuilder::fixed()));
@@ -41,7 +41,7 @@ fn a_world_says_why_a_joint_cannot_be() {
 }
 
 #[test]
-fn joints_that_cannot_be_are_refused() {
+fn invalid_joints_are_rejected() {
     let mut world = world(60);
     let [a, b, c] = [0.0, 1.0, 2.0].map(|x| world.insert_body(super::stage::slab(vec(x, 0.0))));
     let joint = || hinge().local_anchor1(vec(0.5, 0.0)).local_anchor2(vec(-0.5, 0.0));
@@ -69,9 +69,9 @@ fn joints_that_cannot_be_are_refused() {
     run(&mut world, 0.1);
 }
 
-/// Handles that find no body: the joint goes in the next step.
+/// Handles without a body: the next step removes the joint.
 #[test]
-fn joints_of_missing_bodies_go() {
+fn joints_of_missing_bodies_are_removed() {
     let mut world = world(60);
     let body = world.insert_body(super::stage::slab(Vector::ZERO));
     let forged = RigidBodyHandle::from_raw_parts(4_000_000_000, 7);
@@ -81,7 +81,7 @@ fn joints_of_missing_bodies_go() {
     assert!(world.multibody_joints.is_empty());
 }
 
-/// A multibody with a link that cannot move does not act, until it can.
+/// A multibody with a link that is not dynamic does nothing until the link is dynamic.
 #[test]
 fn links_must_be_dynamic() {
     let mut world = world(60);
@@ -102,9 +102,9 @@ fn links_must_be_dynamic() {
     }
 }
 
-/// Numbers that no simulation survives.
+/// The numbers exceed any valid simulation.
 #[test]
-fn nonsense_in_a_multibody_does_not_spoil_the_world() {
+fn invalid_numbers_in_a_multibody_keep_the_world_finite() {
     for nonsense in [Real::NAN, Real::INFINITY, -1.0, 1.0e30, 0.0] {
         let mut world = world(60);
         let (body, joint) = hang(&mut world, 1.0, 0.1, 0.5);
@@ -151,7 +151,7 @@ fn nonsense_in_a_multibody_does_not_spoil_the_world() {
     }
 }
 
-/// Links without mass, and joints whose axes the user changes on the way.
+/// Links have no mass, and the user changes the axes of joints on the way.
 #[test]
 fn links_without_mass_and_other_axes() {
     let mut world = world(60);

@@ -30,7 +30,7 @@ fn pendulums_take_the_time_that_the_formula_says() {
                 format!("{exact:.5}"),
                 format!("{:+.4}", error * 100.0),
             ]);
-            // The substep is of second order in h ω: by (h ω)²/24 too fast. Crossings are interpolated
+            // The substep is of second order in h ω: too fast by (h ω)²/24. Crossings are interpolated
             // between steps.
             let substep = world.integration_parameters.substep();
             table.check("the error", error, 0.0, 0.2 * substep * substep * G + 2.0e-4);
@@ -60,7 +60,7 @@ fn a_double_pendulum_keeps_its_energy() {
         let row =
             [rate.to_string(), format!("{:.4}", largest * 100.0), format!("{:+.4}", error * 100.0)];
         table.row(row);
-        // Bounded: of second order in the angle of a substep, at the 20 rad/s that the second bob reaches.
+        // The error is bounded, and of second order in the angle of a substep at the second bob's 20 rad/s.
         let angle = 20.0 * world.integration_parameters.substep();
         table.check("the error", largest, 0.0, 0.15 * angle * angle + 1.0e-3);
     }

@@ -1,11 +1,11 @@
-//! The same world and the same calls give the same bits.
+//! Equal worlds and equal calls give equal bits.
 
 use super::stage::chain;
 use crate::dim::{components, cuboid, vec};
 use crate::suite::physics::stage::{add_ground, drop_pile, run, world};
 use rapier::prelude::*;
 
-/// Ten chains fall into a pile of bodies of all shapes.
+/// Runs ten chains that fall into a pile of bodies of all shapes.
 fn scene(change: impl FnOnce(&mut PhysicsWorld)) -> Vec<u64> {
     let mut world = world(60);
     add_ground(&mut world, 0.5);

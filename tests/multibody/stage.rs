@@ -4,7 +4,7 @@ use crate::dim::{about_z, hinge, loose_joint, spin_momentum, vec};
 use crate::suite::joints::stage::bob;
 use rapier::prelude::*;
 
-/// A chain: bodies, each a child of the one before. The first may hang on a root.
+/// A chain of bodies, each a child of the one before. The first may hang on a root.
 pub struct Chain {
     /// The bodies, without the root.
     pub bodies: Vec<RigidBodyHandle>,
@@ -12,14 +12,14 @@ pub struct Chain {
     pub joints: Vec<MultibodyJointHandle>,
 }
 
-/// A body that is no ball: its inertia differs from axis to axis.
+/// Returns a body with a different inertia about each axis.
 pub fn slab(at: Vector) -> RigidBodyBuilder {
     let shape = crate::dim::slab();
     RigidBodyBuilder::dynamic().translation(at).additional_mass_properties(shape).can_sleep(false)
 }
 
-/// Hangs a chain of slabs on a body (or starts it with a free one) at the origin: along x, one length unit
-/// apart.
+/// Adds a chain of slabs at the origin along x, one length unit apart. It hangs on a body, or starts with a
+/// free one.
 pub fn chain(world: &mut PhysicsWorld, root: Option<RigidBodyHandle>, count: usize) -> Chain {
     chain_of(world, root, count, |world, k| {
         let body = world.insert_body(slab(vec(k as Real + 0.5, 0.0)));
@@ -28,8 +28,8 @@ pub fn chain(world: &mut PhysicsWorld, root: Option<RigidBodyHandle>, count: usi
     })
 }
 
-/// Hangs a chain on a body (or starts it with a free one). `make` makes each of its bodies, and the joint to
-/// the one before.
+/// Adds a chain that hangs on a body, or starts with a free one. `make` returns each of its bodies, and the
+/// joint to the one before.
 pub fn chain_of(
     world: &mut PhysicsWorld,
     root: Option<RigidBodyHandle>,
@@ -50,8 +50,8 @@ pub fn chain_of(
     chain
 }
 
-/// Hangs a bob of mass 1 from a post at the origin, at the angle `angle` from straight down, by a multibody
-/// joint.
+/// Hangs a bob of mass 1 from a post at the origin by a multibody joint, at the angle `angle` from the
+/// vertical.
 pub fn hang(
     world: &mut PhysicsWorld,
     length: Real,
@@ -66,12 +66,13 @@ pub fn hang(
     (body, joint.expect("the joint fits"))
 }
 
-/// The energy of motion of some bodies.
+/// Returns the kinetic energy of some bodies.
 pub fn kinetic_energy(world: &PhysicsWorld, bodies: &[RigidBodyHandle]) -> Real {
     bodies.iter().map(|&body| world.bodies[body].kinetic_energy()).sum()
 }
 
-/// All energy of some bodies, half a substep before their pose (see `gravitational_potential_energy`).
+/// Returns the total energy of some bodies, half a substep before their pose (see
+/// `gravitational_potential_energy`).
 pub fn energy(world: &PhysicsWorld, bodies: &[RigidBodyHandle]) -> Real {
     let h = world.integration_parameters.substep();
     let potential = |&body: &RigidBodyHandle| {
@@ -80,13 +81,13 @@ pub fn energy(world: &PhysicsWorld, bodies: &[RigidBodyHandle]) -> Real {
     kinetic_energy(world, bodies) + bodies.iter().map(potential).sum::<Real>()
 }
 
-/// The linear momentum of some bodies.
+/// Returns the linear momentum of some bodies.
 pub fn momentum(world: &PhysicsWorld, bodies: &[RigidBodyHandle]) -> Vector {
     let of = |&body: &RigidBodyHandle| world.bodies[body].linvel() * world.bodies[body].mass();
     bodies.iter().map(of).sum()
 }
 
-/// The angular momentum of some bodies about the origin.
+/// Returns the angular momentum of some bodies about the origin.
 pub fn angular_momentum(world: &PhysicsWorld, bodies: &[RigidBodyHandle]) -> AngVector {
     let mut sum = about_z(0.0);
     for &body in bodies {

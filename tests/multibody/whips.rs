@@ -4,7 +4,7 @@ use crate::suite::physics::stage::{Dice, G, run, steps, world};
 use crate::suite::physics::table::Table;
 use rapier::prelude::*;
 
-/// Four capsules with balls in sockets between them, side by side and thrown along X.
+/// Adds four capsules side by side, connected by ball joints and thrown along X.
 fn throw(world: &mut PhysicsWorld, speed: Real, friction: Real) -> Vec<RigidBodyHandle> {
     let mut links = Vec::new();
     for k in 0..4_u8 {
@@ -24,7 +24,7 @@ fn throw(world: &mut PhysicsWorld, speed: Real, friction: Real) -> Vec<RigidBody
     links
 }
 
-/// The energy of the links above the ground.
+/// Returns the energy of the links relative to the ground.
 fn energy(world: &PhysicsWorld, links: &[RigidBodyHandle]) -> Real {
     let of = |body: &RigidBody| body.kinetic_energy() + body.mass() * G * body.translation().y;
     links.iter().map(|&link| of(&world.bodies[link])).sum()
@@ -89,12 +89,13 @@ fn what_hangs_on_long_arms_gains_no_energy_from_the_ground() {
             last = now;
         }
         table.row([case.to_string(), format!("{gain:.4}")]);
-        // Overlap is pushed out, and the heights are those of the end of the substep.
+        // The correction of penetration does work, and the heights are those at the end of the substep.
         table.require(gain < 0.03, "energy came from nowhere");
     }
 }
 
-/// Thin walls hold them, whatever the links behind press: a board of 2 cm and a sheet without any thickness.
+/// Chains do not pass thin walls under the pressure of their other links: a board of 2 cm, and a sheet
+/// without thickness.
 #[test]
 fn chains_do_not_whip_through_walls() {
     for is_sheet in [false, true] {

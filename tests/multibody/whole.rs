@@ -7,8 +7,8 @@ use crate::suite::physics::stage::{G, add_ground, run, steps, substep, weightles
 use crate::suite::physics::table::Table;
 use rapier::prelude::*;
 
-/// A chain of thin capsules along x, hinged end to end, that turns about its middle at `spin` while it goes
-/// at `velocity`.
+/// Adds a chain of thin capsules along x, hinged end to end, that rotates about its middle at `spin` and
+/// moves at `velocity`.
 fn thin_chain(
     world: &mut PhysicsWorld,
     count: usize,
@@ -32,7 +32,7 @@ fn thin_chain(
     links
 }
 
-/// Two balls of radius 0.25 side by side, welded together to one multibody.
+/// Adds two balls of radius 0.25 side by side, welded to one multibody.
 fn pair(world: &mut PhysicsWorld, at: Vector, collider: &ColliderBuilder) -> [RigidBodyHandle; 2] {
     let [first, second] = [0.0, 0.6].map(|x| {
         let body = RigidBodyBuilder::dynamic().translation(at + vec(x, 0.0)).can_sleep(false);
@@ -43,9 +43,9 @@ fn pair(world: &mut PhysicsWorld, at: Vector, collider: &ColliderBuilder) -> [Ri
     [first, second]
 }
 
-/// Two links, of which one is up to a hundred times as heavy, rotate about each other at 10 rad/s while they
-/// move at 5 m/s through empty space: momentum and energy are constant in any frame. (There are no contacts,
-/// so there is no contact error.)
+/// Two links rotate about each other at 10 rad/s while they move at 5 m/s through empty space. One is up to a
+/// hundred times as heavy. Momentum and energy are constant in any frame. (There are no contacts, so there is
+/// no contact error.)
 #[test]
 fn what_turns_on_its_way_through_space_goes_on() {
     for ratio in [1.0, 10.0, 100.0] {
@@ -86,7 +86,7 @@ fn tumbling_chains_fall_as_all_things_do() {
                     |&link: &_| world.bodies[link].center_of_mass() * world.bodies[link].mass();
                 chain.iter().map(of).sum::<Vector>() / mass
             };
-            // About the middle: without what goes with it.
+            // The energy is relative to the centre of mass.
             let inner = |world: &PhysicsWorld| {
                 let (p, at) = (momentum(world, &chain), middle(world));
                 let spin = angular_momentum(world, &chain) - crate::dim::moment(at, p);
@@ -119,8 +119,7 @@ fn tumbling_chains_fall_as_all_things_do() {
     }
 }
 
-/// Without friction the ground rotates no body, independent of the motion of the contact in a step: here by
-/// 17 cm.
+/// Without friction the ground rotates no body, independent of the contact's motion per step: here 17 cm.
 #[test]
 fn what_slides_does_not_turn() {
     for hinged in [false, true] {
@@ -149,7 +148,7 @@ fn what_slides_does_not_turn() {
     }
 }
 
-/// A hub with two wheels on hinges rolls on as fast as it began, and the hub does not turn.
+/// A hub with two wheels on hinges keeps rolling at its speed, and the hub does not rotate.
 #[test]
 fn wheels_of_a_multibody_roll() {
     let (radius, speed) = (0.3, 3.0);
@@ -200,7 +199,7 @@ fn what_spins_bounces_as_high() {
                 apex = apex.max(world.bodies[bodies[0]].translation().y - 0.25);
             }
             table.row([format!("{spin}"), format!("{apex:.3}")]);
-            // A step at the ground is 7 cm long, and the contact is 1 cm deep in it for a moment.
+            // In a step at the ground the ball moves by 7 cm, so the contact is 1 cm deep for a moment.
             table.check("the apex", apex, height, 0.02);
         }
     }
@@ -230,8 +229,8 @@ fn arms_on_carriages_turn_on() {
     }
 }
 
-/// Springs of degrees of freedom that nothing damps swing on: at 2 Hz and 240 substeps a second they lose 0.2
-/// % of their swing in three seconds.
+/// Undamped springs of degrees of freedom keep oscillating: at 2 Hz and 240 substeps per second they lose 0.2
+/// % of their amplitude in three seconds.
 #[test]
 fn springs_of_degrees_of_freedom_swing_on() {
     for rate in [60, 120] {
@@ -250,7 +249,7 @@ fn springs_of_degrees_of_freedom_swing_on() {
         world.step();
         let start = energy(&world);
         run(&mut world, 3.0);
-        // Position and velocity are half a substep apart: `h ω / 2`, either way.
+        // Position and velocity are half a substep apart: `h ω / 2`, in either direction.
         let apart = substep(&world) * Real::sqrt(200.0);
         let kept = energy(&world) / start;
         assert!((kept - 1.0).abs() < 0.01 + apart, "{rate} Hz: kept {kept} of the energy");

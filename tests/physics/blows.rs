@@ -8,7 +8,7 @@ use rapier::prelude::*;
 
 const RADIUS: Real = 0.25;
 
-/// A collider that bounces with `e` and rubs with `friction`, whatever it meets.
+/// Returns a collider with restitution `e` and this friction for all pairs.
 fn surface(collider: ColliderBuilder, e: Real, friction: Real) -> ColliderBuilder {
     let collider = collider.restitution(e).friction(friction).mass(1.0);
     let collider = collider.restitution_combine_rule(CoefficientCombineRule::Max);
@@ -19,17 +19,17 @@ fn ball(e: Real, friction: Real) -> ColliderBuilder {
     surface(ColliderBuilder::ball(RADIUS), e, friction)
 }
 
-/// The kinetic energy of all bodies (J).
+/// Returns the kinetic energy of all bodies (J).
 fn energy(world: &PhysicsWorld) -> Real {
     world.bodies.iter().map(|(_, body)| body.kinetic_energy()).sum()
 }
 
-/// The momentum of all bodies (kg m/s).
+/// Returns the momentum of all bodies (kg m/s).
 fn momentum(world: &PhysicsWorld) -> Vector {
     world.bodies.iter().map(|(_, body)| body.linvel() * body.mass()).sum()
 }
 
-/// The highest energy within this time, as a share of that of the beginning, and the last one.
+/// Returns the largest energy within this time, as a fraction of the initial energy, and the last one.
 fn energies(world: &mut PhysicsWorld, seconds: Real) -> [Real; 2] {
     let first = energy(world);
     let (mut most, mut last): (Real, Real) = (0.0, 1.0);
@@ -41,7 +41,7 @@ fn energies(world: &mut PhysicsWorld, seconds: Real) -> [Real; 2] {
     [most, last]
 }
 
-/// Four walls about the origin, this far away.
+/// Adds four walls around the origin, at this distance.
 fn add_walls(world: &mut PhysicsWorld, away: Real, e: Real, friction: Real) {
     for (x, y, across, up) in [
         (1.0, 0.0, 1.0, away + 2.0),
@@ -180,7 +180,7 @@ fn a_ball_between_two_walls() {
     let mut table = Table::new("elastic ball between walls, 1 s", &columns);
     for gap in [0.01, 0.1, 1.0] {
         for speed in [2.0, 10.0, 100.0] {
-            // A wall that is not seen in the step in which the ball leaves the other one cannot stop it.
+            // A wall without a contact in the step of the other impact cannot stop the ball in that step.
             for foresight in [false, true] {
                 if !foresight && speed / 60.0 > gap {
                     continue;
@@ -311,7 +311,7 @@ fn a_break_shot_keeps_momentum_and_energy() {
     }
 }
 
-/// A body without contact is not pushed: its bits stay.
+/// A body without contact is not pushed: its bits are constant.
 #[test]
 fn blows_do_not_reach_across_a_gap() {
     for e in [0.0, 0.5, 1.0] {
@@ -320,7 +320,7 @@ fn blows_do_not_reach_across_a_gap() {
         world.insert(near, ball(e, 0.5));
         let stands = RigidBodyBuilder::dynamic().translation(vec(0.0, 0.0));
         world.insert(stands, ball(e, 0.5).mass(1000.0));
-        // Within the distance at which contacts are predicted, above and below the place of the blow.
+        // The other bodies are within the prediction distance, above and below the impact.
         let others = [1.0, -1.0].map(|side| {
             let body = RigidBodyBuilder::dynamic().translation(vec(0.1, side * 0.505));
             world.insert(body, ball(e, 0.5)).0
@@ -378,7 +378,7 @@ fn sleepers_bounce_as_those_awake() {
     }
 }
 
-/// A wall that comes at `V` sends what stands away at `(1 + e) V`.
+/// A wall at the speed `V` accelerates a free body to `(1 + e) V`.
 #[test]
 fn kinematic_hitters() {
     for e in [0.0, 0.5, 1.0] {
@@ -405,7 +405,7 @@ fn kinematic_hitters() {
     }
 }
 
-/// Locked axes do not move, and what hits them bounces off as from a wall, or a mass on a rail.
+/// Locked axes do not move. A body that hits them is reflected as by a wall, or by a mass on a rail.
 #[test]
 fn locked_axes_and_dominance() {
     let rail = LockedAxes::TRANSLATION_LOCKED_Y | LockedAxes::ROTATION_LOCKED;
@@ -432,7 +432,7 @@ fn locked_axes_and_dominance() {
     }
 }
 
-/// Sensors are hit by nothing, and bodies without mass cannot be moved by what hits them.
+/// Sensors have no impacts, and bodies without mass are not moved by any.
 #[test]
 fn sensors_and_the_massless() {
     let mut world = weightless(60);
@@ -453,7 +453,7 @@ fn sensors_and_the_massless() {
     }
 }
 
-/// The rules by which two coefficients of restitution combine.
+/// Two coefficients of restitution combine by these rules.
 #[test]
 fn combined_restitution() {
     use CoefficientCombineRule::{Average, ClampedSum, Max, Min, Multiply};
@@ -471,7 +471,7 @@ fn combined_restitution() {
     }
 }
 
-/// Changes restitution, and how contacts move along their plane.
+/// Hook that changes restitution and tangent velocity.
 struct Change {
     restitution: Real,
     along: Vector,
@@ -484,7 +484,8 @@ impl PhysicsHooks for Change {
     }
 }
 
-/// Restitution that a hook gives counts, also above 1; nonsense does not. A belt rubs in a blow, too.
+/// The restitution of a hook applies, also above 1; an invalid one does not. The friction of a belt acts in
+/// an impact as well.
 #[test]
 fn hooks_change_how_a_blow_ends() {
     for (given, e) in
@@ -567,7 +568,7 @@ fn stops_are_no_blows_on_others() {
     }
 }
 
-/// A body that a force presses against a wall stays there: it approaches in every substep, and hits in none.
+/// A body that a force presses against a wall stays there: it approaches in every substep without an impact.
 #[test]
 fn pressed_bodies_lie_still() {
     for force in [10.0, 1000.0, 10_000.0] {
@@ -580,7 +581,7 @@ fn pressed_bodies_lie_still() {
         for step in 0..120 {
             world.step();
             let body = &world.bodies[body];
-            // A soft contact gives way first.
+            // A soft contact yields first.
             assert!(step < 60 || body.linvel().length() < 1.0e-3, "{force} N: {}", body.linvel());
             assert!(body.translation().x > -1.0e-3, "{force} N: {}", body.translation());
         }

@@ -21,14 +21,14 @@ fn bounce_height() {
                 format!("{formula:.4}"),
                 format!("{:+.4}", apex - formula),
             ]);
-            // Less than 2.5 % at 60 steps a second, and in proportion to the step.
+            // The error is below 2.5 % at 60 steps per second, and proportional to the step.
             let tolerance = formula * 1.5 / rate as Real + 0.01;
             table.check("the apex", apex, formula, tolerance);
         }
     }
 }
 
-/// How high a ball gets after its first bounce.
+/// Returns the apex of a ball after its first bounce.
 fn apex(rate: u32, restitution: Real) -> Real {
     let mut world = world(rate);
     add_ground(&mut world, 0.5);

@@ -38,18 +38,18 @@ fn platform() {
             ]);
             table.check("the way of the platform", platform.translation().x, 3.0, 1.0e-4);
             table.check("the slip", slip.x, 0.0, 1.0e-3);
-            // Rests on it as deep as the solver allows and gravity presses.
+            // The box rests with the allowed penetration, plus that of its weight.
             table.check("the height", slip.y, 0.0, 3.0e-3);
         }
     }
 }
 
-/// Makes what lies on the ground run to the right at 2 m/s.
+/// Hook that moves bodies on the ground to the right at 2 m/s.
 struct Belt(ColliderHandle);
 
 impl PhysicsHooks for Belt {
     fn modify_solver_contact(&self, context: &mut ContactModificationContext) {
-        // The second surface relative to the first.
+        // The velocity is that of the second surface relative to the first.
         let along = if context.collider1 == self.0 { 2.0 } else { -2.0 };
         context.set_tangent_velocity(vec(along, 0.0));
     }
@@ -120,7 +120,7 @@ fn contact_force_is_weight() {
     }
 }
 
-/// The contact force of the next step, as its event has it: the sum, and the sum of magnitudes.
+/// Returns the contact force of the next step from its event: the sum, and the sum of magnitudes.
 fn force_of_one_step(world: &mut PhysicsWorld) -> (Vector, Real) {
     let (collision_sender, _collisions) = channel();
     let (force_sender, forces) = channel();

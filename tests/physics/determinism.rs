@@ -1,11 +1,11 @@
-//! The same world and the same calls give the same bits.
+//! Equal worlds and equal calls give equal bits.
 
 use super::stage::{add_ground, drop_pile, run, world};
 use crate::dim::components;
 use rapier::math::Real;
 use rapier::prelude::*;
 
-/// The poses of these bodies, in figures and in bits.
+/// Returns the poses of these bodies, as figures and as bits.
 fn poses(world: &PhysicsWorld, bodies: &[RigidBodyHandle]) -> Vec<String> {
     let of_body = |&body: &RigidBodyHandle| {
         let components = components(world.bodies[body].position());
@@ -15,7 +15,7 @@ fn poses(world: &PhysicsWorld, bodies: &[RigidBodyHandle]) -> Vec<String> {
     bodies.iter().map(of_body).collect()
 }
 
-/// Fails with the first body whose pose differs, and how many there are.
+/// Fails with the first body whose pose differs, and the number of such bodies.
 fn assert_same(poses1: &[String], poses2: &[String]) {
     assert_eq!(poses1.len(), poses2.len());
     let differing = || poses1.iter().zip(poses2).enumerate().filter(|(_, (a, b))| a != b);
@@ -25,7 +25,7 @@ fn assert_same(poses1: &[String], poses2: &[String]) {
     }
 }
 
-/// A pile of all shapes, three seconds after it was dropped.
+/// Returns the poses of a pile of all shapes, three seconds after its fall.
 fn pile(change: impl FnOnce(&mut PhysicsWorld)) -> Vec<String> {
     let mut world = world(60);
     add_ground(&mut world, 0.5);
@@ -42,22 +42,22 @@ fn twice_the_same() {
     assert!(first.iter().all(|pose| !pose.contains("NaN")));
 }
 
-/// A pile far away takes up lanes, slots and colours, but changes nothing.
+/// A distant pile occupies lanes, slots and colours, but changes no bit of this one.
 #[test]
 fn far_neighbours_change_nothing() {
     let with_neighbour = pile(|world| drop(drop_pile(world, 50.0, 45)));
     assert_same(&pile(|_| ()), &with_neighbour);
 }
 
-/// The widest instructions that the machine has, and those that every machine has.
+/// The widest instructions of the machine give the bits of the baseline.
 #[test]
 fn wide_instructions_change_nothing() {
     let narrow = pile(|world| world.physics_pipeline.set_wide_instructions(false));
     assert_same(&pile(|_| ()), &narrow);
 }
 
-/// A step changes nothing that it does not own: a clone of the sets goes the same way with a pipeline
-/// that is new and has other buffers.
+/// A step keeps no state outside the sets: a clone of the sets moves equally with a new pipeline and other
+/// buffers.
 #[test]
 fn a_new_pipeline_changes_nothing() {
     let mut world = world(60);

@@ -27,7 +27,7 @@ fn free_fall() {
             format!("{exact:.5}"),
             format!("{:+.5}", drop - exact),
         ]);
-        // The velocity is a sum over substeps and is itself summed over the time of the fall.
+        // The velocity is a sum over substeps, and is itself summed over the duration of the fall.
         let substeps = 4 * steps(&world, time);
         let tolerance = rounding(substeps, G * time) * time + rounding(substeps, exact);
         table.check("the drop", drop, formula, tolerance);
@@ -35,7 +35,7 @@ fn free_fall() {
     }
 }
 
-/// Gravity that is scaled by `s` is gravity of `s g`; at 0 a body floats.
+/// Gravity with the scale `s` is `s g`; at 0 a body floats.
 #[test]
 fn gravity_scale() {
     for rate in RATES {
@@ -53,7 +53,7 @@ fn gravity_scale() {
     }
 }
 
-/// Nothing holds a thrown body back: `x = v t`.
+/// A thrown body keeps its velocity: `x = v t`.
 #[test]
 fn throw() {
     for rate in RATES {

@@ -5,7 +5,7 @@ use super::table::Table;
 use crate::dim::{ROLLING_BALL, about_z, cuboid, vec};
 use rapier::prelude::*;
 
-/// How fast a table is tilted (rad/s): so slowly that the box on it feels nothing else.
+/// Speed of the tilting table (rad/s), small enough that its inertial effects on the box are negligible.
 const TILTING: Real = 0.02;
 
 /// A box of the speed `v` slides for the distance `v² / 2µg`. Semi-implicit Euler uses the velocity
@@ -43,7 +43,7 @@ fn slide_to_stop() {
     }
 }
 
-/// A slope of `tan θ = slope`, with a body on it that just touches. Returns the world, the body, and the
+/// Builds a slope of `tan θ = slope` with a body that just touches it. Returns the world, the body, and the
 /// directions down the slope and out of it.
 fn on_slope(
     rate: u32,
@@ -56,7 +56,7 @@ fn on_slope(
     let (sin, cos) = angle.sin_cos();
     let mut world = world(rate);
     let slab = cuboid(100.0, 1.0).friction(friction);
-    // Turned clockwise about the point (0, 0) of its surface: down is to the right.
+    // The slab is rotated clockwise about the point (0, 0) of its surface: down is to the right.
     let slab = slab.translation(vec(-sin, -cos)).rotation(about_z(-angle));
     world.insert_collider(slab, None);
     let body = RigidBodyBuilder::dynamic()
@@ -77,7 +77,7 @@ fn slope_holds_or_slips() {
         for ratio in [0.5, 0.9, 0.98] {
             let cube = cuboid(0.5, 0.5);
             let (mut world, body, down) = on_slope(rate, ratio * friction, friction, 0.5, cube);
-            // It lands: what it moves in the first half second is no creep.
+            // The box lands first, so the motion of the first half second is excluded.
             run(&mut world, 0.5);
             let start = world.bodies[body].translation();
             run(&mut world, 10.0);
@@ -131,7 +131,7 @@ fn tilted_table() {
             time += world.integration_parameters.dt;
         }
         let found = time * TILTING;
-        // From then on it accelerates with g √(1 + µ²) times the angle beyond, which grows with the time.
+        // After the start it accelerates by g √(1 + µ²) times the excess angle, which grows with time.
         let jerk = G * (1.0 + friction * friction).sqrt() * TILTING;
         let formula = friction.atan() + TILTING * (6.0 * slip / jerk).cbrt();
         table.row([
@@ -139,7 +139,7 @@ fn tilted_table() {
             format!("{:.3}", found.to_degrees()),
             format!("{:.3}", formula.to_degrees()),
         ]);
-        // Contacts follow a table that turns to within 0.1°.
+        // Contacts follow a rotating table to within 0.1°.
         table.check("the angle", found, formula, 2.0e-3);
     }
 }
@@ -176,8 +176,8 @@ fn ball_rolls() {
     }
 }
 
-/// The friction impulse of each contact can be read in the default model: together they are `µ m g h` of a
-/// box that slides, against its motion, and none is more than `µ` times the normal impulse of its point.
+/// The friction impulse of each contact can be read in the default model. For a sliding box the sum is `µ m g
+/// h`, against its motion. None exceeds `µ` times the normal impulse of its point.
 #[test]
 fn friction_impulses_of_contacts_can_be_read() {
     for friction in [0.1, 0.4, 0.7] {

@@ -9,7 +9,7 @@ use crate::suite::physics::stage::{Dice, G, add_ground, steps, world};
 use crate::suite::physics::table::Table;
 use rapier::prelude::*;
 
-/// A rock: the hull of random points at 0.36 to 0.6 m from its middle.
+/// Returns a rock: the hull of random points at 0.36 to 0.6 m from its middle.
 fn rock(dice: &mut Dice) -> ColliderBuilder {
     let mut corner = || {
         let direction = Vector::from_array([0; 3].map(|_| dice.within(-1.0, 1.0)));
@@ -19,7 +19,7 @@ fn rock(dice: &mut Dice) -> ColliderBuilder {
     ColliderBuilder::convex_hull(&corners).expect("twelve points in space have a hull")
 }
 
-/// A prism with a regular base of `sides` corners on a circle of 0.5 m, 0.4 m high.
+/// Returns a prism with a regular base of `sides` corners on a circle of 0.5 m, 0.4 m high.
 fn prism(sides: usize) -> ColliderBuilder {
     let corner = |k: usize| {
         let angle = (k / 2) as f64 * std::f64::consts::TAU / sides as f64;
@@ -30,7 +30,7 @@ fn prism(sides: usize) -> ColliderBuilder {
     ColliderBuilder::convex_hull(&corners).expect("a prism is a hull")
 }
 
-/// Ground at the height 0, in four forms.
+/// Adds ground at height 0, in four forms.
 fn add_ground_of(world: &mut PhysicsWorld, kind: &str) {
     let (near, far, low): (Real, Real, Real) = (-5.0, 5.0, -1.0);
     let square = [(near, near), (near, far), (far, far), (far, near)];
@@ -46,8 +46,8 @@ fn add_ground_of(world: &mut PhysicsWorld, kind: &str) {
     world.insert_collider(ground.friction(0.7), None);
 }
 
-/// Total impulse of a body's contacts in the last step, its centre of pressure, and the number of contact
-/// points.
+/// Returns the total contact impulse of a body in the last step, its centre of pressure, and the number of
+/// contact points.
 fn pressure(world: &PhysicsWorld, collider: ColliderHandle) -> (Real, Vector, usize) {
     let (mut total, mut moment, mut count) = (0.0, Vector::ZERO, 0);
     for manifold in world.contact_pairs_with(collider).flat_map(|pair| &pair.manifolds) {
@@ -131,7 +131,7 @@ fn prisms_stack() {
             format!("{:.2}", lean * 1.0e3),
             format!("{:.3}", creep * 1.0e3),
         ]);
-        // Pentagons sway, by 69 mm in double and 44 mm in single precision: not yet understood.
+        // Stacks of pentagons sway, by 69 mm in double and 44 mm in single precision. The cause is unknown.
         table.check("the lean", lean, 0.0, if sides == 5 { 0.1 } else { 0.04 });
         table.check("the creep", creep, 0.0, if sides == 5 { 0.1 } else { 5.0e-4 });
     }

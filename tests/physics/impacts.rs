@@ -7,7 +7,7 @@ use rapier::prelude::*;
 
 const RADIUS: Real = 0.25;
 
-/// A ball that bounces as it came, without friction.
+/// Returns a frictionless elastic ball of this mass.
 fn ball(mass: Real) -> ColliderBuilder {
     elastic(ColliderBuilder::ball(RADIUS)).mass(mass)
 }
@@ -18,24 +18,24 @@ fn elastic(collider: ColliderBuilder) -> ColliderBuilder {
     collider.friction_combine_rule(CoefficientCombineRule::Min)
 }
 
-/// The kinetic energy of all bodies (J).
+/// Returns the kinetic energy of all bodies (J).
 fn kinetic_energy(world: &PhysicsWorld) -> Real {
     world.bodies.iter().map(|(_, body)| body.kinetic_energy()).sum()
 }
 
-/// How the balls of a cradle hang.
+/// Suspension of a cradle's balls.
 #[derive(Copy, Clone, Debug)]
 enum Strings {
-    /// On rods that are part of them.
+    /// Rods that belong to the balls.
     Rods,
-    /// On strings of light links, at their centres.
+    /// Strings of light links, at the balls' centres.
     Links,
 }
 
 const LENGTH: Real = 2.0;
 const LINKS: usize = 4;
 
-/// Hangs a touching row of `count` balls, the first `moving` of which come in at 2 m/s from a tenth of a
+/// Hangs a touching row of `count` balls. The first `moving` of them arrive at 2 m/s from a tenth of a
 /// radian.
 fn cradle(
     world: &mut PhysicsWorld,
@@ -105,7 +105,7 @@ fn newtons_cradle() {
                     moving.to_string(),
                     listed.join(" "),
                 ]);
-                // A tenth of a second later a ball has climbed by 2 cm, which takes 0.1 m/s off its speed.
+                // After a tenth of a second a ball has risen by 2 cm, which reduces its speed by 0.1 m/s.
                 for (k, speed) in speeds.into_iter().enumerate() {
                     let formula = if k + moving >= balls.len() { 1.9 } else { 0.0 };
                     table.check("the speed", speed, formula, 0.1);
@@ -115,8 +115,8 @@ fn newtons_cradle() {
     }
 }
 
-/// A row of balls that touch, at rest but for the first, which comes from a ball's width away. They float, or
-/// lie on ground that bounces as well.
+/// Adds a row of touching balls at rest, except for the first, which arrives from a ball's width away. They
+/// float, or lie on elastic ground.
 fn row(rate: u32, masses: &[Real], on_ground: bool) -> (PhysicsWorld, Vec<RigidBodyHandle>) {
     let mut world = if on_ground { world(rate) } else { weightless(rate) };
     if on_ground {
@@ -164,7 +164,7 @@ fn rows_pass_on_a_blow() {
                     format!("{:+.2e}", momenta / momentum - 1.0),
                     format!("{:+.2e}", kept - 1.0),
                 ]);
-                // An approach by less than a centimetre per second is stopped without a bounce.
+                // An approach below one centimetre per second stops without a bounce.
                 table.check("the last one's speed", last, formula, 0.01 * formula);
                 table.check("the momentum", momenta, momentum, 1.0e-4 * momentum);
                 table.check("the share of energy", kept, 1.0, 0.002);
@@ -173,8 +173,8 @@ fn rows_pass_on_a_blow() {
     }
 }
 
-/// The energy of all bodies (J), with that of their heights: those in the middle of the last substep, which
-/// is when they had their velocities.
+/// Returns the energy of all bodies (J), with heights at the middle of the last substep, in agreement with
+/// the velocities.
 fn energy(world: &PhysicsWorld) -> Real {
     let half = 0.5 * substep(world);
     let height = |body: &RigidBody| body.translation().y - half * body.linvel().y;
@@ -182,8 +182,7 @@ fn energy(world: &PhysicsWorld) -> Real {
     kinetic_energy(world) + fallen.sum::<Real>()
 }
 
-/// By how much the energy rises above that of the beginning, and how much is left in the end (shares of what
-/// is there to fall).
+/// Returns the largest energy gain and the remaining energy, as fractions of the energy of the fall.
 fn gain(world: &mut PhysicsWorld, seconds: Real, fall: Real) -> [Real; 2] {
     let (first, mut most) = (energy(world), energy(world));
     for _ in 0..steps(world, seconds) {
@@ -218,7 +217,7 @@ fn piles_do_not_gain_energy() {
                 format!("{gain:+.4}"),
                 format!("{left:.4}"),
             ]);
-            // A bounce is right to second order: `g² h²`, for each of some bounces.
+            // A bounce is accurate to second order: `g² h²`, for each of some bounces.
             let tolerance = 0.001 + 10.0 * (G * substep(&world)).powi(2) / fall;
             table.require(gain < tolerance, &format!("gains {gain}, more than {tolerance}"));
         }
@@ -260,7 +259,7 @@ fn gases_do_not_gain_energy() {
             format!("{left:.4}"),
             format!("{overlap:.3}"),
         ]);
-        // Bodies that touch at less than 1 m/s are pushed apart softly, which is not without any error.
+        // Contacts below 1 m/s are pushed apart softly, with a small error.
         table.check("the highest energy", most, 1.0, 1.0e-3);
         table.require(left > 0.8, "approaches faster than 1 m/s keep their energy");
     }
@@ -334,7 +333,8 @@ fn blows_rub() {
             let (body, _) = world.insert(body, shape);
             run(&mut world, 0.3);
             let body = &world.bodies[body];
-            // Rolls off: `I ω = (I + m r²) ω'`; the share of the ball's inertia is 1 - ROLLING_BALL.
+            // The ball rolls off: `I ω = (I + m r²) ω'`; the fraction of the ball's inertia is 1 -
+            // ROLLING_BALL.
             let rolls = 20.0 * RADIUS * (1.0 - crate::dim::ROLLING_BALL);
             let formula = rolls.min(friction * 1.5 * 4.0);
             let sideways = body.linvel().x;
@@ -344,8 +344,8 @@ fn blows_rub() {
                 format!("{sideways:.4}"),
                 format!("{formula:.4}"),
             ]);
-            // The blow's lever ends midway between the surfaces, which are up to a substep's travel apart, or
-            // a step's travel inside each other.
+            // The moment arm of the impact ends midway between the surfaces. They are up to a substep's
+            // motion apart, or overlap by up to a step's motion.
             let lever = 0.5 * 4.0 / rate as Real / RADIUS;
             table.check("the speed sideways", sideways, formula, lever * formula);
         }

@@ -1,11 +1,10 @@
-//! The impulses that a contact reports.
+//! Reported impulses of contacts.
 
 use super::stage::{G, add_ground, run, world};
 use crate::dim::{cuboid, vec};
 use rapier::prelude::*;
 
-/// The impulse that carries a box of mass 1 for one step, and the height of its centre, after it has
-/// come to rest.
+/// Returns the impulse that carries a box of mass 1 for one step, and the height of its centre at rest.
 fn box_at_rest(params: IntegrationParameters) -> (Real, Real) {
     let mut world = world(60);
     world.integration_parameters = params;
@@ -22,8 +21,8 @@ fn box_at_rest(params: IntegrationParameters) -> (Real, Real) {
     (impulse, world.bodies[body].translation().y)
 }
 
-/// However a step is divided: the impulses of its parts add up to the weight times its length, each
-/// counted once.
+/// For any number of substeps and iterations, the impulses of a step add up to the weight times its length,
+/// each counted once.
 #[test]
 fn impulses_carry_the_weight_whatever_the_iterations() {
     let default = IntegrationParameters::default();

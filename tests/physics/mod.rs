@@ -1,7 +1,7 @@
 //! Mechanics of contacts: laws of physics on whole worlds.
 //!
-//! Each test states a formula and how far from it a step of a given length may be, runs at 30, 60 and
-//! 240 steps a second, and prints what came out (`cargo test -p rapier3d --test suite -- --nocapture`).
+//! Each test states a formula and a tolerance for each length of a step. It runs at 30, 60 and 240 steps per
+//! second, and prints the figures (`cargo test -p rapier3d --test suite -- --nocapture`).
 
 pub mod stage;
 pub mod table;

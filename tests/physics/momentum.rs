@@ -5,11 +5,11 @@ use super::table::Table;
 use crate::dim::{ang_length, assortment, moment, spin_momentum, vec};
 use rapier::prelude::*;
 
-/// Momentum and angular momentum about the origin.
+/// Linear and angular momentum about the origin.
 struct Momenta {
     linear: Vector,
     angular: AngVector,
-    /// The sums of the magnitudes of what single bodies have: what rounding is measured by.
+    /// Sums of the magnitudes over single bodies, the scale of rounding.
     scales: [Real; 2],
 }
 
@@ -26,7 +26,7 @@ fn momenta(world: &PhysicsWorld) -> Momenta {
     sum
 }
 
-/// Bodies of all shapes in a ring, which fly to its middle, all with the same spin.
+/// Returns bodies of all shapes in a ring, which move to its middle with equal spins.
 fn implosion(rate: u32) -> PhysicsWorld {
     let mut world = weightless(rate);
     let shapes = assortment();
@@ -67,7 +67,7 @@ fn momentum_without_gravity() {
         let after = momenta(&world);
         let p = (after.linear - before.linear).length() / before.scales[0];
         let l = ang_length(after.angular - before.angular) / before.scales[1];
-        // Nine visits of a manifold in a step, and two bodies in each.
+        // A manifold has nine iterations per step, with two bodies each.
         let limit = Real::EPSILON * (18.0 * manifolds as Real).sqrt();
         table.row([
             rate.to_string(),

@@ -5,12 +5,12 @@ use super::table::Table;
 use crate::dim::{about_z, cuboid, vec, z_of};
 use rapier::prelude::*;
 
-/// A cube of side 1 and the mass 2, of which every way to turn it has the same inertia.
+/// Returns a cube of side 1 and mass 2, with equal inertia about all axes.
 fn cube() -> ColliderBuilder {
     cuboid(0.5, 0.5).mass(2.0)
 }
 
-/// `v = F t / m`, `ω = τ t / I`: exact in Euler's method, whatever the step.
+/// `v = F t / m`, `ω = τ t / I`: exact for Euler's method with any step.
 #[test]
 fn force_and_torque() {
     for rate in RATES {
@@ -32,7 +32,8 @@ fn force_and_torque() {
     }
 }
 
-/// A force beside the centre pushes and turns; `F` at the lever `r` is `F` and the torque `r × F`.
+/// A force beside the centre accelerates and rotates: `F` at the moment arm `r` is `F` and the torque `r ×
+/// F`.
 #[test]
 fn force_beside_the_centre() {
     let mut world = weightless(60);
@@ -72,7 +73,7 @@ fn damping() {
                 format!("{exact:.4e}"),
                 format!("{:+.2}", (speed / exact - 1.0) * 100.0),
             ]);
-            // Each division rounds by ε / 2 of what is left, and so does powi.
+            // Each division rounds by ε / 2 of the value, and so does powi.
             let tolerance = rounding(2 * substeps, formula);
             table.check("the speed", speed, formula, tolerance);
             table.check("the spin", z_of(world.bodies[body].angvel()), formula, tolerance);
@@ -80,7 +81,7 @@ fn damping() {
     }
 }
 
-/// Locked axes move by no force and no collision; the others are as free as ever.
+/// Locked axes do not move under forces and collisions; the others are free.
 #[test]
 fn locked_axes() {
     for rate in RATES {
@@ -92,7 +93,7 @@ fn locked_axes() {
         for (x, body) in [(0.0, on_rail), (10.0, upright)] {
             world.bodies[body].add_force(vec(1.0, 1.0), true);
             world.bodies[body].add_torque(about_z(0.1), true);
-            // Hits it from below, beside its middle.
+            // The bullet hits from below, beside the middle.
             let bullet =
                 RigidBodyBuilder::dynamic().translation(vec(x + 0.2, -2.0)).linvel(vec(0.0, 5.0));
             world.insert(bullet, ColliderBuilder::ball(0.2));
@@ -107,8 +108,8 @@ fn locked_axes() {
     }
 }
 
-/// A body of a higher dominance group is to the other as if it had infinite mass: it is not moved, not
-/// slowed, and not turned by collisions, whatever the masses.
+/// A body of a higher dominance group acts with infinite mass on the other. Collisions do not change its
+/// velocity, whatever the masses.
 #[test]
 fn dominance() {
     for rate in RATES {

@@ -5,10 +5,10 @@ use crate::suite::physics::stage::{Dice, G, add_ground, steps, world};
 use crate::suite::physics::table::Table;
 use rapier::prelude::*;
 
-/// Throws of each kind.
+/// Number of throws of each kind.
 const THROWS: u64 = 12;
-/// Half the length and half the thickness (m): the moments about the middle are 355 times that about the rod
-/// itself.
+/// Half the length and half the thickness (m): the moment of inertia about the middle is 355 times that about
+/// the long axis.
 const HALF: [Real; 2] = [0.8, 0.03];
 
 fn shapes() -> [(&'static str, ColliderBuilder); 4] {
@@ -21,8 +21,8 @@ fn shapes() -> [(&'static str, ColliderBuilder); 4] {
     ]
 }
 
-/// The largest energy of a rod in the first two seconds after a throw, as a share of the one that it began
-/// with.
+/// Returns the largest energy of a rod in the first two seconds after a throw, as a fraction of its initial
+/// energy.
 fn largest_energy(
     rate: u32,
     shape: &ColliderBuilder,
@@ -91,11 +91,11 @@ fn thin_rods_that_land_gain_no_energy() {
     }
 }
 
-/// What lands level hits the ground with its edge all along, and the ground gives no momentum about the line
-/// where it touches: a rod that comes down with the speed `v` aside, on ground that it does not slide on, is
-/// spun until it rolls with `v m r² / (m r² + C)`, where `C` is its moment about itself: 2/3 of `v` for a
-/// cylinder. That must not depend on how fast it comes or how thin it is. (A tenth: a soft contact gives way
-/// by a share of the radius, and the lever of friction with it.)
+/// A horizontal rod hits the ground with its whole edge, so the impact has no moment about the line of
+/// contact. Friction without slip spins a rod with the sideways speed `v` until it rolls. Its speed is then
+/// `v m r² / (m r² + C)` with its moment of inertia `C`: 2/3 of `v` for a cylinder. The result must not
+/// depend on the vertical speed and the thickness. (The tolerance is a tenth: a soft contact yields by a
+/// fraction of the radius, which shortens the moment arm of friction.)
 #[test]
 fn what_lands_level_is_spun_to_two_thirds_of_its_speed() {
     for rate in [60, 120] {

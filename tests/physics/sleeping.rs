@@ -4,13 +4,13 @@ use super::stage::{G, RATES, add_ground, run, steps, weightless, world};
 use crate::dim::{about_z, cuboid, hinge, turned_about_z, vec};
 use rapier::prelude::*;
 
-/// Adds a cube with sides of 1 m whose bottom is at this height.
+/// Adds a cube with sides of 1 m, with its bottom at this height.
 fn add_cube(world: &mut PhysicsWorld, x: Real, bottom: Real) -> RigidBodyHandle {
     let body = RigidBodyBuilder::dynamic().translation(vec(x, bottom + 0.5));
     world.insert(body, cuboid(0.5, 0.5)).0
 }
 
-/// Ground, a stack of three cubes at 0 and one at 10, all asleep.
+/// Returns ground, a stack of three cubes at 0 and one at 10, all asleep.
 fn two_sleeping_stacks(rate: u32) -> (PhysicsWorld, [RigidBodyHandle; 3], [RigidBodyHandle; 3]) {
     let mut world = world(rate);
     add_ground(&mut world, 0.5);
@@ -25,7 +25,7 @@ fn sleepers(world: &PhysicsWorld, bodies: &[RigidBodyHandle]) -> usize {
     bodies.iter().filter(|&&body| world.bodies[body].is_sleeping()).count()
 }
 
-/// Bodies that touch fall asleep in the same step, when the last of them has come to rest.
+/// Touching bodies fall asleep in the same step, when the last of them has come to rest.
 #[test]
 fn an_island_falls_asleep_as_a_unit() {
     for rate in RATES {
@@ -33,7 +33,7 @@ fn an_island_falls_asleep_as_a_unit() {
         add_ground(&mut world, 0.5);
         let plank = RigidBodyBuilder::dynamic().translation(vec(0.0, 0.1));
         let (plank, _) = world.insert(plank, cuboid(5.0, 0.1));
-        // It rolls along the plank and takes three seconds to stop.
+        // The ball rolls along the plank and stops after three seconds.
         let ball = RigidBodyBuilder::dynamic().translation(vec(-3.0, 0.5)).linvel(vec(1.0, 0.0));
         let ball = ball.linear_damping(0.5).angular_damping(0.5);
         let (ball, _) = world.insert(ball, ColliderBuilder::ball(0.3));
@@ -67,9 +67,9 @@ fn sleep_costs_nothing() {
     }
 }
 
-/// Something that falls on a sleeping stack wakes all of it, and nothing else.
+/// A body that falls on a sleeping stack wakes all of it, and no other.
 #[test]
-fn a_falling_body_wakes_what_it_hits() {
+fn a_falling_body_wakes_the_bodies_that_it_hits() {
     for rate in RATES {
         let (mut world, left, right) = two_sleeping_stacks(rate);
         add_cube(&mut world, 0.0, 4.0);
@@ -87,9 +87,9 @@ fn a_falling_body_wakes_what_it_hits() {
     }
 }
 
-/// Without its lowest cube, what stood on it wakes and falls.
+/// Without its lowest cube, the rest of a stack wakes and falls.
 #[test]
-fn what_loses_its_support_wakes_and_falls() {
+fn bodies_without_support_wake_and_fall() {
     for rate in RATES {
         let (mut world, left, right) = two_sleeping_stacks(rate);
         let height = world.bodies[left[2]].translation().y;
@@ -104,9 +104,9 @@ fn what_loses_its_support_wakes_and_falls() {
     }
 }
 
-/// The same if the support has no body, or a fixed one, or only moves away.
+/// The same holds for a support without a body, on a fixed body, or that only moves away.
 #[test]
-fn what_loses_the_ground_wakes_and_falls() {
+fn bodies_without_ground_wake_and_fall() {
     for how in ["remove the collider", "remove the body", "move the body", "disable the body"] {
         let mut world = world(60);
         let body = RigidBodyBuilder::fixed().translation(vec(0.0, -1.0));
@@ -126,7 +126,7 @@ fn what_loses_the_ground_wakes_and_falls() {
     }
 }
 
-/// A kinematic body that starts to move wakes what lies on it, and takes it along.
+/// A kinematic body that starts to move wakes the bodies on it, and carries them along.
 #[test]
 fn a_moving_platform_wakes_its_cargo() {
     for rate in RATES {
@@ -139,16 +139,16 @@ fn a_moving_platform_wakes_its_cargo() {
         world.bodies[platform].set_linvel(vec(0.5, 0.0), true);
         run(&mut world, 2.0);
         let x = world.bodies[cube].translation().x;
-        // Friction has to bring it to speed first: it stays behind by u² / 2µg.
+        // Friction accelerates the body first: it stays behind by u² / 2µg.
         let formula = 1.0 - 0.5 * 0.5 / (2.0 * 0.5 * G);
         assert!(!world.bodies[cube].is_sleeping(), "it moves");
         assert!((x - formula).abs() < 0.5 / rate as Real, "it came to {x}, not {formula}");
     }
 }
 
-/// Pushes wake, and wake the neighbours, if they are asked to.
+/// Pushes wake a body and its neighbours on request.
 #[test]
-fn pushes_wake_if_asked() {
+fn pushes_wake_on_request() {
     let pushes: [fn(&mut RigidBody, bool); 4] = [
         |body, wake_up| body.apply_impulse(vec(0.1, 0.0), wake_up),
         |body, wake_up| body.apply_torque_impulse(about_z(0.1), wake_up),
@@ -166,7 +166,7 @@ fn pushes_wake_if_asked() {
     }
 }
 
-/// A body that drifts comes as far as its speed says. At 0.3 m/s it was once frozen after half a second.
+/// A drifting body covers the distance of its speed. At 0.3 m/s it was once frozen after half a second.
 #[test]
 fn a_drifting_body_is_not_frozen() {
     for rate in RATES {
@@ -183,7 +183,7 @@ fn a_drifting_body_is_not_frozen() {
     }
 }
 
-/// The size of a body counts: the tip of a beam of 20 m that turns by 0.02 rad/s moves at 0.2 m/s.
+/// The size of a body counts: the tip of a beam of 20 m that rotates at 0.02 rad/s moves at 0.2 m/s.
 #[test]
 fn a_beam_whose_tip_moves_is_not_frozen() {
     for rate in RATES {
@@ -199,7 +199,7 @@ fn a_beam_whose_tip_moves_is_not_frozen() {
     }
 }
 
-/// A trembling body keeps its place, and may sleep: 0.5 m/s to and fro from step to step is 8 mm.
+/// A trembling body keeps its place, and may sleep: 0.5 m/s to and fro in alternate steps is 8 mm.
 #[test]
 fn a_body_that_trembles_sleeps() {
     for rate in [60, 240] {
@@ -215,7 +215,7 @@ fn a_body_that_trembles_sleeps() {
     }
 }
 
-/// A pendulum of 10 m is slow for long, and longest where it turns: it swings for as long as one likes.
+/// A pendulum of 10 m is slow for long at its turning points, and still swings indefinitely.
 #[test]
 fn a_pendulum_is_not_frozen_where_it_turns() {
     for rate in RATES {
@@ -235,19 +235,19 @@ fn a_pendulum_is_not_frozen_where_it_turns() {
     }
 }
 
-/// Ten dominoes, of which the first is hardly out of balance: all of them fall.
+/// Ten dominoes, the first slightly out of balance: all of them fall.
 #[test]
 fn slow_dominoes_do_not_stop_falling() {
     for rate in RATES {
         let mut world = world(rate);
         add_ground(&mut world, 0.6);
         let (half_width, half_height): (Real, Real) = (0.05, 0.5);
-        // Upright, a domino is in balance on its edge at this angle.
+        // A domino balances on its edge at this angle.
         let balance = (half_width / half_height).atan();
         let dominoes: Vec<_> = (0..10)
             .map(|k| {
                 let lean = if k == 0 { 1.05 * balance } else { 0.0 };
-                // It has turned about its lower right edge.
+                // The domino has rotated about its lower right edge.
                 let edge = 0.4 * k as Real + half_width;
                 let (sine, cosine) = lean.sin_cos();
                 let x = edge - half_width * cosine + half_height * sine;
@@ -278,8 +278,7 @@ fn an_island_wakes_at_once() {
     }
 }
 
-/// A sleeping island that is woken stays awake for the full time until sleep, whether the wake-up is strong
-/// or weak.
+/// A woken island stays awake for the full time until sleep, after a strong or a weak wake-up.
 #[test]
 fn a_woken_island_stays_awake_for_its_time() {
     for strong in [false, true] {
@@ -293,7 +292,7 @@ fn a_woken_island_stays_awake_for_its_time() {
     }
 }
 
-/// A strong wake-up of an awake body restarts its time until sleep, a weak one does not.
+/// A strong wake-up of an awake body restarts its time until sleep; a weak one does not.
 #[test]
 fn only_a_strong_wake_up_restarts_the_time_of_an_awake_body() {
     for strong in [false, true] {
@@ -340,7 +339,7 @@ fn a_low_bounce_is_not_frozen() {
     }
 }
 
-/// Runs a mass on a spring for 4 s; returns whether it stayed awake.
+/// Runs a mass on a spring for 4 s. Returns whether it stayed awake.
 fn swings_on(rate: u32, amplitude: Real, frequency: Real) -> bool {
     let mut world = weightless(rate);
     let post = world.insert_body(RigidBodyBuilder::fixed());
@@ -353,8 +352,8 @@ fn swings_on(rate: u32, amplitude: Real, frequency: Real) -> bool {
     !world.bodies[body].is_sleeping()
 }
 
-/// A spring of ±5 mm has the mean speed 4 A f. Above the threshold of 0.05 m/s, which is at 2.5 Hz, it swings
-/// on. Below, it may stop as any motion below the threshold does.
+/// A spring of ±5 mm has the mean speed 4 A f. Above the threshold of 0.05 m/s, which is at 2.5 Hz, it keeps
+/// swinging. Below, it may stop like any motion below the threshold.
 #[test]
 fn a_short_spring_is_not_frozen() {
     for rate in RATES {

@@ -5,8 +5,8 @@ use super::table::Table;
 use crate::dim::{CORNER_YIELD, cuboid, vec};
 use rapier::prelude::*;
 
-/// Steps until everything sleeps; returns the number of steps, or `None` if it does not within this
-/// time (s), and the deepest overlap that was ever seen.
+/// Steps until all bodies sleep. Returns the number of steps, or `None` if they stay awake for this time (s),
+/// and the largest penetration.
 fn settle(world: &mut PhysicsWorld, seconds: Real) -> (Option<usize>, Real) {
     let mut deepest: Real = 0.0;
     for step in 1..=steps(world, seconds) {
@@ -23,14 +23,14 @@ fn asleep_at(step: Option<usize>) -> String {
     step.map_or("never".to_string(), |step| step.to_string())
 }
 
-/// Adds a cube with sides of 1 m whose bottom is at this height.
+/// Adds a cube with sides of 1 m, with its bottom at this height.
 fn add_cube(world: &mut PhysicsWorld, x: Real, bottom: Real) -> RigidBodyHandle {
     let body = RigidBodyBuilder::dynamic().translation(vec(x, bottom + 0.5));
     world.insert(body, cuboid(0.5, 0.5)).0
 }
 
-/// By how much a tower of `n` cubes is shorter than its cubes (m): each face overlaps by what is allowed, and
-/// the springs of its contacts give way by `σ g h² / β` for each cube above.
+/// Returns the shortening of a tower of `n` cubes (m): each face has the allowed penetration, and contact
+/// springs yield by `σ g h² / β` for each cube above.
 fn sag(world: &PhysicsWorld, n: usize) -> Real {
     let params = &world.integration_parameters;
     let h = params.substep();
@@ -64,9 +64,10 @@ fn tower() {
             format!("{:.2}", lean * 1.0e3),
         ]);
         table.require(step.is_some(), "does not sleep");
-        // It may fall asleep a little before it stands still.
+        // The tower may fall asleep slightly before it stands still.
         table.check("the top", top.y, 29.5 - sag, 0.1 * sag + 0.01);
-        // A fifth of a percent of its height: at 30 steps a second it sways for longer before it sleeps.
+        // The bound is a fifth of a percent of the height: at 30 steps per second the tower sways for longer
+        // before it sleeps.
         table.check("the lean", lean, 0.0, 0.06);
     }
 }
@@ -141,8 +142,8 @@ fn pyramid() {
     }
 }
 
-/// How many times the sag of a soft contact is that at 60 steps a second: it grows with the square of
-/// the step.
+/// Returns the sag of a soft contact relative to that at 60 steps per second: it grows with the square of the
+/// step.
 fn longer(rate: u32) -> Real {
     (60.0 / rate as Real) * (60.0 / rate as Real)
 }
@@ -181,8 +182,8 @@ fn heavy_top() {
     }
 }
 
-/// A separate stack moves as if it were alone, to the last bit, for any number of substeps of another island;
-/// and a lift under both carries both.
+/// A separate stack moves as if it were alone, to the last bit, for any number of substeps of another island.
+/// A lift under both carries both.
 #[test]
 fn substeps_of_an_island_are_its_own() {
     let stacks = |is_heavy: bool| {
@@ -207,10 +208,10 @@ fn substeps_of_an_island_are_its_own() {
     }
 }
 
-/// Impulses of long steps are too large to start short ones with: steps of changing length leave a stack
-/// alone.
+/// Impulses of long steps are too large as warm starts of short ones: steps of changing length must not
+/// disturb a stack.
 #[test]
-fn a_stack_does_not_mind_steps_of_changing_length() {
+fn steps_of_changing_length_do_not_disturb_a_stack() {
     let mut world = world(60);
     add_ground(&mut world, 0.5);
     let cubes: Vec<_> = (0..6).map(|k| add_cube(&mut world, 0.0, k as Real)).collect();
@@ -224,7 +225,7 @@ fn a_stack_does_not_mind_steps_of_changing_length() {
         let speeds = cubes.iter().map(|cube| world.bodies[*cube].linvel().length());
         fastest = speeds.fold(fastest, Real::max);
     }
-    // The sag changes with the step, and gravity alone makes 0.33 m/s in a step of 1/30 s.
+    // The sag changes with the step, and gravity alone gives 0.33 m/s in a step of 1/30 s.
     assert!(fastest < 0.5 * G / 30.0, "up to {fastest} m/s");
     assert!((world.bodies[cubes[5]].translation().y - settled).abs() < 0.01);
 }

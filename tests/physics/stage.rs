@@ -1,21 +1,21 @@
-//! Worlds to run tests in, and what they have in common.
+//! Common worlds and helpers of the tests.
 
 use crate::dim::{about_z, assortment, cuboid, vec};
 use rapier::prelude::*;
 
-/// Steps per second at which everything is tested.
+/// Tested numbers of steps per second.
 pub const RATES: [u32; 3] = [30, 60, 240];
 /// Acceleration of gravity (m/s²).
 pub const G: Real = 9.81;
 
-/// An empty world of this many steps per second.
+/// Returns an empty world with this number of steps per second.
 pub fn world(rate: u32) -> PhysicsWorld {
     let mut world = PhysicsWorld::new();
     world.integration_parameters.dt = 1.0 / rate as Real;
     world
 }
 
-/// Adds fixed ground whose top is at the height 0, with this friction.
+/// Adds fixed ground with its top at height 0, with this friction.
 pub fn add_ground(world: &mut PhysicsWorld, friction: Real) -> ColliderHandle {
     let slab = cuboid(100.0, 1.0).translation(vec(0.0, -1.0)).friction(friction);
     world.insert_collider(slab, None)
@@ -28,40 +28,40 @@ pub fn run(world: &mut PhysicsWorld, seconds: Real) {
     }
 }
 
-/// How many steps this time is.
+/// Returns the number of steps in this time.
 pub fn steps(world: &PhysicsWorld, seconds: Real) -> usize {
     (seconds / world.integration_parameters.dt).round() as usize
 }
 
-/// The deepest overlap of any two colliders (m).
+/// Returns the largest penetration of any two colliders (m).
 pub fn penetration(world: &PhysicsWorld) -> Real {
     let deepest = world.contact_pairs().filter_map(|(_, _, pair)| pair.find_deepest_contact());
     deepest.map(|(_, _, depth)| depth).fold(0.0, Real::max)
 }
 
-/// The length of a substep (s).
+/// Returns the length of a substep (s).
 pub fn substep(world: &PhysicsWorld) -> Real {
     world.integration_parameters.substep()
 }
 
-/// How far rounding alone may carry a sum of `terms` numbers of this size: half a unit in the last
+/// Returns a bound of the rounding error of a sum of `terms` numbers of this size: half a unit in the last
 /// place each, all in the same direction.
 pub fn rounding(terms: usize, size: Real) -> Real {
     0.5 * Real::EPSILON * size * terms as Real
 }
 
-/// An empty world of this many steps per second, without gravity.
+/// Returns an empty world with this number of steps per second, without gravity.
 pub fn weightless(rate: u32) -> PhysicsWorld {
     let mut world = world(rate);
     world.gravity = Vector::ZERO;
     world
 }
 
-/// A reproducible sequence of numbers (SplitMix64).
+/// Reproducible sequence of numbers (SplitMix64).
 pub struct Dice(pub u64);
 
 impl Dice {
-    /// The next number, from `low` to `high`.
+    /// Returns the next number, from `low` to `high`.
     pub fn within(&mut self, low: Real, high: Real) -> Real {
         self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
         let mut z = self.0;

@@ -7,11 +7,11 @@ use std::io::Write;
 use std::path::Path;
 use std::{env, fs, io, thread};
 
-/// The environment variable with the folder that gets a copy of each table.
+/// Environment variable with the folder for copies of all tables.
 const TABLES: &str = "FIDELITY_TABLES";
 
-/// Rows of text in aligned columns, and the rows' failures. Printed when it is dropped, so that all rows of a
-/// failing test are seen.
+/// Rows of text in aligned columns, and the rows' failures. The drop prints the table, so that all rows of a
+/// failing test are visible.
 pub struct Table {
     title: String,
     rows: Vec<Vec<String>>,
@@ -19,7 +19,7 @@ pub struct Table {
 }
 
 impl Table {
-    /// A table of this title and these columns.
+    /// Creates a table with this title and these columns.
     pub fn new(title: &str, columns: &[&str]) -> Self {
         let head = columns.iter().map(|column| column.to_string()).collect();
         Self { title: title.to_string(), rows: vec![head], problems: Vec::new() }
@@ -31,8 +31,8 @@ impl Table {
         self.rows.push(cells.into());
     }
 
-    /// Fails the test, once the table is complete, unless `figure` of the last row is within
-    /// `tolerance` of what it should be.
+    /// Fails the test, once the table is complete, unless `figure` of the last row is within `tolerance` of
+    /// `expected`.
     pub fn check(&mut self, what: &str, figure: Real, expected: Real, tolerance: Real) {
         let near = (figure - expected).abs() <= tolerance;
         self.require(near, &format!("{what} is {figure}, not {expected} ± {tolerance}"));
@@ -63,7 +63,7 @@ impl Drop for Table {
 }
 
 impl Table {
-    /// The title and the rows in aligned columns.
+    /// Returns the title and the rows in aligned columns.
     fn text(&self) -> String {
         let width = |column: usize| self.rows.iter().map(|row| row[column].chars().count()).max();
         let widths: Vec<usize> = (0..self.rows[0].len()).filter_map(width).collect();

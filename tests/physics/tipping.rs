@@ -5,8 +5,8 @@ use super::table::Table;
 use crate::dim::{about_z, cuboid, vec};
 use rapier::prelude::*;
 
-/// A pillar that leans too far falls over its lower edge. The edge stands still all the while, so the
-/// contact points there do not move; those of the side that comes down must be found all the same.
+/// A pillar that leans too far falls over its lower edge. The edge is at rest, so the contact points there do
+/// not move. The step must still find the new points of the approaching side.
 #[test]
 fn a_falling_pillar_does_not_sink_in() {
     for rate in RATES {
@@ -23,7 +23,7 @@ fn a_falling_pillar_does_not_sink_in() {
             world.step();
             deepest = deepest.max(-world.colliders[collider].compute_aabb().mins.y);
         }
-        // Its top arrives at 5 m/s; contacts are looked for once a step.
+        // The top arrives at 5 m/s; contacts are computed once per step.
         let tolerance = 5.0 / rate as Real + 0.01;
         assert!(deepest < tolerance, "at {rate} Hz it sank {deepest} into the ground");
     }
@@ -57,25 +57,27 @@ fn slabs_of_all_sizes_tip_over_in_time() {
         }
         let formula = pendulum_time(half_width, half_height, lean, end);
         table.row([(2.0 * half).to_string(), format!("{time:.3}"), format!("{formula:.3}")]);
-        // Two steps, and what the edge sinks in.
+        // The bound is two steps, plus the penetration of the edge.
         table.check("the time", time, formula, 0.03 * formula + 2.0 / 240.0);
     }
 }
 
-/// See [`slabs_of_all_sizes_tip_over_in_time`], for angles of the slab's side against the vertical.
+/// Returns the time of [`slabs_of_all_sizes_tip_over_in_time`], for angles of the slab's side from the
+/// vertical.
 fn pendulum_time(half_width: Real, half_height: Real, lean: Real, end: Real) -> Real {
     let balance = (half_width / half_height).atan();
     let (start, end) = (lean - balance, end - balance);
     let radius = half_width.hypot(half_height);
-    // I / m about the edge: a third of the square of the diagonal's half, and that again for Steiner's share.
+    // I / m about the edge: a third of the square of half the diagonal, plus the square by the parallel-axis
+    // theorem.
     let inertia = radius * radius * (1.0 + 1.0 / 3.0);
     let drive = G * radius / inertia;
-    // θ = θ₀ + s² takes the pole out of the beginning.
+    // The substitution θ = θ₀ + s² removes the pole at the start.
     let (pieces, mut time) = (1000, 0.0);
     let length = (end - start).sqrt() / pieces as Real;
     for piece in 0..pieces {
         let s = (piece as Real + 0.5) * length;
-        // cos θ₀ - cos θ, without the difference.
+        // The value of cos θ₀ - cos θ, without cancellation.
         let fall = 2.0 * (start + 0.5 * s * s).sin() * (0.5 * s * s).sin();
         let speed = (2.0 * drive * fall).sqrt();
         time += 2.0 * s / speed * length;

@@ -39,8 +39,8 @@ fn torque_free_rotation() {
             format!("{:.5}", lost * 100.0),
         ]);
         table.require(flips >= 8, "it does not flip");
-        // Second order in the angle of a substep, and what rounding does in each step: the velocity is
-        // made of the momentum, and the next step makes the momentum of the velocity.
+        // The error is of second order in the angle of a substep, plus rounding: the velocity is computed
+        // from the momentum, and the next step computes the momentum from the velocity.
         let angle = 5.0 * substep(&world);
         let drift = rounding(steps(&world, 60.0), 1.0);
         table.check("the error of the energy", largest, 0.0, 0.5 * angle * angle + 4.0 * drift);
@@ -62,7 +62,7 @@ fn nutation() {
         let momentum = spin_momentum(&world.bodies[body]);
         let formula = momentum.length() / inertia.x * 10.0 / (2.0 * std::f64::consts::PI as Real);
         let along = momentum.normalize();
-        // The axis of the disc, seen along the momentum.
+        // The axis of the disc, projected along the momentum.
         let seen = |world: &PhysicsWorld| {
             let axis = *world.bodies[body].rotation() * Vector::Y;
             (axis - along * axis.dot(along)).normalize()
@@ -82,7 +82,7 @@ fn nutation() {
             format!("{formula:.4}"),
             format!("{:+.4}", error * 100.0),
         ]);
-        // Second order in the angle of a substep.
+        // The error is of second order in the angle of a substep.
         let angle = 20.0 * substep(&world);
         table.check("the error", error, 0.0, 0.2 * angle * angle + 1.0e-4);
     }

@@ -32,8 +32,8 @@ fn dynamic_turntable() {
             let end = world.bodies[cargo].translation();
             let creep = Vector::new(end.x, 0.0, end.z).length() - 5.0;
             table.row([rate.to_string(), speed.to_string(), format!("{creep:+.4}")]);
-            // Friction stops the sliding of each substep, not what it slid within the substep: an angle of ω
-            // h, in each of 2π / ω h of them.
+            // Friction stops the sliding of each substep, but not the displacement within the substep: an
+            // angle of ω h, in each of 2π / ω h substeps.
             let substep = world.integration_parameters.substep();
             let limit = 5.0 * 2.0 * std::f64::consts::PI as Real * speed * substep + 0.01;
             table.check("the creep", creep, 0.0, 2.0 * limit);

@@ -1,8 +1,8 @@
-//! A hundred thousand questions, each asked twice: of the trees, and of every collider in turn.
+//! A hundred thousand queries, each answered twice: by the trees, and by a search of all colliders.
 //!
-//! Points and casts are compared to the last bit. parry's rays are other formulas than ours for some shapes,
-//! so times are compared to within its tolerance; that no tree changes a bit of them is a test in
-//! `src/query/hits/tests.rs`.
+//! Points and casts are compared to the last bit. For some shapes, parry's rays use other formulas than the
+//! engine's, so times are compared within its tolerance. A test in `src/query/hits/tests.rs` checks that
+//! trees change no bit of rays.
 
 use crate::dim::{about_z, assortment, vec};
 use crate::suite::physics::stage::{Dice, world};
@@ -10,10 +10,10 @@ use rapier::prelude::*;
 
 const COLLIDERS: usize = 2000;
 const EDITS: usize = 500;
-/// Half the size of the region with everything in it.
+/// Half the size of the region that contains all colliders.
 const REGION: Real = 20.0;
 
-/// How many questions of each kind, before the edits and after them: a hundred thousand in all.
+/// Numbers of queries of each kind, before and after the edits: a hundred thousand in all.
 const RAYS: usize = 30_000;
 const POINTS: usize = 15_000;
 const CASTS: usize = 5_000;
@@ -32,11 +32,11 @@ fn direction(dice: &mut Dice) -> Vector {
     for axis in 0..DIM {
         direction[axis] = dice.within(-1.0, 1.0);
     }
-    // Along an axis, every now and then.
+    // Some directions are along an axis.
     if dice.within(0.0, 1.0) < 0.1 { Vector::X } else { direction }
 }
 
-/// Colliders of all kinds, some with bodies of all kinds, some sensors.
+/// Returns colliders of all kinds, some with bodies of all kinds, some of them sensors.
 fn crowd(dice: &mut Dice) -> PhysicsWorld {
     let mut world = world(60);
     let mut shapes = assortment();
@@ -64,7 +64,7 @@ fn crowd(dice: &mut Dice) -> PhysicsWorld {
     world
 }
 
-/// Edits as users make them, without a step to take note of them.
+/// Edits the sets like a user, without a step afterwards.
 fn edit(world: &mut PhysicsWorld, dice: &mut Dice) {
     let shapes = assortment();
     for _ in 0..EDITS {
@@ -88,7 +88,7 @@ fn edit(world: &mut PhysicsWorld, dice: &mut Dice) {
     }
 }
 
-/// The nearest answer of all colliders; of equal ones, that of the lowest slot.
+/// Returns the nearest hit of all colliders; of equal ones, that of the lowest slot.
 fn first<T>(
     colliders: &ColliderSet,
     filter: QueryFilter<'_>,
@@ -118,9 +118,10 @@ fn filters<'a>(index: usize) -> QueryFilter<'a> {
     }
 }
 
-/// What parry says, asked so that it is right: from nearby, because its rays lose digits on their way; with a
-/// direction of unit length, which its way out of hollow shapes expects; and hollow shapes for the normal,
-/// too, because without it the limit is taken for the wall of a box.
+/// Returns parry's time of impact under conditions that make it exact. The ray starts nearby, because parry's
+/// rays lose digits over distance. Its direction has unit length, which parry's exits from hollow shapes
+/// require. Hollow shapes also request the normal, because without it parry takes the limit for the wall of a
+/// box.
 fn time_of_impact(collider: &Collider, ray: &Ray, limit: Real, solid: bool) -> Option<Real> {
     let (shape, pose, length) = (collider.shape(), collider.position(), ray.dir.length());
     let unit = ray.dir / length;
@@ -138,15 +139,15 @@ fn time_of_impact(collider: &Collider, ray: &Ray, limit: Real, solid: bool) -> O
     time.map(|time| (time + start) / length)
 }
 
-/// Returns whether two first hits are equal within rounding. Then each shape is hit at about the time of the
-/// other.
+/// Returns whether two first hits are equal within rounding. Each shape is then hit at about the other's
+/// time.
 fn agree(
     [found, expected]: [Option<(ColliderHandle, Real)>; 2],
     (ray, limit): (&Ray, Real),
     time_of: impl Fn(ColliderHandle) -> Option<Real>,
 ) -> bool {
-    // parry's search for the first point of a hull ends when it is this close, relative to the size of
-    // numbers (here up to 40).
+    // parry's search for the first point of a hull ends at this distance, relative to the size of numbers
+    // (here up to 40).
     let tolerance = 2.0e-3 / ray.dir.length();
     match (found, expected) {
         (None, None) => true,
@@ -245,7 +246,7 @@ fn compare_casts(view: QueryView<'_>, dice: &mut Dice) -> usize {
     hits
 }
 
-/// Asks everything. A test in which nothing is ever found, or something always, would not say much.
+/// Compares all queries. The test fails if all or no queries have hits, because it would then prove little.
 fn compare(view: QueryView<'_>, dice: &mut Dice) {
     for (what, asked, hits) in [
         ("rays", RAYS, compare_rays(view, dice)),
@@ -258,7 +259,7 @@ fn compare(view: QueryView<'_>, dice: &mut Dice) {
 }
 
 #[test]
-fn answers_are_those_of_every_collider() {
+fn results_agree_with_a_search_of_all_colliders() {
     let mut dice = Dice(31);
     let mut world = crowd(&mut dice);
     let mut queries = QueryPipeline::new();
@@ -272,9 +273,9 @@ fn answers_are_those_of_every_collider() {
     compare(queries.view(&world.colliders, QueryFilter::default()), &mut dice);
 }
 
-/// Bodies that move within and out of their boxes, step by step; the trees hear of some of it.
+/// Bodies move within and out of their boxes, step by step; the trees get some of the updates.
 #[test]
-fn answers_follow_moving_bodies() {
+fn results_follow_moving_bodies() {
     let mut dice = Dice(32);
     let mut world = crowd(&mut dice);
     let mut queries = QueryPipeline::new();
@@ -307,9 +308,9 @@ fn answers_follow_moving_bodies() {
     }
 }
 
-/// Many rays at once, on however many threads, are each answered as if they were alone.
+/// Batches of rays, on any number of threads, have the results of single rays.
 #[test]
-fn batches_are_answered_ray_by_ray() {
+fn batches_equal_single_rays() {
     let mut dice = Dice(33);
     let world = crowd(&mut dice);
     let mut queries = QueryPipeline::new();

@@ -7,7 +7,7 @@ fn box_at(x: Real) -> ColliderBuilder {
     cuboid(0.5, 0.5).translation(vec(x, 0.0))
 }
 
-/// Result of a ray from the left.
+/// Returns the hit of a ray from the left.
 fn hit(queries: &QueryPipeline, colliders: &ColliderSet) -> Option<ColliderHandle> {
     let ray = Ray::new(vec(-10.0, 0.0), Vector::X);
     let hit = queries.cast_ray(colliders, &ray, 100.0, true, QueryFilter::default());
@@ -15,7 +15,7 @@ fn hit(queries: &QueryPipeline, colliders: &ColliderSet) -> Option<ColliderHandl
 }
 
 #[test]
-fn every_kind_of_edit_is_seen_after_an_update() {
+fn every_kind_of_edit_takes_effect_after_an_update() {
     let (mut bodies, mut islands) = (RigidBodySet::new(), IslandManager::new());
     let mut colliders = ColliderSet::new();
     let mut queries = QueryPipeline::new();
@@ -30,7 +30,7 @@ fn every_kind_of_edit_is_seen_after_an_update() {
     queries.update(&colliders);
     assert_eq!(hit(&queries, &colliders), Some(near));
 
-    // Twice, with an update in between: the second is not lost in the first.
+    // There are two edits with an update in between, and none is lost.
     colliders[near].set_translation(vec(8.0, 0.0));
     queries.update(&colliders);
     assert_eq!(hit(&queries, &colliders), Some(far));
@@ -57,7 +57,7 @@ fn every_kind_of_edit_is_seen_after_an_update() {
 }
 
 #[test]
-fn two_readers_do_not_take_each_others_news() {
+fn two_readers_get_all_changes() {
     let mut colliders = ColliderSet::new();
     let (mut first, mut second) = (QueryPipeline::new(), QueryPipeline::new());
     let collider = colliders.insert(box_at(0.0));
@@ -72,7 +72,7 @@ fn two_readers_do_not_take_each_others_news() {
 }
 
 #[test]
-fn another_set_is_learned_from_scratch() {
+fn another_set_is_read_completely() {
     let mut one = ColliderSet::new();
     one.insert(box_at(0.0));
     let mut queries = QueryPipeline::new();
@@ -85,9 +85,9 @@ fn another_set_is_learned_from_scratch() {
     assert_ne!(hit(&queries, &one), Some(added));
 }
 
-/// A collider that was moved by the user and then, within its box, by steps.
+/// The user moves a collider, and steps then move it within its box.
 #[test]
-fn a_moved_collider_is_found_wherever_it_goes_from_there() {
+fn a_moved_collider_is_found_after_further_motion() {
     let mut world = PhysicsWorld::new();
     world.gravity = Vector::ZERO;
     let body = RigidBodyBuilder::dynamic().linvel(vec(0.0, -1.0));
@@ -109,7 +109,7 @@ fn a_moved_collider_is_found_wherever_it_goes_from_there() {
 }
 
 #[test]
-fn boxes_are_found_without_colliders_at_hand() {
+fn boxes_are_found_without_the_collider_set() {
     let mut colliders = ColliderSet::new();
     let near = colliders.insert(box_at(0.0));
     let sensor = colliders.insert(box_at(1.0).sensor(true));
@@ -134,9 +134,9 @@ fn boxes_are_found_without_colliders_at_hand() {
     assert_eq!(solid, [near]);
 }
 
-/// Far beyond the limits of the world and back again, by way of its body.
+/// A body moves its collider far beyond the limits of the world and back again.
 #[test]
-fn what_was_out_of_the_world_is_found_when_it_is_back() {
+fn a_collider_is_found_after_its_return_into_the_world() {
     let mut world = PhysicsWorld::new();
     world.gravity = Vector::ZERO;
     let (_, collider) = world.insert(RigidBodyBuilder::dynamic(), ColliderBuilder::ball(0.5));

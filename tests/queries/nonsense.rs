@@ -1,4 +1,4 @@
-//! Questions that make no sense have no answer, and do no harm.
+//! Invalid queries have no result, and do no harm.
 
 use crate::dim::{cuboid, vec};
 use rapier::parry::query::NonlinearRigidMotion;
@@ -29,7 +29,7 @@ fn rays() {
         assert!(cast(Ray::new(vec(bad, 0.0), Vector::X), 10.0).is_none());
         assert!(cast(Ray::new(vec(-5.0, 0.0), vec(1.0, bad)), 10.0).is_none());
     }
-    // As long and as short as numbers get.
+    // Directions have the largest and smallest representable lengths.
     for size in [Real::MAX, 1.0e30, 1.0e-30, Real::MIN_POSITIVE] {
         cast(Ray::new(vec(-5.0, 0.0), Vector::X * size), Real::MAX);
         cast(Ray::new(vec(-size, 0.0), Vector::X), Real::MAX);
@@ -88,7 +88,7 @@ fn shapes() {
 }
 
 #[test]
-fn a_pipeline_that_was_never_updated_knows_nothing() {
+fn a_pipeline_without_update_finds_nothing() {
     let (colliders, _) = block();
     let queries = QueryPipeline::new();
     let ray = Ray::new(vec(-5.0, 0.0), Vector::X);

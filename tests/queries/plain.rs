@@ -1,4 +1,4 @@
-//! Questions whose answers are known beforehand.
+//! Queries with known results.
 
 use crate::dim::{about_z, cuboid, vec};
 use rapier::parry::query::NonlinearRigidMotion;
@@ -45,10 +45,10 @@ fn walls_beyond_the_limit_are_not_hit_from_within() {
     assert_eq!(cast(3.0), Some((hollow, 2.0)));
 }
 
-/// A ray exactly along the common face of two boxes hits both at the same time: the first one is meant,
+/// A ray exactly along the common face of two boxes hits both at the same time. The result is the lower slot,
 /// however the tree was built.
 #[test]
-fn of_equal_answers_that_of_the_lower_slot_is_given() {
+fn equal_hits_return_the_lower_slot() {
     let places = [vec(0.0, 1.0), vec(0.0, -1.0), vec(0.0, 3.0), vec(0.0, -3.0)];
     for order in [[0, 1, 2, 3], [1, 0, 3, 2], [3, 2, 1, 0], [2, 0, 1, 3]] {
         let mut colliders = ColliderSet::new();
@@ -63,7 +63,7 @@ fn of_equal_answers_that_of_the_lower_slot_is_given() {
 }
 
 #[test]
-fn points_are_projected_onto_what_is_nearest() {
+fn points_are_projected_onto_the_nearest_collider() {
     let mut colliders = ColliderSet::new();
     let left = colliders.insert(cuboid(1.0, 1.0).translation(vec(-4.0, 0.0)));
     let right = colliders.insert(cuboid(1.0, 1.0).translation(vec(5.0, 0.0)));
@@ -88,7 +88,7 @@ fn points_are_projected_onto_what_is_nearest() {
 }
 
 #[test]
-fn shapes_meet_what_is_in_their_way() {
+fn cast_shapes_hit_obstacles() {
     let (colliders, wall, queries) = alone(cuboid(1.0, 10.0).translation(vec(6.0, 0.0)));
     let ball = rapier::parry::shape::Ball::new(0.5);
     let start = Pose::from_translation(Vector::ZERO);
@@ -97,7 +97,7 @@ fn shapes_meet_what_is_in_their_way() {
     };
     let (handle, hit) = cast(Vector::X * 3.0, 10.0).expect("the wall is in the way");
     assert_eq!(handle, wall);
-    // From the ball's surface at 0.5 to the wall's at 5, at 3 per unit of time.
+    // The distance from the ball's surface at 0.5 to the wall's at 5, at 3 per unit of time.
     assert!((hit.time_of_impact - 1.5).abs() < 1.0e-3, "{hit:?}");
     assert!(cast(Vector::X * 3.0, 1.4).is_none());
     assert!(cast(-Vector::X, 100.0).is_none());
@@ -106,9 +106,9 @@ fn shapes_meet_what_is_in_their_way() {
     assert_eq!(queries.intersection_with_shape(&colliders, &start, &ball, ALL), None);
 }
 
-/// A bar that turns about its middle sweeps over a peg beside it, which going straight it would not touch.
+/// A rotating bar sweeps over a peg beside it, which a translation would not touch.
 #[test]
-fn turning_shapes_meet_what_they_sweep_over() {
+fn rotating_shapes_hit_obstacles_in_their_sweep() {
     let (colliders, peg, queries) = alone(ColliderBuilder::ball(0.2).translation(vec(0.0, 2.0)));
     let bar = cuboid(3.0, 0.1).build();
     let still = RigidBodyBuilder::fixed().build();
@@ -120,7 +120,7 @@ fn turning_shapes_meet_what_they_sweep_over() {
         queries.cast_shape_nonlinear(&colliders, &motion(turn), bar.shape(), 0.0, 1.0, true, ALL)
     };
     assert!(sweep(0.0).is_none());
-    // The upper side of the bar reaches the peg when sin φ · 2 = 0.3, nearly, before a quarter turn.
+    // The upper side of the bar reaches the peg when sin φ · 2 = 0.3, nearly, before a quarter revolution.
     let (handle, hit) = sweep(1.6).expect("the peg is in the way");
     let turned = hit.time_of_impact * 1.6;
     assert_eq!(handle, peg);
@@ -129,7 +129,7 @@ fn turning_shapes_meet_what_they_sweep_over() {
 }
 
 #[test]
-fn groups_and_exclusions_are_kept() {
+fn groups_and_exclusions_are_respected() {
     let mut world = PhysicsWorld::new();
     let group = |n: u32| InteractionGroups::new(Group::from_bits_retain(n), Group::ALL);
     let (body, first) = world.insert(
@@ -166,9 +166,9 @@ fn groups_and_exclusions_are_kept() {
     assert_eq!(ask(ALL.groups(only(8))), None);
 }
 
-/// A ray that begins within a crowd hits all of it at once, compounds and single shapes alike.
+/// A ray that begins within a crowd hits all of it at time zero, compounds and single shapes alike.
 #[test]
-fn in_a_crowd_the_lowest_slot_is_met_whatever_its_shape() {
+fn in_a_crowd_the_lowest_slot_is_hit_whatever_its_shape() {
     for compound_at in 0..4 {
         let mut colliders = ColliderSet::new();
         let handles: Vec<_> = (0..4)

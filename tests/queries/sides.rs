@@ -6,23 +6,24 @@ use crate::suite::physics::stage::Dice;
 use rapier::parry::query::{NonlinearRigidMotion, ShapeCastHit};
 use rapier::prelude::*;
 
-/// Casts of each pair of shapes.
+/// Number of casts of each pair of shapes.
 const CASTS: usize = 12;
 
-/// A pose at this place, turned by a random angle about the axis that points out of the picture.
+/// Returns a pose at this place, rotated by a random angle about the axis out of the plane.
 fn posed(dice: &mut Dice, at: Vector) -> Pose {
     let body = RigidBodyBuilder::fixed().translation(at);
     *body.rotation(about_z(dice.within(-3.0, 3.0))).build().position()
 }
 
-/// Panics unless the hit lies on both surfaces, with opposite normals: that of the collider points against
-/// the motion.
+/// Panics unless the hit lies on both surfaces, with opposite normals, and the collider's normal points
+/// against the motion.
 #[track_caller]
 fn check(hit: &ShapeCastHit, collider: &Collider, shape: &dyn Shape, landed: &Pose, way: Vector) {
-    // parry's search of curved shapes ends within some thousandths of their size; a mix-up of sides or frames
-    // is off by metres.
+    // parry's search of curved shapes ends within some thousandths of their size. An exchange of sides or
+    // frames would give errors of metres.
     let tolerance = 2.0e-2;
-    // From outside as well: parry's projections of points on the surface of a polygon are not reliable.
+    // Points outside are checked as well: parry's projections of points on the surface of a polygon are
+    // unreliable.
     let off = |shape: &dyn Shape, pose: &Pose, point: Vector, normal: Vector| {
         let from = |height: Real| shape.project_point(pose, point + normal * height, false).point;
         from(0.0).distance(point).min(from(0.1).distance(point))

@@ -1,16 +1,16 @@
-//! Shapes that turn on their way, compared with formulas; and such that turn for very long.
+//! Rotating shape casts, compared with formulas, and casts with very long rotations.
 
 use super::plain::{ALL, alone};
 use crate::dim::{about_z, cuboid, vec};
 use rapier::parry::query::{NonlinearRigidMotion, ShapeCastHit, ShapeCastStatus};
 use rapier::prelude::*;
 
-/// From a place, about the shape's own middle.
+/// Returns a motion from a place, with a rotation about the shape's own middle.
 fn motion(at: Vector, velocity: Vector, turn: Real) -> NonlinearRigidMotion {
     NonlinearRigidMotion::new(Pose::from_translation(at), Vector::ZERO, velocity, about_z(turn))
 }
 
-/// The first touch of a shape on its way with one collider.
+/// Returns the first contact of a moving shape with one collider.
 fn cast(
     collider: ColliderBuilder,
     shape: &ColliderBuilder,
@@ -28,9 +28,9 @@ fn cast(
 /// Half the length of the bar, and half its height.
 const BAR: [Real; 2] = [1.0, 0.1];
 
-/// The lowest point of a bar that has turned by `φ` is `a |sin φ| + b |cos φ|` below its middle.
+/// The lowest point of a bar at the angle `φ` is `a |sin φ| + b |cos φ|` below its middle.
 #[test]
-fn a_bar_that_tumbles_lands_when_its_lowest_point_does() {
+fn a_tumbling_bar_lands_with_its_lowest_point() {
     let [a, b] = BAR;
     let floors =
         [ColliderBuilder::halfspace(Vector::Y), cuboid(10.0, 1.0).translation(vec(0.0, -1.0))];
@@ -57,9 +57,9 @@ fn a_bar_that_tumbles_lands_when_its_lowest_point_does() {
     }
 }
 
-/// However fast a ball spins, it arrives at the same time; times may be negative.
+/// A ball arrives at the same time, whatever its spin; times may be negative.
 #[test]
-fn the_spin_of_a_ball_does_not_matter() {
+fn the_spin_of_a_ball_has_no_effect() {
     for turn in [0.0, 1.0, 1.0e3, 1.0e6, 1.0e12] {
         let wall = cuboid(1.0, 10.0).translation(vec(6.0, 0.0));
         let fly = motion(Vector::ZERO, Vector::X * 3.0, turn);
@@ -69,9 +69,9 @@ fn the_spin_of_a_ball_does_not_matter() {
     }
 }
 
-/// parry's search does not come to an end with some of these.
+/// parry's search does not terminate for some of these motions.
 #[test]
-fn the_search_ends_however_long_something_spins() {
+fn the_search_terminates_for_long_rotations() {
     let bar = cuboid(BAR[0], BAR[1]);
     let peg = |distance| ColliderBuilder::ball(0.2).translation(vec(0.0, distance));
     for turn in [1.0, 1.0e3, 1.0e6, 1.0e9] {
@@ -85,18 +85,18 @@ fn the_search_ends_however_long_something_spins() {
                 assert!(meets(1.7, 0.0).is_none(), "out of reach, for ever");
                 assert!(meets(1.7, -1.0e-3).is_none(), "out of reach, and ever farther away");
                 assert!(turn * end < 2.0 || meets(0.9, 0.0).is_some(), "within reach");
-                // Where it just grazes, or crosses a peg that it fits past for a while, anything may be said
-                // in the end.
+                // For a grazing motion, or one that passes a peg narrowly for a while, either result is
+                // acceptable.
                 let _ = [meets(1.2049, 0.0), meets(1.21, 1.0e-6), meets(0.31, 1.0e-3)];
             }
         }
     }
 }
 
-/// A ball that begins 0.1 deep in a wall meets it at once, or is let go: out at any speed, and in until its
-/// middle would be inside.
+/// A ball that begins 0.1 deep in a wall hits it at once, or may leave: outwards at any speed, and inwards
+/// until its middle would be inside.
 #[test]
-fn who_begins_inside_is_let_go_unless_its_middle_gets_in() {
+fn a_penetrating_start_is_ignored_unless_the_middle_enters() {
     let wall = || cuboid(1.0, 10.0).translation(vec(1.4, 0.0));
     let ball = ColliderBuilder::ball(0.5);
     let go = |velocity: Real, at_once| {
@@ -114,7 +114,7 @@ fn who_begins_inside_is_let_go_unless_its_middle_gets_in() {
 }
 
 #[test]
-fn the_part_that_is_touched_is_named() {
+fn the_touched_part_is_returned() {
     let part = |x: Real| {
         (Pose::from_translation(vec(x, 0.0)), cuboid(0.5, 0.5).build().shared_shape().clone())
     };

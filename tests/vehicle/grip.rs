@@ -59,7 +59,7 @@ fn sideways() {
             road.run(1.0);
             let chassis = road.car.chassis;
             let turn = Rotation::from_rotation_y(Real::to_radians(angle));
-            // Rows to the side push higher up; the load is to stay the same at all wheels.
+            // Lateral impulses act higher up; the load must stay equal on all wheels.
             road.wheels(|wheel| wheel.roll_influence = 0.0);
             road.wheels(|wheel| wheel.brake = if is_locked { 1.0e6 } else { 0.0 });
             road.world.bodies[chassis].set_rotation(turn, true);
@@ -77,7 +77,7 @@ fn sideways() {
                 format!("{:.3}", way.z),
             ]);
             table.check("the distance", way.x, formula, 0.02 * formula);
-            // It dives in front, so its front wheels hold more, and it turns a little: by 1°, say.
+            // The car dives in front, so its front wheels have more grip, and it rotates by about 1°.
             table.check("the deviation", way.z, 0.0, 0.3);
         }
     }
@@ -126,7 +126,8 @@ fn curves() {
     }
 }
 
-/// Grip of side and drive are one: a wheel at full throttle on ice does not hold a push from the side.
+/// Lateral grip and drive share one friction circle: a wheel at full throttle on ice does not resist a
+/// lateral force.
 #[test]
 fn no_hold_while_spinning() {
     let pushed = |engine_force: Real| {

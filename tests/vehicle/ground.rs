@@ -5,7 +5,7 @@ use crate::suite::physics::stage::{G, world};
 use crate::suite::physics::table::Table;
 use rapier::prelude::*;
 
-/// A car on a plate, which the test moves.
+/// Puts a car on a plate, which the test moves.
 fn on_plate(rate: u32, plate: RigidBodyBuilder, gravity: Vector) -> (Road, RigidBodyHandle) {
     let mut world = world(rate);
     world.gravity = gravity;
@@ -52,9 +52,9 @@ fn platforms() {
                     format!("{:.3}", farthest * 1.0e3),
                     format!("{way:.2}"),
                 ]);
-                // Within a step the car comes to the platform's new velocity bit by bit, which the platform
-                // has from its beginning: it falls behind by ⅜ of what the velocity changes by, 4 m/s in all,
-                // times the step.
+                // The platform has its new velocity from the start of a step, and the car reaches it
+                // gradually. The car falls behind by ⅜ of the change of velocity, 4 m/s in all, times the
+                // step.
                 let behind = 0.5 * 0.375 * 4.0 / rate as Real;
                 table.check("the slip", farthest, 0.0, 1.1 * behind);
             }
@@ -62,12 +62,12 @@ fn platforms() {
     }
 }
 
-/// Where the chassis is on the plate, in the plate's frame.
+/// Returns the position of the chassis in the plate's frame.
 fn place_on(road: &Road, plate: RigidBodyHandle) -> Vector {
     road.world.bodies[plate].position().inverse() * road.chassis().translation()
 }
 
-/// Leads a platform: at most 2 m/s, 1 m/s² and 0.4 rad/s.
+/// Moves a platform: at most 2 m/s, 1 m/s² and 0.4 rad/s.
 fn lead(plate: &mut RigidBody, name: &str, time: Real, dt: Real) {
     let phase = 0.5 * time;
     let (wave, velocity) = (4.0 * (1.0 - phase.cos()), 2.0 * (phase - 0.25 * dt).sin());
@@ -93,7 +93,7 @@ fn momentum() {
     let mut table = Table::new("a car on a free plate, pressed to it, drives and steers", &columns);
     for rate in RATES {
         let (mut road, plate) = on_plate(rate, RigidBodyBuilder::dynamic(), Vector::ZERO);
-        // Forces between the two, in place of gravity.
+        // Forces between the two replace gravity.
         let chassis = road.car.chassis;
         road.world.bodies[chassis].add_force(-Vector::Y * 5000.0, true);
         road.world.bodies[plate].add_force(Vector::Y * 5000.0, true);
@@ -126,8 +126,8 @@ fn moment_of(body: &RigidBody) -> Vector {
     spin + body.center_of_mass().cross(body.linvel() * body.mass())
 }
 
-/// A plate in space that a car presses and drives on gets, in one update, the opposite of what the chassis
-/// gets: force and moment.
+/// A car presses on a plate in space and accelerates. In one update, the plate gets the opposite force and
+/// moment of the chassis.
 #[test]
 fn reaction() {
     let (mut road, plate) = on_plate(60, RigidBodyBuilder::dynamic(), Vector::ZERO);
@@ -150,7 +150,7 @@ fn reaction() {
     println!("momentum {} and moment {} were lost", before.0 - after.0, before.1 - after.1);
     assert!(plate.linvel().y < -0.01 && plate.linvel().x < -0.01, "{}", plate.linvel());
     assert!((before.0 - after.0).length() < 1.0e-4 * before.0.length());
-    // Lever arms are those of the beginning of the step, whereas both go on by some centimetres.
+    // Moment arms are those at the start of the step, whereas both bodies move by some centimetres.
     assert!((before.1 - after.1).length() < 0.02 * before.1.length());
 }
 
@@ -183,7 +183,7 @@ fn planks() {
                 format!("{:.3}", formula * 1.0e3),
                 format!("{:.3}", speed * 1.0e3),
             ]);
-            // The plank itself sinks into the floor: a contact of 10 kg yields under 1000.
+            // The plank itself sinks into the floor: a contact of 10 kg yields under 1000 kg.
             table.check("the height", height, formula, 1.0e-4);
             table.check("the speed", speed, 0.0, 2.0e-3);
         }

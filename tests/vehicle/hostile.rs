@@ -5,7 +5,7 @@ use crate::suite::hostile::listener::{listen, names};
 use crate::suite::hostile::values::{EDGES, NOT_FINITE};
 use rapier::prelude::*;
 
-/// A field of a wheel.
+/// Name of a field of a wheel, and its setter.
 type Field = (&'static str, fn(&mut Wheel, Real));
 
 const FIELDS: [Field; 19] = [
@@ -30,14 +30,14 @@ const FIELDS: [Field; 19] = [
     ("axle", |w, v| w.axle_cs.z = v),
 ];
 
-/// Outputs, which the user may overwrite with anything.
+/// Outputs, which the user may overwrite with any value.
 const OUTPUTS: [Field; 3] = [
     ("suspension force", |w, v| w.wheel_suspension_force = v),
     ("forward impulse", |w, v| w.forward_impulse = v),
     ("side impulse", |w, v| w.side_impulse = v),
 ];
 
-fn is_sound(road: &Road) -> bool {
+fn is_valid(road: &Road) -> bool {
     let chassis = road.chassis();
     let wheels = road.car.wheels().iter();
     let numbers = wheels.flat_map(|wheel| {
@@ -52,8 +52,8 @@ fn is_sound(road: &Road) -> bool {
         && numbers.into_iter().all(Real::is_finite)
 }
 
-/// An infinite brake holds every wheel, also in the air and under a chassis without mass, where no impulse
-/// turns it.
+/// An infinite brake locks every wheel, also in the air and under a chassis without mass, where no impulse
+/// rotates it.
 #[test]
 fn an_infinite_brake_under_a_chassis_without_mass() {
     let mut road = Road::level(60, 1.0);
@@ -65,11 +65,11 @@ fn an_infinite_brake_under_a_chassis_without_mass() {
     road.wheels(|wheel| wheel.brake = Real::INFINITY);
     road.run(0.2);
     assert_eq!(road.chassis().mass(), 0.0);
-    assert!(is_sound(&road));
+    assert!(is_valid(&road));
     assert!(road.car.wheels().iter().all(|wheel| wheel.spin() == 0.0));
 }
 
-/// Every field of one wheel takes every value: the world stays sound, and what is no number is named in the
+/// Every field of one wheel takes every value: the world stays finite, and invalid numbers are named in the
 /// log.
 #[test]
 fn every_number_everywhere() {
@@ -79,7 +79,7 @@ fn every_number_everywhere() {
             road.run(0.2);
             set(&mut road.car.wheels_mut()[1], value);
             let ((), log) = listen(|| road.run(0.2));
-            assert!(is_sound(&road), "{name} of {value}");
+            assert!(is_valid(&road), "{name} of {value}");
             let told = log.iter().any(|line| line.contains(name) && names(line, value));
             let may_be_infinite = ["travel", "force", "brake"].contains(&name) && value > 0.0;
             if NOT_FINITE.iter().any(|v| v.to_bits() == value.to_bits()) && !may_be_infinite {
@@ -97,12 +97,12 @@ fn every_number_everywhere() {
             road.run(0.2);
             road.wheels(|wheel| set(wheel, value));
             let ((), log) = listen(|| road.run(0.2));
-            assert!(is_sound(&road) && log.is_empty(), "{name} of {value}");
+            assert!(is_valid(&road) && log.is_empty(), "{name} of {value}");
         }
     }
 }
 
-/// A wheel that was unusable goes on once it is repaired.
+/// An unusable wheel works again after its repair.
 #[test]
 fn repaired() {
     let mut road = Road::level(60, 1.0);
@@ -116,7 +116,7 @@ fn repaired() {
 }
 
 #[test]
-fn time_steps_that_are_none() {
+fn invalid_time_steps() {
     for dt in [0.0, -0.0, -1.0, Real::NAN, Real::INFINITY, Real::NEG_INFINITY, Real::MAX] {
         let mut road = Road::level(60, 1.0);
         road.wheels(|wheel| wheel.engine_force = 1000.0);
@@ -129,7 +129,7 @@ fn time_steps_that_are_none() {
         assert_eq!(road.car.wheels()[0].rotation, before);
         let linvel = road.chassis().linvel();
         road.world.step();
-        // It falls as if it were alone.
+        // The chassis falls as if it were alone.
         let fallen = road.chassis().linvel() - linvel;
         assert!((fallen - Vector::Y * -9.81 / 60.0).length() < 1.0e-5, "{dt}: {fallen}");
     }
@@ -147,7 +147,7 @@ fn very_short_and_very_long_steps() {
             let queries = road.world.query_pipeline_mut(QueryFilter::default());
             road.car.update_vehicle(dt, queries);
             road.world.step();
-            assert!(is_sound(&road), "{dt}");
+            assert!(is_valid(&road), "{dt}");
         }
     }
 }
@@ -172,9 +172,9 @@ fn no_chassis() {
     assert!(log.is_empty() || log[0].contains('3'), "{log:?}");
 }
 
-/// A chassis that is disabled, fixed, kinematic, without mass, or locked in every axis.
+/// The chassis is disabled, fixed, kinematic, without mass, or locked in every axis.
 #[test]
-fn odd_chassis() {
+fn unusual_chassis() {
     type Change = fn(&mut RigidBody);
     let changes: [Change; 7] = [
         |body| body.set_enabled(false),
@@ -192,16 +192,16 @@ fn odd_chassis() {
         change(&mut road.world.bodies[chassis]);
         road.wheels(|wheel| wheel.engine_force = 1000.0);
         road.run(0.5);
-        assert!(is_sound(&road), "{index}");
+        assert!(is_valid(&road), "{index}");
     }
     let mut road = Road::level(60, 1.0);
     let shape = road.chassis().colliders()[0];
     road.world.remove_collider(shape);
     road.run(0.5);
-    assert!(is_sound(&road));
+    assert!(is_valid(&road));
 }
 
-/// The wheels of a kinematic chassis roll along.
+/// The wheels of a kinematic chassis roll with its motion.
 #[test]
 fn kinematic_chassis_roll() {
     let mut road = Road::level(60, 1.0);
@@ -213,10 +213,10 @@ fn kinematic_chassis_roll() {
     assert!((road.car.wheels()[0].rotation * 0.3 - 3.0).abs() < 1.0e-3);
 }
 
-/// Rays begin inside the chassis, which has several colliders, one of them low; sensors are no ground. The
-/// user's own exclusion stays as well.
+/// Rays begin inside the chassis, which has several colliders, one of them low; sensors are not ground. The
+/// user's own exclusion remains in effect.
 #[test]
-fn own_chassis_and_sensors_are_no_ground() {
+fn own_chassis_and_sensors_are_not_ground() {
     let mut road = Road::level(60, 1.0);
     let chassis = road.car.chassis;
     let skirt = ColliderBuilder::cuboid(2.0, 0.05, 0.9).translation(-Vector::Y * 0.45).density(0.0);
@@ -240,7 +240,7 @@ fn own_chassis_and_sensors_are_no_ground() {
     assert_eq!(road.world.colliders[ground].parent(), None);
 }
 
-/// Twice the same drive gives the same bits; a second update before the step does not blow up.
+/// The same drive twice gives the same bits; a second update before the step does not diverge.
 #[test]
 fn determinism_and_double_updates() {
     let drive = |updates: usize| {
@@ -257,7 +257,7 @@ fn determinism_and_double_updates() {
                 road.car.update_vehicle(1.0 / 60.0, queries);
             }
             road.step();
-            assert!(is_sound(&road));
+            assert!(is_valid(&road));
         }
         crate::dim::components(road.chassis().position())
     };
@@ -266,9 +266,9 @@ fn determinism_and_double_updates() {
     assert!(twice.iter().all(|number| number.abs() < 100.0), "{twice:?}");
 }
 
-/// Two vehicles on one chassis, one upside down, and one whose ground is the other.
+/// Two vehicles share one chassis, one of them upside down, and a vehicle stands on another one.
 #[test]
-fn odd_company() {
+fn vehicles_on_vehicles() {
     let mut road = Road::level(60, 1.0);
     let mut second = road.car.clone();
     let upside_down = Rotation::from_rotation_x(3.1);
@@ -281,7 +281,7 @@ fn odd_company() {
             car.update_vehicle(1.0 / 60.0, road.world.query_pipeline_mut(QueryFilter::default()));
         }
         road.step();
-        assert!(is_sound(&road));
+        assert!(is_valid(&road));
     }
     for (_, body) in road.world.bodies.iter() {
         assert!(body.linvel().length() < 1.0, "{}", body.linvel());

@@ -1,7 +1,7 @@
 //! Vehicles: the physics of cars.
 //!
-//! As in `tests/physics/`, each test states a formula and how far from it an update of a given length may be,
-//! and prints what came out.
+//! As in `tests/physics/`, each test states a formula and a tolerance for each length of an update, and
+//! prints the figures.
 
 mod stage;
 

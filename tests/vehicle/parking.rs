@@ -74,7 +74,7 @@ fn up_to_the_limit_of_friction() {
                 format!("{:.5}", -way),
                 format!("{:.5}", 2.0 * acceleration),
             ]);
-            // At the limit the swing that goes with the lost grip makes it slide once.
+            // At the limit, the oscillation after the loss of grip makes it slide once.
             table.check("what it slid", -way, 2.0 * acceleration, 0.02 * acceleration + 0.01);
         }
     }

@@ -33,7 +33,8 @@ fn acceleration() {
             ]);
             table.check("the speed", speed, formula, 0.01 * formula);
             if force / MASS < friction * G {
-                // Between two velocities by their mean, whereas substeps are a little ahead.
+                // Between two velocities the wheel rotates with their mean, whereas substeps are slightly
+                // ahead.
                 table.check("what it rolled", rolled, went, 0.005 * went + 0.01);
             } else {
                 table.require(rolled > 1.2 * went, "its wheels do not spin");
@@ -125,12 +126,12 @@ fn turning_circle() {
             road.run(1.0);
             let chassis = road.car.chassis;
             road.world.bodies[chassis].set_linvel(Vector::X * 2.0, true);
-            // Both front wheels by the same angle, as of one wheel in their middle.
+            // Both front wheels have the same angle, like one wheel in their middle.
             for wheel in &mut road.car.wheels_mut()[..2] {
                 wheel.steering = steering;
                 wheel.chassis_connection_point_cs.z = 0.0;
             }
-            // Something has to make up for what scrubbing of the tyres takes.
+            // The drive compensates the scrubbing losses of the tyres.
             let drive = |road: &mut Road| {
                 let missing = 2.0 - road.chassis().linvel().length();
                 for wheel in &mut road.car.wheels_mut()[2..] {
@@ -161,7 +162,7 @@ fn turning_circle() {
     }
 }
 
-/// Wheels in the air go on turning; a brake stops them.
+/// Wheels in the air keep rotating; a brake stops them.
 #[test]
 fn spin_in_the_air() {
     let mut road = Road::level(60, 1.0);
@@ -184,7 +185,7 @@ fn spin_in_the_air() {
 
 /// The car drives the same to the last bit, independent of the owner of the trees.
 #[test]
-fn three_ways_to_ask() {
+fn three_kinds_of_queries() {
     let dt = 1.0 / 60.0;
     let drive = |update: &dyn Fn(&mut DynamicRayCastVehicleController, &mut PhysicsWorld)| {
         let mut road = Road::level(60, 1.0);
@@ -216,8 +217,8 @@ fn three_ways_to_ask() {
     assert_eq!(by_world, by_queries);
 }
 
-/// A wheel is drawn as it rolls: forwards its top goes ahead, steered to the left its front goes left (-z,
-/// seen along x with y up), and its drawn axle is the one that it drives with.
+/// The drawn pose of a wheel agrees with its rolling. Forwards, the wheel's top moves ahead. Steered to the
+/// left, its front moves left (-z, in a view along x with y up). Its drawn axle is the physical one.
 #[test]
 fn drawn_as_it_rolls() {
     let mut road = Road::level(60, 1.0);

@@ -6,7 +6,8 @@ use crate::suite::physics::table::Table;
 use rapier::parry::utils::Array2;
 use rapier::prelude::*;
 
-/// A car on a field of bumps, 60 m square with a cell a metre, as high as `bumps`, in a bowl.
+/// Puts a car on a field of bumps in a bowl, 60 m square with cells of a metre, with bumps of the height
+/// `bumps`.
 fn on_bumps(rate: u32, bumps: Real, friction: Real) -> Road {
     let mut world = world(rate);
     let mut dice = Dice(7);
@@ -24,7 +25,7 @@ fn on_bumps(rate: u32, bumps: Real, friction: Real) -> Road {
     Road { car: add_car(&mut world, pose, friction), world }
 }
 
-/// The energy of a car: of motion, of height and in its springs.
+/// Returns the energy of a car: kinetic, potential, and elastic.
 fn energy(road: &Road) -> Real {
     let chassis = road.chassis();
     let springs = road.car.wheels().iter().map(|wheel| {
@@ -74,10 +75,10 @@ fn coasting_gains_no_energy() {
     }
 }
 
-/// A car drives over bumps with random throttle and steering. Speed, rotation and height stay below bounds that
-/// a gain of energy from bumps would exceed.
+/// A car drives over bumps with random throttle and steering. Speed, rotation and height stay below bounds
+/// that a gain of energy from bumps would exceed.
 #[test]
-fn wild_driving() {
+fn random_driving() {
     let columns = ["rate", "µ", "fastest (m/s)", "turns (rad/s)", "highest (m)"];
     let mut table = Table::new("full throttle in the bumps for 20 s", &columns);
     for rate in RATES {
@@ -106,8 +107,8 @@ fn wild_driving() {
                 format!("{turns:.2}"),
                 format!("{highest:.2}"),
             ]);
-            // A second of full throttle gains 10 m/s; a toy that gained energy from bumps would soon have
-            // more.
+            // A second of full throttle gains 10 m/s. A car that gained energy from bumps would soon exceed
+            // this bound.
             table.require(fastest < 25.0, "it is too fast");
             table.require(turns < 12.0, "it tumbles");
             table.require(highest < 20.0, "it flies");

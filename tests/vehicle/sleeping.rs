@@ -1,9 +1,9 @@
-//! Vehicles fall asleep like everything else, and wake for a driver.
+//! Vehicles fall asleep like other bodies, and wake for input.
 
 use super::stage::Road;
 use rapier::prelude::*;
 
-/// A car that has stood long enough to sleep.
+/// Returns a car that has stood long enough to sleep.
 fn asleep(slope: Real) -> Road {
     let mut road = Road::new(60, slope, 1.0);
     let chassis = road.car.chassis;
@@ -37,7 +37,7 @@ fn the_engine_wakes_it() {
     assert!(road.chassis().translation().x > start + 3.0);
 }
 
-/// A slope of 1° takes two seconds to make a car faster than bodies that may sleep.
+/// On a slope of 1°, a car needs two seconds to exceed the speed of bodies that may sleep.
 #[test]
 fn released_brakes_wake_it() {
     let slope = Real::to_radians(1.0);
@@ -51,7 +51,7 @@ fn released_brakes_wake_it() {
 }
 
 #[test]
-fn ground_that_goes_wakes_it() {
+fn removed_ground_wakes_it() {
     let mut road = asleep(0.0);
     let ground = road.car.wheels()[0].raycast_info().ground_object.unwrap();
     road.world.remove_collider(ground);
@@ -60,7 +60,7 @@ fn ground_that_goes_wakes_it() {
     assert!(road.chassis().linvel().y < -9.0, "{}", road.chassis().linvel());
 }
 
-/// A car that goes as slowly as bodies that fall asleep goes on.
+/// A car at the speed of bodies that fall asleep keeps moving.
 #[test]
 fn slow_cars_do_not_sleep() {
     let mut road = asleep(0.0);
@@ -73,7 +73,7 @@ fn slow_cars_do_not_sleep() {
     assert!((way - 2.0).abs() < 0.01, "{way}");
 }
 
-/// A platform below a sleeping car that begins to move takes it along.
+/// A platform below a sleeping car carries it along when it starts to move.
 #[test]
 fn platforms_wake_it() {
     let mut road = Road::level(60, 1.0);

@@ -1,28 +1,28 @@
-//! A car to test, and what it drives on.
+//! A test car and its ground.
 
 use crate::suite::physics::stage::world;
 use rapier::prelude::*;
 
 /// Mass of the car (kg).
 pub const MASS: Real = 1000.0;
-/// Half of the distances between the axles, and between the wheels of one (m).
+/// Half the distance between the axles, and half the distance between the wheels of one axle (m).
 pub const HALF_BASE: Real = 1.3;
 pub const HALF_TRACK: Real = 0.8;
-/// Of the suspension: stiffness (1/s²), damping (1/s), rest length (m). With four wheels 2 Hz and a
-/// damping ratio of 0.3.
+/// Stiffness (1/s²), damping (1/s) and rest length (m) of the suspension. With four wheels they give 2 Hz and
+/// a damping ratio of 0.3.
 pub const STIFFNESS: Real = 40.0;
 pub const DAMPING: Real = 1.9;
 pub const REST_LENGTH: Real = 0.4;
 /// Radius of the wheels (m).
 pub const RADIUS: Real = 0.3;
-/// How far below the centre of mass suspensions hang (m).
+/// Distance of the suspensions below the centre of mass (m).
 pub const HANG: Real = 0.2;
-/// How far the car sinks on its springs: `m g / 4 k` (m).
+/// Compression of the springs at rest: `m g / 4 k` (m).
 pub const SAG: Real = 9.81 / (4.0 * STIFFNESS);
-/// Height of its centre of mass above the ground when it stands (m).
+/// Height of the centre of mass above the ground at rest (m).
 pub const HEIGHT: Real = HANG + REST_LENGTH + RADIUS - SAG;
 
-/// Steps per second at which everything is tested.
+/// Tested numbers of steps per second.
 pub const RATES: [u32; 3] = [30, 60, 120];
 
 /// A car in a world.
@@ -31,7 +31,7 @@ pub struct Road {
     pub car: DynamicRayCastVehicleController,
 }
 
-/// The tuning of the car, with this coefficient of friction.
+/// Returns the tuning of the car, with this coefficient of friction.
 pub fn tuning(friction: Real) -> WheelTuning {
     WheelTuning {
         suspension_stiffness: STIFFNESS,
@@ -43,7 +43,7 @@ pub fn tuning(friction: Real) -> WheelTuning {
     }
 }
 
-/// Puts a car that drives along x on its wheels at a pose of its centre of mass. It never sleeps.
+/// Adds a car that drives along x on its wheels, at a pose of its centre of mass. It never sleeps.
 pub fn add_car(
     world: &mut PhysicsWorld,
     pose: Pose,
@@ -60,14 +60,14 @@ pub fn add_car(
     car
 }
 
-/// Where the wheels are: front left, front right, rear left, rear right.
+/// Returns the positions of the wheels: front left, front right, rear left, rear right.
 pub fn corners() -> [(Real, Real); 4] {
     let (x, z) = (HALF_BASE, HALF_TRACK);
     [(x, -z), (x, z), (-x, -z), (-x, z)]
 }
 
 impl Road {
-    /// A car that stands on a plane, which rises by this angle (rad) towards +x.
+    /// Creates a car that stands on a plane, which rises by this angle (rad) towards +x.
     pub fn new(rate: u32, slope: Real, friction: Real) -> Self {
         let mut world = world(rate);
         let turn = Rotation::from_rotation_z(slope);
@@ -80,30 +80,30 @@ impl Road {
         Self { world, car }
     }
 
-    /// A car on level ground.
+    /// Creates a car on level ground.
     pub fn level(rate: u32, friction: Real) -> Self {
         Self::new(rate, 0.0, friction)
     }
 
-    /// One update and one step.
+    /// Runs one update and one step.
     pub fn step(&mut self) {
         let dt = self.world.integration_parameters.dt;
         self.car.update_vehicle(dt, self.world.query_pipeline_mut(QueryFilter::default()));
         self.world.step();
     }
 
-    /// As many of them as fill this time (s).
+    /// Runs updates and steps for this time (s).
     pub fn run(&mut self, seconds: Real) {
         let steps = (seconds / self.world.integration_parameters.dt).round() as usize;
         (0..steps).for_each(|_| self.step());
     }
 
-    /// The chassis.
+    /// Returns the chassis.
     pub fn chassis(&self) -> &RigidBody {
         &self.world.bodies[self.car.chassis]
     }
 
-    /// Sets something at each wheel.
+    /// Edits each wheel.
     pub fn wheels(&mut self, set: impl FnMut(&mut Wheel)) {
         self.car.wheels_mut().iter_mut().for_each(set);
     }

@@ -89,7 +89,7 @@ fn bounce() {
     }
 }
 
-/// The inner extrema of samples, as (place, height): of the parabola through three of them.
+/// Returns the inner extrema of samples as (time, height), each from the parabola through three of them.
 fn extrema(samples: &[Real]) -> Vec<(Real, Real)> {
     let inner = samples.windows(3).enumerate();
     let extreme = |[a, b, c]: [Real; 3]| (b - a) * (c - b) <= 0.0 && (a != b || b != c);
@@ -145,7 +145,7 @@ fn limits() {
         ["rate", "limit (N)", "travel (m)", "largest force (N)", "shortest (m)", "height (m)"];
     let mut table = Table::new("a car dropped by 0.3 m", &columns);
     for rate in RATES {
-        // Four times 2000 N do not carry 1000 kg: it comes to lie on its own collider.
+        // Four times 2000 N do not carry 1000 kg: the car comes to rest on its own collider.
         for (limit, travel) in [(1.0e5, 5.0), (2000.0, 5.0), (1.0e5, 0.1)] {
             let mut road = Road::level(rate, 1.0);
             road.wheels(|wheel| {
@@ -180,7 +180,8 @@ fn limits() {
     }
 }
 
-/// The numbers of a well-known example of the API: a toy of 22 kg that is all default but for the springs.
+/// The numbers are those of a well-known example of the API: a toy of 22 kg with default values except for
+/// the springs.
 #[test]
 fn a_toy_of_defaults() {
     for rate in RATES {
@@ -209,7 +210,7 @@ fn a_toy_of_defaults() {
         road.run(2.0);
         let (speed, top) = (road.car.current_vehicle_speed, road.chassis().translation().y);
         println!("{rate}: rests at {rest}, drives at {speed}");
-        // With the default µ of 10.5 it takes any curve, leaning out of it a little.
+        // With the default µ of 10.5 it takes any curve, with a slight lean outwards.
         assert!((top - rest).abs() < 0.03, "{rate}: {rest} at rest, {top} driving");
         assert!((3.0..5.8).contains(&speed), "{speed}");
         road.wheels(|wheel| (wheel.engine_force, wheel.brake) = (0.0, 1.0));

@@ -1,8 +1,8 @@
-//! Damage: what each value of saved data may be changed to.
+//! Damage: changed values of saved data.
 
 use super::tree::Tree;
 
-/// Variants of all enums of the engine that hold no data, and one that no enum has.
+/// Variants of all enums of the engine without data, and an unknown one.
 const VARIANTS: [&str; 22] = [
     "Enabled",
     "Disabled",
@@ -28,7 +28,7 @@ const VARIANTS: [&str; 22] = [
     "Unheard",
 ];
 
-/// Returns what a value may be changed to.
+/// Returns the changed versions of a value.
 pub fn changes(tree: &Tree) -> Vec<Tree> {
     match tree {
         Tree::Unit => vec![Tree::Some(Box::new(Tree::Unsigned(0)))],
@@ -81,7 +81,7 @@ fn changed_lists(items: &[Tree]) -> Vec<Tree> {
         .to_vec()
 }
 
-/// Calls back for each value of a tree, from the root down. The path says where it is.
+/// Calls `visit_one` for each value of a tree, from the root down. The path identifies the value.
 pub fn visit(tree: &mut Tree, path: &str, visit_one: &mut impl FnMut(&mut Tree, &str)) {
     visit_one(tree, path);
     match tree {

@@ -1,7 +1,7 @@
 //! Worlds that are loaded from damaged data: each number, list and variant of a saved world is changed, one
 //! at a time.
 //!
-//! The data is refused, or the world is loaded and goes on: nothing panics, and all numbers stay finite.
+//! The data is rejected, or the loaded world continues: there is no panic, and all numbers stay finite.
 
 use super::damage::{changes, visit};
 use super::saved::EDITS;
@@ -12,7 +12,7 @@ use super::twins::{outcome, outcome_anew};
 use crate::rapier::prelude::*;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
-/// How often data was refused, and how often it was loaded.
+/// Numbers of rejected and of loaded data.
 #[derive(Debug, Default)]
 struct Tally {
     refused: usize,
@@ -21,14 +21,14 @@ struct Tally {
 }
 
 impl Tally {
-    /// Both happen: otherwise the test would change nothing, or nothing that can be loaded.
+    /// Checks that both numbers are large. Otherwise the changes would prove nothing.
     fn check(&self) {
         let fewest = (self.refused + self.loaded) / 10;
         assert!(fewest > 0 && self.refused.min(self.loaded) >= fewest, "{self:?}");
     }
 }
 
-/// Loads a set with changes into a world whose other sets are loaded, too, or live. Steps it as it is, and
+/// Loads a set with changes into a world with its other sets loaded as well, or live. Steps it directly, and
 /// after an edit.
 fn try_change(world: &PhysicsWorld, set: usize, tree: &Tree, edit: fn(&mut PhysicsWorld)) -> bool {
     let mut world = copy(world);
@@ -43,24 +43,24 @@ fn try_change(world: &PhysicsWorld, set: usize, tree: &Tree, edit: fn(&mut Physi
     true
 }
 
-/// Which of all changes of a world are made.
+/// Selection of changes of a world.
 struct Selection {
-    /// The number of the first one.
+    /// Index of the first change.
     first: usize,
-    /// One of so many is made.
+    /// Step between selected indices.
     stride: usize,
-    /// How many are made at a time.
+    /// Number of simultaneous changes.
     at_once: usize,
 }
 
-/// A value of a tree, and what it is changed to.
+/// A value of a tree, and its replacement.
 struct Change {
     path: String,
     old: Tree,
     new: Tree,
 }
 
-/// The changes of a selection; `number` counts all of them.
+/// Returns the changes of a selection; `number` counts all changes.
 fn selected(whole: &Tree, name: &str, number: &mut usize, stride: usize) -> Vec<Change> {
     let mut selected = Vec::new();
     visit(&mut whole.clone(), name, &mut |tree, path| {
@@ -114,16 +114,16 @@ fn stepped() -> PhysicsWorld {
     world
 }
 
-/// Some of the changes, to a world whose other sets are live.
+/// Some of the changes are made to a world with its other sets live.
 #[test]
-fn damaged_sets_spoil_nothing() {
+fn damaged_sets_are_harmless() {
     let world = stepped();
     damage(&save_all(&world), &world, &Selection { first: 0, stride: 197, at_once: 1 });
 }
 
-/// Some of the changes, to a world with pending edits, all sets of which are loaded.
+/// Some of the changes are made to a world with pending edits, with all sets loaded.
 #[test]
-fn damaged_worlds_with_edits_spoil_nothing() {
+fn damaged_worlds_with_edits_are_harmless() {
     let mut world = stepped();
     let bodies: Vec<_> = world.bodies.iter().map(|(handle, _)| handle).collect();
     world.bodies.remove(bodies[1]);
@@ -134,27 +134,27 @@ fn damaged_worlds_with_edits_spoil_nothing() {
     damage(&saved, &load_all(&saved).expect("it was saved"), &selection);
 }
 
-/// Two changes at a time, of which one may excuse the other.
+/// Two changes are made at a time. One may hide the other.
 #[test]
-fn sets_with_two_damages_spoil_nothing() {
+fn sets_with_two_damages_are_harmless() {
     let world = stepped();
     damage(&save_all(&world), &world, &Selection { first: 7, stride: 307, at_once: 2 });
 }
 
-/// The values of a set, by number, whose paths end in these characters, and what they are changed to: each
-/// change contradicts another value, but no list is too short for it.
+/// Returns replacements by set number and end of the path. Each replacement contradicts another value, but no
+/// list becomes too short for it.
 fn contradictions() -> [(usize, &'static str, Tree); 14] {
     let (text, number) = (|text: &str| Tree::Text(text.into()), Tree::Unsigned);
     [
-        // A change that no note tells the step of.
+        // A body has changes without an entry in the list of changes.
         (0, ".changes", number(RigidBodyChanges::TYPE.bits().into())),
         (0, ".changes", number(RigidBodyChanges::ENABLED_OR_DISABLED.bits().into())),
         (1, ".changes", number(ColliderChanges::PARENT.bits().into())),
-        // A pair of colliders that may not meet.
+        // The colliders of a pair are not allowed to touch.
         (1, ".flags.enabled", text("Disabled")),
         (1, ".sensor", Tree::Bool(true)),
         (1, ".parent_type", Tree::Some(Box::new(text("KinematicPositionBased")))),
-        // Normals that are no unit vectors.
+        // Normals are not unit vectors.
         (4, ".local_n1[0]", Tree::Float(3.0e38)),
         (4, ".placed_normal[1]", Tree::Float(0.5)),
         (4, ".data.normal[1]", Tree::Float(0.5)),
@@ -166,10 +166,10 @@ fn contradictions() -> [(usize, &'static str, Tree); 14] {
     ]
 }
 
-/// The step notices each contradiction and takes the world in as new. A world that goes on would keep its
-/// islands and impulses, and have other bits.
+/// The step detects each contradiction and resyncs the world. A world without a resync would keep its islands
+/// and impulses, and have other bits.
 #[test]
-fn contradictions_are_noticed() {
+fn contradictions_are_detected() {
     let (saved, mut unnoticed) = (save_all(&stepped()), 0);
     for (set, end, new) in contradictions() {
         let (mut damaged, mut is_changed) = (saved.clone(), false);
@@ -189,9 +189,9 @@ fn contradictions_are_noticed() {
     assert_eq!(unnoticed, 0, "contradictions are not noticed");
 }
 
-/// A coupling that names a link that is not there is refused.
+/// A coupling with a missing link is rejected.
 #[test]
-fn couplings_of_missing_links_are_refused() {
+fn couplings_of_missing_links_are_rejected() {
     let world = stepped();
     for end in [".link1", ".link2"] {
         let mut damaged = save_all(&world)[6].clone();
@@ -206,10 +206,10 @@ fn couplings_of_missing_links_are_refused() {
     }
 }
 
-/// A contact skin that the setter refuses is refused when it is loaded: its contacts would be infinitely far
+/// A contact skin that the setter rejects is also rejected at loading: its contacts would be infinitely far
 /// apart.
 #[test]
-fn skins_that_no_setter_accepts_are_refused() {
+fn skins_that_no_setter_accepts_are_rejected() {
     let world = stepped();
     for skin in [-1.0, f64::from(f32::MAX), f64::INFINITY, f64::NAN] {
         let mut damaged = save_all(&world)[1].clone();
@@ -222,10 +222,10 @@ fn skins_that_no_setter_accepts_are_refused() {
     }
 }
 
-/// All changes; with `STRIDE` in the environment one of so many.
+/// All changes; the environment variable `STRIDE` reduces their number by this factor.
 #[test]
 #[ignore = "half an hour"]
-fn all_damaged_sets_spoil_nothing() {
+fn all_damaged_sets_are_harmless() {
     let stride = std::env::var("STRIDE").ok().and_then(|stride| stride.parse().ok()).unwrap_or(1);
     let world = stepped();
     damage(&save_all(&world), &world, &Selection { first: 1, stride, at_once: 1 });

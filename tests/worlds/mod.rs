@@ -1,7 +1,7 @@
 //! # Whole worlds
 //!
-//! Operations on whole sets of a world: they are replaced by those of other worlds, saved, loaded, and loaded
-//! from damaged data. Nothing here depends on the dimension.
+//! Operations on whole sets of a world: exchange with other worlds, saving, loading, and loading from damaged
+//! data. The tests are independent of the dimension.
 
 // The fuzzer compiles `sets` as well, under another parent.
 #[cfg(feature = "serde-serialize")]
@@ -11,7 +11,7 @@ mod records;
 mod rollback;
 mod scene;
 mod twins;
-// Saving is a feature.
+// Saving is an optional feature.
 #[cfg(feature = "serde-serialize")]
 mod damage;
 #[cfg(feature = "serde-serialize")]

@@ -1,4 +1,4 @@
-//! A shape of the user's own: the engine knows its box, and cannot save it.
+//! A user-defined shape: the engine uses its bounding box, and cannot save it.
 
 use crate::rapier::parry::bounding_volume::{Aabb, BoundingSphere};
 use crate::rapier::parry::mass_properties::MassProperties;
@@ -6,7 +6,7 @@ use crate::rapier::parry::query::{PointProjection, PointQuery, Ray, RayCast, Ray
 use crate::rapier::parry::shape::{Ball, FeatureId, ShapeType, TypedShape};
 use crate::rapier::prelude::*;
 
-/// A ball under a name that the geometry library does not know.
+/// A ball with a type that the geometry library does not define.
 #[derive(Clone)]
 pub struct OwnShape(pub Ball);
 

@@ -1,4 +1,4 @@
-//! Runs that are recorded, replayed and compared.
+//! Recording, replay and comparison of runs.
 
 use super::own_shape::OwnShape;
 use super::saved::{EDITS, Edit};
@@ -6,7 +6,7 @@ use super::scene::{at, cube, world};
 use crate::rapier::parry::shape::Ball;
 use crate::rapier::prelude::*;
 
-/// A recording of some steps, with an edit in front of one of them.
+/// Returns a recording of some steps, with an edit before one of them.
 fn record(steps: usize, edited: usize, edit: fn(&mut PhysicsWorld)) -> (Vec<u8>, PhysicsWorld) {
     let mut world = world();
     let mut recorder = Recorder::new(&world, "one of everything").expect("it can be saved");
@@ -44,8 +44,7 @@ fn a_replay_repeats_every_edit() {
     }
 }
 
-/// A world that cannot be saved for some steps: what is recorded until then is whole, and nothing is recorded
-/// later.
+/// A world cannot be saved for some steps: the recording up to then is complete, and contains nothing later.
 #[test]
 fn a_recording_ends_where_the_world_cannot_be_saved() {
     let mut world = world();
@@ -65,7 +64,7 @@ fn a_recording_ends_where_the_world_cannot_be_saved() {
     assert_eq!((replay.steps(), recorder.steps()), (3, 3));
 }
 
-/// Lets nothing touch.
+/// Hooks that reject all pairs.
 struct Ghosts;
 
 impl PhysicsHooks for Ghosts {
@@ -74,7 +73,7 @@ impl PhysicsHooks for Ghosts {
     }
 }
 
-/// Two boxes, one of which falls onto the ground.
+/// Records two boxes, one of which falls onto the ground.
 fn drop_box(hooks: &dyn PhysicsHooks) -> (Vec<u8>, RigidBodyHandle) {
     let mut world = PhysicsWorld::new();
     world.insert_collider(ColliderBuilder::halfspace(Vector::Y), None);
@@ -91,7 +90,7 @@ fn drop_box(hooks: &dyn PhysicsHooks) -> (Vec<u8>, RigidBodyHandle) {
     (recorder.into_bytes(), falling)
 }
 
-/// Hooks are not recorded: a replay without them leaves the run at the first contact, and stops.
+/// Hooks are not recorded: a replay without them diverges at the first contact, and stops.
 #[test]
 fn a_divergence_names_step_stage_and_body() {
     let (recording, falling) = drop_box(&Ghosts);
@@ -103,7 +102,7 @@ fn a_divergence_names_step_stage_and_body() {
         }
     };
     let ReplayError::Diverged(divergence) = error else { panic!("{error}") };
-    // It falls 0.3 units in √(2 · 0.3 / 9.81) = 0.247 s; the contact is known a little earlier.
+    // The box falls 0.3 units in √(2 · 0.3 / 9.81) = 0.247 s; the contact exists slightly earlier.
     assert!((10..=15).contains(&divergence.step), "{divergence}");
     assert!(divergence.stage >= Some(StepStage::CollisionDetection), "{divergence}");
     let with_body = divergence.body.is_none_or(|body| body == falling);
@@ -134,7 +133,7 @@ fn recordings_are_compared() {
 }
 
 #[test]
-fn recordings_that_are_cut_off_or_changed_are_refused() {
+fn truncated_or_changed_recordings_are_rejected() {
     let (recording, _) = record(6, 3, EDITS[1].1);
     let run = |bytes: &[u8]| {
         let mut replay = Replay::new(bytes).map_err(ReplayError::from)?;
@@ -144,7 +143,7 @@ fn recordings_that_are_cut_off_or_changed_are_refused() {
     assert_eq!(run(&recording), Ok(6));
     let mut ends = 0;
     for length in (0..recording.len()).rev().step_by(37) {
-        // The file may be cut off between two steps.
+        // The file may end between two steps.
         ends += usize::from(run(&recording[..length]).is_ok_and(|steps| steps < 6));
         let _ = compare_recordings(&recording, &recording[..length]);
     }
@@ -157,7 +156,8 @@ fn recordings_that_are_cut_off_or_changed_are_refused() {
     for at in (0..recording.len()).step_by(53) {
         let mut damaged = recording.clone();
         damaged[at] ^= 0x10;
-        // Most damage is found. A hash of a body may be wrong: it is compared only after a divergence.
+        // Most damage is detected. A wrong hash of a body is not, because it is compared only after a
+        // divergence.
         let _ = run(&damaged);
     }
 }

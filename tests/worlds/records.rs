@@ -1,9 +1,9 @@
-//! Records of one world put into another, where they know the same places but have other partners.
+//! Records of one world in another one, where their references point to the same slots but other objects.
 
 use super::scene::{at, cube, step};
 use crate::rapier::prelude::*;
 
-/// Two bodies, each with a collider.
+/// Returns two bodies, each with a collider.
 fn pair() -> (PhysicsWorld, [RigidBodyHandle; 2], [ColliderHandle; 2]) {
     let mut world = PhysicsWorld::new();
     world.insert_collider(ColliderBuilder::halfspace(Vector::Y), None);
@@ -13,7 +13,7 @@ fn pair() -> (PhysicsWorld, [RigidBodyHandle; 2], [ColliderHandle; 2]) {
     (world, [one, two], [part1, part2])
 }
 
-/// Each collider is listed by the body that it names, and by no other.
+/// Checks that each collider is listed by its own body only.
 pub fn check_attachments(world: &PhysicsWorld) {
     for (handle, body) in world.bodies.iter() {
         for part in body.colliders() {
@@ -27,7 +27,8 @@ pub fn check_attachments(world: &PhysicsWorld) {
     }
 }
 
-/// The body of the twin stands at the same place of the same lists, but has the other one's collider besides.
+/// The body of the twin has the same indices in the same lists, but has the other body's collider in
+/// addition.
 #[test]
 fn a_body_of_a_twin_gets_the_colliders_of_its_place() {
     let ((mut one, bodies, parts), (mut two, ..)) = (pair(), pair());
@@ -40,7 +41,7 @@ fn a_body_of_a_twin_gets_the_colliders_of_its_place() {
     (0..10).for_each(|_| step(&mut one));
 }
 
-/// The collider of the twin names another body.
+/// The collider of the twin belongs to another body.
 #[test]
 fn a_collider_of_a_twin_is_part_of_the_body_that_it_names() {
     let ((mut one, bodies, parts), (mut two, ..)) = (pair(), pair());
@@ -53,7 +54,7 @@ fn a_collider_of_a_twin_is_part_of_the_body_that_it_names() {
     (0..10).for_each(|_| step(&mut one));
 }
 
-/// The copy is older than the attachment, and both are of the time since the last step.
+/// The copy is older than the attachment, and both are newer than the last step.
 #[test]
 fn an_older_copy_of_a_body_gets_the_colliders_of_now() {
     let (mut world, bodies, parts) = pair();
@@ -68,7 +69,7 @@ fn an_older_copy_of_a_body_gets_the_colliders_of_now() {
     (0..10).for_each(|_| step(&mut world));
 }
 
-/// Attaches the second collider to the first body, and gives the body an older copy of its record.
+/// Attaches the second collider to the first body, and sets the body back to an older copy.
 fn world_with_older_body(steps: usize, is_edited: bool) -> (PhysicsWorld, RigidBodyHandle) {
     let (mut world, bodies, parts) = pair();
     let old = world.bodies[bodies[0]].clone();
@@ -82,10 +83,10 @@ fn world_with_older_body(steps: usize, is_edited: bool) -> (PhysicsWorld, RigidB
     (world, bodies[0])
 }
 
-/// The copy is older than the attachment, and was made before any edit: its list lacks a collider. The body
-/// is removed before a step compares it with its note.
+/// The copy is older than the attachment, and precedes all edits: its list lacks a collider. The body is
+/// removed before a step compares it with its own records.
 #[test]
-fn colliders_go_with_a_body_that_an_older_copy_replaced() {
+fn colliders_are_removed_with_a_body_that_an_older_copy_replaced() {
     for (steps, is_edited) in [(0, false), (0, true), (1, false), (1, true), (5, false)] {
         let (mut world, body) = world_with_older_body(steps, is_edited);
         world.remove_body(body).expect("it is there");

@@ -1,4 +1,4 @@
-//! Worlds that are saved in memory, and that return to what was saved.
+//! Worlds that are saved in memory and restored in place.
 
 use super::scene::{at, cube, step, world};
 use crate::rapier::prelude::*;
@@ -24,9 +24,9 @@ fn a_world_that_returns_repeats_its_steps() {
     }
 }
 
-/// Bodies come and go between saving and returning, and the target is any world.
+/// Bodies are inserted and removed between saving and returning, and the target may be any world.
 #[test]
-fn a_world_returns_from_anything() {
+fn a_world_returns_from_any_state() {
     let mut original = world();
     (0..20).for_each(|_| step(&mut original));
     let saved = original.clone();
@@ -51,9 +51,9 @@ fn a_world_returns_from_anything() {
     }
 }
 
-/// Queries after the return see the returned world.
+/// Queries after the return use the restored world.
 #[test]
-fn queries_see_the_returned_world() {
+fn queries_use_the_restored_world() {
     let mut world = PhysicsWorld::new();
     let (body, _) = world.insert(RigidBodyBuilder::dynamic().linvel(Vector::X), cube(0.5));
     world.gravity = Vector::ZERO;
@@ -70,9 +70,9 @@ fn queries_see_the_returned_world() {
     assert!(hits(&world));
 }
 
-/// Save and return in every step, as a game with rollback does.
+/// The world is saved and restored in every step, like a game with rollback.
 #[test]
-fn saving_and_returning_ask_for_no_memory() {
+fn saving_and_returning_allocate_nothing() {
     let mut world = world();
     let compound = RigidBodyBuilder::dynamic().translation(at(30.0, 5.0));
     let body = world.insert_body(compound);

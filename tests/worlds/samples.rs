@@ -1,19 +1,19 @@
-//! Snapshots that earlier builds have saved, one for each crate. The present build reads them, or their
-//! format has another number.
+//! Snapshots of earlier builds, one for each crate. The present build reads them, unless the format's number
+//! has changed.
 
 use super::scene::{step, world};
 use crate::rapier::prelude::*;
 use std::path::PathBuf;
 
-/// The file of this crate's sample.
+/// Returns the path of this crate's sample.
 fn path() -> PathBuf {
     let name = format!("{DIM}d-f{}.snapshot", 8 * size_of::<Real>());
     [env!("CARGO_MANIFEST_DIR"), "../../tests/worlds/samples", &name].iter().collect()
 }
 
-/// The sample is saved again as the same bytes: no saved type has changed. Where one has, raise `FORMAT` in
-/// `src/api/snapshot/header.rs`, mark the change with **[snapshot]** in the changelog, and make new samples
-/// with `SAVE_SAMPLES=1`.
+/// A sample that is saved again has the same bytes: no saved type has changed. After a change, raise `FORMAT`
+/// in `src/api/snapshot/header.rs`, mark the change with **[snapshot]** in the changelog, and write new
+/// samples with `SAVE_SAMPLES=1`.
 #[test]
 fn a_snapshot_of_an_earlier_build_is_read() {
     if std::env::var_os("SAVE_SAMPLES").is_some() {

@@ -4,7 +4,7 @@ use super::scene::{bits, copy, cube, step, world};
 use super::sets::{load_all, load_into, save_all};
 use crate::rapier::prelude::*;
 
-/// One of the bodies that are awake. `None` in a damaged world that has too few.
+/// Returns one of the awake bodies. `None` in a damaged world that has too few.
 fn awake(world: &PhysicsWorld, position: usize) -> Option<RigidBodyHandle> {
     let body = world.active_bodies().get(position).copied();
     body.filter(|body| world.bodies.contains(*body))
@@ -19,7 +19,7 @@ fn remove_awake(world: &mut PhysicsWorld, position: usize) {
     awake(world, position).into_iter().for_each(|body| drop(world.bodies.remove(body)));
 }
 
-/// A name, and what it does to a world.
+/// Name of an edit of a world, and the edit.
 pub type Edit = (&'static str, fn(&mut PhysicsWorld));
 
 /// Edits between the last step and saving.
@@ -57,10 +57,9 @@ pub const EDITS: [Edit; 9] = [
     }),
 ];
 
-/// A world that was loaded goes on bit for bit as the one that was saved, whatever the user did before it was
-/// saved.
+/// A loaded world continues bit for bit like the saved one, whatever the edits before saving.
 #[test]
-fn a_loaded_world_goes_on_as_if_it_had_not_been_saved() {
+fn a_loaded_world_continues_like_the_saved_one() {
     for steps in [0, 1, 12, 150] {
         for (name, edit) in EDITS {
             if steps == 0 && name != "nothing" {
@@ -79,9 +78,9 @@ fn a_loaded_world_goes_on_as_if_it_had_not_been_saved() {
     }
 }
 
-/// The same data in every run, and of a copy: nothing that is counted by the process is saved.
+/// Saved data is the same in every run and for a copy: it contains no process-wide counter.
 #[test]
-fn the_same_history_is_saved_as_the_same_data() {
+fn equal_histories_give_equal_data() {
     let run = || {
         let mut world = world();
         (0..12).for_each(|_| step(&mut world));
@@ -91,9 +90,9 @@ fn the_same_history_is_saved_as_the_same_data() {
     assert!(first == run() && first == save_all(&load_all(&first).expect("it was saved")));
 }
 
-/// Sets that were loaded fit those that they were saved with: any of them may be loaded alone.
+/// Each loaded set belongs to the live sets of its world: any of them may be loaded alone.
 #[test]
-fn sets_that_are_loaded_alone_fit_the_others() {
+fn a_set_loaded_alone_belongs_to_the_others() {
     let mut one = world();
     (0..12).for_each(|_| step(&mut one));
     let saved = save_all(&one);
@@ -109,7 +108,7 @@ fn sets_that_are_loaded_alone_fit_the_others() {
     }
 }
 
-/// Sets of different times and of twins: the world goes on, whatever is mixed.
+/// Sets of different times and of twins are mixed: the world continues in every combination.
 #[test]
 fn sets_of_different_times_are_mixed() {
     let mut one = world();
@@ -127,9 +126,9 @@ fn sets_of_different_times_are_mixed() {
     }
 }
 
-/// Pairs of sleepers are in no list of a step: only the history tells that some are missing.
+/// Pairs of sleeping bodies are in no list of a step: only the history shows that some are missing.
 #[test]
-fn sleepers_that_are_loaded_without_their_pairs_touch_each_other() {
+fn sleeping_bodies_loaded_without_pairs_touch_again() {
     let mut world = PhysicsWorld::new();
     world.insert_collider(ColliderBuilder::halfspace(Vector::Y), None);
     let stack = [0.5, 1.5, 2.5]
@@ -149,7 +148,7 @@ fn sleepers_that_are_loaded_without_their_pairs_touch_each_other() {
     }
 }
 
-/// A world that is loaded, edited and searched before its first step.
+/// A loaded world is edited and queried before its first step.
 #[test]
 fn a_loaded_world_can_be_edited_before_its_first_step() {
     for (name, edit) in EDITS {

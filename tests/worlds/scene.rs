@@ -1,20 +1,20 @@
-//! A small world with one of everything, and what is compared of worlds.
+//! A small world with one object of every kind, and the compared state of worlds.
 
 use crate::rapier::parry::shape::Cuboid;
 use crate::rapier::prelude::*;
 
-/// A cube (3D) or square (2D).
+/// Returns a cube (3D) or square (2D).
 pub fn cube(half_extent: Real) -> ColliderBuilder {
     ColliderBuilder::new(SharedShape::new(Cuboid::new(Vector::splat(half_extent))))
 }
 
-/// A point in the plane of x and y.
+/// Returns a point in the plane of x and y.
 pub fn at(x: Real, y: Real) -> Vector {
     Vector::X * x + Vector::Y * y
 }
 
-/// A ground, a pile, sleepers, a platform, a sensor, a pendulum, a chain of links, a gear and things of
-/// composite shapes.
+/// Returns a world with ground, a pile, sleeping bodies, a platform, a sensor, a pendulum, a chain of links,
+/// a gear and composite shapes.
 pub fn world() -> PhysicsWorld {
     let mut world = PhysicsWorld::new();
     world.insert_collider(ColliderBuilder::halfspace(Vector::Y), None);
@@ -69,7 +69,7 @@ fn joined(world: &mut PhysicsWorld) {
     geared(world);
 }
 
-/// Two sliders on a frame; the second one moves half as far as the first one.
+/// Adds two sliders on a frame; the second one moves half as far as the first one.
 fn geared(world: &mut PhysicsWorld) {
     let frame = world.insert_body(RigidBodyBuilder::fixed().translation(at(18.0, 8.0)));
     let [first, second] = [0.0, 2.0].map(|y| {
@@ -109,7 +109,7 @@ fn shapes(world: &mut PhysicsWorld) {
     }
 }
 
-/// All numbers of all bodies.
+/// Returns all numbers of all bodies.
 pub fn bits(world: &PhysicsWorld) -> Vec<String> {
     let of = |(handle, body): (RigidBodyHandle, &RigidBody)| {
         let (pose, velocity) = (body.position(), body.vels());
@@ -118,7 +118,7 @@ pub fn bits(world: &PhysicsWorld) -> Vec<String> {
     world.bodies.iter().map(of).collect()
 }
 
-/// A copy of all state.
+/// Returns a copy of the complete state.
 pub fn copy(world: &PhysicsWorld) -> PhysicsWorld {
     world.clone()
 }

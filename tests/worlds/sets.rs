@@ -1,9 +1,9 @@
-//! The sets of a world, saved and loaded one by one. The fuzzer does the same.
+//! Sets of a world, saved and loaded one by one. The fuzzer does the same.
 
 use super::rapier::prelude::*;
 use super::tree::{Tree, load, save};
 
-/// The sets of a world, saved one by one.
+/// Saved sets of a world.
 pub type Saved = [Tree; 7];
 
 /// Saves all sets.
@@ -34,7 +34,7 @@ pub fn load_into(world: &mut PhysicsWorld, set: usize, tree: &Tree) -> Result<()
     .map_err(refused)
 }
 
-/// Loads a world, or returns why a set is refused.
+/// Loads a world, or returns the reason why a set is rejected.
 pub fn load_all(saved: &Saved) -> Result<PhysicsWorld, String> {
     let mut world = PhysicsWorld::new();
     for (set, tree) in saved.iter().enumerate() {

@@ -18,7 +18,7 @@ fn random(state: &mut u64) -> usize {
 }
 
 #[test]
-fn a_world_that_is_restored_at_any_step_continues_as_the_original_does() {
+fn a_world_restored_at_any_step_continues_like_the_original() {
     for (name, edit) in EDITS {
         let mut original = world();
         for k in 0..40 {
@@ -47,7 +47,7 @@ fn gravity_and_parameters_are_part_of_a_snapshot() {
 }
 
 #[test]
-fn snapshots_that_are_cut_off_or_changed_are_refused() {
+fn truncated_or_changed_snapshots_are_rejected() {
     let mut world = world();
     (0..10).for_each(|_| step(&mut world));
     let saved = snapshot(&world);
@@ -65,7 +65,7 @@ fn snapshots_that_are_cut_off_or_changed_are_refused() {
     }
 }
 
-/// Bytes that are forged, checksum included, are refused, or make a world that steps.
+/// Forged bytes with a valid checksum are rejected, or give a world that steps.
 #[test]
 fn forged_snapshots_never_panic() {
     let mut original = world();
@@ -96,7 +96,7 @@ fn forged_snapshots_never_panic() {
 }
 
 #[test]
-fn errors_name_what_is_wrong() {
+fn errors_name_the_cause() {
     let refused = |bytes: &[u8]| PhysicsWorld::from_snapshot(bytes).err().expect("it is changed");
     let saved = snapshot(&world());
     let with = |at: usize, byte: u8| {
@@ -108,7 +108,7 @@ fn errors_name_what_is_wrong() {
     assert_eq!(with(8, 200), SnapshotError::Format { found: 200 });
     assert_eq!(with(10, 7), SnapshotError::Dimension { found: 7 });
     assert!(matches!(with(11, 2), SnapshotError::Precision { found: 16, .. }));
-    // One number of the gravity is there, and no more.
+    // The data contains one number of gravity only.
     let refused = refused(&sealed(&[0; size_of::<Real>()]));
     let expected = format!("gravity: the data ends (at byte {})", size_of::<Real>());
     assert_eq!(refused.to_string(), expected);
@@ -135,7 +135,7 @@ fn deltas_lead_from_one_step_to_the_next() {
 }
 
 #[test]
-fn deltas_of_other_snapshots_and_damaged_ones_are_refused() {
+fn deltas_of_other_snapshots_and_damaged_ones_are_rejected() {
     let mut world = world();
     let base = snapshot(&world);
     step(&mut world);

@@ -1,14 +1,14 @@
-//! Saved data as a tree of values, in which each value can be changed.
+//! Saved data as a tree of values, with access to each value.
 //!
-//! A format of its own, because formats in use either have no NaN and no infinity (JSON) or no structure
-//! (bytes).
+//! The format is specific to the tests, because common formats either lack NaN and infinity (JSON) or
+//! structure (bytes).
 
 use serde::de::value::{MapDeserializer, SeqDeserializer, StrDeserializer};
 use serde::de::{DeserializeOwned, EnumAccess, IntoDeserializer, VariantAccess, Visitor};
 use serde::{Deserializer, Serialize, ser};
 use std::fmt;
 
-/// A value, or a tree of them.
+/// A value, or a tree of values.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Tree {
     Unit,
@@ -20,11 +20,11 @@ pub enum Tree {
     Some(Box<Tree>),
     List(Vec<Tree>),
     Map(Vec<(Tree, Tree)>),
-    /// A variant of an enum, and what is in it.
+    /// Variant of an enum with its content.
     Variant(&'static str, Box<Tree>),
 }
 
-/// Why something cannot be saved or loaded.
+/// Reason why a value cannot be saved or loaded.
 #[derive(Debug)]
 pub struct Refusal(pub String);
 
@@ -60,7 +60,7 @@ pub fn load<T: DeserializeOwned>(tree: &Tree) -> Result<T, Refusal> {
 
 struct Saver;
 
-/// A list, map or struct that is being saved.
+/// A list, map or struct in the process of saving.
 struct Parts {
     variant: Option<&'static str>,
     keys: Vec<Tree>,

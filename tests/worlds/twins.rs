@@ -1,15 +1,15 @@
-//! Sets that change places with those of a twin: a world that differs in a single number, a single sleeper, a
+//! Exchanges of sets with a twin: a world that differs in a single number, a single sleeping body, or a
 //! single edit.
 //!
-//! Every mixture of sets is noticed, and the world goes on as one whose islands, pairs and trees are new: bit
-//! for bit.
+//! The step detects every mixture of sets, and the world continues like one with new islands, pairs and
+//! trees, bit for bit.
 
 use super::records::check_attachments;
 use super::scene::{bits, copy, cube, step, world};
 use crate::rapier::prelude::*;
 use core::mem::swap;
 
-/// One set of a world, and the same one of another.
+/// Exchange of one set of two worlds.
 pub type Exchange = fn(&mut PhysicsWorld, &mut PhysicsWorld);
 
 pub const SETS: [Exchange; 7] = [
@@ -25,12 +25,12 @@ pub const SETS: [Exchange; 7] = [
 /// All sets.
 const ALL: u32 = (1 << SETS.len()) - 1;
 
-/// Steps before worlds are exchanged: the pile has contacts.
+/// Number of steps before the exchange: the pile has contacts.
 const BEFORE: usize = 12;
 
 type Change = fn(&mut PhysicsWorld);
 
-/// The second dynamic body: part of the pile.
+/// Returns the second dynamic body: part of the pile.
 fn second(world: &PhysicsWorld) -> RigidBodyHandle {
     let mut dynamic = world.bodies.iter().filter(|(_, body)| body.is_dynamic());
     dynamic.nth(1).expect("there are more").0
@@ -42,7 +42,7 @@ fn shift(world: &mut PhysicsWorld, along: Vector) {
     world.bodies[body].set_translation(place, true);
 }
 
-/// In what a twin differs before both worlds have been stepped.
+/// Differences of a twin before the steps of both worlds.
 const EARLIER: [(&str, Change); 8] = [
     ("nothing", |_| {}),
     ("x", |world| shift(world, Vector::X)),
@@ -105,14 +105,14 @@ fn exchanged(one: &PhysicsWorld, two: &PhysicsWorld, sets: u32) -> [PhysicsWorld
     [one, two]
 }
 
-/// The bits after some steps. No collider has a body that is gone.
+/// Returns the bits after some steps. No collider belongs to a missing body.
 pub fn outcome(mut world: PhysicsWorld) -> Vec<String> {
     (0..3).for_each(|_| step(&mut world));
     check_attachments(&world);
     bits(&world)
 }
 
-/// The same with islands, pairs and trees that know nothing.
+/// Returns the same with new islands, pairs and trees.
 pub fn outcome_anew(mut world: PhysicsWorld) -> Vec<String> {
     world.islands = IslandManager::new();
     world.broad_phase = BroadPhaseBvh::new();
@@ -121,13 +121,13 @@ pub fn outcome_anew(mut world: PhysicsWorld) -> Vec<String> {
 }
 
 #[test]
-fn every_mixture_of_twins_is_noticed() {
+fn every_mixture_of_twins_is_detected() {
     let one = stepped(world(), BEFORE);
     for (name, change) in EARLIER {
         let mut two = world();
         change(&mut two);
         let two = stepped(two, BEFORE);
-        // A mixture is the same as that of the other sets, seen from the twin.
+        // A mixture equals that of the other sets from the twin's side.
         for sets in 1..=ALL / 2 {
             for (side, mixed) in exchanged(&one, &two, sets).into_iter().enumerate() {
                 let expected = outcome_anew(copy(&mixed));
@@ -138,7 +138,7 @@ fn every_mixture_of_twins_is_noticed() {
 }
 
 #[test]
-fn all_sets_of_a_twin_fit_each_other() {
+fn all_sets_of_a_twin_belong_together() {
     for (_, change) in EARLIER {
         let mut two = world();
         change(&mut two);
@@ -149,8 +149,8 @@ fn all_sets_of_a_twin_fit_each_other() {
     }
 }
 
-/// Copies fit each other, as long as they are edited one set at a time. Whatever is mixed, the world goes on,
-/// the same in every run.
+/// Copies belong to each other as long as edits affect one set at a time. In every mixture the world
+/// continues, equally in every run.
 #[test]
 fn copies_that_were_edited_are_mixed_in_every_way() {
     let one = stepped(world(), BEFORE);
@@ -183,14 +183,14 @@ const JOINT_EDITS: [(&str, Change); 3] = [
     }),
 ];
 
-/// The joint that fixes one bob to another.
+/// Returns the joint that fixes one bob to another.
 fn rigid_joint(world: &mut PhysicsWorld) -> (ImpulseJointHandle, &mut ImpulseJoint) {
     world.impulse_joints.iter_mut().nth(1).expect("there are two")
 }
 
-/// A copy that detected collisions after an edit of a joint gets the joints of the other copy, which knows
-/// nothing of the edit, and the reverse: each world solves the joints that it has. A joint that acts is apart
-/// by less than 5 cm after a second; without it the second bob falls.
+/// A copy detects collisions after an edit of a joint, and gets the joints of the other copy, without the
+/// edit; and the reverse. Each world solves its present joints. An active joint is apart by less than 5 cm
+/// after a second; without it the second bob falls.
 #[test]
 fn joints_of_another_copy_act() {
     let mut one = stepped(world(), BEFORE);
@@ -217,9 +217,9 @@ fn joints_of_another_copy_act() {
     }
 }
 
-/// Sets of one world that were copied at one time go on as the original.
+/// Sets of one world that were copied at one time continue like the original.
 #[test]
-fn copies_of_one_time_fit_each_other() {
+fn copies_of_one_time_belong_together() {
     let one = stepped(world(), BEFORE);
     let expected = outcome(copy(&one));
     for sets in 1..=ALL {
@@ -229,9 +229,9 @@ fn copies_of_one_time_fit_each_other() {
     }
 }
 
-/// A pipeline keeps buffers, and nothing of the world that it worked for.
+/// A pipeline has buffers, but no state of its last world.
 #[test]
-fn pipelines_change_places() {
+fn pipelines_are_exchanged() {
     let (mut one, mut two) = (world(), PhysicsWorld::new());
     two.insert_collider(ColliderBuilder::halfspace(Vector::Y), None);
     for k in 0..40_u8 {
@@ -254,8 +254,8 @@ fn pipelines_change_places() {
     assert_eq!(bits(&two), bits(&other));
 }
 
-/// Islands of a twin, on several threads: constraints of a colour would share bodies, and each run would be
-/// another.
+/// Islands of a twin are stepped on several threads. Without a resync, constraints of a colour would share
+/// bodies, and runs would differ.
 #[test]
 fn every_run_of_mixed_twins_is_the_same() {
     let pile = |offset: Real| {
@@ -283,9 +283,9 @@ fn every_run_of_mixed_twins_is_the_same() {
     }
 }
 
-/// A step that does not return leaves sets that do not fit each other.
+/// A step that panics leaves sets that do not belong together.
 #[test]
-fn a_world_goes_on_after_an_exchange_at_every_step() {
+fn a_world_continues_after_an_exchange_at_every_step() {
     let (mut one, mut two) = (world(), world());
     shift(&mut two, Vector::AXES[DIM - 1]);
     for turn in 0..40 {

@@ -7,60 +7,60 @@ use std::fmt;
 use std::io::Write;
 use std::str::FromStr;
 
-/// What the user asks for.
+/// Parsed command line.
 pub enum Request {
-    /// How to call the program.
+    /// The command line requests the usage text.
     Help,
     /// Run the benchmark.
     Run(Options),
 }
 
-/// How to run.
+/// Options of a run.
 #[derive(Debug, PartialEq)]
 pub struct Options {
     /// Positions of the chosen scenes in the catalogue.
     pub scenes: Vec<usize>,
-    /// The engines, in the order in which they take turns.
+    /// Engines, in the order of their turns.
     pub engines: Vec<Kind>,
-    /// Numbers of threads; everything runs once with each.
+    /// Numbers of threads. Each scene runs once with each number.
     pub threads: Vec<usize>,
-    /// Number of steps for every scene, if not the scene's own.
+    /// Number of steps for every scene. `None` selects each scene's own number.
     pub steps: Option<usize>,
     /// Number of rounds.
     pub rounds: usize,
-    /// Leave the table as a page in the documentation.
+    /// Whether the table is written as a page of the documentation.
     pub write: bool,
-    /// Show the stages of this engine's step, with no peers.
+    /// Whether the run prints the stages of this engine's step, without peers.
     pub profile: bool,
-    /// Ask questions instead of taking steps.
+    /// Whether the run times queries instead of steps.
     pub queries: bool,
-    /// Save and restore worlds instead of taking steps.
+    /// Whether the run saves and restores worlds instead of stepping them.
     pub saving: bool,
-    /// Let worlds grow instead of running scenes.
+    /// Whether the run measures growing worlds instead of scenes.
     pub growth: bool,
-    /// What grows.
+    /// Curves of the growth measurement.
     pub curves: Vec<Curve>,
-    /// The most bodies that worlds grow to.
+    /// Largest number of bodies in a growing world.
     pub bodies_max: usize,
 }
 
-/// So far worlds grow if the user does not say.
+/// Default for the largest number of bodies in a growing world.
 const BODIES_MAX: usize = 1_000_000;
 
-/// Why the command line cannot be followed.
+/// Reason why the command line is invalid.
 #[derive(Debug, PartialEq)]
 pub enum UsageError {
-    /// There is no such option.
+    /// The option does not exist.
     UnknownOption(String),
-    /// The option stands last but needs a value.
+    /// The option needs a value, and none follows.
     MissingValue(String),
-    /// The value is no number above zero.
+    /// The value is not a whole number of at least 1.
     BadNumber(String, String),
-    /// There is no such scene.
+    /// The scene does not exist.
     UnknownScene(String),
-    /// There is no such engine.
+    /// The engine does not exist.
     UnknownEngine(String),
-    /// There is no such curve.
+    /// The curve does not exist.
     UnknownCurve(String),
 }
 
@@ -95,12 +95,12 @@ impl fmt::Display for UsageError {
     }
 }
 
-/// `a`, `b`, `c`
+/// Formats names as `a`, `b`, `c`.
 fn listed<const N: usize>(names: [&str; N]) -> String {
     names.map(|name| format!("`{name}`")).join(", ")
 }
 
-/// Understands the arguments (without the program's name).
+/// Parses the arguments (without the program's name).
 pub fn parse(arguments: &[String], scenes: &[Scene]) -> Result<Request, UsageError> {
     let mut options = Options {
         scenes: Vec::new(),
@@ -160,7 +160,7 @@ fn number(option: &str, text: &str) -> Result<usize, UsageError> {
     }
 }
 
-/// `large_pyramid` means the scene in both dimensions, `3d/large_pyramid` the one in 3D, `2d` all in 2D.
+/// Finds scenes by name: `large_pyramid` in both dimensions, `3d/large_pyramid` in 3D, `2d` for all in 2D.
 fn find_scenes(name: &str, scenes: &[Scene]) -> Result<Vec<usize>, UsageError> {
     let fits =
         |scene: &Scene| [scene.name, scene.dimension].contains(&name) || scene.title() == name;
@@ -178,12 +178,12 @@ fn find_curve(name: &str) -> Result<Curve, UsageError> {
     found.ok_or_else(|| UsageError::UnknownCurve(name.to_owned()))
 }
 
-/// Says how to call the program.
+/// Prints the usage text.
 pub fn print_help(scenes: &[Scene]) -> std::io::Result<()> {
     let mut out = std::io::stdout().lock();
     writeln!(
         out,
-        "Times this engine beside its peers on the same scenes.
+        "Measures this engine and its peers on the same scenes.
 
 Usage: bench [OPTIONS]
 
@@ -193,9 +193,9 @@ Usage: bench [OPTIONS]
   --steps N         take N steps in every scene, not the scene's own number
   --rounds N        turns of each engine, each in a fresh world; the median counts (default: 3)
   --profile         the stages of this engine's step instead
-  --queries         rays and shapes a second instead of steps
-  --saving          worlds that are saved and restored instead of steps
-  --growth          worlds that grow instead of scenes; --scene 3d or 2d chooses a dimension. All curves run with the
+  --queries         rays and shape casts per second instead of steps
+  --saving          times of saving and restoring worlds instead of steps
+  --growth          growing worlds instead of scenes; --scene 3d or 2d selects a dimension. All curves run with the
                     first number of threads, but that over threads with all, or with 1 to all there are if one is given
   --curve NAME      awake, static, sleeping, contacts, or threads; may be repeated (default: all)
   --bodies-max N    let worlds grow to N bodies at most (default: 1000000)
@@ -230,7 +230,7 @@ mod tests {
     }
 
     #[test]
-    fn everything_has_a_default() {
+    fn every_option_has_a_default() {
         let options = options("").unwrap();
         assert_eq!(options.engines, Kind::ALL);
         assert_eq!((options.threads, options.rounds, options.steps), (vec![1], 3, None));
@@ -239,7 +239,7 @@ mod tests {
     }
 
     #[test]
-    fn options_are_understood() {
+    fn options_are_parsed() {
         let options =
             options("--threads 1,2 --engine rapier --steps 7 --scene 3d/large_pyramid").unwrap();
         assert_eq!(options.threads, [1, 2]);
@@ -249,7 +249,7 @@ mod tests {
     }
 
     #[test]
-    fn growth_is_understood() {
+    fn growth_options_are_parsed() {
         let options = options("--growth --curve static --engine double --bodies-max 300").unwrap();
         assert!(options.growth);
         assert_eq!(options.curves, [Curve::Static]);
@@ -258,12 +258,12 @@ mod tests {
     }
 
     #[test]
-    fn a_name_means_both_dimensions() {
+    fn a_name_selects_both_dimensions() {
         assert_eq!(options("--scene large_pyramid").unwrap().scenes.len(), 2);
     }
 
     #[test]
-    fn mistakes_are_named() {
+    fn errors_name_the_argument() {
         let error = |words| options(words).unwrap_err();
         assert_eq!(error("--threads 0"), UsageError::BadNumber("--threads".into(), "0".into()));
         assert_eq!(error("--steps"), UsageError::MissingValue("--steps".into()));

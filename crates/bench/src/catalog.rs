@@ -1,34 +1,34 @@
-//! The scenes of the benchmark: those of the galleries in which nothing happens but physics.
+//! Scenes of the benchmark: the scenes of the galleries that contain only physics.
 
 use crate::engine::{Kind, Template};
 
 /// A scene of the benchmark.
 pub struct Scene {
-    /// Its name in the gallery.
+    /// Name in the gallery.
     pub name: &'static str,
     /// `2d` or `3d`.
     pub dimension: &'static str,
     /// Number of steps.
     pub steps: usize,
-    /// Does it run when no scene is named?
+    /// Whether the scene runs when the command line names no scene.
     pub by_default: bool,
-    /// Builds it with this engine.
+    /// Builds the scene with this engine.
     pub build: Box<dyn Fn() -> Box<dyn Template> + Send + Sync>,
 }
 
 impl Scene {
-    /// `3d/large_pyramid`
+    /// Returns dimension and name: `3d/large_pyramid`.
     pub fn title(&self) -> String {
         format!("{}/{}", self.dimension, self.name)
     }
 
-    /// What the engine is called in this dimension.
+    /// Returns the engine's name in this dimension.
     pub fn engine_name(&self, kind: Kind) -> &'static str {
         engine_name(kind, self.dimension)
     }
 }
 
-/// What the engine is called in this dimension.
+/// Returns the engine's name in this dimension.
 pub fn engine_name(kind: Kind, dimension: &str) -> &'static str {
     match kind {
         Kind::This => "this engine",
@@ -39,7 +39,7 @@ pub fn engine_name(kind: Kind, dimension: &str) -> &'static str {
     }
 }
 
-/// All scenes, 3D first.
+/// Returns all scenes, 3D first.
 pub fn scenes() -> Vec<Scene> {
     let mut scenes = crate::solid::scenes();
     scenes.extend(crate::flat::scenes());

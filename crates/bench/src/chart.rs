@@ -1,6 +1,6 @@
 //! Charts for the documentation: bars of ratios, and curves over logarithmic axes.
 //!
-//! They have a background of their own, so that they can be read on light and on dark pages.
+//! Charts have an opaque background, so that they are readable on light and on dark pages.
 
 use crate::contest::Contest;
 use crate::means::ratio_to_fastest;
@@ -15,44 +15,46 @@ use std::path::Path;
 const PAPER: RGBColor = RGBColor(253, 253, 250);
 const INK: RGBColor = RGBColor(45, 45, 45);
 const GRID: RGBColor = RGBColor(222, 222, 216);
-/// Where this engine is ahead, with one thread and with more.
-const AHEAD: [RGBColor; 2] = [RGBColor(31, 111, 180), RGBColor(120, 173, 214)];
-/// Where a peer is, likewise.
-const BEHIND: [RGBColor; 2] = [RGBColor(205, 84, 30), RGBColor(232, 152, 112)];
-/// For engines, in the order of [`crate::engine::Kind::ALL`].
-const LINES: [RGBColor; 4] = [AHEAD[0], BEHIND[0], RGBColor(52, 140, 74), RGBColor(133, 92, 190)];
+/// Colours of bars with this engine ahead: with one thread, and with several.
+const COLORS_AHEAD: [RGBColor; 2] = [RGBColor(31, 111, 180), RGBColor(120, 173, 214)];
+/// Colours of bars with a peer ahead, likewise.
+const COLORS_BEHIND: [RGBColor; 2] = [RGBColor(205, 84, 30), RGBColor(232, 152, 112)];
+/// Colours of the engines, in the order of [`crate::engine::Kind::ALL`].
+const LINES: [RGBColor; 4] =
+    [COLORS_AHEAD[0], COLORS_BEHIND[0], RGBColor(52, 140, 74), RGBColor(133, 92, 190)];
 
-/// Pixels of text, and of headings.
+/// Sizes of text and of headings (pixels).
 const TEXT: u32 = 12;
 const HEADING: u32 = 15;
 
-/// An area of a picture that is drawn into a text.
+/// Area of a picture in SVG text.
 type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 
-/// What becomes of drawing.
+/// Result of drawing.
 type Drawn = Result<(), Box<dyn std::error::Error>>;
 
-/// One engine's curve.
+/// Curve of one engine.
 pub struct Curve {
-    /// The engine's name.
+    /// Name of the engine.
     pub name: &'static str,
-    /// The engine's place in [`crate::engine::Kind::ALL`].
+    /// Position of the engine in [`crate::engine::Kind::ALL`].
     pub place: usize,
-    /// The points, from left to right, all above zero.
+    /// Points from left to right, all above zero.
     pub points: Vec<(f64, f64)>,
 }
 
 /// Curves over the same axes.
 pub struct Panel {
-    /// What stands above it: what the y axis means.
+    /// Heading above the panel: the meaning of the y axis.
     pub heading: &'static str,
-    /// What the x axis means.
+    /// Meaning of the x axis.
     pub below: &'static str,
-    /// The curves.
+    /// Curves of the panel.
     pub curves: Vec<Curve>,
 }
 
-/// Draws a bar per scene and number of threads: the fastest peer's time divided by this engine's. Says whether there was anything to draw.
+/// Draws a bar per scene and number of threads: the fastest peer's time divided by this engine's. Returns
+/// whether there is a bar.
 pub fn ratios(path: &Path, contests: &[Contest]) -> io::Result<bool> {
     let bars = bars(contests);
     if bars.is_empty() {
@@ -75,17 +77,17 @@ fn failed(error: impl Display) -> io::Error {
     io::Error::other(error.to_string())
 }
 
-/// A bar of the chart of ratios.
+/// Bar of the chart of ratios.
 struct Bar {
-    /// The scene; empty if the bar above has the same.
+    /// Name of the scene; empty if it is that of the bar above.
     label: String,
     ratio: f64,
     threads: usize,
-    /// The fastest peer.
+    /// Name of the fastest peer.
     peer: &'static str,
 }
 
-/// One for each contest in which a peer took part; those of a scene together.
+/// Returns one bar for each contest with a peer. Bars of one scene are adjacent.
 fn bars(contests: &[Contest]) -> Vec<Bar> {
     let mut bars: Vec<Bar> = Vec::new();
     for (index, first) in contests.iter().enumerate() {
@@ -106,12 +108,12 @@ fn bars(contests: &[Contest]) -> Vec<Bar> {
     bars
 }
 
-/// Height of a bar, and width of the picture, of the labels, and of what stands behind the longest bar (pixels).
+/// Height of a bar, and widths of the picture, the labels, and the text after the longest bar (pixels).
 const ROW: i32 = 17;
 const WIDTH: i32 = 860;
 const LABELS: i32 = 150;
-const BEYOND: i32 = 190;
-/// Above and below the bars (pixels).
+const RIGHT_MARGIN: i32 = 190;
+/// Margins above and below the bars (pixels).
 const TOP: i32 = 62;
 const BOTTOM: i32 = 16;
 
@@ -126,8 +128,8 @@ fn draw_bars(picture: &mut String, bars: &[Bar]) -> Drawn {
     let all = || bars.iter().map(|bar| bar.ratio);
     let low = all().fold(0.8, f64::min) / 1.05;
     let high = all().fold(1.5, f64::max);
-    // A logarithmic axis: twice as fast is as far from the line as half as fast.
-    let width = f64::from(WIDTH - LABELS - BEYOND);
+    // The axis is logarithmic: twice as fast and half as fast are equally far from the line.
+    let width = f64::from(WIDTH - LABELS - RIGHT_MARGIN);
     let place = |ratio: f64| LABELS + (width * (ratio / low).ln() / (high / low).ln()) as i32;
     for tick in ticks(low, high) {
         let x = place(tick);
@@ -140,7 +142,7 @@ fn draw_bars(picture: &mut String, bars: &[Bar]) -> Drawn {
         let top = TOP + ROW * row as i32;
         let middle = top + ROW / 2;
         let (from, to) = (place(1.0), place(bar.ratio));
-        let colors = if bar.ratio < 1.0 { BEHIND } else { AHEAD };
+        let colors = if bar.ratio < 1.0 { COLORS_BEHIND } else { COLORS_AHEAD };
         let color = colors[usize::from(bar.threads > 1)];
         let corners = [(from.min(to), top + 2), (from.max(to), top + ROW - 2)];
         root.draw(&Rectangle::new(corners, color.filled()))?;
@@ -153,7 +155,7 @@ fn draw_bars(picture: &mut String, bars: &[Bar]) -> Drawn {
     Ok(())
 }
 
-/// Round numbers from one to another, about as far apart as their logarithms are: no more than a dozen.
+/// Returns at most a dozen round numbers in a range, in nearly equal logarithmic distances.
 fn ticks(low: f64, high: f64) -> Vec<f64> {
     let decades = (high / low).log10();
     let digits: &[f64] = match decades {
@@ -172,7 +174,7 @@ fn ticks(low: f64, high: f64) -> Vec<f64> {
     all.filter(|&tick| tick >= low * 0.999 && tick <= high * 1.001).collect()
 }
 
-/// Writes a text at a place, with its middle at that height.
+/// Writes a text at a place, vertically centred.
 fn write(area: &Area<'_>, text: &str, place: (i32, i32), side: HPos, size: u32) -> Drawn {
     if !text.is_empty() {
         let font = ("sans-serif", size).into_font().color(&INK);
@@ -182,11 +184,11 @@ fn write(area: &Area<'_>, text: &str, place: (i32, i32), side: HPos, size: u32) 
     Ok(())
 }
 
-/// Size of a panel, and the heights of title and legend (pixels).
+/// Size of a panel, and heights of title and legend (pixels).
 const PANEL: (u32, u32) = (450, 340);
 const TITLE: u32 = 36;
 const LEGEND: u32 = 32;
-/// Around the axes of a panel, and for their labels (pixels).
+/// Margin of a panel, and space for the labels of its axes (pixels).
 const MARGIN: u32 = 12;
 const LEFT: u32 = 52;
 const BELOW: u32 = 44;
@@ -216,7 +218,7 @@ fn draw_panels(picture: &mut String, title: &str, panels: &[Panel]) -> Drawn {
     Ok(())
 }
 
-/// Draws curves over their axes, both logarithmic.
+/// Draws curves over logarithmic axes.
 fn draw_panel(area: &Area<'_>, panel: &Panel) -> Drawn {
     let points = || panel.curves.iter().flat_map(|curve| curve.points.iter().copied());
     if points().next().is_none() {
@@ -224,7 +226,7 @@ fn draw_panel(area: &Area<'_>, panel: &Panel) -> Drawn {
     }
     let [x_range, y_range] = [around(points().map(|p| p.0)), around(points().map(|p| p.1))];
     let [mut x_ticks, y_ticks] = [&x_range, &y_range].map(|range| ticks(range.start, range.end));
-    // All that grows can be counted: there is nothing between two threads.
+    // Every x axis is a count, so its ticks are whole numbers.
     x_ticks.retain(|tick| tick.fract() == 0.0);
     let text = ("sans-serif", TEXT).into_font().color(&INK);
     let mut chart = ChartBuilder::on(area)
@@ -254,16 +256,16 @@ fn draw_panel(area: &Area<'_>, panel: &Panel) -> Drawn {
     Ok(())
 }
 
-/// From the smallest to the largest number, and a little farther.
+/// Returns the range of the numbers, slightly enlarged.
 fn around(numbers: impl Iterator<Item = f64>) -> Range<f64> {
     let (low, high) = numbers
         .fold((f64::INFINITY, 0.0_f64), |(low, high), number| (low.min(number), high.max(number)));
-    // One number alone stands in the middle.
+    // A single number gets a range around it.
     let margin = if high > 1.01 * low { (high / low).powf(0.05) } else { 2.0 };
     low / margin..high * margin
 }
 
-/// A number of an axis: `0.01`, `500`, `20k`, `1M`.
+/// Formats a number of an axis: `0.01`, `500`, `20k`, `1M`.
 fn short(number: f64) -> String {
     match number {
         n if n >= 1e6 => format!("{}M", n / 1e6),
@@ -293,7 +295,7 @@ mod tests {
     }
 
     #[test]
-    fn pictures_say_what_they_show() {
+    fn pictures_have_titles_and_labels() {
         let curve =
             |place| Curve { name: "this engine", place, points: vec![(1.0, 2.0), (9.0, 4.0)] };
         let panel = || Panel { heading: "ms", below: "bodies", curves: vec![curve(0), curve(1)] };

@@ -1,32 +1,32 @@
-//! What the time of a step is measured with.
+//! Clocks for the time of a step.
 //!
-//! With one thread it is the time that the program spent on a processor, so that the other programs of
-//! a busy machine take nothing from anyone; it counts all threads, so that none can work unseen. With
-//! several threads it is the time on the wall, because work shared out is the point.
+//! With one thread, the clock measures the processor time of the process, so that other programs of a busy
+//! machine do not count. This time includes all threads, so hidden threads count as well. With several
+//! threads, the clock measures wall time, because parallel work shortens only that.
 
 use std::time::{Duration, Instant};
 
-/// A running measurement.
+/// Running measurement.
 pub enum Clock {
-    /// Time on the wall.
+    /// Wall time.
     Wall(Instant),
-    /// Time on a processor.
+    /// Processor time.
     #[cfg(unix)]
     Processor(Duration),
 }
 
 impl Clock {
-    /// Starts measuring what is done with this number of threads.
+    /// Starts the clock for work on this number of threads.
     pub fn start(threads: usize) -> Self {
         if threads == 1 { Self::start_processor() } else { Self::start_wall(threads) }
     }
 
-    /// Starts measuring the time on the wall, whatever the number of threads.
+    /// Starts a clock of wall time, for any number of threads.
     pub fn start_wall(_: usize) -> Self {
         Clock::Wall(Instant::now())
     }
 
-    /// Starts measuring the time that all threads spend on processors, or that on the wall where the system does not tell.
+    /// Starts a clock of the processor time of all threads, or of wall time on systems without it.
     pub fn start_processor() -> Self {
         #[cfg(unix)]
         return Clock::Processor(processor_time());
@@ -34,7 +34,7 @@ impl Clock {
         Clock::Wall(Instant::now())
     }
 
-    /// Time since the start (ms).
+    /// Returns the time since the start (ms).
     pub fn milliseconds(&self) -> f64 {
         let elapsed = match self {
             Clock::Wall(start) => start.elapsed(),
@@ -45,7 +45,7 @@ impl Clock {
     }
 }
 
-/// Time that all threads of the program have spent on processors.
+/// Returns the processor time of all threads of the program.
 #[cfg(unix)]
 fn processor_time() -> Duration {
     let time = rustix::time::clock_gettime(rustix::time::ClockId::ProcessCPUTime);
@@ -59,14 +59,14 @@ mod tests {
     use std::time::Duration;
 
     #[test]
-    fn the_wall_clock_sees_sleep() {
+    fn wall_time_includes_sleep() {
         let clock = Clock::start(2);
         std::thread::sleep(Duration::from_millis(20));
         assert!(clock.milliseconds() >= 20.0);
     }
 
     #[test]
-    fn the_processor_clock_sees_work() {
+    fn processor_time_includes_work() {
         let clock = Clock::start(1);
         let mut sum = 0u64;
         while clock.milliseconds() < 5.0 {

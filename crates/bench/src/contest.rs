@@ -1,4 +1,4 @@
-//! One scene, several engines, by turns.
+//! A scene that several engines run in turns.
 
 use crate::args::Options;
 use crate::catalog::{Scene, engine_name};
@@ -8,52 +8,53 @@ use crate::memory::live_bytes;
 use crate::units::{counted, mean_of_steps, middle};
 use gallery::Progress;
 
-/// What became of one scene with one number of threads.
+/// Results of one scene with one number of threads.
 pub struct Contest {
     /// `3d/large_pyramid`
     pub scene: String,
-    /// Bodies that move by themselves.
+    /// Number of dynamic bodies.
     pub dynamic_bodies: usize,
     /// Number of threads.
     pub threads: usize,
-    /// One for each engine, in the order they took turns.
+    /// Outcomes, in the order of the engines' turns.
     pub outcomes: Vec<Outcome>,
 }
 
-/// What became of an engine: its score, or why it did not take part.
+/// Outcome of an engine: its score, or the reason why it did not take part.
 pub type Outcome = (Kind, Result<Score, Unsupported>);
 
-/// The scores of the engines that took part.
+/// Returns the scores of the engines that took part.
 pub fn scores(outcomes: &[Outcome]) -> impl Iterator<Item = (Kind, &Score)> {
     outcomes.iter().filter_map(|(kind, outcome)| Some((*kind, outcome.as_ref().ok()?)))
 }
 
-/// What an engine has achieved.
+/// Measurements of an engine.
 pub struct Score {
-    /// How long each step but the first took (ms), for each round.
+    /// Times of all steps but the first (ms), for each round.
     pub rounds: Vec<Vec<f64>>,
-    /// How long it took to make the world and to take the first step (ms), for each round: some engines do at once what others do then.
+    /// Time of building the world and of the first step (ms), for each round. Some engines insert bodies at
+    /// once, others in the first step.
     pub setups: Vec<f64>,
     /// The world after the last round.
     pub stats: Stats,
-    /// Bytes that the world held at the end.
+    /// Bytes of the world at the end.
     pub bytes: usize,
 }
 
 impl Score {
-    /// Mean over the steps (ms) of the median over the rounds.
+    /// Returns the mean over the steps (ms) of the median over the rounds.
     ///
-    /// A step does the same work in every round, so what disturbs one step of one round is ignored.
+    /// A step does the same work in every round, so a disturbance of one step in one round is ignored.
     pub fn median(&self) -> f64 {
         mean_of_steps(&self.rounds, middle)
     }
 
-    /// Mean over the steps (ms) of the fastest round: the least disturbed that this machine has to offer.
+    /// Returns the mean over the steps (ms) of the fastest round, the least disturbed one on this machine.
     pub fn best(&self) -> f64 {
         mean_of_steps(&self.rounds, |sorted| sorted[0])
     }
 
-    /// Adds another round.
+    /// Adds a round.
     fn add(&mut self, round: Score) {
         self.rounds.extend(round.rounds);
         self.setups.extend(round.setups);
@@ -61,59 +62,59 @@ impl Score {
         self.bytes = round.bytes;
     }
 
-    /// Number of steps of a round, the first one too.
+    /// Returns the number of steps of a round, the first one included.
     pub fn steps(&self) -> usize {
         self.rounds[0].len() + 1
     }
 
-    /// The fastest of all rounds to make the world and take the first step (ms).
+    /// Returns the fastest time of building the world and of the first step (ms).
     pub fn setup(&self) -> f64 {
         self.setups.iter().copied().fold(f64::INFINITY, f64::min)
     }
 }
 
 impl Contest {
-    /// The score of this engine, if it took part.
+    /// Returns the score of this engine, if it took part.
     pub fn ours(&self) -> Option<&Score> {
         self.score(Kind::This)
     }
 
-    /// The score of an engine, if it took part.
+    /// Returns the score of an engine, if it took part.
     pub fn score(&self, kind: Kind) -> Option<&Score> {
         self.scores().find(|(other, _)| *other == kind).map(|(_, score)| score)
     }
 
-    /// All scores, in the order in which the engines took turns.
+    /// Returns all scores, in the order of the engines' turns.
     pub fn scores(&self) -> impl Iterator<Item = (Kind, &Score)> {
         scores(&self.outcomes)
     }
 
-    /// The peer with the smallest median, and that (ms).
+    /// Returns the peer with the smallest median, and the median (ms).
     pub fn fastest_peer(&self) -> Option<(Kind, f64)> {
         let peers = self.scores().filter(|(kind, _)| kind.is_peer());
         peers.map(|(kind, score)| (kind, score.median())).min_by(|a, b| a.1.total_cmp(&b.1))
     }
 
-    /// `2d` or `3d`.
+    /// Returns the dimension, `2d` or `3d`.
     pub fn dimension(&self) -> &str {
         self.scene.split('/').next().unwrap_or_default()
     }
 
-    /// The scene's name without the dimension.
+    /// Returns the scene's name without the dimension.
     pub fn name(&self) -> &str {
         self.scene.split_once('/').map_or(&self.scene, |(_, name)| name)
     }
 
-    /// What an engine is called here.
+    /// Returns the name of an engine in this dimension.
     pub fn engine_name(&self, kind: Kind) -> &'static str {
         engine_name(kind, self.dimension())
     }
 }
 
-/// Lets the engines take turns.
+/// Runs a scene in all engines by turns.
 pub fn run(scene: &Scene, threads: usize, options: &Options) -> Contest {
     let template = (scene.build)();
-    // The first step belongs to the making of the world.
+    // The first step counts as setup.
     let steps = options.steps.unwrap_or(scene.steps).max(2);
     let outcomes = take_turns(&options.engines, options.rounds, |round, kind| {
         let label = format!(
@@ -135,7 +136,8 @@ pub fn run(scene: &Scene, threads: usize, options: &Options) -> Contest {
     Contest { scene: scene.title(), dynamic_bodies, threads, outcomes }
 }
 
-/// One round of each engine, then the next round. `play` is told the round and the engine. Who cannot take part is asked once.
+/// Runs one round of each engine, then the next round. `play` gets the round and the engine. An engine that
+/// fails in one round is left out of the next rounds.
 pub fn take_turns(
     engines: &[Kind],
     rounds: usize,
@@ -158,26 +160,26 @@ pub fn take_turns(
     outcomes
 }
 
-/// What an engine is to do, in a fresh world.
+/// Task of an engine in a fresh world.
 pub struct Turn<'t> {
-    /// The world.
+    /// Template of the world.
     pub template: &'t dyn Template,
     /// The engine.
     pub kind: Kind,
     /// Number of threads.
     pub threads: usize,
-    /// So many of the first steps belong to the making of the world.
+    /// Number of first steps that count as setup.
     pub settle: usize,
-    /// Number of steps, those first ones too.
+    /// Number of steps, including the first ones.
     pub steps: usize,
     /// Starts the clock for this number of threads.
     pub clock: fn(usize) -> Clock,
-    /// Looks at the world in the end.
+    /// Measures the world at the end.
     pub look: fn(&dyn Engine) -> Stats,
 }
 
 impl Turn<'_> {
-    /// Takes the turn: a score of one round.
+    /// Runs the steps and returns a score of one round.
     pub fn play(&self, after_step: &mut dyn FnMut(usize)) -> Result<Score, Unsupported> {
         let mut durations = Vec::with_capacity(self.steps - self.settle);
         let bytes_before = live_bytes();
@@ -218,7 +220,7 @@ mod tests {
     }
 
     #[test]
-    fn who_cannot_take_part_is_asked_once() {
+    fn an_engine_without_support_is_tried_once() {
         let mut asked = Vec::new();
         let outcomes = take_turns(&[Kind::This, Kind::Box], 3, |round, kind| {
             asked.push((round, kind));

@@ -1,6 +1,6 @@
-//! What the benchmark wants from an engine.
+//! Interface of an engine to the benchmark.
 
-/// The engines that can take part.
+/// Engines of the benchmark.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 pub enum Kind {
     /// This engine.
@@ -14,10 +14,10 @@ pub enum Kind {
 }
 
 impl Kind {
-    /// All, in the order in which they take turns.
+    /// All engines, in the order of their turns.
     pub const ALL: [Kind; 4] = [Kind::This, Kind::Rapier, Kind::Box, Kind::Double];
 
-    /// What the command line calls it.
+    /// Returns the name on the command line.
     pub fn name(self) -> &'static str {
         match self {
             Kind::This => "this",
@@ -27,33 +27,33 @@ impl Kind {
         }
     }
 
-    /// Is it another engine than this one?
+    /// Returns whether this is another engine than this one.
     pub fn is_peer(self) -> bool {
         matches!(self, Kind::Rapier | Kind::Box)
     }
 }
 
-/// Questions that are put to every engine: lines of one length, and balls that go along them.
+/// Queries for every engine: rays of one length, and balls that are cast along them.
 pub struct Probes {
-    /// Where they begin; in 2D the third number means nothing.
+    /// Origins of the rays; 2D ignores the third number.
     pub origins: Vec<[f32; 3]>,
-    /// Where they go, as unit vectors.
+    /// Directions of the rays, unit vectors.
     pub directions: Vec<[f32; 3]>,
-    /// How far they go.
+    /// Length of the rays.
     pub reach: f32,
-    /// The radius of the balls.
+    /// Radius of the balls.
     pub radius: f32,
 }
 
 impl Probes {
-    /// Random ones that begin within a box (lowest and highest corner).
+    /// Returns random rays that begin within a box (lowest and highest corner).
     pub fn random(count: usize, [low, high]: [[f32; 3]; 2], seed: u64) -> Self {
         let mut dice = scenes3d::common::Dice::new(seed);
         let mut origins = Vec::with_capacity(count);
         let mut directions = Vec::with_capacity(count);
         while origins.len() < count {
             let direction = [(); 3].map(|()| dice.between(-1.0, 1.0));
-            // In 2D a scene is flat, and so is what is asked of it.
+            // In 2D, the box and the directions are flat.
             let flat = if high[2] > low[2] { direction[2] } else { 0.0 };
             let direction = [direction[0], direction[1], flat];
             let length = direction.iter().map(|x| x * x).sum::<f32>().sqrt();
@@ -68,47 +68,48 @@ impl Probes {
     }
 }
 
-/// A world in some engine, made from a scene.
+/// World in some engine, made from a scene.
 pub trait Engine {
-    /// Advances by 1/60 s.
+    /// Advances the world by 1/60 s.
     fn step(&mut self);
 
-    /// Counts what it simulates, by its own account. Not part of the time measured.
+    /// Returns the engine's own counts. The time is not measured.
     fn counts(&self) -> Counts;
 
-    /// Counts, and measures how good the world is as it is now. Not part of the time measured.
+    /// Returns the counts and the measured quality of the present state. The time is not measured.
     fn stats(&self) -> Stats;
 
-    /// Sends rays, or balls of a radius, as far as they go, and counts those that hit something; `None` if it
-    /// cannot be asked.
+    /// Casts rays, or balls of a radius, and returns the number of hits; `None` if the engine has no such
+    /// query.
     fn cast(&self, probes: &Probes, radius: Option<f32>) -> Option<usize> {
         let _ = (probes, radius);
         None
     }
 
-    /// The whole world as bytes, in the way that the engine's authors recommend; `None` if it cannot be saved.
+    /// Returns the world as bytes, as the engine's authors recommend; `None` if it cannot be saved.
     fn save(&self) -> Option<Vec<u8>> {
         None
     }
 
-    /// Restores a world from bytes, and drops it. Returns whether there was one.
+    /// Restores a world from bytes and drops it. Returns whether the restoration succeeded.
     fn load(&self, bytes: &[u8]) -> bool {
         let _ = bytes;
         false
     }
 
-    /// Saves the world in memory, where an earlier save lies, and returns to it: the milliseconds that both take; `None` if it cannot.
+    /// Copies the world into an earlier copy in memory and returns to it. Returns the time of both (ms), or
+    /// `None` if the engine cannot.
     fn save_and_return(&mut self) -> Option<f64> {
         None
     }
 
-    /// Bytes that it holds outside the reach of Rust's allocator.
+    /// Returns the bytes that the engine allocated outside of Rust's allocator.
     fn foreign_bytes(&self) -> usize {
         0
     }
 }
 
-/// How much an engine simulates, by its own account.
+/// An engine's own counts of its simulated objects.
 #[derive(Copy, Clone, Debug, Default, PartialEq)]
 pub struct Counts {
     /// Bodies of all kinds.
@@ -117,36 +118,36 @@ pub struct Counts {
     pub awake: usize,
     /// Substeps of a step.
     pub substeps: usize,
-    /// Pairs of colliders that touch or are about to.
+    /// Pairs of colliders that touch or are about to touch.
     pub pairs: usize,
-    /// The contact points of these pairs.
+    /// Contact points of these pairs.
     pub points: usize,
 }
 
-/// What a world is like at one moment.
+/// State of a world at one moment.
 #[derive(Copy, Clone, Debug, Default, PartialEq)]
 pub struct Stats {
-    /// What is simulated.
+    /// Counts of simulated objects.
     pub counts: Counts,
-    /// How deep pairs overlap, measured from shapes and poses in the same way for all engines.
+    /// Overlap of pairs, measured from shapes and poses in the same way for all engines.
     pub overlap: Overlap,
-    /// How far the worst of all joints has come apart (length units), measured likewise; `None` without joints.
+    /// Largest separation of any joint (length units), measured likewise; `None` without joints.
     pub separation: Option<f64>,
     /// Kinetic energy of all dynamic bodies.
     pub kinetic_energy: f64,
 }
 
-/// How deep pairs overlap (length units).
+/// Overlap of pairs (length units).
 #[derive(Copy, Clone, Debug, Default, PartialEq)]
 pub struct Overlap {
-    /// The deepest pair. It is one of thousands, so it varies between runs that differ in their last bits.
+    /// Depth of the deepest pair. It varies between runs that differ in their last bits.
     pub deepest: f64,
-    /// The 99th percentile of the pairs that overlap: one pair in a hundred is deeper. It varies little.
+    /// The 99th percentile over the overlapping pairs: one pair in a hundred is deeper. It varies little.
     pub percentile99: f64,
 }
 
 impl Overlap {
-    /// Summarises the depths of all pairs; pairs apart have depth 0 and do not count.
+    /// Summarises the depths of all pairs. Pairs apart have depth 0 and do not count.
     pub fn of_depths(mut depths: Vec<f64>) -> Self {
         depths.retain(|&depth| depth > 0.0);
         depths.sort_by(f64::total_cmp);
@@ -158,30 +159,31 @@ impl Overlap {
     }
 }
 
-/// Why an engine cannot take part in a scene.
+/// Reason why an engine cannot run a scene.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Unsupported(pub String);
 
 impl Unsupported {
-    /// For the reason that the words give.
+    /// Creates the error with this reason.
     pub fn because(reason: impl Into<String>) -> Self {
         Self(reason.into())
     }
 }
 
-/// A scene, ready to be built in any engine.
+/// Scene that any engine can build.
 pub trait Template {
-    /// Number of bodies that move by themselves.
+    /// Returns the number of dynamic bodies.
     fn dynamic_bodies(&self) -> usize;
 
-    /// The box around all bodies that move: its lowest and its highest corner (in 2D the third number is zero).
+    /// Returns the box around all moving bodies: its lowest and its highest corner (in 2D the third number is
+    /// zero).
     fn region(&self) -> [[f32; 3]; 2];
 
-    /// A fresh world in the given engine.
+    /// Creates a fresh world in the given engine.
     fn start(&self, kind: Kind, threads: usize) -> Result<Box<dyn Engine + '_>, Unsupported>;
 
-    /// Runs in this engine, on the threads of the pool in which it is called, and tells where the time of a step went (ms): each stage with
-    /// its mean, and at the end the time that all threads spent on processors.
+    /// Runs in this engine on the calling pool's threads. Returns the mean time of each stage of a step (ms),
+    /// and last the processor time of all threads.
     fn profile(&self, steps: usize, after_step: &mut dyn FnMut(usize)) -> Vec<(&'static str, f64)>;
 }
 

@@ -1,17 +1,19 @@
-//! Do all engines do the same work? Nobody shall win by simulating less and nobody notice.
+//! Comparison of the engines' work: bodies, awake bodies, steps, substeps and contacts. An engine with less
+//! work would be faster without merit.
 
 use crate::contest::{Contest, Score};
 use crate::engine::Kind;
 use crate::units::counted;
 use gallery::grouped;
 
-/// Numbers of contacts that differ by more than this share are told. Less is the way in which each engine counts.
-const TOLERANCE: f64 = 0.3;
+/// Largest relative difference of contact counts without a note. Smaller differences come from each engine's
+/// way of counting.
+const RELATIVE_DIFFERENCE_MAX: f64 = 0.3;
 
-/// Differences of so few contacts say nothing.
-const FEW: usize = 20;
+/// Largest difference of contact counts without a note.
+const DIFFERENCE_MIN: usize = 20;
 
-/// What is to be told about the work that the engines have done.
+/// Returns the notes on the engines' work.
 pub fn notes(contests: &[Contest]) -> Vec<String> {
     let mut notes = Vec::new();
     let (mut compared, mut same) = (0, 0);
@@ -39,7 +41,7 @@ pub fn notes(contests: &[Contest]) -> Vec<String> {
     notes
 }
 
-/// What must be the same and is not.
+/// Returns the counts that must be equal and differ.
 fn differences(
     contest: &Contest,
     (first, reference): (Kind, &Score),
@@ -69,7 +71,7 @@ fn differences(
     wrong.map(line).collect()
 }
 
-/// Contacts that are much fewer or many more than those of the first engine.
+/// Returns contact counts that are much smaller or larger than those of the first engine.
 fn contacts(
     contest: &Contest,
     (first, reference): (Kind, &Score),
@@ -80,18 +82,18 @@ fn contacts(
         ("touching pairs", counts.pairs, others.pairs),
         ("contact points", counts.points, others.points),
     ];
-    let far = numbers.into_iter().filter(|&(_, number, other)| {
+    let differing = numbers.into_iter().filter(|&(_, number, other)| {
         let difference = number.abs_diff(other);
-        difference > FEW && difference as f64 > TOLERANCE * other as f64
+        difference > DIFFERENCE_MIN && difference as f64 > RELATIVE_DIFFERENCE_MAX * other as f64
     });
     let line = |(noun, number, other): (&str, usize, usize)| {
-        let share = if other > 0 {
+        let percentage = if other > 0 {
             format!(" ({:+.0} %)", (number as f64 / other as f64 - 1.0) * 100.0)
         } else {
             String::new()
         };
         format!(
-            "Contacts differ: {}: {} has {} {noun}{share}, {} {}",
+            "Contacts differ: {}: {} has {} {noun}{percentage}, {} {}",
             title(contest),
             contest.engine_name(kind),
             grouped(number),
@@ -99,7 +101,7 @@ fn contacts(
             grouped(other),
         )
     };
-    far.map(line).collect()
+    differing.map(line).collect()
 }
 
 /// `3d/tower, 2 threads`
@@ -133,7 +135,7 @@ mod tests {
     const COUNTS: Counts = Counts { bodies: 31, awake: 30, substeps: 4, pairs: 100, points: 400 };
 
     #[test]
-    fn the_same_work_is_said_once() {
+    fn equal_work_gives_one_note() {
         let contests = [contest(COUNTS, COUNTS, 10), contest(COUNTS, COUNTS, 10)];
         let notes = notes(&contests);
         assert_eq!(notes.len(), 1, "{notes:?}");
@@ -141,7 +143,7 @@ mod tests {
     }
 
     #[test]
-    fn less_work_is_told() {
+    fn less_work_gives_notes() {
         let fewer = Counts { bodies: 30, awake: 29, substeps: 2, ..COUNTS };
         let notes = notes(&[contest(COUNTS, fewer, 9)]);
         assert_eq!(notes.len(), 5, "{notes:?}");
@@ -150,11 +152,11 @@ mod tests {
     }
 
     #[test]
-    fn other_contacts_are_told_if_they_are_many() {
+    fn large_differences_of_contacts_give_notes() {
         let near = Counts { pairs: 81, points: 500, ..COUNTS };
         assert_eq!(notes(&[contest(COUNTS, near, 10)]).len(), 1);
-        let far = Counts { points: 200, ..COUNTS };
-        let notes = notes(&[contest(COUNTS, far, 10)]);
+        let differing = Counts { points: 200, ..COUNTS };
+        let notes = notes(&[contest(COUNTS, differing, 10)]);
         let line = "Contacts differ: 3d/tower, 1 thread: Box3D has 200 contact points (-50 %), this engine 400";
         assert_eq!(notes[1..], [line]);
     }

@@ -1,21 +1,21 @@
-//! # Benchmark — how fast is this engine beside its peers?
+//! # Benchmark — speed of this engine and its peers
 //!
-//! Builds each scene once with this engine, transcribes it into every other engine, and lets them
-//! take the same steps by turns: one round of each, then the next round. The machine may be busy
-//! with other things; what disturbs one engine is then likely to disturb the next, so that the ratio
-//! means more than the milliseconds. With one thread only time on the processor counts.
+//! Builds each scene with this engine and transcribes it into every other engine. The engines run the same
+//! steps by turns: one round of each, then the next round. On a busy machine a disturbance is likely to
+//! affect all engines alike, so ratios are more reliable than times. With one thread only processor time
+//! counts.
 //!
-//! This engine in double precision takes part as one more engine; it is no peer. Where nothing is asked but
-//! how costs grow (`--growth`), worlds are made of one thing again and again.
+//! This engine in double precision takes part as a further engine; it is not a peer. The growth measurement
+//! (`--growth`) builds worlds from many copies of one arrangement.
 //!
-//! The same rules for all: steps of 1/60 s with 4 substeps, no body sleeps (but where sleeping bodies
-//! are what grows), no continuous collision detection, contact stiffness and recycling as each engine's
-//! own defaults have them, the same compiler profile. The first step counts as making the world.
+//! All engines follow the same rules: steps of 1/60 s with 4 substeps, and the same compiler profile. No body
+//! sleeps, except in curves over sleeping bodies. Continuous collision detection is off. Contact stiffness
+//! and recycling have each engine's own defaults. The first step counts as building the world.
 //!
-//! All engines are linked into one program. This engine and Rapier share the geometry crate, and
-//! cargo gives both the sum of the features they ask for: this engine asks for none that changes what a step executes
-//! (saving adds code that no step calls), so Rapier gets the geometry that it would get alone. With the feature `simd8` both get
-//! the geometry crate's eight lanes.
+//! One program links all engines. This engine and Rapier share the geometry crate, which cargo builds with
+//! the sum of their requested features. This engine requests no feature that changes the code of a step, so
+//! Rapier gets the same geometry as alone. (Saving adds code that no step calls.) With the feature `simd8`
+//! both get the geometry crate's eight lanes.
 
 #![expect(
     clippy::duplicate_mod,
@@ -48,7 +48,7 @@ use std::process::ExitCode;
 #[global_allocator]
 static ALLOCATOR: memory::Counting = memory::Counting;
 
-/// Exit code when the command line cannot be understood.
+/// Exit code for an invalid command line.
 const EXIT_USAGE: u8 = 2;
 
 fn main() -> ExitCode {
@@ -68,7 +68,7 @@ fn main() -> ExitCode {
     };
     match outcome {
         Ok(()) => ExitCode::SUCCESS,
-        // The reader of a pipe may leave before the end, as `head` does: not a failure.
+        // The reader of a pipe may close it before the end, as `head` does. That is not a failure.
         Err(error) if error.kind() == std::io::ErrorKind::BrokenPipe => ExitCode::SUCCESS,
         Err(error) => {
             let _ = writeln!(std::io::stderr(), "bench: {error}");

@@ -1,21 +1,22 @@
-//! What a run of contests comes to in one number: the geometric mean over the scenes, for each dimension and number of threads.
+//! Summary of a run of contests: the geometric mean over the scenes, for each dimension and number of
+//! threads.
 
 use crate::contest::Contest;
 use crate::engine::Kind;
 use crate::units::{counted, geometric_mean};
 
-/// In double precision no more than so many times as long as in single precision is wanted: twice the bytes, and half as many numbers in a
-/// register.
+/// Wanted upper bound of time in double precision divided by time in single precision: twice the bytes, and
+/// half as many numbers in a register.
 const DOUBLE_WANTED: f64 = 2.2;
 
-/// The geometric mean of a ratio over all scenes of one dimension with one number of threads.
+/// Geometric mean of a ratio over all scenes of one dimension with one number of threads.
 struct Mean<'c> {
     dimension: &'c str,
     threads: usize,
     ratios: Vec<(&'c Contest, f64)>,
 }
 
-/// All means, a sentence each: those to the fastest peer, then those of double precision.
+/// Returns a sentence for each mean: first the means to the fastest peer, then those of double precision.
 pub fn lines(contests: &[Contest]) -> Vec<String> {
     let mut lines: Vec<String> =
         means(contests, ratio_to_fastest).iter().filter_map(line_of_peers).collect();
@@ -23,17 +24,17 @@ pub fn lines(contests: &[Contest]) -> Vec<String> {
     lines
 }
 
-/// The fastest peer's time divided by this engine's: above 1 this engine is faster.
+/// Returns the fastest peer's time divided by this engine's: above 1 this engine is faster.
 pub fn ratio_to_fastest(contest: &Contest) -> Option<f64> {
     Some(contest.fastest_peer()?.1 / contest.ours()?.median())
 }
 
-/// The time in double precision divided by that in single precision.
+/// Returns the time in double precision divided by that in single precision.
 fn ratio_of_double(contest: &Contest) -> Option<f64> {
     Some(contest.score(Kind::Double)?.median() / contest.ours()?.median())
 }
 
-/// The means of a ratio, in the order in which their first contests come.
+/// Returns the means of a ratio, in the order of their first contests.
 fn means(contests: &[Contest], ratio: fn(&Contest) -> Option<f64>) -> Vec<Mean<'_>> {
     let mut means: Vec<Mean<'_>> = Vec::new();
     for contest in contests {
@@ -54,7 +55,7 @@ impl Mean<'_> {
         geometric_mean(&ratios)
     }
 
-    /// `3D, 1 thread, 23 scenes`
+    /// Formats the title: `3D, 1 thread, 23 scenes`.
     fn title(&self) -> String {
         let [threads, scenes] =
             [counted(self.threads, "thread"), counted(self.ratios.len(), "scene")];
@@ -120,7 +121,7 @@ mod tests {
             contest("3d/a", [1.0, 4.0, 2.0, 1.0]),
             contest("3d/b", [1.0, 0.5, 0.0, 4.0]),
             contest("2d/a", [2.0, 0.0, 6.0, 0.0]),
-            // Nobody to compare with.
+            // No peer took part.
             contest("2d/b", [2.0, 0.0, 0.0, 0.0]),
         ];
         assert_eq!(

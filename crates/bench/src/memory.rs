@@ -1,19 +1,19 @@
-//! Counts the bytes that Rust code has allocated and not yet given back.
+//! Count of the bytes that Rust code has allocated and not yet freed.
 
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 static LIVE: AtomicUsize = AtomicUsize::new(0);
 
-/// The system's allocator, with a count of what is live.
+/// The system's allocator, with a count of live bytes.
 pub struct Counting;
 
-/// Bytes allocated and not yet freed, as asked for by the program.
+/// Returns the bytes that the program has allocated and not yet freed.
 pub fn live_bytes() -> usize {
     LIVE.load(Ordering::Relaxed)
 }
 
-// SAFETY: every call is handed on unchanged to the system's allocator.
+// SAFETY: every call is forwarded unchanged to the system's allocator.
 unsafe impl GlobalAlloc for Counting {
     unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
         LIVE.fetch_add(layout.size(), Ordering::Relaxed);
@@ -48,7 +48,7 @@ mod tests {
         const SIZE: usize = 50_000_000;
         let before = super::live_bytes();
         let vector = std::hint::black_box(vec![1u8; SIZE]);
-        // Other tests allocate at the same time, but not that much.
+        // Other tests allocate at the same time, but less than half of this.
         assert!(super::live_bytes() > before + SIZE / 2);
         drop(vector);
         assert!(super::live_bytes() < before + SIZE / 2);

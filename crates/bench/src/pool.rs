@@ -1,12 +1,12 @@
-//! The threads that worlds are stepped with.
+//! Threads of the stepped worlds.
 //!
-//! This engine and Rapier use those of the rayon pool in which they are called, so whoever runs them does it in one of the right size.
-//! Box2D and Box3D start threads of their own.
+//! This engine and Rapier use the threads of the calling rayon pool, so each run is installed in a pool of
+//! the right size. Box2D and Box3D start their own threads.
 
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use std::io;
 
-/// A pool of so many threads.
+/// Creates a pool with this number of threads.
 pub fn of(threads: usize) -> io::Result<ThreadPool> {
     ThreadPoolBuilder::new().num_threads(threads).build().map_err(io::Error::other)
 }

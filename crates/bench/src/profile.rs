@@ -1,8 +1,9 @@
-//! Where the time of this engine's step goes.
+//! Times of the stages of this engine's step.
 //!
-//! Stages are measured on the wall. Beside them stands the time on processors, of all threads together: while threads have processors, those
-//! that wait for work look for it for a while, so with two threads it is nearly twice the step. If it is no more than the step, the others had
-//! nothing to do for long, as in small scenes, or got no processor, and the stages are those of one thread.
+//! Stage times are wall times. The last column is the processor time of all threads: idle workers spin for a
+//! while before they sleep, so with two threads it is nearly twice the step. A value near the step's wall
+//! time means that the other threads were idle, as in small scenes, or had no processor. The stages are then
+//! those of one thread.
 
 use crate::args::Options;
 use crate::catalog::Scene;

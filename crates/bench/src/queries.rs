@@ -1,7 +1,7 @@
-//! How many questions a second: rays, and balls that are sent along them.
+//! Numbers of queries per second: rays, and balls that are cast along them.
 //!
-//! A scene takes one step, so that every engine has its trees, and then stands still. All engines are asked the same
-//! questions by turns. How many found something stands beside the time: who finds less has less to do.
+//! A scene advances by one step, so that every engine has its trees, and then stays as it is. All engines run
+//! the same queries by turns. The table has the number of hits beside the time: fewer hits mean less work.
 
 use crate::args::Options;
 use crate::catalog::Scene;
@@ -10,26 +10,26 @@ use crate::engine::{Engine, Kind, Probes, Template};
 use gallery::{Progress, Table, grouped};
 use std::io::{self, Write};
 
-/// Questions of each kind.
+/// Number of queries of each kind.
 const COUNT: usize = 50_000;
 
 const HEADINGS: [&str; 8] =
     ["scene", "engine", "rays/s", "ratio", "hits", "ball casts/s", "ratio", "hits"];
 
-/// What the columns mean.
+/// Meaning of the columns.
 const LEGEND: &str = "\
 Rays, and balls of a hundredth of the scene's height, from random places in random directions, as long as the scene is wide, one thread:
 the median over the rounds of their number per second of time on the processor. ratio: this engine's number divided by the engine's, so
 above 1 this engine is faster. hits: how many found something.";
 
-/// What one engine has answered in one round: seconds and hits, for rays and for balls. None of what it cannot be asked.
+/// Results of one engine in one round: seconds and hits, for rays and for balls; `None` for missing queries.
 type Answers = [Option<(f64, usize)>; 2];
 
-/// An engine that is asked.
+/// Engine that runs the queries.
 struct Contestant<'t> {
     kind: Kind,
     engine: Box<dyn Engine + 't>,
-    /// One for each round.
+    /// Results of each round.
     answers: Vec<Answers>,
 }
 
@@ -57,7 +57,7 @@ pub fn run(scenes: &[Scene], options: &Options) -> io::Result<()> {
     writeln!(out, "\n{LEGEND}")
 }
 
-/// The engines that can take part, after their first step.
+/// Returns the engines that can take part, after their first step.
 fn start<'t>(template: &'t dyn Template, kinds: &[Kind]) -> Vec<Contestant<'t>> {
     let start = |&kind| {
         let mut engine = template.start(kind, 1).ok()?;
@@ -67,7 +67,7 @@ fn start<'t>(template: &'t dyn Template, kinds: &[Kind]) -> Vec<Contestant<'t>> 
     kinds.iter().filter_map(start).collect()
 }
 
-/// One round of one engine.
+/// Runs one round of one engine.
 fn ask(engine: &dyn Engine, template: &dyn Template, round: usize) -> Answers {
     let probes = Probes::random(COUNT, template.region(), round as u64);
     [None, Some(probes.radius)].map(|radius| {
@@ -97,7 +97,8 @@ fn add_rows(scene: &Scene, contestants: &[Contestant<'_>], table: &mut Table) {
 }
 
 impl Contestant<'_> {
-    /// The median of the times, and the hits of the first round; `None` if it cannot be asked.
+    /// Returns the median of the times and the hits of the first round; `None` if the engine has no such
+    /// query.
     fn median(&self, question: usize) -> Option<(f64, usize)> {
         let answered: Vec<_> = self.answers.iter().filter_map(|round| round[question]).collect();
         let mut seconds: Vec<f64> = answered.iter().map(|&(seconds, _)| seconds).collect();

@@ -1,4 +1,4 @@
-//! The table of results, for the terminal and for the documentation.
+//! Table of results, for the terminal and for the documentation.
 
 use crate::args::Options;
 use crate::contest::{Contest, Score};
@@ -27,16 +27,17 @@ const HEADINGS: [&str; 15] = [
     "bytes/body",
 ];
 
-/// Where `--write` leaves pages and charts, seen from the root of the repository.
+/// Folder of the pages and charts of `--write`, relative to the root of the repository.
 const FOLDER: &str = "docs/benchmarks";
-/// Whether the compiler may use the instructions of this processor (`-C target-cpu=native`). Such figures have a page of their own.
+/// Whether the compiler may use the instructions of this processor (`-C target-cpu=native`). These figures
+/// have a separate page.
 const IS_NATIVE: bool = cfg!(target_feature = "avx2");
-/// The page.
+/// Name of the page.
 const PAGE: &str = if IS_NATIVE { "native.md" } else { "latest.md" };
-/// The chart in it.
+/// Name of its chart.
 const CHART: &str = if IS_NATIVE { "native.svg" } else { "latest.svg" };
 
-/// Why Rapier is built as it is, for each of the two pages.
+/// Build flags of the engines and their reasons, for each of the two pages.
 const BUILDS: &str = if IS_NATIVE {
     "All engines are built for this processor (`-C target-cpu=native`, `-march=native`), Rapier with its features `parallel` and `simd8`. \
      The other page is [latest.md](latest.md)."
@@ -46,7 +47,7 @@ const BUILDS: &str = if IS_NATIVE {
      `-C target-cpu=native` for all."
 };
 
-/// What the columns mean, and the rules.
+/// Meaning of the columns, and the rules.
 const LEGEND: &str = "\
 ms/step: mean over all steps but the first of the step's median over the rounds. best ms: the same with
 the step's fastest round. setup ms: to make the world and take the first step, in the fastest round;
@@ -60,7 +61,7 @@ apart: largest distance between the two anchors of any joint at the end, measure
 kinetic: energy of all dynamic bodies at the end.
 bytes/body: memory of the world at the end per dynamic body, contacts and all.";
 
-/// Prints the table, and what it comes to.
+/// Prints the table and its summary.
 pub fn print(out: &mut dyn Write, contests: &[Contest]) -> io::Result<()> {
     let mut table = Table::new(&HEADINGS);
     rows(contests).into_iter().for_each(|row| table.push(row));
@@ -82,14 +83,14 @@ pub fn write(contests: &[Contest], options: &Options) -> io::Result<()> {
     std::fs::write(folder.join(PAGE), page(contests, options, has_chart))
 }
 
-/// The folder of pages and charts, made if it is not there.
+/// Creates the folder of pages and charts if necessary, and returns its path.
 pub fn folder() -> io::Result<PathBuf> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").join(FOLDER);
     std::fs::create_dir_all(&folder)?;
     Ok(folder)
 }
 
-/// The page, in Markdown.
+/// Formats the page in Markdown.
 fn page(contests: &[Contest], options: &Options, has_chart: bool) -> String {
     let mut page = format!(
         "# Beside its peers\n\n\
@@ -119,7 +120,7 @@ fn page(contests: &[Contest], options: &Options, has_chart: bool) -> String {
     page
 }
 
-/// The command that writes a page.
+/// Returns the command that writes a page.
 pub fn written_by() -> String {
     let flags =
         if IS_NATIVE { "RUSTFLAGS='-C target-cpu=native' CFLAGS=-march=native " } else { "" };
@@ -139,7 +140,7 @@ pub fn written_by() -> String {
     format!("Written by\n\n    {command}\n\nEngines by turns in one process")
 }
 
-/// A table in Markdown. Columns are figures but for those with these headings.
+/// Formats a table in Markdown. Columns hold figures, except those in `texts`.
 pub fn markdown(headings: &[&str], texts: &[&str], rows: &[Vec<String>]) -> String {
     let line = |cells: &[String]| format!("| {} |\n", cells.join(" | "));
     let mut table = line(&headings.iter().map(|&heading| heading.to_owned()).collect::<Vec<_>>());
@@ -181,7 +182,7 @@ fn row(contest: &Contest, kind: Kind, score: &Score) -> Vec<String> {
     ]
 }
 
-/// Who did not take part, and why.
+/// Returns the absent engines with their reasons.
 fn absences(contests: &[Contest]) -> Vec<String> {
     let mut lines = Vec::new();
     for contest in contests {
@@ -202,7 +203,7 @@ fn absences(contests: &[Contest]) -> Vec<String> {
     lines
 }
 
-/// The processor, as far as the system tells.
+/// Returns the name of the processor, if the system has it.
 pub fn machine() -> String {
     let info = std::fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
     let model = info.lines().find_map(|line| line.strip_prefix("model name")?.split_once(": "));
@@ -236,7 +237,7 @@ mod tests {
     }
 
     #[test]
-    fn the_ratio_is_above_one_when_we_are_faster() {
+    fn the_ratio_is_above_one_when_this_engine_is_faster() {
         let rows = rows(&[contest()]);
         assert_eq!(rows.len(), 2);
         assert_eq!((rows[0][4].as_str(), rows[0][6].as_str()), ("", ""));
@@ -245,7 +246,7 @@ mod tests {
     }
 
     #[test]
-    fn who_is_absent_is_said_once() {
+    fn an_absent_engine_is_listed_once() {
         let lines = absences(&[contest(), contest()]);
         assert_eq!(lines, ["3d/tower: without Box3D: not built in"]);
     }

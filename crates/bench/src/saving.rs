@@ -1,7 +1,7 @@
-//! How large saved worlds are, and how long it takes to save and restore them.
+//! Sizes of saved worlds, and times of saving and restoring.
 //!
-//! Every engine takes the same steps, and is then saved and restored as its authors recommend: this engine by snapshots, Rapier by serialising its sets
-//! with bincode.
+//! Every engine runs the same steps, and is then saved and restored as its authors recommend. This engine
+//! writes snapshots, Rapier serialises its sets with bincode.
 
 use crate::args::Options;
 use crate::catalog::Scene;
@@ -10,10 +10,11 @@ use crate::engine::{Engine, Kind, Template};
 use gallery::{Progress, Table, grouped};
 use std::io::{self, Write};
 
-/// Steps before a world is saved, if the user does not say.
+/// Default number of steps before a world is saved.
 const STEPS: usize = 100;
 
-/// Turns of saving and restoring in a round. The shortest counts: another program can only lengthen one.
+/// Number of turns of saving and restoring per round. The shortest turn counts: other programs can only
+/// lengthen one.
 const TURNS: usize = 10;
 
 const HEADINGS: [&str; 10] = [
@@ -33,7 +34,7 @@ const LEGEND: &str = "\
 step, save, restore, rollback: milliseconds of time on the processor, one thread; the shortest turn of all rounds. save: the world as bytes. restore: a world from these bytes.
 save/body: microseconds to save and to restore, per body. rollback: to save into an earlier copy in memory and to return to it. pairs: pairs of colliders that touch.";
 
-/// The shortest times so far (ms).
+/// Shortest times so far (ms).
 #[derive(Copy, Clone)]
 struct Times {
     step: f64,
@@ -42,7 +43,7 @@ struct Times {
     rollback: Option<f64>,
 }
 
-/// An engine that is saved.
+/// Engine that is saved.
 struct Contestant<'t> {
     kind: Kind,
     engine: Box<dyn Engine + 't>,
@@ -76,7 +77,7 @@ pub fn run(scenes: &[Scene], options: &Options) -> io::Result<()> {
     writeln!(out, "\n{LEGEND}")
 }
 
-/// The engines that can be saved, after their first steps.
+/// Returns the engines that can be saved, after their first steps.
 fn start<'t>(template: &'t dyn Template, options: &Options) -> Vec<Contestant<'t>> {
     let start = |&kind| {
         let mut engine = template.start(kind, 1).ok()?;

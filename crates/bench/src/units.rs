@@ -1,12 +1,12 @@
-//! Means, and numbers as people read them.
+//! Means, and readable numbers.
 
-/// The middle of numbers that are sorted: of two in the middle, their mean.
+/// Returns the median of sorted numbers: for an even count, the mean of the two in the middle.
 pub fn middle(sorted: &[f64]) -> f64 {
     let middle = sorted.len() / 2;
     if sorted.len() % 2 == 1 { sorted[middle] } else { 0.5 * (sorted[middle - 1] + sorted[middle]) }
 }
 
-/// Mean over the steps of what `choose` makes of the step's sorted durations in all rounds.
+/// Returns the mean over the steps of `choose`, applied to the step's sorted durations in all rounds.
 pub fn mean_of_steps(rounds: &[Vec<f64>], choose: impl Fn(&[f64]) -> f64) -> f64 {
     let steps = rounds[0].len();
     let chosen = (0..steps).map(|step| {
@@ -17,13 +17,13 @@ pub fn mean_of_steps(rounds: &[Vec<f64>], choose: impl Fn(&[f64]) -> f64) -> f64
     chosen.sum::<f64>() / steps as f64
 }
 
-/// The geometric mean, which is for ratios: twice and half make one. None of no numbers.
+/// Returns the geometric mean of ratios: twice and half give one. `None` without ratios.
 pub fn geometric_mean(ratios: &[f64]) -> Option<f64> {
     let logarithms = ratios.iter().map(|ratio| ratio.ln()).sum::<f64>();
     (!ratios.is_empty()).then(|| (logarithms / ratios.len() as f64).exp())
 }
 
-/// `1 thread`, `2 threads`.
+/// Formats a number with its noun: `1 thread`, `2 threads`.
 pub fn counted(number: usize, noun: &str) -> String {
     format!("{number} {noun}{}", if number == 1 { "" } else { "s" })
 }

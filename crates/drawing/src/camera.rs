@@ -4,7 +4,7 @@ use crate::sheet::box_corners;
 use crate::vector::{add_scaled, cross, dot, normalize, sub};
 use crate::{Drawing, Point};
 
-/// From where to look at a scene.
+/// Viewing direction of a scene.
 #[derive(Copy, Clone, Debug, PartialEq)]
 pub struct View {
     kind: Kind,
@@ -18,13 +18,13 @@ enum Kind {
 }
 
 impl View {
-    /// Straight at a flat scene.
+    /// Views a flat scene from the front.
     pub fn flat() -> Self {
         Self { kind: Kind::Flat, focus: None }
     }
 
-    /// At a scene in space, in perspective. Angles in degrees: `yaw` 0 looks along -z and 90 along
-    /// -x, `pitch` is how far the camera looks down.
+    /// Views a scene in space, in perspective. Angles are in degrees: `yaw` 0 looks along -z and 90 along -x,
+    /// `pitch` is the angle below the horizontal.
     pub fn orbit(yaw: f32, pitch: f32) -> Self {
         Self { kind: Kind::Orbit { yaw, pitch }, focus: None }
     }
@@ -37,7 +37,7 @@ impl View {
         }
     }
 
-    /// Shows the box with these two opposite corners, rather than all that moves.
+    /// Frames the box with these two opposite corners instead of the moving instances.
     pub fn focus(mut self, min: Point, max: Point) -> Self {
         self.focus = Some([min, max]);
         self
@@ -46,17 +46,17 @@ impl View {
 
 /// Half the picture's height over the distance to it, for a lens of 38 degrees.
 const LENS: f32 = 0.344;
-/// Share of the picture that the scene may fill; the rest is margin.
+/// Fraction of the picture that the scene may fill; the rest is margin.
 const FILL: f32 = 0.86;
-/// How far up the scene is moved, in half heights of the picture. Down, as the caption stands above.
+/// Vertical shift of the scene, in half heights of the picture. Negative, as the caption is above.
 const LIFT: f32 = -0.04;
-/// Share of the points on each side that may be strays: one body that flew off must not shrink all
+/// Fraction of the points on each side that may be outliers. Without it, one distant body would shrink all
 /// others to dots.
-const STRAYS: f32 = 0.004;
-/// Strays are left out only if the rest then looks larger by more than this factor.
-const WORTH_CROPPING: f32 = 1.6;
+const OUTLIER_FRACTION: f32 = 0.004;
+/// Smallest gain in scale for which outliers are left out.
+const CROPPING_GAIN_MIN: f32 = 1.6;
 
-/// A point as the camera sees it: in the picture while `|x| <= w` and `|y| <= w`.
+/// Point in camera coordinates: in the picture while `|x| <= w` and `|y| <= w`.
 #[derive(Copy, Clone, Debug)]
 pub struct Seen {
     /// To the right.
@@ -67,20 +67,21 @@ pub struct Seen {
     pub w: f32,
 }
 
-/// The unit vector from what is shown to the eye of an orbit, by its angles in degrees as in [`View::orbit`].
+/// Returns the unit vector from the target to the eye of an orbit, by its angles in degrees as in
+/// [`View::orbit`].
 pub fn back(yaw: f32, pitch: f32) -> Point {
     let (yaw, pitch) = (yaw.to_radians(), pitch.to_radians());
     [yaw.sin() * pitch.cos(), pitch.sin(), yaw.cos() * pitch.cos()]
 }
 
 impl Drawing {
-    /// The camera that shows the points to frame in a picture of a size in pixels.
+    /// Returns the camera that frames the drawing in a picture of a size in pixels.
     pub fn camera(&self, view: &View, size: [usize; 2]) -> Camera {
         Camera::fit(view, &self.points_to_frame(), size[0] as f32 / size[1] as f32)
     }
 }
 
-/// A camera in its place.
+/// Camera at a position.
 #[derive(Clone, Debug)]
 pub struct Camera {
     /// Position of the eye.
@@ -93,20 +94,20 @@ pub struct Camera {
     pub forward: Point,
     /// Scales of the two axes of the picture.
     pub scale: [f32; 2],
-    /// How far the content is moved up, in half heights of the picture.
+    /// Vertical shift of the content, in half heights of the picture.
     pub lift: f32,
     /// Whether the projection is parallel, along -z.
     pub flat: bool,
-    /// Nearest and farthest distance of what is shown.
+    /// Nearest and farthest distance of the content.
     pub depth: [f32; 2],
-    /// Middle of what is shown.
+    /// Middle of the content.
     pub center: Point,
-    /// Its radius.
+    /// Radius of the content.
     pub radius: f32,
 }
 
 impl Camera {
-    /// The camera that shows all of `points` (except a few strays) from the side that `view` asks for.
+    /// Returns the camera that shows all of `points` (except a few outliers) in the direction of `view`.
     pub fn fit(view: &View, points: &[Point], aspect: f32) -> Self {
         let corners = view.focus.map(box_corners);
         let points = corners.as_ref().map_or(points, |corners| corners.as_slice());
@@ -133,10 +134,10 @@ impl Camera {
         Self { lift: LIFT, ..Self::level(middle, half_height, aspect) }
     }
 
-    /// The eye goes as near as it can. With the axes of the picture fixed, a point (x, y, z) is to
-    /// the left of the right edge if `x - eye.x <= t (z - eye.z)`, t being the slope of that edge; the
-    /// other three edges likewise. So each edge asks for the largest of one linear function over all
-    /// points, and two opposite edges together give one coordinate of the eye and a bound on its z.
+    /// The eye is as near as possible. With the axes of the picture fixed, a point (x, y, z) is to the left
+    /// of the right edge if `x - eye.x <= t (z - eye.z)`. Here t is the slope of that edge; the other edges
+    /// likewise. Each edge needs the maximum of one linear function over all points. Two opposite edges
+    /// together give one coordinate of the eye and a bound on its z.
     fn fit_orbit(yaw: f32, pitch: f32, points: &[Point], aspect: f32) -> Self {
         let forward = back(yaw, pitch).map(|c| -c);
         let right = normalize(cross(forward, [0.0, 1.0, 0.0]));
@@ -169,7 +170,7 @@ impl Camera {
         }
     }
 
-    /// The point as the camera sees it.
+    /// Returns the point in camera coordinates.
     pub fn see(&self, point: Point) -> Seen {
         let p = sub(point, self.eye);
         let w = if self.flat { 1.0 } else { dot(p, self.forward) };
@@ -180,46 +181,46 @@ impl Camera {
         }
     }
 
-    /// The place of the picture that shows a point (both coordinates from -1 to 1); none for a point outside.
+    /// Returns the position in the picture (both coordinates from -1 to 1), or `None` for a point outside.
     pub fn in_picture(&self, point: Point) -> Option<[f32; 2]> {
         let Seen { x, y, w } = self.see(point);
         let inside = w >= self.nearest() && x.abs() <= w && y.abs() <= w;
         inside.then(|| [x / w, y / w])
     }
 
-    /// Nothing nearer than this is drawn.
+    /// Returns the distance of the near plane.
     pub fn nearest(&self) -> f32 {
         if self.flat { 0.5 } else { 0.02 * self.depth[0] }
     }
 
-    /// Where the line of sight through a place of the picture (both coordinates from -1 to 1) is at
-    /// a distance.
+    /// Returns the point at a distance on the line of sight through a position in the picture (both
+    /// coordinates from -1 to 1).
     pub fn point_at(&self, x: f32, y: f32, w: f32) -> Point {
         let p = add_scaled(self.eye, self.right, x / self.scale[0] * w);
         let p = add_scaled(p, self.up, (y - self.lift) / self.scale[1] * w);
         if self.flat { p } else { add_scaled(p, self.forward, w) }
     }
 
-    /// Direction from a point to the eye.
+    /// Returns the direction from a point to the eye.
     pub(crate) fn toward_eye(&self, point: Point) -> Point {
         if self.flat { self.forward.map(|c| -c) } else { sub(self.eye, point) }
     }
 }
 
-/// The range of the values, without strays at either end if there are any.
+/// Returns the range of the values, without outliers at either end if there are any.
 fn extent(values: impl Iterator<Item = f32>) -> [f32; 2] {
     let mut values: Vec<f32> = values.collect();
-    let strays = (values.len() as f32 * STRAYS) as usize;
+    let strays = (values.len() as f32 * OUTLIER_FRACTION) as usize;
     let last = values.len() - 1;
     let mut range = |skipped: usize| -> [f32; 2] {
         [skipped, last - skipped].map(|i| *values.select_nth_unstable_by(i, f32::total_cmp).1)
     };
     let (all, most) = (range(0), range(strays));
-    if all[1] - all[0] > WORTH_CROPPING * (most[1] - most[0]) { most } else { all }
+    if all[1] - all[0] > CROPPING_GAIN_MIN * (most[1] - most[0]) { most } else { all }
 }
 
 impl Camera {
-    /// A camera in perspective that looks from one point to another.
+    /// Returns a camera in perspective that looks from one point to another.
     pub fn looking(eye: Point, target: Point, aspect: f32) -> Self {
         let to_target = sub(target, eye);
         let distance = dot(to_target, to_target).sqrt().max(1.0e-3);
@@ -242,7 +243,7 @@ impl Camera {
         }
     }
 
-    /// A camera on a flat scene: its middle, and half the height that it shows.
+    /// Returns a camera on a flat scene, from the scene's middle and half its visible height.
     pub fn level(middle: [f32; 2], half_height: f32, aspect: f32) -> Self {
         let half_height = half_height.max(1.0e-3);
         Self {
@@ -259,12 +260,14 @@ impl Camera {
         }
     }
 
-    /// Length of a pixel of a picture so many pixels high, at a distance along the line of sight.
+    /// Returns the length of a pixel at a distance along the line of sight, for this height of the picture in
+    /// pixels.
     pub fn pixel_at(&self, w: f32, height: f32) -> f32 {
         2.0 * w / (height * self.scale[1])
     }
 
-    /// Origin and unit direction of the line of sight through a place of the picture (both coordinates from -1 to 1).
+    /// Returns origin and unit direction of the line of sight through a position in the picture (both
+    /// coordinates from -1 to 1).
     pub fn ray(&self, x: f32, y: f32) -> [Point; 2] {
         let through = self.point_at(x, y, 1.0);
         if self.flat {
@@ -274,7 +277,7 @@ impl Camera {
         }
     }
 
-    /// The matrix, by columns, from the world to clip space with depth from 1 (near) to 0 (far).
+    /// Returns the matrix, by columns, from the world to clip space with depth from 1 (near) to 0 (far).
     pub fn matrix(&self) -> [[f32; 4]; 4] {
         let [sx, sy] = self.scale;
         let shift = |axis: Point| -dot(axis, self.eye);
@@ -286,7 +289,7 @@ impl Camera {
             let up = [self.up[0], self.up[1], self.up[2], shift(self.up)];
             up[i] * sy + self.lift * row_w[i]
         });
-        // Reversed depth: `near / w`, which keeps its digits far away.
+        // Reversed depth, `near / w`, keeps its digits at large distances.
         let row_z = if self.flat { [0.0, 0.0, 0.0, 0.5] } else { [0.0, 0.0, 0.0, self.nearest()] };
         std::array::from_fn(|column| [row_x[column], row_y[column], row_z[column], row_w[column]])
     }

@@ -1,4 +1,4 @@
-//! Colours in sRGB, and the linear light that they stand for.
+//! Colours in sRGB, and their linear light.
 
 /// A colour in sRGB, each part from 0 to 1.
 #[derive(Copy, Clone, Debug, PartialEq)]
@@ -30,12 +30,12 @@ impl Color {
     }
 }
 
-/// The amount of light that an sRGB value stands for.
+/// Returns the amount of light of an sRGB value.
 fn decode(value: f32) -> f32 {
     if value <= 0.04045 { value / 12.92 } else { ((value + 0.055) / 1.055).powf(2.4) }
 }
 
-/// The sRGB byte that stands for an amount of light.
+/// Returns the sRGB byte of an amount of light.
 pub(crate) fn encode(light: f32) -> u8 {
     let light = light.clamp(0.0, 1.0);
     let value =
@@ -43,7 +43,7 @@ pub(crate) fn encode(light: f32) -> u8 {
     (value * 255.0 + 0.5) as u8
 }
 
-/// The amount of light that an sRGB byte stands for.
+/// Returns the amount of light of an sRGB byte.
 pub(crate) fn decode_byte(value: u8) -> f32 {
     decode(f32::from(value) / 255.0)
 }

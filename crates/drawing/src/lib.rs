@@ -1,10 +1,11 @@
 //! # Drawing: a scene as data, and pictures of it
 //!
 //! A [`Drawing`] holds meshes with their instances, lines and labels; a [`Camera`] holds a point of view. Two
-//! renderers read both: the one of the crate `render`, on a graphics adapter, and [`raster`], which paints on the
-//! processor, needs no driver and gives the same bytes on every machine.
+//! renderers read both. The crate `render` draws on a graphics adapter. [`raster`] paints on the processor,
+//! needs no driver and gives the same bytes on every machine.
 //!
-//! The crate contains no physics. Points are `[f32; 3]` in every dimension and precision; flat scenes lie at z = 0.
+//! The crate contains no physics. Points are `[f32; 3]` in every dimension and precision; flat scenes lie at
+//! z = 0.
 
 mod animation;
 pub mod camera;

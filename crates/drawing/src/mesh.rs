@@ -19,8 +19,9 @@ const COARSE: [(u32, f32); 3] = [(20, 48.0), (12, 16.0), (8, 6.0)];
 pub struct Vertex {
     /// Its place.
     pub position: Point,
-    /// The unit normal of a surface. In a flat shape: +z inside; zero on the border; in the plane of the shape where
-    /// the renderer moves a vertex from the border inwards, by the width of the rim times this vector.
+    /// The unit normal of a surface. In a flat shape: +z inside; zero on the border; in the plane of the
+    /// shape where the renderer moves a vertex from the border inwards, by the width of the rim times this
+    /// vector.
     pub normal: Point,
 }
 
@@ -70,7 +71,8 @@ impl Mesh {
                 }
             }
         }
-        // Corners with the same place and normal are one vertex: adapters in software spend most of a frame on vertices.
+        // Corners with the same place and normal are one vertex: adapters in software spend most of a frame
+        // on vertices.
         let (mut vertices, mut known) = (Vec::new(), HashMap::new());
         let mut indices = Vec::with_capacity(triangles.len());
         for (face, triangle) in triangles.iter().enumerate() {
@@ -105,7 +107,8 @@ impl Mesh {
         parts.finish()
     }
 
-    /// The position in `coarse` of the form that suits an instance in a picture so many pixels high; none for this mesh.
+    /// Returns the index in `coarse` for an instance in a picture of this height in pixels; `None` for this
+    /// mesh.
     pub fn detail(
         &self,
         camera: &crate::Camera,
@@ -186,14 +189,14 @@ impl Mesh {
     }
 }
 
-/// A mesh with its coarse forms, from a function of the number of pieces of a circle.
+/// Creates a mesh with its coarse forms, from a function of the number of pieces of a circle.
 fn with_coarse(closed: bool, of: impl Fn(u32) -> Mesh) -> Mesh {
     let form = |pieces: u32| Mesh { closed, ..of(pieces) };
     let coarse = COARSE.map(|(pieces, below)| (Arc::new(form(pieces)), below));
     Mesh { coarse: coarse.into(), ..form(PIECES) }
 }
 
-/// A disc with a spoke, which shows how it turns.
+/// Creates a disc with a spoke, which makes rotation visible.
 fn flat_disc(pieces: u32) -> Mesh {
     let angle = |i: u32| TAU * i as f32 / pieces as f32;
     let corners: Vec<_> = (0..pieces).map(|i| [angle(i).cos(), angle(i).sin()]).collect();
@@ -203,7 +206,7 @@ fn flat_disc(pieces: u32) -> Mesh {
     parts.finish()
 }
 
-/// Half a circle from the lower pole to the upper one.
+/// Returns half a circle from the lower pole to the upper one.
 fn arc_profile(rings: u32) -> Vec<[f32; 2]> {
     let angle = |i: u32| std::f32::consts::PI * (i as f32 / rings as f32 - 0.5);
     let at = |i: u32| match i {
@@ -214,8 +217,8 @@ fn arc_profile(rings: u32) -> Vec<[f32; 2]> {
     (0..=rings).map(at).collect()
 }
 
-/// The surface that a profile (distance from the axis, height) leaves when it turns about y. With `round`, positions on
-/// the unit sphere are the normals.
+/// Returns the surface of revolution of a profile (distance from the axis, height) about y. With `round`,
+/// positions on the unit sphere are the normals.
 fn revolved(profile: &[[f32; 2]], pieces: u32, round: bool) -> Mesh {
     let count = profile.len() as u32;
     let mut points = Vec::new();
@@ -290,7 +293,7 @@ impl FlatParts {
         }
     }
 
-    /// A band along a side, as wide as the rim, on the side to which the vectors point.
+    /// Adds a band along a side, as wide as the rim, on the side of the vectors.
     fn rim(&mut self, [from, to]: [[f32; 2]; 2], [in_from, in_to]: [[f32; 2]; 2]) {
         let a = self.push(from, [0.0; 3]);
         let b = self.push(to, [0.0; 3]);
@@ -321,7 +324,7 @@ fn left_of(from: [f32; 2], to: [f32; 2]) -> [f32; 2] {
 /// The vector from a corner to the corner of the border that is parallel at distance 1 inside.
 fn miter(before: [f32; 2], here: [f32; 2], next: [f32; 2]) -> [f32; 2] {
     let (m, n) = (left_of(before, here), left_of(here, next));
-    // Sharp corners would throw the inner one far away.
+    // The limit keeps inner corners near sharp ones.
     let shared = (1.0 + m[0] * n[0] + m[1] * n[1]).max(0.3);
     [(m[0] + n[0]) / shared, (m[1] + n[1]) / shared]
 }

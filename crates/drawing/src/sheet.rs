@@ -6,20 +6,20 @@ use crate::{Color, Point};
 use std::collections::HashMap;
 use std::sync::Arc;
 
-/// The part that an instance plays: it decides about framing and about the look of the surface.
+/// Role of an instance: it determines framing and the look of the surface.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 pub enum Role {
     /// Belongs to a body that can move. The camera frames these.
     Moving,
-    /// Stands still among the moving ones. The camera frames these too.
+    /// Fixed among the moving instances. The camera frames these too.
     Fixed,
-    /// Surrounds everything. The camera ignores it.
+    /// Surrounds all other instances. The camera ignores it.
     Scenery,
     /// Like scenery, but level: it has a grid, fades out with distance, and is visible from its front only.
     Ground,
 }
 
-/// A mesh in its place.
+/// Placed mesh.
 #[derive(Copy, Clone, Debug, PartialEq)]
 pub struct Instance {
     /// Translation.
@@ -30,9 +30,9 @@ pub struct Instance {
     pub scale: Point,
     /// Colour of the surface in full light.
     pub color: Color,
-    /// The part it plays.
+    /// Role of the instance.
     pub role: Role,
-    /// Number of the object it belongs to, for picking and for tests.
+    /// Number of the object, for picking and for tests.
     pub id: u32,
     /// Whether the surface is brightened, as that of a selected object.
     pub highlighted: bool,
@@ -56,7 +56,7 @@ impl Instance {
 pub struct Batch {
     /// The mesh.
     pub mesh: Arc<Mesh>,
-    /// Its places.
+    /// Instances of the mesh.
     pub instances: Vec<Instance>,
 }
 
@@ -69,11 +69,11 @@ pub struct Line {
     pub to: Point,
     /// Its colour.
     pub color: Color,
-    /// Whether it shows through the surfaces before it.
+    /// Whether the line is visible through surfaces.
     pub on_top: bool,
 }
 
-/// A word or two with their middle at a place.
+/// Short text with its middle at a point.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Label {
     /// The middle of the text.
@@ -130,8 +130,8 @@ impl Drawing {
         })
     }
 
-    /// The points that a camera has to frame: the corners of the boxes of all moving instances and of the fixed ones
-    /// between them, or, where nothing moves, of all instances.
+    /// Returns the points that a camera has to frame. These are the corners of the boxes of all moving
+    /// instances and of the fixed ones between them, or of all instances if none moves.
     pub fn points_to_frame(&self) -> Vec<Point> {
         let gather = |wanted: fn(Role) -> bool| -> Vec<Point> {
             let instances = self.instances().filter(|(_, instance)| wanted(instance.role));

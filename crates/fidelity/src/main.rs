@@ -1,8 +1,8 @@
 //! Writes `docs/fidelity/`: the statements of the physical tests, and the figures that the tests measured.
 //!
-//! A test states its law in its doc comment and prints a table. This program runs these tests in all four crates,
-//! and merges a law with its tables into a section of a document. The documents therefore contain no figure that
-//! a test does not check.
+//! A test states its law in its doc comment and prints a table. This program runs these tests in all four
+//! crates, and merges a law with its tables into a section of a document. The documents therefore contain no
+//! figure that a test does not check.
 //!
 //!     cargo run -p fidelity
 

@@ -1,28 +1,28 @@
 //! Decisions read from a string of bytes.
 //!
-//! Each takes as few bytes as it can, so that a fuzzer that changes one byte changes one decision. When the bytes
-//! are used up, every further choice is the first one.
+//! A decision takes as few bytes as possible, so that a change of one byte changes one decision. After the
+//! last byte, every further choice is the first one.
 
-/// A string of bytes, read from its beginning.
+/// String of bytes, read from its beginning.
 pub struct Choices<'a> {
     rest: &'a [u8],
-    /// Is everything printed that is done?
-    is_loud: bool,
+    /// Whether operations are printed.
+    is_verbose: bool,
 }
 
 impl<'a> Choices<'a> {
     pub fn new(bytes: &'a [u8]) -> Self {
-        Self { rest: bytes, is_loud: std::env::var_os("FUZZ_TELL").is_some() }
+        Self { rest: bytes, is_verbose: std::env::var_os("FUZZ_TELL").is_some() }
     }
 
-    /// Prints what is done, if `FUZZ_TELL` is set: how a finding is understood.
+    /// Prints a description of an operation if `FUZZ_TELL` is set, for the analysis of a finding.
     pub fn tell(&self, what: impl FnOnce() -> String) {
-        if self.is_loud {
+        if self.is_verbose {
             eprintln!("{}", what());
         }
     }
 
-    /// Are all bytes used up?
+    /// Returns whether all bytes are used up.
     pub fn is_over(&self) -> bool {
         self.rest.is_empty()
     }
@@ -33,37 +33,37 @@ impl<'a> Choices<'a> {
         first
     }
 
-    /// A number from 0 to `count - 1`, of at most 256.
+    /// Returns a number from 0 to `count - 1`, with `count` at most 256.
     pub fn below(&mut self, count: usize) -> usize {
         debug_assert!((1..=256).contains(&count), "one of {count}");
         usize::from(self.byte()) % count
     }
 
-    /// True for one in `times` bytes; not for zero, so that nothing rare happens once the bytes are used up.
+    /// Returns true for one in `times` bytes. A zero byte gives false, so rare operations end with the bytes.
     pub fn once_in(&mut self, times: usize) -> bool {
         self.below(times) == times - 1
     }
 
-    /// Heads or tails.
+    /// Returns true for every other byte.
     pub fn coin(&mut self) -> bool {
         self.once_in(2)
     }
 
-    /// A number from `low` to `high`.
+    /// Returns a number from `low` to `high`.
     pub fn within(&mut self, low: f64, high: f64) -> f64 {
         let number = u16::from_le_bytes([self.byte(), self.byte()]);
         low + (high - low) * f64::from(number) / f64::from(u16::MAX)
     }
 
-    /// One of several.
-    pub fn pick<T: Clone>(&mut self, of: &[T]) -> T {
-        of[self.below(of.len())].clone()
+    /// Returns one of several values.
+    pub fn pick<T: Clone>(&mut self, values: &[T]) -> T {
+        values[self.below(values.len())].clone()
     }
 }
 
-/// This many random bytes; the same ones for the same seed.
+/// Returns this many pseudorandom bytes. Equal seeds give equal bytes.
 ///
-/// Marsaglia's xorshift of 64 bits ("Xorshift RNGs", 2003), multiplied at the end.
+/// The generator is Marsaglia's 64-bit xorshift ("Xorshift RNGs", 2003) with a multiplication at the end.
 pub fn random_bytes(seed: u64, count: usize) -> Vec<u8> {
     let mut state = seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) | 1;
     let mut next = || {

@@ -1,4 +1,4 @@
-//! What a string of bytes finds, and the shortest string that finds the same.
+//! Findings of a string of bytes, and the shortest string with the same finding.
 
 use crate::{Run, Tally};
 use std::cell::RefCell;
@@ -6,7 +6,7 @@ use std::panic::{PanicHookInfo, catch_unwind};
 use std::sync::Once;
 
 thread_local! {
-    /// Where and why this thread panicked last.
+    /// Place and message of this thread's last panic.
     static LAST: RefCell<Option<Finding>> = const { RefCell::new(None) };
 }
 
@@ -15,7 +15,7 @@ thread_local! {
 pub struct Finding {
     /// File, line and column.
     pub place: String,
-    /// What it said.
+    /// Message of the panic.
     pub message: String,
 }
 
@@ -25,21 +25,21 @@ impl std::fmt::Display for Finding {
     }
 }
 
-/// Does what the bytes say.
+/// Runs the operations of the bytes.
 ///
-/// From the first call on, panics of the whole program are noted instead of printed.
+/// The first call installs a panic hook for the whole program, which records panics instead of printing them.
 ///
 /// # Errors
-/// If something was not in order.
+/// If an invariant was violated.
 pub fn search(run: Run, bytes: &[u8]) -> Result<Tally, Finding> {
-    static QUIET: Once = Once::new();
-    QUIET.call_once(|| std::panic::set_hook(Box::new(note)));
+    static PANIC_HOOK: Once = Once::new();
+    PANIC_HOOK.call_once(|| std::panic::set_hook(Box::new(record_panic)));
     catch_unwind(|| run(bytes)).map_err(|_| {
         LAST.take().unwrap_or_else(|| Finding { place: "unknown".into(), message: String::new() })
     })
 }
 
-fn note(info: &PanicHookInfo<'_>) {
+fn record_panic(info: &PanicHookInfo<'_>) {
     let place = info.location().map_or_else(String::new, ToString::to_string);
     let text = info.payload().downcast_ref::<String>().map(String::as_str);
     let text = text.or_else(|| info.payload().downcast_ref::<&str>().copied());
@@ -50,8 +50,8 @@ fn note(info: &PanicHookInfo<'_>) {
     LAST.set(Some(Finding { place, message }));
 }
 
-/// The shortest string found that panics at the same place: pieces are left out, and bytes set to zero, as long as
-/// that goes well.
+/// Returns the shortest string found that panics at the same place. The search removes pieces and sets bytes
+/// to zero as long as the panic persists.
 pub fn minimised(run: Run, bytes: &[u8], finding: &Finding) -> Vec<u8> {
     let same = |bytes: &[u8]| search(run, bytes).is_err_and(|other| other.place == finding.place);
     let mut shortest = bytes.to_vec();
@@ -83,7 +83,7 @@ mod tests {
     use super::{minimised, search};
     use crate::Tally;
 
-    fn dislikes_seven(bytes: &[u8]) -> Tally {
+    fn panics_on_seven(bytes: &[u8]) -> Tally {
         assert!(!bytes.windows(2).any(|pair| pair == [7, 8]), "a seven before an eight");
         Tally { operations: bytes.len(), steps: 0 }
     }
@@ -91,9 +91,9 @@ mod tests {
     #[test]
     fn a_finding_is_minimised() {
         let bytes = [1, 2, 7, 8, 9, 7, 3, 4, 5, 6];
-        let finding = search(dislikes_seven, &bytes).unwrap_err();
+        let finding = search(panics_on_seven, &bytes).unwrap_err();
         assert_eq!(finding.message, "a seven before an eight");
-        assert_eq!(minimised(dislikes_seven, &bytes, &finding), [7, 8]);
-        assert_eq!(search(dislikes_seven, &bytes[..3]).unwrap().operations, 3);
+        assert_eq!(minimised(panics_on_seven, &bytes, &finding), [7, 8]);
+        assert_eq!(search(panics_on_seven, &bytes[..3]).unwrap().operations, 3);
     }
 }

@@ -1,15 +1,14 @@
-//! # Fuzzer — a user without sense
+//! # Fuzzer — random and hostile use of the engine
 //!
-//! Reads a string of bytes as a sequence of operations on a world, does them, and checks after each step that the
-//! world is in order. Most operations make sense, some are impossible, and any may follow any other.
+//! Reads a string of bytes as a sequence of operations on a world, runs them, and checks the invariants of
+//! the world after each step. Most operations are valid, some are impossible, and any may follow any other.
 //!
-//! The strings come from a seed (`cargo test -p fuzzer`, and for as long as one likes
-//! `cargo run --profile fuzz -p fuzzer`), or from a fuzzer that learns which ones lead to new places in the engine
-//! (`fuzz/` beside the workspace). What a string found once has a test of its own, mostly in `tests/hostile/`: a string means
-//! something else as soon as an operation is added here, a test does not.
+//! Seeds generate the strings (`cargo test -p fuzzer`, and without limit `cargo run --profile fuzz -p
+//! fuzzer`), or a coverage-guided fuzzer (`fuzz/` beside the workspace). Each finding has its own test,
+//! mostly in `tests/hostile/`. A new operation here changes the meaning of strings, but not of tests.
 //!
-//! All of it is compiled four times, once against each crate: what stands in `both/` says `rapier` and `dim`, and
-//! the modules here say which ones these are.
+//! The code is compiled four times, once against each crate: files in `both/` use the names `rapier` and
+//! `dim`, and the modules here bind these names.
 
 #![expect(
     clippy::duplicate_mod,
@@ -17,51 +16,51 @@
 )]
 
 mod choices;
-pub mod farewell;
+pub mod deliberate_panic;
 pub mod findings;
 
 pub use choices::random_bytes;
 
-/// The names of the families: worlds of one kind, each with a law that it obeys.
+/// Names of the families: worlds of one kind, each with an invariant.
 pub const FAMILIES: [&str; 5] = ["closed", "thin", "driven", "trees", "crowds"];
-/// One of so many strings is of a given family. Strings of no family do anything.
+/// Number of equally frequent kinds of strings: one per family, and the others mix all operations.
 const KINDS: usize = 16;
 
-/// Returns the family of a string, which its first byte decides.
+/// Returns the family of a string from its first byte.
 fn family_of(first: usize) -> Option<usize> {
     (first % KINDS).checked_sub(KINDS - FAMILIES.len())
 }
 
-/// Changes a string so that it is one of a family.
+/// Turns a string into one of a family.
 pub fn set_family(bytes: &mut [u8], family: usize) {
     if let Some(first) = bytes.first_mut() {
         *first = (KINDS - FAMILIES.len() + family) as u8;
     }
 }
 
-/// What was done in one world.
+/// Counts of the work in one world.
 #[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
 pub struct Tally {
-    /// Operations, without steps.
+    /// Number of operations, without steps.
     pub operations: usize,
-    /// Steps.
+    /// Number of steps.
     pub steps: usize,
 }
 
 impl Tally {
-    /// Adds what was done in another world.
+    /// Adds the counts of another world.
     pub fn add(&mut self, other: Self) {
         self.operations += other.operations;
         self.steps += other.steps;
     }
 }
 
-/// Does to a world what the bytes say.
+/// Runs the operations of the bytes on a world.
 ///
-/// Panics if anything is not in order.
+/// Panics if an invariant is violated.
 pub type Run = fn(&[u8]) -> Tally;
 
-/// The four crates, under their names.
+/// The four crates with their names.
 pub const CRATES: [(&str, Run); 4] = [
     ("rapier2d", flat::run),
     ("rapier3d", solid::run),
@@ -69,7 +68,7 @@ pub const CRATES: [(&str, Run); 4] = [
     ("rapier3d-f64", solid_f64::run),
 ];
 
-/// In 2D.
+/// The crate for 2D.
 pub mod flat {
     use rapier2d as rapier;
 
@@ -83,7 +82,7 @@ pub mod flat {
     pub use both::{forged, run};
 }
 
-/// In 3D.
+/// The crate for 3D.
 pub mod solid {
     use rapier3d as rapier;
 
@@ -97,7 +96,7 @@ pub mod solid {
     pub use both::{forged, run};
 }
 
-/// In 2D with double precision.
+/// The crate for 2D with double precision.
 #[path = "flat"]
 pub mod flat_f64 {
     use rapier2d_f64 as rapier;
@@ -112,7 +111,7 @@ pub mod flat_f64 {
     pub use both::{forged, run};
 }
 
-/// In 3D with double precision.
+/// The crate for 3D with double precision.
 #[path = "solid"]
 pub mod solid_f64 {
     use rapier3d_f64 as rapier;

@@ -1,4 +1,4 @@
-//! Random operations for as long as one likes, with a progress bar: see `--help`.
+//! Random operations without limit, with a progress bar: see `--help`.
 
 mod watch;
 
@@ -10,7 +10,7 @@ use std::process::ExitCode;
 use std::time::{Duration, Instant};
 use watch::Watch;
 
-const HELP: &str = "Does random things to worlds and looks whether all is in order.
+const HELP: &str = "Runs random operations on worlds and checks their invariants.
 
 Usage: fuzzer [OPTIONS]
 
@@ -27,7 +27,7 @@ Each finding is minimised and left in a file of the current folder; a sequence t
 is one, too, and ends the search. Checks inside of the engine are on in the
 profile `fuzz`: cargo run --profile fuzz -p fuzzer";
 
-/// How often the progress bar moves.
+/// Interval of the progress bar's updates.
 const TICK: Duration = Duration::from_millis(500);
 const BAR: usize = 30;
 
@@ -90,7 +90,7 @@ fn parse(arguments: &[String]) -> Result<Options, String> {
     Ok(options)
 }
 
-/// Was nothing found?
+/// Returns whether the run has no finding.
 fn run(options: &Options) -> Result<bool, String> {
     if !cfg!(debug_assertions) {
         eprintln!(
@@ -130,7 +130,7 @@ fn run(options: &Options) -> Result<bool, String> {
     Ok(findings.is_empty())
 }
 
-/// Does what the bytes of a file say, in each crate. Returns whether all is in order.
+/// Runs the operations of a file in each crate. Returns whether all invariants hold.
 fn replay(options: &Options, file: &str) -> Result<bool, String> {
     let bytes = std::fs::read(file).map_err(|error| format!("{file}: {error}"))?;
     let outcomes = options.crates.iter().map(|&(name, run)| (name, search(run, &bytes)));
@@ -151,18 +151,18 @@ fn report(name: &str, seed: u64, bytes: &[u8], finding: &Finding) -> Result<(), 
     Ok(())
 }
 
-/// What makes room for a line where the bar stands, if there is one.
+/// Returns the control sequence that clears the progress bar, if there is one.
 fn wipe() -> &'static str {
     if std::io::stdout().is_terminal() { "\r\x1b[K" } else { "" }
 }
 
-/// A bar, and how fast it grows. Where nobody watches there is none.
+/// Progress bar with the rate of operations. Output without a terminal has no bar.
 struct Progress {
     start: Instant,
     shown: Instant,
     goal: usize,
     tally: Tally,
-    /// The longest time that a sequence took, and which one it was.
+    /// Longest time of a sequence, and its name.
     slowest: (Duration, String),
 }
 

@@ -1,38 +1,39 @@
-//! Sequences that do not come to an end are findings, too, but nobody can stop them: who watches writes them down and ends the program.
+//! Endless sequences are findings as well. No thread can stop them, so the watch writes them to a file and
+//! ends the program.
 
 use std::sync::{Arc, Mutex};
 use std::time::{Duration, Instant};
 
-/// How long a sequence may take: some hundred times as long as the slowest do.
-const PATIENCE: Duration = Duration::from_secs(60);
+/// Largest time of a sequence: some hundred times the time of the slowest ones.
+const SEQUENCE_TIME_MAX: Duration = Duration::from_secs(60);
 const PAUSE: Duration = Duration::from_secs(1);
 
-/// The sequence that is done now.
+/// The running sequence.
 struct Current {
     since: Instant,
     name: String,
     bytes: Vec<u8>,
 }
 
-/// Looks from time to time, on a thread of its own, whether the present sequence has come to its end.
+/// Checks at intervals, on a separate thread, whether the running sequence has ended.
 #[derive(Clone, Default)]
 pub struct Watch(Arc<Mutex<Option<Current>>>);
 
 impl Watch {
-    /// Watches until the program ends.
+    /// Starts the thread, which runs until the program ends.
     pub fn new() -> Self {
         let watch = Self::default();
         let watcher = watch.clone();
         std::thread::spawn(move || {
             loop {
                 std::thread::sleep(PAUSE);
-                watcher.look();
+                watcher.check();
             }
         });
         watch
     }
 
-    /// Does a sequence. `name` says which one.
+    /// Runs a sequence. `name` identifies it in the report.
     pub fn during<T>(&self, name: String, bytes: &[u8], work: impl FnOnce() -> T) -> T {
         let current = Current { since: Instant::now(), name, bytes: bytes.to_vec() };
         *self.0.lock().unwrap() = Some(current);
@@ -41,9 +42,10 @@ impl Watch {
         result
     }
 
-    fn look(&self) {
+    fn check(&self) {
         let current = self.0.lock().unwrap();
-        let Some(current) = current.as_ref().filter(|it| it.since.elapsed() > PATIENCE) else {
+        let Some(current) = current.as_ref().filter(|it| it.since.elapsed() > SEQUENCE_TIME_MAX)
+        else {
             return;
         };
         let file = format!("finding-{}.bin", current.name);

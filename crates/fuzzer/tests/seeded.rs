@@ -1,13 +1,13 @@
 //! Random operations on each of the four crates, with all checks on.
 //!
-//! How many may be said with `FUZZ_OPERATIONS` (for each crate), and where the seeds begin with `FUZZ_SEED`.
+//! `FUZZ_OPERATIONS` sets the number of operations for each crate, `FUZZ_SEED` the first seed.
 
 use fuzzer::findings::search;
 use fuzzer::{CRATES, random_bytes};
 
-/// For each crate: about a minute.
+/// Number of operations for each crate: about a minute.
 const OPERATIONS: usize = 200_000;
-/// Length of a string of bytes: a world of some hundred operations.
+/// Length of a string of bytes: a world with some hundred operations.
 const BYTES: usize = 2000;
 
 fn variable(name: &str, default: usize) -> usize {

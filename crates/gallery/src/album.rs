@@ -21,7 +21,7 @@ pub(crate) struct Page<'a> {
     pub outcome: Outcome,
 }
 
-/// Makes the folder, or says which folder could not be made.
+/// Creates the folder. An error contains its path.
 pub(crate) fn create_folder(folder: &Path) -> io::Result<()> {
     std::fs::create_dir_all(folder).map_err(|error| naming(folder, error))
 }
@@ -88,7 +88,7 @@ fn html(title: &str, pages: &[Page]) -> String {
     text
 }
 
-/// The text with the characters that HTML reads as its own written out.
+/// Returns the text with HTML's special characters escaped.
 fn escaped(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
 }

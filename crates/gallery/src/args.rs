@@ -5,10 +5,10 @@ use std::fmt;
 use std::io::{self, Write};
 use std::path::PathBuf;
 
-/// Folder of pictures and recordings where the command line chooses none.
+/// Default folder of pictures and recordings.
 pub const DEFAULT_FOLDER: &str = "target/gallery";
 
-/// What the user asks for.
+/// Parsed command line.
 #[derive(Debug, PartialEq)]
 pub(crate) enum Request {
     Help,
@@ -16,18 +16,18 @@ pub(crate) enum Request {
     Run(Options),
 }
 
-/// How to run.
+/// Options of a run.
 #[derive(Debug, PartialEq)]
 pub(crate) struct Options {
-    /// Open no window even if there is a display.
+    /// Whether no window is opened even with a display.
     pub headless: bool,
     /// Positions of the chosen scenes in the list, in the order of the command line.
     pub chosen: Vec<usize>,
-    /// Number of steps for every scene, if not the scene's own.
+    /// Number of steps for every scene. `None` selects each scene's own number.
     pub steps: Option<usize>,
     /// Folder of the pictures.
     pub folder: PathBuf,
-    /// Number of frames of a moving picture of every scene, if there shall be one.
+    /// Number of frames of an animation of every scene, or `None` without animations.
     pub record: Option<usize>,
     /// The renderer of pictures.
     pub renderer: Renderer,
@@ -36,7 +36,7 @@ pub(crate) struct Options {
 /// A way to paint pictures.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 pub(crate) enum Renderer {
-    /// The graphics adapter if there is one, else the processor.
+    /// The graphics adapter if there is one, otherwise the processor.
     Auto,
     /// The processor.
     Cpu,
@@ -44,7 +44,7 @@ pub(crate) enum Renderer {
     Gpu,
 }
 
-/// Why the command line cannot be followed.
+/// Reason why the command line is invalid.
 #[derive(Debug, PartialEq)]
 pub(crate) enum UsageError {
     UnknownOption(String),
@@ -75,7 +75,7 @@ impl fmt::Display for UsageError {
     }
 }
 
-/// Understands the arguments (without the program's name).
+/// Parses the arguments (without the program's name).
 pub(crate) fn parse(arguments: &[String], entries: &[Entry]) -> Result<Request, UsageError> {
     let mut options = Options {
         headless: false,
@@ -135,7 +135,7 @@ fn parse_renderer(value: &str) -> Result<Renderer, UsageError> {
     }
 }
 
-/// The position of the scene with this name.
+/// Returns the position of the scene with this name.
 fn find(name: &str, entries: &[Entry]) -> Result<usize, UsageError> {
     entries.iter().position(|entry| entry.name == name).ok_or_else(|| UsageError::UnknownScene {
         name: name.to_owned(),
@@ -143,11 +143,11 @@ fn find(name: &str, entries: &[Entry]) -> Result<usize, UsageError> {
     })
 }
 
-/// Says how to call the program.
+/// Prints the usage text.
 pub(crate) fn print_help(out: &mut dyn Write, program: &str) -> io::Result<()> {
     writeln!(
         out,
-        "Shows the scenes in a window. Without a display, runs them and leaves a picture of each.
+        "Shows the scenes in a window. Without a display, runs them and writes a picture of each.
 
 Usage: {program} [OPTIONS] [SCENE]...
 
@@ -157,7 +157,7 @@ Usage: {program} [OPTIONS] [SCENE]...
   --headless    open no window
   --steps N     take N steps in every scene, not the scene's own number
   --out DIR     folder of the pictures and their page (default: {DEFAULT_FOLDER})
-  --record N    also leave a moving picture of the last N frames (30 a second) of every scene
+  --record N    also write an animation of the last N frames (30 a second) of every scene
   --renderer R  paint with `gpu`, `cpu`, or the first of them that works (`auto`, the default)
   -h, --help    print this
 
@@ -166,7 +166,7 @@ Through cargo the options come after two dashes:
     )
 }
 
-/// Prints the names of the scenes and what there is to see, by category.
+/// Prints the names and descriptions of the scenes, by category.
 pub(crate) fn print_list(out: &mut dyn Write, entries: &[Entry]) -> io::Result<()> {
     let width = entries.iter().map(|entry| entry.name.len()).max().unwrap_or(0);
     for category in Category::ALL {
@@ -208,7 +208,7 @@ mod tests {
     }
 
     #[test]
-    fn no_arguments_run_everything() {
+    fn no_arguments_run_all_scenes() {
         let options = options("");
         assert_eq!(options.chosen, [0, 1]);
         assert_eq!(options.steps, None);
@@ -237,7 +237,7 @@ mod tests {
     }
 
     #[test]
-    fn nonsense_is_refused() {
+    fn invalid_arguments_are_errors() {
         let bad =
             |value: &str| UsageError::BadNumber { option: "--steps", value: value.to_owned() };
         assert_eq!(parse_words("--steps"), Err(UsageError::MissingValue("--steps")));
@@ -249,7 +249,7 @@ mod tests {
     }
 
     #[test]
-    fn help_and_list_win() {
+    fn help_and_list_take_precedence() {
         assert_eq!(parse_words("tower --help"), Ok(Request::Help));
         assert_eq!(parse_words("--list rain"), Ok(Request::List));
     }

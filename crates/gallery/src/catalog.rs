@@ -1,4 +1,4 @@
-//! A scene in the list of a gallery, and the run that the entry starts.
+//! A scene in the list of a gallery, and its run.
 
 use drawing::{Drawing, View};
 use std::time::Duration;
@@ -18,11 +18,11 @@ pub enum Category {
     Queries,
     /// Events, hooks, edits while the world runs.
     Events,
-    /// Large scenes, which show the speed of the engine.
+    /// Large scenes, which measure the speed of the engine.
     Stress,
     /// Inputs that are hard for a solver.
     Robustness,
-    /// Scenes that once went wrong.
+    /// Regression scenes of past bugs.
     PastBugs,
 }
 
@@ -58,13 +58,13 @@ impl Category {
 
 /// A scene in the list.
 pub struct Entry {
-    /// The name by which the command line calls it: lower-case words joined by underscores.
+    /// Name on the command line: lower-case words joined by underscores.
     pub name: &'static str,
-    /// One sentence that says what there is to see.
+    /// One sentence that describes the scene.
     pub description: &'static str,
     /// The kind of the scene.
     pub category: Category,
-    /// How many steps it takes unless the user says otherwise.
+    /// Default number of steps.
     pub steps: usize,
     /// Builds the scene.
     pub start: Box<dyn Fn() -> Box<dyn SceneRun>>,
@@ -72,40 +72,40 @@ pub struct Entry {
 
 /// A scene that is running.
 pub trait SceneRun {
-    /// Advances by one time step and says where the time went.
+    /// Advances by one time step and returns the times of its stages.
     fn step(&mut self) -> StageTimes;
 
-    /// Counts what there is now. Not part of the time measured.
+    /// Returns counts of the present state. The time is not measured.
     fn stats(&self) -> Stats;
 
     /// Draws the current state.
     fn draw(&mut self) -> Drawing;
 
-    /// From where to look at it.
+    /// Returns the viewing direction.
     fn view(&self) -> View;
 }
 
-/// What a scene holds at one moment.
+/// Counts of a scene at one moment.
 #[derive(Copy, Clone, Debug, Default, PartialEq)]
 pub struct Stats {
     /// Bodies, of all types.
     pub bodies: usize,
     /// Points at which two colliders touch.
     pub contacts: usize,
-    /// How far the two most overlapping colliders overlap (length units); 0 if none do.
+    /// Largest penetration of two colliders (length units); 0 without overlap.
     pub penetration: f64,
 }
 
-/// Where the time of a step went.
+/// Times of a step's stages.
 #[derive(Copy, Clone, Debug, Default, PartialEq)]
 pub struct StageTimes {
     /// The whole step.
     pub total: Duration,
-    /// Finding pairs of colliders that are near each other.
+    /// Detection of nearby pairs of colliders.
     pub broad_phase: Duration,
-    /// Computing where they touch.
+    /// Computation of contacts.
     pub narrow_phase: Duration,
-    /// Solving for velocities and moving the bodies.
+    /// Solution of velocities and integration of positions.
     pub solver: Duration,
 }
 
@@ -119,7 +119,7 @@ impl std::ops::AddAssign for StageTimes {
 }
 
 impl StageTimes {
-    /// Percentages of the total: broad phase, narrow phase, solver, and all the rest.
+    /// Returns percentages of the total: broad phase, narrow phase, solver, and the rest.
     pub(crate) fn shares(&self) -> [f64; 4] {
         let total = self.total.as_secs_f64();
         if total <= 0.0 {

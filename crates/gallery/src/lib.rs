@@ -1,11 +1,12 @@
 //! # Gallery: runs scenes from the command line
 //!
-//! Both galleries, `all_examples2` and `all_examples3`, are this crate plus their own list of scenes.
-//! It reads the command line, steps every chosen scene with a progress bar, prints a table of what
-//! the scenes cost, and leaves a picture of each in a folder together with a page that shows them all.
+//! Both galleries, `all_examples2` and `all_examples3`, are this crate plus their own list of scenes. It
+//! reads the command line and steps every chosen scene with a progress bar. It then prints a table of times,
+//! and writes a picture of each scene and a page with all pictures.
 //!
-//! The crate contains no engine. It needs three things of one, in the trait [`SceneRun`]: step, count, draw. A
-//! [`Program`] may bring a window and a graphics adapter; without them, scenes run headless and the processor paints.
+//! The crate contains no engine. The trait [`SceneRun`] has the three operations that it needs: step, count,
+//! draw. A [`Program`] may provide a window and a graphics adapter. Without them, scenes run headless and the
+//! processor paints.
 
 mod album;
 mod args;

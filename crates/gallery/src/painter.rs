@@ -1,10 +1,10 @@
-//! Painters: they make a picture of a drawing.
+//! Painters, which turn a drawing into a picture.
 
 use drawing::{Camera, Drawing, Image, raster};
 
-/// Makes pictures.
+/// Renders pictures.
 pub trait Painter {
-    /// The name of the device that paints.
+    /// Returns the name of the device.
     fn device(&self) -> String;
 
     /// Paints a drawing: a picture of a size in pixels, without labels.

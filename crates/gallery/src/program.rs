@@ -22,7 +22,7 @@ pub struct WindowRequest<'a> {
     pub folder: &'a Path,
 }
 
-/// A list of scenes with the means to show them.
+/// List of scenes with the means to show them.
 pub struct Program<'a> {
     /// Heading of the page of pictures.
     pub title: &'a str,
@@ -30,14 +30,14 @@ pub struct Program<'a> {
     pub name: &'a str,
     /// The scenes.
     pub entries: &'a [Entry],
-    /// Opens a window and returns when it is closed, or says why it cannot be opened.
+    /// Opens a window and returns when it is closed, or returns the reason why it cannot be opened.
     pub window: &'a dyn Fn(&WindowRequest) -> Result<(), String>,
     /// Finds a painter on a graphics adapter.
     pub adapter: &'a dyn Fn() -> Option<Box<dyn Painter>>,
 }
 
 impl Program<'_> {
-    /// Reads the arguments of the process and does what they ask for.
+    /// Reads the arguments of the process and executes them.
     pub fn main(&self) -> ExitCode {
         let arguments: Vec<String> =
             std::env::args_os().skip(1).map(|a| a.to_string_lossy().into_owned()).collect();
@@ -46,7 +46,7 @@ impl Program<'_> {
         let request = match args::parse(&arguments, self.entries) {
             Ok(request) => request,
             Err(error) => {
-                // A closed error stream is no reason for another exit code.
+                // A closed error stream does not change the exit code.
                 let _ = writeln!(err, "{}: {error}", self.name);
                 return ExitCode::from(EXIT_USAGE);
             }
@@ -58,7 +58,7 @@ impl Program<'_> {
         };
         match outcome {
             Ok(()) => ExitCode::SUCCESS,
-            // The reader of a pipe may leave before the end, as `head` does: not a failure.
+            // The reader of a pipe may close it before the end, as `head` does. That is not a failure.
             Err(error) if error.kind() == std::io::ErrorKind::BrokenPipe => ExitCode::SUCCESS,
             Err(error) => {
                 let _ = writeln!(err, "{}: {error}", self.name);

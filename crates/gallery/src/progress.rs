@@ -1,10 +1,10 @@
-//! A line that says how far a scene has come: redrawn in place on a terminal, and on anything else
-//! (a file, a build log) nothing until the scene is done.
+//! Progress line of a scene. A terminal redraws it in place; other outputs (a file, a build log) get nothing
+//! until the scene is done.
 
 use std::io::{self, IsTerminal, Write};
 use std::time::{Duration, Instant};
 
-/// Shortest time between two redraws, so that drawing costs nothing beside the scene.
+/// Shortest time between two redraws, so that drawing takes negligible time.
 const REDRAW_INTERVAL: Duration = Duration::from_millis(50);
 /// Cells of the bar.
 const BAR_WIDTH: usize = 28;
@@ -14,11 +14,11 @@ const EIGHTHS: [&str; 8] = ["", "▏", "▎", "▍", "▌", "▋", "▊", "▉"]
 /// The progress of one scene.
 pub struct Progress<'a> {
     label: &'a str,
-    /// Columns that all labels share, so that the bars stand below each other.
+    /// Width of all labels in columns, so that the bars are aligned.
     label_width: usize,
     steps: usize,
     started: Instant,
-    /// When it was last drawn; `None` where there is no terminal to draw on.
+    /// Time of the last redraw; `None` without a terminal.
     drawn: Option<Instant>,
 }
 
@@ -30,7 +30,7 @@ impl<'a> Progress<'a> {
         Self { label, label_width, steps, started, drawn }
     }
 
-    /// Tells that `done` steps have been taken.
+    /// Shows that `done` steps are complete.
     pub fn advance(&mut self, done: usize) {
         let Some(drawn) = self.drawn else { return };
         if drawn.elapsed() < REDRAW_INTERVAL {
@@ -45,11 +45,11 @@ impl<'a> Progress<'a> {
             seconds(self.time_left(done)),
             width = self.label_width,
         );
-        // A bar that cannot be drawn is no reason to stop.
+        // A failure to draw the bar does not stop the run.
         let _ = io::stderr().write_all(line.as_bytes());
     }
 
-    /// Takes the bar away, where there is one.
+    /// Clears the bar, if there is one.
     pub fn clear(&self) {
         if self.drawn.is_some() {
             let _ = io::stderr().write_all(b"\r\x1b[K");
@@ -72,7 +72,7 @@ fn bar(done: usize, total: usize) -> String {
     bar
 }
 
-/// A duration as people read it.
+/// Formats a duration.
 pub(crate) fn seconds(time: Duration) -> String {
     let seconds = time.as_secs_f64();
     match seconds {
@@ -96,7 +96,7 @@ mod tests {
     }
 
     #[test]
-    fn durations_read_well() {
+    fn durations_have_suitable_units() {
         assert_eq!(seconds(Duration::from_millis(1240)), "1.2 s");
         assert_eq!(seconds(Duration::from_secs(61)), "61 s");
         assert_eq!(seconds(Duration::from_secs(125)), "2 min 05 s");

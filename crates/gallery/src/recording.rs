@@ -1,15 +1,15 @@
-//! A moving picture of the last steps of a run.
+//! Animation of the last steps of a run.
 
 use crate::catalog::SceneRun;
 use crate::painter::Painter;
 use drawing::{Animation, Camera, Drawing, Point, View};
 
-/// Size of a moving picture in pixels: a quarter of a still one's area, for files that load at once.
+/// Size of an animation in pixels: a quarter of a picture's area, for small files.
 const SIZE: [usize; 2] = [640, 360];
 /// Steps from one frame to the next.
 const STRIDE: usize = 2;
 
-/// Drawings of a run, painted when it is over: only then are the places known that the camera has to frame.
+/// Drawings of a run, painted after its end. Only then are all points known that the camera has to frame.
 pub(crate) struct Recording {
     /// Number of steps before the first frame.
     start: usize,
@@ -22,7 +22,7 @@ impl Recording {
         Self { start: steps.saturating_sub(frames * STRIDE), drawings: Vec::new() }
     }
 
-    /// Takes a frame if one is due.
+    /// Adds a frame if one is due.
     pub(crate) fn after_step(&mut self, scene: &mut dyn SceneRun, done: usize) {
         if done > self.start && (done - self.start).is_multiple_of(STRIDE) {
             self.drawings.push(scene.draw());

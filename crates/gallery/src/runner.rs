@@ -13,14 +13,14 @@ use std::time::Instant;
 
 /// Size of a picture in pixels.
 const SIZE: [usize; 2] = [1280, 720];
-/// Frames per second of moving pictures: one for two steps of the usual length.
+/// Frames per second of animations: one per two steps of the usual length.
 const FRAMES_PER_SECOND: u16 = 30;
 
-/// What a run has come to.
+/// Result of a run.
 pub(crate) struct Outcome {
     pub steps: usize,
     pub times: StageTimes,
-    /// What there is at the end, with the largest penetration of the whole run.
+    /// Counts at the end, with the largest penetration of the whole run.
     pub stats: Stats,
 }
 
@@ -32,7 +32,7 @@ pub(crate) fn run(
     options: &Options,
     painter: &mut dyn Painter,
 ) -> io::Result<()> {
-    // Before hours of stepping: can the pictures be written at all?
+    // A folder without write access fails before hours of stepping.
     album::create_folder(&options.folder)?;
 
     let started = Instant::now();
@@ -77,7 +77,7 @@ pub(crate) fn run(
     )
 }
 
-/// Takes the steps and adds up what they cost.
+/// Runs the steps and returns the sum of their times.
 fn take_steps(
     scene: &mut dyn SceneRun,
     steps: usize,
@@ -114,7 +114,7 @@ fn draw(scene: &mut dyn SceneRun, page: &Page, painter: &mut dyn Painter) -> Ima
     raster::write(&picture, &camera, &drawing.labels, &caption)
 }
 
-/// What the log says when a scene is done.
+/// Returns the log line of a finished scene.
 fn report_line(page: &Page, position: usize, count: usize, label_width: usize) -> String {
     let digits = count.to_string().len();
     format!(
@@ -138,7 +138,7 @@ const HEADINGS: [&str; 9] = [
     "max overlap",
 ];
 
-/// The scene's row of the table.
+/// Returns the scene's row of the table.
 fn cells(page: &Page) -> Vec<String> {
     let Outcome { stats, times, .. } = &page.outcome;
     let mut cells = vec![
@@ -153,7 +153,7 @@ fn cells(page: &Page) -> Vec<String> {
 }
 
 impl Outcome {
-    /// Steps per second, to three digits.
+    /// Returns the steps per second, to three digits.
     pub(crate) fn rate(&self) -> String {
         let total = self.times.total.as_secs_f64();
         if total <= 0.0 {

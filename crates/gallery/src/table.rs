@@ -1,8 +1,8 @@
-//! A table with aligned columns: names to the left, figures to the right.
+//! Table with aligned columns: names to the left, figures to the right.
 
 use std::io::{self, Write};
 
-/// Between two columns.
+/// Gap between two columns.
 const GAP: &str = "  ";
 
 /// A table under construction. The first column is text, all others are figures.
@@ -11,7 +11,7 @@ pub struct Table {
 }
 
 impl Table {
-    /// A table with these column headings.
+    /// Creates a table with these column headings.
     pub fn new(headings: &[&str]) -> Self {
         Self { rows: vec![headings.iter().map(|&heading| heading.to_owned()).collect()] }
     }
@@ -22,7 +22,7 @@ impl Table {
         self.rows.push(cells);
     }
 
-    /// Prints it, with a rule below the headings.
+    /// Prints the table, with a rule below the headings.
     pub fn print(&self, out: &mut dyn Write) -> io::Result<()> {
         let widths = self.widths();
         let rule = "─".repeat(widths.iter().sum::<usize>() + GAP.len() * (widths.len() - 1));
@@ -47,7 +47,7 @@ impl Table {
     }
 }
 
-/// A whole number in groups of three digits: `1 234 567`.
+/// Formats a whole number in groups of three digits: `1 234 567`.
 pub fn grouped(number: usize) -> String {
     let digits = number.to_string();
     let mut text = String::with_capacity(digits.len() + digits.len() / 3);

@@ -1,7 +1,7 @@
 //! The hash of a run: words folded one after the other.
 
-/// FNV-1a over words of 64 bits, with the high half folded back, which the multiplication alone would never
-/// reach.
+/// FNV-1a over words of 64 bits. The high half is folded back, because the multiplication alone never changes
+/// lower bits by higher ones.
 #[derive(Copy, Clone, Debug)]
 pub struct Fold(u64);
 

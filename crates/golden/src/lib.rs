@@ -20,7 +20,7 @@ mod web;
 pub use fold::Fold;
 pub use timing::{PILES, Step, time};
 
-/// How a scene runs. No setting may change a hash.
+/// Settings of a run. No setting may change a hash.
 #[derive(Copy, Clone, Debug)]
 pub struct Settings {
     /// Number of threads; 0: those of the caller's pool.

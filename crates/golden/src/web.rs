@@ -3,7 +3,7 @@
 use crate::{EXPECTED, Settings, line, scenes};
 use std::sync::Mutex;
 
-/// The text that the last call left.
+/// Text of the last call.
 static TEXT: Mutex<String> = Mutex::new(String::new());
 
 fn leave(text: String) -> usize {
@@ -18,7 +18,7 @@ pub extern "C" fn golden_count() -> usize {
     scenes().len()
 }
 
-/// Runs a scene, leaves its line of hashes as the text, and returns the length of the text in bytes.
+/// Runs a scene, stores its line of hashes as the text, and returns the length of the text in bytes.
 #[unsafe(no_mangle)]
 pub extern "C" fn golden_run(index: usize) -> usize {
     let scenes = scenes();
@@ -26,13 +26,13 @@ pub extern "C" fn golden_run(index: usize) -> usize {
     leave(line(scene, scene.run(Settings { threads: 1, wide: true })))
 }
 
-/// Leaves the expected hashes as the text, and returns its length in bytes.
+/// Stores the expected hashes as the text, and returns its length in bytes.
 #[unsafe(no_mangle)]
 pub extern "C" fn golden_expected() -> usize {
     leave(EXPECTED.into())
 }
 
-/// Where the text begins.
+/// Returns the address of the text.
 #[unsafe(no_mangle)]
 pub extern "C" fn golden_text() -> *const u8 {
     TEXT.lock().unwrap_or_else(|poisoned| poisoned.into_inner()).as_ptr()
@@ -45,7 +45,7 @@ unsafe extern "C" {
     safe fn now() -> f64;
 }
 
-/// Runs a pile, leaves its line of times as the text, and returns its length in bytes; 0 behind the last
+/// Runs a pile, stores its line of times as the text, and returns its length in bytes; 0 behind the last
 /// pile.
 #[cfg(target_arch = "wasm32")]
 #[unsafe(no_mangle)]

@@ -1,4 +1,4 @@
-//! Runs the programs that the documents show, so that none of them shows what does not work.
+//! Runs the programs of the documents, so that none of them is out of date.
 //!
 //! Every Rust block of the pages below is a documentation test of this crate: `cargo test -p handbook`.
 
@@ -38,7 +38,7 @@ pages! {
     seeing: "../../../docs/guide/seeing.md",
 }
 
-// What it shows is there with the feature alone.
+// The page describes an optional feature.
 #[cfg(feature = "parallel")]
 pages! {
     threads: "../../../docs/guide/threads.md",

@@ -1,9 +1,10 @@
-//! What a multibody costs as it grows: chains of hinges that swing from a post, timed step by step; the same with a limit at each
-//! joint that is not reached, with a motor that has a largest force at each joint, and chains that lie on ground.
+//! Cost of a multibody by its size: chains of hinges that swing from a post, timed step by step. Variants
+//! have a limit at each joint that is not reached, a motor with a force limit at each joint, or lie on
+//! ground.
 //!
-//! The time per link of the first should not depend on their number: all passes over a chain go from link to link. An impulse on
-//! one link moves all others, so what pushes costs as many steps as there are links each time, and as many things that push as
-//! there are links cost the square of it.
+//! The time per link of the first variant should not depend on their number: all passes over a chain go from
+//! link to link. An impulse on one link moves all others. Each contact, limit or motor therefore costs time
+//! in proportion to the number of links, and one per link costs the square of it.
 //!
 //! ```text
 //! cargo run --release -p rapier3d --example chains
@@ -12,9 +13,9 @@
 use rapier3d::prelude::*;
 use std::time::Instant;
 
-/// Steps that are timed, after a few that fill the buffers.
+/// Number of timed steps, after some steps for the growth of buffers.
 const STEPS: usize = 200;
-/// Rounds; the fastest one counts, since a busy machine makes others slower.
+/// Number of rounds. The fastest one counts, because a busy machine slows others down.
 const ROUNDS: usize = 5;
 
 fn main() {
@@ -28,7 +29,7 @@ fn main() {
     }
 }
 
-/// What the chain is, and does.
+/// Variant of the chain.
 #[derive(Copy, Clone, Debug)]
 enum Kind {
     Swings,
@@ -37,7 +38,7 @@ enum Kind {
     Lies,
 }
 
-/// Seconds per step of a chain of this many links.
+/// Returns the seconds per step of a chain of this many links.
 fn time(kind: Kind, count: usize) -> f64 {
     let mut world = chain(kind, count);
     for _ in 0..10 {
@@ -50,8 +51,8 @@ fn time(kind: Kind, count: usize) -> f64 {
     start.elapsed().as_secs_f64() / STEPS as f64
 }
 
-/// A chain of rods of length 1 that is let go sideways, or lies on ground. Its hinges stand across each other, as those of a real
-/// chain.
+/// Builds a chain of rods of length 1 that is released sideways, or lies on ground. Successive hinges are
+/// perpendicular, as in a real chain.
 fn chain(kind: Kind, count: usize) -> PhysicsWorld {
     let mut world = PhysicsWorld::new();
     let mut parent = world.insert_body(RigidBodyBuilder::fixed());

@@ -1,8 +1,8 @@
-//! Worst steps: what a step costs in scenes whose pairs, triangles or bodies grow without bound, as the scene doubles.
+//! Worst-case steps: time and memory of scenes with growing pairs, triangles or bodies, as the scene doubles.
 //!
-//! Each line runs in a process of its own, so that the peak of its memory (Linux only) is that of its scene. "Exponent" is the
-//! growth of the time against the line before: 1 is proportional, 2 is quadratic. `tests/hostile/bounds.rs` states the bounds
-//! and counts work instead of time.
+//! Each line runs in a separate process, so that its peak memory (Linux only) is that of its scene.
+//! "Exponent" is the growth of the time relative to the line before: 1 is proportional, 2 is quadratic.
+//! `tests/hostile/bounds.rs` states the bounds and counts work instead of time.
 //!
 //! ```text
 //! cargo run --release -p rapier3d --example crowds [SCENE [SIZE [STEPS]]]
@@ -13,10 +13,10 @@ use rapier3d::prelude::*;
 use std::process::Command;
 use std::time::Instant;
 
-/// Steps that are timed.
+/// Number of timed steps.
 const STEPS: usize = 3;
 
-/// A scene: its name, the sizes at which it is timed, and how it is built.
+/// A scene: its name, its timed sizes, and its builder.
 type Scene = (&'static str, [usize; 3], fn(usize) -> PhysicsWorld);
 
 const SCENES: [Scene; 11] = [
@@ -68,7 +68,7 @@ fn print_growth((name, sizes, _): &Scene) {
     }
 }
 
-/// Prints the longest step, the peak of memory, and what the counters say.
+/// Prints the longest step, the peak memory, and the counters.
 fn run((_, _, build): &Scene, size: usize, steps: usize) {
     let mut world = build(size);
     let before = peak_mib();
@@ -90,7 +90,7 @@ fn run((_, _, build): &Scene, size: usize, steps: usize) {
     );
 }
 
-/// The most memory that the process ever had.
+/// Returns the peak memory of the process.
 fn peak_mib() -> usize {
     let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
     let line = status.lines().find(|line| line.starts_with("VmHWM:"));
@@ -141,12 +141,12 @@ fn colliders(count: usize) -> PhysicsWorld {
     world
 }
 
-/// Height of hilly ground.
+/// Returns the height of hilly ground.
 fn height(x: Real, z: Real) -> Real {
     0.3 * (0.31 * x).sin() * (0.23 * z).cos()
 }
 
-/// A hilly square of so many triangles, about as wide as `width`.
+/// Returns a hilly square of this many triangles, about as wide as `width`.
 fn hills(triangles: usize, width: Real) -> (Vec<Vector>, Vec<[u32; 3]>) {
     let side = ((triangles as f64 / 2.0).sqrt() as u32).max(2);
     let at = |k: u32| width * (k as Real / side as Real - 0.5);
@@ -194,7 +194,7 @@ fn box_over_field(cells: usize) -> PhysicsWorld {
     world
 }
 
-/// Ten dynamic meshes of so many triangles that overlap.
+/// Ten overlapping dynamic meshes of this many triangles.
 fn dynamic_meshes(triangles: usize) -> PhysicsWorld {
     let mut world = with_ground();
     for k in 0..10_u8 {
@@ -207,7 +207,7 @@ fn dynamic_meshes(triangles: usize) -> PhysicsWorld {
     world
 }
 
-/// Ten dynamic spheres of so many triangles at nearly one point.
+/// Ten dynamic spheres of this many triangles at nearly one point.
 fn meshes_at_one_point(triangles: usize) -> PhysicsWorld {
     let mut world = with_ground();
     let columns = ((triangles as f64 / 2.0).sqrt() as u32).max(3);
@@ -230,7 +230,7 @@ fn meshes_at_one_point(triangles: usize) -> PhysicsWorld {
     world
 }
 
-/// Two dynamic meshes of so many large triangles, all of which cross.
+/// Two dynamic meshes of this many large triangles, all of which cross.
 fn triangle_soups(triangles: usize) -> PhysicsWorld {
     let mut world = with_ground();
     for side in [-0.1, 0.1] {
@@ -247,7 +247,7 @@ fn triangle_soups(triangles: usize) -> PhysicsWorld {
     world
 }
 
-/// Two compounds of so many parts at one point.
+/// Two compounds of this many parts at one point.
 fn compounds(parts: usize) -> PhysicsWorld {
     let mut world = with_ground();
     let part = |k: usize| {
@@ -263,7 +263,7 @@ fn compounds(parts: usize) -> PhysicsWorld {
     world
 }
 
-/// Chains whose links were made far from where their joints want them.
+/// Chains with links far away from their joints' anchors.
 fn joints(count: usize) -> PhysicsWorld {
     let mut world = PhysicsWorld::new();
     world.gravity = Vector::ZERO;

@@ -4,7 +4,8 @@
 //! cargo run --release -p rapier3d --example piles [KIND [COUNT [STEPS]]]
 //! ```
 //!
-//! Without a kind the table has all of them. A pile that does not sleep within the steps shows its awake bodies and its kinetic energy.
+//! Without a kind the table has all of them. A pile that does not sleep within the steps shows its awake
+//! bodies and its kinetic energy.
 
 use rapier3d::prelude::*;
 use std::process::ExitCode;

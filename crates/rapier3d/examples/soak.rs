@@ -1,9 +1,11 @@
-//! A world that lives: bodies, joints, chains and meshes come and go for a hundred thousand steps, and memory must not grow.
+//! Endurance test: bodies, joints, chains and meshes are inserted and removed for a hundred thousand steps,
+//! and memory must not grow.
 //!
-//! About a hundred bodies fall on ground that is exchanged now and then. In each step one comes and the oldest goes; some of them are
-//! meshes, some are joined to the one before, some become links of a multibody. At intervals a line says how much memory
-//! the process has (Linux only), how much there is of everything, and how many slots the sets have: a slot is used
-//! again after a removal, so their number stays that of the most that ever lived at a time.
+//! About a hundred bodies fall on ground that is exchanged at intervals. Each step inserts one body and
+//! removes the oldest. Some of them are meshes, some are joined to the body before, some become links of a
+//! multibody. At intervals a line shows the memory of the process (Linux only), the numbers of objects, and
+//! the numbers of slots of the sets. Slots are reused after removals, so their number stays at the largest
+//! number of simultaneous objects.
 //!
 //! ```text
 //! cargo run --release -p rapier3d --example soak [STEPS]
@@ -16,14 +18,14 @@ use std::process::ExitCode;
 use std::time::Instant;
 
 const STEPS: usize = 100_000;
-/// How many live at a time.
+/// Number of simultaneous bodies.
 const BODIES: usize = 100;
 /// Lines of the table.
 const LINES: usize = 20;
-/// Steps until the ground is exchanged.
+/// Number of steps between two exchanges of the ground.
 const GROUND_LIFE: usize = 250;
-/// How much more memory than after the first tenth is no growth, but the allocator's unrest.
-const FLAT: f64 = 1.1;
+/// Largest ratio of memory to that after the first tenth of the run. The allocator causes smaller variations.
+const GROWTH_MAX: f64 = 1.1;
 
 fn main() -> ExitCode {
     let steps = std::env::args().nth(1).and_then(|text| text.parse().ok()).unwrap_or(STEPS);
@@ -45,7 +47,7 @@ fn main() -> ExitCode {
     let late = memory.last().copied().flatten();
     let (Some(early), Some(late)) = (early, late) else { return ExitCode::SUCCESS };
     println!("memory after a tenth: {early} KiB; at the end: {late} KiB");
-    if late as f64 <= FLAT * early as f64 { ExitCode::SUCCESS } else { ExitCode::FAILURE }
+    if late as f64 <= GROWTH_MAX * early as f64 { ExitCode::SUCCESS } else { ExitCode::FAILURE }
 }
 
 fn show_progress(step: usize, steps: usize) {
@@ -54,19 +56,19 @@ fn show_progress(step: usize, steps: usize) {
     let _ = std::io::stdout().flush();
 }
 
-/// Memory of the process that is really there; `None` where the system does not say.
+/// Returns the resident memory of the process, or `None` on systems without this figure.
 fn resident_kib() -> Option<usize> {
     let status = std::fs::read_to_string("/proc/self/status").ok()?;
     let line = status.lines().find(|line| line.starts_with("VmRSS:"))?;
     line.split_whitespace().nth(1)?.parse().ok()
 }
 
-/// The world, and who lives in it.
+/// The world, and its objects.
 struct Life {
     world: PhysicsWorld,
     bodies: VecDeque<RigidBodyHandle>,
     ground: ColliderHandle,
-    /// The highest slots that were given out, of bodies, colliders, joints and links.
+    /// Highest used slots of bodies, colliders, joints and links.
     slots: [u32; 4],
     start: Instant,
 }
@@ -139,7 +141,7 @@ impl Life {
     }
 }
 
-/// Hills or a mesh, made anew each time.
+/// Returns hills or a mesh, new each time.
 fn ground(step: usize) -> ColliderBuilder {
     const SIDE: usize = 12;
     let height = |i: usize, j: usize| 0.3 * ((i * 7 + j * 3 + step) % 5) as Real;

@@ -10,8 +10,8 @@ use wgpu::{
 
 /// Copies pictures into passes of one colour format, one sample a pixel and no depth.
 ///
-/// The copy neither blends nor tints. The pixels of a user interface's images cost adapters in software several times as
-/// much.
+/// The copy neither blends nor tints. Software adapters draw the images of a user interface several times
+/// more slowly.
 pub struct Blit {
     pipeline: RenderPipeline,
     sampler: Sampler,
@@ -25,7 +25,8 @@ pub struct Copyable {
 }
 
 impl Blit {
-    /// Copies into passes whose target has a format. The filter is for pictures of another size than the viewport.
+    /// Creates a copy into passes with this target format. The filter is for pictures of another size than
+    /// the viewport.
     pub fn new(device: &Device, format: TextureFormat, filter: FilterMode) -> Self {
         let shader = device.create_shader_module(wgpu::include_wgsl!("blit.wgsl"));
         let decodes = [("decodes", f64::from(u8::from(format.is_srgb())))];
@@ -62,7 +63,7 @@ impl Blit {
         Self { pipeline, sampler }
     }
 
-    /// The picture of a target, which the copy shows as it is when the pass runs.
+    /// Returns the picture of a target. The copy shows the target's content at the time of the pass.
     pub fn picture(&self, device: &Device, target: &Target) -> Copyable {
         let entries = [
             BindGroupEntry { binding: 0, resource: BindingResource::TextureView(&target.view) },

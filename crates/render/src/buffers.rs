@@ -22,12 +22,12 @@ pub(crate) struct MeshBuffers {
     pub indices: Buffer,
     pub index_count: u32,
     pub closed: bool,
-    /// Keeps the address of the mesh its own.
+    /// Keeps the mesh alive, so that its address stays unique.
     _mesh: Arc<Mesh>,
     last_used: u64,
 }
 
-/// A draw call: a mesh and the coarse one that throws its shadow, by their addresses, and a range of instances.
+/// Draw call: a mesh and the coarse mesh of its shadow, by their addresses, and a range of instances.
 pub(crate) struct Call {
     pub mesh: usize,
     pub shadow: usize,
@@ -52,7 +52,7 @@ impl Buffers {
         }
     }
 
-    /// Uploads a drawing; returns its draw calls and the number of its lines.
+    /// Uploads a drawing. Returns its draw calls and the number of its lines.
     pub(crate) fn upload(
         &mut self,
         (device, queue): (&Device, &Queue),
@@ -75,7 +75,8 @@ impl Buffers {
                 if part.is_empty() || mesh.triangles.is_empty() {
                     continue;
                 }
-                // Near ones first: they hide the others, whose pixels then cost nothing. Flat scenes keep their order.
+                // Near instances come first and hide the others, whose pixels then need no shading. Flat
+                // scenes keep their order.
                 part.sort_by(|a, b| a.0.total_cmp(&b.0));
                 let first = numbers.len() as u32;
                 numbers.extend(part.into_iter().map(|(_, instance)| numbers_of(instance)));

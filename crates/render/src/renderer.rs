@@ -14,19 +14,20 @@ use wgpu::{
     TextureUsages, TextureView,
 };
 
-/// What a picture may cost.
+/// Cost limits of a picture.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 pub struct Quality {
     /// Samples a pixel: 1 or 4.
     pub samples: u32,
     /// Side of the shadow map in texels; 0 draws no shadows.
     pub shadow_texels: u32,
-    /// Pictures for which a shadow map serves: a map costs as much as a picture without shadows.
+    /// Number of pictures that share a shadow map. A map costs as much as a picture without shadows.
     pub shadow_life: u32,
 }
 
 impl Quality {
-    /// The quality for a window: on an adapter in software, borders are not smoothed and shadows are coarse.
+    /// Returns the quality for a window. On software adapters, borders are not smoothed and shadows are
+    /// coarse.
     pub fn for_adapter(adapter: &wgpu::Adapter) -> Self {
         match adapter.get_info().device_type {
             wgpu::DeviceType::Cpu => Self { samples: 1, shadow_texels: 1024, shadow_life: 3 },
@@ -52,7 +53,7 @@ pub struct Renderer {
     shadow_map: TextureView,
     view: BindGroup,
     sun_view: BindGroup,
-    /// The shadow map's matrix, and the number of pictures that it still serves.
+    /// Matrix of the shadow map, and the number of pictures for which it remains valid.
     sun: (Sun, u32),
 }
 
@@ -100,7 +101,7 @@ impl Renderer {
         }
     }
 
-    /// The cost it was made for.
+    /// Returns the quality of the renderer.
     pub fn quality(&self) -> Quality {
         self.quality
     }
@@ -110,7 +111,7 @@ impl Renderer {
         Target::new(&self.device, size, self.quality.samples)
     }
 
-    /// Lets the next picture have a shadow map of its own.
+    /// Requests a new shadow map for the next picture.
     pub fn renew_shadows(&mut self) {
         self.sun.1 = 0;
     }

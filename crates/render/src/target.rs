@@ -1,10 +1,10 @@
-//! The textures that a picture is drawn into.
+//! Textures of a picture in progress.
 
 use wgpu::{
     Device, Extent3d, Texture, TextureDescriptor, TextureFormat, TextureUsages, TextureView,
 };
 
-/// Format of the colours. They are encoded (sRGB) by the shader, because user interfaces sample encoded colours.
+/// Format of the colours. The shader encodes them (sRGB), because user interfaces sample encoded colours.
 pub(crate) const COLOR: TextureFormat = TextureFormat::Rgba8Unorm;
 /// Format of the depth: reversed, 1 at the eye and 0 at infinity.
 pub(crate) const DEPTH: TextureFormat = TextureFormat::Depth32Float;

@@ -18,7 +18,7 @@ fn refused(error: RecordingError) -> Failure {
 /// Records a scene of the gallery.
 ///
 /// # Errors
-/// If there is no such scene, or if its world cannot be saved.
+/// The scene does not exist, or its world cannot be saved.
 pub fn record(request: &Request<'_>) -> Result<Vec<u8>, Failure> {
     let Request { scene, steps, stages } = *request;
     let info = examples::find(scene)
@@ -45,7 +45,7 @@ fn title_of(scene: &str) -> String {
     format!("{DIMENSION}d/{scene}")
 }
 
-/// The scene that a recording is of: it has the hooks that the replay needs.
+/// Returns the scene of a recording, with the hooks that the replay needs.
 fn scene_of(title: &str) -> Option<Scene> {
     let info = examples::SCENES.iter().find(|info| title_of(info.name) == title)?;
     Some((info.build)())
@@ -54,7 +54,7 @@ fn scene_of(title: &str) -> Option<Scene> {
 /// Replays a recording to its end.
 ///
 /// # Errors
-/// If it diverges, or if the data is no recording of this dimension.
+/// The replay diverges, or the data is not a recording of this dimension.
 pub fn play(recording: &[u8]) -> Result<Summary, Failure> {
     let mut replay = Replay::new(recording).map_err(refused)?;
     let title = replay.title().to_string();
@@ -92,7 +92,7 @@ fn failed(error: ReplayError) -> Failure {
 /// Compares two recordings, of any dimension.
 ///
 /// # Errors
-/// If they differ, or if one of them is no recording.
+/// The recordings differ, or one of them is not a recording.
 pub fn compare(one: &[u8], two: &[u8]) -> Result<(), Failure> {
     match compare_recordings(one, two).map_err(refused)? {
         Some(difference) => Err(Failure::Differ(difference.to_string())),

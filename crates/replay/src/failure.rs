@@ -1,9 +1,9 @@
-//! What can go wrong, in the words of the program.
+//! Errors of the program, with their messages.
 
-/// Why a command was not carried out.
+/// Reason for the failure of a command.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum Failure {
-    /// No gallery has such a scene.
+    /// No gallery contains the scene.
     #[error(
         "there is no {dimension}D scene `{scene}`; `cargo run --release --bin all_examples{dimension} -- --list` lists them"
     )]
@@ -13,13 +13,13 @@ pub enum Failure {
         /// The number of dimensions of the gallery.
         dimension: u8,
     },
-    /// The recording is of a world with another number of dimensions.
+    /// The recording has another number of dimensions.
     #[error("the recording is of a world with another number of dimensions")]
     OtherDimension,
     /// The engine refuses the recording.
     #[error("{0}")]
     Recording(String),
-    /// The replay left the recorded run.
+    /// The replay diverged from the recorded run.
     #[error("the replay diverges: {0}")]
     Diverged(String),
     /// Two recordings differ.

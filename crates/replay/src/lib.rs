@@ -1,7 +1,8 @@
 //! # Replay — runs as files
 //!
-//! Records a scene of the galleries, replays a recording and compares every hash, compares two recordings, and prints what is in one. The program
-//! (`src/main.rs`) reads the command line; the rest is here, compiled once per dimension.
+//! Records a scene of the galleries, replays a recording and compares every hash, compares two recordings,
+//! and prints the summary of a recording. The program (`src/main.rs`) reads the command line; the rest is
+//! here, compiled once per dimension.
 
 #![expect(clippy::duplicate_mod, reason = "`both.rs` is compiled once against each dimension")]
 
@@ -13,25 +14,25 @@ pub use failure::Failure;
 
 use std::fmt;
 
-/// What is recorded, and how.
+/// Scene and options of a recording.
 #[derive(Clone, Debug)]
 pub struct Request<'a> {
     /// The scene's name in its gallery.
     pub scene: &'a str,
-    /// How many steps; `None`: as many as the gallery takes.
+    /// Number of steps; `None` selects the gallery's number.
     pub steps: Option<usize>,
-    /// Whether the hashes after every stage are recorded, too.
+    /// Whether the hashes after every stage are recorded as well.
     pub stages: bool,
 }
 
-/// What is in a recording.
+/// Summary of a recording.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Summary {
-    /// What it is of.
+    /// Title of the recorded scene.
     pub title: String,
     /// The number of dimensions.
     pub dimension: u8,
-    /// The version of the engine that made it.
+    /// Version of the engine that wrote it.
     pub engine: String,
     /// Number of bodies after the last step.
     pub bodies: usize,
@@ -39,7 +40,7 @@ pub struct Summary {
     pub colliders: usize,
     /// Number of steps.
     pub steps: usize,
-    /// The steps that edits precede.
+    /// Steps with edits before them.
     pub edited: Vec<usize>,
     /// The hash of the world after the last step.
     pub hash: u64,
@@ -62,7 +63,7 @@ impl fmt::Display for Summary {
 /// Replays a recording of either dimension.
 ///
 /// # Errors
-/// If the replay diverges, or if the data is no recording.
+/// The replay diverges, or the data is not a recording.
 pub fn play(recording: &[u8]) -> Result<Summary, Failure> {
     match solid::play(recording) {
         Err(Failure::OtherDimension) => flat::play(recording),

@@ -43,7 +43,7 @@ enum Command {
     },
 }
 
-/// Why the program failed.
+/// Reason for the failure of the program.
 #[derive(Debug, thiserror::Error)]
 enum Error {
     #[error("{}: {error}", path.display())]

@@ -1,7 +1,7 @@
-//! # A 2D scene: a world, and all that belongs to it beside physics
+//! # A 2D scene: a world, its script and its drawing
 //!
-//! [`Scene`] steps a world with a script, hooks and reactions to events; the gallery runs it, and the testbed shows it.
-//! [`Artist`] turns its world into a drawing.
+//! [`Scene`] steps a world with a script, hooks and reactions to events; the gallery runs it, and the testbed
+//! shows it. [`Artist`] turns its world into a drawing.
 
 pub use rapier2d as rapier;
 

@@ -8,10 +8,10 @@ use std::sync::Arc;
 
 /// Pieces of a full circle, for shapes without a shared mesh.
 const PIECES: u32 = 32;
-/// Half the length of the border of an endless plane, and its depth.
+/// Half the length of the border of a half-plane, and its depth.
 const PLANE_EXTENT: Real = 1000.0;
 
-/// A point of the world in the coordinates of drawings.
+/// Converts a point of the world to the coordinates of drawings.
 #[allow(clippy::unnecessary_cast, reason = "`Real` may be `f64`")]
 pub fn point(p: Vector) -> drawing::Point {
     [p.x as f32, p.y as f32, 0.0]
@@ -93,7 +93,7 @@ fn flat(p: Vector) -> [f32; 2] {
     [p.x as f32, p.y as f32]
 }
 
-/// A convex shape, whichever way its corners turn.
+/// Returns the mesh of a convex shape, with corners in either order.
 fn convex(corners: &[Vector]) -> Mesh {
     let mut points: Vec<_> = corners.iter().map(|&corner| flat(corner)).collect();
     let next = |i: usize| points[(i + 1) % points.len()];
@@ -105,7 +105,7 @@ fn convex(corners: &[Vector]) -> Mesh {
     Mesh::from_convex(&points)
 }
 
-/// Squares with shared corners, so that only the border of the whole has a rim.
+/// Returns the mesh of squares with shared corners, so that only the outline has a rim.
 fn voxels(voxels: &Voxels) -> Mesh {
     let (mut index, mut points, mut triangles) = (HashMap::new(), Vec::new(), Vec::new());
     let half = voxels.voxel_size() * 0.5;
@@ -125,7 +125,7 @@ fn voxels(voxels: &Voxels) -> Mesh {
     Mesh::from_flat_triangles(&points, &triangles)
 }
 
-/// A height field, filled down to its lowest point as the ground that it usually is.
+/// Returns the mesh of a height field, filled down to its lowest point, as a ground.
 fn height_field(field: &HeightField) -> Mesh {
     let floor = field.root_aabb().mins.y;
     let (mut points, mut triangles) = (Vec::new(), Vec::new());

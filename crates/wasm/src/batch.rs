@@ -1,4 +1,4 @@
-//! One change of many bodies in one call.
+//! Changes of many bodies in one call.
 
 use crate::fault::{Fault, finite};
 use crate::handle::Handle;
@@ -7,7 +7,7 @@ use crate::rapier::dynamics::{RigidBody, RigidBodyHandle};
 use crate::rapier::math::{ANG_DIM, DIM, Real};
 use crate::registry::{body, write};
 
-/// What is changed, in the order of `Batch` in TypeScript.
+/// Changed quantities, in the order of `Batch` in TypeScript.
 mod change {
     pub const TRANSLATION: u32 = 0;
     pub const ROTATION: u32 = 1;
@@ -61,7 +61,8 @@ fn place(numbers: &[Real]) {
 }
 
 exports! {
-    /// Changes many bodies: the list holds the handles, the real numbers the values. Nothing is changed if one of them cannot be used.
+    /// Changes many bodies: the list holds the handles, the real numbers the values. An invalid value
+    /// prevents all changes.
     fn bodies_change(world: u32, what: u32, wake: u32) {
         let (handles, values, stride) = (memory::list(), memory::reals(), stride(what)?);
         if values.len() != handles.len() * stride {

@@ -70,8 +70,9 @@ fn dominance(group: i32) -> Result<i8, Fault> {
 }
 
 exports! {
-    /// Creates a body from the scratch block: translation, rotation, linear and angular velocity, centre of mass, principal inertia and its frame, then
-    /// gravity scale, dampings and prediction of soft CCD, then the additional mass.
+    /// Creates a body from the scratch block: translation, rotation, linear and angular velocity, centre of
+    /// mass, principal inertia and its frame. Gravity scale, dampings, the prediction of soft CCD and the
+    /// additional mass follow.
     fn body_create(world: u32, kind: u32, flags: u32, locked: u32, group: i32, iterations: u32) -> f64 {
         let world = write(world)?;
         let has = |bit| flags & bit != 0;
@@ -102,7 +103,8 @@ exports! {
         world.bodies.insert(body).to_number()
     }
 
-    /// Removes a body with its colliders and joints. The list holds three groups: colliders, impulse joints, multibody joints, each after its length.
+    /// Removes a body with its colliders and joints. The list holds three groups: colliders, impulse joints,
+    /// multibody joints, each after its length.
     fn body_remove(world: u32, handle: f64) -> u32 {
         let colliders: Vec<ColliderHandle> = body(world, handle)?.colliders().to_vec();
         let world = write(world)?;

@@ -44,7 +44,7 @@ exports! {
         body(world, handle)?.mass_properties().local_mprops().inv_mass.into()
     }
 
-    /// Writes the inverse mass that impulses meet along each world axis.
+    /// Writes the effective inverse mass for impulses along each world axis.
     fn body_effective_inv_mass(world: u32, handle: f64) {
         put_vector(0, body(world, handle)?.mass_properties().effective_inv_mass());
     }
@@ -69,12 +69,12 @@ exports! {
         put_angular(0, body(world, handle)?.mass_properties().local_mprops().principal_inertia());
     }
 
-    /// Writes the inverse inertia that angular impulses meet, in world space.
+    /// Writes the effective inverse inertia for angular impulses, in world space.
     fn body_effective_world_inv_inertia(world: u32, handle: f64) {
         put_inertia(*body(world, handle)?.mass_properties().effective_world_inv_inertia());
     }
 
-    /// Writes the inertia that angular impulses meet, in world space.
+    /// Writes the effective inertia for angular impulses, in world space.
     fn body_effective_angular_inertia(world: u32, handle: f64) {
         put_inertia(inverse(*body(world, handle)?.mass_properties().effective_world_inv_inertia()));
     }

@@ -76,12 +76,12 @@ exports! {
         body.set_angvel(memory::angular(0, "angvel")?, wake != 0);
     }
 
-    /// Forgets the forces that were added.
+    /// Resets the added forces.
     fn body_reset_forces(world: u32, handle: f64, wake: u32) {
         body_mut(world, handle)?.reset_forces(wake != 0);
     }
 
-    /// Forgets the torques that were added.
+    /// Resets the added torques.
     fn body_reset_torques(world: u32, handle: f64, wake: u32) {
         body_mut(world, handle)?.reset_torques(wake != 0);
     }

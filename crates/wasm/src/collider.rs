@@ -129,15 +129,16 @@ fn set_local_pose(collider: &mut Collider, change: impl FnOnce(Pose) -> Pose) {
     }
 }
 
-/// How the mass of a new collider is given: `MassPropsMode` in TypeScript.
+/// Modes of a new collider's mass: `MassPropsMode` in TypeScript.
 mod mass_mode {
     pub const DENSITY: u32 = 0;
     pub const MASS: u32 = 1;
 }
 
 exports! {
-    /// Creates a collider from a shape and the scratch block: translation, rotation, centre of mass, principal inertia and its frame, then friction,
-    /// restitution, force threshold and contact skin, then density and mass. The integers are rules, groups, events, hooks and collision types.
+    /// Creates a collider from a shape and the scratch block: translation, rotation, centre of mass,
+    /// principal inertia and its frame. Friction, restitution, force threshold, contact skin, density and
+    /// mass follow. The integers are rules, groups, events, hooks and collision types.
     fn collider_create(world: u32, number: u32, parent: f64, mode: u32, sensor: u32, enabled: u32) -> f64 {
         let settings = memory::integers();
         let bits = |at: usize| settings.get(at).copied().unwrap_or(0);

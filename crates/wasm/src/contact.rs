@@ -66,14 +66,16 @@ exports! {
         read(world)?.intersection_pair(first, second).unwrap_or(false)
     }
 
-    /// The number of manifolds of a pair. The integers say whether the pair has the colliders in the other order.
+    /// The number of manifolds of a pair. The integers contain whether the pair has the colliders in the
+    /// other order.
     fn manifold_count(world: u32, handle1: f64, handle2: f64) -> usize {
         let pair = pair(world, handle1, handle2)?;
         put_integers([u32::from(pair.is_some_and(|(_, is_flipped)| is_flipped))]);
         pair.map_or(0, |(pair, _)| pair.manifolds.len())
     }
 
-    /// Writes a manifold: normal, local normals, then friction, restitution and the numbers of contacts and solver contacts. The integers are the sub-shapes.
+    /// Writes a manifold: normal, local normals, then friction, restitution and the numbers of contacts and
+    /// solver contacts. The integers are the sub-shapes.
     fn manifold_read(world: u32, handle1: f64, handle2: f64, index: usize) {
         let manifold = manifold(world, [handle1, handle2], index)?;
         put_vector(0, manifold.data.normal);
@@ -87,7 +89,8 @@ exports! {
         put_integers([manifold.subshape1, manifold.subshape2]);
     }
 
-    /// Writes a contact: local points, then distance, impulse and tangent impulses, then the point in world space. The integers are the features.
+    /// Writes a contact: local points, then distance, impulse and tangent impulses, then the point in world
+    /// space. The integers are the features.
     fn manifold_contact(world: u32, handle1: f64, handle2: f64, index: usize, point: usize) -> bool {
         let manifold = manifold(world, [handle1, handle2], index)?;
         let contact = manifold.contacts().get(point);

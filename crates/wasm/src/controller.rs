@@ -26,16 +26,16 @@ static CHARACTERS: Single<Registry<Character>> = Single::new(Registry::new());
 static PIDS: Single<Registry<PidController>> = Single::new(Registry::new());
 
 fn character(number: u32) -> Result<&'static mut Character, Fault> {
-    // SAFETY: an exported function asks for one controller, once.
+    // SAFETY: an exported function gets one controller, once.
     unsafe { CHARACTERS.get().get(number) }.ok_or_else(|| Fault::freed("character controller"))
 }
 
 fn pid(number: u32) -> Result<&'static mut PidController, Fault> {
-    // SAFETY: an exported function asks for one controller, once.
+    // SAFETY: an exported function gets one controller, once.
     unsafe { PIDS.get().get(number) }.ok_or_else(|| Fault::freed("PID controller"))
 }
 
-/// The settings of a character, in the order of `CharacterSetting` in TypeScript. NaN stands for no value.
+/// Settings of a character, in the order of `CharacterSetting` in TypeScript. NaN is an absent value.
 mod setting {
     pub const OFFSET: u32 = 0;
     pub const SLIDE: u32 = 1;
@@ -148,19 +148,20 @@ exports! {
         character(number)?.controller.autostep = Some(autostep);
     }
 
-    /// Makes the ground pull a character down no longer.
+    /// Disables snapping to the ground.
     fn character_clear_snap(number: u32) {
         character(number)?.controller.snap_to_ground = None;
     }
 
-    /// Makes a character climb no steps.
+    /// Disables steps.
     fn character_clear_autostep(number: u32) {
         character(number)?.controller.autostep = None;
     }
 
-    /// Computes the movement of a collider, of which the scratch block holds the wish. A mass that is not NaN pushes dynamic bodies.
+    /// Computes the movement of a collider. The scratch block holds the desired translation. A mass that is
+    /// not NaN pushes dynamic bodies.
     fn character_move(number: u32, world: u32, handle: f64, mass: f64) {
-        let wish = vector(0, "desiredTranslationDelta")?;
+        let desired = vector(0, "desiredTranslationDelta")?;
         let moved = collider(world, handle)?;
         let (shape, pose, parent) = (moved.shared_shape().clone(), *moved.position(), moved.parent());
         let own = ColliderHandle::of_number(handle);
@@ -172,7 +173,7 @@ exports! {
         let movement = queried(world, |world| {
             let dt = world.integration_parameters.dt;
             let queries = world.query_pipeline_with_filter(asked);
-            controller.move_shape(dt, &queries, &*shape, &pose, wish, |collision| collisions.push(collision))
+            controller.move_shape(dt, &queries, &*shape, &pose, desired, |collision| collisions.push(collision))
         })?;
         if mass > 0.0 {
             let world = write(world)?;
@@ -186,7 +187,7 @@ exports! {
         (character.movement, character.collisions) = (movement, collisions);
     }
 
-    /// Writes the computed movement. Returns whether the character stands.
+    /// Writes the computed movement. Returns whether the character is grounded.
     fn character_movement(number: u32) -> bool {
         let movement = &character(number)?.movement;
         put_vector(0, movement.translation);
@@ -198,7 +199,8 @@ exports! {
         character(number)?.collisions.len()
     }
 
-    /// Writes a collision: movements applied and remaining, contact points, normals, time. Returns the collider, or NaN if there is no such collision.
+    /// Writes a collision: movements applied and remaining, contact points, normals, time. Returns the
+    /// collider, or NaN if there is no such collision.
     fn character_collision(number: u32, index: usize) -> f64 {
         let Some(collision) = character(number)?.collisions.get(index) else { return Ok(f64::NAN) };
         put_vector(0, collision.translation_applied);
@@ -212,12 +214,12 @@ exports! {
     }
 }
 
-/// Axes from the bits of TypeScript, which are those of the engine.
+/// Returns axes from the bits of TypeScript, which are those of the engine.
 fn axes(bits: u32) -> AxesMask {
     AxesMask::from_bits_truncate(bits as u8)
 }
 
-/// The vector with some components replaced: bit 0 stands for x.
+/// Returns the vector with some components replaced: bit 0 is x.
 fn with_components(vector: Vector, bits: u32, value: Real) -> Vector {
     let mut components = vector.to_array();
     for (at, component) in components.iter_mut().enumerate() {
@@ -275,12 +277,13 @@ exports! {
         pid(number)?.set_axes(axes(mask));
     }
 
-    /// Forgets the integrals.
+    /// Resets the integrals.
     fn pid_reset(number: u32) {
         pid(number)?.reset_integrals();
     }
 
-    /// Writes the correction of the linear velocity, and applies it if that is asked for: target position and velocity in places 0 and 1.
+    /// Writes the correction of the linear velocity, and applies it on request: target position and velocity
+    /// in places 0 and 1.
     fn pid_linear(number: u32, world: u32, handle: f64, apply: u32) {
         let (position, velocity) = (vector(0, "targetPosition")?, vector(1, "targetLinvel")?);
         let dt = read(world)?.integration_parameters.dt;
@@ -292,7 +295,8 @@ exports! {
         put_vector(0, correction);
     }
 
-    /// Writes the correction of the angular velocity, and applies it if that is asked for: target rotation and velocity in places 0 and 1.
+    /// Writes the correction of the angular velocity, and applies it on request: target rotation and velocity
+    /// in places 0 and 1.
     fn pid_angular(number: u32, world: u32, handle: f64, apply: u32) {
         let (rotation, velocity) = (memory::rotation(0, "targetRotation")?, memory::angular(1, "targetAngVel")?);
         let dt = read(world)?.integration_parameters.dt;

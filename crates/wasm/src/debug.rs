@@ -32,7 +32,7 @@ impl DebugRenderBackend for Lines<'_> {
     }
 }
 
-/// Red, green, blue and opacity of a colour that is given by hue, saturation and lightness.
+/// Red, green, blue and opacity of a colour in hue, saturation and lightness.
 fn rgba([hue, saturation, lightness, alpha]: DebugColor) -> [f32; 4] {
     let chroma = (1.0 - (2.0 * lightness - 1.0).abs()) * saturation;
     let sector = (hue / 60.0).rem_euclid(6.0);
@@ -52,7 +52,8 @@ fn rgba([hue, saturation, lightness, alpha]: DebugColor) -> [f32; 4] {
 static COLORS: Single<Vec<f32>> = Single::new(Vec::new());
 
 exports! {
-    /// Draws a world. The real numbers are points, two for each line. Returns the number of colour components. 0 as mode stands for the usual lines.
+    /// Draws a world. The real numbers are points, two for each line. Returns the number of colour
+    /// components. Mode 0 selects the default lines.
     fn debug_render(world: u32, mode: u32) -> usize {
         let filter = filter();
         let mode = if mode == 0 { DebugRenderMode::default() } else { DebugRenderMode::from_bits_truncate(mode) };

@@ -14,13 +14,13 @@ use crate::registry::Registry;
 struct Records {
     collisions: Vec<(f64, f64, f64)>,
     forces: Vec<ContactForceEvent>,
-    /// Whether each step forgets the events before it.
+    /// Whether each step discards the events before it.
     auto_drain: bool,
     /// Whether a step fills the queue. JavaScript can neither read nor free it then.
     is_lent: bool,
 }
 
-/// Receives the events of a step. It is shared: a call that a hook makes looks at it while the step runs.
+/// Receives the events of a step. It is shared: a call from a hook reads it during the step.
 pub struct Events {
     records: Single<Records>,
 }
@@ -78,7 +78,7 @@ fn queue(number: u32) -> Result<&'static Events, Fault> {
     }
 }
 
-/// Lends a queue to a step, until it is given back. A number of 0 stands for no queue.
+/// Lends a queue to a step, until its return. The number 0 is no queue.
 pub fn lend(number: u32) -> Result<Option<&'static Events>, Fault> {
     if number == 0 {
         return Ok(None);
@@ -127,20 +127,21 @@ exports! {
         drop(unsafe { QUEUES.get().remove(number) });
     }
 
-    /// Forgets all events.
+    /// Discards all events.
     fn queue_clear(number: u32) {
         let records = queue(number)?.records();
         (records.collisions, records.forces) = (Vec::new(), Vec::new());
     }
 
-    /// Moves the collision events into the list: two colliders and 1 for the start of a collision, 0 for its end.
+    /// Moves the collision events into the list: two colliders and 1 for the start of a collision, 0 for its
+    /// end.
     fn queue_take_collisions(number: u32) -> u32 {
         let events = core::mem::take(&mut queue(number)?.records().collisions);
         put_list(events.into_iter().flat_map(|(collider1, collider2, started)| [collider1, collider2, started]))
     }
 
-    /// Moves the contact force events into the lists: colliders into the list; total force, its magnitude, the direction of the largest force and its
-    /// magnitude into the real numbers.
+    /// Moves the contact force events into the lists: colliders into the list; total force, its magnitude,
+    /// the direction of the largest force and its magnitude into the real numbers.
     fn queue_take_forces(number: u32) -> u32 {
         let events = core::mem::take(&mut queue(number)?.records().forces);
         memory::put_reals(events.iter().flat_map(|event| {

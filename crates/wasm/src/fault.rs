@@ -23,7 +23,7 @@ pub enum Kind {
     Internal = 7,
 }
 
-/// Why a function did nothing.
+/// Reason why a function did nothing.
 pub struct Fault {
     kind: Kind,
     text: String,
@@ -65,7 +65,8 @@ impl Fault {
         Self::new(Kind::Freed, format!("the {what} was freed"))
     }
 
-    /// Throws the error in JavaScript. The frames of this module end without destructors, so nothing that owns memory may be alive but the text itself.
+    /// Throws the error in JavaScript. The frames of this module end without destructors, so nothing that
+    /// owns memory may be alive but the text itself.
     #[cold]
     fn throw(self) -> ! {
         let Self { kind, text } = self;
@@ -75,7 +76,8 @@ impl Fault {
     }
 }
 
-/// Returns the result of an exported function, or throws. A warning that the engine logged meanwhile is an error too: it names a value that was refused.
+/// Returns the result of an exported function, or throws. A warning that the engine logged meanwhile is an
+/// error too: it names a value that was refused.
 #[inline]
 pub fn finish<T>(result: Result<T, Fault>) -> T {
     match result {

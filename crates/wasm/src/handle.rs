@@ -1,6 +1,7 @@
 //! Handles as numbers of JavaScript.
 //!
-//! The 64 bits of slot (low) and generation (high) are read as a double, as the published packages do. Reading back costs nothing in WebAssembly.
+//! The 64 bits of slot (low) and generation (high) are read as a double, as the published packages do. The
+//! conversion is free in WebAssembly.
 
 use crate::rapier::dynamics::{ImpulseJointHandle, MultibodyJointHandle, RigidBodyHandle};
 use crate::rapier::geometry::ColliderHandle;
@@ -20,7 +21,7 @@ fn parts(number: f64) -> (u32, u32) {
 pub trait Handle: Sized {
     /// The number of the handle.
     fn to_number(self) -> f64;
-    /// The handle of a number. Any number is a handle, if only a stale one.
+    /// The handle of a number. Any number is a handle, although possibly a stale one.
     fn of_number(number: f64) -> Self;
 }
 
@@ -43,7 +44,7 @@ macro_rules! handle {
 
 handle!(RigidBodyHandle, ColliderHandle, ImpulseJointHandle, MultibodyJointHandle);
 
-/// The number of a handle, or NaN where there is none.
+/// The number of a handle, or NaN for an absent one.
 pub fn optional(handle: Option<impl Handle>) -> f64 {
     handle.map_or(f64::NAN, Handle::to_number)
 }

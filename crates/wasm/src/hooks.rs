@@ -1,4 +1,4 @@
-//! Hooks: JavaScript decides about pairs, and changes contacts, while a step runs.
+//! Hooks: JavaScript filters pairs and changes contacts during a step.
 
 use crate::handle::{Handle, optional};
 use crate::host;
@@ -10,12 +10,13 @@ use crate::registry::LentSets;
 use core::cell::Cell;
 use core::ptr::null;
 
-/// The kinds of hooks, also the bits that say which ones there are.
+/// The kinds of hooks, also the bits of the present ones.
 const CONTACT: u32 = 0;
 const INTERSECTION: u32 = 1;
 const MODIFICATION: u32 = 2;
 
-/// The bits of the answer about contacts. The answer to a modification is 0 if the hook threw: the contacts stay as they are.
+/// The bits of the result for contacts. The result of a modification is 0 if the hook threw: the contacts are
+/// unchanged.
 const KEEP_CONTACTS: u32 = 1;
 const COMPUTE_IMPULSES: u32 = 2;
 const WRITTEN: u32 = 4;
@@ -32,7 +33,7 @@ unsafe impl Send for Hooks<'_> {}
 unsafe impl Sync for Hooks<'_> {}
 
 impl<'a> Hooks<'a> {
-    /// Hooks of which some are present. The sets are set while one runs.
+    /// Hooks, some of which are present. The sets are stored while one runs.
     pub fn new(present: u32, sets: &'a Cell<LentSets>) -> Self {
         Self { present, sets }
     }
@@ -41,7 +42,7 @@ impl<'a> Hooks<'a> {
         self.present & (1 << kind) != 0
     }
 
-    /// Runs a hook that may read the sets.
+    /// Runs a hook with read access to the sets.
     fn lend<R>(
         &self,
         bodies: &RigidBodySet,
@@ -54,7 +55,7 @@ impl<'a> Hooks<'a> {
         result
     }
 
-    /// Asks about a pair. Returns the answer.
+    /// Calls a filter for a pair. Returns its result.
     fn filter(&self, kind: u32, pair: &PairFilterContext<'_>) -> u32 {
         let (collider1, collider2) = (pair.collider1.to_number(), pair.collider2.to_number());
         let (body1, body2) = (optional(pair.rigid_body1), optional(pair.rigid_body2));
@@ -99,7 +100,7 @@ impl PhysicsHooks for Hooks<'_> {
         if answer & WRITTEN == 0 {
             return;
         }
-        // The engine refuses numbers that are not valid; vectors are checked here.
+        // The engine rejects invalid numbers; vectors are checked here.
         if let Ok(velocity) = vector(1, "tangentVelocity") {
             context.set_tangent_velocity(velocity);
         }

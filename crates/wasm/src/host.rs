@@ -1,4 +1,4 @@
-//! What the module imports from JavaScript.
+//! Imports of the module from JavaScript.
 
 /// The functions that `javascript/src/raw.ts` supplies.
 #[cfg(target_arch = "wasm32")]
@@ -11,16 +11,17 @@ mod imported {
         pub safe fn warn(text: usize, length: usize);
         /// Calls the predicate of a query. Returns whether the collider takes part.
         pub safe fn accepts(collider: f64) -> u32;
-        /// Calls the visitor of a query. Returns whether the query goes on.
+        /// Calls the visitor of a query. Returns whether the query continues.
         pub safe fn visit(collider: f64) -> u32;
         /// The time in milliseconds.
         pub safe fn now() -> f64;
-        /// Calls a hook. The kind is 0 for contact pairs, 1 for intersection pairs, 2 for the modification of contacts.
+        /// Calls a hook. The kind is 0 for contact pairs, 1 for intersection pairs, 2 for the modification of
+        /// contacts.
         pub safe fn hook(kind: u32, collider1: f64, collider2: f64, body1: f64, body2: f64) -> u32;
     }
 }
 
-/// Stands in on other targets, where the crate is only checked.
+/// Replacement on other targets, where the crate is only checked.
 #[cfg(not(target_arch = "wasm32"))]
 mod imported {
     pub fn fail(kind: u32, _text: usize, _length: usize) -> ! {

@@ -129,7 +129,7 @@ fn set_limits(
     Ok(())
 }
 
-/// The kind of a joint, from what it locks.
+/// The kind of a joint, from its locked axes.
 fn kind_of(joint: &GenericJoint) -> u32 {
     if joint.as_fixed().is_some() {
         kind::FIXED
@@ -177,7 +177,7 @@ fn data(world: u32, set: u32, handle: f64) -> Result<&'static GenericJoint, Faul
     data.ok_or_else(|| stale(set, handle))
 }
 
-/// The joint of a world, to be changed.
+/// The joint of a world, for changes.
 fn find_mut(world: &mut PhysicsWorld, set: u32, handle: f64) -> Option<&mut GenericJoint> {
     if set == IMPULSE {
         let joint = world.impulse_joints.get_mut(ImpulseJointHandle::of_number(handle))?;
@@ -188,7 +188,7 @@ fn find_mut(world: &mut PhysicsWorld, set: u32, handle: f64) -> Option<&mut Gene
     Some(&mut multibody.link_mut(link)?.joint.data)
 }
 
-/// Changes a joint. It stays as it was if the change is not valid.
+/// Changes a joint. An invalid change leaves it as it was.
 fn change(
     world: u32,
     set: u32,
@@ -288,7 +288,8 @@ exports! {
         put_rotation(1, frame.rotation);
     }
 
-    /// Sets the frame of a joint on the first (0) or second (1) body: translation and rotation, of which the bits say which are given.
+    /// Sets the frame of a joint on the first (0) or second (1) body: translation and rotation, of which the
+    /// bits say which are given.
     fn joint_set_frame(world: u32, set: u32, handle: f64, side: u32, given: u32) {
         change(world, set, handle, |joint| {
             let frame = if side == 0 { &mut joint.local_frame1 } else { &mut joint.local_frame2 };
@@ -307,7 +308,7 @@ exports! {
         data(world, set, handle)?.contacts_enabled()
     }
 
-    /// Says whether the two bodies of a joint collide.
+    /// Sets whether the two bodies of a joint collide.
     fn joint_set_contacts_enabled(world: u32, set: u32, handle: f64, enabled: u32) {
         change(world, set, handle, |joint| {
             joint.set_contacts_enabled(enabled != 0);

@@ -1,15 +1,20 @@
-//! The engine as a WebAssembly module with plain exported functions, for the npm packages `rapier2d` and `rapier3d`.
+//! The engine as a WebAssembly module with plain exported functions, for the npm packages `rapier2d` and
+//! `rapier3d`.
 //!
-//! One source serves both dimensions and both precisions: the features `dim2`, `dim3` and `f64` select them. The TypeScript side is in `javascript/src`.
+//! One source serves both dimensions and both precisions: the features `dim2`, `dim3` and `f64` select them.
+//! The TypeScript side is in `javascript/src`.
 //!
 //! The rules of the boundary:
 //!
-//! * Numbers are passed as numbers. Vectors, rotations and records travel through the scratch block of [`memory`], lists through its lists.
-//! * A world, a shape, an event queue or a controller is a number that [`registry`] resolves. Handles of bodies, colliders and joints are the 64 bits of
-//!   slot and generation, read as a number of JavaScript ([`handle`]).
-//! * A function that cannot do what was asked ends in [`fault::Fault`], which the importing side throws as a `RapierError`. Nothing has changed then.
-//! * JavaScript runs while a world is borrowed only in callbacks: hooks of a step, and predicates and visitors of queries. [`registry`] refuses calls that
-//!   would change the world meanwhile.
+//! * Numbers are passed as numbers. Vectors, rotations and records travel through the scratch block of
+//!   [`memory`], lists through its lists.
+//! * A world, a shape, an event queue or a controller is a number that [`registry`] resolves. Handles of
+//!   bodies, colliders and joints are the 64 bits of slot and generation, read as a number of JavaScript
+//!   ([`handle`]).
+//! * A function that fails ends in [`fault::Fault`], which the importing side throws as a `RapierError`. A
+//!   failed call changes nothing.
+//! * JavaScript runs while a world is borrowed only in callbacks: hooks of a step, and predicates and
+//!   visitors of queries. [`registry`] refuses calls that would change the world meanwhile.
 
 #[cfg(feature = "dim2")]
 use rapier2d as rapier;

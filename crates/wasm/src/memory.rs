@@ -1,6 +1,8 @@
-//! The memory that both sides of the boundary read and write: the scratch block, lists of handles, buffers for input, and texts.
+//! The memory that both sides of the boundary read and write: the scratch block, lists of handles, buffers
+//! for input, and texts.
 //!
-//! JavaScript calls the module on one thread. Workers run tasks of the engine alone, which do not use these cells. No reference into the cells lives across a call to JavaScript or to another function of this file.
+//! JavaScript calls the module on one thread. Workers run tasks of the engine alone, which do not use these
+//! cells. No reference into the cells lives across a call to JavaScript or to another function of this file.
 
 use crate::fault::{Fault, finite};
 use crate::rapier::math::{AngVector, Pose, Real, Rotation, Vector};
@@ -285,13 +287,13 @@ pub fn has_warning() -> bool {
     unsafe { !WARNING.get().is_empty() }
 }
 
-/// The warning, which is forgotten.
+/// Returns the warning and clears it.
 pub fn take_warning() -> String {
     // SAFETY: the reference ends with the statement.
     core::mem::take(unsafe { WARNING.get() })
 }
 
-/// Passes a warning of a step on: it is no error of the caller.
+/// Reports a warning of a step to JavaScript: it is not the caller's error.
 pub fn pass_warning_on() {
     if has_warning() {
         let (address, length) = put_text(&take_warning());

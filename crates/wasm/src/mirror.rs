@@ -21,7 +21,7 @@ pub struct Mirror {
     poses: Vec<Real>,
     /// By slot: linear and angular velocity.
     velocities: Vec<Real>,
-    /// By slot: 1 for sleeping and fixed bodies, and where there is none.
+    /// By slot: 1 for sleeping and fixed bodies, and for empty slots.
     sleeping: Vec<u8>,
     /// By slot: the handle, or NaN.
     handles: Vec<f64>,
@@ -32,7 +32,8 @@ pub struct Mirror {
 }
 
 impl Mirror {
-    /// Brings the copies up to date with a step: all bodies after edits, else those that are awake or were.
+    /// Updates the copies after a step: all bodies after edits, otherwise the awake and previously awake
+    /// ones.
     pub fn update(&mut self, world: &PhysicsWorld) {
         let active = world.active_bodies();
         if self.is_stale {
@@ -84,7 +85,7 @@ impl Mirror {
 }
 
 exports! {
-    /// Brings the mirror up to date, and makes it if there is none. Returns the number of slots.
+    /// Updates the mirror, and creates it if necessary. Returns the number of slots.
     fn mirror_refresh(world: u32) -> usize {
         mirror(world, true)?.map_or(0, |mirror| mirror.handles.len())
     }

@@ -1,4 +1,5 @@
-//! Prints the hash of a scene of piles after steps on this machine: `native-hash STEPS`. The test `hash.test.mjs` builds the same scene in JavaScript.
+//! Prints the hash of a scene of piles after steps on this machine: `native-hash STEPS`. The test
+//! `hash.test.mjs` builds the same scene in JavaScript.
 
 #[cfg(feature = "dim2")]
 use rapier2d as rapier;
@@ -10,13 +11,13 @@ use rapier::prelude::*;
 /// Layers of the piles.
 const LAYERS: usize = 12;
 
-/// A position of the scene. Two dimensions leave out z.
+/// A position of the scene. 2D omits z.
 #[cfg(feature = "dim2")]
 fn at(x: Real, y: Real, _z: Real) -> Vector {
     Vector::new(x, y)
 }
 
-/// A position of the scene. Two dimensions leave out z.
+/// A position of the scene. 2D omits z.
 #[cfg(not(feature = "dim2"))]
 fn at(x: Real, y: Real, z: Real) -> Vector {
     Vector::new(x, y, z)
@@ -34,7 +35,7 @@ fn ground() -> ColliderBuilder {
     ColliderBuilder::cuboid(50.0, 1.0, 50.0)
 }
 
-/// The shapes take turns.
+/// Shapes of the scene, in turn.
 fn shape(number: usize) -> ColliderBuilder {
     match number % 3 {
         #[cfg(feature = "dim2")]

@@ -2,7 +2,7 @@
 
 use crate::rapier::pipeline::PhysicsWorld;
 
-/// The world has no choice.
+/// Does nothing: there is one thread.
 pub fn choose(_world: &mut PhysicsWorld, _has_hooks: bool) {}
 
 /// Returns whether the calling thread is run by a worker.

@@ -1,6 +1,7 @@
 //! Queries of worlds: rays, points and shapes.
 //!
-//! A query takes the filter that [`query_filter`] stored before it. A result is the handle of a collider, or NaN; its numbers are in the scratch block.
+//! A query takes the filter that [`query_filter`] stored before it. A result is the handle of a collider, or
+//! NaN; its numbers are in the scratch block.
 
 use crate::collider::groups;
 use crate::fault::Fault;
@@ -17,7 +18,7 @@ use crate::rapier::pipeline::{PhysicsWorld, QueryFilter, QueryFilterFlags};
 use crate::registry::queried;
 use crate::shape::shape;
 
-/// What a query leaves out.
+/// Filter of a query.
 #[derive(Copy, Clone, Default)]
 struct Filter {
     flags: QueryFilterFlags,
@@ -33,7 +34,7 @@ fn predicate(handle: ColliderHandle, _: &Collider) -> bool {
     host::accepts(handle.to_number()) != 0
 }
 
-/// The filter that JavaScript stored. It serves one query.
+/// Returns the filter that JavaScript stored. It is used by one query.
 pub fn filter() -> QueryFilter<'static> {
     // SAFETY: the reference ends with the statement.
     let filter = unsafe { FILTER.get() }.take().unwrap_or_default();
@@ -100,7 +101,7 @@ pub fn cast_options(target: f64, max: f64, stop: u32) -> Result<ShapeCastOptions
     })
 }
 
-/// Shows colliders to the visitor of JavaScript until it has seen enough.
+/// Passes colliders to the visitor of JavaScript until it ends the query.
 fn visit<'a>(found: impl Iterator<Item = (ColliderHandle, &'a Collider)>) {
     for (handle, _) in found {
         if host::visit(handle.to_number()) == 0 {
@@ -127,7 +128,7 @@ fn query<R>(
 }
 
 exports! {
-    /// Stores the filter of the next query. Groups below 0 and handles that are NaN leave nothing out.
+    /// Stores the filter of the next query. Negative groups and handles that are NaN exclude nothing.
     fn query_filter(flags: u32, groups_or_minus: f64, exclude_collider: f64, exclude_body: f64, has_predicate: u32) {
         let filter = Filter {
             // The bits of the published packages begin one lower.
@@ -155,7 +156,7 @@ exports! {
         answer(hit, put_ray_hit)
     }
 
-    /// Shows all colliders that a ray hits to the visitor, each with normal, feature and time.
+    /// Passes all colliders that a ray hits to the visitor, each with normal, feature and time.
     fn query_intersections_with_ray(world: u32, max: f64, solid: u32) {
         let (ray, max) = (ray()?, limit("maxToi", max)?);
         query(world, |world, filter| {
@@ -178,7 +179,8 @@ exports! {
         })
     }
 
-    /// The collider whose surface is nearest to a point. Writes the nearest point, whether the point is inside, and the feature.
+    /// The collider whose surface is nearest to a point. Writes the nearest point, whether the point is
+    /// inside, and the feature.
     fn query_project_point_and_get_feature(world: u32) -> f64 {
         let point = vector(0, "point")?;
         let found = query(world, |world, filter| {
@@ -192,7 +194,7 @@ exports! {
         })
     }
 
-    /// Shows all colliders that hold a point to the visitor.
+    /// Passes all colliders that contain a point to the visitor.
     fn query_intersections_with_point(world: u32) {
         let point = vector(0, "point")?;
         query(world, |world, filter| visit(world.intersect_point(point, filter)))?;
@@ -205,13 +207,14 @@ exports! {
         optional(found)
     }
 
-    /// Shows all colliders that a shape touches to the visitor.
+    /// Passes all colliders that a shape touches to the visitor.
     fn query_intersections_with_shape(world: u32, number: u32) {
         let (shape, pose) = (shape(number)?, memory::pose(0)?);
         query(world, |world, filter| visit(world.intersect_shape(pose, &*shape, filter)))?;
     }
 
-    /// The first collider in the way of a shape: pose in places 0 and 1, velocity in place 2. Writes the hit.
+    /// The first collider in the path of a shape: pose in places 0 and 1, velocity in place 2. Writes the
+    /// hit.
     fn query_cast_shape(world: u32, number: u32, target: f64, max: f64, stop: u32) -> f64 {
         let (shape, pose, velocity) = (shape(number)?, memory::pose(0)?, vector(2, "shapeVel")?);
         let options = cast_options(target, max, stop)?;
@@ -219,7 +222,7 @@ exports! {
         answer(hit, put_shape_hit)
     }
 
-    /// Shows all colliders whose boxes overlap a box to the visitor: centre and half extents.
+    /// Passes all colliders whose boxes overlap a box to the visitor: centre and half extents.
     fn query_colliders_in_aabb(world: u32) {
         let (center, extents) = (vector(0, "aabbCenter")?, vector(1, "aabbHalfExtents")?);
         let aabb = Aabb::from_half_extents(center, extents.abs());

@@ -1,6 +1,7 @@
-//! The objects that JavaScript owns: worlds, shapes, event queues and controllers. Each is found by a number, and freed by it.
+//! Objects that JavaScript owns: worlds, shapes, event queues and controllers. A number identifies each.
 //!
-//! A number combines slot and generation, so that a number whose object was freed finds nothing, even if the slot is used again.
+//! A number combines slot and generation. The number of a freed object finds nothing, even if the slot is
+//! reused.
 
 use crate::events::{Events, give_back, lend};
 use crate::fault::{Fault, Kind};
@@ -62,7 +63,7 @@ impl<T> Registry<T> {
         object.as_deref()
     }
 
-    /// Removes an object. The slot is used again until its generations are exhausted.
+    /// Removes an object. The slot is reused until its generations are exhausted.
     pub fn remove(&mut self, number: u32) -> Option<Box<T>> {
         self.get(number)?;
         let slot = number & ((1 << SLOT_BITS) - 1);
@@ -76,23 +77,23 @@ impl<T> Registry<T> {
     }
 }
 
-/// What happens to a world at the moment.
+/// Present use of a world.
 #[derive(Copy, Clone, PartialEq, Eq)]
 pub enum Activity {
-    /// Nothing.
+    /// No call.
     Idle,
     /// A query with callbacks reads it.
     Read,
     /// A step changes it.
     Stepped,
-    /// A defect of the engine ended a step before its time.
+    /// A defect of the engine interrupted a step.
     Broken,
 }
 
 /// The sets that a hook may read while it runs.
 pub type LentSets = (*const RigidBodySet, *const ColliderSet);
 
-/// A world, and what the boundary stores beside it. It is shared: a call that a hook makes looks at it while the step runs.
+/// A world with the boundary's state. It is shared: a call from a hook reads it during the step.
 pub struct Instance {
     world: Single<PhysicsWorld>,
     activity: Cell<Activity>,
@@ -102,7 +103,7 @@ pub struct Instance {
 
 static WORLDS: Single<Registry<Instance>> = Single::new(Registry::new());
 
-/// Adds a world. Its stages are timed only if JavaScript asks for it, because each time is a call.
+/// Adds a world. Its stages are timed only on request, because each time is a call.
 pub fn insert_world(mut world: PhysicsWorld) -> u32 {
     world.physics_pipeline.counters.disable();
     let instance = Instance {
@@ -127,27 +128,29 @@ pub fn free_world(number: u32) -> Result<(), Fault> {
     Ok(())
 }
 
-/// The world of a number, whatever happens to it.
+/// The world of a number, in any state.
 fn instance(number: u32) -> Result<&'static Instance, Fault> {
-    // SAFETY: boxes do not move when the registry grows, and only `free_world` drops one, which no function does while it uses the world.
+    // SAFETY: boxes do not move when the registry grows, and only `free_world` drops one, which no function
+    // does while it uses the world.
     unsafe { WORLDS.get().get_shared(number) }.ok_or_else(|| Fault::freed("world"))
 }
 
-/// A step or query that runs.
+/// A running step or query.
 struct Running {
-    /// An address of its stack frame. The stack grows downwards: frames of later calls have smaller addresses.
+    /// An address of its stack frame. The stack grows downwards: frames of later calls have smaller
+    /// addresses.
     frame: usize,
     world: u32,
-    /// What happened to the world before.
+    /// The world's activity before the call.
     before: Activity,
     /// The event queue that a step fills, or 0.
     queue: u32,
 }
 
-/// The steps and queries that run, the outermost first.
+/// The running steps and queries, the outermost first.
 static RUNNING: Single<Vec<Running>> = Single::new(Vec::new());
 
-/// Runs the work of a step or query, and remembers meanwhile that it runs.
+/// Runs the work of a step or query, and records it while it runs.
 fn run<R>(
     world: u32,
     instance: &Instance,
@@ -169,7 +172,7 @@ fn run<R>(
     result
 }
 
-/// Ends the steps and queries whose frames lie below an address, because an exception ended them.
+/// Ends the steps and queries whose frames lie below an address: an exception ended them.
 fn abandon(floor: usize) {
     // SAFETY: the reference ends with the statement.
     while let Some(ended) = unsafe { RUNNING.get() }.pop_if(|running| running.frame < floor) {
@@ -182,13 +185,15 @@ fn abandon(floor: usize) {
 }
 
 exports! {
-    /// Ends the steps and queries whose stack frames lie below an address, because an exception ended them. A world that was stepped can only be freed.
+    /// Ends the steps and queries whose stack frames lie below an address: an exception ended them. A world
+    /// in the middle of a step can only be freed.
     fn calls_abandon(floor: usize) {
         abandon(floor);
     }
 }
 
-/// Steps a world. JavaScript may use it meanwhile, but only through hooks, which read the sets that they are lent. A queue of 0 drops events.
+/// Steps a world. JavaScript may use it meanwhile, but only in hooks, with the lent sets. A queue of 0 drops
+/// events.
 pub fn stepped(
     number: u32,
     queue: u32,
@@ -213,16 +218,16 @@ pub fn stepped(
     Ok(())
 }
 
-/// Lets a query read a world. JavaScript may read it meanwhile.
+/// Gives a query read access to a world. JavaScript may read it meanwhile.
 pub fn queried<R>(number: u32, work: impl FnOnce(&PhysicsWorld) -> R) -> Result<R, Fault> {
     let world = read(number)?;
     Ok(run(number, instance(number)?, Activity::Read, 0, || work(world)))
 }
 
-/// The mirror of a world, brought up to date if that is asked for.
+/// Returns the mirror of a world, updated on request.
 pub fn mirror(number: u32, refresh: bool) -> Result<Option<&'static Mirror>, Fault> {
     let instance = instance(number)?;
-    // SAFETY: the exported functions of the mirror ask for one, once.
+    // SAFETY: the exported functions of the mirror get one, once.
     let mirror = unsafe { instance.mirror.get() };
     if refresh {
         let mirror = mirror.get_or_insert_default();
@@ -248,17 +253,18 @@ fn busy(activity: Activity) -> Fault {
     Fault::new(Kind::Busy, what.to_string())
 }
 
-/// The world, to be read.
+/// Returns the world for reading.
 pub fn read(number: u32) -> Result<&'static PhysicsWorld, Fault> {
     let instance = instance(number)?;
     match instance.activity.get() {
         activity @ (Activity::Stepped | Activity::Broken) => Err(busy(activity)),
-        // SAFETY: nothing changes the world: exported functions that read it end before others begin, or are marked as queries.
+        // SAFETY: nothing changes the world: exported functions that read it end before others begin, or are
+        // marked as queries.
         Activity::Idle | Activity::Read => Ok(unsafe { instance.world.get() }),
     }
 }
 
-/// The world, to be changed.
+/// Returns the world for changes.
 pub fn write(number: u32) -> Result<&'static mut PhysicsWorld, Fault> {
     let instance = instance(number)?;
     let activity = instance.activity.get();
@@ -273,45 +279,45 @@ pub fn write(number: u32) -> Result<&'static mut PhysicsWorld, Fault> {
     Ok(unsafe { instance.world.get() })
 }
 
-/// The bodies, to be read: also from hooks.
+/// Returns the bodies for reading, in hooks as well.
 pub fn bodies(number: u32) -> Result<&'static RigidBodySet, Fault> {
     let instance = instance(number)?;
     if instance.activity.get() != Activity::Stepped {
         return Ok(&read(number)?.bodies);
     }
-    // SAFETY: the hook stored the reference that the step lends it, and takes it back before it returns.
+    // SAFETY: the hook stored the lent reference of the step, and clears it before it returns.
     unsafe { instance.sets.get().0.as_ref() }.ok_or_else(|| busy(Activity::Stepped))
 }
 
-/// The colliders, to be read: also from hooks.
+/// Returns the colliders for reading, in hooks as well.
 pub fn colliders(number: u32) -> Result<&'static ColliderSet, Fault> {
     let instance = instance(number)?;
     if instance.activity.get() != Activity::Stepped {
         return Ok(&read(number)?.colliders);
     }
-    // SAFETY: the hook stored the reference that the step lends it, and takes it back before it returns.
+    // SAFETY: the hook stored the lent reference of the step, and clears it before it returns.
     unsafe { instance.sets.get().1.as_ref() }.ok_or_else(|| busy(Activity::Stepped))
 }
 
-/// A body, to be read.
+/// Returns a body for reading.
 pub fn body(world: u32, handle: f64) -> Result<&'static RigidBody, Fault> {
     let found = bodies(world)?.get(RigidBodyHandle::of_number(handle));
     found.ok_or_else(|| Fault::stale("rigid body", handle))
 }
 
-/// A body, to be changed.
+/// Returns a body for changes.
 pub fn body_mut(world: u32, handle: f64) -> Result<&'static mut RigidBody, Fault> {
     let found = write(world)?.bodies.get_mut(RigidBodyHandle::of_number(handle));
     found.ok_or_else(|| Fault::stale("rigid body", handle))
 }
 
-/// A collider, to be read.
+/// Returns a collider for reading.
 pub fn collider(world: u32, handle: f64) -> Result<&'static Collider, Fault> {
     let found = colliders(world)?.get(ColliderHandle::of_number(handle));
     found.ok_or_else(|| Fault::stale("collider", handle))
 }
 
-/// A collider, to be changed.
+/// Returns a collider for changes.
 pub fn collider_mut(world: u32, handle: f64) -> Result<&'static mut Collider, Fault> {
     let found = write(world)?.colliders.get_mut(ColliderHandle::of_number(handle));
     found.ok_or_else(|| Fault::stale("collider", handle))

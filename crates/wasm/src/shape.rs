@@ -1,6 +1,7 @@
 //! Shapes: made from numbers and lists, and described by them.
 //!
-//! The scratch block holds vectors in places 0 to 2 (half extents, corners, normal, scale), and in place 3 radius, half height and border radius.
+//! The scratch block holds vectors in places 0 to 2 (half extents, corners, normal, scale), and in place 3
+//! radius, half height and border radius.
 
 use crate::fault::{Fault, finite};
 use crate::memory::{
@@ -70,7 +71,7 @@ fn border() -> Real {
     number(SIZES, BORDER)
 }
 
-/// The indices of a list that may be left out.
+/// The optional indices of a list.
 fn optional_groups<const N: usize>(given: bool) -> Result<Option<Vec<[u32; N]>>, Fault> {
     given.then(|| memory::groups("indices")).transpose()
 }
@@ -80,7 +81,7 @@ fn normal() -> Result<Vector, Fault> {
     Ok(memory::direction(0, "normal")?.normalize())
 }
 
-/// A shape both dimensions have. `indexed` says whether there are indices.
+/// A shape of both dimensions. `indexed` is set if there are indices.
 fn builder(kind: u32, flags: u32, indexed: bool) -> Result<ColliderBuilder, Fault> {
     Ok(match kind {
         kind::BALL => ColliderBuilder::ball(radius()),
@@ -139,7 +140,7 @@ fn parts() -> Result<Vec<(Pose, SharedShape)>, Fault> {
     Ok(parts)
 }
 
-/// Gives a compound its flags. The constructors of other shapes take theirs.
+/// Gives a compound its flags. Other shapes have constructors with flags.
 fn with_compound_flags(shape: SharedShape, flags: u32) -> SharedShape {
     let flags = CompoundFlags::from_bits_truncate(flags as _);
     match shape.as_compound() {
@@ -484,7 +485,7 @@ exports! {
         register(with_compound_flags(shape, flags))
     }
 
-    /// Frees a shape. Colliders keep theirs.
+    /// Frees a shape. Colliders keep their shapes.
     fn shape_free(number: u32) {
         // SAFETY: the reference ends with the statement.
         drop(unsafe { SHAPES.get().remove(number) });

@@ -17,7 +17,7 @@ exports! {
         let snapshot = if saved.gravity == gravity {
             saved.to_snapshot()
         } else {
-            // A query may be reading the world, so a copy takes the gravity.
+            // A query may be reading the world, so the gravity goes into a copy.
             let mut copy = saved.clone();
             copy.gravity = gravity;
             copy.to_snapshot()

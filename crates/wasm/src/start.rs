@@ -1,11 +1,11 @@
-//! What runs once, before everything else.
+//! Initialisation of the module.
 
 use crate::fault::Kind;
 use crate::threads::is_worker;
 use crate::{host, memory};
 use log::{LevelFilter, Log, Metadata, Record};
 
-/// Keeps the engine's warnings: they name values that a setter refused.
+/// Stores the engine's warnings: they contain values that a setter rejected.
 struct Warnings;
 
 impl Log for Warnings {
@@ -14,7 +14,7 @@ impl Log for Warnings {
     }
 
     fn log(&self, record: &Record<'_>) {
-        // Workers log bodies that they quarantine, which events report, too.
+        // Workers log quarantined bodies, which events report as well.
         if !is_worker() {
             memory::put_warning(record.args().to_string());
         }

@@ -1,7 +1,7 @@
 //! Queries of single colliders and shapes.
 //!
-//! A subject is a collider of a world, with its own pose, or a shape (the world is 0), with a pose in the scratch block: places 8 and 9 for the first
-//! subject, 10 and 11 for the second one.
+//! A subject is a collider of a world with its own pose, or a shape (the world is 0) with a pose in the
+//! scratch block. Places 8 and 9 hold the pose of the first subject, 10 and 11 that of the second.
 
 use crate::fault::{Fault, Kind, non_negative};
 use crate::memory::{self, put_number, put_vector, vector};
@@ -70,7 +70,8 @@ exports! {
         query::intersection_test(&pose1, &*shape1, &pose2, &*shape2).map_err(|_| unsupported())?.intersecting
     }
 
-    /// Writes the contact of two subjects: two points, two normals, the distance. Returns whether they are near.
+    /// Writes the contact of two subjects: two points, two normals, the distance. Returns whether they are
+    /// near.
     fn subjects_contact(world1: u32, number1: f64, world2: u32, number2: f64, prediction: f64) -> bool {
         let (shape1, pose1) = subject(world1, number1, POSES[0])?;
         let (shape2, pose2) = subject(world2, number2, POSES[1])?;
@@ -86,7 +87,8 @@ exports! {
         contact.is_some()
     }
 
-    /// Writes the hit of two subjects that move with the velocities in places 0 and 1. Returns whether there is one.
+    /// Writes the hit of two subjects that move with the velocities in places 0 and 1. Returns whether there
+    /// is one.
     fn subjects_cast(world1: u32, number1: f64, world2: u32, number2: f64, target: f64, max: f64, stop: u32) -> bool {
         let (shape1, pose1) = subject(world1, number1, POSES[0])?;
         let (shape2, pose2) = subject(world2, number2, POSES[1])?;

@@ -13,11 +13,11 @@ use crate::registry::{Registry, body, write};
 static VEHICLES: Single<Registry<DynamicRayCastVehicleController>> = Single::new(Registry::new());
 
 fn vehicle(number: u32) -> Result<&'static mut DynamicRayCastVehicleController, Fault> {
-    // SAFETY: an exported function asks for one controller, once.
+    // SAFETY: an exported function gets one controller, once.
     unsafe { VEHICLES.get().get(number) }.ok_or_else(|| Fault::freed("vehicle controller"))
 }
 
-/// The numbers of a wheel, in the order of `WheelNumber` in TypeScript: first those that can be set.
+/// Numbers of a wheel, in the order of `WheelNumber` in TypeScript: first the settable ones.
 fn wheel_number(wheel: &mut Wheel, number: u32) -> Option<&mut Real> {
     Some(match number {
         0 => &mut wheel.suspension_rest_length,
@@ -60,7 +60,7 @@ exports! {
         drop(unsafe { VEHICLES.get().remove(number) });
     }
 
-    /// Updates a vehicle. The integers are the handles of colliders that are no ground, in halves.
+    /// Updates a vehicle. The integers are the handles, in halves, of colliders that are not ground.
     fn vehicle_update(number: u32, world: u32, dt: f64) {
         let dt = non_negative("dt", dt)? as Real;
         let vehicle = vehicle(number)?;
@@ -130,7 +130,8 @@ exports! {
         }
     }
 
-    /// Writes a vector of a wheel: connection, direction, axle, contact normal, contact point, hard point. Returns whether the wheel exists.
+    /// Writes a vector of a wheel: connection, direction, axle, contact normal, contact point, hard point.
+    /// Returns whether the wheel exists.
     fn wheel_vector(vehicle_number: u32, index: usize, what: u32) -> bool {
         let Some(wheel) = vehicle(vehicle_number)?.wheels().get(index) else { return Ok(false) };
         let contact = wheel.raycast_info();

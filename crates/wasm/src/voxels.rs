@@ -54,7 +54,8 @@ exports! {
         voxels(collider)?.set_voxel(coordinates(&integers)?, is_filled);
     }
 
-    /// Passes the change of a voxel on to the neighbours in another grid: grid coordinates and the shift of the grids.
+    /// Reports the change of a voxel to its neighbours in another grid: grid coordinates and the shift of the
+    /// grids.
     fn collider_propagate_voxel(world: u32, handle1: f64, handle2: f64) {
         let integers = memory::integers();
         let (cell, shift) = (coordinates(&integers)?, coordinates(integers.get(DIM..).unwrap_or(&[]))?);

@@ -10,7 +10,7 @@ use crate::rapier::pipeline::PhysicsWorld;
 use crate::registry::{free_world, insert_world, read, stepped, write};
 use crate::threads;
 
-/// The parameters, in the order of `Parameter` in TypeScript.
+/// Parameters, in the order of `Parameter` in TypeScript.
 mod parameter {
     pub const DT: u32 = 0;
     pub const SOLVER_ITERATIONS: u32 = 1;
@@ -65,7 +65,7 @@ fn change_parameter(
     Ok(())
 }
 
-/// The stages whose time a world measures, in the order of `Timing` in TypeScript.
+/// Stages with measured times, in the order of `Timing` in TypeScript.
 fn timings(world: &PhysicsWorld) -> [f64; 13] {
     let counters = &world.physics_pipeline.counters;
     let milliseconds = |timer: &crate::rapier::pipeline::Timer| timer.time_ms();
@@ -92,12 +92,13 @@ exports! {
         insert_world(PhysicsWorld::new())
     }
 
-    /// Frees a world with all that is in it.
+    /// Frees a world with all its objects.
     fn world_free(world: u32) {
         free_world(world)?;
     }
 
-    /// Moves the world forward by one time step. The scratch block holds the gravity. A queue of 0 drops events.
+    /// Moves the world forward by one time step. The scratch block holds the gravity. A queue of 0 drops
+    /// events.
     fn world_step(world: u32, queue_number: u32, hooks: u32) {
         let gravity = memory::vector(0, "gravity")?;
         stepped(world, queue_number, |world, sets, events| {
@@ -107,7 +108,7 @@ exports! {
         })?;
     }
 
-    /// Brings contacts and intersections up to date, and moves nothing.
+    /// Updates contacts and intersections, and moves no body.
     fn world_detect_collisions(world: u32, queue_number: u32, hooks: u32) {
         stepped(world, queue_number, |world, sets, events| {
             threads::choose(world, hooks != 0);

@@ -8,8 +8,8 @@ use std::f64::consts::PI;
 /// Half a turn (rad).
 pub(crate) const HALF_TURN: Real = PI as Real;
 
-/// A world with a level floor: a box with its top at y = 0 that reaches `half_extent` to each side, and
-/// as far down as pictures show.
+/// Returns a world with a level floor: a box with its top at y = 0, `half_extent` to each side, and deep
+/// enough for pictures.
 pub(crate) fn world_with_floor(half_extent: Real) -> PhysicsWorld {
     let mut world = PhysicsWorld::new();
     let floor = ColliderBuilder::cuboid(half_extent, half_extent);
@@ -17,27 +17,27 @@ pub(crate) fn world_with_floor(half_extent: Real) -> PhysicsWorld {
     world
 }
 
-/// Adds a fixed body that something hangs on: a small square that touches nothing.
+/// Adds a fixed body as a suspension point: a small square that touches nothing.
 pub(crate) fn add_post(world: &mut PhysicsWorld, place: Vector) -> RigidBodyHandle {
     add_fixed(world, place, square(0.15).collision_groups(InteractionGroups::none()))
 }
 
-/// The point with these coordinates.
+/// Returns the point with these coordinates.
 pub(crate) fn flat(x: Real, y: Real) -> Vector {
     Vector::new(x, y)
 }
 
-/// As far towards the eye as this: a flat world knows nothing of it.
+/// Returns zero: a 2D world has no depth.
 pub(crate) fn near(_: Real) -> Vector {
     Vector::ZERO
 }
 
-/// A rectangle with these half extents; the third is that of a flat world.
+/// Returns a rectangle with these half extents. The third one is unused in 2D.
 pub(crate) fn brick(x: Real, y: Real, _: Real) -> SharedShape {
     SharedShape::cuboid(x, y)
 }
 
-/// A hinge.
+/// Returns a hinge.
 pub(crate) fn hinge() -> RevoluteJointBuilder {
     RevoluteJointBuilder::new()
 }
@@ -51,7 +51,7 @@ pub(crate) fn add_walls(world: &mut PhysicsWorld, half_extent: Real, height: Rea
     }
 }
 
-/// So many directions, evenly spread over the circle, each as an angle (rad) and a unit vector.
+/// Returns evenly distributed directions over the circle, each as an angle (rad) and a unit vector.
 pub(crate) fn directions(count: usize) -> impl Iterator<Item = (Real, Vector)> {
     (0..count).map(move |i| {
         let angle = 2.0 * HALF_TURN * i as Real / count as Real;
@@ -59,7 +59,7 @@ pub(crate) fn directions(count: usize) -> impl Iterator<Item = (Real, Vector)> {
     })
 }
 
-/// Blocks in a circle, with this radius inside and this half thickness.
+/// Returns blocks in a circle, with this inner radius and this half thickness.
 pub(crate) fn ring(
     radius: Real,
     pieces: usize,
@@ -73,12 +73,12 @@ pub(crate) fn ring(
     })
 }
 
-/// A square with this half extent.
+/// Returns a square with this half extent.
 pub(crate) fn square(half_extent: Real) -> ColliderBuilder {
     ColliderBuilder::cuboid(half_extent, half_extent)
 }
 
-/// The corners of an irregular stone: random points on a circle, no two of them close together.
+/// Returns the corners of an irregular stone: random points on a circle, no two of them close together.
 pub(crate) fn stone(dice: &mut Dice, radius: Real, corners: usize) -> Vec<Vector> {
     let turn = 2.0 * HALF_TURN / corners as Real;
     (0..corners)

@@ -8,7 +8,7 @@ use std::f64::consts::PI;
 /// Half a turn (rad).
 pub(crate) const HALF_TURN: Real = PI as Real;
 
-/// A world with a level floor: a box with its top at y = 0 that reaches `half_extent` to each side.
+/// Returns a world with a level floor: a box with its top at y = 0, `half_extent` to each side.
 pub(crate) fn world_with_floor(half_extent: Real) -> PhysicsWorld {
     let mut world = PhysicsWorld::new();
     let floor = ColliderBuilder::cuboid(half_extent, 1.0, half_extent);
@@ -16,13 +16,13 @@ pub(crate) fn world_with_floor(half_extent: Real) -> PhysicsWorld {
     world
 }
 
-/// Gentle hills: their height somewhere, if the broad ones are this high.
+/// Returns the height of smooth hills at a point. `high` is the height of the wide ones.
 pub(crate) fn hills(high: Real, x: Real, z: Real) -> Real {
     high * (0.31 * x).sin() * (0.23 * z).cos() + 0.3 * (0.9 * x + 0.4 * z).sin()
 }
 
-/// A mesh over a square in the middle of the world: so many smaller squares along each side, of two triangles
-/// each, and their corners at a height.
+/// Returns a mesh over a square in the middle of the world, with heights at its vertices. Each side has a
+/// number of smaller squares of two triangles each.
 pub(crate) fn surface(
     squares: u32,
     size: Real,
@@ -45,37 +45,37 @@ pub(crate) fn surface(
     ColliderBuilder::trimesh(vertices, triangles).expect("there are squares")
 }
 
-/// Adds a fixed body that something hangs on: a small cube that touches nothing.
+/// Adds a fixed body as a suspension point: a small cube that touches nothing.
 pub(crate) fn add_post(world: &mut PhysicsWorld, place: Vector) -> RigidBodyHandle {
     add_fixed(world, place, cube(0.15).collision_groups(InteractionGroups::none()))
 }
 
-/// A rotation by an angle (rad) in the plane of the picture.
+/// Returns a rotation by an angle (rad) in the plane of the picture.
 pub(crate) fn turn(angle: Real) -> AngVector {
     Vector::Z * angle
 }
 
-/// The point of the plane of the picture with these coordinates.
+/// Returns the point in the plane of the picture with these coordinates.
 pub(crate) fn flat(x: Real, y: Real) -> Vector {
     Vector::new(x, y, 0.0)
 }
 
-/// As far towards the eye as this (away from it if negative).
+/// Returns the vector of this length towards the eye (away from it if negative).
 pub(crate) fn near(z: Real) -> Vector {
     Vector::Z * z
 }
 
-/// A box with these half extents.
+/// Returns a box with these half extents.
 pub(crate) fn brick(x: Real, y: Real, z: Real) -> SharedShape {
     SharedShape::cuboid(x, y, z)
 }
 
-/// A hinge about the axis that points out of the picture.
+/// Returns a hinge about the axis out of the picture.
 pub(crate) fn hinge() -> RevoluteJointBuilder {
     RevoluteJointBuilder::new(Vector::Z)
 }
 
-/// Adds four walls around the square that reaches `half_extent` from the y axis.
+/// Adds four walls around a square, `half_extent` from the y axis.
 pub(crate) fn add_walls(world: &mut PhysicsWorld, half_extent: Real, height: Real) {
     let (half_height, thickness) = (0.5 * height, 0.25);
     let offset = half_extent + thickness;
@@ -87,12 +87,12 @@ pub(crate) fn add_walls(world: &mut PhysicsWorld, half_extent: Real, height: Rea
     }
 }
 
-/// A cube with this half extent.
+/// Returns a cube with this half extent.
 pub(crate) fn cube(half_extent: Real) -> ColliderBuilder {
     ColliderBuilder::cuboid(half_extent, half_extent, half_extent)
 }
 
-/// The corners of an irregular rock: random points on a sphere.
+/// Returns the corners of an irregular rock: random points on a sphere.
 pub(crate) fn rock(dice: &mut Dice, radius: Real, corners: usize) -> Vec<Vector> {
     (0..corners)
         .map(|_| {

@@ -1,7 +1,7 @@
-//! The 3D scenes: one for each thing that the engine can do, and large ones that show how fast it is.
+//! Scenes in 3D: one for each feature of the engine, and large ones that measure its speed.
 //!
-//! Every scene lives here once. The gallery runs them all, the tests watch some of them settle, and
-//! the benchmarks rebuild the large ones in other engines:
+//! Every scene is defined here once. The gallery runs all of them, the tests check that some of them settle,
+//! and the benchmarks rebuild the large ones in other engines:
 //!
 //! ```
 //! let mut scene = (scenes3d::find("pyramid20").expect("is in the list").build)();
@@ -19,7 +19,7 @@ mod kit;
 pub use scene::{Scene, SceneInfo};
 pub use scenes::SCENES;
 
-/// The scene with this name.
+/// Returns the scene with this name.
 pub fn find(name: &str) -> Option<&'static SceneInfo> {
     SCENES.iter().find(|info| info.name == name)
 }

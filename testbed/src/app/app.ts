@@ -1,4 +1,4 @@
-// The testbed: scenes, engines, time, and what the page shows of them.
+// The testbed: scenes, engines, time, and the page.
 
 import { Clock } from "../core/clock.ts";
 import type { Dimension } from "../core/dimension.ts";
@@ -111,7 +111,7 @@ export class App<R extends EngineModule, W extends WorldLike> {
         return this.options.scenes.find((scene) => scene.id === id);
     }
 
-    /** The wanted engines, or those that are there. */
+    /** The requested engines, or the present ones. */
     private allowed(wanted: EngineMode | null): EngineMode {
         const { engines } = this.options;
         const own = engines.has("own");

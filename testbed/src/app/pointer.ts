@@ -83,7 +83,7 @@ export class Pointer<R extends EngineModule, W extends WorldLike> {
         this.picture.canvas.style.cursor = "";
     }
 
-    /** Drops what the pointer holds, before its world ends. */
+    /** Releases the body at the pointer, before its world ends. */
     forget(): void {
         this.held = null;
         this.picture.rig.controls.enabled = true;

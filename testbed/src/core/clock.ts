@@ -10,7 +10,7 @@ export class Clock {
     private pending = 0;
     private requested = 0;
 
-    /** Asks for one step, also while the clock is paused. */
+    /** Requests one step, also while the clock is paused. */
     stepOnce(): void {
         this.running = false;
         this.requested += 1;

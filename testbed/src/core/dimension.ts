@@ -1,4 +1,5 @@
-// What differs between 2D and 3D engines outside of scenes. Each package implements it with its own typings.
+// Differences between 2D and 3D engines outside of scenes. Each package implements the interface with its own
+// typings.
 
 import type { BodyLike, ColliderLike, EngineModule, Vec, WorldLike } from "./engine.ts";
 

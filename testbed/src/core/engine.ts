@@ -1,8 +1,8 @@
 // The part of the published API that the shared code uses, without its dimension.
 //
 // Scenes use the full typings of their package. The stage, the views and the panels serve both dimensions, so
-// they see this subset: every engine that follows the API satisfies it. Vectors of the 2D engines have no `z`;
-// only code behind the `Dimension` interface reads it.
+// they see this subset: every engine that follows the API satisfies it. Vectors of the 2D engines have no
+// `z`; only code behind the `Dimension` interface reads it.
 
 export interface Vec {
     x: number;

@@ -13,7 +13,10 @@ export type Parameter = { label: string; live?: boolean } & (
     | { value: string; options: readonly string[] }
 );
 
-/** A colour by name; the theme holds the tone. `glass` is translucent and casts no shadow, `hidden` is not drawn. */
+/**
+ * A colour by name; the theme holds the tone. `glass` is translucent and casts no shadow, `hidden` is not
+ * drawn.
+ */
 export type Paint =
     | "red"
     | "orange"

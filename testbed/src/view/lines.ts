@@ -54,7 +54,7 @@ export class Lines {
         this.attach();
     }
 
-    /** Shows what was drawn since `clear`. */
+    /** Shows the lines since `clear`. */
     flush(): void {
         const { geometry } = this.object;
         geometry.setDrawRange(0, this.count);

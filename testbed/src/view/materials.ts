@@ -1,5 +1,5 @@
-// Materials of the picture, with lines that make shapes readable: edges of boxes, outlines in 2D, a grid on the
-// ground. The lines are computed in the shader, so they cost no geometry and stay equally thick.
+// Materials of the picture, with lines that make shapes readable: edges of boxes, outlines in 2D, a grid on
+// the ground. The lines are computed in the shader, so they cost no geometry and stay equally thick.
 
 import { BackSide, DoubleSide, FrontSide, Material, MeshBasicMaterial, MeshStandardMaterial, type WebGLProgramParametersWithUniforms } from "three";
 import type { Theme } from "./theme.ts";

@@ -1,5 +1,5 @@
-// Geometry of 2D shapes. Each triangle has a `rim` attribute: 0 at the outline, 1 inside. The shader draws the
-// outline from its derivative, so lines are equally thick at each zoom and scale.
+// Geometry of 2D shapes. Each triangle has a `rim` attribute: 0 at the outline, 1 inside. The shader draws
+// the outline from its derivative, so lines are equally thick at each zoom and scale.
 
 import { BufferGeometry, Float32BufferAttribute, Matrix4 } from "three";
 import type { ShapeLike } from "../core/engine.ts";

@@ -148,7 +148,7 @@ const hooks: Scene = {
             ball.setLinvel(vec(0, random.between(6, 13), 0), true);
             return ball;
         });
-        // Bodies cannot be read during a step: the hook decides by what was read before it.
+        // Bodies cannot be read during a step: the hook uses values from before the step.
         const above = new Map<number, Set<number>>();
         const filter: PhysicsHooks = {
             filterContactPair: (first, second, body1, body2) => {
@@ -161,7 +161,7 @@ const hooks: Scene = {
         const reached = (): number => balls.filter((ball) => ball.translation().y > 1.9).length;
         return {
             hooks: filter,
-            // The published package calls hooks in steps with an event queue alone.
+            // The published package calls hooks only in steps with an event queue.
             events: new RAPIER.EventQueue(true),
             update: () => {
                 for (const [floor, y] of floors) {

@@ -5,7 +5,7 @@ import type { Context, RevoluteImpulseJoint, RigidBody, Scene, Vector } from "..
 
 const group = "Vehicles";
 
-/** Heights of gentle hills around a flat middle, by columns: rows run along z, columns along x. */
+/** Heights of smooth hills around a flat middle, by columns: rows run along z, columns along x. */
 function hills(cells: number, size: number, rough: number): Float32Array {
     const heights = new Float32Array((cells + 1) * (cells + 1));
     for (let column = 0; column <= cells; column++) {
@@ -51,7 +51,7 @@ const car: Scene = {
             vehicle.setWheelSuspensionStiffness(wheel, 32);
             vehicle.setWheelFrictionSlip(wheel, 1.8);
             vehicle.setWheelMaxSuspensionTravel(wheel, 0.3);
-            // Tyres are pictures: they weigh nothing and collide with nothing.
+            // Tyres are visible only: they have no mass and no collisions.
             const tyre = world.createRigidBody(RAPIER.RigidBodyDesc.kinematicPositionBased().setTranslation(0, 1, 0));
             world.createCollider(RAPIER.ColliderDesc.cylinder(0.15, radius).setCollisionGroups(0), tyre);
             paint(tyre, "dark");

@@ -1,24 +1,24 @@
-//! Anything done at any time to two equal worlds.
+//! Random edits at random times, in two equal worlds: both disable the same bodies and have the same bits.
 
 use super::super::random::Dice;
-use super::stage::{Stage, Taken, step_alike};
+use super::stage::{Disabled, Stage, step_alike};
 use crate::dim::{about_z, vec};
 use rapier::prelude::*;
 
 const WORLDS: u64 = 16;
 const STEPS: usize = 60;
 
-/// A number of any order, most of them harmless.
+/// Returns a number of any magnitude, usually a harmless one.
 fn number(dice: &mut Dice) -> Real {
     let order = if dice.once_in(3) { dice.within(-20.0, 37.0) } else { dice.within(-3.0, 3.0) };
     let sign = if dice.once_in(2) { -1.0 } else { 1.0 };
     sign * Real::powf(10.0, order)
 }
 
-/// Does something to a stage.
-fn mistreat(stage: &mut Stage, dice: &mut Dice) {
+/// Edits a stage at random.
+fn edit_at_random(stage: &mut Stage, dice: &mut Dice) {
     let Stage { world, suspect, neighbour, lift, sleeper, .. } = stage;
-    // Not the links: see `a_link_takes_its_multibody_along`.
+    // Links are excluded: see `a_link_takes_its_multibody_along`.
     let body = dice.pick(&[*suspect, *neighbour, *lift, *sleeper]);
     let (value, other) = (number(dice), number(dice));
     let record = &mut world.bodies[body];
@@ -42,15 +42,15 @@ fn mistreat(stage: &mut Stage, dice: &mut Dice) {
 }
 
 #[test]
-fn anything_at_any_time() {
-    let mut all: Vec<Taken> = Vec::new();
+fn random_edits_at_random_times() {
+    let mut all: Vec<Disabled> = Vec::new();
     for seed in 0..WORLDS {
         let (mut stage, mut twin) = (Stage::new(), Stage::new());
         let mut dice = [Dice::new(seed), Dice::new(seed)];
         for step in 0..STEPS {
             if step % 4 == 0 {
-                mistreat(&mut stage, &mut dice[0]);
-                mistreat(&mut twin, &mut dice[1]);
+                edit_at_random(&mut stage, &mut dice[0]);
+                edit_at_random(&mut twin, &mut dice[1]);
             }
             all.extend(step_alike(step, &mut stage, &mut twin));
         }

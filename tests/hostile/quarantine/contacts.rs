@@ -4,7 +4,7 @@ use super::stage::{Numbers, Stage, beside_its_twin};
 use crate::dim::vec;
 use rapier::prelude::*;
 
-/// Two stages whose hooks give different numbers to what the suspect touches.
+/// Returns two stages with hooks that pass different numbers to the suspect's contacts.
 fn with_hooks(hooks: Numbers, of_twin: Numbers) -> [Stage; 2] {
     [hooks, of_twin].map(|hooks| {
         let mut stage = Stage::new();
@@ -15,7 +15,7 @@ fn with_hooks(hooks: Numbers, of_twin: Numbers) -> [Stage; 2] {
     })
 }
 
-/// Everything is as if the hook had given zeros, and each pair is told of with its colliders.
+/// Checks that the result equals that of zeros, and that each pair is reported with its colliders.
 fn are_as_zeros(hooks: Numbers, of_twin: Numbers, is_cause: impl Fn(QuarantineCause) -> bool) {
     let [mut stage, mut twin] = with_hooks(hooks, of_twin);
     assert_eq!(beside_its_twin(&mut stage, &mut twin), []);
@@ -32,7 +32,7 @@ fn are_as_zeros(hooks: Numbers, of_twin: Numbers, is_cause: impl Fn(QuarantineCa
 }
 
 #[test]
-fn a_restitution_that_cannot_be() {
+fn invalid_restitution() {
     for value in [1.0e8, 1.0e30, Real::MAX] {
         are_as_zeros(
             Numbers { restitution: Some(value), ..Numbers::default() },
@@ -43,7 +43,7 @@ fn a_restitution_that_cannot_be() {
 }
 
 #[test]
-fn a_belt_that_cannot_run() {
+fn invalid_belt_velocity() {
     let velocity = vec(1.0e30, 0.0);
     are_as_zeros(
         Numbers { tangent_velocity: Some(velocity), ..Numbers::default() },

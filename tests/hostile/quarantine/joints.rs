@@ -1,13 +1,13 @@
-//! Joints, links and mass ratios beyond the range of numbers.
+//! Joints, links and mass ratios that overflow numbers.
 
 use super::stage::{Stage, experiment};
 use crate::dim::{hinge, vec};
 use rapier::prelude::*;
 
-/// Whether such a motor can be calculated with is the solver's affair. If not, one of its two bodies goes,
-/// and the rest is as without it.
+/// The solver decides whether it can compute such a motor. If not, it disables one of the two bodies, and the
+/// others move as without it.
 #[test]
-fn motors_stiffer_than_numbers_go() {
+fn overflowing_motors_disable_a_body() {
     for model in [MotorModel::ForceBased, MotorModel::AccelerationBased] {
         for number in [1.0e20, 1.0e30, 0.5 * Real::MAX] {
             let taken = experiment(|stage| {
@@ -33,7 +33,7 @@ fn a_link_takes_its_multibody_along() {
     }
 }
 
-/// All links are enabled again, and hang together as before.
+/// All links are enabled again, and connected as before.
 #[test]
 fn a_multibody_comes_back() {
     let mut stage = Stage::new();
@@ -53,7 +53,7 @@ fn a_multibody_comes_back() {
     }
 }
 
-/// The coordinate of a joint is moved on by a motor that no number can hold.
+/// A motor moves the coordinate of a joint beyond the range of numbers.
 #[test]
 fn a_motor_within_a_multibody() {
     for number in [1.0e20, 0.5 * Real::MAX] {
@@ -68,7 +68,7 @@ fn a_motor_within_a_multibody() {
     }
 }
 
-/// From a microgram to a mountain, hung on each other and thrown at each other.
+/// Masses from a microgram to a mountain hang on each other and collide.
 #[test]
 fn masses_of_all_ratios() {
     for (light, heavy) in [(1.0e-9, 1.0e9), (1.0e-15, 1.0e15), (1.0e-3, 1.0e12)] {

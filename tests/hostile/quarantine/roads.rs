@@ -1,11 +1,11 @@
-//! Every road on which a body can leave the range of numbers by itself.
+//! Every way in which a body's numbers can overflow.
 
 use super::stage::{Stage, experiment};
 use crate::dim::{about_z, vec};
 use rapier::prelude::*;
 
-/// The suspect alone is taken out, for this cause. Returns when.
-fn suspect_falls(
+/// Checks that the suspect alone is disabled, for this cause. Returns the step.
+fn suspect_is_disabled(
     mistreat: impl Fn(&mut Stage),
     is_cause: impl Fn(QuarantineCause) -> bool,
 ) -> usize {
@@ -22,49 +22,51 @@ fn a_force_beyond_all_measure() {
     for force in [1.0e20, 1.0e30, 0.3 * Real::MAX] {
         let force = vec(force, 0.0);
         let cause = QuarantineCause::Force { force, torque: Default::default() };
-        let step =
-            suspect_falls(|stage| stage.suspect().add_force(force, true), |found| found == cause);
+        let step = suspect_is_disabled(
+            |stage| stage.suspect().add_force(force, true),
+            |found| found == cause,
+        );
         assert_eq!(step, 0);
     }
 }
 
 #[test]
-fn a_torque_beyond_all_measure() {
+fn an_overflowing_torque() {
     let is_cause = |cause| matches!(cause, QuarantineCause::Force { .. });
-    suspect_falls(|stage| stage.suspect().add_torque(about_z(1.0e25), true), is_cause);
+    suspect_is_disabled(|stage| stage.suspect().add_torque(about_z(1.0e25), true), is_cause);
 }
 
-/// Each of these forces could be borne.
+/// Each of these forces alone is within range.
 #[test]
 fn forces_that_add_up() {
     let is_cause = |cause| matches!(cause, QuarantineCause::Force { .. });
     let pull = |stage: &mut Stage| {
         (0..1000).for_each(|_| stage.suspect().add_force(Vector::Y * 1.0e15, true));
     };
-    suspect_falls(pull, is_cause);
+    suspect_is_disabled(pull, is_cause);
 }
 
-/// A force that takes some steps.
+/// The force overflows after some steps.
 #[test]
 fn a_speed_that_grows() {
-    let step = suspect_falls(
+    let step = suspect_is_disabled(
         |stage| stage.suspect().add_force(Vector::Y * 1.0e16, true),
         |cause| matches!(cause, QuarantineCause::Velocity(_) | QuarantineCause::Force { .. }),
     );
-    // v = F t / m = 1e15 after m / 10 s, and m is 1 or so.
+    // v = F t / m = 1e15 after m / 10 s, and m is about 1.
     assert!((1..30).contains(&step), "{step}");
 }
 
 #[test]
-fn gravity_beyond_all_measure() {
+fn overflowing_gravity() {
     let is_cause = |cause| matches!(cause, QuarantineCause::Gravity(_));
-    suspect_falls(|stage| stage.suspect().set_gravity_scale(-1.0e20, true), is_cause);
+    suspect_is_disabled(|stage| stage.suspect().set_gravity_scale(-1.0e20, true), is_cause);
 }
 
-/// An accepted velocity may still lead out of the world: here after a second.
+/// A valid velocity may lead out of the world: here after a second.
 #[test]
 fn a_velocity_that_leads_out_of_the_world() {
-    let step = suspect_falls(
+    let step = suspect_is_disabled(
         |stage| {
             stage.suspect().set_position(Pose::from_translation(Vector::Y * 50.0), true);
             stage.suspect().set_linvel(Vector::Y * 1.0e15, true);
@@ -77,14 +79,14 @@ fn a_velocity_that_leads_out_of_the_world() {
 #[test]
 fn a_step_of_ten_seconds_at_great_speed() {
     let is_cause = |cause| matches!(cause, QuarantineCause::Velocity(_));
-    // Fast, but the world is large: 120 steps of 10 s at 1e9 are 1.2e12.
+    // The world is large enough for the lower speed: 120 steps of 10 s at 1e9 are 1.2e12.
     for (speed, leads_out) in [(3.0e14, true), (1.0e9, false)] {
         let taken = experiment(|stage| {
             stage.world.integration_parameters.dt = 10.0;
             stage.suspect().set_position(Pose::from_translation(Vector::Y * 50.0), true);
             stage.suspect().set_linvel(Vector::Y * speed, true);
         });
-        // A chain of links does not find its way in such steps, and goes too.
+        // A chain of links diverges in such steps, and is disabled as well.
         let links = Stage::new().links;
         let others: Vec<_> = taken.iter().filter(|(_, body, _)| !links.contains(body)).collect();
         let found = matches!(others[..], [(0, body, cause)] if *body == Stage::new().suspect && is_cause(*cause));
@@ -92,7 +94,7 @@ fn a_step_of_ten_seconds_at_great_speed() {
     }
 }
 
-/// A body at the edge of the world that moves on.
+/// A body at the edge of the world moves outwards.
 #[test]
 fn a_place_at_the_edge() {
     let edge = Pose::from_translation(vec(-1.0e15, 1.0));
@@ -101,12 +103,12 @@ fn a_place_at_the_edge() {
         stage.suspect().set_linvel(vec(-1.0e12, 0.0), true);
     };
     let is_cause = |cause| matches!(cause, QuarantineCause::Velocity(_));
-    assert_eq!(suspect_falls(mistreat, is_cause), 0);
+    assert_eq!(suspect_is_disabled(mistreat, is_cause), 0);
 }
 
-/// Setters refuse values that are not finite, or beyond the world: no body is disabled.
+/// Setters reject values that are not finite or beyond the world, so no body is disabled.
 #[test]
-fn what_setters_refuse_leads_nowhere() {
+fn rejected_values_have_no_effect() {
     for value in [1.0e30, Real::INFINITY, Real::NAN] {
         let taken = experiment(|stage| {
             stage.suspect().set_linvel(Vector::X * value, true);
@@ -118,11 +120,11 @@ fn what_setters_refuse_leads_nowhere() {
     }
 }
 
-/// One body is put in the place of another, and takes its force along.
+/// A body is replaced by another one, which brings its force along.
 #[test]
 fn a_body_swapped_for_another() {
     let is_cause = |cause| matches!(cause, QuarantineCause::Force { .. });
-    suspect_falls(
+    suspect_is_disabled(
         |stage| {
             let mut other = stage.world.bodies[stage.neighbour].clone();
             other.add_force(Vector::X * 1.0e30, true);
@@ -134,9 +136,9 @@ fn a_body_swapped_for_another() {
     );
 }
 
-/// A diverged body hits nothing and wakes nothing in its last step.
+/// A diverged body hits and wakes no other body in its last step.
 #[test]
-fn who_falls_asleep_beside_it_sleeps_on() {
+fn neighbours_of_a_diverged_body_sleep_on() {
     let mistreat = |stage: &mut Stage| {
         let above = *stage.world.bodies[stage.sleeper].position();
         let touching = above * Pose::from_translation(Vector::Y * 0.99);
@@ -147,7 +149,7 @@ fn who_falls_asleep_beside_it_sleeps_on() {
     mistreat(&mut stage);
     stage.step();
     assert!(stage.world.bodies[stage.sleeper].is_sleeping());
-    suspect_falls(mistreat, |cause| matches!(cause, QuarantineCause::Force { .. }));
+    suspect_is_disabled(mistreat, |cause| matches!(cause, QuarantineCause::Force { .. }));
 }
 
 #[test]
@@ -161,9 +163,9 @@ fn a_kinematic_body_with_an_impossible_target() {
     assert_eq!(body, Stage::new().lift);
 }
 
-/// An impossible load: all moving bodies are disabled, with one event each.
+/// Gravity overflows: all moving bodies are disabled, with one event each.
 #[test]
-fn gravity_that_nobody_can_bear() {
+fn gravity_that_disables_all_bodies() {
     let taken = experiment(|stage| {
         stage.world.gravity = Vector::X * 1.0e15;
         stage.world.integration_parameters.dt = 10.0;

@@ -1,34 +1,33 @@
-//! A heap, a kinematic lift, a chain of links and a pile that sleeps, all in reach of one suspect.
+//! A heap, a kinematic lift, a chain of links and a sleeping pile, all within reach of one suspect.
 
-use super::super::witness::Witness;
+use super::super::witness::EventChecker;
 use super::super::world::check;
 use crate::dim::{about_z, cuboid, hinge, hostile::pose_bits, vec};
 use rapier::prelude::*;
 use std::collections::BTreeMap;
 use std::sync::Mutex;
 
-/// How long the stage moves by itself before anything is done to it: the heap has not come to rest by then
-/// (steps).
+/// Number of undisturbed steps before the misuse. The heap is still moving at their end.
 const BEFORE: usize = 20;
 
-/// A world, and the mistreated bodies in it.
+/// A world, and its misused bodies.
 pub struct Stage {
     pub world: PhysicsWorld,
     /// A block in the middle of the heap.
     pub suspect: RigidBodyHandle,
     /// The block beside it.
     pub neighbour: RigidBodyHandle,
-    /// A kinematic body beneath some blocks of the heap, moved by positions.
+    /// A position-based kinematic body beneath some blocks of the heap.
     pub lift: RigidBodyHandle,
     /// Links of a multibody that reaches into the heap.
     pub links: Vec<RigidBodyHandle>,
-    /// A block on a pile that sleeps.
+    /// A block on a sleeping pile.
     pub sleeper: RigidBodyHandle,
     pub hooks: Numbers,
-    witness: Witness,
+    witness: EventChecker,
 }
 
-/// Hooks that give numbers to all contacts.
+/// Hooks that pass numbers to all contacts.
 #[derive(Copy, Clone, Default)]
 pub struct Numbers {
     pub restitution: Option<Real>,
@@ -48,15 +47,15 @@ impl PhysicsHooks for Numbers {
 
 /// Events of a step.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Told {
+pub struct Events {
     pub quarantines: Vec<QuarantineEvent>,
     pub collisions: Vec<CollisionEvent>,
 }
 
-/// Writes down what is told, and lets a witness think about it.
+/// Handler that records events, and checks them.
 struct Listener<'a> {
-    witness: &'a Witness,
-    told: Mutex<Told>,
+    witness: &'a EventChecker,
+    told: Mutex<Events>,
 }
 
 impl EventHandler for Listener<'_> {
@@ -80,7 +79,7 @@ impl EventHandler for Listener<'_> {
         if let QuarantineEvent::Body { body, cause, position, velocity } = event {
             let body = &bodies[*body];
             assert!(!body.is_enabled(), "{event:?}");
-            // The value may not be a number, which is not equal to itself.
+            // The value may be NaN, which is not equal to itself.
             assert_eq!(format!("{:?}", body.quarantine()), format!("Some({cause:?})"));
             assert_eq!((body.position(), &body.vels()), (position, velocity));
         }
@@ -122,7 +121,7 @@ impl Stage {
             block(&mut world, body)
         });
         let (suspect, neighbour, sleeper) = (heap[12], heap[13], sleepers[2]);
-        let (hooks, witness) = (Numbers::default(), Witness::default());
+        let (hooks, witness) = (Numbers::default(), EventChecker::default());
         let mut stage = Self { world, suspect, neighbour, lift, links, sleeper, hooks, witness };
         for _ in 0..BEFORE {
             stage.step();
@@ -131,12 +130,12 @@ impl Stage {
         stage
     }
 
-    /// The suspect, for changing it.
+    /// Returns the suspect for edits.
     pub fn suspect(&mut self) -> &mut RigidBody {
         &mut self.world.bodies[self.suspect]
     }
 
-    /// Lets a motor turn the neighbour against the suspect, with this number for everything that a motor has.
+    /// Adds a motor between the neighbour and the suspect, with this number for all its settings.
     pub fn drive(&mut self, model: MotorModel, number: Real) {
         let hinge = hinge().local_anchor1(vec(0.5, 0.0)).local_anchor2(vec(-0.5, 0.0));
         let mut joint: GenericJoint = hinge.build().into();
@@ -145,8 +144,8 @@ impl Stage {
         self.world.insert_impulse_joint(self.suspect, self.neighbour, joint);
     }
 
-    /// One step, after which the world is in order. Returns what it told.
-    pub fn step(&mut self) -> Told {
+    /// Runs one step and checks the invariants. Returns the events.
+    pub fn step(&mut self) -> Events {
         let listener = Listener { witness: &self.witness, told: Mutex::default() };
         self.world.step_with_events(&self.hooks, &listener);
         let told = listener.told.into_inner().unwrap();
@@ -155,7 +154,7 @@ impl Stage {
         told
     }
 
-    /// Every bit of the state of all bodies that take part.
+    /// Returns all bits of the state of all enabled bodies.
     pub fn bits(&self) -> Vec<String> {
         let taking_part = self.world.bodies.iter().filter(|(_, body)| body.is_enabled());
         let bits = taking_part.map(|(handle, body)| {
@@ -170,48 +169,48 @@ impl Stage {
     }
 }
 
-/// The disabled bodies of each step, and the causes.
-pub type Taken = (usize, RigidBodyHandle, QuarantineCause);
+/// A disabled body, its step and the cause.
+pub type Disabled = (usize, RigidBodyHandle, QuarantineCause);
 
-/// Mistreats a stage, and steps it beside its twin.
-pub fn experiment(mistreat: impl Fn(&mut Stage)) -> Vec<Taken> {
+/// Misuses a stage, and steps it beside its twin.
+pub fn experiment(misuse: impl Fn(&mut Stage)) -> Vec<Disabled> {
     let (mut stage, mut twin) = (Stage::new(), Stage::new());
-    mistreat(&mut stage);
-    mistreat(&mut twin);
+    misuse(&mut stage);
+    misuse(&mut twin);
     beside_its_twin(&mut stage, &mut twin)
 }
 
 /// Steps a stage beside its twin for two seconds.
-pub fn beside_its_twin(stage: &mut Stage, twin: &mut Stage) -> Vec<Taken> {
+pub fn beside_its_twin(stage: &mut Stage, twin: &mut Stage) -> Vec<Disabled> {
     (0..120).flat_map(|step| step_beside(step, stage, twin)).collect()
 }
 
-/// One step of two stages to which the same was done.
+/// Runs one step of two stages with equal edits.
 ///
 /// # Panics
-/// Panics if a bit differs, or an event does, or a body is not back where it was.
-pub fn step_alike(step: usize, stage: &mut Stage, twin: &mut Stage) -> Vec<Taken> {
+/// If a bit or an event differs, or if a disabled body is not at its pose before the step.
+pub fn step_alike(step: usize, stage: &mut Stage, twin: &mut Stage) -> Vec<Disabled> {
     let before: BTreeMap<_, _> =
         stage.world.bodies.iter().map(|(handle, body)| (handle, *body.position())).collect();
     let told = stage.step();
-    // Some values are not numbers, which do not equal themselves.
+    // Texts compare NaN as equal.
     assert_eq!(format!("{told:?}"), format!("{:?}", twin.step()), "step {step}");
     assert_eq!(stage.bits(), twin.bits(), "step {step}");
-    let taken = told.quarantines.iter().filter_map(|event| match *event {
+    let disabled = told.quarantines.iter().filter_map(|event| match *event {
         QuarantineEvent::Body { body, cause, position, .. } => {
-            assert_eq!(position, before[&body], "back where it was");
+            assert_eq!(position, before[&body], "at the pose before the step");
             Some((step, body, cause))
         }
         _ => None,
     });
-    taken.collect()
+    disabled.collect()
 }
 
-/// One step of a stage and its twin.
+/// Runs one step of a stage and its twin.
 ///
 /// # Panics
-/// Panics if a body that takes part in both worlds differs in a bit, or an event does.
-pub fn step_beside(step: usize, stage: &mut Stage, twin: &mut Stage) -> Vec<Taken> {
+/// If the bits of an enabled body differ between both worlds, or if an event does.
+pub fn step_beside(step: usize, stage: &mut Stage, twin: &mut Stage) -> Vec<Disabled> {
     let bodies = stage.world.bodies.iter();
     let before: BTreeMap<_, _> = bodies.map(|(handle, body)| (handle, body.clone())).collect();
     let told = stage.step();

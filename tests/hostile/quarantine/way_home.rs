@@ -1,4 +1,4 @@
-//! Out of quarantine, and what is told on the way.
+//! Return from quarantine, and its events.
 
 use super::super::listener::listen;
 use super::stage::Stage;
@@ -7,7 +7,7 @@ use rapier::prelude::*;
 use std::sync::mpsc::channel;
 
 #[test]
-fn a_body_that_was_mended_comes_back() {
+fn a_repaired_body_returns() {
     let mut stage = Stage::new();
     let at = *stage.suspect().position();
     stage.suspect().add_force(Vector::X * 1.0e30, true);
@@ -29,7 +29,7 @@ fn a_body_that_was_mended_comes_back() {
 }
 
 #[test]
-fn a_body_that_was_not_mended_is_taken_out_again() {
+fn a_body_without_repair_is_disabled_again() {
     let mut stage = Stage::new();
     stage.suspect().add_force(Vector::X * 1.0e30, true);
     for _ in 0..3 {
@@ -41,9 +41,9 @@ fn a_body_that_was_not_mended_is_taken_out_again() {
     }
 }
 
-/// An unpredictable failure: only the step computes the mass of a grain of dust.
+/// Failure that no setter can predict: only the step computes the mass of a grain of dust.
 #[test]
-fn a_failure_out_of_the_blue() {
+fn an_unpredictable_failure() {
     let mut world = PhysicsWorld::new();
     world.insert_collider(ColliderBuilder::halfspace(Vector::Y), None);
     let balls = [0_u8, 1, 2].map(|k| {
@@ -77,16 +77,17 @@ fn a_failure_out_of_the_blue() {
     }
 }
 
-/// A sensor that is crossed within a step begins and ends its contact in it, independent of disabled bodies.
+/// A sensor that a body crosses within a step sends its start and end events in that step, independent of
+/// disabled bodies.
 #[test]
-fn a_sensor_that_is_passed_is_told_of_all_the_same() {
+fn crossed_sensors_still_send_events() {
     for force in [0.0, 1.0e30] {
         let mut stage = Stage::new();
         let gate = cuboid(0.01, 2.0).translation(vec(0.0, 80.0));
         let gate = gate.sensor(true).active_events(ActiveEvents::COLLISION_EVENTS);
         stage.world.insert_collider(gate, None);
         let flyer = RigidBodyBuilder::dynamic().translation(vec(-2.0, 80.0));
-        // Four metres in this step, half of them before the gate.
+        // The ball moves four metres in this step, half of them in front of the gate.
         stage.world.insert(flyer.linvel(vec(240.0, 0.0)), ColliderBuilder::ball(0.1));
         stage.suspect().add_force(Vector::X * force, true);
         let told = stage.step();
@@ -96,7 +97,7 @@ fn a_sensor_that_is_passed_is_told_of_all_the_same() {
     }
 }
 
-/// Disabling by hand is no quarantine.
+/// Disabling by the user is not quarantine.
 #[test]
 fn disabled_by_the_user() {
     let mut stage = Stage::new();

@@ -1,5 +1,5 @@
-//! What is the same for Box2D and Box3D, which know the same things by other names: what they cannot do, how they are to mix coefficients,
-//! and what is counted and measured in their worlds.
+//! Code common to Box2D and Box3D, which have the same features under different names: unsupported features,
+//! the average of coefficients, and measurements of their worlds.
 
 use super::ours::prelude::*;
 use super::overlap::overlap;
@@ -7,10 +7,10 @@ use super::separation::largest_separation;
 use super::template::{SUBSTEPS, Template};
 use crate::engine::{Counts, Stats, Unsupported};
 
-/// Half the size of the box that stands for a half-space.
-pub const ENDLESS: f32 = 1000.0;
+/// Half extent (length units) of the box that replaces a half-space.
+pub const HALF_SPACE_EXTENT: f32 = 1000.0;
 
-/// Refuses a body that asks for what they do not know, or what is not transcribed.
+/// Rejects a body with features that these engines lack or that the benchmark does not transcribe.
 pub fn check_body(body: &RigidBody) -> Result<(), Unsupported> {
     if body.dominance_group() != 0 {
         return Err(Unsupported::because("no dominance"));
@@ -21,7 +21,7 @@ pub fn check_body(body: &RigidBody) -> Result<(), Unsupported> {
     Ok(())
 }
 
-/// Refuses a collider that asks for what they do not know; its shape is another question.
+/// Rejects a collider with features that these engines lack. The shape is checked separately.
 pub fn check_collider(collider: &Collider) -> Result<(), Unsupported> {
     if collider.contact_skin() != 0.0 {
         return Err(Unsupported::because("no contact skin"));
@@ -36,25 +36,27 @@ pub fn check_collider(collider: &Collider) -> Result<(), Unsupported> {
     Ok(())
 }
 
-/// Refuses a shape.
+/// Returns the error of a shape that is not transcribed.
 pub fn unknown_shape(collider: &Collider) -> Unsupported {
     let kind = collider.shape().shape_type();
     Unsupported::because(format!("shape {kind:?} is not transcribed"))
 }
 
-/// Mass by volume, which in 2D is an area; 0 for what has none.
+/// Returns the mass per volume (2D: per area), or 0 for a shape without volume.
 pub fn density(collider: &Collider) -> f32 {
     let volume = collider.volume();
     if volume > 0.0 { collider.mass() / volume } else { 0.0 }
 }
 
-/// How the coefficients of two shapes mix: as in this engine and in Rapier. Left to themselves, they mix friction by the geometric mean.
+/// Combines the coefficients of two shapes by their mean, as this engine and Rapier do. By default both
+/// engines combine friction by the geometric mean.
 pub extern "C" fn average(coefficient1: f32, _: u64, coefficient2: f32, _: u64) -> f32 {
     0.5 * (coefficient1 + coefficient2)
 }
 
-/// Counts in a world of `all` bodies. One of them is the ground, which carries the colliders without a body and is not in `bodies`.
-/// `count_contacts` tells the touching pairs in which a body is the first, and their points.
+/// Returns the counts of a world with `all` bodies. One of them is the ground, which holds the colliders
+/// without a body and is not in `bodies`. `count_contacts` returns the touching pairs with a body in first
+/// place, and their points.
 pub fn counts<Id: Copy>(
     all: i32,
     bodies: &[Id],
@@ -75,7 +77,7 @@ pub fn counts<Id: Copy>(
     counts
 }
 
-/// What there is to measure beside what was counted.
+/// Returns the measurements of a world, with its counts.
 pub fn stats<Id: Copy>(
     template: &Template,
     counts: Counts,

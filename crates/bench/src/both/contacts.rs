@@ -1,4 +1,4 @@
-//! Contacts as this engine counts them, in either precision.
+//! Contact counts of this engine, in either precision.
 
 use super::engine::prelude::*;
 use crate::engine::Counts;

@@ -16,7 +16,7 @@ use crate::engine::Unsupported;
 use contacts::count_contacts;
 use running::Running;
 
-/// The scene at its start, in this engine's crate for double precision.
+/// Creates the scene at its start, in this engine's crate for double precision.
 pub fn start(template: &Template) -> Result<Running<'_>, Unsupported> {
     let (world, bodies) = transcribe::world(template)?;
     Ok(Running { template, world, bodies: bodies.into() })

@@ -1,4 +1,4 @@
-//! The overlap of shapes, measured from shapes and poses alone, so that no engine marks its own work.
+//! Overlap of shapes, measured from shapes and poses alone. The measurement is the same for all engines.
 
 use super::ours::parry::partitioning::{Bvh, BvhBuildStrategy};
 use super::ours::parry::query::contact;
@@ -7,16 +7,16 @@ use super::ours::prelude::*;
 use super::template::Template;
 use crate::engine::Overlap;
 
-/// A collider where its body is now.
+/// Collider at the present pose of its body.
 struct Part<'t> {
-    /// Position of the body in the template, none for colliders without a body.
+    /// Position of the body in the template, `None` for colliders without a body.
     body: Option<usize>,
     dynamic: bool,
     collider: &'t Collider,
     pose: Pose,
 }
 
-/// The overlap of all pairs of colliders that may touch, with the bodies in `poses`.
+/// Returns the overlap of all pairs of colliders that may touch, with the bodies in `poses`.
 pub fn overlap(template: &Template, poses: &[Pose]) -> Overlap {
     let parts = parts(template, poses);
     let boxes: Vec<Aabb> =
@@ -26,7 +26,7 @@ pub fn overlap(template: &Template, poses: &[Pose]) -> Overlap {
     for (index, part) in parts.iter().enumerate().filter(|(_, part)| part.dynamic) {
         for other_index in tree.intersect_aabb(&boxes[index]) {
             let other = &parts[other_index as usize];
-            // Two dynamic colliders find each other twice.
+            // The search finds a pair of dynamic colliders twice.
             let twice = other.dynamic && other_index as usize <= index;
             if !twice && may_touch(part, other) {
                 depths.push(depth(part, other));
@@ -58,15 +58,15 @@ fn may_touch(part: &Part, other: &Part) -> bool {
         && part.collider.collision_groups().test(other.collider.collision_groups())
 }
 
-/// How deep two parts overlap (length units), 0 if they are apart.
+/// Returns the penetration depth of two parts (length units), 0 if they are apart.
 fn depth(part: &Part, other: &Part) -> f64 {
-    // parry 0.31 takes the pose of a half-space that comes second for that of the other shape.
+    // For a half-space in second place, parry 0.31 uses its pose for the other shape.
     let swap = other.collider.shape().shape_type() == ShapeType::HalfSpace;
     let (first, second) = if swap { (other, part) } else { (part, other) };
     let (shape1, shape2) = (first.collider.shape(), second.collider.shape());
     match contact(&first.pose, shape1, &second.pose, shape2, 0.0) {
         Ok(Some(contact)) => f64::from(-contact.dist).max(0.0),
-        // Apart, or a pair of shapes for which no contacts exist.
+        // The shapes are apart, or parry has no contacts for this pair of shapes.
         Ok(None) | Err(_) => 0.0,
     }
 }

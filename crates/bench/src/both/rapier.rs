@@ -1,8 +1,8 @@
 //! Rapier from its published crates.
 //!
-//! Its defaults are what its authors recommend and what its own benchmarks use: 4 solver iterations,
-//! contact recycling and clustering, friction in the relax pass only. Geometry, mathematics and the
-//! numbers of the collision groups are the same types as ours, so shapes are shared.
+//! The defaults of Rapier are its authors' recommendation and the settings of its own benchmarks: 4 solver
+//! iterations, contact recycling and clustering, friction in the relax pass only. Geometry, mathematics and
+//! the numbers of the collision groups have the same types as here, so shapes are shared.
 
 #[path = "running.rs"]
 mod running;
@@ -18,7 +18,7 @@ use crate::engine::{Counts, Unsupported};
 use engine::prelude::*;
 use running::Running;
 
-/// The scene at its start.
+/// Creates the scene at its start.
 pub fn start(template: &Template) -> Result<Running<'_>, Unsupported> {
     let (world, bodies) = transcribe::world(template)?;
     Ok(Running { template, world, bodies: bodies.into() })

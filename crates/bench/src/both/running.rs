@@ -1,6 +1,7 @@
-//! A world that runs in an engine of this kind: compiled once beside this engine's file, once beside its file in double precision and once
-//! beside Rapier's. Each of these calls its engine `engine` and its way between the numbers `numbers`, and has a `count_contacts` of its own,
-//! because contacts are what the engines store differently.
+//! A world that runs in an engine with this engine's interface. The file is compiled three times: for this
+//! engine, for its double precision, and for Rapier. Each parent module binds the names `engine` (the crate)
+//! and `numbers` (the conversions), and defines `count_contacts`, because the engines store contacts
+//! differently.
 
 use super::super::overlap::overlap;
 use super::super::separation::largest_separation;
@@ -12,13 +13,13 @@ use super::{count_contacts, numbers, saving};
 use crate::engine::{Counts, Engine, Probes, Stats};
 use std::borrow::Cow;
 
-/// A world in the engine.
+/// World in the engine.
 pub struct Running<'t> {
-    /// What it was made from.
+    /// Template of the world.
     pub template: &'t Template,
-    /// As it is now.
+    /// The world in its present state.
     pub world: PhysicsWorld,
-    /// Its bodies, in the order of the template's.
+    /// Bodies, in the template's order.
     pub bodies: Cow<'t, [RigidBodyHandle]>,
 }
 

@@ -1,49 +1,49 @@
-//! The way between this engine's numbers and those of an engine that has the same: there is none to go.
+//! Conversions between this engine's numbers and those of an engine with the same types: identities.
 
 use super::ours::parry::mass_properties::MassProperties;
 use super::ours::prelude::*;
 use crate::engine::Unsupported;
 
-/// A number.
+/// Converts a number.
 pub fn real(number: f32) -> f32 {
     number
 }
 
-/// A vector.
+/// Converts a vector.
 pub fn vector(v: Vector) -> Vector {
     v
 }
 
-/// An angular velocity.
+/// Converts an angular velocity.
 pub fn angular(velocity: AngVector) -> AngVector {
     velocity
 }
 
-/// A pose.
+/// Converts a pose.
 pub fn pose(pose: &Pose) -> Pose {
     *pose
 }
 
-/// A pose of this engine's, from one of the other's.
+/// Converts a pose of the other engine to one of this engine.
 pub fn pose_back(pose: &Pose) -> Pose {
     *pose
 }
 
-/// The mass of a collider.
+/// Converts mass properties.
 pub fn mass(mass: MassProperties) -> MassProperties {
     mass
 }
 
-/// Hands over shapes: both engines can use one and the same.
+/// Conversion of shapes: both engines share one shape.
 pub struct Shapes;
 
 impl Shapes {
-    /// For one world.
+    /// Creates the conversion for one world.
     pub fn new() -> Self {
         Self
     }
 
-    /// The shape of a collider.
+    /// Returns the shape of a collider.
     pub fn shape(&mut self, shape: &SharedShape) -> Result<SharedShape, Unsupported> {
         Ok(shape.clone())
     }

@@ -1,10 +1,10 @@
-//! How far do joints come apart? Measured from scratch, so that no engine marks its own work.
+//! Separation of joints, measured from poses alone. The measurement is the same for all engines.
 
 use super::ours::prelude::*;
 use super::template::Template;
 
-/// The largest distance (length units) between the two anchors of any joint that holds them together, with the
-/// bodies in `poses`; `None` if there is no such joint.
+/// Returns the largest distance (length units) between the two anchors of any joint that locks them together,
+/// with the bodies in `poses`; `None` without such a joint.
 pub fn largest_separation(template: &Template, poses: &[Pose]) -> Option<f64> {
     let holds = |joint: &GenericJoint| joint.locked_axes.contains(JointAxesMask::LIN_AXES);
     let gaps = template.joints.iter().filter(|(_, joint)| holds(joint)).map(|(bodies, joint)| {

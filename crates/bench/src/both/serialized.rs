@@ -1,8 +1,9 @@
-//! Saved worlds of Rapier: its sets, serialised by bincode, as its JavaScript packages and its documentation do.
+//! Saved worlds of Rapier: its sets, serialised by bincode as in its JavaScript packages and its
+//! documentation.
 
 use super::engine::prelude::*;
 
-/// All state of a world.
+/// The complete state of a world.
 type Sets<'a> = (
     &'a Vector,
     &'a IntegrationParameters,
@@ -15,7 +16,7 @@ type Sets<'a> = (
     &'a MultibodyJointSet,
 );
 
-/// The same, restored.
+/// The same state, restored.
 type OwnedSets = (
     Vector,
     IntegrationParameters,
@@ -47,7 +48,7 @@ pub fn load(bytes: &[u8]) -> bool {
     bincode::deserialize::<OwnedSets>(bytes).is_ok()
 }
 
-/// It has no way to return a world to an earlier copy in place.
+/// Returns `None`: Rapier cannot return a world to an earlier copy in place.
 pub fn save_and_return(_: &mut PhysicsWorld) -> Option<f64> {
     None
 }

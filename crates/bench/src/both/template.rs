@@ -1,4 +1,4 @@
-//! A scene as this engine has built it, to be run here or transcribed elsewhere.
+//! A scene built by this engine, for running here or transcription into another engine.
 
 use super::ours::prelude::*;
 use super::{double, examples, rapier, start_box, this, three, worlds};
@@ -13,17 +13,17 @@ pub const DT: f32 = 1.0 / 60.0;
 /// Substeps of a step for all engines.
 pub const SUBSTEPS: usize = 4;
 
-/// A scene, built but not yet run.
+/// Scene that is built but not yet run.
 pub struct Template {
-    /// Builds it.
+    /// Builds the scene.
     build: Box<dyn Fn() -> PhysicsWorld>,
-    /// May the bodies sleep that the scene lets sleep? If not, none may.
+    /// Whether bodies may sleep if the scene allows it.
     pub may_sleep: bool,
-    /// What was built.
+    /// The built world.
     pub world: PhysicsWorld,
-    /// Its bodies, in the order in which other engines get them.
+    /// Bodies, in the order of their transcription.
     pub bodies: Vec<RigidBodyHandle>,
-    /// Its joints, each with the positions of its bodies in that order.
+    /// Joints, each with the positions of its bodies in that order.
     pub joints: Vec<([usize; 2], GenericJoint)>,
 }
 
@@ -41,12 +41,12 @@ impl Template {
         Self { build: Box::new(build), may_sleep, world, bodies, joints }
     }
 
-    /// Builds a world that grows.
+    /// Builds a growing world.
     pub fn grown(world: World) -> Self {
         Self::new(matches!(world, World::Sleeping { .. }), move || worlds::build(world))
     }
 
-    /// The scene once more, with the rules that hold for all engines.
+    /// Builds the scene again, with the rules that all engines follow.
     pub fn fresh_world(&self) -> PhysicsWorld {
         let mut world = (self.build)();
         world.integration_parameters.dt = DT;
@@ -60,12 +60,12 @@ impl Template {
         world
     }
 
-    /// May this body of the template fall asleep?
+    /// Returns whether this body of the template may fall asleep.
     pub fn lets_sleep(&self, body: &RigidBody) -> bool {
         self.may_sleep && body.activation().normalized_linear_threshold >= 0.0
     }
 
-    /// Each body with its colliders, in order.
+    /// Returns each body with its colliders, in order.
     pub fn parts(&self) -> impl Iterator<Item = (&RigidBody, impl Iterator<Item = &Collider>)> {
         self.bodies.iter().map(|&handle| {
             let body = &self.world.bodies[handle];
@@ -73,13 +73,13 @@ impl Template {
         })
     }
 
-    /// The colliders without a body.
+    /// Returns the colliders without a body.
     pub fn loose_colliders(&self) -> impl Iterator<Item = &Collider> {
         self.world.colliders.iter().map(|(_, collider)| collider).filter(|c| c.parent().is_none())
     }
 }
 
-/// The scenes of the gallery with these names, each with whether it runs when no scene is named.
+/// Returns the scenes of the gallery with these names. The flag of a name marks a default scene.
 pub fn catalog(dimension: &'static str, names: &[(&str, bool)]) -> Vec<Scene> {
     let infos = names
         .iter()
@@ -122,7 +122,7 @@ impl crate::engine::Template for Template {
 
     fn profile(&self, steps: usize, after_step: &mut dyn FnMut(usize)) -> Vec<(&'static str, f64)> {
         let mut world = self.fresh_world();
-        // Here no peer is beside it, and the stage is to be seen.
+        // The profile has no peers beside it, and includes the CCD stage.
         world.integration_parameters.max_ccd_substeps = 1;
         let mut sums: Vec<(&'static str, f64)> = Vec::new();
         let mut on_processors = 0.0;
@@ -144,7 +144,7 @@ impl crate::engine::Template for Template {
     }
 }
 
-/// How long the stages of the last step took (ms). Indented ones are part of the one above.
+/// Returns the times of the stages of the last step (ms). Indented stages are parts of the stage above.
 fn stages(world: &PhysicsWorld) -> [(&'static str, f64); 11] {
     let counters = &world.physics_pipeline.counters;
     let (stages, solver) = (&counters.stages, &counters.solver);

@@ -13,7 +13,7 @@ use super::template::Template;
 use contacts::count_contacts;
 use running::Running;
 
-/// The scene at its start: built once more, not transcribed.
+/// Creates the scene at its start: built again, not transcribed.
 pub fn start(template: &Template) -> Running<'_> {
     Running { template, world: template.fresh_world(), bodies: (&template.bodies).into() }
 }

@@ -1,5 +1,6 @@
-//! A scene in another engine that calls things as this one does: compiled once beside Rapier's file and once beside that of double
-//! precision, each of which calls its engine `engine` and its way between the numbers `numbers`.
+//! Transcription of a scene into another engine with this engine's interface. The file is compiled twice: for
+//! Rapier and for double precision. Each parent module binds the names `engine` (the crate) and `numbers`
+//! (the conversions).
 
 use super::super::ours::prelude as ours;
 use super::super::template::{DT, SUBSTEPS, Template};
@@ -7,7 +8,7 @@ use super::engine::prelude::*;
 use super::numbers;
 use crate::engine::Unsupported;
 
-/// The scene at its start, and its bodies in the order of the template's.
+/// Creates the scene at its start, and returns its bodies in the template's order.
 pub fn world(template: &Template) -> Result<(PhysicsWorld, Vec<RigidBodyHandle>), Unsupported> {
     let mut world = PhysicsWorld::new();
     world.gravity = numbers::vector(template.world.gravity);
@@ -61,7 +62,7 @@ fn transcribe_collider(
     collider: &ours::Collider,
     shapes: &mut numbers::Shapes,
 ) -> Result<Collider, Unsupported> {
-    // Where the collider is: on its body, or in the world if it has none.
+    // The pose is relative to the body, or to the world if there is no body.
     let pose = collider.position_wrt_parent().unwrap_or(collider.position());
     let transcribed = ColliderBuilder::new(shapes.shape(collider.shared_shape())?)
         .position(numbers::pose(pose))
@@ -79,7 +80,7 @@ fn transcribe_collider(
     Ok(transcribed)
 }
 
-/// Without motors and springs, which no scene here has.
+/// Transcribes a joint without motors and springs, which no scene here has.
 fn transcribe_joint(joint: &ours::GenericJoint) -> GenericJoint {
     let mask = |axes: ours::JointAxesMask| JointAxesMask::from_bits_truncate(axes.bits());
     let mut transcribed = GenericJoint {

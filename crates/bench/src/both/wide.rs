@@ -1,4 +1,4 @@
-//! The way between this engine's numbers and those it has in double precision.
+//! Conversions between this engine's numbers and those of its double precision.
 
 use super::dim::{double_angular, double_mass, double_rotation, double_shape, rotation_back};
 use super::double_engine as double;
@@ -11,44 +11,44 @@ use std::sync::Arc;
 
 pub use super::dim::double_vector as vector;
 
-/// A number.
+/// Converts a number.
 pub fn real(number: f32) -> f64 {
     number.into()
 }
 
-/// An angular velocity.
+/// Converts an angular velocity.
 pub fn angular(velocity: AngVector) -> double::math::AngVector {
     double_angular(velocity)
 }
 
-/// A pose.
+/// Converts a pose.
 pub fn pose(pose: &Pose) -> double::math::Pose {
     double::math::Pose::from_parts(vector(pose.translation), double_rotation(&pose.rotation))
 }
 
-/// A pose of this engine's, from one in double precision.
+/// Converts a pose in double precision to one of this engine.
 pub fn pose_back(pose: &double::math::Pose) -> Pose {
     Pose::from_parts(super::dim::vector_back(pose.translation), rotation_back(&pose.rotation))
 }
 
-/// The mass of a collider.
+/// Converts mass properties.
 pub fn mass(mass: MassProperties) -> double::parry::mass_properties::MassProperties {
     double_mass(&mass)
 }
 
-/// Rebuilds shapes. Those that several colliders share are shared again.
+/// Conversion of shapes. Shapes that several colliders share stay shared.
 pub struct Shapes {
-    /// What was rebuilt, by the address of what it was rebuilt from.
+    /// Converted shapes, by the addresses of their originals.
     known: HashMap<usize, wide::SharedShape>,
 }
 
 impl Shapes {
-    /// For one world.
+    /// Creates the conversion for one world.
     pub fn new() -> Self {
         Self { known: HashMap::new() }
     }
 
-    /// The shape of a collider.
+    /// Returns the shape of a collider.
     pub fn shape(&mut self, shape: &SharedShape) -> Result<wide::SharedShape, Unsupported> {
         let address = Arc::as_ptr(&shape.0).cast::<u8>() as usize;
         if let Some(known) = self.known.get(&address) {

@@ -1,16 +1,17 @@
-//! Worlds that grow: the same simple thing again and again, in cells of a square.
+//! Growing worlds: many copies of one simple arrangement, in the cells of a square.
 
 use super::dim::{add_floors, cell, cube, layer_size, place_in_layer};
 use super::ours::prelude::*;
-use crate::growth::{CALM, World};
+use crate::growth::{SLEEP_DELAY, World};
 
 /// Half the side of a box.
 const HALF: Real = 0.5;
 
-/// Distance of two boxes in a layer of a heap: they touch only those above and below.
-const LOOSE: Real = 1.1;
-/// The same where they touch those beside them, too: a little less than their side, so that rounding takes no contact away.
-const DENSE: Real = 0.999;
+/// Distance of two boxes in a layer of a heap: boxes touch only the boxes above and below.
+const SPACING_IN_LAYER: Real = 1.1;
+/// Distance of two boxes that also touch their neighbours in the layer: slightly less than their side, so
+/// that rounding removes no contact.
+const SPACING_IN_DENSE_LAYER: Real = 0.999;
 
 /// Distance of two cells with one box each.
 const SPACING: Real = 2.0;
@@ -24,12 +25,12 @@ pub fn build(world: World) -> PhysicsWorld {
     }
 }
 
-/// Heaps of so many boxes each.
+/// Builds heaps with `each` boxes.
 fn heaps(bodies: usize, each: usize, dense: bool) -> PhysicsWorld {
     let mut world = PhysicsWorld::new();
     let count = bodies.div_ceil(each);
     let side = side_of(count);
-    let distance = if dense { DENSE } else { LOOSE };
+    let distance = if dense { SPACING_IN_DENSE_LAYER } else { SPACING_IN_LAYER };
     let base = base_of(each);
     let spacing = distance * base as Real + SPACING;
     add_floors(&mut world, side, spacing);
@@ -40,7 +41,7 @@ fn heaps(bodies: usize, each: usize, dense: bool) -> PhysicsWorld {
     world
 }
 
-/// Fixed blocks, and on some of them a box that moves.
+/// Builds fixed blocks, with a dynamic box on some of them.
 fn blocks(bodies: usize, awake: usize) -> PhysicsWorld {
     let mut world = PhysicsWorld::new();
     let side = side_of(bodies);
@@ -48,7 +49,7 @@ fn blocks(bodies: usize, awake: usize) -> PhysicsWorld {
         let place = cell(index, side, SPACING);
         world.insert(RigidBodyBuilder::fixed().translation(place), cube(HALF));
         if chosen(index, bodies, awake) {
-            // A little smaller, so that in 2D the block above it is out of reach.
+            // The box is slightly smaller, so that in 2D the block above it is out of reach.
             let above = place + 1.8 * HALF * Vector::Y;
             world.insert(RigidBodyBuilder::dynamic().translation(above), cube(0.8 * HALF));
         }
@@ -56,7 +57,7 @@ fn blocks(bodies: usize, awake: usize) -> PhysicsWorld {
     world
 }
 
-/// Boxes that will sleep on the floor, and some among them that may not.
+/// Builds boxes that sleep on the floor, and among them some that may not sleep.
 fn sleepers(bodies: usize, awake: usize) -> PhysicsWorld {
     let mut world = PhysicsWorld::new();
     let cells = bodies + awake;
@@ -66,24 +67,25 @@ fn sleepers(bodies: usize, awake: usize) -> PhysicsWorld {
         let place = cell(index, side, SPACING) + HALF * Vector::Y;
         let may_sleep = !chosen(index, cells, awake);
         let mut body = RigidBodyBuilder::dynamic().translation(place).can_sleep(may_sleep).build();
-        body.activation_mut().time_until_sleep = CALM;
+        body.activation_mut().time_until_sleep = SLEEP_DELAY;
         world.insert(body, cube(HALF));
     }
     world
 }
 
-/// Is this one of so few that are chosen evenly among so many?
+/// Returns whether `index` is one of `few` indices that are spread evenly over `many`.
 fn chosen(index: usize, many: usize, few: usize) -> bool {
     (index + 1) * few / many > index * few / many
 }
 
-/// The side of the smallest square of so many cells.
+/// Returns the side of the smallest square with so many cells.
 fn side_of(cells: usize) -> usize {
     let root = cells.isqrt();
     if root * root < cells { root + 1 } else { root }
 }
 
-/// Along the side of the lowest layer of a heap of so many boxes, each of whose layers is one shorter than that below.
+/// Returns the boxes along a side of a heap's lowest layer. Each layer's side is one box shorter than the
+/// side of the layer below.
 fn base_of(boxes: usize) -> usize {
     let (mut base, mut room) = (0, 0);
     while room < boxes {
@@ -93,7 +95,7 @@ fn base_of(boxes: usize) -> usize {
     base
 }
 
-/// Adds boxes in layers, each box on the corners of those below.
+/// Adds boxes in layers, each box on the corners of the boxes below.
 fn add_heap(world: &mut PhysicsWorld, foot: Vector, base: usize, boxes: usize, distance: Real) {
     let mut left = boxes;
     for (level, side) in (1..=base).rev().enumerate() {
@@ -112,7 +114,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn worlds_have_the_bodies_they_should() {
+    fn worlds_have_the_requested_bodies() {
         let moving =
             |world: World| build(world).bodies.iter().filter(|(_, body)| body.is_dynamic()).count();
         assert_eq!(moving(World::Heaps { bodies: 95, each: 10, dense: false }), 95);
@@ -122,7 +124,7 @@ mod tests {
     }
 
     #[test]
-    fn who_may_sleep_does() {
+    fn bodies_that_may_sleep_do() {
         let template = Template::grown(World::Sleeping { bodies: 9, awake: 3 });
         let mut world = template.fresh_world();
         (0..60).for_each(|_| world.step());
@@ -131,7 +133,7 @@ mod tests {
     }
 
     #[test]
-    fn nothing_overlaps_but_what_is_meant_to() {
+    fn only_dense_heaps_overlap() {
         let loose = World::Heaps { bodies: 60, each: 30, dense: false };
         for world in [loose, World::Static { bodies: 30, awake: 30 }] {
             let template = Template::grown(world);

@@ -1,39 +1,40 @@
 //! Box2D, through the crate that builds it from its C sources.
 //!
-//! Box2D knows circles, capsules, convex polygons of up to 8 corners, with a round rim or without, and chains of segments, which
-//! height fields become. A half-space becomes a box as large as the scene. What else it knows the benchmark does not transcribe.
+//! Box2D supports circles, capsules, convex polygons of up to 8 corners with or without a round rim, and
+//! chains of segments. Height fields become chains. A half-space becomes a box as large as the scene. The
+//! benchmark transcribes no other shapes.
 
-use super::box_engines::{self, ENDLESS};
+use super::box_engines::{self, HALF_SPACE_EXTENT};
 use super::ours::prelude::*;
 use super::template::{DT, SUBSTEPS, Template};
 use crate::engine::{Counts, Engine, Stats, Template as _, Unsupported};
 use boxdd_sys::ffi::*;
 
-/// Box2D's own limit.
+/// Limit of Box2D.
 const MAX_POLYGON_VERTICES: usize = 8;
-/// Another one: it cuts the bodies that are awake into four blocks for each thread, counts those of a block in 16 bits, and ends the process
-/// if there are more.
+/// Limit of Box2D: it divides the awake bodies into four blocks per thread and counts the bodies of a block
+/// in 16 bits. Larger numbers end the process.
 const AWAKE_PER_THREAD: usize = 4 * u16::MAX as usize;
 
-/// A world in Box2D.
+/// World in Box2D.
 pub struct Box2d<'t> {
     template: &'t Template,
     world: World,
     bodies: Vec<b2BodyId>,
 }
 
-/// A world that is destroyed when it is dropped.
+/// World that is destroyed when it is dropped.
 struct World(b2WorldId);
 
 impl Drop for World {
     fn drop(&mut self) {
-        // SAFETY: the id is that of a live world, which nobody else destroys.
+        // SAFETY: the id is that of a live world, which no other code destroys.
         unsafe { b2DestroyWorld(self.0) };
     }
 }
 
 impl<'t> Box2d<'t> {
-    /// The scene at its start.
+    /// Creates the scene at its start.
     pub fn new(template: &'t Template, threads: usize) -> Result<Self, Unsupported> {
         let most = AWAKE_PER_THREAD * threads;
         if template.dynamic_bodies() > most {
@@ -160,9 +161,9 @@ fn create_shape(body: b2BodyId, collider: &Collider, local: &Pose) -> Result<(),
                 let up = half_space.normal;
                 let turn = Rotation { re: up.y, im: -up.x };
                 let polygon = b2MakeOffsetBox(
-                    ENDLESS,
-                    ENDLESS,
-                    at(up * -ENDLESS),
+                    HALF_SPACE_EXTENT,
+                    HALF_SPACE_EXTENT,
+                    at(up * -HALF_SPACE_EXTENT),
                     rotation(&(local.rotation * turn)),
                 );
                 b2CreatePolygonShape(body, &definition, &polygon);
@@ -186,7 +187,7 @@ fn create_shape(body: b2BodyId, collider: &Collider, local: &Pose) -> Result<(),
     Ok(())
 }
 
-/// The surface of a height field, solid from above.
+/// Creates the surface of a height field, solid from above.
 ///
 /// # Safety
 /// The body must be live.
@@ -196,7 +197,8 @@ unsafe fn create_chain(
     field: &HeightField,
     at: &impl Fn(Vector) -> b2Vec2,
 ) {
-    // What is to the right of the way along the points is outside, and the first and the last segment are not solid.
+    // Box2D treats the right side of the point sequence as the outside. The first and the last segment are
+    // not solid.
     let mut points: Vec<Vector> =
         field.segments().next().map(|first| first.a).into_iter().collect();
     points.extend(field.segments().map(|segment| segment.b));
@@ -206,7 +208,7 @@ unsafe fn create_chain(
         points.push(last - Vector::X);
     }
     let points: Vec<b2Vec2> = points.into_iter().map(at).collect();
-    // SAFETY: the caller's promise; the definition and what it points to outlive the call, which copies them.
+    // SAFETY: the caller's contract; the definition and its pointers outlive the call, which copies them.
     unsafe {
         let mut definition = b2DefaultChainDef();
         definition.points = points.as_ptr();
@@ -232,7 +234,7 @@ fn shape_definition(collider: &Collider) -> Result<b2ShapeDef, Unsupported> {
     Ok(definition)
 }
 
-/// A hinge: no scene here has other joints, motors or springs.
+/// Creates a hinge: no scene here has other joints, motors or springs.
 fn create_joint(
     world: &World,
     bodies: [b2BodyId; 2],
@@ -262,16 +264,16 @@ fn create_joint(
     Ok(())
 }
 
-/// Is it a dynamic body that is awake?
+/// Returns whether the body is dynamic and awake.
 fn is_awake(body: b2BodyId) -> bool {
     // SAFETY: the body is live; plain values out.
     unsafe { b2Body_GetType(body) == b2BodyType_b2_dynamicBody && b2Body_IsAwake(body) }
 }
 
-/// The touching pairs in which the body is the first, and their points.
+/// Counts the touching pairs with the body in first place, and their points.
 fn count_contacts(body: b2BodyId) -> (usize, usize) {
     let mut counts = (0, 0);
-    // SAFETY: the body is live; as many contacts are initialised as the second call says.
+    // SAFETY: the body is live; the second call returns the number of initialised contacts.
     unsafe {
         let capacity = b2Body_GetContactCapacity(body);
         let mut contacts: Vec<b2ContactData> = Vec::with_capacity(capacity as usize);

@@ -1,4 +1,4 @@
-//! The scenes in 2D, and the engines that run them.
+//! Scenes in 2D, and the engines that run them.
 
 use rapier2d as ours;
 use rapier2d_f64 as double_engine;
@@ -36,29 +36,29 @@ use crate::growth::World;
 use ours::math::Vector;
 use template::Template;
 
-/// A vector as three numbers.
+/// Returns a vector as three numbers.
 fn three(v: Vector) -> [f32; 3] {
     [v.x, v.y, 0.0]
 }
 
-/// The vector of three numbers.
+/// Returns the vector of three numbers.
 fn vector_of(v: [f32; 3]) -> Vector {
     Vector::new(v[0], v[1])
 }
 
-/// The scene at its start in Box2D.
+/// Creates the scene at its start in Box2D.
 #[cfg(feature = "box2d")]
 fn start_box(template: &Template, threads: usize) -> Result<Box<dyn Engine + '_>, Unsupported> {
     Ok(Box::new(box2d::Box2d::new(template, threads)?))
 }
 
-/// It is not built in.
+/// Returns the error of a build without Box2D.
 #[cfg(not(feature = "box2d"))]
 fn start_box(_: &Template, _: usize) -> Result<Box<dyn Engine + '_>, Unsupported> {
     Err(Unsupported::because("built without the feature box2d"))
 }
 
-/// Scenes of the gallery in which nothing happens but physics, and whether they run when none is named.
+/// Scenes of the gallery that contain only physics. The flag marks the default scenes.
 const SCENES: [(&str, bool); 16] = [
     ("large_pyramid", true),
     ("many_pyramids", true),
@@ -78,12 +78,12 @@ const SCENES: [(&str, bool); 16] = [
     ("joint_grid", false),
 ];
 
-/// The scenes in 2D.
+/// Returns the scenes in 2D.
 pub fn scenes() -> Vec<Scene> {
     template::catalog("2d", &SCENES)
 }
 
-/// A world that grows, in 2D.
+/// Builds a growing world in 2D.
 pub fn grown(world: World) -> Box<dyn crate::engine::Template> {
     Box::new(Template::grown(world))
 }

@@ -1,18 +1,18 @@
-//! The curves: what grows in each, and what stays as it is.
+//! Curves of the growth measurement: each varies one quantity and keeps the others.
 
-use super::{CALM, World};
+use super::{SLEEP_DELAY, World};
 use crate::args::Options;
 
-/// Bodies that move among those that do not.
-const FEW: usize = 100;
-/// Bodies of a curve over contacts.
-const PILED: usize = 2_000;
-/// Bodies of a curve over threads.
-const LARGE: usize = 20_000;
-/// More than so many bodies that are awake take minutes.
+/// Number of moving bodies among bodies at rest.
+const MOVING_BODIES: usize = 100;
+/// Number of bodies of a curve over contacts.
+const CONTACT_CURVE_BODIES: usize = 2_000;
+/// Number of bodies of a curve over threads.
+const THREAD_CURVE_BODIES: usize = 20_000;
+/// Largest number of awake bodies. More take minutes.
 const AWAKE_MAX: usize = 100_000;
 
-/// What grows.
+/// Quantity that a curve varies.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 pub enum Curve {
     /// Bodies that are awake and touch others.
@@ -21,25 +21,25 @@ pub enum Curve {
     Static,
     /// Bodies that sleep.
     Sleeping,
-    /// Contact points of as many bodies.
+    /// Contact points of a fixed number of bodies.
     Contacts,
     /// Threads.
     Threads,
 }
 
-/// One world of a curve, and the threads that run it.
+/// World of a curve, with its number of threads.
 #[derive(Copy, Clone, Debug, PartialEq)]
 pub struct Setting {
     /// The world.
     pub world: World,
     /// Number of threads.
     pub threads: usize,
-    /// What grows, if it is known before; contact points are not.
+    /// Value of the varied quantity, if it is known in advance. Numbers of contact points are not.
     pub grows: Option<usize>,
 }
 
 impl World {
-    /// The bodies that the curve is about.
+    /// Returns the number of bodies that the curve varies.
     pub fn bodies(self) -> usize {
         match self {
             World::Heaps { bodies, .. }
@@ -50,11 +50,11 @@ impl World {
 }
 
 impl Curve {
-    /// All, in the order of the page.
+    /// All curves, in the order of the page.
     pub const ALL: [Curve; 5] =
         [Curve::Awake, Curve::Static, Curve::Sleeping, Curve::Contacts, Curve::Threads];
 
-    /// What the command line and the names of files call it.
+    /// Returns the name on the command line and in the names of files.
     pub fn name(self) -> &'static str {
         match self {
             Curve::Awake => "awake",
@@ -65,7 +65,7 @@ impl Curve {
         }
     }
 
-    /// The heading of its part of the page.
+    /// Returns the heading on the page.
     pub fn heading(self) -> &'static str {
         match self {
             Curve::Awake => "Bodies that are awake",
@@ -76,28 +76,28 @@ impl Curve {
         }
     }
 
-    /// What is in its worlds.
+    /// Returns the description of the curve's worlds.
     pub fn says(self) -> String {
         match self {
             Curve::Awake => "Boxes in heaps of ten, all awake.".to_owned(),
             Curve::Static => format!(
-                "Fixed blocks, and {FEW} boxes that are awake, spread evenly among them, each on a block."
+                "Fixed blocks, and {MOVING_BODIES} boxes that are awake, spread evenly among them, each on a block."
             ),
             Curve::Sleeping => format!(
-                "Boxes that lie on the floor and have fallen asleep, and {FEW} among them, spread evenly, that may not. Here bodies sleep \
-                 in all engines, after {CALM} s of calm; what is measured begins when they do."
+                "Boxes that lie on the floor and have fallen asleep, and {MOVING_BODIES} among them, spread evenly, that may not. Here bodies sleep \
+                 in all engines, after {SLEEP_DELAY} s of calm; what is measured begins when they do."
             ),
             Curve::Contacts => format!(
-                "{PILED} boxes: each by itself on the floor; in heaps of 10, of 100, of all, apart from their neighbours in the \
+                "{CONTACT_CURVE_BODIES} boxes: each by itself on the floor; in heaps of 10, of 100, of all, apart from their neighbours in the \
                  layer; in one heap in which neighbours touch, too. Contact points by each engine's own account."
             ),
             Curve::Threads => format!(
-                "{LARGE} boxes in heaps of 100, all awake. Time on the wall, with one thread, too."
+                "{THREAD_CURVE_BODIES} boxes in heaps of 100, all awake. Time on the wall, with one thread, too."
             ),
         }
     }
 
-    /// What the x axis means.
+    /// Returns the meaning of the x axis.
     pub fn below(self) -> &'static str {
         match self {
             Curve::Awake => "bodies",
@@ -108,7 +108,7 @@ impl Curve {
         }
     }
 
-    /// Its worlds, from the smallest to the largest that the user allows.
+    /// Returns the worlds, from the smallest to the largest that the options allow.
     pub fn settings(self, options: &Options) -> Vec<Setting> {
         let first = options.threads[0];
         let sizes = |max: usize| {
@@ -120,22 +120,25 @@ impl Curve {
             Curve::Awake => sizes(AWAKE_MAX)
                 .map(|bodies| of(World::Heaps { bodies, each: 10, dense: false }))
                 .collect(),
-            Curve::Static => {
-                sizes(usize::MAX).map(|bodies| of(World::Static { bodies, awake: FEW })).collect()
-            }
-            Curve::Sleeping => {
-                sizes(usize::MAX).map(|bodies| of(World::Sleeping { bodies, awake: FEW })).collect()
-            }
+            Curve::Static => sizes(usize::MAX)
+                .map(|bodies| of(World::Static { bodies, awake: MOVING_BODIES }))
+                .collect(),
+            Curve::Sleeping => sizes(usize::MAX)
+                .map(|bodies| of(World::Sleeping { bodies, awake: MOVING_BODIES }))
+                .collect(),
             Curve::Contacts => {
-                let bodies = PILED.min(options.bodies_max);
+                let bodies = CONTACT_CURVE_BODIES.min(options.bodies_max);
                 let heaps =
                     [(1, false), (10, false), (100, false), (bodies, false), (bodies, true)];
                 let world = |(each, dense)| World::Heaps { bodies, each, dense };
                 heaps.map(|heap| Setting { grows: None, ..of(world(heap)) }).to_vec()
             }
             Curve::Threads => {
-                let world =
-                    World::Heaps { bodies: LARGE.min(options.bodies_max), each: 100, dense: false };
+                let world = World::Heaps {
+                    bodies: THREAD_CURVE_BODIES.min(options.bodies_max),
+                    each: 100,
+                    dense: false,
+                };
                 let setting = |threads| Setting { world, threads, grows: Some(threads) };
                 threads(options).into_iter().map(setting).collect()
             }
@@ -143,7 +146,8 @@ impl Curve {
     }
 }
 
-/// Those that the user lists, or as many as there can be if it is one number only.
+/// Returns the listed numbers of threads. A single number selects all numbers up to the machine's
+/// parallelism.
 fn threads(options: &Options) -> Vec<usize> {
     match options.threads.as_slice() {
         [_] => (1..=std::thread::available_parallelism().map_or(1, usize::from)).collect(),
@@ -165,7 +169,7 @@ mod tests {
     }
 
     #[test]
-    fn worlds_grow_as_far_as_they_may() {
+    fn worlds_grow_up_to_the_limit() {
         let sizes = |curve, words| -> Vec<usize> {
             settings(curve, words).iter().filter_map(|setting| setting.grows).collect()
         };

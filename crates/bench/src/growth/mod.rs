@@ -1,6 +1,8 @@
-//! How time and memory grow: with bodies that are awake, that stand still, or that sleep; with contacts; with threads.
+//! Growth of time and memory with the numbers of awake, fixed and sleeping bodies, of contacts, and of
+//! threads.
 //!
-//! Each curve is a row of worlds that differ in one thing. All engines take the same steps in each by turns, as in a contest.
+//! Each curve is a series of worlds that differ in one quantity. All engines run the same steps in each by
+//! turns, as in a contest.
 
 mod curve;
 mod page;
@@ -18,67 +20,69 @@ use curve::Setting;
 use gallery::Progress;
 use std::io;
 
-/// Steps in each world, if the user does not say, the first one too: enough for a mean, and for heaps to come to rest.
+/// Default number of steps in each world, including the first one: enough for a mean, and for heaps to come
+/// to rest.
 const STEPS: usize = 40;
 
-/// Steps that are taken before where bodies have to fall asleep. They do after [`CALM`] seconds, which is 30 steps; some engines look at
-/// some of the bodies in each step only.
+/// Number of steps before the measurement in worlds with sleeping bodies. Bodies fall asleep after
+/// [`SLEEP_DELAY`] seconds, which is 30 steps; some engines check only some of the bodies in each step.
 const SETTLE: usize = 90;
 
-/// How long a body has been calm when it falls asleep, where it may (s): what Box2D and Box3D know no other number than.
-pub const CALM: f32 = 0.5;
+/// Time without motion after which a body falls asleep (s). Box2D and Box3D have this value as a constant.
+pub const SLEEP_DELAY: f32 = 0.5;
 
-/// Worlds of so many bodies get one round only: it takes minutes, and what disturbs it is small beside it.
-const LARGE: usize = 1_000_000;
+/// Number of bodies from which a world gets one round only. A round takes minutes, so disturbances are small.
+const ONE_ROUND_BODIES_MIN: usize = 1_000_000;
 
-/// An engine whose world takes longer to make and to settle than this (ms) is left out of the larger ones of the curve: ten times the
-/// bodies, and at least ten times as long. That of 100 000 bodies that fall asleep takes Rapier twenty seconds in 3D, and all others six at
-/// most; so who goes on to a million is the same on most machines, and all curves with one round take some seven minutes.
-const PATIENCE: f64 = 10_000.0;
+/// Largest time of building and settling a world (ms) for an engine to take part in the next, ten times
+/// larger world. Rapier takes twenty seconds for 100 000 sleeping bodies in 3D; all other engines take at
+/// most six. The limit selects the same engines on most machines, and all curves with one round take about
+/// seven minutes.
+const SETUP_TIME_MAX: f64 = 10_000.0;
 
-/// A world that grows.
+/// Growing world.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 pub enum World {
     /// Boxes in heaps.
     Heaps {
-        /// All boxes.
+        /// Number of all boxes.
         bodies: usize,
-        /// Boxes of a heap.
+        /// Number of boxes per heap.
         each: usize,
-        /// Do the boxes of a layer touch each other?
+        /// Whether the boxes of a layer touch each other.
         dense: bool,
     },
-    /// Fixed blocks, with boxes that move on some of them.
+    /// Fixed blocks, with dynamic boxes on some of them.
     Static {
-        /// The blocks.
+        /// Number of blocks.
         bodies: usize,
-        /// The boxes.
+        /// Number of boxes.
         awake: usize,
     },
-    /// Boxes that fall asleep, and others among them that may not.
+    /// Boxes that fall asleep, and among them some that may not sleep.
     Sleeping {
-        /// Those that sleep.
+        /// Number of sleeping boxes.
         bodies: usize,
-        /// Those that do not.
+        /// Number of awake boxes.
         awake: usize,
     },
 }
 
-/// What became of one curve in one dimension.
+/// Results of one curve in one dimension.
 pub struct Growth {
     curve: Curve,
     dimension: &'static str,
     spots: Vec<Spot>,
 }
 
-/// One world of a curve.
+/// Results of one world of a curve.
 struct Spot {
     setting: Setting,
-    /// One for each engine, in the order they took turns.
+    /// Outcomes, in the order of the engines' turns.
     outcomes: Vec<Outcome>,
 }
 
-/// Measures all chosen curves, prints them, and writes the page if that is asked for.
+/// Measures all chosen curves, prints them, and writes the page on request.
 pub fn run(scenes: &[Scene], options: &Options) -> io::Result<()> {
     let chosen =
         |dimension: &str| options.scenes.iter().any(|&index| scenes[index].dimension == dimension);
@@ -93,10 +97,10 @@ pub fn run(scenes: &[Scene], options: &Options) -> io::Result<()> {
     if options.write { page::write(&growths, options) } else { Ok(()) }
 }
 
-/// All engines in all worlds of a curve.
+/// Measures all engines in all worlds of a curve.
 fn measure(curve: Curve, dimension: &'static str, options: &Options) -> io::Result<Growth> {
     let settle = if curve == Curve::Sleeping { SETTLE } else { 1 };
-    // At least one is measured.
+    // At least one step is measured.
     let steps = options.steps.unwrap_or(STEPS).max(2) + settle - 1;
     let settings = curve.settings(options);
     let label = format!("{dimension} {}", curve.name());
@@ -128,10 +132,10 @@ fn measure(curve: Curve, dimension: &'static str, options: &Options) -> io::Resu
 }
 
 impl Spot {
-    /// Why an engine shall not go on to the next world, if there is a reason.
+    /// Returns the reason why an engine does not run the next world, if there is one.
     fn too_slow(&self, kind: Kind) -> Option<Unsupported> {
         match &self.outcomes.iter().find(|(other, _)| *other == kind)?.1 {
-            Ok(score) if score.setup() > PATIENCE => Some(Unsupported::because(format!(
+            Ok(score) if score.setup() > SETUP_TIME_MAX => Some(Unsupported::because(format!(
                 "{} took it {:.0} s to make and settle, and larger worlds were not tried",
                 self.setting.title(),
                 score.setup() / 1e3
@@ -146,20 +150,20 @@ fn grown(dimension: &str, world: World) -> Box<dyn Template> {
     if dimension == "2d" { crate::flat::grown(world) } else { crate::solid::grown(world) }
 }
 
-/// Counts alone: the overlaps of a million bodies take longer than all the steps.
+/// Returns the counts only: the overlaps of a million bodies take longer than all the steps.
 fn look(engine: &dyn Engine) -> Stats {
     Stats { counts: engine.counts(), ..Stats::default() }
 }
 
 impl Growth {
-    /// All scores, with their settings.
+    /// Returns all scores, with their settings.
     fn scores(&self) -> impl Iterator<Item = (&Setting, Kind, &Score)> {
         self.spots.iter().flat_map(|spot| {
             scores(&spot.outcomes).map(|(kind, score)| (&spot.setting, kind, score))
         })
     }
 
-    /// Who did not take part, and why; and whose work differs from the first engine's.
+    /// Returns the absent engines with their reasons, and the engines with other work than the first engine.
     fn remarks(&self) -> Vec<String> {
         let mut remarks = Vec::new();
         for spot in &self.spots {
@@ -183,7 +187,7 @@ impl Growth {
     }
 }
 
-/// How an engine's work differs from another's, but for the contacts, which the table has.
+/// Returns the first difference of two engines' counts, without the contacts, which are in the table.
 fn difference(counts: &Counts, other: &Counts) -> Option<String> {
     let numbers = [
         (counts.bodies, other.bodies, "bodies"),
@@ -195,12 +199,12 @@ fn difference(counts: &Counts, other: &Counts) -> Option<String> {
 }
 
 impl Setting {
-    /// So many rounds of each engine.
+    /// Returns the number of rounds of each engine.
     fn rounds(&self, options: &Options) -> usize {
-        if self.world.bodies() < LARGE { options.rounds } else { 1 }
+        if self.world.bodies() < ONE_ROUND_BODIES_MIN { options.rounds } else { 1 }
     }
 
-    /// `1000 bodies, 1 thread`
+    /// Formats the setting: `1000 bodies, 1 thread`.
     fn title(&self) -> String {
         format!("{} bodies, {}", self.world.bodies(), counted(self.threads, "thread"))
     }
@@ -211,7 +215,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn who_is_too_slow_stays_away() {
+    fn slow_engines_skip_larger_worlds() {
         let score = |setup: f64| Score {
             rounds: vec![vec![1.0]],
             setups: vec![setup],
@@ -220,8 +224,8 @@ mod tests {
         };
         let world = World::Static { bodies: 100, awake: 10 };
         let setting = Setting { world, threads: 1, grows: Some(100) };
-        let quick = (Kind::This, Ok(score(0.5 * PATIENCE)));
-        let slow = (Kind::Rapier, Ok(score(2.0 * PATIENCE)));
+        let quick = (Kind::This, Ok(score(0.5 * SETUP_TIME_MAX)));
+        let slow = (Kind::Rapier, Ok(score(2.0 * SETUP_TIME_MAX)));
         let absent = (Kind::Box, Err(Unsupported::because("absent")));
         let spot = Spot { setting, outcomes: vec![quick, slow, absent] };
         assert_eq!(spot.too_slow(Kind::This), None);
@@ -231,7 +235,7 @@ mod tests {
     }
 
     #[test]
-    fn other_work_is_told() {
+    fn different_work_is_remarked() {
         let counts = Counts { bodies: 31, awake: 30, substeps: 4, pairs: 1, points: 2 };
         assert_eq!(difference(&counts, &Counts { pairs: 9, ..counts }), None);
         let told = difference(&Counts { awake: 0, ..counts }, &counts);

@@ -1,4 +1,4 @@
-//! The curves as tables, for the terminal and for the documentation, and as charts.
+//! Tables of the curves, for the terminal and for the documentation, and their charts.
 
 use super::curve::Setting;
 use super::{Curve, Growth};
@@ -12,13 +12,13 @@ use crate::units::counted;
 use gallery::{Table, grouped};
 use std::io::{self, Write};
 
-/// The page.
+/// Name of the page.
 const PAGE: &str = "growth.md";
 
 const HEADINGS: [&str; 8] =
     ["engine", "bodies", "threads", "awake", "pairs", "points", "ms/step", "bytes/body"];
 
-/// What the columns mean.
+/// Meaning of the columns.
 const LEGEND: &str = "\
 bodies: those that the curve is about. awake: dynamic bodies that are awake at the end. pairs, points: touching pairs and their contact
 points at the end, by each engine's own account. ms/step: mean over all steps, but for the first and for those in which bodies fall
@@ -37,7 +37,7 @@ pub fn print(out: &mut dyn Write, growth: &Growth) -> io::Result<()> {
     writeln!(out)
 }
 
-/// `Fixed bodies, 3D`
+/// Formats the title: `Fixed bodies, 3D`.
 fn title(growth: &Growth) -> String {
     format!("{}, {}", growth.curve.heading(), growth.dimension.to_uppercase())
 }
@@ -86,18 +86,18 @@ pub fn write(growths: &[Growth], options: &Options) -> io::Result<()> {
     std::fs::write(folder.join(PAGE), page)
 }
 
-/// `3 rounds (1 with a million bodies)`
+/// Formats the number of rounds: `3 rounds (1 with a million bodies)`.
 fn rounds(options: &Options) -> String {
     let rounds = counted(options.rounds, "round");
     if options.rounds > 1 { rounds + " (1 with a million bodies)" } else { rounds }
 }
 
-/// Bytes for each body, whether it moves or not.
+/// Returns the bytes per body of any type.
 fn bytes_per_body(score: &Score) -> f64 {
     score.bytes as f64 / score.stats.counts.bodies.max(1) as f64
 }
 
-/// Time and memory.
+/// Returns the panels of time and of memory.
 fn panels(growth: &Growth) -> [Panel; 2] {
     let panel = |heading, value: fn(&Score) -> f64| {
         let curves = Kind::ALL.into_iter().enumerate();
@@ -111,7 +111,8 @@ fn panels(growth: &Growth) -> [Panel; 2] {
     [panel("ms per step", Score::median), panel("bytes per body", bytes_per_body)]
 }
 
-/// A curve of one engine. What cannot stand on a logarithmic axis is left out.
+/// Returns the curve of one engine. Values at or below zero have no place on a logarithmic axis and are left
+/// out.
 fn points(growth: &Growth, kind: Kind, value: fn(&Score) -> f64) -> Vec<(f64, f64)> {
     let scores = growth.scores().filter(|(_, other, _)| *other == kind);
     let points = scores.map(|(setting, _, score)| {

@@ -1,4 +1,5 @@
-//! What differs by dimension, in 3D: numbers and shapes in double precision, and where the worlds of growth put things.
+//! Parts that depend on the dimension, in 3D: numbers and shapes in double precision, and positions in
+//! growing worlds.
 
 use super::double_engine as double;
 use super::ours::parry::mass_properties::MassProperties;
@@ -7,32 +8,32 @@ use super::ours::prelude::*;
 use double::math as wide;
 use double::parry::shape as shapes;
 
-/// A vector in double precision.
+/// Converts a vector to double precision.
 pub fn double_vector(v: Vector) -> wide::Vector {
     v.as_dvec3()
 }
 
-/// A vector in single precision.
+/// Converts a vector to single precision.
 pub fn vector_back(v: wide::Vector) -> Vector {
     v.as_vec3()
 }
 
-/// An angular velocity in double precision.
+/// Converts an angular velocity to double precision.
 pub fn double_angular(velocity: AngVector) -> wide::AngVector {
     double_vector(velocity)
 }
 
-/// A rotation in double precision. What was of unit length to seven digits is so to sixteen.
+/// Converts a rotation to double precision, normalised to sixteen digits instead of seven.
 pub fn double_rotation(rotation: &Rotation) -> wide::Rotation {
     rotation.as_dquat().normalize()
 }
 
-/// A rotation in single precision.
+/// Converts a rotation to single precision.
 pub fn rotation_back(rotation: &wide::Rotation) -> Rotation {
     rotation.as_quat()
 }
 
-/// Mass properties in double precision.
+/// Converts mass properties to double precision.
 pub fn double_mass(mass: &MassProperties) -> double::parry::mass_properties::MassProperties {
     double::parry::mass_properties::MassProperties::with_principal_inertia_frame(
         double_vector(mass.local_com),
@@ -42,7 +43,7 @@ pub fn double_mass(mass: &MassProperties) -> double::parry::mass_properties::Mas
     )
 }
 
-/// A shape that there is in 3D alone, or that is made of something else there.
+/// Converts a shape that exists in 3D only, or has other parts there.
 pub fn double_shape(shape: &TypedShape<'_>) -> Option<shapes::SharedShape> {
     use double::prelude::ColliderBuilder as Builder;
     let builder = match shape {
@@ -64,31 +65,32 @@ pub fn double_shape(shape: &TypedShape<'_>) -> Option<shapes::SharedShape> {
     Some(builder.build().shared_shape().clone())
 }
 
-/// A cube.
+/// Returns a cube.
 pub fn cube(half_extent: Real) -> ColliderBuilder {
     ColliderBuilder::cuboid(half_extent, half_extent, half_extent)
 }
 
-/// The middle of a cell in a square of so many by so many around the origin.
+/// Returns the middle of a cell in a square of `side` by `side` cells around the origin.
 pub fn cell(index: usize, side: usize, spacing: Real) -> Vector {
     let middle = 0.5 * (side - 1) as Real;
     let [x, z] = [index % side, index / side].map(|n| spacing * (n as Real - middle));
     Vector::new(x, 0.0, z)
 }
 
-/// A floor beneath all these cells, with its top where their middles are.
+/// Adds a floor beneath all these cells, with its top at the height of their middles.
 pub fn add_floors(world: &mut PhysicsWorld, side: usize, spacing: Real) {
     let half = 0.5 * spacing * (side + 1) as Real;
     let floor = RigidBodyBuilder::fixed().translation(-0.25 * Vector::Y);
     world.insert(floor, ColliderBuilder::cuboid(half, 0.25, half));
 }
 
-/// How many boxes a layer of a heap has, so many along its side.
+/// Returns the number of boxes in a layer of a heap with `side` boxes along its side.
 pub fn layer_size(side: usize) -> usize {
     side * side
 }
 
-/// Where a box of a layer is, seen from its middle, in units of the distance between two boxes.
+/// Returns the position of a box relative to the middle of its layer, in units of the distance between two
+/// boxes.
 pub fn place_in_layer(index: usize, side: usize) -> Vector {
     cell(index, side, 1.0)
 }

@@ -1,4 +1,4 @@
-//! The scenes in 3D, and the engines that run them.
+//! Scenes in 3D, and the engines that run them.
 
 use rapier3d as ours;
 use rapier3d_f64 as double_engine;
@@ -36,29 +36,29 @@ use crate::growth::World;
 use ours::math::Vector;
 use template::Template;
 
-/// A vector as three numbers.
+/// Returns a vector as three numbers.
 fn three(v: Vector) -> [f32; 3] {
     [v.x, v.y, v.z]
 }
 
-/// The vector of three numbers.
+/// Returns the vector of three numbers.
 fn vector_of(v: [f32; 3]) -> Vector {
     Vector::from_array(v)
 }
 
-/// The scene at its start in Box3D.
+/// Creates the scene at its start in Box3D.
 #[cfg(feature = "box3d")]
 fn start_box(template: &Template, threads: usize) -> Result<Box<dyn Engine + '_>, Unsupported> {
     Ok(Box::new(box3d::Box3d::new(template, threads)?))
 }
 
-/// It is not built in.
+/// Returns the error of a build without Box3D.
 #[cfg(not(feature = "box3d"))]
 fn start_box(_: &Template, _: usize) -> Result<Box<dyn Engine + '_>, Unsupported> {
     Err(Unsupported::because("built without the feature box3d"))
 }
 
-/// Scenes of the gallery in which nothing happens but physics, and whether they run when none is named.
+/// Scenes of the gallery that contain only physics. The flag marks the default scenes.
 const SCENES: [(&str, bool); 23] = [
     ("large_pyramid", true),
     ("many_pyramids", true),
@@ -85,12 +85,12 @@ const SCENES: [(&str, bool); 23] = [
     ("trees25", false),
 ];
 
-/// The scenes in 3D.
+/// Returns the scenes in 3D.
 pub fn scenes() -> Vec<Scene> {
     template::catalog("3d", &SCENES)
 }
 
-/// A world that grows, in 3D.
+/// Builds a growing world in 3D.
 pub fn grown(world: World) -> Box<dyn crate::engine::Template> {
     Box::new(Template::grown(world))
 }

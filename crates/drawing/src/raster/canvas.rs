@@ -1,4 +1,4 @@
-//! The sheet that is painted on: light and nearness for every fine pixel.
+//! The canvas: light and nearness for every fine pixel.
 
 use crate::Image;
 use crate::color::encode;
@@ -12,12 +12,12 @@ pub(super) struct Canvas {
     pub fineness: usize,
     /// Amounts of red, green and blue light.
     light: Vec<[f32; 3]>,
-    /// One over the distance of what is painted, 0 where nothing is. It changes linearly across the
-    /// picture of a plane, which distance itself does not.
+    /// One over the distance of the surface, 0 for the background. It is linear across the image of a plane,
+    /// and the distance is not.
     nearness: Vec<f32>,
 }
 
-/// What one fine pixel gets.
+/// Paint of one fine pixel.
 #[derive(Copy, Clone)]
 pub(super) struct Dab {
     pub light: [f32; 3],
@@ -51,12 +51,12 @@ impl Canvas {
         }
     }
 
-    /// Fine pixel that a place of the picture (both coordinates from -1 to 1, y up) falls on.
+    /// Returns the fine pixel of a position in the picture (both coordinates from -1 to 1, y up).
     pub(super) fn place(&self, x: f32, y: f32) -> [f32; 2] {
         [(x * 0.5 + 0.5) * self.width as f32, (0.5 - y * 0.5) * self.height as f32]
     }
 
-    /// The place of the picture in the middle of a fine pixel: the way back of [`Canvas::place`].
+    /// Returns the position in the picture of a fine pixel's middle: the inverse of [`Canvas::place`].
     pub(super) fn place_of(&self, x: usize, y: usize) -> [f32; 2] {
         [
             (x as f32 + 0.5) / self.width as f32 * 2.0 - 1.0,
@@ -74,7 +74,7 @@ impl Canvas {
         nearness >= self.nearness[y * self.width + x]
     }
 
-    /// Paints over a fine pixel if nothing nearer is there, and hides from then on what is farther.
+    /// Paints a fine pixel unless a nearer surface is there, and hides farther surfaces from then on.
     pub(super) fn cover(&mut self, x: usize, y: usize, dab: Dab) {
         let index = y * self.width + x;
         if dab.nearness >= self.nearness[index] {
@@ -83,7 +83,7 @@ impl Canvas {
         }
     }
 
-    /// Paints over a fine pixel if nothing nearer is there, and hides nothing.
+    /// Paints a fine pixel unless a nearer surface is there, and hides nothing.
     pub(super) fn glaze(&mut self, x: usize, y: usize, dab: Dab) {
         let index = y * self.width + x;
         if dab.nearness >= self.nearness[index] {
@@ -127,7 +127,7 @@ const DITHER: [[f32; 4]; 4] = [
     [-0.3125, 0.1875, -0.4375, 0.0625],
     [0.4375, -0.0625, 0.3125, -0.1875],
 ];
-/// About one grey level of light where the picture is dark.
+/// Amplitude of the dither: about one grey level in dark parts of the picture.
 const DITHER_LIGHT: f32 = 0.0006;
 
 /// The light of the background at a height of the picture: 0 at the top, 1 at the bottom.

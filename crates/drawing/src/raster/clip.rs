@@ -1,15 +1,15 @@
-//! Cuts away what lies outside the picture or behind the eye.
+//! Clipping of parts outside the picture or behind the eye.
 //!
-//! Cutting happens before the division by distance, where the borders of the view are planes: a
-//! point is inside one while a linear function of it is positive. Points here are `[f32; N]` whose
-//! first three numbers are x, y and w as the camera sees them.
+//! Clipping precedes the division by distance, where the borders of the view are planes. A point is inside a
+//! plane while a linear function of it is positive. Points here have the coordinates x, y and w of the
+//! camera.
 
 use crate::Seen;
 
-/// How far beyond the picture's edge things are still kept, so that the ends of cut lines do not show.
+/// Clipping border relative to the picture's edge, so that the ends of clipped lines are invisible.
 const BORDER: f32 = 1.2;
 
-/// How far inside each border a point is (negative: outside).
+/// Returns the signed distances of a point to all borders (negative: outside).
 fn insides(p: Seen, nearest: f32) -> [f32; 5] {
     let reach = BORDER * p.w;
     [p.w - nearest, reach - p.x, reach + p.x, reach - p.y, reach + p.y]
@@ -19,7 +19,7 @@ fn between(a: Seen, b: Seen, t: f32) -> Seen {
     Seen { x: a.x + (b.x - a.x) * t, y: a.y + (b.y - a.y) * t, w: a.w + (b.w - a.w) * t }
 }
 
-/// The part of a line that can be seen.
+/// Returns the visible part of a line.
 pub(super) fn line(from: Seen, to: Seen, nearest: f32) -> Option<[Seen; 2]> {
     let (mut enter, mut leave) = (0.0_f32, 1.0_f32);
     for (a, b) in insides(from, nearest).into_iter().zip(insides(to, nearest)) {
@@ -33,7 +33,7 @@ pub(super) fn line(from: Seen, to: Seen, nearest: f32) -> Option<[Seen; 2]> {
     (enter < leave).then(|| [between(from, to, enter), between(from, to, leave)])
 }
 
-/// The part of a triangle that can be seen: a convex polygon, or nothing.
+/// Returns the visible part of a triangle: a convex polygon, or nothing.
 pub(super) fn triangle(corners: [Seen; 3], nearest: f32) -> Vec<Seen> {
     let mut polygon = corners.to_vec();
     for border in 0..5 {

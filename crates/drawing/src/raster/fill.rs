@@ -12,7 +12,7 @@ const AREA_MIN: f32 = 1.0e-6;
 pub(super) struct Pixel {
     pub x: usize,
     pub y: usize,
-    /// One over the distance. It changes linearly across the picture of a plane, which distance itself does not.
+    /// One over the distance. It is linear across the image of a plane, and the distance is not.
     pub nearness: f32,
     /// The normal there, not normalised; zero on the rim of a flat shape.
     pub normal: Point,
@@ -114,25 +114,26 @@ fn fill(size: [usize; 2], corners: [Seen; 3], normals: [Point; 3], visit: &mut i
         return;
     }
     let nearness = corners.map(|c| 1.0 / c.w);
-    cover(size, p, |x, y, shares| {
+    cover(size, p, |x, y, weights| {
         visit(&Pixel {
             x,
             y,
-            nearness: (0..3).map(|i| shares[i] * nearness[i]).sum(),
-            normal: std::array::from_fn(|axis| (0..3).map(|i| shares[i] * normals[i][axis]).sum()),
+            nearness: (0..3).map(|i| weights[i] * nearness[i]).sum(),
+            normal: std::array::from_fn(|axis| (0..3).map(|i| weights[i] * normals[i][axis]).sum()),
         });
     });
 }
 
-/// Visits the pixels whose middle lies in a triangle, with the shares of its corners there.
+/// Visits the pixels with their middle in a triangle, with barycentric coordinates.
 pub(super) fn cover(
     size: [usize; 2],
     p: [[f32; 2]; 3],
     mut visit: impl FnMut(usize, usize, [f32; 3]),
 ) {
     let inverse = 1.0 / twice_area(p[0], p[1], p[2]);
-    // Share of corner `i`: the area between the opposite side and the pixel, over the whole area.
-    let share = |i: usize, at: [f32; 2]| twice_area(p[(i + 1) % 3], p[(i + 2) % 3], at) * inverse;
+    // Barycentric coordinate of corner `i`: the area between the opposite side and the pixel, over the whole
+    // area.
+    let weight = |i: usize, at: [f32; 2]| twice_area(p[(i + 1) % 3], p[(i + 2) % 3], at) * inverse;
     let range = |axis: usize| {
         let values = p.map(|p| p[axis]);
         [values.into_iter().fold(f32::MAX, f32::min), values.into_iter().fold(f32::MIN, f32::max)]
@@ -141,14 +142,14 @@ pub(super) fn cover(
     for y in rows {
         for x in columns.clone() {
             let at = [x as f32 + 0.5, y as f32 + 0.5];
-            let mut shares = [0.0; 3];
-            // Most pixels of the range are outside, and the first sides show it.
+            let mut weights = [0.0; 3];
+            // Most pixels of the range are outside, and the first sides reject them.
             let inside = (0..3).all(|i| {
-                shares[i] = share(i, at);
-                shares[i] > 0.0
+                weights[i] = weight(i, at);
+                weights[i] > 0.0
             });
             if inside {
-                visit(x, y, shares);
+                visit(x, y, weights);
             }
         }
     }
@@ -156,9 +157,9 @@ pub(super) fn cover(
 
 /// Twice the area of a triangle, positive if it turns clockwise in the picture.
 ///
-/// The side from `a` to `b` is always measured from the same end. Two triangles that share it see every point on exactly
-/// one side of it, so no pixel along it is painted twice, or not at all. A point right on it belongs to the triangle that
-/// has the side in rising order.
+/// The side from `a` to `b` is always measured from the same end. Two triangles that weight it agree on the
+/// side of every point. No pixel along it is therefore painted twice, or not at all. A point exactly on it
+/// belongs to the triangle that has the side in rising order.
 fn twice_area(a: [f32; 2], b: [f32; 2], point: [f32; 2]) -> f32 {
     let rising = |a: [f32; 2], b: [f32; 2]| {
         let area = (b[0] - a[0]) * (point[1] - a[1]) - (b[1] - a[1]) * (point[0] - a[0]);

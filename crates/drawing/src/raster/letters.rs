@@ -1,13 +1,13 @@
-//! Letters made of strokes, so that a caption needs no font file and is as smooth as the lines.
+//! Letters made of strokes. A caption needs no font file, and is as smooth as the lines.
 //!
-//! A letter stands on a grid 4 wide and 6 high. Its strokes are separated by spaces; each is a chain
-//! of points, two digits (x, y) a point.
+//! A letter occupies a grid 4 wide and 6 high. Spaces separate its strokes; each stroke is a chain of points,
+//! two digits (x, y) a point.
 
 use super::canvas::Canvas;
 use super::stroke::Stroke;
 use crate::{Camera, Point};
 
-/// From one letter's left edge to the next one's, in units of the grid.
+/// Distance between the left edges of neighbouring letters, in units of the grid.
 const ADVANCE: f32 = 5.9;
 /// Distance of the caption from the picture's edges, in pixels.
 const MARGIN: f32 = 30.0;
@@ -75,12 +75,12 @@ pub(super) fn caption(canvas: &mut Canvas, [title, details]: &[String; 2]) {
     write(canvas, details, [MARGIN, MARGIN + 41.0], 1.65, 0.42);
 }
 
-/// Writes a line of text with its middle at a place of the scene, if that is in the picture.
+/// Writes a line of text with its middle at a point of the scene, if that is in the picture.
 pub(super) fn label(canvas: &mut Canvas, camera: &Camera, at: Point, text: &str) {
     let Some([x, y]) = camera.in_picture(at) else { return };
     let fineness = canvas.fineness as f32;
     let middle = canvas.place(x, y).map(|c| c / fineness);
-    // The gap behind the last letter is no part of the text.
+    // The gap behind the last letter is not part of the text.
     let width = (text.chars().count() as f32 * ADVANCE - (ADVANCE - 4.0)) * LABEL_UNIT;
     let start = [middle[0] - 0.5 * width, middle[1] + 3.0 * LABEL_UNIT];
     write(canvas, text, start, LABEL_UNIT, 0.7);

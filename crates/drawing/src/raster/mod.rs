@@ -1,8 +1,8 @@
 //! # The rasteriser: pictures without a graphics adapter
 //!
-//! Triangles fill a depth buffer at twice the size of the picture, are shaded per pixel with the shadow of the sun,
-//! and are averaged down, which smooths the borders. The same drawing gives the same bytes on every machine: all
-//! arithmetic is scalar, in a fixed order, on one thread.
+//! Triangles fill a depth buffer at twice the size of the picture. They are shaded per pixel with the shadow
+//! of the sun, and averaged down, which smooths the borders. The same drawing gives the same bytes on every
+//! machine: all arithmetic is scalar, in a fixed order, on one thread.
 
 mod canvas;
 mod clip;
@@ -61,7 +61,7 @@ pub fn visible(drawing: &Drawing, camera: &Camera, size: [usize; 2]) -> Vec<Opti
     seen
 }
 
-/// Fraction of a surface's own light at a distance; the rest is haze.
+/// Returns the fraction of a surface's own light at a distance; the rest is haze.
 fn clarity(camera: &Camera, w: f32) -> f32 {
     if camera.flat {
         return 1.0;
@@ -69,7 +69,7 @@ fn clarity(camera: &Camera, w: f32) -> f32 {
     1.0 - light::HAZE * smoothstep(camera.depth[0], 1.6 * camera.depth[1], w)
 }
 
-/// The pixels whose middle may lie in a range, of a number of pixels.
+/// Returns the pixels with their middle in a range.
 fn whole([low, high]: [f32; 2], limit: usize) -> std::ops::Range<usize> {
     let first = low.floor().max(0.0) as usize;
     let end = (high.ceil().max(0.0) as usize).min(limit);

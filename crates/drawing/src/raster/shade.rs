@@ -1,4 +1,4 @@
-//! The light that a pixel of a surface sends to the eye.
+//! Light from a pixel of a surface to the eye.
 
 use super::canvas::{Canvas, Dab};
 use super::shadow::ShadowMap;
@@ -9,7 +9,7 @@ use crate::light::{
 use crate::vector::{add_scaled, dot, normalize, smoothstep, sub};
 use crate::{Camera, Instance, Mesh, Point, Role};
 
-/// Paints instances as a camera sees them.
+/// Paints instances in the view of a camera.
 pub(super) struct Shader<'a> {
     camera: &'a Camera,
     shadow: Option<&'a ShadowMap>,
@@ -82,8 +82,8 @@ impl<'a> Shader<'a> {
         })
     }
 
-    /// Opacity of the ground at a point, and how much of a grid line there is. Every fifth line is stronger. Lines keep
-    /// their width in the picture, and vanish where they would crowd.
+    /// Returns the opacity of the ground at a point, and the strength of a grid line there. Every fifth line
+    /// is stronger. Lines keep their width in the picture, and vanish where their density is too high.
     fn ground(&self, point: Point, w: f32) -> [f32; 2] {
         let offset = sub(point, self.camera.center);
         let distance = (offset[0] * offset[0] + offset[2] * offset[2]).sqrt();

@@ -1,4 +1,4 @@
-//! The shadow map: the depth of the scene as the sun sees it.
+//! Shadow map: the depth of the scene as seen from the sun.
 
 use super::fill;
 use crate::light::{SHADOW_REACH, SHADOW_TEXELS, sun_axes};
@@ -11,12 +11,12 @@ const BIAS: f32 = 1.6;
 /// Distances from the sun.
 pub(super) struct ShadowMap {
     light: Light,
-    /// Heights towards the sun; the lowest float where nothing is.
+    /// Heights towards the sun; the lowest float without a surface.
     heights: Vec<f32>,
 }
 
 impl ShadowMap {
-    /// The map of the region that the camera shows.
+    /// Creates the map of the region in the camera's view.
     pub(super) fn new(drawing: &Drawing, camera: &Camera) -> Self {
         let [right, up, sun] = sun_axes();
         let radius = camera.radius * SHADOW_REACH;
@@ -101,7 +101,7 @@ struct Plane {
 }
 
 impl Plane {
-    /// The plane of a triangle; none where the sun sees its edge only.
+    /// Returns the plane of a triangle, or `None` for a triangle parallel to the sun's light.
     fn through([a, b, c]: [[f32; 3]; 3]) -> Option<Self> {
         let (u, v) = (sub(b, a), sub(c, a));
         let area = u[0] * v[1] - u[1] * v[0];

@@ -6,16 +6,16 @@ use crate::{Camera, Line};
 
 /// Width of a line in pixels of the finished picture.
 const LINE_WIDTH: f32 = 1.2;
-/// Factor on the width of lines that show through everything.
+/// Factor on the width of lines that are visible through surfaces.
 const ON_TOP: f32 = 1.5;
-/// Lines shorter than this many pixels get fainter, so that a far crowd is no white blot.
-const SHORT_LINE: f32 = 9.0;
-/// Lowest factor on the opacity of short lines.
-const FAINTEST: f32 = 0.3;
-/// Factor on the nearness of a line, so that the faces along it do not hide it.
+/// Length in pixels below which lines get fainter, so that distant crowds do not become white areas.
+const SHORT_LINE_PIXELS: f32 = 9.0;
+/// Smallest factor on the opacity of short lines.
+const OPACITY_FACTOR_MIN: f32 = 0.3;
+/// Factor on the nearness of a line, so that adjacent faces do not hide it.
 const LINE_LIFT: f32 = 1.0025;
 /// Nearness of a line in a flat scene: below the shapes, whose nearness is 1.
-const BELOW: f32 = 0.9;
+const FLAT_LINE_NEARNESS: f32 = 0.9;
 
 /// Paints a line of the scene.
 pub(super) fn line(canvas: &mut Canvas, camera: &Camera, line: &Line) {
@@ -23,12 +23,12 @@ pub(super) fn line(canvas: &mut Canvas, camera: &Camera, line: &Line) {
     let Some(ends) = ends else { return };
     let [a, b] = ends.map(|end| canvas.place(end.x / end.w, end.y / end.w));
     let length = ((b[0] - a[0]).powi(2) + (b[1] - a[1]).powi(2)).sqrt() / canvas.fineness as f32;
-    let strength = (length / SHORT_LINE).clamp(FAINTEST, 1.0);
+    let strength = (length / SHORT_LINE_PIXELS).clamp(OPACITY_FACTOR_MIN, 1.0);
     let stroke = Stroke {
         ends: [a, b],
         nearness: ends.map(|end| match (line.on_top, camera.flat) {
             (true, _) => f32::MAX,
-            (false, true) => BELOW,
+            (false, true) => FLAT_LINE_NEARNESS,
             (false, false) => LINE_LIFT / end.w,
         }),
         light: line.color.to_light(),
@@ -48,8 +48,8 @@ pub(crate) struct Stroke {
 }
 
 impl Stroke {
-    /// Visits the fine pixels along the longer axis and, at each, those across. The opacity falls off
-    /// over one fine pixel about the stroke's border: the share of the pixel that the stroke covers.
+    /// Visits the fine pixels along the longer axis, and at each the pixels across. The opacity falls off
+    /// over one fine pixel about the stroke's border, in proportion to the covered fraction of the pixel.
     pub(crate) fn paint(&self, canvas: &mut Canvas) {
         let [a, b] = self.ends;
         let delta = [b[0] - a[0], b[1] - a[1]];

@@ -1,10 +1,10 @@
-//! What is done to bodies.
+//! Operations on bodies.
 
 use super::colliders::some_collider;
 use super::dim::about_z;
 use super::play::{BODIES_MAX, COLLIDERS_MAX, Play};
 use super::rapier::prelude::*;
-use super::values::told;
+use super::values::choose;
 use super::values::{some_pose, some_positive, some_real, some_vector, within};
 use crate::choices::Choices;
 
@@ -17,7 +17,7 @@ const TYPES: [RigidBodyType; 6] = [
     RigidBodyType::KinematicVelocityBased,
 ];
 
-/// A body with no, one or several colliders.
+/// Inserts a body with no, one or several colliders.
 pub fn insert(play: &mut Play<'_>) {
     if play.world.bodies.len() >= BODIES_MAX {
         return remove(play);
@@ -53,7 +53,7 @@ fn some_body(choices: &mut Choices<'_>) -> RigidBody {
         .build()
 }
 
-/// One body, or all of them.
+/// Removes one body, or all bodies.
 pub fn remove(play: &mut Play<'_>) {
     if play.choices.once_in(100) {
         for handle in play.bodies.clone() {
@@ -72,11 +72,11 @@ pub fn remove(play: &mut Play<'_>) {
     }
 }
 
-/// Changes something about one body, or about all.
+/// Edits one body, or all bodies.
 pub fn edit(play: &mut Play<'_>) {
     let (handle, other) = (play.body(), play.body());
     let Play { choices, world, bystanders, .. } = play;
-    match told(choices, 32) {
+    match choose(choices, 32) {
         0 => {
             let copy = world.bodies.get(other).cloned();
             if let (Some(copy), Some(body)) = (copy, world.bodies.get_mut(handle)) {
@@ -84,7 +84,7 @@ pub fn edit(play: &mut Play<'_>) {
             }
         }
         1 => {
-            // A whole record for another: the place in the world stays with the place in the set.
+            // A record replaces another. The position in the world belongs to the slot.
             let copy = world.bodies.get(other).cloned();
             if let (Some(copy), Some(body)) = (copy, world.bodies.get_mut(handle)) {
                 *body = copy;
@@ -114,7 +114,7 @@ pub fn edit(play: &mut Play<'_>) {
 
 fn place(body: &mut RigidBody, choices: &mut Choices<'_>) {
     let (pose, wake_up) = (some_pose(choices, 3.0), choices.coin());
-    match told(choices, 6) {
+    match choose(choices, 6) {
         0 => body.set_position(pose, wake_up),
         1 => body.set_translation(pose.translation, wake_up),
         2 => body.set_rotation(pose.rotation, wake_up),
@@ -127,7 +127,7 @@ fn place(body: &mut RigidBody, choices: &mut Choices<'_>) {
 fn push(body: &mut RigidBody, choices: &mut Choices<'_>) {
     let (vector, point) = (some_vector(choices, 10.0), some_vector(choices, 3.0));
     let (turn, wake_up) = (about_z(some_real(choices)), choices.coin());
-    match told(choices, 12) {
+    match choose(choices, 12) {
         0 => body.set_linvel(vector, wake_up),
         1 => body.set_angvel(turn, wake_up),
         2 => body.set_vels(RigidBodyVelocity::new(vector, turn), wake_up),
@@ -145,7 +145,7 @@ fn push(body: &mut RigidBody, choices: &mut Choices<'_>) {
 
 fn configure(body: &mut RigidBody, choices: &mut Choices<'_>) {
     let (value, wake_up) = (some_real(choices), choices.coin());
-    match told(choices, 13) {
+    match choose(choices, 13) {
         0 => body.set_linear_damping(value),
         1 => body.set_angular_damping(value),
         2 => body.set_gravity_scale(value, wake_up),
@@ -173,7 +173,7 @@ fn configure(body: &mut RigidBody, choices: &mut Choices<'_>) {
 }
 
 fn reclassify(body: &mut RigidBody, choices: &mut Choices<'_>) {
-    match told(choices, 6) {
+    match choose(choices, 6) {
         0 => body.set_body_type(choices.pick(&TYPES), choices.coin()),
         1 => body.set_enabled(!choices.once_in(3)),
         2 => body.sleep(),

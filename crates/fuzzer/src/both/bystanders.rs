@@ -1,29 +1,30 @@
-//! Two bodies that nobody touches. Whatever happens around them, they stay where they are, to the last bit.
+//! Two isolated bodies that keep their poses to the last bit, whatever operations the rest of the world gets.
 //!
-//! They lean on each other without weight and without overlap, in a group of their own: no force acts on them, so
-//! the laws of motion leave them no freedom at all, in steps of any length.
+//! They touch each other without overlap, without gravity, and in a separate interaction group. No force acts
+//! on them, so the laws of motion keep them at rest in steps of any length.
 
-use super::colliders::APART;
+use super::colliders::BYSTANDERS;
 use super::dim::cuboid;
 use super::rapier::prelude::*;
 
-/// Where they stand.
+/// Coordinate of the bodies along all axes.
 const PLACE: Real = 64.0;
-/// How to know them from bodies that have the same handles in other sets.
+/// User data that distinguishes the two bodies from bodies with the same handles in other sets.
 const MARK: u128 = 0x0b57;
 
-/// The two bodies, and where they were put.
+/// The two bodies and their initial poses.
 pub struct Bystanders {
     pub bodies: [RigidBodyHandle; 2],
     pub colliders: [ColliderHandle; 2],
     poses: [Pose; 2],
-    /// Something held on to one of them: both may be anywhere since, because they push each other.
-    were_held: bool,
+    /// Whether another collider or a joint was ever attached to one of them. Their poses are then
+    /// unconstrained, because they push each other.
+    were_attached: bool,
 }
 
 impl Bystanders {
     pub fn new(world: &mut PhysicsWorld) -> Self {
-        let own = InteractionGroups::new(APART, APART);
+        let own = InteractionGroups::new(BYSTANDERS, BYSTANDERS);
         let mut stand = |height: Real| {
             let body =
                 RigidBodyBuilder::dynamic().translation(Vector::ONE * PLACE + Vector::Y * height);
@@ -33,41 +34,42 @@ impl Bystanders {
         let ((body1, collider1), (body2, collider2)) = (stand(0.0), stand(1.0));
         let bodies = [body1, body2];
         let poses = bodies.map(|body| *world.bodies[body].position());
-        Self { bodies, colliders: [collider1, collider2], poses, were_held: false }
+        Self { bodies, colliders: [collider1, collider2], poses, were_attached: false }
     }
 
-    /// Notes who is held by anything.
+    /// Records whether another collider or a joint is attached to one of them.
     ///
-    /// Others have the same handles in worlds that begin anew, and what belongs to them comes to the bystanders when a whole set is
-    /// exchanged. To be called before a step, which may break joints, and behind it, when all sets have heard of it.
-    pub fn look(&mut self, world: &PhysicsWorld) {
-        self.were_held |= self.bodies.iter().any(|&handle| is_held(world, handle));
+    /// New worlds reuse the same handles. An exchange of a whole set can attach another world's colliders and
+    /// joints to the bystanders. Callers invoke this before a step, which may break joints, and after it,
+    /// with all sets updated.
+    pub fn note_attachments(&mut self, world: &PhysicsWorld) {
+        self.were_attached |= self.bodies.iter().any(|&handle| is_attached(world, handle));
     }
 
     /// # Panics
-    /// If one has moved. Who is not there any more (because a whole set was exchanged) has not.
+    /// If one of the bodies has moved. Bodies that an exchange of a whole set removed are ignored.
     pub fn check(&self, world: &PhysicsWorld) {
-        if self.were_held {
+        if self.were_attached {
             return;
         }
         for (handle, pose) in self.bodies.iter().zip(&self.poses) {
             let Some(body) = bystander(world, *handle) else { continue };
             assert!(
                 body.position() == pose && body.vels().is_zero(),
-                "nobody touched {handle:?}, but it moved from {pose:?} to {:?}",
+                "isolated body {handle:?} moved from {pose:?} to {:?}",
                 body.position()
             );
         }
     }
 }
 
-/// The body with this handle, if it is not another world's.
+/// Returns the body with this handle, unless it belongs to another world.
 fn bystander(world: &PhysicsWorld, handle: RigidBodyHandle) -> Option<&RigidBody> {
     world.bodies.get(handle).filter(|body| body.user_data == MARK)
 }
 
-/// Does anything hold on to a bystander, a collider that is not its own or a joint?
-fn is_held(world: &PhysicsWorld, handle: RigidBodyHandle) -> bool {
+/// Returns whether a joint or another collider is attached to a bystander.
+fn is_attached(world: &PhysicsWorld, handle: RigidBodyHandle) -> bool {
     let is_own = |&collider: &_| {
         world.colliders.get(collider).is_some_and(|collider| collider.user_data == MARK)
     };

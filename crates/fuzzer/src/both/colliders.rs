@@ -1,19 +1,19 @@
-//! What is done to colliders.
+//! Operations on colliders.
 
 use super::dim::{SHAPES, about_z, shape};
 use super::play::{COLLIDERS_MAX, Play};
 use super::rapier::prelude::*;
-use super::values::told;
+use super::values::choose;
 use super::values::{some_pose, some_positive, some_real, some_vector, within};
 use crate::choices::Choices;
 
-/// The group of the bystanders, which nobody else may meet.
-pub const APART: Group = Group::GROUP_32;
-/// Everybody else.
+/// Interaction group of the bystanders. No other collider is in it.
+pub const BYSTANDERS: Group = Group::GROUP_32;
+/// Interaction groups of all other colliders.
 pub const OTHERS: InteractionGroups =
-    InteractionGroups::new(APART.complement(), APART.complement());
+    InteractionGroups::new(BYSTANDERS.complement(), BYSTANDERS.complement());
 
-/// A collider of any kind.
+/// Returns a collider of any kind.
 pub fn some_collider(choices: &mut Choices<'_>) -> ColliderBuilder {
     let kind = if choices.coin() { choices.below(2) } else { choices.below(SHAPES) };
     let size = if choices.once_in(50) { some_real(choices) } else { within(choices, 0.2, 0.8) };
@@ -34,7 +34,7 @@ pub fn some_collider(choices: &mut Choices<'_>) -> ColliderBuilder {
         .enabled(!choices.once_in(20))
 }
 
-/// One collider more or less.
+/// Inserts or removes a collider.
 pub fn insert_or_remove(play: &mut Play<'_>) {
     let parent = if play.choices.once_in(4) { None } else { Some(play.body()) };
     if play.choices.coin() || play.world.colliders.len() >= COLLIDERS_MAX {
@@ -53,11 +53,11 @@ pub fn insert_or_remove(play: &mut Play<'_>) {
     }
 }
 
-/// Changes something about one collider, or about all.
+/// Edits one collider, or all colliders.
 pub fn edit(play: &mut Play<'_>) {
     let (handle, other, body) = (play.collider(), play.collider(), play.body());
     let Play { choices, world, bystanders, .. } = play;
-    match told(choices, 24) {
+    match choose(choices, 24) {
         0 | 1 => {
             let parent = if choices.once_in(3) { None } else { Some(body) };
             world.colliders.set_parent(handle, parent, &mut world.bodies);
@@ -99,7 +99,7 @@ pub fn edit(play: &mut Play<'_>) {
 
 fn place(collider: &mut Collider, choices: &mut Choices<'_>) {
     let pose = some_pose(choices, 2.0);
-    match told(choices, 6) {
+    match choose(choices, 6) {
         0 => collider.set_position(pose),
         1 => collider.set_translation(pose.translation),
         2 => collider.set_rotation(pose.rotation),
@@ -116,7 +116,7 @@ fn meet_others(collider: &mut Collider, choices: &mut Choices<'_>) {
         InteractionGroups::new(Group::GROUP_1, Group::GROUP_2),
         OTHERS.with_test_mode(InteractionTestMode::Or),
     ];
-    match told(choices, 8) {
+    match choose(choices, 8) {
         0 => collider.set_enabled(!choices.once_in(3)),
         1 => collider.set_sensor(choices.once_in(3)),
         2 => collider.set_collision_groups(choices.pick(&groups)),
@@ -140,7 +140,7 @@ fn meet_others(collider: &mut Collider, choices: &mut Choices<'_>) {
 
 fn change_matter(collider: &mut Collider, choices: &mut Choices<'_>) {
     let value = some_real(choices);
-    match told(choices, 10) {
+    match choose(choices, 10) {
         0 => collider.set_friction(value),
         1 => collider.set_restitution(value),
         2 => collider.set_contact_skin(value),

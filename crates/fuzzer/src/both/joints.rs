@@ -1,4 +1,4 @@
-//! What is done to joints.
+//! Operations on joints.
 
 use super::dim::{AXES, joint};
 use super::play::{JOINTS_MAX, Play};
@@ -6,7 +6,7 @@ use super::rapier::prelude::*;
 use super::values::{some_pose, some_real, some_vector};
 use crate::choices::Choices;
 
-/// A joint of any kind, with limits, motors and all.
+/// Returns a joint of any kind, with limits and motors.
 pub fn some_joint(choices: &mut Choices<'_>) -> GenericJoint {
     let mut joint = joint(choices);
     joint.set_local_anchor1(some_vector(choices, 1.0));
@@ -17,7 +17,7 @@ pub fn some_joint(choices: &mut Choices<'_>) -> GenericJoint {
     joint
 }
 
-/// One joint more or less.
+/// Inserts or removes a joint.
 pub fn insert_or_remove(play: &mut Play<'_>) {
     let (body1, body2, handle) = (play.body(), play.body(), play.joint());
     let joints = &mut play.world.impulse_joints;
@@ -39,7 +39,7 @@ pub fn insert_or_remove(play: &mut Play<'_>) {
     }
 }
 
-/// Changes something about one joint, or about all.
+/// Edits one joint, or all joints.
 pub fn edit(play: &mut Play<'_>) {
     let handle = play.joint();
     let joints = &mut play.world.impulse_joints;
@@ -51,7 +51,7 @@ pub fn edit(play: &mut Play<'_>) {
     }
 }
 
-/// Changes something about a joint.
+/// Edits a joint.
 pub fn change(joint: &mut GenericJoint, choices: &mut Choices<'_>) {
     let axis = choices.pick(&AXES);
     let (value, other) = (some_real(choices), some_real(choices));
@@ -81,7 +81,7 @@ pub fn change(joint: &mut GenericJoint, choices: &mut Choices<'_>) {
     }
 }
 
-/// The fields are public: whatever stands there, a step must go on.
+/// Writes a public field directly. A step must survive any value.
 fn write_past_the_setters(joint: &mut GenericJoint, axis: JointAxis, value: Real) {
     joint.limits[axis as usize].max = value;
     joint.motors[axis as usize].target_vel = value;

@@ -1,14 +1,14 @@
-//! A copy of the world is saved, damaged, loaded and stepped.
+//! Saving, damaging, loading and stepping a copy of the world.
 
 use super::damage::{changes, visit};
 use super::play::Play;
 use super::saved::{Saved, load_all, save_all};
 use super::world::check;
 
-/// Steps after loading.
+/// Number of steps after loading.
 const STEPS: usize = 3;
 
-/// Saves the sets, changes some values of them or none, and steps what can be loaded of it.
+/// Saves the sets, changes any number of their values, and steps the world if it loads.
 pub fn load_damaged(play: &mut Play<'_>) {
     let world = &play.world;
     let mut sets = save_all(world);
@@ -25,7 +25,7 @@ pub fn load_damaged(play: &mut Play<'_>) {
     }
 }
 
-/// Changes a value of a set, wherever it stands.
+/// Changes one value of a set at any position.
 fn damage(play: &mut Play<'_>, sets: &mut Saved) {
     let choices = &mut play.choices;
     let set = choices.below(sets.len());

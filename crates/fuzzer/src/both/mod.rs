@@ -1,4 +1,4 @@
-//! What is done in all four crates in the same words.
+//! Code that is compiled for all four crates.
 
 use super::dim;
 use super::rapier;
@@ -18,7 +18,7 @@ mod steps;
 pub mod values;
 mod walkers;
 mod witness;
-// What must hold in every world: the tests of hostile users say it once for all.
+// The tests of hostile users define the invariants of every world.
 #[path = "../../../../tests/hostile/world.rs"]
 mod world;
 #[path = "../../../../tests/worlds/damage.rs"]
@@ -33,10 +33,10 @@ mod tree;
 use crate::choices::Choices;
 use crate::{KINDS, Tally, family_of};
 
-/// Does to a world what the bytes say.
+/// Runs the operations of the bytes on a world.
 ///
 /// # Panics
-/// If anything is not in order.
+/// If an invariant is violated.
 pub fn run(bytes: &[u8]) -> Tally {
     let mut choices = Choices::new(bytes);
     match family_of(choices.below(KINDS)) {

@@ -1,4 +1,4 @@
-//! What is done to multibodies.
+//! Operations on multibodies.
 
 use super::dim::AXES;
 use super::joints::{change, some_joint};
@@ -6,7 +6,7 @@ use super::play::{JOINTS_MAX, Play};
 use super::rapier::prelude::*;
 use super::values::{some_pose, some_real};
 
-/// One link more or less, or a multibody less.
+/// Inserts or removes a link, or removes a multibody.
 pub fn insert_or_remove(play: &mut Play<'_>) {
     let (body1, body2, handle) = (play.body(), play.body(), play.link());
     let set = &mut play.world.multibody_joints;
@@ -29,7 +29,7 @@ pub fn insert_or_remove(play: &mut Play<'_>) {
     }
 }
 
-/// Changes something about a multibody, or asks it something.
+/// Edits or queries a multibody.
 pub fn edit(play: &mut Play<'_>) {
     let (handle, other) = (play.link(), play.link());
     let Play { choices, world, .. } = play;
@@ -60,11 +60,11 @@ pub fn edit(play: &mut Play<'_>) {
             multibody.forward_kinematics(&world.bodies, choices.coin());
             multibody.update_rigid_bodies(&mut world.bodies, true);
         }
-        _ => ask(play, handle, id),
+        _ => query(play, handle, id),
     }
 }
 
-fn ask(play: &mut Play<'_>, handle: MultibodyJointHandle, id: usize) {
+fn query(play: &mut Play<'_>, handle: MultibodyJointHandle, id: usize) {
     let Play { choices, world, .. } = play;
     let Some((multibody, _)) = world.multibody_joints.get(handle) else { return };
     let mut displacements = vec![0.0; choices.below(9)];

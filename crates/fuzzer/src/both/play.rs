@@ -1,23 +1,23 @@
-//! A world that anything is done to.
+//! A world with random operations.
 
 use super::bystanders::Bystanders;
 use super::dim::{self, Vehicle};
 use super::rapier::prelude::*;
 use super::sets::Copy;
 use super::values::{some_real, some_vector};
-use super::witness::Witness;
+use super::witness::EventChecker;
 use super::{bodies, colliders, joints, loading, multibodies, questions, sets, steps, walkers};
 use crate::Tally;
 use crate::choices::Choices;
 
-/// A world is kept from growing beyond this.
+/// Largest number of bodies.
 pub const BODIES_MAX: usize = 30;
 pub const COLLIDERS_MAX: usize = 70;
 pub const JOINTS_MAX: usize = 30;
 
 type Act = (&'static str, fn(&mut Play<'_>));
 
-/// What can be done; what stands here often is done often.
+/// All operations. Repetitions increase their frequency.
 const ACTS: [Act; 32] = [
     ("insert a body", bodies::insert),
     ("insert a body", bodies::insert),
@@ -43,17 +43,17 @@ const ACTS: [Act; 32] = [
     ("insert or remove a link", multibodies::insert_or_remove),
     ("edit a multibody", multibodies::edit),
     ("edit a multibody", multibodies::edit),
-    ("ask", questions::ask),
+    ("query", questions::query),
     ("walk", walkers::walk),
     ("drive", dim::drive),
-    ("meddle with the sets", sets::meddle),
-    ("change the rules", |play| play.change_rules()),
-    ("calm down", |play| play.calm_down()),
+    ("edit whole sets", sets::edit_sets),
+    ("change parameters", |play| play.change_parameters()),
+    ("reset parameters", |play| play.reset_parameters()),
     ("mix with a twin", sets::mix_with_twin),
     ("load a damaged copy", loading::load_damaged),
 ];
 
-/// A world, and every handle that was ever given out in it.
+/// World with all handles that were ever created in it.
 pub struct Play<'a> {
     pub choices: Choices<'a>,
     pub world: PhysicsWorld,
@@ -61,19 +61,19 @@ pub struct Play<'a> {
     pub colliders: Vec<ColliderHandle>,
     pub joints: Vec<ImpulseJointHandle>,
     pub links: Vec<MultibodyJointHandle>,
-    /// What was taken out, to be put in again.
+    /// Removed bodies, for later insertion.
     pub removed: Vec<RigidBody>,
-    /// How the world was some time ago.
+    /// Earlier state of the world.
     pub copy: Option<Copy>,
     pub bystanders: Bystanders,
-    pub witness: Witness,
+    pub witness: EventChecker,
     pub vehicle: Vehicle,
     pub pid: PidController,
     pub queries: QueryPipeline,
     tally: Tally,
 }
 
-/// Makes a world and does what the choices say until they are used up.
+/// Creates a world and runs operations until the choices are used up.
 pub fn run(choices: Choices<'_>) -> Tally {
     let mut play = Play::new(choices);
     while !play.choices.is_over() {
@@ -104,7 +104,7 @@ impl<'a> Play<'a> {
             removed: Vec::new(),
             copy: None,
             bystanders,
-            witness: Witness::default(),
+            witness: EventChecker::default(),
             vehicle: Vehicle::default(),
             pid: PidController::default(),
             queries: QueryPipeline::new(),
@@ -118,7 +118,8 @@ impl<'a> Play<'a> {
         act(self);
     }
 
-    /// Any body handle: most often of a body that exists, sometimes a stale or foreign one; never a bystander's.
+    /// Returns any body handle except a bystander's: usually of an existing body, sometimes a stale or
+    /// foreign one.
     pub fn body(&mut self) -> RigidBodyHandle {
         let handle = if self.choices.once_in(30) {
             let (slot, generation) = (self.choices.below(70) as u32, self.choices.below(4) as u32);
@@ -130,7 +131,7 @@ impl<'a> Play<'a> {
         if self.bystanders.bodies.contains(&handle) { RigidBodyHandle::invalid() } else { handle }
     }
 
-    /// Any collider handle but a bystander's.
+    /// Returns any collider handle except a bystander's.
     pub fn collider(&mut self) -> ColliderHandle {
         let handle = if self.choices.once_in(30) {
             let (slot, generation) = (self.choices.below(70) as u32, self.choices.below(4) as u32);
@@ -139,22 +140,22 @@ impl<'a> Play<'a> {
             recent(&self.colliders, &mut self.choices)
         };
         self.choices.tell(|| format!("    {handle:?}"));
-        let spared = self.bystanders.colliders.contains(&handle);
-        if spared { ColliderHandle::invalid() } else { handle }
+        let is_bystander = self.bystanders.colliders.contains(&handle);
+        if is_bystander { ColliderHandle::invalid() } else { handle }
     }
 
-    /// Any joint handle.
+    /// Returns any joint handle.
     pub fn joint(&mut self) -> ImpulseJointHandle {
         recent(&self.joints, &mut self.choices)
     }
 
-    /// Any handle of a joint of a multibody.
+    /// Returns any handle of a multibody joint.
     pub fn link(&mut self) -> MultibodyJointHandle {
         recent(&self.links, &mut self.choices)
     }
 
-    /// Changes the world as a whole.
-    fn change_rules(&mut self) {
+    /// Changes gravity or a parameter of the world.
+    fn change_parameters(&mut self) {
         let choices = &mut self.choices;
         let params = &mut self.world.integration_parameters;
         match choices.below(10) {
@@ -174,8 +175,8 @@ impl<'a> Play<'a> {
         }
     }
 
-    /// Back to rules with which something happens.
-    pub fn calm_down(&mut self) {
+    /// Restores default parameters and gravity, so that the next steps have effects.
+    pub fn reset_parameters(&mut self) {
         self.world.integration_parameters = IntegrationParameters::default();
         self.world.gravity = Vector::Y * -9.81;
     }
@@ -199,7 +200,7 @@ fn change_softness(params: &mut IntegrationParameters, choices: &mut Choices<'_>
     }
 }
 
-/// One of the last handles that were given out.
+/// Returns one of the last handles.
 fn recent<T: core::marker::Copy>(handles: &[T], choices: &mut Choices<'_>) -> T {
     let first = handles.len().saturating_sub(40);
     handles[first + choices.below(handles.len() - first)]

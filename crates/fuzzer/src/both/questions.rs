@@ -1,4 +1,4 @@
-//! What the world is asked, whether or not there was a step since the last edit.
+//! Queries of the world, whether or not a step followed the last edit.
 
 use super::dim::{SHAPES, shape, spin};
 use super::play::Play;
@@ -7,8 +7,8 @@ use super::rapier::prelude::*;
 use super::values::{some_pose, some_positive, some_real, some_vector};
 use crate::choices::Choices;
 
-/// Asks something.
-pub fn ask(play: &mut Play<'_>) {
+/// Runs a random query.
+pub fn query(play: &mut Play<'_>) {
     let (collider, body) = (play.collider(), play.body());
     let Play { choices, world, queries, .. } = play;
     let everyone = |_: ColliderHandle, collider: &Collider| collider.is_enabled();
@@ -32,9 +32,9 @@ pub fn ask(play: &mut Play<'_>) {
     };
     match choices.below(4) {
         0 => cast_rays(view, choices),
-        1 => look_around(view, choices),
-        2 => send_shape(view, choices),
-        _ => ask_about_pairs(world, collider, choices),
+        1 => query_regions(view, choices),
+        2 => cast_shape(view, choices),
+        _ => query_pairs(world, collider, choices),
     }
 }
 
@@ -48,7 +48,7 @@ fn cast_rays(view: QueryView<'_>, choices: &mut Choices<'_>) {
     view.intersect_ray(ray, reach, solid).for_each(drop);
 }
 
-fn look_around(view: QueryView<'_>, choices: &mut Choices<'_>) {
+fn query_regions(view: QueryView<'_>, choices: &mut Choices<'_>) {
     let (point, reach) = (some_vector(choices, 5.0), 10.0 * some_real(choices));
     view.project_point(point, reach, choices.coin());
     view.project_point_and_get_feature(point, reach);
@@ -57,7 +57,7 @@ fn look_around(view: QueryView<'_>, choices: &mut Choices<'_>) {
     view.intersect_aabb_conservative(Aabb { mins, maxs }).for_each(drop);
 }
 
-/// A shape that a user may have: what cannot be one is refused by its constructors.
+/// Returns a valid shape. Constructors reject invalid ones.
 pub fn some_shape(choices: &mut Choices<'_>) -> Option<SharedShape> {
     let kind = choices.below(SHAPES);
     let size = if choices.once_in(50) { some_positive(choices) } else { 0.5 };
@@ -65,7 +65,7 @@ pub fn some_shape(choices: &mut Choices<'_>) -> Option<SharedShape> {
     Some(collider.shared_shape().clone())
 }
 
-fn send_shape(view: QueryView<'_>, choices: &mut Choices<'_>) {
+fn cast_shape(view: QueryView<'_>, choices: &mut Choices<'_>) {
     let Some(shape) = some_shape(choices) else { return };
     let (pose, velocity) = (some_pose(choices, 4.0), some_vector(choices, 5.0));
     let (from, to) = (some_real(choices), some_real(choices));
@@ -81,7 +81,7 @@ fn send_shape(view: QueryView<'_>, choices: &mut Choices<'_>) {
     view.cast_shape_nonlinear(&motion, &*shape, from, to, choices.coin());
 }
 
-fn ask_about_pairs(world: &PhysicsWorld, collider: ColliderHandle, choices: &mut Choices<'_>) {
+fn query_pairs(world: &PhysicsWorld, collider: ColliderHandle, choices: &mut Choices<'_>) {
     world.contact_pairs_with(collider).for_each(drop);
     world.intersection_pairs_with(collider).for_each(drop);
     let dt = some_real(choices);

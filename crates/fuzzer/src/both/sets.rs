@@ -1,11 +1,12 @@
-//! What is done to whole sets, and to the world as a whole.
+//! Operations on whole sets, and on the world as a whole.
 //!
-//! They belong together, as `PhysicsPipeline::step` says: mostly all of them are exchanged, sometimes only one.
+//! The sets belong together, as `PhysicsPipeline::step` documents. Most exchanges include all sets, some only
+//! one.
 
 use super::play::Play;
 use super::rapier::prelude::*;
 
-/// All state of a world.
+/// Complete state of a world.
 pub struct Copy {
     islands: IslandManager,
     broad_phase: BroadPhaseBvh,
@@ -29,7 +30,7 @@ impl Copy {
         }
     }
 
-    /// This state for the one in the world.
+    /// Exchanges this state and the world's.
     fn exchange(&mut self, world: &mut PhysicsWorld) {
         core::mem::swap(&mut self.islands, &mut world.islands);
         core::mem::swap(&mut self.broad_phase, &mut world.broad_phase);
@@ -41,7 +42,7 @@ impl Copy {
     }
 }
 
-/// One set alone, for the older or for an empty one.
+/// Exchanges one set for the older or an empty one.
 fn exchange_one(old: &mut Copy, world: &mut PhysicsWorld, which: usize) {
     match which {
         0 => core::mem::swap(&mut old.islands, &mut world.islands),
@@ -54,23 +55,23 @@ fn exchange_one(old: &mut Copy, world: &mut PhysicsWorld, which: usize) {
     }
 }
 
-/// Copies, exchanges, wakes, or throws away.
-pub fn meddle(play: &mut Play<'_>) {
+/// Copies, exchanges, wakes or discards sets.
+pub fn edit_sets(play: &mut Play<'_>) {
     let handle = play.body();
-    let manner = play.choices.below(13);
-    play.choices.tell(|| format!("    way {manner}"));
-    match manner {
+    let variant = play.choices.below(13);
+    play.choices.tell(|| format!("    variant {variant}"));
+    match variant {
         0 | 1 => play.copy = Some(Copy::of(&play.world)),
         2 | 3 => {
             if let Some(copy) = &mut play.copy {
                 copy.exchange(&mut play.world);
-                play.witness.lose_track();
+                play.witness.mark_missed_events();
             }
         }
         4 => {
             let PhysicsWorld { gravity, integration_parameters, .. } = play.world;
             play.world = PhysicsWorld { gravity, integration_parameters, ..PhysicsWorld::new() };
-            play.witness.lose_track();
+            play.witness.mark_missed_events();
         }
         5 => play.world.wake_up_all(play.choices.coin()),
         6 => {
@@ -88,14 +89,14 @@ pub fn meddle(play: &mut Play<'_>) {
             let mut empty = Copy::of(&PhysicsWorld::new());
             let old = play.copy.as_mut().filter(|_| play.choices.coin());
             exchange_one(old.unwrap_or(&mut empty), &mut play.world, which);
-            play.witness.lose_track();
+            play.witness.mark_missed_events();
         }
         9 | 10 => restore_records(play, handle),
         _ => play.world.wake_up(handle, play.choices.coin()),
     }
 }
 
-/// Gives a body and a collider the records that they had some time ago. One of them may be removed before a step looks at it.
+/// Restores earlier records of a body and a collider. One of them may be removed before the next step.
 fn restore_records(play: &mut Play<'_>, handle: RigidBodyHandle) {
     let collider = play.collider();
     let Play { choices, copy: Some(copy), world, .. } = play else { return };
@@ -118,7 +119,8 @@ fn restore_records(play: &mut Play<'_>, handle: RigidBodyHandle) {
     }
 }
 
-/// Exchanges any sets, or a record, for those of a twin: a copy in which one body is a little elsewhere, or that has gone on for a step.
+/// Exchanges any sets, or a record, for those of a twin: a copy with one displaced body, or a copy that has
+/// advanced by some steps.
 pub fn mix_with_twin(play: &mut Play<'_>) {
     let (handle, along) = (play.body(), play.choices.below(DIM));
     let mut twin = PhysicsWorld {
@@ -144,10 +146,11 @@ pub fn mix_with_twin(play: &mut Play<'_>) {
     for which in (0..7).filter(|which| sets & (1 << which) != 0) {
         exchange_one(&mut twin, &mut play.world, which);
     }
-    play.witness.lose_track();
+    play.witness.mark_missed_events();
 }
 
-/// Puts a body of a twin, whose colliders may be attached otherwise, in the place of the one with the same handle.
+/// Exchanges a body with the twin's body of the same handle. The twin's colliders may be attached to other
+/// bodies.
 fn exchange_records(play: &mut Play<'_>, twin: &mut PhysicsWorld, handle: RigidBodyHandle) {
     let collider = play.collider();
     if twin.bodies.contains(handle) {

@@ -1,46 +1,46 @@
-//! Steps, and what the user does during them: hooks and handlers that refuse, change things, and panic.
+//! Steps, with user code during them: hooks and handlers that reject pairs, change contacts, and panic.
 
 use super::play::Play;
 use super::rapier::prelude::*;
 use super::values::some_real;
 use super::world::check;
-use crate::farewell::{comes_to_its_end, leave};
+use crate::deliberate_panic::{completes, panic_deliberately};
 use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 
-/// Steps in a row.
-const MANY: usize = 40;
+/// Number of steps in a row.
+const STEPS: usize = 40;
 
-/// A step, of whichever kind, and a look at the world afterwards. Returns how many steps were taken.
+/// Runs a step of any variant and checks the world afterwards. Returns the number of steps.
 pub fn step(play: &mut Play<'_>) -> usize {
-    let manner = play.choices.below(40);
-    let hooks = Moody::new(play);
-    play.choices.tell(|| format!("step {manner} in mood {}", hooks.mood));
-    let count = if manner == 0 { MANY } else { 1 };
-    let mut in_order = true;
-    play.bystanders.look(&play.world);
+    let variant = play.choices.below(40);
+    let hooks = RandomHooks::new(play);
+    play.choices.tell(|| format!("step {variant}, hooks {}", hooks.behavior));
+    let count = if variant == 0 { STEPS } else { 1 };
+    let mut completed = true;
+    play.bystanders.note_attachments(&play.world);
     for _ in 0..count {
-        in_order &= comes_to_its_end(|| match manner {
+        completed &= completes(|| match variant {
             1 | 2 => play.world.detect_collisions(&hooks, &play.witness),
             3 => detect_without_changes(&mut play.world, &hooks, &play.witness),
             4 => step_with_new_pipeline(&mut play.world, &hooks, &play.witness),
-            5 => play.world.step_with_events(&hooks, &Leaver),
+            5 => play.world.step_with_events(&hooks, &PanickingHandler),
             _ => play.world.step_with_events(&hooks, &play.witness),
         });
     }
-    if !in_order || manner == 5 {
-        play.witness.lose_track(); // of the events that nobody heard
+    if !completed || variant == 5 {
+        play.witness.mark_missed_events(); // some events are lost
     }
-    // Without the edits nothing is up to date, and a step that was left early or refused has not seen them.
+    // Without the edits the world is out of date, and an interrupted or rejected step has not processed them.
     let refused =
         play.world.integration_parameters.validate().is_err() || !is_possible(play.world.gravity);
-    if in_order && !refused && manner != 3 {
+    if completed && !refused && variant != 3 {
         check(&play.world);
     }
     play.witness.check();
-    play.bystanders.look(&play.world);
+    play.bystanders.note_attachments(&play.world);
     play.bystanders.check(&play.world);
     if refused {
-        play.calm_down();
+        play.reset_parameters();
     }
     count
 }
@@ -91,34 +91,34 @@ fn step_with_new_pipeline(
     );
 }
 
-/// Hooks that do something else at every call.
-struct Moody {
+/// Hooks with different results at every call.
+struct RandomHooks {
     calls: AtomicUsize,
-    /// The call that is left early.
+    /// Index of the call that panics.
     last: usize,
-    mood: usize,
+    behavior: usize,
     number: Real,
 }
 
-impl Moody {
+impl RandomHooks {
     fn new(play: &mut Play<'_>) -> Self {
         let choices = &mut play.choices;
-        let mood = choices.below(24);
-        let last = if mood == 23 { choices.below(20) } else { usize::MAX };
-        let number = if mood > 16 { some_real(choices) } else { 1.0 };
-        Self { calls: AtomicUsize::new(0), last, mood, number }
+        let behavior = choices.below(24);
+        let last = if behavior == 23 { choices.below(20) } else { usize::MAX };
+        let number = if behavior > 16 { some_real(choices) } else { 1.0 };
+        Self { calls: AtomicUsize::new(0), last, behavior, number }
     }
 
     fn next(&self) -> usize {
         let call = self.calls.fetch_add(1, Relaxed);
         if call >= self.last {
-            leave();
+            panic_deliberately();
         }
         call
     }
 }
 
-impl PhysicsHooks for Moody {
+impl PhysicsHooks for RandomHooks {
     fn filter_contact_pair(&self, context: &PairFilterContext<'_>) -> bool {
         let both_exist = context.colliders.contains(context.collider1)
             && context.colliders.contains(context.collider2)
@@ -126,8 +126,8 @@ impl PhysicsHooks for Moody {
                 .iter()
                 .flatten()
                 .all(|&body| context.bodies.contains(body));
-        assert!(both_exist, "a hook is asked about what does not exist");
-        !(self.next() + self.mood).is_multiple_of(3)
+        assert!(both_exist, "a hook was called with objects that do not exist");
+        !(self.next() + self.behavior).is_multiple_of(3)
     }
 
     fn filter_intersection_pair(&self, context: &PairFilterContext<'_>) -> bool {
@@ -136,7 +136,7 @@ impl PhysicsHooks for Moody {
 
     fn modify_solver_contact(&self, context: &mut ContactModificationContext<'_>) {
         let call = self.next();
-        match (call + self.mood) % 8 {
+        match (call + self.behavior) % 8 {
             0 => context.clear_contacts(),
             1 => context.retain_contacts(|contact| contact.point.x > 0.0),
             2 => context.set_friction(self.number),
@@ -149,10 +149,10 @@ impl PhysicsHooks for Moody {
     }
 }
 
-/// Leaves at the first event.
-struct Leaver;
+/// Handler that panics at the first event.
+struct PanickingHandler;
 
-impl EventHandler for Leaver {
+impl EventHandler for PanickingHandler {
     fn handle_collision_event(
         &self,
         _: &RigidBodySet,
@@ -160,7 +160,7 @@ impl EventHandler for Leaver {
         _: &CollisionEvent,
         _: Option<&ContactPair>,
     ) {
-        leave();
+        panic_deliberately();
     }
 
     fn handle_contact_force_event(
@@ -170,10 +170,10 @@ impl EventHandler for Leaver {
         _: &RigidBodySet,
         _: &ColliderSet,
     ) {
-        leave();
+        panic_deliberately();
     }
 
     fn handle_joint_break_event(&self, _: &JointBreakEvent, _: &RigidBodySet) {
-        leave();
+        panic_deliberately();
     }
 }

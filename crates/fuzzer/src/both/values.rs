@@ -1,10 +1,10 @@
-//! Numbers, most of them usable.
+//! Numbers, most of them valid.
 
 use super::dim::about_z;
 use super::rapier::prelude::*;
 use crate::choices::Choices;
 
-/// Numbers at every edge of what a number can be.
+/// Extreme and invalid numbers.
 const EDGES: [Real; 16] = [
     Real::NAN,
     Real::INFINITY,
@@ -24,22 +24,22 @@ const EDGES: [Real; 16] = [
     1.0e30,
 ];
 
-/// A number from `low` to `high`.
+/// Returns a number from `low` to `high`.
 pub fn within(choices: &mut Choices<'_>, low: f64, high: f64) -> Real {
     choices.within(low, high) as Real
 }
 
-/// A number about one, or an impossible one.
+/// Returns a number near one, or an extreme one.
 pub fn some_real(choices: &mut Choices<'_>) -> Real {
     if choices.once_in(12) { choices.pick(&EDGES) } else { within(choices, -2.0, 4.0) }
 }
 
-/// A number for a coefficient, a mass, a size: seldom an impossible one.
+/// Returns a number for a coefficient, a mass or a size, rarely an extreme one.
 pub fn some_positive(choices: &mut Choices<'_>) -> Real {
     if choices.once_in(40) { choices.pick(&EDGES) } else { within(choices, 0.0, 2.0) }
 }
 
-/// A vector with components of up to `size`, or with an impossible one.
+/// Returns a vector with components of up to `size`, or with an extreme one.
 pub fn some_vector(choices: &mut Choices<'_>, size: f64) -> Vector {
     if choices.once_in(30) {
         let edge = choices.pick(&EDGES);
@@ -49,7 +49,7 @@ pub fn some_vector(choices: &mut Choices<'_>, size: f64) -> Vector {
     Vector::from_array(array)
 }
 
-/// A pose near the origin, or an impossible one.
+/// Returns a pose near the origin, or an extreme one.
 pub fn some_pose(choices: &mut Choices<'_>, size: f64) -> Pose {
     let angle = if choices.coin() { 0.0 } else { within(choices, -3.0, 3.0) };
     let mut pose = *RigidBodyBuilder::dynamic().rotation(about_z(angle)).build().position();
@@ -60,9 +60,9 @@ pub fn some_pose(choices: &mut Choices<'_>, size: f64) -> Pose {
     pose
 }
 
-/// A number from 0 to `count - 1`, told to whoever listens.
-pub fn told(choices: &mut Choices<'_>, count: usize) -> usize {
+/// Returns a number from 0 to `count - 1`, and prints it if `FUZZ_TELL` is set.
+pub fn choose(choices: &mut Choices<'_>, count: usize) -> usize {
     let choice = choices.below(count);
-    choices.tell(|| format!("    way {choice} of {count}"));
+    choices.tell(|| format!("    variant {choice} of {count}"));
     choice
 }

@@ -1,4 +1,4 @@
-//! Characters that walk, and bodies that follow a target.
+//! Character controllers, and bodies that follow a target.
 
 use super::colliders::OTHERS;
 use super::play::Play;
@@ -7,7 +7,7 @@ use super::rapier::prelude::*;
 use super::values::{some_pose, some_positive, some_real, some_vector};
 use crate::choices::Choices;
 
-/// Walks, or follows.
+/// Moves a character, or a body that follows a target.
 pub fn walk(play: &mut Play<'_>) {
     if play.choices.coin() { walk_as_character(play) } else { follow(play) }
 }
@@ -22,7 +22,7 @@ fn walk_as_character(play: &mut Play<'_>) {
         _ => some_pose(choices, 3.0),
     };
     let dt = if choices.once_in(8) { some_real(choices) } else { 1.0 / 60.0 };
-    let wish = some_vector(choices, 1.0);
+    let desired = some_vector(choices, 1.0);
     let filter = QueryFilter::default().groups(OTHERS).exclude_rigid_body(character);
     let mut collisions = Vec::new();
     let view = world.query_pipeline_with_filter(filter);
@@ -35,9 +35,9 @@ fn walk_as_character(play: &mut Play<'_>) {
             character: collider,
             contacts: &mut contacts,
         };
-        controller.move_shape_with_hooks(dt, &view, &*shape, &pose, wish, hooks, note)
+        controller.move_shape_with_hooks(dt, &view, &*shape, &pose, desired, hooks, note)
     } else {
-        controller.move_shape(dt, &view, &*shape, &pose, wish, note)
+        controller.move_shape(dt, &view, &*shape, &pose, desired, note)
     };
     assert!(moved.translation.is_finite(), "a character walks {:?}", moved.translation);
     let mass = some_positive(choices);

@@ -1,37 +1,37 @@
-//! A handler of events that believes nothing.
+//! Event handler that checks the sequence of events.
 
 use super::rapier::prelude::*;
 use std::collections::BTreeSet;
 use std::sync::Mutex;
 
-/// Follows who touches whom by the events alone.
+/// Tracks the touching pairs by events alone.
 #[derive(Default)]
-pub struct Witness {
+pub struct EventChecker {
     touching: Mutex<BTreeSet<[ColliderHandle; 2]>>,
-    lies: Mutex<Vec<String>>,
-    /// Some events were not heard: who touches whom cannot be known any more.
-    is_lost: bool,
+    errors: Mutex<Vec<String>>,
+    /// Whether events were missed. The touching pairs are then unknown.
+    has_missed_events: bool,
 }
 
-impl Witness {
-    /// Some events were not heard.
-    pub fn lose_track(&mut self) {
-        self.is_lost = true;
+impl EventChecker {
+    /// Records that events were missed.
+    pub fn mark_missed_events(&mut self) {
+        self.has_missed_events = true;
     }
 
     /// # Panics
-    /// If an event made no sense.
+    /// If an event was inconsistent.
     pub fn check(&self) {
-        let lies = self.lies.lock().unwrap();
-        assert!(lies.is_empty(), "{}", lies.join("\n"));
+        let errors = self.errors.lock().unwrap();
+        assert!(errors.is_empty(), "{}", errors.join("\n"));
     }
 
-    fn object(&self, to: &impl core::fmt::Debug, reason: &str) {
-        self.lies.lock().unwrap().push(format!("{reason}: {to:?}"));
+    fn report(&self, to: &impl core::fmt::Debug, reason: &str) {
+        self.errors.lock().unwrap().push(format!("{reason}: {to:?}"));
     }
 }
 
-impl EventHandler for Witness {
+impl EventHandler for EventChecker {
     fn handle_collision_event(
         &self,
         _: &RigidBodySet,
@@ -44,21 +44,21 @@ impl EventHandler for Witness {
         key.sort_unstable();
         let mut touching = self.touching.lock().unwrap();
         if event.started() {
-            if !touching.insert(key) && !self.is_lost {
-                self.object(event, "what touches began to touch");
+            if !touching.insert(key) && !self.has_missed_events {
+                self.report(event, "a touching pair began to touch");
             }
             if event.removed() || living < 2 {
-                self.object(event, "a removed collider began to touch");
+                self.report(event, "a removed collider began to touch");
             }
             if pair.is_some() == event.sensor() {
-                self.object(event, "solid colliders have contacts, sensors have not");
+                self.report(event, "solid colliders have contacts, sensors have none");
             }
         } else {
-            if !touching.remove(&key) && !self.is_lost {
-                self.object(event, "what did not touch stopped touching");
+            if !touching.remove(&key) && !self.has_missed_events {
+                self.report(event, "a separate pair stopped touching");
             }
             if event.removed() != (living < 2) {
-                self.object(event, "`removed` is not true");
+                self.report(event, "`removed` is wrong");
             }
         }
     }
@@ -71,15 +71,15 @@ impl EventHandler for Witness {
         colliders: &ColliderSet,
     ) {
         if !colliders.contains(event.collider1) || !colliders.contains(event.collider2) {
-            self.object(event, "a force on nothing");
+            self.report(event, "a force on removed colliders");
         }
-        let sound = event.total_force.is_finite()
+        let is_valid = event.total_force.is_finite()
             && event.total_force_magnitude.is_finite()
             && event.max_force_magnitude.is_finite()
             && event.max_force_magnitude >= 0.0
             && dt > 0.0;
-        if !sound {
-            self.object(event, "no force");
+        if !is_valid {
+            self.report(event, "a force with invalid numbers");
         }
     }
 }

@@ -1,4 +1,4 @@
-//! What the fuzzer says differently in 2D.
+//! Parts of the fuzzer that depend on the dimension, in 2D.
 
 use super::both::play::Play;
 use super::both::values::{some_real, within};
@@ -7,35 +7,35 @@ use crate::choices::Choices;
 
 /// All axes of a joint.
 pub const AXES: [JointAxis; 3] = JointAxis::ALL;
-/// How many kinds of shapes there are.
+/// Number of shape kinds.
 pub const SHAPES: usize = 18;
 
-/// What the joints of a tree lock: hinges, sliders, and nothing that moves.
+/// Locked axes of the joints of a tree: hinges, sliders, and fixed joints.
 pub const TREE_LOCKS: [JointAxesMask; 3] =
     [JointAxesMask::LIN_AXES, JointAxesMask::LOCKED_PRISMATIC_AXES, JointAxesMask::all()];
 
-/// A rotation vector or angular velocity about the axis that points out of the picture.
+/// Returns a rotation vector or angular velocity about the axis out of the plane.
 pub fn about_z(angle: Real) -> AngVector {
     angle
 }
 
-/// A rotation that is none.
+/// Returns an invalid rotation.
 pub fn broken_rotation(value: Real) -> Rotation {
     Rotation { re: value, im: 1.0 }
 }
 
-/// A box.
+/// Returns a box.
 pub fn cuboid(half: Real) -> ColliderBuilder {
     ColliderBuilder::cuboid(half, half)
 }
 
-/// The angular momentum and energy of a body about its centre of mass need its inertia: `ω I ω / 2`.
+/// Returns the rotational energy of a body about its centre of mass: `ω I ω / 2`.
 pub fn spin_energy(body: &RigidBody) -> f64 {
     let inertia = body.mass_properties().local_mprops().principal_inertia();
     0.5 * f64::from(inertia) * f64::from(body.angvel()).powi(2)
 }
 
-/// A shape of one of the kinds, about as large as `s`.
+/// Returns a shape of this kind, of about size `s`.
 pub fn shape(kind: usize, s: Real, choices: &mut Choices<'_>) -> Option<ColliderBuilder> {
     let corners = vec![point![-s, -s], point![s, -s], point![s, s], point![-s, s]];
     Some(match kind {
@@ -85,7 +85,7 @@ fn voxels(s: Real, choices: &mut Choices<'_>) -> ColliderBuilder {
     ColliderBuilder::voxels(Vector::splat(s), &cells.collect::<Vec<_>>())
 }
 
-/// A joint of some kind, without limits and motors.
+/// Returns a joint of some kind, without limits and motors.
 pub fn joint(choices: &mut Choices<'_>) -> GenericJoint {
     let axis = choices.pick(&[Vector::X, Vector::Y, vector![0.6, 0.8]]);
     let reach = some_real(choices);
@@ -104,12 +104,12 @@ pub fn joint(choices: &mut Choices<'_>) -> GenericJoint {
     }
 }
 
-/// A shape that is sent through the world turns, too.
+/// Returns the angular velocity of a cast shape.
 pub fn spin(choices: &mut Choices<'_>) -> AngVector {
     some_real(choices)
 }
 
-/// There are no vehicles in 2D.
+/// Placeholder: there are no vehicles in 2D.
 #[derive(Copy, Clone, Default)]
 pub struct Vehicle {}
 

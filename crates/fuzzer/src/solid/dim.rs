@@ -1,4 +1,4 @@
-//! What the fuzzer says differently in 3D.
+//! Parts of the fuzzer that depend on the dimension, in 3D.
 
 use super::both::colliders::OTHERS;
 use super::both::play::Play;
@@ -9,10 +9,10 @@ use crate::choices::Choices;
 
 /// All axes of a joint.
 pub const AXES: [JointAxis; 6] = JointAxis::ALL;
-/// How many kinds of shapes there are.
+/// Number of shape kinds.
 pub const SHAPES: usize = 22;
 
-/// What the joints of a tree lock: ball joints, universal joints, hinges, sliders, and nothing that moves.
+/// Locked axes of the joints of a tree: ball joints, universal joints, hinges, sliders, and fixed joints.
 pub const TREE_LOCKS: [JointAxesMask; 6] = [
     JointAxesMask::LIN_AXES,
     JointAxesMask::LIN_AXES.union(JointAxesMask::ANG_X),
@@ -22,22 +22,22 @@ pub const TREE_LOCKS: [JointAxesMask; 6] = [
     JointAxesMask::all(),
 ];
 
-/// A rotation vector or angular velocity about the axis that points out of the picture.
+/// Returns a rotation vector or angular velocity about the axis out of the plane.
 pub fn about_z(angle: Real) -> AngVector {
     AngVector::new(0.0, 0.0, angle)
 }
 
-/// A rotation that is none.
+/// Returns an invalid rotation.
 pub fn broken_rotation(value: Real) -> Rotation {
     Rotation::from_xyzw(value, 0.0, 1.0, 1.0)
 }
 
-/// A box.
+/// Returns a box.
 pub fn cuboid(half: Real) -> ColliderBuilder {
     ColliderBuilder::cuboid(half, half, half)
 }
 
-/// The energy of a body's rotation: `ω I ω / 2`.
+/// Returns the rotational energy of a body: `ω I ω / 2`.
 pub fn spin_energy(body: &RigidBody) -> f64 {
     let local = body.mass_properties().local_mprops();
     let to_world = *body.rotation() * local.principal_inertia_local_frame;
@@ -45,7 +45,7 @@ pub fn spin_energy(body: &RigidBody) -> f64 {
     0.5 * f64::from(spin.dot(local.principal_inertia() * spin))
 }
 
-/// A shape of one of the kinds, about as large as `s`.
+/// Returns a shape of this kind, of about size `s`.
 pub fn shape(kind: usize, s: Real, choices: &mut Choices<'_>) -> Option<ColliderBuilder> {
     let corners = [point![-s, -s, -s], point![s, -s, -s], point![0.0, s, -s], point![0.0, 0.0, s]];
     let [a, b, c, _] = corners;
@@ -112,7 +112,7 @@ fn voxels(s: Real, choices: &mut Choices<'_>) -> ColliderBuilder {
     ColliderBuilder::voxels(Vector::splat(s), &cells.collect::<Vec<_>>())
 }
 
-/// A joint of some kind, without limits and motors.
+/// Returns a joint of some kind, without limits and motors.
 pub fn joint(choices: &mut Choices<'_>) -> GenericJoint {
     let axis = choices.pick(&[Vector::X, Vector::Y, Vector::Z, vector![0.6, 0.0, 0.8]]);
     let reach = some_real(choices);
@@ -132,12 +132,12 @@ pub fn joint(choices: &mut Choices<'_>) -> GenericJoint {
     }
 }
 
-/// A shape that is sent through the world turns, too.
+/// Returns the angular velocity of a cast shape.
 pub fn spin(choices: &mut Choices<'_>) -> AngVector {
     some_vector(choices, 2.0)
 }
 
-/// A vehicle, once there is one.
+/// Vehicle of the world, after its creation.
 pub type Vehicle = Option<DynamicRayCastVehicleController>;
 
 /// Builds, tunes or moves a vehicle.

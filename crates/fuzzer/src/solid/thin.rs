@@ -6,38 +6,38 @@ use super::rapier::parry::utils::Array2;
 use super::rapier::prelude::*;
 use crate::choices::Choices;
 
-/// Half of the width of the shapes along their narrowest axis, and of the floors (m).
-const THIN: Real = 0.01;
-/// Half of the length of a tile and a voxel of a floor.
+/// Half the width of the shapes along their narrowest axis, and of the floors (m).
+const HALF_THICKNESS: Real = 0.01;
+/// Half the length of a tile and a voxel of a floor (m).
 const TILE: Real = 1.0;
 const CELL: Real = 0.2;
 
-/// A rotation vector or angular velocity with components of up to `size`.
+/// Returns a rotation vector or angular velocity with components of up to `size`.
 pub fn turn(choices: &mut Choices<'_>, size: f64) -> AngVector {
     AngVector::from_array([(); 3].map(|()| within(choices, -size, size)))
 }
 
-/// A shape that is thin along one axis, and as wide everywhere else as there.
+/// Returns a shape that is thin along one axis, and about equally wide along all others.
 pub fn thin_shape(choices: &mut Choices<'_>) -> ColliderBuilder {
     let (wide, long) = (within(choices, 0.1, 1.0), within(choices, 0.05, 1.0));
-    let disc = SharedShape::cylinder(THIN, wide);
+    let disc = SharedShape::cylinder(HALF_THICKNESS, wide);
     match choices.below(8) {
-        0 => ColliderBuilder::cuboid(wide, THIN, long),
-        1 => ColliderBuilder::cylinder(THIN, wide),
-        2 => ColliderBuilder::cone(2.0 * THIN, wide),
-        3 => plate([wide, THIN, long].into(), turn(choices, 1.5)),
-        4 => ColliderBuilder::round_cylinder(0.5 * THIN, wide, 0.5 * THIN),
-        5 => ColliderBuilder::round_cuboid(wide, 0.5 * THIN, long, 0.5 * THIN),
+        0 => ColliderBuilder::cuboid(wide, HALF_THICKNESS, long),
+        1 => ColliderBuilder::cylinder(HALF_THICKNESS, wide),
+        2 => ColliderBuilder::cone(2.0 * HALF_THICKNESS, wide),
+        3 => plate([wide, HALF_THICKNESS, long].into(), turn(choices, 1.5)),
+        4 => ColliderBuilder::round_cylinder(0.5 * HALF_THICKNESS, wide, 0.5 * HALF_THICKNESS),
+        5 => ColliderBuilder::round_cuboid(wide, 0.5 * HALF_THICKNESS, long, 0.5 * HALF_THICKNESS),
         6 => {
             let upright = Rotation::from_scaled_axis(turn(choices, 1.5));
             let upright = Pose::from_parts(Vector::Y * wide, upright);
             ColliderBuilder::compound(vec![(Pose::IDENTITY, disc.clone()), (upright, disc)])
         }
-        _ => ColliderBuilder::capsule_y(wide, 2.0 * THIN),
+        _ => ColliderBuilder::capsule_y(wide, 2.0 * HALF_THICKNESS),
     }
 }
 
-/// A hull that stands aslant in its own frame.
+/// Returns a hull that is oblique in its own frame.
 fn plate(half: Vector, angle: AngVector) -> ColliderBuilder {
     let (turn, signs) = (Rotation::from_scaled_axis(angle), [-1.0, 1.0]);
     let corner = |x: Real, y: Real, z: Real| turn * (half * Vector::new(x, y, z));
@@ -46,7 +46,7 @@ fn plate(half: Vector, angle: AngVector) -> ColliderBuilder {
         .unwrap_or(ColliderBuilder::cuboid(half.x, half.y, half.z))
 }
 
-/// Adds a floor whose top is at y = 0 and which reaches from -`half` to `half`.
+/// Adds a floor with its top at y = 0, from -`half` to `half`.
 pub fn lay_floor(world: &mut PhysicsWorld, half: Real, choices: &mut Choices<'_>) {
     let size = Vector::new(2.0 * half, 1.0, 2.0 * half);
     let floor = match choices.below(8) {
@@ -56,7 +56,8 @@ pub fn lay_floor(world: &mut PhysicsWorld, half: Real, choices: &mut Choices<'_>
         3 => ColliderBuilder::heightfield(Array2::new(13, 13, vec![0.0; 13 * 13]), size),
         4 => ColliderBuilder::halfspace(Vector::Y),
         5 => tiles(half),
-        6 => plate(Vector::new(half, THIN, half), Vector::ZERO).translation(Vector::Y * -THIN),
+        6 => plate(Vector::new(half, HALF_THICKNESS, half), Vector::ZERO)
+            .translation(Vector::Y * -HALF_THICKNESS),
         _ => cells(half),
     };
     choices.tell(|| format!("a floor: {:?}", floor.shape.shape_type()));
@@ -64,7 +65,7 @@ pub fn lay_floor(world: &mut PhysicsWorld, half: Real, choices: &mut Choices<'_>
 }
 
 fn board(half: Real) -> ColliderBuilder {
-    ColliderBuilder::cuboid(half, THIN, half).translation(Vector::Y * -THIN)
+    ColliderBuilder::cuboid(half, HALF_THICKNESS, half).translation(Vector::Y * -HALF_THICKNESS)
 }
 
 /// A flat mesh of `count` × `count` squares.
@@ -80,11 +81,11 @@ fn sheet(half: Real, count: u32) -> ColliderBuilder {
 }
 
 fn tiles(half: Real) -> ColliderBuilder {
-    let tile = SharedShape::cuboid(TILE, THIN, TILE);
+    let tile = SharedShape::cuboid(TILE, HALF_THICKNESS, TILE);
     let count = (half / TILE) as i32;
     let place = move |k: i32| TILE * (2 * k + 1 - count) as Real;
-    let places =
-        (0..count).flat_map(|i| (0..count).map(move |k| Vector::new(place(i), -THIN, place(k))));
+    let places = (0..count)
+        .flat_map(|i| (0..count).map(move |k| Vector::new(place(i), -HALF_THICKNESS, place(k))));
     let tiles = places.map(|at| (Pose::from_translation(at), tile.clone()));
     ColliderBuilder::compound(tiles.collect())
 }
@@ -92,6 +93,6 @@ fn tiles(half: Real) -> ColliderBuilder {
 fn cells(half: Real) -> ColliderBuilder {
     let count = (half / CELL) as Int;
     let cells = (-count..count).flat_map(|i| (-count..count).map(move |k| IVector::new(i, -1, k)));
-    let size = Vector::new(CELL, 2.0 * THIN, CELL);
+    let size = Vector::new(CELL, 2.0 * HALF_THICKNESS, CELL);
     ColliderBuilder::voxels(size, &cells.collect::<Vec<_>>())
 }

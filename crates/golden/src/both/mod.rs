@@ -28,7 +28,7 @@ pub const SCENES: [(&str, Run); 10] = [
     ("walkers", |settings| run(settings, 200, ground::walkers)),
 ];
 
-/// Actions of a scene before each step. Everything that it learns from the world goes into the hash.
+/// Actions of a scene before each step. The hash includes all values that a scene reads from the world.
 type Act = Box<dyn FnMut(&mut PhysicsWorld, usize, &mut Fold)>;
 
 /// The hashes of events.
@@ -81,7 +81,7 @@ fn fold_vector(fold: &mut Fold, vector: Vector) {
     vector.to_array().into_iter().for_each(|number| fold.number(f64::from(number)));
 }
 
-/// Runs a scene and returns the hash of all that happened.
+/// Runs a scene and returns the hash of its states and events.
 fn run(settings: Settings, steps: usize, build: fn(&mut PhysicsWorld) -> Act) -> u64 {
     let mut world = PhysicsWorld::new();
     world.physics_pipeline.set_wide_instructions(settings.wide);
@@ -102,7 +102,7 @@ fn run(settings: Settings, steps: usize, build: fn(&mut PhysicsWorld) -> Act) ->
     fold.value()
 }
 
-/// A scene that nothing happens to from outside.
+/// Returns the action of a scene without external actions.
 fn undisturbed() -> Act {
     Box::new(|_, _, _| ())
 }

@@ -1,11 +1,11 @@
-//! A world that grows where queries say.
+//! A world that grows at the results of queries.
 
 use super::super::dim::{about, cuboid, shapes, vec};
 use super::super::rapier::prelude::*;
 use super::{Act, fold_vector, word_of};
 use crate::Fold;
 
-/// New bodies appear where rays and shapes hit, and points project to.
+/// Inserts new bodies at hits of rays and shapes, and at projections of points.
 pub fn spawner(world: &mut PhysicsWorld) -> Act {
     world.insert_collider(cuboid(20.0, 0.5, 8.0), None);
     let shapes = shapes();

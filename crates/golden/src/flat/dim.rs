@@ -20,7 +20,7 @@ pub fn cuboid(hx: Real, hy: Real, _hz: Real) -> ColliderBuilder {
     ColliderBuilder::cuboid(hx, hy)
 }
 
-/// Nothing leaves the plane.
+/// Does nothing: bodies cannot leave the plane.
 pub fn enclose(_world: &mut PhysicsWorld, _half: Real) {}
 
 /// One shape of each kind, of about half a unit.

@@ -155,7 +155,7 @@ pub fn link_joints(anchor1: Vector, anchor2: Vector) -> Vec<GenericJoint> {
     joints(anchor1, anchor2).into_iter().take(4).collect()
 }
 
-/// Adds a vehicle, and returns what drives it.
+/// Adds a vehicle, and returns the function that drives it.
 pub fn drive(world: &mut PhysicsWorld) -> impl FnMut(&mut PhysicsWorld, usize) + use<> {
     let body = RigidBodyBuilder::dynamic().translation(vec(-6.0, 2.2, 0.0));
     let (chassis, _) = world.insert(body, ColliderBuilder::cuboid(1.0, 0.2, 0.5).mass(300.0));

@@ -1,14 +1,14 @@
 //! One body of every shape that can move, dropped from a little above the floor.
 //!
-//! After 200 steps no overlap is deeper than 0.01, no body is below -0.5, none is farther out than 14.0, and none is
-//! faster than 0.1.
+//! After 200 steps no overlap is deeper than 0.01. No body is below -0.5, farther out than 14.0 or faster
+//! than 0.1.
 
 use crate::common::{Dice, Law, Scene, SceneInfo};
 use crate::kit::{add, stone, world_with_floor};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
 
-/// The scene's entry in the list.
+/// Entry in the list.
 pub const INFO: SceneInfo = SceneInfo {
     name: "all_shapes",
     description: "One body of every shape: round and edged, convex and not, with and without area.",
@@ -60,7 +60,7 @@ fn shapes() -> Vec<ColliderBuilder> {
         ColliderBuilder::compound(cross.to_vec()),
         ColliderBuilder::voxels_from_points(Vector::splat(0.35), &steps),
         ColliderBuilder::trimesh(star, fan).expect("has triangles"),
-        // Without area there is no mass from a density.
+        // Shapes without area need an explicit mass.
         ColliderBuilder::segment(Vector::new(-0.8, 0.0), Vector::new(0.8, 0.3)).mass(1.0),
     ]
 }

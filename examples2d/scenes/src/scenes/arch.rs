@@ -1,14 +1,14 @@
 //! An arch of loose stones.
 //!
-//! After 200 steps no overlap is deeper than 0.015, no body is below 0.2, none is farther out than 7.1, none is
-//! faster than 0.1, and the top is above 8.47.
+//! After 200 steps no overlap is deeper than 0.015. No body is below 0.2, farther out than 7.1 or faster than
+//! 0.1. The top is above 8.47.
 
 use crate::common::{Law, Scene, SceneInfo};
 use crate::kit::{HALF_TURN, add, world_with_floor};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
 
-/// The scene's entry in the list.
+/// Entry in the list.
 pub const INFO: SceneInfo = SceneInfo {
     name: "arch",
     description: "An arch of 17 wedges, without mortar, carries a stack of boxes.",

@@ -1,13 +1,13 @@
 //! Bodies that change their type while the world runs.
 //!
-//! After 200 steps no overlap is deeper than 0.2, no body is below 0.0, and none is farther out than 18.0.
+//! After 200 steps no overlap is deeper than 0.2. No body is below 0.0 or farther out than 18.0.
 
 use crate::common::{Law, Scene, SceneInfo};
 use crate::kit::{add, square, world_with_floor};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
 
-/// The scene's entry in the list.
+/// Entry in the list.
 pub const INFO: SceneInfo = SceneInfo {
     name: "body_types",
     description: "Planks become kinematic, fixed and dynamic in turn, under heaps of balls and boxes.",

@@ -1,14 +1,14 @@
-//! A bridge that hangs on hinges, and what crosses it.
+//! Bridges of planks on hinges under a load of boulders.
 //!
-//! After 130 steps no overlap is deeper than 0.045, no body is below -24.8, none is farther out than 15.0, and no
-//! joint is open by more than 0.028.
+//! After 130 steps no overlap is deeper than 0.045. No body is below -24.8 or farther out than 15.0. No joint
+//! is open by more than 0.028.
 
 use crate::common::{Law, Scene, SceneInfo};
 use crate::kit::{add, add_fixed, hinge, square};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
 
-/// The scene's entry in the list.
+/// Entry in the list.
 pub const INFO: SceneInfo = SceneInfo {
     name: "bridge",
     description: "Two bridges of planks on hinges: one carries boulders of thirty times a plank's weight, some hinges of the other break under them.",
@@ -24,22 +24,23 @@ pub const INFO: SceneInfo = SceneInfo {
     build,
 };
 
-/// Planks of a bridge, and half their extents.
+/// Number of planks of a bridge, and their half extents.
 const PLANKS: usize = 24;
 const HALF: Vector = Vector::new(0.45, 0.1);
-/// From one hinge to the next, and the radius of the arc on which they hang.
+/// Distance of neighbouring hinges, and the radius of the arc on which they hang.
 const PITCH: Real = 1.0;
 const RADIUS: Real = 30.0;
-/// Force at which the weak hinges of one bridge break (mass · length / s²), and one in how many is weak.
+/// Breaking force of the weak hinges of one bridge (mass · length / s²), and the number of hinges per weak
+/// one.
 const STRENGTH: Real = 300.0;
 const WEAK: usize = 6;
-/// From one bridge to the other.
-const APART: Real = 9.0;
+/// Distance of the bridges.
+const BRIDGE_DISTANCE: Real = 9.0;
 
 /// Builds the scene.
 pub fn build() -> Scene {
     let mut world = PhysicsWorld::new();
-    for (y, strength) in [(APART, Real::INFINITY), (0.0, STRENGTH)] {
+    for (y, strength) in [(BRIDGE_DISTANCE, Real::INFINITY), (0.0, STRENGTH)] {
         add_bridge(&mut world, y, strength);
         for i in 0..5 {
             let place = Vector::new(3.0 * (i as Real - 2.0), y + 1.0 + 0.5 * i as Real);
@@ -50,9 +51,10 @@ pub fn build() -> Scene {
     Scene::new(world, View::flat()).focusing(Vector::new(-14.0, -7.0), Vector::new(14.0, 12.0))
 }
 
-/// Two banks with planks in between. They hang on an arc, as straight ones would have to pull without end to carry anything.
+/// Adds two banks with planks in between. They hang on an arc. Straight planks would need infinite tension to
+/// carry a load.
 fn add_bridge(world: &mut PhysicsWorld, y: Real, strength: Real) {
-    // The angle of a plank as seen from the middle of the arc, and of all of them to one side.
+    // Angle of a plank about the arc's centre, and of all planks on one side.
     let step = 2.0 * (0.5 * PITCH / RADIUS).asin();
     let side = 0.5 * PLANKS as Real * step;
     let top = y + RADIUS * side.cos();

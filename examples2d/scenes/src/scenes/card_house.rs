@@ -1,14 +1,14 @@
 //! A house of cards, held by friction alone.
 //!
-//! After 200 steps no overlap is deeper than 0.016, no body is below 0.4, none is farther out than 4.7, and the top
-//! is above 4.42.
+//! After 200 steps no overlap is deeper than 0.016. No body is below 0.4 or farther out than 4.7. The top is
+//! above 4.42.
 
 use crate::common::{Law, Scene, SceneInfo};
 use crate::kit::world_with_floor;
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
 
-/// The scene's entry in the list.
+/// Entry in the list.
 pub const INFO: SceneInfo = SceneInfo {
     name: "card_house",
     description: "Thin cards lean against each other, five storeys high.",
@@ -26,8 +26,8 @@ pub const INFO: SceneInfo = SceneInfo {
 
 /// Half length and half thickness of a card.
 const CARD: [Real; 2] = [0.8, 0.02];
-/// How far a card leans from the vertical (rad).
-const LEAN: Real = 0.43;
+/// Angle of a card from the vertical (rad).
+const ANGLE: Real = 0.43;
 
 /// Builds the scene.
 pub fn build() -> Scene {
@@ -39,9 +39,9 @@ pub fn build_sized(storeys: usize) -> Scene {
     let mut world = world_with_floor(50.0);
     let [length, thickness] = CARD;
     let card = ColliderBuilder::cuboid(thickness, length).friction(0.8);
-    // A leaning card reaches this far up and aside; two of them make a tent.
-    let rise = length * LEAN.cos() + thickness * LEAN.sin();
-    let run = length * LEAN.sin() + thickness * LEAN.cos();
+    // Height and width of a leaning card; two of them make a tent.
+    let rise = length * ANGLE.cos() + thickness * ANGLE.sin();
+    let run = length * ANGLE.sin() + thickness * ANGLE.cos();
     let spacing = 2.0 * length + 2.0 * thickness;
     for storey in 0..storeys {
         let floor = storey as Real * (2.0 * rise + 2.0 * thickness);
@@ -51,11 +51,11 @@ pub fn build_sized(storeys: usize) -> Scene {
             for side in [-1.0, 1.0] {
                 let body = RigidBodyBuilder::dynamic()
                     .translation(Vector::new(x + side * run, floor + rise))
-                    .rotation(side * LEAN);
+                    .rotation(side * ANGLE);
                 world.insert(body, card.clone());
             }
             if tent + 1 < tents {
-                // A lying card from the top of this tent to the top of the next.
+                // A horizontal card connects the top of this tent to the top of the next.
                 let middle = Vector::new(x + 0.5 * spacing, floor + 2.0 * rise + thickness);
                 let lying = ColliderBuilder::cuboid(length, thickness).friction(0.8);
                 world.insert(RigidBodyBuilder::dynamic().translation(middle), lying);

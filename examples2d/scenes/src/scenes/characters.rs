@@ -1,14 +1,14 @@
 //! Characters: they climb stairs and a slope, ride a lift and a raft, and push crates.
 //!
-//! After 200 steps no overlap is deeper than 0.01, no body is below -0.2, none is farther out than 20.0, and none is
-//! faster than 0.25.
+//! After 200 steps no overlap is deeper than 0.01. No body is below -0.2, farther out than 20.0 or faster
+//! than 0.25.
 
 use crate::common::{Law, Scene, SceneInfo, Walker};
 use crate::kit::{add, add_fixed, square, world_with_floor};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
 
-/// The scene's entry in the list.
+/// Entry in the list.
 pub const INFO: SceneInfo = SceneInfo {
     name: "characters",
     description: "Characters walk over stairs and a roof, ride a lift and a raft, and push crates.",
@@ -24,7 +24,7 @@ pub const INFO: SceneInfo = SceneInfo {
     build,
 };
 
-/// Stairs up and down, with their middle at `x`.
+/// Adds stairs up and down, with their middle at `x`.
 fn add_stairs(world: &mut PhysicsWorld, x: Real) {
     for step in 0..8 {
         let half = ColliderBuilder::cuboid(3.0 - 0.35 * step as Real, 0.1);
@@ -32,14 +32,14 @@ fn add_stairs(world: &mut PhysicsWorld, x: Real) {
     }
 }
 
-/// A roof of two slopes, of 30°.
+/// Adds a roof of two slopes of 30°.
 fn add_roof(world: &mut PhysicsWorld, x: Real) {
     let ridge = Vector::new(0.0, 3.0 * Real::to_radians(30.0).tan());
     let roof = ColliderBuilder::triangle(-Vector::X * 3.0, Vector::X * 3.0, ridge);
     world.insert_collider(roof.translation(Vector::X * x), None);
 }
 
-/// A platform that a script moves.
+/// Adds a platform that a script moves.
 fn add_platform(world: &mut PhysicsWorld, place: Vector) -> RigidBodyHandle {
     let body = RigidBodyBuilder::kinematic_velocity_based().translation(place);
     world.insert(body, ColliderBuilder::cuboid(1.5, 0.1)).0

@@ -1,13 +1,13 @@
 //! Colliders that change while the world runs.
 //!
-//! After 200 steps no overlap is deeper than 0.01, no body is below -34.8, and none is farther out than 15.0.
+//! After 200 steps no overlap is deeper than 0.01. No body is below -34.8 or farther out than 15.0.
 
 use crate::common::{Law, Scene, SceneInfo};
 use crate::kit::{add, square, world_with_floor};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
 
-/// The scene's entry in the list.
+/// Entry in the list.
 pub const INFO: SceneInfo = SceneInfo {
     name: "collider_edits",
     description: "Colliders grow, change their shape, move to another body and vanish while the world runs.",
@@ -17,7 +17,7 @@ pub const INFO: SceneInfo = SceneInfo {
     build,
 };
 
-/// What becomes of the colliders, by their place in the row.
+/// Edits of the colliders, by their place in the row.
 #[derive(Copy, Clone)]
 enum Fate {
     Grow,
@@ -49,7 +49,7 @@ pub fn build() -> Scene {
     })
 }
 
-/// Does what fate has in mind, `step` steps after the first time.
+/// Applies an edit, `step` steps after the first one.
 fn edit(
     world: &mut PhysicsWorld,
     fate: Fate,
@@ -68,7 +68,7 @@ fn edit(
         }
         (Fate::Reshape, 0) => colliders[collider].set_shape(SharedShape::ball(0.5)),
         (Fate::ChangeBody, 0) => {
-            // The lower square becomes a foot of the upper body; its own body stays behind, empty.
+            // The lower square becomes a part of the upper body; its own body remains without colliders.
             colliders.set_parent(collider, Some(upper), bodies);
             let foot = Pose::from_translation(Vector::new(0.9, -0.3));
             colliders[collider].set_position_wrt_parent(foot);

@@ -1,14 +1,14 @@
-//! Collision groups: two kinds of bodies, each with a shelf of its own.
+//! Collision groups: two kinds of bodies, each with its own shelf.
 //!
-//! After 200 steps no overlap is deeper than 0.01, no body is below 2.6, none is farther out than 8.5, and none is
-//! faster than 0.1.
+//! After 200 steps no overlap is deeper than 0.01. No body is below 2.6, farther out than 8.5 or faster than
+//! 0.1.
 
 use crate::common::{Law, Scene, SceneInfo};
 use crate::kit::{add, add_fixed, world_with_floor};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
 
-/// The scene's entry in the list.
+/// Entry in the list.
 pub const INFO: SceneInfo = SceneInfo {
     name: "collision_groups",
     description: "Balls and boxes fall through each other's shelf and rest on their own.",
@@ -32,7 +32,7 @@ const FLOOR: Group = Group::GROUP_32;
 pub fn build() -> Scene {
     let mut world = world_with_floor(50.0);
     for (y, group) in [(2.5, BALLS), (6.5, BOXES)] {
-        // A shelf is a member of the group that it holds, and meets no other.
+        // A shelf belongs to the group of its bodies, and collides with no other group.
         let shelf = ColliderBuilder::cuboid(7.0, 0.1)
             .collision_groups(InteractionGroups::new(group, group));
         add_fixed(&mut world, Vector::Y * y, shelf);
@@ -44,7 +44,7 @@ pub fn build() -> Scene {
             (ColliderBuilder::cuboid(0.4, 0.3), BOXES)
         };
         let place = Vector::new(0.95 * ((i % 15) as Real - 7.0), 8.0 + (i / 15) as Real);
-        // Members of other groups are not met, but the floor is in all groups.
+        // Bodies of other groups do not collide with it. The floor is in all groups.
         let groups = InteractionGroups::new(group, group | FLOOR);
         add(&mut world, place, shape.collision_groups(groups));
     }

@@ -1,16 +1,16 @@
-//! Bodies made of several parts, in the two ways there are.
+//! Bodies of several parts: several colliders, or one compound shape.
 //!
-//! After 200 steps no overlap is deeper than 0.032, no body is below -0.3, and none is farther out than 27.0.
+//! After 200 steps no overlap is deeper than 0.032. No body is below -0.3 or farther out than 27.0.
 
 use crate::common::{Law, Scene, SceneInfo};
 use crate::kit::world_with_floor;
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
 
-/// The scene's entry in the list.
+/// Entry in the list.
 pub const INFO: SceneInfo = SceneInfo {
     name: "compound",
-    description: "Tables with each leg a collider of its own, and crosses of one compound shape.",
+    description: "Tables with each leg a separate collider, and crosses of one compound shape.",
     category: Category::Basics,
     steps: 300,
     law: Law { overlap_max: 0.032, height_min: -0.3, reach_max: 27.0, ..Law::after(200) },
@@ -35,7 +35,7 @@ pub fn build() -> Scene {
     Scene::new(world, View::flat())
 }
 
-/// A top and two legs, each a collider.
+/// Adds a table: a top and two legs, each a collider.
 fn add_table(world: &mut PhysicsWorld, body: RigidBodyBuilder) {
     let (table, _) = world.insert(body, ColliderBuilder::cuboid(0.9, 0.1));
     for x in [-0.75, 0.75] {
@@ -44,7 +44,7 @@ fn add_table(world: &mut PhysicsWorld, body: RigidBodyBuilder) {
     }
 }
 
-/// Two crossed capsules as one shape.
+/// Returns two crossed capsules as one shape.
 fn cross() -> ColliderBuilder {
     let arms = [Vector::X, Vector::Y]
         .map(|axis| (Pose::IDENTITY, SharedShape::capsule(axis * -0.7, axis * 0.7, 0.17)));

@@ -1,13 +1,13 @@
 //! Bodies of several parts in a heap.
 //!
-//! After 200 steps no overlap is deeper than 0.82, no body is below 0.1, and none is farther out than 70.0.
+//! After 200 steps no overlap is deeper than 0.82. No body is below 0.1 or farther out than 70.0.
 
 use crate::common::{Law, Scene, SceneInfo};
 use crate::kit::{add_walls, world_with_floor};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
 
-/// The scene's entry in the list.
+/// Entry in the list.
 pub const INFO: SceneInfo = SceneInfo {
     name: "compounds",
     description: "3,000 bodies of two or three parts fall onto a heap.",
@@ -25,7 +25,7 @@ pub fn build() -> Scene {
     build_sized(3000)
 }
 
-/// Builds this many bodies.
+/// Builds the scene with this many bodies.
 pub fn build_sized(count: usize) -> Scene {
     let mut world = world_with_floor(200.0);
     add_walls(&mut world, 60.0, 30.0);
@@ -39,7 +39,7 @@ pub fn build_sized(count: usize) -> Scene {
     Scene::new(world, View::flat())
 }
 
-/// A table, a hook or a cross.
+/// Adds a table, a hook or a cross.
 fn add_compound(world: &mut PhysicsWorld, body: RigidBodyBuilder, kind: usize) {
     let part = |half: (Real, Real), place: (Real, Real)| {
         ColliderBuilder::cuboid(half.0, half.1).translation(Vector::new(place.0, place.1))

@@ -1,16 +1,16 @@
-//! Things that break when they are hit hard enough.
+//! Crates that break above a contact force.
 //!
-//! After 110 steps no overlap is deeper than 0.23, no body is below -0.1, and none is farther out than 36.0.
+//! After 110 steps no overlap is deeper than 0.23. No body is below -0.1 or farther out than 36.0.
 
 use crate::common::{Law, Scene, SceneInfo};
 use crate::kit::{add, square, world_with_floor};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
 
-/// The scene's entry in the list.
+/// Entry in the list.
 pub const INFO: SceneInfo = SceneInfo {
     name: "contact_forces",
-    description: "Contact-force events tell which crates a heavy ball breaks into pieces.",
+    description: "Contact-force events report the crates that a heavy ball breaks into pieces.",
     category: Category::Events,
     steps: 110,
     law: Law { overlap_max: 0.23, height_min: -0.1, reach_max: 36.0, ..Law::after(110) },
@@ -19,7 +19,7 @@ pub const INFO: SceneInfo = SceneInfo {
 
 /// Half extent of a crate.
 const CRATE: Real = 0.6;
-/// Force that a crate withstands (N), some ten times the weight of what the lowest carry.
+/// Breaking force of a crate (N), about ten times the load of the lowest crates.
 const STRENGTH: Real = 900.0;
 
 /// Builds the scene.
@@ -45,7 +45,8 @@ pub fn build() -> Scene {
     )
 }
 
-/// A crate with an event for each force beyond its strength. Its user data distinguishes it from the rest.
+/// Returns a crate with an event for each force above its breaking force. Its user data distinguishes it from
+/// other colliders.
 fn crate_shape() -> ColliderBuilder {
     square(CRATE)
         .active_events(ActiveEvents::CONTACT_FORCE_EVENTS)
@@ -53,7 +54,7 @@ fn crate_shape() -> ColliderBuilder {
         .user_data(1)
 }
 
-/// Puts four small boxes in the place of a crate.
+/// Replaces a crate by four small boxes.
 fn break_crate(world: &mut PhysicsWorld, collider: ColliderHandle) {
     let whole = world.colliders.get(collider).filter(|collider| collider.user_data == 1);
     let Some(body) = whole.and_then(Collider::parent) else { return };

@@ -1,13 +1,13 @@
 //! Stones of random shape.
 //!
-//! After 200 steps no overlap is deeper than 0.05, no body is below -0.3, and none is farther out than 9.5.
+//! After 200 steps no overlap is deeper than 0.05. No body is below -0.3 or farther out than 9.5.
 
 use crate::common::{Dice, Law, Scene, SceneInfo};
 use crate::kit::{add, add_walls, stone, world_with_floor};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
 
-/// The scene's entry in the list.
+/// Entry in the list.
 pub const INFO: SceneInfo = SceneInfo {
     name: "convex_polygons",
     description: "Stones of 3 to 8 corners and all sizes fall into a box.",

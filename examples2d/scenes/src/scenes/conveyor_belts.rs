@@ -1,6 +1,6 @@
-//! Surfaces that move while the body stands still.
+//! Conveyor belts: surfaces with a velocity on fixed bodies.
 //!
-//! After 200 steps no overlap is deeper than 0.022, no body is below 5.7, and none is farther out than 8.4.
+//! After 200 steps no overlap is deeper than 0.022. No body is below 5.7 or farther out than 8.4.
 
 use crate::common::{Law, Scene, SceneInfo};
 use crate::kit::{add, add_fixed, square, world_with_floor};
@@ -8,7 +8,7 @@ use crate::rapier::prelude::*;
 use gallery::{Category, View};
 use std::collections::BTreeMap;
 
-/// The scene's entry in the list.
+/// Entry in the list.
 pub const INFO: SceneInfo = SceneInfo {
     name: "conveyor_belts",
     description: "A hook gives contacts a tangent velocity: belts carry boxes to and fro, down to the floor.",
@@ -21,8 +21,7 @@ pub const INFO: SceneInfo = SceneInfo {
 /// Speed of the belts (m/s).
 const SPEED: Real = 1.5;
 
-/// Which colliders are belts, and where their surface goes. Handles are not ordered, so the key is
-/// the numbers in the handle.
+/// Surface velocities of the belts. Handles are not ordered, so the key is the pair of numbers in the handle.
 struct Belts(BTreeMap<(u32, u32), Vector>);
 
 impl Belts {
@@ -33,7 +32,7 @@ impl Belts {
 
 impl PhysicsHooks for Belts {
     fn modify_solver_contact(&self, context: &mut ContactModificationContext) {
-        // What is set is how fast friction makes the second body move against the first.
+        // The tangent velocity is the second body's velocity relative to the first, as friction aims for it.
         if let Some(velocity) = self.velocity(context.collider1) {
             context.set_tangent_velocity(velocity);
         } else if let Some(velocity) = self.velocity(context.collider2) {

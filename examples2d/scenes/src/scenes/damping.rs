@@ -1,13 +1,13 @@
-//! How fast motion dies away by itself.
+//! Damping of linear and angular velocities.
 //!
-//! After 120 steps no overlap is deeper than 0.01, no body is below -0.3, and none is farther out than 19.0.
+//! After 120 steps no overlap is deeper than 0.01. No body is below -0.3 or farther out than 19.0.
 
 use crate::common::{Law, Scene, SceneInfo};
 use crate::kit::square;
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
 
-/// The scene's entry in the list.
+/// Entry in the list.
 pub const INFO: SceneInfo = SceneInfo {
     name: "damping",
     description: "Weightless boxes, flung and spun alike, with a damping that grows from bottom to top.",

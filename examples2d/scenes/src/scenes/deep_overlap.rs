@@ -1,14 +1,14 @@
-//! Overlap from the beginning.
+//! Recovery from initial overlap.
 //!
-//! After 200 steps no overlap is deeper than 0.024, no body is below 0.1, and none is farther out than 34.0.
+//! After 200 steps no overlap is deeper than 0.024. No body is below 0.1 or farther out than 34.0.
 
 use crate::common::{Law, Scene, SceneInfo, plays};
 use gallery::{Category, View};
 
-/// The scene's entry in the list.
+/// Entry in the list.
 pub const INFO: SceneInfo = SceneInfo {
     name: "deep_overlap",
-    description: "48 boxes are created inside each other, push apart at a limited speed: they scatter and do not burst.",
+    description: "48 boxes are created inside each other, push apart at a limited speed, and scatter without bursting.",
     category: Category::Robustness,
     steps: 240,
     law: Law { overlap_max: 0.024, height_min: 0.1, reach_max: 34.0, ..Law::after(200) },

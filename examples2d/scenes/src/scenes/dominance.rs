@@ -1,16 +1,16 @@
-//! Bodies that give way and bodies that do not, whatever they weigh.
+//! Dominance groups: bodies of lower groups do not affect bodies of higher ones, whatever their mass.
 //!
-//! After 75 steps no overlap is deeper than 0.011, no body is below 0.1, and none is farther out than 19.0.
+//! After 75 steps no overlap is deeper than 0.011. No body is below 0.1 or farther out than 19.0.
 
 use crate::common::{Law, Scene, SceneInfo};
 use crate::kit::{add, add_fixed, square};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
 
-/// The scene's entry in the list.
+/// Entry in the list.
 pub const INFO: SceneInfo = SceneInfo {
     name: "dominance",
-    description: "Balls shot at walls: the one with a higher dominance group goes through as if the wall weighed nothing.",
+    description: "Balls shot at walls: the one with a higher dominance group passes through as if the wall had no mass.",
     category: Category::Basics,
     steps: 75,
     law: Law { overlap_max: 0.011, height_min: 0.1, reach_max: 19.0, ..Law::after(75) },

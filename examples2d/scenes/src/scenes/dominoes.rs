@@ -1,13 +1,13 @@
-//! One push, and all fall.
+//! Dominoes: one push topples all.
 //!
-//! After 200 steps no overlap is deeper than 0.01, no body is below -0.1, and none is farther out than 13.0.
+//! After 200 steps no overlap is deeper than 0.01. No body is below -0.1 or farther out than 13.0.
 
 use crate::common::{Law, Scene, SceneInfo};
 use crate::kit::{add_fixed, world_with_floor};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
 
-/// The scene's entry in the list.
+/// Entry in the list.
 pub const INFO: SceneInfo = SceneInfo {
     name: "dominoes",
     description: "Rows of dominoes on shelves fall, one after the other.",

@@ -1,13 +1,13 @@
 //! Simple shapes rain into a basin.
 //!
-//! After 200 steps no overlap is deeper than 1.3, no body is below -0.1, and none is farther out than 38.0.
+//! After 200 steps no overlap is deeper than 1.3. No body is below -0.1 or farther out than 38.0.
 
 use crate::common::{Dice, Law, Scene, SceneInfo};
 use crate::kit::{add, add_walls, stone, world_with_floor};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
 
-/// The scene's entry in the list.
+/// Entry in the list.
 pub const INFO: SceneInfo = SceneInfo {
     name: "downpour",
     description: "4,000 balls, boxes, capsules and stones rain into a basin.",
@@ -25,7 +25,7 @@ pub fn build() -> Scene {
     build_sized(4000)
 }
 
-/// Builds this many bodies.
+/// Builds the scene with this many bodies.
 pub fn build_sized(count: usize) -> Scene {
     let mut world = world_with_floor(200.0);
     add_walls(&mut world, 32.0, 40.0);

@@ -1,13 +1,13 @@
 //! Bodies on a landscape.
 //!
-//! After 200 steps no overlap is deeper than 0.012, no body is below -1.3, and none is farther out than 17.0.
+//! After 200 steps no overlap is deeper than 0.012. No body is below -1.3 or farther out than 17.0.
 
 use crate::common::{Law, Scene, SceneInfo};
 use crate::kit::{add, square};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
 
-/// The scene's entry in the list.
+/// Entry in the list.
 pub const INFO: SceneInfo = SceneInfo {
     name: "heightfield",
     description: "Boxes, balls and capsules tumble down the hills of a height field.",
@@ -28,7 +28,7 @@ pub fn build() -> Scene {
     let heights = (0..SAMPLES)
         .map(|i| {
             let x = i as Real / (SAMPLES - 1) as Real - 0.5;
-            // The rim is higher, so that nothing leaves.
+            // The rim is higher, so that no body leaves.
             1.2 * (x * 25.0).sin() + 0.4 * (x * 61.0).cos() + 28.0 * x * x
         })
         .collect();

@@ -1,6 +1,6 @@
-//! A curtain of balls, each joined to its left and its upper neighbour: thousands of loops.
+//! Net of balls, each joined to its left and its upper neighbour: thousands of closed loops.
 //!
-//! After 20 steps no overlap is deeper than 0.01, no body is below -99.9, none is farther out than 59.0, and no joint
+//! After 20 steps no overlap is deeper than 0.01. No body is below -99.9 or farther out than 59.0. No joint
 //! is open by more than 0.14.
 
 use crate::common::{Law, Scene, SceneInfo};
@@ -8,7 +8,7 @@ use crate::kit::add;
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
 
-/// The scene's entry in the list.
+/// Entry in the list.
 pub const INFO: SceneInfo = SceneInfo {
     name: "joint_grid",
     description: "100 × 100 balls joined to a net of 19,800 hinges, held by seven in the middle of its top row.",
@@ -26,20 +26,20 @@ pub const INFO: SceneInfo = SceneInfo {
 
 /// Balls along each side.
 const SIDE: usize = 100;
-/// How far the balls that hold the net are from the middle of the top row, at most.
-const HELD: usize = 3;
+/// Largest distance of a fixed ball from the middle of the top row, in balls.
+const FIXED_BALLS_REACH: usize = 3;
 
 /// Builds the scene.
 pub fn build() -> Scene {
     let mut world = PhysicsWorld::new();
     let mut balls = Vec::with_capacity(SIDE * SIDE);
-    // Balls do not touch each other: only joints are at work here.
+    // Balls do not collide, so that only joints act.
     let ball = ColliderBuilder::ball(0.4).density(1.0).collision_groups(InteractionGroups::none());
     for column in 0..SIDE {
         for row in 0..SIDE {
             let place = Vector::new(column as Real - 0.5 * SIDE as Real, -(row as Real));
             let body = add(&mut world, place, ball.clone());
-            if row == 0 && column.abs_diff(SIDE / 2) <= HELD {
+            if row == 0 && column.abs_diff(SIDE / 2) <= FIXED_BALLS_REACH {
                 world.bodies[body].set_body_type(RigidBodyType::Fixed, false);
             }
             if row > 0 {
@@ -54,7 +54,7 @@ pub fn build() -> Scene {
     Scene::new(world, View::flat())
 }
 
-/// Joins two balls halfway between them; `way` leads from the first to the second.
+/// Joins two balls at their midpoint; `way` is the vector from the first to the second.
 fn join(world: &mut PhysicsWorld, first: RigidBodyHandle, second: RigidBodyHandle, way: Vector) {
     let hinge = RevoluteJointBuilder::new().local_anchor1(0.5 * way).local_anchor2(-0.5 * way);
     world.insert_impulse_joint(first, second, hinge);

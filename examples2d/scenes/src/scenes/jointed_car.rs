@@ -1,14 +1,14 @@
 //! A car whose wheels and springs are joints.
 //!
-//! After 200 steps no overlap is deeper than 0.024, no body is below -0.1, none is farther out than 20.0, and no
-//! joint is open by more than 0.005.
+//! After 200 steps no overlap is deeper than 0.024. No body is below -0.1 or farther out than 20.0. No joint
+//! is open by more than 0.005.
 
 use crate::common::{Law, Scene, SceneInfo};
 use crate::kit::{add, add_fixed, add_pyramid, hinge, square, world_with_floor};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
 
-/// The scene's entry in the list.
+/// Entry in the list.
 pub const INFO: SceneInfo = SceneInfo {
     name: "jointed_car",
     description: "A car drives over bumps and a seesaw: each wheel slides on a spring and is turned by a motor, all in one joint.",
@@ -24,11 +24,11 @@ pub const INFO: SceneInfo = SceneInfo {
     build,
 };
 
-/// Half extents of the chassis, and where the front wheel is.
+/// Half extents of the chassis, and the position of the front wheel.
 const HALF: Vector = Vector::new(1.4, 0.25);
 const WHEEL: Vector = Vector::new(0.95, -0.45);
 const RADIUS: Real = 0.42;
-/// Velocity of the motors (rad/s), and the most that they can do.
+/// Velocity of the motors (rad/s), and their largest torque.
 const SPEED: Real = 16.0;
 const TORQUE: Real = 6.0;
 
@@ -52,14 +52,14 @@ pub fn build() -> Scene {
     Scene::new(world, View::flat()).focusing(Vector::new(-11.0, -0.5), Vector::new(18.0, 8.0))
 }
 
-/// A wheel that slides up and down on a spring, and is driven.
+/// Adds a driven wheel that slides vertically on a spring.
 fn add_wheel(world: &mut PhysicsWorld, chassis: RigidBodyHandle, place: Vector) {
     let at = world.bodies[chassis].translation() + place;
     let wheel = add(world, at, ColliderBuilder::ball(RADIUS).friction(1.2));
     let joint = GenericJointBuilder::new(JointAxesMask::LIN_X)
         .local_anchor1(place)
         .limits(JointAxis::LinY, [-0.25, 0.3])
-        // Half of the car on it: 2 Hz, and half of critical damping.
+        // With half of the car's mass: 2 Hz, and half of critical damping.
         .motor_model(JointAxis::LinY, MotorModel::ForceBased)
         .motor_position(JointAxis::LinY, -0.05, 280.0, 22.0)
         .motor_model(JointAxis::AngX, MotorModel::ForceBased)
@@ -69,7 +69,7 @@ fn add_wheel(world: &mut PhysicsWorld, chassis: RigidBodyHandle, place: Vector) 
     world.insert_impulse_joint(chassis, wheel, joint);
 }
 
-/// A board that turns on a post.
+/// Adds a board that rotates on a post.
 fn add_seesaw(world: &mut PhysicsWorld, foot: Vector) {
     let pivot = foot + Vector::Y * 0.7;
     let post = add_fixed(world, foot + Vector::Y * 0.35, ColliderBuilder::cuboid(0.15, 0.35));

@@ -1,13 +1,13 @@
-//! Every joint, each with what it leaves free.
+//! Every joint with its free axes.
 //!
-//! After 150 steps no overlap is deeper than 0.01, no body is below -6.4, none is farther out than 16.0, and no joint
+//! After 150 steps no overlap is deeper than 0.01. No body is below -6.4 or farther out than 16.0. No joint
 //! is open by more than 1.7.
 
 use crate::common::{Law, Scene, SceneInfo, stands};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
 
-/// The scene's entry in the list.
+/// Entry in the list.
 pub const INFO: SceneInfo = SceneInfo {
     name: "joints",
     description: "Every joint, with its free axes as far as their limits reach; all are pushed every two seconds.",
@@ -23,7 +23,7 @@ pub const INFO: SceneInfo = SceneInfo {
     build,
 };
 
-/// What is on show.
+/// Exhibits of the scene.
 const STANDS: [(&str, stands::Stand); 8] = [
     ("fixed", stands::fixed),
     ("soft", soft),
@@ -40,7 +40,7 @@ pub fn build() -> Scene {
     stands::show(&STANDS, View::flat())
 }
 
-/// A fixed joint that gives way like a spring.
+/// Joins a body by a soft fixed joint.
 fn soft(world: &mut PhysicsWorld, post: RigidBodyHandle) -> RigidBodyHandle {
     let beside = Vector::X;
     let spring = SpringCoefficients::new(1.5, 0.1);
@@ -48,14 +48,14 @@ fn soft(world: &mut PhysicsWorld, post: RigidBodyHandle) -> RigidBodyHandle {
     stands::hang(world, post, beside, joint)
 }
 
-/// Slides along a slot, and turns in it.
+/// Joins a body that slides along a slot and rotates in it.
 fn pin_slot(world: &mut PhysicsWorld, post: RigidBodyHandle) -> RigidBodyHandle {
     let slot = Vector::new(1.0, 0.15);
     let joint = PinSlotJointBuilder::new(slot).local_anchor2(-stands::down()).limits([-1.2, 1.2]);
     stands::hang(world, post, stands::down(), joint)
 }
 
-/// Slides along both axes within limits, on springs, and does not turn.
+/// Joins a body that slides along both axes within limits, on springs, with locked rotation.
 fn table(world: &mut PhysicsWorld, post: RigidBodyHandle) -> RigidBodyHandle {
     let joint = GenericJointBuilder::new(JointAxesMask::ANG_X)
         .limits(JointAxis::LinX, [-1.0, 1.0])

@@ -1,13 +1,13 @@
-//! Scrap in a yard, stirred by a blade: polygons in motion, with contacts that come and go.
+//! Scrap in a yard, stirred by a blade: polygons in motion, with new contacts in every step.
 //!
-//! After 20 steps no overlap is deeper than 0.84, no body is below -0.2, and none is farther out than 55.0.
+//! After 20 steps no overlap is deeper than 0.84. No body is below -0.2 or farther out than 55.0.
 
 use crate::common::{Dice, Law, Scene, SceneInfo};
 use crate::kit::{add, add_walls, square, stone, world_with_floor};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
 
-/// The scene's entry in the list.
+/// Entry in the list.
 pub const INFO: SceneInfo = SceneInfo {
     name: "junkyard",
     description: "A blade stirs a yard with 8,000 pieces of scrap.",
@@ -17,7 +17,7 @@ pub const INFO: SceneInfo = SceneInfo {
     build,
 };
 
-/// Pieces side by side, and how far apart they are.
+/// Number of pieces per row, and their distance.
 const COLUMNS: usize = 100;
 const SPACING: Real = 0.95;
 
@@ -47,7 +47,7 @@ pub fn build_sized(pieces: usize) -> Scene {
     Scene::new(world, View::flat())
 }
 
-/// Stones, beams, plates and balls.
+/// Returns shapes of stones, beams, plates and balls.
 fn scrap(dice: &mut Dice) -> Vec<ColliderBuilder> {
     let stones: Vec<_> =
         (0..8).filter_map(|_| ColliderBuilder::convex_hull(&stone(dice, 0.42, 7))).collect();

@@ -1,14 +1,14 @@
-//! One large pyramid: all of it is one island, and its load is passed on through 100 layers.
+//! One large pyramid: a single island, with its load on 100 layers.
 //!
-//! After 20 steps no overlap is deeper than 0.036, no body is below 0.1, none is farther out than 58.0, and the top
-//! is above 96.01.
+//! After 20 steps no overlap is deeper than 0.036. No body is below 0.1 or farther out than 58.0. The top is
+//! above 96.01.
 
 use crate::common::{Law, Scene, SceneInfo};
 use crate::kit::{add_pyramid, square, world_with_floor};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
 
-/// The scene's entry in the list.
+/// Entry in the list.
 pub const INFO: SceneInfo = SceneInfo {
     name: "large_pyramid",
     description: "A pyramid of 5,050 boxes, 100 at its base.",

@@ -1,14 +1,14 @@
-//! Many small pyramids: many islands, each of which could fall asleep by itself.
+//! Many small pyramids: many islands that could fall asleep independently.
 //!
-//! After 20 steps no overlap is deeper than 0.01, no body is below 0.1, none is farther out than 130.0, none is
-//! faster than 0.1, and the top is above 230.36.
+//! After 20 steps no overlap is deeper than 0.01. No body is below 0.1, farther out than 130.0 or faster than
+//! 0.1. The top is above 230.36.
 
 use crate::common::{Law, Scene, SceneInfo};
 use crate::kit::{add_pyramid, square};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
 
-/// The scene's entry in the list.
+/// Entry in the list.
 pub const INFO: SceneInfo = SceneInfo {
     name: "many_pyramids",
     description: "400 pyramids of 55 boxes each on 20 shelves: 22,000 boxes.",
@@ -33,7 +33,8 @@ pub fn build() -> Scene {
     build_sized(20)
 }
 
-/// Builds this many shelves with as many pyramids on each. All shelves are colliders of one body.
+/// Builds the scene with this many shelves, and as many pyramids on each. All shelves are colliders of one
+/// body.
 pub fn build_sized(shelves: usize) -> Scene {
     let half = 0.5;
     let spacing = 2.0 * half * (BASE + 1) as Real;

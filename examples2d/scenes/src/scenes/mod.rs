@@ -1,4 +1,4 @@
-//! One file for each scene, and the list of them all.
+//! One file for each scene, and the list of all scenes.
 
 pub mod primitives;
 pub mod all_shapes;
@@ -63,7 +63,7 @@ pub mod deep_overlap;
 
 use crate::common::SceneInfo;
 
-/// All scenes, in the order in which the gallery shows them.
+/// All scenes, in the gallery's order.
 pub const SCENES: [SceneInfo; 60] = [
     primitives::INFO,
     all_shapes::INFO,

@@ -1,14 +1,14 @@
-//! Platforms through which one can jump up, and on which one can then stand.
+//! One-way platforms: bodies pass them from below and land on them from above.
 //!
-//! After 200 steps no overlap is deeper than 0.01, no body is below -0.1, none is farther out than 6.5, and none is
-//! faster than 0.1.
+//! After 200 steps no overlap is deeper than 0.01. No body is below -0.1, farther out than 6.5 or faster than
+//! 0.1.
 
 use crate::common::{Law, Scene, SceneInfo};
 use crate::kit::{add_fixed, square, world_with_floor};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
 
-/// The scene's entry in the list.
+/// Entry in the list.
 pub const INFO: SceneInfo = SceneInfo {
     name: "one_way_platforms",
     description: "Boxes shot upwards pass three platforms from below and land on them from above.",
@@ -24,10 +24,10 @@ pub const INFO: SceneInfo = SceneInfo {
     build,
 };
 
-/// How far from straight up a contact may be and still hold (rad).
+/// Largest angle between the contact normal and the vertical for a contact to act (rad).
 const ALLOWED_ANGLE: Real = 0.1;
 
-/// Makes contacts of platforms hold from above only.
+/// Hook that keeps contacts of platforms from above only.
 struct OneWay {
     platforms: Vec<ColliderHandle>,
 }

@@ -1,13 +1,13 @@
-//! Bodies that the program moves, and what they carry.
+//! Kinematic platforms with loads.
 //!
-//! After 200 steps no overlap is deeper than 0.01, no body is below 0.2, and none is farther out than 13.0.
+//! After 200 steps no overlap is deeper than 0.01. No body is below 0.2 or farther out than 13.0.
 
 use crate::common::{Law, Scene, SceneInfo};
 use crate::kit::{add, square, world_with_floor};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
 
-/// The scene's entry in the list.
+/// Entry in the list.
 pub const INFO: SceneInfo = SceneInfo {
     name: "platforms",
     description: "Kinematic platforms, one driven by velocity and one by position, carry boxes; a third rocks.",

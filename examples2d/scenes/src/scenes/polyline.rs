@@ -1,13 +1,13 @@
 //! Bodies on a line.
 //!
-//! After 200 steps no overlap is deeper than 0.14, no body is below -4.1, and none is farther out than 19.0.
+//! After 200 steps no overlap is deeper than 0.14. No body is below -4.1 or farther out than 19.0.
 
 use crate::common::{Law, Scene, SceneInfo};
 use crate::kit::{add, square};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
 
-/// The scene's entry in the list.
+/// Entry in the list.
 pub const INFO: SceneInfo = SceneInfo {
     name: "polyline",
     description: "Bodies slide down a winding line into a basket, also a line.",
@@ -36,7 +36,7 @@ pub fn build() -> Scene {
     Scene::new(world, View::flat()).focusing(Vector::new(-15.0, -4.5), Vector::new(17.0, 9.0))
 }
 
-/// A slide from the upper left, with waves.
+/// Returns a slide from the upper left, with waves.
 fn slide() -> Vec<Vector> {
     (0..=100)
         .map(|i| {

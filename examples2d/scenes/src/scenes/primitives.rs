@@ -1,13 +1,13 @@
 //! Simple shapes rain onto a floor.
 //!
-//! After 200 steps no overlap is deeper than 0.14, no body is below 0.0, and none is farther out than 18.0.
+//! After 200 steps no overlap is deeper than 0.14. No body is below 0.0 or farther out than 18.0.
 
 use crate::common::{Law, Scene, SceneInfo};
 use crate::kit::{add, add_walls, world_with_floor};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
 
-/// The scene's entry in the list.
+/// Entry in the list.
 pub const INFO: SceneInfo = SceneInfo {
     name: "primitives",
     description: "Balls, boxes, capsules and triangles rain onto a floor.",
@@ -30,7 +30,7 @@ pub fn build() -> Scene {
     ];
     for layer in 0..16 {
         for column in 0..12 {
-            // Each layer stands a little aside, so that nothing lands flat on its like.
+            // Layers are shifted, so that no body lands flat on an equal one.
             let shift = if layer % 2 == 0 { 0.0 } else { 0.4 };
             let x = 1.4 * (column as Real - 5.5) + shift;
             let place = Vector::new(x, 1.0 + 1.3 * layer as Real);

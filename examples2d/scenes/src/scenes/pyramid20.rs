@@ -1,14 +1,14 @@
-//! A pyramid of medium size, which has to settle and fall asleep.
+//! A pyramid of medium size, which must settle and fall asleep.
 //!
-//! After 20 steps no overlap is deeper than 0.01, no body is below 0.1, none is farther out than 12.0, none is faster
-//! than 0.15, and the top is above 18.88.
+//! After 20 steps no overlap is deeper than 0.01. No body is below 0.1, farther out than 12.0 or faster than
+//! 0.15. The top is above 18.88.
 
 use crate::common::{Law, Scene, SceneInfo};
 use crate::kit::{add_pyramid, square, world_with_floor};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
 
-/// The scene's entry in the list.
+/// Entry in the list.
 pub const INFO: SceneInfo = SceneInfo {
     name: "pyramid20",
     description: "A pyramid of 20 rows settles and falls asleep.",

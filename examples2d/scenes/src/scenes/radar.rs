@@ -1,6 +1,6 @@
-//! Rays that look around, and a drone that is led by feedback.
+//! Rays from a mast, and a drone under feedback control.
 //!
-//! After 200 steps no overlap is deeper than 0.01, no body is below -0.1, and none is farther out than 17.0.
+//! After 200 steps no overlap is deeper than 0.01. No body is below -0.1 or farther out than 17.0.
 
 use crate::common::{Law, Scene, SceneInfo};
 use crate::kit::{add, square, world_with_floor};
@@ -8,20 +8,20 @@ use crate::rapier::prelude::*;
 use gallery::{Category, View};
 use std::f64::consts::PI;
 
-/// The scene's entry in the list.
+/// Entry in the list.
 pub const INFO: SceneInfo = SceneInfo {
     name: "radar",
-    description: "64 rays from above mark what they hit; a PD controller leads a drone over it.",
+    description: "64 rays from above mark what they hit; a PD controller guides a drone over it.",
     category: Category::Queries,
     steps: 240,
     law: Law { overlap_max: 0.01, height_min: -0.1, reach_max: 17.0, ..Law::after(200) },
     build,
 };
 
-/// Rays in half a turn, and how far they reach.
+/// Number of rays in half a revolution, and their length.
 const RAYS: usize = 64;
 const REACH: Real = 12.0;
-/// The foot of the rays.
+/// Origin of the rays.
 const EYE: Vector = Vector::new(0.0, 5.0);
 
 /// Builds the scene.
@@ -37,7 +37,7 @@ pub fn build() -> Scene {
         };
         add(&mut world, place, shape);
     }
-    // What marks a hit touches nothing and is not hit itself.
+    // Markers of hits collide with nothing, and rays ignore them.
     let marker = ColliderBuilder::ball(0.1).collision_groups(InteractionGroups::none());
     let markers: Vec<_> = (0..RAYS)
         .map(|_| world.insert(RigidBodyBuilder::kinematic_position_based(), marker.clone()).0)
@@ -60,7 +60,7 @@ pub fn build() -> Scene {
         .focusing(Vector::new(-13.0, -0.5), Vector::new(13.0, 13.0))
 }
 
-/// Corrects the velocity of the drone towards its place on a line at this time.
+/// Corrects the drone's velocity towards its target on a line at this time.
 fn lead(world: &mut PhysicsWorld, drone: RigidBodyHandle, pilot: &PdController, time: Real) {
     let place = Vector::new(7.0 * (0.9 * time).sin(), 8.0);
     let velocity = Vector::X * (6.3 * (0.9 * time).cos());

@@ -1,6 +1,6 @@
-//! Ragdolls: bodies of limbs on hinges with the limits of human joints.
+//! Ragdolls: limbs on hinges with the limits of human joints.
 //!
-//! After 20 steps no overlap is deeper than 0.12, no body is below 3.5, none is farther out than 6.8, and no joint is
+//! After 20 steps no overlap is deeper than 0.12. No body is below 3.5 or farther out than 6.8. No joint is
 //! open by more than 0.13.
 
 use crate::common::{Law, Scene, SceneInfo};
@@ -8,7 +8,7 @@ use crate::kit::{add, add_fixed, hinge, world_with_floor};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
 
-/// The scene's entry in the list.
+/// Entry in the list.
 pub const INFO: SceneInfo = SceneInfo {
     name: "ragdoll_stairs",
     description: "Ragdolls tumble down stairs: hinges with the limits of necks, shoulders, elbows, hips and knees.",
@@ -24,7 +24,7 @@ pub const INFO: SceneInfo = SceneInfo {
     build,
 };
 
-/// Steps of the stairs, and the length and height of each.
+/// Number of stairs, and their length and height.
 const STEPS: usize = 12;
 const TREAD: Real = 0.55;
 const RISE: Real = 0.4;
@@ -49,8 +49,8 @@ pub fn build() -> Scene {
     Scene::new(world, View::flat()).focusing(Vector::new(-4.0, -0.3), Vector::new(10.0, 6.2))
 }
 
-/// Adds a ragdoll that stands upright and looks along x, with the hips at a place. Muscles, if there are any, slow its
-/// limbs down.
+/// Adds an upright ragdoll that faces along x, with the hips at a place. Optional damping slows its joints
+/// down.
 pub(super) fn add_ragdoll(
     world: &mut PhysicsWorld,
     hips: Vector,
@@ -62,7 +62,7 @@ pub(super) fn add_ragdoll(
     let neck = (Vector::Y * 0.3, Vector::Y * -0.18);
     join(world, (chest, neck.0), (head, neck.1), [-0.7, 0.5], muscles);
     let mut bodies = vec![chest, head];
-    // By limb: where it begins, half its length and its radius, how far it swings and how far it bends.
+    // By limb: its origin, half its length and its radius, the limits of its swing and of its bend.
     let arm = (Vector::Y * 0.22, 0.17, 0.06, [-1.2, 2.8], [0.0, 2.4]);
     let leg = (Vector::Y * -0.3, 0.24, 0.08, [-0.4, 1.8], [-2.4, 0.0]);
     for (root, reach, radius, swing, bend) in [arm, arm, leg, leg] {
@@ -74,7 +74,7 @@ pub(super) fn add_ragdoll(
         join(world, (near, -end), (far, end), bend, muscles);
         bodies.extend([near, far]);
     }
-    // The limbs of one ragdoll do not collide: in a plane they all overlap.
+    // The limbs of one ragdoll do not collide, because they all overlap in the plane.
     for (k, &body) in bodies.iter().enumerate() {
         let doll = InteractionGroups::new(Group::GROUP_2, !Group::GROUP_2);
         let colliders = world.bodies[body].colliders().to_vec();
@@ -85,7 +85,7 @@ pub(super) fn add_ragdoll(
     bodies
 }
 
-/// A hinge with limits, and muscles that slow it down, if there are any.
+/// Joins two limbs by a hinge with limits and optional damping.
 fn join(
     world: &mut PhysicsWorld,
     (body1, anchor1): (RigidBodyHandle, Vector),

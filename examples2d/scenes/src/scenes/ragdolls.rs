@@ -1,6 +1,6 @@
-//! A thousand people fall on bumpy ground.
+//! A thousand ragdolls fall on uneven ground.
 //!
-//! After 200 steps no overlap is deeper than 0.25, no body is below -0.3, none is farther out than 48.0, and no joint
+//! After 200 steps no overlap is deeper than 0.25. No body is below -0.3 or farther out than 48.0. No joint
 //! is open by more than 0.58.
 
 use super::ragdoll_stairs::add_ragdoll;
@@ -9,10 +9,10 @@ use crate::kit::{add_fixed, add_walls, world_with_floor};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
 
-/// The scene's entry in the list.
+/// Entry in the list.
 pub const INFO: SceneInfo = SceneInfo {
     name: "ragdolls",
-    description: "1,000 people of ten bodies each rain on bumps: 9,000 hinges with limits.",
+    description: "1,000 ragdolls of ten bodies each fall on uneven ground: 9,000 hinges with limits.",
     category: Category::Joints,
     steps: 300,
     law: Law {
@@ -25,7 +25,7 @@ pub const INFO: SceneInfo = SceneInfo {
     build,
 };
 
-/// People side by side, and how far apart they are.
+/// Number of ragdolls per row, and their distance.
 const COLUMNS: usize = 50;
 const SPACING: Real = 1.6;
 
@@ -34,7 +34,7 @@ pub fn build() -> Scene {
     build_sized(1000)
 }
 
-/// Builds a rain of this many people.
+/// Builds the scene with this many ragdolls.
 pub fn build_sized(people: usize) -> Scene {
     let mut world = world_with_floor(100.0);
     let width = COLUMNS as Real * SPACING;

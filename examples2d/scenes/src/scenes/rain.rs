@@ -1,6 +1,6 @@
-//! Bodies come and go.
+//! Bodies are inserted and removed in every step.
 //!
-//! After 20 steps no overlap is deeper than 0.01, no body is below 8.1, and none is farther out than 12.0.
+//! After 20 steps no overlap is deeper than 0.01. No body is below 8.1 or farther out than 12.0.
 
 use crate::common::{Dice, Law, Scene, SceneInfo};
 use crate::kit::{square, world_with_floor};
@@ -8,7 +8,7 @@ use crate::rapier::prelude::*;
 use gallery::{Category, View};
 use std::collections::VecDeque;
 
-/// The scene's entry in the list.
+/// Entry in the list.
 pub const INFO: SceneInfo = SceneInfo {
     name: "rain",
     description: "Two bodies are added every step and the oldest removed: 500 stay.",
@@ -18,7 +18,7 @@ pub const INFO: SceneInfo = SceneInfo {
     build,
 };
 
-/// How many bodies there are at most.
+/// Largest number of bodies.
 const CROWD: usize = 500;
 
 /// Builds the scene.
@@ -28,7 +28,7 @@ pub fn build() -> Scene {
     let mut crowd = VecDeque::new();
     Scene::new(world, View::flat()).script(move |world, step| {
         for i in [2 * step, 2 * step + 1] {
-            // A column is used again when what came from it has fallen out of the way.
+            // A column is reused after its last body has fallen out of it.
             let column = (7 * i) % 15;
             let x = 1.3 * (column as Real - 7.0) + dice.between(-0.2, 0.2);
             let place = Vector::new(x, 12.0);

@@ -1,13 +1,13 @@
-//! How high things bounce.
+//! Restitution: heights of bouncing bodies.
 //!
-//! After 130 steps no overlap is deeper than 0.059, no body is below 0.0, and none is farther out than 9.7.
+//! After 130 steps no overlap is deeper than 0.059. No body is below 0.0 or farther out than 9.7.
 
 use crate::common::{Law, Scene, SceneInfo};
 use crate::kit::{add, world_with_floor};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
 
-/// The scene's entry in the list.
+/// Entry in the list.
 pub const INFO: SceneInfo = SceneInfo {
     name: "restitution",
     description: "Balls with a restitution from 0 to 1 fall from the same height.",

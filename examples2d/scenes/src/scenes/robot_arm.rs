@@ -1,13 +1,13 @@
 //! Inverse kinematics: an arm whose tip follows a target.
 //!
-//! After 200 steps no overlap is deeper than 0.19, no body is below 0.8, and none is farther out than 1.9.
+//! After 200 steps no overlap is deeper than 0.19. No body is below 0.8 or farther out than 1.9.
 
 use crate::common::{Law, Scene, SceneInfo};
 use crate::kit::{HALF_TURN, hinge, world_with_floor};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
 
-/// The scene's entry in the list.
+/// Entry in the list.
 pub const INFO: SceneInfo = SceneInfo {
     name: "robot_arm",
     description: "An arm of four joints reaches: inverse kinematics finds the angles, motors turn the joints there.",
@@ -17,11 +17,11 @@ pub const INFO: SceneInfo = SceneInfo {
     build,
 };
 
-/// Lengths of the links and half their thickness. The arm stands upright at first.
+/// Lengths of the links and half their thickness. The arm is upright at first.
 const LINKS: [(Real, Real); 4] = [(1.4, 0.14), (1.2, 0.12), (0.9, 0.10), (0.6, 0.08)];
-/// How far each joint turns to either side (rad).
+/// Limit of each joint's angle, to either side (rad).
 const REACH: Real = 2.4;
-/// Steps in which the target goes round.
+/// Number of steps per revolution of the target.
 const ROUND: Real = 400.0;
 /// Stiffness and damping of the motors (1/s², 1/s): critically damped at 10 Hz.
 const STIFFNESS: Real = 4000.0;
@@ -44,13 +44,13 @@ pub fn build() -> Scene {
         })
 }
 
-/// A figure of eight before the arm.
+/// Returns a point on a figure of eight in front of the arm.
 fn place_of_target(step: usize) -> Vector {
     let angle = 2.0 * HALF_TURN * step as Real / ROUND;
     Vector::new(2.4 * angle.sin(), 2.2 + 0.8 * (2.0 * angle).sin())
 }
 
-/// Links stacked on a base, each with its body's origin at its far end. Returns the joint of the last one.
+/// Adds links on a base, each with its body's origin at its far end. Returns the joint of the last link.
 fn add_arm(world: &mut PhysicsWorld) -> MultibodyJointHandle {
     let base = RigidBodyBuilder::fixed().translation(Vector::Y * 0.15);
     let (mut parent, _) = world.insert(base, ColliderBuilder::cuboid(0.4, 0.15));
@@ -72,7 +72,7 @@ fn add_arm(world: &mut PhysicsWorld) -> MultibodyJointHandle {
     tip
 }
 
-/// Lets the motors turn the joints to where the tip is at a place.
+/// Sets the motors' targets to joint angles with the tip at a place.
 fn reach(world: &mut PhysicsWorld, tip: MultibodyJointHandle, place: Vector) {
     let PhysicsWorld { multibody_joints, bodies, .. } = world;
     let Some((arm, link)) = multibody_joints.get_mut(tip) else { return };
@@ -80,7 +80,7 @@ fn reach(world: &mut PhysicsWorld, tip: MultibodyJointHandle, place: Vector) {
     let options = InverseKinematicsOption {
         damping: 0.2,
         max_iters: 20,
-        // From wherever it likes.
+        // The orientation of the tip is free.
         constrained_axes: JointAxesMask::LIN_AXES,
         ..InverseKinematicsOption::default()
     };

@@ -1,13 +1,13 @@
-//! Ground of many pieces, which feels like one.
+//! Internal edges: ground of many pieces acts like one surface.
 //!
-//! After 200 steps no overlap is deeper than 0.01, no body is below 0.1, and none is farther out than 37.0.
+//! After 200 steps no overlap is deeper than 0.01. No body is below 0.1 or farther out than 37.0.
 
 use crate::common::{Law, Scene, SceneInfo};
 use crate::kit::{add_fixed, square};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
 
-/// The scene's entry in the list.
+/// Entry in the list.
 pub const INFO: SceneInfo = SceneInfo {
     name: "seams",
     description: "Boxes, balls and capsules glide over storeys of a polyline, a height field, tiles and hulls.",
@@ -17,9 +17,9 @@ pub const INFO: SceneInfo = SceneInfo {
     build,
 };
 
-/// Metres along a storey.
+/// Length of a storey (m).
 const LENGTH: usize = 36;
-/// From storey to storey.
+/// Distance of neighbouring storeys.
 const SPACING: Real = 3.0;
 
 /// Builds the scene.
@@ -39,13 +39,13 @@ pub fn build() -> Scene {
                 .linvel(Vector::X * 8.0);
             world.insert(body, shape.friction(0.0));
         }
-        // Steps are felt.
+        // A step at the end stops the bodies.
         add_fixed(&mut world, place + Vector::X * LENGTH as Real, square(0.8));
     }
     Scene::new(world, View::flat()).focusing(Vector::new(-1.0, -2.0), Vector::new(38.0, 14.0))
 }
 
-/// The middles of square tiles of 1 m.
+/// Returns the middles of square tiles of 1 m.
 fn middles() -> impl Iterator<Item = Vector> {
     (0..LENGTH).map(|i| Vector::new(i as Real + 0.5, -0.5))
 }

@@ -1,12 +1,12 @@
-//! Levers: torque is weight times arm.
+//! Seesaws: torque is weight times moment arm.
 //!
-//! After 200 steps no overlap is deeper than 0.01, no body is below 0.6, none is farther out than 13.0, and no joint
-//! is open by more than 0.005.
+//! After 200 steps no overlap is deeper than 0.01. No body is below 0.6 or farther out than 13.0. No joint is
+//! open by more than 0.005.
 
 use crate::common::{Law, Scene, SceneInfo, plays};
 use gallery::{Category, View};
 
-/// The scene's entry in the list.
+/// Entry in the list.
 pub const INFO: SceneInfo = SceneInfo {
     name: "seesaw",
     description: "Planks on pivots: equal weights, a double weight on half the arm, and one that falls and throws another.",

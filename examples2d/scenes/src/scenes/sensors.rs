@@ -1,16 +1,16 @@
 //! Sensors: zones that report each body that enters or leaves, and exert no force.
 //!
-//! After 200 steps no overlap is deeper than 0.01, no body is below 0.0, and none is farther out than 9.8.
+//! After 200 steps no overlap is deeper than 0.01. No body is below 0.0 or farther out than 9.8.
 
 use crate::common::{Law, Scene, SceneInfo};
 use crate::kit::{add, world_with_floor};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
 
-/// The scene's entry in the list.
+/// Entry in the list.
 pub const INFO: SceneInfo = SceneInfo {
     name: "sensors",
-    description: "Each body in a sensor zone floats up, until an event says that it has left.",
+    description: "Each body in a sensor zone floats up, until an event reports its exit.",
     category: Category::Queries,
     steps: 420,
     law: Law { overlap_max: 0.01, height_min: 0.0, reach_max: 9.8, ..Law::after(200) },

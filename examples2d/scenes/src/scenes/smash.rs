@@ -1,13 +1,13 @@
-//! A block crashes into a crowd: a shock that spreads, and thousands of new pairs.
+//! A block crashes into a crowd: a shock that spreads, with thousands of new pairs.
 //!
-//! After 20 steps no overlap is deeper than 0.55, no body is below -16.6, and none is farther out than 42.0.
+//! After 20 steps no overlap is deeper than 0.55. No body is below -16.6 or farther out than 42.0.
 
 use crate::common::{Law, Scene, SceneInfo};
 use crate::kit::{add, square};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
 
-/// The scene's entry in the list.
+/// Entry in the list.
 pub const INFO: SceneInfo = SceneInfo {
     name: "smash",
     description: "A heavy block flies into 9,600 weightless boxes.",
@@ -22,7 +22,7 @@ pub fn build() -> Scene {
     build_sized(80)
 }
 
-/// Builds this many rows of boxes, half as many again to a row.
+/// Builds this many rows of boxes, each with 1.5 times as many boxes.
 pub fn build_sized(rows: usize) -> Scene {
     let mut world = PhysicsWorld::new();
     world.gravity = Vector::ZERO;

@@ -1,17 +1,17 @@
-//! Contacts that are seen but not felt.
+//! Solver groups: contacts with events but without forces.
 //!
-//! After 150 steps no overlap is deeper than 0.01, no body is below 0.0, none is farther out than 7.2, and none is
-//! faster than 0.84.
+//! After 150 steps no overlap is deeper than 0.01. No body is below 0.0, farther out than 7.2 or faster than
+//! 0.84.
 
 use crate::common::{Law, Scene, SceneInfo};
 use crate::kit::{add, add_fixed, square};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
 
-/// The scene's entry in the list.
+/// Entry in the list.
 pub const INFO: SceneInfo = SceneInfo {
     name: "solver_groups",
-    description: "Ghosts pass a wall, with contacts and events, that stops the others.",
+    description: "Ghosts pass a wall that stops other bodies; their contacts send events.",
     category: Category::Events,
     steps: 150,
     law: Law {
@@ -39,7 +39,7 @@ pub fn build() -> Scene {
         let body = add(&mut world, Vector::new(-6.0, floor + 0.4), shape);
         world.bodies[body].set_linvel(Vector::X * 9.0, true);
     }
-    // The wall pushes solid things alone.
+    // The wall acts on solid bodies only.
     let wall =
         ColliderBuilder::cuboid(0.3, 6.0).solver_groups(InteractionGroups::new(Group::ALL, SOLID));
     add_fixed(&mut world, Vector::new(0.0, 6.0), wall);

@@ -1,13 +1,13 @@
 //! A blade in a round pit: fast contacts at its tips, a slow pile below.
 //!
-//! After 200 steps no overlap is deeper than 1.2, no body is below -40.1, and none is farther out than 47.0.
+//! After 200 steps no overlap is deeper than 1.2. No body is below -40.1 or farther out than 47.0.
 
 use crate::common::{Law, Scene, SceneInfo};
 use crate::kit::{add, ring, square};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
 
-/// The scene's entry in the list.
+/// Entry in the list.
 pub const INFO: SceneInfo = SceneInfo {
     name: "spinner",
     description: "A blade spins in a pit with 3,040 balls, boxes and capsules.",
@@ -27,7 +27,7 @@ pub fn build() -> Scene {
     build_sized(3040)
 }
 
-/// Builds a pit with this many bodies.
+/// Builds the scene with this many bodies.
 pub fn build_sized(count: usize) -> Scene {
     let mut world = PhysicsWorld::new();
     add_rim(&mut world);
@@ -41,7 +41,7 @@ pub fn build_sized(count: usize) -> Scene {
     let columns = 76;
     for i in 0..count {
         let [column, row] = [i % columns, i / columns].map(|n| n as Real);
-        // To the left and right of the blade.
+        // Bodies alternate between the left and the right of the blade.
         let side = if i % 2 == 0 { -1.0 } else { 1.0 };
         let place = Vector::new(side * (1.6 + 0.38 * column), -20.0 + 0.9 * row);
         if place.length() < PIT - 1.0 {
@@ -51,7 +51,7 @@ pub fn build_sized(count: usize) -> Scene {
     Scene::new(world, View::flat())
 }
 
-/// A fixed body of blocks in a circle, so thick that nothing flies through.
+/// Adds a fixed body of blocks in a circle, thick enough to contain fast bodies.
 fn add_rim(world: &mut PhysicsWorld) {
     let rim = world.insert_body(RigidBodyBuilder::fixed());
     for block in ring(PIT, PIECES, 2.0) {

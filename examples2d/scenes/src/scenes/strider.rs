@@ -1,14 +1,14 @@
 //! Closed loops of joints: Theo Jansen's walking machine.
 //!
-//! After 200 steps no overlap is deeper than 0.06, no body is below -0.2, none is farther out than 5.1, and no joint
-//! is open by more than 0.005.
+//! After 200 steps no overlap is deeper than 0.06. No body is below -0.2 or farther out than 5.1. No joint is
+//! open by more than 0.005.
 
 use crate::common::{Law, Scene, SceneInfo, Strider, turns};
 use crate::kit::{add, square, world_with_floor};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
 
-/// The scene's entry in the list.
+/// Entry in the list.
 pub const INFO: SceneInfo = SceneInfo {
     name: "strider",
     description: "Theo Jansen's walking machine: six legs of bars and hinges in closed loops, and one motor.",

@@ -1,13 +1,13 @@
 //! Bodies on a triangle mesh.
 //!
-//! After 200 steps no overlap is deeper than 0.023, no body is below -0.7, and none is farther out than 17.0.
+//! After 200 steps no overlap is deeper than 0.023. No body is below -0.7 or farther out than 17.0.
 
 use crate::common::{Law, Scene, SceneInfo};
 use crate::kit::{add, square};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
 
-/// The scene's entry in the list.
+/// Entry in the list.
 pub const INFO: SceneInfo = SceneInfo {
     name: "trimesh",
     description: "Balls and boxes roll along a winding channel made of triangles.",
@@ -36,12 +36,12 @@ pub fn build() -> Scene {
     Scene::new(world, View::flat()).focusing(Vector::new(-16.0, -3.0), Vector::new(16.0, 10.0))
 }
 
-/// Height of the ground.
+/// Returns the height of the ground.
 fn height(x: Real) -> Real {
     0.03 * x * x + 0.8 * (0.9 * x).sin()
 }
 
-/// A band of triangles below the ground line.
+/// Returns a band of triangles below the ground line.
 fn channel() -> (Vec<Vector>, Vec<[u32; 3]>) {
     let mut vertices = Vec::new();
     for i in 0..=PIECES {

@@ -1,16 +1,16 @@
-//! A turning box: everything moves all the time.
+//! A rotating box: all bodies move all the time.
 //!
-//! After 20 steps no overlap is deeper than 0.01, no body is below -8.6, and none is farther out than 9.4.
+//! After 20 steps no overlap is deeper than 0.01. No body is below -8.6 or farther out than 9.4.
 
 use crate::common::{Law, Scene, SceneInfo};
 use crate::kit::{HALF_TURN, add, square};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
 
-/// The scene's entry in the list.
+/// Entry in the list.
 pub const INFO: SceneInfo = SceneInfo {
     name: "tumbler",
-    description: "A box turns 2,025 small ones over and over.",
+    description: "A rotating box tumbles 2,025 small ones.",
     category: Category::Stress,
     steps: 400,
     law: Law { overlap_max: 0.01, height_min: -8.6, reach_max: 9.4, ..Law::after(20) },
@@ -22,10 +22,10 @@ pub fn build() -> Scene {
     build_sized(45)
 }
 
-/// Builds a turning box with a square of boxes in it, this many along each side.
+/// Builds the scene with a square of boxes in the rotating box, this many along each side.
 pub fn build_sized(side: usize) -> Scene {
     let mut world = PhysicsWorld::new();
-    // 25 degrees a second.
+    // 25 degrees per second.
     let speed = 25.0 / 180.0 * HALF_TURN;
     let body = RigidBodyBuilder::kinematic_velocity_based().angvel(speed);
     let drum = world.insert_body(body);

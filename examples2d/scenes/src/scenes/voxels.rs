@@ -1,6 +1,6 @@
 //! Bodies on a terrain of voxels that is dug up while the world runs.
 //!
-//! After 200 steps no overlap is deeper than 0.14, no body is below 1.9, and none is farther out than 9.9.
+//! After 200 steps no overlap is deeper than 0.14. No body is below 1.9 or farther out than 9.9.
 
 use crate::common::{Law, Scene, SceneInfo};
 use crate::kit::{add, square};
@@ -8,17 +8,17 @@ use crate::rapier::parry::math::IVector;
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
 
-/// The scene's entry in the list.
+/// Entry in the list.
 pub const INFO: SceneInfo = SceneInfo {
     name: "voxels",
-    description: "A crater is dug into voxels, step by step, and what lies on them follows.",
+    description: "A crater is dug into voxels, step by step, and the bodies on them follow.",
     category: Category::Shapes,
     steps: 300,
     law: Law { overlap_max: 0.14, height_min: 1.9, reach_max: 9.9, ..Law::after(200) },
     build,
 };
 
-/// Voxels from the middle to the edge.
+/// Number of voxels from the middle to the edge.
 const REACH: Int = 24;
 /// Size of a voxel.
 const SIZE: Real = 0.5;
@@ -46,19 +46,19 @@ pub fn build() -> Scene {
         })
 }
 
-/// Number of voxels above each other: a plain between two hills.
+/// Returns the height of the terrain in voxels: a plain between two hills.
 fn top(x: Int) -> Int {
     10 + x * x / 60
 }
 
-/// Takes out the voxels of a disc that grows with each call.
+/// Removes the voxels of a disc that grows with each call.
 fn dig(world: &mut PhysicsWorld, terrain: ColliderHandle, time: usize) {
     let radius = (1 + time / 2).min(9) as Int;
     let Some(collider) = world.colliders.get_mut(terrain) else { return };
     let Some(voxels) = collider.shape_mut().as_voxels_mut() else { return };
     for x in -radius..=radius {
         for y in -radius..=radius {
-            // One layer stays at the bottom.
+            // One layer remains at the bottom.
             if x * x + y * y <= radius * radius && y + 10 >= 1 {
                 voxels.set_voxel(IVector::new(x, y + 10), false);
             }

@@ -1,26 +1,26 @@
-//! A turning drum with paddles: everything moves all the time.
+//! A rotating drum with paddles: all bodies move all the time.
 //!
-//! After 20 steps no overlap is deeper than 0.35, no body is below -30.9, and none is farther out than 37.0.
+//! After 20 steps no overlap is deeper than 0.35. No body is below -30.9 or farther out than 37.0.
 
 use crate::common::{Law, Scene, SceneInfo};
 use crate::kit::{HALF_TURN, add, directions, ring, square};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
 
-/// The scene's entry in the list.
+/// Entry in the list.
 pub const INFO: SceneInfo = SceneInfo {
     name: "washer",
-    description: "A drum with paddles turns 8,000 boxes and balls over and over.",
+    description: "A drum with paddles rotates and tumbles 8,000 boxes and balls.",
     category: Category::Stress,
     steps: 300,
     law: Law { overlap_max: 0.35, height_min: -30.9, reach_max: 37.0, ..Law::after(20) },
     build,
 };
 
-/// Boards around the drum, and paddles on them.
+/// Number of boards around the drum, and of paddles on them.
 const BOARDS: usize = 48;
 const PADDLES: usize = 6;
-/// Distance of neighbours in the beginning, and half the size of a box.
+/// Initial distance of neighbours, and half the size of a box.
 const CELL: Real = 0.5;
 const HALF: Real = 0.2;
 
@@ -29,7 +29,7 @@ pub fn build() -> Scene {
     build_sized(8000)
 }
 
-/// Builds a drum with this many bodies in it, which fill two thirds of it when they lie still.
+/// Builds the scene with this many bodies, which fill two thirds of the drum at rest.
 pub fn build_sized(count: usize) -> Scene {
     let mut world = PhysicsWorld::new();
     let radius = 1.2 * CELL * (count as Real / HALF_TURN).sqrt() + 2.0;
@@ -45,7 +45,7 @@ pub fn build_sized(count: usize) -> Scene {
     Scene::new(world, View::flat())
 }
 
-/// A kinematic body of boards in a circle, and of paddles.
+/// Adds a kinematic body of boards in a circle, and of paddles.
 fn add_drum(world: &mut PhysicsWorld, radius: Real) {
     let drum = world.insert_body(RigidBodyBuilder::kinematic_velocity_based().angvel(0.4));
     for board in ring(radius, BOARDS, 0.5) {

@@ -1,12 +1,12 @@
 //! A chain, and a ball at its end.
 //!
-//! After 200 steps no overlap is deeper than 0.01, no body is below 0.1, none is farther out than 6.8, and no joint
-//! is open by more than 0.005.
+//! After 200 steps no overlap is deeper than 0.01. No body is below 0.1 or farther out than 6.8. No joint is
+//! open by more than 0.005.
 
 use crate::common::{Law, Scene, SceneInfo, plays};
 use gallery::{Category, View};
 
-/// The scene's entry in the list.
+/// Entry in the list.
 pub const INFO: SceneInfo = SceneInfo {
     name: "wrecking_ball",
     description: "A heavy ball on a chain of eight links swings into a wall of boxes.",

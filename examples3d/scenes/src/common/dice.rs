@@ -1,15 +1,15 @@
-//! Random numbers that are the same in every run and on every machine.
+//! Deterministic random numbers: equal on every run and every machine.
 
 use crate::rapier::prelude::Real;
 
-/// A generator of random numbers (PCG: O'Neill 2014, the 32-bit output of a 64-bit state).
+/// Random number generator (PCG: O'Neill 2014, the 32-bit output of a 64-bit state).
 #[derive(Clone, Debug)]
 pub struct Dice {
     state: u64,
 }
 
 impl Dice {
-    /// A generator. Different seeds give different sequences.
+    /// Creates a generator. Different seeds give different sequences.
     pub fn new(seed: u64) -> Self {
         let mut dice = Self { state: seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) };
         dice.roll();
@@ -24,13 +24,13 @@ impl Dice {
         mixed.rotate_right((old >> 59) as u32)
     }
 
-    /// A number from `low` to `high`.
+    /// Returns a number from `low` to `high`.
     pub fn between(&mut self, low: Real, high: Real) -> Real {
         let unit = (self.roll() >> 8) as Real / (1 << 24) as Real;
         low + (high - low) * unit
     }
 
-    /// A whole number below `end`.
+    /// Returns a whole number below `end`.
     pub fn below(&mut self, end: usize) -> usize {
         ((u64::from(self.roll()) * end as u64) >> 32) as usize
     }

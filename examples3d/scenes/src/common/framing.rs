@@ -1,4 +1,4 @@
-//! The camera of every scene shows its moving bodies: they cover a part of the picture and are not hidden.
+//! The camera of every scene frames the moving bodies: they cover a part of the picture and are not hidden.
 
 use crate::SCENES;
 use crate::rapier::math::DIM;
@@ -9,14 +9,16 @@ use std::collections::HashSet;
 
 /// Size of the pictures, in pixels.
 const SIZE: [usize; 2] = [240, 135];
-/// Smallest fraction of the pixels that moving bodies cover. Flat scenes show long tracks with small bodies on them.
+/// Smallest fraction of the pixels that moving bodies cover. Flat scenes show long tracks with small bodies
+/// on them.
 const COVERED_MIN: f32 = if DIM == 2 { 0.0045 } else { 0.01 };
-/// Smallest fraction of the moving colliders in the picture that are visible, by kind of scene: in a heap most are inside.
+/// Smallest fraction of the moving colliders in the picture that are visible, by kind of scene. Most
+/// colliders of a heap are inside it.
 const VISIBLE_MIN: f32 = 0.25;
 const VISIBLE_IN_HEAPS_MIN: f32 = 0.06;
-/// Colliders from which a scene counts as a heap.
+/// Number of colliders from which a scene counts as a heap.
 const HEAP: usize = 150;
-/// Steps before the picture: enough for bodies to arrive where the camera looks.
+/// Steps before the picture: enough for bodies to arrive in the camera's view.
 const STEPS: usize = 120;
 
 /// Fractions of a picture.
@@ -45,7 +47,7 @@ fn framing(drawing: &Drawing, camera: &Camera) -> Framing {
 }
 
 #[test]
-fn cameras_frame_what_moves() {
+fn cameras_frame_moving_bodies() {
     let mut complaints = Vec::new();
     for info in &SCENES {
         let mut scene = (info.build)();

@@ -1,53 +1,53 @@
-//! Theo Jansen's walking linkage: where its joints are.
+//! Geometry of Theo Jansen's walking linkage.
 //!
-//! A leg has one crank and eleven bars, and its foot goes straight and slowly while it is on the ground, high and fast while
-//! it is not. The lengths are Jansen's "holy numbers" (strandbeest.com), in hundredths of ours.
+//! A leg has one crank and eleven bars. Its foot moves straight and slowly on the ground, high and fast above
+//! it. The lengths are Jansen's "holy numbers" (strandbeest.com), in hundredths of the unit here.
 
 use crate::rapier::prelude::Real;
 
 /// A point of the plane in which a leg moves.
 pub type Point = [Real; 2];
 
-/// From the crank to where the body holds the leg: behind it, and below it.
+/// Position of the leg's pivot on the body, relative to the crank: behind and below it.
 const PIVOT: Point = [-0.380, -0.078];
-/// The crank.
+/// Length of the crank.
 const CRANK: Real = 0.150;
-/// From the crank's pin to the upper and the lower knee.
+/// Bars from the crank's pin to the upper and the lower knee.
 const TO_UPPER: Real = 0.500;
 const TO_LOWER: Real = 0.619;
-/// From the pivot to these knees, and to the hip, which is held by the upper one.
+/// Bars from the pivot to these knees and to the hip, and from the upper knee to the hip.
 const UPPER: Real = 0.415;
 const LOWER: Real = 0.393;
 const HIP: Real = 0.401;
 const UPPER_TO_HIP: Real = 0.558;
-/// From the hip and from the lower knee to the heel; from heel and lower knee to the foot.
+/// Bars from the hip and the lower knee to the heel, and from heel and lower knee to the foot.
 const HIP_TO_HEEL: Real = 0.394;
 const LOWER_TO_HEEL: Real = 0.367;
 const HEEL_TO_FOOT: Real = 0.657;
 const LOWER_TO_FOOT: Real = 0.490;
 
-/// The joints of one leg, seen from the crank.
+/// Joints of one leg, relative to the crank.
 pub struct Leg {
     /// The crank's pin.
     pub pin: Point,
-    /// Where the body holds the leg.
+    /// Pivot of the leg on the body.
     pub pivot: Point,
-    /// Where the pin's upper bar holds the upper triangle.
+    /// Joint of the pin's upper bar and the upper triangle.
     pub upper: Point,
-    /// Where the pin's lower bar, the pivot's and the foot's triangle meet.
+    /// Joint of the pin's lower bar, the pivot's bar and the foot's triangle.
     pub lower: Point,
-    /// The upper triangle's third corner.
+    /// Third corner of the upper triangle.
     pub hip: Point,
-    /// Where the hip's bar holds the foot's triangle.
+    /// Joint of the hip's bar and the foot's triangle.
     pub heel: Point,
     /// The foot.
     pub foot: Point,
 }
 
 impl Leg {
-    /// The leg behind the crank (`side` -1) or before it (1), when the crank is at an angle (rad).
+    /// Returns the leg behind the crank (`side` -1) or in front of it (1), for an angle of the crank (rad).
     pub fn new(angle: Real, side: Real) -> Self {
-        // A leg before the crank is one behind it, in a mirror.
+        // A leg in front of the crank is the mirror image of one behind it.
         let mirror = |[x, y]: Point| [-side * x, y];
         let pin = mirror([CRANK * angle.cos(), CRANK * angle.sin()]);
         let upper = meet(pin, TO_UPPER, PIVOT, UPPER);
@@ -61,7 +61,8 @@ impl Leg {
     }
 }
 
-/// The point at these distances from two others, to the right of the way from the first to the second.
+/// Returns the point at these distances from two others, to the right of the direction from the first to the
+/// second.
 fn meet(a: Point, from_a: Real, b: Point, from_b: Real) -> Point {
     let way = [b[0] - a[0], b[1] - a[1]];
     let length = (way[0] * way[0] + way[1] * way[1]).sqrt();
@@ -79,9 +80,9 @@ mod tests {
         ((a[0] - b[0]).powi(2) + (a[1] - b[1]).powi(2)).sqrt()
     }
 
-    /// All bars have their lengths in every position of the crank, and the foot does what it is famous for.
+    /// All bars keep their lengths at every angle of the crank, and the foot moves straight near the ground.
     #[test]
-    fn bars_keep_their_lengths_and_feet_go_straight() {
+    fn bars_keep_their_lengths_and_feet_move_straight() {
         let legs: Vec<Leg> = (0..360).map(|k| Leg::new((k as Real).to_radians(), -1.0)).collect();
         for leg in &legs {
             for (a, b, length) in [
@@ -100,7 +101,7 @@ mod tests {
             }
         }
         let lowest = legs.iter().map(|leg| leg.foot[1]).fold(Real::MAX, Real::min);
-        // For about half of a round the foot is within 5 % of its stride from the ground.
+        // For about half a revolution the foot is within 5 % of its stride from the ground.
         let grounded: Vec<_> = legs.iter().filter(|leg| leg.foot[1] < lowest + 0.03).collect();
         assert!((120..220).contains(&grounded.len()), "{} degrees", grounded.len());
         let reach = |pick: fn(Real, Real) -> Real, start| {

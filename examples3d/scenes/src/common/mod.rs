@@ -1,5 +1,5 @@
-//! What the 2D and the 3D scenes have in common. Both crates compile these files, each against its own
-//! engine, which their roots import under the name `rapier`.
+//! Code common to the 2D and the 3D scenes. Both crates compile these files, each against its own engine,
+//! which their roots import under the name `rapier`.
 
 mod dice;
 mod jansen;

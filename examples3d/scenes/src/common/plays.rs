@@ -1,11 +1,12 @@
-//! Small machines and hard cases that both dimensions show: each function builds a scene in the plane of the picture.
+//! Small machines and hard cases of both dimensions: each function builds a scene in the plane of the
+//! picture.
 
 use super::Scene;
 use crate::kit::{add, add_fixed, add_post, brick, flat, hinge, world_with_floor};
 use crate::rapier::prelude::*;
 use gallery::View;
 
-/// Half the depth of boxes, where there is depth.
+/// Half the depth of boxes in 3D.
 const DEPTH: Real = 0.5;
 /// Half the side of the floor.
 const FLOOR: Real = 60.0;
@@ -14,7 +15,7 @@ fn slab(x: Real, y: Real) -> ColliderBuilder {
     ColliderBuilder::new(brick(x, y, DEPTH))
 }
 
-/// Hangs a chain of links on a post, towards a direction, and returns the last link.
+/// Hangs a chain of links on a post, in a direction, and returns the last link.
 fn hang_chain(
     world: &mut PhysicsWorld,
     post: RigidBodyHandle,
@@ -37,7 +38,7 @@ fn hang_chain(
     (last, anchor)
 }
 
-/// A heavy ball on a chain swings into a wall of boxes.
+/// Builds a heavy ball on a chain that swings into a wall of boxes.
 pub fn wrecking_ball(view: View) -> Scene {
     let mut world = world_with_floor(FLOOR);
     for row in 0..8 {
@@ -57,11 +58,11 @@ pub fn wrecking_ball(view: View) -> Scene {
     Scene::new(world, view).focusing(flat(-11.0, 0.0), flat(7.0, 13.0))
 }
 
-/// Pendulums of graded lengths: the row falls out of step, and back into it after a minute.
+/// Builds pendulums of graded lengths: the row loses its phase, and regains it after a minute.
 pub fn pendulum_wave(view: View, towards_eye: impl Fn(Real) -> Vector) -> Scene {
     let mut world = PhysicsWorld::new();
     for i in 0..12 {
-        // Swings of a minute: 24 for the longest, one more for each of the others. T = 2π √(l / g).
+        // Swings per minute: 24 for the longest, one more for each of the others. T = 2π √(l / g).
         let period = 60.0 / (24.0 + i as Real);
         let length = 9.81 * (period / std::f64::consts::TAU as Real).powi(2);
         let post = add_post(&mut world, towards_eye(i as Real));
@@ -73,7 +74,8 @@ pub fn pendulum_wave(view: View, towards_eye: impl Fn(Real) -> Vector) -> Scene 
     Scene::new(world, view)
 }
 
-/// Three planks on pivots: equal weights, unequal ones on unequal arms, and a weight that throws another one.
+/// Builds three planks on pivots: equal weights, unequal ones on unequal arms, and a falling weight that
+/// throws another.
 pub fn seesaw(view: View) -> Scene {
     let mut world = world_with_floor(FLOOR);
     for (i, loads) in
@@ -87,7 +89,7 @@ pub fn seesaw(view: View) -> Scene {
         let pivot = hinge().local_anchor1(flat(0.0, 0.7)).contacts_enabled(false);
         world.insert_impulse_joint(post, plank, pivot);
         for (x, density) in loads {
-            // The heaviest one falls from above.
+            // The heaviest box falls from above.
             let height = if density > 5.0 { 7.0 } else { 1.7 };
             add(&mut world, foot + flat(x, height), slab(0.4, 0.4).density(density).friction(0.9));
         }
@@ -95,13 +97,13 @@ pub fn seesaw(view: View) -> Scene {
     Scene::new(world, view).focusing(flat(-12.0, 0.0), flat(12.0, 6.0))
 }
 
-/// A row of planks on springs, and balls that bounce on them.
+/// Builds a row of planks on springs, and balls that bounce on them.
 pub fn trampoline(view: View) -> Scene {
     let mut world = world_with_floor(FLOOR);
     for i in 0..9 {
         let x = 2.0 * (i as Real - 4.0);
         let plank = add(&mut world, flat(x, 2.0), slab(0.9, 0.12));
-        // Free along y on a spring, nothing else.
+        // The joint is free along y, on a spring, and locks all other axes.
         let (stiffness, damping) = (60.0 + 30.0 * i as Real, 1.0);
         let rail = PrismaticJointBuilder::new(Vector::Y)
             .local_anchor1(flat(0.0, 2.0))
@@ -113,7 +115,7 @@ pub fn trampoline(view: View) -> Scene {
     Scene::new(world, view).focusing(flat(-9.5, 0.0), flat(9.5, 6.0))
 }
 
-/// Light chains that carry balls of 10, 100 and 500 times the mass of a link.
+/// Builds light chains that carry balls of 10, 100 and 500 times the mass of a link.
 pub fn heavy_chain(view: View) -> Scene {
     let mut world = PhysicsWorld::new();
     for (i, ratio) in [10.0, 100.0, 500.0].into_iter().enumerate() {
@@ -129,7 +131,7 @@ pub fn heavy_chain(view: View) -> Scene {
     Scene::new(world, view).focusing(flat(-8.5, -7.0), flat(8.5, 0.5))
 }
 
-/// Boxes that are created inside each other push apart at a limited speed.
+/// Builds boxes inside each other, which push apart at a limited speed.
 pub fn deep_overlap(view: View) -> Scene {
     let mut world = world_with_floor(FLOOR);
     for i in 0..48 {

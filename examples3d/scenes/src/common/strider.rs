@@ -1,47 +1,48 @@
-//! A machine that walks on Theo Jansen's legs: bars, hinges and one motor, in closed loops.
+//! Machine that walks on Theo Jansen's legs: bars, hinges and one motor, in closed loops.
 
 use super::jansen::{Leg, Point};
 use crate::kit::{HALF_TURN, brick, flat, hinge, near};
 use crate::rapier::prelude::*;
 
-/// Length units in the unit of the legs.
+/// Length units per unit of the legs.
 const SCALE: Real = 2.0;
 /// Half thickness of bars, and of the crank.
 const BAR: Real = 0.05;
 const AXLE: Real = 0.1;
 /// Half extents of the body.
 const BODY: [Real; 2] = [1.0, 0.15];
-/// Density of the bars against that of the body: the feet should not fling it about.
-const LIGHT: Real = 0.3;
-/// The most that the motor can do.
+/// Density of the bars relative to the body, small so that the legs' inertia does not shake it.
+const BAR_DENSITY: Real = 0.3;
+/// Largest torque of the motor.
 const TORQUE: Real = 400.0;
-/// How far below the crank the lowest foot can be.
+/// Largest distance of a foot below the crank.
 const HEIGHT: Real = 0.92 * SCALE;
 
 /// A walking machine.
 pub struct Strider {
-    /// What the legs carry.
+    /// Body on the legs.
     pub body: RigidBodyHandle,
     /// The joint with the motor.
     pub motor: ImpulseJointHandle,
 }
 
-/// A bar or a triangle of them, and where its middle is, seen from the crank.
+/// Bar or triangle of bars, and its middle relative to the crank.
 struct Part {
     body: RigidBodyHandle,
     middle: Point,
 }
 
-/// A machine in the making.
+/// Machine under construction.
 struct Workshop<'a> {
     world: &'a mut PhysicsWorld,
-    /// Where the crank is.
+    /// Position of the crank.
     crank: Vector,
 }
 
 impl Strider {
-    /// A machine whose feet stand at `foot`. `pairs` of legs, one before and one behind the crank, stand side by side: how
-    /// near, and at which angle of the crank (rad). The crank turns at `speed` (rad/s); a positive one walks to the left.
+    /// Builds a machine with its feet at `foot`. Each of the `pairs` is one leg in front of and one behind
+    /// the crank. Its numbers are the depth of the pair and its angle of the crank (rad). The crank rotates
+    /// at `speed` (rad/s); a positive speed moves the machine to the left.
     pub fn new(
         world: &mut PhysicsWorld,
         foot: Vector,
@@ -74,7 +75,7 @@ impl Workshop<'_> {
         Part { body: self.world.insert(body, shape).0, middle: [0.0; 2] }
     }
 
-    /// An axle with an arm for each pair of legs.
+    /// Adds an axle with an arm for each pair of legs.
     fn add_crank(&mut self, pairs: &[(Real, Real)], half_width: Real) -> Part {
         let body = RigidBodyBuilder::dynamic().translation(self.crank).can_sleep(false);
         let ends = [near(-half_width), near(half_width)];
@@ -87,7 +88,7 @@ impl Workshop<'_> {
         Part { body, middle: [0.0; 2] }
     }
 
-    /// Bars between these points, as one body.
+    /// Adds bars between these points, as one body.
     fn add_part(&mut self, z: Real, corners: &[Point]) -> Part {
         let share = 1.0 / corners.len() as Real;
         let sum = |axis: usize| corners.iter().map(|corner| corner[axis]).sum::<Real>();
@@ -100,7 +101,7 @@ impl Workshop<'_> {
         for side in 0..sides {
             let ends = [corners[side], corners[(side + 1) % corners.len()]];
             let ends = ends.map(|end| place(end) - place(middle));
-            let bar = bar(ends, BAR).density(LIGHT);
+            let bar = bar(ends, BAR).density(BAR_DENSITY);
             self.world.insert_collider(bar, Some(body));
         }
         Part { body, middle }
@@ -123,7 +124,8 @@ impl Workshop<'_> {
         ] {
             self.join(hinge().into(), [first, second], point, from);
         }
-        // These close loops. The others keep all parts in their planes; that need not be said twice.
+        // These joints close loops. The other joints already keep all parts in their planes, so these leave
+        // the depth free.
         let pin = GenericJoint::new(JointAxesMask::LIN_X | JointAxesMask::LIN_Y);
         for (first, second, point) in
             [(&push, &top, leg.upper), (&pull, &rod, leg.lower), (&link, &shin, leg.heel)]
@@ -132,7 +134,7 @@ impl Workshop<'_> {
         }
     }
 
-    /// Joins two parts at a point. The first one's plane is `z` behind that of the second.
+    /// Joins two parts at a point. The plane of the first part is `z` behind that of the second.
     fn join(&mut self, mut joint: GenericJoint, parts: [&Part; 2], point: Point, z: Real) {
         let [anchor1, anchor2] = parts.map(|part| place(point) - place(part.middle));
         joint.set_local_anchor1(anchor1 + near(z)).set_local_anchor2(anchor2);
@@ -140,23 +142,23 @@ impl Workshop<'_> {
     }
 }
 
-/// A bar from a point to another.
+/// Returns a bar from one point to another.
 fn bar([from, to]: [Vector; 2], radius: Real) -> ColliderBuilder {
     part(SharedShape::capsule(from, to, radius))
 }
 
-/// A collider that touches the world, and no other part of the machine.
+/// Returns a collider that touches the world, but no other part of the machine.
 fn part(shape: SharedShape) -> ColliderBuilder {
     let groups = InteractionGroups::new(Group::GROUP_2, !Group::GROUP_2);
     ColliderBuilder::new(shape).friction(1.0).collision_groups(groups)
 }
 
-/// A point of a leg, seen from the crank, in length units.
+/// Converts a point of a leg to length units, relative to the crank.
 fn place([x, y]: Point) -> Vector {
     flat(x, y) * SCALE
 }
 
-/// Angles of the crank for a number of pairs of legs that take turns (rad).
+/// Returns angles of the crank (rad) for a number of pairs of legs, evenly distributed over a revolution.
 pub fn turns(pairs: usize, first: Real) -> impl Iterator<Item = Real> {
     (0..pairs).map(move |k| first + 2.0 * HALF_TURN * k as Real / pairs as Real)
 }

@@ -1,4 +1,4 @@
-//! The list is in order, and every scene runs.
+//! The list of scenes is valid, and every scene runs.
 
 use crate::SCENES;
 use crate::rapier::prelude::*;
@@ -15,9 +15,9 @@ fn names_are_distinct_words() {
     }
 }
 
-/// Every scene keeps its law, moves within a finite space, and can be drawn.
+/// Every scene satisfies its law, stays in a finite space, and can be drawn.
 #[test]
-fn every_scene_keeps_its_law() {
+fn every_scene_satisfies_its_law() {
     let mut complaints = Vec::new();
     for info in &SCENES {
         let mut scene = (info.build)();
@@ -36,7 +36,7 @@ fn every_scene_keeps_its_law() {
     assert!(complaints.is_empty(), "\n{}", complaints.join("\n"));
 }
 
-/// The scenes that other crates measure have the size that their names promise.
+/// The scenes that other crates measure have the size in their names.
 #[test]
 fn the_pyramids_have_their_size() {
     let bodies = |name: &str| crate::find(name).map(|info| (info.build)().world.bodies.len());
@@ -46,7 +46,7 @@ fn the_pyramids_have_their_size() {
     assert_eq!(bodies("no such scene"), None);
 }
 
-/// A copy has events of its own: it continues as the original does, step by step beside it.
+/// A copy has its own events: it continues like the original, step by step beside it.
 #[test]
 fn copies_react_to_their_own_events() {
     for name in ["contact_forces", "sensors"] {
@@ -63,7 +63,7 @@ fn copies_react_to_their_own_events() {
     }
 }
 
-/// The scene with this name, after some steps.
+/// Returns the scene with this name, after some steps.
 fn after(name: &str, steps: usize) -> crate::Scene {
     let info = crate::find(name).expect("is in the list");
     let mut scene = (info.build)();
@@ -71,8 +71,8 @@ fn after(name: &str, steps: usize) -> crate::Scene {
     scene
 }
 
-/// The machine takes strides of its own length upright, and its many loops of bars stay closed: to 4.5 mm on average. A foot
-/// that hits a cube parts them for a moment, by up to 26 mm in eight walks of ten seconds.
+/// The machine walks upright in strides of its own length. Its many loops of bars stay closed, to 4.5 mm on
+/// average. A foot that hits a cube opens them for a moment, by up to 26 mm in eight walks of ten seconds.
 #[test]
 fn the_strider_walks() {
     let mut scene = after("strider", 30);
@@ -87,15 +87,17 @@ fn the_strider_walks() {
         assert!(level.y > 0.97, "leans {level}");
         assert!(gap(&scene.world) < 0.04, "bars are {} apart", gap(&scene.world));
     }
-    // Feet go 0.68 · 2 in half a round of the crank, which takes π / 4 s; less slip and what starting takes.
+    // Feet move 0.68 · 2 in half a revolution of the crank, which takes π / 4 s. Slip and the start reduce
+    // the distance.
     let way = scene.world.bodies[body].translation().x - start.x;
     assert!(way > 3.0, "walked {way}");
 }
 
-/// The arm's tip is where the target was a moment ago: critically damped motors of 10 Hz follow a ramp by `2 / ω`, 0.03 s, and
-/// the target is at most 4 units a second fast. Twice that is for the search, which has twenty steps each time.
+/// The arm's tip follows the target with a delay. Critically damped motors of 10 Hz follow a ramp after `2 /
+/// ω`, 0.03 s, and the target moves at up to 4 units per second. The bound is twice that, because the search
+/// has twenty steps each time.
 #[test]
-fn the_arm_reaches() {
+fn the_arm_follows_its_target() {
     let mut scene = after("robot_arm", 200);
     for _ in 0..20 {
         scene.run(20);
@@ -109,9 +111,9 @@ fn the_arm_reaches() {
     }
 }
 
-/// One bridge carries its load, of the other only the weak hinges break.
+/// One bridge carries its load. Of the other bridge, only weak hinges break.
 #[test]
-fn one_bridge_holds_and_the_other_does_not() {
+fn one_bridge_carries_its_load_and_the_other_breaks() {
     let scene = after("bridge", 240);
     let joints = scene.world.impulse_joints.iter().map(|(_, joint)| joint.data);
     let (weak, strong): (Vec<_>, Vec<_>) = joints.partition(|joint| joint.break_force.is_finite());
@@ -120,7 +122,7 @@ fn one_bridge_holds_and_the_other_does_not() {
     assert!(gap(&scene.world) < 0.05, "planks are {} apart", gap(&scene.world));
 }
 
-/// The car arrives on its four wheels, or two.
+/// The car arrives on its four wheels (2D: two).
 #[test]
 fn the_car_drives() {
     let scene = after("jointed_car", 250);

@@ -1,24 +1,25 @@
-//! A character that walks to and fro, as games move it with a character controller.
+//! Character that walks to and fro, moved by a character controller.
 
 use crate::rapier::control::*;
 use crate::rapier::prelude::*;
 
-/// A character and its player.
+/// Character with its controller and its motion.
 #[derive(Clone)]
 pub struct Walker {
     body: RigidBodyHandle,
     collider: ColliderHandle,
     controller: KinematicCharacterController,
-    /// Where it is going (length/s), along x.
+    /// Desired velocity along x (length/s).
     velocity: Real,
-    /// Where it turns round.
+    /// Range of x. The character reverses at its ends.
     range: [Real; 2],
-    /// How fast it has come to fall (length/s).
+    /// Vertical velocity of the fall (length/s).
     fall: Real,
 }
 
 impl Walker {
-    /// A capsule of the height 1.2 that stands at `foot`, walks at a speed, and turns round at the ends of a range of x.
+    /// Creates a capsule of height 1.2 at `foot`, which walks at a speed and reverses at the ends of a range
+    /// of x.
     pub fn new(world: &mut PhysicsWorld, foot: Vector, speed: Real, range: [Real; 2]) -> Self {
         let place = foot + Vector::Y * 0.65;
         let body = RigidBodyBuilder::kinematic_position_based().translation(place);
@@ -33,7 +34,7 @@ impl Walker {
         Self { body, collider, controller, velocity: speed, range, fall: 0.0 }
     }
 
-    /// Walks for one step: before the world takes it.
+    /// Sets the next position. To be called before the step of the world.
     pub fn walk(&mut self, world: &mut PhysicsWorld) {
         let dt = world.integration_parameters.dt;
         let place = world.bodies[self.body].translation();
@@ -43,7 +44,7 @@ impl Walker {
             self.velocity = -self.velocity;
         }
         self.fall += world.gravity.y * dt;
-        let wish = (Vector::X * self.velocity + Vector::Y * self.fall) * dt;
+        let desired = (Vector::X * self.velocity + Vector::Y * self.fall) * dt;
         let shape = world.colliders[self.collider].shared_shape().clone();
         let filter = QueryFilter::default().exclude_rigid_body(self.body);
         let mut met = Vec::new();
@@ -52,7 +53,7 @@ impl Walker {
             &world.query_pipeline_with_filter(filter),
             &*shape,
             world.colliders[self.collider].position(),
-            wish,
+            desired,
             |collision| met.push(collision),
         );
         let mut queries = world.query_pipeline_mut(filter);

@@ -1,14 +1,14 @@
 //! One body of every shape that can move, dropped from a little above the floor.
 //!
-//! After 200 steps no overlap is deeper than 0.01, no body is below -0.5, none is farther out than 9.5, and none is
-//! faster than 0.18.
+//! After 200 steps no overlap is deeper than 0.01. No body is below -0.5, farther out than 9.5 or faster than
+//! 0.18.
 
 use crate::common::{Dice, Law, Scene, SceneInfo};
 use crate::kit::{add, cube, rock, world_with_floor};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
 
-/// The scene's entry in the list.
+/// Entry in the list.
 pub const INFO: SceneInfo = SceneInfo {
     name: "all_shapes",
     description: "One body of every shape: round and edged, convex and not, with and without volume.",
@@ -47,7 +47,7 @@ fn shapes() -> Vec<ColliderBuilder> {
     let steps: Vec<Vector> = (0..4)
         .flat_map(|i| (0..=i).map(move |j| Vector::new(i as Real, j as Real, 0.0) * 0.35))
         .collect();
-    // Without volume there is no mass from a density.
+    // Shapes without volume need an explicit mass.
     let thin = |shape: ColliderBuilder| shape.mass(1.0);
     vec![
         ColliderBuilder::ball(0.6),
@@ -74,7 +74,7 @@ fn shapes() -> Vec<ColliderBuilder> {
     ]
 }
 
-/// A closed mesh.
+/// Returns a closed mesh.
 fn tetrahedron() -> (Vec<Vector>, Vec<[u32; 3]>) {
     let corner = |x: Real, y: Real, z: Real| Vector::new(x, y, z) * 0.6;
     let corners = [(1.0, 1.0, 1.0), (1.0, -1.0, -1.0), (-1.0, 1.0, -1.0), (-1.0, -1.0, 1.0)];

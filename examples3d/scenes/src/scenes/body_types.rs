@@ -1,13 +1,13 @@
 //! Bodies that change their type while the world runs.
 //!
-//! After 200 steps no overlap is deeper than 0.11, no body is below 0.0, and none is farther out than 11.0.
+//! After 200 steps no overlap is deeper than 0.11. No body is below 0.0 or farther out than 11.0.
 
 use crate::common::{Law, Scene, SceneInfo};
 use crate::kit::{add, cube, world_with_floor};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
 
-/// The scene's entry in the list.
+/// Entry in the list.
 pub const INFO: SceneInfo = SceneInfo {
     name: "body_types",
     description: "A plank becomes kinematic, fixed and dynamic in turn, under a heap of balls.",

@@ -1,14 +1,14 @@
-//! A bridge that hangs on hinges, and what crosses it.
+//! Bridges of planks on hinges under a load of boulders.
 //!
-//! After 130 steps no overlap is deeper than 0.038, no body is below -20.6, none is farther out than 15.0, and no
-//! joint is open by more than 0.0088.
+//! After 130 steps no overlap is deeper than 0.038. No body is below -20.6 or farther out than 15.0. No joint
+//! is open by more than 0.0088.
 
 use crate::common::{Law, Scene, SceneInfo};
 use crate::kit::{add, add_fixed, cube, hinge, turn};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
 
-/// The scene's entry in the list.
+/// Entry in the list.
 pub const INFO: SceneInfo = SceneInfo {
     name: "bridge",
     description: "Two bridges of planks on hinges: one carries boulders of ten times a plank's weight, some hinges of the other break under them.",
@@ -24,13 +24,14 @@ pub const INFO: SceneInfo = SceneInfo {
     build,
 };
 
-/// Planks of a bridge, and half their extents.
+/// Number of planks of a bridge, and their half extents.
 const PLANKS: usize = 24;
 const HALF: Vector = Vector::new(0.45, 0.1, 1.2);
-/// From one hinge to the next, and the radius of the arc on which they hang.
+/// Distance of neighbouring hinges, and the radius of the arc on which they hang.
 const PITCH: Real = 1.0;
 const RADIUS: Real = 30.0;
-/// Force at which the weak hinges of one bridge break (mass · length / s²), and one in how many is weak.
+/// Breaking force of the weak hinges of one bridge (mass · length / s²), and the number of hinges per weak
+/// one.
 const STRENGTH: Real = 350.0;
 const WEAK: usize = 6;
 
@@ -48,10 +49,10 @@ pub fn build() -> Scene {
     Scene::new(world, View::orbit(25.0, 16.0))
 }
 
-/// Two banks with planks in between, each joined to the next at the middle of its edge. They hang on an arc, as straight
-/// ones would have to pull without end to carry anything.
+/// Adds two banks with planks in between, each joined to the next at the middle of its edge. They hang on an
+/// arc. Straight planks would need infinite tension to carry a load.
 fn add_bridge(world: &mut PhysicsWorld, z: Real, strength: Real) {
-    // The angle of a plank as seen from the middle of the arc, and of all of them to one side.
+    // Angle of a plank about the arc's centre, and of all planks on one side.
     let step = 2.0 * (0.5 * PITCH / RADIUS).asin();
     let side = 0.5 * PLANKS as Real * step;
     let top = RADIUS * side.cos();
@@ -77,7 +78,8 @@ fn add_bridge(world: &mut PhysicsWorld, z: Real, strength: Real) {
         world.insert_impulse_joint(last.0, plank, joint);
         last = (plank, edge);
     }
-    // The hinges keep the planks in line. The last one does not do it again: its share of the load would be undetermined.
+    // The hinges keep the planks in line. The last hinge omits that: redundant constraints have no unique
+    // solution.
     let carries = JointAxesMask::LIN_X | JointAxesMask::LIN_Y;
     let joint = GenericJointBuilder::new(carries)
         .local_anchor1(Vector::new(-bank.x, bank.y, 0.0))

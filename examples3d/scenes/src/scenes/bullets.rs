@@ -1,4 +1,4 @@
-//! What is too fast to be seen in between still meets what is in its way.
+//! Continuous collision detection: bodies that move through a wall's thickness in one step still hit it.
 //!
 //! After 200 steps no overlap is deeper than 0.031.
 
@@ -7,17 +7,17 @@ use crate::kit::{HALF_TURN, add_fixed, world_with_floor};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
 
-/// The scene's entry in the list.
+/// Entry in the list.
 pub const INFO: SceneInfo = SceneInfo {
     name: "bullets",
-    description: "Balls at 50 to 1000 m/s and turning bars against walls of 2 cm: none gets through.",
+    description: "Balls at 50 to 1000 m/s and rotating bars against walls of 2 cm: none tunnels through.",
     category: Category::Robustness,
     steps: 300,
     law: Law { overlap_max: 0.031, ..Law::after(200) },
     build,
 };
 
-/// From lane to lane (m).
+/// Distance of neighbouring lanes (m).
 const SPACING: Real = 3.4;
 /// Speeds of the lanes (m/s).
 const SPEEDS: [Real; 4] = [50.0, 100.0, 400.0, 1000.0];
@@ -34,7 +34,7 @@ pub fn build() -> Scene {
             _ => plate(),
         };
         add_fixed(&mut world, place, wall);
-        // Side walls, which keep the heap in its lane.
+        // Side walls keep the heap in its lane.
         for side in [-1.6, 1.6] {
             let board = ColliderBuilder::cuboid(2.0, 0.4, 0.01);
             add_fixed(&mut world, Vector::new(-2.0, 0.4, place.z + side), board);
@@ -49,7 +49,7 @@ pub fn build() -> Scene {
         })
 }
 
-/// A wall of triangles, one sheet without a thickness.
+/// Returns a wall of triangles, one sheet without thickness.
 fn plate() -> ColliderBuilder {
     let corners = [(-1.5, -1.5), (1.5, -1.5), (1.5, 1.5), (-1.5, 1.5)];
     let corners = corners.map(|(y, z)| Vector::new(0.0, y, z)).to_vec();
@@ -60,10 +60,10 @@ fn z_of(lane: usize) -> Real {
     SPACING * (lane as Real - 1.5)
 }
 
-/// A volley in each lane: six balls, and now and then a bar.
+/// Fires a volley in each lane: six balls, and in some volleys a bar.
 fn fire(world: &mut PhysicsWorld, volley: usize) {
     for (lane, speed) in SPEEDS.into_iter().enumerate() {
-        // Not all from the same place: a step is up to 17 m long.
+        // Start points differ, because a step is up to 17 m long.
         let x = -20.0 - speed / 60.0 * (volley % 7) as Real / 7.0;
         for k in 0..6 {
             let [row, column] = [k / 3, k % 3].map(|n| n as Real);
@@ -79,7 +79,7 @@ fn fire(world: &mut PhysicsWorld, volley: usize) {
     }
 }
 
-/// A thin bar that turns as it flies.
+/// Fires a thin bar that rotates in flight.
 fn fire_bar(world: &mut PhysicsWorld, place: Vector, speed: Real) {
     let body = RigidBodyBuilder::dynamic()
         .translation(place)

@@ -1,14 +1,14 @@
 //! Characters: they climb stairs and a slope, ride a lift and a turntable, and push crates.
 //!
-//! After 200 steps no overlap is deeper than 0.01, no body is below -0.2, none is farther out than 2.3, and none is
-//! faster than 0.1.
+//! After 200 steps no overlap is deeper than 0.01. No body is below -0.2, farther out than 2.3 or faster than
+//! 0.1.
 
 use crate::common::{Law, Scene, SceneInfo, Walker};
 use crate::kit::{add, add_fixed, cube, world_with_floor};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
 
-/// The scene's entry in the list.
+/// Entry in the list.
 pub const INFO: SceneInfo = SceneInfo {
     name: "characters",
     description: "Characters walk over stairs, a roof, a lift and a turntable, and push crates.",
@@ -27,7 +27,7 @@ pub const INFO: SceneInfo = SceneInfo {
 /// Distance of two lanes.
 const LANE: Real = 3.0;
 
-/// Stairs up and down, with their middle at x = 0.
+/// Adds stairs up and down, with their middle at x = 0.
 fn add_stairs(world: &mut PhysicsWorld, z: Real) {
     for step in 0..8 {
         let half = ColliderBuilder::cuboid(3.0 - 0.35 * step as Real, 0.1, 1.2);
@@ -35,7 +35,7 @@ fn add_stairs(world: &mut PhysicsWorld, z: Real) {
     }
 }
 
-/// A roof of two slopes, of 30°.
+/// Adds a roof of two slopes of 30°.
 fn add_roof(world: &mut PhysicsWorld, z: Real) {
     let corners = [(-3.0, 0.0), (3.0, 0.0), (0.0, 3.0 * Real::to_radians(30.0).tan())];
     let corners =
@@ -44,7 +44,7 @@ fn add_roof(world: &mut PhysicsWorld, z: Real) {
     world.insert_collider(roof.expect("a prism").translation(Vector::Z * z), None);
 }
 
-/// A platform that rises 2 and comes down again, between two floors of that height.
+/// Adds a platform that rises by 2 and descends again, between two floors of that height.
 fn add_lift(world: &mut PhysicsWorld, z: Real) -> RigidBodyHandle {
     for side in [-1.0, 1.0] {
         let floor = ColliderBuilder::cuboid(1.4, 1.0, 1.2);
@@ -73,7 +73,7 @@ pub fn build() -> Scene {
     let mut walkers = Vec::new();
     for lane in [0, 1, 2] {
         for (x, speed) in [(-4.5, 2.0), (4.5, -1.5)] {
-            // Side by side, so that they pass each other.
+            // The characters are side by side, so that they pass each other.
             let foot = Vector::new(x, 0.0, lanes[lane] + 0.4 * speed);
             walkers.push(Walker::new(&mut world, foot, speed, [-5.0, 5.0]));
         }

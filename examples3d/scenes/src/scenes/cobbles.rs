@@ -1,13 +1,13 @@
 //! Two thousand colliders on one body.
 //!
-//! After 20 steps no overlap is deeper than 0.01, no body is below 0.1, and none is farther out than 23.0.
+//! After 20 steps no overlap is deeper than 0.01. No body is below 0.1 or farther out than 23.0.
 
 use crate::common::{Dice, Law, Scene, SceneInfo};
 use crate::kit::{add, cube, rock};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
 
-/// The scene's entry in the list.
+/// Entry in the list.
 pub const INFO: SceneInfo = SceneInfo {
     name: "cobbles",
     description: "500 bodies fall on a street of 2,210 stones, convex colliders of one body.",
@@ -17,9 +17,9 @@ pub const INFO: SceneInfo = SceneInfo {
     build,
 };
 
-/// Stones along the street and across.
+/// Number of stones along the street and across.
 const STONES: [usize; 2] = [65, 34];
-/// From stone to stone.
+/// Distance of neighbouring stones.
 const SPACING: Real = 0.6;
 
 /// Builds the scene.

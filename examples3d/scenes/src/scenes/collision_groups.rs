@@ -1,14 +1,14 @@
-//! Collision groups: two kinds of bodies, each with a shelf of its own.
+//! Collision groups: two kinds of bodies, each with its own shelf.
 //!
-//! After 200 steps no overlap is deeper than 0.01, no body is below 2.1, none is farther out than 5.4, and none is
-//! faster than 0.1.
+//! After 200 steps no overlap is deeper than 0.01. No body is below 2.1, farther out than 5.4 or faster than
+//! 0.1.
 
 use crate::common::{Law, Scene, SceneInfo};
 use crate::kit::{add, add_fixed, world_with_floor};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
 
-/// The scene's entry in the list.
+/// Entry in the list.
 pub const INFO: SceneInfo = SceneInfo {
     name: "collision_groups",
     description: "Balls and boxes fall through each other's shelf and rest on their own.",
@@ -32,7 +32,7 @@ const FLOOR: Group = Group::GROUP_32;
 pub fn build() -> Scene {
     let mut world = world_with_floor(50.0);
     for (y, group) in [(2.0, BALLS), (4.5, BOXES)] {
-        // A shelf is a member of the group that it holds, and meets no other.
+        // A shelf belongs to the group of its bodies, and collides with no other group.
         let shelf = ColliderBuilder::cuboid(4.0, 0.1, 4.0)
             .collision_groups(InteractionGroups::new(group, group));
         add_fixed(&mut world, Vector::Y * y, shelf);
@@ -45,7 +45,7 @@ pub fn build() -> Scene {
         };
         let [x, y, z] = [i % 7, i / 49, i / 7 % 7].map(|n| n as Real);
         let place = Vector::new(x - 3.0, 6.5 + 1.5 * y, z - 3.0);
-        // Members of other groups are not met, but the floor is in all groups.
+        // Bodies of other groups do not collide with it. The floor is in all groups.
         let groups = InteractionGroups::new(group, group | FLOOR);
         add(&mut world, place, shape.collision_groups(groups));
     }

@@ -1,16 +1,16 @@
-//! Bodies made of several parts, in the two ways there are.
+//! Bodies of several parts: several colliders, or one compound shape.
 //!
-//! After 200 steps no overlap is deeper than 0.034, no body is below -0.1, and none is farther out than 9.6.
+//! After 200 steps no overlap is deeper than 0.034. No body is below -0.1 or farther out than 9.6.
 
 use crate::common::{Law, Scene, SceneInfo};
 use crate::kit::{HALF_TURN, world_with_floor};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
 
-/// The scene's entry in the list.
+/// Entry in the list.
 pub const INFO: SceneInfo = SceneInfo {
     name: "compound",
-    description: "Tables with four legs each as a collider of its own, and jacks of one compound shape.",
+    description: "Tables with four legs, each a separate collider, and jacks of one compound shape.",
     category: Category::Basics,
     steps: 360,
     law: Law { overlap_max: 0.034, height_min: -0.1, reach_max: 9.6, ..Law::after(200) },
@@ -38,7 +38,7 @@ pub fn build() -> Scene {
     Scene::new(world, View::orbit(35.0, 24.0))
 }
 
-/// A top and four legs, each a collider.
+/// Adds a table: a top and four legs, each a collider.
 fn add_table(world: &mut PhysicsWorld, body: RigidBodyBuilder) {
     let (table, _) = world.insert(body, ColliderBuilder::cuboid(0.9, 0.08, 0.7));
     for (x, z) in [(-0.75, -0.55), (0.75, -0.55), (0.75, 0.55), (-0.75, 0.55)] {
@@ -47,7 +47,7 @@ fn add_table(world: &mut PhysicsWorld, body: RigidBodyBuilder) {
     }
 }
 
-/// Three crossed capsules as one shape.
+/// Returns three crossed capsules as one shape.
 fn jack() -> ColliderBuilder {
     let arm = SharedShape::capsule_y(0.7, 0.17);
     let poses = [

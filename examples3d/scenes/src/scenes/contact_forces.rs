@@ -1,16 +1,16 @@
-//! Things that break when they are hit hard enough.
+//! Crates that break above a contact force.
 //!
-//! After 120 steps no overlap is deeper than 0.096, no body is below -0.1, and none is farther out than 22.0.
+//! After 120 steps no overlap is deeper than 0.096. No body is below -0.1 or farther out than 22.0.
 
 use crate::common::{Law, Scene, SceneInfo};
 use crate::kit::{add, cube, world_with_floor};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
 
-/// The scene's entry in the list.
+/// Entry in the list.
 pub const INFO: SceneInfo = SceneInfo {
     name: "contact_forces",
-    description: "Contact-force events tell which crates a heavy ball breaks into pieces.",
+    description: "Contact-force events report the crates that a heavy ball breaks into pieces.",
     category: Category::Events,
     steps: 120,
     law: Law { overlap_max: 0.096, height_min: -0.1, reach_max: 22.0, ..Law::after(120) },
@@ -19,7 +19,7 @@ pub const INFO: SceneInfo = SceneInfo {
 
 /// Half extent of a crate.
 const CRATE: Real = 0.6;
-/// Force that a crate withstands (N), some forty times its weight.
+/// Breaking force of a crate (N), about forty times its weight.
 const STRENGTH: Real = 700.0;
 
 /// Builds the scene.
@@ -46,7 +46,8 @@ pub fn build() -> Scene {
         })
 }
 
-/// A crate with an event for each force beyond its strength. Its user data distinguishes it from the rest.
+/// Returns a crate with an event for each force above its breaking force. Its user data distinguishes it from
+/// other colliders.
 fn crate_shape() -> ColliderBuilder {
     cube(CRATE)
         .active_events(ActiveEvents::CONTACT_FORCE_EVENTS)
@@ -54,7 +55,7 @@ fn crate_shape() -> ColliderBuilder {
         .user_data(1)
 }
 
-/// Puts eight small boxes in the place of a crate.
+/// Replaces a crate by eight small boxes.
 fn break_crate(world: &mut PhysicsWorld, collider: ColliderHandle) {
     let whole = world.colliders.get(collider).filter(|collider| collider.user_data == 1);
     let Some(body) = whole.and_then(Collider::parent) else { return };

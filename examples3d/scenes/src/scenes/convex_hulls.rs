@@ -1,13 +1,13 @@
 //! Rocks of random shape.
 //!
-//! After 200 steps no overlap is deeper than 0.015, no body is below -0.8, and none is farther out than 12.0.
+//! After 200 steps no overlap is deeper than 0.015. No body is below -0.8 or farther out than 12.0.
 
 use crate::common::{Dice, Law, Scene, SceneInfo};
 use crate::kit::{add, add_walls, rock, world_with_floor};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
 
-/// The scene's entry in the list.
+/// Entry in the list.
 pub const INFO: SceneInfo = SceneInfo {
     name: "convex_hulls",
     description: "Rocks of 5 to 16 corners and all sizes fall into a box.",
@@ -29,7 +29,7 @@ pub fn build() -> Scene {
                 let radius = dice.between(0.45, 0.85);
                 let [x, z] = [column, row].map(|i| 1.7 * (i as Real - 2.0));
                 let place = Vector::new(x, 1.0 + 1.8 * layer as Real, z);
-                // Points that happen to lie in one plane have no hull; the next roll has one.
+                // Coplanar points have no hull; the loop repeats until one exists.
                 let hull = (0..)
                     .find_map(|_| ColliderBuilder::convex_hull(&rock(&mut dice, radius, corners)));
                 add(&mut world, place, hull.expect("the search does not end without one"));

@@ -1,13 +1,13 @@
-//! Rocks in a heap: half of the work is finding out where they touch.
+//! Rocks in a heap: half of the time goes to contact computation.
 //!
-//! After 20 steps no overlap is deeper than 0.028, no body is below 0.0, and none is farther out than 18.0.
+//! After 20 steps no overlap is deeper than 0.028. No body is below 0.0 or farther out than 18.0.
 
 use crate::common::{Dice, Law, Scene, SceneInfo};
 use crate::kit::{add, rock, world_with_floor};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
 
-/// The scene's entry in the list.
+/// Entry in the list.
 pub const INFO: SceneInfo = SceneInfo {
     name: "convex_pile",
     description: "5,120 convex rocks fall onto a heap.",
@@ -27,7 +27,7 @@ pub fn build() -> Scene {
     build_sized(20)
 }
 
-/// Builds this many layers of 256 rocks.
+/// Builds the scene with this many layers of 256 rocks.
 pub fn build_sized(layers: usize) -> Scene {
     let mut world = world_with_floor(100.0);
     let mut dice = Dice::new(5);

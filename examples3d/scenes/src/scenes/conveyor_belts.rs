@@ -1,6 +1,6 @@
-//! Surfaces that move while the body stands still.
+//! Conveyor belts: surfaces with a velocity on fixed bodies.
 //!
-//! After 200 steps no overlap is deeper than 0.01, no body is below 0.7, and none is farther out than 6.1.
+//! After 200 steps no overlap is deeper than 0.01. No body is below 0.7 or farther out than 6.1.
 
 use crate::common::{Law, Scene, SceneInfo};
 use crate::kit::{add, add_fixed, cube, world_with_floor};
@@ -8,7 +8,7 @@ use crate::rapier::prelude::*;
 use gallery::{Category, View};
 use std::collections::BTreeMap;
 
-/// The scene's entry in the list.
+/// Entry in the list.
 pub const INFO: SceneInfo = SceneInfo {
     name: "conveyor_belts",
     description: "A hook gives contacts a tangent velocity: four belts with rails carry boxes round in a square.",
@@ -21,8 +21,7 @@ pub const INFO: SceneInfo = SceneInfo {
 /// Speed of the belts (m/s).
 const SPEED: Real = 2.0;
 
-/// Which colliders are belts, and where their surface goes. Handles are not ordered, so the key is
-/// the number in the handle.
+/// Surface velocities of the belts. Handles are not ordered, so the key is the pair of numbers in the handle.
 struct Belts(BTreeMap<(u32, u32), Vector>);
 
 impl Belts {
@@ -33,7 +32,7 @@ impl Belts {
 
 impl PhysicsHooks for Belts {
     fn modify_solver_contact(&self, context: &mut ContactModificationContext) {
-        // What is set is how fast friction makes the second body move against the first.
+        // The tangent velocity is the second body's velocity relative to the first, as friction aims for it.
         if let Some(velocity) = self.velocity(context.collider1) {
             context.set_tangent_velocity(velocity);
         } else if let Some(velocity) = self.velocity(context.collider2) {
@@ -77,7 +76,7 @@ pub fn build() -> Scene {
     Scene::new(world, View::orbit(30.0, 38.0)).hooks(Belts(belts))
 }
 
-/// Four slippery rails around the middle.
+/// Adds four rails without friction around the middle.
 fn add_rails(world: &mut PhysicsWorld, distance: Real, half_length: Real) {
     for side in [-distance, distance] {
         let along_x = ColliderBuilder::cuboid(half_length, 0.6, 0.2).friction(0.0);

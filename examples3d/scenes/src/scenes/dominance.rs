@@ -1,16 +1,16 @@
-//! Bodies that give way and bodies that do not, whatever they weigh.
+//! Dominance groups: bodies of lower groups do not affect bodies of higher ones, whatever their mass.
 //!
-//! After 110 steps no overlap is deeper than 0.01, no body is below 0.1, and none is farther out than 23.0.
+//! After 110 steps no overlap is deeper than 0.01. No body is below 0.1 or farther out than 23.0.
 
 use crate::common::{Law, Scene, SceneInfo};
 use crate::kit::{cube, world_with_floor};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
 
-/// The scene's entry in the list.
+/// Entry in the list.
 pub const INFO: SceneInfo = SceneInfo {
     name: "dominance",
-    description: "Balls shot at walls: those with a higher dominance group go through as if the wall weighed nothing.",
+    description: "Balls shot at walls: those with a higher dominance group pass through as if the wall had no mass.",
     category: Category::Basics,
     steps: 110,
     law: Law { overlap_max: 0.01, height_min: 0.1, reach_max: 23.0, ..Law::after(110) },

@@ -1,13 +1,13 @@
-//! One push, and all fall.
+//! Dominoes: one push topples all.
 //!
-//! After 200 steps no overlap is deeper than 0.01, no body is below -0.1, and none is farther out than 11.0.
+//! After 200 steps no overlap is deeper than 0.01. No body is below -0.1 or farther out than 11.0.
 
 use crate::common::{Law, Scene, SceneInfo};
 use crate::kit::world_with_floor;
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
 
-/// The scene's entry in the list.
+/// Entry in the list.
 pub const INFO: SceneInfo = SceneInfo {
     name: "dominoes",
     description: "A spiral of 200 dominoes falls, one after the other.",
@@ -19,7 +19,7 @@ pub const INFO: SceneInfo = SceneInfo {
 
 /// Number of dominoes.
 const COUNT: usize = 200;
-/// Distance from one to the next.
+/// Distance of neighbouring dominoes.
 const SPACING: Real = 0.55;
 
 /// Builds the scene.
@@ -29,7 +29,7 @@ pub fn build() -> Scene {
     let (mut angle, mut radius): (Real, Real) = (0.0, 2.5);
     for i in 0..COUNT {
         let place = Vector::new(radius * angle.cos(), 0.6, radius * angle.sin());
-        // The face looks along the spiral.
+        // The face is perpendicular to the spiral.
         let mut body = RigidBodyBuilder::dynamic()
             .translation(place)
             .rotation(Vector::Y * (-angle - 0.5 * crate::kit::HALF_TURN));

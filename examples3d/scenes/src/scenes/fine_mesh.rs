@@ -1,13 +1,13 @@
 //! A thousand boxes on a mesh of two hundred thousand triangles.
 //!
-//! After 20 steps no overlap is deeper than 0.01, no body is below -0.5, and none is farther out than 43.0.
+//! After 20 steps no overlap is deeper than 0.01. No body is below -0.5 or farther out than 43.0.
 
 use crate::common::{Law, Scene, SceneInfo};
 use crate::kit::{add, hills, surface};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
 
-/// The scene's entry in the list.
+/// Entry in the list.
 pub const INFO: SceneInfo = SceneInfo {
     name: "fine_mesh",
     description: "1,000 boxes fall on hills of 200,000 triangles, each smaller than a box.",
@@ -17,7 +17,7 @@ pub const INFO: SceneInfo = SceneInfo {
     build,
 };
 
-/// Squares of two triangles along each side, and how long they are.
+/// Number of squares of two triangles along each side, and their length.
 const SQUARES: u32 = 317;
 const SIZE: Real = 0.3;
 /// Boxes along each side of the crowd.
@@ -36,7 +36,7 @@ pub fn build() -> Scene {
         .focusing(Vector::new(-24.0, -2.0, -20.0), Vector::new(24.0, 4.0, 24.0))
 }
 
-/// The ground.
+/// Returns the height of the ground.
 fn height(x: Real, z: Real) -> Real {
     hills(0.8, x, z)
 }

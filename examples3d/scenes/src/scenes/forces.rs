@@ -1,13 +1,13 @@
-//! Pushing bodies around: forces, impulses and torques.
+//! Forces, impulses and torques.
 //!
-//! After 200 steps no overlap is deeper than 0.01, no body is below -0.3, and none is farther out than 6.0.
+//! After 200 steps no overlap is deeper than 0.01. No body is below -0.3 or farther out than 6.0.
 
 use crate::common::{Law, Scene, SceneInfo};
 use crate::kit::world_with_floor;
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
 
-/// The scene's entry in the list.
+/// Entry in the list.
 pub const INFO: SceneInfo = SceneInfo {
     name: "forces",
     description: "Drones hold their height by forces, hoppers jump by impulses, a top is spun up by a torque.",
@@ -53,8 +53,7 @@ pub fn build() -> Scene {
     })
 }
 
-/// Sets the force that brings a drone to a height and holds it there: a spring and a damper, plus
-/// its weight.
+/// Sets the force that moves a drone to a height and keeps it there: a spring and a damper, plus its weight.
 fn hover(drone: &mut RigidBody, goal: Real, gravity: Vector) {
     let error = goal - drone.translation().y;
     let acceleration = Vector::Y * (6.0 * error - 4.0 * drone.linvel().y) - gravity;

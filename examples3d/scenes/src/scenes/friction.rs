@@ -1,13 +1,13 @@
-//! What slides down a ramp and what stays.
+//! Friction on a slope: boxes below a critical coefficient slide.
 //!
-//! After 150 steps no overlap is deeper than 0.01, no body is below 1.0, and none is farther out than 12.0.
+//! After 150 steps no overlap is deeper than 0.01. No body is below 1.0 or farther out than 12.0.
 
 use crate::common::{Law, Scene, SceneInfo};
 use crate::kit::world_with_floor;
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
 
-/// The scene's entry in the list.
+/// Entry in the list.
 pub const INFO: SceneInfo = SceneInfo {
     name: "friction",
     description: "Boxes with a friction from 0 to 1 on a ramp of 27 degrees: those above 0.5 stay.",
@@ -17,7 +17,7 @@ pub const INFO: SceneInfo = SceneInfo {
     build,
 };
 
-/// The ramp falls by half of its length: the friction that holds a box is one half.
+/// Slope of the ramp, which is also the critical coefficient of friction.
 const SLOPE: Real = 0.5;
 
 /// Builds the scene.

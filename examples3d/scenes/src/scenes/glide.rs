@@ -1,6 +1,7 @@
-//! A thousand boxes glide over a level ground: of one piece, or of two hundred thousand. They should not notice.
+//! A thousand boxes glide over level ground, of one box or of two hundred thousand triangles. Both grounds
+//! must give the same motion.
 //!
-//! After 200 steps no overlap is deeper than 0.01, no body is below -0.1, and none is farther out than 43.0.
+//! After 200 steps no overlap is deeper than 0.01. No body is below -0.1 or farther out than 43.0.
 
 use crate::common::{Law, Scene, SceneInfo};
 use crate::kit::surface;
@@ -20,27 +21,27 @@ pub const ON_MESH: SceneInfo = SceneInfo {
 /// The entry of the ground of one box.
 pub const ON_BOX: SceneInfo = SceneInfo {
     name: "glide_box",
-    description: "1,000 boxes glide without friction over one box: what a level ground costs.",
+    description: "1,000 boxes glide without friction over one box: the cost of level ground.",
     category: Category::PastBugs,
     steps: 300,
     law: Law { overlap_max: 0.01, height_min: -0.1, reach_max: 43.0, ..Law::after(200) },
     build: || build(slab()),
 };
 
-/// Squares of two triangles along each side, and how long they are.
+/// Number of squares of two triangles along each side, and their length.
 const SQUARES: u32 = 317;
 const SIZE: Real = 0.3;
 /// Boxes along each side of the crowd.
 const BOXES: usize = 32;
-/// How fast they glide (m/s).
+/// Speed of the boxes (m/s).
 const SPEED: Real = 3.0;
 
-/// The mesh.
+/// Returns the mesh.
 fn triangles() -> ColliderBuilder {
     surface(SQUARES, SIZE, |_, _| 0.0)
 }
 
-/// The box, its top where the mesh is.
+/// Returns the box, with its top at the height of the mesh.
 fn slab() -> ColliderBuilder {
     let half = 0.5 * SIZE * SQUARES as Real;
     ColliderBuilder::cuboid(half, 1.0, half).translation(-Vector::Y)

@@ -1,13 +1,13 @@
-//! Bodies that feel more or less gravity, or the opposite.
+//! Gravity scales: more, less and inverted gravity.
 //!
-//! After 55 steps no overlap is deeper than 0.16, no body is below 0.1, and none is farther out than 11.0.
+//! After 55 steps no overlap is deeper than 0.16. No body is below 0.1 or farther out than 11.0.
 
 use crate::common::{Law, Scene, SceneInfo};
 use crate::kit::{add_fixed, world_with_floor};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
 
-/// The scene's entry in the list.
+/// Entry in the list.
 pub const INFO: SceneInfo = SceneInfo {
     name: "gravity_scale",
     description: "Balls with a gravity scale from -1 to 2 between floor and ceiling.",

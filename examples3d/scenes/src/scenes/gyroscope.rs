@@ -1,13 +1,13 @@
-//! Free rotation: a handle that turns over and over.
+//! Free rotation: a T-handle flips about its intermediate axis.
 //!
-//! After 200 steps no overlap is deeper than 0.01, no body is below -0.6, none is farther out than 5.2, and none is
-//! faster than 0.1.
+//! After 200 steps no overlap is deeper than 0.01. No body is below -0.6, farther out than 5.2 or faster than
+//! 0.1.
 
 use crate::common::{Law, Scene, SceneInfo};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
 
-/// The scene's entry in the list.
+/// Entry in the list.
 pub const INFO: SceneInfo = SceneInfo {
     name: "gyroscope",
     description: "Weightless T-handles spin about each of their three axes; the middle one keeps flipping.",
@@ -27,7 +27,7 @@ pub const INFO: SceneInfo = SceneInfo {
 pub fn build() -> Scene {
     let mut world = PhysicsWorld::new();
     world.gravity = Vector::ZERO;
-    // A nudge about the other axes, without which even the unstable rotation would go on for long.
+    // A small rotation about the other axes. Without it even the unstable rotation would persist for long.
     let spins =
         [Vector::new(8.0, 0.05, 0.05), Vector::new(0.05, 8.0, 0.05), Vector::new(0.05, 0.05, 8.0)];
     for (i, spin) in spins.into_iter().enumerate() {

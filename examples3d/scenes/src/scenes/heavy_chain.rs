@@ -1,12 +1,12 @@
 //! Mass ratios that stretch chains in many engines.
 //!
-//! After 200 steps no overlap is deeper than 0.01, no body is below -6.1, none is farther out than 6.9, and no joint
-//! is open by more than 0.005.
+//! After 200 steps no overlap is deeper than 0.01. No body is below -6.1 or farther out than 6.9. No joint is
+//! open by more than 0.005.
 
 use crate::common::{Law, Scene, SceneInfo, plays};
 use gallery::{Category, View};
 
-/// The scene's entry in the list.
+/// Entry in the list.
 pub const INFO: SceneInfo = SceneInfo {
     name: "heavy_chain",
     description: "Chains of ten light links carry balls of 10, 100 and 500 times the mass of a link.",

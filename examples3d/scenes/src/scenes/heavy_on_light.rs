@@ -1,14 +1,14 @@
-//! Light boxes that carry a heavy one: a hard test for a solver.
+//! Mass ratios in stacks: light boxes carry a heavy one.
 //!
-//! After 200 steps no overlap is deeper than 0.023, no body is below 0.1, none is farther out than 4.9, none is
-//! faster than 0.1, and the top is above 4.35.
+//! After 200 steps no overlap is deeper than 0.023. No body is below 0.1, farther out than 4.9 or faster than
+//! 0.1. The top is above 4.35.
 
 use crate::common::{Law, Scene, SceneInfo};
 use crate::kit::{add, cube, world_with_floor};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
 
-/// The scene's entry in the list.
+/// Entry in the list.
 pub const INFO: SceneInfo = SceneInfo {
     name: "heavy_on_light",
     description: "Stacks of light boxes carry a box 1, 10, 30 and 100 times as heavy as each of them.",

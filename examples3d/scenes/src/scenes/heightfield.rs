@@ -1,6 +1,6 @@
 //! Bodies on a landscape.
 //!
-//! After 200 steps no overlap is deeper than 0.015, no body is below -0.7, and none is farther out than 11.0.
+//! After 200 steps no overlap is deeper than 0.015. No body is below -0.7 or farther out than 11.0.
 
 use crate::common::{Law, Scene, SceneInfo};
 use crate::kit::{add, cube};
@@ -8,7 +8,7 @@ use crate::rapier::parry::utils::Array2;
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
 
-/// The scene's entry in the list.
+/// Entry in the list.
 pub const INFO: SceneInfo = SceneInfo {
     name: "heightfield",
     description: "Boxes, balls and cylinders tumble down the hills of a height field.",
@@ -31,7 +31,7 @@ pub fn build() -> Scene {
         for j in 0..=CELLS {
             let [z, x] = [i, j].map(|n| n as Real / CELLS as Real - 0.5);
             let hills = (x * 11.0).sin() * (z * 9.0).cos();
-            // The rim is higher, so that nothing leaves.
+            // The rim is higher, so that no body leaves.
             heights[(i, j)] = hills + 14.0 * (x * x + z * z);
         }
     }

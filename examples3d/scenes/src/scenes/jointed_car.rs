@@ -1,14 +1,14 @@
 //! A car whose wheels, springs and steering are joints.
 //!
-//! After 200 steps no overlap is deeper than 0.042, no body is below -0.3, none is farther out than 24.0, and no
-//! joint is open by more than 0.0054.
+//! After 200 steps no overlap is deeper than 0.042. No body is below -0.3 or farther out than 24.0. No joint
+//! is open by more than 0.0054.
 
 use crate::common::{Dice, Law, Scene, SceneInfo};
 use crate::kit::{HALF_TURN, add, add_fixed, add_pyramid, cube, world_with_floor};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
 
-/// The scene's entry in the list.
+/// Entry in the list.
 pub const INFO: SceneInfo = SceneInfo {
     name: "jointed_car",
     description: "A car on joints drives a curve over planks: hubs slide on springs and steer, motors turn the wheels.",
@@ -24,7 +24,7 @@ pub const INFO: SceneInfo = SceneInfo {
     build,
 };
 
-/// Half extents of the chassis, and where the front right wheel is.
+/// Half extents of the chassis, and the position of the front right wheel.
 const HALF: Vector = Vector::new(2.0, 0.3, 0.8);
 const WHEEL: Vector = Vector::new(1.4, -0.35, 1.1);
 /// Radius and half width of a wheel.
@@ -34,7 +34,7 @@ const HALF_WIDTH: Real = 0.15;
 const SPEED: Real = 14.0;
 const TORQUE: Real = 9.0;
 const STEERING: Real = 0.22;
-/// What turns the front wheels there: torque by angle, and by angular velocity.
+/// Stiffness and damping of the steering: torque by angle, and by angular velocity.
 const STIFFNESS: Real = 100.0;
 const DAMPING: Real = 3.0;
 
@@ -67,7 +67,7 @@ pub fn build() -> Scene {
         })
 }
 
-/// Planks across the road, and a few stones.
+/// Adds planks across the road, and some stones.
 fn add_planks(world: &mut PhysicsWorld) {
     for i in 0..6 {
         let plank = ColliderBuilder::cuboid(0.15, 0.1, 2.5);
@@ -80,7 +80,8 @@ fn add_planks(world: &mut PhysicsWorld) {
     }
 }
 
-/// Adds a hub that slides up and down and turns about the vertical, and a wheel that turns on it. Returns the hub's joint.
+/// Adds a hub that slides vertically and steers about the vertical, and a wheel on it. Returns the hub's
+/// joint.
 fn add_wheel(
     world: &mut PhysicsWorld,
     chassis: RigidBodyHandle,
@@ -93,14 +94,14 @@ fn add_wheel(
     let suspension = GenericJointBuilder::new(JointAxesMask::LOCKED_FIXED_AXES - free)
         .local_anchor1(place)
         .limits(JointAxis::LinY, [-0.2, 0.25])
-        // A quarter of the car on it: 2 Hz, and half of critical damping.
+        // With a quarter of the car's mass: 2 Hz, and half of critical damping.
         .motor_model(JointAxis::LinY, MotorModel::ForceBased)
         .motor_position(JointAxis::LinY, -0.05, 400.0, 30.0)
         .motor_model(JointAxis::AngY, MotorModel::ForceBased)
         .motor_position(JointAxis::AngY, 0.0, STIFFNESS, DAMPING);
     let suspension = world.insert_impulse_joint(chassis, hub, suspension);
 
-    // A cylinder's axis is Y, a wheel's is Z.
+    // The axis of a cylinder is Y, that of a wheel is Z.
     let wheel = ColliderBuilder::cylinder(HALF_WIDTH, RADIUS)
         .rotation(Vector::X * (0.5 * HALF_TURN))
         .friction(1.2);

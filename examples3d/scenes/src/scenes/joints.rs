@@ -1,6 +1,6 @@
-//! Every joint, each with what it leaves free.
+//! Every joint with its free axes.
 //!
-//! After 150 steps no overlap is deeper than 0.01, no body is below -5.8, none is farther out than 16.0, and no joint
+//! After 150 steps no overlap is deeper than 0.01. No body is below -5.8 or farther out than 16.0. No joint
 //! is open by more than 0.005.
 
 use crate::common::{Law, Scene, SceneInfo, stands};
@@ -8,7 +8,7 @@ use crate::kit::HALF_TURN;
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
 
-/// The scene's entry in the list.
+/// Entry in the list.
 pub const INFO: SceneInfo = SceneInfo {
     name: "joints",
     description: "Every joint, with its free axes as far as their limits reach; all are pushed every two seconds.",
@@ -24,7 +24,7 @@ pub const INFO: SceneInfo = SceneInfo {
     build,
 };
 
-/// What is on show.
+/// Exhibits of the scene.
 const STANDS: [(&str, stands::Stand); 8] = [
     ("fixed", stands::fixed),
     ("revolute", stands::revolute),
@@ -41,12 +41,12 @@ pub fn build() -> Scene {
     stands::show(&STANDS, View::orbit(-14.0, 9.0))
 }
 
-/// A frame whose X axis, the axis of the twist, points down.
+/// Returns a frame with its X axis, the twist axis, downwards.
 fn downwards(place: Vector) -> Pose {
     Pose::from_parts(place, Rotation::from_rotation_z(-0.5 * HALF_TURN))
 }
 
-/// Swings within a cone, and twists a little.
+/// Joins a body by a ball joint with a cone for the swing and a small range of twist.
 fn spherical(world: &mut PhysicsWorld, post: RigidBodyHandle) -> RigidBodyHandle {
     let joint = SphericalJointBuilder::new()
         .local_frame1(downwards(Vector::ZERO))
@@ -56,7 +56,7 @@ fn spherical(world: &mut PhysicsWorld, post: RigidBodyHandle) -> RigidBodyHandle
     stands::hang(world, post, stands::down(), joint)
 }
 
-/// Slides along an axis, carried by a spring, and turns about it.
+/// Joins a body that slides along an axis on a spring, and rotates about it.
 fn piston(world: &mut PhysicsWorld, post: RigidBodyHandle) -> RigidBodyHandle {
     let (slide, spin) = (JointAxesMask::LIN_X, JointAxesMask::ANG_X);
     let joint = GenericJointBuilder::new(JointAxesMask::LOCKED_FIXED_AXES - slide - spin)
@@ -67,7 +67,7 @@ fn piston(world: &mut PhysicsWorld, post: RigidBodyHandle) -> RigidBodyHandle {
     stands::hang(world, post, stands::down(), joint)
 }
 
-/// Swings to all sides, but has no twist.
+/// Joins a body by a joint with free swing and locked twist.
 fn universal(world: &mut PhysicsWorld, post: RigidBodyHandle) -> RigidBodyHandle {
     let swing = JointAxesMask::ANG_Y | JointAxesMask::ANG_Z;
     let joint = GenericJointBuilder::new(JointAxesMask::LOCKED_FIXED_AXES - swing)

@@ -1,13 +1,13 @@
-//! Scrap in a yard, pushed about by a blade: hulls in motion, with contacts that come and go.
+//! Scrap in a yard, moved by a blade: hulls in motion, with new contacts in every step.
 //!
-//! After 20 steps no overlap is deeper than 0.14, no body is below 2.3, and none is farther out than 24.0.
+//! After 20 steps no overlap is deeper than 0.14. No body is below 2.3 or farther out than 24.0.
 
 use crate::common::{Dice, Law, Scene, SceneInfo};
 use crate::kit::{add, add_walls, rock, world_with_floor};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
 
-/// The scene's entry in the list.
+/// Entry in the list.
 pub const INFO: SceneInfo = SceneInfo {
     name: "junkyard",
     description: "A blade sweeps through a yard with 4,000 pieces of scrap.",
@@ -46,7 +46,7 @@ pub fn build_sized(pieces: usize) -> Scene {
     Scene::new(world, View::orbit(30.0, 40.0))
 }
 
-/// Rocks, beams and plates.
+/// Returns shapes of rocks, beams and plates.
 fn scrap(dice: &mut Dice) -> Vec<ColliderBuilder> {
     let rocks: Vec<_> =
         (0..8).filter_map(|_| ColliderBuilder::convex_hull(&rock(dice, 0.55, 10))).collect();

@@ -1,13 +1,13 @@
-//! A large world at rest with a little life in it: what does not move must cost nothing.
+//! A large world at rest with few moving bodies: bodies at rest must take no time.
 //!
-//! After 200 steps no overlap is deeper than 0.034, no body is below -0.9, and none is farther out than 16.0.
+//! After 200 steps no overlap is deeper than 0.034. No body is below -0.9 or farther out than 16.0.
 
 use crate::common::{Law, Scene, SceneInfo};
 use crate::kit::{add, add_fixed, cube};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
 
-/// The scene's entry in the list.
+/// Entry in the list.
 pub const INFO: SceneInfo = SceneInfo {
     name: "large_world",
     description: "40,000 fixed blocks, and 99 bodies that move.",
@@ -22,7 +22,7 @@ pub fn build() -> Scene {
     build_sized(200)
 }
 
-/// Builds a square of fixed blocks with this many along each side.
+/// Builds the scene with a square of this many fixed blocks along each side.
 pub fn build_sized(side: usize) -> Scene {
     let mut world = PhysicsWorld::new();
     let center = side as Real / 2.0;

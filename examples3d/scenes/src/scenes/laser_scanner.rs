@@ -1,13 +1,13 @@
-//! Rays that turn about a mast show where they end.
+//! Rays rotate about a mast, and dots mark their ends.
 //!
-//! After 200 steps no overlap is deeper than 0.01, no body is below 0.0, and none is farther out than 13.0.
+//! After 200 steps no overlap is deeper than 0.01. No body is below 0.0 or farther out than 13.0.
 
 use crate::common::{Dice, Law, Scene, SceneInfo};
 use crate::kit::{HALF_TURN, add, add_fixed, cube, world_with_floor};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
 
-/// The scene's entry in the list.
+/// Entry in the list.
 pub const INFO: SceneInfo = SceneInfo {
     name: "laser_scanner",
     description: "A fan of 48 rays turns about a mast; a dot marks the point that each ray hits.",
@@ -17,10 +17,10 @@ pub const INFO: SceneInfo = SceneInfo {
     build,
 };
 
-/// Rays, and their reach.
+/// Number of rays, and their length.
 const RAYS: usize = 48;
 const REACH: Real = 14.0;
-/// Height of the rays, and their angular velocity (rad for a step).
+/// Height of the rays, and their angular velocity (rad per step).
 const HEIGHT: Real = 0.6;
 const TURN: Real = 0.012;
 
@@ -42,7 +42,7 @@ pub fn build() -> Scene {
         .script(move |world, step| scan(world, &dots, step as Real * TURN))
 }
 
-/// A small ball that nothing touches and no ray hits.
+/// Adds a small ball without collisions, which no ray hits.
 fn add_dot(world: &mut PhysicsWorld) -> RigidBodyHandle {
     let dot = ColliderBuilder::ball(0.12).collision_groups(InteractionGroups::none());
     world.insert(RigidBodyBuilder::kinematic_position_based(), dot).0
@@ -50,12 +50,12 @@ fn add_dot(world: &mut PhysicsWorld) -> RigidBodyHandle {
 
 /// Moves each dot to the end of its ray.
 fn scan(world: &mut PhysicsWorld, dots: &[RigidBodyHandle], start: Real) {
-    // Dots belong to no group, so a filter for all groups leaves them out.
+    // Dots belong to no group, so a filter for all groups excludes them.
     let all = QueryFilter::default().groups(InteractionGroups::all());
     for (i, &dot) in dots.iter().enumerate() {
         let angle = start + 2.0 * HALF_TURN * i as Real / RAYS as Real;
         let direction = Vector::new(angle.cos(), 0.0, angle.sin());
-        // Starts outside the mast.
+        // The ray starts outside the mast.
         let ray = Ray::new(Vector::Y * HEIGHT + direction * 0.3, direction);
         let hit = world.cast_ray(&ray, REACH, true, all);
         let distance = hit.map_or(REACH, |(_, distance)| distance);

@@ -1,13 +1,13 @@
-//! Bodies that cannot move or turn in some directions.
+//! Bodies with locked translations and rotations.
 //!
-//! After 200 steps no overlap is deeper than 0.01, no body is below -0.1, and none is farther out than 12.0.
+//! After 200 steps no overlap is deeper than 0.01. No body is below -0.1 or farther out than 12.0.
 
 use crate::common::{Law, Scene, SceneInfo};
 use crate::kit::{add, cube, world_with_floor};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
 
-/// The scene's entry in the list.
+/// Entry in the list.
 pub const INFO: SceneInfo = SceneInfo {
     name: "locked_axes",
     description: "A turnstile that only spins, a slider that only slides, pillars that cannot fall, under a rain of boxes.",

@@ -1,14 +1,14 @@
-//! Many small pyramids: many islands, each of which could fall asleep by itself.
+//! Many small pyramids: many islands that could fall asleep independently.
 //!
-//! After 20 steps no overlap is deeper than 0.01, no body is below 0.1, none is farther out than 98.0, none is faster
-//! than 0.1, and the top is above 9.2.
+//! After 20 steps no overlap is deeper than 0.01. No body is below 0.1, farther out than 98.0 or faster than
+//! 0.1. The top is above 9.2.
 
 use crate::common::{Law, Scene, SceneInfo};
 use crate::kit::{add_pyramid, cube, world_with_floor};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
 
-/// The scene's entry in the list.
+/// Entry in the list.
 pub const INFO: SceneInfo = SceneInfo {
     name: "many_pyramids",
     description: "196 pyramids of 55 boxes each, in 14 rows: 10,780 boxes.",
@@ -33,7 +33,7 @@ pub fn build() -> Scene {
     build_sized(14)
 }
 
-/// Builds this many rows of as many pyramids.
+/// Builds the scene with this many rows of as many pyramids.
 pub fn build_sized(rows: usize) -> Scene {
     let half = 0.5;
     let spacing = 2.0 * half * (BASE + 1) as Real;

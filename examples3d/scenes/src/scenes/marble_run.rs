@@ -1,13 +1,13 @@
 //! Balls roll down alternating ramps.
 //!
-//! After 200 steps no overlap is deeper than 0.02, no body is below 0.0, and none is farther out than 12.0.
+//! After 200 steps no overlap is deeper than 0.02. No body is below 0.0 or farther out than 12.0.
 
 use crate::common::{Law, Scene, SceneInfo};
 use crate::kit::{add, add_fixed, world_with_floor};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
 
-/// The scene's entry in the list.
+/// Entry in the list.
 pub const INFO: SceneInfo = SceneInfo {
     name: "marble_run",
     description: "Three dozen marbles roll down six ramps with rims, from one to the next, down to the floor.",
@@ -17,7 +17,7 @@ pub const INFO: SceneInfo = SceneInfo {
     build,
 };
 
-/// Ramps, half their length, and their slope.
+/// Number of ramps, half their length, and their slope.
 const RAMPS: usize = 6;
 const HALF: Real = 4.0;
 const SLOPE: Real = 0.16;
@@ -29,7 +29,7 @@ pub fn build() -> Scene {
         let side = if i % 2 == 0 { 1.0 } else { -1.0 };
         let middle = Vector::new(0.9 * side, 10.5 - 1.7 * i as Real, 0.0);
         add_ramp(&mut world, middle, -side * SLOPE);
-        // A board beyond the lower end turns the marbles to the next ramp.
+        // A board beyond the lower end deflects the marbles to the next ramp.
         let stop = Vector::new(middle.x + side * (HALF + 1.0), middle.y - 0.6, 0.0);
         add_fixed(&mut world, stop, ColliderBuilder::cuboid(0.1, 1.0, 0.8));
     }
@@ -46,7 +46,7 @@ pub fn build() -> Scene {
         .focusing(Vector::new(-4.8, 3.0, -0.8), Vector::new(4.8, 12.5, 0.8))
 }
 
-/// A board between two rims, tilted about the axis that points to the eye.
+/// Adds a board between two rims, tilted about the axis towards the eye.
 fn add_ramp(world: &mut PhysicsWorld, middle: Vector, tilt: Real) {
     let body = RigidBodyBuilder::fixed().translation(middle).rotation(Vector::Z * tilt);
     let (body, _) = world.insert(body, ColliderBuilder::cuboid(HALF, 0.08, 0.8));

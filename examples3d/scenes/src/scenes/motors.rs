@@ -1,6 +1,6 @@
-//! What motors of joints do: reach velocities and positions, as hard as they may.
+//! Joint motors: they reach velocities and positions within their force limits.
 //!
-//! After 200 steps no overlap is deeper than 0.01, no body is below -5.5, none is farther out than 11.0, and no joint
+//! After 200 steps no overlap is deeper than 0.01. No body is below -5.5 or farther out than 11.0. No joint
 //! is open by more than 0.005.
 
 use crate::common::{Law, Scene, SceneInfo};
@@ -8,7 +8,7 @@ use crate::kit::{add, add_fixed, add_post, cube, hinge};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
 
-/// The scene's entry in the list.
+/// Entry in the list.
 pub const INFO: SceneInfo = SceneInfo {
     name: "motors",
     description: "Motors: a fan, servos stiff and soft, one that is too weak for its load, a lift, a ball joint that nods.",
@@ -24,11 +24,11 @@ pub const INFO: SceneInfo = SceneInfo {
     build,
 };
 
-/// From one motor to the next.
+/// Distance of neighbouring motors.
 const ACROSS: Real = 4.2;
-/// Steps that a target stands.
+/// Number of steps per target.
 const HOLD: usize = 100;
-/// Half extents of an arm, and from its hinge to its middle.
+/// Half extents of an arm, and the distance from its hinge to its middle.
 const HALF: Vector = Vector::new(0.7, 0.15, 0.15);
 const ARM: Vector = Vector::new(0.8, 0.0, 0.0);
 
@@ -60,7 +60,7 @@ pub fn build() -> Scene {
     });
     scene.script(move |world, step| {
         let side = if (step / HOLD).is_multiple_of(2) { 1.0 } else { -1.0 };
-        // What stiffness and damping mean: frequency √stiffness, critical damping 2 √stiffness.
+        // Frequency √stiffness, critical damping 2 √stiffness.
         drive(world, stiff.0, |joint| {
             joint.set_motor_position(JointAxis::AngX, side, 900.0, 60.0);
         });
@@ -85,14 +85,14 @@ pub fn build() -> Scene {
     })
 }
 
-/// Changes what drives a joint.
+/// Changes the motor of a joint.
 fn drive(world: &mut PhysicsWorld, joint: ImpulseJointHandle, change: impl Fn(&mut GenericJoint)) {
     if let Some(joint) = world.impulse_joints.get_mut(joint) {
         change(&mut joint.data);
     }
 }
 
-/// An arm on a post.
+/// Adds an arm on a post.
 fn arm(
     world: &mut PhysicsWorld,
     place: Vector,
@@ -104,7 +104,7 @@ fn arm(
     (joint, body)
 }
 
-/// A weight on a rope from a body.
+/// Hangs a weight on a rope from a body.
 fn hang_weight(world: &mut PhysicsWorld, body: RigidBodyHandle, from: Vector) {
     let anchor = from - world.bodies[body].translation();
     let weight = add(world, from - Vector::Y * 0.8, cube(0.3).density(5.0));
@@ -112,7 +112,7 @@ fn hang_weight(world: &mut PhysicsWorld, body: RigidBodyHandle, from: Vector) {
     world.insert_impulse_joint(body, weight, rope);
 }
 
-/// A platform that is driven up and down, with a box on it.
+/// Adds a platform that a motor moves up and down, with a box on it.
 fn add_lift(world: &mut PhysicsWorld, place: Vector) -> ImpulseJointHandle {
     let shaft = ColliderBuilder::cuboid(0.1, 1.2, 0.1);
     let back = Vector::new(0.0, 0.0, -0.8);
@@ -123,7 +123,7 @@ fn add_lift(world: &mut PhysicsWorld, place: Vector) -> ImpulseJointHandle {
     world.insert_impulse_joint(post, platform, joint)
 }
 
-/// A head on a ball joint.
+/// Adds a head on a ball joint.
 fn add_nodder(world: &mut PhysicsWorld, place: Vector) -> ImpulseJointHandle {
     let post = add_post(world, place);
     let up = Vector::Y * 0.8;

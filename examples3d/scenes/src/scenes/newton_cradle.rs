@@ -1,6 +1,6 @@
-//! Newton's cradle: momentum and energy go through a row of balls.
+//! Newton's cradle: momentum and energy pass through a row of balls.
 //!
-//! After 112 steps no overlap is deeper than 0.01, no body is below -4.3, none is farther out than 11.0, and no joint
+//! After 112 steps no overlap is deeper than 0.01. No body is below -4.3 or farther out than 11.0. No joint
 //! is open by more than 0.005.
 
 use crate::common::{Law, Scene, SceneInfo};
@@ -8,10 +8,10 @@ use crate::kit::{add_post, flat, hinge, turn};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
 
-/// The scene's entry in the list.
+/// Entry in the list.
 pub const INFO: SceneInfo = SceneInfo {
     name: "newton_cradle",
-    description: "Newton's cradles: as many balls swing out on one side as came in on the other.",
+    description: "Newton's cradles: equal numbers of balls swing out and in on opposite sides.",
     category: Category::Joints,
     steps: 112,
     law: Law {
@@ -24,11 +24,11 @@ pub const INFO: SceneInfo = SceneInfo {
     build,
 };
 
-/// Balls of a cradle, their radius, and the length of their rods.
+/// Number of balls of a cradle, their radius, and the length of their rods.
 const BALLS: usize = 5;
 const RADIUS: Real = 0.5;
 const LENGTH: Real = 4.0;
-/// How far the first ones are drawn aside (rad).
+/// Initial angle of the first balls (rad).
 const SWING: Real = 0.8;
 
 /// Builds the scene.
@@ -44,7 +44,7 @@ pub fn build() -> Scene {
     Scene::new(world, View::orbit(20.0, 10.0))
 }
 
-/// A ball on a rod, at an angle from straight down.
+/// Hangs a ball on a rod, at an angle from the vertical.
 fn hang_ball(world: &mut PhysicsWorld, place: Vector, angle: Real) {
     let post = add_post(world, place);
     let at = place + flat(angle.sin(), -angle.cos()) * LENGTH;

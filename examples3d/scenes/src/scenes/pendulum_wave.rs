@@ -1,16 +1,16 @@
-//! A row of pendulums, each a little shorter than the last.
+//! A row of pendulums with decreasing lengths.
 //!
-//! After 200 steps no overlap is deeper than 0.01, no body is below -1.9, none is farther out than 9.4, and no joint
-//! is open by more than 0.005.
+//! After 200 steps no overlap is deeper than 0.01. No body is below -1.9 or farther out than 9.4. No joint is
+//! open by more than 0.005.
 
 use crate::common::{Law, Scene, SceneInfo, plays};
 use crate::kit::near;
 use gallery::{Category, View};
 
-/// The scene's entry in the list.
+/// Entry in the list.
 pub const INFO: SceneInfo = SceneInfo {
     name: "pendulum_wave",
-    description: "Twelve pendulums of graded lengths fall out of step, and into it again after a minute.",
+    description: "Twelve pendulums of graded lengths lose their phase, and regain it after a minute.",
     category: Category::Joints,
     steps: 300,
     law: Law {

@@ -1,13 +1,13 @@
 //! Simple shapes rain onto a floor.
 //!
-//! After 200 steps no overlap is deeper than 0.13, no body is below -0.1, and none is farther out than 16.0.
+//! After 200 steps no overlap is deeper than 0.13. No body is below -0.1 or farther out than 16.0.
 
 use crate::common::{Law, Scene, SceneInfo};
 use crate::kit::{add, add_walls, world_with_floor};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
 
-/// The scene's entry in the list.
+/// Entry in the list.
 pub const INFO: SceneInfo = SceneInfo {
     name: "primitives",
     description: "Balls, boxes, capsules, cylinders and cones rain onto a floor.",
@@ -31,7 +31,7 @@ pub fn build() -> Scene {
     for layer in 0..10 {
         for row in 0..5 {
             for column in 0..5 {
-                // Each layer stands a little aside, so that nothing lands flat on its like.
+                // Layers are shifted, so that no body lands flat on an equal one.
                 let shift = if layer % 2 == 0 { 0.0 } else { 0.35 };
                 let [x, z] = [column, row].map(|i| 1.4 * (i as Real - 2.0) + shift);
                 let place = Vector::new(x, 1.0 + 1.6 * layer as Real, z);

@@ -1,13 +1,13 @@
-//! A pyramid of medium size, which has to settle and fall asleep.
+//! A pyramid of medium size, which must settle and fall asleep.
 //!
-//! After 20 steps no overlap is deeper than 0.01, no body is below 0.1, none is farther out than 12.0, none is faster
-//! than 0.29, and the top is above 18.88.
+//! After 20 steps no overlap is deeper than 0.01. No body is below 0.1, farther out than 12.0 or faster than
+//! 0.29. The top is above 18.88.
 
 use crate::common::{Law, Scene, SceneInfo};
 use crate::kit::{add_pyramid, cube, world_with_floor};
 use gallery::{Category, View};
 
-/// The scene's entry in the list.
+/// Entry in the list.
 pub const INFO: SceneInfo = SceneInfo {
     name: "pyramid20",
     description: "A pyramid of 20 rows settles and falls asleep.",

@@ -1,26 +1,26 @@
-//! Rays that look around, and a drone that is led by feedback.
+//! Rays from a mast, and a drone under feedback control.
 //!
-//! After 200 steps no overlap is deeper than 0.01, no body is below 0.2, and none is farther out than 13.0.
+//! After 200 steps no overlap is deeper than 0.01. No body is below 0.2 or farther out than 13.0.
 
 use crate::common::{Law, Scene, SceneInfo};
 use crate::kit::{HALF_TURN, add, cube, world_with_floor};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
 
-/// The scene's entry in the list.
+/// Entry in the list.
 pub const INFO: SceneInfo = SceneInfo {
     name: "radar",
-    description: "96 rays from a mast mark what they hit; a PD controller leads a drone around it.",
+    description: "96 rays from a mast mark what they hit; a PD controller guides a drone around it.",
     category: Category::Queries,
     steps: 240,
     law: Law { overlap_max: 0.01, height_min: 0.2, reach_max: 13.0, ..Law::after(200) },
     build,
 };
 
-/// Rays in a full turn, and how far they reach.
+/// Number of rays in a full revolution, and their length.
 const RAYS: usize = 96;
 const REACH: Real = 12.0;
-/// The foot of the rays.
+/// Origin of the rays.
 const EYE: Vector = Vector::new(0.0, 0.8, 0.0);
 
 /// Builds the scene.
@@ -37,7 +37,7 @@ pub fn build() -> Scene {
         };
         add(&mut world, place, shape);
     }
-    // What marks a hit touches nothing and is not hit itself.
+    // Markers of hits collide with nothing, and rays ignore them.
     let marker = ColliderBuilder::ball(0.09).collision_groups(InteractionGroups::none());
     let markers: Vec<_> = (0..RAYS)
         .map(|_| world.insert(RigidBodyBuilder::kinematic_position_based(), marker.clone()).0)
@@ -58,7 +58,7 @@ pub fn build() -> Scene {
     })
 }
 
-/// Corrects the velocity of the drone towards its place on a circle at this time.
+/// Corrects the drone's velocity towards its target on a circle at this time.
 fn lead(world: &mut PhysicsWorld, drone: RigidBodyHandle, pilot: &PdController, time: Real) {
     let angle = 0.8 * time;
     let place = Vector::new(8.0 * angle.cos(), 3.0, 8.0 * angle.sin());

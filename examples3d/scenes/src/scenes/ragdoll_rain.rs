@@ -1,7 +1,7 @@
-//! Hundreds of people fall on hills.
+//! Hundreds of ragdolls fall on hills.
 //!
-//! After 20 steps no overlap is deeper than 0.01, no body is below -1.1, none is farther out than 26.0, and no joint
-//! is open by more than 0.005.
+//! After 20 steps no overlap is deeper than 0.01. No body is below -1.1 or farther out than 26.0. No joint is
+//! open by more than 0.005.
 
 use super::ragdolls::add_ragdoll;
 use crate::common::{Dice, Law, Scene, SceneInfo};
@@ -9,10 +9,10 @@ use crate::kit::{HALF_TURN, hills, surface};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
 
-/// The scene's entry in the list.
+/// Entry in the list.
 pub const INFO: SceneInfo = SceneInfo {
     name: "ragdoll_rain",
-    description: "390 people of 11 bodies each rain on a mesh of 20,000 triangles.",
+    description: "390 ragdolls of 11 bodies each fall on a mesh of 20,000 triangles.",
     category: Category::Stress,
     steps: 300,
     law: Law {
@@ -25,10 +25,10 @@ pub const INFO: SceneInfo = SceneInfo {
     build,
 };
 
-/// Squares of two triangles along each side, and how long they are.
+/// Number of squares of two triangles along each side, and their length.
 const SQUARES: u32 = 100;
 const SIZE: Real = 0.8;
-/// People along a row.
+/// Number of ragdolls per row.
 const ROW: usize = 14;
 
 /// Builds the scene.
@@ -36,7 +36,7 @@ pub fn build() -> Scene {
     build_sized(390)
 }
 
-/// Builds a rain of this many people.
+/// Builds the scene with this many ragdolls.
 pub fn build_sized(people: usize) -> Scene {
     let mut world = PhysicsWorld::new();
     world.insert(RigidBodyBuilder::fixed(), surface(SQUARES, SIZE, height));
@@ -51,7 +51,7 @@ pub fn build_sized(people: usize) -> Scene {
     Scene::new(world, View::orbit(28.0, 40.0))
 }
 
-/// The ground.
+/// Returns the height of the ground.
 fn height(x: Real, z: Real) -> Real {
     hills(1.2, x, z)
 }

@@ -1,6 +1,6 @@
-//! Ragdolls: bodies of limbs on joints with the limits of human ones.
+//! Ragdolls: limbs on ball joints and hinges with the limits of human joints.
 //!
-//! After 20 steps no overlap is deeper than 0.01, no body is below 3.5, none is farther out than 5.1, and no joint is
+//! After 20 steps no overlap is deeper than 0.01. No body is below 3.5 or farther out than 5.1. No joint is
 //! open by more than 0.005.
 
 use crate::common::{Law, Scene, SceneInfo};
@@ -8,10 +8,10 @@ use crate::kit::{HALF_TURN, add, add_fixed};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
 
-/// The scene's entry in the list.
+/// Entry in the list.
 pub const INFO: SceneInfo = SceneInfo {
     name: "ragdoll_stairs",
-    description: "Ragdolls tumble down stairs: shoulders, hips and necks swing and twist as far as people's do, elbows and knees bend one way.",
+    description: "Ragdolls tumble down stairs: shoulders, hips and necks swing and twist as far as those of people, elbows and knees bend one way.",
     category: Category::Stress,
     steps: 110,
     law: Law {
@@ -24,7 +24,7 @@ pub const INFO: SceneInfo = SceneInfo {
     build,
 };
 
-/// Steps of the stairs, and the length and height of each.
+/// Number of stairs, and their length and height.
 const STEPS: usize = 12;
 const TREAD: Real = 0.55;
 const RISE: Real = 0.4;
@@ -55,7 +55,7 @@ pub fn build() -> Scene {
         .focusing(Vector::new(-1.0, 0.0, -2.0), Vector::new(9.0, 5.0, 2.0))
 }
 
-/// A limb: a capsule along y, from its middle to either end.
+/// Limb: a capsule along y, with half its length.
 struct Limb {
     body: RigidBodyHandle,
     reach: Real,
@@ -72,12 +72,12 @@ impl Limb {
     }
 }
 
-/// A frame whose X axis, the axis of the twist, is the direction in which a limb points.
+/// Returns a frame with its X axis, the twist axis, along a limb's direction.
 fn along(place: Vector, direction: Vector) -> Pose {
     Pose::from_parts(place, Rotation::from_rotation_arc(Vector::X, direction))
 }
 
-/// Adds a ragdoll that stands upright and looks along x, with the hips at a place.
+/// Adds an upright ragdoll that faces along x, with the hips at a place.
 fn add_ragdoll(world: &mut PhysicsWorld, hips: Vector) -> Vec<RigidBodyHandle> {
     let shape = ColliderBuilder::cuboid(0.14, 0.28, 0.2);
     let chest = add(world, hips + Vector::Y * 0.3, shape);
@@ -97,7 +97,7 @@ fn add_ragdoll(world: &mut PhysicsWorld, hips: Vector) -> Vec<RigidBodyHandle> {
             let near = Limb::new(world, from - Vector::Y * reach, reach, radius);
             let middle = from - Vector::Y * (3.0 * reach);
             let far = Limb::new(world, middle, reach, 0.85 * radius);
-            // The middle of the swing leans forwards: hips bend more that way.
+            // The middle of the swing leans forwards, because hips bend more in that direction.
             let direction = Vector::new(lean, -1.0, 0.0).normalize();
             socket_leaning(world, (chest, root), &near, direction, swing);
             let hinge = RevoluteJointBuilder::new(Vector::Z)
@@ -113,7 +113,7 @@ fn add_ragdoll(world: &mut PhysicsWorld, hips: Vector) -> Vec<RigidBodyHandle> {
     bodies
 }
 
-/// A ball joint with a cone for the swing and a range for the twist.
+/// Returns a ball joint with a cone for the swing and a range for the twist.
 fn socket(
     world: &mut PhysicsWorld,
     [body1, body2]: [RigidBodyHandle; 2],
@@ -130,7 +130,7 @@ fn socket(
     world.insert_impulse_joint(body1, body2, damped(joint));
 }
 
-/// The same for a limb that hangs down, whose cone stands about a direction.
+/// Returns the same for a limb that hangs down, with its cone about a direction.
 fn socket_leaning(
     world: &mut PhysicsWorld,
     (body, anchor): (RigidBodyHandle, Vector),
@@ -147,7 +147,7 @@ fn socket_leaning(
     world.insert_impulse_joint(body, limb.body, damped(joint));
 }
 
-/// Muscles: they slow the joint down.
+/// Returns the joint with damping.
 fn damped(joint: SphericalJointBuilder) -> SphericalJointBuilder {
     [JointAxis::AngX, JointAxis::AngY, JointAxis::AngZ]
         .into_iter()

@@ -1,17 +1,17 @@
-//! Two hundred people fall into a pit.
+//! Two hundred ragdolls fall into a pit.
 //!
-//! After 200 steps no overlap is deeper than 0.13, no body is below -0.3, none is farther out than 8.1, and no joint
-//! is open by more than 0.092.
+//! After 200 steps no overlap is deeper than 0.13. No body is below -0.3 or farther out than 8.1. No joint is
+//! open by more than 0.092.
 
 use crate::common::{Dice, Law, Scene, SceneInfo};
 use crate::kit::{HALF_TURN, add_walls, world_with_floor};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
 
-/// The scene's entry in the list.
+/// Entry in the list.
 pub const INFO: SceneInfo = SceneInfo {
     name: "ragdolls",
-    description: "200 people of 11 bodies each tumble into a heap; cones and limits keep their limbs human.",
+    description: "200 ragdolls of 11 bodies each fall into a heap; cones and limits bound their joints.",
     category: Category::Joints,
     steps: 300,
     law: Law {
@@ -41,7 +41,7 @@ pub fn build() -> Scene {
         let turn = axis * dice.between(0.0, 2.0 * HALF_TURN);
         add_ragdoll(&mut world, Pose::new(place, turn), axis * 4.0);
     }
-    // Steep enough to look over the 4 m wall in front into all of the 10 m pit.
+    // The view is steep enough to show all of the 10 m pit behind the 4 m wall.
     Scene::new(world, View::orbit(25.0, 62.0))
 }
 
@@ -50,7 +50,7 @@ pub(super) fn add_ragdoll(world: &mut PhysicsWorld, at: Pose, spin: AngVector) {
     Ragdoll { world, at, spin }.build();
 }
 
-/// A ragdoll under construction: it stands with its arms spread.
+/// Ragdoll under construction, upright with its arms spread.
 struct Ragdoll<'w> {
     world: &'w mut PhysicsWorld,
     /// Pose of its pelvis.
@@ -89,7 +89,7 @@ impl Ragdoll<'_> {
         }
     }
 
-    /// A capsule between two points of the standing ragdoll, as a body whose origin is in its middle.
+    /// Adds a capsule between two points of the standing ragdoll, as a body with its origin in the middle.
     fn limb(&mut self, from: Vector, to: Vector, radius: Real) -> Limb {
         let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
         let body = RigidBodyBuilder::dynamic()
@@ -100,8 +100,8 @@ impl Ragdoll<'_> {
         Limb { body, middle }
     }
 
-    /// A ball in a socket, with a cone about the way on which the second limb leads away, and room to twist to
-    /// either side.
+    /// Adds a ball joint with a cone about the direction of the second limb, and a range of twist to either
+    /// side.
     fn socket(
         &mut self,
         first: Limb,
@@ -121,7 +121,7 @@ impl Ragdoll<'_> {
         self.world.insert_impulse_joint(first.body, second.body, joint);
     }
 
-    /// A knee or an elbow, that bends one way only.
+    /// Adds a knee or an elbow, which bends in one direction only.
     fn hinge(&mut self, first: Limb, second: Limb, at: Vector, axis: Vector) {
         let joint = RevoluteJointBuilder::new(axis)
             .local_anchor1(at - first.middle)

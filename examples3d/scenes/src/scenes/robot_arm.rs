@@ -1,13 +1,13 @@
 //! Inverse kinematics: an arm whose tip follows a target.
 //!
-//! After 200 steps no overlap is deeper than 0.29, no body is below 0.6, and none is farther out than 2.9.
+//! After 200 steps no overlap is deeper than 0.29. No body is below 0.6 or farther out than 2.9.
 
 use crate::common::{Law, Scene, SceneInfo};
 use crate::kit::{HALF_TURN, world_with_floor};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
 
-/// The scene's entry in the list.
+/// Entry in the list.
 pub const INFO: SceneInfo = SceneInfo {
     name: "robot_arm",
     description: "An arm of six joints reaches: inverse kinematics finds the angles, motors turn the joints there.",
@@ -17,7 +17,7 @@ pub const INFO: SceneInfo = SceneInfo {
     build,
 };
 
-/// By joint: the axis, the length of the link behind it, and half its thickness. The arm stands upright at first.
+/// By joint: the axis, the length of its link, and half the link's thickness. The arm is upright at first.
 const LINKS: [(Vector, Real, Real); 6] = [
     (Vector::Y, 0.6, 0.32),
     (Vector::Z, 1.4, 0.20),
@@ -26,9 +26,9 @@ const LINKS: [(Vector, Real, Real); 6] = [
     (Vector::Z, 0.5, 0.13),
     (Vector::Y, 0.4, 0.10),
 ];
-/// How far each joint turns to either side (rad).
+/// Limit of each joint's angle, to either side (rad).
 const REACH: Real = 2.4;
-/// Steps in which the target goes round.
+/// Number of steps per revolution of the target.
 const ROUND: Real = 400.0;
 /// Stiffness and damping of the motors (1/s², 1/s): critically damped at 10 Hz.
 const STIFFNESS: Real = 4000.0;
@@ -51,14 +51,14 @@ pub fn build() -> Scene {
         })
 }
 
-/// A figure of eight around the arm.
+/// Returns a point on a figure of eight around the arm.
 fn place_of_target(step: usize) -> Vector {
     let angle = 2.0 * HALF_TURN * step as Real / ROUND;
     let about = 0.5 * HALF_TURN * angle.sin();
     Vector::new(2.0 * about.cos(), 1.3 + 0.5 * (2.0 * angle).sin(), 2.0 * about.sin())
 }
 
-/// Links stacked on a base, each with its body's origin at its far end. Returns the joint of the last one.
+/// Adds links on a base, each with its body's origin at its far end. Returns the joint of the last link.
 fn add_arm(world: &mut PhysicsWorld) -> MultibodyJointHandle {
     let base = RigidBodyBuilder::fixed().translation(Vector::Y * 0.15);
     let (mut parent, _) = world.insert(base, ColliderBuilder::cylinder(0.15, 0.5));
@@ -84,16 +84,16 @@ fn add_arm(world: &mut PhysicsWorld) -> MultibodyJointHandle {
     tip
 }
 
-/// Lets the motors turn the joints to where the tip is at a place.
+/// Sets the motors' targets to joint angles with the tip at a place.
 fn reach(world: &mut PhysicsWorld, tip: MultibodyJointHandle, place: Vector) {
     let PhysicsWorld { multibody_joints, bodies, .. } = world;
     let Some((arm, link)) = multibody_joints.get_mut(tip) else { return };
-    // From above.
+    // The tip points down.
     let pose = Pose::from_parts(place, Rotation::from_rotation_z(HALF_TURN));
     let options = InverseKinematicsOption {
         damping: 0.2,
         max_iters: 20,
-        // The last joint's angle does not matter.
+        // The angle of the last joint is free.
         constrained_axes: JointAxesMask::all() - JointAxesMask::ANG_Y,
         ..InverseKinematicsOption::default()
     };

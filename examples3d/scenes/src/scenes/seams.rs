@@ -1,6 +1,6 @@
-//! Ground of many pieces, which feels like one.
+//! Internal edges: ground of many pieces acts like one surface.
 //!
-//! After 200 steps no overlap is deeper than 0.01, no body is below 0.1, and none is farther out than 38.0.
+//! After 200 steps no overlap is deeper than 0.01. No body is below 0.1 or farther out than 38.0.
 
 use crate::common::{Law, Scene, SceneInfo};
 use crate::kit::{add_fixed, cube};
@@ -8,7 +8,7 @@ use crate::rapier::parry::utils::Array2;
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
 
-/// The scene's entry in the list.
+/// Entry in the list.
 pub const INFO: SceneInfo = SceneInfo {
     name: "seams",
     description: "Boxes, balls and capsules glide over lanes of a mesh, a height field, tiles and hulls.",
@@ -18,9 +18,9 @@ pub const INFO: SceneInfo = SceneInfo {
     build,
 };
 
-/// Metres along a lane.
+/// Length of a lane (m).
 const LENGTH: usize = 36;
-/// From lane to lane.
+/// Distance of neighbouring lanes.
 const SPACING: Real = 3.0;
 
 /// Builds the scene.
@@ -40,14 +40,14 @@ pub fn build() -> Scene {
                 .linvel(Vector::X * 8.0);
             world.insert(body, shape.friction(0.0));
         }
-        // Steps are felt.
+        // A step at the end stops the bodies.
         add_fixed(&mut world, Vector::new(LENGTH as Real, 0.0, z), cube(0.8));
     }
     Scene::new(world, View::orbit(32.0, 30.0))
         .focusing(Vector::new(10.0, 0.0, -7.0), Vector::new(36.0, 1.0, 7.0))
 }
 
-/// The middles of square tiles of 1 m, two next to each other.
+/// Returns the middles of square tiles of 1 m, two side by side.
 fn tiles() -> impl Iterator<Item = Vector> {
     let row = |i: usize| [-0.5, 0.5].map(|z| Vector::new(i as Real + 0.5, -0.5, z));
     (0..LENGTH).flat_map(row)

@@ -1,17 +1,17 @@
 //! Sensors: zones that report each body that enters or leaves, and exert no force.
 //!
-//! After 200 steps no overlap is deeper than 0.01, no body is below 0.0, none is farther out than 7.2, and none is
-//! faster than 2.0.
+//! After 200 steps no overlap is deeper than 0.01. No body is below 0.0, farther out than 7.2 or faster than
+//! 2.0.
 
 use crate::common::{Law, Scene, SceneInfo};
 use crate::kit::{add, world_with_floor};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
 
-/// The scene's entry in the list.
+/// Entry in the list.
 pub const INFO: SceneInfo = SceneInfo {
     name: "sensors",
-    description: "Each body in a sensor zone floats up, until an event says that it has left.",
+    description: "Each body in a sensor zone floats up, until an event reports its exit.",
     category: Category::Queries,
     steps: 420,
     law: Law {

@@ -1,14 +1,14 @@
-//! What does not move costs nothing, until something touches it.
+//! Sleeping islands take no time until a contact wakes them.
 //!
-//! After 200 steps no overlap is deeper than 0.01, no body is below 0.1, none is farther out than 11.0, and none is
-//! faster than 0.1.
+//! After 200 steps no overlap is deeper than 0.01. No body is below 0.1, farther out than 11.0 or faster than
+//! 0.1.
 
 use crate::common::{Law, Scene, SceneInfo};
 use crate::kit::{add_pyramid, cube, world_with_floor};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
 
-/// The scene's entry in the list.
+/// Entry in the list.
 pub const INFO: SceneInfo = SceneInfo {
     name: "sleeping",
     description: "Five pyramids fall asleep (darker); balls wake the ones they hit and no others.",
@@ -24,7 +24,7 @@ pub const INFO: SceneInfo = SceneInfo {
     build,
 };
 
-/// When the balls come: the pyramids have fallen asleep long before.
+/// Step of the shot. The pyramids sleep long before.
 const SHOT: usize = 240;
 
 /// Builds the scene.

@@ -1,17 +1,17 @@
-//! Contacts that are seen but not felt.
+//! Solver groups: contacts with events but without forces.
 //!
-//! After 150 steps no overlap is deeper than 0.01, no body is below 0.0, none is farther out than 9.4, and none is
-//! faster than 0.84.
+//! After 150 steps no overlap is deeper than 0.01. No body is below 0.0, farther out than 9.4 or faster than
+//! 0.84.
 
 use crate::common::{Law, Scene, SceneInfo};
 use crate::kit::{add, add_fixed, cube, world_with_floor};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
 
-/// The scene's entry in the list.
+/// Entry in the list.
 pub const INFO: SceneInfo = SceneInfo {
     name: "solver_groups",
-    description: "Ghosts meet a wall, with contacts and events, but no force stops them as it stops the others.",
+    description: "Ghosts pass a wall that stops other bodies; their contacts send events.",
     category: Category::Events,
     steps: 150,
     law: Law {
@@ -30,7 +30,7 @@ const GHOST: Group = Group::GROUP_2;
 /// Builds the scene.
 pub fn build() -> Scene {
     let mut world = world_with_floor(60.0);
-    // The wall pushes solid things alone; the floor pushes everything.
+    // The wall acts on solid bodies only; the floor acts on all.
     let wall = ColliderBuilder::cuboid(0.3, 0.8, 6.0)
         .solver_groups(InteractionGroups::new(Group::ALL, SOLID));
     add_fixed(&mut world, Vector::new(0.0, 0.8, 0.0), wall);

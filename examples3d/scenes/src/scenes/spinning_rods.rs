@@ -1,16 +1,16 @@
-//! Long thin rods that spin when they hit the ground.
+//! Long thin rods hit the ground while they rotate.
 //!
-//! After 200 steps no overlap is deeper than 0.01, no body is below -0.3, and none is farther out than 8.3.
+//! After 200 steps no overlap is deeper than 0.01. No body is below -0.3 or farther out than 8.3.
 
 use crate::common::{Law, Scene, SceneInfo};
 use crate::kit::{HALF_TURN, world_with_floor};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
 
-/// The scene's entry in the list.
+/// Entry in the list.
 pub const INFO: SceneInfo = SceneInfo {
     name: "spinning_rods",
-    description: "Rods that spin at up to 40 rad/s hit the ground: they clatter, and do not fly off with energy from nowhere.",
+    description: "Rods that spin at up to 40 rad/s hit the ground: they clatter without a gain of energy.",
     category: Category::PastBugs,
     steps: 240,
     law: Law { overlap_max: 0.01, height_min: -0.3, reach_max: 8.3, ..Law::after(200) },

@@ -1,14 +1,14 @@
 //! Closed loops of joints: Theo Jansen's walking machine.
 //!
-//! After 200 steps no overlap is deeper than 0.01, no body is below -0.2, none is farther out than 3.4, and no joint
-//! is open by more than 0.0062.
+//! After 200 steps no overlap is deeper than 0.01. No body is below -0.2 or farther out than 3.4. No joint is
+//! open by more than 0.0062.
 
 use crate::common::{Law, Scene, SceneInfo, Strider, turns};
 use crate::kit::{HALF_TURN, add, cube, world_with_floor};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
 
-/// The scene's entry in the list.
+/// Entry in the list.
 pub const INFO: SceneInfo = SceneInfo {
     name: "strider",
     description: "Theo Jansen's walking machine: eight legs of bars and hinges in closed loops, and one motor.",
@@ -24,9 +24,9 @@ pub const INFO: SceneInfo = SceneInfo {
     build,
 };
 
-/// How near the first plane of legs on each side is, and from there to the next.
-const NEAREST: Real = 0.7;
-const APART: Real = 0.25;
+/// Depth of the first plane of legs on each side, and the distance of neighbouring planes.
+const FIRST_PLANE: Real = 0.7;
+const PLANE_DISTANCE: Real = 0.25;
 /// Speed of the crank (rad/s).
 const SPEED: Real = -4.0;
 
@@ -35,10 +35,10 @@ pub fn build() -> Scene {
     let mut world = world_with_floor(60.0);
     let planes = |side: Real, first: Real| {
         let angles = turns(2, first).enumerate();
-        angles.map(move |(k, angle)| (side * (NEAREST + APART * k as Real), angle))
+        angles.map(move |(k, angle)| (side * (FIRST_PLANE + PLANE_DISTANCE * k as Real), angle))
     };
     let pairs: Vec<_> = planes(1.0, 0.0).chain(planes(-1.0, 0.5 * HALF_TURN)).collect();
-    Strider::new(&mut world, Vector::X * -5.0, &pairs, NEAREST, SPEED);
+    Strider::new(&mut world, Vector::X * -5.0, &pairs, FIRST_PLANE, SPEED);
     for i in 0..5 {
         let place = Vector::new(2.5, 0.2 + 0.4 * i as Real, 0.0);
         add(&mut world, place, cube(0.2).density(0.5));

@@ -1,16 +1,16 @@
 //! A floor of ten thousand boxes.
 //!
-//! After 20 steps no overlap is deeper than 0.01, no body is below 0.0, and none is farther out than 66.0.
+//! After 20 steps no overlap is deeper than 0.01. No body is below 0.0 or farther out than 66.0.
 
 use crate::common::{Law, Scene, SceneInfo};
 use crate::kit::{add, cube};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
 
-/// The scene's entry in the list.
+/// Entry in the list.
 pub const INFO: SceneInfo = SceneInfo {
     name: "tiles",
-    description: "Boxes and balls slide over a floor of 100 × 100 tiles, each a body of its own.",
+    description: "Boxes and balls slide over a floor of 100 × 100 tiles, each a separate body.",
     category: Category::Stress,
     steps: 300,
     law: Law { overlap_max: 0.01, height_min: 0.0, reach_max: 66.0, ..Law::after(20) },
@@ -35,7 +35,7 @@ pub fn build() -> Scene {
         let [x, z] = [i % 32, i / 32].map(|n| 2.5 * (n as Real - 16.0));
         let shape = if i % 3 == 0 { ColliderBuilder::ball(0.4) } else { cube(0.4) };
         let body = add(&mut world, Vector::new(x, 0.4, z), shape.friction(0.1));
-        // All around a circle, so that they meet.
+        // Velocities are tangential to a circle, so that bodies meet.
         let velocity = Vector::new(-z, 0.0, x).normalize_or_zero() * 6.0;
         world.bodies[body].set_linvel(velocity, true);
     }

@@ -1,14 +1,14 @@
-//! A tower, in which every error of the solver adds up from the bottom to the top.
+//! A tower, which accumulates errors of the solver from the bottom to the top.
 //!
-//! After 20 steps no overlap is deeper than 0.026, no body is below 0.1, none is farther out than 0.51, none is
-//! faster than 0.11, and the top is above 28.42.
+//! After 20 steps no overlap is deeper than 0.026. No body is below 0.1, farther out than 0.51 or faster than
+//! 0.11. The top is above 28.42.
 
 use crate::common::{Law, Scene, SceneInfo};
 use crate::kit::{add, cube, world_with_floor};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
 
-/// The scene's entry in the list.
+/// Entry in the list.
 pub const INFO: SceneInfo = SceneInfo {
     name: "tower30",
     description: "A tower of 30 boxes stays up and falls asleep.",

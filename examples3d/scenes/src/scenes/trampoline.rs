@@ -1,12 +1,12 @@
-//! Motors as springs, and balls on them.
+//! Motors as springs under balls.
 //!
-//! After 200 steps no overlap is deeper than 0.01, no body is below 1.2, none is farther out than 9.7, and no joint
-//! is open by more than 0.005.
+//! After 200 steps no overlap is deeper than 0.01. No body is below 1.2 or farther out than 9.7. No joint is
+//! open by more than 0.005.
 
 use crate::common::{Law, Scene, SceneInfo, plays};
 use gallery::{Category, View};
 
-/// The scene's entry in the list.
+/// Entry in the list.
 pub const INFO: SceneInfo = SceneInfo {
     name: "trampoline",
     description: "Balls bounce on planks whose springs are ever stiffer.",

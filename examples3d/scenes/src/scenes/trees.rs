@@ -1,19 +1,19 @@
-//! Felled trees roll down hills that are made of ever finer triangles.
+//! Felled trees roll down hills of ever finer triangles.
 //!
-//! After 20 steps no overlap is deeper than 0.045, no body is below 1.3, and none is farther out than 41.0.
+//! After 20 steps no overlap is deeper than 0.045. No body is below 1.3 or farther out than 41.0.
 
 use crate::common::{Dice, Law, Scene, SceneInfo};
 use crate::kit::{HALF_TURN, hills, surface};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
 
-/// The scenes' entries in the list.
+/// Entry in the list.
 pub const TREES100: SceneInfo =
     info("trees100", "51 felled trees on a mesh with squares of 1 m.", || build(1.0));
-/// As above.
+/// Entry in the list.
 pub const TREES50: SceneInfo =
     info("trees50", "51 felled trees on a mesh with squares of 0.5 m.", || build(0.5));
-/// As above.
+/// Entry in the list.
 pub const TREES25: SceneInfo =
     info("trees25", "51 felled trees on a mesh with squares of 0.25 m.", || build(0.25));
 
@@ -21,7 +21,7 @@ pub const TREES25: SceneInfo =
 const GROUND: Real = 80.0;
 const TREES: usize = 51;
 
-/// The law of all three.
+/// Law of all three scenes.
 const LAW: Law = Law { overlap_max: 0.045, height_min: 1.3, reach_max: 41.0, ..Law::after(20) };
 
 const fn info(name: &'static str, description: &'static str, build: fn() -> Scene) -> SceneInfo {
@@ -43,7 +43,7 @@ fn build(size: Real) -> Scene {
     Scene::new(world, View::orbit(28.0, 80.0))
 }
 
-/// A trunk with four branches.
+/// Adds a trunk with four branches.
 fn add_tree(world: &mut PhysicsWorld, at: Pose) {
     let tree = world.insert_body(RigidBodyBuilder::dynamic().pose(at));
     world.insert_collider(ColliderBuilder::capsule_y(2.5, 0.25), Some(tree));
@@ -56,7 +56,7 @@ fn add_tree(world: &mut PhysicsWorld, at: Pose) {
     }
 }
 
-/// The ground.
+/// Returns the height of the ground.
 fn height(x: Real, z: Real) -> Real {
     hills(0.8, x, z)
 }

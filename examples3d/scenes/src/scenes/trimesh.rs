@@ -1,13 +1,13 @@
 //! Bodies on a triangle mesh.
 //!
-//! After 200 steps no overlap is deeper than 0.019, no body is below 0.0, and none is farther out than 6.4.
+//! After 200 steps no overlap is deeper than 0.019. No body is below 0.0 or farther out than 6.4.
 
 use crate::common::{Law, Scene, SceneInfo};
 use crate::kit::{HALF_TURN, add, cube};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
 
-/// The scene's entry in the list.
+/// Entry in the list.
 pub const INFO: SceneInfo = SceneInfo {
     name: "trimesh",
     description: "Balls, boxes and capsules roll down a bowl with ripples, made of 7,200 triangles.",
@@ -17,7 +17,7 @@ pub const INFO: SceneInfo = SceneInfo {
     build,
 };
 
-/// Rings of the bowl, and sectors of a ring.
+/// Number of rings of the bowl, and of sectors per ring.
 const RINGS: u32 = 40;
 const SECTORS: u32 = 90;
 /// Radius of the bowl.
@@ -45,13 +45,13 @@ pub fn build() -> Scene {
         .focusing(Vector::new(-6.0, 0.5, -4.0), Vector::new(6.0, 3.5, 4.0))
 }
 
-/// Height of the bowl at a distance from its axis.
+/// Returns the height of the bowl at a distance from its axis.
 fn height(distance: Real, angle: Real) -> Real {
     let t = distance / RADIUS;
     4.5 * t * t + 0.25 * t * (6.0 * angle).cos()
 }
 
-/// Rings around a middle vertex, cut into sectors.
+/// Returns rings around a middle vertex, divided into sectors.
 fn bowl() -> (Vec<Vector>, Vec<[u32; 3]>) {
     let mut vertices = vec![Vector::ZERO];
     for ring in 1..=RINGS {

@@ -1,6 +1,6 @@
 //! Cars on a landscape with ramps.
 //!
-//! After 200 steps no overlap is deeper than 0.01, no body is below 0.1, and none is farther out than 21.0.
+//! After 200 steps no overlap is deeper than 0.01. No body is below 0.1 or farther out than 21.0.
 
 use crate::common::{Law, Scene, SceneInfo};
 use crate::kit::{HALF_TURN, add_fixed, add_pyramid, cube};
@@ -8,7 +8,7 @@ use crate::rapier::parry::utils::Array2;
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
 
-/// The scene's entry in the list.
+/// Entry in the list.
 pub const INFO: SceneInfo = SceneInfo {
     name: "vehicle",
     description: "Three cars on rays: one jumps a ramp into a wall of boxes, one circles in the hills, one parks on a slope.",
@@ -26,7 +26,7 @@ const HALF: Vector = Vector::new(2.0, 0.35, 0.9);
 /// Radius and half width of the wheels.
 const WHEEL: (Real, Real) = (0.42, 0.18);
 
-/// A car, and the colliders that show where its wheels are.
+/// Car, and the colliders that show its wheels.
 #[derive(Clone)]
 struct Car {
     controller: DynamicRayCastVehicleController,
@@ -45,17 +45,17 @@ pub fn build() -> Scene {
     let mut circler = add_car(&mut world, Vector::new(0.0, 2.0, 16.0), east);
     let uphill = Rotation::from_rotation_y(-0.5 * HALF_TURN);
     let mut parker = add_car(&mut world, Vector::new(6.0, 3.0, -13.0), uphill);
-    world.step(); // The rays look for the ground as of the last step.
+    world.step(); // The rays hit the ground of the last step.
 
     Scene::new(world, View::orbit(60.0, 24.0))
         .focusing(Vector::new(-3.0, 0.0, -10.0), Vector::new(18.0, 4.0, 9.0))
         .script(move |world, step| {
-            // Full throttle over the ramp, and brakes at the wall.
+            // The first car has full throttle over the ramp, and brakes at the wall.
             let flies = step < 220;
             jumper.drive(if flies { 1500.0 } else { 0.0 }, 0.0, if flies { 0.0 } else { 60.0 });
-            // Round and round, up and down.
+            // The second car circles in the hills.
             circler.drive(700.0, 0.35, 0.0);
-            // A handbrake is all it takes.
+            // The third car only needs the brake.
             parker.drive(0.0, 0.0, Real::INFINITY);
             for car in [&mut jumper, &mut circler, &mut parker] {
                 car.update(world);
@@ -63,7 +63,7 @@ pub fn build() -> Scene {
         })
 }
 
-/// Hills around a level road along x.
+/// Adds hills around a level road along x.
 fn add_landscape(world: &mut PhysicsWorld) {
     let mut heights = Array2::zeros(CELLS + 1, CELLS + 1);
     for i in 0..=CELLS {
@@ -78,7 +78,7 @@ fn add_landscape(world: &mut PhysicsWorld) {
     world.insert(RigidBodyBuilder::fixed(), field);
 }
 
-/// A ramp, as a mesh, that rises along x.
+/// Adds a ramp, as a mesh, that rises along x.
 fn add_ramp(world: &mut PhysicsWorld, foot: Vector) {
     let profile = [(0.0, -0.2), (5.0, 0.9), (8.0, 1.9), (8.0, -0.2)];
     let mut vertices = Vec::new();
@@ -95,7 +95,7 @@ fn add_ramp(world: &mut PhysicsWorld, foot: Vector) {
     add_fixed(world, foot, ramp);
 }
 
-/// A car that drives along its x axis.
+/// Adds a car that drives along its x axis.
 fn add_car(world: &mut PhysicsWorld, place: Vector, rotation: Rotation) -> Car {
     let body = RigidBodyBuilder::dynamic().pose(Pose::from_parts(place, rotation));
     let shape = ColliderBuilder::cuboid(HALF.x, HALF.y, HALF.z).mass(1200.0);
@@ -117,7 +117,7 @@ fn add_car(world: &mut PhysicsWorld, place: Vector, rotation: Rotation) -> Car {
     for (x, z) in [(1.35, -0.9), (1.35, 0.9), (-1.35, -0.9), (-1.35, 0.9)] {
         let hang = Vector::new(x, -0.1, z);
         controller.add_wheel(hang, -Vector::Y, Vector::Z, 0.4, radius, &tuning);
-        // Only to be seen: it weighs nothing and collides with nothing, and rays do not see the chassis.
+        // The tyre is visible only: it has no mass and no collisions, and rays ignore the chassis.
         let tyre = ColliderBuilder::cylinder(half_width, radius)
             .density(0.0)
             .collision_groups(InteractionGroups::none());
@@ -127,7 +127,7 @@ fn add_car(world: &mut PhysicsWorld, place: Vector, rotation: Rotation) -> Car {
 }
 
 impl Car {
-    /// Sets engine force and brake of each wheel, and how the front wheels steer.
+    /// Sets engine force and brake of each wheel, and the steering angle of the front wheels.
     fn drive(&mut self, engine_force: Real, steering: Real, brake: Real) {
         for (index, wheel) in self.controller.wheels_mut().iter_mut().enumerate() {
             wheel.engine_force = engine_force;
@@ -136,7 +136,7 @@ impl Car {
         }
     }
 
-    /// Lets the wheels act, and shows them.
+    /// Updates the wheels, and moves their visible colliders.
     fn update(&mut self, world: &mut PhysicsWorld) {
         let dt = world.integration_parameters.dt;
         self.controller.update_vehicle(dt, world.query_pipeline_mut(QueryFilter::default()));

@@ -1,6 +1,6 @@
 //! Bodies on a terrain of voxels that is dug up while the world runs.
 //!
-//! After 200 steps no overlap is deeper than 0.01, no body is below 0.5, and none is farther out than 6.5.
+//! After 200 steps no overlap is deeper than 0.01. No body is below 0.5 or farther out than 6.5.
 
 use crate::common::{Law, Scene, SceneInfo};
 use crate::kit::{add, cube};
@@ -8,7 +8,7 @@ use crate::rapier::parry::math::IVector;
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
 
-/// The scene's entry in the list.
+/// Entry in the list.
 pub const INFO: SceneInfo = SceneInfo {
     name: "voxels",
     description: "A crater is dug into voxels, step by step, and the balls on them follow.",
@@ -18,7 +18,7 @@ pub const INFO: SceneInfo = SceneInfo {
     build,
 };
 
-/// Voxels from the middle to the edge.
+/// Number of voxels from the middle to the edge.
 const REACH: Int = 14;
 /// Size of a voxel.
 const SIZE: Real = 0.5;
@@ -49,14 +49,14 @@ pub fn build() -> Scene {
         })
 }
 
-/// Number of voxels above each other: hills around a plain, and a rim.
+/// Returns the height of the terrain in voxels: hills around a plain, and a rim.
 fn top(x: Int, z: Int) -> Int {
     let rim = x.abs().max(z.abs()) == REACH;
     let hill = (x * x + z * z) / 50;
     4 + hill + if rim { 2 } else { 0 }
 }
 
-/// Takes out the voxels of a ball that grows with each call.
+/// Removes the voxels of a ball that grows with each call.
 fn dig(world: &mut PhysicsWorld, terrain: ColliderHandle, time: usize) {
     let radius = (1 + time / 3).min(6) as Int;
     let Some(collider) = world.colliders.get_mut(terrain) else { return };
@@ -64,7 +64,7 @@ fn dig(world: &mut PhysicsWorld, terrain: ColliderHandle, time: usize) {
     for x in -radius..=radius {
         for y in -radius..=radius {
             for z in -radius..=radius {
-                // One layer stays at the bottom.
+                // One layer remains at the bottom.
                 if x * x + y * y + z * z <= radius * radius && y + 5 >= 1 {
                     voxels.set_voxel(IVector::new(x, y + 5, z), false);
                 }

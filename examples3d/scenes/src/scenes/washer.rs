@@ -1,16 +1,16 @@
-//! A turning drum: everything moves all the time.
+//! A rotating drum: all bodies move all the time.
 //!
-//! After 20 steps no overlap is deeper than 0.01, no body is below -7.4, and none is farther out than 9.1.
+//! After 20 steps no overlap is deeper than 0.01. No body is below -7.4 or farther out than 9.1.
 
 use crate::common::{Law, Scene, SceneInfo};
 use crate::kit::{HALF_TURN, add, cube};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
 
-/// The scene's entry in the list.
+/// Entry in the list.
 pub const INFO: SceneInfo = SceneInfo {
     name: "washer",
-    description: "A drum with paddles turns 2,000 boxes and balls over and over.",
+    description: "A drum with paddles rotates and tumbles 2,000 boxes and balls.",
     category: Category::Stress,
     steps: 300,
     law: Law { overlap_max: 0.01, height_min: -7.4, reach_max: 9.1, ..Law::after(20) },
@@ -28,7 +28,7 @@ pub fn build() -> Scene {
     build_sized(2000)
 }
 
-/// Builds a drum with this many bodies in it.
+/// Builds the scene with this many bodies in the drum.
 pub fn build_sized(count: usize) -> Scene {
     let mut world = PhysicsWorld::new();
     add_drum(&mut world);
@@ -39,7 +39,7 @@ pub fn build_sized(count: usize) -> Scene {
     Scene::new(world, View::orbit(25.0, 12.0))
 }
 
-/// Places in the drum, from the bottom up, away from its boards and paddles.
+/// Returns positions in the drum, from the bottom up, away from its boards and paddles.
 fn places() -> impl Iterator<Item = Vector> {
     let cell = 0.72;
     let inside = |place: &Vector| place.truncate().length() < RADIUS - 1.8;
@@ -49,8 +49,8 @@ fn places() -> impl Iterator<Item = Vector> {
         .filter(inside)
 }
 
-/// A kinematic body of boards in a circle, some of them with a paddle. The lids are half-spaces, of
-/// which one sees the outside only: that of the near one looks away.
+/// Adds a kinematic body of boards in a circle, some of them with a paddle. The lids are half-spaces, which
+/// are drawn from outside only, so the near one is invisible.
 fn add_drum(world: &mut PhysicsWorld) {
     let body = RigidBodyBuilder::kinematic_velocity_based().angvel(Vector::Z * 0.6);
     let drum = world.insert_body(body);

@@ -1,14 +1,14 @@
 //! Joints in Box3D.
 //!
-//! Its joints turn about the Z axis of their frames, where those of this engine and of Rapier turn about X, and have
-//! the cone of a socket about it.
+//! Joints of Box3D rotate about the Z axis of their frames; joints of this engine and of Rapier rotate about
+//! X. The cone of a ball joint is about the same axis.
 
 use super::super::ours::prelude::*;
 use super::{Unsupported, quaternion, vector};
 use box3d_sys::*;
 use std::f32::consts::FRAC_PI_2;
 
-/// Hinges and sockets, with their limits: no scene here has other joints, motors or springs.
+/// Creates hinges and ball joints with their limits: no scene here has other joints, motors or springs.
 pub(super) fn create(
     world: b3WorldId,
     bodies: [b3BodyId; 2],
@@ -28,7 +28,7 @@ pub(super) fn create(
     Ok(())
 }
 
-/// Is the swing of a socket bound by one cone, or not at all?
+/// Returns whether the swing of a ball joint has one cone as its limit, or no limit.
 fn has_cone_or_nothing(joint: &GenericJoint) -> bool {
     let swings = JointAxesMask::ANG_Y | JointAxesMask::ANG_Z;
     joint.coupled_axes == swings || !joint.limit_axes.intersects(swings)
@@ -71,7 +71,7 @@ fn fill_base(base: &mut b3JointDef, bodies: [b3BodyId; 2], joint: &GenericJoint)
     base.collideConnected = joint.contacts_enabled;
 }
 
-/// The frame whose Z axis is this one's X axis.
+/// Returns the frame with its Z axis along this one's X axis.
 fn frame(pose: &Pose) -> b3Transform {
     let turned = pose.rotation * Rotation::from_rotation_y(FRAC_PI_2);
     b3Transform { p: vector(pose.translation), q: quaternion(&turned) }

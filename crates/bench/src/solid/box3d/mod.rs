@@ -1,54 +1,54 @@
 //! Box3D, through the crate that builds it from its C sources.
 //!
-//! Box3D knows spheres, capsules, convex hulls (boxes are hulls) and meshes, which height fields become. A cylinder becomes a prism, a
-//! half-space a box as large as the scene.
+//! Box3D supports spheres, capsules, convex hulls (boxes are hulls) and meshes. Height fields become meshes.
+//! A cylinder becomes a prism, and a half-space becomes a box as large as the scene.
 
 mod joints;
 
-use super::box_engines::{self, ENDLESS};
+use super::box_engines::{self, HALF_SPACE_EXTENT};
 use super::ours::prelude::*;
 use super::template::{DT, SUBSTEPS, Template};
 use super::vector_of;
 use crate::engine::{Counts, Engine, Probes, Stats, Unsupported};
 use box3d_sys::*;
 
-/// Box3D's own limit.
+/// Limit of Box3D.
 const MAX_HULL_VERTICES: usize = 128;
 
-/// Corners of the prism that stands for a cylinder: it has no round ones.
+/// Corners of the prism that replaces a cylinder. Box3D has no cylinders.
 const CYLINDER_SIDES: usize = 16;
 
-/// A world in Box3D.
+/// World in Box3D.
 pub struct Box3d<'t> {
     template: &'t Template,
     world: World,
     bodies: Vec<b3BodyId>,
-    /// Its shapes point to them, so they are dropped after the world.
+    /// Meshes of the shapes. Shapes hold pointers to them, so the meshes are dropped after the world.
     _meshes: Vec<Mesh>,
 }
 
-/// A mesh that is destroyed when it is dropped.
+/// Mesh that is destroyed when it is dropped.
 struct Mesh(*mut b3MeshData);
 
 impl Drop for Mesh {
     fn drop(&mut self) {
-        // SAFETY: nothing points to it any more; nobody else destroys it.
+        // SAFETY: no pointer to the mesh is left; no other code destroys it.
         unsafe { b3DestroyMesh(self.0) };
     }
 }
 
-/// A world that is destroyed when it is dropped.
+/// World that is destroyed when it is dropped.
 struct World(b3WorldId);
 
 impl Drop for World {
     fn drop(&mut self) {
-        // SAFETY: the id is that of a live world, which nobody else destroys.
+        // SAFETY: the id is that of a live world, which no other code destroys.
         unsafe { b3DestroyWorld(self.0) };
     }
 }
 
 impl<'t> Box3d<'t> {
-    /// The scene at its start.
+    /// Creates the scene at its start.
     pub fn new(template: &'t Template, threads: usize) -> Result<Self, Unsupported> {
         let world = create_world(template, threads);
         let mut meshes = Vec::new();
@@ -94,7 +94,7 @@ impl Engine for Box3d<'_> {
         box_engines::stats(self.template, self.counts(), &self.bodies, pose, kinetic_energy)
     }
 
-    /// Rays alone.
+    /// Casts rays only: ball casts return `None`.
     fn cast(&self, probes: &Probes, radius: Option<f32>) -> Option<usize> {
         if radius.is_some() {
             return None;
@@ -105,7 +105,7 @@ impl Engine for Box3d<'_> {
             probes.origins.iter().zip(&probes.directions).filter(|&(&origin, &direction)| {
                 let (origin, way) =
                     (vector(vector_of(origin)), vector(vector_of(direction) * probes.reach));
-                // SAFETY: the world is live, all else is passed by value.
+                // SAFETY: the world is live, all other arguments are values.
                 unsafe { b3World_CastRayClosest(self.world.0, origin, way, filter) }.hit
             });
         Some(hits.count())
@@ -114,7 +114,8 @@ impl Engine for Box3d<'_> {
     fn foreign_bytes(&self) -> usize {
         // SAFETY: reads a counter. There is no other world of this engine at the time.
         let bytes = unsafe { b3GetByteCount() };
-        // It has 32 bits and wraps around: without its sign it is right up to 4 GiB. A million sleeping bodies take three.
+        // The counter has 32 bits and wraps around. Read as unsigned it is right up to 4 GiB; a million
+        // sleeping bodies take three.
         bytes.cast_unsigned() as usize
     }
 }
@@ -209,10 +210,15 @@ fn create_shape(
             TypedShape::HalfSpace(half_space) => {
                 let turn = Rotation::from_rotation_arc(Vector::Y, half_space.normal);
                 let frame = b3Transform {
-                    p: at(half_space.normal * -ENDLESS),
+                    p: at(half_space.normal * -HALF_SPACE_EXTENT),
                     q: quaternion(&(local.rotation * turn)),
                 };
-                let hull = b3MakeTransformedBoxHull(ENDLESS, ENDLESS, ENDLESS, frame);
+                let hull = b3MakeTransformedBoxHull(
+                    HALF_SPACE_EXTENT,
+                    HALF_SPACE_EXTENT,
+                    HALF_SPACE_EXTENT,
+                    frame,
+                );
                 b3CreateHullShape(body, &definition, &hull.base);
             }
             TypedShape::HeightField(field) => {
@@ -228,7 +234,7 @@ fn create_shape(
     Ok(())
 }
 
-/// The corners of a prism in the place of a cylinder.
+/// Returns the corners of the prism that replaces a cylinder.
 fn prism(cylinder: &Cylinder) -> impl Iterator<Item = Vector> {
     (0..2 * CYLINDER_SIDES).map(|k| {
         let angle = (k / 2) as f32 / CYLINDER_SIDES as f32 * std::f32::consts::TAU;
@@ -244,7 +250,7 @@ unsafe fn create_hull(
     definition: &b3ShapeDef,
     points: &[b3Vec3],
 ) -> Result<(), Unsupported> {
-    // SAFETY: the caller's promise; definitions and geometry outlive the calls, which copy them.
+    // SAFETY: the caller's contract; definitions and geometry outlive the calls, which copy them.
     unsafe {
         let hull = b3CreateHull(points.as_ptr(), points.len() as i32, points.len() as i32);
         if hull.is_null() {
@@ -256,7 +262,7 @@ unsafe fn create_hull(
     Ok(())
 }
 
-/// A mesh whose edges are marked, so that bodies do not catch on those between flat triangles.
+/// Creates a mesh with marked edges, so that bodies do not catch on the edges between coplanar triangles.
 fn create_mesh(
     vertices: &[Vector],
     triangles: &[[u32; 3]],
@@ -275,7 +281,7 @@ fn create_mesh(
         useMedianSplit: false,
         identifyEdges: true,
     };
-    // SAFETY: the definition and what it points to outlive the call, which copies them.
+    // SAFETY: the definition and its pointers outlive the call, which copies them.
     let mesh = unsafe { b3CreateMesh(&definition, core::ptr::null_mut(), 0) };
     if mesh.is_null() { Err(Unsupported::because("it refuses a mesh")) } else { Ok(Mesh(mesh)) }
 }
@@ -294,17 +300,17 @@ fn shape_definition(collider: &Collider) -> Result<b3ShapeDef, Unsupported> {
     Ok(definition)
 }
 
-/// Is it a dynamic body that is awake?
+/// Returns whether the body is dynamic and awake.
 fn is_awake(body: b3BodyId) -> bool {
     // SAFETY: the body is live; plain values out.
     unsafe { b3Body_GetType(body) == b3BodyType_b3_dynamicBody && b3Body_IsAwake(body) }
 }
 
-/// The touching pairs in which the body is the first, and their points.
+/// Counts the touching pairs with the body in first place, and their points.
 fn count_contacts(body: b3BodyId) -> (usize, usize) {
     let mut counts = (0, 0);
-    // SAFETY: the body is live; as many contacts are initialised as the second call says; their
-    // manifolds stay valid until the next step.
+    // SAFETY: the body is live; the second call returns the number of initialised contacts; their manifolds
+    // stay valid until the next step.
     unsafe {
         let capacity = b3Body_GetContactCapacity(body);
         let mut contacts: Vec<b3ContactData> = Vec::with_capacity(capacity as usize);

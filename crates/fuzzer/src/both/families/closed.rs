@@ -1,17 +1,17 @@
-//! Worlds that are left alone: what is in them may lose energy, but not gain any.
+//! Closed systems: their energy may decrease but not increase.
 //!
-//! Bodies without overlap, with friction and restitution of at most 1, some of them held by joints that fit, no
-//! motors, nothing kinematic: once the first step begins, nobody touches them. Their kinetic and potential energy
-//! `Σ m v²/2 + ω I ω/2 + m g y` is then at most what it was at the beginning, but for what the engine does
-//! wrong on purpose or by its finite step:
+//! Bodies start without overlap, with friction and restitution of at most 1. Fitting joints connect some of
+//! them. There are no motors and no kinematic bodies, and no edits after the first step. The energy `Σ m v²/2
+//! + ω I ω/2 + m g y` then stays below its initial value, except for two errors of the time step:
 //!
-//! * Semi-implicit Euler with step `h` falls `g t h / 2` too far in a time `t`: its energy swings by up to `m g v h / 2`
-//!   about the true one (`m v²/2` is taken at the end of a step, the height as if the end velocity had held during all of it).
-//! * Overlap `d` is pushed out with up to [`IntegrationParameters::max_corrective_velocity`], which lifts by `d`.
-//!   Overlaps are as deep as one step goes, `v h`.
+//! * Semi-implicit Euler with step `h` falls `g t h / 2` too far in a time `t`. Its energy oscillates by up
+//!   to `m g v h / 2` about the true one: `m v²/2` is taken at the end of a step, and the height assumes the
+//!   end velocity for the whole step.
+//! * Penetration `d` is corrected with up to [`IntegrationParameters::max_corrective_velocity`], which lifts
+//!   by `d`. Penetrations are as deep as the motion of one step, `v h`.
 //!
-//! Both are shares of `v h / height` of the whole; together with rounding they are allowed [`SLACK`] of the energy
-//! that was there, and the energy of a fall over [`LIFT`] for each body.
+//! Both are fractions of `v h / height` of the total. Together with rounding they may reach [`GAIN_MAX`] of
+//! the initial energy, plus a lift of [`LIFT_MAX`] for each body.
 
 use super::colliders::OTHERS;
 use super::dim::{cuboid, shape, spin_energy};
@@ -21,15 +21,15 @@ use super::world::check;
 use crate::Tally;
 use crate::choices::Choices;
 
-/// The share of the first energy that may come on top of it.
-const SLACK: f64 = 0.1;
-/// Each body may be lifted so high for nothing (length units).
-const LIFT: f64 = 0.1;
+/// Largest energy gain, as a fraction of the initial energy.
+const GAIN_MAX: f64 = 0.1;
+/// Largest lift of each body by penetration recovery (length units).
+const LIFT_MAX: f64 = 0.1;
 const GRAVITY: f64 = 9.81;
-/// Kinds of shapes that have a volume, in both dimensions.
+/// Number of shape kinds with volume, in both dimensions.
 const SOLIDS: usize = 5;
 
-/// Builds a world and steps it while no energy comes in.
+/// Builds a world and steps it without external energy.
 pub fn run(choices: &mut Choices<'_>) -> Tally {
     let mut world = PhysicsWorld::new();
     let linked = choices.coin();
@@ -38,7 +38,7 @@ pub fn run(choices: &mut Choices<'_>) -> Tally {
     world.detect_collisions(&(), &());
     let weight: f64 = world.bodies.iter().map(|(_, body)| f64::from(body.mass()) * GRAVITY).sum();
     let first = energy(&world);
-    let most = first + SLACK * first + LIFT * weight;
+    let most = first + GAIN_MAX * first + LIFT_MAX * weight;
     for _ in 0..60 + choices.below(256) {
         world.step();
         tally.steps += 1;
@@ -54,7 +54,7 @@ pub fn run(choices: &mut Choices<'_>) -> Tally {
     tally
 }
 
-/// Bodies on a grid, wide enough that none overlaps another.
+/// Adds bodies on a grid that is wide enough to prevent overlap.
 fn fill(world: &mut PhysicsWorld, linked: bool, choices: &mut Choices<'_>) -> Vec<RigidBodyHandle> {
     world.insert_collider(ColliderBuilder::halfspace(Vector::Y).collision_groups(OTHERS), None);
     let mut bodies: Vec<RigidBodyHandle> = Vec::new();
@@ -84,7 +84,7 @@ fn fill(world: &mut PhysicsWorld, linked: bool, choices: &mut Choices<'_>) -> Ve
     bodies
 }
 
-/// Joins two bodies at the middle between them, where they are.
+/// Joins two bodies at their midpoint, in their present poses.
 fn hold(
     world: &mut PhysicsWorld,
     [body1, body2]: [RigidBodyHandle; 2],
@@ -103,7 +103,7 @@ fn hold(
     }
 }
 
-/// Kinetic energy, and potential energy above the ground.
+/// Returns the kinetic energy plus the potential energy above the ground.
 fn energy(world: &PhysicsWorld) -> f64 {
     let of = |body: &RigidBody| {
         let (mass, speed) = (f64::from(body.mass()), f64::from(body.linvel().length()));

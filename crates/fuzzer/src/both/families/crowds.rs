@@ -1,7 +1,8 @@
-//! Crowds: many things at one place. The work of a step stays within the bounds that `docs/guide/parameters.md` states.
+//! Crowds: many objects at one place. The work of a step stays within the bounds in
+//! `docs/guide/parameters.md`.
 //!
-//! Work is counted in pairs and contact points, so the result does not depend on the machine. (By hand, a string of bytes that takes more than a minute is a
-//! finding, too, and the slowest one is named.)
+//! Work is counted in pairs and contact points, so the result is independent of the machine. In a manual run,
+//! a string of bytes that takes more than a minute is a finding as well. The report names the slowest string.
 
 use super::dim::SHAPES;
 use super::dim::shape;
@@ -13,18 +14,18 @@ use crate::Tally;
 use crate::choices::Choices;
 
 const STEPS: usize = 8;
-/// How many owners a pair may have had.
+/// Number of owners that a pair may have had.
 const OWNERS: usize = 2;
-/// A grid over the region of contact has so many cells.
+/// Number of cells of the grid over the contact region.
 const CELLS_MAX: usize = 256;
-/// Each cell keeps the deepest contact of each main direction.
+/// Number of main directions. Each cell keeps the deepest contact of each.
 const DIRECTIONS: usize = 2 * DIM;
-/// Up to so many places of contact the grid is not used.
+/// Largest number of patches without the grid.
 const PLACES_MAX: usize = 1024;
-/// Points of one place of contact.
+/// Number of points per patch.
 const POINTS_MAX: usize = 4;
 
-/// Puts many bodies at one place.
+/// Places many bodies at one point.
 pub fn run(choices: &mut Choices<'_>) -> Tally {
     let mut world = PhysicsWorld::new();
     let limits = [choices.below(8) + 1, choices.below(8) + 1];
@@ -35,7 +36,7 @@ pub fn run(choices: &mut Choices<'_>) -> Tally {
     let count = 20 + choices.below(60);
     let kind = choices.below(SHAPES);
     for _ in 0..count {
-        // Equal ones are the worst case: each overlaps all others.
+        // Equal bodies are the worst case: each overlaps all others.
         let kind = if choices.once_in(4) { choices.below(SHAPES) } else { kind };
         let spread = if choices.coin() { 0.0 } else { 0.3 };
         let at = Vector::Y + Vector::X * within(choices, -spread, spread);
@@ -59,9 +60,10 @@ fn counted(world: &PhysicsWorld) -> String {
     format!("{} contact pairs, {} with sensors", cd.ncontact_pairs, cd.nintersection_pairs)
 }
 
-/// A moving collider owns a limited number of pairs with others of its size, and as many with larger ones. The pairs with fixed colliders are not limited: here,
-/// each collider has one of them. A pair changes its owner when the boxes, which grow with the velocity, change their sizes. Then the new owner may have more than
-/// it could have accepted ([`OWNERS`]).
+/// Checks the numbers of pairs and points. A moving collider owns a limited number of pairs with colliders of
+/// its size, and as many with larger ones. Pairs with fixed colliders are unlimited: here, each collider has
+/// one of them. A pair changes its owner when velocities change the sizes of the fat AABBs. The new owner may
+/// then have more pairs than its limit ([`OWNERS`]).
 fn check_work(world: &PhysicsWorld, [neighbors_max, sensors_max]: [usize; 2]) {
     let (cd, count) = (&world.physics_pipeline.counters.cd, world.colliders.len());
     let contacts_max = OWNERS * count * (2 * neighbors_max + 1);

@@ -1,7 +1,9 @@
-//! Kinematic bodies that move and turn: cages, walls and doors. None passes a ball, and no ball leaves a cage.
+//! Kinematic bodies that translate and rotate: cages, walls and doors. No ball tunnels through them, and no
+//! ball leaves a cage.
 //!
-//! `docs/guide/fast-bodies.md` promises that for walls at up to 100 m/s, doors at up to 20 rad/s, cages at up to 12 rad/s and balls of 10 cm or more at up to
-//! 200 m/s. There is no gravity, and each body has nothing behind it that would squeeze it.
+//! `docs/guide/fast-bodies.md` guarantees this for balls of 10 cm or more at up to 200 m/s. Walls move at up
+//! to 100 m/s, doors rotate at up to 20 rad/s, cages at up to 12 rad/s. There is no gravity, and no obstacle
+//! behind a ball that could squeeze it.
 
 use super::dim::about_z;
 use super::rapier::prelude::*;
@@ -12,13 +14,13 @@ use crate::Tally;
 use crate::choices::Choices;
 
 const DT: Real = 1.0 / 60.0;
-/// Half of the thickness of all walls (m).
-const THIN: Real = 0.01;
-/// Half of the width of the cage.
+/// Half the thickness of all walls (m).
+const HALF_THICKNESS: Real = 0.01;
+/// Half the width of the cage (m).
 const CAGE: Real = 2.0;
-/// Length of the door.
+/// Length of the door (m).
 const DOOR: Real = 2.5;
-/// The largest radius of a ball.
+/// Largest radius of a ball (m).
 const RADIUS_MAX: Real = 0.3;
 
 type Scene = fn(&mut PhysicsWorld, &mut Choices<'_>) -> Tally;
@@ -31,7 +33,7 @@ pub fn run(choices: &mut Choices<'_>) -> Tally {
     choices.pick(&SCENES)(&mut world, choices)
 }
 
-/// A body that keeps its velocity, or that is told its next pose in each step.
+/// Kinematic body with a constant velocity, driven by velocity or by its next position.
 struct Driven {
     body: RigidBodyHandle,
     velocity: Vector,
@@ -59,7 +61,7 @@ impl Driven {
         Self { body, velocity, spin, angle: 0.0, is_position_based }
     }
 
-    /// Says where the body is to be after the next step.
+    /// Sets the pose of the body after the next step.
     fn advance(&mut self, world: &mut PhysicsWorld) {
         if self.is_position_based {
             self.angle += self.spin * DT;
@@ -70,7 +72,7 @@ impl Driven {
         }
     }
 
-    /// Steps the world, and returns where a point of it is in the frame of the body, before and after.
+    /// Steps the world, and returns the ball's position in the body's frame before and after the step.
     fn step(&mut self, world: &mut PhysicsWorld, ball: RigidBodyHandle) -> [Vector; 2] {
         let seen = |world: &PhysicsWorld| {
             let at = world.bodies[ball].translation();
@@ -86,15 +88,16 @@ impl Driven {
     }
 }
 
-/// A closed cage that turns and moves, with balls inside.
+/// Creates a closed cage that rotates and moves, with balls inside.
 fn cage(world: &mut PhysicsWorld, choices: &mut Choices<'_>) -> Tally {
     let spin = within(choices, -12.0, 12.0);
     let velocity = if choices.coin() { Vector::ZERO } else { some_velocity(choices, 10.0) };
     let mut cage = Driven::add(world, [Vector::ZERO, velocity], spin, choices);
     for axis in Vector::AXES {
         for side in [1.0, -1.0] {
-            let half = Vector::splat(CAGE + 2.0 * THIN) * (Vector::ONE - axis) + axis * THIN;
-            let wall = block(half).translation(axis * (side * (CAGE + THIN)));
+            let half = Vector::splat(CAGE + 2.0 * HALF_THICKNESS) * (Vector::ONE - axis)
+                + axis * HALF_THICKNESS;
+            let wall = block(half).translation(axis * (side * (CAGE + HALF_THICKNESS)));
             world.insert_collider(wall.restitution(within(choices, 0.0, 1.0)), Some(cage.body));
         }
     }
@@ -114,7 +117,7 @@ fn cage(world: &mut PhysicsWorld, choices: &mut Choices<'_>) -> Tally {
         for &ball in &balls {
             let at = world.bodies[ball].translation();
             let seen = world.bodies[cage.body].position().inverse_transform_point(at);
-            let is_inside = seen.abs().max_element() < CAGE + 2.0 * THIN;
+            let is_inside = seen.abs().max_element() < CAGE + 2.0 * HALF_THICKNESS;
             assert!(is_inside, "a ball left the cage: it is at {seen} of it");
         }
     }
@@ -144,13 +147,13 @@ fn some_velocity(choices: &mut Choices<'_>, size: f64) -> Vector {
     Vector::from_array(Vector::ZERO.to_array().map(|_| within(choices, -size, size)))
 }
 
-/// A wall that comes, and a ball that flies towards it, or flees and is slower.
+/// Creates a moving wall, and a ball that approaches it or moves away more slowly.
 fn wall(world: &mut PhysicsWorld, choices: &mut Choices<'_>) -> Tally {
     let speed = within(choices, 5.0, 100.0);
     let start = 2.0 + speed * DT * within(choices, 0.0, 2.0);
     let drive = [Vector::X * start, Vector::X * -speed];
     let mut wall = Driven::add(world, drive, 0.0, choices);
-    let half = Vector::splat(5.0) * (Vector::ONE - Vector::X) + Vector::X * THIN;
+    let half = Vector::splat(5.0) * (Vector::ONE - Vector::X) + Vector::X * HALF_THICKNESS;
     world.insert_collider(block(half), Some(wall.body));
     let ball = add_ball(world, Vector::ZERO, 0.0, choices);
     let velocity = Vector::X * within(choices, -0.5 * f64::from(speed), 100.0);
@@ -160,16 +163,19 @@ fn wall(world: &mut PhysicsWorld, choices: &mut Choices<'_>) -> Tally {
         let [_, seen] = wall.step(world, ball);
         tally.steps += 1;
         choices.tell(|| format!("step {}: the ball is at {seen}", tally.steps));
-        assert!(seen.x < THIN, "a wall at {speed} m/s passed a ball at {velocity}: {seen}");
+        assert!(
+            seen.x < HALF_THICKNESS,
+            "a wall at {speed} m/s passed a ball at {velocity}: {seen}"
+        );
     }
     tally
 }
 
-/// A door that turns about its hinge, and a ball in its way.
+/// Creates a door that rotates about its hinge, and a ball in its path.
 fn door(world: &mut PhysicsWorld, choices: &mut Choices<'_>) -> Tally {
     let rate = within(choices, 1.0, 20.0);
     let mut door = Driven::add(world, [Vector::ZERO; 2], rate, choices);
-    let half = Vector::splat(0.5 * DOOR) * (Vector::ONE - Vector::Y) + Vector::Y * THIN;
+    let half = Vector::splat(0.5 * DOOR) * (Vector::ONE - Vector::Y) + Vector::Y * HALF_THICKNESS;
     world.insert_collider(block(half).translation(Vector::X * (0.5 * DOOR)), Some(door.body));
     let at = Vector::X * within(choices, 0.3, 2.2) + Vector::Y * within(choices, 0.35, 1.5);
     let ball = add_ball(world, at, 0.0, choices);
@@ -179,7 +185,7 @@ fn door(world: &mut PhysicsWorld, choices: &mut Choices<'_>) -> Tally {
         let [before, seen] = door.step(world, ball);
         tally.steps += 1;
         choices.tell(|| format!("step {}: the ball is at {seen}", tally.steps));
-        // A ball that leaves at the end of the door, or at the hinge, is not passed.
+        // A ball beyond the end of the door, or at the hinge, is not in its path.
         let is_before_end = before.length().max(seen.length()) < DOOR - RADIUS_MAX;
         let is_beside = seen.x > 0.0 && is_before_end;
         let is_passed = before.y > 0.0 && seen.y < 0.0 && is_beside;

@@ -1,8 +1,8 @@
-//! Families: worlds of one kind, and the law that each of them obeys.
+//! Families: worlds of one kind, each with an invariant.
 //!
-//! The acts of [`super::play`] combine everything with everything, so little can be said about the outcome. A family has a generator, which reads a scene
-//! from the bytes, and an invariant, which is checked after each step. It stays within what the guide promises. A string of bytes is
-//! a sequence of scenes.
+//! The operations of [`super::play`] combine all features, so few statements about the outcome are possible.
+//! A family has a generator, which reads a scene from the bytes, and an invariant, which is checked after
+//! each step. The scenes stay within the limits of the guide. A string of bytes is a sequence of scenes.
 
 mod closed;
 mod crowds;
@@ -22,14 +22,14 @@ use crate::{FAMILIES, Tally};
 /// If the invariant is violated.
 type Family = fn(&mut Choices<'_>) -> Tally;
 
-/// In the order of their names.
+/// Functions in the order of the families' names.
 const RUNS: [Family; FAMILIES.len()] =
     [closed::run, thrown::run, driven::run, trees::run, crowds::run];
 
-/// More scenes than this take longer than a string of acts.
+/// Largest number of scenes per string. More scenes take longer than a string of operations.
 const SCENES_MAX: usize = 2;
 
-/// Runs scenes of one family until the bytes are used up, but no more than a few.
+/// Runs scenes of one family until the bytes are used up, up to a limit.
 pub fn run(family: usize, mut choices: Choices<'_>) -> Tally {
     let mut tally = Tally::default();
     for _ in 0..SCENES_MAX {

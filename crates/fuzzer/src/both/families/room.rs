@@ -1,22 +1,22 @@
-//! A closed room: thick walls and a ceiling, and a floor of any kind.
+//! Closed room: thick walls, a ceiling, and a floor of any kind.
 
 use super::rapier::parry::shape::Cuboid;
 use super::rapier::prelude::*;
 use super::thin::lay_floor;
 use crate::choices::Choices;
 
-/// Half of the room's width and all of its height (m). The floor is 400 times as wide as the thinnest body is thick: the guide promises nothing for bodies a
-/// thousand times smaller than their ground.
+/// Half the width of the room, and its height (m). The floor is 400 times as wide as the thinnest body is
+/// thick. The guide excludes bodies a thousand times smaller than their ground.
 pub const SIZE: Real = 4.0;
-/// Half of the thickness of the walls.
+/// Half the thickness of the walls (m).
 const WALL: Real = 1.0;
 
-/// A box with these half extents, in both dimensions.
+/// Returns a box with these half extents, in both dimensions.
 pub fn block(half: Vector) -> ColliderBuilder {
     ColliderBuilder::new(SharedShape::new(Cuboid::new(half)))
 }
 
-/// Builds the room: its floor is at y = 0, and no wall gives way.
+/// Builds the room, with the floor at y = 0 and fixed walls.
 pub fn build(world: &mut PhysicsWorld, choices: &mut Choices<'_>) {
     lay_floor(world, SIZE + 2.0 * WALL, choices);
     let center = Vector::Y * SIZE;
@@ -32,7 +32,7 @@ pub fn build(world: &mut PhysicsWorld, choices: &mut Choices<'_>) {
     }
 }
 
-/// Returns whether a point is farther outside of the room than a body can be pressed into its walls.
+/// Returns whether a point is farther outside the room than the largest penetration of its walls.
 pub fn is_outside(at: Vector, depth_max: Real) -> bool {
     let from_center = (at - Vector::Y * SIZE).abs();
     at.y < -depth_max || from_center.max_element() > SIZE + WALL

@@ -1,9 +1,10 @@
-//! Thin shapes that are thrown in a closed room: none passes the floor.
+//! Thin shapes that are thrown in a closed room: no shape tunnels through the floor.
 //!
-//! The shapes are at least 2 cm wide along their narrowest axis, and have no tips that are thinner. The floor is a thin one of any kind. The speeds reach from
-//! 0 to 600 m/s, and most bodies tumble. `docs/guide/fast-bodies.md` states which bodies are outside of the promise: slivers, spikes
-//! and grounds a thousand times as large, pairs whose hooks decide, and bodies that others press through. So the shapes are none of these, and each body has the
-//! room for itself.
+//! The shapes are at least 2 cm wide along their narrowest axis, and have no thinner tips. The floor is thin
+//! and of any kind. Speeds range from 0 to 600 m/s, and most bodies tumble. `docs/guide/fast-bodies.md` lists
+//! the cases without a guarantee: slivers, spikes, grounds a thousand times as large, pairs that hooks
+//! filter, and bodies under pressure from others. The shapes here avoid these cases, and each room holds one
+//! body.
 
 use super::rapier::prelude::*;
 use super::room::{self, SIZE, is_outside};
@@ -13,11 +14,12 @@ use super::world::check;
 use crate::Tally;
 use crate::choices::Choices;
 
-/// Steps of 1/60 s: the fastest bodies cross the room some hundred times.
+/// Number of steps of 1/60 s: the fastest bodies cross the room about a hundred times.
 const STEPS: usize = 90;
-/// A body that is pressed into a ground can be as deep as its middle. The floors are 2 cm thick: deeper, it has passed.
+/// Largest depth of a body's middle below the surface (m). The floors are 2 cm thick, so a deeper body has
+/// passed.
 const DEPTH_MAX: Real = 0.03;
-/// Ranges of the speed (m/s).
+/// Ranges of speed (m/s).
 const SPEEDS: [[f64; 2]; 3] = [[0.0, 5.0], [5.0, 40.0], [40.0, 600.0]];
 
 /// Throws one body.
@@ -47,7 +49,7 @@ fn throw(world: &mut PhysicsWorld, choices: &mut Choices<'_>) -> RigidBodyHandle
     let mut aside = || within(choices, -0.7, 0.7);
     let direction = Vector::from_array(Vector::ZERO.to_array().map(|_| aside()));
     let direction = (direction - Vector::Y).normalize_or_zero();
-    // Nothing touches the body yet: none reaches farther than 2.1 m.
+    // The body overlaps nothing at the start: no shape reaches farther than 2.1 m.
     let mut place = || within(choices, -1.5, 1.5);
     let place = Vector::from_array(Vector::ZERO.to_array().map(|_| place()));
     let spin = choices.pick(&[0.0, 12.0]);

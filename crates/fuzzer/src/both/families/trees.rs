@@ -1,8 +1,9 @@
-//! Multibodies that are thrown, without motors and springs: their energy does not grow.
+//! Multibodies that are thrown, without motors and springs: their energy does not increase.
 //!
-//! The trees are those of `tests/multibody/energy.rs`, and so are the tolerance and its reasons. The masses of the links reach from 1 to 10 kg, and the speeds
-//! to 150 m/s in empty space and to 30 m/s among walls. Links that spin at hundreds of rad/s and hit each other with masses of 1:74 are known to gain energy,
-//! one tree in some thousands.
+//! Trees, tolerance and its reasons are those of `tests/multibody/energy.rs`. Link masses range from 1 to 10
+//! kg, and speeds up to 150 m/s in empty space and 30 m/s among walls. A known defect is outside these
+//! ranges: links that rotate at hundreds of rad/s and collide at mass ratios of 1:74 gain energy in one of
+//! some thousand trees.
 
 use super::colliders::OTHERS;
 use super::dim::{TREE_LOCKS, cuboid};
@@ -15,18 +16,18 @@ use crate::Tally;
 use crate::choices::Choices;
 
 const STEPS: usize = 60;
-/// The largest gain, as a fraction of the kinetic energy that a tree starts with and of `m g L`.
+/// Largest energy gain, as a fraction of the initial kinetic energy plus `m g L`.
 const GAIN_MAX: f64 = 0.06;
-/// The largest ratio of masses.
+/// Largest mass ratio.
 const MASS_RATIO_MAX: f64 = 10.0;
-/// The largest speed (m/s) among walls, and in empty space.
+/// Largest speed (m/s) among walls, and in empty space.
 const SPEED_MAX: [f64; 2] = [30.0, 150.0];
-/// Angular velocities have components of this fraction of the speed (rad/m).
+/// Largest component of the angular velocities, as a multiple of the speed (rad/m).
 const SPIN: f64 = 0.5;
 /// Distance of two links (m).
 const SPACING: Real = 0.4;
 
-/// What all links of a tree have in common.
+/// Properties common to all links of a tree.
 struct Throw {
     is_among_walls: bool,
     speed: Real,
@@ -84,7 +85,7 @@ fn some_throw(choices: &mut Choices<'_>) -> Throw {
     }
 }
 
-/// A chain or a branched tree in a row, without overlap.
+/// Adds a chain or a branched tree in a row, without overlap.
 fn fill(
     world: &mut PhysicsWorld,
     throw: &Throw,
@@ -148,7 +149,8 @@ fn join(
     world.insert_multibody_joint(parent, link, joint.build());
 }
 
-/// The energy of all links, with their heights in the middle of the last substep, where they had their velocities.
+/// Returns the energy of all links, with heights at the middle of the last substep, in agreement with their
+/// velocities.
 fn energy(world: &PhysicsWorld, links: &[RigidBodyHandle]) -> f64 {
     let half = 0.5 * world.integration_parameters.substep();
     let of = |&link: &RigidBodyHandle| {
@@ -159,7 +161,8 @@ fn energy(world: &PhysicsWorld, links: &[RigidBodyHandle]) -> f64 {
     links.iter().map(of).sum()
 }
 
-/// What gains are measured by: the kinetic energy, and that of a fall by the length of the tree.
+/// Returns the reference for energy gains: the kinetic energy plus the potential energy of a fall by the
+/// tree's length.
 fn scale(world: &PhysicsWorld, links: &[RigidBodyHandle]) -> f64 {
     let length = SPACING * links.len() as Real;
     let of = |&link: &RigidBodyHandle| {
