@@ -10,6 +10,7 @@ pub use crate::model::contact::{
     NarrowPhase, SolverFlags,
 };
 // The one glob of the house: the two dimensions list different names there.
+pub use crate::base::parry_version::names::*;
 pub use crate::dim::names::*;
 pub use crate::model::event::{CollisionEvent, CollisionEventFlags, ContactForceEvent};
 pub use crate::model::tree::{BroadPhaseBvh, DefaultBroadPhase};
@@ -19,12 +20,12 @@ pub use parry::query::{
     ShapeCastHit, ShapeCastOptions,
 };
 pub use parry::shape::{
-    AxisMask, Ball, Capsule, CompositeShape, CompositeShapeRef, Compound, CompoundFlags,
-    CompoundPseudoNormals, Cuboid, FeatureId, HalfSpace, HeightField, HeightFieldCellStatus,
-    OctantPattern, PackedFeatureId, PolygonalFeature, PolygonalFeatureMap, Polyline, PolylineFlags,
-    RoundCuboid, RoundShape, RoundTriangle, Segment, SegmentPointLocation, SegmentPseudoNormals,
-    Shape, ShapeType, SharedShape, SubShapeId, SupportMap, TopoFace, TopoHalfEdge, TopoVertex,
-    TopologyError, TriMesh, TriMeshBuilderError, TriMeshConnectedComponents, TriMeshFlags,
-    TriMeshTopology, Triangle, TriangleOrientation, TrianglePointLocation, TrianglePseudoNormals,
-    TypedCompositeShape, TypedShape, VoxelData, VoxelState, VoxelType, Voxels, VoxelsChunkRef,
+    AxisMask, Ball, Capsule, CompositeShape, CompositeShapeRef, Compound, Cuboid, FeatureId,
+    HalfSpace, HeightField, HeightFieldCellStatus, OctantPattern, PackedFeatureId,
+    PolygonalFeature, PolygonalFeatureMap, Polyline, RoundCuboid, RoundShape, RoundTriangle,
+    Segment, SegmentPointLocation, Shape, ShapeType, SharedShape, SupportMap, TopoFace,
+    TopoHalfEdge, TopoVertex, TopologyError, TriMesh, TriMeshBuilderError,
+    TriMeshConnectedComponents, TriMeshFlags, TriMeshTopology, Triangle, TriangleOrientation,
+    TrianglePointLocation, TrianglePseudoNormals, TypedCompositeShape, TypedShape, VoxelData,
+    VoxelState, VoxelType, Voxels, VoxelsChunkRef,
 };

@@ -1,5 +1,6 @@
 //! Two convex parts that face each other.
 
+use super::parry_version::support_feature;
 use parry::math::Vector;
 use parry::shape::{PolygonalFeature, PolygonalFeatureMap, Shape};
 
@@ -20,7 +21,7 @@ impl FacingParts<'_> {
     pub fn core_feature(&self, side: usize) -> PolygonalFeature {
         let mut feature = PolygonalFeature::default();
         let (normal, point) = (self.normals[side], self.points[side]);
-        self.cores[side].local_support_feature_toward(normal, point, &mut feature);
+        support_feature(self.cores[side], normal, point, &mut feature);
         feature
     }
 }

@@ -34,6 +34,9 @@ pub mod wide;
 pub mod random;
 #[cfg(feature = "debug-render")]
 pub(crate) mod outline;
+#[cfg_attr(feature = "parry026", path = "parry026.rs")]
+#[cfg_attr(not(feature = "parry026"), path = "parry031.rs")]
+pub(crate) mod parry_version;
 pub(crate) mod pool;
 #[cfg(feature = "serde-serialize")]
 pub(crate) mod plain_shape;

@@ -14,6 +14,7 @@ use super::parts::Parts;
 use super::patches::{Patches, push_manifold, unit_normal};
 use super::search::{CulledParts, Search};
 use crate::base::guard::guarded;
+use crate::base::parry_version::{distance_of, is_intersecting, take_subshape_poses};
 use crate::dim::collide::{RawManifold, RawPoint, reduce};
 use crate::dim::math::{MAX_MANIFOLD_POINTS, Pose, Real, Vector};
 use crate::model::contact::{ContactManifold, TriangleCache};
@@ -177,7 +178,7 @@ fn outermost<'a>(
 /// A lower bound of the distance of two convex shapes by their closest points.
 fn distance_bound(pos12: &Pose, shape1: &dyn Shape, shape2: &dyn Shape) -> Real {
     match guarded(|| DefaultQueryDispatcher.distance(pos12, shape1, shape2)) {
-        Some(Ok(found)) if found.distance.is_finite() => found.distance * DISTANCE_FRACTION,
+        Some(Ok(found)) if distance_of(found).is_finite() => distance_of(found) * DISTANCE_FRACTION,
         _ => 0.0,
     }
 }
@@ -185,8 +186,7 @@ fn distance_bound(pos12: &Pose, shape1: &dyn Shape, shape2: &dyn Shape) -> Real 
 /// Returns whether the two shapes intersect. `pos12` is the pose of the second in the frame of the first.
 pub(crate) fn shapes_intersect(pos12: &Pose, shape1: &dyn Shape, shape2: &dyn Shape) -> bool {
     let test = || DefaultQueryDispatcher.intersection_test(pos12, shape1, shape2);
-    pose_is_usable(pos12)
-        && guarded(test).is_some_and(|found| found.is_ok_and(|found| found.intersecting))
+    pose_is_usable(pos12) && guarded(test).is_some_and(|found| found.is_ok_and(is_intersecting))
 }
 
 /// Returns whether geometry can be computed with the pose.
@@ -232,9 +232,8 @@ fn voxel_manifolds(
         None => return 0.0, // parry panics in this pose; the next one may succeed.
     }
     for raw in many {
-        let poses = raw.subshape_poses.take();
-        let poses = poses.as_ref().map(|poses| (poses.pos1.as_ref(), poses.pos2.as_ref()));
-        let (pose1, pose2) = poses.unwrap_or_default();
+        let poses = take_subshape_poses(raw);
+        let [pose1, pose2] = poses.each_ref().map(Option::as_ref);
         let part1 = Part { id: raw.subshape1, pose: pose1, ..Part::whole(shapes[0]) };
         let part2 = Part { id: raw.subshape2, pose: pose2, ..Part::whole(shapes[1]) };
         raw.points.retain(|point| is_sound(point) && point.dist <= *prediction);

@@ -3,6 +3,7 @@
 use super::part::Part;
 use crate::base::closest::{Closest, closest, extents};
 use crate::base::facing::FacingParts;
+use crate::base::parry_version::support_feature;
 use crate::dim::collide::{RawManifold, RawPoint, feature_contacts};
 use crate::dim::math::{DIM, Pose, Real, Vector};
 use parry::query::details::NormalConstraintsPair;
@@ -98,8 +99,8 @@ fn add_features(
     raw: &mut RawManifold,
 ) {
     let (mut feature1, mut feature2) = (PolygonalFeature::default(), PolygonalFeature::default());
-    core1.shape.local_support_feature_toward(normal1, point1, &mut feature1);
-    core2.shape.local_support_feature_toward(normal2, point2, &mut feature2);
+    support_feature(core1.shape, normal1, point1, &mut feature1);
+    support_feature(core2.shape, normal2, point2, &mut feature2);
     let pos21 = pos12.inverse();
     PolygonalFeature::contacts(pos12, &pos21, normal1, normal2, &feature1, &feature2, raw, false);
 }

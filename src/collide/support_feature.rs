@@ -3,6 +3,7 @@
 use super::part::Part;
 use super::support::Core;
 use crate::base::feature;
+use crate::base::parry_version::support_feature;
 use crate::dim::collide::Polytope;
 use crate::dim::math::{Real, Vector};
 use arrayvec::ArrayVec;
@@ -42,7 +43,7 @@ impl SupportFeature {
             let Core { shape, radius, .. } = Core::of(&Part::whole(shape))?;
             let (lowest, mut feature) =
                 (shape.local_support_point(down), PolygonalFeature::default());
-            shape.local_support_feature_toward(down, lowest, &mut feature);
+            support_feature(shape, down, lowest, &mut feature);
             for index in 0..feature.num_vertices {
                 add(feature.vertices[index] + down * radius, feature.vids[index]);
             }

@@ -4,6 +4,7 @@
 //! ends.
 
 use super::math::Real;
+use crate::base::parry_version::set_subshape;
 use crate::base::walk::{Walk, range};
 use parry::query::{Ray, RayCast, RayIntersection};
 use parry::shape::HeightField;
@@ -48,6 +49,6 @@ fn ray_on_cell(
     limit: Real,
 ) -> Option<RayIntersection> {
     let mut hit = field.segment_at(cell)?.cast_local_ray_and_get_normal(ray, limit, true)?;
-    hit.subshape = cell as u32;
+    set_subshape(&mut hit, cell as u32);
     Some(hit)
 }

@@ -1,3 +1,5 @@
 //! The names that only two dimensions have, or that are made differently there.
 
-pub use parry::shape::{CompoundEdgeCone, ConvexPolygon, RoundConvexPolygon};
+#[cfg(not(feature = "parry026"))]
+pub use parry::shape::CompoundEdgeCone;
+pub use parry::shape::{ConvexPolygon, RoundConvexPolygon};

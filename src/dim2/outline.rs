@@ -2,6 +2,7 @@
 //! be seen.
 
 use crate::base::outline::{Detail, Outline};
+use crate::base::parry_version::polyline_normals;
 use crate::dim::math::{Real, Vector, tangents};
 use core::f64::consts::{PI, TAU};
 use parry::shape::{
@@ -85,7 +86,7 @@ pub(crate) fn plane(out: &mut Outline, normal: Vector) {
 /// vertices and, in 3D only, those of edges. Empty for shapes that have none.
 pub(crate) fn pseudo_normals(shape: &TypedShape) -> [Vec<(Vector, Vector)>; 2] {
     let TypedShape::Polyline(line) = shape else { return Default::default() };
-    let normals = line.pseudo_normals().unwrap_or_default();
+    let normals = polyline_normals(line).unwrap_or_default();
     [line.vertices().iter().copied().zip(normals.iter().copied()).collect(), Vec::new()]
 }
 

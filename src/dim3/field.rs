@@ -4,6 +4,7 @@
 //! of the cell's corners.
 
 use super::math::Real;
+use crate::base::parry_version::set_subshape;
 use crate::base::walk::{Walk, range};
 use parry::query::{Ray, RayCast, RayIntersection};
 use parry::shape::HeightField;
@@ -65,7 +66,7 @@ fn ray_on_cell(
         // Left triangles are numbered first, column by column.
         let (rows, columns) = field.num_cells_ij();
         let first = if is_left { 0 } else { rows * columns };
-        hit.subshape = (first + j * rows + i) as u32;
+        set_subshape(&mut hit, (first + j * rows + i) as u32);
         Some(hit)
     };
     match (hit(left, true), hit(right, false)) {

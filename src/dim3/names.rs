@@ -1,9 +1,10 @@
 //! The names that only three dimensions have, or that are made differently there.
 
+#[cfg(not(feature = "parry026"))]
+pub use parry::shape::CompoundFaceCone;
 pub use parry::shape::{
-    CompoundFaceCone, Cone, ConvexPolyhedron, Cylinder, HeightFieldFlags,
-    HeightFieldRadialTriangles, RoundCone, RoundConvexPolyhedron, RoundCylinder, Tetrahedron,
-    TetrahedronPointLocation,
+    Cone, ConvexPolyhedron, Cylinder, HeightFieldFlags, HeightFieldRadialTriangles, RoundCone,
+    RoundConvexPolyhedron, RoundCylinder, Tetrahedron, TetrahedronPointLocation,
 };
 // Height fields take their heights in it.
 pub use parry::utils::Array2;

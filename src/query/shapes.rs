@@ -3,6 +3,7 @@
 use super::view::QueryView;
 use crate::base::bvh::{BoxProbe, SlabProbe};
 use crate::base::guard::guarded;
+use crate::base::parry_version::is_intersecting;
 use crate::dim::math::{Pose, Real, Vector};
 use crate::model::collider::{Collider, ColliderHandle};
 use crate::model::tree::shape_box;
@@ -48,7 +49,7 @@ impl<'a> QueryView<'a> {
             self.intersect_aabb_conservative(aabb).filter(move |(_, collider)| {
                 let pose12 = pose.inv_mul(collider.position());
                 let test = || self.dispatcher.intersection_test(&pose12, shape, collider.shape());
-                guarded(test).is_some_and(|found| found.is_ok_and(|found| found.intersecting))
+                guarded(test).is_some_and(|found| found.is_ok_and(is_intersecting))
             })
         })
     }

@@ -2,6 +2,7 @@
 
 use super::polyhedron::HalfSpace;
 use super::resolved::ResolvedSettings;
+use crate::base::parry_version::shape_cast_hit;
 use crate::dim::math::{MAX_MANIFOLD_POINTS, Pose, Real, Vector};
 use crate::model::collider::ColliderHandle;
 use arrayvec::ArrayVec;
@@ -115,15 +116,8 @@ impl Plane {
     pub fn hit(&self, pose: &Pose) -> ShapeCastHit {
         // Between two faces, a push in their middle causes no rotation.
         let middle = self.points.iter().sum::<Vector>() / self.points.len() as Real;
-        ShapeCastHit {
-            time_of_impact: 0.0,
-            witness1: middle,
-            witness2: pose.inverse() * (middle + self.normal * self.gap),
-            normal1: self.normal,
-            normal2: pose.rotation.inverse() * -self.normal,
-            status: ShapeCastStatus::Converged,
-            subshape1: self.subshapes[0],
-            subshape2: self.subshapes[1],
-        }
+        let witnesses = [middle, pose.inverse() * (middle + self.normal * self.gap)];
+        let normals = [self.normal, pose.rotation.inverse() * -self.normal];
+        shape_cast_hit(0.0, witnesses, normals, ShapeCastStatus::Converged, self.subshapes)
     }
 }

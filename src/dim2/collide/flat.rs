@@ -1,6 +1,7 @@
 //! Elements of surfaces: segments.
 
 use super::polytope::Polytope;
+use crate::base::parry_version::polyline_normals;
 use crate::base::wide::Lane;
 use crate::dim::math::{Pose, Real, Vector};
 use crate::dim::wide::WideVector;
@@ -24,7 +25,7 @@ pub type FlatMesh = Polyline;
 
 /// The line that a shape is, if it is one whose pieces may be hit from everywhere.
 pub fn as_flat_mesh(shape: &dyn Shape) -> Option<&FlatMesh> {
-    shape.as_polyline().filter(|line| line.pseudo_normals().is_none())
+    shape.as_polyline().filter(|line| polyline_normals(line).is_none())
 }
 
 /// A piece of a line.

@@ -1,10 +1,11 @@
 //! Shapes whose constructors have a parameter per axis of 2D space, and shapes that exist in 2D only.
 
+use crate::base::parry_version::PolylineFlags;
 use crate::dim::hull;
 use crate::dim::math::{Real, Vector};
 use crate::model::collider::check::check_points;
 use crate::model::collider::{ColliderBuilder, InvalidCollider};
-use parry::shape::{ConvexPolygon, Cuboid, HeightField, PolylineFlags, RoundShape, SharedShape};
+use parry::shape::{ConvexPolygon, Cuboid, HeightField, RoundShape, SharedShape};
 
 impl ColliderBuilder {
     /// A box around the origin, from its half extents along the axes.

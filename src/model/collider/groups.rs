@@ -129,19 +129,26 @@ impl Default for InteractionGroups {
 }
 
 impl InteractionGroups {
+    /// A member of `memberships` that interacts with members of `filter`, in one of the test modes.
+    #[cfg(feature = "upstream-groups")]
+    pub const fn new(memberships: Group, filter: Group, test_mode: InteractionTestMode) -> Self {
+        Self { memberships, filter, test_mode }
+    }
+
     /// A member of `memberships` that interacts with members of `filter`, if their filters accept it.
+    #[cfg(not(feature = "upstream-groups"))]
     pub const fn new(memberships: Group, filter: Group) -> Self {
         Self { memberships, filter, test_mode: InteractionTestMode::And }
     }
 
     /// A member of every group that accepts all groups.
     pub const fn all() -> Self {
-        Self::new(Group::ALL, Group::ALL)
+        Self { memberships: Group::ALL, filter: Group::ALL, test_mode: InteractionTestMode::And }
     }
 
     /// A member of no group that accepts none.
     pub const fn none() -> Self {
-        Self::new(Group::NONE, Group::NONE)
+        Self { memberships: Group::NONE, filter: Group::NONE, test_mode: InteractionTestMode::And }
     }
 
     /// The same with other memberships.

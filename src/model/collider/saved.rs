@@ -13,12 +13,13 @@ use super::grid::filled_cells;
 use super::shape_table::{self, OpenTable};
 use super::{ColliderBuilder, ColliderSet, InvalidCollider};
 use crate::base::fault::Fault;
+use crate::base::parry_version::{
+    CompoundFlags, PolylineFlags, compound, compound_flags, polyline, polyline_flags,
+};
 use crate::dim::math::{Pose, Vector};
 use crate::dim::saved::{PlainShape, SavedField, check_hull};
 use parry::math::IVector;
-use parry::shape::{
-    Compound, CompoundFlags, Polyline, PolylineFlags, SharedShape, TriMeshFlags, TypedShape,
-};
+use parry::shape::{SharedShape, TriMeshFlags, TypedShape};
 use serde::de::Error;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
@@ -96,7 +97,7 @@ impl SavedShape {
             TypedShape::Polyline(line) => Self::Polyline {
                 vertices: line.vertices().to_vec(),
                 indices: line.indices().to_vec(),
-                flags: line.flags().bits(),
+                flags: polyline_flags(line).bits(),
             },
             TypedShape::HeightField(field) => Self::HeightField(SavedField::of(field)),
             TypedShape::Voxels(voxels) => {
@@ -105,7 +106,7 @@ impl SavedShape {
             TypedShape::Compound(compound) => {
                 let parts = compound.shapes().iter().map(|(pose, part)| Ok((*pose, plain(part)?)));
                 let parts = parts.collect::<Result<_, Fault>>()?;
-                Self::Compound { parts, flags: compound.flags().bits() }
+                Self::Compound { parts, flags: compound_flags(compound).bits() }
             }
             _ => Self::Plain(plain(shape)?),
         })
@@ -122,7 +123,7 @@ impl SavedShape {
                 check_points("vertices", &vertices)?;
                 check_elements("indices", &indices, vertices.len())?;
                 let flags = PolylineFlags::from_bits_truncate(flags);
-                SharedShape::new(Polyline::with_flags(vertices, Some(indices), flags))
+                SharedShape::new(polyline(vertices, Some(indices), flags))
             }
             Self::HeightField(field) => SharedShape::new(field.restore()?),
             Self::Voxels { size, cells } => {
@@ -133,7 +134,7 @@ impl SavedShape {
                 let parts = parts.collect::<Result<Vec<_>, Fault>>()?;
                 check_parts(&parts)?;
                 let flags = CompoundFlags::from_bits_truncate(flags);
-                SharedShape::new(Compound::with_flags(parts, flags, None))
+                SharedShape::new(compound(parts, flags))
             }
             Self::Earlier(number) => {
                 let missing = || Fault::new(format_args!("there is no earlier shape {number}"));

@@ -7,12 +7,13 @@
 use super::check::{check_elements, check_length, check_margin, check_parts, check_points};
 use super::{ColliderBuilder, InvalidCollider, grid};
 use crate::base::guard::guarded;
+use crate::base::parry_version::{PolylineFlags, polyline};
 use crate::dim::hull;
 use crate::dim::math::{DIM, Pose, Real, Vector};
 use parry::math::{IVector, ivect_to_vect};
 use parry::shape::{
-    Ball, Capsule, Compound, HalfSpace, HeightField, Polyline, PolylineFlags, RoundShape, Segment,
-    SharedShape, TriMesh, TriMeshBuilderError, TriMeshFlags, Triangle, Voxels,
+    Ball, Capsule, Compound, HalfSpace, HeightField, RoundShape, Segment, SharedShape, TriMesh,
+    TriMeshBuilderError, TriMeshFlags, Triangle, Voxels,
 };
 use parry::transformation::voxelization::FillMode;
 
@@ -98,7 +99,7 @@ impl ColliderBuilder {
             }
             None => Ok(()),
         });
-        let shape = checked.map(|()| Polyline::with_flags(vertices, indices, flags));
+        let shape = checked.map(|()| polyline(vertices, indices, flags));
         Self::of(shape.map(SharedShape::new))
     }
 

@@ -136,6 +136,20 @@ pub trait EventHandler: Send + Sync {
         let _ = (dt, event, bodies, colliders);
     }
 
+    /// [`Self::handle_contact_force_event`] with the contacts of the pair. The engine calls this method only.
+    /// The default implementation calls that one.
+    fn handle_contact_force_event_of_pair(
+        &self,
+        dt: Real,
+        event: &ContactForceEvent,
+        contact_pair: &ContactPair,
+        bodies: &RigidBodySet,
+        colliders: &ColliderSet,
+    ) {
+        let _ = contact_pair;
+        self.handle_contact_force_event(dt, event, bodies, colliders);
+    }
+
     /// Called when a joint broke: its load exceeded its
     /// [thresholds](crate::model::joint::GenericJoint::set_break_thresholds). The joint is already disabled.
     /// The default implementation does nothing.

@@ -164,6 +164,18 @@ impl ImpulseJointSet {
         Some(&mut entry.joint)
     }
 
+    /// [`Self::get_mut`], except that the bodies wake only if an earlier edit since the last step wakes them.
+    pub fn get_mut_without_waking(
+        &mut self,
+        handle: ImpulseJointHandle,
+    ) -> Option<&mut ImpulseJoint> {
+        let entry = self.joints.get_mut(handle.0)?;
+        let wakes = entry.note.listed && entry.note.wakes;
+        note(&mut self.modified, handle, entry);
+        entry.note.wakes = wakes;
+        Some(&mut entry.joint)
+    }
+
     /// The joint in a slot (the first number of a handle), with its handle.
     pub fn get_unknown_gen(&self, slot: u32) -> Option<(&ImpulseJoint, ImpulseJointHandle)> {
         let (index, entry) = self.joints.at_slot(slot)?;

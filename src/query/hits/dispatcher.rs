@@ -3,6 +3,7 @@
 use super::rounded::{enter_capsule, nearest_on_segment};
 use super::turning::first_touch;
 use super::{Meeting, Touch, cuboid, hull};
+use crate::base::parry_version::{ShapeDistance, ShapeIntersection, shape_cast_hit};
 use crate::dim::facets::Facets;
 use crate::dim::math::{Pose, Real, Vector};
 use crate::model::contact::NarrowPhase;
@@ -12,7 +13,7 @@ use parry::query::details::{
 };
 use parry::query::{
     ClosestPoints, Contact, DefaultQueryDispatcher, NonlinearRigidMotion, QueryDispatcher,
-    ShapeCastHit, ShapeCastOptions, ShapeCastStatus, ShapeDistance, ShapeIntersection, Unsupported,
+    ShapeCastHit, ShapeCastOptions, ShapeCastStatus, Unsupported,
 };
 use parry::shape::{Ball, Shape, TypedShape};
 
@@ -193,16 +194,7 @@ fn hit(time: Real, normals: [Vector; 2], witnesses: [Vector; 2]) -> ShapeCastHit
     } else {
         ShapeCastStatus::Converged
     };
-    ShapeCastHit {
-        time_of_impact: time,
-        witness1: witnesses[0],
-        witness2: witnesses[1],
-        normal1: normals[0],
-        normal2: normals[1],
-        status,
-        subshape1: 0,
-        subshape2: 0,
-    }
+    shape_cast_hit(time, witnesses, normals, status, [0; 2])
 }
 
 /// A ball that moves along `dir`, in the frame of the shape. The touch that `to_hit` gets has the point of

@@ -4,6 +4,7 @@
 //! parry's bisects between two times, and does not end for fast and long rotations.
 
 use super::Dispatcher;
+use crate::base::parry_version::shape_cast_hit;
 use crate::collide::{Sweep, Touch, find_touches};
 use crate::dim::math::{Pose, Real, Vector};
 use parry::query::{Contact, NonlinearRigidMotion, QueryDispatcher, ShapeCastHit, ShapeCastStatus};
@@ -64,16 +65,10 @@ fn hit(
         _ => ShapeCastStatus::Converged,
     };
     let point = |place: &Pose, point: Vector| *place * point;
-    Some(ShapeCastHit {
-        time_of_impact: (start + (end - start) * fraction).min(end),
-        witness1: point(&side1.place, contact.point1),
-        witness2: point(&side2.place, contact.point2),
-        normal1: side1.place.rotation * contact.normal1,
-        normal2: side2.place.rotation * contact.normal2,
-        status,
-        subshape1: side1.id,
-        subshape2: side2.id,
-    })
+    let time = (start + (end - start) * fraction).min(end);
+    let witnesses = [point(&side1.place, contact.point1), point(&side2.place, contact.point2)];
+    let normals = [side1.place.rotation * contact.normal1, side2.place.rotation * contact.normal2];
+    Some(shape_cast_hit(time, witnesses, normals, status, [side1.id, side2.id]))
 }
 
 /// The closest points of two shapes that touch, to this tolerance. parry's search may diverge at such small

@@ -48,7 +48,9 @@ pub(crate) fn report(context: EventContext<'_>, panic: &mut HeldPanic) {
         if total > 0.0 && total >= threshold {
             let mut event = ContactForceEvent::from_contact_pair(dt, pair, total);
             event.started = strong.insert(id);
-            panic.hold(|| handler.handle_contact_force_event(dt, &event, bodies, colliders));
+            panic.hold(|| {
+                handler.handle_contact_force_event_of_pair(dt, &event, pair, bodies, colliders);
+            });
         } else {
             strong.remove(id);
         }

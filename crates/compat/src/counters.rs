@@ -1,0 +1,5 @@
+//! Times and counts of a step.
+
+pub use engine::pipeline::{
+    CCDCounters, CollisionDetectionCounters, Counters, SolverCounters, StagesCounters, Timer,
+};

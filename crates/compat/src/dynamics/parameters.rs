@@ -1,0 +1,167 @@
+//! The parameters of a step.
+
+use engine::dynamics::SpringCoefficients;
+use engine::math::Real;
+
+/// Model of friction.
+#[cfg(feature = "dim3")]
+#[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
+pub enum FrictionModel {
+    /// One friction impulse and one torsional impulse per manifold.
+    #[default]
+    Simplified,
+    /// One friction impulse per contact point.
+    Coulomb,
+}
+
+/// The parameters of a step.
+///
+/// A field with upstream's default value selects the engine's default: the two solvers have different best
+/// settings. Another value is converted to the engine's parameter by its definition.
+#[derive(Copy, Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
+pub struct IntegrationParameters {
+    /// Length of a step (s).
+    pub dt: Real,
+    /// Shortest substep of continuous collision detection (s).
+    pub min_ccd_dt: Real,
+    /// Spring of contacts.
+    pub contact_softness: SpringCoefficients<Real>,
+    /// Fraction of the last impulses with which a step begins.
+    pub warmstart_coefficient: Real,
+    /// Length of a typical object.
+    pub length_unit: Real,
+    /// Overlap that is not corrected, in multiples of the length unit.
+    pub normalized_allowed_linear_error: Real,
+    /// Largest velocity of the correction of an overlap, in multiples of the length unit per second.
+    pub normalized_max_corrective_velocity: Real,
+    /// Distance at which contacts are computed, in multiples of the length unit.
+    pub normalized_prediction_distance: Real,
+    /// Substeps of a step.
+    pub num_solver_iterations: usize,
+    /// Iterations of a substep.
+    pub num_internal_pgs_iterations: usize,
+    /// No effect: the engine's substeps need no separate stabilization.
+    pub num_internal_stabilization_iterations: usize,
+    /// No effect: the engine balances its threads itself.
+    pub min_island_size: usize,
+    /// Largest number of substeps of continuous collision detection.
+    pub max_ccd_substeps: usize,
+    /// Model of friction.
+    #[cfg(feature = "dim3")]
+    pub friction_model: FrictionModel,
+}
+
+impl Default for IntegrationParameters {
+    fn default() -> Self {
+        Self {
+            dt: 1.0 / 60.0,
+            min_ccd_dt: 1.0 / 60.0 / 100.0,
+            contact_softness: SpringCoefficients { natural_frequency: 30.0, damping_ratio: 5.0 },
+            warmstart_coefficient: 1.0,
+            length_unit: 1.0,
+            normalized_allowed_linear_error: 0.001,
+            normalized_max_corrective_velocity: 10.0,
+            normalized_prediction_distance: 0.002,
+            num_solver_iterations: 4,
+            num_internal_pgs_iterations: 1,
+            num_internal_stabilization_iterations: 1,
+            min_island_size: 128,
+            max_ccd_substeps: 1,
+            #[cfg(feature = "dim3")]
+            friction_model: FrictionModel::default(),
+        }
+    }
+}
+
+impl IntegrationParameters {
+    /// Steps per second; 0 for a step without length.
+    pub fn inv_dt(&self) -> Real {
+        if self.dt == 0.0 { 0.0 } else { 1.0 / self.dt }
+    }
+
+    /// Sets the length of a step (s).
+    #[deprecated = "assign the field `dt`"]
+    pub fn set_dt(&mut self, dt: Real) {
+        assert!(dt >= 0.0, "the step length {dt} is negative");
+        self.dt = dt;
+    }
+
+    /// Sets the number of steps per second. Zero makes a step without length.
+    pub fn set_inv_dt(&mut self, inv_dt: Real) {
+        self.dt = if inv_dt == 0.0 { 0.0 } else { 1.0 / inv_dt };
+    }
+
+    /// Overlap that is not corrected (length units).
+    pub fn allowed_linear_error(&self) -> Real {
+        self.normalized_allowed_linear_error * self.length_unit
+    }
+
+    /// Largest velocity of the correction of an overlap (length/s).
+    pub fn max_corrective_velocity(&self) -> Real {
+        match self.normalized_max_corrective_velocity {
+            Real::MAX => Real::MAX,
+            normalized => normalized * self.length_unit,
+        }
+    }
+
+    /// Distance at which contacts are computed (length units).
+    pub fn prediction_distance(&self) -> Real {
+        self.normalized_prediction_distance * self.length_unit
+    }
+
+    /// The parameters of the engine.
+    pub(crate) fn to_engine(self) -> engine::dynamics::IntegrationParameters {
+        let upstream = Self::default();
+        let own = engine::dynamics::IntegrationParameters::default();
+        let select = |value: Real, default: Real, own: Real| {
+            if value == default { own } else { value }
+        };
+        let (erp, damping_ratio) = self.engine_softness(own.erp, own.damping_ratio);
+        engine::dynamics::IntegrationParameters {
+            dt: self.dt,
+            min_ccd_dt: self.min_ccd_dt,
+            erp,
+            damping_ratio,
+            warmstart_coefficient: self.warmstart_coefficient,
+            length_unit: self.length_unit,
+            allowed_linear_error: self.normalized_allowed_linear_error,
+            normalized_max_corrective_velocity: select(
+                self.normalized_max_corrective_velocity,
+                upstream.normalized_max_corrective_velocity,
+                own.normalized_max_corrective_velocity,
+            ),
+            normalized_prediction_distance: select(
+                self.normalized_prediction_distance,
+                upstream.normalized_prediction_distance,
+                own.normalized_prediction_distance,
+            ),
+            num_solver_iterations: self.num_solver_iterations,
+            num_internal_pgs_iterations: self.num_internal_pgs_iterations,
+            max_ccd_substeps: self.max_ccd_substeps,
+            #[cfg(feature = "dim3")]
+            friction_model: match self.friction_model {
+                FrictionModel::Simplified => engine::dynamics::FrictionModel::Standard,
+                FrictionModel::Coulomb => engine::dynamics::FrictionModel::Coulomb,
+            },
+            ..own
+        }
+    }
+
+    /// The engine's parameters of contact softness.
+    ///
+    /// A spring of angular frequency `ω` and damping ratio `ζ` removes the fraction `β = hω / (2ζ + hω)` of
+    /// the error in a substep `h`, with the compliance `σ = 1 / (hω (2ζ + hω))`.
+    fn engine_softness(&self, own_erp: Real, own_damping_ratio: Real) -> (Real, Real) {
+        use engine::dynamics::{CONTACT_SHARE, CONTACT_YIELD};
+        let turn = self.dt / self.num_solver_iterations.max(1) as Real
+            * self.contact_softness.angular_frequency();
+        if self.contact_softness == Self::default().contact_softness || turn <= 0.0 {
+            return (own_erp, own_damping_ratio);
+        }
+        let stiffness = 2.0 * self.contact_softness.damping_ratio + turn;
+        let (fraction, compliance) = (turn / stiffness, 1.0 / (turn * stiffness));
+        ((fraction / CONTACT_SHARE).min(1.0), (compliance - CONTACT_YIELD).max(0.0))
+    }
+}

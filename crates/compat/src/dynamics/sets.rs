@@ -1,0 +1,44 @@
+//! The set of bodies.
+
+use super::{ImpulseJointSet, IslandManager, MultibodyJointSet};
+use crate::wrapper::{wrap_reference, wrapper};
+use engine::dynamics::{RigidBody, RigidBodyHandle};
+use engine::geometry::ColliderSet;
+
+wrapper! {
+    /// All bodies of a world.
+    RigidBodySet, engine::dynamics::RigidBodySet
+}
+wrap_reference!(RigidBodySet, engine::dynamics::RigidBodySet);
+
+impl RigidBodySet {
+    /// An empty set with space for `capacity` bodies.
+    pub fn with_capacity(capacity: usize) -> Self {
+        Self(engine::dynamics::RigidBodySet::with_capacity(capacity))
+    }
+
+    /// Removes a body and its joints at once. `None` if the handle is stale.
+    ///
+    /// Its colliders are removed too, or they are detached and stay where they are.
+    pub fn remove(
+        &mut self,
+        handle: RigidBodyHandle,
+        islands: &mut IslandManager,
+        colliders: &mut ColliderSet,
+        impulse_joints: &mut ImpulseJointSet,
+        multibody_joints: &mut MultibodyJointSet,
+        remove_attached_colliders: bool,
+    ) -> Option<RigidBody> {
+        let attached = self.0.get(handle)?.colliders().to_vec();
+        impulse_joints.remove_joints_attached_to_rigid_body(handle);
+        multibody_joints.remove_joints_attached_to_rigid_body(handle);
+        for collider in attached {
+            if remove_attached_colliders {
+                colliders.remove(collider, islands, &mut self.0, true);
+            } else {
+                colliders.set_parent(collider, None, &mut self.0);
+            }
+        }
+        self.0.remove(handle)
+    }
+}

@@ -1,0 +1,125 @@
+//! Conversion of contact pairs from the engine's representation, and of edits back to it.
+
+use super::{
+    Contact, ContactData, ContactManifold, ContactManifoldData, ContactPair, SolverContact,
+    SolverFlags,
+};
+use crate::math::{Real, TangentImpulse, Vector};
+use engine::pipeline::ContactModificationContext;
+
+/// A pair of the engine in upstream's representation.
+pub fn to_pair(pair: &engine::geometry::ContactPair) -> ContactPair {
+    ContactPair {
+        collider1: pair.collider1,
+        collider2: pair.collider2,
+        manifolds: pair.manifolds.iter().map(to_manifold).collect(),
+    }
+}
+
+/// A manifold of the engine in upstream's representation. Its points are in the frames of the colliders, so
+/// no part has a pose of its own.
+pub fn to_manifold(manifold: &engine::geometry::ContactManifold) -> ContactManifold {
+    let data = &manifold.data;
+    let points = data.points.iter().enumerate();
+    let points = points.map(|(index, point)| to_contact(data, index, point));
+    let solver_contacts = data.points.iter().enumerate();
+    let solver_contacts =
+        solver_contacts.map(|(index, point)| to_solver_contact(data, index, point)).collect();
+    let mut converted = ContactManifold::new();
+    converted.points.extend(points);
+    converted.local_n1 = manifold.local_n1;
+    converted.local_n2 = manifold.local_n2;
+    converted.subshape1 = manifold.subshape1;
+    converted.subshape2 = manifold.subshape2;
+    converted.data = ContactManifoldData {
+        rigid_body1: data.rigid_body1,
+        rigid_body2: data.rigid_body2,
+        solver_flags: SolverFlags::from_bits_truncate(data.solver_flags.bits()),
+        normal: data.normal,
+        solver_contacts,
+        relative_dominance: data.relative_dominance,
+        user_data: data.user_data,
+    };
+    converted
+}
+
+fn to_contact(
+    data: &engine::geometry::ContactManifoldData,
+    index: usize,
+    point: &engine::geometry::Contact,
+) -> Contact {
+    let tangent_impulse = tangent_impulse(data.normal, data.friction_impulse(index));
+    let mut contact =
+        Contact::new(point.local_p1, point.local_p2, point.fid1, point.fid2, point.dist);
+    contact.data = ContactData {
+        impulse: point.impulse,
+        tangent_impulse,
+        warmstart_impulse: point.warmstart_impulse,
+        warmstart_tangent_impulse: tangent_impulse,
+        #[cfg(feature = "dim3")]
+        warmstart_twist_impulse: 0.0,
+    };
+    contact
+}
+
+fn to_solver_contact(
+    data: &engine::geometry::ContactManifoldData,
+    index: usize,
+    point: &engine::geometry::Contact,
+) -> SolverContact {
+    SolverContact {
+        point: point.point,
+        dist: point.dist,
+        friction: data.friction,
+        restitution: data.restitution,
+        tangent_velocity: data.tangent_velocity,
+        warmstart_impulse: point.warmstart_impulse,
+        warmstart_tangent_impulse: tangent_impulse(data.normal, data.friction_impulse(index)),
+        warmstart_twist_impulse: 0.0,
+        is_new: Real::from(u8::from(point.warmstart_impulse == 0.0)),
+        contact_id: [index as u32],
+    }
+}
+
+/// The components of a friction impulse along two unit tangents of a contact.
+#[cfg(feature = "dim3")]
+fn tangent_impulse(normal: Vector, impulse: Vector) -> TangentImpulse<Real> {
+    let (tangent1, tangent2) = normal.any_orthonormal_pair();
+    TangentImpulse::new(impulse.dot(tangent1), impulse.dot(tangent2))
+}
+
+/// The component of a friction impulse along the unit tangent of a contact.
+#[cfg(feature = "dim2")]
+fn tangent_impulse(normal: Vector, impulse: Vector) -> TangentImpulse<Real> {
+    TangentImpulse::new(impulse.dot(normal.perp()))
+}
+
+/// Writes the contacts that a hook left back to the engine.
+///
+/// The engine has one material per manifold: that of the first remaining contact. A manifold without contacts
+/// exerts no impulse in this step, and its user data persists.
+pub fn write_back(
+    engine: &mut ContactModificationContext<'_>,
+    contacts: &[SolverContact],
+    user_data: u32,
+) {
+    engine.set_user_data(user_data);
+    let Some(first) = contacts.first() else {
+        let flags = engine::geometry::SolverFlags::COMPUTE_RIGID_IMPULSES;
+        return engine.set_solver_flags(engine.solver_flags() - flags);
+    };
+    let mut index = 0;
+    engine.retain_contacts(|_| {
+        index += 1;
+        contacts.iter().any(|contact| contact.contact_id == [index - 1])
+    });
+    if first.friction != engine.friction() {
+        engine.set_friction(first.friction);
+    }
+    if first.restitution != engine.restitution() {
+        engine.set_restitution(first.restitution);
+    }
+    if first.tangent_velocity != engine.tangent_velocity() {
+        engine.set_tangent_velocity(first.tangent_velocity);
+    }
+}

@@ -1,0 +1,38 @@
+//! # The API of Rapier 0.32 over this engine
+//!
+//! Code for Rapier 0.32 compiles against this crate without edits. The crate is a facade: it stores no
+//! simulation state of its own, and it forwards to the engine.
+//!
+//! Types with equal signatures are the engine's own types. Types with other signatures are transparent
+//! wrappers that dereference to the engine's type. Contact pairs are converted to upstream's representation
+//! when they are read, so a program that reads none pays nothing.
+
+pub extern crate nalgebra as na;
+pub use engine::parry;
+pub use parry::glamx;
+#[cfg(feature = "parallel")]
+pub use rayon;
+
+/// The version of Rapier whose API the crate has.
+pub const VERSION: &str = env!("CARGO_PKG_VERSION");
+
+mod wrapper;
+
+pub mod control;
+pub mod counters;
+pub mod data;
+pub mod dynamics;
+pub mod geometry;
+pub mod math;
+pub mod pipeline;
+pub mod utils;
+
+/// The names that most programs use.
+pub mod prelude {
+    pub use crate::dynamics::*;
+    pub use crate::geometry::*;
+    pub use crate::math::*;
+    pub use crate::pipeline::*;
+    pub use na::{point, vector};
+    pub extern crate nalgebra;
+}

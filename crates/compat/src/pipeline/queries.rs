@@ -1,0 +1,301 @@
+//! Ray casts, shape casts, projections and overlap tests.
+
+use super::QueryFilterFlags;
+use crate::dynamics::{RigidBodyHandle, RigidBodySet};
+use crate::geometry::{
+    Aabb, Collider, ColliderHandle, ColliderSet, InteractionGroups, PointProjection, Ray,
+    RayIntersection, Shape, ShapeCastHit,
+};
+use crate::math::{Pose, Real, Vector};
+use crate::parry::query::{NonlinearRigidMotion, QueryDispatcher, ShapeCastOptions};
+use crate::parry::shape::FeatureId;
+use engine::geometry::BroadPhaseBvh;
+use engine::pipeline::QueryView;
+
+/// A condition of a query: returns whether a collider may be found.
+type Predicate<'a> = &'a dyn Fn(ColliderHandle, &Collider) -> bool;
+
+/// Filter of a query: the conjunction of its conditions.
+#[derive(Copy, Clone, Default)]
+pub struct QueryFilter<'a> {
+    /// Excluded kinds of colliders.
+    pub flags: QueryFilterFlags,
+    /// Groups that a collider must interact with.
+    pub groups: Option<InteractionGroups>,
+    /// One excluded collider.
+    pub exclude_collider: Option<ColliderHandle>,
+    /// A body whose colliders are excluded.
+    pub exclude_rigid_body: Option<RigidBodyHandle>,
+    /// User-defined condition.
+    pub predicate: Option<Predicate<'a>>,
+}
+
+impl From<QueryFilterFlags> for QueryFilter<'_> {
+    fn from(flags: QueryFilterFlags) -> Self {
+        Self { flags, ..Self::default() }
+    }
+}
+
+impl From<InteractionGroups> for QueryFilter<'_> {
+    fn from(groups: InteractionGroups) -> Self {
+        Self { groups: Some(groups), ..Self::default() }
+    }
+}
+
+impl<'a> From<QueryFilter<'a>> for engine::pipeline::QueryFilter<'a> {
+    fn from(filter: QueryFilter<'a>) -> Self {
+        let QueryFilter { flags, groups, exclude_collider, exclude_rigid_body, predicate } = filter;
+        Self { flags, groups, exclude_collider, exclude_rigid_body, predicate }
+    }
+}
+
+impl<'a> QueryFilter<'a> {
+    /// A filter that excludes nothing.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// A filter that excludes colliders of fixed bodies, and colliders without a body.
+    pub fn exclude_fixed() -> Self {
+        QueryFilterFlags::EXCLUDE_FIXED.into()
+    }
+
+    /// A filter that excludes colliders of kinematic bodies.
+    pub fn exclude_kinematic() -> Self {
+        QueryFilterFlags::EXCLUDE_KINEMATIC.into()
+    }
+
+    /// A filter that excludes colliders of dynamic bodies.
+    pub fn exclude_dynamic() -> Self {
+        QueryFilterFlags::EXCLUDE_DYNAMIC.into()
+    }
+
+    /// A filter that admits colliders of dynamic bodies only.
+    pub fn only_dynamic() -> Self {
+        QueryFilterFlags::ONLY_DYNAMIC.into()
+    }
+
+    /// A filter that admits colliders of kinematic bodies only.
+    pub fn only_kinematic() -> Self {
+        QueryFilterFlags::ONLY_KINEMATIC.into()
+    }
+
+    /// A filter that admits colliders of fixed bodies, and colliders without a body, only.
+    pub fn only_fixed() -> Self {
+        QueryFilterFlags::ONLY_FIXED.into()
+    }
+
+    /// Excludes sensors too.
+    #[must_use]
+    pub fn exclude_sensors(mut self) -> Self {
+        self.flags |= QueryFilterFlags::EXCLUDE_SENSORS;
+        self
+    }
+
+    /// Excludes all colliders that are not sensors too.
+    #[must_use]
+    pub fn exclude_solids(mut self) -> Self {
+        self.flags |= QueryFilterFlags::EXCLUDE_SOLIDS;
+        self
+    }
+
+    /// Excludes colliders that do not interact with these groups.
+    #[must_use]
+    pub fn groups(mut self, groups: InteractionGroups) -> Self {
+        self.groups = Some(groups);
+        self
+    }
+
+    /// Excludes one collider.
+    #[must_use]
+    pub fn exclude_collider(mut self, collider: ColliderHandle) -> Self {
+        self.exclude_collider = Some(collider);
+        self
+    }
+
+    /// Excludes the colliders of a body.
+    #[must_use]
+    pub fn exclude_rigid_body(mut self, rigid_body: RigidBodyHandle) -> Self {
+        self.exclude_rigid_body = Some(rigid_body);
+        self
+    }
+
+    /// Excludes colliders for which the predicate returns `false`.
+    #[must_use]
+    pub fn predicate(mut self, predicate: &'a impl Fn(ColliderHandle, &Collider) -> bool) -> Self {
+        self.predicate = Some(predicate);
+        self
+    }
+
+    /// Returns whether a collider passes the filter.
+    pub fn test(&self, _: &RigidBodySet, handle: ColliderHandle, collider: &Collider) -> bool {
+        engine::pipeline::QueryFilter::from(*self).test(handle, collider)
+    }
+}
+
+/// The colliders of a world for queries, as of the last step.
+#[derive(Copy, Clone)]
+pub struct QueryPipeline<'a> {
+    tree: &'a BroadPhaseBvh,
+    /// Algorithms for pairs of shapes.
+    pub dispatcher: &'a dyn QueryDispatcher,
+    /// The bodies.
+    pub bodies: &'a RigidBodySet,
+    /// The colliders.
+    pub colliders: &'a ColliderSet,
+    /// Filter of the colliders.
+    pub filter: QueryFilter<'a>,
+}
+
+impl<'a> QueryPipeline<'a> {
+    pub(crate) fn new(
+        tree: &'a BroadPhaseBvh,
+        dispatcher: &'a dyn QueryDispatcher,
+        bodies: &'a RigidBodySet,
+        colliders: &'a ColliderSet,
+        filter: QueryFilter<'a>,
+    ) -> Self {
+        Self { tree, dispatcher, bodies, colliders, filter }
+    }
+
+    /// The engine's view of the same colliders.
+    pub(crate) fn view(&self) -> QueryView<'a> {
+        let Self { tree, dispatcher, bodies, colliders, filter } = *self;
+        tree.as_query_pipeline(dispatcher, bodies, colliders, filter.into())
+    }
+
+    /// The same colliders with another filter.
+    #[must_use]
+    pub fn with_filter(self, filter: QueryFilter<'a>) -> Self {
+        Self { filter, ..self }
+    }
+
+    /// The first collider that a ray hits, and the time of the hit.
+    pub fn cast_ray(
+        &self,
+        ray: &Ray,
+        max_toi: Real,
+        solid: bool,
+    ) -> Option<(ColliderHandle, Real)> {
+        self.view().cast_ray(ray, max_toi, solid)
+    }
+
+    /// The first collider that a ray hits, with the normal.
+    pub fn cast_ray_and_get_normal(
+        &self,
+        ray: &Ray,
+        max_toi: Real,
+        solid: bool,
+    ) -> Option<(ColliderHandle, RayIntersection)> {
+        self.view().cast_ray_and_get_normal(ray, max_toi, solid)
+    }
+
+    /// All colliders that a ray hits.
+    pub fn intersect_ray(
+        &'a self,
+        ray: Ray,
+        max_toi: Real,
+        solid: bool,
+    ) -> impl Iterator<Item = (ColliderHandle, &'a Collider, RayIntersection)> + 'a {
+        self.view().intersect_ray(ray, max_toi, solid)
+    }
+
+    /// The projection of a point onto the nearest collider. As upstream, the distance is unlimited.
+    pub fn project_point(
+        &self,
+        point: Vector,
+        _max_dist: Real,
+        solid: bool,
+    ) -> Option<(ColliderHandle, PointProjection)> {
+        self.view().project_point(point, Real::MAX, solid)
+    }
+
+    /// All colliders that contain a point.
+    pub fn intersect_point(
+        &'a self,
+        point: Vector,
+    ) -> impl Iterator<Item = (ColliderHandle, &'a Collider)> + 'a {
+        self.view().intersect_point(point)
+    }
+
+    /// The projection of a point onto the nearest collider, and the feature that it lies on.
+    pub fn project_point_and_get_feature(
+        &self,
+        point: Vector,
+    ) -> Option<(ColliderHandle, PointProjection, FeatureId)> {
+        self.view().project_point_and_get_feature(point, Real::MAX)
+    }
+
+    /// All colliders whose stored boxes intersect a box.
+    pub fn intersect_aabb_conservative(
+        &'a self,
+        aabb: Aabb,
+    ) -> impl Iterator<Item = (ColliderHandle, &'a Collider)> + 'a {
+        self.view().intersect_aabb_conservative(aabb)
+    }
+
+    /// The first collider that a moving shape hits.
+    pub fn cast_shape(
+        &self,
+        shape_pos: &Pose,
+        shape_vel: Vector,
+        shape: &dyn Shape,
+        options: ShapeCastOptions,
+    ) -> Option<(ColliderHandle, ShapeCastHit)> {
+        self.view().cast_shape(shape_pos, shape_vel, shape, options)
+    }
+
+    /// The first collider that a moving and rotating shape hits.
+    pub fn cast_shape_nonlinear(
+        &self,
+        shape_motion: &NonlinearRigidMotion,
+        shape: &dyn Shape,
+        start_time: Real,
+        end_time: Real,
+        stop_at_penetration: bool,
+    ) -> Option<(ColliderHandle, ShapeCastHit)> {
+        self.view().cast_shape_nonlinear(
+            shape_motion,
+            shape,
+            start_time,
+            end_time,
+            stop_at_penetration,
+        )
+    }
+
+    /// All colliders that a shape intersects.
+    pub fn intersect_shape(
+        &'a self,
+        shape_pos: Pose,
+        shape: &'a dyn Shape,
+    ) -> impl Iterator<Item = (ColliderHandle, &'a Collider)> + 'a {
+        self.view().intersect_shape(shape_pos, shape)
+    }
+}
+
+/// The colliders of a world for queries, with mutable bodies and colliders.
+pub struct QueryPipelineMut<'a> {
+    pub(crate) tree: &'a BroadPhaseBvh,
+    /// Algorithms for pairs of shapes.
+    pub dispatcher: &'a dyn QueryDispatcher,
+    /// The bodies.
+    pub bodies: &'a mut RigidBodySet,
+    /// The colliders.
+    pub colliders: &'a mut ColliderSet,
+    /// Filter of the colliders.
+    pub filter: QueryFilter<'a>,
+}
+
+impl QueryPipelineMut<'_> {
+    /// The same colliders for queries only.
+    pub fn as_ref(&self) -> QueryPipeline<'_> {
+        let Self { tree, dispatcher, bodies, colliders, filter } = self;
+        QueryPipeline::new(tree, *dispatcher, bodies, colliders, *filter)
+    }
+
+    /// The engine's form of the same borrow.
+    pub(crate) fn to_engine(&mut self) -> engine::pipeline::QueryPipelineMut<'_> {
+        let Self { tree, dispatcher, bodies, colliders, filter } = self;
+        tree.as_query_pipeline_mut(*dispatcher, bodies, colliders, (*filter).into())
+    }
+}

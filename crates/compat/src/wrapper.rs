@@ -1,0 +1,49 @@
+//! Wrappers around types of the engine.
+
+/// Defines a transparent wrapper of an engine type. It dereferences to that type.
+macro_rules! wrapper {
+    ($(#[$meta:meta])* $name:ident, $engine:ty) => {
+        $(#[$meta])*
+        #[derive(Clone, Default)]
+        #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
+        #[cfg_attr(feature = "serde-serialize", serde(transparent))]
+        #[repr(transparent)]
+        pub struct $name(pub(crate) $engine);
+
+        impl $name {
+            /// An empty value.
+            pub fn new() -> Self {
+                Self::default()
+            }
+        }
+
+        impl core::ops::Deref for $name {
+            type Target = $engine;
+
+            fn deref(&self) -> &$engine {
+                &self.0
+            }
+        }
+
+        impl core::ops::DerefMut for $name {
+            fn deref_mut(&mut self) -> &mut $engine {
+                &mut self.0
+            }
+        }
+    };
+}
+
+/// Defines the view of a borrowed engine value as its transparent wrapper.
+macro_rules! wrap_reference {
+    ($name:ident, $engine:ty) => {
+        impl $name {
+            /// A borrowed engine value as this wrapper.
+            pub(crate) fn wrap(engine: &$engine) -> &Self {
+                // SAFETY: the wrapper is transparent, so both types have the same layout and validity.
+                unsafe { &*core::ptr::from_ref(engine).cast() }
+            }
+        }
+    };
+}
+
+pub(crate) use {wrap_reference, wrapper};

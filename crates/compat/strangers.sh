@@ -1,0 +1,62 @@
+#!/usr/bin/env bash
+# Builds and tests crates of the registry against the facade instead of the Rapier that they were written for.
+#
+# Usage: crates/compat/strangers.sh [FOLDER [PATTERN]]
+#   FOLDER   working folder (default: target/strangers of the repository)
+#   PATTERN  regular expression that selects crates by name (default: all)
+#
+# Prints one line per crate: name, version, compile errors, passed and failed tests. The log of each crate is
+# FOLDER/<name>.log.
+set -u
+here=$(cd "$(dirname "$0")" && pwd)
+root=$(cd "$here/../.." && pwd)
+folder=${1:-$root/target/strangers}
+pattern=${2:-.}
+mkdir -p "$folder"
+export CARGO_TARGET_DIR="$folder/target"
+
+# name, version, arguments of cargo. The development dependencies of Bevy's plugin need a window: its library is
+# checked only.
+crates='
+rapier3d-meshloader 0.13.0 test --all-features
+rapier3d-urdf 0.13.0 test --all-features
+bevy_rapier3d 0.34.0 check --no-default-features --features dim3,rapier-debug-render,async-collider
+bevy_rapier2d 0.34.0 check --no-default-features --features dim2,rapier-debug-render,async-collider
+'
+
+# Copies the source of a crate of the registry to FOLDER/<name>, with the patch in its manifest.
+prepare() {
+    local probe="$folder/probe-$1" target="$folder/$1"
+    mkdir -p "$probe/src"
+    : >"$probe/src/lib.rs"
+    printf '[package]\nname = "probe"\nversion = "0.0.0"\nedition = "2024"\n[dependencies]\n%s = "=%s"\n[workspace]\n' \
+        "$1" "$2" >"$probe/Cargo.toml"
+    (cd "$probe" && cargo fetch --quiet) || return 1
+    local manifest
+    manifest=$(cd "$probe" && cargo metadata --format-version 1 |
+        python3 -c 'import json, sys
+name, version = sys.argv[1:]
+for package in json.load(sys.stdin)["packages"]:
+    if (package["name"], package["version"]) == (name, version): print(package["manifest_path"])' "$1" "$2")
+    rm -rf "$target"
+    cp -r "$(dirname "$manifest")" "$target"
+    rm -f "$target/Cargo.lock" # A lock file refuses the patched versions.
+    printf '\n[workspace]\n[patch.crates-io]\nrapier3d = { path = "%s" }\nrapier2d = { path = "%s" }\n' \
+        "$here/rapier3d" "$here/rapier2d" >>"$target/Cargo.toml"
+}
+
+printf '%-24s %-8s %6s  %s\n' crate version errors tests
+while read -r name version arguments; do
+    [[ -n $name && $name =~ $pattern ]] || continue
+    log="$folder/$name.log"
+    if ! prepare "$name" "$version"; then
+        printf '%-24s %-8s %6s  %s\n' "$name" "$version" - 'not fetched'
+        continue
+    fi
+    # shellcheck disable=SC2086 # The arguments are several words.
+    (cd "$folder/$name" && cargo $arguments >"$log" 2>&1)
+    errors=$(grep -cE '^error(\[E[0-9]+\]|: (failed|no matching))' "$log")
+    passed=$(grep -oE '[0-9]+ passed' "$log" | awk '{sum += $1} END {print sum + 0}')
+    failed=$(grep -oE '[0-9]+ failed' "$log" | awk '{sum += $1} END {print sum + 0}')
+    printf '%-24s %-8s %6s  %s passed, %s failed\n' "$name" "$version" "$errors" "$passed" "$failed"
+done <<<"$crates"

@@ -1,0 +1,135 @@
+//! A world as programs for Rapier 0.32 assemble it.
+
+use rapier::prelude::*;
+
+/// Gravitational acceleration (length/s²).
+pub const GRAVITY: Real = 9.81;
+
+/// All parts of a world.
+#[derive(Default)]
+pub struct World {
+    pub pipeline: PhysicsPipeline,
+    pub parameters: IntegrationParameters,
+    pub islands: IslandManager,
+    pub broad_phase: DefaultBroadPhase,
+    pub narrow_phase: NarrowPhase,
+    pub bodies: RigidBodySet,
+    pub colliders: ColliderSet,
+    pub impulse_joints: ImpulseJointSet,
+    pub multibody_joints: MultibodyJointSet,
+    pub ccd_solver: CCDSolver,
+}
+
+impl World {
+    /// Takes one step with gravity along -y.
+    pub fn step_with(&mut self, hooks: &dyn PhysicsHooks, events: &dyn EventHandler) {
+        self.pipeline.step(
+            Vector::Y * -GRAVITY,
+            &self.parameters,
+            &mut self.islands,
+            &mut self.broad_phase,
+            &mut self.narrow_phase,
+            &mut self.bodies,
+            &mut self.colliders,
+            &mut self.impulse_joints,
+            &mut self.multibody_joints,
+            &mut self.ccd_solver,
+            hooks,
+            events,
+        );
+    }
+
+    /// Takes `count` steps without hooks and events.
+    pub fn steps(&mut self, count: usize) {
+        for _ in 0..count {
+            self.step_with(&(), &());
+        }
+    }
+
+    /// Inserts a body with one collider.
+    pub fn insert(
+        &mut self,
+        body: RigidBodyBuilder,
+        collider: ColliderBuilder,
+    ) -> (RigidBodyHandle, ColliderHandle) {
+        let body = self.bodies.insert(body);
+        let collider = self.colliders.insert_with_parent(collider, body, &mut self.bodies);
+        (body, collider)
+    }
+
+    /// A box of half the given size with its top at y = 0, and a box of unit size above it.
+    pub fn box_on_ground() -> (Self, RigidBodyHandle, [ColliderHandle; 2]) {
+        let mut world = Self::default();
+        let ground = world.colliders.insert(cuboid(50.0, 1.0).translation(Vector::Y * -1.0));
+        let body = RigidBodyBuilder::dynamic().translation(Vector::Y * 0.5).can_sleep(false);
+        let (body, collider) = world.insert(body, cuboid(0.5, 0.5));
+        (world, body, [ground, collider])
+    }
+}
+
+/// A box with half extents `half` along the ground and `half_height` upwards.
+pub fn cuboid(half: Real, half_height: Real) -> ColliderBuilder {
+    #[cfg(feature = "dim2")]
+    return ColliderBuilder::cuboid(half, half_height);
+    #[cfg(feature = "dim3")]
+    return ColliderBuilder::cuboid(half, half_height, half);
+}
+
+/// Asserts that two numbers differ by at most `tolerance`.
+#[track_caller]
+pub fn assert_near(value: Real, expected: Real, tolerance: Real) {
+    let error = (value - expected).abs();
+    assert!(error <= tolerance, "{value} instead of {expected}, tolerance {tolerance}");
+}
+
+/// Symplectic Euler with `n` substeps of `h` falls by `g h² n (n + 1) / 2`.
+#[test]
+fn bodies_fall() {
+    let mut world = World::default();
+    let (body, _) = world.insert(RigidBodyBuilder::dynamic(), ColliderBuilder::ball(0.5));
+    world.steps(60);
+    let substeps = 60.0 * world.parameters.num_solver_iterations as Real;
+    let h = 1.0 / substeps;
+    let fallen = GRAVITY * h * h * substeps * (substeps + 1.0) / 2.0;
+    assert_near(world.bodies[body].translation().y, -fallen, 1.0e-3);
+    assert_near(world.bodies[body].linvel().y, -GRAVITY, 1.0e-3);
+}
+
+#[test]
+fn islands_list_awake_bodies() {
+    let mut world = World::default();
+    let (body, _) = world.insert(RigidBodyBuilder::dynamic(), ColliderBuilder::ball(0.5));
+    world.steps(1);
+    let awake: Vec<RigidBodyHandle> = world.islands.active_bodies().collect();
+    assert_eq!(awake, [body]);
+}
+
+#[test]
+fn parameters_have_the_fields_of_version_032() {
+    let mut parameters = IntegrationParameters {
+        dt: 1.0 / 30.0,
+        contact_softness: SpringCoefficients { natural_frequency: 60.0, damping_ratio: 2.0 },
+        normalized_allowed_linear_error: 0.002,
+        num_internal_stabilization_iterations: 2,
+        min_island_size: 64,
+        length_unit: 10.0,
+        ..IntegrationParameters::default()
+    };
+    assert_near(parameters.allowed_linear_error(), 0.02, 1.0e-6);
+    assert_near(parameters.prediction_distance(), 0.02, 1.0e-6);
+    parameters.set_inv_dt(120.0);
+    assert_near(parameters.dt, 1.0 / 120.0, 1.0e-9);
+}
+
+/// A contact spring of angular frequency `ω` under gravity sinks in by `g/ω²` beyond the allowed error.
+#[test]
+fn soft_contacts_sink_in() {
+    let (mut world, body, _) = World::box_on_ground();
+    let frequency = 5.0;
+    world.parameters.contact_softness =
+        SpringCoefficients { natural_frequency: frequency, damping_ratio: 1.0 };
+    world.steps(600);
+    let omega = core::f64::consts::TAU as Real * frequency;
+    let depth = GRAVITY / (omega * omega) + world.parameters.allowed_linear_error();
+    assert_near(world.bodies[body].translation().y, 0.5 - depth, 0.1 * depth);
+}

@@ -1,0 +1,130 @@
+//! The parts of parry's interface that differ between its versions, for version 0.26. `parry031.rs` defines
+//! the same names for version 0.31, which the engine's own crates use.
+
+use parry::math::{Pose, Real, Vector};
+use parry::query::{ContactManifold, ShapeCastHit, ShapeCastStatus};
+#[cfg(feature = "serde-serialize")]
+use parry::shape::{Compound, SharedShape};
+use parry::shape::{PolygonalFeature, PolygonalFeatureMap, Polyline};
+
+/// Public names of other versions, without options.
+pub mod names {
+    bitflags::bitflags! {
+        /// Options of polylines. They have no effect in this version of parry.
+        #[derive(Copy, Clone, Debug, PartialEq, Eq)]
+        pub struct PolylineFlags: u8 {
+            /// The polyline has an inside.
+            const ORIENTED = 1;
+        }
+
+        /// Options of compounds. This version of parry has none.
+        #[derive(Copy, Clone, Debug, PartialEq, Eq)]
+        pub struct CompoundFlags: u8 {}
+    }
+}
+#[cfg(feature = "serde-serialize")]
+pub use names::CompoundFlags;
+pub use names::PolylineFlags;
+
+pub type ShapeDistance = Real;
+pub type ShapeIntersection = bool;
+
+/// Returns whether a test found an intersection.
+pub fn is_intersecting(found: ShapeIntersection) -> bool {
+    found
+}
+
+/// The distance of two shapes.
+pub fn distance_of(found: ShapeDistance) -> Real {
+    found
+}
+
+/// Hit of a cast. The arrays contain one value for each shape. This version of parry has no place for the
+/// parts that were hit.
+pub fn shape_cast_hit(
+    time_of_impact: Real,
+    [witness1, witness2]: [Vector; 2],
+    [normal1, normal2]: [Vector; 2],
+    status: ShapeCastStatus,
+    _: [u32; 2],
+) -> ShapeCastHit {
+    ShapeCastHit { time_of_impact, witness1, witness2, normal1, normal2, status }
+}
+
+/// The part of the shape that a ray hit has no place in this version of parry.
+pub fn set_subshape(_: &mut parry::query::RayIntersection, _: u32) {}
+
+/// Writes the feature of a shape in a direction. A round cap has a vertex next to the point `hint`.
+///
+/// This version of parry turns a cap's square by the direction alone. The square then misses up to a third of
+/// the cap near its rim. A slightly tilted direction turns the square towards the point.
+pub fn support_feature(
+    shape: &dyn PolygonalFeatureMap,
+    direction: Vector,
+    hint: Vector,
+    feature: &mut PolygonalFeature,
+) {
+    shape.local_support_feature(direction, feature);
+    #[cfg(feature = "dim3")]
+    if is_round_cap(feature)
+        && let Some(azimuth) = Vector::new(hint.x, 0.0, hint.z).try_normalize()
+    {
+        let tilted = Vector::new(0.0, direction.y, 0.0) + azimuth * CAP_TILT;
+        shape.local_support_feature(tilted, feature);
+    }
+    #[cfg(feature = "dim2")]
+    let _ = hint;
+}
+
+/// Tangent of the tilt that selects the orientation of a cap: far below the 60° at which another feature of a
+/// cylinder is selected.
+#[cfg(feature = "dim3")]
+const CAP_TILT: Real = 0.01;
+
+/// Returns whether a feature has the numbers that parry gives to the cap of a cylinder or a cone.
+#[cfg(feature = "dim3")]
+fn is_round_cap(feature: &PolygonalFeature) -> bool {
+    use parry::shape::PackedFeatureId;
+    let is_cap = |face, edge| {
+        feature.fid == PackedFeatureId::face(face) && feature.eids[0] == PackedFeatureId::edge(edge)
+    };
+    feature.num_vertices == 4 && (is_cap(9, 2) || is_cap(19, 12))
+}
+
+/// Poses of the parts of a manifold, `None` for the identity.
+pub fn take_subshape_poses<M, P>(raw: &mut ContactManifold<M, P>) -> [Option<Pose>; 2] {
+    [raw.subshape_pos1.take(), raw.subshape_pos2.take()]
+}
+
+/// A polyline with options.
+pub fn polyline(
+    vertices: Vec<Vector>,
+    indices: Option<Vec<[u32; 2]>>,
+    _: PolylineFlags,
+) -> Polyline {
+    Polyline::new(vertices, indices)
+}
+
+/// Options of a polyline.
+#[cfg(feature = "serde-serialize")]
+pub fn polyline_flags(_: &Polyline) -> PolylineFlags {
+    PolylineFlags::empty()
+}
+
+/// A compound with options.
+#[cfg(feature = "serde-serialize")]
+pub fn compound(parts: Vec<(Pose, SharedShape)>, _: CompoundFlags) -> Compound {
+    Compound::new(parts)
+}
+
+/// Options of a compound.
+#[cfg(feature = "serde-serialize")]
+pub fn compound_flags(_: &Compound) -> CompoundFlags {
+    CompoundFlags::empty()
+}
+
+/// The normals with which a polyline decides the inside. This version of parry has none.
+#[allow(dead_code, reason = "used in two dimensions")]
+pub fn polyline_normals(_: &Polyline) -> Option<&[Vector]> {
+    None
+}
