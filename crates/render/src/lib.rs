@@ -1,8 +1,8 @@
 //! # Render: drawings on a graphics adapter
 //!
 //! [`Renderer`] draws a [`Drawing`](drawing::Drawing) into a [`Target`]: instanced meshes with the shadow of
-//! the sun, lines, four samples a pixel. [`Blit`] copies the target into a window's pass. [`Offscreen`] reads it
-//! back as a picture.
+//! the sun, lines, four samples a pixel. [`Blit`] copies the target into a window's pass. [`Offscreen`] reads
+//! it back as a picture.
 //! The crate contains no physics, no window and no user interface.
 
 mod blit;

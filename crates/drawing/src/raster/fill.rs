@@ -157,7 +157,7 @@ pub(super) fn cover(
 
 /// Twice the area of a triangle, positive if it turns clockwise in the picture.
 ///
-/// The side from `a` to `b` is always measured from the same end. Two triangles that weight it agree on the
+/// The side from `a` to `b` is always measured from the same end. Two triangles that share it agree on the
 /// side of every point. No pixel along it is therefore painted twice, or not at all. A point exactly on it
 /// belongs to the triangle that has the side in rising order.
 fn twice_area(a: [f32; 2], b: [f32; 2], point: [f32; 2]) -> f32 {

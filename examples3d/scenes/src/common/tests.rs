@@ -111,7 +111,7 @@ fn the_arm_follows_its_target() {
     }
 }
 
-/// One bridge carries its load. Of the other bridge, only weak hinges break.
+/// One bridge carries its load. Only weak hinges of the other bridge break.
 #[test]
 fn one_bridge_carries_its_load_and_the_other_breaks() {
     let scene = after("bridge", 240);
