@@ -96,7 +96,7 @@ use super::island_sums::IslandSums;
 use super::joints::{Changes, SolverJoints};
 use super::multibodies::{MultibodySources, SolverMultibodies};
 use crate::base::disjoint::DisjointMut;
-use crate::base::wide::{Kernel, LANES, Lane, Wide};
+use crate::base::wide::{LANES, Lane};
 use crate::dim::math::Real;
 use crate::model::contact::ContactInput;
 use crate::model::params::ImpactPass;
