@@ -219,7 +219,9 @@ fn path_at<'a>(
     module: &[&'a str],
     inline: &InlineModules<'a>,
 ) -> Option<Vec<&'a str>> {
-    if at > 0 && source.token(at - 1) == "::" {
+    let follows = |back: usize, token| at >= back && source.token(at - back) == token;
+    let is_visibility = follows(1, "in") && follows(2, "(") && follows(3, "pub");
+    if follows(1, "::") || is_visibility {
         return None;
     }
     let (mut path, mut next) = match source.token(at) {
@@ -232,7 +234,7 @@ fn path_at<'a>(
         }
         _ => return None,
     };
-    // `pub(crate)` and `pub(super)` contain no path.
+    // `pub(crate)` and `pub(super)` contain no path either.
     if source.token(next) != "::" {
         return None;
     }
@@ -347,5 +349,7 @@ mod tests {
             complaints("src/base/a.rs", "//! Not [`crate::model`].\npub(crate) fn f() {}"),
             0
         );
+        let visible = "pub(in crate::step::solver) fn f() {}";
+        assert_eq!(complaints("src/step/solver/blocks/a.rs", visible), 0);
     }
 }

@@ -31,8 +31,8 @@ macro_rules! block_kernel {
             fn run<W: $crate::base::wide::Wide>(self) {
                 let Self { range, $($field),* } = self;
                 for $index in range {
-                    // SAFETY: each block belongs to one task, constraints of one colour have no common dynamic
-                    // body, and the colours run in sequence.
+                    // SAFETY: each block belongs to one task, constraints of one colour have no common
+                    // dynamic body, and the colours run in sequence.
                     unsafe { $work };
                 }
             }

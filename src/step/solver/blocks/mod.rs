@@ -13,7 +13,8 @@ pub(super) use kernel::block_kernel;
 pub(super) use layout::Layout;
 pub(super) use overflow::OverflowOrder;
 
-/// Distributes the blocks colour by colour, in tasks of `grain` blocks; blocks of one colour run concurrently.
+/// Distributes the blocks colour by colour, in tasks of `grain` blocks. Those of one colour run at the same
+/// time.
 pub(super) fn for_each_color(
     colors: &[Range<usize>],
     tasks: Tasks<'_>,
