@@ -122,9 +122,3 @@ pub fn compound(parts: Vec<(Pose, SharedShape)>, _: CompoundFlags) -> Compound {
 pub fn compound_flags(_: &Compound) -> CompoundFlags {
     CompoundFlags::empty()
 }
-
-/// The normals with which a polyline decides the inside. This version of parry has none.
-#[allow(dead_code, reason = "used in two dimensions")]
-pub fn polyline_normals(_: &Polyline) -> Option<&[Vector]> {
-    None
-}

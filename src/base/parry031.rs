@@ -95,9 +95,3 @@ pub fn compound(parts: Vec<(Pose, SharedShape)>, flags: CompoundFlags) -> Compou
 pub fn compound_flags(compound: &Compound) -> CompoundFlags {
     compound.flags()
 }
-
-/// The normals with which a polyline decides the inside; `None` if it has none.
-#[allow(dead_code, reason = "used in two dimensions")]
-pub fn polyline_normals(line: &Polyline) -> Option<&[Vector]> {
-    line.pseudo_normals()
-}

@@ -2,8 +2,8 @@
 //! be seen.
 
 use crate::base::outline::{Detail, Outline};
-use crate::base::parry_version::polyline_normals;
 use crate::dim::math::{Real, Vector, tangents};
+use crate::dim::shapes::polyline_normals;
 use core::f64::consts::{PI, TAU};
 use parry::shape::{
     Capsule, ConvexPolygon, Cuboid, RoundConvexPolygon, RoundCuboid, RoundTriangle, TypedShape,
@@ -82,8 +82,8 @@ pub(crate) fn plane(out: &mut Outline, normal: Vector) {
     out.segment(Vector::ZERO, normal);
 }
 
-/// Places and directions of the normals with which a polyline decides what is inside: those of its
-/// vertices and, in 3D only, those of edges. Empty for shapes that have none.
+/// Positions and directions of the normals by which a polyline decides its inside: those of its vertices and,
+/// in 3D only, those of edges. Empty for shapes without normals.
 pub(crate) fn pseudo_normals(shape: &TypedShape) -> [Vec<(Vector, Vector)>; 2] {
     let TypedShape::Polyline(line) = shape else { return Default::default() };
     let normals = polyline_normals(line).unwrap_or_default();

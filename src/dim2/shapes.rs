@@ -5,9 +5,24 @@ use super::math::{Real, Rotation, Vector};
 use crate::base::hash::FastHashMap;
 use crate::base::measure::Measure;
 use parry::mass_properties::MassProperties;
-use parry::shape::{ConvexPolygon, Triangle, TypedShape};
+use parry::shape::{ConvexPolygon, Polyline, Triangle, TypedShape};
 use parry::transformation::voxelization::VoxelSet;
 use smallvec::{SmallVec, smallvec};
+
+/// Polylines of parry 0.26 have no normals. In later versions the inherent method takes precedence over this one.
+#[allow(dead_code, reason = "unused in later versions")]
+trait WithoutNormals {
+    fn pseudo_normals(&self) -> Option<&[Vector]> {
+        None
+    }
+}
+
+impl WithoutNormals for Polyline {}
+
+/// The normals by which a polyline decides its inside; `None` if it has none.
+pub fn polyline_normals(line: &Polyline) -> Option<&[Vector]> {
+    line.pseudo_normals()
+}
 
 /// The numbers that a shape is made of, for the shapes whose type depends on the dimension; nothing
 /// for the others.

@@ -1,9 +1,9 @@
 //! Elements of surfaces: segments.
 
 use super::polytope::Polytope;
-use crate::base::parry_version::polyline_normals;
 use crate::base::wide::Lane;
 use crate::dim::math::{Pose, Real, Vector};
+use crate::dim::shapes::polyline_normals;
 use crate::dim::wide::WideVector;
 use parry::shape::{Polyline, Segment, Shape};
 
