@@ -231,7 +231,8 @@ impl Window {
     }
 
     fn panels(&mut self, ui: &mut Ui) {
-        // The window is cleared in the colour of the panels: pixels that panels fill cost adapters in software much more.
+        // The window is cleared in the colour of the panels: pixels that panels fill cost adapters in
+        // software much more.
         let frame = egui::Frame::side_top_panel(ui.style()).fill(egui::Color32::TRANSPARENT);
         let left = egui::Panel::left("gallery").default_size(230.0).frame(frame);
         let clicked = left

@@ -6,7 +6,7 @@ use crate::rapier::prelude::*;
 const FREQUENCY: Real = 2.2;
 const DAMPING: Real = 0.9;
 /// Fraction of the angular velocity that a step takes away from a held body.
-const CALM: Real = 0.06;
+const SPIN_DAMPING: Real = 0.06;
 /// Velocity of a thrown ball, in sizes of the scene a second, and its radius in such sizes.
 const THROW: Real = 2.2;
 const BALL: Real = 0.025;
@@ -51,7 +51,7 @@ impl Grip {
         let impulse = change * body.mass();
         let spin = body.angvel();
         body.apply_impulse_at_point(impulse, anchor, true);
-        body.set_angvel(body.angvel() - spin * CALM, true);
+        body.set_angvel(body.angvel() - spin * SPIN_DAMPING, true);
     }
 }
 

@@ -89,7 +89,8 @@ impl Player {
         &mut self.scene.world
     }
 
-    /// The hash of the shown world, which the first call for a moment computes: the bar shows it in each frame.
+    /// The hash of the shown world, which the first call for a moment computes: the bar shows it in each
+    /// frame.
     pub(crate) fn hash(&self) -> u64 {
         let shown = self.shown();
         let moment = (self.rewound, shown.steps_taken, self.changes);
@@ -123,8 +124,8 @@ impl Pace {
         self.running || self.single_steps > 0
     }
 
-    /// Runs steps for a frame that took `elapsed` seconds; `step` returns the length of the step. Returns the number of
-    /// steps.
+    /// Runs steps for a frame that took `elapsed` seconds; `step` returns the length of the step. Returns
+    /// the number of steps.
     pub(crate) fn run(&mut self, elapsed: f64, mut step: impl FnMut() -> f64) -> usize {
         if !self.running {
             let count = std::mem::take(&mut self.single_steps);

@@ -37,7 +37,8 @@ pub(crate) enum Part {
     Drawing,
     /// All other work of the window's thread.
     Panels,
-    /// The time from the end of this work to the next frame: the adapter paints, and the display shows the result.
+    /// The time from the end of this work to the next frame: the adapter paints, and the display shows the
+    /// result.
     Display,
 }
 

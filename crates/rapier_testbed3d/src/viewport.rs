@@ -14,8 +14,8 @@ use std::time::Instant;
 const GAP: f32 = 4.0;
 
 /// Frame times (s) above which the resolution falls, and below which it rises.
-const SLOW: f64 = 1.0 / 29.0;
-const FAST: f64 = 1.0 / 45.0;
+const FRAME_TIME_MAX: f64 = 1.0 / 29.0;
+const FRAME_TIME_MIN: f64 = 1.0 / 45.0;
 /// Lowest resolution, and frames between two changes of it.
 const SCALE_MIN: f32 = 0.45;
 const PATIENCE: u32 = 12;
@@ -86,8 +86,8 @@ impl Viewport {
             return;
         }
         let factor = match frame_time {
-            time if time > SLOW => 0.8,
-            time if time < FAST => 1.1,
+            time if time > FRAME_TIME_MAX => 0.8,
+            time if time < FRAME_TIME_MIN => 1.1,
             _ => return,
         };
         self.scale = (self.scale * factor).clamp(SCALE_MIN, 1.0);
@@ -193,7 +193,8 @@ fn write(ui: &Ui, rect: Rect, camera: &Camera, label: &Label) {
     ui.painter().text(at, egui::Align2::CENTER_CENTER, &label.text, font, Color32::LIGHT_GRAY);
 }
 
-/// Left: pull a body, or turn where there is none. Right: turn (3D) or pan. Middle, or shift: pan. Wheel: zoom.
+/// Left: pull a body, or turn where there is none. Right: turn (3D) or pan. Middle, or shift: pan. Wheel:
+/// zoom.
 fn mouse(ui: &Ui, response: &egui::Response, session: &mut Session, camera: &Camera, rect: Rect) {
     let place = |at: egui::Pos2| {
         let offset = (at - rect.center()) / (0.5 * rect.size());

@@ -1,7 +1,7 @@
 //! # A 3D scene: a world, and all that belongs to it beside physics
 //!
-//! [`Scene`] steps a world with a script, hooks and reactions to events; the gallery runs it, and the testbed shows it.
-//! [`Artist`] turns its world into a drawing.
+//! [`Scene`] steps a world with a script, hooks and reactions to events; the gallery runs it, and the
+//! testbed shows it. [`Artist`] turns its world into a drawing.
 
 pub use rapier3d as rapier;
 

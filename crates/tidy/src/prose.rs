@@ -8,8 +8,6 @@ use crate::source::Source;
 
 /// Places with checked comments.
 const CHECKED: [&str; 6] = ["src/", "tests/", "crates/", "examples2d/", "examples3d/", "fuzz/"];
-/// Crates in these places whose comments do not follow the rule yet.
-const EXCEPTIONS: [&str; 2] = ["crates/rapier_testbed3d/", "crates/scene3d/"];
 /// Words for people, which data lacks: relative pronouns, and the indefinite pronouns that begin and end
 /// with these.
 const RELATIVE_PRONOUNS: [&str; 4] = ["who", "whom", "whoever", "whomever"];
@@ -27,8 +25,7 @@ const WIDTH_MAX: usize = 110;
 
 /// Complains of comments and constants that break the rule.
 pub fn check(sources: &[Source]) -> Vec<Complaint> {
-    let is_in = |path: &str, places: &[&str]| places.iter().any(|place| path.starts_with(place));
-    let is_checked = |path: &str| is_in(path, &CHECKED) && !is_in(path, &EXCEPTIONS);
+    let is_checked = |path: &str| CHECKED.iter().any(|place| path.starts_with(place));
     sources.iter().filter(|source| is_checked(&source.path)).flat_map(check_file).collect()
 }
 

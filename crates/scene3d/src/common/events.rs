@@ -13,7 +13,8 @@ pub struct StepEvents {
 }
 
 impl StepEvents {
-    /// Runs a step and collects its events. Each step has channels of its own, so copies of a scene share no events.
+    /// Runs a step and collects its events. Each step has channels of its own, so copies of a scene share
+    /// no events.
     pub(super) fn collect<T>(step: impl FnOnce(&dyn EventHandler) -> T) -> (T, Self) {
         let (send_collision, collisions) = channel();
         let (send_force, forces) = channel();

@@ -4,8 +4,8 @@ use super::scene::Scene;
 use crate::rapier::prelude::*;
 use gallery::SceneRun;
 
-/// What must hold of a scene after a number of steps: bounds of its dynamic bodies. [`Law::after`] has none, so a scene
-/// names those that it is about.
+/// What must hold of a scene after a number of steps: bounds of its dynamic bodies. [`Law::after`] has
+/// none, so a scene names those that it is about.
 #[derive(Copy, Clone, Debug, PartialEq)]
 pub struct Law {
     /// Number of steps.
@@ -62,7 +62,8 @@ impl Law {
     }
 }
 
-/// The largest distance of two points that joints hold together, of joints that lock at least two translations.
+/// The largest distance of two points that joints hold together, of joints that lock at least two
+/// translations.
 pub fn gap(world: &PhysicsWorld) -> f64 {
     let mut largest: Real = 0.0;
     for (_, joint) in world.impulse_joints.iter() {

@@ -1,5 +1,5 @@
-//! The part of a scene that 2D and 3D share. Both crates compile these files, each against its own engine, which their
-//! roots import under the name `rapier`.
+//! The part of a scene that 2D and 3D share. Both crates compile these files, each against its own engine,
+//! which their roots import under the name `rapier`.
 
 mod draw;
 mod events;

@@ -19,8 +19,8 @@ const SCENERY: [f32; 3] = [218.0, 0.16, 0.40];
 /// Factors on saturation and lightness of sleeping bodies.
 const ASLEEP: [f32; 2] = [0.55, 0.72];
 
-/// A place from 0 to 1 for a number. Multiples of the golden section spread evenly, and neighbouring numbers are far
-/// apart.
+/// A place from 0 to 1 for a number. Multiples of the golden section spread evenly, and neighbouring
+/// numbers are far apart.
 pub(super) fn spread(number: u32) -> f32 {
     (number as f32 * 0.618_034).fract()
 }

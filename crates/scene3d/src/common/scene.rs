@@ -28,7 +28,8 @@ pub struct SceneInfo {
     pub build: fn() -> Scene,
 }
 
-/// Changes the world before each step; the number counts the steps taken. A copy of a script continues on its own.
+/// Changes the world before each step; the number counts the steps taken. A copy of a script continues on
+/// its own.
 pub trait Script: 'static {
     /// Changes the world.
     fn run(&mut self, world: &mut PhysicsWorld, steps_taken: usize);
@@ -78,8 +79,8 @@ pub struct Scene {
     reaction: Option<Reaction>,
 }
 
-/// Copies the world and the script, which continue bit for bit as the original does. The copy shares hooks and the
-/// reaction, which have no state of their own, and the observer with its state.
+/// Copies the world and the script, which continue bit for bit as the original does. The copy shares hooks
+/// and the reaction, which have no state of their own, and the observer with its state.
 impl Clone for Scene {
     fn clone(&self) -> Self {
         Self { world: self.world.clone(), ..self.without_world() }
@@ -156,7 +157,8 @@ impl Scene {
         self
     }
 
-    /// Runs a function after each step, with its events and the number of steps taken. Copies of the scene share it.
+    /// Runs a function after each step, with its events and the number of steps taken. Copies of the scene
+    /// share it.
     pub fn observe(
         mut self,
         observer: impl FnMut(&mut PhysicsWorld, &mut BodyColors, &StepEvents, usize) + 'static,
@@ -176,8 +178,8 @@ impl Scene {
         self
     }
 
-    /// Changes the world after each step as its events demand. Without a state of its own, a reaction repeats after a
-    /// return to an earlier copy.
+    /// Changes the world after each step as its events demand. Without a state of its own, a reaction
+    /// repeats after a return to an earlier copy.
     pub fn react(mut self, reaction: impl Fn(&mut PhysicsWorld, &StepEvents) + 'static) -> Self {
         self.reaction = Some(Rc::new(reaction));
         self
