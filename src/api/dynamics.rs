@@ -23,8 +23,8 @@ pub use crate::model::multibody::{
     MultibodyJointSet, MultibodyLink, MultibodyLinkId,
 };
 pub use crate::model::params::{
-    CONTACT_SHARE, CONTACT_YIELD, FrictionModel, IntegrationParameters, InvalidParameters,
-    JOINT_SHARE, Softness,
+    CONTACT_COMPLIANCE, CONTACT_ERP_SCALE, FrictionModel, IntegrationParameters, InvalidParameters,
+    JOINT_ERP_SCALE, Softness,
 };
 pub use crate::multibody::InverseKinematicsOption;
 pub use parry::mass_properties::MassProperties;

@@ -14,7 +14,7 @@ mod tests;
 
 pub(crate) use pass::{ContactPass, ImpactPass, JointPass};
 pub(crate) use soft_row::SoftRow;
-pub use softness::{CONTACT_SHARE, CONTACT_YIELD, JOINT_SHARE, Softness};
+pub use softness::{CONTACT_COMPLIANCE, CONTACT_ERP_SCALE, JOINT_ERP_SCALE, Softness};
 pub(crate) use validate::ITERATIONS_MAX;
 pub use validate::InvalidParameters;
 
@@ -66,7 +66,7 @@ pub struct IntegrationParameters {
     /// substeps are nearly always the better use of the same time.
     pub num_internal_pgs_iterations: usize,
     /// The fraction of a contact's position error that a substep aims to remove (0 to 1, default 0.1). The
-    /// solver multiplies it by [`CONTACT_SHARE`], whose documentation explains the reduction.
+    /// solver multiplies it by [`CONTACT_ERP_SCALE`], whose documentation explains the reduction.
     ///
     /// The error is the overlap beyond [`Self::allowed_linear_error`]. At the default, 1 % of it is
     /// left after some 70 substeps. Larger values resolve overlap faster and make it burst apart
@@ -228,13 +228,17 @@ impl IntegrationParameters {
     /// [`Self::num_solver_iterations`].
     #[inline]
     pub fn contact_softness(&self, substep: Real) -> Softness {
-        Softness::new(CONTACT_SHARE * self.erp, CONTACT_YIELD + self.damping_ratio, substep)
+        Softness::new(
+            CONTACT_ERP_SCALE * self.erp,
+            CONTACT_COMPLIANCE + self.damping_ratio,
+            substep,
+        )
     }
 
     /// The softness of joints without their own softness in a substep of `substep` seconds.
     #[inline]
     pub fn joint_softness(&self, substep: Real) -> Softness {
-        let fraction = (JOINT_SHARE * self.joint_erp).min(1.0);
+        let fraction = (JOINT_ERP_SCALE * self.joint_erp).min(1.0);
         Softness::new(fraction, self.joint_damping_ratio, substep)
     }
 

@@ -56,12 +56,12 @@ use crate::dim::math::Real;
 /// columns of boxes under 100-fold loads, at 30 to 240 steps a second, gives the range. Values up to 1/50
 /// left stacks of 30 boxes trembling, and values from 1/5 let them sag ten times the allowed error; between
 /// 1/25 and 1/12 both are small.
-pub const CONTACT_YIELD: Real = 1.0 / 16.0;
+pub const CONTACT_COMPLIANCE: Real = 1.0 / 16.0;
 
-/// The fraction of a contact's overlap that a substep aims to remove, in units of
-/// [`erp`](super::IntegrationParameters::erp).
+/// Factor on [`erp`](super::IntegrationParameters::erp). The product is the fraction of a contact's overlap that
+/// a substep aims to remove.
 ///
-/// It is less than one because an iteration over a pile of contacts does not converge. The correction of one
+/// The factor is less than one because an iteration over a pile of contacts does not converge. The correction of one
 /// contact is an error of its neighbours in the next substep. If these corrections are large enough, the pile
 /// as a whole gains energy. A pyramid of a hundred rows that is kept awake has, after 1,500 steps, up to this
 /// kinetic energy (J) with `σ` = 1/16:
@@ -73,11 +73,11 @@ pub const CONTACT_YIELD: Real = 1.0 / 16.0;
 ///
 /// Less compliance does not help (`β` = 0.07 and `σ` = 0.044 falls over), and a smaller fraction lets piles
 /// sag and collapses under heavy tops.
-pub const CONTACT_SHARE: Real = 0.7;
+pub const CONTACT_ERP_SCALE: Real = 0.7;
 
 /// Factor on [`joint_erp`](super::IntegrationParameters::joint_erp). The product, limited to 1, is the
 /// fraction of a joint's error that a substep aims to remove.
-pub const JOINT_SHARE: Real = 2.0;
+pub const JOINT_ERP_SCALE: Real = 2.0;
 
 /// The three coefficients with which the solver softens a constraint. The source of this module contains the
 /// derivation.

@@ -1,6 +1,6 @@
 //! Defaults, limits of the softness, and the table of refused values.
 
-use super::{CONTACT_SHARE, CONTACT_YIELD, IntegrationParameters, Softness};
+use super::{CONTACT_COMPLIANCE, CONTACT_ERP_SCALE, IntegrationParameters, Softness};
 use crate::dim::math::Real;
 
 fn close(a: Real, b: Real) {
@@ -51,7 +51,7 @@ fn nothing_moves_without_time() {
 #[test]
 fn frequency_and_damping_are_another_way_to_say_it() {
     let h: Real = 1.0 / 240.0;
-    for (fraction, compliance) in [(0.1, CONTACT_YIELD), (0.2, 0.5), (0.5, 0.01)] {
+    for (fraction, compliance) in [(0.1, CONTACT_COMPLIANCE), (0.2, 0.5), (0.5, 0.01)] {
         let fraction: Real = fraction;
         let omega = (fraction / compliance).sqrt() / h;
         let damping = (1.0 - fraction) / (2.0 * (fraction * compliance).sqrt());
@@ -96,7 +96,10 @@ fn resting_load_sinks_in_by_g_over_omega_squared() {
         impulse += relax;
         velocity += relax;
     }
-    close(position * 1.0e3, -CONTACT_YIELD * g * h * h / (CONTACT_SHARE * params.erp) * 1.0e3);
+    close(
+        position * 1.0e3,
+        -CONTACT_COMPLIANCE * g * h * h / (CONTACT_ERP_SCALE * params.erp) * 1.0e3,
+    );
 }
 
 #[test]

@@ -25,7 +25,7 @@ use crate::step::solver::bodies::SolverBodies;
 use crate::step::solver::links::Links;
 
 /// The least compliance of iteratively solved joints. Iterations leave errors, and a chain without compliance
-/// gains energy by its own corrections: see [`CONTACT_YIELD`](crate::model::params::CONTACT_YIELD).
+/// gains energy by its own corrections: see [`CONTACT_COMPLIANCE`](crate::model::params::CONTACT_COMPLIANCE).
 const ITERATED_COMPLIANCE: Real = 1.0 / 8.0;
 
 /// A body that turns by less than this (rad) in a substep keeps its inertia for the step.
