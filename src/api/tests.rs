@@ -197,7 +197,7 @@ fn filtered_pair_does_not_collide() {
 }
 
 #[test]
-fn events_tell_of_begin_end_and_force() {
+fn events_report_begin_end_and_force() {
     use std::sync::mpsc::channel;
     let (send_collision, collisions) = channel();
     let (send_force, forces) = channel();
@@ -258,7 +258,7 @@ fn a_new_floor_is_felt_at_once() {
 /// The solver's persistent lanes save time, and change nothing: a world that loses them before each step
 /// continues in the same way.
 #[test]
-fn a_world_does_without_what_its_solver_kept() {
+fn a_world_runs_without_stored_solver_data() {
     let heap = || {
         let mut world = PhysicsWorld::new();
         world.insert_collider(ColliderBuilder::halfspace(Vector::Y), None);

@@ -222,7 +222,7 @@ fn joints_are_drawn_from_bodies_to_anchors() {
 }
 
 #[test]
-fn joints_of_nobody_are_left_out_and_those_that_are_off_are_dimmed() {
+fn joints_without_bodies_are_not_drawn_and_disabled_ones_are_dimmed() {
     let style = DebugRenderStyle::default();
     let mut world = World::default();
     let [body1, body2] = world.pair();

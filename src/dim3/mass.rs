@@ -191,7 +191,7 @@ mod tests {
     /// A rod that rotates about its middle counts with `θ²` times the large moment about its axis. One that
     /// rotates about its axis, or a cube, is unaffected.
     #[test]
-    fn what_turns_counts_with_the_moments_that_turn_into_others() {
+    fn rotations_couple_the_principal_moments() {
         let rod = Cuboid::new(Vector::new(1.0, 0.03, 0.03)).mass_properties(1.0);
         let [short, long] = [rod.principal_inertia().x, rod.principal_inertia().y];
         let felt = |rotvec: AngVector| inv_inertia_on_the_way(&rod, Rotation::IDENTITY, rotvec);

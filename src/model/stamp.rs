@@ -137,7 +137,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_saved_is_the_same_in_every_run() {
+    fn saved_bytes_are_equal_in_every_run() {
         let saved =
             || <[u64; 2]>::from(WorldStamp::default().after_step(&[7]).after_detection(&[8]));
         assert_eq!(saved(), saved());

@@ -54,7 +54,7 @@ fn the_mass_matrix_of_sliders_adds_up_masses() {
 /// A force on the last slider moves it alone, one on the first all of them together; wrenches act like
 /// forces.
 #[test]
-fn forces_move_what_they_push() {
+fn forces_accelerate_bodies() {
     let (_, multibody) = sliders(3);
     let alone = multibody.accelerations_of(&[0.0, 0.0, 6.0]);
     // The second slider is pushed back by what the third one's rail carries: nothing, since it is free to

@@ -160,7 +160,7 @@ mod tests {
 
     /// Halfway, braking has not yet taken all speed: `v² = 3² + 2 · 2 · 4`, while 4 of the 8 m are left.
     #[test]
-    fn what_was_braked_was_faster_before() {
+    fn braked_bodies_were_faster_before() {
         let before = braked(8.0, -2.0).velocity_before(0.5, Vector::X * 3.0);
         assert!((before - Vector::X * 5.0).length() < 1.0e-5, "{before}");
     }
@@ -168,7 +168,7 @@ mod tests {
     /// A velocity that forces reduced to almost zero has a direction, but no multiple of it is the earlier
     /// speed.
     #[test]
-    fn what_hardly_moves_stays_as_it_is() {
+    fn almost_zero_speeds_stay_finite() {
         for end in [0.0, Real::MIN_POSITIVE, Real::MIN_POSITIVE.sqrt()] {
             let before = braked(1.0e4, -1.0e8).velocity_before(1.0, Vector::X * end);
             assert!(before.is_finite(), "{end} became {before}");

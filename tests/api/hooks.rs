@@ -120,7 +120,7 @@ impl PhysicsHooks for Belt {
 }
 
 #[test]
-fn a_belt_carries_what_lies_on_it() {
+fn a_belt_carries_bodies() {
     for model in [FrictionModel::Standard, FrictionModel::Coulomb] {
         for belt_first in [true, false] {
             let mut world = PhysicsWorld::new();

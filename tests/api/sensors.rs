@@ -29,7 +29,7 @@ fn a_body_falls_through_a_sensor_that_detects_it() {
 /// By default, sensors detect dynamic bodies and sensors on them. Detection of fixed bodies needs active
 /// collision types.
 #[test]
-fn who_is_seen_follows_the_collision_types() {
+fn sensors_detect_the_active_collision_types() {
     use RigidBodyType::{Dynamic, Fixed, KinematicPositionBased as Kinematic};
     let default = ActiveCollisionTypes::default();
     let all = ActiveCollisionTypes::all();

@@ -74,7 +74,7 @@ fn bullets_in_file_stop_behind_each_other() {
 
 /// A column of bullets of unequal masses hits a wall: no bullet passes, whatever follows it.
 #[test]
-fn files_of_unlike_bullets_do_not_pass_walls() {
+fn columns_of_unequal_bullets_do_not_pass_walls() {
     let columns = ["densities", "rate", "50", "100", "400", "1000"];
     let mut table = Table::new("files in which one passes a wall of 2 cm, of 20", &columns);
     let files = [[1.0, 3.0, 10.0, 30.0], [1.0, 1.0, 1.0, 100.0], [1.0, 100.0, 1.0, 1.0]];

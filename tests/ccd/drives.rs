@@ -51,7 +51,7 @@ impl Meeting {
 
 /// Number of balls that pass through a moving kinematic wall: zero.
 #[test]
-fn walls_that_come_do_not_pass_balls() {
+fn moving_walls_do_not_pass_balls() {
     let columns = ["radius", "ball", "wall", "velocity", "position", "mesh", "bullet"];
     let mut table = Table::new("balls that a wall of 2 cm passes, of 20", &columns);
     let (board, shell) = (cuboid(0.01, 5.0), box_mesh(vec(0.01, 5.0)));
@@ -138,7 +138,7 @@ fn blade_passes(arm: Real, speed: Real, phase: usize) -> bool {
 
 /// Number of landing balls that pass through a rotating blade above the floor: zero.
 #[test]
-fn blades_that_sweep_a_floor_take_along_what_lands_on_it() {
+fn sweeping_blades_do_not_pass_landing_balls() {
     let columns = ["arm (m)", "5 m/s", "10 m/s", "20 m/s", "30 m/s"];
     let mut table = Table::new("balls that land and that a blade passes, of 20", &columns);
     for arm in [0.5, 1.0, 1.5, 2.0] {

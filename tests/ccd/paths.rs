@@ -10,7 +10,7 @@ use rapier::prelude::*;
 /// A box slides at 100 m/s over grounds of many pieces, and begins a contact with one after the
 /// other. Its height and speed are constant.
 #[test]
-fn floors_do_not_stop_what_slides_fast() {
+fn fast_sliding_bodies_keep_their_speed() {
     let mut table = Table::new("a box that slides at 100 m/s", &["ground", "bump (mm)", "slowest"]);
     // Closed meshes are excluded: at this speed their sides, half a metre above the penetrating box, still
     // accelerate it.

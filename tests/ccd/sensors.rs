@@ -43,7 +43,7 @@ fn events(speed: Real, phase: usize, gate: ColliderBuilder, aside: Real) -> Vec<
 
 /// A sensor of 2 cm detects every ball that passes through it exactly once, and no ball beside it.
 #[test]
-fn gates_notice_what_flies_through() {
+fn sensors_detect_passing_bodies() {
     let columns = ["speed", "box", "mesh", "aside"];
     let mut table = Table::new("balls that a gate of 2 cm notices, of 20", &columns);
     for speed in SPEEDS {

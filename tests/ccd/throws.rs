@@ -83,7 +83,7 @@ fn count_passed(seeds: u64, rate_max: f64) {
 }
 
 #[test]
-fn thin_things_do_not_pass_thin_grounds() {
+fn thin_bodies_do_not_pass_thin_grounds() {
     count_passed(3, 0.0);
 }
 

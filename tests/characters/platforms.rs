@@ -36,7 +36,7 @@ pub fn ride(amplitude: Real, frequency: Real, steady: Real, by_position: bool) -
 }
 
 #[test]
-fn who_rides_a_lift_keeps_the_offset() {
+fn characters_on_a_lift_keep_the_offset() {
     for by_position in [true, false] {
         for (amplitude, frequency, steady) in [(0.0, 0.0, 3.0), (0.0, 0.0, -3.0), (4.0, 5.0, 0.0)] {
             let worst = ride(amplitude, frequency, steady, by_position);
@@ -101,7 +101,7 @@ pub fn rocking() -> (Real, Real) {
 }
 
 #[test]
-fn rocking_platforms_are_not_sunk_into() {
+fn characters_do_not_sink_into_rocking_platforms() {
     let (off, worst) = rocking();
     // The platform rotates by at most 0.3/2 rad. For an upright character on a tilted floor, the lowest
     // contact of the ball moves by r·sin.

@@ -16,7 +16,7 @@ fn stands(mut walker: Walker) {
 }
 
 #[test]
-fn who_stands_on_level_ground_for_a_minute_moves_by_zero() {
+fn a_standing_character_does_not_move_in_a_minute() {
     let walker = Walker::new(level(), vec(0.3, 1.2)).settled();
     assert!((walker.feet() - OFFSET).abs() < GAP_TOLERANCE, "gap {}", walker.feet());
     stands(walker);

@@ -31,7 +31,7 @@ fn walking_into_a_wall_ends_at_the_offset() {
 
 /// Flight along a wall, pressing against it, keeps the tangential part of the speed.
 #[test]
-fn walls_take_away_what_goes_into_them_and_nothing_else() {
+fn walls_remove_the_normal_component_alone() {
     for degrees in [0.0, 20.0, -20.0] {
         let angle = Real::to_radians(degrees);
         let (along, away) = (vec(-angle.sin(), angle.cos()), vec(-angle.cos(), -angle.sin()));
@@ -111,7 +111,7 @@ pub fn corridor(extra: Real) -> Real {
 
 /// A corridor as wide as the character and its offsets, or narrower, is passed at full speed.
 #[test]
-fn narrow_corridors_are_no_trap() {
+fn characters_pass_narrow_corridors() {
     for extra in [0.5, 0.0, -0.5, -1.0, -1.5] {
         let error = corridor(extra);
         assert!(error < 0.01, "{error} at {extra}");

@@ -6,7 +6,7 @@ use rapier::prelude::*;
 
 /// Touching fixed colliders have no pairs: a step visits only the pairs of moving colliders.
 #[test]
-fn what_is_fixed_makes_no_pairs() {
+fn fixed_colliders_make_no_pairs() {
     let mut world = world(60);
     for k in 0..4000_u16 {
         let place = vec(Real::from(k % 200), -0.5 - Real::from(k / 200));
@@ -24,7 +24,7 @@ fn what_is_fixed_makes_no_pairs() {
 
 /// Slots of removed objects are reused, without any state of the old objects.
 #[test]
-fn who_comes_takes_the_place_of_who_went() {
+fn new_bodies_reuse_free_slots() {
     let mut world = world(60);
     world.insert_collider(ColliderBuilder::halfspace(Vector::Y), None);
     let mut living = std::collections::VecDeque::new();

@@ -26,7 +26,7 @@ fn shift(world: &mut PhysicsWorld, by: Vector) {
 /// Sleeping bodies stay asleep at exactly their new pose, and awake bodies keep their relative height. At
 /// 1000 m, single precision has a resolution of 0.06 mm, and a tower settles by a few of these.
 #[test]
-fn shifting_the_origin_is_not_felt() {
+fn an_origin_shift_disturbs_no_pile() {
     for awake in [false, true] {
         let mut world = world(60);
         let cubes = tower(&mut world, 1000.0);

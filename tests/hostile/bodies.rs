@@ -33,7 +33,7 @@ const KNOBS: [Knob; 10] = [
 
 /// A number is accepted, or rejected with a message that names it and without any change.
 #[test]
-fn numbers_are_taken_or_refused_by_name() {
+fn numbers_are_accepted_or_refused_by_name() {
     for (name, body_type, set, get) in KNOBS {
         let bystanders = Scene::with_body_type(body_type).bystanders_in_the_end();
         let untouched = Scene::with_body_type(body_type).all_in_the_end();

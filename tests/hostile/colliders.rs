@@ -31,7 +31,7 @@ const KNOBS: [Knob; 7] = [
 const COORDINATE: Real = 900.0;
 
 #[test]
-fn numbers_are_taken_or_refused_by_name() {
+fn numbers_are_accepted_or_refused_by_name() {
     let bystanders = Scene::new().bystanders_in_the_end();
     let untouched = Scene::new().all_in_the_end();
     for (name, set, get) in KNOBS {

@@ -41,7 +41,7 @@ fn missing_colliders(scene: &mut Scene) -> Vec<ColliderHandle> {
 }
 
 #[test]
-fn a_lost_body_is_found_by_nobody() {
+fn missing_bodies_are_not_found() {
     let mut scene = Scene::new();
     let before = scene.world.bodies.len();
     for missing in missing_bodies(&mut scene) {

@@ -167,7 +167,7 @@ impl EventHandler for Panicking {
 
 /// A panic of user code reaches the caller. After a caught panic, the world continues.
 #[test]
-fn a_world_outlives_the_panics_of_hooks_and_handlers() {
+fn worlds_survive_panics_of_hooks_and_handlers() {
     let mut scene = scene();
     scene.collider().set_active_events(ActiveEvents::all());
     for round in 0..12 {

@@ -158,7 +158,7 @@ fn unsound_shapes_are_refused_with_a_reason() {
 
 /// The `try_` constructors return the reason for `None`.
 #[test]
-fn hulls_say_why_there_is_none() {
+fn failed_hulls_return_the_reason() {
     let line: Vec<Vector> = (0..9).map(|i| Vector::ONE * i as Real).collect();
     let reason = |points: &[Vector]| {
         assert!(ColliderBuilder::convex_hull(points).is_none());

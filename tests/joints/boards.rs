@@ -185,7 +185,7 @@ impl FreeEnd {
 /// which continuous collision detection stops a board are excluded: the board then lacks the weight
 /// of the remaining time.
 #[test]
-fn joints_tell_of_blows_what_their_bodies_got() {
+fn joints_report_the_impulses_of_impacts() {
     let mut dice = Dice(4321);
     let columns = ["rate", "boards", "balls", "steps with blows", "largest error", "of"];
     let mut table = Table::new("forces of joints at free ends in blows", &columns);

@@ -41,7 +41,7 @@ fn hang(limit: Real) -> (PhysicsWorld, RigidBodyHandle, ImpulseJointHandle, Brea
 }
 
 #[test]
-fn joints_hold_up_to_their_force_and_tell_what_they_bear() {
+fn joints_hold_up_to_their_threshold_and_report_their_force() {
     let (world, load, joint, breaks) = hang(2.1 * G);
     assert!(breaks.0.lock().unwrap().is_empty());
     assert!(world.bodies[load].translation().length() < 1.0e-3);

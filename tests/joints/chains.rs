@@ -87,7 +87,7 @@ fn chains_do_not_stretch() {
 
 /// Chains of every kind of joint keep their length under a load.
 #[test]
-fn chains_of_all_joints_hold_what_hangs_on_them() {
+fn chains_of_all_joints_hold_their_load() {
     let columns = ["rate", "joints", "load", "stretch (%)"];
     let mut table = Table::new("chain that swings from 60° below level, beam at level", &columns);
     for rate in RATES {
@@ -115,7 +115,7 @@ fn chains_of_all_joints_hold_what_hangs_on_them() {
 
 /// A chain between two posts carries a weight in its middle without stretching.
 #[test]
-fn bridges_hold_what_hangs_on_them() {
+fn bridges_hold_their_load() {
     let columns = ["rate", "joints", "load", "stretch (%)"];
     let mut table = Table::new("slack bridge under a weight", &columns);
     for rate in RATES {

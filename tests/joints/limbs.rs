@@ -114,7 +114,7 @@ fn most_of_doll(world: &mut PhysicsWorld, limbs: &[RigidBodyHandle], ground: Rea
 
 /// Eleven limbs are solved iteratively in free flight, and directly when they hang.
 #[test]
-fn dolls_keep_their_energy() {
+fn ragdolls_keep_their_energy() {
     for rate in RATES {
         for substeps in [16, 32] {
             for hangs in [false, true] {
@@ -138,7 +138,7 @@ fn dolls_keep_their_energy() {
 /// curved within a few millimetres. Their linear solution led to a distant pose and to ten times the energy.
 /// No part of the scene adds energy: there is no restitution and no motor.
 #[test]
-fn a_blow_on_a_limb_that_is_held_far_outside_brings_in_no_energy() {
+fn an_impact_on_a_limb_far_from_its_joint_gains_no_energy() {
     let throw = |world: &mut PhysicsWorld, at: Vector, velocity: Vector, shape: ColliderBuilder| {
         let body = RigidBodyBuilder::dynamic().translation(at).linvel(velocity);
         world.insert(body, shape).0

@@ -30,7 +30,7 @@ fn turned_to(rate: u32, limits: [Real; 2], speed: Real) -> (Real, Real) {
 }
 
 #[test]
-fn hinges_stop_at_their_limits_wherever_these_are() {
+fn hinges_stop_at_limits_of_any_angle() {
     for rate in RATES {
         for degrees in [20.0, 90.0, 170.0, 179.0, 185.0, 350.0, 730.0] {
             let limit = Real::to_radians(degrees);
@@ -54,7 +54,7 @@ fn hinges_stop_at_their_limits_wherever_these_are() {
 /// A joint between limits beyond half a revolution starts there: the first angle of a hinge is ambiguous by
 /// revolutions, and is chosen within the limits.
 #[test]
-fn what_is_put_between_its_limits_stays_there() {
+fn joints_between_their_limits_keep_their_position() {
     for limits in [[2.5, 4.0], [3.0, 3.3], [-4.0, -2.5], [0.0, 3.4], [6.0, 7.0], [0.0, 20.0]] {
         for is_multibody in [false, true] {
             let mut world = weightless(60);

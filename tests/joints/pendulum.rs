@@ -21,7 +21,7 @@ pub fn exact_period(length: Real, radius: Real, angle: Real) -> Real {
 }
 
 #[test]
-fn pendulums_take_the_time_that_the_formula_says() {
+fn pendulums_have_the_period_of_the_formula() {
     for rate in RATES {
         for degrees in [10.0, 90.0] {
             let angle = Real::to_radians(degrees);

@@ -32,7 +32,7 @@ fn spin(world: &mut PhysicsWorld, count: usize, rate: Real, joint: &GenericJoint
 
 /// A row of joined bodies spins freely. The joints dissipate nothing: the difference is rounding.
 #[test]
-fn joined_bodies_that_turn_about_themselves_go_on() {
+fn spinning_joined_bodies_conserve_momentum_and_energy() {
     let columns = ["rate", "joint", "bodies", "rad/s", "momentum left", "energy left"];
     let mut table = Table::new("bodies in a row that turn for 5 s", &columns);
     let (ahead, behind) = (vec(HALF, 0.0), vec(-HALF, 0.0));
@@ -66,7 +66,7 @@ fn joined_bodies_that_turn_about_themselves_go_on() {
 
 /// A motor of the torque `τ` accelerates a hub with two blades: `ω = τ t / I`.
 #[test]
-fn motors_spin_rotors_up_as_fast_as_their_torque_says() {
+fn motors_accelerate_rotors_by_their_torque() {
     const ARM: Real = 0.5;
     let mut table =
         Table::new("hub with two blades under 20 N·m", &["rate", "s", "rad/s", "τ t/I"]);

@@ -93,7 +93,7 @@ fn beam(world: &mut PhysicsWorld, beside: Vector, angle: Real) -> RigidBodyHandl
 
 /// Equal redundant joints carry equal forces, from the first step on and for five seconds.
 #[test]
-fn joints_that_do_the_same_bear_the_same() {
+fn equal_redundant_joints_carry_equal_loads() {
     let columns = ["rate", "held", "least", "most", "across (shares)", "moves (m)"];
     let mut table = Table::new("forces of joints that share a weight", &columns);
     let ways = [

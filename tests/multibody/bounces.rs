@@ -79,7 +79,7 @@ fn apex(mut world: PhysicsWorld, body: RigidBodyHandle) -> Real {
 
 /// A link that falls from the height `H` rises to `e² H`, like a single body.
 #[test]
-fn links_rise_to_where_bodies_do() {
+fn links_rise_as_high_as_bodies() {
     let columns = ["rate", "link", "restitution", "apex", "formula", "error"];
     let mut table = Table::new("links that fall by 1 m", &columns);
     for rate in RATES {
@@ -174,7 +174,7 @@ fn chains_that_bounce_gain_no_energy() {
 /// the impacts are elastic. The rod is the root of the tree and rotates about the box. The many
 /// rounds of impacts in a substep, with corners in resting contact, must add no energy.
 #[test]
-fn what_is_welded_lands_on_its_corners_and_gains_no_energy() {
+fn welded_bodies_that_land_on_corners_gain_no_energy() {
     let mut table = Table::new("rod and box, 2 s", &["rate", "angle", "spin", "gain"]);
     for rate in RATES {
         for k in 0..24_u8 {
@@ -218,7 +218,7 @@ fn what_is_welded_lands_on_its_corners_and_gains_no_energy() {
 /// returns: the support by the ground is no impact on the falling ball, whether it is a body or a
 /// link.
 #[test]
-fn what_a_blow_drives_into_the_ground_does_not_strike_back() {
+fn energy_lost_in_an_impact_does_not_return() {
     let columns = ["rate", "is a link", "restitution", "gain"];
     let mut table = Table::new("ball on a pair on the ground", &columns);
     for rate in RATES {
@@ -267,7 +267,7 @@ fn what_a_blow_drives_into_the_ground_does_not_strike_back() {
 /// A striker of two welded bodies of the total mass 1 hits a row of balls of mass 1, one of which may
 /// be a link. The last ball leaves at the speed of the striker.
 #[test]
-fn links_pass_on_a_blow() {
+fn links_transmit_an_impact() {
     let columns = ["rate", "link in the row", "last", "others", "energy"];
     let mut table = Table::new("row of balls hit by a link at 3 m/s", &columns);
     for rate in RATES {

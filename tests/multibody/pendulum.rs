@@ -11,7 +11,7 @@ use rapier::prelude::*;
 /// The period of a pendulum of the length `L` and the amplitude `θ₀` is `2π √(L/g) / agm(1,
 /// cos(θ₀/2))`.
 #[test]
-fn pendulums_take_the_time_that_the_formula_says() {
+fn pendulums_have_the_period_of_the_formula() {
     let columns = ["rate", "angle", "period (s)", "formula", "error (%)"];
     let mut table = Table::new("period of a pendulum of 1 m", &columns);
     for rate in RATES {

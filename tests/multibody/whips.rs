@@ -58,7 +58,7 @@ fn chains_that_hit_a_corner_gain_no_energy() {
 /// substep moves the end of such an arm far, and contacts that do not follow this motion add energy.
 /// Gravity alone does work here.
 #[test]
-fn what_hangs_on_long_arms_gains_no_energy_from_the_ground() {
+fn bodies_on_long_arms_gain_no_energy_from_the_ground() {
     let mut table = Table::new("thrown on the ground", &["case", "largest gain in a step"]);
     let mut dice = Dice(1);
     for case in 0..200_u16 {

@@ -47,7 +47,7 @@ fn pair(world: &mut PhysicsWorld, at: Vector, collider: &ColliderBuilder) -> [Ri
 /// hundred times as heavy. Momentum and energy are constant in any frame. (There are no contacts, so there is
 /// no contact error.)
 #[test]
-fn what_turns_on_its_way_through_space_goes_on() {
+fn rotating_links_in_free_motion_conserve_momentum_and_energy() {
     for ratio in [1.0, 10.0, 100.0] {
         let mut world = weightless(60);
         let center = ratio / (1.0 + ratio);
@@ -73,7 +73,7 @@ fn what_turns_on_its_way_through_space_goes_on() {
 /// internal energy are constant. The momentum is rounded in each substep, at the size of speeds of 50
 /// m/s. The error of the energy is of second order in the angle of the fastest link per substep.
 #[test]
-fn tumbling_chains_fall_as_all_things_do() {
+fn tumbling_chains_fall_like_bodies() {
     let columns = ["rate", "spin", "velocity off by", "L off by (%)", "E off by (%)"];
     let mut table = Table::new("chains of thin limbs that tumble in a fall of 5 s", &columns);
     for rate in [60, 120] {
@@ -121,7 +121,7 @@ fn tumbling_chains_fall_as_all_things_do() {
 
 /// Without friction the ground rotates no body, independent of the contact's motion per step: here 17 cm.
 #[test]
-fn what_slides_does_not_turn() {
+fn sliding_bodies_do_not_turn() {
     for hinged in [false, true] {
         let mut world = world(60);
         add_ground(&mut world, 0.0);
@@ -176,7 +176,7 @@ fn wheels_of_a_multibody_roll() {
 
 /// A frictionless bounce changes neither the spin nor the apex.
 #[test]
-fn what_spins_bounces_as_high() {
+fn spin_does_not_change_the_bounce() {
     let mut table =
         Table::new("two balls that spin about the upright axis and bounce", &["spin", "apex"]);
     for spin in [0.0, 20.0, 40.0] {

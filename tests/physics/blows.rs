@@ -222,7 +222,7 @@ fn a_ball_between_two_walls() {
 
 /// A symmetric body that two equal balls hit on both sides at the same time keeps its symmetry.
 #[test]
-fn symmetric_blows_stay_symmetric() {
+fn symmetric_impacts_stay_symmetric() {
     let columns = ["between", "e", "speed", "left", "right", "middle"];
     let mut table = Table::new("balls that come from both sides", &columns);
     for between in 1..=5 {
@@ -313,7 +313,7 @@ fn a_break_shot_keeps_momentum_and_energy() {
 
 /// A body without contact is not pushed: its bits are constant.
 #[test]
-fn blows_do_not_reach_across_a_gap() {
+fn impacts_do_not_cross_a_gap() {
     for e in [0.0, 0.5, 1.0] {
         let mut world = weightless(60);
         let near = RigidBodyBuilder::dynamic().linvel(vec(-20.0, 0.0)).translation(vec(2.0, 0.0));
@@ -341,7 +341,7 @@ fn z(body: &RigidBody) -> Real {
 
 /// An impact wakes a sleeping body, which bounces as if it had been awake.
 #[test]
-fn sleepers_bounce_as_those_awake() {
+fn sleeping_bodies_bounce_like_awake_ones() {
     for e in [0.0, 0.5, 1.0] {
         let hit = |asleep: bool| {
             let mut world = world(60);
@@ -487,7 +487,7 @@ impl PhysicsHooks for Change {
 /// The restitution of a hook applies, also above 1; an invalid one does not. The friction of a belt acts in
 /// an impact as well.
 #[test]
-fn hooks_change_how_a_blow_ends() {
+fn hooks_change_impacts() {
     for (given, e) in
         [(0.0, 0.0), (1.0, 1.0), (2.0, 2.0), (Real::NAN, 0.5), (Real::INFINITY, 0.5), (-1.0, 0.5)]
     {
@@ -509,7 +509,7 @@ fn hooks_change_how_a_blow_ends() {
 
 /// Islands are independent to the last bit.
 #[test]
-fn islands_do_not_feel_each_others_blows() {
+fn impacts_of_other_islands_change_nothing() {
     let swing = |disturbed: bool| {
         let mut world = world(60);
         let mut last = world.insert_body(RigidBodyBuilder::fixed());
@@ -539,7 +539,7 @@ fn islands_do_not_feel_each_others_blows() {
 /// A box slides into a wall, and an elastic ball follows it. The contact of box and wall must not
 /// give the ball any velocity.
 #[test]
-fn stops_are_no_blows_on_others() {
+fn a_stop_is_no_impact_on_other_bodies() {
     let columns = ["wall", "gap", "speed", "highest", "left"];
     let mut table = Table::new("ball behind a box that hits a wall", &columns);
     for wall in [0.0, 0.5, 1.0] {

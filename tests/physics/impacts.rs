@@ -138,7 +138,7 @@ fn row(rate: u32, masses: &[Real], on_ground: bool) -> (PhysicsWorld, Vec<RigidB
 /// An impact travels along a row of balls of different masses. Each pair separates like an isolated
 /// pair: `v' = 2 m v / (m + m')`. Momentum and energy are constant.
 #[test]
-fn rows_pass_on_a_blow() {
+fn rows_transmit_an_impact() {
     let columns = ["rate", "masses", "ground", "last", "formula", "momentum", "energy"];
     let mut table = Table::new("row of balls hit at 3 m/s", &columns);
     let rows: [&[Real]; 4] =
@@ -317,7 +317,7 @@ fn flat_landings_rise_flat() {
 /// friction stops the slip `ω r`, and `v = ω r / (1 + m r² / I)`. Otherwise `v = µ (1 + e) u`, with
 /// the normal speed `u`.
 #[test]
-fn blows_rub() {
+fn impacts_have_friction() {
     let columns = ["rate", "friction", "sideways", "formula"];
     let mut table = Table::new("spinning ball, 20 rad/s, that falls at 4 m/s", &columns);
     for rate in RATES {

@@ -43,7 +43,7 @@ mod tests {
     use super::{INLINE_CAPACITY, Stack};
 
     #[test]
-    fn what_came_last_goes_first_beyond_the_room_too() {
+    fn the_last_item_leaves_first_beyond_the_capacity() {
         let (mut stack, mut plain) = (Stack::new(0), Vec::new());
         for round in 0..5 {
             for entry in 0..(INLINE_CAPACITY / 2 + 3 * round) {

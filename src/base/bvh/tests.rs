@@ -299,7 +299,7 @@ fn few_nodes_are_looked_at() {
 /// Eight boxes at each place leave for the other end of the world. They must not enlarge each other's
 /// parents: at their new place, they are grouped again.
 #[test]
-fn who_leaves_drags_nobody() {
+fn leaving_boxes_enlarge_no_parent() {
     let at = |x: Real, y: Real| {
         let mut center = Vector::ZERO;
         (center[0], center[1]) = (x, y);

@@ -60,7 +60,7 @@ mod tests {
     use super::Gather;
 
     #[test]
-    fn what_is_found_is_in_order() {
+    fn results_are_in_order() {
         let (mut gather, mut list) = (Gather::default(), vec![7]);
         for _ in 0..3 {
             list.truncate(1);

@@ -175,7 +175,7 @@ fn nothing_stands_beyond_a_long_edge() {
 
 /// The triangle cache changes no bit, on rough ground or on level ground.
 #[test]
-fn what_is_kept_changes_nothing() {
+fn the_triangle_cache_changes_nothing() {
     let mut random = Random(14);
     for height in [level, rough, terrace] {
         let ground = samples::carpet(60, 0.1, height, everywhere);

@@ -158,14 +158,14 @@ mod tests {
     }
 
     #[test]
-    fn what_is_allowed_comes_back_bit_by_bit() {
+    fn feasible_points_are_returned_bit_for_bit() {
         let floor = HalfSpace { normal: Vector::Y, at_least: 0.0 };
         assert_eq!(nearest(Vector::X * 0.3, &[floor]), Some(Vector::X * 0.3));
         assert_eq!(nearest(Vector::ZERO, &[floor]), Some(Vector::ZERO));
     }
 
     #[test]
-    fn who_is_squeezed_ends_up_in_the_middle() {
+    fn squeezed_characters_end_in_the_middle() {
         let walls = [
             HalfSpace { normal: Vector::X, at_least: 0.3 },
             HalfSpace { normal: -Vector::X, at_least: 0.1 },

@@ -332,7 +332,7 @@ mod tests {
 
     /// Without a finite rate the turns are unknown, and other lanes are unaffected.
     #[test]
-    fn what_is_no_number_counts_no_turns() {
+    fn non_finite_angles_count_no_revolutions() {
         for no_number in [Real::NAN, Real::INFINITY, -Real::MAX] {
             let mut angle_tracker = AngleTracker::NONE;
             let rotations = FreeRotations::new(JointAxesMask::ANG_X, JointAxesMask::empty());

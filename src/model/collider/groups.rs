@@ -243,7 +243,7 @@ mod tests {
     /// Each partner of one of two is a partner of their union: with all memberships, filters, and modes of
     /// three groups.
     #[test]
-    fn a_union_meets_whom_its_parts_meet() {
+    fn a_union_of_groups_interacts_like_its_parts() {
         let mut all = Vec::new();
         for bits in 0..64 {
             let groups = InteractionGroups::new(Group::from(bits & 7), Group::from(bits >> 3));
@@ -261,7 +261,7 @@ mod tests {
     }
 
     #[test]
-    fn all_meets_all_and_none_meets_nobody() {
+    fn all_interacts_with_all_and_none_with_none() {
         let (all, none) = (InteractionGroups::all(), InteractionGroups::none());
         assert!(all.test(all));
         assert!(!all.test(none) && !none.test(none));

@@ -126,7 +126,7 @@ fn half_spaces_and_far_colliders_work() {
 }
 
 #[test]
-fn trees_find_what_comparing_all_boxes_finds() {
+fn trees_find_the_pairs_of_comparing_all_boxes() {
     let (mut tree, mut random) = (BroadPhaseBvh::new(), Random(9));
     let mut proxies = vec![ColliderProxy::default(); 300];
     for round in 0..5 {

@@ -129,7 +129,7 @@ fn movable_colliders_find_each_other_and_the_fixed() {
 }
 
 #[test]
-fn what_cannot_interact_is_no_pair() {
+fn colliders_that_cannot_interact_form_no_pair() {
     let mut boxes = Boxes::default();
     let body = boxes.body(RigidBodyType::Dynamic);
     let kinematic = boxes.body(RigidBodyType::KinematicVelocityBased);
@@ -276,7 +276,7 @@ fn a_crowd_has_as_many_pairs_as_it_may() {
 
 /// Pairs with larger colliders are never dropped in favour of smaller ones, independent of the moving side.
 #[test]
-fn what_is_small_bears_what_is_large() {
+fn small_colliders_own_pairs_with_large_ones() {
     let mut boxes = Boxes::default();
     boxes.params.max_neighbors_per_collider = 3;
     let small = samples::cuboid(Vector::splat(0.1));

@@ -29,7 +29,7 @@ pub(crate) fn update(structure: &mut Structure<'_>, notes: &mut StepNotes) {
     for &(id, change) in intersections.iter() {
         follow_intersection(structure, id, change, events);
     }
-    wake_what_kinematics_move(structure);
+    kinematic_motion_wakes_bodies(structure);
 }
 
 fn follow_contact(
@@ -98,7 +98,7 @@ fn report(
 }
 
 /// A kinematic body that moves keeps everything awake that it touches or holds.
-fn wake_what_kinematics_move(structure: &mut Structure<'_>) {
+fn kinematic_motion_wakes_bodies(structure: &mut Structure<'_>) {
     for position in 0..structure.islands.awake.kinematic().len() {
         let handle = structure.islands.awake.kinematic()[position];
         if structure.bodies.get(handle).is_some_and(RigidBody::is_moving) {

@@ -133,7 +133,7 @@ mod tests {
     }
 
     #[test]
-    fn what_began_and_stopped_in_attempts_did_neither() {
+    fn contacts_that_begin_and_end_in_attempts_send_no_event() {
         let mut events = vec![
             stopped(1),
             started(2),
@@ -150,7 +150,7 @@ mod tests {
 
     /// The begin event was not cancelled: the contact existed before, and has ended.
     #[test]
-    fn what_is_passed_after_all_attempts_is_told() {
+    fn sensors_passed_after_all_attempts_are_reported() {
         let mut events = vec![started(1), stopped(1), started(2), stopped(2)];
         cancel_out(&mut events, 1);
         assert_eq!(events, [started(2), stopped(2)]);

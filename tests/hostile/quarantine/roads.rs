@@ -18,7 +18,7 @@ fn suspect_is_disabled(
 }
 
 #[test]
-fn a_force_beyond_all_measure() {
+fn an_overflowing_force() {
     for force in [1.0e20, 1.0e30, 0.3 * Real::MAX] {
         let force = vec(force, 0.0);
         let cause = QuarantineCause::Force { force, torque: Default::default() };

@@ -51,7 +51,7 @@ fn a_bad_value_becomes_the_default_or_an_error_that_names_it() {
 
 /// Or a body of a high group would fall through the ground.
 #[test]
-fn no_group_dominates_what_stands_fast() {
+fn dominance_does_not_move_fixed_bodies() {
     let body = |group| RigidBodyBuilder::dynamic().dominance_group(group).build();
     let (low, high, fixed) = (body(-1), body(i8::MAX), RigidBodyBuilder::fixed().build());
     let dominance = RigidBody::dominance_of;

@@ -55,7 +55,7 @@ fn sliding_slows_by_friction_times_weight_in_every_direction() {
 }
 
 #[test]
-fn what_lies_within_the_cone_stays_where_it_is() {
+fn impulses_within_the_cone_are_unchanged() {
     let mut random = Random(12);
     for _ in 0..30 {
         let normal = random_direction(&mut random);

@@ -138,7 +138,7 @@ fn a_sweep_is_gauss_seidel() {
 }
 
 #[test]
-fn what_is_apart_comes_no_closer_than_to_touch() {
+fn separated_points_close_up_to_contact() {
     let body = Some(Body { linvel: -Vector::Y * 10.0, ..Body::block() });
     let mut contact = Contact::at(Vector::Y, &[-Vector::Y]);
     contact.points[0].1 = 0.01;
@@ -173,7 +173,7 @@ fn overlap_is_undone_at_a_limited_speed_and_relaxed_away() {
 }
 
 #[test]
-fn what_hits_bounces_and_what_rests_does_not() {
+fn impacts_bounce_and_resting_contacts_do_not() {
     let mut random = Random(5);
     let mut bounced = 0;
     for _ in 0..200 {

@@ -156,7 +156,7 @@ fn softened_joints_yield() {
 }
 
 #[test]
-fn what_is_held_twice_is_held_once() {
+fn redundant_constraints_are_removed() {
     let mut net = Net::new(&[[FIXED, 1], [1, 2], [1, 2], [2, 3]], |_| ALL);
     // The third joint is the second once more, in another lane.
     for axis in 0..SPATIAL_DIM {
@@ -172,7 +172,7 @@ fn what_is_held_twice_is_held_once() {
 
 /// Identical joints carry equal loads.
 #[test]
-fn what_is_held_twice_is_shared() {
+fn redundant_constraints_share_the_load() {
     let mut net = Net::new(&[[FIXED, 1], [FIXED, 1], [FIXED, 1]], |_| ALL);
     for copy in 1..3 {
         for axis in 0..SPATIAL_DIM {
@@ -241,7 +241,7 @@ fn nets_are_left_to_the_sweeps() {
 }
 
 #[test]
-fn only_what_hangs_free_with_even_masses_is_left_to_the_sweeps() {
+fn free_components_of_even_masses_are_iterated() {
     let body = [[1, 2], [2, 3], [2, 4], [4, 5], [2, 6], [6, 7], [1, 8], [8, 9], [1, 10], [10, 11]];
     let free = Net::new(&body, |_| ALL);
     assert_eq!(free.pattern().component_count(), 0);
