@@ -4,6 +4,7 @@
 //! `space`, which contains the differences between the dimensions.
 
 mod errors;
+mod shared;
 
 mod dim2;
 mod dim2_f64;
@@ -19,7 +20,7 @@ fn _rapier(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add("__version__", env!("CARGO_PKG_VERSION"))?;
     module.add("RapierError", py.get_type::<errors::RapierError>())?;
     module.add("StaleHandleError", py.get_type::<errors::StaleHandleError>())?;
-    module.add("InvalidValueError", py.get_type::<errors::InvalidValueError>())?;
+    module.add("InvalidValueError", errors::invalid_value_error(py)?)?;
     module.add("SnapshotError", py.get_type::<errors::SnapshotError>())?;
     for (name, fill) in [
         ("dim2", dim2::binding::fill as fn(&Bound<'_, PyModule>) -> PyResult<()>),

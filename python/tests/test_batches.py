@@ -80,3 +80,52 @@ def test_values_that_do_not_fit_change_nothing(engine):
     with pytest.raises(rapier.InvalidValueError, match="mask has 3"):
         batch.reset([True] * 3)
     assert np.array_equal(batch.hashes(), before)
+
+
+def test_a_state_of_unselected_worlds_is_ignored(engine):
+    batch = engine.WorldBatch(make_pile(engine, 3), 2)
+    before = batch.hashes()
+    state = batch.state()
+    state[0] = np.nan
+    state[1, :, 0] += 1.0
+    batch.set_state(state, mask=np.array([False, True]))
+    hashes = batch.hashes()
+    assert hashes[0] == before[0] and hashes[1] != before[1]
+    assert np.array_equal(batch.state()[1], state[1])
+
+
+@pytest.mark.parametrize("column", [0, -1])
+def test_states_beyond_the_range_of_the_engine_are_refused(engine, column):
+    batch = engine.WorldBatch(make_pile(engine, 3), 2)
+    before = batch.hashes()
+    state = batch.state()
+    state[1, 2, column] = 1.0e16
+    with pytest.raises(rapier.InvalidValueError, match=r"state\[1, 2\]"):
+        batch.set_state(state)
+    assert np.array_equal(batch.hashes(), before)
+
+
+def make_slide(engine):
+    """A world with a body on a slide, and the joint."""
+    world = engine.World(gravity=at(engine, 0, 0))
+    base = world.add_body("fixed")
+    slide = world.add_body(shape=engine.Shape.ball(0.5), can_sleep=False)
+    return world, world.add_joint("prismatic", base, slide, axis=at(engine, 1, 0))
+
+
+def test_joints_of_other_worlds_change_no_motor(engine):
+    world, joint = make_slide(engine)
+    _, foreign = make_slide(engine)
+    batch = engine.WorldBatch(world, 2)
+    with pytest.raises(rapier.InvalidValueError, match="another world"):
+        batch.set_motors([joint, foreign], np.ones((2, 2)), stiffness=100, damping=20)
+    late = world.add_joint("prismatic", *world.bodies, axis=at(engine, 1, 0))
+    with pytest.raises(rapier.StaleHandleError):
+        batch.set_motors([joint, late], np.ones((2, 2)), stiffness=100, damping=20)
+    batch.step(10)
+    assert not batch.state()[:, :, : engine.DIM].any()
+
+
+def test_too_many_worlds_are_a_memory_error(engine):
+    with pytest.raises(MemoryError, match="worlds"):
+        engine.WorldBatch(engine.World(), 2**60)

@@ -1,8 +1,8 @@
 //! Shapes.
 
-use super::numbers::{finite, numbers, points, pose};
+use super::numbers::{finite, numbers, points, pose, vector};
 use super::rapier::geometry::{ColliderBuilder, InvalidCollider, SharedShape};
-use super::rapier::math::DIM;
+use super::rapier::math::{DIM, Pose};
 use super::space;
 use crate::errors::invalid;
 use pyo3::prelude::*;
@@ -62,11 +62,10 @@ impl Shape {
     /// The solid side of a plane through the origin. The normal points out of it.
     #[staticmethod]
     fn halfspace(normal: &Bound<'_, PyAny>) -> PyResult<Self> {
-        let normal = space::vector("normal", normal)?;
-        match normal.length() > 0.0 {
-            true => Self::built(ColliderBuilder::halfspace(normal.normalize())),
-            false => Err(invalid(format!("normal is {normal}, but must have a length greater than 0"))),
-        }
+        let normal = vector("normal", normal)?;
+        let unit = normal.try_normalize();
+        let unit = unit.ok_or_else(|| invalid(format!("normal is {normal}, but must have a finite length greater than 0")))?;
+        Self::built(ColliderBuilder::halfspace(unit))
     }
 
     /// The convex hull of points, an array of the shape (n, DIM).
@@ -91,14 +90,14 @@ impl Shape {
     /// A surface of heights: an array over z and x in 3D, over x in 2D. scale: the whole size along each axis.
     #[staticmethod]
     fn heightfield(heights: &Bound<'_, PyAny>, scale: &Bound<'_, PyAny>) -> PyResult<Self> {
-        Self::built(space::height_field(heights, space::vector("scale", scale)?)?)
+        Self::built(space::height_field(heights, vector("scale", scale)?)?)
     }
 
     /// Shapes as one: tuples (shape, position, rotation), of which position and rotation may be None.
     #[staticmethod]
     fn compound(parts: Vec<(Bound<'_, Shape>, Option<Bound<'_, PyAny>>, Option<Bound<'_, PyAny>>)>) -> PyResult<Self> {
         let place = |(shape, position, rotation): (Bound<'_, Shape>, Option<Bound<'_, PyAny>>, Option<Bound<'_, PyAny>>)| {
-            Ok((pose(position.as_ref(), rotation.as_ref())?, shape.get().shape.clone()))
+            Ok((pose(Pose::IDENTITY, position.as_ref(), rotation.as_ref())?, shape.get().shape.clone()))
         };
         let parts = parts.into_iter().map(place).collect::<PyResult<Vec<_>>>()?;
         Self::built(ColliderBuilder::compound(parts))

@@ -1,7 +1,7 @@
 //! What differs in 2D: rotations and angular quantities are numbers (rad).
 
-use super::binding::numbers::{array, finite, numbers};
-use super::rapier::dynamics::{GenericJoint, PrismaticJointBuilder, RevoluteJointBuilder};
+use super::binding::numbers::{array, finite};
+use super::rapier::dynamics::{GenericJoint, RevoluteJointBuilder};
 use super::rapier::geometry::{ColliderBuilder, SharedShape};
 use super::rapier::math::{AngVector, Real, Rotation, Vector, rotation_from_angle};
 use crate::errors::invalid;
@@ -13,14 +13,10 @@ pub const ROTATION: usize = 1;
 /// Numbers of an angular velocity.
 pub const ANGULAR: usize = 1;
 
-/// A vector of a Python sequence with two numbers.
-pub fn vector(name: &str, value: &Bound<'_, PyAny>) -> PyResult<Vector> {
-    Ok(Vector::from_array(numbers(name, value)?))
-}
-
 /// A rotation of an angle (rad).
 pub fn rotation(name: &str, value: &Bound<'_, PyAny>) -> PyResult<Rotation> {
-    Ok(rotation_from_angle(angular(name, value)?))
+    let angle = angular(name, value)?;
+    rotation_of(&[angle]).ok_or_else(|| invalid(format!("{name} is {angle}, but must be an angle (rad)")))
 }
 
 /// An angular quantity of a number.
@@ -48,20 +44,11 @@ pub fn angular_of(numbers: &[Real]) -> AngVector {
     numbers[0]
 }
 
-/// A hinge.
+/// A hinge. It has no axis in 2D.
 pub fn revolute(axis: Option<Vector>) -> PyResult<GenericJoint> {
     match axis {
         None => Ok(RevoluteJointBuilder::new().build().into()),
         Some(_) => Err(invalid("a revolute joint in 2D has no axis")),
-    }
-}
-
-/// A slider along an axis.
-pub fn prismatic(axis: Option<Vector>) -> PyResult<GenericJoint> {
-    let axis = axis.unwrap_or(Vector::X);
-    match axis.length() > 0.0 {
-        true => Ok(PrismaticJointBuilder::new(axis.normalize()).build().into()),
-        false => Err(invalid(format!("axis is {axis}, but must have a length greater than 0"))),
     }
 }
 

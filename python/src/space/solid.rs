@@ -1,7 +1,8 @@
 //! What differs in 3D: rotations are unit quaternions `(x, y, z, w)`, angular quantities are vectors.
 
-use super::binding::numbers::{array, finite, numbers};
-use super::rapier::dynamics::{GenericJoint, PrismaticJointBuilder, RevoluteJointBuilder, SphericalJointBuilder};
+use super::binding::joint::along;
+use super::binding::numbers::{array, finite, numbers, vector};
+use super::rapier::dynamics::{GenericJoint, RevoluteJointBuilder, SphericalJointBuilder};
 use super::rapier::geometry::{ColliderBuilder, SharedShape};
 use super::rapier::math::{AngVector, Real, Rotation, Vector};
 use crate::errors::invalid;
@@ -14,19 +15,10 @@ pub const ROTATION: usize = 4;
 /// Numbers of an angular velocity.
 pub const ANGULAR: usize = 3;
 
-/// A vector of a Python sequence with three numbers.
-pub fn vector(name: &str, value: &Bound<'_, PyAny>) -> PyResult<Vector> {
-    Ok(Vector::from_array(numbers(name, value)?))
-}
-
 /// A quaternion of a Python sequence `(x, y, z, w)`.
 pub fn rotation(name: &str, value: &Bound<'_, PyAny>) -> PyResult<Rotation> {
-    let [x, y, z, w] = numbers(name, value)?;
-    let quaternion = Rotation::from_xyzw(x, y, z, w);
-    match quaternion.length() > 1.0e-6 {
-        true => Ok(quaternion.normalize()),
-        false => Err(invalid(format!("{name} is {quaternion}, but a rotation is a quaternion (x, y, z, w) of unit length"))),
-    }
+    let numbers = numbers::<ROTATION>(name, value)?;
+    rotation_of(&numbers).ok_or_else(|| invalid(format!("{name} is {numbers:?}, but a rotation is a quaternion (x, y, z, w) of unit length")))
 }
 
 /// An angular quantity of a Python sequence with three numbers.
@@ -39,7 +31,7 @@ pub fn rotation_numbers(rotation: &Rotation) -> [Real; ROTATION] {
     rotation.to_array()
 }
 
-/// The rotation with these numbers.
+/// The rotation with these numbers. `None` if their length is almost 0 or overflows.
 pub fn rotation_of(numbers: &[Real]) -> Option<Rotation> {
     let quaternion = Rotation::from_slice(numbers);
     let length = quaternion.length();
@@ -58,25 +50,12 @@ pub fn angular_of(numbers: &[Real]) -> AngVector {
 
 /// A hinge about an axis.
 pub fn revolute(axis: Option<Vector>) -> PyResult<GenericJoint> {
-    Ok(RevoluteJointBuilder::new(unit(axis)?).build().into())
-}
-
-/// A slider along an axis.
-pub fn prismatic(axis: Option<Vector>) -> PyResult<GenericJoint> {
-    Ok(PrismaticJointBuilder::new(unit(axis)?).build().into())
+    along(RevoluteJointBuilder::new(Vector::X).build().into(), axis)
 }
 
 /// A ball and socket.
 pub fn spherical() -> PyResult<GenericJoint> {
     Ok(SphericalJointBuilder::new().build().into())
-}
-
-fn unit(axis: Option<Vector>) -> PyResult<Vector> {
-    let axis = axis.unwrap_or(Vector::X);
-    match axis.length() > 0.0 {
-        true => Ok(axis.normalize()),
-        false => Err(invalid(format!("axis is {axis}, but must have a length greater than 0"))),
-    }
 }
 
 /// A box by its half extents.
