@@ -62,7 +62,7 @@ impl CollisionPipeline {
         events: &dyn EventHandler,
         handle_user_changes: bool,
     ) {
-        let _ = multibody_joints; // nothing moves, and links stand where their bodies are
+        let _ = multibody_joints; // Nothing moves: the links have the poses of their bodies.
         if let Err(error) = integration_parameters.validate() {
             log::error!("collision detection refused: {error}");
             return;

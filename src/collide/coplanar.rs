@@ -78,11 +78,11 @@ impl Search<'_> {
     pub(super) fn add_coplanar_contacts(&mut self, flat_parts: &FlatParts<'_>) {
         for last in self.previous {
             let Some((plane, pieces)) = self.patch_of(last, flat_parts) else { continue };
-            if let Some(stand) = self.stand(flat_parts, &plane, &pieces) {
+            if let Some(support) = self.supported_vertices(flat_parts, &plane, &pieces) {
                 for (left, taken) in self.culled.left.iter_mut().zip(&pieces) {
                     *left &= !taken;
                 }
-                if self.add_patch(flat_parts, &stand) {
+                if self.add_patch(flat_parts, &support) {
                     self.culled.patches.push(pieces);
                 }
             }
@@ -119,7 +119,7 @@ impl Search<'_> {
 
     /// The supported corners of the body on a patch. `None` if some corner is not over a piece, not near, or
     /// so deep that the body may have come from the side.
-    fn stand(
+    fn supported_vertices(
         &self,
         flat_parts: &FlatParts<'_>,
         plane: &Plane,
@@ -130,14 +130,15 @@ impl Search<'_> {
         let support_feature =
             SupportFeature::of(flat_parts.body.shape, down, self.pair.step_height_tolerance)?;
         let places: ArrayVec<Vector, SUPPORT_VERTICES_MAX> =
-            support_feature.vertices.iter().map(|foot| *pose * foot.point).collect();
+            support_feature.vertices.iter().map(|vertex| *pose * vertex.point).collect();
         let mut found = [None; SUPPORT_VERTICES_MAX];
         let blocks = flat_parts.triangle_cache.blocks();
         let (normal, places, found) = (plane.normal, &places[..], &mut found[..places.len()]);
         let tolerance = self.pair.step_height_tolerance;
         self.pair.simd.run(Over { normal, tolerance, blocks, pieces, places, found });
-        let mut stand = SupportedVertices { dist: Real::INFINITY, ..SupportedVertices::default() };
-        for ((foot, place), found) in support_feature.vertices.iter().zip(places).zip(found) {
+        let mut support =
+            SupportedVertices { dist: Real::INFINITY, ..SupportedVertices::default() };
+        for ((vertex, place), found) in support_feature.vertices.iter().zip(places).zip(found) {
             let (block, lane) = (*found)?;
             let (piece, shape) = flat_parts.triangle_cache.piece(block, lane);
             let flat = Flat::new(&shape)?;
@@ -145,30 +146,31 @@ impl Search<'_> {
             let dist = normal.dot(*place - point);
             let (on_floor, id) = (*place - normal * dist, PackedFeatureId::UNKNOWN);
             let is_second = flat_parts.side == 1;
-            let point = RawPoint::flipped(on_floor, foot.point, id, foot.feature, dist, is_second);
-            stand.points.push(point);
-            if dist < stand.dist {
-                (stand.piece, stand.normal, stand.dist) = (piece, normal, dist);
+            let point =
+                RawPoint::flipped(on_floor, vertex.point, id, vertex.feature, dist, is_second);
+            support.points.push(point);
+            if dist < support.dist {
+                (support.piece, support.normal, support.dist) = (piece, normal, dist);
             }
         }
-        let (dist, prediction) = (stand.dist, self.pair.prediction);
+        let (dist, prediction) = (support.dist, self.pair.prediction);
         let is_shallow = -dist < prediction.max(OVERLAP_RATIO_MAX * support_feature.thickness);
-        (dist <= prediction && is_shallow).then_some(stand)
+        (dist <= prediction && is_shallow).then_some(support)
     }
 
     /// Adds the contacts with a patch, with the part number of the piece under the deepest. Returns whether
     /// they are usable.
-    fn add_patch(&mut self, flat_parts: &FlatParts<'_>, stand: &SupportedVertices) -> bool {
+    fn add_patch(&mut self, flat_parts: &FlatParts<'_>, support: &SupportedVertices) -> bool {
         let (raw, prediction) = (&mut *self.raw, self.pair.prediction);
-        let normals = [stand.normal, flat_parts.poses[1].rotation * -stand.normal];
+        let normals = [support.normal, flat_parts.poses[1].rotation * -support.normal];
         [raw.local_n1, raw.local_n2] =
             if flat_parts.side == 0 { normals } else { [normals[1], normals[0]] };
         raw.points.clear();
-        let points = stand.points.iter().copied();
+        let points = support.points.iter().copied();
         raw.points.extend(points.filter(|point| is_sound(point) && point.dist <= prediction));
         self.distance = 0.0;
         // Only the number of the piece is used: points are in the frame of the shape.
-        let piece = Part { id: stand.piece, ..Part::whole(flat_parts.body.shape) };
+        let piece = Part { id: support.piece, ..Part::whole(flat_parts.body.shape) };
         let patch = self.culled.patches.len() as u32;
         self.patches.add_on(self.pair, raw, &flat_parts.with_body(piece), Some(patch))
     }

@@ -106,7 +106,7 @@ impl Search<'_> {
                 }
             });
         }
-        if self.may_have_internal_edges(side) {
+        if self.may_have_ghost_contacts(side) {
             self.build_patches(triangle_cache);
         }
         place.shrink();

@@ -277,7 +277,7 @@ impl Facet<'_> {
 
 /// A ghost contact.
 #[derive(Copy, Clone, Debug)]
-pub(super) struct InternalEdge {
+pub(super) struct GhostContact {
     /// Its number.
     pub index: usize,
     /// The number of the contact that explains it.
@@ -299,21 +299,21 @@ pub(super) type Points<'a> = dyn Fn(usize, &mut dyn FnMut(Vector)) + 'a;
 ///
 /// The deepest contacts are tested first, and a ghost contact explains no other, so at least one contact
 /// stays.
-pub(super) fn find_internal_edges(
+pub(super) fn find_ghost_contacts(
     facets: &[Facet<'_>],
     own: usize,
     points: &Points<'_>,
     tolerance: Real,
-    internal_edges: &mut Vec<InternalEdge>,
+    ghost_contacts: &mut Vec<GhostContact>,
 ) {
-    internal_edges.clear();
+    ghost_contacts.clear();
     let mut order: SmallVec<[usize; 32]> = (0..facets.len()).collect();
     order.sort_by(|&a, &b| facets[a].dist.total_cmp(&facets[b].dist));
     let planes = distinct_planes(facets, &order, tolerance);
     if planes.len() < 2 {
         return;
     }
-    let mut search = Search { facets, planes, points, tolerance, internal_edges };
+    let mut search = Search { facets, planes, points, tolerance, ghost_contacts };
     for index in order.into_iter().filter(|index| *index < own) {
         let front = search.in_front_of(index);
         if let Some(explained_by) = front.or_else(|| search.hiding(index)) {
@@ -321,7 +321,7 @@ pub(super) fn find_internal_edges(
             let least_dist = other.dist.min(facets[index].dist) - 2.0 * tolerance;
             let (along, is_behind) = (other.plane, front.is_some());
             let is_turned = facets[index].is_with_face_along(along);
-            search.internal_edges.push(InternalEdge {
+            search.ghost_contacts.push(GhostContact {
                 index,
                 explained_by,
                 along,
@@ -342,7 +342,7 @@ struct Search<'a> {
     points: &'a Points<'a>,
     tolerance: Real,
     /// The ghost contacts found so far.
-    internal_edges: &'a mut Vec<InternalEdge>,
+    ghost_contacts: &'a mut Vec<GhostContact>,
 }
 
 impl Search<'_> {
@@ -368,8 +368,8 @@ impl Search<'_> {
     /// Returns whether all colliders in the plane of a contact are behind another contact. Among tiles, the
     /// tile that the body leaves ends behind its own side wall, and the floor does not.
     fn is_all_behind(&self, contact: &Facet<'_>, other: &Facet<'_>) -> bool {
-        let is_internal = |index: usize| self.internal_edges.iter().any(|edge| edge.index == index);
-        let contacts = self.facets.iter().enumerate().filter(|(index, _)| !is_internal(*index));
+        let is_ghost = |index: usize| self.ghost_contacts.iter().any(|ghost| ghost.index == index);
+        let contacts = self.facets.iter().enumerate().filter(|(index, _)| !is_ghost(*index));
         let mut in_plane = contacts.filter(|(_, facet)| facet.is_level(contact, self.tolerance));
         in_plane.all(|(_, facet)| facet.is_behind(other, self.tolerance))
     }
@@ -399,10 +399,10 @@ impl Search<'_> {
         let contact = &self.facets[index];
         let same =
             move |facet: &&Facet<'_>| facet.plane.distance_squared(contact.plane) <= SAME_NORMAL;
-        let internal_edges =
-            self.internal_edges.iter().filter(move |edge| edge.explained_by == index);
-        let internal_edges = internal_edges.map(|edge| &self.facets[edge.index]);
-        self.facets.iter().filter(same).chain(internal_edges)
+        let ghost_contacts =
+            self.ghost_contacts.iter().filter(move |ghost| ghost.explained_by == index);
+        let ghost_contacts = ghost_contacts.map(|ghost| &self.facets[ghost.index]);
+        self.facets.iter().filter(same).chain(ghost_contacts)
     }
 }
 

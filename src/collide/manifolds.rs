@@ -7,7 +7,7 @@
 
 use super::convex::{DISTANCE_FRACTION, is_sound, part_manifold};
 use super::flat_parts::CulledParts;
-use super::internal_edges::InternalEdge;
+use super::internal_edges::GhostContact;
 use super::matching::replace_contacts;
 use super::neighbor::Neighbor;
 use super::parts::{Part, Parts};
@@ -41,7 +41,7 @@ pub(crate) struct ManifoldScratch {
     patches: Patches,
     culled: CulledParts,
     passing: TriangleCache,
-    internal_edges: Vec<InternalEdge>,
+    ghost_contacts: Vec<GhostContact>,
     /// Whether there were too many pairs of parts to compute the contacts of all.
     are_parts_culled: bool,
 }
@@ -107,7 +107,7 @@ pub(crate) fn compute_manifolds(
     if parry_merges_voxels(shape1, shape2, &pos12) || parry_merges_voxels(shape2, shape1, &pos12) {
         return voxel_manifolds(pair, scratch, out);
     }
-    let ManifoldScratch { raw, patches, culled, passing, internal_edges, are_parts_culled, .. } =
+    let ManifoldScratch { raw, patches, culled, passing, ghost_contacts, are_parts_culled, .. } =
         scratch;
     let distance = Real::INFINITY;
     let mut search = Search {
@@ -124,7 +124,7 @@ pub(crate) fn compute_manifolds(
     };
     let bound = search.visit_near();
     for side in 0..2 {
-        search.remove_ghost_contacts(side, internal_edges);
+        search.remove_ghost_contacts(side, ghost_contacts);
     }
     search.patches.merge(&pos12, prediction, out);
     bound
@@ -280,7 +280,7 @@ fn voxel_manifolds(
     match found {
         Some(Ok(())) => {}
         Some(Err(_)) => return Real::INFINITY,
-        None => return 0.0, // in this pose; the next one may do
+        None => return 0.0, // parry panics in this pose; the next one may succeed.
     }
     for raw in many {
         let poses = raw.subshape_poses.take();

@@ -38,8 +38,8 @@ pub(crate) use manifolds::{
     ManifoldScratch, ShapePair, compute_manifolds, renew_convex_manifold, shapes_intersect,
 };
 pub(crate) use matching::inherit_impulses;
-pub(crate) use neighbor::{Neighbor, internal_edges_among};
+pub(crate) use neighbor::{Neighbor, ghost_contacts_among};
 pub(crate) use sweep::{
-    Overlap, PENETRATION_FRACTION_MAX, Segment, Solid, Sweep, SweepGoal, Touch, ends_deep,
+    Overlap, PENETRATION_FRACTION_MAX, PathSegment, Solid, Sweep, SweepGoal, Touch, ends_deep,
     find_touches, first_impact, passes, turned,
 };

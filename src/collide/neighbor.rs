@@ -1,6 +1,6 @@
 //! The contacts of a body with other shapes than that of the current pair.
 
-use super::internal_edges::{Facet, InternalEdge, Piece, SAME_NORMAL, find_internal_edges};
+use super::internal_edges::{Facet, GhostContact, Piece, SAME_NORMAL, find_ghost_contacts};
 use super::parts::Parts;
 use crate::dim::math::{MAX_MANIFOLD_POINTS, Pose, Real, Vector};
 use crate::model::contact::ContactManifold;
@@ -84,7 +84,7 @@ fn any_below_another(neighbors: &[Neighbor<'_>], step_height_tolerance: Real) ->
 
 /// The ghost contacts among the contacts of one body; `step_height_tolerance` is the height (length units)
 /// below which a step is ignored.
-pub(crate) fn internal_edges_among(
+pub(crate) fn ghost_contacts_among(
     neighbors: &[Neighbor<'_>],
     step_height_tolerance: Real,
 ) -> Vec<usize> {
@@ -92,10 +92,10 @@ pub(crate) fn internal_edges_among(
         return Vec::new();
     }
     let facets: Vec<_> = neighbors.iter().map(Neighbor::as_facet).collect();
-    let mut internal_edges = Vec::new();
+    let mut ghost_contacts = Vec::new();
     let points = |index: usize, f: &mut dyn FnMut(Vector)| {
         neighbors[index].points.iter().for_each(|point| f(*point));
     };
-    find_internal_edges(&facets, facets.len(), &points, step_height_tolerance, &mut internal_edges);
-    internal_edges.iter().map(|edge: &InternalEdge| edge.index).collect()
+    find_ghost_contacts(&facets, facets.len(), &points, step_height_tolerance, &mut ghost_contacts);
+    ghost_contacts.iter().map(|ghost: &GhostContact| ghost.index).collect()
 }

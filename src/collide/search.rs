@@ -2,7 +2,7 @@
 
 use super::convex::{is_sound, manifold_along, part_manifold};
 use super::flat_parts::CulledParts;
-use super::internal_edges::{Facet, InternalEdge, Piece, find_internal_edges};
+use super::internal_edges::{Facet, GhostContact, Piece, find_ghost_contacts};
 use super::manifolds::ShapePair;
 use super::neighbor::Neighbor;
 use super::parts::{Near, Part, Parts};
@@ -104,23 +104,23 @@ impl Search<'_> {
 impl Search<'_> {
     /// Removes ghost contacts between parts of the shape on a side, or between these and other non-dynamic
     /// colliders.
-    pub fn remove_ghost_contacts(&mut self, side: usize, internal_edges: &mut Vec<InternalEdge>) {
-        if !self.may_have_internal_edges(side) {
+    pub fn remove_ghost_contacts(&mut self, side: usize, ghost_contacts: &mut Vec<GhostContact>) {
+        if !self.may_have_ghost_contacts(side) {
             return;
         }
-        self.find_internal_edges(side, internal_edges);
-        for edge in &*internal_edges {
-            self.turn(side, edge);
+        self.find_ghost_contacts(side, ghost_contacts);
+        for ghost in &*ghost_contacts {
+            self.turn(side, ghost);
         }
     }
 
     /// Returns whether a contact may be a ghost contact: there are several directions, or other contacts.
-    pub(super) fn may_have_internal_edges(&self, side: usize) -> bool {
+    pub(super) fn may_have_ghost_contacts(&self, side: usize) -> bool {
         let neighbors = self.pair.neighbors[1 - side];
         !neighbors.is_empty() || !(self.parts[side].is_convex() || self.patches.look_alike())
     }
 
-    fn find_internal_edges(&self, side: usize, internal_edges: &mut Vec<InternalEdge>) {
+    fn find_ghost_contacts(&self, side: usize, ghost_contacts: &mut Vec<GhostContact>) {
         let (pair, patches) = (self.pair, &*self.patches);
         let neighbors = pair.neighbors[1 - side];
         let facets = (0..patches.list().len()).map(|patch| self.facet(side, patch));
@@ -129,12 +129,12 @@ impl Search<'_> {
         let points = |patch: usize, f: &mut dyn FnMut(Vector)| {
             patches.points(patch).iter().for_each(|point| f(pair.on_obstacle(side, point)));
         };
-        find_internal_edges(
+        find_ghost_contacts(
             &facets,
             patches.list().len(),
             &points,
             pair.step_height_tolerance,
-            internal_edges,
+            ghost_contacts,
         );
     }
 
@@ -158,11 +158,11 @@ impl Search<'_> {
     }
 
     /// Recomputes a patch along the normal with which its piece may still support the body.
-    fn turn(&mut self, side: usize, edge: &InternalEdge) {
-        let InternalEdge { index, along, .. } = *edge;
-        if edge.is_turned {
+    fn turn(&mut self, side: usize, ghost: &GhostContact) {
+        let GhostContact { index, along, .. } = *ghost;
+        if ghost.is_turned {
             let points = self.patches.points(index);
-            if points.iter().any(|point| point.dist < edge.least_dist) {
+            if points.iter().any(|point| point.dist < ghost.least_dist) {
                 self.patches.empty(index);
             }
             return;
@@ -179,14 +179,14 @@ impl Search<'_> {
                 raw.points.clear();
                 manifold_along(&pos12, [&part1, &part2], side == 0, direction, prediction, raw);
                 raw.points.retain(|point| is_sound(point) && point.dist <= prediction);
-                is_too_deep = raw.points.iter().any(|point| point.dist < edge.least_dist);
+                is_too_deep = raw.points.iter().any(|point| point.dist < ghost.least_dist);
                 is_carried = !raw.points.is_empty()
                     && !is_too_deep
                     && self.patches.replace(index, self.pair, raw, &[part1, part2]);
             });
         });
         // An edge that seemed hidden, and is not.
-        let stays = is_too_deep && !edge.is_behind;
+        let stays = is_too_deep && !ghost.is_behind;
         if !is_carried && !stays {
             self.patches.empty(index);
         }

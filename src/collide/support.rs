@@ -124,7 +124,7 @@ fn add_closest(
 ) {
     let deepest = raw.points.iter().map(|point| point.dist).fold(Real::INFINITY, Real::min);
     let is_needed = if DIM == 2 {
-        raw.points.is_empty() // two points are all that there can be
+        raw.points.is_empty() // Two points are the maximum.
     } else {
         let thickness = extents(pos12, core1.shape, core2.shape, raw.local_n1).thickness;
         dist < deepest - DEPTH_GAIN_RATIO_MIN * thickness

@@ -8,8 +8,9 @@ use crate::dim::math::{Real, Vector};
 use arrayvec::ArrayVec;
 use parry::shape::{PackedFeatureId, PolygonalFeature, Shape};
 
-/// Most corners of a footing. Faces have no more that are looked at.
+/// Largest number of vertices of a support feature. Supported faces have no more.
 pub(super) const SUPPORT_VERTICES_MAX: usize = 32;
+
 /// A point of the shape, in its frame.
 #[derive(Copy, Clone)]
 pub(super) struct SupportVertex {
@@ -25,8 +26,8 @@ pub(super) struct SupportFeature {
 }
 
 impl SupportFeature {
-    /// The footing of a shape, `down` being the unit vector from it to the plane. `None` if it is not known,
-    /// or if another point is lower than the corners by more than `tolerance` (length units).
+    /// The support feature of a shape. `down` is the unit vector from it to the plane. `None` if the feature
+    /// is unknown, or if another point is lower than the vertices by more than `tolerance` (length units).
     pub fn of(shape: &dyn Shape, down: Vector, tolerance: Real) -> Option<Self> {
         let mut vertices = ArrayVec::new();
         let mut add = |point, feature| {
@@ -49,7 +50,7 @@ impl SupportFeature {
         let support = shape.as_support_map()?;
         let lowest = support.local_support_point(down).dot(down);
         let thickness = lowest - support.local_support_point(-down).dot(down);
-        let depths = vertices.iter().map(|foot: &SupportVertex| foot.point.dot(down));
+        let depths = vertices.iter().map(|vertex: &SupportVertex| vertex.point.dot(down));
         let is_lowest = depths.fold(Real::NEG_INFINITY, Real::max) >= lowest - tolerance;
         is_lowest.then_some(Self { vertices, thickness })
     }

@@ -234,7 +234,7 @@ fn find_contacts(tasks: Tasks<'_>, parts: &mut StepParts<'_>, scratch: &mut Step
 
     parts.counters.cd.narrow_phase_time.resume();
     let NarrowPhase { contacts, intersections, lanes, .. } = &mut *parts.narrow_phase;
-    let around = NarrowPhaseContext {
+    let context = NarrowPhaseContext {
         bodies: parts.bodies,
         colliders: parts.colliders,
         islands: parts.islands,
@@ -244,7 +244,7 @@ fn find_contacts(tasks: Tasks<'_>, parts: &mut StepParts<'_>, scratch: &mut Step
         simd: *simd,
     };
     parts.counters.cd.nculled_pairs =
-        narrow_phase::update(tasks, around, (contacts, intersections), narrow_phase, notes);
+        narrow_phase::update(tasks, context, (contacts, intersections), narrow_phase, notes);
     parts.counters.cd.narrow_phase_time.pause();
     parts.counters.cd.ncontact_pairs = parts.narrow_phase.contacts.len();
     parts.counters.cd.nintersection_pairs = parts.narrow_phase.intersections.len();
@@ -275,7 +275,7 @@ fn move_bodies(
     scratch: &mut StepScratch,
 ) {
     parts.counters.stages.solver_time.resume();
-    let scene = solver::SolverContext {
+    let context = solver::SolverContext {
         gravity: parts.gravity,
         params: parts.params,
         simd: scratch.simd,
@@ -290,7 +290,7 @@ fn move_bodies(
         broken: &mut scratch.notes.broken,
         diverged: &mut scratch.notes.diverged,
     };
-    solver::solve(scene, &mut scratch.solver, &mut parts.counters.solver);
+    solver::solve(context, &mut scratch.solver, &mut parts.counters.solver);
     parts.counters.stages.solver_time.pause();
 }
 
@@ -328,7 +328,7 @@ fn find_impacts(
 ) {
     let StepScratch { notes, ccd, .. } = scratch;
     let StepNotes { fast, trajectories, approaches, .. } = notes;
-    let around = ccd::CcdContext {
+    let context = ccd::CcdContext {
         bodies: parts.bodies,
         colliders: parts.colliders,
         multibodies,
@@ -340,8 +340,8 @@ fn find_impacts(
         fast: &[],
         trajectories,
     };
-    ccd::add_approached(around, approaches, fast);
-    ccd::find_impacts(tasks, ccd::CcdContext { fast, ..around }, ccd);
+    ccd::add_approached(context, approaches, fast);
+    ccd::find_impacts(tasks, ccd::CcdContext { fast, ..context }, ccd);
 }
 
 fn put_to_sleep(parts: &mut StepParts<'_>, scratch: &mut StepScratch) {

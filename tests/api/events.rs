@@ -252,7 +252,7 @@ fn a_collector_sends_what_a_handler_would_get() {
     assert_eq!(begun, [CollisionEvent::Started(ground, collider, NONE)]);
     assert!(forces.try_iter().count() > 10);
     world.remove_body(body);
-    drop(forces); // whoever does not listen is not sent anything
+    drop(forces); // The collector drops events of a closed channel.
     world.insert(RigidBodyBuilder::dynamic(), telling(cuboid(0.5, 0.5)));
     world.step_with_events(&(), &events);
     assert_eq!(collisions.try_iter().count(), 2, "one ended, one began");

@@ -268,8 +268,6 @@ impl eframe::App for Window {
         if self.hurries {
             self.frame_time += SMOOTHING * (elapsed - self.frame_time);
             self.viewport.adapt(self.frame_time);
-        }
-        if self.hurries {
             self.session.plot.add(Part::Display, self.last_end);
         }
         self.session.plot.end_frame();

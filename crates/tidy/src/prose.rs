@@ -32,12 +32,12 @@ pub fn check(sources: &[Source]) -> Vec<Complaint> {
 fn check_file(source: &Source) -> Vec<Complaint> {
     let mut complaints = Vec::new();
     let mut fenced = false;
-    for (number, line) in source.text.lines().enumerate() {
-        let Some(comment) = comment(line) else {
-            fenced = false;
-            continue;
-        };
-        fenced ^= comment.trim_start().starts_with("```");
+    for (number, (line, code)) in source.text.lines().zip(source.bare.lines()).enumerate() {
+        let comment = comment(line, code);
+        let is_whole_line = code.trim().is_empty();
+        fenced &= is_whole_line && comment.is_some();
+        let Some(comment) = comment else { continue };
+        fenced ^= is_whole_line && comment.trim_start().starts_with("```");
         if !fenced {
             complaints.extend(
                 faults(line, comment).map(|what| Complaint::new(&source.path, number + 1, what)),
@@ -48,9 +48,11 @@ fn check_file(source: &Source) -> Vec<Complaint> {
     complaints
 }
 
-/// The text of a line that is a comment.
-fn comment(line: &str) -> Option<&str> {
-    let comment = line.trim_start().strip_prefix("//")?;
+/// The text of a comment that is a whole line, or follows the code of a line. `code` is the line with blanks
+/// in place of its comments.
+fn comment<'a>(line: &'a str, code: &str) -> Option<&'a str> {
+    let (start, _) = line.char_indices().nth(code.trim_end().chars().count())?;
+    let comment = line[start..].trim_start().strip_prefix("//")?;
     Some(comment.strip_prefix(['/', '!']).unwrap_or(comment))
 }
 
@@ -121,6 +123,16 @@ mod tests {
         assert_eq!(complaints("/// Returns whether it is fast.\n"), 0);
         assert_eq!(complaints("/// ```\n/// let a = b()? + 1;\n/// ```\n"), 0);
         assert_eq!(complaints("/// ```\n/// a\n/// ```\n/// Is it fast?\n"), 1);
+    }
+
+    #[test]
+    fn comments_after_code_are_checked() {
+        assert_eq!(complaints("let a = 1; // nobody reads it\n"), 1);
+        assert_eq!(complaints("let a = \"é\"; // Is it fast?\n"), 1);
+        assert_eq!(complaints("let a = 1; // the number of bodies\n"), 0);
+        assert_eq!(complaints("let a = \"// nobody\";\n"), 0);
+        assert_eq!(complaints("let a = \"\n// nobody\n\";\n"), 0);
+        assert_eq!(complaints("/// ```\nlet a = 1; // b\n// Is it fast?\n"), 1);
     }
 
     #[test]

@@ -46,16 +46,16 @@ impl Tasks<'_> {
     /// Calls `work` with the threads of the pool in which the caller runs.
     #[cfg(feature = "parallel")]
     pub fn open<R>(work: impl FnOnce(Tasks<'_>) -> R) -> R {
-        let hire = |team: Arc<WorkerTeam>, number| rayon::spawn(move || team.help(number));
-        Self::open_with(rayon::current_num_threads(), hire, work)
+        let recruit = |team: Arc<WorkerTeam>, number| rayon::spawn(move || team.help(number));
+        Self::open_with(rayon::current_num_threads(), recruit, work)
     }
 
-    /// Calls `work` with a worker team of `count` threads, the calling thread included. `hire` recruits one
+    /// Calls `work` with a worker team of `count` threads, the calling thread included. `recruit` starts one
     /// worker for the team, with its number.
     #[cfg(feature = "parallel")]
     fn open_with<R>(
         count: usize,
-        hire: impl Fn(Arc<WorkerTeam>, usize),
+        recruit: impl Fn(Arc<WorkerTeam>, usize),
         work: impl FnOnce(Tasks<'_>) -> R,
     ) -> R {
         if count <= 1 {
@@ -63,9 +63,9 @@ impl Tasks<'_> {
         }
         let team = Arc::new(WorkerTeam::new(count));
         // A scope of rayon would wait for workers that never start, or run other tasks meanwhile.
-        let hire = |number| hire(Arc::clone(&team), number);
+        let recruit = |number| recruit(Arc::clone(&team), number);
         let _owner = team.own();
-        work(Tasks { team: Some((&team, &hire)), unshared: PhantomData })
+        work(Tasks { team: Some((&team, &recruit)), unshared: PhantomData })
     }
 
     /// Calls `work` with the calling thread alone: there are others with the feature `parallel`.
@@ -92,14 +92,14 @@ impl Tasks<'_> {
             return;
         }
         #[cfg(feature = "parallel")]
-        if let Some((team, hire)) = self.team.filter(|_| count > grain) {
+        if let Some((team, recruit)) = self.team.filter(|_| count > grain) {
             let pieces = team.threads() * PIECES_PER_THREAD;
             let piece = count.div_ceil(pieces).next_multiple_of(grain.max(1));
             // SAFETY: a `Tasks` stays with the thread that opened it, and work that can be shared does not
             // hold one.
-            return unsafe { team.run(count, piece, &work, hire) };
+            return unsafe { team.run(count, piece, &work, recruit) };
         }
-        let _ = grain; // of no use to one thread
+        let _ = grain; // One thread needs no grain.
         work(0..count);
     }
 

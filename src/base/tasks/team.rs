@@ -3,7 +3,7 @@
 //! A step consists of some hundred loops with serial code in between, and many of them take at most ten
 //! microseconds: the time that a sleeping thread needs to wake. So workers stay awake between loops. Workers
 //! join at the first loop that is large enough, and spin until the next one. They leave after a while without
-//! work ([`YIELDS_MAX`]), because the pool belongs to the user. The next loop recruits them again.
+//! work ([`POLLS_MAX`]), because the pool belongs to the user. The next loop recruits them again.
 //!
 //! Each thread has a *range* of a loop's pieces and takes them from its front: always the same blocks and
 //! bodies, which are in its cache from the last loop. A thread without pieces takes from the back of the
@@ -31,11 +31,12 @@ use std::sync::{Mutex, PoisonError};
 
 /// No more threads than this work on one step: as many as a word has bits.
 pub const MAX_THREADS: usize = 64;
-/// Numbers of polls before a waiting thread yields, and before it leaves. In all they take some hundred
-/// microseconds, more than any serial stretch of a step with thousands of bodies.
+/// Number of polls before a waiting thread yields.
 const SPINS_MAX: u32 = 256;
-// WebAssembly cannot yield: each of its waits is a short spin, and the same time takes more of them.
-const YIELDS_MAX: u32 = if cfg!(target_family = "wasm") { 1 << 16 } else { 2048 };
+/// Number of polls without work after which a worker leaves. In all they take some hundred microseconds, more
+/// than any serial stretch of a step with thousands of bodies. WebAssembly cannot yield: its polls are short
+/// spins, and the same time takes more of them.
+const POLLS_MAX: u32 = if cfg!(target_family = "wasm") { 1 << 16 } else { 2048 };
 
 type Work<'a> = dyn Fn(Range<usize>) + Sync + 'a;
 
@@ -46,7 +47,7 @@ pub struct WorkerTeam {
     current: UnsafeCell<Loop>,
     done: AtomicUsize,
     /// By bit: the workers that were recruited and have not left.
-    joined: AtomicU64,
+    recruited: AtomicU64,
     is_over: AtomicBool,
     panic: Mutex<Option<Box<dyn Any + Send>>>,
 }
@@ -79,7 +80,7 @@ impl WorkerTeam {
             work_ranges: [const { WorkRange::empty() }; MAX_THREADS],
             current: UnsafeCell::new(Loop { work: &(|_| ()), count: 0, piece: 1 }),
             done: AtomicUsize::new(0),
-            joined: AtomicU64::new(1),
+            recruited: AtomicU64::new(1),
             is_over: AtomicBool::new(false),
             panic: Mutex::new(None),
         }
@@ -95,15 +96,15 @@ impl WorkerTeam {
         Owner { team: self, was_at_work: IS_AT_WORK.replace(true) }
     }
 
-    /// Calls `work` with all pieces of `0..count`, on this thread and on recruited workers. `hire` is called
-    /// with the number of each worker to recruit.
+    /// Calls `work` with all pieces of `0..count`, on this thread and on recruited workers. `recruit` starts
+    /// the worker with a number.
     ///
     /// # Panics
     /// If the work does: when all pieces that were begun are done.
     ///
     /// # Safety
     /// Only the owner may call this, and not from within the work.
-    pub unsafe fn run(&self, count: usize, piece: usize, work: &Work<'_>, hire: &dyn Fn(usize)) {
+    pub unsafe fn run(&self, count: usize, piece: usize, work: &Work<'_>, recruit: &dyn Fn(usize)) {
         let pieces = count.div_ceil(piece);
         // SAFETY: the pointer is used before this function returns.
         let work = unsafe { transmute::<*const Work<'_>, *const Work<'static>>(work) };
@@ -113,7 +114,7 @@ impl WorkerTeam {
         for (k, own) in self.work_ranges[..self.threads].iter().enumerate() {
             own.give(k * pieces / self.threads..(k + 1) * pieces / self.threads);
         }
-        self.fill_vacancies(hire);
+        self.fill_vacancies(recruit);
         self.work_off(0);
         let mut pause = Pause::default();
         while self.done.load(Ordering::Acquire) < pieces {
@@ -125,21 +126,21 @@ impl WorkerTeam {
         }
     }
 
-    fn fill_vacancies(&self, hire: &dyn Fn(usize)) {
+    fn fill_vacancies(&self, recruit: &dyn Fn(usize)) {
         let all = u64::MAX >> (MAX_THREADS - self.threads);
-        if self.joined.load(Ordering::Relaxed) == all {
+        if self.recruited.load(Ordering::Relaxed) == all {
             return;
         }
-        let vacancies = all & !self.joined.fetch_or(all, Ordering::Relaxed);
-        (1..self.threads).filter(|k| vacancies & (1 << k) != 0).for_each(hire);
+        let vacancies = all & !self.recruited.fetch_or(all, Ordering::Relaxed);
+        (1..self.threads).filter(|k| vacancies & (1 << k) != 0).for_each(recruit);
     }
 
     /// Processes pieces until the team ends, or until no work has arrived for a while. `number` is the
-    /// argument of `hire`.
+    /// argument of `recruit`.
     pub fn help(&self, number: usize) {
         if !IS_AT_WORK.replace(true) {
             let mut pause = Pause::default();
-            while !self.is_over.load(Ordering::Relaxed) && pause.length() < YIELDS_MAX {
+            while !self.is_over.load(Ordering::Relaxed) && pause.length() < POLLS_MAX {
                 if self.work_off(number) {
                     pause = Pause::default();
                 } else {
@@ -148,7 +149,7 @@ impl WorkerTeam {
             }
             IS_AT_WORK.set(false);
         }
-        self.joined.fetch_and(!(1 << number), Ordering::Relaxed);
+        self.recruited.fetch_and(!(1 << number), Ordering::Relaxed);
     }
 
     /// Works until no piece is left. Returns whether there was one.

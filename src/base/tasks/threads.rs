@@ -23,13 +23,13 @@ use std::sync::Arc;
 #[derive(Clone, Debug, Default)]
 pub struct Threads {
     #[cfg(feature = "parallel")]
-    team: Option<Team>,
+    selection: Option<Selection>,
 }
 
 /// The selected threads.
 #[cfg(feature = "parallel")]
 #[derive(Clone, Debug)]
-enum Team {
+enum Selection {
     CallingThread,
     /// A pool, and the number of threads including the calling thread.
     Pool(Arc<rayon::ThreadPool>, usize),
@@ -58,12 +58,12 @@ impl Threads {
         let cores = || std::thread::available_parallelism().map_or(1, usize::from);
         let count = if count == 0 { cores() } else { count }.min(MAX_THREADS);
         if count == 1 {
-            return Ok(Self { team: Some(Team::CallingThread) });
+            return Ok(Self { selection: Some(Selection::CallingThread) });
         }
         let workers = rayon::ThreadPoolBuilder::new().num_threads(count - 1);
         let pool = workers.thread_name(|index| format!("physics {}", index + 1)).build();
         let pool = pool.map_err(|error| ThreadsError { count, reason: error.to_string() })?;
-        Ok(Self { team: Some(Team::Pool(Arc::new(pool), count)) })
+        Ok(Self { selection: Some(Selection::Pool(Arc::new(pool), count)) })
     }
 
     /// The calling thread alone. Other threads require the feature `parallel`.
@@ -80,17 +80,17 @@ impl Threads {
     #[cfg(feature = "parallel")]
     pub fn of_pool(pool: Arc<rayon::ThreadPool>) -> Self {
         let count = pool.current_num_threads();
-        Self { team: Some(Team::Pool(pool, count)) }
+        Self { selection: Some(Selection::Pool(pool, count)) }
     }
 
     /// Calls `work` with these threads.
     pub(crate) fn open<R>(&self, work: impl FnOnce(Tasks<'_>) -> R) -> R {
         #[cfg(feature = "parallel")]
-        match &self.team {
-            Some(Team::CallingThread) => return work(Tasks::SERIAL),
-            Some(Team::Pool(pool, count)) => {
-                let hire = |team: Arc<WorkerTeam>, number| pool.spawn(move || team.help(number));
-                return Tasks::open_with(*count, hire, work);
+        match &self.selection {
+            Some(Selection::CallingThread) => return work(Tasks::SERIAL),
+            Some(Selection::Pool(pool, count)) => {
+                let recruit = |team: Arc<WorkerTeam>, number| pool.spawn(move || team.help(number));
+                return Tasks::open_with(*count, recruit, work);
             }
             None => {}
         }

@@ -53,7 +53,7 @@ use core::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Sub};
 use parry::math::Real;
 
 pub use dispatch::{Kernel, Simd};
-pub use prefetch::{prefetch, prefetch_front};
+pub use prefetch::{PREFETCH_DISTANCE, prefetch, prefetch_front};
 
 /// The number of lanes of a register: 8 single-precision or 4 double-precision numbers.
 pub const LANES: usize = 32 / size_of::<Real>();

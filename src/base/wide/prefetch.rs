@@ -4,6 +4,9 @@
 #[cfg(target_arch = "x86_64")]
 const LINE: usize = 64;
 
+/// Prefetch distance of loops with little work per record, in list positions.
+pub const PREFETCH_DISTANCE: usize = 4;
+
 /// Begins to bring a record near to the processor, and does not wait for it. Changes nothing but time.
 #[inline(always)]
 pub fn prefetch<T>(record: &T) {

@@ -40,7 +40,7 @@ mod body;
 mod motion;
 mod touch;
 
-pub(crate) use motion::{Segment, Sweep, turned};
+pub(crate) use motion::{PathSegment, Sweep, turned};
 pub(crate) use touch::{Touch, find_touches};
 
 use super::manifolds::shapes_intersect;
@@ -149,7 +149,7 @@ fn for_each_pair(
     let parts = shapes.map(Parts::of);
     // The parts of one shape that the whole of the other may meet.
     let near = [0, 1].map(|side| match parts[side] {
-        Parts::Convex(_) => Near::Inside(Aabb::new_invalid()), // its only part, wherever the other goes
+        Parts::Convex(_) => Near::Inside(Aabb::new_invalid()), // The only part is always in.
         _ => path_of_other(shapes, sweeps, side),
     });
     parts[0].for_each_part(&near[0], &mut |part1| {
@@ -415,11 +415,11 @@ fn closing_max(sweeps: [&Sweep<'_>; 2], reaches: [Real; 2], until: Real) -> Real
         let turning = turning([leg1.angle(), leg2.angle()], reaches);
         return (leg1.shift - leg2.shift).length() + turning;
     }
-    let fastest = |speed: fn(&Segment) -> Real| {
+    let fastest = |speed: fn(&PathSegment) -> Real| {
         sweeps.map(|sweep| sweep.segments().iter().map(speed).fold(0.0, Real::max))
     };
     let shifts = fastest(|segment| segment.shift.length());
-    shifts[0] + shifts[1] + turning(fastest(Segment::angle), reaches)
+    shifts[0] + shifts[1] + turning(fastest(PathSegment::angle), reaches)
 }
 
 /// Bound on the closing speed by rotation of bodies with this extent. A shape without rotation may be

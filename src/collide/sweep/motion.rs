@@ -17,7 +17,7 @@ const SMALL_ANGLE_SQUARED_MAX: Real = 1.0e-4;
 
 /// A piece of a motion, at constant velocity.
 #[derive(Copy, Clone, Debug)]
-pub(crate) struct Segment {
+pub(crate) struct PathSegment {
     /// The fractions of the step at which it begins and ends.
     pub from: Real,
     pub until: Real,
@@ -29,7 +29,7 @@ pub(crate) struct Segment {
     pub rotvec: AngVector,
 }
 
-impl Segment {
+impl PathSegment {
     /// All the step at the origin.
     pub const AT_REST: Self = Self {
         from: 0.0,
@@ -56,8 +56,8 @@ impl Segment {
 /// The segments of a motion, in order of time, from the beginning of the step to its end.
 #[derive(Copy, Clone, Debug)]
 enum Trajectory<'a> {
-    Straight(Segment),
-    Bent(&'a [Segment]),
+    Straight(PathSegment),
+    Bent(&'a [PathSegment]),
 }
 
 /// The motion of a shape through a step, as far as `stop`.
@@ -76,7 +76,7 @@ impl<'a> Sweep<'a> {
     /// `center`.
     pub fn new(start: Pose, center: Vector, shift: Vector, rotvec: AngVector) -> Self {
         let segment =
-            Segment { from: 0.0, until: 1.0, rotation: start.rotation, center, shift, rotvec };
+            PathSegment { from: 0.0, until: 1.0, rotation: start.rotation, center, shift, rotvec };
         let local_center = start.inverse_transform_point(center);
         Self {
             trajectory: Trajectory::Straight(segment),
@@ -88,7 +88,7 @@ impl<'a> Sweep<'a> {
 
     /// The motion of a shape at `place` in a frame that moves by these segments, of which there is at least
     /// one. `local_center` is the centre of rotation in that frame.
-    pub fn along(segments: &'a [Segment], place: &Pose, local_center: Vector) -> Self {
+    pub fn along(segments: &'a [PathSegment], place: &Pose, local_center: Vector) -> Self {
         let local_center = place.inverse_transform_point(local_center);
         Self {
             trajectory: Trajectory::Bent(segments),
@@ -110,7 +110,7 @@ impl<'a> Sweep<'a> {
     }
 
     /// The segments, in order of time.
-    pub fn segments(&self) -> &[Segment] {
+    pub fn segments(&self) -> &[PathSegment] {
         match &self.trajectory {
             Trajectory::Straight(segment) => slice::from_ref(segment),
             Trajectory::Bent(segments) => segments,
@@ -118,7 +118,7 @@ impl<'a> Sweep<'a> {
     }
 
     /// The segment, if there is exactly one.
-    pub(super) fn straight(&self) -> Option<&Segment> {
+    pub(super) fn straight(&self) -> Option<&PathSegment> {
         match &self.trajectory {
             Trajectory::Straight(segment) => Some(segment),
             Trajectory::Bent(_) => None,
@@ -126,7 +126,7 @@ impl<'a> Sweep<'a> {
     }
 
     /// The segment that begins or is in progress at a fraction of the step.
-    pub fn segment(&self, fraction: Real) -> &Segment {
+    pub fn segment(&self, fraction: Real) -> &PathSegment {
         let segments = self.segments();
         let over = segments.partition_point(|segment| segment.until <= fraction);
         &segments[over.min(segments.len() - 1)]
@@ -166,7 +166,7 @@ impl<'a> Sweep<'a> {
 
     /// Displacement of the centre, and rotation angle (rad) of the shape.
     pub(super) fn travel(&self) -> [Real; 2] {
-        let lasts = |segment: &Segment| segment.until - segment.from;
+        let lasts = |segment: &PathSegment| segment.until - segment.from;
         let trajectory =
             self.segments().iter().map(|segment| segment.shift.length() * lasts(segment)).sum();
         let angle = self.segments().iter().map(|segment| segment.angle() * lasts(segment)).sum();
@@ -197,7 +197,7 @@ impl<'a> Sweep<'a> {
 
     fn region_of_segment(
         &self,
-        segment: &Segment,
+        segment: &PathSegment,
         shape: &dyn Shape,
         box_at: &dyn Fn(&Pose) -> Aabb,
     ) -> Aabb {

@@ -94,15 +94,15 @@ pub(super) struct Advisor<'a> {
 }
 
 impl<'a> Advisor<'a> {
-    pub fn new(around: CharacterHooks<'a>, colliders: &'a ColliderSet) -> Self {
-        around.contacts.begin();
+    pub fn new(character_hooks: CharacterHooks<'a>, colliders: &'a ColliderSet) -> Self {
+        character_hooks.contacts.begin();
         Self {
-            hooks: around.hooks,
-            bodies: around.bodies,
+            hooks: character_hooks.hooks,
+            bodies: character_hooks.bodies,
             colliders,
-            handle: around.character,
-            character: colliders.get(around.character),
-            contacts: RefCell::new(around.contacts),
+            handle: character_hooks.character,
+            character: colliders.get(character_hooks.character),
+            contacts: RefCell::new(character_hooks.contacts),
         }
     }
 

@@ -47,7 +47,7 @@ pub fn clip_faces(
     let points = other_ends.map(|end| *contact.pose * end.point);
     let places = points.map(|point| along.dot(point));
     if places[0].max(places[1]) < range[0] - rim || places[0].min(places[1]) > range[1] + rim {
-        return None; // one beside the other
+        return None; // The projections are disjoint.
     }
     let inverse = contact.pose.inverse();
     let mut deepest = Real::INFINITY;

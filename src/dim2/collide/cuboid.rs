@@ -112,7 +112,7 @@ impl FacePair {
         let size = self.half[1 - self.axis];
         let ends = [middle - edge, middle + edge];
         if ends[0].x.min(ends[1].x) > size || ends[0].x.max(ends[1].x) < -size {
-            return; // one beside the other
+            return; // The projections are disjoint.
         }
         for (end, sign) in ends.into_iter().zip([-1.0, 1.0]) {
             let (point, side, end) = if end.x.abs() <= size * (1.0 + RIM) {

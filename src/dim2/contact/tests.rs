@@ -56,9 +56,9 @@ struct Touch {
 }
 
 /// One iteration of the friction row: the impulse in world space.
-struct Visit<'a>(&'a Touch);
+struct Iterate<'a>(&'a Touch);
 
-impl Kernel for Visit<'_> {
+impl Kernel for Iterate<'_> {
     type Output = Vector;
 
     #[inline(always)]
@@ -118,7 +118,7 @@ fn one_visit_stops_the_sliding_of_all_points_of_a_height() {
     let mut random = Random(2);
     for _ in 0..100 {
         let touch = random_touch(&mut random);
-        let impulse = Simd::detect().run(Visit(&touch));
+        let impulse = Simd::detect().run(Iterate(&touch));
         let [(v1, w1), (v2, w2)] = touch.velocities;
         let (p, q) = (touch.points[0], touch.points[0] + touch.offset);
         let (v1, w1) = (v1 - impulse, w1 - touch.inv_inertia[0] * torque(p, impulse));
@@ -137,7 +137,7 @@ fn friction_is_bounded_by_its_coefficient_times_the_load() {
     for _ in 0..100 {
         let mut touch = random_touch(&mut random);
         touch.normal_impulse = random.within(0.0, 0.1);
-        let impulse = Simd::detect().run(Visit(&touch));
+        let impulse = Simd::detect().run(Iterate(&touch));
         let limit = 0.5 * touch.normal_impulse;
         assert!(impulse.length() <= limit * (1.0 + 8.0 * Real::EPSILON));
         assert!(impulse.dot(touch.normal).abs() <= ROUNDING * limit);

@@ -27,13 +27,18 @@ impl JointedInertias {
     pub const NONE: Self = Self([ZERO_INERTIA; 2]);
 
     /// Sets the inverse inertia of one lane's first (0) or second (1) body.
-    pub fn set_lane(&mut self, side: usize, lane: usize, value: &AngularInertia, _tumbles: bool) {
+    pub fn set_lane(
+        &mut self,
+        side: usize,
+        lane: usize,
+        value: &AngularInertia,
+        _is_gyroscopic: bool,
+    ) {
         set_symmetric_lane(&mut self.0[side], lane, value);
     }
 
-    /// Returns, as a number, whether the world-space inertia of this lane's body changes with its rotation.
-    /// It is a number.
-    pub fn gyroscopic(&self, _lane: usize) -> bool {
+    /// Returns whether the world-space inertia of a body of this lane changes with its rotation: never in 2D.
+    pub fn is_gyroscopic(&self, _lane: usize) -> bool {
         false
     }
 

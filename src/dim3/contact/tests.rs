@@ -112,9 +112,9 @@ fn slip(
 }
 
 /// One iteration of the friction rows: the impulse in world space and the torsional impulse.
-struct Visit<'a>(&'a Touch);
+struct Iterate<'a>(&'a Touch);
 
-impl Kernel for Visit<'_> {
+impl Kernel for Iterate<'_> {
     type Output = (Vector, Real);
 
     #[inline(always)]
@@ -169,7 +169,7 @@ fn one_visit_stops_the_sliding_of_the_friction_centre() {
     for _ in 0..100 {
         let touch = Touch::random(&mut random);
         let center = middle(&touch.points);
-        let (impulse, twist) = Simd::detect().run(Visit(&touch));
+        let (impulse, twist) = Simd::detect().run(Iterate(&touch));
         let (sliding, _) = slip(&touch, touch.pushed(impulse, twist, center), center);
         assert!(sliding.length() < ROUNDING, "{sliding} is left");
         // The twist row was solved first, and alone.
@@ -184,7 +184,7 @@ fn the_twist_is_bounded_by_friction_times_load_times_lever() {
     for _ in 0..100 {
         let mut touch = Touch::random(&mut random);
         touch.normal_impulse = random.within(0.0, 0.01);
-        let (impulse, twist) = Simd::detect().run(Visit(&touch));
+        let (impulse, twist) = Simd::detect().run(Iterate(&touch));
         let limit = touch.coefficient * touch.normal_impulse;
         assert!(impulse.length() <= limit * (1.0 + 8.0 * Real::EPSILON));
         assert!(twist.abs() <= limit * 0.3 * (1.0 + ROUNDING));
@@ -199,7 +199,7 @@ fn a_single_point_has_no_lever_to_twist() {
     let mut random = Random(4);
     let mut touch = Touch::random(&mut random);
     touch.points.truncate(1);
-    let (impulse, twist) = Simd::detect().run(Visit(&touch));
+    let (impulse, twist) = Simd::detect().run(Iterate(&touch));
     assert_eq!(twist, 0.0);
     assert!(impulse.length() > 0.0);
 }
@@ -215,7 +215,7 @@ fn the_cone_is_round() {
         touch.normal_impulse = 0.001;
         let center = middle(&touch.points);
         let (sliding, _) = slip(&touch, touch.velocities, center);
-        let (impulse, _) = Simd::detect().run(Visit(&touch));
+        let (impulse, _) = Simd::detect().run(Iterate(&touch));
         let expected = -sliding.normalize() * (touch.coefficient * touch.normal_impulse);
         assert!((impulse - expected).length() < ROUNDING * expected.length());
     }

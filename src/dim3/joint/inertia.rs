@@ -67,8 +67,8 @@ impl JointedInertias {
         }
     }
 
-    /// Returns, as a number, whether the world-space inertia of this lane's body changes with its rotation.
-    pub fn gyroscopic(&self, lane: usize) -> bool {
+    /// Returns whether the world-space inertia of a body of this lane changes with its rotation.
+    pub fn is_gyroscopic(&self, lane: usize) -> bool {
         self.is_gyroscopic.iter().any(|is_gyroscopic| is_gyroscopic.0[lane] != 0.0)
     }
 

@@ -15,7 +15,7 @@ use std::collections::BTreeSet;
 /// Smallest number of bodies that justifies a transfer to another thread.
 pub(crate) const BODIES_PER_TASK: usize = 64;
 /// Prefetch distance, in bodies: body records are spread over memory.
-const TURNS_AHEAD: usize = 3;
+const BODY_PREFETCH_DISTANCE: usize = 3;
 
 /// Data of a removed body for the step: its colliders, which are removed with it (`None`: read from the
 /// colliders), and its place in the step's lists.
@@ -397,7 +397,7 @@ unsafe fn visit_range(
     mut visit: impl FnMut(usize, Option<&mut RigidBody>),
 ) {
     for position in range {
-        if let Some(later) = handles.get(position + TURNS_AHEAD) {
+        if let Some(later) = handles.get(position + BODY_PREFETCH_DISTANCE) {
             bodies.prefetch_front(later.into_raw_parts().0, RigidBody::FRONT);
         }
         // SAFETY: the caller's promise.

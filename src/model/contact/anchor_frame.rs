@@ -35,7 +35,7 @@ use crate::model::check::is_saved_unit;
 /// angular momentum of a compressed pair is not conserved. The rule therefore applies only to bodies under
 /// gravity that rotate more slowly than [`Self::ANGULAR_SPEED_NEAR_REST_MAX`]. It ends at an angle of
 /// [`Self::FROZEN_ANGLE_MAX`], or where the error of the normal exceeds the friction
-/// ([`Self::HELD_BY_FRICTION`]). The remaining error is in the load's moment arm: a few hundredths of the
+/// ([`Self::FROZEN_BY_FRICTION`]). The remaining error is in the load's moment arm: a few hundredths of the
 /// body's size, on bodies that rotate by less than 3 degrees a second.
 #[derive(Copy, Clone, Debug)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
@@ -67,7 +67,7 @@ impl AnchorFrame {
     const FROZEN_ANGLE_MAX: Real = 0.05;
 
     /// The same, in units of the friction coefficient: the slope that friction can hold is right to a tenth.
-    const HELD_BY_FRICTION: Real = 0.1;
+    const FROZEN_BY_FRICTION: Real = 0.1;
 
     /// Returns whether a body is near rest. A body that is not dynamic is near rest only if it does not
     /// rotate at all: it does not buckle. Bodies on a tilting platform must follow it.
@@ -82,11 +82,11 @@ impl AnchorFrame {
 
     /// Largest angle (rad) of frozen anchors relative to bodies near rest.
     pub fn frozen_angle(friction: Real) -> Real {
-        (Self::HELD_BY_FRICTION * friction).clamp(0.0, Self::FROZEN_ANGLE_MAX)
+        (Self::FROZEN_BY_FRICTION * friction).clamp(0.0, Self::FROZEN_ANGLE_MAX)
     }
 }
 
-/// The placement of a manifold per lane.
+/// The anchor frame of a manifold per lane.
 #[derive(Clone, Debug)]
 pub(crate) struct WideAnchorFrame {
     rotations: [WideRotation<Lane>; 2],
@@ -196,18 +196,18 @@ impl<W: Wide> MotionSince<W> {
         WideVector::select(self.is_frozen, self.offsets[0], self.offsets[1])
     }
 
-    /// The current moment arm to the middle of the contact with the given original moment arm, and the
+    /// The current moment arm to the middle of the contact with the original moment arm `arm`, and the
     /// relative motion of the second surface there.
     #[inline(always)]
-    pub fn at(&self, world_anchors: WideVector<W>) -> (WideVector<W>, WideVector<W>) {
-        let placed2 = world_anchors + self.offsets[0];
-        let turned1 = self.turns[0].displacement(world_anchors);
-        let turned2 = self.turns[1].displacement(placed2);
+    pub fn at(&self, arm: WideVector<W>) -> (WideVector<W>, WideVector<W>) {
+        let arm2 = arm + self.offsets[0];
+        let turned1 = self.turns[0].displacement(arm);
+        let turned2 = self.turns[1].displacement(arm2);
         let moved = self.shift + turned2 - turned1;
         let half = moved * W::splat(0.5);
         // The surface of the world has not moved; from the other one it is half of the distance.
-        let from_first = world_anchors + turned1 + half;
-        let from_second = placed2 + turned2 - half - self.offsets[1];
+        let from_first = arm + turned1 + half;
+        let from_second = arm2 + turned2 - half - self.offsets[1];
         (WideVector::select(self.is_second_world, from_first, from_second), moved)
     }
 }

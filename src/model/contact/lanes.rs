@@ -48,15 +48,15 @@ impl LaneBlock {
         input: ContactInput::EMPTY,
     };
 
-    /// Assigns a manifold, or none, to a lane. Returns whether it did not do so before.
-    pub fn set_lane_slot(&mut self, lane: usize, manifold: Option<ManifoldRef>) -> bool {
+    /// Assigns a manifold, or none, to a lane. Returns whether the lane had another manifold.
+    pub fn assign(&mut self, lane: usize, manifold: Option<ManifoldRef>) -> bool {
         let manifold = manifold.unwrap_or(NO_MANIFOLD);
         core::mem::replace(&mut self.members[lane], manifold) != manifold
     }
 
     /// Removes the manifold of a lane.
     pub fn clear(&mut self, lane: usize) {
-        if self.set_lane_slot(lane, None) {
+        if self.assign(lane, None) {
             [self.slots[0][lane], self.slots[1][lane]] = [NONE; 2];
             self.counts[lane] = 0;
             self.input.clear(lane);
@@ -84,12 +84,12 @@ impl LaneBlock {
         let data = &pair.manifolds[manifold as usize].data;
         [self.slots[0][lane], self.slots[1][lane]] = slots;
         self.counts[lane] = data.points.len() as u8;
-        let held = if pair.anchor_frame.may_freeze {
+        let frozen_angle = if pair.anchor_frame.may_freeze {
             AnchorFrame::frozen_angle(data.friction)
         } else {
             0.0
         };
-        input.anchor_frame.set_lane(lane, &pair.anchor_frame, data.placed_normal, held);
+        input.anchor_frame.set_lane(lane, &pair.anchor_frame, data.placed_normal, frozen_angle);
         input.mass_factors[0].0[lane] = if data.relative_dominance > 0 { 0.0 } else { 1.0 };
         input.mass_factors[1].0[lane] = if data.relative_dominance < 0 { 0.0 } else { 1.0 };
         input.friction.0[lane] = data.friction;

@@ -20,15 +20,13 @@ mod touching;
 
 pub(crate) use check::World;
 
+use crate::base::wide::PREFETCH_DISTANCE;
 use crate::model::body::{RestPose, RigidBody, RigidBodyHandle, RigidBodySet};
 use crate::model::collider::ColliderHandle;
 use crate::model::collider::ColliderSet;
 use crate::model::constraint_graph::ManifoldRef;
 use crate::model::contact::{ContactManifold, ContactPair, IntersectionPair, NarrowPhase, PairId};
 use crate::model::island::{BodyLink, BodyMotion, IslandManager, NONE};
-
-/// Prefetch distance, in pairs.
-const PAIRS_AHEAD: usize = 4;
 
 /// Mutable access to everything that the structure spans.
 pub(crate) struct Structure<'a> {
@@ -326,13 +324,13 @@ impl Structure<'_> {
     /// ones. A collider stores its body's index, so the collider is prefetched first.
     fn prefetch_addition(&self, pairs: &[(ColliderHandle, ColliderHandle)]) {
         let contacts = &self.narrow_phase.contacts;
-        contacts.prefetch_vacancy(PAIRS_AHEAD);
-        if let Some(&(collider1, collider2)) = pairs.get(PAIRS_AHEAD) {
+        contacts.prefetch_vacancy(PREFETCH_DISTANCE);
+        if let Some(&(collider1, collider2)) = pairs.get(PREFETCH_DISTANCE) {
             let slots = [collider1, collider2].map(|collider| collider.into_raw_parts().0);
             slots.into_iter().for_each(|slot| self.colliders.prefetch(slot));
             contacts.prefetch_lists(slots);
         }
-        if let Some(&(collider1, collider2)) = pairs.get(PAIRS_AHEAD / 2) {
+        if let Some(&(collider1, collider2)) = pairs.get(PREFETCH_DISTANCE / 2) {
             let slots = self.parent_slots([collider1, collider2]);
             slots.into_iter().for_each(|slot| self.bodies.prefetch(slot));
         }

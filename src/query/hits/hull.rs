@@ -28,7 +28,7 @@ pub fn clip(facets: &Facets<'_>, origin: Vector, dir: Vector, margin: Real) -> O
             let time = -height / speed;
             enter = if time > enter.0 { (time, index) } else { enter };
         } else if height > 0.0 {
-            return None; // above, and never to come down
+            return None; // The ray starts above and does not descend.
         } else if speed > 0.0 {
             let time = -height / speed;
             leave = if time < leave.0 { (time, index) } else { leave };

@@ -58,7 +58,7 @@ pub fn intersection(
 /// all axes at once.
 fn cuboid_time(cuboid: &Cuboid, ray: &Ray, limit: Real) -> Option<Real> {
     if (0..DIM).any(|axis| ray.dir[axis] == 0.0) {
-        return cuboid.cast_local_ray(ray, limit, true); // zero by zero is no time
+        return cuboid.cast_local_ray(ray, limit, true); // Zero divided by zero gives no time.
     }
     let inv_dir = ray.dir.recip();
     let (low, high) = (-cuboid.half_extents - ray.origin, cuboid.half_extents - ray.origin);

@@ -10,6 +10,7 @@ mod sleep_timer;
 use crate::base::arena::SharedArena;
 use crate::base::disjoint::DisjointMut;
 use crate::base::tasks::{Gather, Tasks};
+use crate::base::wide::PREFETCH_DISTANCE;
 use crate::dim::math::Real;
 use crate::model::body::{RigidBody, RigidBodySet};
 use crate::model::collider::{Collider, ColliderHandle, ColliderSet};
@@ -17,9 +18,6 @@ use crate::model::island::IslandManager;
 use crate::model::params::IntegrationParameters;
 use crate::model::tree::{BroadPhaseBvh, MovedProxy, carry};
 use sleep_timer::update_sleep_timer;
-
-/// Prefetch distance, in list positions.
-const TURNS_AHEAD: usize = 4;
 
 /// Buffers that are reused from step to step.
 #[derive(Default)]
@@ -62,7 +60,7 @@ pub(crate) fn advance(
     // SAFETY: the list names each body once.
     unsafe { bodies.visit_gathering(awake, tasks, gather, follow_body, moved) };
     for (index, (handle, carried)) in moved.iter().enumerate() {
-        if let Some((later, MovedProxy::Leaves(kind, _))) = moved.get(index + TURNS_AHEAD) {
+        if let Some((later, MovedProxy::Leaves(kind, _))) = moved.get(index + PREFETCH_DISTANCE) {
             tree.prefetch(*later, *kind);
         }
         follow(*handle, carried, (bodies, colliders), tree, params);

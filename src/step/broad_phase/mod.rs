@@ -28,8 +28,6 @@ use search::{Finds, Search};
 
 /// Colliders that are worth handing over to another thread together.
 const COLLIDERS_PER_TASK: usize = 16;
-/// Prefetch distance, in colliders.
-const TURNS_AHEAD: usize = 4;
 
 /// Buffers that are reused from step to step.
 #[derive(Default)]

@@ -1,11 +1,11 @@
 //! The neighbours of one collider.
 
 use super::owned_pairs::{HandlePair, OwnedPairs};
-use super::{COLLIDERS_PER_TASK, KnownPairs, TURNS_AHEAD};
+use super::{COLLIDERS_PER_TASK, KnownPairs};
 use crate::base::marks::Marks;
 use crate::base::pool::Pool;
 use crate::base::tasks::Tasks;
-use crate::base::wide::prefetch;
+use crate::base::wide::{PREFETCH_DISTANCE, prefetch};
 use crate::model::collider::{Collider, ColliderHandle, ColliderSet, may_interact};
 use crate::model::params::IntegrationParameters;
 use crate::model::tree::{BroadPhaseBvh, TreeKind};
@@ -94,7 +94,7 @@ impl<K: KnownPairs> Search<'_, K> {
         tasks.par_for(slots.len(), COLLIDERS_PER_TASK, |range| {
             let mut found = finds.take();
             for position in range {
-                self.prefetch(slots.get(position + TURNS_AHEAD));
+                self.prefetch(slots.get(position + PREFETCH_DISTANCE));
                 let slot = slots[position];
                 // The collider may be gone since it moved, or disabled.
                 let Some((handle, collider)) = self.colliders.at_slot(slot) else { continue };

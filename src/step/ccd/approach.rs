@@ -213,24 +213,24 @@ fn region_of(collider: &Collider, sweep: &Sweep<'_>, params: &IntegrationParamet
 
 /// Adds approached bodies to the fast bodies if their motion relative to a kinematic body is fast.
 pub(crate) fn add_approached(
-    world: CcdContext<'_>,
+    context: CcdContext<'_>,
     approaches: &[Approach],
     fast: &mut Vec<FastMotion>,
 ) {
     let mut last = None;
     for near in approaches {
-        let body = world.bodies.get(near.body).filter(|body| body.is_dynamic());
+        let body = context.bodies.get(near.body).filter(|body| body.is_dynamic());
         let Some(body) = body.filter(|body| !body.ccd_active && last != Some(near.body)) else {
             continue;
         };
-        let Some(kinematic) = world.bodies.get(near.kinematic) else { continue };
-        let motion = |handle: RigidBodyHandle| world.islands.motion_of(handle.into_raw_parts().0);
-        let drive = Drive::made(kinematic, motion(near.kinematic).shift, world.params.dt);
+        let Some(kinematic) = context.bodies.get(near.kinematic) else { continue };
+        let motion = |handle: RigidBodyHandle| context.islands.motion_of(handle.into_raw_parts().0);
+        let drive = Drive::made(kinematic, motion(near.kinematic).shift, context.params.dt);
         let own = motion(near.body);
         let relative = own.against(&drive.carry(body.mprops.world_com - own.shift, body.extent));
-        let is_link = || world.multibodies.rigid_body_link(near.body).is_some();
-        if FastMotion::is_one(body, relative, world.params) && !is_link() {
-            fast.extend(motion_of(world, near.body, body));
+        let is_link = || context.multibodies.rigid_body_link(near.body).is_some();
+        if FastMotion::is_one(body, relative, context.params) && !is_link() {
+            fast.extend(motion_of(context, near.body, body));
             last = Some(near.body);
         }
     }
@@ -238,11 +238,11 @@ pub(crate) fn add_approached(
 
 /// Motion of a body that is not fast, from the old poses of its colliders.
 fn motion_of(
-    world: CcdContext<'_>,
+    context: CcdContext<'_>,
     handle: RigidBodyHandle,
     body: &RigidBody,
 ) -> Option<FastMotion> {
-    let colliders = body.colliders.iter().filter_map(|&handle| world.colliders.get(handle));
+    let colliders = body.colliders.iter().filter_map(|&handle| context.colliders.get(handle));
     let (parent, pose) =
         colliders.filter_map(|collider| Some((collider.parent.as_ref()?, collider.pose))).next()?;
     let start = pose * parent.pos_wrt_parent.inverse();
@@ -252,7 +252,7 @@ fn motion_of(
         start,
         center,
         shift: body.mprops.world_com - center,
-        rotvec: body.angvel * world.params.dt,
+        rotvec: body.angvel * context.params.dt,
         acceleration: Vector::ZERO,
         link: None,
     })
@@ -268,19 +268,20 @@ pub(super) struct Movers {
 
 impl Movers {
     /// Lists them.
-    pub fn find(&mut self, world: CcdContext<'_>) {
+    pub fn find(&mut self, context: CcdContext<'_>) {
         self.boxes.clear();
         self.slots.clear();
-        for &handle in world.islands.awake.kinematic() {
-            if world.islands.motion_of(handle.into_raw_parts().0).bound() == 0.0 {
+        for &handle in context.islands.awake.kinematic() {
+            if context.islands.motion_of(handle.into_raw_parts().0).bound() == 0.0 {
                 continue;
             }
-            let Some(body) = world.bodies.get(handle) else { continue };
+            let Some(body) = context.bodies.get(handle) else { continue };
             for &handle in &body.colliders {
-                let collider = world.colliders.get(handle).filter(|collider| collider.is_enabled());
+                let collider =
+                    context.colliders.get(handle).filter(|collider| collider.is_enabled());
                 let Some(collider) = collider else { continue };
-                let sweep = sweep_of_slow(world, body, collider);
-                let region = region_of(collider, &sweep, world.params);
+                let sweep = sweep_of_slow(context, body, collider);
+                let region = region_of(collider, &sweep, context.params);
                 self.boxes.insert(&region, self.slots.len() as u32);
                 self.slots.push(handle.into_raw_parts().0);
             }

@@ -76,7 +76,7 @@ impl Ord for Impact {
 impl Bullets {
     /// Finds the stops of bullets, and reduces their motion fractions.
     pub fn find(&mut self, search: Search<'_>, stops: &mut [Real]) {
-        let fast = search.world.fast;
+        let fast = search.context.fast;
         if !(0..fast.len()).any(|position| is_bullet(search, position)) {
             return;
         }
@@ -151,7 +151,7 @@ impl Bullets {
         self.boxes.clear();
         self.balls.clear();
         let mut bullets = Vec::new();
-        for position in 0..search.world.fast.len() {
+        for position in 0..search.context.fast.len() {
             let path = Path::of(search, position, stops[position]);
             self.balls.push(Ball::around(search, position));
             let Some(path) = path.filter(|path| !path.movers.is_empty()) else { continue };
@@ -186,8 +186,8 @@ impl Bullets {
                 pairs.push(Pair { bullet, other: Other::Fast(other) });
             }
         });
-        search.world.trees.for_each_overlapping(TreeKind::Dynamic, region, |slot| {
-            let parent = search.world.colliders.at_slot(slot).and_then(|(_, c)| c.parent());
+        search.context.trees.for_each_overlapping(TreeKind::Dynamic, region, |slot| {
+            let parent = search.context.colliders.at_slot(slot).and_then(|(_, c)| c.parent());
             let Some(handle) = parent else { return };
             let is_fast = search.groups.position(handle.into_raw_parts().0).is_some();
             if !is_fast {
@@ -205,7 +205,7 @@ impl Bullets {
 
 fn is_bullet(search: Search<'_>, position: usize) -> bool {
     let body =
-        search.world.fast.get(position).and_then(|motion| search.world.bodies.get(motion.body));
+        search.context.fast.get(position).and_then(|motion| search.context.bodies.get(motion.body));
     body.is_some_and(|body| body.ccd_enabled)
 }
 
@@ -220,14 +220,14 @@ struct Ball {
 
 impl Ball {
     fn around(search: Search<'_>, position: usize) -> Self {
-        let motion = &search.world.fast[position];
-        let body = search.world.bodies.get(motion.body);
+        let motion = &search.context.fast[position];
+        let body = search.context.bodies.get(motion.body);
         // A link does not go straight.
         let body = body.filter(|_| motion.link.is_none());
         let skins = body.iter().flat_map(|body| &body.colliders);
-        let skins = skins.filter_map(|&handle| search.world.colliders.get(handle));
+        let skins = skins.filter_map(|&handle| search.context.colliders.get(handle));
         let skin = skins.map(|collider| collider.contact_skin).fold(0.0, Real::max);
-        let margin = search.world.params.prediction_distance() + skin;
+        let margin = search.context.params.prediction_distance() + skin;
         let radius = body.map_or(Real::INFINITY, |body| body.extent + margin);
         Self { center: motion.center, shift: motion.shift, radius }
     }

@@ -24,15 +24,15 @@ pub(super) struct Groups {
 
 impl Groups {
     /// Finds the groups.
-    pub fn find(&mut self, world: CcdContext<'_>) {
-        let fast = (0..).zip(world.fast);
+    pub fn find(&mut self, context: CcdContext<'_>) {
+        let fast = (0..).zip(context.fast);
         self.by_slot.clear();
         self.by_slot.extend(fast.map(|(at, motion)| (motion.body.into_raw_parts().0, at)));
         self.by_slot.sort_unstable();
         self.firsts.clear();
-        self.firsts.extend(0..world.fast.len() as u32);
+        self.firsts.extend(0..context.fast.len() as u32);
         let mut last_link = None;
-        for (position, motion) in (0..).zip(world.fast) {
+        for (position, motion) in (0..).zip(context.fast) {
             // Links of one multibody stand side by side.
             let tree = motion.link.map(|(tree, _)| tree);
             if tree.is_some() && tree == last_link {
@@ -40,7 +40,7 @@ impl Groups {
             }
             last_link = tree;
             let slot = motion.body.into_raw_parts().0;
-            let joints = &world.islands.joints;
+            let joints = &context.islands.joints;
             for link in joints.of_body(slot).iter().filter_map(|&joint| joints.get(joint)) {
                 let other = link.body_slots().into_iter().find(|&other| other != slot);
                 if let Some(other) = other.filter(|_| link.attached).and_then(|s| self.position(s))

@@ -8,7 +8,7 @@
 //! A kinematic root carries its links through walls, as kinematic bodies pass walls.
 
 use super::CcdContext;
-use crate::collide::Segment;
+use crate::collide::PathSegment;
 use crate::dim::math::{AngVector, Real, Vector, rotation_to_angle};
 use crate::model::body::RigidBodySet;
 use crate::model::multibody::{LinkTrajectory, Multibody, MultibodyJointSet};
@@ -24,7 +24,7 @@ const DEVIATION: Real = 0.01;
 /// The segments of all links of fast multibodies.
 #[derive(Default)]
 pub(super) struct LinkTrajectories {
-    segments: Vec<Segment>,
+    segments: Vec<PathSegment>,
     of_tree: Vec<Tree>,
 }
 
@@ -40,28 +40,28 @@ struct Tree {
 
 impl LinkTrajectories {
     /// Samples the trajectories of all fast multibodies.
-    pub fn find(&mut self, world: CcdContext<'_>) {
+    pub fn find(&mut self, context: CcdContext<'_>) {
         self.segments.clear();
         self.of_tree.clear();
         let mut next = 0;
-        for (tree, trajectory) in world.trajectories.iter().enumerate() {
+        for (tree, trajectory) in context.trajectories.iter().enumerate() {
             let is_own = |motion: &&FastMotion| motion.link.is_some_and(|link| link.0 == tree);
-            let links = &world.fast[next..];
+            let links = &context.fast[next..];
             let before = links.iter().take_while(|motion| !is_own(motion)).count();
             let count = links[before..].iter().take_while(is_own).count();
             let links = next + before..next + before + count;
             next = links.end;
             let pieces =
-                trajectory.pieces(DEVIATION * thickness(world, &world.fast[links.clone()]));
+                trajectory.pieces(DEVIATION * thickness(context, &context.fast[links.clone()]));
             self.of_tree.push(Tree { segments: self.segments.len(), pieces, links });
-            if let Some(multibody) = world.multibodies.get_multibody(trajectory.index) {
-                self.walk(world, trajectory, multibody, pieces);
+            if let Some(multibody) = context.multibodies.get_multibody(trajectory.index) {
+                self.walk(context, trajectory, multibody, pieces);
             }
         }
     }
 
     /// The segments of a link of a multibody; empty if the link is missing.
-    pub fn of(&self, (tree, link): (usize, usize)) -> &[Segment] {
+    pub fn of(&self, (tree, link): (usize, usize)) -> &[PathSegment] {
         let Tree { segments, pieces, .. } = self.of_tree[tree];
         let (start, count) = (segments + link * (pieces + 1), pieces + 1);
         self.segments.get(start..start + count).unwrap_or_default()
@@ -96,7 +96,7 @@ impl LinkTrajectories {
 
     fn walk(
         &mut self,
-        world: CcdContext<'_>,
+        context: CcdContext<'_>,
         trajectory: &LinkTrajectory,
         multibody: &Multibody,
         pieces: usize,
@@ -106,7 +106,7 @@ impl LinkTrajectories {
         let mut last: Vec<LinkSample> = Vec::new();
         trajectory.walk(multibody, pieces, |at, samples| {
             if at == 0 {
-                self.segments.resize(start + samples.len() * count, Segment::AT_REST);
+                self.segments.resize(start + samples.len() * count, PathSegment::AT_REST);
             }
             for (link, (from, to)) in last.iter().zip(samples).enumerate() {
                 let rotvec = (from.angular + to.angular) * (0.5 / pieces as Real);
@@ -117,7 +117,7 @@ impl LinkTrajectories {
             last.extend_from_slice(samples);
         });
         for (id, (link, from)) in multibody.links.iter().zip(&last).enumerate() {
-            let Some(body) = world.bodies.get(link.body) else { continue };
+            let Some(body) = context.bodies.get(link.body) else { continue };
             let rotvec = rotation_to_angle(&(body.pose.rotation * from.rotation.inverse()));
             let to = body.mprops.world_com;
             self.segments[start + id * count + pieces] = segment(pieces, pieces, from, to, rotvec);
@@ -128,7 +128,13 @@ impl LinkTrajectories {
 /// Segment `at` of a trajectory with this number of pieces. One more segment leads to the pose of the solver.
 /// That pose differs slightly from the trajectory if the link rotated about several axes in sequence. The
 /// last two take half as long as the others.
-fn segment(at: usize, pieces: usize, from: &LinkSample, to: Vector, rotvec: AngVector) -> Segment {
+fn segment(
+    at: usize,
+    pieces: usize,
+    from: &LinkSample,
+    to: Vector,
+    rotvec: AngVector,
+) -> PathSegment {
     let time = |at: usize| match at {
         at if at < pieces => at as Real / pieces as Real,
         at if at == pieces => 1.0 - 0.5 / pieces as Real,
@@ -137,7 +143,14 @@ fn segment(at: usize, pieces: usize, from: &LinkSample, to: Vector, rotvec: AngV
     let (begin, end) = (time(at), time(at + 1));
     let pace = 1.0 / (end - begin);
     let (shift, rotvec) = ((to - from.center) * pace, rotvec * pace);
-    Segment { from: begin, until: end, rotation: from.rotation, center: from.center, shift, rotvec }
+    PathSegment {
+        from: begin,
+        until: end,
+        rotation: from.rotation,
+        center: from.center,
+        shift,
+        rotvec,
+    }
 }
 
 /// Fraction of the trajectory after a fraction of the step. A link that stopped on the last segment is at its
@@ -149,11 +162,11 @@ fn gone(fraction: Real, pieces: usize) -> Real {
 
 /// The thickness of the thinnest of these links that is fast; of one without an inside, how near contacts are
 /// looked for.
-fn thickness(world: CcdContext<'_>, links: &[FastMotion]) -> Real {
-    let bodies = links.iter().filter_map(|motion| world.bodies.get(motion.body));
+fn thickness(context: CcdContext<'_>, links: &[FastMotion]) -> Real {
+    let bodies = links.iter().filter_map(|motion| context.bodies.get(motion.body));
     let fast = bodies.filter(|body| body.ccd_active).map(|body| {
         let is_solid = body.thickness > 0.0;
-        if is_solid { body.thickness } else { world.params.prediction_distance() }
+        if is_solid { body.thickness } else { context.params.prediction_distance() }
     });
     fast.fold(Real::MAX, Real::min)
 }

@@ -80,7 +80,7 @@ pub(crate) struct CcdScratch {
     /// By fast body: whether it is deeply penetrating when the step ends.
     deeply_penetrating: Vec<bool>,
     /// By fast body: the sensors that it passes.
-    passages: Vec<Vec<SensorCrossing>>,
+    crossings: Vec<Vec<SensorCrossing>>,
     /// Pairs of colliders whose paths were searched.
     searched: AtomicUsize,
 }
@@ -91,7 +91,7 @@ impl CcdScratch {
         self.stops.clear();
         self.rides.clear();
         self.deeply_penetrating.clear();
-        self.passages.clear();
+        self.crossings.clear();
         *self.searched.get_mut() = 0;
     }
 
@@ -124,7 +124,7 @@ pub(crate) struct CcdContext<'a> {
 /// Input of one search: the world and its fast bodies.
 #[derive(Copy, Clone)]
 struct Search<'a> {
-    world: CcdContext<'a>,
+    context: CcdContext<'a>,
     movers: &'a Movers,
     link_trajectories: &'a LinkTrajectories,
     groups: &'a Groups,
@@ -133,9 +133,9 @@ struct Search<'a> {
 
 /// Finds out where bodies are stopped that moved fast, and which sensors they pass. `scratch` contains the
 /// executed fractions of their motions.
-pub(crate) fn find_impacts(tasks: Tasks<'_>, world: CcdContext<'_>, scratch: &mut CcdScratch) {
+pub(crate) fn find_impacts(tasks: Tasks<'_>, context: CcdContext<'_>, scratch: &mut CcdScratch) {
     scratch.clear();
-    if world.fast.is_empty() {
+    if context.fast.is_empty() {
         return;
     }
     let CcdScratch {
@@ -149,14 +149,14 @@ pub(crate) fn find_impacts(tasks: Tasks<'_>, world: CcdContext<'_>, scratch: &mu
         deeply_penetrating,
         ..
     } = scratch;
-    let (passages, searched) = (&mut scratch.passages, &scratch.searched);
-    movers.find(world);
-    link_trajectories.find(world);
-    groups.find(world);
+    let (crossings, searched) = (&mut scratch.crossings, &scratch.searched);
+    movers.find(context);
+    link_trajectories.find(context);
+    groups.find(context);
     // Whose path could not be searched because a hook panicked is not moved.
-    let count = world.fast.len();
+    let count = context.fast.len();
     first.resize(count, Stop::AT_ONCE);
-    let search = Search { world, movers, link_trajectories, groups, searched };
+    let search = Search { context, movers, link_trajectories, groups, searched };
     tasks.par_fill(first, BODIES_PER_TASK, |position| {
         let path = Path::of(search, position, 1.0);
         path.map_or(Stop::NONE, |path| path.first_stop(search, Obstacles::All))
@@ -173,14 +173,14 @@ pub(crate) fn find_impacts(tasks: Tasks<'_>, world: CcdContext<'_>, scratch: &mu
         };
         path.is_some_and(|path| path.ends_deep(search))
     });
-    if world.trees.has_sensors() {
-        passages.resize_with(count, Vec::new);
-        tasks.par_fill(passages, BODIES_PER_TASK, |position| {
+    if context.trees.has_sensors() {
+        crossings.resize_with(count, Vec::new);
+        tasks.par_fill(crossings, BODIES_PER_TASK, |position| {
             let (path, end) = match rides.of(position) {
                 Some(ride) => (ride.path_of_all(search, position), ride.end),
                 None => (Path::of_all(search, position, stops[position]), stops[position]),
             };
-            path.map(|path| sensors::passages(search, &path, end)).unwrap_or_default()
+            path.map(|path| sensors::crossings(search, &path, end)).unwrap_or_default()
         });
     }
 }
@@ -241,7 +241,7 @@ pub(crate) fn stop(
         body.into_iter().for_each(|body| body.deeply_penetrating = deeply_penetrating);
     }
     scratch.link_trajectories.stop(bodies, multibodies, (fast, trajectories), &scratch.stops, dt);
-    for crossing in scratch.passages.iter().flatten() {
+    for crossing in scratch.crossings.iter().flatten() {
         counters.num_sensors_passed += 1;
         events.extend(crossing.events());
     }

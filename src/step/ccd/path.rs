@@ -2,7 +2,7 @@
 
 use super::ride::Stop;
 use super::{CcdContext, Search};
-use crate::collide::{Overlap, Segment, Solid, Sweep, SweepGoal, ends_deep, first_impact};
+use crate::collide::{Overlap, PathSegment, Solid, Sweep, SweepGoal, ends_deep, first_impact};
 use crate::dim::math::{Pose, Real, Vector};
 use crate::model::body::{RigidBody, RigidBodyHandle};
 use crate::model::collider::{ActiveHooks, Collider, ColliderHandle, may_interact};
@@ -45,7 +45,7 @@ pub(super) struct Path<'a> {
 impl Search<'_> {
     /// The least gap at which bodies are stopped (length units).
     pub fn gap_min(&self) -> Real {
-        GAP_MIN * self.world.params.prediction_distance()
+        GAP_MIN * self.context.params.prediction_distance()
     }
 
     /// Calls `visit` with the solid colliders in a region that are not on dynamic bodies, in slot order. Of
@@ -56,7 +56,7 @@ impl Search<'_> {
         region: &Aabb,
         mut visit: impl FnMut(Mover<'_>),
     ) {
-        let CcdContext { trees, colliders, .. } = self.world;
+        let CcdContext { trees, colliders, .. } = self.context;
         let mut slots = SmallVec::<[u32; 16]>::new();
         let kinds: &[_] = match obstacles {
             Obstacles::Moving => &[],
@@ -93,8 +93,8 @@ impl<'a> Path<'a> {
 
     /// The path of all colliders of the fast body at a position.
     pub fn of_all(search: Search<'a>, position: usize, stop: Real) -> Option<Self> {
-        let motion = &search.world.fast[position];
-        let body = search.world.bodies.get(motion.body)?;
+        let motion = &search.context.fast[position];
+        let body = search.context.bodies.get(motion.body)?;
         let segments = motion.link.map_or(&[] as &[_], |link| search.link_trajectories.of(link));
         if !segments.is_empty() {
             return Some(Self::of_segments(search, body, (segments, stop)));
@@ -105,15 +105,19 @@ impl<'a> Path<'a> {
 
     /// The path of all colliders of the fast body at a position along these segments, up to a fraction of the
     /// step.
-    pub fn along(search: Search<'a>, position: usize, way: (&'a [Segment], Real)) -> Option<Self> {
-        let body = search.world.bodies.get(search.world.fast[position].body)?;
+    pub fn along(
+        search: Search<'a>,
+        position: usize,
+        way: (&'a [PathSegment], Real),
+    ) -> Option<Self> {
+        let body = search.context.bodies.get(search.context.fast[position].body)?;
         Some(Self::of_segments(search, body, way))
     }
 
     fn of_segments(
         search: Search<'a>,
         body: &'a RigidBody,
-        (segments, stop): (&'a [Segment], Real),
+        (segments, stop): (&'a [PathSegment], Real),
     ) -> Self {
         let center = body.local_center_of_mass();
         let sweep = |collider: &Collider| match &collider.parent {
@@ -133,8 +137,8 @@ impl<'a> Path<'a> {
 
     /// The path of the solid colliders of a body that is not fast.
     pub fn of_slow(search: Search<'a>, handle: RigidBodyHandle) -> Option<Self> {
-        let body = search.world.bodies.get(handle)?;
-        let sweep = |collider: &Collider| sweep_of_slow(search.world, body, collider);
+        let body = search.context.bodies.get(handle)?;
+        let sweep = |collider: &Collider| sweep_of_slow(search.context, body, collider);
         Some(Self { body, movers: movers(search, body, sweep) }.of_solids())
     }
 
@@ -197,9 +201,9 @@ impl<'a> Mover<'a> {
         if parent.is_some_and(|body| search.groups.position(body.into_raw_parts().0).is_some()) {
             return None;
         }
-        let body = parent.and_then(|body| search.world.bodies.get(body));
+        let body = parent.and_then(|body| search.context.bodies.get(body));
         let sweep = body.map_or(Sweep::at_rest(collider.pose), |body| {
-            sweep_of_slow(search.world, body, collider)
+            sweep_of_slow(search.context, body, collider)
         });
         Some(Self { handle, collider, sweep })
     }
@@ -210,7 +214,7 @@ impl<'a> Mover<'a> {
             return None;
         }
         search.searched.fetch_add(1, Ordering::Relaxed);
-        let params = search.world.params;
+        let params = search.context.params;
         let skin = self.collider.contact_skin + other.collider.contact_skin;
         let goal = SweepGoal {
             gap: params.allowed_linear_error().max(search.gap_min()) + skin,
@@ -234,7 +238,7 @@ impl<'a> Mover<'a> {
             && !hooks.contains(ActiveHooks::MODIFY_SOLVER_CONTACTS)
             && !self.is_parted_from(other, search)
             && (!hooks.contains(ActiveHooks::FILTER_CONTACT_PAIRS)
-                || lets_solver_push(search.world.hooks, &self.filter_context(other, search)))
+                || lets_solver_push(search.context.hooks, &self.filter_context(other, search)))
     }
 
     /// The hook's view of the two.
@@ -245,8 +249,8 @@ impl<'a> Mover<'a> {
     ) -> PairFilterContext<'b> {
         let [low, high] = self.in_order(other);
         PairFilterContext {
-            bodies: search.world.bodies,
-            colliders: search.world.colliders,
+            bodies: search.context.bodies,
+            colliders: search.context.colliders,
             collider1: low.handle,
             collider2: high.handle,
             rigid_body1: low.collider.parent(),
@@ -263,7 +267,7 @@ impl<'a> Mover<'a> {
     fn is_parted_from(&self, other: &Mover<'_>, search: Search<'_>) -> bool {
         let (own, others) = (self.collider.parent(), other.collider.parent());
         own.zip(others).is_some_and(|(own, others)| {
-            search.world.islands.joints.part(own.into_raw_parts().0, others.into_raw_parts().0)
+            search.context.islands.joints.part(own.into_raw_parts().0, others.into_raw_parts().0)
         })
     }
 }
@@ -274,7 +278,7 @@ fn movers<'a>(
     sweep: impl Fn(&'a Collider) -> Sweep<'a>,
 ) -> SmallVec<[Mover<'a>; 2]> {
     let enabled = body.colliders.iter().filter_map(|&handle| {
-        let collider = search.world.colliders.get(handle)?;
+        let collider = search.context.colliders.get(handle)?;
         collider.is_enabled().then(|| Mover { handle, collider, sweep: sweep(collider) })
     });
     enabled.collect()
@@ -287,18 +291,18 @@ pub(super) fn sweep_of(motion: &FastMotion, start: Pose, stop: Real) -> Sweep<'s
 
 /// The motion from the old pose of the collider to its body's new pose.
 pub(super) fn sweep_of_slow(
-    world: CcdContext<'_>,
+    context: CcdContext<'_>,
     body: &RigidBody,
     collider: &Collider,
 ) -> Sweep<'static> {
     let Some(parent) = &collider.parent else { return Sweep::at_rest(collider.pose) };
-    if world.islands.motion_of(body_slot(collider)).bound() == 0.0 {
+    if context.islands.motion_of(body_slot(collider)).bound() == 0.0 {
         return Sweep::at_rest(collider.pose);
     }
     let local_center = parent.pos_wrt_parent.inverse_transform_point(body.local_center_of_mass());
     let center = collider.pose * local_center;
     let shift: Vector = body.mprops.world_com - center;
-    Sweep::new(collider.pose, center, shift, body.angvel * world.params.dt)
+    Sweep::new(collider.pose, center, shift, body.angvel * context.params.dt)
 }
 
 fn body_slot(collider: &Collider) -> u32 {

@@ -27,14 +27,14 @@
 use super::Search;
 use super::path::{Mover, Obstacles, Path, sweep_of};
 use crate::base::tasks::Tasks;
-use crate::collide::{Segment, Sweep};
+use crate::collide::{PathSegment, Sweep};
 use crate::dim::math::{ANG_ZERO, Pose, Real, Vector, ang_length_squared, rotation_to_angle};
 use crate::model::body::RigidBody;
 use crate::model::collider::ColliderHandle;
 use crate::model::island::BodyMotion;
 use smallvec::{SmallVec, smallvec};
 
-/// Rides and stands that follow the first stop of a body in one step. Each costs a search.
+/// Rides and rests that follow the first stop of a body in one step. Each costs a search.
 const SEGMENTS_MAX: usize = 4;
 
 /// Cause and time of a stop.
@@ -57,7 +57,7 @@ impl Stop {
 #[derive(Clone, Debug)]
 pub(super) struct Ride {
     /// The path until the first stop, and the path after it.
-    pub segments: SmallVec<[Segment; 4]>,
+    pub segments: SmallVec<[PathSegment; 4]>,
     /// The fraction of the step at which the last segment ends.
     pub end: Real,
     /// The pose of the body then.
@@ -163,9 +163,9 @@ impl Ride {
         fraction: Real,
         by: Option<ColliderHandle>,
     ) -> Option<Self> {
-        let motion = &search.world.fast[position];
-        let body = search.world.bodies.get(motion.body).filter(|_| motion.link.is_none())?;
-        let first = Segment {
+        let motion = &search.context.fast[position];
+        let body = search.context.bodies.get(motion.body).filter(|_| motion.link.is_none())?;
+        let first = PathSegment {
             from: 0.0,
             until: fraction,
             rotation: motion.start.rotation,
@@ -203,7 +203,7 @@ impl Ride {
         let (from, local_center) = (self.end, body.local_center_of_mass());
         let (end, obstacles) = match on {
             Some(on) => {
-                let collider = search.world.colliders.get(on)?;
+                let collider = search.context.colliders.get(on)?;
                 let carrier = Mover::not_fast(search, on, collider)?.sweep;
                 (carried(&carrier, from, &self.pose), Obstacles::NotOn(collider.parent()))
             }
@@ -234,7 +234,7 @@ impl Ride {
 
     /// The same ride, up to a fraction of the step. `None` if nothing of it is left.
     fn until(mut self, search: Search<'_>, position: usize, end: Real) -> Option<Self> {
-        let body = search.world.bodies.get(search.world.fast[position].body)?;
+        let body = search.context.bodies.get(search.context.fast[position].body)?;
         let last = self.segments.last_mut().filter(|segment| segment.from < end)?;
         last.until = end;
         self.end = end;
@@ -245,7 +245,7 @@ impl Ride {
     }
 
     fn motion_of(&self, body: &RigidBody) -> BodyMotion {
-        let lasts = |segment: &Segment| segment.until - segment.from;
+        let lasts = |segment: &PathSegment| segment.until - segment.from;
         let way: Vector = self.segments.iter().map(|segment| segment.shift * lasts(segment)).sum();
         let angle: Real =
             self.segments.iter().map(|segment| segment.angle() * lasts(segment)).sum();
@@ -274,18 +274,22 @@ fn carried(carrier: &Sweep<'_>, fraction: Real, start: &Pose) -> Pose {
 
 /// The straight segment from one pose to another in the rest of the step. `None` if it has no finite
 /// velocity.
-fn straight_segment(from: Real, [start, end]: [&Pose; 2], local_center: Vector) -> Option<Segment> {
+fn straight_segment(
+    from: Real,
+    [start, end]: [&Pose; 2],
+    local_center: Vector,
+) -> Option<PathSegment> {
     let pace = 1.0 / (1.0 - from);
     let center = *start * local_center;
     let shift = (*end * local_center - center) * pace;
     let rotvec = rotation_to_angle(&(end.rotation * start.rotation.inverse())) * pace;
     let is_finite = shift.is_finite() && ang_length_squared(rotvec).is_finite();
-    let segment = Segment { from, until: 1.0, rotation: start.rotation, center, shift, rotvec };
+    let segment = PathSegment { from, until: 1.0, rotation: start.rotation, center, shift, rotvec };
     is_finite.then_some(segment)
 }
 
 /// The segment of a body that is stopped for the rest of the step.
-fn resting_segment(from: Real, pose: &Pose, local_center: Vector) -> Segment {
+fn resting_segment(from: Real, pose: &Pose, local_center: Vector) -> PathSegment {
     let (rotation, center) = (pose.rotation, *pose * local_center);
-    Segment { from, until: 1.0, rotation, center, shift: Vector::ZERO, rotvec: ANG_ZERO }
+    PathSegment { from, until: 1.0, rotation, center, shift: Vector::ZERO, rotvec: ANG_ZERO }
 }

@@ -35,19 +35,21 @@ impl SensorCrossing {
 }
 
 /// The sensors on the path of a fast body, up to a fraction of the step.
-pub(super) fn passages(search: Search<'_>, path: &Path<'_>, stop: Real) -> Vec<SensorCrossing> {
+pub(super) fn crossings(search: Search<'_>, path: &Path<'_>, stop: Real) -> Vec<SensorCrossing> {
     let mut found = Vec::new();
     for mover in &path.movers {
         let region = mover.sweep.region(mover.collider.shape());
         for kind in TreeKind::ALL {
-            search.world.trees.for_each_overlapping(kind, &region, |slot| {
-                let Some((handle, collider)) = search.world.colliders.at_slot(slot) else { return };
+            search.context.trees.for_each_overlapping(kind, &region, |slot| {
+                let Some((handle, collider)) = search.context.colliders.at_slot(slot) else {
+                    return;
+                };
                 if !is_reported(mover.collider, collider) {
                     return;
                 }
                 // Bodies that are inside already were reported. At the edge of a shape this search and that
                 // of the narrow phase may differ.
-                let known = search.world.narrow_phase;
+                let known = search.context.narrow_phase;
                 if known.intersection_pair(mover.handle, handle) == Some(true) {
                     return;
                 }
@@ -80,14 +82,14 @@ fn may_pass(
     (body, mover): (&RigidBody, &Mover<'_>),
     other: &Mover<'_>,
 ) -> bool {
-    let parent = other.collider.parent().and_then(|parent| search.world.bodies.get(parent));
+    let parent = other.collider.parent().and_then(|parent| search.context.bodies.get(parent));
     let dynamic = parent.filter(|parent| parent.is_dynamic());
     let counts = dynamic.is_none_or(|other| body.ccd_enabled || other.ccd_enabled);
     let hooks = mover.collider.active_hooks() | other.collider.active_hooks();
     counts
         && may_interact(mover.collider, other.collider)
         && (!hooks.contains(ActiveHooks::FILTER_INTERSECTION_PAIR)
-            || search.world.hooks.filter_intersection_pair(&mover.filter_context(other, search)))
+            || search.context.hooks.filter_intersection_pair(&mover.filter_context(other, search)))
 }
 
 impl Mover<'_> {

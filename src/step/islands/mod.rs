@@ -9,6 +9,7 @@ mod sleep;
 
 pub(crate) use sleep::{SleepScratch, put_to_sleep};
 
+use crate::base::wide::PREFETCH_DISTANCE;
 use crate::model::body::{RigidBody, RigidBodyHandle};
 use crate::model::collider::{ActiveEvents, ColliderHandle, ColliderSet};
 use crate::model::contact::PairId;
@@ -16,14 +17,11 @@ use crate::model::event::{CollisionEvent, CollisionEventFlags};
 use crate::model::structure::Structure;
 use crate::step::notes::{PairChange, StepNotes};
 
-/// Prefetch distance, in list positions.
-const TURNS_AHEAD: usize = 4;
-
 /// Links and cuts pairs that began and stopped touching, and wakes bodies that moving kinematic bodies touch.
 pub(crate) fn update(structure: &mut Structure<'_>, notes: &mut StepNotes) {
     let StepNotes { contacts, intersections, events, .. } = notes;
     for (index, &(id, change)) in contacts.iter().enumerate() {
-        if let Some(&(later, _)) = contacts.get(index + TURNS_AHEAD) {
+        if let Some(&(later, _)) = contacts.get(index + PREFETCH_DISTANCE) {
             structure.prefetch_contact(later);
         }
         follow_contact(structure, id, change, events);

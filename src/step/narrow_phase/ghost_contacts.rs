@@ -13,7 +13,7 @@ use super::view::PairView;
 use crate::base::disjoint::DisjointMut;
 use crate::base::pool::Pool;
 use crate::base::tasks::Tasks;
-use crate::collide::{Neighbor, SAME_NORMAL, internal_edges_among};
+use crate::collide::{Neighbor, SAME_NORMAL, ghost_contacts_among};
 use crate::dim::math::Real;
 use crate::model::body::RigidBody;
 use crate::model::collider::Collider;
@@ -194,11 +194,11 @@ impl<'a> Contacts<'a> {
             return;
         }
         // The order is from behind, so that the other positions stay valid.
-        let mut ghost_contacts = internal_edges_among(&self.list, step_height_tolerance);
+        let mut ghost_contacts = ghost_contacts_among(&self.list, step_height_tolerance);
         ghost_contacts.sort_unstable();
-        for edge in ghost_contacts.into_iter().rev() {
-            self.list.remove(edge);
-            self.ghost_contacts.push(self.pairs.remove(edge));
+        for index in ghost_contacts.into_iter().rev() {
+            self.list.remove(index);
+            self.ghost_contacts.push(self.pairs.remove(index));
         }
     }
 

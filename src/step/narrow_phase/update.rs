@@ -28,10 +28,10 @@ const PAIRS_PER_TASK: usize = 16;
 /// And outcomes.
 const OUTCOMES_PER_TASK: usize = 512;
 
-/// Prefetch distance, in list positions.
-const TURNS_AHEAD: usize = 2;
-/// The same, where nothing else is done in a turn.
-const SLOTS_AHEAD: usize = 32;
+/// Prefetch distance of the update, in list positions.
+const PAIR_PREFETCH_DISTANCE: usize = 2;
+/// Prefetch distance where outcomes are stored, with no other work per list position.
+const SLOT_PREFETCH_DISTANCE: usize = 32;
 
 /// Context of the narrow phase.
 #[derive(Copy, Clone)]
@@ -167,7 +167,7 @@ pub(super) trait Update: Pair + Sized + Send + Sync {
     /// Goes over the pairs that were computed once all of them are known.
     fn filter_ghost_contacts(
         _tasks: Tasks<'_>,
-        _around: NarrowPhaseContext<'_>,
+        _context: NarrowPhaseContext<'_>,
         _store: &mut PairStore<Self>,
         _computed: Computed<'_>,
         _scratch: &mut GhostContactScratch,
@@ -271,9 +271,9 @@ fn apply<P: Pair>(
     let states = DisjointMut::new(states);
     let apply = |range: Range<usize>, found: &mut Vec<Change>| {
         for index in range {
-            let later = outcomes.get(index + SLOTS_AHEAD).and_then(|later| later.change);
+            let later = outcomes.get(index + SLOT_PREFETCH_DISTANCE).and_then(|later| later.change);
             if later.is_some() {
-                slots.prefetch(due[index + SLOTS_AHEAD]);
+                slots.prefetch(due[index + SLOT_PREFETCH_DISTANCE]);
             }
             let (id, outcome) = (due[index], &outcomes[index]);
             // SAFETY: ids of awake pairs differ, and so do the indices of different tasks.
@@ -300,11 +300,11 @@ impl<P: Update> Ahead<'_, P> {
     /// The pair contains the collider slots, so it is prefetched first.
     #[inline(always)]
     fn of(&self, index: usize) {
-        if let Some(&id) = self.due.get(index + 2 * TURNS_AHEAD) {
+        if let Some(&id) = self.due.get(index + 2 * PAIR_PREFETCH_DISTANCE) {
             // SAFETY: the later pairs of the range belong to this task exclusively.
             prefetch(unsafe { self.pairs.get(id as usize) });
         }
-        if let Some(&id) = self.due.get(index + TURNS_AHEAD) {
+        if let Some(&id) = self.due.get(index + PAIR_PREFETCH_DISTANCE) {
             // SAFETY: as above.
             let pair = unsafe { self.pairs.get(id as usize) };
             for collider in pair.iter().flat_map(Pair::colliders) {

@@ -164,7 +164,7 @@ fn cancel_out(events: &mut Vec<CollisionEvent>, emitted: usize) {
 pub(crate) fn is_at_risk(world: &World<'_>, conditions: StepConditions<'_>) -> bool {
     let World { islands, bodies, colliders, joints, .. } = world;
     let is_ill_conditioned = |&handle: &RigidBodyHandle| {
-        bodies.get(handle).is_some_and(|body| !conditions.treat_gently(body))
+        bodies.get(handle).is_some_and(|body| !conditions.is_moderate_edit(body))
     };
     let is_heavy = |&handle: &ColliderHandle| {
         colliders.get(handle).is_some_and(|collider| !mass_is_moderate(&collider.mass_props))
@@ -172,7 +172,7 @@ pub(crate) fn is_at_risk(world: &World<'_>, conditions: StepConditions<'_>) -> b
     conditions.params.dt > 0.0
         && (islands.ill_conditioned
             || conditions.params.dt > DURATION_MAX
-            || !conditions.is_gentle(conditions.gravity * conditions.params.dt)
+            || !conditions.is_moderate_velocity(conditions.gravity * conditions.params.dt)
             || bodies.modified().iter().any(is_ill_conditioned)
             || colliders.modified().iter().any(is_heavy)
             || joints.modified().any(|(handle, _)| {
@@ -183,16 +183,16 @@ pub(crate) fn is_at_risk(world: &World<'_>, conditions: StepConditions<'_>) -> b
 
 impl StepConditions<'_> {
     /// Returns whether all user-provided values of a body are moderate, its position included.
-    fn treat_gently(self, body: &RigidBody) -> bool {
+    fn is_moderate_edit(self, body: &RigidBody) -> bool {
         let Self { gravity, params } = self;
         let (force, torque) = body.forces();
         let to_target = body.velocity_to_next_position(params.inv_dt());
         let inv_mass = body.mprops.local_mprops.inv_mass;
         let acceleration = gravity * body.gravity_scale + force * inv_mass;
         let twist = mul_inertia(&body.mprops.inv_inertia, torque);
-        self.is_gentle(body.linvel)
-            && self.is_gentle(acceleration * params.dt)
-            && self.is_gentle(to_target.linvel)
+        self.is_moderate_velocity(body.linvel)
+            && self.is_moderate_velocity(acceleration * params.dt)
+            && self.is_moderate_velocity(to_target.linvel)
             && rotates_moderately(body.angvel)
             && rotates_moderately(twist * params.dt)
             && rotates_moderately(to_target.angvel)
@@ -204,7 +204,7 @@ impl StepConditions<'_> {
     }
 
     /// Returns whether the value is moderate as a velocity, even in a long step.
-    fn is_gentle(self, velocity: Vector) -> bool {
+    fn is_moderate_velocity(self, velocity: Vector) -> bool {
         is_within(
             velocity * self.params.dt.max(1.0),
             EDIT_VELOCITY_MAX * self.params.length_unit.max(1.0),

@@ -295,7 +295,7 @@ impl SolverContacts {
     }
 
     /// Returns whether any contact has restitution.
-    pub fn bounce(&self) -> bool {
+    pub fn has_restitution(&self) -> bool {
         !self.impacts.is_empty()
     }
 
@@ -376,7 +376,7 @@ fn fill(
     }
     let contacts = &narrow_phase.contacts;
     for (lane, &at) in chunk.iter().enumerate() {
-        if block.set_lane_slot(lane, Some(at)) || contacts.is_renewed(at.pair) {
+        if block.assign(lane, Some(at)) || contacts.is_renewed(at.pair) {
             block.learn(lane, at.manifold, &contacts[at.pair], contacts.bodies(at.pair));
         }
     }

@@ -151,7 +151,7 @@ pub(super) struct Groups {
     requirements: Vec<IslandRequirement>,
     /// By dynamic body, in the order of the awake list.
     body_requirements: Vec<BodyRequirement>,
-    /// The same by body slot. Filled only while needs are found.
+    /// The same by body slot. Filled only while requirements are found.
     by_slot: Vec<BodyRequirement>,
     /// Substeps of each island, then those that occur.
     substeps: Vec<usize>,
@@ -198,8 +198,8 @@ impl Groups {
             let members = 0..self.order.len();
             return self.groups.push(Group { members, substeps: params.num_solver_iterations });
         }
-        self.find_needs(islands, bodies.slot_count(), narrow_phase);
-        self.find_needs_of_joints(islands, bodies, joints);
+        self.find_requirements(islands, bodies.slot_count(), narrow_phase);
+        self.find_requirements_of_joints(islands, bodies, joints);
         self.find_substeps(islands, gravity.length(), params);
         self.order.extend_from_slice(islands.awake.kinematic());
         for &substeps in &self.counts {
@@ -237,7 +237,7 @@ impl Groups {
     }
 
     /// Finds the requirements of islands from touching bodies.
-    fn find_needs(
+    fn find_requirements(
         &mut self,
         islands: &IslandManager,
         slot_count: usize,
@@ -245,7 +245,7 @@ impl Groups {
     ) {
         self.requirements.clear();
         self.requirements.resize(islands.island_bound() as usize, IslandRequirement::NOTHING);
-        // Longer, if need be: what rests costs nothing.
+        // This writes new entries alone, so sleeping bodies are free.
         self.by_slot.resize(slot_count.max(self.by_slot.len()), BodyRequirement::NONE);
         let slots = islands.awake.dynamic().iter().map(|handle| handle.into_raw_parts().0 as usize);
         for (slot, body_requirement) in slots.clone().zip(&self.body_requirements) {
@@ -272,7 +272,7 @@ impl Groups {
     }
 
     /// Finds the requirements of islands from bodies with joints.
-    fn find_needs_of_joints(
+    fn find_requirements_of_joints(
         &mut self,
         islands: &IslandManager,
         bodies: &RigidBodySet,

@@ -97,12 +97,12 @@ pub(crate) struct SolverContext<'a> {
 ///
 /// If there are bodies that cannot be stored, nothing is.
 pub(crate) fn solve(
-    scene: SolverContext<'_>,
+    context: SolverContext<'_>,
     scratch: &mut SolverScratch,
     counters: &mut SolverCounters,
 ) {
-    let SolverContext { gravity, params, simd, tasks, bodies, narrow_phase, islands, .. } = scene;
-    let (set, trees, diverged) = (scene.joints, scene.multibodies, scene.diverged);
+    let SolverContext { gravity, params, simd, tasks, bodies, narrow_phase, islands, .. } = context;
+    let (set, trees, diverged) = (context.joints, context.multibodies, context.diverged);
     let SolverScratch { groups, bodies: states, constraints } = scratch;
     counters.velocity_assembly_time.resume();
     groups.divide(islands, bodies, narrow_phase, set, (gravity, params, tasks));
@@ -126,8 +126,9 @@ pub(crate) fn solve(
         let per_point = params.friction_model == FrictionModel::Coulomb;
         let kind = LoadKind { is_only_group, per_point };
         contacts.load(&islands.graph, narrow_phase, (states, kind), multibodies, tasks);
-        let around = MultibodyContext { narrow_phase, islands, joints: set, world: bodies };
-        multibodies.prepare(around, states, &pass);
+        let multibody_context =
+            MultibodyContext { narrow_phase, islands, joints: set, world: bodies };
+        multibodies.prepare(multibody_context, states, &pass);
         counters.velocity_assembly_time.pause();
 
         let place = (&*narrow_phase, &*bodies);
@@ -151,7 +152,7 @@ pub(crate) fn solve(
             narrow_phase.contacts.forget_renewed();
         }
         let world = World { narrow_phase, set, trees, islands, bodies };
-        let SolverContext { fast, trajectories, broken, .. } = scene;
+        let SolverContext { fast, trajectories, broken, .. } = context;
         let mut notes = Notes { fast, trajectories, broken };
         store_constraints(constraints, world, &mut notes, params, (counters, simd, tasks));
         let world = (&mut *islands, bodies, &constraints[0].multibodies);
@@ -259,7 +260,7 @@ fn solve_group(
     for substep in 0..substeps {
         let last = if substep == 0 { &mut states.before } else { &mut states.states };
         multibodies.note_velocities(last);
-        let when = (substep == 0, contacts.bounce());
+        let when = (substep == 0, contacts.has_restitution());
         let slowed = states.integrate_velocities(h, params, when, (simd, tasks));
         limited = limited.max(slowed);
         if substep > 0 {
@@ -270,8 +271,8 @@ fn solve_group(
         joints.scale_impulses(params.warmstart_coefficient);
         contacts.scale_impulses(params.warmstart_coefficient);
         let links = (&mut *multibodies, place);
-        let around = ImpactContext { joints, joint_pass: &joint_pass, links, simd, tasks };
-        contacts.solve_impacts(states, around, &impact_pass);
+        let impact_context = ImpactContext { joints, joint_pass: &joint_pass, links, simd, tasks };
+        contacts.solve_impacts(states, impact_context, &impact_pass);
         for _ in 0..params.num_internal_pgs_iterations {
             joints.solve(states, &joint_pass, simd, tasks);
             contacts.solve(states, &pass, simd, tasks);

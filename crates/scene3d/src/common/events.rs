@@ -1,7 +1,7 @@
 //! The events of a step.
 
 use crate::rapier::prelude::*;
-use std::sync::{Mutex, PoisonError};
+use std::sync::mpsc::channel;
 
 /// The events of one step, in the order of the engine's reports.
 #[derive(Debug, Default)]
@@ -12,39 +12,16 @@ pub struct StepEvents {
     pub contact_forces: Vec<ContactForceEvent>,
 }
 
-/// Collects the events of one step. Each step has a log of its own, so copies of a scene share no events.
-#[derive(Default)]
-pub(super) struct EventLog(Mutex<StepEvents>);
-
-impl EventLog {
-    /// The collected events.
-    pub(super) fn into_events(self) -> StepEvents {
-        self.0.into_inner().unwrap_or_else(PoisonError::into_inner)
-    }
-
-    fn add(&self, change: impl FnOnce(&mut StepEvents)) {
-        change(&mut self.0.lock().unwrap_or_else(PoisonError::into_inner));
-    }
-}
-
-impl EventHandler for EventLog {
-    fn handle_collision_event(
-        &self,
-        _: &RigidBodySet,
-        _: &ColliderSet,
-        event: &CollisionEvent,
-        _: Option<&ContactPair>,
-    ) {
-        self.add(|events| events.collisions.push(*event));
-    }
-
-    fn handle_contact_force_event(
-        &self,
-        _: Real,
-        event: &ContactForceEvent,
-        _: &RigidBodySet,
-        _: &ColliderSet,
-    ) {
-        self.add(|events| events.contact_forces.push(*event));
+impl StepEvents {
+    /// Runs a step and collects its events. Each step has channels of its own, so copies of a scene share no events.
+    pub(super) fn collect<T>(step: impl FnOnce(&dyn EventHandler) -> T) -> (T, Self) {
+        let (send_collision, collisions) = channel();
+        let (send_force, forces) = channel();
+        let result = step(&ChannelEventCollector::new(send_collision, send_force));
+        let events = Self {
+            collisions: collisions.try_iter().collect(),
+            contact_forces: forces.try_iter().collect(),
+        };
+        (result, events)
     }
 }

@@ -1,5 +1,6 @@
 //! Groups of bodies that touch or are joined, for colours.
 
+use super::palette::spread;
 use crate::rapier::prelude::*;
 use drawing::Color;
 use std::collections::HashMap;
@@ -61,7 +62,7 @@ impl Islands {
 
     /// The colour of a body's group; none for a body that is not dynamic.
     pub(super) fn color(&mut self, body: RigidBodyHandle) -> Option<Color> {
-        let hue = (slot(self.root(body)?) as f32 * 0.618_034).fract() * 360.0;
+        let hue = spread(slot(self.root(body)?)) * 360.0;
         Some(Color::from_hsl(hue, 0.6, 0.58, 1.0))
     }
 }

@@ -1,5 +1,6 @@
 //! Lines over the surfaces: what the debug-renderer draws, and marks of bodies.
 
+use super::palette::spread;
 use crate::rapier::prelude::*;
 use crate::shapes::point;
 use drawing::{Color, Drawing, Line};
@@ -115,12 +116,12 @@ impl Overlays {
     }
 }
 
-/// The look of a solver colour. Multiples of the golden section keep the hues of neighbouring numbers apart.
+/// The look of a solver colour.
 fn solver_look(number: u32) -> [f32; 3] {
     let [saturation, lightness] = SOLVER_COLOR;
     match number {
         OVERFLOW_COLOR => OVERFLOW,
-        _ => [(number as f32 * 0.618_034).fract() * 360.0, saturation, lightness],
+        _ => [spread(number) * 360.0, saturation, lightness],
     }
 }
 

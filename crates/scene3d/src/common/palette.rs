@@ -19,6 +19,12 @@ const SCENERY: [f32; 3] = [218.0, 0.16, 0.40];
 /// Factors on saturation and lightness of sleeping bodies.
 const ASLEEP: [f32; 2] = [0.55, 0.72];
 
+/// A place from 0 to 1 for a number. Multiples of the golden section spread evenly, and neighbouring numbers are far
+/// apart.
+pub(super) fn spread(number: u32) -> f32 {
+    (number as f32 * 0.618_034).fract()
+}
+
 /// The colour of a collider. Neighbouring handles have different colours.
 pub(super) fn color(
     handle: ColliderHandle,
@@ -28,9 +34,8 @@ pub(super) fn color(
 ) -> Color {
     let [hue, mut saturation, mut lightness] = match body {
         Some(body) if body.is_dynamic() => {
-            // Multiples of the golden section spread evenly.
-            let spread = (handle.into_raw_parts().0 as f32 * 0.618_034).fract();
-            DYNAMIC[(spread * DYNAMIC.len() as f32) as usize % DYNAMIC.len()]
+            let place = spread(handle.into_raw_parts().0) * DYNAMIC.len() as f32;
+            DYNAMIC[place as usize % DYNAMIC.len()]
         }
         Some(body) if body.is_kinematic() => KINEMATIC,
         _ if scenery => SCENERY,

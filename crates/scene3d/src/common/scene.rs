@@ -1,7 +1,7 @@
 //! A scene: a world, and what happens to it beside physics.
 
 use super::draw::Artist;
-use super::events::{EventLog, StepEvents};
+use super::events::StepEvents;
 use super::law::Law;
 use crate::rapier::prelude::*;
 use crate::shapes::point;
@@ -197,9 +197,8 @@ impl Scene {
             script.run(&mut self.world, self.steps_taken);
         }
         self.steps_taken += 1;
-        let log = EventLog::default();
-        let result = step(&mut self.world, self.hooks.as_ref(), &log);
-        let events = log.into_events();
+        let (world, hooks) = (&mut self.world, self.hooks.as_ref());
+        let (result, events) = StepEvents::collect(|log| step(world, hooks, log));
         if let Some(react) = &self.reaction {
             react(&mut self.world, &events);
         }

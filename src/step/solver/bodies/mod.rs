@@ -52,7 +52,7 @@ pub(super) struct SolverBodies {
 }
 
 const WORLD: u32 = BodyPose::WORLD_INDEX | NEAR_REST;
-/// Bits of a body index. [`NEAR_REST`] marks bodies of a pile that are near rest, and the supports of piles.
+/// Bit of a body index: marks bodies of a pile that are near rest, and the supports of piles.
 const NEAR_REST: u32 = READ_ONLY >> 1;
 
 impl SolverBodies {
@@ -156,7 +156,8 @@ impl SolverBodies {
 
     /// Commits the velocity changes of an impact since the `start`, scaled by the `fraction` of each island.
     /// The changes count from the mean time of the impacts of a body, and are no warm-start impulses.
-    /// `delays` are the sum of these and of each times its time, in place of two components of a velocity.
+    /// `delays` holds the sum of a body's impact impulses, and of each times its time, in place of two
+    /// components of a velocity.
     pub fn accept_impact(
         &mut self,
         touched: &[u32],
@@ -175,9 +176,9 @@ impl SolverBodies {
             self.states[index].set_velocity(old_v + added_v, old_w + added_w);
             let before = &mut self.before[index];
             before.add_velocity(join(added_v, added_w));
-            let (blows, _) = delays[index].velocity();
-            if blows.x > 0.0 {
-                let delay = -blows.y / blows.x;
+            let (impulses, _) = delays[index].velocity();
+            if impulses.x > 0.0 {
+                let delay = -impulses.y / impulses.x;
                 self.states[index].add_displacement(join(added_v * delay, added_w * delay));
                 before.copy_displacement(&self.states[index]);
                 self.motions[index].rotate(added_w * delay);

@@ -6,7 +6,7 @@
 
 use super::points::NormalRows;
 use super::rows::{ActiveRow, ImpactBlock, ImpactMark};
-use super::{EnergyBudget, lanes};
+use super::{ImpactIsland, lanes};
 use crate::base::disjoint::DisjointMut;
 use crate::base::wide::{Kernel, LANES, Lane, Wide};
 use crate::dim::contact::ContactBlock;
@@ -15,9 +15,9 @@ use crate::dim::state::{BodyState, gather_states, scatter_states};
 use crate::step::solver::contacts::Blocks;
 use core::ops::Range;
 
-/// Gauss–Seidel iterations over the points of a manifold per pass. The points couple with each other more
-/// than with other manifolds.
-pub(in super::super) const ITERATIONS: usize = 4;
+/// Gauss–Seidel sweeps over the points of a manifold in each iteration. The points couple with each other
+/// more than with other manifolds.
+pub(in super::super) const POINT_SWEEPS: usize = 4;
 /// A round has converged when no point changes its velocity by more than this fraction of its approach
 /// velocity.
 pub(in super::super) const CONVERGENCE_TOLERANCE: Real = 1.0e-3;
@@ -40,9 +40,9 @@ impl Active {
     }
 
     /// Includes an island.
-    pub fn strike(&mut self, island: u32, energy_budget: &mut EnergyBudget) {
-        if !energy_budget.is_active {
-            energy_budget.is_active = true;
+    pub fn include(&mut self, island: u32, impact_island: &mut ImpactIsland) {
+        if !impact_island.is_active {
+            impact_island.is_active = true;
             self.islands.push(island);
         }
     }
@@ -53,7 +53,7 @@ impl Active {
         color: Range<usize>,
         (impacts, marks): (&[ImpactBlock], &[ImpactMark]),
         contacts: Blocks<'_>,
-        energy_budgets: &mut [EnergyBudget],
+        impact_islands: &mut [ImpactIsland],
     ) {
         let start = self.blocks.len();
         let active = marks[color.clone()].iter().map(|mark| mark.active);
@@ -61,11 +61,11 @@ impl Active {
             let impact = &impacts[index];
             for lane in lanes(active) {
                 let island = impact.islands[lane];
-                let energy_budget = &mut energy_budgets[island as usize];
-                if energy_budget.iterations == 0 {
+                let impact_island = &mut impact_islands[island as usize];
+                if impact_island.iterations == 0 {
                     continue;
                 }
-                self.strike(island, energy_budget);
+                self.include(island, impact_island);
                 if self.blocks[start..].last().is_none_or(ActiveBlock::is_full) {
                     self.blocks.push(ActiveBlock::EMPTY);
                 }
@@ -84,7 +84,7 @@ impl Active {
 /// One contact point of each lane.
 #[derive(Copy, Clone, Debug)]
 struct RoundRow {
-    strike: ActiveRow<Lane>,
+    active: ActiveRow<Lane>,
     /// The impulse of this round.
     impulse: Lane,
 }
@@ -113,7 +113,7 @@ impl ActiveBlock {
     /// No contact in any lane.
     pub const EMPTY: Self = {
         let zero = Lane::ZERO;
-        let strike = ActiveRow {
+        let active = ActiveRow {
             mass: zero,
             support_velocity: zero,
             approach: zero,
@@ -122,7 +122,7 @@ impl ActiveBlock {
         };
         Self {
             contact: ContactBlock::EMPTY,
-            rows: [RoundRow { strike, impulse: zero }; MAX_MANIFOLD_POINTS],
+            rows: [RoundRow { active, impulse: zero }; MAX_MANIFOLD_POINTS],
             restitution: zero,
             from: [(0, 0); LANES],
             islands: [0; LANES],
@@ -160,14 +160,14 @@ impl ActiveBlock {
         self.restitution.0[to] = impact.restitution.0[lane];
         self.islands[to] = impact.islands[lane];
         self.from[to] = (index as u32, lane as u32);
-        for (row, strike) in self.rows.iter_mut().zip(impact.strikes(lane)) {
-            row.strike.set_lane(to, &strike);
+        for (row, active) in self.rows.iter_mut().zip(impact.active_rows(lane)) {
+            row.active.set_lane(to, &active);
         }
     }
 
     /// Leaves a lane as it is for the rest of the round.
     pub fn deactivate(&mut self, lane: usize) {
-        self.rows.iter_mut().for_each(|row| row.strike.mass.0[lane] = 0.0);
+        self.rows.iter_mut().for_each(|row| row.active.mass.0[lane] = 0.0);
     }
 
     /// Commits the impulses of the round, scaled by the fraction of each lane's island.
@@ -179,8 +179,8 @@ impl ActiveBlock {
         }
     }
 
-    /// Visits the points, in turn: pushes until they part as they are to. A lane is done when an iteration
-    /// changed nothing, or after the first one if at most one of its points hits.
+    /// Sweeps over the points in order, and applies impulses until they separate at their target velocities.
+    /// A lane has converged after a sweep without change. It needs one sweep if at most one point hits.
     ///
     /// # Safety
     /// The caller has exclusive access to the states of the block's bodies.
@@ -191,16 +191,16 @@ impl ActiveBlock {
         let mut normals = unsafe { NormalRows::<W>::gather(states, contact) };
         let zero = W::zero();
         let mut goes_on = zero.le(zero);
-        for sweep in 0..ITERATIONS {
+        for sweep in 0..POINT_SWEEPS {
             let mut changes = zero.lt(zero);
             normals.iterate(|k, velocity| {
-                let RoundRow { strike, impulse } = &mut rows[k];
-                let (mass, old) = (W::load(&strike.mass), W::load(impulse));
+                let RoundRow { active, impulse } = &mut rows[k];
+                let (mass, old) = (W::load(&active.mass), W::load(impulse));
                 let missing =
-                    W::load(&strike.target) - W::load(&strike.support_velocity) - velocity;
+                    W::load(&active.target) - W::load(&active.support_velocity) - velocity;
                 let new = W::select(goes_on, (old + mass * missing).max(zero), old);
                 new.store(impulse);
-                let little = -(mass * W::load(&strike.approach) * W::splat(CONVERGENCE_TOLERANCE));
+                let little = -(mass * W::load(&active.approach) * W::splat(CONVERGENCE_TOLERANCE));
                 changes = changes | little.lt((new - old).abs());
                 new - old
             });
@@ -234,13 +234,13 @@ impl ActiveBlock {
         let allowed = W::load(&self.restitution).max(W::splat(1.0));
         let (mut dissipated, mut energy_gain) = (W::zero(), W::zero());
         let (mut weight, mut moment) = (W::zero(), W::zero());
-        for (k, RoundRow { strike, impulse }) in self.rows.iter().enumerate() {
-            let (impulse, approach) = (W::load(impulse), W::load(&strike.approach));
+        for (k, RoundRow { active, impulse }) in self.rows.iter().enumerate() {
+            let (impulse, approach) = (W::load(impulse), W::load(&active.approach));
             dissipated = dissipated + impulse * approach;
-            let velocity = velocities[k] + W::load(&strike.support_velocity);
+            let velocity = velocities[k] + W::load(&active.support_velocity);
             energy_gain = energy_gain + impulse * (velocity + allowed * approach) * half;
             weight = weight + impulse;
-            moment = moment + impulse * W::load(&strike.time);
+            moment = moment + impulse * W::load(&active.time);
         }
         dissipated.store(&mut self.dissipated);
         energy_gain.store(&mut self.energy_gain);
@@ -262,7 +262,7 @@ fn have_several<W: Wide>(rows: &[RoundRow; MAX_MANIFOLD_POINTS]) -> W::Mask {
     let zero = W::zero();
     let (mut one, mut several) = (zero.lt(zero), zero.lt(zero));
     for row in rows {
-        let hits = zero.lt(W::load(&row.strike.mass));
+        let hits = zero.lt(W::load(&row.active.mass));
         several = several | (one & hits);
         one = one | hits;
     }

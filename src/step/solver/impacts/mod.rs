@@ -15,7 +15,7 @@
 //!
 //! Simultaneous contacts get their restitution together, so a box that lands flat rises flat. Contacts that
 //! they cause follow. Rounds end when nothing approaches, or when the island's iterations are used up
-//! (`IterationBudget`). The following passes stop the remaining approach without restitution, as for
+//! (`IslandRestitution`). The following passes stop the remaining approach without restitution, as for
 //! approaches below the threshold.
 //!
 //! ## Energy
@@ -82,12 +82,11 @@
 //! Acts once at the end, under all normal impulses of the impact. The velocity changes of an impact are also
 //! added to the velocities "before any impulse" of the substep: they are no warm-start load.
 
-mod budgets;
+mod impact_islands;
 mod points;
 mod rows;
 mod active;
 mod touched;
-
 use super::bodies::SolverBodies;
 use super::contacts::{Blocks, for_each_color};
 use super::island_sums::IslandSums;
@@ -105,12 +104,12 @@ use crate::model::params::{ImpactPass, JointPass};
 #[cfg(test)]
 pub(super) use active::ActiveBlock;
 use active::{Active, Phase, Round};
-pub(super) use active::{CONVERGENCE_TOLERANCE, ITERATIONS};
-use budgets::{EnergyBudget, IterationBudget};
+pub(super) use active::{CONVERGENCE_TOLERANCE, POINT_SWEEPS};
 use core::ops::Range;
+use impact_islands::{ImpactIsland, IslandRestitution};
 pub(super) use points::NormalRows;
 pub(super) use rows::{
-    APPROACH_CHANGE_MIN, COORDINATE_MODERATE_MAX, CURVATURE_ANGLE_MAX, ImpactBlock, ImpactMark,
+    APPROACH_CHANGE_MIN, DEFERRED_SEPARATION, FORCE_CORRECTION_MAX, ImpactBlock, ImpactMark,
 };
 use touched::Touched;
 
@@ -120,8 +119,8 @@ const ROUND_ITERATIONS: usize = 16;
 /// another thread starts.
 const BLOCKS_PER_TASK: usize = 32;
 
-/// One of this many blocks is active on average.
-const FRICTION_INTERVAL: usize = 4;
+/// Mean number of blocks per active block.
+const BLOCKS_PER_ACTIVE: usize = 4;
 
 /// The contacts with restitution.
 #[derive(Default)]
@@ -140,11 +139,12 @@ pub(super) struct Impacts {
 /// Data of islands.
 #[derive(Default)]
 struct Memory {
-    energy_budgets: Vec<EnergyBudget>,
-    /// Empty until a contact hits in this step.
-    iteration_budgets: Vec<IterationBudget>,
-    /// By active block: the contributions of contacts and joints to [`EnergyBudget::dissipated`] and
-    /// [`EnergyBudget::energy_gain`] in this round.
+    /// By island.
+    impact_islands: Vec<ImpactIsland>,
+    /// By island. Empty until a contact hits in this step.
+    restitutions: Vec<IslandRestitution>,
+    /// By island: the contributions of contacts and joints to [`ImpactIsland::dissipated`] and
+    /// [`ImpactIsland::energy_gain`] in this round.
     sums: IslandSums<2>,
 }
 
@@ -163,7 +163,7 @@ impl Impacts {
     pub fn load(&mut self, lanes: &ContactLanes, colors: &[Range<usize>], bodies: &SolverBodies) {
         self.blocks.clear();
         self.colors.clear();
-        self.memory.iteration_budgets.clear();
+        self.memory.restitutions.clear();
         for color in colors {
             let start = self.blocks.len();
             for at in color.clone().filter(|&at| lanes.blocks[at].input.restitution != Lane::ZERO) {
@@ -193,7 +193,7 @@ impl Impacts {
         mut context: ImpactContext<'_>,
         pass: &ImpactPass,
     ) {
-        if self.is_empty() && !context.links.0.bounce() {
+        if self.is_empty() && !context.links.0.has_restitution() {
             return;
         }
         bodies.swap_before();
@@ -204,13 +204,13 @@ impl Impacts {
         let hits = self.marks.iter().any(|mark| mark.active != 0);
         let hits = hits || context.links.0.active().next().is_some();
         if hits {
-            self.open_energy_budgets(bodies, context.links.0);
+            self.open_islands(bodies, context.links.0);
             let held = self.begin(bodies, &context);
             while self.find_active(contacts, context.links.0) {
                 self.solve_round(held, bodies, &mut context, pass);
                 let (links, place) = &mut context.links;
-                let energy_budgets = &self.memory.energy_budgets;
-                let has_iterations = |island: u32| energy_budgets[island as usize].iterations > 0;
+                let impact_islands = &self.memory.impact_islands;
+                let has_iterations = |island: u32| impact_islands[island as usize].iterations > 0;
                 links.mark_active(*place, bodies, has_iterations, pass);
                 self.look(Stage::Mark, contacts, bodies, &context, pass);
             }
@@ -237,24 +237,24 @@ impl Impacts {
         }
     }
 
-    /// Opens the accounts of all islands. When the iterations are used up, the rest of an impact has no
-    /// restitution: an error of the fraction `e` of its speed. So a large island gets as many as its largest
-    /// `e` is worth. In a small one they cost nothing.
-    fn open_energy_budgets(&mut self, bodies: &SolverBodies, links: &SolverMultibodies) {
+    /// Initialises the progress of all islands. After the last iteration, the rest of an impact has no
+    /// restitution: an error of the fraction `e` of its speed. So the iterations of a large island are
+    /// proportional to its largest `e`. Small islands get all of them: their iterations are cheap.
+    fn open_islands(&mut self, bodies: &SolverBodies, links: &SolverMultibodies) {
         let Self { blocks, active, memory, .. } = self;
-        let Memory { energy_budgets, iteration_budgets, .. } = memory;
-        if iteration_budgets.is_empty() {
-            iteration_budgets.resize(
+        let Memory { impact_islands, restitutions, .. } = memory;
+        if restitutions.is_empty() {
+            restitutions.resize(
                 bodies.island_bound().max(links.island_bound()),
-                IterationBudget::default(),
+                IslandRestitution::default(),
             );
             // The lanes beside it in a block must not matter: they depend on all of the world.
             let mut count = |island: u32, restitution: Real| {
-                if let Some(grant) =
-                    iteration_budgets.get_mut(island as usize).filter(|_| restitution != 0.0)
+                if let Some(of_island) =
+                    restitutions.get_mut(island as usize).filter(|_| restitution != 0.0)
                 {
-                    grant.contacts += 1;
-                    grant.restitution = grant.restitution.max(restitution);
+                    of_island.contacts += 1;
+                    of_island.restitution = of_island.restitution.max(restitution);
                 }
             };
             for block in blocks {
@@ -263,12 +263,12 @@ impl Impacts {
             }
             links.restitutions().for_each(|(island, restitution)| count(island, restitution));
         }
-        energy_budgets.clear();
-        let energy_budget = |grant: &IterationBudget| EnergyBudget {
-            iterations: grant.iterations(),
-            ..EnergyBudget::default()
+        impact_islands.clear();
+        let impact_island = |restitution: &IslandRestitution| ImpactIsland {
+            iterations: restitution.iterations(),
+            ..ImpactIsland::default()
         };
-        energy_budgets.extend(iteration_budgets.iter().map(energy_budget));
+        impact_islands.extend(restitutions.iter().map(impact_island));
         active.clear();
     }
 
@@ -279,7 +279,7 @@ impl Impacts {
         self.touched.add(context.joints.held());
         let of_joints = self.touched.bodies.len();
         // The set of bodies that a hit multibody pushes is unknown.
-        if context.links.0.bounce() {
+        if context.links.0.has_restitution() {
             self.touched.add_all(bodies.moving());
         }
         self.touched.keep();
@@ -289,22 +289,22 @@ impl Impacts {
     /// Finds the contacts that hit, in islands with iterations left. Returns whether there is any.
     fn find_active(&mut self, contacts: Blocks<'_>, links: &mut SolverMultibodies) -> bool {
         let Self { blocks, marks, colors, active, touched, memory } = self;
-        let energy_budgets = &mut memory.energy_budgets;
+        let impact_islands = &mut memory.impact_islands;
         for island in active.islands.drain(..) {
-            let energy_budget = &mut energy_budgets[island as usize];
-            (energy_budget.is_active, energy_budget.is_moving) = (false, false);
-            (energy_budget.dissipated, energy_budget.energy_gain) = (0.0, 0.0);
+            let impact_island = &mut impact_islands[island as usize];
+            (impact_island.is_active, impact_island.is_moving) = (false, false);
+            (impact_island.dissipated, impact_island.energy_gain) = (0.0, 0.0);
         }
         memory.sums.clear();
         active.clear();
         touched.begin_round();
         for color in &*colors {
-            active.add_color(color.clone(), (blocks, marks), contacts, energy_budgets);
+            active.add_color(color.clone(), (blocks, marks), contacts, impact_islands);
         }
         active.blocks.iter().for_each(|block| touched.add(block.bodies()));
         for contact in links.active() {
-            let island = contact.strike.island;
-            active.strike(island, &mut energy_budgets[island as usize]);
+            let island = contact.impact.island;
+            active.include(island, &mut impact_islands[island as usize]);
         }
         !active.islands.is_empty()
     }
@@ -326,12 +326,12 @@ impl Impacts {
             if !self.find_moving(context.links.0) {
                 break;
             }
-            let Memory { energy_budgets, sums, .. } = &mut self.memory;
+            let Memory { impact_islands, sums, .. } = &mut self.memory;
             let islands = &bodies.islands;
-            let energy_budget = |body: u32| energy_budgets.get(islands[body as usize] as usize);
+            let impact_island = |body: u32| impact_islands.get(islands[body as usize] as usize);
             // Bodies without an island move as they did.
             let is_moving =
-                |body: u32| energy_budget(body).is_none_or(|energy_budget| energy_budget.is_moving);
+                |body: u32| impact_island(body).is_none_or(|impact_island| impact_island.is_moving);
             let add_work = |body: u32, work: Real| sums.push(islands[body as usize], [work; 2]);
             let changes = Changes {
                 held: &self.touched.bodies[..held],
@@ -355,8 +355,8 @@ impl Impacts {
         }
         for contact in context.links.0.active() {
             sums.push(
-                contact.strike.island,
-                [contact.strike.dissipated, contact.strike.energy_gain],
+                contact.impact.island,
+                [contact.impact.dissipated, contact.impact.energy_gain],
             );
         }
         context.joints.share_delays(&mut self.touched.delays);
@@ -370,21 +370,21 @@ impl Impacts {
         context: &mut ImpactContext<'_>,
         pass: &ImpactPass,
     ) {
-        let Memory { energy_budgets, sums, .. } = &mut self.memory;
+        let Memory { impact_islands, sums, .. } = &mut self.memory;
         sums.for_each(|island, [dissipated, energy_gain]| {
-            let energy_budget = &mut energy_budgets[island as usize];
-            energy_budget.dissipated += dissipated;
-            energy_budget.energy_gain += energy_gain;
+            let impact_island = &mut impact_islands[island as usize];
+            impact_island.dissipated += dissipated;
+            impact_island.energy_gain += energy_gain;
         });
         for &island in &self.active.islands {
-            let energy_budget = &mut energy_budgets[island as usize];
-            if energy_budget.fraction() == 0.0 {
-                energy_budget.iterations = 0;
+            let impact_island = &mut impact_islands[island as usize];
+            if impact_island.fraction() == 0.0 {
+                impact_island.iterations = 0;
             }
         }
-        let energy_budgets = &self.memory.energy_budgets;
+        let impact_islands = &self.memory.impact_islands;
         let fraction =
-            |island: u32| energy_budgets.get(island as usize).map_or(1.0, EnergyBudget::fraction);
+            |island: u32| impact_islands.get(island as usize).map_or(1.0, ImpactIsland::fraction);
         self.active.blocks.iter().for_each(|block| block.commit(&mut self.blocks, fraction));
         let islands = &bodies.islands;
         context.joints.commit_impact_impulses(|body| fraction(islands[body as usize]));
@@ -409,38 +409,38 @@ impl Impacts {
     /// round. Returns whether there is any.
     fn find_moving(&mut self, links: &mut SolverMultibodies) -> bool {
         let Self { active, memory, .. } = self;
-        let energy_budgets = &mut memory.energy_budgets;
+        let impact_islands = &mut memory.impact_islands;
         for &island in &active.islands {
-            let energy_budget = &mut energy_budgets[island as usize];
-            energy_budget.iterations =
-                energy_budget.iterations.saturating_sub(usize::from(energy_budget.is_active));
-            energy_budget.is_moving = false;
+            let impact_island = &mut impact_islands[island as usize];
+            impact_island.iterations =
+                impact_island.iterations.saturating_sub(usize::from(impact_island.is_active));
+            impact_island.is_moving = false;
         }
         for block in &active.blocks {
             lanes(block.moving)
-                .for_each(|k| energy_budgets[block.islands[k] as usize].is_moving = true);
+                .for_each(|k| impact_islands[block.islands[k] as usize].is_moving = true);
         }
-        for contact in links.active().filter(|contact| contact.strike.moving) {
-            energy_budgets[contact.strike.island as usize].is_moving = true;
+        for contact in links.active().filter(|contact| contact.impact.moving) {
+            impact_islands[contact.impact.island as usize].is_moving = true;
         }
         let mut any = false;
         for block in &mut active.blocks {
             for lane in block.lanes() {
-                let energy_budget = &mut energy_budgets[block.islands[lane] as usize];
-                if energy_budget.is_moving {
+                let impact_island = &mut impact_islands[block.islands[lane] as usize];
+                if impact_island.is_moving {
                     any = true;
                 } else {
-                    energy_budget.is_active = false;
+                    impact_island.is_active = false;
                     block.deactivate(lane);
                 }
             }
         }
         for contact in links.active() {
-            let energy_budget = &mut energy_budgets[contact.strike.island as usize];
-            if energy_budget.is_moving {
+            let impact_island = &mut impact_islands[contact.impact.island as usize];
+            if impact_island.is_moving {
                 any = true;
             } else {
-                energy_budget.is_active = false;
+                impact_island.is_active = false;
                 contact.deactivate();
             }
         }
@@ -468,7 +468,7 @@ impl Impacts {
         let (simd, touched) = (context.simd, &self.touched);
         let all = 0..impacts.len();
         let (colors, grain) = match stage {
-            Stage::Friction => (&self.colors[..], BLOCKS_PER_TASK * FRICTION_INTERVAL),
+            Stage::Friction => (&self.colors[..], BLOCKS_PER_TASK * BLOCKS_PER_ACTIVE),
             // They change no body: all blocks may be looked at at once.
             _ => (core::slice::from_ref(&all), BLOCKS_PER_TASK),
         };

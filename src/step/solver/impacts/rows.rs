@@ -12,13 +12,13 @@ use crate::model::params::ImpactPass;
 
 /// Largest correction of a point's approach for forces in the rest of the substep, as a fraction of its
 /// speed.
-pub(in super::super) const CURVATURE_ANGLE_MAX: Real = 0.25;
+pub(in super::super) const FORCE_CORRECTION_MAX: Real = 0.25;
 /// Points at rest when the impact began take part when their approach increases by this fraction of the
 /// restitution threshold. Rounding must not wake them.
 pub(in super::super) const APPROACH_CHANGE_MIN: Real = 0.01;
 
 /// Separation of deferred points: beyond the reach of all passes.
-pub(in super::super) const COORDINATE_MODERATE_MAX: Real = 1.0e10;
+pub(in super::super) const DEFERRED_SEPARATION: Real = 1.0e10;
 
 /// One contact point of each lane.
 #[derive(Copy, Clone, Debug, Default)]
@@ -34,10 +34,10 @@ struct ImpactRow {
     /// Impulses of the whole impact: the committed fraction of each round.
     given: Lane,
     /// Support velocity and, in active blocks, the data of this round.
-    strike: ActiveRow<Lane>,
+    active: ActiveRow<Lane>,
 }
 
-/// Target of a hitting point, in one lane or all.
+/// Data of a hitting point, in one lane or all.
 #[derive(Copy, Clone, Debug, Default)]
 pub(super) struct ActiveRow<T> {
     /// `1 / K` where it hits in this round, zero elsewhere.
@@ -64,12 +64,12 @@ impl ActiveRow<Lane> {
     }
 
     /// Sets that of one lane.
-    pub fn set_lane(&mut self, lane: usize, strike: &ActiveRow<Real>) {
-        self.mass.0[lane] = strike.mass;
-        self.support_velocity.0[lane] = strike.support_velocity;
-        self.approach.0[lane] = strike.approach;
-        self.target.0[lane] = strike.target;
-        self.time.0[lane] = strike.time;
+    pub fn set_lane(&mut self, lane: usize, row: &ActiveRow<Real>) {
+        self.mass.0[lane] = row.mass;
+        self.support_velocity.0[lane] = row.support_velocity;
+        self.approach.0[lane] = row.approach;
+        self.target.0[lane] = row.target;
+        self.time.0[lane] = row.time;
     }
 }
 
@@ -139,7 +139,7 @@ impl ImpactBlock {
         for (k, (row, point)) in self.rows.iter_mut().zip(&mut block.points).enumerate() {
             for lane in lanes(of_point(mark.waiting, k)) {
                 row.separation.0[lane] =
-                    core::mem::replace(&mut point.separation.0[lane], COORDINATE_MODERATE_MAX);
+                    core::mem::replace(&mut point.separation.0[lane], DEFERRED_SEPARATION);
             }
         }
         mark.aside = mark.waiting;
@@ -163,7 +163,7 @@ impl ImpactBlock {
         for (k, row) in self.rows.iter_mut().enumerate() {
             let forced = free[k] - then[k];
             let support_velocity = (loaded[k] - free[k]).min(-forced).max(zero);
-            support_velocity.store(&mut row.strike.support_velocity);
+            support_velocity.store(&mut row.active.support_velocity);
             let now = free[k] + support_velocity;
             let at_rest = threshold.le(now.max(then[k]));
             (W::select(at_rest, now.min(zero), zero) - noticed).store(&mut row.limit);
@@ -189,7 +189,7 @@ impl ImpactBlock {
         let mut hits = [zero.lt(zero); MAX_MANIFOLD_POINTS];
         (mark.active, mark.waiting) = (0, 0);
         for (k, row) in self.rows.iter().enumerate() {
-            let velocity = velocities[k] + W::load(&row.strike.support_velocity);
+            let velocity = velocities[k] + W::load(&row.active.support_velocity);
             // Points that the manifold has not got have no mass.
             let can_be_hit = zero.lt(restitution) & zero.lt(W::load(&block.points[k].mass));
             let comes = velocity.lt(W::load(&row.limit)) & can_be_hit;
@@ -203,26 +203,26 @@ impl ImpactBlock {
         }
         mark.was_active = true;
         for (k, row) in self.rows.iter_mut().enumerate() {
-            let velocity = velocities[k] + W::load(&row.strike.support_velocity);
+            let velocity = velocities[k] + W::load(&row.active.support_velocity);
             let mass = W::select(hits[k], W::load(&block.points[k].mass), zero);
             let speed = W::select(hits[k], -velocity, W::splat(1.0));
             let time = (separations[k] / speed).max(W::splat(-pass.step)).min(h);
-            let most = speed * W::splat(CURVATURE_ANGLE_MAX);
-            let curvature =
+            let most = speed * W::splat(FORCE_CORRECTION_MAX);
+            let correction =
                 W::load(&row.accelerated) * (time * W::splat(pass.inv_substep) - W::splat(0.5));
-            let curvature = curvature.max(-most).min(most);
-            let target = (restitution * (speed - curvature) - curvature).max(zero);
-            let strike = &mut row.strike;
-            mass.store(&mut strike.mass);
-            (curvature + curvature - speed).store(&mut strike.approach);
-            target.store(&mut strike.target);
-            time.store(&mut strike.time);
+            let correction = correction.max(-most).min(most);
+            let target = (restitution * (speed - correction) - correction).max(zero);
+            let active = &mut row.active;
+            mass.store(&mut active.mass);
+            (correction + correction - speed).store(&mut active.approach);
+            target.store(&mut active.target);
+            time.store(&mut active.time);
         }
     }
 
     /// The targets of the points of a lane.
-    pub(super) fn strikes(&self, lane: usize) -> [ActiveRow<Real>; MAX_MANIFOLD_POINTS] {
-        core::array::from_fn(|k| self.rows[k].strike.lane(lane))
+    pub(super) fn active_rows(&self, lane: usize) -> [ActiveRow<Real>; MAX_MANIFOLD_POINTS] {
+        core::array::from_fn(|k| self.rows[k].active.lane(lane))
     }
 
     /// Counts impulses at the points of a lane.

@@ -1,4 +1,4 @@
-//! Taut joints: forces that hold light bodies stiffly.
+//! Stiff joints: forces that act on light bodies like stiff springs.
 //!
 //! A force `F` with the moment arm `r` on a body of mass `m` and inertia `I` acts like a spring on the body's
 //! direction. A deflected body swings about its anchor with `ω² = F r / (I + m r²)`. A method with a constant
@@ -23,10 +23,10 @@
 //! amount, twice for each of two bodies, is subtracted. `Ω` is that of the component's angular momentum about
 //! its centre of mass: light links that vibrate have little of it.
 //!
-//! One case of common rotation is damped nevertheless: thin bodies on hinges, faster than [`TUMBLING_TURN`]
-//! (36 rad/s at 240 substeps per second). Impulses use their inertias at the start of a substep, and free
-//! motion those in its middle. The error of a hinge between the two grows slowly: at 60 rad/s the axis of two
-//! rods would tumble after four seconds.
+//! One case of common rotation is damped nevertheless: thin bodies on hinges, faster than
+//! [`GYROSCOPIC_ANGLE_MAX`] (36 rad/s at 240 substeps per second). Impulses use their inertias at the start
+//! of a substep, and free motion those in its middle. The error of a hinge between the two grows slowly: at
+//! 60 rad/s the axis of two rods would tumble after four seconds.
 //!
 //! ## Large unconstrained displacements
 //! Joints must recover from the unconstrained poses of the bodies. When only gravity and their own speed lead
@@ -56,16 +56,16 @@ use crate::dim::state::{BodyPose, BodyState};
 /// The `(h ω)²` above which a joint is stiff: a quarter of the stability limit of a chain. Pendulums of 2 cm
 /// and double pendulums of 10 cm are below at 240 substeps per second.
 const STIFFNESS_MAX: Real = 0.25;
-/// The part of it that is common rotation, as a multiple of `(h Ω)²`.
-const WHOLE: Real = 4.0;
+/// Contribution of common rotation to `(h ω)²`, as a multiple of `(h Ω)²`.
+const COMMON_ROTATION_FACTOR: Real = 4.0;
 /// Largest common rotation (rad) of a component in a substep: Newton's steps do not converge from farther
 /// away.
-const TURN: Real = 0.85;
+const COMMON_ANGLE_MAX: Real = 0.85;
 
 /// If no joint exceeds this value, no other test is made.
 const STIFFNESS_TESTED_MIN: Real = 0.01;
 /// Largest common rotation (rad) of a component with thin bodies on hinges in a substep.
-const TUMBLING_TURN: Real = 0.15;
+const GYROSCOPIC_ANGLE_MAX: Real = 0.15;
 /// Largest additional rotation (rad) of a body in a substep without its joint impulses. Chains of boards of
 /// 1:10:100 that fall on the ground keep to their energy with 0.05 to 1; with 2 they do not.
 const UNCONSTRAINED_ANGLE_MAX: Real = 0.25;
@@ -75,7 +75,7 @@ const UNCONSTRAINED_ANGLE_MAX: Real = 0.25;
 fn is_gyroscopic(member: &DirectJoint, blocks: &[JointBlock]) -> bool {
     let locked = (member.form.locked >> DIM).count_ones() as usize;
     let inertias = &blocks[member.block as usize].inertias;
-    (1..ANG_DIM).contains(&locked) && inertias.gyroscopic(member.lane as usize)
+    (1..ANG_DIM).contains(&locked) && inertias.is_gyroscopic(member.lane as usize)
 }
 
 /// Returns whether a body has a large unconstrained displacement after the impulses of its joints were reset.
@@ -113,7 +113,7 @@ pub(super) struct Moving<'a> {
 struct JointedBody {
     inv_mass: Real,
     inv_inertia: AngularInertia,
-    /// The last question for which it was counted.
+    /// Number of the last evaluation that counted the body.
     counted: u32,
 }
 
@@ -128,8 +128,8 @@ impl GeometricStiffness {
 
     /// Notes a body that a joint holds.
     pub fn note(&mut self, body: u32, inv_mass: Real, inv_inertia: &AngularInertia) {
-        let held = &mut self.bodies[body as usize];
-        (held.inv_mass, held.inv_inertia) = (inv_mass, *inv_inertia);
+        let body = &mut self.bodies[body as usize];
+        (body.inv_mass, body.inv_inertia) = (inv_mass, *inv_inertia);
     }
 
     /// Returns whether the joint forces make a component stiff.
@@ -147,10 +147,11 @@ impl GeometricStiffness {
             return false;
         }
         let angle = self.turning(members, moving) * h;
-        let excess = swing - WHOLE * angle * angle;
+        let excess = swing - COMMON_ROTATION_FACTOR * angle * angle;
         excess > STIFFNESS_MAX
-            || angle > TURN
-            || (angle > TUMBLING_TURN && members.iter().any(|member| is_gyroscopic(member, blocks)))
+            || angle > COMMON_ANGLE_MAX
+            || (angle > GYROSCOPIC_ANGLE_MAX
+                && members.iter().any(|member| is_gyroscopic(member, blocks)))
     }
 
     /// `ω² h` by the pull of a joint's last substep, summed over its bodies.
@@ -173,46 +174,46 @@ impl GeometricStiffness {
     fn turning(&mut self, members: &[DirectJoint], moving: Moving<'_>) -> Real {
         let Moving { poses, states, before } = moving;
         let (mut mass, mut moved, mut push) = (0.0, Vector::ZERO, Vector::ZERO);
-        self.for_each(members, |body, held| {
-            let m = 1.0 / held.inv_mass;
-            let (shift, _) = states[body].displacement();
+        self.for_each(members, |index, body| {
+            let m = 1.0 / body.inv_mass;
+            let (shift, _) = states[index].displacement();
             mass += m;
-            moved += (poses[body].center() + shift) * m;
-            push += before[body].velocity().0 * m;
+            moved += (poses[index].center() + shift) * m;
+            push += before[index].velocity().0 * m;
         });
         if mass <= 0.0 {
             return 0.0;
         }
         let (center, velocity) = (moved / mass, push / mass);
         let mut spin = ANG_ZERO;
-        self.for_each(members, |body, held| {
-            let ((v, w), (shift, _)) = (before[body].velocity(), states[body].displacement());
-            let place = poses[body].center() + shift - center;
-            spin += torque(place, (v - velocity) / held.inv_mass);
-            spin += w * inertia_about(&held.inv_inertia).unwrap_or(0.0);
+        self.for_each(members, |index, body| {
+            let ((v, w), (shift, _)) = (before[index].velocity(), states[index].displacement());
+            let place = poses[index].center() + shift - center;
+            spin += torque(place, (v - velocity) / body.inv_mass);
+            spin += w * inertia_about(&body.inv_inertia).unwrap_or(0.0);
         });
         let size = ang_length_squared(spin).sqrt();
         if size <= 0.0 {
             return 0.0;
         }
         let (axis, mut inertia) = (spin / size, 0.0);
-        self.for_each(members, |body, held| {
-            let (shift, _) = states[body].displacement();
-            let place = poses[body].center() + shift - center;
-            inertia += cross(axis, place).length_squared() / held.inv_mass;
-            inertia += inertia_about(&held.inv_inertia).unwrap_or(0.0);
+        self.for_each(members, |index, body| {
+            let (shift, _) = states[index].displacement();
+            let place = poses[index].center() + shift - center;
+            inertia += cross(axis, place).length_squared() / body.inv_mass;
+            inertia += inertia_about(&body.inv_inertia).unwrap_or(0.0);
         });
         size / inertia
     }
 
     /// Visits the bodies with a mass that these joints hold, each once.
-    fn for_each(&mut self, members: &[DirectJoint], mut iterate: impl FnMut(usize, &JointedBody)) {
+    fn for_each(&mut self, members: &[DirectJoint], mut visit: impl FnMut(usize, &JointedBody)) {
         self.evaluations += 1;
-        for body in members.iter().flat_map(DirectJoint::movable).map(|(_, body)| body as usize) {
-            let held = &mut self.bodies[body];
-            if held.counted != self.evaluations && held.inv_mass > 0.0 {
-                held.counted = self.evaluations;
-                iterate(body, held);
+        for index in members.iter().flat_map(DirectJoint::movable).map(|(_, body)| body as usize) {
+            let body = &mut self.bodies[index];
+            if body.counted != self.evaluations && body.inv_mass > 0.0 {
+                body.counted = self.evaluations;
+                visit(index, body);
             }
         }
     }

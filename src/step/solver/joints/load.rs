@@ -162,7 +162,7 @@ impl SolverJoints {
             return self.memory.clear();
         }
         self.memory.resize(self.blocks.len(), JacobianBlock::EMPTY);
-        self.tautness.clear(body_count);
+        self.geometric_stiffness.clear(body_count);
         for (index, block) in self.blocks.iter().enumerate().filter(|(_, block)| block.has_exact) {
             for (lane, lane_slot) in self.layout.block(index).iter().enumerate() {
                 if !self.direct.place(lane_slot.slot, [index, lane]) {
@@ -173,7 +173,7 @@ impl SolverJoints {
                     if body & READ_ONLY == 0 {
                         let inv_inertia = block.inertias.lane(side, lane);
                         let inv_mass = block.inv_mass[side].lane(lane).max_element();
-                        self.tautness.note(body, inv_mass, &inv_inertia);
+                        self.geometric_stiffness.note(body, inv_mass, &inv_inertia);
                     }
                 }
             }

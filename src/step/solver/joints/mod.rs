@@ -72,7 +72,7 @@ mod rows;
 mod store;
 mod geometric_stiffness;
 
-pub(super) use substep_end::CURVATURE_ANGLE_MAX;
+pub(super) use substep_end::CURVATURE_FRACTION_MAX;
 
 use super::bodies::SolverBodies;
 use super::contacts::for_each_color;
@@ -114,7 +114,7 @@ pub(super) struct SolverJoints {
     slots: Vec<u32>,
     /// By block: where its rows begin; then where the last ones end.
     first_rows: Vec<usize>,
-    tautness: GeometricStiffness,
+    geometric_stiffness: GeometricStiffness,
 }
 
 /// A joint in a block.
@@ -180,12 +180,12 @@ impl SolverJoints {
 
     /// Begins a substep: finds the stiff components.
     pub fn select_method(&mut self, bodies: &SolverBodies, pass: &JointPass) {
-        let Self { blocks, direct, tautness, .. } = self;
+        let Self { blocks, direct, geometric_stiffness, .. } = self;
         let moving = moving(bodies);
         direct.select_method(|members| {
-            let geometric_stiffness = tautness.is_stiff(members, blocks, moving, pass.substep);
-            note_stiff(members, blocks, geometric_stiffness);
-            geometric_stiffness
+            let is_stiff = geometric_stiffness.is_stiff(members, blocks, moving, pass.substep);
+            note_stiff(members, blocks, is_stiff);
+            is_stiff
         });
     }
 
@@ -221,7 +221,7 @@ impl SolverJoints {
         let (_, states) = bodies.shared();
         let parts = Parts::new(&mut self.blocks, &mut self.rows);
         for_each_color(self.layout.colors(), (tasks, BLOCKS_PER_TASK), |range| {
-            simd.run(Visit::<AHEAD> { range, parts, states, pass });
+            simd.run(Iterate::<AHEAD> { range, parts, states, pass });
         });
         self.point_to_point.iterate::<AHEAD>(states, pass, simd, tasks);
         if !AHEAD {
@@ -232,9 +232,9 @@ impl SolverJoints {
         }
         self.direct.begin();
         if AHEAD {
-            let Self { memory, direct, tautness, blocks, .. } = self;
-            let ask = answers(tautness, blocks, bodies, pass);
-            direct.find_large_displacements(memory, ask);
+            let Self { memory, direct, geometric_stiffness, blocks, .. } = self;
+            let test = stiffness_tests(geometric_stiffness, blocks, bodies, pass);
+            direct.find_large_displacements(memory, test);
         }
         self.solve_exactly::<AHEAD>(bodies, pass, simd, tasks);
         while AHEAD && self.go_on(bodies, pass) {
@@ -244,8 +244,12 @@ impl SolverJoints {
 
     /// Returns whether the direct solver needs another round.
     fn go_on(&mut self, bodies: &SolverBodies, pass: &JointPass) -> bool {
-        let Self { blocks, memory, direct, tautness, .. } = self;
-        direct.go_on(memory, pass.inv_substep, answers(tautness, blocks, bodies, pass))
+        let Self { blocks, memory, direct, geometric_stiffness, .. } = self;
+        direct.go_on(
+            memory,
+            pass.inv_substep,
+            stiffness_tests(geometric_stiffness, blocks, bodies, pass),
+        )
     }
 
     /// The islands of all joints, most of them more than once.
@@ -373,15 +377,17 @@ fn moving(bodies: &SolverBodies) -> Moving<'_> {
 }
 
 /// The stiffness tests of a component's joints.
-fn answers(
-    tautness: &mut GeometricStiffness,
+fn stiffness_tests(
+    geometric_stiffness: &mut GeometricStiffness,
     blocks: &mut [JointBlock],
     bodies: &SolverBodies,
     pass: &JointPass,
 ) -> impl FnMut(&[DirectJoint], StiffnessTest) -> bool {
     let moving = moving(bodies);
     move |members, test| match test {
-        StiffnessTest::IsStiff => tautness.is_stiff(members, blocks, moving, pass.substep),
+        StiffnessTest::IsStiff => {
+            geometric_stiffness.is_stiff(members, blocks, moving, pass.substep)
+        }
         StiffnessTest::HasLargeDisplacement => {
             note_stiff(members, blocks, true);
             have_large_displacement(members, moving, pass.substep)
@@ -390,10 +396,10 @@ fn answers(
 }
 
 /// Marks whether the joints of a component are stiff.
-fn note_stiff(members: &[DirectJoint], blocks: &mut [JointBlock], geometric_stiffness: bool) {
+fn note_stiff(members: &[DirectJoint], blocks: &mut [JointBlock], is_stiff: bool) {
     for member in members {
         let lanes = &mut blocks[member.block as usize].is_stiff;
-        lanes.0[member.lane as usize] = if geometric_stiffness { 1.0 } else { 0.0 };
+        lanes.0[member.lane as usize] = if is_stiff { 1.0 } else { 0.0 };
     }
 }
 
@@ -433,14 +439,14 @@ impl Kernel for WarmStart<'_> {
 }
 
 /// See [`passes::iterate`].
-struct Visit<'a, const AHEAD: bool> {
+struct Iterate<'a, const AHEAD: bool> {
     range: Range<usize>,
     parts: Parts<'a>,
     states: DisjointMut<'a, BodyState>,
     pass: &'a JointPass,
 }
 
-impl<const AHEAD: bool> Kernel for Visit<'_, AHEAD> {
+impl<const AHEAD: bool> Kernel for Iterate<'_, AHEAD> {
     type Output = ();
 
     #[inline(always)]

@@ -175,8 +175,8 @@ pub(super) unsafe fn iterate<W: Wide, const AHEAD: bool>(
     unsafe {
         // Without locked rotations the results are equal, for half of the work.
         match block.locks_rotations {
-            true => visit_rows::<W, AHEAD, SPATIAL_DIM>(block, rows, states, pass),
-            false => visit_rows::<W, AHEAD, DIM>(block, rows, states, pass),
+            true => iterate_rows::<W, AHEAD, SPATIAL_DIM>(block, rows, states, pass),
+            false => iterate_rows::<W, AHEAD, DIM>(block, rows, states, pass),
         }
     }
 }
@@ -186,7 +186,7 @@ pub(super) unsafe fn iterate<W: Wide, const AHEAD: bool>(
 /// # Safety
 /// As [`iterate`].
 #[inline(always)]
-unsafe fn visit_rows<W: Wide, const AHEAD: bool, const N: usize>(
+unsafe fn iterate_rows<W: Wide, const AHEAD: bool, const N: usize>(
     block: &mut JointBlock,
     rows: &DisjointMut<AxisRow>,
     states: &DisjointMut<BodyState>,

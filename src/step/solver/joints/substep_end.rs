@@ -14,7 +14,7 @@ use crate::model::params::JointPass;
 /// Largest curvature of a free axis in a substep, as a fraction of its speed. A chord deviates from a circle
 /// by half of the arc angle. This is half a radian, up to which one step towards the end of the substep
 /// converges.
-pub(in crate::step::solver) const CURVATURE_ANGLE_MAX: Real = 0.25;
+pub(in crate::step::solver) const CURVATURE_FRACTION_MAX: Real = 0.25;
 
 /// Joint positions of a block at the end of the substep.
 pub(super) struct SubstepEnd<W> {
@@ -44,11 +44,11 @@ impl<W: Wide> SubstepEnd<W> {
         now: &Geometry<W>,
         pass: &JointPass,
     ) -> [W; N] {
-        let taut = W::zero().lt(W::load(&block.is_stiff));
+        let is_stiff = W::zero().lt(W::load(&block.is_stiff));
         let (errors, mut then) = (now.errors::<N>(), self.then.errors::<N>());
         let seen_from_now = self.then.errors_seen_from::<N>(now, block);
         for (then, seen) in then.iter_mut().zip(seen_from_now) {
-            *then = W::select(taut, *then, seen);
+            *then = W::select(is_stiff, *then, seen);
         }
         let (inv_h, bias_rate) = (W::splat(pass.inv_substep), W::load(&block.bias_rate));
         let mut rates = [W::zero(); N];
@@ -86,8 +86,8 @@ impl<W: Wide> SubstepEnd<W> {
     }
 
     /// Curvature of a free axis over the substep, from its `now` position: a body on a rope, or on a cone,
-    /// leaves along a tangent. No more than [`CURVATURE_ANGLE_MAX`]. Angles of iterated joints are excluded:
-    /// most of these are limbs of ragdolls, where the curvature is invisible.
+    /// leaves along a tangent. No more than [`CURVATURE_FRACTION_MAX`]. Angles of iterated joints are
+    /// excluded: most of these are limbs of ragdolls, where the curvature is invisible.
     #[cfg_attr(not(target_arch = "wasm32"), inline(always))]
     pub fn curvature(
         &self,
@@ -100,7 +100,7 @@ impl<W: Wide> SubstepEnd<W> {
         let curvature =
             (then - position) * W::splat(pass.inv_substep) - along.rate(&self.velocities);
         let is_translation = Self::is_translation(along);
-        let bound = W::splat(CURVATURE_ANGLE_MAX) * self.speed(now, is_translation);
+        let bound = W::splat(CURVATURE_FRACTION_MAX) * self.speed(now, is_translation);
         let bent = W::zero().lt(Self::bent(block));
         let loose = W::load(&block.is_stiff).lt(W::splat(0.5));
         let bent = bent | (is_translation & loose);

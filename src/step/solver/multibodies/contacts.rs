@@ -4,7 +4,7 @@
 //! normal row with the same softness, and friction within the exact cone `|λt| ≤ μ λn`, independent of
 //! [`FrictionModel`](crate::model::params::FrictionModel).
 
-use super::impacts::{ImpactImpulse, LinkImpact};
+use super::impacts::{LinkImpact, LinkImpactRow};
 use super::rows::{ConstrainedStates, JacobianPool, Part, Row};
 use super::{LinkPlace, SoftPass, SolverMultibodies};
 use crate::dim::math::{
@@ -42,7 +42,7 @@ pub struct Point {
     friction: [Real; DIM - 1],
     /// Sum of the normal impulses of the substeps.
     pub total: Real,
-    pub impact_impulse: ImpactImpulse,
+    pub impact: LinkImpactRow,
     /// Whether the contact is deferred to a later substep.
     pub is_aside: bool,
 }
@@ -57,7 +57,7 @@ pub struct LinkContact {
     pub friction: Real,
     pub restitution: Real,
     pub points: ArrayVec<Point, MAX_MANIFOLD_POINTS>,
-    pub strike: LinkImpact,
+    pub impact: LinkImpact,
 }
 
 /// All contacts of links.
@@ -176,15 +176,15 @@ impl SolverMultibodies {
                     impulse: known.warmstart_impulse * fraction,
                     friction: known.warmstart_tangent_impulse.map(|impulse| impulse * fraction),
                     total: 0.0,
-                    impact_impulse: ImpactImpulse::default(),
+                    impact: LinkImpactRow::default(),
                     is_aside: false,
                 }
             });
         let points = points.collect();
         let (friction, restitution) = (data.friction, data.restitution);
-        let strike = LinkImpact::of(self.island_of(sides));
+        let impact = LinkImpact::of(self.island_of(sides));
         let normal = geometry.normal;
-        LinkContact { at, normal, first_number, friction, restitution, points, strike }
+        LinkContact { at, normal, first_number, friction, restitution, points, impact }
     }
 
     /// Recomputes the rows of a contact at the current poses.

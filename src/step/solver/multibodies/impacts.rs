@@ -35,13 +35,13 @@ use crate::model::island::NONE;
 use crate::model::params::ImpactPass;
 use crate::step::solver::bodies::SolverBodies;
 use crate::step::solver::impacts::{
-    APPROACH_CHANGE_MIN, CONVERGENCE_TOLERANCE, COORDINATE_MODERATE_MAX, CURVATURE_ANGLE_MAX,
-    ITERATIONS,
+    APPROACH_CHANGE_MIN, CONVERGENCE_TOLERANCE, DEFERRED_SEPARATION, FORCE_CORRECTION_MAX,
+    POINT_SWEEPS,
 };
 
 /// A contact point in an impact. See `ImpactRow` in `impacts/rows.rs`.
 #[derive(Copy, Clone, Debug, Default)]
-pub struct ImpactImpulse {
+pub struct LinkImpactRow {
     /// Its velocity when the last substep ended, and with the impulses of that in this one.
     last: Real,
     loaded: Real,
@@ -107,25 +107,25 @@ impl BeforeImpact {
 
 impl SolverMultibodies {
     /// Returns whether any contact has restitution.
-    pub fn bounce(&self) -> bool {
+    pub fn has_restitution(&self) -> bool {
         self.contacts.contacts.iter().any(LinkContact::bounces)
     }
 
     /// No island of a contact that bounces has this number or a higher one.
     pub fn island_bound(&self) -> usize {
         let islands = self.contacts.contacts.iter().filter(|contact| contact.bounces());
-        islands.map(|contact| contact.strike.island as usize + 1).max().unwrap_or(0)
+        islands.map(|contact| contact.impact.island as usize + 1).max().unwrap_or(0)
     }
 
     /// The contacts that hit in this round.
     pub fn active(&mut self) -> impl Iterator<Item = &mut LinkContact> {
-        self.contacts.contacts.iter_mut().filter(|contact| contact.strike.active)
+        self.contacts.contacts.iter_mut().filter(|contact| contact.impact.active)
     }
 
     /// The island and the restitution of each contact that bounces.
     pub fn restitutions(&self) -> impl Iterator<Item = (u32, Real)> {
         let bouncing = self.contacts.contacts.iter().filter(|contact| contact.bounces());
-        bouncing.map(|contact| (contact.strike.island, contact.restitution))
+        bouncing.map(|contact| (contact.impact.island, contact.restitution))
     }
 
     /// Notes how the contacts move at the end of a substep, before forces act in the next.
@@ -133,7 +133,7 @@ impl SolverMultibodies {
         let (jacobians, contacts, states) = self.bouncing(velocities);
         for contact in contacts.bouncing() {
             for point in &mut contact.points {
-                point.impact_impulse.last = jacobians.velocity(&point.normal, &states);
+                point.impact.last = jacobians.velocity(&point.normal, &states);
             }
         }
     }
@@ -145,9 +145,9 @@ impl SolverMultibodies {
         self.moving.iter_mut().for_each(|moving| moving.add_pushed(-1.0));
         let (jacobians, contacts, states) = self.bouncing(&mut bodies.states);
         for contact in contacts.bouncing() {
-            contact.strike.was_active = false;
-            for Point { normal, impact_impulse, .. } in &mut contact.points {
-                impact_impulse.begin(jacobians.velocity(normal, &states), pass);
+            contact.impact.was_active = false;
+            for Point { normal, impact, .. } in &mut contact.points {
+                impact.begin(jacobians.velocity(normal, &states), pass);
             }
         }
     }
@@ -160,10 +160,10 @@ impl SolverMultibodies {
     /// Notes how contacts move with the impulses of the last substep.
     fn note_loaded(&mut self, loaded: &mut [BodyState]) {
         let (jacobians, contacts, states) = self.bouncing(loaded);
-        for Point { normal, impact_impulse, .. } in
+        for Point { normal, impact, .. } in
             contacts.bouncing().flat_map(|contact| &mut contact.points)
         {
-            impact_impulse.loaded = jacobians.velocity(normal, &states);
+            impact.loaded = jacobians.velocity(normal, &states);
         }
         // Inertial terms are evaluated at the configuration of the impact.
         let before_flight = |moving: &mut Moving| {
@@ -172,8 +172,8 @@ impl SolverMultibodies {
         };
         let flying: Vec<_> = states.multibodies.iter_mut().map(before_flight).collect();
         for point in contacts.bouncing().flat_map(|contact| &mut contact.points) {
-            point.impact_impulse.accelerated =
-                jacobians.velocity(&point.normal, &states) - point.impact_impulse.last;
+            point.impact.accelerated =
+                jacobians.velocity(&point.normal, &states) - point.impact.last;
         }
         for (moving, rates) in states.multibodies.iter_mut().zip(flying) {
             let before = core::mem::replace(&mut moving.motion.rates, rates);
@@ -193,35 +193,31 @@ impl SolverMultibodies {
     ) {
         let (jacobians, contacts, mut states) = self.bouncing(&mut bodies.states);
         for contact in contacts.bouncing() {
-            contact.strike.active = false;
-            let takes_part = takes_part(contact.strike.island);
-            for Point { normal, impact_impulse, separation, .. } in &mut contact.points {
-                let velocity =
-                    jacobians.velocity(normal, &states) + impact_impulse.support_velocity;
+            contact.impact.active = false;
+            let takes_part = takes_part(contact.impact.island);
+            for Point { normal, impact, separation, .. } in &mut contact.points {
+                let velocity = jacobians.velocity(normal, &states) + impact.support_velocity;
                 let separation = *separation + jacobians.displacement(normal, &states);
-                impact_impulse.impulse = 0.0;
-                impact_impulse.mass = 0.0;
+                impact.impulse = 0.0;
+                impact.mass = 0.0;
                 let earliest = if jacobians.goes_back(normal, &states) { -pass.step } else { 0.0 };
-                if impact_impulse.find_time(velocity, separation, earliest, pass.substep)
-                    && takes_part
-                {
-                    impact_impulse.mass = normal.mass;
-                    contact.strike.active |= impact_impulse.mass > 0.0;
+                if impact.find_time(velocity, separation, earliest, pass.substep) && takes_part {
+                    impact.mass = normal.mass;
+                    contact.impact.active |= impact.mass > 0.0;
                     let gains = contact.restitution > 1.0;
-                    jacobians.note_time(normal, (impact_impulse.time, gains), &mut states);
+                    jacobians.note_time(normal, (impact.time, gains), &mut states);
                 }
             }
-            contact.strike.was_active |= contact.strike.active;
+            contact.impact.was_active |= contact.impact.active;
         }
         self.move_to_impact(place, bodies, pass.substep);
         let (jacobians, contacts, states) = self.bouncing(&mut bodies.states);
-        for contact in contacts.bouncing().filter(|contact| contact.strike.active) {
-            for Point { normal, impact_impulse, .. } in &mut contact.points {
-                if impact_impulse.mass > 0.0 {
-                    impact_impulse.mass = normal.mass;
-                    let velocity =
-                        jacobians.velocity(normal, &states) + impact_impulse.support_velocity;
-                    impact_impulse.aim(velocity, contact.restitution, pass);
+        for contact in contacts.bouncing().filter(|contact| contact.impact.active) {
+            for Point { normal, impact, .. } in &mut contact.points {
+                if impact.mass > 0.0 {
+                    impact.mass = normal.mass;
+                    let velocity = jacobians.velocity(normal, &states) + impact.support_velocity;
+                    impact.aim(velocity, contact.restitution, pass);
                 }
             }
         }
@@ -241,29 +237,28 @@ impl SolverMultibodies {
             }
         }
         for position in 0..self.contacts.contacts.len() {
-            if self.contacts.contacts[position].strike.active {
+            if self.contacts.contacts[position].impact.active {
                 self.follow_contact(position, place, bodies);
             }
         }
     }
 
-    /// Visits the points that hit, in turn: pushes until they part as they are to.
+    /// Sweeps over the points that hit, and applies impulses until they separate at their target velocities.
     pub fn iterate_active(&mut self, states: &mut [BodyState]) {
         let (jacobians, contacts, mut states) = self.bouncing(states);
-        for contact in contacts.bouncing().filter(|contact| contact.strike.active) {
-            contact.strike.moving = false;
-            for sweep in 0..ITERATIONS {
-                for Point { normal, impact_impulse, .. } in &mut contact.points {
-                    let missing = impact_impulse.target
-                        - impact_impulse.support_velocity
+        for contact in contacts.bouncing().filter(|contact| contact.impact.active) {
+            contact.impact.moving = false;
+            for sweep in 0..POINT_SWEEPS {
+                for Point { normal, impact, .. } in &mut contact.points {
+                    let missing = impact.target
+                        - impact.support_velocity
                         - jacobians.velocity(normal, &states);
-                    let new = (impact_impulse.impulse + impact_impulse.mass * missing).max(0.0);
-                    let change = new - impact_impulse.impulse;
-                    impact_impulse.impulse = new;
-                    jacobians.strike(normal, change, &mut states);
-                    let little =
-                        -(impact_impulse.mass * impact_impulse.approach * CONVERGENCE_TOLERANCE);
-                    contact.strike.moving |= sweep == 0 && change.abs() > little;
+                    let new = (impact.impulse + impact.mass * missing).max(0.0);
+                    let change = new - impact.impulse;
+                    impact.impulse = new;
+                    jacobians.apply_impact(normal, change, &mut states);
+                    let little = -(impact.mass * impact.approach * CONVERGENCE_TOLERANCE);
+                    contact.impact.moving |= sweep == 0 && change.abs() > little;
                 }
             }
         }
@@ -272,20 +267,15 @@ impl SolverMultibodies {
     /// Ends a round: sums up its energy, and records the hit times of bodies and multibodies.
     pub fn end_round(&mut self, states: &mut [BodyState], delays: &mut [BodyState]) {
         let (jacobians, contacts, states) = self.bouncing(states);
-        for contact in contacts.bouncing().filter(|contact| contact.strike.active) {
+        for contact in contacts.bouncing().filter(|contact| contact.impact.active) {
             let allowed = contact.restitution.max(1.0);
-            (contact.strike.dissipated, contact.strike.energy_gain) = (0.0, 0.0);
-            for Point { normal, impact_impulse, .. } in &mut contact.points {
-                let velocity =
-                    jacobians.velocity(normal, &states) + impact_impulse.support_velocity;
-                contact.strike.dissipated += impact_impulse.impulse * impact_impulse.approach;
-                contact.strike.energy_gain +=
-                    impact_impulse.impulse * (velocity + allowed * impact_impulse.approach) * 0.5;
-                jacobians.note_impulse(
-                    normal,
-                    [impact_impulse.impulse, impact_impulse.time],
-                    delays,
-                );
+            (contact.impact.dissipated, contact.impact.energy_gain) = (0.0, 0.0);
+            for Point { normal, impact, .. } in &mut contact.points {
+                let velocity = jacobians.velocity(normal, &states) + impact.support_velocity;
+                contact.impact.dissipated += impact.impulse * impact.approach;
+                contact.impact.energy_gain +=
+                    impact.impulse * (velocity + allowed * impact.approach) * 0.5;
+                jacobians.note_impulse(normal, [impact.impulse, impact.time], delays);
             }
         }
     }
@@ -293,32 +283,32 @@ impl SolverMultibodies {
     /// Commits the impulses of a round, scaled by the fraction of each island.
     pub fn commit_round(&mut self, fraction: impl Fn(u32) -> Real) {
         for contact in self.active() {
-            let fraction = fraction(contact.strike.island);
-            contact.points.iter_mut().for_each(|point| {
-                point.impact_impulse.given += fraction * point.impact_impulse.impulse
-            });
+            let fraction = fraction(contact.impact.island);
+            contact
+                .points
+                .iter_mut()
+                .for_each(|point| point.impact.given += fraction * point.impact.impulse);
         }
     }
 
     /// Puts the points aside that come fast and do not arrive in this substep.
     pub fn defer(&mut self) {
         for contact in self.contacts.bouncing() {
-            contact.points.iter_mut().for_each(|point| point.is_aside = point.impact_impulse.waits);
+            contact.points.iter_mut().for_each(|point| point.is_aside = point.impact.waits);
         }
     }
 
     /// Ends the impact: friction acts under its normal impulses, which count into those of the step.
     pub fn solve_active_friction(&mut self, states: &mut [BodyState]) {
         let (jacobians, contacts, mut states) = self.bouncing(states);
-        for contact in contacts.bouncing().filter(|contact| contact.strike.was_active) {
-            for point in contact.points.iter_mut().filter(|point| point.impact_impulse.given > 0.0)
-            {
-                point.total += point.impact_impulse.given;
-                let most = contact.friction * point.impact_impulse.given;
+        for contact in contacts.bouncing().filter(|contact| contact.impact.was_active) {
+            for point in contact.points.iter_mut().filter(|point| point.impact.given > 0.0) {
+                point.total += point.impact.given;
+                let most = contact.friction * point.impact.given;
                 let none = [0.0; DIM - 1];
                 let friction_solved = point.friction_under(most, none, jacobians, &states);
                 for (row, impulse) in point.tangents.iter().zip(friction_solved) {
-                    jacobians.strike(row, impulse, &mut states);
+                    jacobians.apply_impact(row, impulse, &mut states);
                 }
             }
         }
@@ -366,23 +356,23 @@ impl LinkImpact {
 
 impl LinkContact {
     fn bounces(&self) -> bool {
-        self.restitution != 0.0 && self.strike.island != NONE
+        self.restitution != 0.0 && self.impact.island != NONE
     }
 
     /// Leaves it as it is for the rest of the round.
     pub fn deactivate(&mut self) {
-        self.points.iter_mut().for_each(|point| point.impact_impulse.mass = 0.0);
+        self.points.iter_mut().for_each(|point| point.impact.mass = 0.0);
     }
 }
 
 impl Point {
     /// Its separation for all passes except impacts.
     pub fn shown_separation(&self) -> Real {
-        if self.is_aside { COORDINATE_MODERATE_MAX } else { self.separation }
+        if self.is_aside { DEFERRED_SEPARATION } else { self.separation }
     }
 }
 
-impl ImpactImpulse {
+impl LinkImpactRow {
     /// Begins a substep in which the point moves like this without the impulses of the last one.
     fn begin(&mut self, free: Real, pass: &ImpactPass) {
         let forced = free - self.last;
@@ -416,11 +406,11 @@ impl ImpactImpulse {
             self.limit = self.middle - pass.threshold * APPROACH_CHANGE_MIN;
         }
         let speed = (-velocity).max(0.0);
-        let most = speed * CURVATURE_ANGLE_MAX;
-        let curvature = self.accelerated * (self.time * pass.inv_substep - 0.5);
-        let curvature = curvature.max(-most).min(most);
-        self.approach = curvature + curvature - speed;
-        self.target = (restitution * (speed - curvature) - curvature).max(0.0);
+        let most = speed * FORCE_CORRECTION_MAX;
+        let correction = self.accelerated * (self.time * pass.inv_substep - 0.5);
+        let correction = correction.max(-most).min(most);
+        self.approach = correction + correction - speed;
+        self.target = (restitution * (speed - correction) - correction).max(0.0);
     }
 }
 

@@ -26,7 +26,7 @@ use crate::model::joint::{
     GenericJoint, ImpulseJointHandle, ImpulseJointSet, JointLimits, JointMotor, MotorModel, mask_of,
 };
 use crate::model::multibody::{MultibodyJoint, MultibodyLink};
-use crate::step::solver::joints::CURVATURE_ANGLE_MAX;
+use crate::step::solver::joints::CURVATURE_FRACTION_MAX;
 
 /// Owner of the axis of a row: the joint of a link, or a joint that closes a loop.
 #[derive(Copy, Clone, Debug)]
@@ -341,7 +341,8 @@ impl Limit {
         let [Some((now, gradient)), Some((then, _))] = angles else { return 0.0 };
         let turn = &rates[rates.len() - ANG_DIM..];
         let straight = (0..ANG_DIM).map(|k| gradient[DIM + k] * turn[k]).sum::<Real>();
-        let bound = CURVATURE_ANGLE_MAX * turn.iter().map(|rate| rate * rate).sum::<Real>().sqrt();
+        let bound =
+            CURVATURE_FRACTION_MAX * turn.iter().map(|rate| rate * rate).sum::<Real>().sqrt();
         let curvature = (then - now) * inv_substep - straight;
         curvature.min(bound).max(-bound)
     }

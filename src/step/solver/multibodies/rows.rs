@@ -261,7 +261,7 @@ impl JacobianPool {
     }
 
     /// Applies an impulse that is no warm-start load for the next substep: that of an impact.
-    pub fn strike(&self, row: &Row, impulse: Real, states: &mut ConstrainedStates<'_>) {
+    pub fn apply_impact(&self, row: &Row, impulse: Real, states: &mut ConstrainedStates<'_>) {
         self.each_response(row, impulse, states, |moving, jacobian, response| {
             add(&mut moving.motion.rates, response, impulse);
             moving.motion.note_external_impulse(&jacobian[..moving.root_pushed.len()], impulse);

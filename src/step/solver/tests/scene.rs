@@ -310,9 +310,9 @@ impl Kernel for Run<'_> {
         unsafe {
             match self.pass {
                 Pass::Prepare => {
-                    let around = contact::PrepareContext { poses, states: &states };
+                    let context = contact::PrepareContext { poses, states: &states };
                     let coulomb = coulomb.as_mut();
-                    contact::prepare::<W>(input, block, coulomb, around, prediction);
+                    contact::prepare::<W>(input, block, coulomb, context, prediction);
                 }
                 Pass::Solve => contact::solve::<W>(block, &states, pass),
                 Pass::Relax => contact::relax::<W>(block, coulomb.as_mut(), &states, pass),

@@ -62,18 +62,18 @@ impl Factor {
         of_matrix!(self, matrix => matrix.has_converged(component, memory))
     }
 
-    /// See [`Matrix::take_back`].
+    /// See [`Matrix::roll_back`].
     ///
     /// # Safety
     /// As [`Matrix::solve`].
-    pub unsafe fn take_back(
+    pub unsafe fn roll_back(
         &mut self,
         component: Component<'_>,
         memory: &[JacobianBlock],
         states: &DisjointMut<'_, BodyState>,
     ) {
         // SAFETY: the caller's promise.
-        of_matrix!(self, matrix => unsafe { matrix.take_back(component, memory, states) });
+        of_matrix!(self, matrix => unsafe { matrix.roll_back(component, memory, states) });
     }
 
     /// See [`Matrix::progress`].

@@ -167,11 +167,11 @@ impl<const N: usize> Matrix<N> {
         is_done
     }
 
-    /// Takes all impulses of the component back.
+    /// Rolls all impulses of the component back.
     ///
     /// # Safety
     /// As [`Self::solve`].
-    pub unsafe fn take_back(
+    pub unsafe fn roll_back(
         &mut self,
         component: Component<'_>,
         memory: &[JacobianBlock],

@@ -163,8 +163,8 @@ unsafe fn write_first_rows<W: Wide, const AHEAD: bool, const N: usize>(
     (memory.inv_mass, memory.inv_inertia) = (block.inv_mass, *block.inertias.lanes());
 }
 
-/// Rows and velocity errors of the solve pass, with the curvature of the present velocities. Taut joints take
-/// the rows there, others where they are. Joints with a large unconstrained displacement
+/// Rows and velocity errors of the solve pass, with the curvature of the present velocities. Stiff joints
+/// take the rows there, others where they are. Joints with a large unconstrained displacement
 /// (`../geometric_stiffness.rs`) are excluded.
 #[inline(always)]
 fn rows_ahead<W: Wide, const N: usize>(

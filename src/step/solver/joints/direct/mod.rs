@@ -74,7 +74,7 @@ pub(super) struct Direct {
 enum Linearization {
     /// Looking ahead, along the rows where the bodies are.
     Ahead,
-    /// Taut: projected from where the bodies would go freely, along the rows there.
+    /// Stiff: projected from where the bodies would go freely, along the rows there.
     There,
     /// Stiff, with a large unconstrained displacement: projected at the current poses.
     Here,
@@ -91,7 +91,7 @@ struct SolveState {
 
 impl SolveState {
     /// Selects the linearisation of a stiff component.
-    fn hold(&mut self, has_large_displacement: bool) {
+    fn linearize_stiff(&mut self, has_large_displacement: bool) {
         self.linearization =
             if has_large_displacement { Linearization::Here } else { Linearization::There };
     }
@@ -157,13 +157,12 @@ impl Direct {
     pub fn select_method(&mut self, mut find: impl FnMut(&[DirectJoint]) -> bool) {
         self.solve_states.clear();
         for index in 0..self.pattern.component_count() {
-            let geometric_stiffness = find(self.pattern.component(index).members);
-            if geometric_stiffness {
-                // Taut joints take other rows than those of the last relax pass.
+            let is_stiff = find(self.pattern.component(index).members);
+            if is_stiff {
+                // Stiff joints take other rows than those of the last relax pass.
                 self.factors[index].forget();
             }
-            let linearization =
-                if geometric_stiffness { Linearization::There } else { Linearization::Ahead };
+            let linearization = if is_stiff { Linearization::There } else { Linearization::Ahead };
             self.solve_states.push(SolveState { linearization, rounds: 0, next: Next::Solve });
         }
     }
@@ -184,9 +183,9 @@ impl Direct {
         for (index, solve_state) in self.solve_states.iter_mut().enumerate() {
             let members = self.pattern.component(index).members;
             if solve_state.linearization == Linearization::There {
-                solve_state.hold(test(members, StiffnessTest::HasLargeDisplacement));
+                solve_state.linearize_stiff(test(members, StiffnessTest::HasLargeDisplacement));
             }
-            note_manner(members, rows, solve_state.linearization);
+            note_linearization(members, rows, solve_state.linearization);
         }
     }
 
@@ -222,8 +221,11 @@ impl Direct {
                 Next::Rollback => {
                     factor.forget();
                     solve_state.rounds = 0;
-                    solve_state.hold(test(component.members, StiffnessTest::HasLargeDisplacement));
-                    note_manner(component.members, rows, solve_state.linearization);
+                    solve_state.linearize_stiff(test(
+                        component.members,
+                        StiffnessTest::HasLargeDisplacement,
+                    ));
+                    note_linearization(component.members, rows, solve_state.linearization);
                     Next::Solve
                 }
                 Next::Solve if solve_state.linearization != Linearization::Ahead => {
@@ -277,7 +279,7 @@ impl Direct {
                     let (factor, component) = (factors.get_mut(index), pattern.component(index));
                     let solve_state = solve_states[index];
                     if solve_state.next == Next::Rollback {
-                        factor.take_back(component, read, &states);
+                        factor.roll_back(component, read, &states);
                         continue;
                     }
                     let (again, is_there) =
@@ -299,8 +301,12 @@ impl Direct {
     }
 }
 
-/// Notes from where the rows of a component are taken.
-fn note_manner(members: &[DirectJoint], rows: &mut [JacobianBlock], linearization: Linearization) {
+/// Notes the linearisation of a component in its rows.
+fn note_linearization(
+    members: &[DirectJoint],
+    rows: &mut [JacobianBlock],
+    linearization: Linearization,
+) {
     for member in members {
         let (memory, lane) = (&mut rows[member.block as usize], member.lane as usize);
         memory.are_there.0[lane] = if linearization == Linearization::There { 1.0 } else { 0.0 };

@@ -121,7 +121,7 @@ impl PointToPointJoints {
         let pass = PointToPointPass::new(pass);
         let blocks = DisjointMut::new(&mut self.blocks);
         for_each_color(self.layout.colors(), (tasks, BLOCKS_PER_TASK), |range| {
-            simd.run(Visit::<BIASED> { range, blocks, states, pass });
+            simd.run(Iterate::<BIASED> { range, blocks, states, pass });
         });
     }
 
@@ -183,14 +183,14 @@ impl Kernel for WarmStart<'_> {
 }
 
 /// See [`block::iterate`].
-struct Visit<'a, const BIASED: bool> {
+struct Iterate<'a, const BIASED: bool> {
     range: Range<usize>,
     blocks: DisjointMut<'a, PointToPointBlock>,
     states: DisjointMut<'a, BodyState>,
     pass: PointToPointPass,
 }
 
-impl<const BIASED: bool> Kernel for Visit<'_, BIASED> {
+impl<const BIASED: bool> Kernel for Iterate<'_, BIASED> {
     type Output = ();
 
     #[inline(always)]

@@ -1,4 +1,4 @@
-//! Budgets of an island in the rounds of an impact: iterations and energy.
+//! Iterations and energy of an island in an impact.
 
 use crate::dim::math::Real;
 
@@ -7,37 +7,40 @@ const ITERATIONS_MAX: usize = 128;
 /// Islands with at most this number of contacts get all iterations for any restitution.
 const SMALL_ISLAND: usize = 32;
 
-/// The iterations of an island follow from the number of its contacts with restitution, and from their
-/// largest restitution.
+/// The contacts of an island that have restitution: their number, and the largest restitution. The number of
+/// iterations follows from both.
 #[derive(Copy, Clone, Default)]
-pub(super) struct IterationBudget {
+pub(super) struct IslandRestitution {
     pub contacts: usize,
     pub restitution: Real,
 }
 
-impl IterationBudget {
+impl IslandRestitution {
+    /// Number of iterations per substep.
     pub fn iterations(&self) -> usize {
         let smallness = SMALL_ISLAND as Real / self.contacts as Real;
-        let worth = self.restitution.max(smallness).min(1.0);
-        (ITERATIONS_MAX as Real * worth).ceil() as usize
+        let fraction = self.restitution.max(smallness).min(1.0);
+        (ITERATIONS_MAX as Real * fraction).ceil() as usize
     }
 }
 
-/// Progress of an island. Islands are independent: their results have the same bits with any others beside
-/// them.
+/// Progress of an island in an impact. Islands are independent: other islands do not change a bit of the
+/// results.
 #[derive(Copy, Clone, Default)]
-pub(super) struct EnergyBudget {
+pub(super) struct ImpactIsland {
     /// Remaining iterations of this substep.
     pub iterations: usize,
+    /// Whether the current round includes the island, and the island has not converged.
     pub is_active: bool,
+    /// Whether the last iteration changed the island.
     pub is_moving: bool,
     /// Sums over the contacts, see `ActiveBlock`.
     pub dissipated: Real,
     pub energy_gain: Real,
 }
 
-impl EnergyBudget {
-    /// The fraction of a round of an island: at most up to the initial energy.
+impl ImpactIsland {
+    /// The fraction of a round that keeps the energy at or below its initial value.
     pub fn fraction(&self) -> Real {
         let fraction = self.dissipated / (self.dissipated - self.energy_gain);
         match self.energy_gain > 0.0 {
