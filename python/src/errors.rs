@@ -8,14 +8,21 @@ use pyo3::{PyErr, create_exception};
 
 create_exception!(rapier, RapierError, PyException, "The base of the engine's exceptions.");
 create_exception!(rapier, StaleHandleError, RapierError, "The object was removed from its world.");
-create_exception!(rapier, SnapshotError, RapierError, "Bytes that are no snapshot of this dimension, precision and version.");
+create_exception!(
+    rapier,
+    SnapshotError,
+    RapierError,
+    "Bytes that are no snapshot of this dimension, precision and version."
+);
 
-/// The class `InvalidValueError`, which is a `RapierError` and a `ValueError`. `create_exception!` allows one base only.
+/// The class `InvalidValueError`, which is a `RapierError` and a `ValueError`. `create_exception!`
+/// allows one base only.
 pub fn invalid_value_error(py: Python<'_>) -> PyResult<&Bound<'_, PyType>> {
     static CLASS: PyOnceLock<Py<PyType>> = PyOnceLock::new();
     let class = CLASS.get_or_try_init(py, || {
         let bases = (py.get_type::<RapierError>(), py.get_type::<PyValueError>());
-        let doc = "A value that the engine refuses. The message names it, and the world is unchanged.";
+        let doc =
+            "A value that the engine refuses. The message names it, and the world is unchanged.";
         let members = [("__doc__", doc), ("__module__", "rapier")].into_py_dict(py)?;
         let class = py.get_type::<PyType>().call1(("InvalidValueError", bases, members))?;
         PyResult::Ok(class.cast_into::<PyType>()?.unbind())

@@ -39,6 +39,8 @@ function freePictures(tree: Root): void {
 
 /** Pages of the guide whose names are those of the JavaScript package. */
 const JAVASCRIPT = /guide\/(javascript|testbed)\.md$/;
+/** The page of the Python package, which has no reference. */
+const PYTHON = /guide\/python\.md$/;
 
 /** Addresses in the reference by name, if the reference was generated. */
 function names(language: "rust" | "javascript"): Record<string, string> {
@@ -78,6 +80,7 @@ export default function documents() {
         freePictures(tree);
         showDimensions(tree);
         if (!file.path.includes("docs/guide/")) return;
+        if (PYTHON.test(file.path)) return;
         linkNames(tree, JAVASCRIPT.test(file.path) ? addresses.javascript : addresses.rust);
         showScenes(tree, basename(file.path, ".md"));
     };

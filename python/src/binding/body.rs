@@ -2,9 +2,13 @@
 
 use super::collider::Collider;
 use super::identity::identify;
-use super::numbers::{angular_velocity, coordinates, finite, non_negative, pose, vector, vector_out};
+use super::numbers::{
+    angular_velocity, coordinates, finite, non_negative, pose, vector, vector_out,
+};
 use super::options::Options;
-use super::rapier::dynamics::{RigidBody, RigidBodyBuilder, RigidBodyHandle, RigidBodySet, RigidBodyType};
+use super::rapier::dynamics::{
+    RigidBody, RigidBodyBuilder, RigidBodyHandle, RigidBodySet, RigidBodyType,
+};
 use super::rapier::math::{Pose, Real};
 use super::space;
 use super::world::World;
@@ -35,7 +39,11 @@ fn name_of(kind: RigidBodyType) -> &'static str {
 /// A body of the arguments of `add_body`.
 pub fn describe(kind: &str, options: &Options<'_>) -> PyResult<RigidBody> {
     let (position, rotation) = (options.any("position")?, options.any("rotation")?);
-    let mut body = RigidBodyBuilder::new(kind_of(kind)?).pose(pose(Pose::IDENTITY, position.as_ref(), rotation.as_ref())?);
+    let mut body = RigidBodyBuilder::new(kind_of(kind)?).pose(pose(
+        Pose::IDENTITY,
+        position.as_ref(),
+        rotation.as_ref(),
+    )?);
     if let Some(linvel) = options.any("linvel")? {
         body = body.linvel(coordinates("linvel", &linvel)?);
     }
@@ -54,7 +62,9 @@ pub fn describe(kind: &str, options: &Options<'_>) -> PyResult<RigidBody> {
     if let Some(mass) = options.take("additional_mass")? {
         body = body.additional_mass(non_negative("additional_mass", mass)?);
     }
-    body = body.ccd_enabled(options.take("ccd")?.unwrap_or(false)).can_sleep(options.take("can_sleep")?.unwrap_or(true));
+    body = body
+        .ccd_enabled(options.take("ccd")?.unwrap_or(false))
+        .can_sleep(options.take("can_sleep")?.unwrap_or(true));
     if options.take("lock_translations")?.unwrap_or(false) {
         body = body.lock_translations();
     }
@@ -75,7 +85,11 @@ identify!(Body by handle);
 
 impl Body {
     /// The handle, if the body is in this world. `bodies` is the locked set of the world.
-    pub fn handle_in(&self, world: &Bound<'_, World>, bodies: &RigidBodySet) -> PyResult<RigidBodyHandle> {
+    pub fn handle_in(
+        &self,
+        world: &Bound<'_, World>,
+        bodies: &RigidBodySet,
+    ) -> PyResult<RigidBodyHandle> {
         if !self.world.is(world) {
             return Err(invalid("the body belongs to another world"));
         }
@@ -86,11 +100,25 @@ impl Body {
     }
 
     fn read<R>(&self, py: Python<'_>, read: impl FnOnce(&RigidBody) -> R) -> PyResult<R> {
-        self.world.get().lock(py).world.bodies.get(self.handle).map(read).ok_or_else(|| stale("body"))
+        self.world
+            .get()
+            .lock(py)?
+            .world
+            .bodies
+            .get(self.handle)
+            .map(read)
+            .ok_or_else(|| stale("body"))
     }
 
     fn write<R>(&self, py: Python<'_>, change: impl FnOnce(&mut RigidBody) -> R) -> PyResult<R> {
-        self.world.get().lock(py).world.bodies.get_mut(self.handle).map(change).ok_or_else(|| stale("body"))
+        self.world
+            .get()
+            .lock(py)?
+            .world
+            .bodies
+            .get_mut(self.handle)
+            .map(change)
+            .ok_or_else(|| stale("body"))
     }
 }
 
@@ -216,7 +244,8 @@ impl Body {
         self.write(py, |body| body.wake_up(true))
     }
 
-    /// Adds a constant force (N, world) at the centre of mass. It acts in each step until `reset_forces`.
+    /// Adds a constant force (N, world) at the centre of mass. It acts in each step until
+    /// `reset_forces`.
     fn add_force(&self, py: Python<'_>, force: &Bound<'_, PyAny>) -> PyResult<()> {
         let force = vector("force", force)?;
         self.write(py, |body| body.add_force(force, true))
@@ -236,9 +265,15 @@ impl Body {
         })
     }
 
-    /// Changes the velocity at once by an impulse (N·s, world) at the centre of mass, or at a point (m, world).
+    /// Changes the velocity at once by an impulse (N·s, world) at the centre of mass, or at a point
+    /// (m, world).
     #[pyo3(signature = (impulse, point=None))]
-    fn apply_impulse(&self, py: Python<'_>, impulse: &Bound<'_, PyAny>, point: Option<&Bound<'_, PyAny>>) -> PyResult<()> {
+    fn apply_impulse(
+        &self,
+        py: Python<'_>,
+        impulse: &Bound<'_, PyAny>,
+        point: Option<&Bound<'_, PyAny>>,
+    ) -> PyResult<()> {
         let impulse = vector("impulse", impulse)?;
         let point = point.map(|point| coordinates("point", point)).transpose()?;
         self.write(py, |body| match point {
@@ -253,14 +288,24 @@ impl Body {
         self.write(py, |body| body.apply_torque_impulse(impulse, true))
     }
 
-    /// Moves a "kinematic_position" body to a pose during the next step. An absent part stays as it is, or as an earlier call before the step sets it.
+    /// Moves a "kinematic_position" body to a pose during the next step. An absent part stays as it
+    /// is, or as an earlier call before the step sets it.
     ///
-    /// position: of the body's origin (m, world). rotation: a quaternion (x, y, z, w) in 3D, an angle (rad) in 2D.
+    /// position: of the body's origin (m, world). rotation: a quaternion (x, y, z, w) in 3D, an
+    /// angle (rad) in 2D.
     #[pyo3(signature = (position=None, rotation=None))]
-    fn move_to(&self, py: Python<'_>, position: Option<&Bound<'_, PyAny>>, rotation: Option<&Bound<'_, PyAny>>) -> PyResult<()> {
+    fn move_to(
+        &self,
+        py: Python<'_>,
+        position: Option<&Bound<'_, PyAny>>,
+        rotation: Option<&Bound<'_, PyAny>>,
+    ) -> PyResult<()> {
         let (next, kind) = self.read(py, |body| (*body.next_position(), body.body_type()))?;
         if kind != RigidBodyType::KinematicPositionBased {
-            return Err(invalid(format!("the kind is {}, but move_to needs a kinematic_position body", name_of(kind))));
+            return Err(invalid(format!(
+                "the kind is {}, but move_to needs a kinematic_position body",
+                name_of(kind)
+            )));
         }
         let target = pose(next, position, rotation)?;
         self.write(py, |body| body.set_next_kinematic_position(target))
@@ -270,14 +315,18 @@ impl Body {
     #[getter]
     fn colliders(&self, py: Python<'_>) -> PyResult<Vec<Collider>> {
         let handles = self.read(py, |body| body.colliders().to_vec())?;
-        Ok(handles.into_iter().map(|handle| Collider { world: self.world.clone_ref(py), handle }).collect())
+        Ok(handles
+            .into_iter()
+            .map(|handle| Collider { world: self.world.clone_ref(py), handle })
+            .collect())
     }
 
     /// Removes the body with its colliders and joints.
     fn remove(&self, py: Python<'_>) -> PyResult<()> {
-        let mut state = self.world.get().lock(py);
+        let mut state = self.world.get().lock(py)?;
         let world = &mut state.world;
-        let colliders = world.bodies.get(self.handle).ok_or_else(|| stale("body"))?.colliders().to_vec();
+        let colliders =
+            world.bodies.get(self.handle).ok_or_else(|| stale("body"))?.colliders().to_vec();
         // The engine would remove them in the next step.
         for collider in colliders {
             world.remove_collider(collider);
@@ -288,12 +337,14 @@ impl Body {
 
     /// Whether the body is still in its world.
     #[getter]
-    fn alive(&self, py: Python<'_>) -> bool {
-        self.world.get().lock(py).world.bodies.contains(self.handle)
+    fn alive(&self, py: Python<'_>) -> PyResult<bool> {
+        Ok(self.world.get().lock(py)?.world.bodies.contains(self.handle))
     }
 
     fn __repr__(&self, py: Python<'_>) -> String {
-        match self.read(py, |body| format!("<Body: {} at {}>", name_of(body.body_type()), body.translation())) {
+        match self.read(py, |body| {
+            format!("<Body: {} at {}>", name_of(body.body_type()), body.translation())
+        }) {
             Ok(text) => text,
             Err(_) => "<Body: removed>".into(),
         }

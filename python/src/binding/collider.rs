@@ -4,9 +4,12 @@ use super::body::Body;
 use super::identity::identify;
 use super::numbers::{coefficient, non_negative, pose, vector_out};
 use super::options::Options;
-use super::rapier::geometry::{Collider as EngineCollider, ColliderBuilder, ColliderHandle, ContactPair, Group, InteractionGroups};
+use super::rapier::geometry::{
+    Collider as EngineCollider, ColliderBuilder, ColliderHandle, ContactPair, Group,
+    InteractionGroups,
+};
 use super::rapier::math::{Pose, Real};
-use super::rapier::pipeline::{ActiveEvents, PhysicsWorld};
+use super::rapier::pipeline::{ActiveEvents, ActiveHooks, PhysicsWorld};
 use super::shape::Shape;
 use super::world::World;
 use crate::errors::{invalid, stale};
@@ -47,6 +50,9 @@ fn build(mut collider: ColliderBuilder, options: &Options<'_>) -> PyResult<Engin
     if let Some(groups) = options.take::<(u32, u32)>("solver_groups")? {
         collider = collider.solver_groups(groups_of(groups));
     }
+    if options.take("hooks")?.unwrap_or(false) {
+        collider = collider.active_hooks(ActiveHooks::all());
+    }
     if options.take("events")?.unwrap_or(false) {
         collider = collider.active_events(ActiveEvents::COLLISION_EVENTS);
     }
@@ -54,10 +60,15 @@ fn build(mut collider: ColliderBuilder, options: &Options<'_>) -> PyResult<Engin
 }
 
 fn groups_of((memberships, filter): (u32, u32)) -> InteractionGroups {
-    InteractionGroups { memberships: Group::from_bits_retain(memberships), filter: Group::from_bits_retain(filter), ..InteractionGroups::default() }
+    InteractionGroups {
+        memberships: Group::from_bits_retain(memberships),
+        filter: Group::from_bits_retain(filter),
+        ..InteractionGroups::default()
+    }
 }
 
-/// A collider of a world: a shape with a material. After its removal, every use raises `StaleHandleError`.
+/// A collider of a world: a shape with a material. After its removal, every use raises
+/// `StaleHandleError`.
 #[pyclass(frozen, module = "rapier", eq, hash)]
 pub struct Collider {
     pub world: Py<World>,
@@ -68,19 +79,36 @@ identify!(Collider by handle);
 
 impl Collider {
     fn read<R>(&self, py: Python<'_>, read: impl FnOnce(&EngineCollider) -> R) -> PyResult<R> {
-        self.world.get().lock(py).world.colliders.get(self.handle).map(read).ok_or_else(|| stale("collider"))
+        self.world
+            .get()
+            .lock(py)?
+            .world
+            .colliders
+            .get(self.handle)
+            .map(read)
+            .ok_or_else(|| stale("collider"))
     }
 
     fn write(&self, py: Python<'_>, change: impl FnOnce(&mut EngineCollider)) -> PyResult<()> {
-        self.world.get().lock(py).world.colliders.get_mut(self.handle).map(change).ok_or_else(|| stale("collider"))
+        self.world
+            .get()
+            .lock(py)?
+            .world
+            .colliders
+            .get_mut(self.handle)
+            .map(change)
+            .ok_or_else(|| stale("collider"))
     }
 
     fn touching_handles(&self, world: &PhysicsWorld) -> PyResult<Vec<ColliderHandle>> {
         if !world.colliders.contains(self.handle) {
             return Err(stale("collider"));
         }
-        let pairs = world.contact_pairs_with(self.handle).filter(|pair| pair.has_any_active_contact());
-        let other = |pair: &ContactPair| if pair.collider1 == self.handle { pair.collider2 } else { pair.collider1 };
+        let pairs =
+            world.contact_pairs_with(self.handle).filter(|pair| pair.has_any_active_contact());
+        let other = |pair: &ContactPair| {
+            if pair.collider1 == self.handle { pair.collider2 } else { pair.collider1 }
+        };
         Ok(pairs.map(other).collect())
     }
 }
@@ -133,13 +161,22 @@ impl Collider {
     /// The colliders with which it has contact, as of the last step.
     #[getter]
     fn touching(&self, py: Python<'_>) -> PyResult<Vec<Collider>> {
-        let handles = self.touching_handles(&self.world.get().lock(py).world)?;
-        Ok(handles.into_iter().map(|handle| Collider { world: self.world.clone_ref(py), handle }).collect())
+        let handles = self.touching_handles(&self.world.get().lock(py)?.world)?;
+        Ok(handles
+            .into_iter()
+            .map(|handle| Collider { world: self.world.clone_ref(py), handle })
+            .collect())
     }
 
     /// Removes the collider.
     fn remove(&self, py: Python<'_>) -> PyResult<()> {
-        self.world.get().lock(py).world.remove_collider(self.handle).map(drop).ok_or_else(|| stale("collider"))
+        self.world
+            .get()
+            .lock(py)?
+            .world
+            .remove_collider(self.handle)
+            .map(drop)
+            .ok_or_else(|| stale("collider"))
     }
 
     fn __repr__(&self, py: Python<'_>) -> String {

@@ -4,7 +4,10 @@ use super::rapier::dynamics::{RigidBody, RigidBodyVelocity};
 use super::rapier::math::{AngVector, DIM, Pose, Real, Vector};
 use super::space;
 use crate::errors::invalid;
-use numpy::{Element, PyArray1, PyArrayDescr, PyArrayDyn, PyArrayMethods, PyReadonlyArrayDyn, PyUntypedArrayMethods};
+use numpy::{
+    Element, PyArray1, PyArrayDescr, PyArrayDyn, PyArrayMethods, PyReadonlyArrayDyn,
+    PyUntypedArrayMethods,
+};
 use pyo3::prelude::*;
 
 /// Numbers of a pose: translation, rotation.
@@ -30,9 +33,9 @@ pub fn finite(name: &str, value: f64) -> PyResult<Real> {
 
 /// A finite number of at least 0.
 pub fn non_negative(name: &str, value: f64) -> PyResult<Real> {
-    match value >= 0.0 {
-        true => finite(name, value),
-        false => Err(invalid(format!("{name} is {value}, but must not be negative"))),
+    match value < 0.0 {
+        true => Err(invalid(format!("{name} is {value}, but must not be negative"))),
+        false => finite(name, value),
     }
 }
 
@@ -62,7 +65,8 @@ pub fn vector(name: &str, value: &Bound<'_, PyAny>) -> PyResult<Vector> {
     Ok(Vector::from_array(numbers(name, value)?))
 }
 
-/// A vector with the coordinates of a point (m), of a velocity (m/s) or of an acceleration (m/s²): each at most [`SIZE_MAX`].
+/// A vector with the coordinates of a point (m), of a velocity (m/s) or of an acceleration (m/s²):
+/// each at most [`SIZE_MAX`].
 pub fn coordinates(name: &str, value: &Bound<'_, PyAny>) -> PyResult<Vector> {
     let vector = vector(name, value)?;
     match is_point(vector) {
@@ -94,28 +98,44 @@ fn too_large(name: &str, value: impl std::fmt::Display) -> PyErr {
 }
 
 /// A contiguous array of anything that NumPy converts to the engine's numbers.
-pub fn array<'py>(name: &str, value: &Bound<'py, PyAny>) -> PyResult<PyReadonlyArrayDyn<'py, Real>> {
+pub fn array<'py>(
+    name: &str,
+    value: &Bound<'py, PyAny>,
+) -> PyResult<PyReadonlyArrayDyn<'py, Real>> {
     let py = value.py();
     let array = py.import("numpy")?.call_method1("ascontiguousarray", (value, dtype(py)?));
-    let array = array.map_err(|_| invalid(format!("{name} is {value}, but must be an array of numbers")))?;
+    let array = array
+        .map_err(|_| invalid(format!("{name} is {value}, but must be an array of numbers")))?;
     Ok(array.cast_into::<PyArrayDyn<Real>>()?.try_readonly()?)
 }
 
 /// A contiguous array with a shape.
-pub fn shaped_array<'py>(name: &str, value: &Bound<'py, PyAny>, shape: &[usize]) -> PyResult<PyReadonlyArrayDyn<'py, Real>> {
+pub fn shaped_array<'py>(
+    name: &str,
+    value: &Bound<'py, PyAny>,
+    shape: &[usize],
+) -> PyResult<PyReadonlyArrayDyn<'py, Real>> {
     let array = array(name, value)?;
     match array.shape() == shape {
         true => Ok(array),
-        false => Err(invalid(format!("{name} has the shape {:?}, but must have {shape:?}", array.shape()))),
+        false => Err(invalid(format!(
+            "{name} has the shape {:?}, but must have {shape:?}",
+            array.shape()
+        ))),
     }
 }
 
 /// The elements of an array, all of them finite.
-pub fn finite_elements<'a>(name: &str, array: &'a PyReadonlyArrayDyn<'_, Real>) -> PyResult<&'a [Real]> {
+pub fn finite_elements<'a>(
+    name: &str,
+    array: &'a PyReadonlyArrayDyn<'_, Real>,
+) -> PyResult<&'a [Real]> {
     let elements = array.as_slice()?;
     match elements.iter().find(|element| !element.is_finite()) {
         None => Ok(elements),
-        Some(element) => Err(invalid(format!("{name} has the element {element}, but must be finite"))),
+        Some(element) => {
+            Err(invalid(format!("{name} has the element {element}, but must be finite")))
+        }
     }
 }
 
@@ -123,7 +143,10 @@ pub fn finite_elements<'a>(name: &str, array: &'a PyReadonlyArrayDyn<'_, Real>) 
 pub fn points(name: &str, value: &Bound<'_, PyAny>) -> PyResult<Vec<Vector>> {
     let array = array(name, value)?;
     let [_, DIM] = *array.shape() else {
-        return Err(invalid(format!("{name} has the shape {:?}, but must have (n, {DIM})", array.shape())));
+        return Err(invalid(format!(
+            "{name} has the shape {:?}, but must have (n, {DIM})",
+            array.shape()
+        )));
     };
     Ok(finite_elements(name, &array)?.chunks_exact(DIM).map(Vector::from_slice).collect())
 }
@@ -134,9 +157,15 @@ pub fn vector_out<'py>(py: Python<'py>, vector: Vector) -> Bound<'py, PyArray1<R
 }
 
 /// A pose with a new position (m) and a new rotation. An absent one is that of the base.
-pub fn pose(base: Pose, position: Option<&Bound<'_, PyAny>>, rotation: Option<&Bound<'_, PyAny>>) -> PyResult<Pose> {
-    let translation = position.map_or(Ok(base.translation), |position| coordinates("position", position))?;
-    let rotation = rotation.map_or(Ok(base.rotation), |rotation| space::rotation("rotation", rotation))?;
+pub fn pose(
+    base: Pose,
+    position: Option<&Bound<'_, PyAny>>,
+    rotation: Option<&Bound<'_, PyAny>>,
+) -> PyResult<Pose> {
+    let translation =
+        position.map_or(Ok(base.translation), |position| coordinates("position", position))?;
+    let rotation =
+        rotation.map_or(Ok(base.rotation), |rotation| space::rotation("rotation", rotation))?;
     Ok(Pose::from_parts(translation, rotation))
 }
 
@@ -156,17 +185,29 @@ pub fn parse_state(row: &[Real]) -> Option<(Pose, RigidBodyVelocity)> {
     let linvel = Vector::from_slice(&row[POSE..POSE + DIM]);
     let angvel = space::angular_of(&row[POSE + DIM..]);
     let is_state = is_point(translation) && is_point(linvel) && is_angular_velocity(angvel);
-    is_state.then(|| (Pose::from_parts(translation, rotation), RigidBodyVelocity::new(linvel, angvel)))
+    is_state
+        .then(|| (Pose::from_parts(translation, rotation), RigidBodyVelocity::new(linvel, angvel)))
 }
 
 /// An array to fill: the given one, if its shape and its layout fit, or a new one.
-pub fn output<'py>(py: Python<'py>, given: Option<Bound<'py, PyAny>>, shape: &[usize]) -> PyResult<Bound<'py, PyArrayDyn<Real>>> {
+pub fn output<'py>(
+    py: Python<'py>,
+    given: Option<Bound<'py, PyAny>>,
+    shape: &[usize],
+) -> PyResult<Bound<'py, PyArrayDyn<Real>>> {
     let Some(given) = given else { return Ok(PyArrayDyn::zeros(py, shape, false)) };
     let array = given.cast_into::<PyArrayDyn<Real>>().map_err(|error| {
-        invalid(format!("out is a {}, but must be an array of float{} numbers", error.into_inner().get_type(), size_of::<Real>() * 8))
+        invalid(format!(
+            "out is a {}, but must be an array of float{} numbers",
+            error.into_inner().get_type(),
+            size_of::<Real>() * 8
+        ))
     })?;
     if array.shape() != shape || !array.is_c_contiguous() {
-        return Err(invalid(format!("out has the shape {:?}, but must be contiguous and have {shape:?}", array.shape())));
+        return Err(invalid(format!(
+            "out has the shape {:?}, but must be contiguous and have {shape:?}",
+            array.shape()
+        )));
     }
     Ok(array)
 }

@@ -30,7 +30,10 @@ impl<'py> Options<'py> {
         let extracted = value.extract().ok();
         match extracted {
             Some(extracted) => Ok(Some(extracted)),
-            None => Err(PyTypeError::new_err(format!("{}() got {name}={value}, which has the wrong type", self.function))),
+            None => Err(PyTypeError::new_err(format!(
+                "{}() got {name}={value}, which has the wrong type",
+                self.function
+            ))),
         }
     }
 
@@ -38,7 +41,10 @@ impl<'py> Options<'py> {
     pub fn finish(self) -> PyResult<()> {
         match self.left.and_then(|left| left.keys().iter().next()) {
             None => Ok(()),
-            Some(name) => Err(PyTypeError::new_err(format!("{}() got an unexpected keyword argument '{name}'", self.function))),
+            Some(name) => Err(PyTypeError::new_err(format!(
+                "{}() got an unexpected keyword argument '{name}'",
+                self.function
+            ))),
         }
     }
 }

@@ -1,10 +1,15 @@
 //! What differs in 2D: rotations and angular quantities are numbers (rad).
 
+mod no_vehicle;
+
+pub use no_vehicle::{Vehicles, fill};
+
 use super::binding::numbers::{array, finite};
 use super::rapier::dynamics::{GenericJoint, RevoluteJointBuilder};
 use super::rapier::geometry::{ColliderBuilder, SharedShape};
 use super::rapier::math::{AngVector, Real, Rotation, Vector, rotation_from_angle};
 use crate::errors::invalid;
+use drawing::View;
 use numpy::{PyArrayMethods, PyUntypedArrayMethods};
 use pyo3::prelude::*;
 
@@ -16,7 +21,8 @@ pub const ANGULAR: usize = 1;
 /// A rotation of an angle (rad).
 pub fn rotation(name: &str, value: &Bound<'_, PyAny>) -> PyResult<Rotation> {
     let angle = angular(name, value)?;
-    rotation_of(&[angle]).ok_or_else(|| invalid(format!("{name} is {angle}, but must be an angle (rad)")))
+    rotation_of(&[angle])
+        .ok_or_else(|| invalid(format!("{name} is {angle}, but must be an angle (rad)")))
 }
 
 /// An angular quantity of a number.
@@ -57,6 +63,16 @@ pub fn spherical() -> PyResult<GenericJoint> {
     Err(invalid("a spherical joint exists in 3D only: in 2D it is a revolute joint"))
 }
 
+/// The point of view of pictures. The angles are those of 3D.
+pub fn view(_yaw: f32, _pitch: f32) -> View {
+    View::flat()
+}
+
+/// The part of an angular quantity about the free axis of a joint.
+pub fn about(angular: AngVector, _axis: Vector) -> Real {
+    angular
+}
+
 /// A box by its half extents.
 pub fn cuboid(half: [Real; 2]) -> SharedShape {
     SharedShape::cuboid(half[0], half[1])
@@ -77,6 +93,8 @@ pub fn height_field(heights: &Bound<'_, PyAny>, scale: Vector) -> PyResult<Colli
     let array = array("heights", heights)?;
     match array.shape() {
         [_] => Ok(ColliderBuilder::heightfield(array.to_vec()?, scale)),
-        shape => Err(invalid(format!("heights has the shape {shape:?}, but must have one dimension"))),
+        shape => {
+            Err(invalid(format!("heights has the shape {shape:?}, but must have one dimension")))
+        }
     }
 }

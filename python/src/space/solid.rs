@@ -1,12 +1,18 @@
-//! What differs in 3D: rotations are unit quaternions `(x, y, z, w)`, angular quantities are vectors.
+//! What differs in 3D: rotations are unit quaternions `(x, y, z, w)`, angular quantities are
+//! vectors.
+
+mod vehicle;
+
+pub use vehicle::{Vehicles, fill};
 
 use super::binding::joint::along;
 use super::binding::numbers::{array, finite, numbers, vector};
 use super::rapier::dynamics::{GenericJoint, RevoluteJointBuilder, SphericalJointBuilder};
 use super::rapier::geometry::{ColliderBuilder, SharedShape};
 use super::rapier::math::{AngVector, Real, Rotation, Vector};
-use crate::errors::invalid;
 use super::rapier::parry::utils::Array2;
+use crate::errors::invalid;
+use drawing::View;
 use numpy::{PyArrayMethods, PyUntypedArrayMethods};
 use pyo3::prelude::*;
 
@@ -18,7 +24,11 @@ pub const ANGULAR: usize = 3;
 /// A quaternion of a Python sequence `(x, y, z, w)`.
 pub fn rotation(name: &str, value: &Bound<'_, PyAny>) -> PyResult<Rotation> {
     let numbers = numbers::<ROTATION>(name, value)?;
-    rotation_of(&numbers).ok_or_else(|| invalid(format!("{name} is {numbers:?}, but a rotation is a quaternion (x, y, z, w) of unit length")))
+    rotation_of(&numbers).ok_or_else(|| {
+        invalid(format!(
+            "{name} is {numbers:?}, but a rotation is a quaternion (x, y, z, w) of unit length"
+        ))
+    })
 }
 
 /// An angular quantity of a Python sequence with three numbers.
@@ -58,6 +68,16 @@ pub fn spherical() -> PyResult<GenericJoint> {
     Ok(SphericalJointBuilder::new().build().into())
 }
 
+/// The point of view of pictures, by the angles of the camera (degrees).
+pub fn view(yaw: f32, pitch: f32) -> View {
+    View::orbit(yaw, pitch)
+}
+
+/// The part of an angular quantity about the free axis of a joint.
+pub fn about(angular: AngVector, axis: Vector) -> Real {
+    angular.dot(axis)
+}
+
 /// A box by its half extents.
 pub fn cuboid(half: [Real; 3]) -> SharedShape {
     SharedShape::cuboid(half[0], half[1], half[2])
@@ -77,7 +97,10 @@ pub fn cone(half_height: f64, radius: f64) -> PyResult<SharedShape> {
 pub fn height_field(heights: &Bound<'_, PyAny>, scale: Vector) -> PyResult<ColliderBuilder> {
     let array = array("heights", heights)?;
     let [rows, columns] = *array.shape() else {
-        return Err(invalid(format!("heights has the shape {:?}, but must have (rows, columns)", array.shape())));
+        return Err(invalid(format!(
+            "heights has the shape {:?}, but must have (rows, columns)",
+            array.shape()
+        )));
     };
     // The engine's arrays are in the order of columns.
     let (numbers, mut heights) = (array.to_vec()?, Array2::zeros(rows, columns));
