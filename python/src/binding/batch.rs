@@ -13,6 +13,8 @@ use pyo3::exceptions::PyMemoryError;
 use pyo3::prelude::*;
 use rayon::prelude::*;
 
+/// Fewer elements of arrays than this are copied by one thread: waking others would take longer.
+pub const SERIAL_MAX: usize = 1 << 12;
 /// Numbers of a force and a torque.
 const WRENCH: usize = DIM + space::ANGULAR;
 
@@ -91,8 +93,12 @@ impl WorldBatch {
         change: impl Fn(&mut Simulation, &[T]) + Send + Sync,
     ) -> PyResult<()> {
         self.worlds.detached(py, |worlds| {
-            let rows = rows.par_chunks(rows_per_world.max(1));
-            worlds.par_iter_mut().zip(rows).for_each(|(simulation, rows)| change(simulation, rows));
+            let size = rows_per_world.max(1);
+            let change = |(simulation, rows): (&mut Simulation, &[T])| change(simulation, rows);
+            match rows.len() < SERIAL_MAX {
+                true => worlds.iter_mut().zip(rows.chunks(size)).for_each(change),
+                false => worlds.par_iter_mut().zip(rows.par_chunks(size)).for_each(change),
+            }
         })
     }
 
@@ -170,9 +176,12 @@ impl WorldBatch {
     #[pyo3(signature = (count=1))]
     fn step(&self, py: Python<'_>, count: usize) -> PyResult<()> {
         self.worlds.detached(py, |worlds| {
-            worlds
-                .par_iter_mut()
-                .for_each(|simulation| (0..count).for_each(|_| simulation.step(&(), &())));
+            let step =
+                |simulation: &mut Simulation| (0..count).for_each(|_| simulation.step(&(), &()));
+            match worlds.len() {
+                1 => worlds.iter_mut().for_each(step),
+                _ => worlds.par_iter_mut().for_each(step),
+            }
         })
     }
 
@@ -189,15 +198,15 @@ impl WorldBatch {
         let out = numbers::output(py, out, &[self.count, self.bodies.len(), STATE])?;
         let mut rows = out.try_readwrite()?;
         let rows = rows.as_slice_mut()?;
-        let size = self.bodies.len() * STATE;
-        self.worlds.detached(py, |worlds| {
-            worlds.par_iter().zip(rows.par_chunks_mut(size.max(1))).for_each(
-                |(simulation, rows)| {
-                    for (&handle, row) in self.bodies.iter().zip(rows.chunks_exact_mut(STATE)) {
-                        numbers::write_state(&simulation.world.bodies[handle], row);
-                    }
-                },
-            );
+        let size = (self.bodies.len() * STATE).max(1);
+        let write = |(simulation, rows): (&Simulation, &mut [Real])| {
+            for (&handle, row) in self.bodies.iter().zip(rows.chunks_exact_mut(STATE)) {
+                numbers::write_state(&simulation.world.bodies[handle], row);
+            }
+        };
+        self.worlds(py, |worlds| match rows.len() < SERIAL_MAX {
+            true => worlds.iter().zip(rows.chunks_mut(size)).for_each(write),
+            false => worlds.par_iter().zip(rows.par_chunks_mut(size)).for_each(write),
         })?;
         Ok(out)
     }

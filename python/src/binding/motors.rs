@@ -1,11 +1,12 @@
 //! Coordinates and motors of joints, of one world and of many.
 
-use super::batch::WorldBatch;
+use super::batch::{SERIAL_MAX, WorldBatch};
 use super::joint::{self, Joint, Key};
 use super::numbers::{self, finite_elements, non_negative, shaped_array};
 use super::rapier::dynamics::{GenericJoint, JointAxis, RigidBodyHandle};
 use super::rapier::math::Real;
 use super::rapier::pipeline::PhysicsWorld;
+use super::simulation::Simulation;
 use super::space;
 use crate::errors::{invalid, stale};
 use numpy::{PyArrayDyn, PyArrayMethods};
@@ -132,18 +133,19 @@ impl WorldBatch {
         let mut rows = out.try_readwrite()?;
         let rows = rows.as_slice_mut()?;
         let size = (motors.len() * JOINT_STATE).max(1);
-        let complete = self.worlds(py, |worlds| {
-            let filled =
-                worlds.par_iter().zip(rows.par_chunks_mut(size)).map(|(simulation, rows)| {
-                    motors.iter().zip(rows.chunks_exact_mut(JOINT_STATE)).all(
-                        |(&(key, axis), row)| {
-                            let state = joint_state(&simulation.world, key, axis);
-                            row.copy_from_slice(&state.unwrap_or_default());
-                            state.is_some()
-                        },
-                    )
-                });
-            filled.reduce(|| true, |a, b| a && b)
+        let fill = |(simulation, rows): (&Simulation, &mut [Real])| {
+            motors.iter().zip(rows.chunks_exact_mut(JOINT_STATE)).all(|(&(key, axis), row)| {
+                let state = joint_state(&simulation.world, key, axis);
+                row.copy_from_slice(&state.unwrap_or_default());
+                state.is_some()
+            })
+        };
+        let complete = self.worlds(py, |worlds| match rows.len() < SERIAL_MAX {
+            true => worlds.iter().zip(rows.chunks_mut(size)).all(fill),
+            false => {
+                let filled = worlds.par_iter().zip(rows.par_chunks_mut(size)).map(fill);
+                filled.reduce(|| true, |a, b| a && b)
+            }
         })?;
         match complete {
             true => Ok(out),
