@@ -180,9 +180,9 @@ impl World {
     /// or, with a sensor, intersects.
     /// modify_contact: gets a `Contact` of a touching pair and may change it for this step.
     ///
-    /// Each call costs one to two microseconds and holds the interpreter's lock, so collision
-    /// groups are better where they suffice. A callable cannot use the
-    /// world: its argument contains the data. An exception ends the step without other calls, and
+    /// A filter costs 2 to 3 µs for each pair in each step, a change of a contact about 6 µs, and
+    /// each holds the interpreter's lock. Collision groups are better where they suffice. A
+    /// callable cannot use the world: its argument contains the data. An exception ends the step without other calls, and
     /// `step` raises it. Copies of the world have no callables.
     #[pyo3(signature = (*, filter_contact=None, filter_intersection=None, modify_contact=None))]
     fn set_hooks(
@@ -253,6 +253,7 @@ impl World {
     /// collision_groups, solver_groups: bit masks (memberships, filter). Two colliders make
     /// contact, or exert forces, if each is a member of the other's filter.
     /// events: whether steps report the collisions of the collider, by default False.
+    /// hooks: whether the callables of `set_hooks` decide about its pairs, by default False.
     /// sensor: whether the collider reports intersections and exerts no forces, by default False.
     #[pyo3(signature = (shape, body=None, **options))]
     fn add_collider(
