@@ -213,7 +213,7 @@ class PyBullet(Engine):
         body = client.createMultiBody(
             0, -1, basePosition=[0, 0, 0],
             linkMasses=[parts[number].mass for number in tree],
-            linkCollisionShapeIndices=[-1] * len(tree), linkVisualShapeIndices=[-1] * len(tree),
+            linkCollisionShapeIndices=[self.shape(parts[number]) for number in tree], linkVisualShapeIndices=[-1] * len(tree),
             linkPositions=[list(anchors[number] - origin[number]) for number in tree], linkOrientations=[[0, 0, 0, 1]] * len(tree),
             linkInertialFramePositions=[list(np.array(parts[number].position) - anchors[number]) for number in tree],
             linkInertialFrameOrientations=[[0, 0, 0, 1]] * len(tree),
@@ -222,8 +222,10 @@ class PyBullet(Engine):
         )
         for link, number in enumerate(tree):
             self.places[number] = (body, link)
+            # Links without a shape have no inertia, and ball joints then give no numbers.
+            client.setCollisionFilterGroupMask(body, link, 0, 0)
             if parts[number].joint == "ball":
-                client.setJointMotorControlMultiDof(body, link, client.POSITION_CONTROL, targetPosition=[0, 0, 0, 1], positionGain=0, velocityGain=0, force=[0, 0, 0])
+                client.setJointMotorControlMultiDof(body, link, client.POSITION_CONTROL, targetPosition=[0, 0, 0, 1], targetVelocity=[0, 0, 0], positionGain=0, velocityGain=1, force=[0, 0, 0])
                 client.resetJointStateMultiDof(body, link, [0, 0, 0, 1], parts[number].angvel)
             else:
                 client.setJointMotorControl2(body, link, client.VELOCITY_CONTROL, force=0)
