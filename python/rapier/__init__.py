@@ -20,7 +20,10 @@ for _name in ("dim2", "dim3", "dim2_f64", "dim3_f64"):
             # Pickles find a class by the name of its module.
             _class.__module__ = f"{__name__}.{_name}"
 
+from .pictures import Animation, save_picture  # noqa: E402 - after the modules above, which they use
+from .sweeps import SweepError, SweepResult, sweep  # noqa: E402
+
 __all__ = [
-    "InvalidValueError", "RapierError", "SnapshotError", "StaleHandleError", "__version__",
-    "dim2", "dim2_f64", "dim3", "dim3_f64",
+    "Animation", "InvalidValueError", "RapierError", "SnapshotError", "StaleHandleError", "SweepError", "SweepResult", "__version__",
+    "dim2", "dim2_f64", "dim3", "dim3_f64", "save_picture", "sweep",
 ]

@@ -102,3 +102,61 @@ def test_arrays_that_do_not_fit_are_refused(engine):
         world.state(out=np.zeros((2, engine.STATE), engine.dtype))
     with pytest.raises(rapier.InvalidValueError, match="out is"):
         world.state(out=np.zeros((1, engine.STATE), np.int32))
+
+
+def test_every_exception_has_one_base(engine):
+    assert issubclass(rapier.InvalidValueError, (rapier.RapierError)) and issubclass(rapier.InvalidValueError, ValueError)
+    for error in [rapier.InvalidValueError, rapier.StaleHandleError, rapier.SnapshotError]:
+        assert issubclass(error, rapier.RapierError) and error.__module__ == "rapier"
+    with pytest.raises(rapier.RapierError, match="radius"):
+        engine.Shape.ball(-1)
+
+
+def test_values_beyond_the_range_of_the_engine_are_refused(engine):
+    world = engine.World()
+    body = world.add_body(shape=engine.Shape.ball(0.5))
+    before = world.hash
+    huge = at(engine, 1.0e16, 0)
+    angular = 1.0e16 if engine.DIM == 2 else [0.9e15, 0.9e15, 0.0]
+    for owner, name, value in [
+        (body, "position", huge), (body, "linvel", huge), (body, "angvel", angular), (world, "gravity", huge),
+        (body.colliders[0], "friction", 1.0e16), (body.colliders[0], "restitution", 1.0e16), (body.colliders[0], "restitution", -1.0),
+    ]:
+        with pytest.raises(rapier.InvalidValueError, match=f"{name} is"):
+            setattr(owner, name, value)
+    with pytest.raises(rapier.InvalidValueError, match="point is"):
+        body.apply_impulse(at(engine, 1, 0), point=huge)
+    assert world.hash == before
+
+
+@pytest.mark.parametrize("kind", ["dynamic", "fixed", "kinematic_velocity"])
+def test_only_bodies_of_one_kind_move_to_a_pose(engine, kind):
+    body = engine.World().add_body(kind)
+    with pytest.raises(rapier.InvalidValueError, match=f"{kind}.*kinematic_position"):
+        body.move_to(at(engine, 1, 0))
+
+
+def test_directions_whose_length_overflows_are_refused(engine):
+    huge = 1.0e25 if engine.dtype == np.float32 else 1.0e200
+    with pytest.raises(rapier.InvalidValueError, match="normal is"):
+        engine.Shape.halfspace(at(engine, huge, 0))
+    world = engine.World()
+    body, other = world.add_body(), world.add_body()
+    with pytest.raises(rapier.InvalidValueError, match="axis is"):
+        world.add_joint("prismatic", body, other, axis=at(engine, huge, 0))
+    if engine.DIM == 3:
+        with pytest.raises(rapier.InvalidValueError, match="axis is"):
+            world.add_joint("revolute", body, other, axis=[huge, 0, 0])
+        with pytest.raises(rapier.InvalidValueError, match="rotation is"):
+            body.rotation = [huge, 0, 0, huge]
+        with pytest.raises(rapier.InvalidValueError, match="rotation is"):
+            world.add_body(rotation=[huge, 0, 0, huge])
+    assert body.rotation == pytest.approx(0.0 if engine.DIM == 2 else [0, 0, 0, 1])
+
+
+def test_a_joint_with_a_removed_body_is_refused(engine):
+    world = engine.World()
+    body, removed = world.add_body(), world.add_body()
+    removed.remove()
+    with pytest.raises(rapier.StaleHandleError):
+        world.add_joint("fixed", body, removed)

@@ -4,6 +4,8 @@ import numpy as np
 import pytest
 from conftest import at
 
+import rapier
+
 
 def test_a_ray_hits_a_ball_where_the_formula_says(engine):
     world = engine.World()
@@ -53,3 +55,45 @@ def test_overlaps_are_those_of_the_shape_at_the_pose(engine):
     near = world.add_collider(engine.Shape.ball(1.0))
     world.add_collider(engine.Shape.ball(1.0), position=at(engine, 5, 0))
     assert world.overlaps(engine.Shape.box(at(engine, 0.5, 0.5, 0.5)), position=at(engine, 1.2, 0)) == [near]
+
+
+def test_queries_leave_the_world_unchanged(engine):
+    world, twin = engine.World(), engine.World()
+    for each in [world, twin]:
+        each.add_body(shape=engine.Shape.ball(1.0), position=at(engine, 5, 0))
+        each.step()
+        each.bodies[0].position = at(engine, 7, 0)
+    world.cast_ray(at(engine, 0, 0), at(engine, 1, 0))
+    assert world.hash == twin.hash
+    world.step()
+    twin.step()
+    assert world.hash == twin.hash
+
+
+def test_queries_find_moved_bodies_after_the_step(engine):
+    world = engine.World(gravity=at(engine, 0, 0))
+    body = world.add_body(shape=engine.Shape.ball(1.0), position=at(engine, 5, 0))
+    other = world.add_body(shape=engine.Shape.ball(1.0), position=at(engine, 20, 0))
+
+    def toi():
+        return world.cast_ray(at(engine, 0, 0), at(engine, 1, 0)).toi
+
+    world.step()
+    assert toi() == pytest.approx(4)
+    body.position = at(engine, 7, 0)
+    world.step()
+    assert toi() == pytest.approx(6)
+    body.enabled = False
+    world.step()
+    assert toi() == pytest.approx(19)
+    other.linvel = at(engine, 60, 0)
+    world.step(2)
+    assert toi() == pytest.approx(21)
+
+
+def test_rays_that_are_not_a_number_are_refused(engine):
+    world = engine.World()
+    fine, bad = np.zeros((2, engine.DIM)), np.full((2, engine.DIM), np.nan)
+    for rays, named in [((bad, fine), "origins"), ((fine, bad), "directions")]:
+        with pytest.raises(rapier.InvalidValueError, match=f"{named} has the element NaN"):
+            world.cast_rays(*rays)

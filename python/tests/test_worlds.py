@@ -158,6 +158,51 @@ def test_a_step_releases_the_lock_of_the_interpreter():
     assert turns > 1000
 
 
+def test_a_thread_that_waits_for_a_world_stops_no_other():
+    world = make_pile(rapier.dim3, 400)
+    body = world.bodies[0]
+    stepping, reading, done = threading.Event(), threading.Event(), threading.Event()
+
+    def step():
+        stepping.set()
+        world.step(60)
+        done.set()
+
+    def read():
+        stepping.wait()
+        reading.set()
+        while not done.is_set():
+            assert body.alive
+
+    threads = [threading.Thread(target=step), threading.Thread(target=read)]
+    for thread in threads:
+        thread.start()
+    reading.wait()
+    turns = 0
+    while not done.is_set():
+        turns += 1
+    for thread in threads:
+        thread.join()
+    # With the interpreter's lock held by the reader, this thread would run only after the step.
+    assert turns > 10_000
+
+
+def test_joints_are_keys(engine):
+    world = engine.World()
+    joint, other = (world.add_joint("fixed", world.add_body(), world.add_body()) for _ in range(2))
+    assert {joint: 1, other: 2}[joint] == 1 and joint != other
+
+
+def test_a_kinematic_body_moves_to_a_pose_given_in_two_calls(engine):
+    world = engine.World()
+    body = world.add_body("kinematic_position", position=at(engine, 1, 2))
+    body.move_to(at(engine, 1.5, 2))
+    body.move_to(rotation=turned(engine, 0.25))
+    world.step()
+    assert body.position == pytest.approx(at(engine, 1.5, 2), abs=1e-6)
+    assert body.rotation == pytest.approx(turned(engine, 0.25), abs=1e-6)
+
+
 def test_debug_lines_show_a_box(engine):
     world = engine.World()
     world.add_body(shape=engine.Shape.box(at(engine, 1, 2, 3)))

@@ -47,17 +47,26 @@ impl Animation {
     /// # Errors
     /// There is no frame, or the file cannot be written; the message names it.
     pub fn save(&self, path: &Path, frames_per_second: u16) -> io::Result<()> {
-        let Some(first) = self.frames.first() else {
-            let error = io::Error::new(io::ErrorKind::InvalidInput, "there is no frame");
-            return Err(naming(path, error));
-        };
-        self.write(path, first, frames_per_second).map_err(|error| naming(path, error))
+        // Without a frame there is no file.
+        let file = self.first().and_then(|_| std::fs::File::create(path));
+        let written =
+            file.and_then(|file| self.encode(io::BufWriter::new(file), frames_per_second));
+        written.map_err(|error| naming(path, error))
     }
 
-    fn write(&self, path: &Path, first: &Image, frames_per_second: u16) -> io::Result<()> {
+    fn first(&self) -> io::Result<&Image> {
+        let error = || io::Error::new(io::ErrorKind::InvalidInput, "there is no frame");
+        self.frames.first().ok_or_else(error)
+    }
+
+    /// Writes the bytes of an animated PNG that repeats for ever, with so many frames a second.
+    ///
+    /// # Errors
+    /// There is no frame, or those of the writer.
+    pub fn encode(&self, writer: impl io::Write, frames_per_second: u16) -> io::Result<()> {
+        let first = self.first()?;
         let palette = Palette::of(&self.frames);
-        let file = io::BufWriter::new(std::fs::File::create(path)?);
-        let mut encoder = Encoder::new(file, first.width as u32, first.height as u32);
+        let mut encoder = Encoder::new(writer, first.width as u32, first.height as u32);
         encoder.set_color(ColorType::Indexed);
         encoder.set_depth(BitDepth::Eight);
         encoder.set_compression(Compression::High);

@@ -24,8 +24,15 @@ impl Image {
     }
 
     fn write(&self, path: &Path) -> io::Result<()> {
-        let file = io::BufWriter::new(std::fs::File::create(path)?);
-        let mut encoder = png::Encoder::new(file, self.width as u32, self.height as u32);
+        self.encode(io::BufWriter::new(std::fs::File::create(path)?))
+    }
+
+    /// Writes the bytes of a PNG file.
+    ///
+    /// # Errors
+    /// Those of the writer.
+    pub fn encode(&self, writer: impl io::Write) -> io::Result<()> {
+        let mut encoder = png::Encoder::new(writer, self.width as u32, self.height as u32);
         encoder.set_color(png::ColorType::Rgb);
         encoder.set_depth(png::BitDepth::Eight);
         let mut writer = encoder.write_header()?;

@@ -1,37 +1,105 @@
 //! Many independent worlds that step together.
 
-use super::joint::{Joint, data_mut};
-use super::numbers::{self, STATE, elements, non_negative};
-use super::rapier::dynamics::{JointAxis, RigidBodyHandle};
-use super::rapier::math::{DIM, Real, Vector};
-use super::rapier::pipeline::PhysicsWorld;
+use super::numbers::{self, STATE, finite_elements, parse_state, shaped_array};
+use super::rapier::dynamics::{RigidBodyHandle, RigidBodyVelocity};
+use super::rapier::math::{AngVector, DIM, Pose, Real, Vector};
+use super::simulation::Simulation;
 use super::space;
 use super::world::World;
 use crate::errors::invalid;
+use crate::shared::Shared;
 use numpy::{PyArray1, PyArrayDyn, PyArrayMethods};
+use pyo3::exceptions::PyMemoryError;
 use pyo3::prelude::*;
 use rayon::prelude::*;
-use std::sync::{Mutex, MutexGuard, PoisonError};
 
+/// Fewer elements of arrays than this are copied by one thread: waking others would take longer.
+pub const SERIAL_MAX: usize = 1 << 12;
 /// Numbers of a force and a torque.
 const WRENCH: usize = DIM + space::ANGULAR;
 
-/// Copies of one world that step together on all cores. Each copy gives the bits that it would give alone.
+/// Copies of one world, or of several worlds with the same bodies, that step together on all cores.
+/// Each copy gives the bits that it would give alone.
 ///
-/// The bodies of all copies are those of the original, in the order of `World.bodies`. Arrays have the shape (count, bodies, …), and calls that are given an
-/// array to fill ask for no memory.
+/// The bodies of all copies are those of the original, in the order of `World.bodies`. Arrays have
+/// the shape (count, bodies, …), and calls with an array to fill
+/// allocate no memory. Hooks and events of the original belong to it alone.
 #[pyclass(frozen, module = "rapier")]
 pub struct WorldBatch {
-    original: PhysicsWorld,
+    /// The world whose joints and vehicles the batch accepts.
+    source: Py<World>,
+    /// One original for all worlds, or one for each.
+    originals: Vec<Simulation>,
     bodies: Vec<RigidBodyHandle>,
     count: usize,
-    /// A thread that waits for the interpreter's lock does not hold this one.
-    worlds: Mutex<Vec<PhysicsWorld>>,
+    worlds: Shared<Vec<Simulation>>,
 }
 
 impl WorldBatch {
-    fn worlds(&self) -> MutexGuard<'_, Vec<PhysicsWorld>> {
-        self.worlds.lock().unwrap_or_else(PoisonError::into_inner)
+    fn of(
+        py: Python<'_>,
+        source: Py<World>,
+        originals: Vec<Simulation>,
+        count: usize,
+    ) -> PyResult<Self> {
+        let mut worlds = Vec::new();
+        worlds
+            .try_reserve_exact(count)
+            .map_err(|_| PyMemoryError::new_err(format!("{count} worlds need too much memory")))?;
+        py.detach(|| {
+            worlds.par_extend(
+                (0..count).into_par_iter().map(|index| originals[index % originals.len()].clone()),
+            )
+        });
+        let bodies = handles(&originals[0]);
+        Ok(Self { source, originals, bodies, count, worlds: Shared::new(worlds) })
+    }
+
+    /// The number of worlds.
+    pub fn count(&self) -> usize {
+        self.count
+    }
+
+    /// One original for all worlds, or one for each.
+    pub fn originals(&self) -> &[Simulation] {
+        &self.originals
+    }
+
+    /// Returns an error for an object of another world than the original.
+    pub fn check_source(&self, world: &Py<World>, what: &str) -> PyResult<()> {
+        match world.is(&self.source) {
+            true => Ok(()),
+            false => Err(invalid(format!(
+                "the {what} belongs to another world than the original of the batch"
+            ))),
+        }
+    }
+
+    /// Reads all worlds detached from the interpreter.
+    pub fn worlds<R: Send>(
+        &self,
+        py: Python<'_>,
+        read: impl FnOnce(&[Simulation]) -> R + Send,
+    ) -> PyResult<R> {
+        self.worlds.detached(py, |worlds| read(worlds))
+    }
+
+    /// Changes all worlds on all cores by their rows, detached from the interpreter.
+    pub fn change<T: Sync>(
+        &self,
+        py: Python<'_>,
+        rows: &[T],
+        rows_per_world: usize,
+        change: impl Fn(&mut Simulation, &[T]) + Send + Sync,
+    ) -> PyResult<()> {
+        self.worlds.detached(py, |worlds| {
+            let size = rows_per_world.max(1);
+            let change = |(simulation, rows): (&mut Simulation, &[T])| change(simulation, rows);
+            match rows.len() < SERIAL_MAX {
+                true => worlds.iter_mut().zip(rows.chunks(size)).for_each(change),
+                false => worlds.par_iter_mut().zip(rows.par_chunks(size)).for_each(change),
+            }
+        })
     }
 
     /// The selected worlds: all without a mask.
@@ -39,20 +107,64 @@ impl WorldBatch {
         match mask {
             None => Ok(vec![true; self.count]),
             Some(mask) if mask.len() == self.count => Ok(mask),
-            Some(mask) => Err(invalid(format!("mask has {} elements, but there are {} worlds", mask.len(), self.count))),
+            Some(mask) => Err(invalid(format!(
+                "mask has {} elements, but there are {} worlds",
+                mask.len(),
+                self.count
+            ))),
         }
     }
+
+    /// The states of the bodies of the selected worlds. Rows of other worlds give `None`.
+    fn parse_states(
+        &self,
+        rows: &[Real],
+        mask: &[bool],
+    ) -> PyResult<Vec<Option<(Pose, RigidBodyVelocity)>>> {
+        let parse = |(index, row): (usize, &[Real])| {
+            let (world, body) = (index / self.bodies.len(), index % self.bodies.len());
+            match mask[world] {
+                true => parse_state(row).map(Some).ok_or_else(|| {
+                    invalid(format!(
+                        "state[{world}, {body}] is {row:?}, which is no state of a body"
+                    ))
+                }),
+                false => Ok(None),
+            }
+        };
+        rows.chunks_exact(STATE).enumerate().map(parse).collect()
+    }
+}
+
+/// The bodies of a world, in the order of `World.bodies`.
+fn handles(simulation: &Simulation) -> Vec<RigidBodyHandle> {
+    simulation.world.bodies.iter().map(|(handle, _)| handle).collect()
 }
 
 #[pymethods]
 impl WorldBatch {
     /// WorldBatch(world, count): copies of a world as it is now.
     #[new]
-    fn new(world: &World, count: usize) -> Self {
-        let original = world.read().world.clone();
-        let bodies = original.bodies.iter().map(|(handle, _)| handle).collect();
-        let worlds = (0..count).into_par_iter().map(|_| original.clone()).collect();
-        Self { original, bodies, count, worlds: Mutex::new(worlds) }
+    fn new(py: Python<'_>, world: Py<World>, count: usize) -> PyResult<Self> {
+        let original = world.get().simulation(py)?;
+        Self::of(py, world, vec![original], count)
+    }
+
+    /// A batch of worlds with different parameters: one copy of each. All have the same bodies and
+    /// joints, inserted in the same order.
+    ///
+    /// worlds: the originals. Joints and vehicles of the first one select those of all.
+    #[staticmethod]
+    fn from_worlds(py: Python<'_>, worlds: Vec<Py<World>>) -> PyResult<Self> {
+        let originals =
+            worlds.iter().map(|world| world.get().simulation(py)).collect::<PyResult<Vec<_>>>()?;
+        let Some(first) = originals.first() else { return Err(invalid("worlds is empty")) };
+        let bodies = handles(first);
+        if let Some(other) = originals.iter().position(|original| handles(original) != bodies) {
+            return Err(invalid(format!("worlds[{other}] has other bodies than worlds[0]")));
+        }
+        let count = originals.len();
+        Self::of(py, worlds[0].clone_ref(py), originals, count)
     }
 
     /// The number of worlds.
@@ -62,122 +174,116 @@ impl WorldBatch {
 
     /// Moves all worlds forward by some time steps, on all cores. Releases the interpreter's lock.
     #[pyo3(signature = (count=1))]
-    fn step(&self, py: Python<'_>, count: usize) {
-        py.detach(|| {
-            self.worlds().par_iter_mut().for_each(|world| (0..count).for_each(|_| world.step()));
-        });
+    fn step(&self, py: Python<'_>, count: usize) -> PyResult<()> {
+        self.worlds.detached(py, |worlds| {
+            let step =
+                |simulation: &mut Simulation| (0..count).for_each(|_| simulation.step(&(), &()));
+            match worlds.len() {
+                1 => worlds.iter_mut().for_each(step),
+                _ => worlds.par_iter_mut().for_each(step),
+            }
+        })
     }
 
-    /// Poses and velocities: an array of the shape (count, bodies, 13) in 3D, (count, bodies, 6) in 2D. Rows are those of `World.state`.
+    /// Poses and velocities: an array of the shape (count, bodies, 13) in 3D, (count, bodies, 6) in
+    /// 2D. Rows are those of `World.state`.
     ///
     /// out: an array to fill instead of a new one.
     #[pyo3(signature = (out=None))]
-    fn state<'py>(&self, py: Python<'py>, out: Option<Bound<'py, PyAny>>) -> PyResult<Bound<'py, PyArrayDyn<Real>>> {
+    fn state<'py>(
+        &self,
+        py: Python<'py>,
+        out: Option<Bound<'py, PyAny>>,
+    ) -> PyResult<Bound<'py, PyArrayDyn<Real>>> {
         let out = numbers::output(py, out, &[self.count, self.bodies.len(), STATE])?;
         let mut rows = out.try_readwrite()?;
         let rows = rows.as_slice_mut()?;
-        let size = self.bodies.len() * STATE;
-        py.detach(|| {
-            self.worlds().par_iter().zip(rows.par_chunks_mut(size.max(1))).for_each(|(world, rows)| {
-                for (&handle, row) in self.bodies.iter().zip(rows.chunks_exact_mut(STATE)) {
-                    numbers::write_state(&world.bodies[handle], row);
-                }
-            });
-        });
+        let size = (self.bodies.len() * STATE).max(1);
+        let write = |(simulation, rows): (&Simulation, &mut [Real])| {
+            for (&handle, row) in self.bodies.iter().zip(rows.chunks_exact_mut(STATE)) {
+                numbers::write_state(&simulation.world.bodies[handle], row);
+            }
+        };
+        self.worlds(py, |worlds| match rows.len() < SERIAL_MAX {
+            true => worlds.iter().zip(rows.chunks_mut(size)).for_each(write),
+            false => worlds.par_iter().zip(rows.par_chunks_mut(size)).for_each(write),
+        })?;
         Ok(out)
     }
 
-    /// Changes poses and velocities. mask: the worlds to change, all by default.
+    /// Changes poses and velocities: an array of the shape of `state`. Fixed bodies have no
+    /// velocity and ignore it.
+    ///
+    /// mask: booleans of the shape (count), the worlds to change, all by default.
     #[pyo3(signature = (state, mask=None))]
-    fn set_state(&self, state: &Bound<'_, PyAny>, mask: Option<Vec<bool>>) -> PyResult<()> {
-        let rows = elements("state", state, &[self.count, self.bodies.len(), STATE])?;
-        let mask = self.mask(mask)?;
-        let selected = |world: usize| mask[world];
-        for (index, row) in rows.chunks_exact(STATE).enumerate() {
-            let (world, body) = (index / self.bodies.len(), index % self.bodies.len());
-            let is_state = row.iter().all(|number| number.is_finite()) && space::rotation_of(&row[DIM..numbers::POSE]).is_some();
-            if selected(world) && !is_state {
-                return Err(invalid(format!("state[{world}, {body}] is {row:?}, which is no state of a body")));
+    fn set_state(
+        &self,
+        py: Python<'_>,
+        state: &Bound<'_, PyAny>,
+        mask: Option<Vec<bool>>,
+    ) -> PyResult<()> {
+        let rows = shaped_array("state", state, &[self.count, self.bodies.len(), STATE])?;
+        let states = self.parse_states(rows.as_slice()?, &self.mask(mask)?)?;
+        self.change(py, &states, self.bodies.len(), |simulation, states| {
+            for (&handle, state) in self.bodies.iter().zip(states) {
+                let Some((pose, velocity)) = *state else { continue };
+                let body = &mut simulation.world.bodies[handle];
+                body.set_position(pose, true);
+                body.set_vels(velocity, true);
             }
-        }
-        let mut worlds = self.worlds();
-        for (index, row) in rows.chunks_exact(STATE).enumerate() {
-            let (world, body) = (index / self.bodies.len(), index % self.bodies.len());
-            if selected(world) {
-                numbers::read_state(&mut worlds[world].bodies[self.bodies[body]], row);
-            }
-        }
-        Ok(())
+        })
     }
 
-    /// Returns worlds to the state of the original. mask: the worlds to reset, all by default.
+    /// Returns worlds to the state of their original.
+    ///
+    /// mask: booleans of the shape (count), the worlds to reset, all by default.
     #[pyo3(signature = (mask=None))]
     fn reset(&self, py: Python<'_>, mask: Option<Vec<bool>>) -> PyResult<()> {
         let mask = self.mask(mask)?;
-        py.detach(|| {
-            let mut worlds = self.worlds();
-            let selected = worlds.par_iter_mut().zip(mask).filter(|(_, selected)| *selected);
-            selected.for_each(|(world, _)| world.clone_from(&self.original));
-        });
-        Ok(())
+        self.worlds.detached(py, |worlds| {
+            worlds.par_iter_mut().enumerate().filter(|(index, _)| mask[*index]).for_each(
+                |(index, simulation)| {
+                    simulation.clone_from(&self.originals[index % self.originals.len()]);
+                },
+            );
+        })
     }
 
-    /// Sets the constant forces (N) and torques (N·m) of all bodies: an array of the shape (count, bodies, 6) in 3D, (count, bodies, 3) in 2D. They act at the
+    /// Sets the constant forces (N) and torques (N·m) of all bodies: an array of the shape (count,
+    /// bodies, 6) in 3D, (count, bodies, 3) in 2D. They act at the
     /// centres of mass in each step until they are set again.
-    fn set_forces(&self, forces: &Bound<'_, PyAny>) -> PyResult<()> {
-        let rows = elements("forces", forces, &[self.count, self.bodies.len(), WRENCH])?;
-        if let Some(index) = rows.iter().position(|number| !number.is_finite()) {
-            return Err(invalid(format!("forces has the element {}, but must be finite", rows[index])));
-        }
-        let size = self.bodies.len() * WRENCH;
-        self.worlds().par_iter_mut().zip(rows.par_chunks(size.max(1))).for_each(|(world, rows)| {
-            for (&handle, row) in self.bodies.iter().zip(rows.chunks_exact(WRENCH)) {
-                let body = &mut world.bodies[handle];
+    fn set_forces(&self, py: Python<'_>, forces: &Bound<'_, PyAny>) -> PyResult<()> {
+        let rows = shaped_array("forces", forces, &[self.count, self.bodies.len(), WRENCH])?;
+        let wrench =
+            |row: &[Real]| (Vector::from_slice(&row[..DIM]), space::angular_of(&row[DIM..]));
+        let wrenches: Vec<(Vector, AngVector)> =
+            finite_elements("forces", &rows)?.chunks_exact(WRENCH).map(wrench).collect();
+        self.change(py, &wrenches, self.bodies.len(), |simulation, wrenches| {
+            for (&handle, &(force, torque)) in self.bodies.iter().zip(wrenches) {
+                let body = &mut simulation.world.bodies[handle];
                 body.reset_forces(false);
                 body.reset_torques(false);
-                let is_zero = row.iter().all(|&number| number == 0.0);
-                if !is_zero {
-                    body.add_force(Vector::from_slice(&row[..DIM]), true);
-                    body.add_torque(space::angular_of(&row[DIM..]), true);
-                }
+                // Zero forces and torques change nothing and leave the body asleep.
+                body.add_force(force, true);
+                body.add_torque(torque, true);
             }
-        });
-        Ok(())
-    }
-
-    /// Sets the targets of motors: an array of the shape (count, joints), positions (rad or m) with `stiffness` (1/s²) and `damping` (1/s), or velocities (rad/s or m/s)
-    /// with `damping` alone. The joints are those of the original.
-    #[pyo3(signature = (joints, targets, *, stiffness=0.0, damping))]
-    fn set_motors(&self, joints: Vec<PyRef<'_, Joint>>, targets: &Bound<'_, PyAny>, stiffness: f64, damping: f64) -> PyResult<()> {
-        let targets = elements("targets", targets, &[self.count, joints.len()])?;
-        if let Some(target) = targets.iter().find(|target| !target.is_finite()) {
-            return Err(invalid(format!("targets has the element {target}, but must be finite")));
-        }
-        let (stiffness, damping) = (non_negative("stiffness", stiffness)?, non_negative("damping", damping)?);
-        let joints = joints.iter().map(|joint| Ok((joint.key, joint.free_axis()?))).collect::<PyResult<Vec<(_, JointAxis)>>>()?;
-        for (world, targets) in self.worlds().iter_mut().zip(targets.chunks_exact(joints.len().max(1))) {
-            for (&(key, axis), &target) in joints.iter().zip(targets) {
-                let joint = data_mut(world, key).ok_or_else(|| crate::errors::stale("joint"))?;
-                match stiffness > 0.0 {
-                    true => joint.set_motor_position(axis, target, stiffness, damping),
-                    false => joint.set_motor_velocity(axis, target, damping),
-                };
-            }
-        }
-        Ok(())
+        })
     }
 
     /// The hashes of all worlds.
-    fn hashes<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<u64>> {
-        let hashes: Vec<u64> = py.detach(|| self.worlds().par_iter().map(PhysicsWorld::hash).collect());
-        PyArray1::from_vec(py, hashes)
+    fn hashes<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray1<u64>>> {
+        let hashes: Vec<u64> = self.worlds(py, |worlds| {
+            worlds.par_iter().map(|simulation| simulation.world.hash()).collect()
+        })?;
+        Ok(PyArray1::from_vec(py, hashes))
     }
 
     /// A copy of one of the worlds.
-    fn world(&self, index: usize) -> PyResult<World> {
-        let worlds = self.worlds();
-        let world = worlds.get(index).ok_or_else(|| invalid(format!("index is {index}, but there are {} worlds", worlds.len())))?;
-        Ok(World::of(world.clone()))
+    fn world(&self, py: Python<'_>, index: usize) -> PyResult<World> {
+        let world = self.worlds(py, |worlds| worlds.get(index).cloned())?;
+        world.map(World::of).ok_or_else(|| {
+            invalid(format!("index is {index}, but there are {} worlds", self.count))
+        })
     }
 
     fn __repr__(&self) -> String {

@@ -1,11 +1,15 @@
 //! Colliders.
 
 use super::body::Body;
-use super::numbers::{finite, non_negative, pose, vector_out};
+use super::identity::identify;
+use super::numbers::{coefficient, non_negative, pose, vector_out};
 use super::options::Options;
-use super::rapier::geometry::{Collider as EngineCollider, ColliderBuilder, ColliderHandle, Group, InteractionGroups};
-use super::rapier::math::Real;
-use super::rapier::pipeline::ActiveEvents;
+use super::rapier::geometry::{
+    Collider as EngineCollider, ColliderBuilder, ColliderHandle, ContactPair, Group,
+    InteractionGroups,
+};
+use super::rapier::math::{Pose, Real};
+use super::rapier::pipeline::{ActiveEvents, ActiveHooks, PhysicsWorld};
 use super::shape::Shape;
 use super::world::World;
 use crate::errors::{invalid, stale};
@@ -20,7 +24,7 @@ pub fn describe(shape: &Shape, options: &Options<'_>) -> PyResult<EngineCollider
 /// A collider of the arguments of `add_collider`.
 pub fn describe_placed(shape: &Shape, options: &Options<'_>) -> PyResult<EngineCollider> {
     let (position, rotation) = (options.any("position")?, options.any("rotation")?);
-    let place = pose(position.as_ref(), rotation.as_ref())?;
+    let place = pose(Pose::IDENTITY, position.as_ref(), rotation.as_ref())?;
     build(ColliderBuilder::new(shape.shape.clone()).position(place), options)
 }
 
@@ -46,6 +50,9 @@ fn build(mut collider: ColliderBuilder, options: &Options<'_>) -> PyResult<Engin
     if let Some(groups) = options.take::<(u32, u32)>("solver_groups")? {
         collider = collider.solver_groups(groups_of(groups));
     }
+    if options.take("hooks")?.unwrap_or(false) {
+        collider = collider.active_hooks(ActiveHooks::all());
+    }
     if options.take("events")?.unwrap_or(false) {
         collider = collider.active_events(ActiveEvents::COLLISION_EVENTS);
     }
@@ -53,35 +60,56 @@ fn build(mut collider: ColliderBuilder, options: &Options<'_>) -> PyResult<Engin
 }
 
 fn groups_of((memberships, filter): (u32, u32)) -> InteractionGroups {
-    InteractionGroups { memberships: Group::from_bits_retain(memberships), filter: Group::from_bits_retain(filter), ..InteractionGroups::default() }
+    InteractionGroups {
+        memberships: Group::from_bits_retain(memberships),
+        filter: Group::from_bits_retain(filter),
+        ..InteractionGroups::default()
+    }
 }
 
-/// A collider of a world: a shape with a material. After its removal, every use raises `StaleHandleError`.
+/// A collider of a world: a shape with a material. After its removal, every use raises
+/// `StaleHandleError`.
 #[pyclass(frozen, module = "rapier", eq, hash)]
 pub struct Collider {
     pub world: Py<World>,
     pub handle: ColliderHandle,
 }
 
-impl PartialEq for Collider {
-    fn eq(&self, other: &Self) -> bool {
-        self.world.is(&other.world) && self.handle == other.handle
-    }
-}
-
-impl std::hash::Hash for Collider {
-    fn hash<H: std::hash::Hasher>(&self, state: &mut H) {
-        self.handle.hash(state);
-    }
-}
+identify!(Collider by handle);
 
 impl Collider {
-    fn read<R>(&self, read: impl FnOnce(&EngineCollider) -> R) -> PyResult<R> {
-        self.world.get().read().world.colliders.get(self.handle).map(read).ok_or_else(|| stale("collider"))
+    fn read<R>(&self, py: Python<'_>, read: impl FnOnce(&EngineCollider) -> R) -> PyResult<R> {
+        self.world
+            .get()
+            .lock(py)?
+            .world
+            .colliders
+            .get(self.handle)
+            .map(read)
+            .ok_or_else(|| stale("collider"))
     }
 
-    fn write(&self, change: impl FnOnce(&mut EngineCollider)) -> PyResult<()> {
-        self.world.get().write().world.colliders.get_mut(self.handle).map(change).ok_or_else(|| stale("collider"))
+    fn write(&self, py: Python<'_>, change: impl FnOnce(&mut EngineCollider)) -> PyResult<()> {
+        self.world
+            .get()
+            .lock(py)?
+            .world
+            .colliders
+            .get_mut(self.handle)
+            .map(change)
+            .ok_or_else(|| stale("collider"))
+    }
+
+    fn touching_handles(&self, world: &PhysicsWorld) -> PyResult<Vec<ColliderHandle>> {
+        if !world.colliders.contains(self.handle) {
+            return Err(stale("collider"));
+        }
+        let pairs =
+            world.contact_pairs_with(self.handle).filter(|pair| pair.has_any_active_contact());
+        let other = |pair: &ContactPair| {
+            if pair.collider1 == self.handle { pair.collider2 } else { pair.collider1 }
+        };
+        Ok(pairs.map(other).collect())
     }
 }
 
@@ -90,65 +118,69 @@ impl Collider {
     /// The body of the collider, or None for a part of the world.
     #[getter]
     fn body(&self, py: Python<'_>) -> PyResult<Option<Body>> {
-        let parent = self.read(EngineCollider::parent)?;
+        let parent = self.read(py, EngineCollider::parent)?;
         Ok(parent.map(|handle| Body { world: self.world.clone_ref(py), handle }))
     }
 
     /// Position of the shape's origin (m, world), as of the last step.
     #[getter]
     fn position<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray1<Real>>> {
-        Ok(vector_out(py, self.read(|collider| collider.position().translation)?))
+        Ok(vector_out(py, self.read(py, |collider| collider.position().translation)?))
     }
 
     /// Largest ratio of the tangential to the normal contact force.
     #[getter]
-    fn friction(&self) -> PyResult<Real> {
-        self.read(EngineCollider::friction)
+    fn friction(&self, py: Python<'_>) -> PyResult<Real> {
+        self.read(py, EngineCollider::friction)
     }
 
     #[setter]
-    fn set_friction(&self, friction: f64) -> PyResult<()> {
-        let friction = non_negative("friction", friction)?;
-        self.write(|collider| collider.set_friction(friction))
+    fn set_friction(&self, py: Python<'_>, friction: f64) -> PyResult<()> {
+        let friction = coefficient("friction", friction)?;
+        self.write(py, |collider| collider.set_friction(friction))
     }
 
     /// Ratio of the speeds of separation and approach.
     #[getter]
-    fn restitution(&self) -> PyResult<Real> {
-        self.read(EngineCollider::restitution)
+    fn restitution(&self, py: Python<'_>) -> PyResult<Real> {
+        self.read(py, EngineCollider::restitution)
     }
 
     #[setter]
-    fn set_restitution(&self, restitution: f64) -> PyResult<()> {
-        let restitution = finite("restitution", restitution)?;
-        self.write(|collider| collider.set_restitution(restitution))
+    fn set_restitution(&self, py: Python<'_>, restitution: f64) -> PyResult<()> {
+        let restitution = coefficient("restitution", restitution)?;
+        self.write(py, |collider| collider.set_restitution(restitution))
     }
 
     /// Whether the collider reports intersections and exerts no forces.
     #[getter]
-    fn sensor(&self) -> PyResult<bool> {
-        self.read(EngineCollider::is_sensor)
+    fn sensor(&self, py: Python<'_>) -> PyResult<bool> {
+        self.read(py, EngineCollider::is_sensor)
     }
 
     /// The colliders with which it has contact, as of the last step.
     #[getter]
     fn touching(&self, py: Python<'_>) -> PyResult<Vec<Collider>> {
-        let world = self.world.get().read();
-        if !world.world.colliders.contains(self.handle) {
-            return Err(stale("collider"));
-        }
-        let pairs = world.world.contact_pairs_with(self.handle).filter(|pair| pair.has_any_active_contact());
-        let other = |pair: &super::rapier::geometry::ContactPair| if pair.collider1 == self.handle { pair.collider2 } else { pair.collider1 };
-        Ok(pairs.map(|pair| Collider { world: self.world.clone_ref(py), handle: other(pair) }).collect())
+        let handles = self.touching_handles(&self.world.get().lock(py)?.world)?;
+        Ok(handles
+            .into_iter()
+            .map(|handle| Collider { world: self.world.clone_ref(py), handle })
+            .collect())
     }
 
     /// Removes the collider.
-    fn remove(&self) -> PyResult<()> {
-        self.world.get().write().world.remove_collider(self.handle).map(drop).ok_or_else(|| stale("collider"))
+    fn remove(&self, py: Python<'_>) -> PyResult<()> {
+        self.world
+            .get()
+            .lock(py)?
+            .world
+            .remove_collider(self.handle)
+            .map(drop)
+            .ok_or_else(|| stale("collider"))
     }
 
-    fn __repr__(&self) -> String {
-        match self.read(|collider| format!("<Collider: {:?}>", collider.shape().shape_type())) {
+    fn __repr__(&self, py: Python<'_>) -> String {
+        match self.read(py, |collider| format!("<Collider: {:?}>", collider.shape().shape_type())) {
             Ok(text) => text,
             Err(_) => "<Collider: removed>".into(),
         }

@@ -1,29 +1,29 @@
 //! Events of steps.
 
 use super::collider::Collider;
-use super::rapier::dynamics::RigidBodySet;
-use super::rapier::geometry::{ColliderSet, CollisionEvent as EngineEvent, ContactPair};
-use super::rapier::pipeline::EventHandler;
+use super::rapier::geometry::CollisionEvent as EngineEvent;
+use super::rapier::pipeline::ChannelEventCollector;
 use super::world::World;
 use pyo3::prelude::*;
-use std::sync::{Mutex, PoisonError};
+use std::sync::mpsc::{Receiver, channel};
 
 /// Events since they were last taken.
-#[derive(Default)]
 pub struct EventLog {
-    collisions: Mutex<Vec<EngineEvent>>,
+    pub collector: ChannelEventCollector,
+    collisions: Receiver<EngineEvent>,
 }
 
 impl EventLog {
-    /// Takes all events.
-    pub fn take(&self) -> Vec<EngineEvent> {
-        std::mem::take(&mut self.collisions.lock().unwrap_or_else(PoisonError::into_inner))
+    pub fn new() -> Self {
+        let (send_collision, collisions) = channel();
+        // The collector discards contact forces, because their receiver is dropped here.
+        let (send_force, _) = channel();
+        Self { collector: ChannelEventCollector::new(send_collision, send_force), collisions }
     }
-}
 
-impl EventHandler for EventLog {
-    fn handle_collision_event(&self, _: &RigidBodySet, _: &ColliderSet, event: &EngineEvent, _: Option<&ContactPair>) {
-        self.collisions.lock().unwrap_or_else(PoisonError::into_inner).push(*event);
+    /// Takes all events.
+    pub fn take(&mut self) -> Vec<EngineEvent> {
+        self.collisions.try_iter().collect()
     }
 }
 

@@ -1,18 +1,25 @@
 //! The classes of a module, one source for all four engines.
 
 use super::rapier;
+use super::scene;
 use super::space;
 
-mod batch;
-mod body;
+pub mod batch;
+pub mod body;
+mod character;
 mod collider;
 mod events;
-mod joint;
+mod hooks;
+mod identity;
+pub mod joint;
+mod motors;
 pub mod numbers;
-mod options;
+pub mod options;
+mod picture;
 mod query;
 mod shape;
-mod world;
+mod simulation;
+pub mod world;
 
 use pyo3::prelude::*;
 
@@ -30,5 +37,9 @@ pub fn fill(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<query::PointProjection>()?;
     module.add_class::<events::CollisionEvent>()?;
     module.add_class::<batch::WorldBatch>()?;
-    Ok(())
+    module.add_class::<character::CharacterController>()?;
+    module.add_class::<character::CharacterMovement>()?;
+    module.add_class::<hooks::Pair>()?;
+    module.add_class::<hooks::Contact>()?;
+    space::fill(module)
 }

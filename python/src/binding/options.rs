@@ -27,17 +27,24 @@ impl<'py> Options<'py> {
     /// Takes an argument of a type. None counts as absent.
     pub fn take<T: for<'a> FromPyObject<'a, 'py>>(&self, name: &str) -> PyResult<Option<T>> {
         let Some(value) = self.any(name)? else { return Ok(None) };
-        let shown = value.to_string();
-        value.extract().map(Some).map_err(|_| {
-            PyTypeError::new_err(format!("{}() got {name}={shown}, which has the wrong type", self.function))
-        })
+        let extracted = value.extract().ok();
+        match extracted {
+            Some(extracted) => Ok(Some(extracted)),
+            None => Err(PyTypeError::new_err(format!(
+                "{}() got {name}={value}, which has the wrong type",
+                self.function
+            ))),
+        }
     }
 
     /// Fails if an argument is left: the function has no such one.
     pub fn finish(self) -> PyResult<()> {
         match self.left.and_then(|left| left.keys().iter().next()) {
             None => Ok(()),
-            Some(name) => Err(PyTypeError::new_err(format!("{}() got an unexpected keyword argument '{name}'", self.function))),
+            Some(name) => Err(PyTypeError::new_err(format!(
+                "{}() got an unexpected keyword argument '{name}'",
+                self.function
+            ))),
         }
     }
 }

@@ -1,12 +1,11 @@
-//! Questions about a world.
+//! Queries of a world. They find a moved body at its new pose after the next step.
 
 use super::collider::Collider;
-use super::numbers::{points, pose, vector_out};
-use super::rapier::geometry::{ColliderHandle, Ray};
-use super::rapier::math::{Real, Vector};
-use super::rapier::pipeline::QueryFilter;
+use super::numbers::{points, pose, vector, vector_out};
+use super::rapier::geometry::{ColliderHandle, ColliderSet, Ray};
+use super::rapier::math::{DIM, Pose, Real, Vector};
+use super::rapier::pipeline::{QueryFilter, QueryPipeline};
 use super::shape::Shape;
-use super::space;
 use super::world::{State, World};
 use crate::errors::invalid;
 use numpy::{PyArray1, PyArray2, PyArrayMethods};
@@ -65,14 +64,22 @@ impl PointProjection {
     }
 }
 
-/// Casts many rays: the times of impact (infinite without a hit) and the normals (zero without a hit).
+/// Casts many rays: the times of impact (infinite without a hit) and the normals (zero without a
+/// hit).
 fn cast_all(state: &mut State, rays: &[Ray], longest: Real, solid: bool) -> (Vec<Real>, Vec<Real>) {
     let (queries, world) = state.queries();
     let mut times = Vec::with_capacity(rays.len());
-    let mut normals = Vec::with_capacity(rays.len() * super::rapier::math::DIM);
+    let mut normals = Vec::with_capacity(rays.len() * DIM);
     for ray in rays {
-        let hit = queries.cast_ray_and_get_normal(&world.colliders, ray, longest, solid, QueryFilter::default());
-        let (time, normal) = hit.map_or((Real::INFINITY, Vector::ZERO), |(_, hit)| (hit.time_of_impact, hit.normal));
+        let hit = queries.cast_ray_and_get_normal(
+            &world.colliders,
+            ray,
+            longest,
+            solid,
+            QueryFilter::default(),
+        );
+        let (time, normal) =
+            hit.map_or((Real::INFINITY, Vector::ZERO), |(_, hit)| (hit.time_of_impact, hit.normal));
         times.push(time);
         normals.extend(normal.to_array());
     }
@@ -89,23 +96,38 @@ fn bound(max_toi: f64) -> PyResult<Real> {
 
 #[pymethods]
 impl World {
-    /// The first collider that a ray hits, or None. A ray that begins inside of a `solid` collider hits it at once.
+    /// The first collider that a ray hits, or None. A ray that begins inside of a `solid` collider
+    /// hits it at once.
+    ///
+    /// origin (m, world), direction (m per unit of `max_toi`): vectors. Bodies that were moved
+    /// since the last step are at their old poses for all queries.
     #[pyo3(signature = (origin, direction, max_toi=f64::INFINITY, solid=true))]
-    fn cast_ray(slf: &Bound<'_, Self>, origin: &Bound<'_, PyAny>, direction: &Bound<'_, PyAny>, max_toi: f64, solid: bool) -> PyResult<Option<RayHit>> {
-        let ray = Ray::new(space::vector("origin", origin)?, space::vector("direction", direction)?);
+    fn cast_ray(
+        slf: &Bound<'_, Self>,
+        origin: &Bound<'_, PyAny>,
+        direction: &Bound<'_, PyAny>,
+        max_toi: f64,
+        solid: bool,
+    ) -> PyResult<Option<RayHit>> {
+        let ray = Ray::new(vector("origin", origin)?, vector("direction", direction)?);
         let longest = bound(max_toi)?;
-        let mut state = slf.get().read();
-        let (queries, world) = state.queries();
-        let hit = queries.cast_ray_and_get_normal(&world.colliders, &ray, longest, solid, QueryFilter::default());
+        let hit = with_queries(slf, |queries, colliders| {
+            queries.cast_ray_and_get_normal(colliders, &ray, longest, solid, QueryFilter::default())
+        })?;
         let Some((handle, hit)) = hit else { return Ok(None) };
         let toi = hit.time_of_impact;
-        Ok(Some(RayHit { collider: collider(slf, handle)?, toi, point: ray.origin + ray.dir * toi, normal: hit.normal }))
+        Ok(Some(RayHit {
+            collider: collider(slf, handle)?,
+            toi,
+            point: ray.origin + ray.dir * toi,
+            normal: hit.normal,
+        }))
     }
 
-    /// Casts many rays: origins and directions of the shape (n, DIM). Returns the times of impact, infinite without a hit, and the normals. Releases the
-    /// interpreter's lock.
+    /// Casts many rays: origins (m, world) and directions of the shape (n, DIM). Returns the times
+    /// of impact (n), infinite without a hit, and the
+    /// normals (n, DIM), zero without a hit. Releases the interpreter's lock.
     #[pyo3(signature = (origins, directions, max_toi=f64::INFINITY, solid=true))]
-    #[allow(clippy::type_complexity, reason = "two arrays")]
     fn cast_rays<'py>(
         &self,
         py: Python<'py>,
@@ -114,41 +136,81 @@ impl World {
         max_toi: f64,
         solid: bool,
     ) -> PyResult<(Bound<'py, PyArray1<Real>>, Bound<'py, PyArray2<Real>>)> {
-        let (origins, directions) = (points("origins", origins)?, points("directions", directions)?);
+        let (origins, directions) =
+            (points("origins", origins)?, points("directions", directions)?);
         if origins.len() != directions.len() {
-            return Err(invalid(format!("there are {} origins and {} directions", origins.len(), directions.len())));
+            return Err(invalid(format!(
+                "there are {} origins and {} directions",
+                origins.len(),
+                directions.len()
+            )));
         }
-        let rays: Vec<Ray> = origins.into_iter().zip(directions).map(|(origin, direction)| Ray::new(origin, direction)).collect();
+        let rays: Vec<Ray> = origins
+            .into_iter()
+            .zip(directions)
+            .map(|(origin, direction)| Ray::new(origin, direction))
+            .collect();
         let longest = bound(max_toi)?;
-        let (times, normals) = py.detach(|| cast_all(&mut self.read(), &rays, longest, solid));
-        let normals = PyArray1::from_vec(py, normals).reshape([rays.len(), super::rapier::math::DIM])?;
+        let (times, normals) = self.detached(py, |state| cast_all(state, &rays, longest, solid))?;
+        let normals = PyArray1::from_vec(py, normals).reshape([rays.len(), DIM])?;
         Ok((PyArray1::from_vec(py, times), normals))
     }
 
-    /// The nearest point of all colliders to a point, or None in an empty world.
+    /// The nearest point of all colliders to a point (m, world), or None in an empty world.
     #[pyo3(signature = (point, solid=true))]
-    fn project_point(slf: &Bound<'_, Self>, point: &Bound<'_, PyAny>, solid: bool) -> PyResult<Option<PointProjection>> {
-        let point = space::vector("point", point)?;
-        let mut state = slf.get().read();
-        let (queries, world) = state.queries();
-        let found = queries.project_point(&world.colliders, &point, solid, QueryFilter::default());
+    fn project_point(
+        slf: &Bound<'_, Self>,
+        point: &Bound<'_, PyAny>,
+        solid: bool,
+    ) -> PyResult<Option<PointProjection>> {
+        let point = vector("point", point)?;
+        let found = with_queries(slf, |queries, colliders| {
+            queries.project_point(colliders, &point, solid, QueryFilter::default())
+        })?;
         let Some((handle, projection)) = found else { return Ok(None) };
-        Ok(Some(PointProjection { collider: collider(slf, handle)?, inside: projection.is_inside, point: projection.point }))
+        Ok(Some(PointProjection {
+            collider: collider(slf, handle)?,
+            inside: projection.is_inside,
+            point: projection.point,
+        }))
     }
 
-    /// The colliders that a shape intersects at a pose.
+    /// The colliders that a shape intersects at a pose (m, world; a quaternion in 3D, rad in 2D).
     #[pyo3(signature = (shape, position=None, rotation=None))]
-    fn overlaps(slf: &Bound<'_, Self>, shape: &Shape, position: Option<&Bound<'_, PyAny>>, rotation: Option<&Bound<'_, PyAny>>) -> PyResult<Vec<Py<Collider>>> {
-        let place = pose(position, rotation)?;
+    fn overlaps(
+        slf: &Bound<'_, Self>,
+        shape: &Shape,
+        position: Option<&Bound<'_, PyAny>>,
+        rotation: Option<&Bound<'_, PyAny>>,
+    ) -> PyResult<Vec<Py<Collider>>> {
+        let place = pose(Pose::IDENTITY, position, rotation)?;
         let mut handles = Vec::new();
-        let mut state = slf.get().read();
-        let (queries, world) = state.queries();
-        queries.intersections_with_shape(&world.colliders, &place, &*shape.shape, QueryFilter::default(), |handle| {
+        let push = |handle| {
             handles.push(handle);
             true
-        });
+        };
+        with_queries(slf, |queries, colliders| {
+            queries.intersections_with_shape(
+                colliders,
+                &place,
+                &*shape.shape,
+                QueryFilter::default(),
+                push,
+            )
+        })?;
         handles.into_iter().map(|handle| collider(slf, handle)).collect()
     }
+}
+
+/// The result of a query. The world is unlocked afterwards, before the result becomes Python
+/// objects.
+fn with_queries<R>(
+    world: &Bound<'_, World>,
+    query: impl FnOnce(&QueryPipeline, &ColliderSet) -> R,
+) -> PyResult<R> {
+    let mut state = world.get().lock(world.py())?;
+    let (queries, world) = state.queries();
+    Ok(query(queries, &world.colliders))
 }
 
 fn collider(world: &Bound<'_, World>, handle: ColliderHandle) -> PyResult<Py<Collider>> {

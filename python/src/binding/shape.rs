@@ -1,8 +1,8 @@
 //! Shapes.
 
-use super::numbers::{finite, numbers, points, pose};
+use super::numbers::{finite, numbers, points, pose, vector};
 use super::rapier::geometry::{ColliderBuilder, InvalidCollider, SharedShape};
-use super::rapier::math::DIM;
+use super::rapier::math::{DIM, Pose};
 use super::space;
 use crate::errors::invalid;
 use pyo3::prelude::*;
@@ -44,7 +44,10 @@ impl Shape {
     /// A capsule along y: all points at most `radius` from a segment of twice the half height.
     #[staticmethod]
     fn capsule(half_height: f64, radius: f64) -> PyResult<Self> {
-        Self::built(ColliderBuilder::capsule_y(finite("half_height", half_height)?, finite("radius", radius)?))
+        Self::built(ColliderBuilder::capsule_y(
+            finite("half_height", half_height)?,
+            finite("radius", radius)?,
+        ))
     }
 
     /// A cylinder along y. 3D only.
@@ -62,11 +65,12 @@ impl Shape {
     /// The solid side of a plane through the origin. The normal points out of it.
     #[staticmethod]
     fn halfspace(normal: &Bound<'_, PyAny>) -> PyResult<Self> {
-        let normal = space::vector("normal", normal)?;
-        match normal.length() > 0.0 {
-            true => Self::built(ColliderBuilder::halfspace(normal.normalize())),
-            false => Err(invalid(format!("normal is {normal}, but must have a length greater than 0"))),
-        }
+        let normal = vector("normal", normal)?;
+        let unit = normal.try_normalize();
+        let unit = unit.ok_or_else(|| {
+            invalid(format!("normal is {normal}, but must have a finite length greater than 0"))
+        })?;
+        Self::built(ColliderBuilder::halfspace(unit))
     }
 
     /// The convex hull of points, an array of the shape (n, DIM).
@@ -81,24 +85,36 @@ impl Shape {
         Self::checked(ColliderBuilder::trimesh(points("vertices", vertices)?, indices))
     }
 
-    /// Segments: vertices of the shape (n, DIM), and pairs of their indices. Without indices, each vertex is joined to the next.
+    /// Segments: vertices of the shape (n, DIM), and pairs of their indices. Without indices, each
+    /// vertex is joined to the next.
     #[staticmethod]
     #[pyo3(signature = (vertices, indices=None))]
     fn polyline(vertices: &Bound<'_, PyAny>, indices: Option<Vec<[u32; 2]>>) -> PyResult<Self> {
         Self::built(ColliderBuilder::polyline(points("vertices", vertices)?, indices))
     }
 
-    /// A surface of heights: an array over z and x in 3D, over x in 2D. scale: the whole size along each axis.
+    /// A surface of heights: an array over z and x in 3D, over x in 2D. scale: the whole size along
+    /// each axis.
     #[staticmethod]
     fn heightfield(heights: &Bound<'_, PyAny>, scale: &Bound<'_, PyAny>) -> PyResult<Self> {
-        Self::built(space::height_field(heights, space::vector("scale", scale)?)?)
+        Self::built(space::height_field(heights, vector("scale", scale)?)?)
     }
 
-    /// Shapes as one: tuples (shape, position, rotation), of which position and rotation may be None.
+    /// Shapes as one: tuples (shape, position, rotation), of which position and rotation may be
+    /// None.
     #[staticmethod]
-    fn compound(parts: Vec<(Bound<'_, Shape>, Option<Bound<'_, PyAny>>, Option<Bound<'_, PyAny>>)>) -> PyResult<Self> {
-        let place = |(shape, position, rotation): (Bound<'_, Shape>, Option<Bound<'_, PyAny>>, Option<Bound<'_, PyAny>>)| {
-            Ok((pose(position.as_ref(), rotation.as_ref())?, shape.get().shape.clone()))
+    fn compound(
+        parts: Vec<(Bound<'_, Shape>, Option<Bound<'_, PyAny>>, Option<Bound<'_, PyAny>>)>,
+    ) -> PyResult<Self> {
+        let place = |(shape, position, rotation): (
+            Bound<'_, Shape>,
+            Option<Bound<'_, PyAny>>,
+            Option<Bound<'_, PyAny>>,
+        )| {
+            Ok((
+                pose(Pose::IDENTITY, position.as_ref(), rotation.as_ref())?,
+                shape.get().shape.clone(),
+            ))
         };
         let parts = parts.into_iter().map(place).collect::<PyResult<Vec<_>>>()?;
         Self::built(ColliderBuilder::compound(parts))

@@ -1,10 +1,15 @@
 //! What differs in 2D: rotations and angular quantities are numbers (rad).
 
-use super::binding::numbers::{array, finite, numbers};
-use super::rapier::dynamics::{GenericJoint, PrismaticJointBuilder, RevoluteJointBuilder};
+mod no_vehicle;
+
+pub use no_vehicle::{Vehicles, fill};
+
+use super::binding::numbers::{array, finite};
+use super::rapier::dynamics::{GenericJoint, RevoluteJointBuilder};
 use super::rapier::geometry::{ColliderBuilder, SharedShape};
 use super::rapier::math::{AngVector, Real, Rotation, Vector, rotation_from_angle};
 use crate::errors::invalid;
+use drawing::View;
 use numpy::{PyArrayMethods, PyUntypedArrayMethods};
 use pyo3::prelude::*;
 
@@ -13,14 +18,11 @@ pub const ROTATION: usize = 1;
 /// Numbers of an angular velocity.
 pub const ANGULAR: usize = 1;
 
-/// A vector of a Python sequence with two numbers.
-pub fn vector(name: &str, value: &Bound<'_, PyAny>) -> PyResult<Vector> {
-    Ok(Vector::from_array(numbers(name, value)?))
-}
-
 /// A rotation of an angle (rad).
 pub fn rotation(name: &str, value: &Bound<'_, PyAny>) -> PyResult<Rotation> {
-    Ok(rotation_from_angle(angular(name, value)?))
+    let angle = angular(name, value)?;
+    rotation_of(&[angle])
+        .ok_or_else(|| invalid(format!("{name} is {angle}, but must be an angle (rad)")))
 }
 
 /// An angular quantity of a number.
@@ -48,7 +50,7 @@ pub fn angular_of(numbers: &[Real]) -> AngVector {
     numbers[0]
 }
 
-/// A hinge.
+/// A hinge. It has no axis in 2D.
 pub fn revolute(axis: Option<Vector>) -> PyResult<GenericJoint> {
     match axis {
         None => Ok(RevoluteJointBuilder::new().build().into()),
@@ -56,18 +58,19 @@ pub fn revolute(axis: Option<Vector>) -> PyResult<GenericJoint> {
     }
 }
 
-/// A slider along an axis.
-pub fn prismatic(axis: Option<Vector>) -> PyResult<GenericJoint> {
-    let axis = axis.unwrap_or(Vector::X);
-    match axis.length() > 0.0 {
-        true => Ok(PrismaticJointBuilder::new(axis.normalize()).build().into()),
-        false => Err(invalid(format!("axis is {axis}, but must have a length greater than 0"))),
-    }
-}
-
 /// A ball and socket: 3D only.
 pub fn spherical() -> PyResult<GenericJoint> {
     Err(invalid("a spherical joint exists in 3D only: in 2D it is a revolute joint"))
+}
+
+/// The point of view of pictures. The angles are those of 3D.
+pub fn view(_yaw: f32, _pitch: f32) -> View {
+    View::flat()
+}
+
+/// The part of an angular quantity about the free axis of a joint.
+pub fn about(angular: AngVector, _axis: Vector) -> Real {
+    angular
 }
 
 /// A box by its half extents.
@@ -90,6 +93,8 @@ pub fn height_field(heights: &Bound<'_, PyAny>, scale: Vector) -> PyResult<Colli
     let array = array("heights", heights)?;
     match array.shape() {
         [_] => Ok(ColliderBuilder::heightfield(array.to_vec()?, scale)),
-        shape => Err(invalid(format!("heights has the shape {shape:?}, but must have one dimension"))),
+        shape => {
+            Err(invalid(format!("heights has the shape {shape:?}, but must have one dimension")))
+        }
     }
 }

@@ -1,11 +1,18 @@
-//! What differs in 3D: rotations are unit quaternions `(x, y, z, w)`, angular quantities are vectors.
+//! What differs in 3D: rotations are unit quaternions `(x, y, z, w)`, angular quantities are
+//! vectors.
 
-use super::binding::numbers::{array, finite, numbers};
-use super::rapier::dynamics::{GenericJoint, PrismaticJointBuilder, RevoluteJointBuilder, SphericalJointBuilder};
+mod vehicle;
+
+pub use vehicle::{Vehicles, fill};
+
+use super::binding::joint::along;
+use super::binding::numbers::{array, finite, numbers, vector};
+use super::rapier::dynamics::{GenericJoint, RevoluteJointBuilder, SphericalJointBuilder};
 use super::rapier::geometry::{ColliderBuilder, SharedShape};
 use super::rapier::math::{AngVector, Real, Rotation, Vector};
-use crate::errors::invalid;
 use super::rapier::parry::utils::Array2;
+use crate::errors::invalid;
+use drawing::View;
 use numpy::{PyArrayMethods, PyUntypedArrayMethods};
 use pyo3::prelude::*;
 
@@ -14,19 +21,14 @@ pub const ROTATION: usize = 4;
 /// Numbers of an angular velocity.
 pub const ANGULAR: usize = 3;
 
-/// A vector of a Python sequence with three numbers.
-pub fn vector(name: &str, value: &Bound<'_, PyAny>) -> PyResult<Vector> {
-    Ok(Vector::from_array(numbers(name, value)?))
-}
-
 /// A quaternion of a Python sequence `(x, y, z, w)`.
 pub fn rotation(name: &str, value: &Bound<'_, PyAny>) -> PyResult<Rotation> {
-    let [x, y, z, w] = numbers(name, value)?;
-    let quaternion = Rotation::from_xyzw(x, y, z, w);
-    match quaternion.length() > 1.0e-6 {
-        true => Ok(quaternion.normalize()),
-        false => Err(invalid(format!("{name} is {quaternion}, but a rotation is a quaternion (x, y, z, w) of unit length"))),
-    }
+    let numbers = numbers::<ROTATION>(name, value)?;
+    rotation_of(&numbers).ok_or_else(|| {
+        invalid(format!(
+            "{name} is {numbers:?}, but a rotation is a quaternion (x, y, z, w) of unit length"
+        ))
+    })
 }
 
 /// An angular quantity of a Python sequence with three numbers.
@@ -39,7 +41,7 @@ pub fn rotation_numbers(rotation: &Rotation) -> [Real; ROTATION] {
     rotation.to_array()
 }
 
-/// The rotation with these numbers.
+/// The rotation with these numbers. `None` if their length is almost 0 or overflows.
 pub fn rotation_of(numbers: &[Real]) -> Option<Rotation> {
     let quaternion = Rotation::from_slice(numbers);
     let length = quaternion.length();
@@ -58,12 +60,7 @@ pub fn angular_of(numbers: &[Real]) -> AngVector {
 
 /// A hinge about an axis.
 pub fn revolute(axis: Option<Vector>) -> PyResult<GenericJoint> {
-    Ok(RevoluteJointBuilder::new(unit(axis)?).build().into())
-}
-
-/// A slider along an axis.
-pub fn prismatic(axis: Option<Vector>) -> PyResult<GenericJoint> {
-    Ok(PrismaticJointBuilder::new(unit(axis)?).build().into())
+    along(RevoluteJointBuilder::new(Vector::X).build().into(), axis)
 }
 
 /// A ball and socket.
@@ -71,12 +68,14 @@ pub fn spherical() -> PyResult<GenericJoint> {
     Ok(SphericalJointBuilder::new().build().into())
 }
 
-fn unit(axis: Option<Vector>) -> PyResult<Vector> {
-    let axis = axis.unwrap_or(Vector::X);
-    match axis.length() > 0.0 {
-        true => Ok(axis.normalize()),
-        false => Err(invalid(format!("axis is {axis}, but must have a length greater than 0"))),
-    }
+/// The point of view of pictures, by the angles of the camera (degrees).
+pub fn view(yaw: f32, pitch: f32) -> View {
+    View::orbit(yaw, pitch)
+}
+
+/// The part of an angular quantity about the free axis of a joint.
+pub fn about(angular: AngVector, axis: Vector) -> Real {
+    angular.dot(axis)
 }
 
 /// A box by its half extents.
@@ -98,7 +97,10 @@ pub fn cone(half_height: f64, radius: f64) -> PyResult<SharedShape> {
 pub fn height_field(heights: &Bound<'_, PyAny>, scale: Vector) -> PyResult<ColliderBuilder> {
     let array = array("heights", heights)?;
     let [rows, columns] = *array.shape() else {
-        return Err(invalid(format!("heights has the shape {:?}, but must have (rows, columns)", array.shape())));
+        return Err(invalid(format!(
+            "heights has the shape {:?}, but must have (rows, columns)",
+            array.shape()
+        )));
     };
     // The engine's arrays are in the order of columns.
     let (numbers, mut heights) = (array.to_vec()?, Array2::zeros(rows, columns));

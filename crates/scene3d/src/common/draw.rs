@@ -41,7 +41,7 @@ impl Artist {
     }
 
     /// Draws a world, with the colours of some bodies, and the lines of a mode.
-    fn draw_world(
+    pub fn draw_world(
         &mut self,
         world: &PhysicsWorld,
         colors: &BodyColors,

@@ -1,0 +1,59 @@
+"""The function `rapier.sweep`."""
+
+from .case import Job, cases_of
+from .cluster import run_cluster
+from .local import run_local
+from .table import SweepError, SweepResult
+
+
+def _progress(count, wanted):
+    """A progress bar of tqdm, if it is installed, or None."""
+    if not wanted:
+        return None
+    try:
+        from tqdm.auto import tqdm
+    except ImportError:
+        return None
+    return tqdm(total=count, unit="case")
+
+
+def sweep(scene, grid, metrics, address=None, *, steps=600, workers=None, attempts=3, progress=True, strict=True):
+    """Runs a scene with all parameters of a grid, and measures each world after its steps. Returns a `SweepResult`.
+
+    scene: a function of the parameters that returns a world, or a pair (world, object for the metrics). A world instead of a function is copied for each case, and the
+    parameters are properties of it, such as `gravity`. Functions must be picklable: defined at the top of a module.
+    grid: a dictionary of lists, of which all combinations run, or a list of dictionaries.
+    metrics: functions by name, of the world, or of the world and the object of the scene. They return numbers or arrays.
+    address: of a cluster of Ray, such as "auto"; "local" starts one on this machine. None runs a pool of processes on this machine without Ray.
+    steps: time steps of each case. workers: processes of the local pool, by default one for each core.
+    attempts: how often a case runs whose worker ends. progress: whether tqdm shows the progress. strict: whether a failed case raises `SweepError` at the end.
+
+    A killed worker loses nothing: its case runs again in a new one. Equal cases have equal hashes on every machine.
+    """
+    cases = cases_of(grid)
+    job = Job(scene, dict(metrics), steps)
+    parameters = list(dict.fromkeys(name for case in cases for name in case))
+    rows, failures = [dict(case) for case in cases], {}
+    bar = _progress(len(cases), progress)
+
+    def report(number, result, error):
+        if error is None:
+            rows[number].update(result)
+        else:
+            failures[number] = error
+        if bar is not None:
+            bar.update()
+
+    try:
+        if address is None:
+            lost = run_local(job, cases, workers, attempts, report)
+        else:
+            lost = run_cluster(job, cases, None if address == "local" else address, attempts, report)
+    finally:
+        if bar is not None:
+            bar.close()
+    result = SweepResult(parameters, metrics, rows, dict(sorted(failures.items())), lost)
+    if failures and strict:
+        number, text = next(iter(result.failures.items()))
+        raise SweepError(f"{len(failures)} of {len(cases)} cases failed, the first one with {cases[number]}:\n{text}", result)
+    return result

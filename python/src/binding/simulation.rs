@@ -1,0 +1,36 @@
+//! A world with the vehicles that drive in it.
+
+use super::rapier::pipeline::{EventHandler, PhysicsHooks, PhysicsWorld};
+use super::space::Vehicles;
+
+/// A world and its vehicles: the data that a copy contains.
+#[derive(Default)]
+pub struct Simulation {
+    pub world: PhysicsWorld,
+    pub vehicles: Vehicles,
+}
+
+impl Simulation {
+    /// A world without vehicles.
+    pub fn of(world: PhysicsWorld) -> Self {
+        Self { world, vehicles: Vehicles::default() }
+    }
+
+    /// One step.
+    pub fn step(&mut self, hooks: &dyn PhysicsHooks, events: &dyn EventHandler) {
+        self.vehicles.update(&mut self.world);
+        self.world.step_with_events(hooks, events);
+    }
+}
+
+impl Clone for Simulation {
+    fn clone(&self) -> Self {
+        Self { world: self.world.clone(), vehicles: self.vehicles.clone() }
+    }
+
+    /// Reuses the memory of the target.
+    fn clone_from(&mut self, source: &Self) {
+        self.world.clone_from(&source.world);
+        self.vehicles.clone_from(&source.vehicles);
+    }
+}
