@@ -13,6 +13,7 @@ root=$(cd "$here/../.." && pwd)
 folder=${1:-$root/target/strangers}
 pattern=${2:-.}
 mkdir -p "$folder"
+folder=$(cd "$folder" && pwd)
 export CARGO_TARGET_DIR="$folder/target"
 
 # name, version, arguments of cargo. The development dependencies of Bevy's plugin need a window: its library is

@@ -5,7 +5,7 @@ use parry::math::{Pose, Real, Vector};
 use parry::query::{ContactManifold, ShapeCastHit, ShapeCastStatus};
 #[cfg(feature = "serde-serialize")]
 use parry::shape::{Compound, SharedShape};
-use parry::shape::{PolygonalFeature, PolygonalFeatureMap, Polyline};
+use parry::shape::{PackedFeatureId, PolygonalFeature, PolygonalFeatureMap, Polyline};
 
 /// Public names of other versions, without options.
 pub mod names {
@@ -65,30 +65,26 @@ pub fn support_feature(
     feature: &mut PolygonalFeature,
 ) {
     shape.local_support_feature(direction, feature);
-    #[cfg(feature = "dim3")]
     if is_round_cap(feature)
-        && let Some(azimuth) = Vector::new(hint.x, 0.0, hint.z).try_normalize()
+        && let Some(azimuth) = (Vector { y: 0.0, ..hint }).try_normalize()
     {
-        let tilted = Vector::new(0.0, direction.y, 0.0) + azimuth * CAP_TILT;
+        let tilted = Vector::Y * direction.y + azimuth * CAP_TILT;
         shape.local_support_feature(tilted, feature);
     }
-    #[cfg(feature = "dim2")]
-    let _ = hint;
 }
 
 /// Tangent of the tilt that selects the orientation of a cap: far below the 60° at which another feature of a
 /// cylinder is selected.
-#[cfg(feature = "dim3")]
 const CAP_TILT: Real = 0.01;
 
-/// Returns whether a feature has the numbers that parry gives to the cap of a cylinder or a cone.
-#[cfg(feature = "dim3")]
+/// Returns whether a feature has the numbers that parry gives to the cap of a cylinder or a cone. In two
+/// dimensions no feature has four vertices.
 fn is_round_cap(feature: &PolygonalFeature) -> bool {
-    use parry::shape::PackedFeatureId;
-    let is_cap = |face, edge| {
-        feature.fid == PackedFeatureId::face(face) && feature.eids[0] == PackedFeatureId::edge(edge)
+    let is_cap = |face, vertices: [u32; 2]| {
+        feature.fid == PackedFeatureId::face(face)
+            && feature.vids[..2] == vertices.map(PackedFeatureId::vertex)
     };
-    feature.num_vertices == 4 && (is_cap(9, 2) || is_cap(19, 12))
+    feature.num_vertices == 4 && (is_cap(9, [1, 3]) || is_cap(19, [11, 13]))
 }
 
 /// Poses of the parts of a manifold, `None` for the identity.

@@ -144,10 +144,16 @@ fn collision_pipelines_need_no_joints() {
 fn groups_have_a_test_mode() {
     let fall = |mode: InteractionTestMode, filter: Group| {
         let (mut world, body, [ground, collider]) = World::box_on_ground();
-        world.colliders[ground]
-            .set_collision_groups(InteractionGroups::new(Group::GROUP_1, Group::GROUP_2, mode));
-        world.colliders[collider]
-            .set_collision_groups(InteractionGroups::new(Group::GROUP_2, filter, mode));
+        world.colliders[ground].set_collision_groups(InteractionGroups::new(
+            Group::GROUP_1,
+            Group::GROUP_2,
+            mode,
+        ));
+        world.colliders[collider].set_collision_groups(InteractionGroups::new(
+            Group::GROUP_2,
+            filter,
+            mode,
+        ));
         world.steps(30);
         world.bodies[body].translation().y < 0.0
     };

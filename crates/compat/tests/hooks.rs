@@ -137,9 +137,7 @@ impl PhysicsHooks for Platform {
 #[test]
 fn platforms_are_solid_from_one_side() {
     let mut world = World::default();
-    world.colliders.insert(
-        cuboid(5.0, 0.1).active_hooks(ActiveHooks::MODIFY_SOLVER_CONTACTS),
-    );
+    world.colliders.insert(cuboid(5.0, 0.1).active_hooks(ActiveHooks::MODIFY_SOLVER_CONTACTS));
     let body = RigidBodyBuilder::dynamic().translation(Vector::Y * -2.0).linvel(Vector::Y * 9.0);
     let (body, _) = world.insert(body.can_sleep(false), ColliderBuilder::ball(0.25));
     let mut highest = Real::MIN;

@@ -61,9 +61,8 @@ fn shapes_are_cast() {
     let (world, [fixed, _]) = two_balls();
     let pipeline = queries(&world, QueryFilter::default());
     let options = ShapeCastOptions { max_time_of_impact: 10.0, ..ShapeCastOptions::default() };
-    let (handle, hit) = pipeline
-        .cast_shape(&Pose::IDENTITY, Vector::X * 2.0, &Ball::new(0.5), options)
-        .unwrap();
+    let (handle, hit) =
+        pipeline.cast_shape(&Pose::IDENTITY, Vector::X * 2.0, &Ball::new(0.5), options).unwrap();
     assert_eq!(handle, fixed);
     assert_near(hit.time_of_impact, 3.5 / 2.0, 1.0e-4);
     let (handle, projection) = pipeline.project_point(Vector::X, 100.0, true).unwrap();

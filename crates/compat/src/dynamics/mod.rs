@@ -5,6 +5,7 @@ mod islands;
 mod joints;
 mod parameters;
 mod sets;
+mod softness;
 mod spring;
 
 pub use ccd::CCDSolver;
@@ -15,4 +16,5 @@ pub use joints::{ImpulseJointSet, MultibodyJointSet};
 pub use parameters::FrictionModel;
 pub use parameters::IntegrationParameters;
 pub use sets::RigidBodySet;
+pub use softness::SpringCoefficients;
 pub use spring::{SpringJoint, SpringJointBuilder};

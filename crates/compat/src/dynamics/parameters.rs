@@ -1,6 +1,6 @@
 //! The parameters of a step.
 
-use engine::dynamics::SpringCoefficients;
+use super::SpringCoefficients;
 use engine::math::Real;
 
 /// Model of friction.
@@ -58,7 +58,7 @@ impl Default for IntegrationParameters {
         Self {
             dt: 1.0 / 60.0,
             min_ccd_dt: 1.0 / 60.0 / 100.0,
-            contact_softness: SpringCoefficients { natural_frequency: 30.0, damping_ratio: 5.0 },
+            contact_softness: SpringCoefficients::contact_defaults(),
             warmstart_coefficient: 1.0,
             length_unit: 1.0,
             normalized_allowed_linear_error: 0.001,

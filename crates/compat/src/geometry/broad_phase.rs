@@ -2,8 +2,8 @@
 
 use super::ColliderSet;
 use crate::dynamics::RigidBodySet;
-use crate::pipeline::{QueryFilter, QueryPipeline, QueryPipelineMut};
 use crate::parry::query::QueryDispatcher;
+use crate::pipeline::{QueryFilter, QueryPipeline, QueryPipelineMut};
 use crate::wrapper::wrapper;
 
 wrapper! {

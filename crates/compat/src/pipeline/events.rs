@@ -1,9 +1,7 @@
 //! Event handlers.
 
 use crate::dynamics::RigidBodySet;
-use crate::geometry::{
-    ColliderSet, CollisionEvent, ContactForceEvent, ContactPair, to_pair,
-};
+use crate::geometry::{ColliderSet, CollisionEvent, ContactForceEvent, ContactPair, to_pair};
 use crate::math::Real;
 use std::sync::mpsc::Sender;
 

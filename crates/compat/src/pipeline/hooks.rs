@@ -119,10 +119,7 @@ impl engine::pipeline::PhysicsHooks for Hooks<'_> {
         Some(engine::geometry::SolverFlags::from_bits_truncate(flags.bits()))
     }
 
-    fn filter_intersection_pair(
-        &self,
-        context: &engine::pipeline::PairFilterContext<'_>,
-    ) -> bool {
+    fn filter_intersection_pair(&self, context: &engine::pipeline::PairFilterContext<'_>) -> bool {
         self.0.filter_intersection_pair(&to_context(context))
     }
 

@@ -7,12 +7,12 @@ mod physics;
 mod queries;
 
 pub use collision::CollisionPipeline;
+pub use engine::pipeline::{ActiveEvents, ActiveHooks, QueryFilterFlags};
 #[cfg(feature = "debug-render")]
 pub use engine::pipeline::{
     DebugColor, DebugRenderBackend, DebugRenderMode, DebugRenderObject, DebugRenderPipeline,
     DebugRenderStyle,
 };
-pub use engine::pipeline::{ActiveEvents, ActiveHooks, QueryFilterFlags};
 pub use events::{ChannelEventCollector, EventHandler};
 pub use hooks::{ContactModificationContext, PairFilterContext, PhysicsHooks};
 pub use physics::PhysicsPipeline;
