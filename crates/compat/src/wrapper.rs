@@ -4,7 +4,7 @@
 macro_rules! wrapper {
     ($(#[$meta:meta])* $name:ident, $engine:ty) => {
         $(#[$meta])*
-        #[derive(Clone, Default)]
+        #[derive(Clone, Debug, Default)]
         #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
         #[cfg_attr(feature = "serde-serialize", serde(transparent))]
         #[repr(transparent)]
