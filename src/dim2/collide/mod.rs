@@ -23,8 +23,6 @@ pub use clip::{FaceContact, clip_faces};
 pub use cuboid::cuboid_cuboid;
 pub use edges::edge_normal;
 pub use features::box_feature;
-#[cfg(feature = "debug-render")]
-pub use flat::polyline_normals;
 pub use flat::{
     Flat, FlatBlock, FlatShape, as_flat, as_flat_mesh, flat_corners, flat_lane, flat_of,
     set_flat_lane,

@@ -154,7 +154,7 @@ impl IntegrationParameters {
     /// A spring of angular frequency `ω` and damping ratio `ζ` removes the fraction `β = hω / (2ζ + hω)` of
     /// the error in a substep `h`, with the compliance `σ = 1 / (hω (2ζ + hω))`.
     fn engine_softness(&self, own_erp: Real, own_damping_ratio: Real) -> (Real, Real) {
-        use engine::dynamics::{CONTACT_ERP_SCALE, CONTACT_COMPLIANCE};
+        use engine::dynamics::{CONTACT_COMPLIANCE, CONTACT_ERP_SCALE};
         let turn = self.dt / self.num_solver_iterations.max(1) as Real
             * self.contact_softness.angular_frequency();
         if self.contact_softness == Self::default().contact_softness || turn <= 0.0 {
