@@ -1,7 +1,7 @@
 //! Rules of impacts that contacts of bodies and contacts of links share.
 //!
-//! The derivation is in `impacts/mod.rs`. The rules are generic over the number: that of a single point, or of
-//! a point per lane.
+//! The derivation is in `impacts/mod.rs`. The rules are generic over the number: that of a single point,
+//! or of a point per lane.
 
 use crate::base::wide::{Lane, Wide, record_of_lanes};
 use crate::dim::math::Real;
