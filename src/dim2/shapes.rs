@@ -9,7 +9,8 @@ use parry::shape::{ConvexPolygon, Polyline, Triangle, TypedShape};
 use parry::transformation::voxelization::VoxelSet;
 use smallvec::{SmallVec, smallvec};
 
-/// Polylines of parry 0.26 have no normals. In later versions the inherent method takes precedence over this one.
+/// Polylines of parry 0.26 have no normals. In later versions the inherent method takes precedence over
+/// this one.
 #[allow(dead_code, reason = "unused in later versions")]
 trait WithoutNormals {
     fn pseudo_normals(&self) -> Option<&[Vector]> {

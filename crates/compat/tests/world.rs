@@ -121,8 +121,8 @@ fn parameters_have_the_fields_of_version_032() {
     assert_near(parameters.dt, 1.0 / 120.0, 1.0e-9);
 }
 
-/// A contact spring of angular frequency `ω` under gravity sinks in by `g/ω²` beyond the allowed error. (A ball
-/// has one contact, whose effective mass is that of the ball.)
+/// A contact spring of angular frequency `ω` under gravity sinks in by `g/ω²` beyond the allowed error. (A
+/// ball has one contact, whose effective mass is that of the ball.)
 #[test]
 fn soft_contacts_sink_in() {
     let mut world = World::default();

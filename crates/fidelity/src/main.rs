@@ -5,6 +5,11 @@
 //! figure that a test does not check.
 //!
 //!     cargo run -p fidelity
+//!
+//! Tables of an earlier run of the tests serve as well:
+//!
+//!     FIDELITY_TABLES=/tmp/tables cargo test
+//!     cargo run -p fidelity -- /tmp/tables
 
 mod area;
 mod page;
@@ -12,9 +17,9 @@ mod statements;
 mod tables;
 
 use area::AREAS;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode};
-use std::{error, fs};
+use std::{env, error, fs};
 
 /// The crates whose tests run, and their names in the documents.
 const CRATES: [(&str, &str); 4] = [
@@ -39,13 +44,10 @@ fn main() -> ExitCode {
 
 fn write_documents() -> Result<(), Box<dyn error::Error>> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").canonicalize()?;
-    let folder = root.join("target/fidelity");
-    if folder.exists() {
-        fs::remove_dir_all(&folder)?;
-    }
-    for (name, _) in CRATES {
-        run_tests(&root, &folder, name)?;
-    }
+    let folder = match env::args_os().nth(1) {
+        Some(folder) => PathBuf::from(folder),
+        None => measure(&root)?,
+    };
     let found = tables::read(&folder, &CRATES)?;
     for area in &AREAS {
         let files = statements::read(&root, area.folder)?;
@@ -54,6 +56,18 @@ fn write_documents() -> Result<(), Box<dyn error::Error>> {
         println!("{}", path.display());
     }
     Ok(())
+}
+
+/// Runs the tests of all crates, and returns the folder of their tables.
+fn measure(root: &Path) -> Result<PathBuf, Box<dyn error::Error>> {
+    let folder = root.join("target/fidelity");
+    if folder.exists() {
+        fs::remove_dir_all(&folder)?;
+    }
+    for (name, _) in CRATES {
+        run_tests(root, &folder, name)?;
+    }
+    Ok(folder)
 }
 
 /// Runs the tests of all areas in one crate. Cargo shows the progress.

@@ -63,7 +63,8 @@ impl Session {
         }
     }
 
-    /// Fits the first view to a picture of an aspect, and moves the camera there unless the mouse has moved it.
+    /// Fits the first view to a picture of an aspect, and moves the camera there unless the mouse has moved
+    /// it.
     pub(crate) fn fit(&mut self, aspect: f32) {
         if (aspect - self.fitted).abs() < 0.01 {
             return;

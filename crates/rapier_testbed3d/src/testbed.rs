@@ -118,8 +118,8 @@ impl Testbed {
         self.graphics.set_body_color(body, color);
     }
 
-    /// Runs a function after each step. The slider of the time restores the world and the colours, and leaves the
-    /// variables of the function as they are.
+    /// Runs a function after each step. The slider of the time restores the world and the colours, and
+    /// leaves the variables of the function as they are.
     pub fn add_callback(
         &mut self,
         callback: impl FnMut(Option<&mut TestbedGraphics>, &mut PhysicsWorld, &PhysicsEvents, &RunState)

@@ -16,12 +16,6 @@ const PARAMETERS: usize = 7;
 const LONG_FILES: [(&str, &str); 0] = [];
 /// Functions that may be longer, with their files and the reason.
 const LONG_FUNCTIONS: [(&str, &str, &str); 0] = [];
-/// Functions whose tuples may hide more parameters, with their files and the reason.
-const MANY_PARAMETERS: [(&str, &str, &str); 3] = [
-    ("src/step/solver/bodies/store.rs", "store", "gets a context with the rooms of the solver"),
-    ("src/step/solver/groups.rs", "divide", "gets a context with the rooms of the solver"),
-    ("src/step/solver/joints/point_to_point/load.rs", "load_end", "the same"),
-];
 
 /// Complains of files and functions that are too long, that have no header or too many parameters, or that
 /// are unfinished.
@@ -73,10 +67,8 @@ fn check_functions(source: &Source, complaints: &mut Vec<Complaint>) {
 fn check_parameters(source: &Source, complaints: &mut Vec<Complaint>) {
     for at in 0..source.tokens.len() {
         let Some(count) = parameters_of(source, at) else { continue };
-        let name = source.token(at + 1);
-        let listed =
-            MANY_PARAMETERS.iter().any(|(path, many, _)| *path == source.path && *many == name);
-        if count > PARAMETERS && !listed {
+        if count > PARAMETERS {
+            let name = source.token(at + 1);
             let what = format!("{name}: {count} parameters in tuples, more than {PARAMETERS}");
             complaints.push(Complaint::new(&source.path, source.tokens[at].line, what));
         }

@@ -58,13 +58,13 @@ use crate::dim::math::Real;
 /// 1/25 and 1/12 both are small.
 pub const CONTACT_COMPLIANCE: Real = 1.0 / 16.0;
 
-/// Factor on [`erp`](super::IntegrationParameters::erp). The product is the fraction of a contact's overlap that
-/// a substep aims to remove.
+/// Factor on [`erp`](super::IntegrationParameters::erp). The product is the fraction of a contact's overlap
+/// that a substep aims to remove.
 ///
-/// The factor is less than one because an iteration over a pile of contacts does not converge. The correction of one
-/// contact is an error of its neighbours in the next substep. If these corrections are large enough, the pile
-/// as a whole gains energy. A pyramid of a hundred rows that is kept awake has, after 1,500 steps, up to this
-/// kinetic energy (J) with `σ` = 1/16:
+/// The factor is less than one because an iteration over a pile of contacts does not converge. The
+/// correction of one contact is an error of its neighbours in the next substep. If these corrections are
+/// large enough, the pile as a whole gains energy. A pyramid of a hundred rows that is kept awake has,
+/// after 1,500 steps, up to this kinetic energy (J) with `σ` = 1/16:
 ///
 /// ```text
 /// β     0.0378  0.05   0.06   0.07   0.08   0.09   0.10

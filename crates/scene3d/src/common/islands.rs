@@ -40,7 +40,8 @@ impl Islands {
         islands
     }
 
-    /// The root of a body's group. Each visited body moves up to its grandparent, which keeps the paths short.
+    /// The root of a body's group. Each visited body moves up to its grandparent, which keeps the paths
+    /// short.
     fn root(&mut self, mut body: RigidBodyHandle) -> Option<RigidBodyHandle> {
         loop {
             let parent = *self.parents.get(&body)?;

@@ -80,7 +80,8 @@ impl Overlays {
         }
     }
 
-    /// A cross at each contact point and its normal, with a hue for each solver colour; white for the overflow.
+    /// A cross at each contact point and its normal, with a hue for each solver colour; white for the
+    /// overflow.
     fn mark_solver_colors(&self, world: &PhysicsWorld, out: &mut Drawing) {
         for manifold in world.narrow_phase.contact_pairs().flat_map(|(_, _, pair)| &pair.manifolds)
         {
