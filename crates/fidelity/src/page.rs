@@ -35,7 +35,7 @@ fn section(file: &TestFile, tests: &[&Test], tables: &Tables) -> String {
             if at > 0 {
                 text += &format!("\n{}:\n", heading(&table.title));
             }
-            text += &markdown(table);
+            text += &shown(table);
         }
         text += &format!("\nTest `{}` in `{}`.\n", test.name, file.path);
     }
@@ -49,6 +49,19 @@ fn heading(title: &str) -> String {
         .next()
         .map(|first| first.to_uppercase().collect::<String>() + letters.as_str())
         .unwrap_or_default()
+}
+
+/// Tables with more rows are folded.
+const ROWS_MAX: usize = 24;
+
+/// A table, folded if it is long.
+fn shown(table: &Table) -> String {
+    let text = markdown(table);
+    let rows = table.rows.len();
+    if rows <= ROWS_MAX {
+        return text;
+    }
+    format!("\n<details>\n<summary>{rows} rows</summary>\n{text}\n</details>\n")
 }
 
 /// The rows of all crates, with the crate in the first column.
@@ -89,5 +102,17 @@ mod tests {
             .find("| build | rate | drop |\n| --- | --: | --: |\n| 2D f32 | 30 | 1.5 |")
             .expect("the figures");
         assert!(law < figures);
+    }
+
+    #[test]
+    fn long_tables_are_folded() {
+        let table = |count| {
+            let rows = vec![("2D f32", vec!["30".to_string()]); count];
+            Table { title: "fall".into(), columns: vec!["rate".into()], rows }
+        };
+        assert!(!shown(&table(ROWS_MAX)).contains("<details>"));
+        assert!(
+            shown(&table(ROWS_MAX + 1)).contains("<summary>25 rows</summary>\n\n| build | rate |")
+        );
     }
 }

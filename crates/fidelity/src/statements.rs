@@ -46,7 +46,7 @@ fn parse(path: &str, text: &str) -> TestFile {
         .filter_map(|at| test_at(&lines, at));
     TestFile {
         path: path.to_string(),
-        subject: subject.trim_end_matches('.').to_string(),
+        subject: subject.trim_end_matches('.').replace('\n', " "),
         text: rest.to_string(),
         tests: tests.collect(),
     }
