@@ -44,7 +44,7 @@ fn static_sag() {
 /// each is `e^(−πζ / √(1 − ζ²))` times the one before.
 ///
 /// Both formulas hold for a vanishing time step. The update of the spring
-/// (`src/dim3/vehicle/spring.rs`) adds, at 30 Hz, 1 % to the frequency, and half of `ω dt / 8` to the
+/// (`src/controllers/vehicle/spring.rs`) adds, at 30 Hz, 1 % to the frequency, and half of `ω dt / 8` to the
 /// damping ratio because of substeps. The time of an extremum is known to half a step: 3 % of a
 /// period of 15 steps, without interpolation.
 #[test]
