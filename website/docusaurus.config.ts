@@ -10,6 +10,7 @@ const presets: Options = {
         path: "../docs",
         sidebarPath: "./sidebars.ts",
         numberPrefixParser: false,
+        versions: { current: { label: VERSION } },
         beforeDefaultRemarkPlugins: [documents],
         editUrl: REPOSITORY === undefined ? undefined : ({ docPath }) => fileView(`docs/${docPath}`),
     },
@@ -33,8 +34,8 @@ const search = {
     docsDir: ["../docs", "generated/api"],
     highlightSearchTermsOnTargetPage: true,
     explicitSearchResultPath: true,
-    // Figures are no terms of a search.
-    ignoreFiles: [/docs\/benchmarks\/(latest|native|growth)/],
+    // Figures are no terms of a search, and the reference of 2D has the names of 3D.
+    ignoreFiles: [/docs\/(benchmarks\/(latest|native|growth)|fidelity\/)/, /api\/rust-2d/],
 };
 
 const themeConfig: ThemeConfig = {
@@ -50,14 +51,16 @@ const themeConfig: ThemeConfig = {
                 label: "Reference",
                 position: "left",
                 items: [
-                    { to: "/api/rust", label: "Rust" },
+                    { to: "/api/rust", label: "Rust, 3D" },
+                    { to: "/api/rust-2d", label: "Rust, 2D" },
                     { to: "/api/javascript", label: "JavaScript" },
                 ],
             },
             { to: "/benchmarks", label: "Benchmarks" },
+            { to: "/fidelity", label: "Fidelity" },
             { to: "/determinism", label: "Determinism" },
             { to: "/gallery", label: "Gallery" },
-            { type: "html", position: "right", value: `<span class="version">${VERSION}</span>` },
+            { type: "docsVersionDropdown", position: "right" },
             ...(REPOSITORY === undefined ? [] : [{ href: REPOSITORY, label: "Source", position: "right" as const }]),
         ],
     },

@@ -10,6 +10,11 @@ function listed(page: string, folder: string): string[] {
     return [...read(page).matchAll(/^\d+\. \[[^\]]*\]\(([\w-]+)\.md\)/gm)].map((match) => `${folder}/${match[1]}`);
 }
 
+/** The documents that the table of a folder links to, in order. */
+function pages(folder: string): string[] {
+    return [...read(`docs/${folder}/README.md`).matchAll(/^\| \[[^\]]*\]\(([\w-]+)\.md\)/gm)].map((match) => `${folder}/${match[1]}`);
+}
+
 const decisions = readdirSync(join(ROOT, "docs/decisions"))
     .filter((name) => name.endsWith(".md"))
     .sort()
@@ -27,6 +32,7 @@ const sidebars: SidebarsConfig = {
         "papers",
         "dependencies",
     ],
+    fidelity: [{ type: "link", label: "Charts", href: "/fidelity" }, "fidelity/README", ...pages("fidelity")],
     benchmarks: [
         { type: "link", label: "Charts", href: "/benchmarks" },
         "benchmarks/latest",

@@ -1,4 +1,4 @@
-//! Bodies with `ccd_enabled` pass nothing, not even each other.
+//! Bodies with `ccd_enabled` do not pass through other bodies, nor through each other.
 
 use super::{PHASES, RADIUS, SPEEDS, wall};
 use crate::dim::vec;
@@ -30,6 +30,7 @@ fn count_passed(
     (0..PHASES).filter(|&phase| passes(phase)).count()
 }
 
+/// Number of bullets that pass through another ball: zero.
 #[test]
 fn bullets_do_not_pass_each_other() {
     let columns = ["speed", "resting", "head-on", "head-on, one marked", "from behind"];
@@ -71,7 +72,7 @@ fn bullets_in_file_stop_behind_each_other() {
     }
 }
 
-/// Whatever presses from behind.
+/// A column of bullets of unequal masses hits a wall: no bullet passes, whatever follows it.
 #[test]
 fn files_of_unlike_bullets_do_not_pass_walls() {
     let columns = ["densities", "rate", "50", "100", "400", "1000"];

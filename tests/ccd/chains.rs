@@ -1,4 +1,4 @@
-//! Bodies that impulse joints hold together stop together.
+//! Bodies that impulse joints connect stop together.
 
 use super::{PHASES, RADIUS, SPEEDS, wall};
 use crate::dim::{hinge, vec};
@@ -46,12 +46,12 @@ fn energy(world: &PhysicsWorld, chain: &Chain) -> Real {
     chain.bodies.iter().map(|&body| world.bodies[body].kinetic_energy()).sum()
 }
 
-/// Nothing passes, and what the joints give way when the chain folds up on the wall they take back.
+/// No ball of a chain passes the wall, and joints recover the separation that the impact causes.
 ///
-/// They do give way: the balls are 20 cm apart and go 40 cm in a substep at 100 m/s, so that they turn about
-/// the one that was stopped by radians at once. Stopped one by one they were as far apart as a step is long.
-/// At 400 m/s and more what is left spins faster than substeps can follow, and the joints stay apart for that
-/// long.
+/// The joints do separate: the balls are 20 cm apart and move by 40 cm in a substep at 100 m/s, so
+/// that they rotate about the stopped ball by radians at once. Stopping each ball alone would
+/// separate them by the motion of a whole step. From 400 m/s on, the rest of the chain spins faster
+/// than substeps resolve, and the joints stay apart for that time.
 #[test]
 fn chains_hit_walls_as_wholes() {
     let columns = ["speed", "aslant", "passed", "gap (mm)", "left (mm)", "energy"];

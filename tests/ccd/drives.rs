@@ -1,4 +1,4 @@
-//! Kinematic bodies that move and turn, and what is in their way: walls that come, doors, cages, pistons.
+//! Kinematic bodies that move and rotate towards other bodies: walls, doors, cages, pistons.
 
 use super::PHASES;
 use crate::dim::grounds::box_mesh;
@@ -49,6 +49,7 @@ impl Meeting {
     }
 }
 
+/// Number of balls that pass through a moving kinematic wall: zero.
 #[test]
 fn walls_that_come_do_not_pass_balls() {
     let columns = ["radius", "ball", "wall", "velocity", "position", "mesh", "bullet"];
@@ -99,6 +100,7 @@ fn count_passed_by_door(rate: Real, radius: Real, asleep: bool) -> usize {
     (0..9).filter(|&place| passes(place)).count()
 }
 
+/// Number of balls at rest that pass through a turning door: zero.
 #[test]
 fn doors_sweep_balls_along() {
     let columns = ["rad/s", "radius", "awake", "asleep"];
@@ -134,6 +136,7 @@ fn blade_passes(arm: Real, speed: Real, phase: usize) -> bool {
     })
 }
 
+/// Number of landing balls that pass through a rotating blade above the floor: zero.
 #[test]
 fn blades_that_sweep_a_floor_take_along_what_lands_on_it() {
     let columns = ["arm (m)", "5 m/s", "10 m/s", "20 m/s", "30 m/s"];
@@ -163,7 +166,8 @@ fn detection_alone_wakes_nothing() {
     assert!(!world.bodies[ball].is_sleeping());
 }
 
-/// Balls that fly about in a closed cage of walls of 2 cm that turns about its middle.
+/// Balls fly in a closed cage with walls of 2 cm that rotates about its centre. Number of balls
+/// outside: zero.
 #[test]
 fn turning_cages_hold_balls() {
     let columns = ["rad/s", "0 m/s", "5 m/s", "30 m/s", "200 m/s"];

@@ -1,4 +1,4 @@
-//! Links of multibodies pass nothing, and what stops one of them stops the whole.
+//! Links of multibodies do not pass through bodies. The stop of one link stops the multibody.
 
 use super::{PHASES, RADIUS, SPEEDS, wall};
 use crate::dim::{about_z, ang_length, cuboid, hinge, vec};
@@ -39,8 +39,8 @@ fn add_wall(world: &mut PhysicsWorld) {
     world.insert_collider(wall(), None);
 }
 
-/// At 1000 m/s chains that do not hit with all links at once turn by dozens of radians in a step, and one in
-/// twenty gets a link through: see docs/guide/fast-bodies.md.
+/// At 1000 m/s chains that do not hit with all links at once rotate by dozens of radians in a step,
+/// and one link in twenty passes: docs/guide/fast-bodies.md.
 #[test]
 fn chains_do_not_pass_walls() {
     let columns = ["speed", "upright", "aslant", "turning"];

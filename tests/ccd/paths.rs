@@ -1,4 +1,4 @@
-//! Fast bodies that hit nothing keep their path.
+//! Fast bodies without an impact keep their path.
 
 use super::{RADIUS, add_ball};
 use crate::dim::grounds::GROUNDS;
@@ -7,7 +7,8 @@ use crate::suite::physics::stage::{G, weightless, world};
 use crate::suite::physics::table::Table;
 use rapier::prelude::*;
 
-/// A box slides over grounds of many pieces, one after the other of which it begins to touch, at 100 m/s.
+/// A box slides at 100 m/s over grounds of many pieces, and begins a contact with one after the
+/// other. Its height and speed are constant.
 #[test]
 fn floors_do_not_stop_what_slides_fast() {
     let mut table = Table::new("a box that slides at 100 m/s", &["ground", "bump (mm)", "slowest"]);

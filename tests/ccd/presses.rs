@@ -1,8 +1,8 @@
-//! Bodies that touch a barrier already, and are hit from behind.
+//! Bodies in contact with a barrier, hit from behind.
 //!
-//! Contacts give way. A body between a wall and a bullet of a hundred times its mass moves by as much as it
-//! is thick within a substep, and then contacts push it out of the wall on the other side. So what is deep in
-//! a wall goes no deeper, however little it moves.
+//! Contacts are compliant. A body between a wall and a bullet of a hundred times its mass moves by
+//! its own thickness within a substep, and contacts then push it out of the wall on the other side.
+//! Deeply penetrating bodies therefore move no deeper, however small the motion.
 
 use super::{PHASES, RADIUS, SPEEDS};
 use crate::dim::grounds::{GROUNDS, Ground};
@@ -61,8 +61,9 @@ fn lay_floor(world: &mut PhysicsWorld, thickness: Real) {
     world.insert_collider(cuboid(100.0, half).translation(vec(0.0, -half)), None);
 }
 
+/// Number of bodies that an impact from behind presses through a floor: zero.
 #[test]
-fn nobody_is_pressed_through_a_floor() {
+fn bodies_are_not_pressed_through_a_floor() {
     let columns = ["floor", "pile", "mass", "50", "100", "400", "1000"];
     let mut table = Table::new("bodies that are pressed through, of 20", &columns);
     let floors: [Ground; 2] = [

@@ -1,4 +1,4 @@
-//! Sensors notice what flies through them in one step.
+//! Sensors detect bodies that pass through them within one step.
 
 use super::{PHASES, RADIUS, SPEEDS};
 use crate::dim::grounds::box_mesh;
@@ -41,6 +41,7 @@ fn events(speed: Real, phase: usize, gate: ColliderBuilder, aside: Real) -> Vec<
     events.iter().map(|event| event.started()).collect()
 }
 
+/// A sensor of 2 cm detects every ball that passes through it exactly once, and no ball beside it.
 #[test]
 fn gates_notice_what_flies_through() {
     let columns = ["speed", "box", "mesh", "aside"];

@@ -1,4 +1,4 @@
-//! Bodies that have no inside, or little of it.
+//! Thin bodies, and bodies without volume.
 
 use super::{PHASES, SPEEDS};
 use crate::dim::grounds::{GROUNDS, box_mesh};
@@ -58,6 +58,7 @@ fn frame() -> ColliderBuilder {
     ])
 }
 
+/// Number of shells and frames that pass through a floor: zero.
 #[test]
 fn shells_and_frames_do_not_pass_floors() {
     let columns = ["speed", "shell", "shell, askew", "frame", "frame, askew"];
@@ -77,7 +78,7 @@ fn shells_and_frames_do_not_pass_floors() {
     }
 }
 
-/// A board of 2 cm that falls flat, or on its edge.
+/// A board of 2 cm falls flat, or on its edge. Number of boards that pass: zero.
 #[test]
 fn thin_slabs_do_not_pass_grounds() {
     let mut table = Table::new(
@@ -97,8 +98,9 @@ fn thin_slabs_do_not_pass_grounds() {
     }
 }
 
-/// Boxes and bars in steps of 1/30 s: at 1000 m/s a way of 33 m, on which no search of closest points knows
-/// millimetres. A bar that spins hits with its tip first, and is turned into the ground about that.
+/// Boxes and bars in steps of 1/30 s: at 1000 m/s the motion of a step is 33 m, on which a search of
+/// closest points does not resolve millimetres. A spinning bar hits with its tip first, and the
+/// impact rotates it into the ground.
 #[test]
 fn long_steps_and_spinning_bars_pass_nothing() {
     let columns = ["ground", "50", "100", "400", "1000"];

@@ -1,4 +1,4 @@
-//! Thin things of every shape, thrown aslant and tumbling on thin grounds of every kind.
+//! Thin bodies of every shape tumble on thin grounds of every kind, at oblique angles.
 
 use crate::dim::thin::{THIN_GROUNDS, random_turn, sideways, thin_shapes};
 use crate::dim::vec;

@@ -1,4 +1,4 @@
-//! Bodies in a corner are held by the floor and by the wall, each by its own side.
+//! Floor and wall hold a body in a corner, each on its own side.
 
 use crate::dim::grounds::box_mesh;
 use crate::dim::{about_z, assortment, vec};

@@ -1,4 +1,4 @@
-//! Steps and gaps that are there are felt.
+//! Real steps and gaps stop bodies.
 
 use crate::dim::grounds::{ASIDE, GROUNDS, Ground};
 use crate::dim::{cuboid, vec};
@@ -26,6 +26,7 @@ fn before(ground: Ground, gap: Real, step: Real, speed: Real) -> (PhysicsWorld, 
     (world, body)
 }
 
+/// A step in the ground stops a box at the step, neither before nor behind it, on grounds of every kind.
 #[test]
 fn steps_stop_a_box() {
     let columns = ["ground", "step (mm)", "front at (m)", "speed (m/s)", "highest (mm)"];
@@ -53,6 +54,7 @@ fn steps_stop_a_box() {
     }
 }
 
+/// A box glides over a gap that is narrower than itself, and falls into a wide one.
 #[test]
 fn gaps_are_glided_over_or_fallen_into() {
     let columns = ["ground", "gap (m)", "speed before", "speed", "height (mm)"];

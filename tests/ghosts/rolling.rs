@@ -1,4 +1,4 @@
-//! Balls roll down a slope as fast as if it were made of one piece.
+//! Balls roll down a divided slope like on a single piece.
 
 use crate::dim::grounds::{ASIDE, GROUNDS};
 use crate::dim::{ROLLING_BALL, about_z, turned_about_z, vec};
@@ -9,8 +9,8 @@ use rapier::prelude::*;
 /// How long the ball rolls (s).
 const TIME: Real = 3.0;
 
-/// `a = k g sin θ`, with `k` of a solid ball (3D) or disc (2D). Semi-implicit Euler comes `a h T / 2` too
-/// far.
+/// `a = k g sin θ`, with `k` of a solid ball (3D) or disc (2D). Semi-implicit Euler adds `a h T / 2`
+/// to the distance.
 #[test]
 fn balls_roll_down() {
     let mut table = Table::new(

@@ -1,4 +1,4 @@
-//! Bodies without friction glide over a level ground as if it were made of one piece.
+//! Frictionless bodies slide over a divided level ground like on a single piece.
 
 use crate::dim::grounds::{ASIDE, GROUNDS, sliders};
 use crate::dim::vec;
@@ -23,6 +23,7 @@ impl Range {
     }
 }
 
+/// A frictionless body keeps its height and its speed on grounds of many pieces.
 #[test]
 fn bodies_glide() {
     let columns =

@@ -1,4 +1,4 @@
-//! The lowest lines of a gently curved ground are no bumps.
+//! The valleys of a gently curved ground cause no bumps.
 
 use crate::dim::grounds::{ASIDE, gutter};
 use crate::dim::vec;
@@ -6,8 +6,9 @@ use crate::suite::physics::stage::{steps, world};
 use crate::suite::physics::table::Table;
 use rapier::prelude::*;
 
-/// A ball without friction that comes down one side of a shallow V, of slope `s`, loses in the corner
-/// what of its velocity is across the other side: `v sin 2θ` of `v`, a share of `1 - cos 2θ` of its speed.
+/// A frictionless ball moves down one side of a shallow V of the slope angle `θ`. At the corner it
+/// loses the velocity component normal to the other side: `v sin 2θ`, a fraction `1 - cos 2θ` of its
+/// speed.
 #[test]
 fn valleys_are_no_bumps() {
     let columns = ["slope", "radius", "speed before", "behind", "formula"];

@@ -1,7 +1,7 @@
 //! Chains of light and heavy boards that fall on the ground (3D).
 //!
-//! A light board between the ground and what comes down behind it bears a hundred times its weight, and is
-//! held stiffly at both ends: a contact pushes into joints that hold against it.
+//! A light board between the ground and the following boards carries a hundred times its weight.
+//! Stiff joints hold both of its ends: a contact acts against joints.
 
 use crate::suite::physics::stage::{RATES, steps, world};
 use crate::suite::physics::table::Table;
@@ -177,9 +177,10 @@ impl FreeEnd {
     }
 }
 
-/// The reported impulse of a joint in a step with an impact equals the change of the board at its end, `m Δv
-/// = (F + m g) dt`, although bodies may get a fraction of an impact round only. (None is stopped on its way
-/// so as not to fly through the ground: it would not yet have the weight of the time that is left.)
+/// The reported impulse of a joint in a step with an impact equals the change of the board at its
+/// end, `m Δv = (F + m g) dt`, although each round of impacts may apply only a fraction. Steps in
+/// which continuous collision detection stops a board are excluded: the board then lacks the weight
+/// of the remaining time.
 #[test]
 fn joints_tell_of_blows_what_their_bodies_got() {
     let mut dice = Dice(4321);

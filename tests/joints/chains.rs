@@ -1,4 +1,4 @@
-//! Chains stay as long as they are, whatever hangs on them.
+//! Chains keep their length under any load.
 
 use super::stage::post;
 use crate::dim::{about_z, cuboid, hinge, loose_joint, vec};
@@ -69,6 +69,7 @@ fn stretch(world: &mut PhysicsWorld, seconds: Real) -> Real {
     worst / (2.0 * HALF * LINKS as Real)
 }
 
+/// A chain with a heavy ball at its end falls from level without stretching.
 #[test]
 fn chains_do_not_stretch() {
     let mut table = Table::new("chain that falls from level", &["rate", "load", "stretch (%)"]);
@@ -84,6 +85,7 @@ fn chains_do_not_stretch() {
     }
 }
 
+/// Chains of every kind of joint keep their length under a load.
 #[test]
 fn chains_of_all_joints_hold_what_hangs_on_them() {
     let columns = ["rate", "joints", "load", "stretch (%)"];
@@ -111,7 +113,7 @@ fn chains_of_all_joints_hold_what_hangs_on_them() {
     }
 }
 
-/// A chain between two posts with a weight in its middle.
+/// A chain between two posts carries a weight in its middle without stretching.
 #[test]
 fn bridges_hold_what_hangs_on_them() {
     let columns = ["rate", "joints", "load", "stretch (%)"];

@@ -1,4 +1,4 @@
-//! Bodies that slide along an axis, and those that are held altogether.
+//! Prismatic joints, their limits, and fixed joints.
 
 use super::stage::{bob, post};
 use crate::dim::{about_z, angle, cuboid, vec};
@@ -102,7 +102,8 @@ fn off(world: &PhysicsWorld, sections: &[RigidBodyHandle], axis: Vector, out: Re
     [along, beside]
 }
 
-/// Hanging, standing and lying, alone and with a load: every section stops at its limit, and none sags.
+/// Telescopes hang, stand and lie, with and without a load. Every section stops at its limit, and
+/// none sags.
 #[test]
 fn telescopes_stop_at_their_limits_and_do_not_sag() {
     let columns = ["rate", "axis", "load", "off per section (m)", "sag (m)"];

@@ -1,4 +1,4 @@
-//! Joined bodies that turn fast or swing keep their angular momentum and their energy: joints are no brakes.
+//! Fast rotation and swinging: joints conserve angular momentum and energy.
 
 use super::momentum::momenta;
 use super::pendulum::exact_period;
@@ -30,7 +30,7 @@ fn spin(world: &mut PhysicsWorld, count: usize, rate: Real, joint: &GenericJoint
     }
 }
 
-/// Neither the method nor its Newton steps take anything; what is left is rounding.
+/// A row of joined bodies spins freely. The joints dissipate nothing: the difference is rounding.
 #[test]
 fn joined_bodies_that_turn_about_themselves_go_on() {
     let columns = ["rate", "joint", "bodies", "rad/s", "momentum left", "energy left"];
@@ -64,7 +64,7 @@ fn joined_bodies_that_turn_about_themselves_go_on() {
     }
 }
 
-/// `ω = τ t / I`: what a motor gives goes into the spin of a hub with two blades, all of it.
+/// A motor of the torque `τ` accelerates a hub with two blades: `ω = τ t / I`.
 #[test]
 fn motors_spin_rotors_up_as_fast_as_their_torque_says() {
     const ARM: Real = 0.5;
@@ -103,7 +103,8 @@ fn motors_spin_rotors_up_as_fast_as_their_torque_says() {
     }
 }
 
-/// Short ones, too, whose rods are pulled with three times the weight at the lowest point.
+/// Pendulums keep their amplitude, even short ones, whose rods carry three times the weight at the
+/// lowest point.
 #[test]
 fn short_pendulums_keep_their_swing() {
     let mut table = Table::new("pendulums after 30 s", &["rate", "m", "degrees", "degrees left"]);
@@ -138,8 +139,8 @@ fn energy(world: &PhysicsWorld) -> Real {
     kinetic_energy(world) + heights.sum::<Real>()
 }
 
-/// A double pendulum that is let go at level, as wild as one gets. The oscillation is of second order in `h
-/// ω`.
+/// A double pendulum is released at level. Its energy oscillates with an amplitude of second order in
+/// `h ω`, and does not drift.
 #[test]
 fn double_pendulums_keep_their_energy() {
     let mut table = Table::new("double pendulums over 30 s", &["rate", "m", "least", "most"]);

@@ -1,8 +1,8 @@
 //! Redundant joints share the load.
 //!
-//! Mechanics does not say which of three hinges bears a door, and the equations of such joints are singular.
-//! Of all forces that hold, the solver finds the least: then equal joints bear equal loads, and none strains
-//! against another.
+//! Mechanics does not determine which of three hinges carries a door: the equations of redundant
+//! joints are singular. The solver finds the smallest forces that hold. Equal joints then carry equal
+//! loads, and none acts against another.
 
 use super::stage::post;
 use crate::dim::{about_z, ang_length, cuboid, hinge, vec};
@@ -90,7 +90,7 @@ fn beam(world: &mut PhysicsWorld, beside: Vector, angle: Real) -> RigidBodyHandl
     beam
 }
 
-/// From the first step on and for five seconds.
+/// Equal redundant joints carry equal forces, from the first step on and for five seconds.
 #[test]
 fn joints_that_do_the_same_bear_the_same() {
     let columns = ["rate", "held", "least", "most", "across (shares)", "moves (m)"];
@@ -140,8 +140,8 @@ fn joints_that_do_the_same_bear_the_same() {
     }
 }
 
-/// Planks from bank to bank in an arch that hangs, by 25 hinges. The direction out of the plane is redundant:
-/// there is no load, so there must be no force.
+/// Planks and 25 hinges form a hanging bridge. The direction out of its plane is redundant and has no
+/// load: the forces there must be zero.
 #[test]
 fn hinges_of_a_bridge_do_not_strain_sideways() {
     const COUNT: usize = 24;

@@ -1,4 +1,4 @@
-//! Links bounce as bodies do.
+//! Links bounce like bodies.
 
 use crate::dim::{about_z, cuboid, hinge, tumble, vec};
 use crate::suite::joints::stage::bob;
@@ -77,7 +77,7 @@ fn apex(mut world: PhysicsWorld, body: RigidBodyHandle) -> Real {
     apex
 }
 
-/// A body that falls from the height `H` bounces back up to `e² H`, as a link as well as a single body.
+/// A link that falls from the height `H` rises to `e² H`, like a single body.
 #[test]
 fn links_rise_to_where_bodies_do() {
     let columns = ["rate", "link", "restitution", "apex", "formula", "error"];
@@ -115,7 +115,7 @@ fn energy(world: &PhysicsWorld) -> Real {
     world.bodies.iter().filter(|(_, body)| body.is_dynamic()).map(of).sum()
 }
 
-/// Chains that fall on ground, or swing against it, and bounce as they came gain no energy.
+/// Elastic chains that fall on the ground, or swing against it, gain no energy.
 #[test]
 fn chains_that_bounce_gain_no_energy() {
     let mut table = Table::new("elastic chains, 3 s", &["rate", "chain", "gain", "left"]);
@@ -170,9 +170,9 @@ fn chains_that_bounce_gain_no_energy() {
     }
 }
 
-/// A light rod and a heavy box, welded into one, come down on one corner after the other, some of which
-/// bounce. The rod is the root, and turns about the box: what a corner that leans on the ground needs of each
-/// round of blows, many in a substep, must add nothing.
+/// A light rod and a heavy box are welded together and land on one corner after the other; some of
+/// the impacts are elastic. The rod is the root of the tree and rotates about the box. The many
+/// rounds of impacts in a substep, with corners in resting contact, must add no energy.
 #[test]
 fn what_is_welded_lands_on_its_corners_and_gains_no_energy() {
     let mut table = Table::new("rod and box, 2 s", &["rate", "angle", "spin", "gain"]);
@@ -213,10 +213,10 @@ fn what_is_welded_lands_on_its_corners_and_gains_no_energy() {
     }
 }
 
-/// A ball falls on a pair of balls that are welded into one and lie on the ground, which stops them dead: the
-/// whole weighs as much as the ball, so that the blow drives it into the ground at up to the speed of the
-/// fall. Energy lost in the impact never comes back: the support by the ground is no new impact on the ball,
-/// whether it is a body or half of such a pair.
+/// A ball falls on a pair of welded balls of the same total mass that lies on inelastic ground. The
+/// impact drives the pair into the ground at up to the speed of the ball. The lost energy never
+/// returns: the support by the ground is no impact on the falling ball, whether it is a body or a
+/// link.
 #[test]
 fn what_a_blow_drives_into_the_ground_does_not_strike_back() {
     let columns = ["rate", "is a link", "restitution", "gain"];
@@ -264,8 +264,8 @@ fn what_a_blow_drives_into_the_ground_does_not_strike_back() {
     }
 }
 
-/// A striker of two welded bodies, of mass 1 together, hits a row of balls of mass 1, one of which may be a
-/// link as well: the last one leaves as fast as the striker came.
+/// A striker of two welded bodies of the total mass 1 hits a row of balls of mass 1, one of which may
+/// be a link. The last ball leaves at the speed of the striker.
 #[test]
 fn links_pass_on_a_blow() {
     let columns = ["rate", "link in the row", "last", "others", "energy"];
@@ -308,8 +308,8 @@ fn links_pass_on_a_blow() {
     }
 }
 
-/// Newton's cradle of arms, each a multibody of its own or all branches of one: the last ball leaves, the
-/// others stay.
+/// Newton's cradle of arms, each a multibody of its own, or all branches of one multibody: the last
+/// ball leaves, the others stay.
 #[test]
 fn a_cradle_of_links() {
     let columns = ["rate", "roots", "speeds a tenth of a second after the blow"];

@@ -54,7 +54,8 @@ fn a_limit_carries_a_weight() {
     assert!((torque / expected - 1.0).abs() < 0.02, "{torque} N m instead of {expected}");
 }
 
-/// A motor's torque accelerates the link and its own rotor: `α = τ / (I + m L² + a)`.
+/// A motor's torque accelerates the link and its own rotor: `α = τ / (I + m L² + a)`, with the
+/// armature `a`.
 #[test]
 fn motors_accelerate_links_and_armature() {
     let columns = ["rate", "armature", "α (rad/s²)", "formula"];

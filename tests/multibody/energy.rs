@@ -1,5 +1,5 @@
-//! Energy never grows where nothing drives: random trees, with and without gravity, that fly, fall on a floor
-//! or rattle in a cage.
+//! Energy of passive random trees never grows, with and without gravity, in flight, on a floor and in
+//! a cage.
 
 use super::stage::{angular_momentum, momentum};
 use crate::dim::{ang_length, close_cage, cuboid, loose_joint, moment, tumble, vec};
@@ -227,7 +227,7 @@ fn energy_of_random_trees_never_grows_for_long() {
     judge_trees(0..1000, 120, |_| true);
 }
 
-/// Trees in empty space keep linear and angular momentum, whatever their flight does to them.
+/// Trees without external forces have constant linear and angular momentum.
 #[test]
 fn free_trees_keep_their_momentum() {
     let columns = ["tree", "of P (%)", "of L (%)"];

@@ -6,8 +6,8 @@ use crate::suite::physics::stage::{Dice, RATES, rounding, run, steps, substep, w
 use crate::suite::physics::table::Table;
 use rapier::prelude::*;
 
-/// A chain of six links without gravity, all of which were given some velocity: it coils, uncoils and
-/// tumbles.
+/// A chain of six links without gravity starts with arbitrary velocities: it coils, uncoils and
+/// tumbles. Energy and momentum are constant.
 #[test]
 fn a_tumbling_chain_keeps_energy_and_momentum() {
     let columns = ["rate", "largest error of E (%)", "after 10 s (%)", "of P (%)", "of L (%)"];

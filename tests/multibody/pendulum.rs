@@ -1,4 +1,4 @@
-//! Pendulums of multibody joints: their period and their energy.
+//! Pendulums of multibody joints: period and energy.
 
 use super::stage::{energy, hang};
 use crate::dim::{hinge, vec};
@@ -8,6 +8,8 @@ use crate::suite::physics::stage::{G, RATES, steps, world};
 use crate::suite::physics::table::Table;
 use rapier::prelude::*;
 
+/// The period of a pendulum of the length `L` and the amplitude `θ₀` is `2π √(L/g) / agm(1,
+/// cos(θ₀/2))`.
 #[test]
 fn pendulums_take_the_time_that_the_formula_says() {
     let columns = ["rate", "angle", "period (s)", "formula", "error (%)"];
@@ -36,7 +38,7 @@ fn pendulums_take_the_time_that_the_formula_says() {
     }
 }
 
-/// Two bobs on rods, let go sideways: chaos, but its energy stays.
+/// Two bobs on rods are released sideways. The motion is chaotic, and the energy is constant.
 #[test]
 fn a_double_pendulum_keeps_its_energy() {
     let columns = ["rate", "largest error of E (% of 2 m g L)", "after 30 s (%)"];
@@ -64,9 +66,8 @@ fn a_double_pendulum_keeps_its_energy() {
     }
 }
 
-/// Chains of light links with an end of up to ten thousand times the mass, let go level: the mass ratios that
-/// no iteration of joints survives. Nothing drives them, so they never have more energy than when they were
-/// let go.
+/// Chains of light links with an end of up to ten thousand times their mass are released at level;
+/// iterated joints fail at such ratios. The energy never exceeds the initial energy.
 #[test]
 fn heavy_ends_give_chains_no_energy() {
     let columns = ["links", "mass ratio", "largest gain (% of m g L)"];

@@ -1,4 +1,4 @@
-//! Chains of thin limbs whip where they hit something, and get no energy from it (3D).
+//! Chains of thin limbs in impacts gain no energy (3D).
 
 use crate::suite::physics::stage::{Dice, G, run, steps, world};
 use crate::suite::physics::table::Table;
@@ -30,8 +30,8 @@ fn energy(world: &PhysicsWorld, links: &[RigidBodyHandle]) -> Real {
     links.iter().map(|&link| of(&world.bodies[link])).sum()
 }
 
-/// Walls, ground and joints do no work. The correction of an overlap does: the 5 mm that a hit leaves at
-/// these speeds lift no link by more than that.
+/// Walls, ground and joints do no work. The correction of an overlap does: the overlap of 5 mm at
+/// these speeds must lift no link by more than that.
 #[test]
 fn chains_that_hit_a_corner_gain_no_energy() {
     let mut table = Table::new("chains thrown into a corner", &["speed", "friction", "most"]);
@@ -54,9 +54,9 @@ fn chains_that_hit_a_corner_gain_no_energy() {
     }
 }
 
-/// A rod and a ball at the ends of long arms that a socket joins: what turns by little more than a degree or
-/// two in a substep goes far at the end of such an arm, and contacts that do not follow it throw it up again.
-/// Nothing here does work but gravity.
+/// A socket joins a rod and a ball at the ends of long arms. A rotation of one or two degrees in a
+/// substep moves the end of such an arm far, and contacts that do not follow this motion add energy.
+/// Gravity alone does work here.
 #[test]
 fn what_hangs_on_long_arms_gains_no_energy_from_the_ground() {
     let mut table = Table::new("thrown on the ground", &["case", "largest gain in a step"]);

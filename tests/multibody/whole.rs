@@ -1,4 +1,5 @@
-//! A multibody as a whole moves as a body does: it falls, slides, rolls and bounces without turning by that.
+//! Locked multibodies move like rigid bodies: they fall, slide, roll and bounce without additional
+//! rotation.
 
 use super::stage::{angular_momentum, kinetic_energy, momentum};
 use crate::dim::{about_z, ang_length, hinge, vec};
@@ -68,9 +69,9 @@ fn what_turns_on_its_way_through_space_goes_on() {
     }
 }
 
-/// Chains of thin limbs tumble on their way: their middle falls as anything does, and spin and energy of the
-/// tumbling stay. The momentum is rounded in each substep, to the size of speeds of 50 m/s; the energy is
-/// right to second order in the angle of a substep of the fastest link there was.
+/// Chains of thin limbs tumble in free fall: the centre of mass follows the parabola, and spin and
+/// internal energy are constant. The momentum is rounded in each substep, at the size of speeds of 50
+/// m/s. The error of the energy is of second order in the angle of the fastest link per substep.
 #[test]
 fn tumbling_chains_fall_as_all_things_do() {
     let columns = ["rate", "spin", "velocity off by", "L off by (%)", "E off by (%)"];
@@ -174,7 +175,7 @@ fn wheels_of_a_multibody_roll() {
     assert!((hub.linvel().x / speed - 1.0).abs() < 0.01, "it goes at {}", hub.linvel());
 }
 
-/// A bounce without friction keeps the spin and the height.
+/// A frictionless bounce changes neither the spin nor the apex.
 #[test]
 fn what_spins_bounces_as_high() {
     let mut table =

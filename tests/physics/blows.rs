@@ -1,4 +1,5 @@
-//! Hard impacts: for all pairs of bodies and all speeds, energy never grows, and other bodies are unaffected.
+//! Hard impacts: for all pairs of bodies and all speeds, energy never grows, and other bodies are
+//! unaffected.
 
 use super::stage::{Dice, add_ground, run, steps, weightless, world};
 use super::table::Table;
@@ -53,7 +54,8 @@ fn add_walls(world: &mut PhysicsWorld, away: Real, e: Real, friction: Real) {
     }
 }
 
-/// Balls and boxes that spin, with coefficients from 0 to 1 and friction from 0 to 2, at up to 100 m/s.
+/// The kinetic energy of spinning balls and boxes in a closed box never grows: restitution 0 to 1,
+/// friction 0 to 2, speeds up to 100 m/s.
 #[test]
 fn spinning_crowds_do_not_gain_energy() {
     let columns = ["shape", "e", "friction", "speed", "highest", "left"];
@@ -95,7 +97,7 @@ fn spinning_crowds_do_not_gain_energy() {
     }
 }
 
-/// Columns that float, hit by a spinning ball. Momentum stays.
+/// A spinning ball hits a floating column. Energy does not grow, and momentum is constant.
 #[test]
 fn stacks_that_are_hit_do_not_gain_energy() {
     let columns = ["shape", "e", "friction", "speed", "highest", "left"];
@@ -136,7 +138,8 @@ fn stacks_that_are_hit_do_not_gain_energy() {
     }
 }
 
-/// Two by two: `v1' = (m1 - e m2) v / (m1 + m2)`, `v2' = (1 + e) m1 v / (m1 + m2)`.
+/// Impact of two balls with the masses `m1`, `m2` and the coefficient of restitution `e`: `v1' = (m1
+/// - e m2) v / (m1 + m2)`, `v2' = (1 + e) m1 v / (m1 + m2)`.
 #[test]
 fn unequal_masses_part_as_newton_says() {
     let mut table =
@@ -170,7 +173,7 @@ fn unequal_masses_part_as_newton_says() {
     }
 }
 
-/// A ball that flies to and fro between two walls keeps its speed and stays between them.
+/// An elastic ball between two walls keeps its speed and stays between them.
 #[test]
 fn a_ball_between_two_walls() {
     let columns = ["gap", "speed", "foresight", "highest", "left", "outside"];
@@ -217,7 +220,7 @@ fn a_ball_between_two_walls() {
     }
 }
 
-/// A symmetric body that is hit on both sides at the same time stays symmetric.
+/// A symmetric body that two equal balls hit on both sides at the same time keeps its symmetry.
 #[test]
 fn symmetric_blows_stay_symmetric() {
     let columns = ["between", "e", "speed", "left", "right", "middle"];
@@ -260,7 +263,7 @@ fn symmetric_blows_stay_symmetric() {
     }
 }
 
-/// A rack of 15 balls and the one that breaks it.
+/// A ball breaks a rack of 15 elastic balls: momentum and energy are constant.
 #[test]
 fn a_break_shot_keeps_momentum_and_energy() {
     let columns = ["speed", "momentum", "aside", "energy", "moving", "asymmetry"];
@@ -532,8 +535,8 @@ fn islands_do_not_feel_each_others_blows() {
     assert_eq!(swing(false), swing(true));
 }
 
-/// A box that slides into a wall, which stops it, with a ball behind it that bounces: what stops the box is
-/// no blow on the ball.
+/// A box slides into a wall, and an elastic ball follows it. The contact of box and wall must not
+/// give the ball any velocity.
 #[test]
 fn stops_are_no_blows_on_others() {
     let columns = ["wall", "gap", "speed", "highest", "left"];

@@ -5,7 +5,7 @@ use super::table::Table;
 use crate::dim::vec;
 use rapier::prelude::*;
 
-/// A ball that falls from the height `H` bounces back up to `e² H`.
+/// A ball that falls from the height `H` rises to `e² H` after the bounce.
 #[test]
 fn bounce_height() {
     let columns = ["rate", "restitution", "apex", "formula", "error"];

@@ -1,4 +1,4 @@
-//! Things that carry things: platforms, belts, and how heavy is what lies on them.
+//! Platforms, conveyor belts, and contact forces under loads.
 
 use super::stage::{G, RATES, add_ground, run, steps, world};
 use super::table::Table;
@@ -6,7 +6,7 @@ use crate::dim::{cuboid, vec};
 use rapier::prelude::*;
 use std::sync::mpsc::channel;
 
-/// A box with friction on a kinematic platform goes where the platform goes.
+/// Static friction carries a box on a kinematic platform: both have the same displacement.
 #[test]
 fn platform() {
     let columns = ["rate", "platform", "moved", "box moved", "slip (mm)"];
@@ -55,8 +55,8 @@ impl PhysicsHooks for Belt {
     }
 }
 
-/// A box that is put on a belt at `u` is pulled by friction, `a = µ g`, until it has the speed of the
-/// belt. It takes `u / µg`, and the box stays behind by `u² / 2µg`.
+/// Friction accelerates a box on a belt of the speed `u` by `a = µ g` until both speeds are equal.
+/// This takes `u / µg`, and the box stays `u² / 2µg` behind the belt.
 #[test]
 fn belt() {
     let columns = ["rate", "speed", "of", "stayed behind (m)", "formula"];
@@ -86,7 +86,7 @@ fn belt() {
     }
 }
 
-/// Contact forces on what lies still add up to its weight, `m g`.
+/// The contact forces on a body at rest add up to its weight `m g`.
 #[test]
 fn contact_force_is_weight() {
     let columns = ["rate", "boxes", "force (N)", "weight (N)", "error (%)"];

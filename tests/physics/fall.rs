@@ -5,8 +5,8 @@ use super::table::Table;
 use crate::dim::vec;
 use rapier::prelude::*;
 
-/// A body that falls for the time `t` in substeps of `h` by semi-implicit Euler (velocity first)
-/// drops `g t (t + h) / 2`; without substeps it would be `g t² / 2`.
+/// Semi-implicit Euler (velocity first) with the substep `h`: in the time `t` a body drops by `g t (t
+/// + h) / 2`. The exact drop is `g t² / 2`.
 #[test]
 fn free_fall() {
     let time = 2.0;

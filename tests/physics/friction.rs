@@ -1,4 +1,4 @@
-//! Friction: how far things slide, on what slopes they hold, how they roll.
+//! Friction: sliding distances, holding slopes, rolling.
 
 use super::stage::{G, RATES, add_ground, penetration, run, substep, world};
 use super::table::Table;
@@ -8,8 +8,8 @@ use rapier::prelude::*;
 /// How fast a table is tilted (rad/s): so slowly that the box on it feels nothing else.
 const TILTING: Real = 0.02;
 
-/// A box that slides at `v` stops after `v² / 2µg`. Semi-implicit Euler moves it in each substep by the
-/// velocity at its end, which takes off `v h / 2`.
+/// A box of the speed `v` slides for the distance `v² / 2µg`. Semi-implicit Euler uses the velocity
+/// at the end of each substep, which subtracts `v h / 2`.
 #[test]
 fn slide_to_stop() {
     let columns = ["rate", "friction", "distance", "formula", "exact", "error", "turn (rad)"];
@@ -67,7 +67,7 @@ fn on_slope(
     (world, body, vec(cos, -sin))
 }
 
-/// A box on a slope slips if `tan θ > µ`, with `a = g (sin θ - µ cos θ)`, and stays if not.
+/// A box on a slope stays if `tan θ ≤ µ`. Otherwise it slides with `a = g (sin θ - µ cos θ)`.
 #[test]
 fn slope_holds_or_slips() {
     let friction: Real = 0.5;
@@ -108,8 +108,8 @@ fn slope_holds_or_slips() {
     }
 }
 
-/// A box on a table that is tilted slowly begins to slip at `tan θ = µ`, and is seen to have slipped a
-/// little later.
+/// A box on a slowly tilting table begins to slide at `tan θ = µ`. The test detects the motion
+/// slightly later.
 #[test]
 fn tilted_table() {
     let (friction, slip): (Real, Real) = (0.5, 0.05);
@@ -144,9 +144,9 @@ fn tilted_table() {
     }
 }
 
-/// A ball that rolls without slipping (`µ ≥ 2/7 tan θ`) goes down a slope with
-/// `a = g sin θ / (1 + I / m r²)`, and turns by `v / r`. It touches the slope midway between the two
-/// surfaces, so that half of what it sinks in is missing from `r`: some 0.1 % of `a`.
+/// A ball that rolls without slipping (`µ ≥ 2/7 tan θ`) has the acceleration `a = g sin θ / (1 + I /
+/// m r²)` and the angular velocity `v / r`. The contact point lies midway between the overlapping
+/// surfaces. Half of the overlap is therefore missing from `r`: about 0.1 % of `a`.
 #[test]
 fn ball_rolls() {
     let columns = ["rate", "acceleration", "formula", "error (%)", "slip (m/s)"];

@@ -1,8 +1,9 @@
-//! Convex hulls at rest on few contact points. 3D only: in the plane a manifold has two points at most.
+//! Convex hulls at rest on few contact points. 3D only: in the plane a manifold has at most two
+//! points.
 //!
-//! Manifolds of hulls hold 1.9 points per touching pair in a pile of rocks, where peers hold 3.1 and 3.5: two
-//! edges that cross touch at one point, and only corners within the prediction distance count. These tests
-//! state what a manifold must deliver however many points it has: statics.
+//! Manifolds of hulls have 1.9 points per touching pair in a pile of rocks, and 3.1 and 3.5 in two
+//! peers: crossing edges touch at one point, and only vertices within the prediction distance are
+//! contact points. These tests require statics, whatever the number of points.
 
 use crate::suite::physics::stage::{Dice, G, add_ground, steps, world};
 use crate::suite::physics::table::Table;
@@ -59,9 +60,9 @@ fn pressure(world: &PhysicsWorld, collider: ColliderHandle) -> (Real, Vector, us
     (total, moment / total.max(Real::MIN_POSITIVE), count)
 }
 
-/// A rock at rest is in equilibrium: its contacts carry its weight, and their centre of pressure lies under
-/// its centre of mass. (1 % of the weight; 1 cm, two hundredths of its radius: friction at a slope of the
-/// rock's base contributes a moment, too.)
+/// A rock at rest is in equilibrium: its contacts carry its weight, and their centre of pressure lies
+/// under its centre of mass. Tolerances: 1 % of the weight; 1 cm, two hundredths of the radius,
+/// because friction on inclined faces contributes a moment.
 #[test]
 fn rocks_rest_in_equilibrium() {
     let columns = ["ground", "rocks", "points", "weight off by", "pressure off by (mm)"];
@@ -101,10 +102,10 @@ fn rocks_rest_in_equilibrium() {
     }
 }
 
-/// Ten prisms on each other stand still for ten seconds, kept awake, whatever the number of their sides. Four
-/// points of a polygon share the load unevenly, and each gives way by a share of the sag, so the stack leans
-/// while it settles: by less than a hundredth of its 4 m. Then it does not creep: by less than 0.5 mm in five
-/// seconds.
+/// A stack of ten prisms stays upright for ten seconds without sleeping, for every number of sides.
+/// The four contact points of a polygon carry unequal loads and sink unequally. The stack therefore
+/// leans while it settles, by less than a hundredth of its 4 m. Afterwards it creeps by less than 0.5
+/// mm in five seconds.
 #[test]
 fn prisms_stack() {
     let mut table = Table::new("stacks of ten prisms", &["sides", "lean (mm)", "creep (mm)"]);

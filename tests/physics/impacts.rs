@@ -1,4 +1,4 @@
-//! Impacts of several bodies at once: cradles, rows, piles that bounce.
+//! Simultaneous impacts of several bodies: cradles, rows, elastic piles.
 
 use super::stage::{G, RATES, add_ground, penetration, run, steps, substep, weightless, world};
 use super::table::Table;
@@ -84,7 +84,8 @@ fn cradle(
     (0..count).map(hang).collect()
 }
 
-/// Newton's cradle: as many balls leave as came in, as fast; the others stay.
+/// Newton's cradle: the number of outgoing balls and their speed equal those of the incoming ones.
+/// The other balls stay.
 #[test]
 fn newtons_cradle() {
     let columns = ["rate", "strings", "in", "speeds a tenth of a second after the blow"];
@@ -134,8 +135,8 @@ fn row(rate: u32, masses: &[Real], on_ground: bool) -> (PhysicsWorld, Vec<RigidB
     (world, balls)
 }
 
-/// A blow runs through a row of balls of any masses: two by two they part as two alone do,
-/// `v' = 2 m v / (m + m')`. Momentum and energy stay.
+/// An impact travels along a row of balls of different masses. Each pair separates like an isolated
+/// pair: `v' = 2 m v / (m + m')`. Momentum and energy are constant.
 #[test]
 fn rows_pass_on_a_blow() {
     let columns = ["rate", "masses", "ground", "last", "formula", "momentum", "energy"];
@@ -192,7 +193,7 @@ fn gain(world: &mut PhysicsWorld, seconds: Real, fall: Real) -> [Real; 2] {
     [(most - first) / fall, 1.0 + (energy(world) - first) / fall]
 }
 
-/// A bounce does not gain energy, and a falling body gives its energy to a resting one.
+/// Elastic piles: impacts between moving and resting bodies do not increase the energy.
 #[test]
 fn piles_do_not_gain_energy() {
     let mut table = Table::new("elastic piles, 4 s", &["rate", "pile", "gain", "left"]);
@@ -224,7 +225,7 @@ fn piles_do_not_gain_energy() {
     }
 }
 
-/// Balls in a closed box, without gravity.
+/// Elastic balls in a closed box without gravity: the energy does not grow.
 #[test]
 fn gases_do_not_gain_energy() {
     let mut table = Table::new("elastic gas, 2 s", &["rate", "highest", "left", "overlap"]);
@@ -265,7 +266,7 @@ fn gases_do_not_gain_energy() {
     }
 }
 
-/// A box that lands flat rises flat, whatever it lands on, at `e` times its speed.
+/// A box that lands on a face rises without rotation at `e` times its speed, on every ground.
 #[test]
 fn flat_landings_rise_flat() {
     let columns = ["rate", "e", "ground", "apex", "formula", "turning (rad/s)"];
@@ -313,8 +314,9 @@ fn flat_landings_rise_flat() {
     }
 }
 
-/// Friction acts in a blow: a ball that spins and falls straight down bounces off sideways. The spin's slip
-/// `ω r` is stopped if friction can: then `v = ω r / (1 + m r² / I)`, and `v = µ (1 + e) u` if not.
+/// Friction acts during an impact: a spinning ball that falls vertically leaves sideways. Sufficient
+/// friction stops the slip `ω r`, and `v = ω r / (1 + m r² / I)`. Otherwise `v = µ (1 + e) u`, with
+/// the normal speed `u`.
 #[test]
 fn blows_rub() {
     let columns = ["rate", "friction", "sideways", "formula"];

@@ -47,12 +47,11 @@ fn implosion(rate: u32) -> PhysicsWorld {
     world
 }
 
-/// Contacts push both bodies by the same impulse, so `Σp` stays to rounding: each of `n` changes of a
-/// momentum `p` may round by `ε p / 2`, this way or that, which comes to some `ε p √n`.
+/// A contact applies opposite impulses to its two bodies. `Σp` is therefore constant except for
+/// rounding: `n` changes of a momentum `p` round by about `ε p √n`.
 ///
-/// `ΣL` stays as far as both bodies are pushed at the same point. During a step the lever arms are
-/// those at its beginning, while the bodies move on against each other; so the error is of first
-/// order in the step.
+/// `ΣL` is constant as long as both impulses act at the same point. The moment arms are those at the
+/// beginning of a step, and the bodies move during the step: the error is of first order in the step.
 #[test]
 fn momentum_without_gravity() {
     let columns = ["rate", "manifolds", "|Σp|", "error / Σ|p|", "limit", "|ΣL|", "error / Σ|L|"];
@@ -85,8 +84,8 @@ fn momentum_without_gravity() {
     }
 }
 
-/// Two cubes that are pressed together, and spin as one, go on spinning: the forces act through their
-/// centres, and what the contact does to one of them it does to the other.
+/// Two cubes are pressed together and spin as one body. The spin is constant: the forces act through
+/// both centres, and the contact's torques cancel.
 #[test]
 fn pressed_together_they_spin_on() {
     let columns = ["rate", "spin (rad/s)", "after 10 s", "largest error of L (%)"];

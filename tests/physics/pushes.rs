@@ -1,4 +1,4 @@
-//! Forces, torques, impulses, damping, and what bodies are kept from doing.
+//! Forces, torques, impulses, damping, locked axes.
 
 use super::stage::{RATES, rounding, run, steps, substep, weightless};
 use super::table::Table;
@@ -44,7 +44,7 @@ fn force_beside_the_centre() {
     assert!((z_of(body.angvel()) - 0.5 / (2.0 / 6.0)).abs() <= tolerance);
 }
 
-/// Damping of the rate `c` lets `v` fall as `exp(-c t)`; each substep divides by `1 + h c`.
+/// Damping at the rate `c` gives `v = v₀ exp(-c t)`. Each substep divides the velocity by `1 + h c`.
 #[test]
 fn damping() {
     let columns = ["rate", "damping", "speed", "formula", "exact", "error (%)"];

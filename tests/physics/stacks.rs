@@ -1,4 +1,4 @@
-//! Stacks that stand, carry and fall asleep.
+//! Stacks: stability, mass ratios, sleep.
 
 use super::stage::{G, RATES, add_ground, penetration, run, steps, world};
 use super::table::Table;
@@ -41,7 +41,7 @@ fn sag(world: &PhysicsWorld, n: usize) -> Real {
     springs + n as Real * params.allowed_linear_error()
 }
 
-/// Thirty cubes on each other stand, and sleep.
+/// A tower of thirty cubes stands and falls asleep.
 #[test]
 fn tower() {
     let columns = ["rate", "asleep at step", "after (s)", "top", "of", "deepest (mm)", "lean (mm)"];
@@ -71,10 +71,10 @@ fn tower() {
     }
 }
 
-/// Thirty cubes on each other stand for a minute without the help of sleep, the topmost a little off.
+/// A tower of thirty cubes, the topmost slightly off centre, stands for a minute without sleeping.
 ///
-/// They would fall if soft contacts were all that holds them: like any elastic column, from some height
-/// on it buckles under its own weight (`step/narrow_phase/place`). Rigid ones stand until the top leans by a
+/// With soft contacts alone it would fall: like any elastic column, it buckles under its own weight
+/// from some height on (`step/narrow_phase/place`). A rigid tower stands until the top leans by a
 /// whole width.
 #[test]
 fn tower_kept_awake() {
@@ -104,8 +104,8 @@ fn tower_kept_awake() {
     }
 }
 
-/// A pyramid of twenty rows stands, and sleeps. At 30 steps a second, and at 60 in double precision, it
-/// stands, but its soft contacts let it sway by more than a sleeping body may drift
+/// A pyramid of twenty rows stands and falls asleep. At 30 steps a second, and at 60 in double
+/// precision, it stands, but soft contacts let it sway by more than the drift of a sleeping body
 /// (`docs/decisions/0013-bodies-sleep-by-drift.md`).
 #[test]
 fn pyramid() {
@@ -147,11 +147,11 @@ fn longer(rate: u32) -> Real {
     (60.0 / rate as Real) * (60.0 / rate as Real)
 }
 
-/// Four cubes carry a fifth that is many times as heavy.
+/// Four cubes carry a fifth cube of a multiple of their mass.
 ///
-/// At 60 steps a second another engine with default settings lets them sink in by 7 mm under 10 times the
-/// mass, by 68 mm under 100 times, and under 1000 times they are crushed. Here they never sink in by more
-/// than 2 cm: islands get shorter substeps where light bodies carry heavy ones.
+/// At 60 steps a second and default settings, another engine penetrates by 7 mm at the ratio 10, by
+/// 68 mm at 100, and the stack collapses at 1000. Here the penetration never exceeds 2 cm: islands
+/// get shorter substeps where light bodies carry heavy ones.
 #[test]
 fn heavy_top() {
     let columns =

@@ -1,11 +1,19 @@
-//! Tables of figures in the output of tests.
+//! Tables of figures in the output of tests. `crates/fidelity` makes the documents of `docs/fidelity/` from
+//! them.
 
 use crate::dim;
 use rapier::math::Real;
+use std::io::Write;
+use std::path::Path;
+use std::{env, fs, io, thread};
 
-/// Rows of text in aligned columns, and what is wrong with them. Printed when it is dropped, so that
-/// all rows of a failing test are seen.
+/// The environment variable with the folder that gets a copy of each table.
+const TABLES: &str = "FIDELITY_TABLES";
+
+/// Rows of text in aligned columns, and the rows' failures. Printed when it is dropped, so that all rows of a
+/// failing test are seen.
 pub struct Table {
+    title: String,
     rows: Vec<Vec<String>>,
     problems: Vec<String>,
 }
@@ -13,9 +21,8 @@ pub struct Table {
 impl Table {
     /// A table of this title and these columns.
     pub fn new(title: &str, columns: &[&str]) -> Self {
-        println!("\n{title} ({} f{})", dim::NAME, 8 * size_of::<Real>());
         let head = columns.iter().map(|column| column.to_string()).collect();
-        Self { rows: vec![head], problems: Vec::new() }
+        Self { title: title.to_string(), rows: vec![head], problems: Vec::new() }
     }
 
     /// Adds a row.
@@ -42,14 +49,39 @@ impl Table {
 
 impl Drop for Table {
     fn drop(&mut self) {
-        let width = |column: usize| self.rows.iter().map(|row| row[column].chars().count()).max();
-        let widths: Vec<usize> = (0..self.rows[0].len()).filter_map(width).collect();
-        for row in &self.rows {
-            let cells = row.iter().zip(&widths).map(|(cell, &width)| format!("{cell:>width$}"));
-            println!("  {}", cells.collect::<Vec<_>>().join("  "));
+        println!("{}", self.text());
+        if thread::panicking() {
+            return;
         }
-        if !std::thread::panicking() && !self.problems.is_empty() {
+        if !self.problems.is_empty() {
             panic!("\n{}", self.problems.join("\n"));
         }
+        if let Some(folder) = env::var_os(TABLES) {
+            self.save(folder.as_ref()).expect("the folder of tables can be written");
+        }
+    }
+}
+
+impl Table {
+    /// The title and the rows in aligned columns.
+    fn text(&self) -> String {
+        let width = |column: usize| self.rows.iter().map(|row| row[column].chars().count()).max();
+        let widths: Vec<usize> = (0..self.rows[0].len()).filter_map(width).collect();
+        let mut text = format!("\n{} ({} f{})", self.title, dim::NAME, 8 * size_of::<Real>());
+        for row in &self.rows {
+            let cells = row.iter().zip(&widths).map(|(cell, &width)| format!("{cell:>width$}"));
+            text += &format!("\n  {}", cells.collect::<Vec<_>>().join("  "));
+        }
+        text
+    }
+
+    /// Appends the title and the rows, with tabs between cells, to a file with the name of the test.
+    fn save(&self, folder: &Path) -> io::Result<()> {
+        let folder = folder.join(env!("CARGO_PKG_NAME"));
+        fs::create_dir_all(&folder)?;
+        let test = thread::current().name().unwrap_or("unnamed").replace("::", ".");
+        let mut file = fs::OpenOptions::new().create(true).append(true).open(folder.join(test))?;
+        let rows: String = self.rows.iter().map(|row| row.join("\t") + "\n").collect();
+        write!(file, "{}\n{rows}\n", self.title)
     }
 }

@@ -1,4 +1,4 @@
-//! A body that tips over an edge lands on the ground, not in it.
+//! A body that tips over an edge does not penetrate the ground.
 
 use super::stage::{G, RATES, add_ground, steps, world};
 use super::table::Table;
@@ -29,9 +29,9 @@ fn a_falling_pillar_does_not_sink_in() {
     }
 }
 
-/// A slab that leans beyond its edge falls as a pendulum that stands on that edge, whatever its size: from
-/// `θ₀`, measured from where it would balance, to `θ₁` in the time `∫ dθ / √(2 (m g r / I) (cos θ₀ - cos
-/// θ))`.
+/// A slab that leans beyond its edge is a pendulum on that edge, whatever its size. It moves from
+/// `θ₀`, measured from the balanced position, to `θ₁` in the time `∫ dθ / √(2 (m g r / I) (cos θ₀ -
+/// cos θ))`.
 #[test]
 fn slabs_of_all_sizes_tip_over_in_time() {
     let columns = ["width (m)", "time (s)", "formula"];

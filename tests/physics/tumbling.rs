@@ -1,13 +1,12 @@
-//! How free bodies tumble. 3D only: in the plane there is but one axis to turn about.
+//! Torque-free rotation. 3D only: in the plane there is one axis of rotation.
 
 use crate::dim::spin_momentum;
 use crate::suite::physics::stage::{RATES, rounding, steps, substep, weightless};
 use crate::suite::physics::table::Table;
 use rapier::prelude::*;
 
-/// A body that nothing acts on keeps its energy `½ ω·Iω` and its angular momentum `Iω`, however wildly
-/// it tumbles: here a box that turns about its middle axis, which is unstable, so that it flips over
-/// again and again.
+/// A torque-free body has constant energy `½ ω·Iω` and constant angular momentum `Iω`. The test
+/// rotates a box about its middle axis, which is unstable: the box flips again and again.
 #[test]
 fn torque_free_rotation() {
     let columns =
@@ -49,8 +48,8 @@ fn torque_free_rotation() {
     }
 }
 
-/// A top without weight: the axis of a disc that spins about nearly that axis goes around the angular
-/// momentum `L` with the frequency `L / I₁`, faster than the disc itself.
+/// Nutation: a disc spins nearly about its axis. The axis circles the angular momentum `L` at the
+/// frequency `L / I₁`, faster than the spin of the disc.
 #[test]
 fn nutation() {
     let columns = ["rate", "turns in 10 s", "formula", "error (%)"];

@@ -1,11 +1,10 @@
-//! Bodies on rotating ground. 3D only: in the plane nothing can stand beside the axis.
+//! Bodies on rotating ground. 3D only: in the plane no body can stand beside the axis.
 
 use crate::suite::physics::stage::{RATES, run, world};
 use crate::suite::physics::table::Table;
 use rapier::prelude::*;
 
-/// A box on a heavy dynamic disc turns with it: it is where friction holds it, not a little farther out with
-/// each step.
+/// A box on a heavy dynamic disc turns with it. Friction keeps its distance from the axis.
 #[test]
 fn dynamic_turntable() {
     let columns = ["rate", "rad/s", "creep outwards (m)"];

@@ -5,7 +5,8 @@ use crate::suite::physics::stage::G;
 use crate::suite::physics::table::Table;
 use rapier::prelude::*;
 
-/// However a car drives, brakes and slides, no wheel is pushed by more than µ times its load.
+/// Friction circle: the horizontal force on a wheel never exceeds µ times its load, for any
+/// combination of driving, braking and sliding.
 #[test]
 fn circle() {
     let columns = ["rate", "µ", "largest share of µ N", "wheels at the limit (%)"];
@@ -46,8 +47,8 @@ fn circle() {
     }
 }
 
-/// A car turned across its way slides to a stop within `v² / 2 µ g` as well, brakes or not; so does one at an
-/// angle with its wheels locked, and it goes straight on.
+/// A car that slides sideways stops within `v² / 2 µ g`, with and without brakes. A car at an angle
+/// with locked wheels does so too, on a straight path.
 #[test]
 fn sideways() {
     let columns = ["rate", "angle (°)", "locked", "distance (m)", "formula", "deviation (m)"];
@@ -82,8 +83,8 @@ fn sideways() {
     }
 }
 
-/// In a curve of the radius r a car holds as long as `v² / r < µ g`, and stays on its wheels at the default
-/// roll influence even with tyres that would turn it over.
+/// A car holds a curve of the radius `r` as long as `v² / r < µ g`. At the default roll influence it
+/// stays on its wheels, even with tyres that could roll it over.
 #[test]
 fn curves() {
     let columns = ["rate", "µ", "v² / r g wanted", "got", "lean (°)"];

@@ -1,4 +1,4 @@
-//! Ground that moves, and ground that is pushed.
+//! Moving and movable ground.
 
 use super::stage::{HEIGHT, MASS, RATES, Road, add_car};
 use crate::suite::physics::stage::{G, world};
@@ -17,8 +17,8 @@ fn on_plate(rate: u32, plate: RigidBodyBuilder, gravity: Vector) -> (Road, Rigid
     (Road { world, car }, plate)
 }
 
-/// With its brakes on a car stays where it is on a platform that goes to and fro, up and down, and round;
-/// without brakes it stays on one that goes up and down.
+/// A braked car stays at its place on a platform that translates and rotates. Without brakes it stays
+/// on a platform that moves vertically.
 #[test]
 fn platforms() {
     let columns = ["rate", "platform", "by", "slip (mm)", "of (m)"];
@@ -85,8 +85,8 @@ fn lead(plate: &mut RigidBody, name: &str, time: Real, dt: Real) {
     }
 }
 
-/// In space a car that drives on a plate pushes it away beneath, and the momentum of both together stays
-/// zero.
+/// Without gravity, a car drives on a free plate and accelerates the plate backwards. The momentum of
+/// both together stays zero.
 #[test]
 fn momentum() {
     let columns = ["rate", "car (m/s)", "plate (m/s)", "momentum (kg m/s)"];
@@ -154,7 +154,7 @@ fn reaction() {
     assert!((before.1 - after.1).length() < 0.02 * before.1.length());
 }
 
-/// A light plank that lies on the floor carries a car a hundred times as heavy, as the floor itself would.
+/// A light plank on the floor carries a car of a hundred times its mass, like the floor itself.
 #[test]
 fn planks() {
     let columns = ["rate", "plank (kg)", "height on it (mm)", "formula", "speed (mm/s)"];

@@ -1,12 +1,12 @@
-//! Standing still.
+//! Cars at rest.
 
 use super::stage::{RATES, Road};
 use crate::suite::physics::stage::G;
 use crate::suite::physics::table::Table;
 use rapier::prelude::*;
 
-/// A car stands still for a minute: without brakes on level ground, with brakes on a slope, along it and
-/// across.
+/// A car stays at rest for a minute: without brakes on level ground, with brakes along and across a
+/// slope.
 #[test]
 fn for_a_minute() {
     let columns =
@@ -50,8 +50,8 @@ fn for_a_minute() {
     }
 }
 
-/// On a slope of the angle α brakes hold a car if `tan α < µ`; otherwise it slides with `g (sin α − µ cos
-/// α)`.
+/// Brakes hold a car on a slope of the angle `α` if `tan α < µ`. Otherwise the car slides with `a = g
+/// (sin α − µ cos α)`.
 #[test]
 fn up_to_the_limit_of_friction() {
     let columns = ["rate", "µ", "slid in 2 s (m)", "formula"];

@@ -1,11 +1,11 @@
-//! Driving, steering, braking, and how the wheels turn.
+//! Driving, steering, braking, and the rotation of wheels.
 
 use super::stage::{HALF_BASE, MASS, RADIUS, RATES, Road};
 use crate::suite::physics::stage::G;
 use crate::suite::physics::table::Table;
 use rapier::prelude::*;
 
-/// From rest a car gains `F / m` each second, and no more than `µ g`.
+/// A car accelerates by `F / m`, and by at most `µ g`.
 #[test]
 fn acceleration() {
     let columns = ["rate", "F (N)", "µ", "speed (m/s)", "formula", "rolled (m)", "went (m)"];
@@ -43,8 +43,7 @@ fn acceleration() {
     }
 }
 
-/// With its brakes full on a car stops within `v² / 2 µ g`, whatever the brakes: what is at the limit is the
-/// grip.
+/// A car with full brakes stops within `v² / 2 µ g`: grip is the limit, whatever the brakes.
 #[test]
 fn braking_distance() {
     let columns =
@@ -85,7 +84,7 @@ fn braking_distance() {
     }
 }
 
-/// Brakes weaker than the grip stop the car within `m v² / 2 F`, and the wheels roll.
+/// Brakes below the limit of grip stop the car within `m v² / 2 F`, and the wheels roll.
 #[test]
 fn gentle_brakes() {
     let columns = ["rate", "distance (m)", "formula", "rolled (m)"];
@@ -113,7 +112,7 @@ fn gentle_brakes() {
     }
 }
 
-/// At walking speed a car goes round in a circle of the radius `wheelbase / tan(steering)` about the middle
+/// At walking speed a car follows a circle of the radius `wheelbase / tan(steering)` about the centre
 /// of its rear axle.
 #[test]
 fn turning_circle() {

@@ -1,4 +1,4 @@
-//! Rough ground: nothing comes from nothing.
+//! Rough ground.
 
 use super::stage::{HEIGHT, RATES, Road, STIFFNESS, add_car};
 use crate::suite::physics::stage::{Dice, world};
@@ -35,8 +35,8 @@ fn energy(road: &Road) -> Real {
     chassis.kinetic_energy() + of_height + springs.sum::<Real>()
 }
 
-/// A car that rolls over bumps in a bowl, steering at random, without engine and brakes, never has more
-/// energy than it began with.
+/// A car without engine and brakes rolls over bumps in a bowl, with random steering. Its energy never
+/// exceeds the initial energy.
 #[test]
 fn coasting_gains_no_energy() {
     let columns = ["rate", "bumps (m)", "at first (J)", "most (J)", "after 30 s (J)", "way (m)"];
@@ -74,7 +74,8 @@ fn coasting_gains_no_energy() {
     }
 }
 
-/// A driver with a heavy foot on bumps and hills keeps the car in one piece.
+/// A car drives over bumps with random throttle and steering. Speed, rotation and height stay below bounds that
+/// a gain of energy from bumps would exceed.
 #[test]
 fn wild_driving() {
     let columns = ["rate", "µ", "fastest (m/s)", "turns (rad/s)", "highest (m)"];

@@ -5,7 +5,8 @@ use crate::suite::physics::stage::G;
 use crate::suite::physics::table::Table;
 use rapier::prelude::*;
 
-/// A car sinks by `m g / 4 k`, with k in force per length: stiffness times mass.
+/// The weight compresses the suspension by `m g / 4 k`. `k` is a force per length: stiffness times
+/// mass.
 #[test]
 fn static_sag() {
     let columns = ["rate", "stiffness", "height (mm)", "formula", "load (N)", "m g / 4"];
@@ -38,14 +39,14 @@ fn static_sag() {
     }
 }
 
-/// A car dropped a little above its rest swings with `ω = √(4 k / m)` and the damping ratio `ζ = ½ c √(4 /
-/// k)`, as long as its wheels do not lift off. Peaks of both sides are `π / ω√(1 − ζ²)` apart, and each is
-/// `e^(−πζ / √(1 − ζ²))` of the one before.
+/// A car that is released slightly above its rest oscillates with `ω = √(4 k / m)` and the damping
+/// ratio `ζ = ½ c √(4 / k)`, as long as no wheel lifts off. Extrema are `π / ω√(1 − ζ²)` apart, and
+/// each is `e^(−πζ / √(1 − ζ²))` times the one before.
 ///
-/// Both are exact for a vanishing time step. An update takes what is behind the scheme of the spring (see
-/// `src/dim3/vehicle/spring.rs`): at 30 Hz 1 % of the frequency, and half of `ω dt / 8` for what substeps add
-/// to the damping ratio. A peak is known to half a step, a swing of 15 steps to 3 %; we let it be
-/// interpolated.
+/// Both formulas hold for a vanishing time step. The update of the spring
+/// (`src/dim3/vehicle/spring.rs`) adds, at 30 Hz, 1 % to the frequency, and half of `ω dt / 8` to the
+/// damping ratio because of substeps. The time of an extremum is known to half a step: 3 % of a
+/// period of 15 steps, without interpolation.
 #[test]
 fn bounce() {
     let columns = ["rate", "ζ wanted", "ζ", "frequency (Hz)", "formula"];
@@ -104,7 +105,7 @@ fn extrema(samples: &[Real]) -> Vec<(Real, Real)> {
         .collect()
 }
 
-/// A suspension stays calm however stiff it is, at any rate.
+/// The suspension is stable for any stiffness and any rate.
 #[test]
 fn stiff_springs() {
     let mut table = Table::new("stiff springs, dropped by 10 cm", &["rate", "k", "c", "speed"]);
@@ -137,7 +138,7 @@ fn stiff_springs() {
     }
 }
 
-/// A suspension presses no harder than it may, and gives way no farther; it never pulls.
+/// The suspension force stays between zero and its maximum, and the travel within its limit.
 #[test]
 fn limits() {
     let columns =

@@ -14,6 +14,9 @@ interface File {
     readonly path: string;
 }
 
+/** The folder of the documents of an archived version. */
+const ARCHIVED = /website\/versioned_docs\/version-([^/]+)\//;
+
 /** Returns the path of a link's target in the repository, if the target is outside `docs/`. */
 function outside(file: string, url: string): string | undefined {
     if (/^(\w+:|#|\/)/.test(url)) return undefined;
@@ -67,11 +70,13 @@ function linkNames(tree: Root, addresses: Record<string, string>): void {
 export default function documents() {
     const addresses = { rust: names("rust"), javascript: names("javascript") };
     return (tree: Root, file: File): void => {
+        const version = ARCHIVED.exec(file.path)?.[1];
+        const document = file.path.replace(ARCHIVED, "docs/");
         visit(tree, "code", showCode);
         visit(tree, "link", (node: Link, index, parent) => {
-            const path = outside(file.path, node.url);
+            const path = outside(document, node.url);
             if (path === undefined || parent === undefined || index === undefined) return;
-            const address = fileView(path);
+            const address = fileView(path, version && `v${version}`);
             const picture = node.children.some((child) => child.type === "image");
             // A picture is a button where its scene runs in the page, and no button stands in a link.
             if (address !== undefined && !picture) node.url = address;
@@ -79,9 +84,8 @@ export default function documents() {
         });
         freePictures(tree);
         showDimensions(tree);
-        if (!file.path.includes("docs/guide/")) return;
-        if (PYTHON.test(file.path)) return;
-        linkNames(tree, JAVASCRIPT.test(file.path) ? addresses.javascript : addresses.rust);
-        showScenes(tree, basename(file.path, ".md"));
+        if (!document.includes("docs/guide/") || PYTHON.test(document)) return;
+        linkNames(tree, JAVASCRIPT.test(document) ? addresses.javascript : addresses.rust);
+        showScenes(tree, basename(document, ".md"));
     };
 }

@@ -23,9 +23,9 @@ export const VERSION = field("version") ?? "";
 /** Address of the repository. Without one, links to source files become plain text. */
 export const REPOSITORY: string | undefined = process.env.REPOSITORY_URL ?? field("repository");
 
-/** Returns the address of a file or folder of the repository, if the repository has an address. */
-export function fileView(path: string): string | undefined {
+/** Returns the address of a file or folder of the repository in a revision, if the repository has an address. */
+export function fileView(path: string, revision = "main"): string | undefined {
     if (REPOSITORY === undefined) return undefined;
     const kind = existsSync(join(ROOT, path)) && statSync(join(ROOT, path)).isDirectory() ? "tree" : "blob";
-    return `${REPOSITORY}/${kind}/main/${path}`;
+    return `${REPOSITORY}/${kind}/${revision}/${path}`;
 }

@@ -5,9 +5,10 @@
 import { existsSync, mkdirSync, readFileSync, readdirSync, writeFileSync } from "node:fs";
 import { basename, dirname, join } from "node:path";
 import { contests, growth, packages } from "./benchmarks.mjs";
+import { laws } from "./fidelity.mjs";
 import { writeJavaScriptReference } from "./javascript.mjs";
 import { document } from "./rust/crate.mjs";
-import { writeRustReference } from "./rust/write.mjs";
+import { writeRustReferences } from "./rust/write.mjs";
 import { firstFrame } from "./stills.mjs";
 import { hashes } from "../src/live/pile.mjs";
 
@@ -35,6 +36,10 @@ function writeData(name, value) {
 writeData("contests.json", contests(read("docs/benchmarks/latest.md")));
 writeData("growth.json", growth(read("docs/benchmarks/growth.md")));
 writeData("packages.json", packages(read("docs/benchmarks/javascript.md")));
+
+/** The documents about fidelity, in the order of their list. */
+const FIDELITY = [...read("docs/fidelity/README.md").matchAll(/^\| \[[^\]]*\]\(([\w-]+)\.md\)/gm)].map(([, page]) => page);
+writeData("fidelity.json", FIDELITY.flatMap((page) => laws(page, read(`docs/fidelity/${page}.md`))));
 
 const IMAGES = "docs/images";
 mkdirSync(join(GENERATED, "images"), { recursive: true });
@@ -78,8 +83,11 @@ if (existsSync(engine)) {
 } else missing("scenes in pages need the npm package: cd rapier3d; npm install; ./build_all.sh");
 writeData("pile.json", pile);
 
+/** The crates with a reference, and the folders of their pages. Names in guides lead to the first one. */
+const CRATES = { rapier3d: "rust", rapier2d: "rust-2d" };
 try {
-    writeData("rust-names.json", writeRustReference(WEBSITE, document(ROOT)));
+    const crates = Object.entries(CRATES).map(([name, folder]) => ({ name, folder, json: document(ROOT, name) }));
+    writeData("rust-names.json", writeRustReferences(WEBSITE, crates));
 } catch (error) {
     missing(`the Rust reference: ${error.message}`);
 }

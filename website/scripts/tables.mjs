@@ -10,20 +10,21 @@ function cells(line) {
         .map((cell) => cell.trim());
 }
 
-/** All tables of a document: the first line of text and the last picture above, the names of the columns, and the rows. */
+/** All tables of a document: the last heading, the first line of text and the last picture above, the names of the columns, and the rows. */
 export function tables(markdown) {
     const found = [];
+    let heading = "";
     let note = "";
     let picture = "";
     let current = null;
     for (const line of markdown.split("\n")) {
-        if (/^#+ /.test(line)) note = "";
+        if (/^#+ /.test(line)) [heading, note] = [line.replace(/^#+ /, ""), ""];
         if (!line.startsWith("|")) {
             current = null;
             if (note === "" && /^\w/.test(line)) note = line;
             picture = /^!\[([^\]]*)\]/.exec(line)?.[1] ?? picture;
         } else if (current === null) {
-            current = { note, picture, columns: cells(line), rows: [] };
+            current = { heading, note, picture, columns: cells(line), rows: [] };
             found.push(current);
         } else if (!/^\|[\s:|-]+$/.test(line)) {
             current.rows.push(cells(line));

@@ -1,6 +1,6 @@
 // Visits every page of the build in headless Chromium. Fails at an error of the console, a request without an answer, or a page
-// that is too heavy or wider than a phone. Axe checks the sample pages, and pictures of them go to `shots/`. With `--shots`,
-// only the sample pages are visited.
+// that is too heavy or wider than a phone, and at a serious finding of axe. Sample pages are also checked and photographed in
+// all sizes and colours: the pictures go to `shots/`. With `--shots`, only the sample pages are visited.
 
 import { existsSync, mkdirSync, readFileSync } from "node:fs";
 import { createRequire } from "node:module";
@@ -72,6 +72,7 @@ async function visit(context, address, left) {
         if (path in WEIGHTS_MAX) console.log(`${path}: ${weight} bytes`);
         else if (weight > heaviest.weight) heaviest = { path, weight };
         await checkWidth(page, path);
+        await checkAccess(page, path);
         await page.close();
     }
     return heaviest;

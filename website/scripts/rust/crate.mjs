@@ -1,4 +1,4 @@
-// The public items of `rapier3d`, from rustdoc's JSON.
+// The public items of a crate of the engine, from rustdoc's JSON.
 
 import { spawnSync } from "node:child_process";
 import { readFileSync } from "node:fs";
@@ -8,10 +8,10 @@ const FEATURES = "debug-render,parallel,serde-serialize";
 /** The version of the JSON for which these scripts were written. Others may work; an unknown kind ends the script. */
 const FORMAT = 57;
 
-/** Runs rustdoc, and returns its JSON. */
-export function document(root) {
+/** Runs rustdoc on a crate, and returns its JSON. */
+export function document(root, name) {
     const target = join(process.env.CARGO_TARGET_DIR ?? join(root, "target"), "reference");
-    const options = ["rustdoc", "--quiet", "-p", "rapier3d", "--features", FEATURES, "--target-dir", target];
+    const options = ["rustdoc", "--quiet", "-p", name, "--features", FEATURES, "--target-dir", target];
     // JSON is an unstable output of rustdoc, which stable toolchains write with this variable.
     const run = spawnSync("cargo", [...options, "--", "-Z", "unstable-options", "--output-format", "json"], {
         cwd: root,
@@ -20,7 +20,7 @@ export function document(root) {
     });
     if (run.error !== undefined) throw new Error("there is no Rust toolchain");
     if (run.status !== 0) throw new Error("rustdoc failed");
-    const json = JSON.parse(readFileSync(join(target, "doc/rapier3d.json"), "utf8"));
+    const json = JSON.parse(readFileSync(join(target, `doc/${name}.json`), "utf8"));
     if (json.format_version !== FORMAT) console.warn(`rustdoc's JSON has format ${json.format_version}; ${FORMAT} was expected`);
     return json;
 }

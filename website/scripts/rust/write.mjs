@@ -1,4 +1,4 @@
-// The Rust reference: a page per topic, and a list of all public names.
+// The Rust reference of each dimension: a page per topic, and a list of all public names.
 
 import { mkdirSync, rmSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
@@ -6,9 +6,6 @@ import { kindOf, publicModules } from "./crate.mjs";
 import { markdown, summary } from "./markdown.mjs";
 import { REST, TOPICS } from "./topics.mjs";
 import { generics, signature, type } from "./types.mjs";
-
-/** Address of the reference on the site. */
-const BASE = "/api/rust";
 
 /** This sentence replaces the list of methods that all sets of flags have. */
 const FLAGS =
@@ -25,9 +22,15 @@ function fenced(code) {
     return ["```rust", code, "```"].join("\n");
 }
 
+/** The reference of one crate: `name` of the crate, `folder` of the pages on the site, rustdoc's `json`. */
 class Reference {
-    constructor(json) {
+    constructor({ name, folder, json }) {
+        this.crate = name;
+        this.folder = folder;
+        this.base = `/api/${folder}`;
         this.json = json;
+        /** Names of topics that the crate does not have. */
+        this.absent = [];
         this.modules = publicModules(json);
         const prelude = this.modules.find(({ module }) => module === "prelude");
         this.prelude = new Set(prelude?.entries.map(({ name }) => name));
@@ -37,7 +40,7 @@ class Reference {
         this.address = (id) => this.addresses.get(id);
     }
 
-    /** Types by page. Fails if a topic names a type that does not exist. */
+    /** Types by page. */
     distribute() {
         const open = new Map();
         for (const { module, entries } of this.modules) {
@@ -52,19 +55,18 @@ class Reference {
         };
         const topics = TOPICS.map((topic) => {
             const entries = topic.types.map((name) => take(name) ?? name);
-            const lost = entries.filter((entry) => typeof entry === "string");
-            if (lost.length > 0) throw new Error(`scripts/rust/topics.mjs names items that are not public: ${lost.join(", ")}`);
-            return { ...topic, entries };
+            this.absent.push(...entries.filter((entry) => typeof entry === "string"));
+            return { ...topic, entries: entries.filter((entry) => typeof entry !== "string") };
         });
         const rest = REST.map((page) => ({
             ...page,
             entries: [...open.values()].filter(({ module }) => page.modules.includes(module)),
         }));
-        return [...topics, ...rest.filter(({ entries }) => entries.length > 0)];
+        return [...topics, ...rest].filter(({ entries }) => entries.length > 0);
     }
 
     register(page, { name, id, item }) {
-        const own = `${BASE}/${page.id}#${anchor(name)}`;
+        const own = `${this.base}/${page.id}#${anchor(name)}`;
         this.addresses.set(id, own);
         for (const { section, id: child } of this.sections(item)) this.addresses.set(child, `${own}-${section}`);
     }
@@ -178,7 +180,7 @@ class Reference {
 
     entry({ name, item, module }) {
         const parts = this.sections(item).map((part) => this.section({ ...item, name }, part));
-        const place = `From \`rapier3d::${module}\`.`;
+        const place = `From \`${this.crate}::${module}\`.`;
         const flags = this.impls(item).some(({ trait }) => trait?.path.endsWith("BitOr")) ? FLAGS : "";
         return [
             `## ${name} {#${anchor(name)}}`,
@@ -201,7 +203,7 @@ class Reference {
 
     /** The path of a name that the prelude does not have, in brackets. */
     path(module, name) {
-        return this.prelude.has(name) ? "" : ` (\`rapier3d::${module}::${name}\`)`;
+        return this.prelude.has(name) ? "" : ` (\`${this.crate}::${module}::${name}\`)`;
     }
 
     /** Every public name of every module, with a link or the crate of its origin. */
@@ -218,8 +220,9 @@ class Reference {
             return [`## ${module} {#${module}}`, names.join("\n")];
         });
         const intro =
-            "All public names by module. A program imports them with `use rapier3d::prelude::*;`; names outside the prelude have their own path beside them. The 2D crate has the same names with vectors of two components, and crates in double precision have `f64` in place of `f32`.";
-        return ["---\nsidebar_position: 0\nslug: /rust\n---", "# Rust reference", intro, ...lines].join("\n\n");
+            `All public names of \`${this.crate}\` by module. A program imports them with \`use ${this.crate}::prelude::*;\`; names outside the prelude have their own path beside them. \`${this.crate}-f64\` has the same names in double precision, with \`f64\` in place of \`f32\`.`;
+        const head = `---\nsidebar_position: 0\nslug: /${this.folder}\n---`;
+        return [head, `# Rust reference, ${this.crate}`, intro, ...lines].join("\n\n");
     }
 
     /** Addresses of types and of their parts by name, for links from the guide. */
@@ -235,15 +238,26 @@ class Reference {
     }
 }
 
-/** Writes the pages of the Rust reference. Returns addresses by name. */
-export function writeRustReference(website, json) {
-    const reference = new Reference(json);
-    const target = join(website, "generated/api/rust");
+/** Fails if a topic names a type that no crate has. */
+function checkTopics(references) {
+    const lost = references[0].absent.filter((name) => references.every(({ absent }) => absent.includes(name)));
+    if (lost.length > 0) throw new Error(`scripts/rust/topics.mjs names items that are not public: ${lost.join(", ")}`);
+}
+
+function writePages(website, reference) {
+    const target = join(website, "generated/api", reference.folder);
     rmSync(target, { recursive: true, force: true });
     mkdirSync(target, { recursive: true });
     reference.pages.forEach((page, index) =>
         writeFileSync(join(target, `${page.id}.md`), `${reference.page(page, index + 1)}\n`),
     );
     writeFileSync(join(target, "index.md"), `${reference.overview()}\n`);
-    return reference.names();
+}
+
+/** Writes the Rust references of these crates (`{ name, folder, json }`). Returns addresses by name in the first one. */
+export function writeRustReferences(website, crates) {
+    const references = crates.map((crate) => new Reference(crate));
+    checkTopics(references);
+    for (const reference of references) writePages(website, reference);
+    return references[0].names();
 }

@@ -71,7 +71,7 @@ export default function ContestChart(): ReactNode {
                 />
                 <Choice label="Measure" options={MEASURES} value={measure} choose={setMeasure} />
             </div>
-            <Legend engines={engines} />
+            <Legend entries={engines.map((name) => ({ name, colour: colour(name) }))} />
             <table className={styles.bars}>
                 <caption>{UNITS[measure].caption}: less is better. Each scene has its own scale.</caption>
                 <tbody>

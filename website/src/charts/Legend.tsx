@@ -1,16 +1,20 @@
-// Engines and their colours.
+// Names and colours of curves.
 
 import type { ReactNode } from "react";
-import { colour } from "./engines";
 import styles from "./charts.module.css";
 
-export default function Legend({ engines }: { readonly engines: readonly string[] }): ReactNode {
+interface Entry {
+    readonly name: string;
+    readonly colour: string;
+}
+
+export default function Legend({ entries }: { readonly entries: readonly Entry[] }): ReactNode {
     return (
         <ul className={styles.legend}>
-            {engines.map((engine) => (
-                <li key={engine}>
-                    <span style={{ background: colour(engine) }} />
-                    {engine}
+            {entries.map(({ name, colour }) => (
+                <li key={name}>
+                    <span style={{ background: colour }} />
+                    {name}
                 </li>
             ))}
         </ul>

@@ -1,0 +1,93 @@
+//! A document: a section for each file of tests, a part for each law.
+
+use crate::area::Area;
+use crate::statements::{Test, TestFile};
+use crate::tables::{Table, Tables};
+
+/// The document of an area. Tests without a table are left out.
+pub fn write(area: &Area, files: &[TestFile], tables: &Tables) -> String {
+    let mut text = format!(
+        "# {}\n\nWritten by `cargo run -p fidelity` from the tests in `tests/{}/`. [How to read these pages](README.md)\n",
+        area.title, area.folder
+    );
+    for file in files {
+        let tests: Vec<_> =
+            file.tests.iter().filter(|test| tables.contains_key(&test.name)).collect();
+        if !tests.is_empty() {
+            text += &section(file, &tests, tables);
+        }
+    }
+    text
+}
+
+fn section(file: &TestFile, tests: &[&Test], tables: &Tables) -> String {
+    let mut text = format!("\n## {}\n", file.subject);
+    if !file.text.is_empty() {
+        text += &format!("\n{}\n", file.text);
+    }
+    for test in tests {
+        let found = &tables[&test.name];
+        text += &format!("\n### {}\n", heading(&found[0].title));
+        if !test.law.is_empty() {
+            text += &format!("\n{}\n", test.law);
+        }
+        for (at, table) in found.iter().enumerate() {
+            if at > 0 {
+                text += &format!("\n{}:\n", heading(&table.title));
+            }
+            text += &markdown(table);
+        }
+        text += &format!("\nTest `{}` in `{}`.\n", test.name, file.path);
+    }
+    text
+}
+
+/// A title with a capital letter.
+fn heading(title: &str) -> String {
+    let mut letters = title.chars();
+    letters
+        .next()
+        .map(|first| first.to_uppercase().collect::<String>() + letters.as_str())
+        .unwrap_or_default()
+}
+
+/// The rows of all crates, with the crate in the first column.
+fn markdown(table: &Table) -> String {
+    let row =
+        |first: &str, cells: &[String]| format!("| {first} | {} |\n", cells.join(" | ").trim());
+    let mut text = format!(
+        "\n{}| --- |{}\n",
+        row("build", &table.columns),
+        " --: |".repeat(table.columns.len())
+    );
+    for (name, cells) in &table.rows {
+        text += &row(name, cells);
+    }
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_law_stands_above_its_figures() {
+        let area = Area { folder: "a", filters: &[], page: "a.md", title: "A" };
+        let test = Test { name: "fall".into(), law: "It drops.".into() };
+        let file = TestFile {
+            path: "tests/a/b.rs".into(),
+            subject: "Fall".into(),
+            text: String::new(),
+            tests: vec![test],
+        };
+        let rows = vec![("2D f32", vec!["30".to_string(), "1.5".to_string()])];
+        let table =
+            Table { title: "free fall".into(), columns: vec!["rate".into(), "drop".into()], rows };
+        let text = write(&area, &[file], &Tables::from([("fall".to_string(), vec![table])]));
+        let law = text.find("### Free fall\n\nIt drops.\n").expect("the law");
+        let figures = text
+            .find("| build | rate | drop |\n| --- | --: | --: |\n| 2D f32 | 30 | 1.5 |")
+            .expect("the figures");
+        assert!(law < figures);
+    }
+}
