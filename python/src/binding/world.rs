@@ -180,7 +180,7 @@ impl World {
     /// or, with a sensor, intersects.
     /// modify_contact: gets a `Contact` of a touching pair and may change it for this step.
     ///
-    /// A call costs about half a microsecond besides the work of the callable, and holds the
+    /// A call costs up to half a microsecond besides the work of the callable, and holds the
     /// interpreter's lock. Collision groups are better where they suffice. A callable cannot use
     /// the world: its argument contains the data. An exception ends the step without other calls, and
     /// `step` raises it. Copies of the world have no callables.
