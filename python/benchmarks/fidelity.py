@@ -174,7 +174,7 @@ def chart(rows, engines, path):
     for panel, test in zip(panels.flat, FORMULAS + ARTICULATED):
         for engine in engines:
             own = [(seconds * 1e6, max(error, 1e-9)) for name, other, _, error, seconds in rows if name == test.__name__ and other == engine.name]
-            panel.loglog(*zip(*own), marker="o", label=engine.name)
+            panel.semilogy(*zip(*own), marker="o", label=engine.name)
         panel.set_title(test.__name__.replace("_", " "))
         panel.grid(alpha=0.3)
     panels[0, 0].legend(fontsize=8)

@@ -180,9 +180,9 @@ impl World {
     /// or, with a sensor, intersects.
     /// modify_contact: gets a `Contact` of a touching pair and may change it for this step.
     ///
-    /// A filter costs 2 to 3 µs for each pair in each step, a change of a contact about 6 µs, and
-    /// each holds the interpreter's lock. Collision groups are better where they suffice. A
-    /// callable cannot use the world: its argument contains the data. An exception ends the step without other calls, and
+    /// A call costs up to half a microsecond besides the work of the callable, and holds the
+    /// interpreter's lock. Collision groups are better where they suffice. A callable cannot use
+    /// the world: its argument contains the data. An exception ends the step without other calls, and
     /// `step` raises it. Copies of the world have no callables.
     #[pyo3(signature = (*, filter_contact=None, filter_intersection=None, modify_contact=None))]
     fn set_hooks(
