@@ -3,12 +3,17 @@
 
 use crate::dim;
 use rapier::math::Real;
+use std::collections::BTreeSet;
 use std::io::Write;
-use std::path::Path;
+use std::path::{Path, PathBuf};
+use std::sync::{Mutex, PoisonError};
 use std::{env, fs, io, thread};
 
 /// Environment variable with the folder for copies of all tables.
 const TABLES: &str = "FIDELITY_TABLES";
+
+/// The files that this run has written.
+static WRITTEN: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
 
 /// Rows of text in aligned columns, and the rows' failures. The drop prints the table, so that all rows of a
 /// failing test are visible.
@@ -75,12 +80,21 @@ impl Table {
         text
     }
 
-    /// Appends the title and the rows, with tabs between cells, to a file with the name of the test.
+    /// Writes the title and the rows, with tabs between cells, into a file with the name of the test, behind
+    /// other tables of the test.
     fn save(&self, folder: &Path) -> io::Result<()> {
         let folder = folder.join(env!("CARGO_PKG_NAME"));
         fs::create_dir_all(&folder)?;
         let test = thread::current().name().unwrap_or("unnamed").replace("::", ".");
-        let mut file = fs::OpenOptions::new().create(true).append(true).open(folder.join(test))?;
+        let path = folder.join(test);
+        // Tables of an earlier run are replaced.
+        let is_first = WRITTEN.lock().unwrap_or_else(PoisonError::into_inner).insert(path.clone());
+        let mut file = fs::OpenOptions::new()
+            .create(true)
+            .write(true)
+            .truncate(is_first)
+            .append(!is_first)
+            .open(path)?;
         let rows: String = self.rows.iter().map(|row| row.join("\t") + "\n").collect();
         write!(file, "{}\n{rows}\n", self.title)
     }

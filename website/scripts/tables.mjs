@@ -1,13 +1,13 @@
 // Reads the tables of a Markdown document.
 
-/** Splits a row at its bars. */
+/** Splits a row at its bars, except those behind a backslash. */
 function cells(line) {
     return line
         .trim()
         .replace(/^\|/, "")
         .replace(/\|$/, "")
-        .split("|")
-        .map((cell) => cell.trim());
+        .split(/(?<!\\)\|/)
+        .map((cell) => cell.trim().replaceAll("\\|", "|"));
 }
 
 /** All tables of a document: the last heading, the first line of text and the last picture above, the names of the columns, and the rows. */

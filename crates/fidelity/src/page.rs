@@ -12,7 +12,7 @@ pub fn write(area: &Area, files: &[TestFile], tables: &Tables) -> String {
     );
     for file in files {
         let tests: Vec<_> =
-            file.tests.iter().filter(|test| tables.contains_key(&test.name)).collect();
+            file.tests.iter().filter(|test| tables.contains_key(&file.key(test))).collect();
         if !tests.is_empty() {
             text += &section(file, &tests, tables);
         }
@@ -26,7 +26,7 @@ fn section(file: &TestFile, tests: &[&Test], tables: &Tables) -> String {
         text += &format!("\n{}\n", file.text);
     }
     for test in tests {
-        let found = &tables[&test.name];
+        let found = &tables[&file.key(test)];
         text += &format!("\n### {}\n", heading(&found[0].title));
         if !test.law.is_empty() {
             text += &format!("\n{}\n", test.law);
@@ -66,8 +66,10 @@ fn shown(table: &Table) -> String {
 
 /// The rows of all crates, with the crate in the first column.
 fn markdown(table: &Table) -> String {
-    let row =
-        |first: &str, cells: &[String]| format!("| {first} | {} |\n", cells.join(" | ").trim());
+    let row = |first: &str, cells: &[String]| {
+        let cells: Vec<_> = cells.iter().map(|cell| cell.replace('|', "\\|")).collect();
+        format!("| {first} | {} |\n", cells.join(" | ").trim())
+    };
     let mut text = format!(
         "\n{}| --- |{}\n",
         row("build", &table.columns),
@@ -96,7 +98,7 @@ mod tests {
         let rows = vec![("2D f32", vec!["30".to_string(), "1.5".to_string()])];
         let table =
             Table { title: "free fall".into(), columns: vec!["rate".into(), "drop".into()], rows };
-        let text = write(&area, &[file], &Tables::from([("fall".to_string(), vec![table])]));
+        let text = write(&area, &[file], &Tables::from([("b.fall".to_string(), vec![table])]));
         let law = text.find("### Free fall\n\nIt drops.\n").expect("the law");
         let figures = text
             .find("| build | rate | drop |\n| --- | --: | --: |\n| 2D f32 | 30 | 1.5 |")

@@ -15,6 +15,14 @@ pub struct TestFile {
     pub tests: Vec<Test>,
 }
 
+impl TestFile {
+    /// The key of a test's tables: its module and its name.
+    pub fn key(&self, test: &Test) -> String {
+        let mut parts = self.path.trim_end_matches(".rs").trim_end_matches("/mod").rsplit('/');
+        format!("{}.{}", parts.next().unwrap_or_default(), test.name)
+    }
+}
+
 /// A test function.
 pub struct Test {
     /// The function's name.

@@ -1,6 +1,6 @@
 //! The tables that tests wrote: one file a test and crate, with tabs between cells.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 use std::{fs, io};
 
@@ -14,7 +14,7 @@ pub struct Table {
     pub rows: Vec<(&'static str, Vec<String>)>,
 }
 
-/// Tables by the name of the test function.
+/// Tables by module and name of the test.
 pub type Tables = BTreeMap<String, Vec<Table>>;
 
 /// Reads the tables of these crates (folder, name in the documents).
@@ -23,11 +23,33 @@ pub fn read(folder: &Path, crates: &[(&str, &'static str)]) -> io::Result<Tables
     for &(package, name) in crates {
         for entry in fs::read_dir(folder.join(package))? {
             let path = entry?.path();
-            let test = path.extension().unwrap_or_default().to_string_lossy().into_owned();
-            merge(tables.entry(test).or_default(), &fs::read_to_string(&path)?, name);
+            let test = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+            merge(tables.entry(key(&test)).or_default(), &fs::read_to_string(&path)?, name);
         }
     }
     Ok(tables)
+}
+
+/// Module and name of a test: the last two parts of its path.
+fn key(path: &str) -> String {
+    let mut parts: Vec<_> = path.rsplitn(3, '.').take(2).collect();
+    parts.reverse();
+    parts.join(".")
+}
+
+/// Names of the tests that have a table in one precision of a dimension and lack it in the other: an incomplete
+/// run.
+pub fn incomplete(tables: &Tables) -> Vec<&str> {
+    let builds = |found: &[Table]| -> BTreeSet<&'static str> {
+        found.iter().flat_map(|table| table.rows.iter().map(|(name, _)| *name)).collect()
+    };
+    let lacks = |found: &[Table]| {
+        let builds = builds(found);
+        ["2D", "3D"]
+            .iter()
+            .any(|dimension| builds.iter().filter(|name| name.starts_with(dimension)).count() == 1)
+    };
+    tables.iter().filter(|(_, found)| lacks(found)).map(|(test, _)| test.as_str()).collect()
 }
 
 /// Adds the tables of a file to those of the same test in other crates.
@@ -48,6 +70,19 @@ fn merge(tables: &mut Vec<Table>, text: &str, name: &'static str) {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn tables_of_one_precision_alone_are_reported() {
+        let mut tables = Tables::new();
+        for (test, build) in [("a.b", "2D f32"), ("a.b", "2D f64"), ("a.c", "3D f32")] {
+            merge(
+                tables.entry(key(&format!("suite.{test}"))).or_default(),
+                "t\nrate\n30\n\n",
+                build,
+            );
+        }
+        assert_eq!(incomplete(&tables), ["a.c"]);
+    }
 
     #[test]
     fn tables_of_two_crates_are_one() {

@@ -132,8 +132,10 @@ impl Causes<'_> {
             return Some(QuarantineCause::Velocity(body.vels()));
         }
         let Pull { fall, push, twist } = Pull::on(body, gravity);
+        // The solver limits the speed, too.
         let after = |acceleration: Vector, twist: AngVector| RigidBodyVelocity {
-            linvel: body.linvel + acceleration * params.dt,
+            linvel: (body.linvel + acceleration * params.dt)
+                .clamp_length_max(params.max_linear_velocity()),
             angvel: body.angvel + twist * params.dt,
         };
         if !leads_somewhere(body, after(fall, Default::default()), params.dt) {

@@ -9,8 +9,8 @@
 //! Numbers overflow: forces add up, motors are stiff beyond reason, speeds grow. A body that is not finite
 //! would spread that to all bodies that it touches, and from these to their neighbours. The solver therefore
 //! stores no body if it cannot store all of them. This stage finds the [causes] and disables them, as a user
-//! would disable them. The step is then repeated without them. The failed attempt leaves no impulses and
-//! emits no event.
+//! would disable them. The step is then repeated without them. The failed attempt leaves no impulses. Its
+//! events about pairs that begin and end because of the disabled bodies cancel out.
 //!
 //! Edits are the usual cause. Before the first attempt, edited bodies that diverge on their own are therefore
 //! disabled at once, and the rest of the world is as if the user had disabled them.

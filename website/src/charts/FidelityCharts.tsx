@@ -8,14 +8,11 @@ import LogPlot, { type Curve, write } from "./LogPlot";
 import styles from "./charts.module.css";
 
 const BUILDS = [
-    { name: "2D f32", colour: "var(--engine-box)" },
-    { name: "2D f64", colour: "var(--engine-rapier)" },
-    { name: "3D f32", colour: "var(--engine-own)" },
-    { name: "3D f64", colour: "var(--engine-double)" },
+    { name: "2D f32", colour: "var(--build-2d-f32)", dashes: "2 4" },
+    { name: "2D f64", colour: "var(--build-2d-f64)", dashes: "6 4" },
+    { name: "3D f32", colour: "var(--build-3d-f32)", dashes: "12 5" },
+    { name: "3D f64", colour: "var(--build-3d-f64)", dashes: undefined },
 ] as const;
-
-/** Errors (%) below the last digit of the tables. */
-const ERROR_MIN = 1e-4;
 
 type Law = (typeof data)[number];
 
@@ -25,16 +22,21 @@ function keyOf({ page, title }: Law): string {
 }
 
 function curvesOf(law: Law): Curve[] {
-    return BUILDS.map(({ name, colour }) => {
+    return BUILDS.map((build) => {
         const points = law.errors
-            .filter(({ build, rate }) => build === name && rate !== null)
-            .map(({ rate, error }) => ({
+            .filter(({ build: name, rate }) => name === build.name && rate !== null)
+            .map(({ rate, error, resolution }) => ({
                 x: Number(rate),
-                y: Math.max(error, ERROR_MIN),
-                note: `${name}, ${rate} Hz: ${error < ERROR_MIN ? `below ${ERROR_MIN}` : write(error)} %`,
+                y: Math.max(error, resolution),
+                note: `${build.name}, ${rate} Hz: ${error < resolution ? `below ${write(resolution)}` : write(error)} %`,
             }));
-        return { name, colour, points };
+        return { ...build, points };
     }).filter(({ points }) => points.length > 0);
+}
+
+/** The rates of a law, for the marks of its axis. */
+function ratesOf(law: Law): number[] {
+    return [...new Set(law.errors.map(({ rate }) => Number(rate)))].sort((a, b) => a - b);
 }
 
 function Chart({ law }: { readonly law: Law }): ReactNode {
@@ -45,12 +47,12 @@ function Chart({ law }: { readonly law: Law }): ReactNode {
             </figcaption>
             <LogPlot
                 curves={curvesOf(law)}
-                label={`${law.title}: error in percent at 30, 60 and 240 steps a second`}
+                label={`${law.title}: largest error in percent at ${ratesOf(law).join(", ")} steps a second`}
                 x="steps a second"
                 y="error (%)"
                 width={400}
                 height={260}
-                columns={[30, 60, 240]}
+                columns={ratesOf(law)}
             />
         </figure>
     );

@@ -15,6 +15,8 @@ export interface Point {
 export interface Curve {
     readonly name: string;
     readonly colour: string;
+    /** Lengths of dashes and gaps; a full line without them. */
+    readonly dashes?: string;
     readonly points: readonly Point[];
 }
 
@@ -47,6 +49,15 @@ export function write(value: number): string {
     return value >= 1000 ? value.toLocaleString("en").replaceAll(",", " ") : String(Number(value.toPrecision(3)));
 }
 
+/** The values of the curves for readers without the picture. */
+function Values({ curves, label }: Pick<LogPlotProps, "curves" | "label">): ReactNode {
+    return (
+        <ul className="visually-hidden" aria-label={label}>
+            {curves.flatMap((curve) => curve.points.map((point) => <li key={`${curve.name} ${point.x}`}>{point.note}</li>))}
+        </ul>
+    );
+}
+
 export default function LogPlot({ curves, label, x, y, width = 760, height = 400, columns }: LogPlotProps): ReactNode {
     const points = curves.flatMap((curve) => curve.points);
     const marks = columns ?? decades(points.map((point) => point.x));
@@ -54,44 +65,48 @@ export default function LogPlot({ curves, label, x, y, width = 760, height = 400
     const across = scale(marks, MARGIN.left, width - MARGIN.right);
     const up = scale(lines, height - MARGIN.bottom, MARGIN.top);
     return (
-        <svg className={styles.plot} viewBox={`0 0 ${width} ${height}`} role="img" aria-label={label}>
-            {marks.map((tick) => (
-                <g key={tick}>
-                    <line className={styles.grid} x1={across(tick)} x2={across(tick)} y1={MARGIN.top} y2={height - MARGIN.bottom} />
-                    <text x={across(tick)} y={height - MARGIN.bottom + 18} textAnchor="middle">
-                        {write(tick)}
-                    </text>
-                </g>
-            ))}
-            {lines.map((tick) => (
-                <g key={tick}>
-                    <line className={styles.grid} x1={MARGIN.left} x2={width - MARGIN.right} y1={up(tick)} y2={up(tick)} />
-                    <text x={MARGIN.left - 8} y={up(tick) + 4} textAnchor="end">
-                        {write(tick)}
-                    </text>
-                </g>
-            ))}
-            <text x={(width + MARGIN.left) / 2} y={height - 6} textAnchor="middle">
-                {x}
-            </text>
-            <text transform={`translate(14 ${height / 2}) rotate(-90)`} textAnchor="middle">
-                {y}
-            </text>
-            {curves.map((curve) => (
-                <g key={curve.name} style={{ color: curve.colour }}>
-                    <polyline
-                        fill="none"
-                        stroke="currentColor"
-                        strokeWidth={2.5}
-                        points={curve.points.map((point) => `${across(point.x)},${up(point.y)}`).join(" ")}
-                    />
-                    {curve.points.map((point) => (
-                        <circle key={point.x} cx={across(point.x)} cy={up(point.y)} r={5} fill="currentColor">
-                            <title>{point.note}</title>
-                        </circle>
-                    ))}
-                </g>
-            ))}
-        </svg>
+        <>
+            <svg className={styles.plot} viewBox={`0 0 ${width} ${height}`} role="img" aria-label={label}>
+                {marks.map((tick) => (
+                    <g key={tick}>
+                        <line className={styles.grid} x1={across(tick)} x2={across(tick)} y1={MARGIN.top} y2={height - MARGIN.bottom} />
+                        <text x={across(tick)} y={height - MARGIN.bottom + 18} textAnchor="middle">
+                            {write(tick)}
+                        </text>
+                    </g>
+                ))}
+                {lines.map((tick) => (
+                    <g key={tick}>
+                        <line className={styles.grid} x1={MARGIN.left} x2={width - MARGIN.right} y1={up(tick)} y2={up(tick)} />
+                        <text x={MARGIN.left - 8} y={up(tick) + 4} textAnchor="end">
+                            {write(tick)}
+                        </text>
+                    </g>
+                ))}
+                <text x={(width + MARGIN.left) / 2} y={height - 6} textAnchor="middle">
+                    {x}
+                </text>
+                <text transform={`translate(14 ${height / 2}) rotate(-90)`} textAnchor="middle">
+                    {y}
+                </text>
+                {curves.map((curve) => (
+                    <g key={curve.name} style={{ color: curve.colour }}>
+                        <polyline
+                            fill="none"
+                            stroke="currentColor"
+                            strokeWidth={2.5}
+                            strokeDasharray={curve.dashes}
+                            points={curve.points.map((point) => `${across(point.x)},${up(point.y)}`).join(" ")}
+                        />
+                        {curve.points.map((point) => (
+                            <circle key={point.x} cx={across(point.x)} cy={up(point.y)} r={5} fill="currentColor">
+                                <title>{point.note}</title>
+                            </circle>
+                        ))}
+                    </g>
+                ))}
+            </svg>
+            <Values curves={curves} label={label} />
+        </>
     );
 }

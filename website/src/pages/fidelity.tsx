@@ -11,10 +11,10 @@ export default function Fidelity(): ReactNode {
             <main className="container margin-vert--lg markdown">
                 <h1>Fidelity</h1>
                 <p>
-                    The engine&apos;s tests compare worlds with formulas of mechanics. Each chart shows the largest relative error of one
-                    law at 30, 60 and 240 steps a second. Where the continuous motion is known, the error is the distance from it, and
-                    shrinks with the step. Elsewhere the formula includes the step, and the error is rounding and the rest of the
-                    solver&apos;s accuracy. Errors below 0.0001 % are drawn at that line.
+                    The engine&apos;s tests compare worlds with formulas of mechanics. Each chart shows the largest relative error of all
+                    rows of one table, over the steps a second. Where the table has an exact value of the continuous motion, the error is
+                    the distance from it, otherwise the distance from the formula. Errors below the last printed digit are drawn at that
+                    digit.
                 </p>
                 <p>
                     <Link to="/docs/fidelity">All laws and figures</Link>, stability and energy included; <code>cargo run -p fidelity</code>{" "}
