@@ -18,8 +18,8 @@
 //! not break the symmetry. The first half therefore includes half of the impulses of the last substep, which
 //! equals their steady state, and the rest is added after it. (Without them, what goes round in a cone at 8
 //! rad/s loses a tenth of its energy per second.) An explicit step `q̇ - h M⁻¹ C q̇`, as given by one
-//! evaluation of forward dynamics, makes a tumbling chain gain energy until it explodes. A single body is
-//! integrated the same way (`dim3/gyroscopic.rs`), so chains and bodies fall alike.
+//! evaluation of forward dynamics, makes a tumbling chain gain energy until it explodes. A single body uses
+//! another symmetric method (`dim3/gyroscopic.rs`), so chains and bodies fall alike to second order.
 //!
 //! `M̃ = M + h D + θ h² K`: dampers `D` are evaluated at the end of the substep, and springs of stiffness `K`
 //! after the fraction `θ` of it. At its beginning, `θ = 0`, they conserve energy but are stable only for `h ω
@@ -91,8 +91,8 @@ pub struct Motion {
     root: SpatialVector,
     /// Fraction of the substep at which a spring is evaluated: `θ`.
     spring_times: Vec<Real>,
-    /// Inverse inertia of each degree of freedom if the others are free.
-    ease: Vec<Real>,
+    /// Inverse articulated inertia of each degree of freedom: descendants free, ancestors locked.
+    inv_articulated_inertias: Vec<Real>,
     armature: Vec<Real>,
     drag: Vec<[Real; 2]>,
     /// The momentum of all links about the root's centre of mass, without [`Self::external_impulse`].
@@ -138,8 +138,8 @@ impl Motion {
         self.armature.clear();
         self.armature.extend(self.drives.iter().map(|drive| drive.armature));
         self.factor.update(&self.kinematics, Resistance { armature: &self.armature, drag: &[] });
-        self.ease.clear();
-        self.ease.extend(self.factor.ease());
+        self.inv_articulated_inertias.clear();
+        self.inv_articulated_inertias.extend(self.factor.inv_articulated_inertias());
         let body = |link: &MultibodyLink| bodies.get(link.body);
         self.root = ZERO;
         if let Some(root) = body(&multibody.links[0]).filter(|root| !root.is_dynamic()) {
@@ -175,8 +175,8 @@ impl Motion {
     pub fn resist(&mut self, h: Real) {
         self.spring_times.clear();
         self.armature.clear();
-        for (drive, ease) in self.drives.iter().zip(&self.ease) {
-            let swing = h * h * drive.stiffness * ease;
+        for (drive, inv_inertia) in self.drives.iter().zip(&self.inv_articulated_inertias) {
+            let swing = h * h * drive.stiffness * inv_inertia;
             let time = if swing < Real::INFINITY { swing / (1.0 + swing) } else { 1.0 };
             self.spring_times.push(time);
             self.armature.push(drive.armature + h * (drive.damping + time * h * drive.stiffness));

@@ -67,7 +67,7 @@ impl SolverBodies {
         }
     }
 
-    /// Returns whether one of them is far away.
+    /// Loads the bodies of a range. Returns whether one of them is far from the origin.
     fn load_members(
         &mut self,
         order: &[RigidBodyHandle],

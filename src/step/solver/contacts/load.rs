@@ -42,8 +42,8 @@ impl SolverContacts {
         let NarrowPhase { contacts, lanes, .. } = &mut *narrow_phase;
         let capacity = is_only_group.then_some(&mut lanes.capacity);
         self.lay_out(sources, graph, contacts, capacity);
-        // A lane whose manifold changed is filled from the manifold, which must be written back by then. So
-        // must those be whose impulses are about to change before they act.
+        // A lane whose manifold changed is filled from the manifold, so the manifold must be written back
+        // before. The same holds for manifolds whose impulses are scaled before they act.
         let lanes = &narrow_phase.lanes;
         let stay = is_only_group && lanes.starts() == self.starts;
         if !stay || lanes.are_rough != per_point || bodies.any_scaled() {

@@ -331,7 +331,7 @@ fn load_translation(row: &mut AxisRow, lane: usize, joint: &GenericJoint, axis: 
     }
 }
 
-/// Returns the angle, with all turns since the joint was first seen.
+/// Loads the row of a rotation. Returns the angle, with all turns since the joint was first measured.
 fn load_rotation(
     row: &mut AxisRow,
     lane: usize,

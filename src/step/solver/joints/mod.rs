@@ -32,9 +32,8 @@
 //! a bound: see `motors_and_limits.rs`.
 //!
 //! ## Rotating inertias
-//! A body that is thin resists a turn about one axis less than about another, and as it turns, so do these
-//! axes. A moment `τ` changes the angular momentum by `τ`, and the angular velocity by `I⁻¹ τ` with the
-//! current inertia. With the inertia of the start of the step, the work of a joint's impulses differs from
+//! A thin body has unequal principal inertias, and their axes rotate with it. An angular impulse `τ` changes
+//! the angular momentum by `τ`, and the angular velocity by `I⁻¹ τ` with the current inertia. With the inertia of the start of the step, the work of a joint's impulses differs from
 //! the energy change of the bodies. Two thin limbs on a post gained so much that they flew apart. The relax
 //! pass therefore rotates the inverse inertias of gyroscopic bodies, `R I⁻¹ Rᵀ`, and the next solve pass,
 //! which begins at the same poses, uses the same ones. (Impulses act there for the gyroscope, too: see

@@ -160,8 +160,8 @@ fn impulse_of<W: Wide>(row: &AxisRow) -> W {
     W::load(&row.motor.impulse) + (W::load(&row.lower) - W::load(&row.upper))
 }
 
-/// Solves all rows once: free axes, then locked ones. `AHEAD`: towards zero error at the end of the substep;
-/// otherwise towards zero relative velocity.
+/// Solves all rows once: free axes, then locked ones. `AHEAD`: with bias (free axes of direct joints include
+/// the curvature); otherwise towards zero relative velocity.
 ///
 /// # Safety
 /// The caller has exclusive access to the states of the block's bodies, and to its rows.

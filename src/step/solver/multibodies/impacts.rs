@@ -393,8 +393,8 @@ impl LinkImpactRow {
 }
 
 impl Moving {
-    /// Returns whether all links have the same velocity.
-    pub(super) fn moves_as_one(&self) -> bool {
+    /// Returns whether the multibody has no more degrees of freedom than its root, or a single one.
+    pub(super) fn has_rigid_motion(&self) -> bool {
         self.motion.rates.len() <= self.motion.root_dofs().max(1)
     }
 

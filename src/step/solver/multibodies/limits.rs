@@ -13,8 +13,8 @@
 //!
 //! `q` is a coordinate; of a ball in a socket an angle as `dim3/joint/mod.rs` has it, and the row its
 //! gradient. It rotates with the ball, and a body that moves on a cone would leave it along a tangent. Rows
-//! of angles [`LIMIT_DISTANCE_MAX`] a limit are made in each substep, and include the curvature, as those of
-//! impulse joints do (`joints/substep_end.rs`).
+//! of angles within [`LIMIT_DISTANCE_MAX`] of a limit are made in each substep, and include the curvature, as
+//! those of impulse joints do (`joints/substep_end.rs`).
 
 use super::rows::{ConstrainedStates, JacobianPool, Part, Row};
 use super::{Moving, SoftPass};
@@ -35,9 +35,10 @@ pub enum Owner {
         multibody: usize,
         link: usize,
     },
-    /// Response of the second body to a unit impulse, at its anchor, in world space.
+    /// A joint that closes a loop.
     Loop {
         joint: ImpulseJointHandle,
+        /// Wrench of a unit impulse on the second body, at its anchor, in world space.
         wrench: SpatialVector,
     },
 }

@@ -1,4 +1,4 @@
-//! Multibodies in the solver: substeps of their own, between the same lines as the ordinary bodies'.
+//! Multibodies in the solver: their own substeps, in the same passes as those of ordinary bodies.
 //!
 //! Links are in the list of awake bodies, but have no state in [`SolverBodies`](super::bodies::SolverBodies),
 //! and the lanes exclude their manifolds. An impulse on one link moves all of its multibody, so no two of
@@ -73,7 +73,7 @@ pub(super) struct Moving {
     energy: Real,
     /// The same before the work of a push was added, which counts for the push alone.
     energy_without_push: Real,
-    /// Whether there were more.
+    /// Whether the kinetic energy exceeds the limit.
     has_gained: bool,
     /// The fraction of the energy, and of the impulses that made too much of it, that is kept.
     kept: Real,
@@ -117,7 +117,7 @@ pub(super) struct MultibodySources<'a> {
     pub world: &'a RigidBodySet,
 }
 
-/// Softness of limits and contacts, and the fraction of a row's error that an iteration removes.
+/// Softness, allowed error and largest correction velocity of unilateral rows.
 #[derive(Copy, Clone, Debug)]
 struct SoftPass {
     softness: Softness,

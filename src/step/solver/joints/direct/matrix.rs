@@ -10,8 +10,8 @@
 //! ## Redundant constraints
 //! Three hinges of a door are redundant: some impulses `n` have no effect on the bodies, `A n = 0` with `A =
 //! J M⁻¹ Jᵀ`, and `A λ = b` leaves their fraction in `λ` open. The result is rounding divided by almost zero:
-//! hinges that strain against each other with a thousand times their load. Loops alone can do that; for
-//! components that have some, of all impulses which do what they should the least are wanted. They minimise
+//! hinges that strain against each other with a thousand times their load. Only components with loops can
+//! have redundant constraints. For these, the solver selects the smallest of all valid impulses. They minimise
 //! `λᵀ D λ`, where `D` contains the inverse masses of each row without its moment arms. Equal joints then
 //! carry equal loads, independent of their position.
 //!

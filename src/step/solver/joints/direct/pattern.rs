@@ -146,7 +146,7 @@ impl Pattern {
         }
     }
 
-    /// Orders all members that are worth it. An unchanged component is kept.
+    /// Builds the components of the joints that are solved directly. An unchanged list of joints is kept.
     pub fn build(&mut self, given: &[DirectJoint], body_count: usize) {
         if self.given == given {
             return;
