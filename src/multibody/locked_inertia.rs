@@ -26,7 +26,7 @@ use crate::dim::spatial::{ANG_AXES, ang_components, angular};
 
 /// Regularisation of the locked inertia when it corrects a missing momentum, as a fraction of the sum of its
 /// moments of inertia.
-const SLOWNESS: Real = 0.05;
+const REGULARISATION_FRACTION: Real = 0.05;
 /// Number of rounds of the correction.
 const ROUNDS: usize = 6;
 
@@ -94,8 +94,9 @@ impl LockedInertia {
     /// leave a few millionths about axes that are not thin, and correct almost nothing about thin ones.
     pub fn correction(&mut self, missing: &SpatialVector) -> &[Real] {
         let link = &self.body.links[0];
-        let slowness = SLOWNESS * (0..ANG_DIM).map(|k| link.inertia[k][k]).sum::<Real>();
-        self.resist(|axis| if angular(axis) == ANG_ZERO { 0.0 } else { slowness });
+        let regularisation =
+            REGULARISATION_FRACTION * (0..ANG_DIM).map(|k| link.inertia[k][k]).sum::<Real>();
+        self.resist(|axis| if angular(axis) == ANG_ZERO { 0.0 } else { regularisation });
         let mut rest = carry_back(missing, -self.reach);
         let mut sum = [0.0; SPATIAL_DIM];
         for _ in 0..ROUNDS {

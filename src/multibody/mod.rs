@@ -52,5 +52,5 @@ mod locked_inertia;
 
 pub use inverse::InverseKinematicsOption;
 pub(crate) use mass_matrix::usable;
-pub(crate) use motion::{Drive, LinkForce, Motion};
+pub(crate) use motion::{JointLoad, LinkForce, Motion};
 pub(crate) use trajectory::LinkSample;

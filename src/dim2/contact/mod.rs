@@ -29,7 +29,7 @@
 //! impulse scale `i`) and the accumulated impulse `λ ≥ 0`:
 //!
 //! ```text
-//! Δλ = -(m Ċ + bias) / K - i λ,    bias = max(m b C, -push)  overlapping
+//! Δλ = -(m Ċ + bias) / K - i λ,    bias = max(m b min(C + C_allowed, 0), -push)  overlapping
 //!                                  bias = C / h, m = 1, i = 0    apart (it may close the gap, no more)
 //! ```
 //!

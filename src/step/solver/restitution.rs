@@ -10,7 +10,7 @@ use core::ops::{Add, Mul, Neg, Sub};
 
 /// Gauss–Seidel sweeps over the points of a manifold in each iteration. The points couple with each other
 /// more than with other manifolds.
-pub(super) const POINT_SWEEPS: usize = 4;
+pub(super) const POINT_ITERATIONS: usize = 4;
 /// A round has converged when no point changes its velocity by more than this fraction of its approach
 /// velocity.
 const CONVERGENCE_TOLERANCE: Real = 1.0e-3;

@@ -178,14 +178,14 @@ fn fill(
 }
 
 fn assign_bodies(block: &mut LaneBlock, lane: usize, bodies: &SolverBodies) {
-    let (index1, creeps1) = bodies.find(block.slots[0][lane]);
-    let (index2, creeps2) = bodies.find(block.slots[1][lane]);
+    let (index1, near_rest1) = bodies.find(block.slots[0][lane]);
+    let (index2, near_rest2) = bodies.find(block.slots[1][lane]);
     let input = &mut block.input;
     (input.bodies[0][lane], input.bodies[1][lane]) = (index1, index2);
     for (side, index) in [index1, index2].into_iter().enumerate() {
         input.is_world[side].0[lane] = if index == BodyPose::WORLD_INDEX { 1.0 } else { 0.0 };
     }
-    input.anchor_frame.set_near_rest(lane, creeps1 && creeps2);
+    input.anchor_frame.set_near_rest(lane, near_rest1 && near_rest2);
 }
 
 /// Scales the warm-start impulses of all lanes by the fraction of their bodies.

@@ -14,7 +14,7 @@ use crate::dim::math::{MAX_MANIFOLD_POINTS, Real};
 use crate::dim::state::BodyState;
 use crate::step::solver::blocks::block_kernel;
 use crate::step::solver::contacts::Blocks;
-use crate::step::solver::restitution::{HitRow, POINT_SWEEPS};
+use crate::step::solver::restitution::{HitRow, POINT_ITERATIONS};
 use crate::step::solver::states::{gather_states, scatter_states};
 use core::ops::Range;
 
@@ -182,7 +182,7 @@ impl ActiveBlock {
         let mut normals = unsafe { NormalRows::<W>::gather(states, contact) };
         let zero = W::zero();
         let mut goes_on = zero.le(zero);
-        for sweep in 0..POINT_SWEEPS {
+        for iteration in 0..POINT_ITERATIONS {
             let mut changes = zero.lt(zero);
             normals.iterate(|k, velocity| {
                 let RoundRow { active, impulse } = &mut rows[k];
@@ -192,7 +192,7 @@ impl ActiveBlock {
                 changes = changes | active.tolerance().lt((new - old).abs());
                 new - old
             });
-            if sweep == 0 {
+            if iteration == 0 {
                 *moving = W::bits(changes);
                 goes_on = have_several::<W>(rows);
             }

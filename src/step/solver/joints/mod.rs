@@ -313,8 +313,8 @@ impl SolverJoints {
     /// apart.
     pub fn share_delays(&self, delays: &mut [BodyState]) {
         self.direct.share_delays(delays);
-        let swept = self.members.iter().filter(|member| !self.direct.contains(member.slot));
-        for member in swept.filter(|member| member.form.locked != 0) {
+        let iterated = self.members.iter().filter(|member| !self.direct.contains(member.slot));
+        for member in iterated.filter(|member| member.form.locked != 0) {
             member.movable().for_each(|(_, body)| delays[body as usize] = BodyState::default());
         }
     }

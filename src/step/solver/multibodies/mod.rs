@@ -152,15 +152,22 @@ impl SoftPass {
 
     /// The impulse of a row that must not go below zero (`dim3/contact/mod.rs`), given `Ċ`, `C`, `1/K` and
     /// the impulse so far.
-    fn solve(&self, velocity: Real, room: Real, mass: Real, impulse: Real, bias: bool) -> Real {
-        if room > 0.0 {
-            return (impulse - mass * (velocity + room * self.inv_substep)).max(0.0);
+    fn solve(
+        &self,
+        velocity: Real,
+        separation: Real,
+        mass: Real,
+        impulse: Real,
+        bias: bool,
+    ) -> Real {
+        if separation > 0.0 {
+            return (impulse - mass * (velocity + separation * self.inv_substep)).max(0.0);
         }
         if !bias {
             return (impulse - mass * velocity).max(0.0);
         }
         let Softness { bias_rate, mass_scale, impulse_scale } = self.softness;
-        let error = (room + self.allowed).min(0.0);
+        let error = (separation + self.allowed).min(0.0);
         let opening = (error * bias_rate * mass_scale).max(-self.push_max);
         (impulse - mass * (velocity * mass_scale + opening) - impulse * impulse_scale).max(0.0)
     }
@@ -354,7 +361,7 @@ impl Moving {
         self.kept = 1.0;
         if self.has_gained {
             let Self { motion, multibody, energy, touches, .. } = self;
-            self.kept = motion.settle_impulses(multibody, *energy, *touches);
+            self.kept = motion.limit_impulse_energy(multibody, *energy, *touches);
             self.pushed.iter_mut().for_each(|rate| *rate *= self.kept);
             self.root_pushed.iter_mut().for_each(|impulse| *impulse *= self.kept);
         }
