@@ -26,7 +26,7 @@
 //!
 //! ## The soft row
 //! With the softness of [`Softness`](crate::model::params::Softness) (bias rate `b`, mass scale `m`,
-//! impulse scale `i`) and the accumulated impulse `λ ≥ 0`:
+//! impulse scale `i`), the allowed overlap `C_allowed` and the accumulated impulse `λ ≥ 0`:
 //!
 //! ```text
 //! Δλ = -(m Ċ + bias) / K - i λ,    bias = max(m b min(C + C_allowed, 0), -push)  overlapping

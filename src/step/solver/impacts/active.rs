@@ -1,8 +1,8 @@
 //! The contacts that hit in a round, side by side.
 //!
-//! Few of the contacts with restitution hit in a round, and seldom two of one block. Each round iterates until
-//! it converges, so the data of an iteration is copied to separate blocks. 2D `spinner` then visits a quarter
-//! of the blocks. Lanes do not depend on each other, and the order of colours is kept.
+//! Few of the contacts with restitution hit in a round, and seldom two of one block. Each round iterates
+//! until it converges, so the data of an iteration is copied to separate blocks. 2D `spinner` then visits a
+//! quarter of the blocks. Lanes do not depend on each other, and the order of colours is kept.
 
 use super::points::NormalRows;
 use super::rows::{ImpactBlock, ImpactMark};

@@ -58,8 +58,8 @@ impl<W: Wide> Masses<W> {
         Self { sum: each[0] + each[1], each, inertia: block.inertias.load() }
     }
 
-    /// `M⁻¹ Jᵀ` of a row, as velocity changes per unit of impulse: the second body's, and the negatives of the
-    /// first one's. The linear part is the sum over both bodies.
+    /// `M⁻¹ Jᵀ` of a row, as velocity changes per unit of impulse: the second body's, and the negatives of
+    /// the first one's. The linear part is the sum over both bodies.
     #[inline(always)]
     fn response(&self, row: &Row<W>) -> Row<W> {
         Row {

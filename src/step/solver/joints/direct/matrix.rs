@@ -11,9 +11,9 @@
 //! Three hinges of a door are redundant: some impulses `n` have no effect on the bodies, `A n = 0` with `A =
 //! J M⁻¹ Jᵀ`, and `A λ = b` leaves their fraction in `λ` open. The result is rounding divided by almost zero:
 //! hinges that strain against each other with a thousand times their load. Only components with loops can
-//! have redundant constraints. For these, the solver selects the smallest of all valid impulses. They minimise
-//! `λᵀ D λ`, where `D` contains the inverse masses of each row without its moment arms. Equal joints then
-//! carry equal loads, independent of their position.
+//! have redundant constraints. For these, the solver selects the smallest of all valid impulses. They
+//! minimise `λᵀ D λ`, where `D` contains the inverse masses of each row without its moment arms. Equal joints
+//! then carry equal loads, independent of their position.
 //!
 //! With a small damping `δ` (Tikhonov's) the equations have one solution, and the factors of the damped
 //! matrix are those that solve it. One more turn with them takes away what the first one found where it
