@@ -13,8 +13,8 @@
 //!   the root alone, a moment of a few roundings about the axis of a thin limb on a ball joint spins that
 //!   limb. A straight chain is a thin whole. Its missing momentum about that axis is therefore corrected
 //!   slowly, or soon about another axis, as the chain rotates.
-//! * Energy that is to go can be taken from the change of shape. The momentum of free flight and spin is
-//!   kept, independent of the observer.
+//! * Excess energy can be taken from the change of shape. This conserves the linear and angular momentum in
+//!   every frame of reference.
 
 use super::factor::{Factor, Resistance};
 use super::kinematics::{Kinematics, LinkFrame};

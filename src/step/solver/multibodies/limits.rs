@@ -69,11 +69,11 @@ struct ForceRow {
     axis: JointAxis,
     row: Row,
     is_friction: bool,
-    /// Stiffness over `h k + d` (1/s): what a distance from the target adds to the velocity that is wanted.
+    /// Stiffness over `h k + d` (1/s): the increase of the target velocity per distance from the target.
     pull: Real,
     /// Distance to the target at the beginning of the step.
     distance: Real,
-    /// The velocity that is wanted at the target.
+    /// Target velocity at the target position.
     velocity: Real,
     compliance: Real,
     impulse: Real,
