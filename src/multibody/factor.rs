@@ -31,7 +31,7 @@ use crate::dim::spatial::{angular, linear};
 /// undetermined, and it is locked.
 const INERTIA_MIN: Real = 64.0 * Real::EPSILON;
 
-/// The subtree of each degree of freedom.
+/// `U` and `1/D` of one degree of freedom.
 #[derive(Copy, Clone, Debug)]
 struct Pivot {
     u: SpatialVector,
@@ -107,9 +107,8 @@ impl Factor {
         }
     }
 
-    /// By degree of freedom: the acceleration by a unit force if all descendants are free to move, and no
-    /// ancestors.
-    pub fn ease(&self) -> impl Iterator<Item = Real> {
+    /// Inverse articulated inertia of each degree of freedom: descendants free, ancestors locked.
+    pub fn inv_articulated_inertias(&self) -> impl Iterator<Item = Real> {
         self.pivots.iter().map(|pivot| pivot.inv_inertia)
     }
 

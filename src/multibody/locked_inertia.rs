@@ -13,8 +13,8 @@
 //!   the root alone, a moment of a few roundings about the axis of a thin limb on a ball joint spins that
 //!   limb. A straight chain is a thin whole. Its missing momentum about that axis is therefore corrected
 //!   slowly, or soon about another axis, as the chain rotates.
-//! * Energy that is to go can be taken from the change of shape. The momentum of free flight and spin is
-//!   kept, independent of the observer.
+//! * Excess energy can be taken from the change of shape. This conserves the linear and angular momentum in
+//!   every frame of reference.
 
 use super::factor::{Factor, Resistance};
 use super::kinematics::{Kinematics, LinkFrame};
@@ -26,7 +26,7 @@ use crate::dim::spatial::{ANG_AXES, ang_components, angular};
 
 /// Regularisation of the locked inertia when it corrects a missing momentum, as a fraction of the sum of its
 /// moments of inertia.
-const SLOWNESS: Real = 0.05;
+const REGULARISATION_FRACTION: Real = 0.05;
 /// Number of rounds of the correction.
 const ROUNDS: usize = 6;
 
@@ -94,8 +94,9 @@ impl LockedInertia {
     /// leave a few millionths about axes that are not thin, and correct almost nothing about thin ones.
     pub fn correction(&mut self, missing: &SpatialVector) -> &[Real] {
         let link = &self.body.links[0];
-        let slowness = SLOWNESS * (0..ANG_DIM).map(|k| link.inertia[k][k]).sum::<Real>();
-        self.resist(|axis| if angular(axis) == ANG_ZERO { 0.0 } else { slowness });
+        let regularisation =
+            REGULARISATION_FRACTION * (0..ANG_DIM).map(|k| link.inertia[k][k]).sum::<Real>();
+        self.resist(|axis| if angular(axis) == ANG_ZERO { 0.0 } else { regularisation });
         let mut rest = carry_back(missing, -self.reach);
         let mut sum = [0.0; SPATIAL_DIM];
         for _ in 0..ROUNDS {

@@ -26,14 +26,14 @@
 //! | `bias.rs` | `C(q, q̇) q̇` in `O(n)`: recursive Newton–Euler | Featherstone 2008, chapter 5 |
 //! | `mass_matrix.rs` | `M` in `O(n²)`: composite rigid bodies | Featherstone 2008, chapter 6 |
 //! | `motion/` | one substep without contacts | Hairer, Lubich, Wanner 2006, chapter VI |
-//! | `locked_inertia.rs` | all links as one rigid body: what a change of shape leaves as it is | Marsden, Ratiu 1999 |
-//! | `trajectory.rs` | the way through a step, and back | |
-//! | `inverse.rs` | `q` for a link to be somewhere | Buss 2004 |
+//! | `locked_inertia.rs` | all links as one rigid body; a change of shape conserves its momentum | Marsden, Ratiu 1999 |
+//! | `trajectory.rs` | motion of the links in a step, and its reversal up to a time of impact | |
+//! | `inverse.rs` | `q` for a given pose of a link | Buss 2004 |
 //!
-//! Featherstone's articulated-body algorithm computes accelerations from forces in three passes. The
-//! articulated-body algorithm is split where it depends on the velocity. The *factorisation* is made once per
-//! configuration, and then gives accelerations and velocities for any number of forces and impulses,
-//! including contacts.
+//! Featherstone's articulated-body algorithm computes accelerations from forces in three passes. The engine
+//! splits it into a part that depends on the configuration only and a part that depends on the forces. The
+//! *factorisation* is made once per configuration. It then gives accelerations and velocities for any number
+//! of forces and impulses, including contacts.
 //!
 //! Sources: Featherstone, "Rigid Body Dynamics Algorithms" (2008).
 
@@ -52,5 +52,5 @@ mod locked_inertia;
 
 pub use inverse::InverseKinematicsOption;
 pub(crate) use mass_matrix::usable;
-pub(crate) use motion::{Drive, LinkForce, Motion};
+pub(crate) use motion::{JointLoad, LinkForce, Motion};
 pub(crate) use trajectory::LinkSample;

@@ -9,7 +9,7 @@
 //! time is removed.
 
 use super::kinematics::Kinematics;
-use super::{Drive, Motion, usable};
+use super::{JointLoad, Motion, usable};
 use crate::dim::math::{AngVector, Real, Rotation, Vector};
 use crate::dim::spatial::{angular, linear};
 use crate::model::body::{RigidBodySet, RigidBodyVelocity};
@@ -90,7 +90,7 @@ impl LinkTrajectory {
             multibody.links.iter().map(|link| center(link.body)).collect()
         };
         let (energy, ends) = (kinetic_energy(multibody, bodies), centers(bodies, multibody));
-        let (mut motion, has_diverged) = self.fly_back(multibody, bodies, fraction, pieces, dt);
+        let (mut motion, has_diverged) = self.rewind(multibody, bodies, fraction, pieces, dt);
         store(multibody, &mut motion, bodies);
         let now = centers(bodies, multibody);
         let mut work = 0.0;
@@ -108,7 +108,7 @@ impl LinkTrajectory {
 
     /// Moves back to a fraction of the trajectory, with the velocities of that time as far as inertia has
     /// changed them. If inertia cannot be reversed, the links keep their momenta, as far as the joints allow.
-    fn fly_back(
+    fn rewind(
         &self,
         multibody: &mut Multibody,
         bodies: &RigidBodySet,
@@ -117,17 +117,17 @@ impl LinkTrajectory {
         dt: Real,
     ) -> (Motion, bool) {
         let mut motion = Motion::default();
-        motion.drives = inertias(multibody);
+        motion.joint_loads = inertias(multibody);
         motion.begin(multibody, bodies);
         let (last, momenta) = (motion.rates.clone(), motion.link_momenta());
         let mut has_diverged = false;
         let count = ((1.0 - fraction) * pieces as Real).ceil().max(1.0);
         let piece = (1.0 - fraction) / count;
         for _ in 0..count as usize {
-            has_diverged |= !motion.fly_on(-0.5 * piece * dt);
+            has_diverged |= !motion.implicit_inertial_kick(-0.5 * piece * dt);
             motion.displace(multibody, &self.shift, -piece);
             motion.resist(0.0);
-            motion.fly_back(0.5 * piece * dt);
+            motion.undo_inertial_kick(0.5 * piece * dt);
         }
         self.put_at(multibody, fraction, pieces);
         motion.displace(multibody, &self.shift, 0.0);
@@ -148,11 +148,11 @@ impl LinkTrajectory {
         let root = multibody.links[0].pose;
         self.put_back(multibody);
         let piece = 1.0 / pieces as Real;
-        let locked_inertia = ((fraction / piece).floor() as usize).min(pieces);
-        for _ in 0..locked_inertia {
+        let whole_pieces = ((fraction / piece).floor() as usize).min(pieces);
+        for _ in 0..whole_pieces {
             multibody.integrate(piece, &self.shift, &self.root);
         }
-        let rest = (fraction - locked_inertia as Real * piece).max(0.0);
+        let rest = (fraction - whole_pieces as Real * piece).max(0.0);
         multibody.integrate(rest, &self.shift, &self.root);
         if multibody.links[0].free.is_empty() {
             multibody.links[0].pose = root;
@@ -170,14 +170,14 @@ impl LinkTrajectory {
 }
 
 /// Additional inertia of degrees of freedom beyond that of links.
-fn inertias(multibody: &Multibody) -> Vec<Drive> {
+fn inertias(multibody: &Multibody) -> Vec<JointLoad> {
     let armatures = multibody.dofs.iter().zip(&multibody.lists.armature);
-    let drive = |is_prescribed, armature| Drive {
+    let load = |is_prescribed, armature| JointLoad {
         armature: if is_prescribed { Real::INFINITY } else { usable(armature) },
-        ..Drive::default()
+        ..JointLoad::default()
     };
     armatures
-        .map(|(dof, &armature)| drive(multibody.links[dof.link].joint.kinematic, armature))
+        .map(|(dof, &armature)| load(multibody.links[dof.link].joint.kinematic, armature))
         .collect()
 }
 

@@ -86,7 +86,7 @@ impl Step<'_> {
         stamp
     }
 
-    /// Finds new pairs of colliders.
+    /// Finds new pairs of colliders, and adds them to the structure.
     pub(super) fn broad_phase(&mut self) {
         let World { structure, broad_phase: tree, params, .. } = &mut self.world;
         let (limits, scratch) = (NeighborLimits::of(params), &mut self.scratch.broad_phase);
@@ -123,7 +123,7 @@ impl Step<'_> {
         (cd.ncontact_pairs, cd.nintersection_pairs) = (contacts.len(), intersections.len());
     }
 
-    /// Links and cuts islands, and wakes bodies.
+    /// Links and cuts islands, wakes bodies, and marks bodies deep in a wall for CCD.
     pub(super) fn islands(&mut self) {
         let World { structure, params, .. } = &mut self.world;
         let notes = &mut self.scratch.notes;

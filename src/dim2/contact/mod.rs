@@ -26,11 +26,11 @@
 //!
 //! ## The soft row
 //! With the softness of [`Softness`](crate::model::params::Softness) (bias rate `b`, mass scale `m`,
-//! impulse scale `i`) and the accumulated impulse `λ ≥ 0`:
+//! impulse scale `i`), the allowed overlap `C_allowed` and the accumulated impulse `λ ≥ 0`:
 //!
 //! ```text
-//! Δλ = -(m Ċ + bias) / K - i λ,    bias = max(m b C, -push)  overlapping
-//!                                  bias = C / h, m = 1, i = 0    apart (it may close the gap, no more)
+//! Δλ = -(m Ċ + bias) / K - i λ,    bias = max(m b min(C + C_allowed, 0), -push)  overlapping
+//!                                  bias = C / h, m = 1, i = 0                    apart (it may close the gap, no more)
 //! ```
 //!
 //! Sources: Catto, "Solver2D" (box2d.org, 2024) for the soft substep; Catto, "Modeling and Solving

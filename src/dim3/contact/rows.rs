@@ -30,7 +30,7 @@ impl<W: Wide> Frame<W> {
         Self { t1, t2: cross(n, t1), n }
     }
 
-    /// The frame that a block remembers two axes of.
+    /// The contact frame of a block, which stores two of the axes.
     #[inline(always)]
     pub fn load(block: &ContactBlock) -> Self {
         let n = WideVector::load(&block.normal);

@@ -17,10 +17,10 @@ pub(crate) struct ContactInput {
     pub mass_factors: [Lane; 2],
     /// World orientation of the bodies when the anchors were transformed.
     pub anchor_frame: WideAnchorFrame,
-    /// From the first centre of mass to the points as they were placed, in world space.
+    /// From the first centre of mass to the points when the anchors were transformed, in world space.
     pub arms: [WideVector<Lane>; MAX_MANIFOLD_POINTS],
-    /// Separations of the points as they were placed.
-    pub placed_separations: [Lane; MAX_MANIFOLD_POINTS],
+    /// Separations of the points when the anchors were transformed.
+    pub anchor_separations: [Lane; MAX_MANIFOLD_POINTS],
     /// One for points that are there, zero for the others.
     pub present: [Lane; MAX_MANIFOLD_POINTS],
     /// Normal impulses with which to start.
@@ -47,7 +47,7 @@ impl ContactInput {
             mass_factors: [Lane::ZERO; 2],
             anchor_frame: WideAnchorFrame::NOWHERE,
             arms: [vector; MAX_MANIFOLD_POINTS],
-            placed_separations: [Lane::ZERO; MAX_MANIFOLD_POINTS],
+            anchor_separations: [Lane::ZERO; MAX_MANIFOLD_POINTS],
             present: [Lane::ZERO; MAX_MANIFOLD_POINTS],
             impulses: [Lane::ZERO; MAX_MANIFOLD_POINTS],
             friction: Lane::ZERO,
@@ -74,7 +74,7 @@ impl ContactInput {
     /// A point that one lane does not have.
     pub fn leave_out(&mut self, point: usize, lane: usize) {
         self.arms[point].set_lane(lane, Vector::ZERO);
-        self.placed_separations[point].0[lane] = 0.0;
+        self.anchor_separations[point].0[lane] = 0.0;
         self.present[point].0[lane] = 0.0;
         self.impulses[point].0[lane] = 0.0;
         self.set_tangent_impulse(point, lane, [0.0; _]);

@@ -103,7 +103,7 @@ impl LaneBlock {
                 continue;
             };
             input.arms[k].set_lane(lane, point.arm);
-            input.placed_separations[k].0[lane] = point.placed_dist;
+            input.anchor_separations[k].0[lane] = point.placed_dist;
             input.present[k].0[lane] = 1.0;
             input.impulses[k].0[lane] = point.warmstart_impulse;
             input.set_tangent_impulse(k, lane, point.warmstart_tangent_impulse);

@@ -34,9 +34,9 @@ pub struct Contact {
     /// The point on the second collider, in that collider's frame (length units).
     pub local_p2: Vector,
     /// From the first body's centre of mass to the point midway between the two surfaces, in world
-    /// space, as the pair was [placed](super::AnchorFrame).
+    /// space, when the anchors were [transformed](super::AnchorFrame).
     pub(crate) arm: Vector,
-    /// [`Self::dist`] as the pair was placed.
+    /// [`Self::dist`] when the anchors were transformed.
     pub(crate) placed_dist: Real,
     /// Distance of the two points along the normal; negative when the colliders overlap.
     pub dist: Real,
@@ -112,7 +112,7 @@ pub struct ContactManifoldData {
     pub solver_flags: SolverFlags,
     /// Unit normal in world space, from the first collider to the second.
     pub normal: Vector,
-    /// [`Self::normal`] as the pair was [placed](super::AnchorFrame).
+    /// [`Self::normal`] when the anchors were [transformed](super::AnchorFrame).
     pub(crate) placed_normal: Vector,
     /// Combined friction coefficient.
     pub friction: Real,
@@ -262,7 +262,7 @@ impl ContactManifold {
     }
 
     /// Returns whether all numbers are usable, and all normals are unit vectors. (The step computes the
-    /// present normal from the placed one.) A manifold that never had a point has no normals yet.
+    /// current normal from the anchors' normal.) A manifold that never had a point has no normals yet.
     pub(crate) fn is_sound(&self) -> bool {
         let data = &self.data;
         let directions = [self.local_n1, self.local_n2, data.normal, data.placed_normal];

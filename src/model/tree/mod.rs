@@ -130,7 +130,7 @@ impl BroadPhaseBvh {
 
     /// Returns whether a collider owns the pair with another: the smaller one does. Among equals it is the
     /// one that is no sensor, or else the later one.
-    pub(crate) fn bears(&self, slot: u32, other_slot: u32) -> bool {
+    pub(crate) fn owns(&self, slot: u32, other_slot: u32) -> bool {
         let order = |slot: u32, other: u32| (self.size(slot), self.is_sensor(slot), other);
         order(slot, other_slot) < order(other_slot, slot)
     }

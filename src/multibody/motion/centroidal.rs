@@ -1,8 +1,8 @@
 //! The momentum of a multibody, which nothing inside it changes.
 //!
-//! Internal forces of a multibody conserve its linear and angular momentum. The error of the flight does, in
-//! third order, and so do pushes from outside, whose responses are frozen during a step. The momentum is
-//! therefore integrated beside the velocities. It changes by gravity, forces and impulses alone, and the
+//! Internal forces of a multibody conserve its linear and angular momentum. The error of free motion changes
+//! them, in third order, and so do external impulses, whose responses are frozen during a step. The momentum
+//! is therefore integrated beside the velocities. It changes by gravity, forces and impulses alone, and the
 //! [`LockedInertia`](super::super::locked_inertia::LockedInertia) corrects the velocities. Freely tumbling
 //! chains do not drift, and contacts conserve momentum.
 //!

@@ -8,7 +8,7 @@
 use super::super::kinematics::LinkFrame;
 use super::super::spatial::{ZERO, angular_momentum};
 use super::free::ERROR_MAX;
-use super::{Drive, Motion, add_all};
+use super::{JointLoad, Motion, add_all};
 use crate::dim::math::{ANG_ZERO, Real, SpatialVector, Vector, ang_dot, ang_length_squared};
 use crate::dim::spatial::{angular, linear};
 use crate::model::multibody::Multibody;
@@ -22,15 +22,15 @@ const JOINT_ANGLE_MAX: Real = 0.5;
 /// Joints that rotate by a larger angle (rad) in a substep are not limited: the input is beyond the simulated
 /// range, and a [`QuarantineEvent`](crate::model::event::QuarantineEvent) reports it.
 const ANGLE_MEANINGFUL_MAX: Real = 1.0e6;
-/// From this fraction of the energy on, the excess is removed from the change of shape.
-const GAIN_CONTRACTION_MAX: Real = 0.9;
+/// If at least this fraction of the energy is kept, the excess is removed from the change of shape.
+const SHAPE_REDUCTION_FRACTION_MIN: Real = 0.9;
 /// Relative rounding error of an energy.
 const ROUNDING: Real = 32.0 * Real::EPSILON;
 
 impl Motion {
     /// The energy that free motion conserves; `None` if something drives the links: a rotating root, or a
     /// prescribed joint.
-    pub(super) fn flight_energy(&mut self) -> Option<Real> {
+    pub(super) fn free_motion_energy(&mut self) -> Option<Real> {
         if angular(&self.root) != ANG_ZERO || self.is_driven() {
             return None;
         }
@@ -40,8 +40,8 @@ impl Motion {
 
     /// Returns whether a joint moves at a velocity that the user gave it.
     fn is_driven(&self) -> bool {
-        let is_driven = |(drive, rate): (&Drive, &Real)| drive.is_prescribed() && *rate != 0.0;
-        self.drives.iter().zip(&self.rates).any(is_driven)
+        let is_driven = |(load, rate): (&JointLoad, &Real)| load.is_prescribed() && *rate != 0.0;
+        self.joint_loads.iter().zip(&self.rates).any(is_driven)
     }
 
     /// The velocity of the frame in which the multibody as a whole goes nowhere, at the velocities that the
@@ -77,7 +77,7 @@ impl Motion {
         if self.root != ZERO || self.is_driven() {
             return Real::MAX;
         }
-        let rates = self.rates_before_flight();
+        let rates = self.rates_before_free_motion();
         let energy = self.energy_at(&rates);
         self.return_buffer(rates);
         energy
@@ -90,7 +90,7 @@ impl Motion {
 
     /// Limits the kinetic energy that impulses left. An excess above a bound is recorded in a budget, and the
     /// part beyond the budget is removed. Returns the fraction that is kept.
-    pub fn settle_impulses(
+    pub fn limit_impulse_energy(
         &mut self,
         multibody: &mut Multibody,
         energy_max: Real,
@@ -115,11 +115,11 @@ impl Motion {
         if kept >= 1.0 || !kept.is_finite() {
             return 1.0;
         }
-        if (kept > GAIN_CONTRACTION_MAX || !touches) && self.root_dofs() > 0 {
+        if (kept > SHAPE_REDUCTION_FRACTION_MIN || !touches) && self.root_dofs() > 0 {
             self.keep_momentum(self.kinematics.links[0].center);
             let energy_gain = self.kinetic_energy() - energy_max;
-            let own = self.flight_energy();
-            self.limit_flight(own.map(|own| (own - energy_gain).max(0.0)));
+            let own = self.free_motion_energy();
+            self.limit_free_energy(own.map(|own| (own - energy_gain).max(0.0)));
         }
         let left = energy_max.max(0.0) / self.kinetic_energy();
         if left < 1.0 - ROUNDING {
@@ -135,8 +135,8 @@ impl Motion {
 
     /// Scales all velocities by this fraction, except prescribed ones.
     fn slow_down(&mut self, fraction: Real) {
-        for (rate, drive) in self.rates.iter_mut().zip(&self.drives) {
-            *rate *= if drive.is_prescribed() { 1.0 } else { fraction };
+        for (rate, load) in self.rates.iter_mut().zip(&self.joint_loads) {
+            *rate *= if load.is_prescribed() { 1.0 } else { fraction };
         }
         self.follow_momentum();
     }
@@ -144,7 +144,7 @@ impl Motion {
     /// Limits the energy of the links: it reduces the change of shape and, if that is not sufficient, the
     /// rotation of the whole. If links move far at once, their configuration may be too compact for their
     /// angular momentum and energy.
-    pub(super) fn limit_flight(&mut self, most: Option<Real>) {
+    pub(super) fn limit_free_energy(&mut self, most: Option<Real>) {
         let Some(most) = most else { return };
         self.update_velocities();
         let frame = self.frame_velocity();
@@ -159,21 +159,21 @@ impl Motion {
         if of_locked < most {
             self.blend(&own, ((most - of_locked) / (energy - of_locked)).sqrt());
         } else {
-            let locked_inertia = self.copy_of_rates();
+            let locked_rates = self.copy_of_rates();
             self.slow_to(frame);
             self.blend(
-                &locked_inertia,
+                &locked_rates,
                 if of_locked > 0.0 { (most / of_locked).sqrt() } else { 0.0 },
             );
-            self.return_buffer(locked_inertia);
+            self.return_buffer(locked_rates);
         }
-        self.obey(&own);
+        self.restore_prescribed_rates(&own);
         self.return_buffer(own);
         self.follow_momentum();
     }
 
     /// Limits the rotation of joints to [`JOINT_ANGLE_MAX`] in `h` seconds by reducing the change of shape.
-    pub(super) fn limit_whip(&mut self, h: Real) {
+    pub(super) fn limit_joint_rates(&mut self, h: Real) {
         let axes = self.kinematics.axes.iter().zip(&self.rates).skip(self.root_dofs());
         let turns = axes.filter(|(axis, _)| angular(axis) != ANG_ZERO);
         let fastest = turns.map(|(_, rate)| (rate * h).abs()).fold(0.0, Real::max);
@@ -181,7 +181,7 @@ impl Motion {
             let own = self.copy_of_rates();
             self.slow_to_locked();
             self.blend(&own, JOINT_ANGLE_MAX / fastest);
-            self.obey(&own);
+            self.restore_prescribed_rates(&own);
             self.return_buffer(own);
         }
     }
@@ -195,9 +195,11 @@ impl Motion {
     }
 
     /// Sets the velocities of prescribed degrees of freedom.
-    fn obey(&mut self, prescribed: &[Real]) {
-        for ((rate, drive), prescribed) in self.rates.iter_mut().zip(&self.drives).zip(prescribed) {
-            *rate = if drive.is_prescribed() { *prescribed } else { *rate };
+    fn restore_prescribed_rates(&mut self, prescribed: &[Real]) {
+        for ((rate, load), prescribed) in
+            self.rates.iter_mut().zip(&self.joint_loads).zip(prescribed)
+        {
+            *rate = if load.is_prescribed() { *prescribed } else { *rate };
         }
     }
 
@@ -266,10 +268,10 @@ impl Motion {
             0.5 * (link.mass * v.length_squared() + ang_dot(w, angular_momentum(&link.inertia, w)))
         };
         let of_links: Real = self.kinematics.links.iter().zip(&self.velocities).map(of).sum();
-        let of_armature = |(drive, rate): (&Drive, &Real)| {
-            if drive.is_prescribed() { 0.0 } else { 0.5 * drive.armature * rate * rate }
+        let of_armature = |(load, rate): (&JointLoad, &Real)| {
+            if load.is_prescribed() { 0.0 } else { 0.5 * load.armature * rate * rate }
         };
-        of_links + self.drives.iter().zip(&self.rates).map(of_armature).sum::<Real>()
+        of_links + self.joint_loads.iter().zip(&self.rates).map(of_armature).sum::<Real>()
     }
 }
 

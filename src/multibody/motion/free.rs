@@ -82,10 +82,10 @@ struct FreeMotionStart {
 
 impl Motion {
     /// Chooses the number of pieces for a substep of `h` seconds and takes the first half of the first piece.
-    pub(super) fn begin_flight(&mut self, h: Real, change: &mut Vec<Real>) {
+    pub(super) fn begin_free_motion(&mut self, h: Real, change: &mut Vec<Real>) {
         self.pieces = self.pieces_for(h);
         loop {
-            self.has_diverged = !self.fly_half(self.middle(h), change);
+            self.has_diverged = !self.implicit_half_step(self.middle(h), change);
             if !self.has_diverged || self.pieces >= PIECES_MAX {
                 return;
             }
@@ -121,17 +121,17 @@ impl Motion {
         let (mut has_diverged, mut energy) = (self.has_diverged, begin.energy);
         for k in 0..self.pieces {
             if k > 0 {
-                energy = self.flight_energy();
+                energy = self.free_motion_energy();
                 let mut change = core::mem::take(&mut self.change);
-                has_diverged = !self.fly_half(0.5 * piece, &mut change);
+                has_diverged = !self.implicit_half_step(0.5 * piece, &mut change);
                 self.change = change;
             }
             note(self, piece);
             self.advance_piece(multibody, [piece, h], has_diverged, energy);
         }
-        let error = self.iterate(multibody, h, &begin);
+        let energy_change = self.close_energy_budget(multibody, h, &begin);
         self.limit_speed(speed_max);
-        error
+        energy_change
     }
 
     /// Moves the links for a piece of a substep of `h` seconds, and takes the second half of the piece, which
@@ -149,7 +149,7 @@ impl Motion {
         multibody.integrate(piece, &self.rates, &self.root);
         self.place(multibody);
         self.resist(h);
-        let has_diverged = has_diverged || !self.fly_second_half(0.5 * piece, energy);
+        let has_diverged = has_diverged || !self.explicit_half_step(0.5 * piece, energy);
         if has_diverged {
             self.resist(0.0);
             self.take_momenta(|id, _| Some(momenta[id]));
@@ -159,8 +159,8 @@ impl Motion {
         self.keep_momentum(root_center);
         if has_diverged {
             self.has_diverged = true;
-            self.limit_flight(energy);
-            self.limit_whip(h);
+            self.limit_free_energy(energy);
+            self.limit_joint_rates(h);
         }
     }
 
@@ -169,11 +169,11 @@ impl Motion {
     fn begin_budget(&mut self, h: Real) -> FreeMotionStart {
         let now = self.copy_of_rates();
         if self.rates == self.half_rates {
-            add_all(&mut self.rates, &self.flown, -1.0);
+            add_all(&mut self.rates, &self.first_half_change, -1.0);
         } else if !self.has_diverged {
             self.has_diverged = !self.undo_first_half(self.middle(h));
         }
-        let (energy, power) = (self.flight_energy(), self.force_power());
+        let (energy, power) = (self.free_motion_energy(), self.force_power());
         self.rates.copy_from_slice(&now);
         self.return_buffer(now);
         let (work, root) = (self.force_work(), self.kinematics.links[0].center);
@@ -189,17 +189,17 @@ impl Motion {
         let [mut change, mut open] =
             [core::mem::take(&mut self.change), core::mem::take(&mut self.start)];
         core::mem::swap(&mut self.rates, &mut self.half_rates);
-        self.drift(h, &mut open);
-        add_all(&mut open, &self.flown, -1.0);
+        self.inertial_kick(h, &mut open);
+        add_all(&mut open, &self.first_half_change, -1.0);
         core::mem::swap(&mut self.rates, &mut self.half_rates);
-        self.drift(h, &mut change);
+        self.inertial_kick(h, &mut change);
         add_all(&mut self.rates, &change, -1.0);
         let size =
             |list: &[Real]| list.iter().fold(0.0, |most: Real, number| most.max(number.abs()));
         let mut converges = true;
         if size(&change) > SMALL_CHANGE * size(&self.rates) {
             let mut next = self.copy_of_rates();
-            self.drift(h, &mut next);
+            self.inertial_kick(h, &mut next);
             add_all(&mut next, &change, -1.0);
             converges = size(&next) <= CONTRACTION_MAX * size(&change);
             self.return_buffer(next);
@@ -213,9 +213,17 @@ impl Motion {
         converges
     }
 
-    /// Records the energy error of a substep of `h` seconds, and removes the excess.
-    fn iterate(&mut self, multibody: &mut Multibody, h: Real, begin: &FreeMotionStart) -> Real {
-        let (Some(before), Some(now)) = (begin.energy, self.flight_energy()) else { return 0.0 };
+    /// Records the energy error of a substep of `h` seconds, and removes the excess. Returns the change of
+    /// the kinetic energy.
+    fn close_energy_budget(
+        &mut self,
+        multibody: &mut Multibody,
+        h: Real,
+        begin: &FreeMotionStart,
+    ) -> Real {
+        let (Some(before), Some(now)) = (begin.energy, self.free_motion_energy()) else {
+            return 0.0;
+        };
         let kicks = 0.5 * h * (begin.power + self.force_power());
         let root_shift = self.kinematics.links[0].center - begin.root;
         let work = self.force_work() - begin.work + self.force_sum().dot(root_shift);
@@ -226,7 +234,7 @@ impl Motion {
         let error = known + corrected + (now - before) + (kicks - work);
         let energy_gain = (error - band).max(0.0);
         if energy_gain > 0.0 {
-            self.limit_flight(Some((now - energy_gain).max(0.0)));
+            self.limit_free_energy(Some((now - energy_gain).max(0.0)));
         }
         let rest = (error - energy_gain).max(-band);
         multibody.flight_error = if rest.is_finite() { rest } else { 0.0 };
@@ -262,8 +270,8 @@ impl Motion {
         self.forces.iter().map(|force| linear(&force.wrench)).sum()
     }
 
-    /// Computes the velocity changes by inertia alone in `h` seconds.
-    fn drift(&mut self, h: Real, change: &mut Vec<Real>) {
+    /// Computes the velocity changes by the inertial forces `-C q̇` in `h` seconds.
+    fn inertial_kick(&mut self, h: Real, change: &mut Vec<Real>) {
         let Self { kinematics, velocities, accelerations, wrenches, .. } = self;
         kinematics.velocities(&self.rates, &self.root, velocities);
         kinematics.inertial_wrenches(&self.rates, velocities, accelerations, wrenches);
@@ -273,13 +281,13 @@ impl Motion {
         change.iter_mut().for_each(|number| *number *= h);
     }
 
-    /// Integrates inertia for `h` seconds, explicitly. Returns whether the energy of the flight is kept;
-    /// nothing happens if not.
-    fn fly_second_half(&mut self, h: Real, energy: Option<Real>) -> bool {
+    /// Integrates inertia for `h` seconds, explicitly. Returns whether the energy is conserved; the
+    /// velocities stay if not.
+    fn explicit_half_step(&mut self, h: Real, energy: Option<Real>) -> bool {
         let mut change = core::mem::take(&mut self.change);
-        self.drift(h, &mut change);
+        self.inertial_kick(h, &mut change);
         add_all(&mut self.rates, &change, 1.0);
-        let is_kept = match (self.flight_energy(), energy) {
+        let is_kept = match (self.free_motion_energy(), energy) {
             (Some(now), Some(before)) => now <= GAIN_MAX * before,
             _ => true,
         };
@@ -299,51 +307,51 @@ impl Motion {
     }
 
     /// Reverses the velocity change by inertia in the last `h` seconds.
-    pub fn fly_back(&mut self, h: Real) {
+    pub fn undo_inertial_kick(&mut self, h: Real) {
         let mut change = core::mem::take(&mut self.change);
-        self.drift(h, &mut change);
+        self.inertial_kick(h, &mut change);
         add_all(&mut self.rates, &change, -1.0);
         self.change = change;
     }
 
-    /// Integrates inertia for `h` seconds, implicitly as [`Self::accelerate`] does. Returns false if it does
-    /// not converge: then nothing happens.
-    pub fn fly_on(&mut self, h: Real) -> bool {
+    /// Integrates inertia for `h` seconds, implicitly as [`Self::accelerate`] does. Returns whether the
+    /// iteration converges; the velocities stay if not.
+    pub fn implicit_inertial_kick(&mut self, h: Real) -> bool {
         let mut change = core::mem::take(&mut self.change);
-        let comes_together = self.fly_half(h, &mut change);
+        let converges = self.implicit_half_step(h, &mut change);
         self.change = change;
-        comes_together
+        converges
     }
 
-    /// The velocities before the first half of the flight, in a buffer that [`Self::return_buffer`] takes
-    /// back.
-    pub fn rates_before_flight(&mut self) -> Vec<Real> {
+    /// The velocities before the first half of the free motion, in a buffer that [`Self::return_buffer`]
+    /// takes back.
+    pub fn rates_before_free_motion(&mut self) -> Vec<Real> {
         let mut rates = self.copy_of_rates();
-        add_all(&mut rates, &self.flown, -1.0);
+        add_all(&mut rates, &self.first_half_change, -1.0);
         rates
     }
 
-    /// Integrates inertia for `h` seconds with the velocities of their end, and returns the change. Returns
-    /// whether the iterations come together; the velocities stay as they are if not.
-    fn fly_half(&mut self, h: Real, change: &mut Vec<Real>) -> bool {
+    /// Integrates inertia for `h` seconds with the velocities of their end, and stores the change. Returns
+    /// whether the iteration converges; the velocities stay if not.
+    fn implicit_half_step(&mut self, h: Real, change: &mut Vec<Real>) -> bool {
         let mut start = core::mem::take(&mut self.start);
         start.clone_from(&self.rates);
-        let comes_together = self.come_together(&start, h, change);
-        if !comes_together {
+        let converges = self.fixed_point_iteration(&start, h, change);
+        if !converges {
             self.rates.copy_from_slice(&start);
         }
         self.start = start;
-        comes_together
+        converges
     }
 
     /// The same, and leaves the velocities wherever the iterations led.
-    fn come_together(&mut self, start: &[Real], h: Real, change: &mut Vec<Real>) -> bool {
+    fn fixed_point_iteration(&mut self, start: &[Real], h: Real, change: &mut Vec<Real>) -> bool {
         // A residual below rounding is accepted.
         let fastest = start.iter().fold(0.0, |most: Real, rate| most.max(rate.abs()));
         let rounding = 16.0 * Real::EPSILON * fastest;
         let (mut first, mut moved) = (0.0, Real::MAX);
         for iteration in 1..=ITERATIONS_MAX {
-            self.drift(h, change);
+            self.inertial_kick(h, change);
             let news =
                 |((rate, start), change): ((&Real, &Real), &Real)| (start + change - rate).abs();
             let next = self.rates.iter().zip(start).zip(&*change).map(news).fold(0.0, Real::max);

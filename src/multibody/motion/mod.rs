@@ -18,8 +18,8 @@
 //! not break the symmetry. The first half therefore includes half of the impulses of the last substep, which
 //! equals their steady state, and the rest is added after it. (Without them, what goes round in a cone at 8
 //! rad/s loses a tenth of its energy per second.) An explicit step `q̇ - h M⁻¹ C q̇`, as given by one
-//! evaluation of forward dynamics, makes a tumbling chain gain energy until it explodes. A single body is
-//! integrated the same way (`dim3/gyroscopic.rs`), so chains and bodies fall alike.
+//! evaluation of forward dynamics, makes a tumbling chain gain energy until it explodes. A single body uses
+//! another symmetric method (`dim3/gyroscopic.rs`), so chains and bodies fall alike to second order.
 //!
 //! `M̃ = M + h D + θ h² K`: dampers `D` are evaluated at the end of the substep, and springs of stiffness `K`
 //! after the fraction `θ` of it. At its beginning, `θ = 0`, they conserve energy but are stable only for `h ω
@@ -59,7 +59,7 @@ pub struct LinkForce {
 
 /// Constant loads on a degree of freedom during a step: `pull - stiffness q - damping q̇`.
 #[derive(Copy, Clone, Debug, Default)]
-pub struct Drive {
+pub struct JointLoad {
     /// Inertia in addition to that of the links; infinite for a prescribed degree of freedom.
     pub armature: Real,
     /// Force per coordinate.
@@ -70,7 +70,7 @@ pub struct Drive {
     pub pull: Real,
 }
 
-impl Drive {
+impl JointLoad {
     /// Returns whether the velocity of the degree of freedom is prescribed.
     fn is_prescribed(&self) -> bool {
         self.armature == Real::INFINITY
@@ -86,13 +86,13 @@ pub struct Motion {
     /// The velocities.
     pub rates: Vec<Real>,
     pub forces: Vec<LinkForce>,
-    pub drives: Vec<Drive>,
+    pub joint_loads: Vec<JointLoad>,
     /// The velocity of a root without degrees of freedom.
     root: SpatialVector,
     /// Fraction of the substep at which a spring is evaluated: `θ`.
     spring_times: Vec<Real>,
-    /// Inverse inertia of each degree of freedom if the others are free.
-    ease: Vec<Real>,
+    /// Inverse articulated inertia of each degree of freedom: descendants free, ancestors locked.
+    inv_articulated_inertias: Vec<Real>,
     armature: Vec<Real>,
     drag: Vec<[Real; 2]>,
     /// The momentum of all links about the root's centre of mass, without [`Self::external_impulse`].
@@ -106,17 +106,18 @@ pub struct Motion {
     change: Vec<Real>,
     /// Buffers of functions, kept between steps: a step allocates nothing.
     buffers: Vec<Vec<Real>>,
-    /// The velocities before a flight.
+    /// The velocities before free motion.
     start: Vec<Real>,
     /// Whether a link exceeded the velocity limit since the step began.
     pub is_limited: bool,
     /// Velocity changes by the first half of the free motion.
-    flown: Vec<Real>,
+    first_half_change: Vec<Real>,
     /// The velocities to which it led, with half of the impulses of the last substep.
     half_rates: Vec<Real>,
-    /// Energy that corrections of the momentum gave outside of flights, and that is not in the account yet.
+    /// Energy that corrections of the momentum gave outside of free motion, and that the energy budget does
+    /// not include yet.
     corrected: Real,
-    /// Number of pieces of this substep's flight.
+    /// Number of pieces of this substep's free motion.
     pieces: usize,
     /// Whether a piece of this substep's free motion is too fast to be integrated.
     pub has_diverged: bool,
@@ -136,10 +137,10 @@ impl Motion {
         let rates = multibody.generalized_velocity().iter();
         self.rates.extend(rates.map(|rate| if rate.is_finite() { *rate } else { 0.0 }));
         self.armature.clear();
-        self.armature.extend(self.drives.iter().map(|drive| drive.armature));
+        self.armature.extend(self.joint_loads.iter().map(|load| load.armature));
         self.factor.update(&self.kinematics, Resistance { armature: &self.armature, drag: &[] });
-        self.ease.clear();
-        self.ease.extend(self.factor.ease());
+        self.inv_articulated_inertias.clear();
+        self.inv_articulated_inertias.extend(self.factor.inv_articulated_inertias());
         let body = |link: &MultibodyLink| bodies.get(link.body);
         self.root = ZERO;
         if let Some(root) = body(&multibody.links[0]).filter(|root| !root.is_dynamic()) {
@@ -175,11 +176,11 @@ impl Motion {
     pub fn resist(&mut self, h: Real) {
         self.spring_times.clear();
         self.armature.clear();
-        for (drive, ease) in self.drives.iter().zip(&self.ease) {
-            let swing = h * h * drive.stiffness * ease;
+        for (load, inv_inertia) in self.joint_loads.iter().zip(&self.inv_articulated_inertias) {
+            let swing = h * h * load.stiffness * inv_inertia;
             let time = if swing < Real::INFINITY { swing / (1.0 + swing) } else { 1.0 };
             self.spring_times.push(time);
-            self.armature.push(drive.armature + h * (drive.damping + time * h * drive.stiffness));
+            self.armature.push(load.armature + h * (load.damping + time * h * load.stiffness));
         }
         self.drag.clear();
         self.drag.extend(self.forces.iter().map(|force| force.damping.map(|c| 1.0 + h * c)));
@@ -210,14 +211,14 @@ impl Motion {
         self.limit_speed(speed_max);
         self.momentum = self.root_momentum();
         add_all(&mut self.rates, pushed, 0.5);
-        self.begin_flight(h, &mut change);
+        self.begin_free_motion(h, &mut change);
         if self.has_diverged {
             change.fill(0.0);
-            self.limit_whip(h);
+            self.limit_joint_rates(h);
         }
         self.half_rates.clone_from(&self.rates);
         add_all(&mut self.rates, pushed, -0.5);
-        self.flown.clone_from(&change);
+        self.first_half_change.clone_from(&change);
         let total = multibody.lists.accelerations.iter_mut().zip(&change);
         total.for_each(|(kick, half)| *kick = if h > 0.0 { (*kick + 2.0 * half) / h } else { 0.0 });
         self.change = change;
@@ -241,22 +242,22 @@ impl Motion {
             self.wrenches.push(impulse);
         }
         change.clear();
-        let drives = self.drives.iter().zip(&self.spring_times);
-        for (((drive, time), dof), rate) in drives.zip(&multibody.dofs).zip(&self.rates) {
-            let is_idle = drive.stiffness == 0.0;
+        let joint_loads = self.joint_loads.iter().zip(&self.spring_times);
+        for (((load, time), dof), rate) in joint_loads.zip(&multibody.dofs).zip(&self.rates) {
+            let is_idle = load.stiffness == 0.0;
             let joint = &multibody.links[dof.link].joint;
             let q = if is_idle { 0.0 } else { joint.coordinate(dof.axis) };
-            let spring = drive.pull - drive.stiffness * (q + time * h * rate);
-            change.push(h * (spring - drive.damping * rate));
+            let spring = load.pull - load.stiffness * (q + time * h * rate);
+            change.push(h * (spring - load.damping * rate));
         }
         self.factor.solve(&self.kinematics, &self.wrenches, change);
     }
 
     /// Ends the step. The energy of the last momentum correction is taken from the change of shape.
     pub fn finish(&mut self) {
-        let energy = self.flight_energy();
+        let energy = self.free_motion_energy();
         if self.keep_momentum(self.kinematics.links[0].center) > 0.0 {
-            self.limit_flight(energy);
+            self.limit_free_energy(energy);
         }
     }
 

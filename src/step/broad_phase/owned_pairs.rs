@@ -14,7 +14,7 @@ pub(super) type SlotDistance = u32;
 pub(super) struct OwnedPairs {
     pairs: Vec<(SlotDistance, HandlePair)>,
     most: usize,
-    /// From which remoteness on a pair is certainly left out.
+    /// Slot distance from which on a pair is dropped.
     limit: Option<SlotDistance>,
 }
 

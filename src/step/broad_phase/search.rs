@@ -165,15 +165,15 @@ impl<K: KnownPairs> Search<'_, K> {
     #[inline]
     fn meet(&self, seeker: Seeker<'_>, other_slot: u32, is_movable: bool, found: &mut Finds) {
         let Seeker { slot, handle, collider, .. } = seeker;
-        let bears = self.tree.bears(slot, other_slot);
+        let owns = self.tree.owns(slot, other_slot);
         // If both moved, each finds the other.
-        if !bears && (self.only_owned || self.tree.is_moved(other_slot)) {
+        if !owns && (self.only_owned || self.tree.is_moved(other_slot)) {
             return;
         }
         let kind = self.kind_of(slot, other_slot);
         let owned = &mut found.owned[kind.index()];
         let slot_distance = slot.abs_diff(other_slot);
-        if bears && is_movable && owned.leaves_out(slot_distance) {
+        if owns && is_movable && owned.leaves_out(slot_distance) {
             return;
         }
         let Some((other_handle, other)) = self.colliders.at_slot(other_slot) else { return };
@@ -185,7 +185,7 @@ impl<K: KnownPairs> Search<'_, K> {
             // New pairs of a moved partner were found by the first search.
             return;
         }
-        if is_movable && bears {
+        if is_movable && owns {
             owned.push(slot_distance, pair);
         } else if is_movable && self.is_full(other_slot) {
             found.late.push(other_slot);
@@ -213,7 +213,7 @@ impl<K: KnownPairs> Search<'_, K> {
             other.is_some_and(|(_, other)| other.proxy.tree.is_some_and(TreeKind::is_movable))
         };
         let owned = |&other: &u32| {
-            self.tree.bears(slot, other) && self.kind_of(slot, other) == kind && is_movable(other)
+            self.tree.owns(slot, other) && self.kind_of(slot, other) == kind && is_movable(other)
         };
         self.partners(slot, kind.is_sensed).iter().copied().filter(owned).count()
     }

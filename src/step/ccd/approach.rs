@@ -39,13 +39,13 @@ const CANDIDATES_MIN: usize = 256;
 
 /// Motion of a kinematic body in a step.
 #[derive(Copy, Clone)]
-struct Drive {
+struct KinematicMotion {
     center: Vector,
     shift: Vector,
     rotvec: AngVector,
 }
 
-impl Drive {
+impl KinematicMotion {
     /// The motion that the velocity of a body leads to.
     fn ahead(body: &RigidBody, params: &IntegrationParameters) -> Self {
         let velocity = match body.body_type {
@@ -100,9 +100,9 @@ pub(crate) fn find_approaches(
     }
     for &handle in structure.islands.awake.kinematic() {
         let Some(body) = structure.bodies.get(handle) else { continue };
-        let drive = Drive::ahead(body, params);
-        if !drive.is_rest() {
-            list(structure, trees, params, handle, drive, approaches);
+        let kinematic_motion = KinematicMotion::ahead(body, params);
+        if !kinematic_motion.is_rest() {
+            list(structure, trees, params, handle, kinematic_motion, approaches);
         }
     }
     // Each kinematic body has listed each of them once: there are no copies.
@@ -111,7 +111,8 @@ pub(crate) fn find_approaches(
         let body = structure.bodies.get(near.body).filter(|body| body.link.awake == NONE);
         let Some(body) = body else { continue };
         let Some(kinematic) = structure.bodies.get(near.kinematic) else { continue };
-        let carried = Drive::ahead(kinematic, params).carry(body.mprops.world_com, body.extent);
+        let carried =
+            KinematicMotion::ahead(kinematic, params).carry(body.mprops.world_com, body.extent);
         if FastMotion::is_one(body, carried.bound(), params) {
             structure.wake_body(near.body);
         }
@@ -128,7 +129,7 @@ fn list(
     trees: &BroadPhaseBvh,
     params: &IntegrationParameters,
     kinematic: RigidBodyHandle,
-    drive: Drive,
+    kinematic_motion: KinematicMotion,
     approaches: &mut Vec<Approach>,
 ) {
     let Some(body) = structure.bodies.get(kinematic) else { return };
@@ -138,7 +139,7 @@ fn list(
         if collider.is_sensor() || !collider.is_enabled() {
             continue;
         }
-        let swath = Swath::new(collider, drive, params);
+        let swath = Swath::new(collider, kinematic_motion, params);
         trees.for_each_overlapping(TreeKind::Dynamic, &swath.region, |slot| {
             let Some((_, other)) = structure.colliders.at_slot(slot) else { return };
             let meets = !other.is_sensor()
@@ -166,19 +167,28 @@ struct Swath {
     /// The collider's own box, in its frame.
     own: Aabb,
     to_own: Pose,
-    drive: Drive,
+    kinematic_motion: KinematicMotion,
     /// Contact distance of bodies.
     margin: Real,
 }
 
 impl Swath {
-    fn new(collider: &Collider, drive: Drive, params: &IntegrationParameters) -> Self {
-        let sweep = Sweep::new(collider.pose, drive.center, drive.shift, drive.rotvec);
+    fn new(
+        collider: &Collider,
+        kinematic_motion: KinematicMotion,
+        params: &IntegrationParameters,
+    ) -> Self {
+        let sweep = Sweep::new(
+            collider.pose,
+            kinematic_motion.center,
+            kinematic_motion.shift,
+            kinematic_motion.rotvec,
+        );
         Self {
             region: region_of(collider, &sweep, params),
             own: collider.shape().compute_local_aabb(),
             to_own: collider.pose.inverse(),
-            drive,
+            kinematic_motion,
             margin: params.prediction_distance() + collider.contact_skin,
         }
     }
@@ -187,7 +197,7 @@ impl Swath {
     /// from the blade. A second test in the frame of the blade excludes them.
     fn overlaps(&self, aabb: &Aabb) -> bool {
         let (center, radius) = (aabb.center(), aabb.half_extents().length());
-        let margin = self.margin + radius + self.drive.reach(center, radius);
+        let margin = self.margin + radius + self.kinematic_motion.reach(center, radius);
         let apart = (self.to_own * center - self.own.center()).abs() - self.own.half_extents();
         // Boxes without end have no centre.
         apart.is_nan() || apart.max_element() <= margin
@@ -228,9 +238,11 @@ pub(crate) fn add_approached(
         };
         let Some(kinematic) = context.bodies.get(near.kinematic) else { continue };
         let motion = |handle: RigidBodyHandle| context.islands.motion_of(handle.into_raw_parts().0);
-        let drive = Drive::made(kinematic, motion(near.kinematic).shift, context.params.dt);
+        let kinematic_motion =
+            KinematicMotion::made(kinematic, motion(near.kinematic).shift, context.params.dt);
         let own = motion(near.body);
-        let relative = own.against(&drive.carry(body.mprops.world_com - own.shift, body.extent));
+        let relative =
+            own.against(&kinematic_motion.carry(body.mprops.world_com - own.shift, body.extent));
         let is_link = || context.multibodies.rigid_body_link(near.body).is_some();
         if FastMotion::is_one(body, relative, context.params) && !is_link() {
             fast.extend(motion_of(context, near.body, body));

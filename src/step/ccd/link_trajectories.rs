@@ -18,7 +18,7 @@ use core::ops::Range;
 /// Largest distance of a link from its segment, as a fraction of the thickness of the thinnest fast link. It
 /// is less than the gap that the search leaves between a core and its obstacle, or a stopped link could have
 /// its middle inside.
-const DEVIATION: Real = 0.01;
+const CHORD_DEVIATION_MAX: Real = 0.01;
 
 /// The segments of all links of fast multibodies.
 #[derive(Default)]
@@ -51,8 +51,8 @@ impl LinkTrajectories {
             debug_assert!(count > 0, "the links of a fast multibody are fast bodies");
             let links = next + before..next + before + count;
             next = links.end;
-            let pieces =
-                trajectory.pieces(DEVIATION * thickness(context, &context.fast[links.clone()]));
+            let pieces = trajectory
+                .pieces(CHORD_DEVIATION_MAX * thickness(context, &context.fast[links.clone()]));
             self.of_tree.push(Tree { segments: self.segments.len(), pieces, links });
             if let Some(multibody) = context.multibodies.get_multibody(trajectory.index) {
                 self.walk(context, trajectory, multibody, pieces);

@@ -2,7 +2,7 @@
 //!
 //! Reads:   motion of fast bodies, colliders, fat AABBs, bodies within sensors, joints, hooks
 //! Writes:  poses and velocities of fast bodies at their first impact; bounds of motion; notes of crossed
-//!     sensors
+//!     sensors; wakes bodies near moving kinematic bodies; the flags of deeply penetrating bodies
 //! Runs:    parallel over fast bodies; bullets in the order of their impacts
 //! Never:   applies impulses; searches bodies that are neither fast, nor deep in a wall, nor near the path of
 //!     such a body or of a moving kinematic body
@@ -153,7 +153,7 @@ pub(crate) fn find_impacts(tasks: Tasks<'_>, context: CcdContext<'_>, scratch: &
     movers.find(context);
     link_trajectories.find(context);
     groups.find(context);
-    // Whose path could not be searched because a hook panicked is not moved.
+    // A body whose path could not be searched because a hook panicked does not move.
     let count = context.fast.len();
     first.resize(count, Stop::AT_ONCE);
     let search = Search { context, movers, link_trajectories, groups, searched };
@@ -185,7 +185,7 @@ pub(crate) fn find_impacts(tasks: Tasks<'_>, context: CcdContext<'_>, scratch: &
     }
 }
 
-/// Sees to it that the paths of these bodies are searched, if any are.
+/// Marks these bodies, so that their paths are searched if CCD is enabled.
 pub(crate) fn watch(
     bodies: &mut RigidBodySet,
     deeply_penetrating: &[RigidBodyHandle],

@@ -22,7 +22,7 @@ const GAP_MIN: Real = 0.01;
 pub(super) enum Obstacles {
     /// All of them.
     All,
-    /// Colliders without a body.
+    /// All except the colliders of this body.
     NotOn(Option<RigidBodyHandle>),
     /// Moving colliders.
     Moving,

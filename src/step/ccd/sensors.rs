@@ -88,6 +88,7 @@ fn may_pass(search: Search<'_>, body: &RigidBody, mover: &Mover<'_>, other: &Mov
 }
 
 impl Mover<'_> {
+    /// Returns whether the collider passes another one before the `stop`.
     fn passes(&self, other: &Mover<'_>, search: Search<'_>, stop: Real) -> bool {
         let shapes = [self.collider.shape(), other.collider.shape()];
         let tolerance = search.gap_min();

@@ -3,7 +3,7 @@
 //! Reads:   notes of begun and ended contacts, broken joints and quarantined bodies; impulses
 //! Writes:  the flags of pairs above their force threshold; calls of the user's handler
 //! Runs:    serial, in the order of the colliders; forces in that of the pairs
-//! Never:   changes the world
+//! Never:   changes a body, a collider or the structure
 
 use crate::base::held::HeldPanic;
 use crate::dim::math::Real;

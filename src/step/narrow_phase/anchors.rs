@@ -1,4 +1,4 @@
-//! Puts contact points into the world.
+//! Transformation of contact points into the world.
 //!
 //! Manifolds are computed in the frames of the colliders. The normals and moment arms of a pair are
 //! transformed into the world once. [`AnchorFrame`] derives how the solver continues from there, and why some
@@ -12,13 +12,13 @@ use crate::model::contact::{AnchorFrame, ContactManifold};
 use crate::model::island::turn_bound;
 
 /// Input of the transformation of a pair's contacts.
-pub(super) struct Place<'a> {
+pub(super) struct AnchorTransform<'a> {
     frames: [Frame<'a>; 2],
     /// Reference points of the moment arms of the two bodies.
     origins: [Vector; 2],
 }
 
-impl<'a> Place<'a> {
+impl<'a> AnchorTransform<'a> {
     /// The transformation at the current poses.
     pub fn of(view: &PairView<'a>) -> Self {
         let [c1, c2] = view.colliders;
@@ -29,7 +29,7 @@ impl<'a> Place<'a> {
         Self { frames, origins: [origin1, x2.unwrap_or(origin1)] }
     }
 
-    /// The placement of contacts that are placed now.
+    /// The anchor frame of contacts that are transformed now.
     pub fn anchor_frame(&self) -> AnchorFrame {
         let [x1, x2] = [0, 1].map(|side| self.frames[side].center().unwrap_or_default());
         AnchorFrame {
@@ -39,8 +39,8 @@ impl<'a> Place<'a> {
         }
     }
 
-    /// Places the contacts of a manifold.
-    pub fn put(&self, manifold: &mut ContactManifold) {
+    /// Transforms the contacts of a manifold into the world.
+    pub fn transform(&self, manifold: &mut ContactManifold) {
         let [frame1, frame2] = &self.frames;
         let normal = frame1.collider.pose.rotation * manifold.local_n1;
         let (skin1, skin2) = (frame1.collider.contact_skin, frame2.collider.contact_skin);
@@ -66,12 +66,12 @@ impl<'a> Place<'a> {
 
     /// Bound on the motion of the two bodies (as for slack) until frozen anchors must be transformed again.
     /// `friction` is the least coefficient of the contacts. Anchors that are not frozen need no bound.
-    pub fn left(&self, world_anchors: &AnchorFrame, friction: Real) -> Real {
+    pub fn left(&self, anchor_frame: &AnchorFrame, friction: Real) -> Real {
         let frozen = AnchorFrame::frozen_angle(friction);
-        if frozen == 0.0 || !world_anchors.may_freeze {
+        if frozen == 0.0 || !anchor_frame.may_freeze {
             return Real::INFINITY;
         }
-        let left = |side: usize| self.frames[side].turn_left(world_anchors.rotations[side], frozen);
+        let left = |side: usize| self.frames[side].turn_left(anchor_frame.rotations[side], frozen);
         left(0).min(left(1))
     }
 }
@@ -115,9 +115,10 @@ impl<'a> Frame<'a> {
         })
     }
 
-    /// Turning by an angle moves the farthest point of the body by that times its extent.
-    fn turn_left(&self, world_anchors: Rotation, frozen: Real) -> Real {
+    /// Bound on the motion until the rotation since `anchor_rotation` reaches an angle. A rotation moves the
+    /// farthest point of the body by the angle times its extent.
+    fn turn_left(&self, anchor_rotation: Rotation, frozen: Real) -> Real {
         let Some((body, _)) = self.body else { return Real::INFINITY };
-        (frozen - turn_bound(body.pose.rotation, world_anchors)) * body.extent
+        (frozen - turn_bound(body.pose.rotation, anchor_rotation)) * body.extent
     }
 }

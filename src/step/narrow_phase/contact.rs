@@ -1,6 +1,6 @@
 //! Contact manifolds of pairs of solid colliders.
 
-use super::anchors::Place;
+use super::anchors::AnchorTransform;
 use super::faults;
 use super::ghost_contacts::{self, GhostContactScratch, non_dynamic_side};
 use super::update::{NarrowPhaseContext, Outcome, Update, Worker};
@@ -45,7 +45,7 @@ impl Update for ContactPair {
             && let Some(drift) = self.drift_below(recycle_distance, &view.pose12, view.reach())
         {
             let left = recycle_distance - drift;
-            let (stay, is_renewed) = self.keep_placed(id, view);
+            let (stay, is_renewed) = self.update_frozen_anchors(id, view);
             let outcome = Outcome::unchanged(left.min(stay), last.reports_force);
             return Outcome { is_renewed, ..outcome };
         }
@@ -153,25 +153,25 @@ impl ContactPair {
 
     /// Transforms anchors that begin to be frozen, or are frozen and whose bodies have moved too far. Returns
     /// the admissible motion until the next check, and whether anything changed.
-    fn keep_placed(&mut self, id: PairId, view: &PairView<'_>) -> (Real, bool) {
-        let place = Place::of(view);
+    fn update_frozen_anchors(&mut self, id: PairId, view: &PairView<'_>) -> (Real, bool) {
+        let anchors = AnchorTransform::of(view);
         let friction = self.least_friction();
-        let (held, near_rest) = (self.anchor_frame.may_freeze, place.near_rest());
-        let left = place.left(&self.anchor_frame, friction);
-        if near_rest == held && left > 0.0 {
+        let (was_frozen, near_rest) = (self.anchor_frame.may_freeze, anchors.near_rest());
+        let left = anchors.left(&self.anchor_frame, friction);
+        if near_rest == was_frozen && left > 0.0 {
             return (left, false);
         }
         view.context.lanes.write_back(id, self);
         if near_rest {
-            self.anchor_frame = place.anchor_frame();
+            self.anchor_frame = anchors.anchor_frame();
             for manifold in &mut self.manifolds {
-                place.put(manifold);
+                anchors.transform(manifold);
             }
         } else {
             // If the bodies come near rest again later, outdated anchors must not be frozen.
             self.anchor_frame.may_freeze = false;
         }
-        (place.left(&self.anchor_frame, friction), true)
+        (anchors.left(&self.anchor_frame, friction), true)
     }
 
     fn least_friction(&self) -> Real {
@@ -193,7 +193,7 @@ impl ContactPair {
         } else {
             Some(SolverFlags::default())
         };
-        let place = Place::of(view);
+        let anchors = AnchorTransform::of(view);
         let reach = view.prediction() + view.skin();
         let pair = ShapePair {
             pos12: view.pose12,
@@ -206,8 +206,8 @@ impl ContactPair {
         };
         self.pose12 = view.pose12;
         let distance = if let Some(flags) = flags {
-            self.anchor_frame = place.anchor_frame();
-            let circumstances = Circumstances { view, place: &place, flags };
+            self.anchor_frame = anchors.anchor_frame();
+            let circumstances = Circumstances { view, anchors: &anchors, flags };
             if self.is_plain(view, neighbors) {
                 self.renew_manifold(&pair, circumstances, worker)
             } else {
@@ -218,7 +218,7 @@ impl ContactPair {
             reach
         };
         let gap = (distance - reach).max(0.0);
-        Computed { gap, left: place.left(&self.anchor_frame, self.least_friction()) }
+        Computed { gap, left: anchors.left(&self.anchor_frame, self.least_friction()) }
     }
 
     /// Returns whether the result can be written in place. The shapes are their own only parts, there is at
@@ -292,7 +292,7 @@ impl ContactPair {
 #[derive(Copy, Clone)]
 struct Circumstances<'a> {
     view: &'a PairView<'a>,
-    place: &'a Place<'a>,
+    anchors: &'a AnchorTransform<'a>,
     /// The user's filter of solver contacts.
     flags: SolverFlags,
 }
@@ -301,11 +301,11 @@ struct Circumstances<'a> {
 fn complete(
     manifold: &mut ContactManifold,
     [collider1, collider2]: [ColliderHandle; 2],
-    Circumstances { view, place, flags }: Circumstances<'_>,
+    Circumstances { view, anchors, flags }: Circumstances<'_>,
 ) -> Option<QuarantineCause> {
     finish(manifold, view);
     manifold.data.solver_flags &= flags;
-    place.put(manifold);
+    anchors.transform(manifold);
     modify(manifold, collider1, collider2, view);
     let fault = faults::leave_out(manifold);
     if !manifold.is_solved() {

@@ -7,7 +7,7 @@
 use crate::dim::math::Real;
 use crate::model::collider::ShapeForm;
 
-/// Share of the recycle distance for which the points of round surfaces ride along.
+/// Fraction of the recycle distance for which the points of round surfaces ride along.
 ///
 /// With the default distance of 0.01 m, a ball of radius `r` rolls on with a point that lags by 0.2 mm at
 /// most. The rule changes the acceleration of a ball of `r` = 0.5 on a slope of 20° by less than 0.1 %. The

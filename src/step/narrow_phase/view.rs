@@ -45,20 +45,24 @@ impl<'a> PairView<'a> {
         (c1.form & c2.form).contains(ShapeForm::CONVEX)
     }
 
+    /// Returns whether one of the colliders has these events enabled.
     pub fn wants_events(&self, events: ActiveEvents) -> bool {
         let [c1, c2] = self.colliders;
         (c1.active_events() | c2.active_events()).contains(events)
     }
 
+    /// Returns whether one of the bodies is awake.
     pub fn is_any_body_awake(&self) -> bool {
         self.bodies.iter().flatten().any(|body| body.link.awake != NONE)
     }
 
+    /// Returns whether the fat AABBs overlap.
     pub fn boxes_overlap(&self) -> bool {
         let [c1, c2] = self.colliders;
         c1.proxy.fat_aabb.intersects(&c2.proxy.fat_aabb)
     }
 
+    /// Returns whether one of the colliders has one of these hooks enabled.
     pub fn has_hooks(&self, hooks: ActiveHooks) -> bool {
         let [c1, c2] = self.colliders;
         (c1.active_hooks() | c2.active_hooks()).intersects(hooks)

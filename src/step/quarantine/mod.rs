@@ -2,7 +2,7 @@
 //!
 //! Reads:   edited bodies; the solver's note of bodies that it could not store; their user input and joint
 //!     loads
-//! Writes:  enabled flags of bodies
+//! Writes:  enabled flags of bodies; clears the bounds of motion and the notes of the failed attempt
 //! Runs:    serial, before the first stage for edited bodies, and after a failed step
 //! Never:   restores pairs, islands or colours
 //!

@@ -11,8 +11,9 @@
 //! Joints that connect light bodies to heavy ones need more substeps for another reason. Under a load `M g`
 //! with moment arm `r`, a link of mass `m` and inertia `I` vibrates with `ω² = M g r / (I + m r²)`. The
 //! solver does not recover from a substep in which the link rotates too far
-//! (`joints/geometric_stiffness.rs`). So `(h ω)²` is kept below [`SWING`]. A chain under 1000 times the mass
-//! of a link gets twice the usual substeps at 30 steps a second, and the usual number at 60.
+//! (`joints/geometric_stiffness.rs`). So `(h ω)²` is kept below [`SWING_SQUARED_MAX`]. A chain under
+//! 1000 times the mass of a link gets twice the usual substeps at 30 steps a second, and the usual number at
+//! 60.
 //!
 //! Four cubes under one of 1000 times the mass sink in by 0.8 m with 4 substeps, 34 mm with 16, 10 mm with
 //! 32. The rejected alternatives: a direct solution of loaded contacts, which change within a substep, and
@@ -33,16 +34,16 @@ use core::ops::Range;
 /// Up to this ratio of masses the usual substeps do: four cubes under one of 30 times the mass sink in by 15
 /// mm.
 const MASS_RATIO_EVEN_MAX: Real = 32.0;
-/// No island gets more than this many times the usual substeps.
-const MAX_FACTOR: usize = 16;
-/// Nor more than this many for its joints.
-const MAX_JOINT_FACTOR: usize = 32;
-/// Nor so many that they are more than this times its number of bodies: what lies on a large heap rests on
-/// many.
-const MAX_WORK: usize = 1024;
+/// Largest factor on the usual number of substeps of an island.
+const SUBSTEP_FACTOR_MAX: usize = 16;
+/// Largest factor on the usual number of substeps of an island for its joints.
+const JOINT_SUBSTEP_FACTOR_MAX: usize = 32;
+/// Largest product of the factor and the number of bodies of an island: a load on a large heap rests on many
+/// bodies.
+const BODY_SUBSTEPS_MAX: usize = 1024;
 /// The largest `(h ω)²` with which light links swing under a heavy load. A chain of 20 links holds at 0.51,
 /// under any load, and comes apart at 0.8.
-const SWING: Real = 0.55;
+const SWING_SQUARED_MAX: Real = 0.55;
 
 /// Bodies that are solved together.
 #[derive(Clone, Debug)]
@@ -85,6 +86,7 @@ impl IslandRequirement {
         }
     }
 
+    /// Returns whether the masses of touching bodies are within [`MASS_RATIO_EVEN_MAX`].
     fn is_even(&self) -> bool {
         let [lightest, heaviest] = self.masses;
         heaviest <= MASS_RATIO_EVEN_MAX * lightest
@@ -97,11 +99,11 @@ impl IslandRequirement {
         let is_uneven = most > MASS_RATIO_EVEN_MAX * least;
         let swing = if is_uneven { h * h * most * gravity * self.agility } else { 0.0 };
         let mut factor = 1;
-        while 2 * factor * bodies <= MAX_WORK {
+        while 2 * factor * bodies <= BODY_SUBSTEPS_MAX {
             let square = (factor * factor) as Real;
             let by_contacts =
-                factor < MAX_FACTOR && heaviest > MASS_RATIO_EVEN_MAX * lightest * square;
-            let by_joints = factor < MAX_JOINT_FACTOR && swing > SWING * square;
+                factor < SUBSTEP_FACTOR_MAX && heaviest > MASS_RATIO_EVEN_MAX * lightest * square;
+            let by_joints = factor < JOINT_SUBSTEP_FACTOR_MAX && swing > SWING_SQUARED_MAX * square;
             if !by_contacts && !by_joints {
                 break;
             }

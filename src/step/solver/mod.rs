@@ -70,7 +70,7 @@ struct Constraints {
 
 /// Solves one step for all awake bodies.
 ///
-/// If there are bodies that cannot be stored, nothing is.
+/// If any body cannot be stored, nothing is stored.
 pub(crate) fn solve(
     mut context: SolverContext<'_>,
     scratch: &mut SolverScratch,
@@ -158,7 +158,7 @@ impl SolverScratch {
         bodies.store(groups, links, context);
     }
 
-    /// Returns what was borrowed, unchanged.
+    /// Returns the borrowed multibodies and lanes unchanged.
     fn discard(&mut self, context: &mut SolverContext<'_>) {
         for Constraints { contacts, multibodies, .. } in &mut self.constraints[..self.groups.len()]
         {
@@ -209,11 +209,12 @@ impl Constraints {
         let Self { joints, contacts, multibodies, .. } = self;
         multibodies.prepare(contacts.of_links(), sources, bodies, pass);
         joints.warm_start(bodies, pass);
-        contacts.warm_start(bodies, pass);
+        contacts.prepare_and_warm_start(bodies, pass);
         multibodies.warm_start(bodies);
     }
 
-    /// Solves one step in substeps. Returns the number of bodies that were limited to the largest speed.
+    /// Solves one step in substeps. Returns the largest number of bodies that one substep limited to the
+    /// largest speed.
     fn solve(
         &mut self,
         substeps: usize,

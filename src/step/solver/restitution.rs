@@ -10,7 +10,7 @@ use core::ops::{Add, Mul, Neg, Sub};
 
 /// Gauss–Seidel sweeps over the points of a manifold in each iteration. The points couple with each other
 /// more than with other manifolds.
-pub(super) const POINT_SWEEPS: usize = 4;
+pub(super) const POINT_ITERATIONS: usize = 4;
 /// A round has converged when no point changes its velocity by more than this fraction of its approach
 /// velocity.
 const CONVERGENCE_TOLERANCE: Real = 1.0e-3;
@@ -25,7 +25,7 @@ pub(super) const APPROACH_CHANGE_MIN: Real = 0.01;
 /// Separation of deferred points: beyond the reach of all passes.
 pub(super) const DEFERRED_SEPARATION: Real = 1.0e10;
 
-/// A number of one point, or of a point per lane. The functions are those of [`Wide`].
+/// A number of one point, or of a point per lane. Each function has a counterpart in [`Wide`].
 pub(super) trait Number:
     Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Neg<Output = Self>
 {

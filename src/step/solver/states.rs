@@ -35,8 +35,8 @@ impl BodyState {
 
     /// Returns whether all numbers of these states are finite and within a bound.
     ///
-    /// Counts those that are, place by place and as numbers of the same size, so that several are compared at
-    /// once.
+    /// Counts the numbers beyond the bound per component, as numbers of the same width, so that the
+    /// comparison is vectorised.
     pub fn are_within(states: &[Self], bound: Real) -> bool {
         let mut beyond = [0.0; STATE_LEN];
         for state in states {

@@ -40,7 +40,7 @@ pub(crate) struct UserChanges<'a> {
 }
 
 impl UserChanges<'_> {
-    /// Takes in all edits.
+    /// Applies all edits.
     pub fn run(mut self) {
         self.apply_replacements();
         self.apply_removals();

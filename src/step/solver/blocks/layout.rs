@@ -6,8 +6,8 @@ use crate::base::wide::LANES;
 use crate::model::constraint_graph::OVERFLOW;
 use core::ops::Range;
 
-/// So many empty blocks a colour may keep, however few it needs.
-const SPARE: usize = 2;
+/// Largest capacity of a colour beyond four times its used blocks.
+const SPARE_BLOCKS_MAX: usize = 2;
 
 /// The constraints (as `T` names them) of all blocks.
 pub(in crate::step::solver) struct Layout<T> {
@@ -78,14 +78,14 @@ impl<T> Layout<T> {
     /// Adds empty blocks to the last added colour up to its count of earlier steps, so that the next colours
     /// keep their positions.
     ///
-    /// Its blocks begin with the `first`, and `room` is its capacity. If it needs more it gets an eighth more
-    /// than that, seldom.
-    pub fn keep_room(&mut self, first: usize, room: &mut usize) {
+    /// Its blocks begin with the `first`. A colour that needs more than its `capacity` gets an eighth more
+    /// than it needs, so the capacity seldom changes.
+    pub fn keep_room(&mut self, first: usize, capacity: &mut usize) {
         let used = self.starts.len() - first;
-        if used > *room || 4 * used + SPARE < *room {
-            *room = used + used / 8;
+        if used > *capacity || 4 * used + SPARE_BLOCKS_MAX < *capacity {
+            *capacity = used + used / 8;
         }
-        self.starts.resize(first + *room, self.members.len());
+        self.starts.resize(first + *capacity, self.members.len());
     }
 
     /// Number of constraints.

@@ -3,8 +3,8 @@
 //!
 //! Constraints without a common body are independent, so any number of them may fill the lanes of one block.
 //! Each goes into the first block with a free lane behind all that hold one of its bodies. The constraints of
-//! one body keep their order, and every number equals that of a sequential solution, bit for bit. The memory
-//! is an eighth of it where thousands of bodies overlap.
+//! one body keep their order, and every number equals that of a sequential solution, bit for bit. Where
+//! thousands of bodies overlap, this takes an eighth of the memory of one block per constraint.
 
 use crate::base::wide::LANES;
 use crate::model::island::NONE;

@@ -67,7 +67,7 @@ impl SolverBodies {
         }
     }
 
-    /// Returns whether one of them is far away.
+    /// Loads the bodies of a range. Returns whether one of them is far from the origin.
     fn load_members(
         &mut self,
         order: &[RigidBodyHandle],
@@ -143,8 +143,8 @@ impl Place<'_> {
             FreeMotion::at_rest(body.pose.rotation)
         };
         let mprops = &body.mprops;
-        let felt = felt_inertia(body, context.params.dt);
-        let inv_inertia = felt.as_ref().unwrap_or(&mprops.inv_inertia);
+        let of_contacts = contact_inv_inertia(body, context.params.dt);
+        let inv_inertia = of_contacts.as_ref().unwrap_or(&mprops.inv_inertia);
         let center = mprops.world_com;
         *self.pose = BodyPose::new(body.pose.rotation, center, mprops.inv_mass, inv_inertia);
         *self.state = BodyState::new(body.linvel, body.angvel);
@@ -154,7 +154,7 @@ impl Place<'_> {
 }
 
 /// The inverse inertia for contacts, if it differs from the body's current one.
-fn felt_inertia(body: &RigidBody, dt: Real) -> Option<AngularInertia> {
+fn contact_inv_inertia(body: &RigidBody, dt: Real) -> Option<AngularInertia> {
     let mprops = &body.mprops;
     if !body.is_dynamic() || !mprops.rotates_freely() {
         return None;

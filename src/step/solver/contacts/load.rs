@@ -42,8 +42,8 @@ impl SolverContacts {
         let NarrowPhase { contacts, lanes, .. } = &mut *narrow_phase;
         let capacity = is_only_group.then_some(&mut lanes.capacity);
         self.lay_out(sources, graph, contacts, capacity);
-        // A lane whose manifold changed is filled from the manifold, which must be written back by then. So
-        // must those be whose impulses are about to change before they act.
+        // A lane whose manifold changed is filled from the manifold, so the manifold must be written back
+        // before. The same holds for manifolds whose impulses are scaled before they act.
         let lanes = &narrow_phase.lanes;
         let stay = is_only_group && lanes.starts() == self.starts;
         if !stay || lanes.are_rough != per_point || bodies.any_scaled() {
@@ -178,14 +178,14 @@ fn fill(
 }
 
 fn assign_bodies(block: &mut LaneBlock, lane: usize, bodies: &SolverBodies) {
-    let (index1, creeps1) = bodies.find(block.slots[0][lane]);
-    let (index2, creeps2) = bodies.find(block.slots[1][lane]);
+    let (index1, near_rest1) = bodies.find(block.slots[0][lane]);
+    let (index2, near_rest2) = bodies.find(block.slots[1][lane]);
     let input = &mut block.input;
     (input.bodies[0][lane], input.bodies[1][lane]) = (index1, index2);
     for (side, index) in [index1, index2].into_iter().enumerate() {
         input.is_world[side].0[lane] = if index == BodyPose::WORLD_INDEX { 1.0 } else { 0.0 };
     }
-    input.anchor_frame.set_near_rest(lane, creeps1 && creeps2);
+    input.anchor_frame.set_near_rest(lane, near_rest1 && near_rest2);
 }
 
 /// Scales the warm-start impulses of all lanes by the fraction of their bodies.

@@ -72,8 +72,8 @@ impl SolverContacts {
         }
     }
 
-    /// Makes constraints of the manifolds, and gives the bodies last step's impulses.
-    pub fn warm_start(&mut self, bodies: &mut SolverBodies, pass: &SolverPass<'_>) {
+    /// Prepares the constraints of the manifolds, and applies the last step's impulses to the bodies.
+    pub fn prepare_and_warm_start(&mut self, bodies: &mut SolverBodies, pass: &SolverPass<'_>) {
         let &SolverPass { params, simd, tasks, .. } = pass;
         let per_point = params.friction_model == FrictionModel::Coulomb;
         let rows = if per_point { self.blocks.len() } else { 0 };

@@ -67,12 +67,12 @@ fn read_points<W: Wide>(
 ) -> [WidePoint<W>; MAX_MANIFOLD_POINTS] {
     let mut points = [WidePoint::absent(); MAX_MANIFOLD_POINTS];
     for k in 0..MAX_MANIFOLD_POINTS {
-        let placed = WideVector::load(&input.arms[k]);
-        let (arm, moved) = motion.at(placed);
-        let separation = W::load(&input.placed_separations[k]) + motion.normal.dot(moved);
+        let anchor_arm = WideVector::load(&input.arms[k]);
+        let (arm, moved) = motion.at(anchor_arm);
+        let separation = W::load(&input.anchor_separations[k]) + motion.normal.dot(moved);
         (motion.origin + arm).store(&mut block.places[k]);
         points[k] = WidePoint {
-            local: frame.local(WideVector::select(motion.is_frozen, placed, arm)),
+            local: frame.local(WideVector::select(motion.is_frozen, anchor_arm, arm)),
             separation,
             present: W::load(&input.present[k]),
             impulse: W::load(&input.impulses[k]),

@@ -1,8 +1,8 @@
 //! The contacts that hit in a round, side by side.
 //!
-//! Among hundreds that could be hit a few are, seldom two of one block. Each round iterates until it
-//! converges, so the data of an iteration is copied to separate blocks. 2D `spinner` then visits a quarter of
-//! the blocks. Lanes do not depend on each other, and the order of colours is kept.
+//! Few of the contacts with restitution hit in a round, and seldom two of one block. Each round iterates
+//! until it converges, so the data of an iteration is copied to separate blocks. 2D `spinner` then visits a
+//! quarter of the blocks. Lanes do not depend on each other, and the order of colours is kept.
 
 use super::points::NormalRows;
 use super::rows::{ImpactBlock, ImpactMark};
@@ -14,7 +14,7 @@ use crate::dim::math::{MAX_MANIFOLD_POINTS, Real};
 use crate::dim::state::BodyState;
 use crate::step::solver::blocks::block_kernel;
 use crate::step::solver::contacts::Blocks;
-use crate::step::solver::restitution::{HitRow, POINT_SWEEPS};
+use crate::step::solver::restitution::{HitRow, POINT_ITERATIONS};
 use crate::step::solver::states::{gather_states, scatter_states};
 use core::ops::Range;
 
@@ -182,7 +182,7 @@ impl ActiveBlock {
         let mut normals = unsafe { NormalRows::<W>::gather(states, contact) };
         let zero = W::zero();
         let mut goes_on = zero.le(zero);
-        for sweep in 0..POINT_SWEEPS {
+        for iteration in 0..POINT_ITERATIONS {
             let mut changes = zero.lt(zero);
             normals.iterate(|k, velocity| {
                 let RoundRow { active, impulse } = &mut rows[k];
@@ -192,7 +192,7 @@ impl ActiveBlock {
                 changes = changes | active.tolerance().lt((new - old).abs());
                 new - old
             });
-            if sweep == 0 {
+            if iteration == 0 {
                 *moving = W::bits(changes);
                 goes_on = have_several::<W>(rows);
             }

@@ -34,7 +34,7 @@ pub(super) struct ImpactIsland {
     pub is_active: bool,
     /// Whether the last iteration changed the island.
     pub is_moving: bool,
-    /// Sums over the contacts, see `ActiveBlock`.
+    /// Sums over the contacts of the round: the energy of their approach, and the energy gain.
     pub dissipated: Real,
     pub energy_gain: Real,
 }

@@ -83,11 +83,12 @@
 //! added to the velocities "before any impulse" of the substep: they are no warm-start load.
 
 mod impact_islands;
-mod look;
 mod points;
 mod rows;
 mod active;
 mod touched;
+mod visits;
+
 use super::blocks::for_each_color;
 use super::bodies::SolverBodies;
 use super::contacts::{Blocks, SolverContacts};
@@ -105,11 +106,11 @@ pub(super) use active::ActiveBlock;
 use active::{Active, Phase, Round};
 use core::ops::Range;
 use impact_islands::{ImpactIsland, IslandRestitution};
-use look::{Look, Stage};
 #[cfg(test)]
 pub(super) use points::NormalRows;
 pub(super) use rows::{ImpactBlock, ImpactMark};
 use touched::Touched;
+use visits::{BlockVisit, ImpactPhase};
 
 /// Largest number of iterations of a round.
 const ROUND_ITERATIONS: usize = 16;
@@ -197,7 +198,7 @@ impl Impacts {
         bodies.swap_before();
         context.multibodies.begin_impact(bodies, pass);
         context.multibodies.mark_active(sources, bodies, |_| true, pass);
-        self.look(Stage::Begin, contacts, bodies, &context, pass);
+        self.visit_blocks(ImpactPhase::Begin, contacts, bodies, &context, pass);
         let hits = self.marks.iter().any(|mark| mark.active != 0);
         let hits = hits || context.multibodies.active().next().is_some();
         if hits {
@@ -208,15 +209,15 @@ impl Impacts {
                 let impact_islands = &self.memory.impact_islands;
                 let has_iterations = |island: u32| impact_islands[island as usize].iterations > 0;
                 context.multibodies.mark_active(sources, bodies, has_iterations, pass);
-                self.look(Stage::Mark, contacts, bodies, &context, pass);
+                self.visit_blocks(ImpactPhase::Mark, contacts, bodies, &context, pass);
             }
         }
         context.multibodies.defer();
-        self.look(Stage::Defer, contacts, bodies, &context, pass);
+        self.visit_blocks(ImpactPhase::Defer, contacts, bodies, &context, pass);
         if hits {
             self.begin_round(bodies, context.multibodies);
             context.multibodies.solve_active_friction(&mut bodies.states);
-            self.look(Stage::Friction, contacts, bodies, &context, pass);
+            self.visit_blocks(ImpactPhase::Friction, contacts, bodies, &context, pass);
             self.accept(bodies, &mut context, |_| 1.0, pass);
             context.joints.forget_places();
         }
@@ -228,7 +229,7 @@ impl Impacts {
     pub fn restore(&mut self, contacts: &mut SolverContacts) {
         let contacts = contacts.blocks();
         for (impact, mark) in self.blocks.iter().zip(&mut self.marks) {
-            if mark.is_aside() {
+            if mark.is_deferred() {
                 // SAFETY: no task runs meanwhile.
                 let (block, _) = unsafe { contacts.get(impact.at) };
                 impact.restore(mark, block);
@@ -450,10 +451,10 @@ impl Impacts {
         self.touched.note_start(&bodies.states);
     }
 
-    /// Takes a look at all blocks.
-    fn look(
+    /// Visits all blocks.
+    fn visit_blocks(
         &mut self,
-        stage: Stage,
+        phase: ImpactPhase,
         contacts: Blocks<'_>,
         bodies: &mut SolverBodies,
         context: &ImpactContext<'_>,
@@ -465,13 +466,23 @@ impl Impacts {
         let marks = DisjointMut::new(&mut self.marks);
         let (simd, touched) = (context.pass.simd, &self.touched);
         let all = 0..impacts.len();
-        let (colors, grain) = match stage {
-            Stage::Friction => (&self.colors[..], BLOCKS_PER_TASK * BLOCKS_PER_ACTIVE),
-            // They change no body: all blocks may be looked at at once.
+        let (colors, grain) = match phase {
+            ImpactPhase::Friction => (&self.colors[..], BLOCKS_PER_TASK * BLOCKS_PER_ACTIVE),
+            // The other phases change no body: all blocks may be visited at once.
             _ => (core::slice::from_ref(&all), BLOCKS_PER_TASK),
         };
         for_each_color(colors, context.pass.tasks, grain, |range| {
-            simd.run(Look { stage, range, contacts, impacts, marks, states, known, touched, pass });
+            simd.run(BlockVisit {
+                phase,
+                range,
+                contacts,
+                impacts,
+                marks,
+                states,
+                known,
+                touched,
+                pass,
+            });
         });
     }
 

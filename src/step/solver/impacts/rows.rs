@@ -49,8 +49,8 @@ pub(in super::super) struct ImpactMark {
     pub was_active: bool,
     /// One bit per point and lane: set if it approaches fast and does not arrive in this substep.
     waiting: u32,
-    /// The deferred ones among these.
-    aside: u32,
+    /// One bit per point and lane: set if it is deferred.
+    deferred: u32,
 }
 
 const _: () = assert!(MAX_MANIFOLD_POINTS * LANES <= u32::BITS as usize);
@@ -62,8 +62,8 @@ impl ImpactMark {
     }
 
     /// Returns whether any point is deferred.
-    pub fn is_aside(&self) -> bool {
-        self.aside != 0
+    pub fn is_deferred(&self) -> bool {
+        self.deferred != 0
     }
 }
 
@@ -81,15 +81,15 @@ impl ImpactBlock {
     /// Restores the points that the last substep deferred.
     pub fn restore(&self, mark: &mut ImpactMark, block: &mut ContactBlock) {
         for (k, (row, point)) in self.rows.iter().zip(&mut block.points).enumerate() {
-            for lane in lanes(of_point(mark.aside, k)) {
+            for lane in lanes(of_point(mark.deferred, k)) {
                 point.separation.0[lane] = row.separation.0[lane];
             }
         }
-        mark.aside = 0;
+        mark.deferred = 0;
     }
 
-    /// Puts the points aside that come fast and do not arrive in this substep. Left to the other passes,
-    /// which let nothing come nearer than to touch, they would arrive too slowly.
+    /// Defers the points that approach fast and do not arrive in this substep. The other passes would stop
+    /// them at contact, so they would arrive too slowly.
     pub fn defer(&mut self, mark: &mut ImpactMark, block: &mut ContactBlock) {
         for (k, (row, point)) in self.rows.iter_mut().zip(&mut block.points).enumerate() {
             for lane in lanes(of_point(mark.waiting, k)) {
@@ -97,7 +97,7 @@ impl ImpactBlock {
                     core::mem::replace(&mut point.separation.0[lane], DEFERRED_SEPARATION);
             }
         }
-        mark.aside = mark.waiting;
+        mark.deferred = mark.waiting;
     }
 
     /// Begins a substep: notes how the points move, and what forces did to that since the last one ended

@@ -34,7 +34,7 @@ pub(super) struct JointBlock {
     /// One for locked axes, zero for free ones.
     pub locked: [Lane; SPATIAL_DIM],
     /// One where the locked axes are solved iteratively, zero where they are solved directly.
-    pub swept: Lane,
+    pub iterated: Lane,
     /// Velocity per unit of error (1/s).
     pub bias_rate: Lane,
     /// One for joints with a softness of their own: springs, which the relax pass must not make rigid.
@@ -51,8 +51,8 @@ pub(super) struct JointBlock {
     pub couple: WideAngVector<Lane>,
     /// Total impulse of all rows on the bodies in this substep.
     pub applied: Wrench<Lane>,
-    /// Angular velocities that result from it. (Their inertias turn.)
-    pub turned: [WideAngVector<Lane>; 2],
+    /// Changes of the angular velocities by it. (The inertias rotate.)
+    pub angvel_change: [WideAngVector<Lane>; 2],
     /// Sums over all substeps: the impulse, and its moment about `p`.
     pub total_impulse: WideVector<Lane>,
     pub total_moment: WideAngVector<Lane>,
@@ -61,7 +61,7 @@ pub(super) struct JointBlock {
     pub row_count: usize,
     /// Whether any lane is solved directly, and whether any is solved iteratively.
     pub has_exact: bool,
-    pub has_swept: bool,
+    pub has_iterated: bool,
     /// Whether any lane is a spring, and whether any locks a rotation.
     pub has_springs: bool,
     pub locks_rotations: bool,
@@ -81,7 +81,7 @@ impl JointBlock {
             separation: vector,
             frames: [WideRotation::IDENTITY; 2],
             locked: [zero; SPATIAL_DIM],
-            swept: zero,
+            iterated: zero,
             bias_rate: zero,
             is_spring: zero,
             compliance: zero,
@@ -90,13 +90,13 @@ impl JointBlock {
             impulses: [zero; SPATIAL_DIM],
             couple: ANG_ZERO_LANES,
             applied: Wrench { linear: vector, angular: [ANG_ZERO_LANES; 2] },
-            turned: [ANG_ZERO_LANES; 2],
+            angvel_change: [ANG_ZERO_LANES; 2],
             total_impulse: vector,
             total_moment: ANG_ZERO_LANES,
             first_row: 0,
             row_count: 0,
             has_exact: false,
-            has_swept: false,
+            has_iterated: false,
             has_springs: false,
             locks_rotations: false,
             has_distances: false,
@@ -105,7 +105,7 @@ impl JointBlock {
 
     /// Leaves the locked axes of a lane to the direct solver, with this compliance unless they are springs.
     pub fn solve_exactly(&mut self, lane: usize, compliance: Real) {
-        self.swept.0[lane] = 0.0;
+        self.iterated.0[lane] = 0.0;
         self.has_exact = true;
         if self.is_spring.0[lane] == 0.0 {
             self.compliance.0[lane] = compliance;
@@ -129,7 +129,7 @@ impl JointBlock {
         let Wrench { linear, angular } = &mut self.applied;
         for lane in 0..LANES {
             linear.set_lane(lane, linear.lane(lane) * factor);
-            for value in angular.iter_mut().chain(&mut self.turned) {
+            for value in angular.iter_mut().chain(&mut self.angvel_change) {
                 set_ang_lane(value, lane, ang_lane(value, lane) * factor);
             }
         }

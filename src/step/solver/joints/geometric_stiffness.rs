@@ -95,12 +95,12 @@ pub(super) fn have_large_displacement(
 #[derive(Default)]
 pub(super) struct GeometricStiffness {
     bodies: Vec<JointedBody>,
-    /// Number of calls of [`Self::turning`].
+    /// Number of calls of [`Self::for_each`].
     evaluations: u32,
 }
 
-/// Poses of all bodies, by solver index, and their motion before any impulse of the substep. (Those of the
-/// last one point where its beginning was, and would count as turning.)
+/// Poses and states of all bodies, by solver index, and their motion before any impulse of the substep. (The
+/// impulses of the last substep act along its axes, and would count as rotation of the component.)
 #[derive(Copy, Clone)]
 pub(super) struct Moving<'a> {
     pub poses: &'a [BodyPose],
@@ -113,7 +113,7 @@ pub(super) struct Moving<'a> {
 struct JointedBody {
     inv_mass: Real,
     inv_inertia: AngularInertia,
-    /// Number of the last evaluation that counted the body.
+    /// Value of `evaluations` at the last visit of the body.
     counted: u32,
 }
 

@@ -149,7 +149,7 @@ impl SolverJoints {
                     if direct.contains(lane_slot.slot) {
                         block.solve_exactly(lane, pass.softness.compliance());
                     } else {
-                        block.has_swept = true;
+                        block.has_iterated = true;
                     }
                 }
             }
@@ -284,7 +284,7 @@ fn load_locked(block: &mut JointBlock, lane: usize, joint: &ImpulseJoint, pass: 
     block.is_spring.0[lane] = if is_spring { 1.0 } else { 0.0 };
     block.compliance.0[lane] =
         if is_spring { compliance } else { compliance.max(ITERATED_COMPLIANCE) };
-    block.swept.0[lane] = 1.0;
+    block.iterated.0[lane] = 1.0;
     block.has_distances |= joint.data.driven_axes().any(|axis| (axis as usize) < DIM);
     block.has_springs |= is_spring;
     block.locks_rotations |= joint.data.locked_axes.intersects(JointAxesMask::ANG_AXES);
@@ -315,7 +315,7 @@ fn load_rows(
                 angles[k] = load_rotation(row, lane, &joint.data, axis, between, last);
             }
         }
-        load_drive(row, lane, &joint.data, axis, pass);
+        load_motor_and_limits(row, lane, &joint.data, axis, pass);
     }
     joint.angles = Some(angles);
 }
@@ -331,7 +331,7 @@ fn load_translation(row: &mut AxisRow, lane: usize, joint: &GenericJoint, axis: 
     }
 }
 
-/// Returns the angle, with all turns since the joint was first seen.
+/// Loads the row of a rotation. Returns the angle, with all turns since the joint was first measured.
 fn load_rotation(
     row: &mut AxisRow,
     lane: usize,
@@ -351,7 +351,7 @@ fn load_rotation(
     angle
 }
 
-fn load_drive(
+fn load_motor_and_limits(
     row: &mut AxisRow,
     lane: usize,
     joint: &GenericJoint,

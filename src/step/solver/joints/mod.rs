@@ -32,14 +32,14 @@
 //! a bound: see `motors_and_limits.rs`.
 //!
 //! ## Rotating inertias
-//! A body that is thin resists a turn about one axis less than about another, and as it turns, so do these
-//! axes. A moment `τ` changes the angular momentum by `τ`, and the angular velocity by `I⁻¹ τ` with the
-//! current inertia. With the inertia of the start of the step, the work of a joint's impulses differs from
-//! the energy change of the bodies. Two thin limbs on a post gained so much that they flew apart. The relax
-//! pass therefore rotates the inverse inertias of gyroscopic bodies, `R I⁻¹ Rᵀ`, and the next solve pass,
-//! which begins at the same poses, uses the same ones. (Impulses act there for the gyroscope, too: see
-//! `dimN/motion.rs`.) The subtracted impulse of the last substep is therefore the velocity change that it
-//! caused, and not a moment times the current inertia.
+//! A thin body has unequal principal inertias, and their axes rotate with it. An angular impulse `τ` changes
+//! the angular momentum by `τ`, and the angular velocity by `I⁻¹ τ` with the current inertia. With the
+//! inertia of the start of the step, the work of a joint's impulses differs from the energy change of the
+//! bodies. Two thin limbs on a post gained so much that they flew apart. The relax pass therefore rotates the
+//! inverse inertias of gyroscopic bodies, `R I⁻¹ Rᵀ`, and the next solve pass, which begins at the same
+//! poses, uses the same ones. (Impulses act there for the gyroscope, too: see `dimN/motion.rs`.) The
+//! subtracted impulse of the last substep is therefore the velocity change that it caused, and not a moment
+//! times the current inertia.
 //!
 //! ## Warm starting
 //! Bodies start a substep with the effect of the last one's impulses. A joint's rows have rotated since. Each
@@ -314,8 +314,8 @@ impl SolverJoints {
     /// apart.
     pub fn share_delays(&self, delays: &mut [BodyState]) {
         self.direct.share_delays(delays);
-        let swept = self.members.iter().filter(|member| !self.direct.contains(member.slot));
-        for member in swept.filter(|member| member.form.locked != 0) {
+        let iterated = self.members.iter().filter(|member| !self.direct.contains(member.slot));
+        for member in iterated.filter(|member| member.form.locked != 0) {
             member.movable().for_each(|(_, body)| delays[body as usize] = BodyState::default());
         }
     }

@@ -108,7 +108,7 @@ pub(super) unsafe fn warm_start<W: Wide>(
     let wrench = unsafe { wrench_of(block, rows, &geometry, &locked) };
     wrench.store(&mut block.applied);
     let masses = Masses::load(block);
-    store_turned(masses.turned(&wrench), block);
+    store_angvel_change(masses.angvel_change(&wrench), block);
     bodies.velocities = masses.push(&wrench, bodies.velocities);
     // SAFETY: the caller's promise.
     unsafe { bodies.scatter(states, block) };
@@ -160,8 +160,8 @@ fn impulse_of<W: Wide>(row: &AxisRow) -> W {
     W::load(&row.motor.impulse) + (W::load(&row.lower) - W::load(&row.upper))
 }
 
-/// Solves all rows once: free axes, then locked ones. `AHEAD`: towards zero error at the end of the substep;
-/// otherwise towards zero relative velocity.
+/// Solves all rows once: free axes, then locked ones. `AHEAD`: with bias (free axes of direct joints include
+/// the curvature); otherwise towards zero relative velocity.
 ///
 /// # Safety
 /// The caller has exclusive access to the states of the block's bodies, and to its rows.
@@ -213,7 +213,7 @@ unsafe fn iterate_rows<W: Wide, const AHEAD: bool, const N: usize>(
         wrench = turned;
     }
     let before = wrench;
-    if block.row_count > 0 || block.has_swept {
+    if block.row_count > 0 || block.has_iterated {
         let coupling = masses.coupling(&locked.rows, &locked.locked);
         let substep_end = if AHEAD && block.looks_ahead() {
             let substep_end = SubstepEnd::new(block, &bodies, pass);
@@ -230,7 +230,7 @@ unsafe fn iterate_rows<W: Wide, const AHEAD: bool, const N: usize>(
     }
 
     wrench.store(&mut block.applied);
-    note_turned(block, masses.turned(&wrench.minus(&before)));
+    note_angvel_change(block, masses.angvel_change(&wrench.minus(&before)));
     if !AHEAD && pass.is_last_iteration {
         add_to_totals(block, &geometry, &wrench);
         store_couple(block, &locked.rows);
@@ -249,26 +249,31 @@ fn give_instead<W: Wide>(
 ) -> [WideMotion<W>; 2] {
     let added = wrench.linear - WideVector::load(&block.applied.linear);
     let [mut m1, mut m2] = masses.push_along(added, velocities);
-    let turned = masses.turned(wrench);
-    m1.angular = m1.angular + (turned[0] - load_ang::<W>(&block.turned[0]));
-    m2.angular = m2.angular + (turned[1] - load_ang::<W>(&block.turned[1]));
-    store_turned(turned, block);
+    let angvel_change = masses.angvel_change(wrench);
+    m1.angular = m1.angular + (angvel_change[0] - load_ang::<W>(&block.angvel_change[0]));
+    m2.angular = m2.angular + (angvel_change[1] - load_ang::<W>(&block.angvel_change[1]));
+    store_angvel_change(angvel_change, block);
     [m1, m2]
 }
 
 #[inline(always)]
-fn store_turned<W: Wide>(turned: [WideAngVector<W>; 2], block: &mut JointBlock) {
-    for (turned, to) in turned.into_iter().zip(&mut block.turned) {
-        store_ang(turned, to);
+fn store_angvel_change<W: Wide>(angvel_change: [WideAngVector<W>; 2], block: &mut JointBlock) {
+    for (angvel_change, to) in angvel_change.into_iter().zip(&mut block.angvel_change) {
+        store_ang(angvel_change, to);
     }
 }
 
 /// Notes what impulses that are added make of the angular velocities.
 #[inline(always)]
-pub(super) fn note_turned<W: Wide>(block: &mut JointBlock, [first, second]: [WideAngVector<W>; 2]) {
-    let turned =
-        [load_ang::<W>(&block.turned[0]) + first, load_ang::<W>(&block.turned[1]) + second];
-    store_turned(turned, block);
+pub(super) fn note_angvel_change<W: Wide>(
+    block: &mut JointBlock,
+    [first, second]: [WideAngVector<W>; 2],
+) {
+    let angvel_change = [
+        load_ang::<W>(&block.angvel_change[0]) + first,
+        load_ang::<W>(&block.angvel_change[1]) + second,
+    ];
+    store_angvel_change(angvel_change, block);
 }
 
 /// Common data of the axes of a block during a pass.
@@ -306,7 +311,7 @@ unsafe fn solve_axes<W: Wide, const AHEAD: bool, const N: usize>(
         }
         matrix = Some(factored);
     }
-    if block.has_swept {
+    if block.has_iterated {
         let added = solve_locked::<W, AHEAD, N>(block, joint, matrix.as_ref(), bodies);
         bodies.velocities = joint.masses.push(&added, bodies.velocities);
         wrench = wrench.plus(&added);
@@ -375,9 +380,9 @@ fn solve_locked<W: Wide, const AHEAD: bool, const N: usize>(
     } else {
         rates_here(block, rows, bodies)
     };
-    let (swept, one) = (W::load(&block.swept), W::splat(1.0));
+    let (iterated, one) = (W::load(&block.iterated), W::splat(1.0));
     for k in 0..N {
-        wanted[k] = wanted[k] * (locked[k] * swept);
+        wanted[k] = wanted[k] * (locked[k] * iterated);
     }
     let is_rigid = !(AHEAD || block.has_springs || block.has_exact);
     let change = if let (true, Some(matrix)) = (is_rigid, matrix) {
@@ -386,10 +391,10 @@ fn solve_locked<W: Wide, const AHEAD: bool, const N: usize>(
         let compliance = compliance_of::<W, AHEAD>(block);
         for k in 0..N {
             for m in 0..k {
-                coupling[k][m] = coupling[k][m] * swept;
+                coupling[k][m] = coupling[k][m] * iterated;
             }
-            let soft = coupling[k][k] * compliance * (locked[k] * swept);
-            coupling[k][k] = (coupling[k][k] * swept + (one - swept)) + soft;
+            let soft = coupling[k][k] * compliance * (locked[k] * iterated);
+            coupling[k][k] = (coupling[k][k] * iterated + (one - iterated)) + soft;
             wanted[k] = wanted[k] + soft * W::load(&block.impulses[k]);
         }
         Factored::new(coupling).solve(wanted)

@@ -58,8 +58,8 @@ impl<W: Wide> Masses<W> {
         Self { sum: each[0] + each[1], each, inertia: block.inertias.load() }
     }
 
-    /// `M⁻¹ Jᵀ` of a row, as a wrench per unit of impulse: the second body's velocities, and the negatives of
-    /// the first one's (with one common linear part).
+    /// `M⁻¹ Jᵀ` of a row, as velocity changes per unit of impulse: the second body's, and the negatives of
+    /// the first one's. The linear part is the sum over both bodies.
     #[inline(always)]
     fn response(&self, row: &Row<W>) -> Row<W> {
         Row {
@@ -102,9 +102,9 @@ impl<W: Wide> Masses<W> {
         k
     }
 
-    /// Change of the angular velocities by a wrench.
+    /// Changes of the angular velocities by a wrench.
     #[inline(always)]
-    pub fn turned(&self, wrench: &Wrench<W>) -> [WideAngVector<W>; 2] {
+    pub fn angvel_change(&self, wrench: &Wrench<W>) -> [WideAngVector<W>; 2] {
         [
             -mul_inertia(self.inertia[0], wrench.angular[0]),
             mul_inertia(self.inertia[1], wrench.angular[1]),
@@ -115,9 +115,9 @@ impl<W: Wide> Masses<W> {
     #[inline(always)]
     pub fn push(&self, wrench: &Wrench<W>, velocities: [WideMotion<W>; 2]) -> [WideMotion<W>; 2] {
         let [mut m1, mut m2] = self.push_along(wrench.linear, velocities);
-        let [turned1, turned2] = self.turned(wrench);
-        m1.angular = m1.angular + turned1;
-        m2.angular = m2.angular + turned2;
+        let [change1, change2] = self.angvel_change(wrench);
+        m1.angular = m1.angular + change1;
+        m2.angular = m2.angular + change2;
         [m1, m2]
     }
 

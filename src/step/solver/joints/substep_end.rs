@@ -109,7 +109,7 @@ impl<W: Wide> SubstepEnd<W> {
     #[inline(always)]
     fn bent(block: &JointBlock) -> W {
         let one = W::splat(1.0);
-        (one - W::load(&block.swept)) * (one - W::load(&block.is_stiff))
+        (one - W::load(&block.iterated)) * (one - W::load(&block.is_stiff))
     }
 
     #[inline(always)]

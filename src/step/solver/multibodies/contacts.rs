@@ -40,7 +40,7 @@ pub struct Point {
     pub total: Real,
     pub impact: LinkImpactRow,
     /// Whether the contact is deferred to a later substep.
-    pub is_aside: bool,
+    pub is_deferred: bool,
 }
 
 /// One manifold.
@@ -130,7 +130,7 @@ impl SolverMultibodies {
                     friction: known.warmstart_tangent_impulse.map(|impulse| impulse * fraction),
                     total: 0.0,
                     impact: LinkImpactRow::default(),
-                    is_aside: false,
+                    is_deferred: false,
                 }
             });
         let points = points.collect();
@@ -208,12 +208,12 @@ impl SolverMultibodies {
         let [first, second] = points;
         let wrenches = [sides[0].wrench(first, -direction), sides[1].wrench(second, direction)];
         let row = self.row_of_wrenches(sides, wrenches);
-        row.with_compliance_min(COMPLIANCE_MIN * self.yield_without_joint(sides))
+        row.with_compliance_min(COMPLIANCE_MIN * self.compliance_without_joint(sides))
     }
 
     /// The compliance of a link and its parent against an impulse through their centres, if no joint held
     /// them. Zero for other pairs.
-    fn yield_without_joint(&self, sides: &[Side<'_>; 2]) -> Real {
+    fn compliance_without_joint(&self, sides: &[Side<'_>; 2]) -> Real {
         let [Some(one), Some(two)] = [sides[0].link, sides[1].link] else { return 0.0 };
         let links = &self.moving[one.multibody].motion.kinematics.links;
         let are_joined = one.multibody == two.multibody
@@ -345,8 +345,8 @@ impl LinkContact {
         self.normal.is_finite()
             && self.points.iter().all(|point| {
                 let impulses = point.friction.iter().chain([&point.impulse, &point.total]);
-                let mut jacobians = impulses.chain([&point.separation]);
-                point.position.is_finite() && jacobians.all(|number| number.is_finite())
+                let mut numbers = impulses.chain([&point.separation]);
+                point.position.is_finite() && numbers.all(|number| number.is_finite())
             })
     }
 }

@@ -33,7 +33,7 @@ use crate::model::island::NONE;
 use crate::model::params::ImpactPass;
 use crate::step::solver::bodies::SolverBodies;
 use crate::step::solver::restitution::{
-    APPROACH_CHANGE_MIN, DEFERRED_SEPARATION, HitRow, POINT_SWEEPS, supported,
+    APPROACH_CHANGE_MIN, DEFERRED_SEPARATION, HitRow, POINT_ITERATIONS, supported,
 };
 
 /// A contact point in an impact. See `ImpactRow` in `impacts/rows.rs`.
@@ -156,16 +156,16 @@ impl SolverMultibodies {
             impact.loaded = jacobians.velocity(normal, &states);
         }
         // Inertial terms are evaluated at the configuration of the impact.
-        let before_flight = |moving: &mut Moving| {
-            let before = moving.motion.rates_before_flight();
+        let before_free_motion = |moving: &mut Moving| {
+            let before = moving.motion.rates_before_free_motion();
             core::mem::replace(&mut moving.motion.rates, before)
         };
-        let flying: Vec<_> = states.multibodies.iter_mut().map(before_flight).collect();
+        let rates_before: Vec<_> = states.multibodies.iter_mut().map(before_free_motion).collect();
         for point in contacts.bouncing().flat_map(|contact| &mut contact.points) {
             point.impact.accelerated =
                 jacobians.velocity(&point.normal, &states) - point.impact.last;
         }
-        for (moving, rates) in states.multibodies.iter_mut().zip(flying) {
+        for (moving, rates) in states.multibodies.iter_mut().zip(rates_before) {
             let before = core::mem::replace(&mut moving.motion.rates, rates);
             moving.motion.return_buffer(before);
         }
@@ -239,14 +239,15 @@ impl SolverMultibodies {
         let (jacobians, contacts, mut states) = self.bouncing(states);
         for contact in contacts.bouncing().filter(|contact| contact.impact.active) {
             contact.impact.moving = false;
-            for sweep in 0..POINT_SWEEPS {
+            for iteration in 0..POINT_ITERATIONS {
                 for Point { normal, impact, .. } in &mut contact.points {
                     let velocity = jacobians.velocity(normal, &states);
                     let new = impact.hit.impulse(velocity, impact.impulse);
                     let change = new - impact.impulse;
                     impact.impulse = new;
                     jacobians.apply_impact(normal, change, &mut states);
-                    contact.impact.moving |= sweep == 0 && change.abs() > impact.hit.tolerance();
+                    contact.impact.moving |=
+                        iteration == 0 && change.abs() > impact.hit.tolerance();
                 }
             }
         }
@@ -279,10 +280,10 @@ impl SolverMultibodies {
         }
     }
 
-    /// Puts the points aside that come fast and do not arrive in this substep.
+    /// Defers the points that approach fast and do not arrive in this substep.
     pub fn defer(&mut self) {
         for contact in self.contacts.bouncing() {
-            contact.points.iter_mut().for_each(|point| point.is_aside = point.impact.waits);
+            contact.points.iter_mut().for_each(|point| point.is_deferred = point.impact.waits);
         }
     }
 
@@ -294,8 +295,8 @@ impl SolverMultibodies {
                 point.total += point.impact.given;
                 let most = contact.friction * point.impact.given;
                 let none = [0.0; DIM - 1];
-                let friction_solved = point.friction_under(most, none, jacobians, &states);
-                for (row, impulse) in point.tangents.iter().zip(friction_solved) {
+                let friction_impulses = point.friction_under(most, none, jacobians, &states);
+                for (row, impulse) in point.tangents.iter().zip(friction_impulses) {
                     jacobians.apply_impact(row, impulse, &mut states);
                 }
             }
@@ -343,6 +344,7 @@ impl LinkImpact {
 }
 
 impl LinkContact {
+    /// Returns whether the contact has restitution in an island.
     fn bounces(&self) -> bool {
         self.restitution != 0.0 && self.impact.island != NONE
     }
@@ -356,7 +358,7 @@ impl LinkContact {
 impl Point {
     /// Its separation for all passes except impacts.
     pub fn shown_separation(&self) -> Real {
-        if self.is_aside { DEFERRED_SEPARATION } else { self.separation }
+        if self.is_deferred { DEFERRED_SEPARATION } else { self.separation }
     }
 }
 
@@ -368,7 +370,7 @@ impl LinkImpactRow {
         self.given = 0.0;
     }
 
-    /// Returns whether the point hits. Then it is known when.
+    /// Returns whether the point hits in this substep, and computes the time of the hit.
     fn find_time(&mut self, velocity: Real, separation: Real, earliest: Real, h: Real) -> bool {
         let comes = velocity < self.limit;
         let arrives = separation + velocity * h < 0.0;
@@ -393,8 +395,8 @@ impl LinkImpactRow {
 }
 
 impl Moving {
-    /// Returns whether all links have the same velocity.
-    pub(super) fn moves_as_one(&self) -> bool {
+    /// Returns whether the multibody has no more degrees of freedom than its root, or a single one.
+    pub(super) fn has_rigid_motion(&self) -> bool {
         self.motion.rates.len() <= self.motion.root_dofs().max(1)
     }
 
@@ -403,7 +405,7 @@ impl Moving {
         let rates = self.motion.rates.clone();
         self.displace(&rates, time);
         self.motion.resist(h);
-        self.motion.fly_back(self.motion.middle(h) - time);
+        self.motion.undo_inertial_kick(self.motion.middle(h) - time);
         self.before_impact.ahead = Some(time);
     }
 
@@ -420,7 +422,7 @@ impl Moving {
             self.note_impulse_energy(energy);
         }
         if let Some(time) = ahead {
-            self.motion.fly_on(self.motion.middle(h) - time);
+            self.motion.implicit_inertial_kick(self.motion.middle(h) - time);
             let rates = self.motion.rates.clone();
             self.displace(&rates, -time);
         }

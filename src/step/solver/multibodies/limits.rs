@@ -13,8 +13,8 @@
 //!
 //! `q` is a coordinate; of a ball in a socket an angle as `dim3/joint/mod.rs` has it, and the row its
 //! gradient. It rotates with the ball, and a body that moves on a cone would leave it along a tangent. Rows
-//! of angles [`LIMIT_DISTANCE_MAX`] a limit are made in each substep, and include the curvature, as those of
-//! impulse joints do (`joints/substep_end.rs`).
+//! of angles within [`LIMIT_DISTANCE_MAX`] of a limit are made in each substep, and include the curvature, as
+//! those of impulse joints do (`joints/substep_end.rs`).
 
 use super::rows::{ConstrainedStates, JacobianPool, Part, Row};
 use super::{Moving, SoftPass};
@@ -35,9 +35,10 @@ pub enum Owner {
         multibody: usize,
         link: usize,
     },
-    /// Response of the second body to a unit impulse, at its anchor, in world space.
+    /// A joint that closes a loop.
     Loop {
         joint: ImpulseJointHandle,
+        /// Wrench of a unit impulse on the second body, at its anchor, in world space.
         wrench: SpatialVector,
     },
 }
@@ -53,7 +54,7 @@ struct Limit {
     axis: JointAxis,
     row: Row,
     /// Distances of the coordinate from the lower and from the upper limit.
-    room: [Real; 2],
+    distances: [Real; 2],
     impulses: [Real; 2],
     /// Sum of the impulses of the substeps, those of the upper end negative.
     total: Real,
@@ -63,18 +64,18 @@ struct Limit {
 
 /// A motor with a largest force, or friction.
 #[derive(Copy, Clone, Debug)]
-struct Drive {
+struct ForceRow {
     owner: Owner,
     axis: JointAxis,
     row: Row,
     is_friction: bool,
-    /// Stiffness over `h k + d` (1/s): what a distance from the target adds to the velocity that is wanted.
+    /// Stiffness over `h k + d` (1/s): the increase of the target velocity per distance from the target.
     pull: Real,
     /// Distance to the target at the beginning of the step.
     distance: Real,
-    /// The velocity that is wanted at the target.
+    /// Target velocity at the target position.
     velocity: Real,
-    yielding: Real,
+    compliance: Real,
     impulse: Real,
     /// Sum of the impulses of the substeps.
     total: Real,
@@ -85,14 +86,14 @@ struct Drive {
 #[derive(Debug, Default)]
 pub struct JointRows {
     limits: Vec<Limit>,
-    drives: Vec<Drive>,
+    force_rows: Vec<ForceRow>,
 }
 
 impl JointRows {
     /// Makes the rows of all joints, for substeps of `h` seconds.
     pub fn prepare(&mut self, jacobians: &mut JacobianPool, multibodies: &mut [Moving], h: Real) {
         self.limits.clear();
-        self.drives.clear();
+        self.force_rows.clear();
         for multibody in 0..multibodies.len() {
             for link in 1..multibodies[multibody].multibody.links.len() {
                 let link = multibodies[multibody].multibody.links[link].clone();
@@ -134,7 +135,7 @@ impl JointRows {
             let (friction, impulse) = (lists.frictions[dof], lists.friction_impulses[dof]);
             if friction > 0.0 && friction.is_finite() {
                 let row = row_of(jacobians, multibodies, multibody, link, &unit);
-                self.drives.push(Drive::friction(owner, axis, row, friction * h, impulse));
+                self.force_rows.push(ForceRow::friction(owner, axis, row, friction * h, impulse));
             }
         }
     }
@@ -148,13 +149,13 @@ impl JointRows {
         q: Real,
         limits: &JointLimits,
     ) {
-        let room = [q - limits.min, limits.max - q];
+        let distances = [q - limits.min, limits.max - q];
         let impulses = [limits.impulse.max(0.0), (-limits.impulse).max(0.0)];
         self.limits.push(Limit {
             owner,
             axis,
             row,
-            room,
+            distances,
             impulses,
             total: 0.0,
             is_followed: false,
@@ -171,7 +172,7 @@ impl JointRows {
         motor: &JointMotor,
         h: Real,
     ) {
-        self.drives.push(Drive::motor(owner, axis, row, q, motor, h));
+        self.force_rows.push(ForceRow::motor(owner, axis, row, q, motor, h));
     }
 
     /// Makes the rows of balls near their limits anew, where the links are now.
@@ -188,7 +189,7 @@ impl JointRows {
             }
             let Some((q, gradient)) = limited_angle(&link.joint, limit.axis) else { continue };
             let Some(limits) = link.joint.data.limits(limit.axis) else { continue };
-            limit.room = [q - limits.min, limits.max - q];
+            limit.distances = [q - limits.min, limits.max - q];
             limit.is_followed = limit.is_near();
             if limit.is_followed {
                 let link = link.clone();
@@ -200,7 +201,7 @@ impl JointRows {
             }
             // The row's past displacement is reset.
             let moved = jacobians.displacement(&limit.row, states);
-            limit.room = [limit.room[0] - moved, limit.room[1] + moved];
+            limit.distances = [limit.distances[0] - moved, limit.distances[1] + moved];
         }
     }
 
@@ -209,8 +210,8 @@ impl JointRows {
         for limit in &self.limits {
             jacobians.push_early(&limit.row, limit.impulse(), states);
         }
-        for drive in &self.drives {
-            jacobians.push_early(&drive.row, drive.impulse, states);
+        for force_row in &self.force_rows {
+            jacobians.push_early(&force_row.row, force_row.impulse, states);
         }
     }
 
@@ -219,7 +220,9 @@ impl JointRows {
         for limit in &mut self.limits {
             limit.impulses = limit.impulses.map(|impulse| impulse * factor(&limit.row));
         }
-        self.drives.iter_mut().for_each(|drive| drive.impulse *= factor(&drive.row));
+        self.force_rows
+            .iter_mut()
+            .for_each(|force_row| force_row.impulse *= factor(&force_row.row));
     }
 
     /// Solves all rows once; with `bias`, limits that were overrun are undone.
@@ -230,17 +233,17 @@ impl JointRows {
         pass: &SoftPass,
         bias: bool,
     ) {
-        for drive in &mut self.drives {
-            drive.solve(jacobians, states);
+        for force_row in &mut self.force_rows {
+            force_row.solve(jacobians, states);
         }
         for limit in &mut self.limits {
             let moved = jacobians.displacement(&limit.row, states);
             let curvature = if bias { limit.curvature(states, pass.inv_substep) } else { 0.0 };
             for (side, sign) in [1.0, -1.0].into_iter().enumerate() {
                 let velocity = (jacobians.velocity(&limit.row, states) + curvature) * sign;
-                let room = limit.room[side] + moved * sign;
+                let separation = limit.distances[side] + moved * sign;
                 let old = limit.impulses[side];
-                let new = pass.solve(velocity, room, limit.row.mass, old, bias);
+                let new = pass.solve(velocity, separation, limit.row.mass, old, bias);
                 limit.impulses[side] = new;
                 jacobians.push(&limit.row, (new - old) * sign, states);
             }
@@ -253,21 +256,21 @@ impl JointRows {
         let joins_bodies = |limit: &&Limit| matches!(limit.owner, Owner::Loop { .. });
         let limits = self.limits.iter().filter(joins_bodies);
         let limits = limits.map(|limit| (&limit.row, limit.impulse()));
-        let motors = self.drives.iter().filter(|drive| !drive.is_friction);
+        let motors = self.force_rows.iter().filter(|force_row| !force_row.is_friction);
         limits.chain(motors.map(|motor| (&motor.row, motor.impulse)))
     }
 
     /// Counts the impulses of the substep into those of the step.
     pub fn count(&mut self) {
         self.limits.iter_mut().for_each(|limit| limit.total += limit.impulse());
-        self.drives.iter_mut().for_each(|drive| drive.total += drive.impulse);
+        self.force_rows.iter_mut().for_each(|force_row| force_row.total += force_row.impulse);
     }
 
     /// Adds the mean forces of limits and motors to those of joints that close loops.
     pub fn add_forces(&self, joints: &mut ImpulseJointSet, inv_dt: Real) {
         let limits = self.limits.iter().map(|limit| (limit.owner, limit.total));
-        let drives = self.drives.iter().map(|drive| (drive.owner, drive.total));
-        for (owner, total) in limits.chain(drives) {
+        let force_rows = self.force_rows.iter().map(|force_row| (force_row.owner, force_row.total));
+        for (owner, total) in limits.chain(force_rows) {
             let Owner::Loop { joint, wrench } = owner else { continue };
             let Some(joint) = joints.get_unnoted_mut(joint) else { continue };
             joint.force += linear(&wrench) * (total * inv_dt);
@@ -282,7 +285,7 @@ impl JointRows {
                 data.limits[limit.axis as usize].impulse = finite(limit.impulse());
             }
         }
-        for Drive { owner, axis, is_friction, impulse, .. } in &self.drives {
+        for ForceRow { owner, axis, is_friction, impulse, .. } in &self.force_rows {
             let impulse = finite(*impulse);
             match *owner {
                 Owner::Link { multibody, link } if *is_friction => {
@@ -325,7 +328,7 @@ impl Limit {
 
     /// Returns whether the angle is near one of its limits, or a limit has an impulse.
     fn is_near(&self) -> bool {
-        self.impulses != [0.0; 2] || self.room[0].min(self.room[1]) < LIMIT_DISTANCE_MAX
+        self.impulses != [0.0; 2] || self.distances[0].min(self.distances[1]) < LIMIT_DISTANCE_MAX
     }
 
     /// The curvature term of a ball joint's angle over the substep.
@@ -350,7 +353,7 @@ impl Limit {
     }
 }
 
-impl Drive {
+impl ForceRow {
     fn motor(
         owner: Owner,
         axis: JointAxis,
@@ -375,7 +378,7 @@ impl Drive {
             pull: fraction(stiffness),
             distance: motor.target_pos - q,
             velocity: fraction(damping) * motor.target_vel,
-            yielding: fraction(1.0 / h),
+            compliance: fraction(1.0 / h),
             impulse: motor.impulse.clamp(-impulse_max, impulse_max),
             total: 0.0,
             impulse_max,
@@ -384,7 +387,7 @@ impl Drive {
 
     fn friction(owner: Owner, axis: JointAxis, row: Row, impulse_max: Real, impulse: Real) -> Self {
         let impulse = impulse.clamp(-impulse_max, impulse_max);
-        let (pull, distance, velocity, yielding) = (0.0, 0.0, 0.0, 0.0);
+        let (pull, distance, velocity, compliance) = (0.0, 0.0, 0.0, 0.0);
         Self {
             owner,
             axis,
@@ -393,7 +396,7 @@ impl Drive {
             pull,
             distance,
             velocity,
-            yielding,
+            compliance,
             impulse,
             total: 0.0,
             impulse_max,
@@ -406,8 +409,8 @@ impl Drive {
         }
         let moved = if self.pull > 0.0 { jacobians.displacement(&self.row, states) } else { 0.0 };
         let wanted = self.velocity + self.pull * (self.distance - moved);
-        let error = jacobians.velocity(&self.row, states) - wanted + self.yielding * self.impulse;
-        let mass = self.row.mass / (1.0 + self.yielding * self.row.mass);
+        let error = jacobians.velocity(&self.row, states) - wanted + self.compliance * self.impulse;
+        let mass = self.row.mass / (1.0 + self.compliance * self.row.mass);
         let new = (self.impulse - error * mass).clamp(-self.impulse_max, self.impulse_max);
         let change = new - self.impulse;
         self.impulse = new;

@@ -7,7 +7,7 @@ use crate::model::body::{RigidBodyHandle, RigidBodySet};
 use crate::model::island::NONE;
 use crate::model::joint::{GenericJoint, JointMotor, MotorModel};
 use crate::model::multibody::{Multibody, MultibodyJointSet};
-use crate::multibody::{Drive, LinkForce, usable};
+use crate::multibody::{JointLoad, LinkForce, usable};
 use crate::step::solver::links::Links;
 
 impl SolverMultibodies {
@@ -130,11 +130,11 @@ impl Moving {
     /// Armature, springs and dampers of the joints.
     fn read_drives(&mut self) {
         let Multibody { links, dofs, lists, .. } = &self.multibody;
-        self.motion.drives.clear();
+        self.motion.joint_loads.clear();
         for (position, dof) in dofs.iter().enumerate() {
             let joint = &links[dof.link].joint;
             let (stiffness, rest) = if dof.link == 0 { (0.0, 0.0) } else { joint.spring(dof.axis) };
-            self.motion.drives.push(Drive {
+            self.motion.joint_loads.push(JointLoad {
                 armature: if joint.kinematic {
                     Real::INFINITY
                 } else {
@@ -158,10 +158,10 @@ impl Moving {
             };
             let inertia = self.inertia_against(position, &motor);
             let (stiffness, damping) = (motor.stiffness * inertia, motor.damping * inertia);
-            let drive = &mut self.motion.drives[position];
-            drive.stiffness += stiffness;
-            drive.damping += damping;
-            drive.pull += stiffness * motor.target_pos + damping * motor.target_vel;
+            let load = &mut self.motion.joint_loads[position];
+            load.stiffness += stiffness;
+            load.damping += damping;
+            load.pull += stiffness * motor.target_pos + damping * motor.target_vel;
         }
     }
 

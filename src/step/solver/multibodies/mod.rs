@@ -1,4 +1,4 @@
-//! Multibodies in the solver: substeps of their own, between the same lines as the ordinary bodies'.
+//! Multibodies in the solver: their own substeps, in the same passes as those of ordinary bodies.
 //!
 //! Links are in the list of awake bodies, but have no state in [`SolverBodies`](super::bodies::SolverBodies),
 //! and the lanes exclude their manifolds. An impulse on one link moves all of its multibody, so no two of
@@ -73,7 +73,7 @@ pub(super) struct Moving {
     energy: Real,
     /// The same before the work of a push was added, which counts for the push alone.
     energy_without_push: Real,
-    /// Whether there were more.
+    /// Whether the kinetic energy exceeds the limit.
     has_gained: bool,
     /// The fraction of the energy, and of the impulses that made too much of it, that is kept.
     kept: Real,
@@ -117,7 +117,7 @@ pub(super) struct MultibodySources<'a> {
     pub world: &'a RigidBodySet,
 }
 
-/// Softness of limits and contacts, and the fraction of a row's error that an iteration removes.
+/// Softness, allowed error and largest correction velocity of unilateral rows.
 #[derive(Copy, Clone, Debug)]
 struct SoftPass {
     softness: Softness,
@@ -152,15 +152,22 @@ impl SoftPass {
 
     /// The impulse of a row that must not go below zero (`dim3/contact/mod.rs`), given `Ċ`, `C`, `1/K` and
     /// the impulse so far.
-    fn solve(&self, velocity: Real, room: Real, mass: Real, impulse: Real, bias: bool) -> Real {
-        if room > 0.0 {
-            return (impulse - mass * (velocity + room * self.inv_substep)).max(0.0);
+    fn solve(
+        &self,
+        velocity: Real,
+        separation: Real,
+        mass: Real,
+        impulse: Real,
+        bias: bool,
+    ) -> Real {
+        if separation > 0.0 {
+            return (impulse - mass * (velocity + separation * self.inv_substep)).max(0.0);
         }
         if !bias {
             return (impulse - mass * velocity).max(0.0);
         }
         let Softness { bias_rate, mass_scale, impulse_scale } = self.softness;
-        let error = (room + self.allowed).min(0.0);
+        let error = (separation + self.allowed).min(0.0);
         let opening = (error * bias_rate * mass_scale).max(-self.push_max);
         (impulse - mass * (velocity * mass_scale + opening) - impulse * impulse_scale).max(0.0)
     }
@@ -354,7 +361,7 @@ impl Moving {
         self.kept = 1.0;
         if self.has_gained {
             let Self { motion, multibody, energy, touches, .. } = self;
-            self.kept = motion.settle_impulses(multibody, *energy, *touches);
+            self.kept = motion.limit_impulse_energy(multibody, *energy, *touches);
             self.pushed.iter_mut().for_each(|rate| *rate *= self.kept);
             self.root_pushed.iter_mut().for_each(|impulse| *impulse *= self.kept);
         }

@@ -7,8 +7,8 @@
 //!
 //! `J` and `W` are lists with one number per degree of freedom, computed once a step in time proportional to
 //! the number of links. (Moment arms and inertias of contacts are frozen during a step; multibodies that
-//! rotate far are updated in each substep.) An iteration of the row is one product of two lists if `J` is not
-//! zero (a limit's is one number), and one addition if the impulse changes.
+//! rotate far are updated in each substep.) An iteration of the row is one product of two lists over the span
+//! where `J` is not zero (one number for a limit), and one addition if the impulse changes.
 
 use super::Moving;
 use crate::dim::math::{Real, SPATIAL_DIM, SpatialVector};
@@ -271,7 +271,7 @@ impl JacobianPool {
     /// Returns whether both sides of a row go back in time to be hit.
     pub fn goes_back(&self, row: &Row, states: &ConstrainedStates<'_>) -> bool {
         row.parts.iter().all(|part| match part {
-            Part::Links { multibody, .. } => states.multibodies[*multibody].moves_as_one(),
+            Part::Links { multibody, .. } => states.multibodies[*multibody].has_rigid_motion(),
             Part::Nothing | Part::Body { .. } => true,
         })
     }

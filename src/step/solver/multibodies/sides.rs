@@ -144,27 +144,28 @@ impl Side<'_> {
 /// The normal of a manifold, which turns with the first side.
 pub(super) fn normal_of(
     sides: &[Side<'_>; 2],
-    placed: &AnchorFrame,
+    anchor_frame: &AnchorFrame,
     manifold: &ContactManifold,
 ) -> Vector {
-    sides[0].rotation * placed.rotations[0].inverse() * manifold.data.placed_normal
+    sides[0].rotation * anchor_frame.rotations[0].inverse() * manifold.data.placed_normal
 }
 
 impl Geometry {
-    /// Follows the contact points from where they were placed, as
+    /// Moves the contact points from their anchors with the bodies, as
     /// [`MotionSince`](crate::model::contact::MotionSince) does for lanes.
     pub fn of(
         sides: &[Side<'_>; 2],
-        placed: &AnchorFrame,
+        anchor_frame: &AnchorFrame,
         manifold: &ContactManifold,
         normal: Vector,
     ) -> Self {
         let [x1, x2] = [0, 1].map(|side| sides[side].center.unwrap_or_default());
-        let turns = [0, 1].map(|side| sides[side].rotation * placed.rotations[side].inverse());
+        let turns =
+            [0, 1].map(|side| sides[side].rotation * anchor_frame.rotations[side].inverse());
         let has_world = sides.iter().any(|side| side.center.is_none());
         let (offset, offset_now) =
-            if has_world { (Vector::ZERO, Vector::ZERO) } else { (-placed.centers, x1 - x2) };
-        let shift = (x2 - x1) - placed.centers;
+            if has_world { (Vector::ZERO, Vector::ZERO) } else { (-anchor_frame.centers, x1 - x2) };
+        let shift = (x2 - x1) - anchor_frame.centers;
         let origin = if sides[0].center.is_none() { x2 } else { x1 };
         let follow = |known: &crate::model::contact::Contact| {
             let second = known.arm + offset;

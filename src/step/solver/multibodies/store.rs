@@ -153,8 +153,8 @@ impl Moving {
             // As for other bodies: far from the origin a position moves by whole steps of rounding or not at
             // all.
             let rounded = (body.mprops.world_com - old_center).length();
-            let [displacement, rotvec] = self.travel[id];
-            let bound = rounded.max(displacement) + rotvec * body.extent;
+            let [path_length, angle] = self.travel[id];
+            let bound = rounded.max(path_length) + angle * body.extent;
             islands.set_motion(link.body.into_raw_parts().0, BodyMotion::within(bound));
             let (shift, rotvec) = (body.mprops.world_com - old_center, ANG_ZERO);
             let force = linear(&self.motion.forces[id].wrench);

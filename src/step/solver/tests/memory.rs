@@ -193,9 +193,9 @@ fn points_and_separations_are_reported() {
     }
 }
 
-/// Bodies that moved since their contacts were placed, where the points went with them.
+/// Bodies that moved since their anchors were transformed, and contact points that moved with them.
 struct Moved {
-    placed: Contact,
+    anchored: Contact,
     /// Input of a block whose anchors are transformed now.
     now: Contact,
     before: [Option<Body>; 2],
@@ -217,9 +217,9 @@ impl Moved {
             body.center += went[side].0;
             body.rotation = went[side].1 * body.rotation;
         }
-        let placed = random_manifold(random);
-        let mut now = placed.clone();
-        now.normal = went[0].1 * placed.normal;
+        let anchored = random_manifold(random);
+        let mut now = anchored.clone();
+        now.normal = went[0].1 * anchored.normal;
         let centers = before.map(|body| body.map_or(Vector::ZERO, |body| body.center));
         for (point, separation) in &mut now.points {
             let surfaces = [0, 1]
@@ -227,12 +227,12 @@ impl Moved {
             *point = (surfaces[0] + surfaces[1]) * 0.5;
             *separation += now.normal.dot(surfaces[1] - surfaces[0]);
         }
-        Self { placed, now, before, after }
+        Self { anchored, now, before, after }
     }
 
-    /// The block of contacts that were placed before the bodies moved.
+    /// The block of contacts whose anchors were transformed before the bodies moved.
     fn prepared(&self, frozen_angle: Real) -> Scene {
-        let mut scene = Scene::new(self.before, &Contact { frozen_angle, ..self.placed.clone() });
+        let mut scene = Scene::new(self.before, &Contact { frozen_angle, ..self.anchored.clone() });
         for (side, body) in self.after.iter().enumerate() {
             let Some(body) = body else { continue };
             let index = scene.input.bodies[side][LANE] as usize;
@@ -245,7 +245,7 @@ impl Moved {
 }
 
 #[test]
-fn contacts_that_are_not_held_are_as_if_placed_now() {
+fn contacts_that_are_not_frozen_equal_contacts_transformed_now() {
     let mut random = Random(28);
     for _ in 0..50 {
         let moved = Moved::random(&mut random);
@@ -273,12 +273,12 @@ fn held_contacts_keep_their_levers_and_follow_with_their_separations() {
     let mut random = Random(29);
     for _ in 0..50 {
         let moved = Moved::random(&mut random);
-        let held = Contact { frozen_angle: 2.0, ..moved.placed.clone() };
-        let mut placed = Scene::new(moved.before, &held);
-        placed.prepare();
+        let held = Contact { frozen_angle: 2.0, ..moved.anchored.clone() };
+        let mut anchored = Scene::new(moved.before, &held);
+        anchored.prepare();
         let found = moved.prepared(2.0);
-        for (k, &(point, separation)) in moved.placed.points.iter().enumerate() {
-            assert_eq!(placed.block.points[k].x, found.block.points[k].x);
+        for (k, &(point, separation)) in moved.anchored.points.iter().enumerate() {
+            assert_eq!(anchored.block.points[k].x, found.block.points[k].x);
             // The surfaces are where they are, and seen along the normal as it was.
             let along = found.block.points[k].separation.0[LANE] - separation;
             let (before, now) = (point, moved.now.points[k].0);
@@ -291,12 +291,12 @@ fn held_contacts_keep_their_levers_and_follow_with_their_separations() {
             };
             let surfaces =
                 [at(&moved.before[0], &moved.after[0]), at(&moved.before[1], &moved.after[1])];
-            let expected = moved.placed.normal.dot(surfaces[1] - surfaces[0]);
+            let expected = moved.anchored.normal.dot(surfaces[1] - surfaces[0]);
             assert!((along - expected).abs() < ROUNDING, "{along} instead of {expected}");
             assert!((found.block.places[k].lane(LANE) - now).length() < ROUNDING);
         }
-        assert_eq!(placed.block.offset, found.block.offset);
-        assert_eq!(placed.block.normal, found.block.normal);
+        assert_eq!(anchored.block.offset, found.block.offset);
+        assert_eq!(anchored.block.normal, found.block.normal);
     }
 }
 

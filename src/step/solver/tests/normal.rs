@@ -110,7 +110,7 @@ fn several_points_stop_together() {
 /// One iteration over coupled points of a block equals one over rows that are applied to the bodies one by
 /// one.
 #[test]
-fn a_sweep_is_gauss_seidel() {
+fn an_iteration_is_gauss_seidel() {
     let mut random = Random(4);
     for _ in 0..100 {
         let bodies = [Some(Body::random(&mut random)), Some(Body::random(&mut random))];

@@ -198,7 +198,7 @@ impl Scene {
         self.input.anchor_frame.set_near_rest(lane, true);
         for (k, &(point, separation)) in contact.points.iter().enumerate() {
             self.input.arms[k].set_lane(lane, point - x1.or(x2).unwrap_or_default());
-            self.input.placed_separations[k].0[lane] = separation;
+            self.input.anchor_separations[k].0[lane] = separation;
             self.input.present[k].0[lane] = 1.0;
         }
         self.input.friction.0[lane] = contact.friction;

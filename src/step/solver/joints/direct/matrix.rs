@@ -10,10 +10,10 @@
 //! ## Redundant constraints
 //! Three hinges of a door are redundant: some impulses `n` have no effect on the bodies, `A n = 0` with `A =
 //! J M⁻¹ Jᵀ`, and `A λ = b` leaves their fraction in `λ` open. The result is rounding divided by almost zero:
-//! hinges that strain against each other with a thousand times their load. Loops alone can do that; for
-//! components that have some, of all impulses which do what they should the least are wanted. They minimise
-//! `λᵀ D λ`, where `D` contains the inverse masses of each row without its moment arms. Equal joints then
-//! carry equal loads, independent of their position.
+//! hinges that strain against each other with a thousand times their load. Only components with loops can
+//! have redundant constraints. For these, the solver selects the smallest of all valid impulses. They
+//! minimise `λᵀ D λ`, where `D` contains the inverse masses of each row without its moment arms. Equal joints
+//! then carry equal loads, independent of their position.
 //!
 //! With a small damping `δ` (Tikhonov's) the equations have one solution, and the factors of the damped
 //! matrix are those that solve it. One more turn with them takes away what the first one found where it
@@ -47,7 +47,7 @@ const DAMPING: f64 = 2.0 * Real::EPSILON as f64;
 
 /// The damping `δ` of components with loops. It is above the rounding error of rows (squared) and of the
 /// factorisation, and below the values of heavy weights on light chains.
-const SHARING: f64 = 8.0 * Real::EPSILON as f64 + 1.0e-8;
+const LOOP_DAMPING: f64 = 8.0 * Real::EPSILON as f64 + 1.0e-8;
 /// The least element of `D` as a fraction of the row's own diagonal, for bodies that rotate without
 /// translation or are far away.
 const FRACTION_MIN: f64 = 1.0e-3;
@@ -55,17 +55,18 @@ const FRACTION_MIN: f64 = 1.0e-3;
 /// Convergence of stiff joints: the norm of their velocity errors, an energy, as a fraction of the first
 /// round's. Convergence is quadratic: a machine of light bars goes from 1 to 10⁻⁴ and to 10⁻⁹. For a chain at
 /// rest, 10⁻⁵ is rounding.
-const DONE: f64 = 1.0e-4;
+const STIFF_RESIDUAL_FRACTION_MAX: f64 = 1.0e-4;
 
 /// Convergence of other joints: the residual as a fraction of the total effect of their impulses (both
 /// energies).
-const PRECISION: f64 = 1.0e-9;
+const CONVERGED_FRACTION_MAX: f64 = 1.0e-9;
 /// Rounding error of anchor positions, relative to the moment arms.
-const NOISE: f64 = 4.0 * Real::EPSILON as f64;
+const ANCHOR_ROUNDING: f64 = 4.0 * Real::EPSILON as f64;
 /// With a larger residual fraction, the joints are not converged.
 const RESIDUAL_FRACTION_MAX: f64 = 1.0e-3;
-/// Rounds that find more than the impulses do, and so many times what the last one found, lead away.
-const ASTRAY: f64 = 100.0;
+/// The rounds diverge if the residual exceeds the total effect of the impulses, and the last residual by this
+/// factor.
+const RESIDUAL_GROWTH_MAX: f64 = 100.0;
 
 /// Progress of the rounds of a solution.
 #[derive(Copy, Clone, Debug, PartialEq)]
@@ -160,7 +161,8 @@ impl<const N: usize> Matrix<N> {
     /// Returns whether the residual of the last stiff solution is negligible against the first one. Then no
     /// impulses change.
     pub fn has_converged(&mut self, component: Component<'_>, memory: &[JacobianBlock]) -> bool {
-        let is_done = self.size_of_rates(component, memory) <= DONE * self.first_size;
+        let is_done =
+            self.size_of_rates(component, memory) <= STIFF_RESIDUAL_FRACTION_MAX * self.first_size;
         if is_done {
             self.x.fill([0.0; N]);
         }
@@ -198,9 +200,9 @@ impl<const N: usize> Matrix<N> {
         let [before, last] = self.sizes;
         let rest = if last < before { last * (last / before) } else { last };
         let (load, noise) = self.size_of_load(component, memory, f64::from(inv_h));
-        if rest <= PRECISION * load + noise {
+        if rest <= CONVERGED_FRACTION_MAX * load + noise {
             Progress::Done
-        } else if last > load && last > ASTRAY * before {
+        } else if last > load && last > RESIDUAL_GROWTH_MAX * before {
             Progress::Astray
         } else if rest > RESIDUAL_FRACTION_MAX * load {
             Progress::Far
@@ -224,7 +226,7 @@ impl<const N: usize> Matrix<N> {
             {
                 let impulse = from.impulses[axis].0[lane] + from.changes[axis].0[lane];
                 load += own[row] * f64::from(impulse) * f64::from(impulse);
-                let rounding = NOISE * rows.size_of(row) * inv_h;
+                let rounding = ANCHOR_ROUNDING * rows.size_of(row) * inv_h;
                 noise += rounding * rounding / own[row];
             }
         }
@@ -301,7 +303,7 @@ impl<const N: usize> Matrix<N> {
             for row in 0..size {
                 own[row] = block[row][row];
                 damping[row] = if component.has_loops {
-                    SHARING * self.rows[at].without_arms(row).max(FRACTION_MIN * own[row])
+                    LOOP_DAMPING * self.rows[at].without_arms(row).max(FRACTION_MIN * own[row])
                 } else {
                     DAMPING * own[row]
                 };

@@ -2,7 +2,7 @@
 
 use super::super::block::{JointBlock, Wrench};
 use super::super::geometry::Geometry;
-use super::super::passes::{Bodies, compliance_of, note_turned, rates_here, store_couple};
+use super::super::passes::{Bodies, compliance_of, note_angvel_change, rates_here, store_couple};
 use super::super::rows::{Masses, Row};
 use super::super::substep_end::SubstepEnd;
 use super::masses::InverseMass;
@@ -234,7 +234,7 @@ fn finish_first_rows<W: Wide, const N: usize>(
     }
     let added = added(memory, &rows);
     Wrench::load(&block.applied).plus(&added).store(&mut block.applied);
-    note_turned(block, Masses::load(block).turned(&added));
+    note_angvel_change(block, Masses::load(block).angvel_change(&added));
     if is_last_of_substep {
         let JointBlock { total_impulse, total_moment, .. } = block;
         add_to_totals(total_impulse, total_moment, memory, &rows, &added);

@@ -143,7 +143,7 @@ impl Direct {
         self.pattern.contains(slot)
     }
 
-    /// Notes in which lane of which block a joint's rows stand. No if it is not solved here.
+    /// Notes the block and the lane of a joint's rows. Returns whether the joint is solved directly.
     pub fn place(&mut self, slot: u32, at: [usize; 2]) -> bool {
         self.pattern.place(slot, at)
     }
@@ -204,7 +204,7 @@ impl Direct {
         }
     }
 
-    /// Ends a round of the solve pass, and says whether another one is wanted. `test` returns whether a
+    /// Ends a round of the solve pass. Returns whether another round is necessary. `test` returns whether a
     /// component is stiff.
     pub fn go_on(
         &mut self,

@@ -25,7 +25,7 @@ pub(super) struct Ordering {
 
 impl Ordering {
     /// Finds an order for `count` joints with these neighbours (in any order, with repetitions, and
-    /// themselves). No if elimination takes more than `work` products of blocks.
+    /// themselves). Returns whether elimination takes at most `work` products of blocks.
     pub fn find(
         &mut self,
         count: usize,

@@ -10,11 +10,11 @@ use core::ops::{Range, RangeInclusive};
 /// Largest average number of block products per joint. Beyond that, iterations are so much cheaper that their
 /// errors are acceptable. A walking machine of 109 joints on twelve legs needs 113, and 30 hinges between the
 /// same two bodies need 165.
-const WORK: usize = 200;
+const BLOCK_PRODUCTS_PER_JOINT_MAX: usize = 200;
 /// The same for nets: loops of joints that hold two points together and nothing else, between bodies of even
-/// masses. Sweeps let them sag by little, at a hundredth of the time: 6 by 6 knots are solved exactly, 10 by
-/// 10 are not.
-const WORK_OF_NETS: usize = 40;
+/// masses. Iterations let them sag by little, at a hundredth of the time: 6 by 6 knots are solved directly,
+/// 10 by 10 are not.
+const NET_BLOCK_PRODUCTS_PER_JOINT_MAX: usize = 40;
 /// Most joints for each body of a net: those of cubes that are braced. A board on 25 point-to-point joints is
 /// none.
 const NET_JOINTS: usize = 6;
@@ -126,7 +126,7 @@ impl Pattern {
         self.position_of_slot.get(slot as usize).is_some_and(|&position| position != NONE)
     }
 
-    /// Notes in which lane of which block a joint's rows stand. No if it is in no component.
+    /// Notes the block and the lane of a joint's rows. Returns whether the joint is in a component.
     pub fn place(&mut self, slot: u32, [block, lane]: [usize; 2]) -> bool {
         let contains = self.contains(slot);
         if contains {
@@ -146,7 +146,7 @@ impl Pattern {
         }
     }
 
-    /// Orders all members that are worth it. An unchanged component is kept.
+    /// Builds the components of the joints that are solved directly. An unchanged list of joints is kept.
     pub fn build(&mut self, given: &[DirectJoint], body_count: usize) {
         if self.given == given {
             return;
@@ -186,7 +186,9 @@ impl Pattern {
     fn add_component(&mut self, members: &[DirectJoint]) {
         let has_loops = self.search.has_loops(members);
         let is_net = has_loops && self.search.is_net(members);
-        let work = if is_net { WORK_OF_NETS } else { WORK } * self.search.order.len();
+        let work =
+            if is_net { NET_BLOCK_PRODUCTS_PER_JOINT_MAX } else { BLOCK_PRODUCTS_PER_JOINT_MAX }
+                * self.search.order.len();
         // The last ones found are the leaves.
         self.search.order.reverse();
         if has_loops && !self.reorder(members, work) {
@@ -214,8 +216,8 @@ impl Pattern {
         }
     }
 
-    /// Puts the joints that were collected in an order that is good for loops. No if there are too many of
-    /// these.
+    /// Sorts the collected joints in an order that suits loops. Returns whether elimination takes at most
+    /// `work` products of blocks.
     fn reorder(&mut self, members: &[DirectJoint], work: usize) -> bool {
         let search = &mut self.search;
         for (position, &index) in search.order.iter().enumerate() {
@@ -296,6 +298,7 @@ impl Search {
             && self.is_even(members)
     }
 
+    /// Returns whether the masses of the component's bodies are within [`MASS_RATIO_MAX`].
     fn is_even(&self, members: &[DirectJoint]) -> bool {
         let bodies = self
             .component(members)
@@ -337,8 +340,8 @@ impl Search {
     }
 }
 
-/// Finds the blocks of each column, those that elimination adds among them. No if it takes more than `work`
-/// products of blocks.
+/// Finds the blocks of each column, with those that elimination adds. Returns whether elimination takes at
+/// most `work` products of blocks.
 ///
 /// When a column is eliminated, its blocks are added to the column of the first of them (George and Liu,
 /// "Computer Solution of Large Sparse Positive Definite Systems", 1981).

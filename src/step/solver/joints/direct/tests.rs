@@ -229,7 +229,7 @@ fn legs_go_before_their_hubs() {
 }
 
 #[test]
-fn nets_are_left_to_the_sweeps() {
+fn nets_are_left_to_the_iterations() {
     let at = |row: u32, column: u32| 1 + 30 * row + column;
     let mut joints = vec![[FIXED, at(0, 0)]];
     for (row, column) in (0..30).flat_map(|row| (1..30).map(move |column| (row, column))) {

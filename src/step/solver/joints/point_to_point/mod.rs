@@ -131,8 +131,8 @@ impl PointToPointJoints {
         });
     }
 
-    /// Writes impulses and forces back to the joints. `overload` returns whether the load of a joint exceeds
-    /// its limit.
+    /// Writes impulses and forces back to the joints. Sets `overload` if the load of a joint exceeds its
+    /// limit.
     pub fn store(
         &self,
         islands: &IslandManager,

@@ -13,16 +13,16 @@ use core::ops::Range;
 
 /// The operation on each block.
 #[derive(Copy, Clone, PartialEq, Eq)]
-pub(super) enum Stage {
+pub(super) enum ImpactPhase {
     Begin,
     Mark,
     Defer,
     Friction,
 }
 
-/// A stage, for some blocks.
-pub(super) struct Look<'a> {
-    pub stage: Stage,
+/// A phase of an impact, for some blocks.
+pub(super) struct BlockVisit<'a> {
+    pub phase: ImpactPhase,
     pub range: Range<usize>,
     pub contacts: Blocks<'a>,
     pub impacts: DisjointMut<'a, ImpactBlock>,
@@ -34,21 +34,22 @@ pub(super) struct Look<'a> {
     pub pass: &'a ImpactPass,
 }
 
-impl Kernel for Look<'_> {
+impl Kernel for BlockVisit<'_> {
     type Output = ();
 
     #[inline(always)]
     fn run<W: Wide>(self) {
         for index in self.range.clone() {
-            // SAFETY: each block belongs to one task. The stage that changes bodies runs colour by colour,
-            // and constraints of one colour have no common dynamic body. The other stages change their block
+            // SAFETY: each block belongs to one task. The phase that changes bodies runs colour by colour,
+            // and constraints of one colour have no common dynamic body. The other phases change their block
             // alone.
-            unsafe { self.look_at::<W>(index) };
+            unsafe { self.visit::<W>(index) };
         }
     }
 }
 
-impl Look<'_> {
+impl BlockVisit<'_> {
+    /// Returns whether this round has changed a movable body of the block.
     fn is_changed(&self, block: &ContactBlock) -> bool {
         let mut movable = block.bodies.iter().flatten().filter(|&body| body & READ_ONLY == 0);
         movable.any(|&body| self.touched.is_changed(body))
@@ -57,24 +58,24 @@ impl Look<'_> {
     /// # Safety
     /// The caller has exclusive access to the block, and no other thread writes the states of its bodies.
     #[inline(always)]
-    unsafe fn look_at<W: Wide>(&self, index: usize) {
+    unsafe fn visit<W: Wide>(&self, index: usize) {
         let (states, pass) = (&self.states, self.pass);
         // SAFETY: the caller's promise.
         unsafe {
             let mark = self.marks.get_mut(index);
-            let is_of_interest = match self.stage {
-                Stage::Begin | Stage::Mark => true,
-                Stage::Defer => mark.waits(),
-                Stage::Friction => mark.was_active,
+            let is_of_interest = match self.phase {
+                ImpactPhase::Begin | ImpactPhase::Mark => true,
+                ImpactPhase::Defer => mark.waits(),
+                ImpactPhase::Friction => mark.was_active,
             };
             if !is_of_interest {
                 return;
             }
             let impact = self.impacts.get_mut(index);
             let (block, coulomb) = self.contacts.get(impact.at);
-            match self.stage {
-                Stage::Begin => {
-                    if mark.is_aside() {
+            match self.phase {
+                ImpactPhase::Begin => {
+                    if mark.is_deferred() {
                         impact.restore(mark, block);
                     }
                     *mark = ImpactMark::default();
@@ -83,13 +84,13 @@ impl Look<'_> {
                     impact.mark(mark, &rows, block, pass);
                 }
                 // Unchanged blocks keep their last mark.
-                Stage::Mark if !self.is_changed(block) => {}
-                Stage::Mark => {
+                ImpactPhase::Mark if !self.is_changed(block) => {}
+                ImpactPhase::Mark => {
                     let rows = NormalRows::<W>::gather(states, block);
                     impact.mark(mark, &rows, block, pass);
                 }
-                Stage::Defer => impact.defer(mark, block),
-                Stage::Friction => impact.solve_friction::<W>(block, coulomb, states),
+                ImpactPhase::Defer => impact.defer(mark, block),
+                ImpactPhase::Friction => impact.solve_friction::<W>(block, coulomb, states),
             }
         }
     }
