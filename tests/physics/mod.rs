@@ -12,6 +12,7 @@ mod carriers;
 mod determinism;
 mod fall;
 mod friction;
+mod impact_rules;
 mod impacts;
 mod load;
 mod momentum;

@@ -37,8 +37,8 @@ fn key(path: &str) -> String {
     parts.join(".")
 }
 
-/// Names of the tests that have a table in one precision of a dimension and lack it in the other: an incomplete
-/// run.
+/// Names of the tests that have a table in one precision of a dimension and lack it in the other: an
+/// incomplete run.
 pub fn incomplete(tables: &Tables) -> Vec<&str> {
     let builds = |found: &[Table]| -> BTreeSet<&'static str> {
         found.iter().flat_map(|table| table.rows.iter().map(|(name, _)| *name)).collect()

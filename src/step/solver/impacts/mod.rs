@@ -66,14 +66,7 @@
 //! of directly solved joints have one `τ`, and those of iterated joints have none
 //! (`SolverJoints::share_delays`).
 //!
-//! The velocity of a substep, which is that of its middle, is not that of the time `τ`. With the acceleration
-//! `A/h` the velocities before and after at `τ` are `c + b` and `-e (c + b)`, in the middle `c` and
-//!
-//! ```text
-//! -e (c + b) - b,      b = A (τ/h - ½)
-//! ```
-//!
-//! so a ball that bounces with `e = 1` keeps its height to second order in `h`.
+//! The target velocity (`rows.rs`) is that of the middle of the substep.
 //!
 //! A fast body that does not arrive before the substep ends is deferred to the next one. The other passes
 //! only prevent penetration, and would remove its speed before it arrives.

@@ -1,5 +1,14 @@
 //! The points of one block in an impact: which of them hit, and how fast they are to part. The rounds are in
 //! `active.rs`.
+//!
+//! The velocity of a substep, which is that of its middle, is not that of the time `τ`. With the acceleration
+//! `A/h` the velocities before and after at `τ` are `c + b` and `-e (c + b)`, in the middle `c` and
+//!
+//! ```text
+//! -e (c + b) - b,      b = A (τ/h - ½)
+//! ```
+//!
+//! so a ball that bounces with `e = 1` keeps its height to second order in `h`.
 
 use super::lanes;
 use super::points::{self, NormalRows};

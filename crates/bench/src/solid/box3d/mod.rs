@@ -213,12 +213,8 @@ fn create_shape(
                     p: at(half_space.normal * -HALF_SPACE_EXTENT),
                     q: quaternion(&(local.rotation * turn)),
                 };
-                let hull = b3MakeTransformedBoxHull(
-                    HALF_SPACE_EXTENT,
-                    HALF_SPACE_EXTENT,
-                    HALF_SPACE_EXTENT,
-                    frame,
-                );
+                let [x, y, z] = [HALF_SPACE_EXTENT; 3];
+                let hull = b3MakeTransformedBoxHull(x, y, z, frame);
                 b3CreateHullShape(body, &definition, &hull.base);
             }
             TypedShape::HeightField(field) => {
