@@ -297,7 +297,7 @@ impl QueryPipelineMut<'_> {
     }
 
     /// The engine's form of the same borrow.
-    pub(crate) fn to_engine(&mut self) -> engine::pipeline::QueryPipelineMut<'_> {
+    pub(crate) fn as_engine(&mut self) -> engine::pipeline::QueryPipelineMut<'_> {
         let Self { tree, dispatcher, bodies, colliders, filter } = self;
         tree.as_query_pipeline_mut(*dispatcher, bodies, colliders, (*filter).into())
     }
