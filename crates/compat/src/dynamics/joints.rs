@@ -27,7 +27,8 @@ impl ImpulseJointSet {
         Some((self.0.get_mut_without_waking(handle)?, handle))
     }
 
-    /// Calls a function with mutable access to each joint of a body, in the order of insertion. No body wakes.
+    /// Calls a function with mutable access to each joint of a body, in the order of insertion. No body
+    /// wakes.
     pub fn map_attached_joints_mut(
         &mut self,
         body: RigidBodyHandle,

@@ -153,9 +153,9 @@ impl IntegrationParameters {
     /// The engine's parameters of contact softness.
     ///
     /// A spring of angular frequency `ω` and damping ratio `ζ` removes the fraction `β = hω / (2ζ + hω)` of
-    /// the error in a substep `h`, with the compliance `σ = 1 / (hω (2ζ + hω))`. Without a frequency no error
-    /// is removed. The engine's contacts have at least [`CONTACT_COMPLIANCE`](engine::dynamics::CONTACT_COMPLIANCE):
-    /// stiffer springs get that compliance.
+    /// the error in a substep `h`, with the compliance `σ = 1 / (hω (2ζ + hω))`. Without a frequency no
+    /// error is removed. The engine's contacts have at least
+    /// [`CONTACT_COMPLIANCE`](engine::dynamics::CONTACT_COMPLIANCE): stiffer springs get that compliance.
     fn engine_softness(&self, own_erp: Real, own_damping_ratio: Real) -> (Real, Real) {
         use engine::dynamics::{CONTACT_COMPLIANCE, CONTACT_ERP_SCALE};
         let turn = self.dt / self.num_solver_iterations.max(1) as Real

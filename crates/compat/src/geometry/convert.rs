@@ -86,9 +86,10 @@ fn to_solver_contact(
 
 /// The friction impulse at a point during the last substep, on the second body, in world space.
 ///
-/// The engine stores a friction impulse per manifold, or per point: for multibodies, and with Coulomb friction.
-/// An impulse of a manifold is distributed over its points in proportion to their normal impulses. In both
-/// cases the sum over the points is the friction of the manifold without its torsional part.
+/// The engine stores a friction impulse per manifold, or per point: for multibodies, and with Coulomb
+/// friction. An impulse of a manifold is distributed over its points in proportion to their normal
+/// impulses. In both cases the sum over the points is the friction of the manifold without its torsional
+/// part.
 fn friction_impulse(
     data: &engine::geometry::ContactManifoldData,
     index: usize,
@@ -104,8 +105,8 @@ fn friction_impulse(
 
 /// The tangents along which the engine stores the friction impulses of a point.
 ///
-/// The basis is that of Duff et al. 2017, "Building an Orthonormal Basis, Revisited". The function of glam has
-/// another sign for a normal with a negative zero.
+/// The basis is that of Duff et al. 2017, "Building an Orthonormal Basis, Revisited". The function of glam
+/// has another sign for a normal with a negative zero.
 #[cfg(feature = "dim3")]
 fn engine_tangents(n: Vector) -> [Vector; 2] {
     let sign = if n.z >= 0.0 { 1.0 } else { -1.0 };

@@ -26,8 +26,8 @@ pub trait EventHandler: Send + Sync {
         total_force_magnitude: Real,
     );
 
-    /// Returns whether the handler reads contact pairs. If not, no pair is converted: collision events have no
-    /// pair, and [`Self::handle_contact_force`] replaces [`Self::handle_contact_force_event`].
+    /// Returns whether the handler reads contact pairs. If not, no pair is converted: collision events have
+    /// no pair, and [`Self::handle_contact_force`] replaces [`Self::handle_contact_force_event`].
     #[doc(hidden)]
     fn reads_contact_pairs(&self) -> bool {
         true
