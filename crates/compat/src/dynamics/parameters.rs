@@ -111,8 +111,8 @@ impl IntegrationParameters {
         self.normalized_prediction_distance * self.length_unit
     }
 
-    /// The parameters of the engine. It refuses parameters outside their ranges, and upstream does not: counts
-    /// of zero and coefficients outside 0 to 1 become the nearest valid value.
+    /// The parameters of the engine. It refuses values outside their ranges, and upstream does not. Counts of
+    /// zero and coefficients outside 0 to 1 become the nearest valid value.
     pub(crate) fn to_engine(self) -> engine::dynamics::IntegrationParameters {
         let upstream = Self::default();
         let own = engine::dynamics::IntegrationParameters::default();
