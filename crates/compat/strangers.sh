@@ -5,8 +5,8 @@
 #   FOLDER   working folder (default: target/strangers of the repository)
 #   PATTERN  regular expression that selects crates by name (default: all)
 #
-# Prints one line per crate: name, version, compile errors, passed and failed tests. The log of each crate is
-# FOLDER/<name>.log.
+# Prints one line per crate: name, version, compile errors, passed and failed tests, and "cargo failed" with its exit status.
+# The log of each crate is FOLDER/<name>.log. The exit status is 1 if a crate was not fetched or failed.
 set -u
 here=$(cd "$(dirname "$0")" && pwd)
 root=$(cd "$here/../.." && pwd)
@@ -46,18 +46,27 @@ for package in json.load(sys.stdin)["packages"]:
         "$here/rapier3d" "$here/rapier2d" >>"$target/Cargo.toml"
 }
 
+outcome=0
 printf '%-24s %-8s %6s  %s\n' crate version errors tests
 while read -r name version arguments; do
     [[ -n $name && $name =~ $pattern ]] || continue
     log="$folder/$name.log"
     if ! prepare "$name" "$version"; then
         printf '%-24s %-8s %6s  %s\n' "$name" "$version" - 'not fetched'
+        outcome=1
         continue
     fi
     # shellcheck disable=SC2086 # The arguments are several words.
     (cd "$folder/$name" && cargo $arguments >"$log" 2>&1)
+    status=$?
+    result=
+    if [[ $status -ne 0 ]]; then
+        result=", cargo failed ($status)"
+        outcome=1
+    fi
     errors=$(grep -cE '^error(\[E[0-9]+\]|: (failed|no matching))' "$log")
     passed=$(grep -oE '[0-9]+ passed' "$log" | awk '{sum += $1} END {print sum + 0}')
     failed=$(grep -oE '[0-9]+ failed' "$log" | awk '{sum += $1} END {print sum + 0}')
-    printf '%-24s %-8s %6s  %s passed, %s failed\n' "$name" "$version" "$errors" "$passed" "$failed"
+    printf '%-24s %-8s %6s  %s passed, %s failed%s\n' "$name" "$version" "$errors" "$passed" "$failed" "$result"
 done <<<"$crates"
+exit "$outcome"

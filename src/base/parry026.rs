@@ -65,7 +65,9 @@ pub fn support_feature(
     feature: &mut PolygonalFeature,
 ) {
     shape.local_support_feature(direction, feature);
-    if is_round_cap(feature)
+    // The faces and vertices of a polyhedron may have the numbers of a cap.
+    if !shape.is_convex_polyhedron()
+        && is_round_cap(feature)
         && let Some(azimuth) = (Vector { y: 0.0, ..hint }).try_normalize()
     {
         let tilted = Vector::Y * direction.y + azimuth * CAP_TILT;
@@ -80,11 +82,11 @@ const CAP_TILT: Real = 0.01;
 /// Returns whether a feature has the numbers that parry gives to the cap of a cylinder or a cone. In two
 /// dimensions no feature has four vertices.
 fn is_round_cap(feature: &PolygonalFeature) -> bool {
-    let is_cap = |face, vertices: [u32; 2]| {
+    let is_cap = |face, vertices: [u32; 4]| {
         feature.fid == PackedFeatureId::face(face)
-            && feature.vids[..2] == vertices.map(PackedFeatureId::vertex)
+            && feature.vids.into_iter().eq(vertices.map(PackedFeatureId::vertex))
     };
-    feature.num_vertices == 4 && (is_cap(9, [1, 3]) || is_cap(19, [11, 13]))
+    feature.num_vertices == 4 && (is_cap(9, [1, 3, 5, 7]) || is_cap(19, [11, 13, 15, 17]))
 }
 
 /// Poses of the parts of a manifold, `None` for the identity.

@@ -62,7 +62,6 @@ impl KinematicCharacterController {
     }
 
     /// The movement of a character that wants to move by `desired_translation`.
-    #[expect(clippy::too_many_arguments, reason = "the signature of Rapier 0.32")]
     pub fn move_shape(
         &self,
         dt: Real,
@@ -93,7 +92,7 @@ impl KinematicCharacterController {
     ) {
         self.to_engine().solve_character_collision_impulses(
             dt,
-            &mut queries.to_engine(),
+            &mut queries.as_engine(),
             character_shape,
             character_mass,
             collisions,
@@ -137,7 +136,7 @@ mod vehicle {
 
         /// Applies the forces of the wheels to the chassis.
         pub fn update_vehicle(&mut self, dt: Real, mut queries: QueryPipelineMut<'_>) {
-            self.0.update_vehicle(dt, queries.to_engine());
+            self.0.update_vehicle(dt, queries.as_engine());
         }
     }
 }

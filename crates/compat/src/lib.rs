@@ -1,11 +1,13 @@
 //! # The API of Rapier 0.32 over this engine
 //!
-//! Code for Rapier 0.32 compiles against this crate without edits. The crate is a facade: it stores no
-//! simulation state of its own, and it forwards to the engine.
+//! Most programs for Rapier 0.32 compile against this crate without edits. The table in
+//! `docs/guide/migration.md` lists the differences. The crate is a facade: it stores no simulation state of
+//! its own, and it forwards to the engine.
 //!
 //! Types with equal signatures are the engine's own types. Types with other signatures are transparent
-//! wrappers that dereference to the engine's type. Contact pairs are converted to upstream's representation
-//! when they are read, so a program that reads none pays nothing.
+//! wrappers that dereference to the engine's type. A contact pair is converted to upstream's representation
+//! when it is read, or when it is passed to an event handler or a hook of the program. The handlers `()`
+//! and [`ChannelEventCollector`](pipeline::ChannelEventCollector) read no pair, so they convert none.
 
 pub extern crate nalgebra as na;
 pub use engine::parry;

@@ -52,6 +52,7 @@ struct Belt {
 impl PhysicsHooks for Belt {
     fn modify_solver_contacts(&self, context: &mut ContactModificationContext) {
         // The velocity is that of the second collider relative to the first.
+        assert!(context.manifold.data.solver_contacts.is_empty(), "the context has the contacts");
         let sign = if context.rigid_body1.is_none() { 1.0 } else { -1.0 };
         for contact in context.solver_contacts.iter_mut() {
             contact.friction = self.friction;

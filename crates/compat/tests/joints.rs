@@ -69,3 +69,25 @@ fn access_wakes_on_request() {
         assert_eq!(world.bodies[body].is_sleeping(), !wake_up);
     }
 }
+
+/// Mutable access without an argument for it wakes no body.
+#[test]
+fn access_by_slot_or_body_wakes_none() {
+    let (mut world, body, joint) = spring(10.0);
+    world.steps(5);
+    world.bodies[body].sleep();
+    world.steps(1);
+    let (slot, _) = joint.into_raw_parts();
+    let (found, handle) = world.impulse_joints.get_unknown_gen_mut(slot).unwrap();
+    found.data.set_contacts_enabled(false);
+    assert_eq!(handle, joint);
+    let mut seen = Vec::new();
+    world.impulse_joints.map_attached_joints_mut(body, |_, second, handle, joint| {
+        joint.data.set_contacts_enabled(true);
+        seen.push((second, handle));
+    });
+    assert_eq!(seen, [(body, joint)]);
+    world.steps(1);
+    assert!(world.bodies[body].is_sleeping());
+    assert!(world.impulse_joints.get_unknown_gen_mut(slot + 1).is_none());
+}

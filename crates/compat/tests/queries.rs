@@ -39,6 +39,69 @@ fn rays_respect_filters() {
 }
 
 #[test]
+fn flags_have_the_bits_of_version_032() {
+    let flags = [
+        QueryFilterFlags::EXCLUDE_FIXED,
+        QueryFilterFlags::EXCLUDE_KINEMATIC,
+        QueryFilterFlags::EXCLUDE_DYNAMIC,
+        QueryFilterFlags::EXCLUDE_SENSORS,
+        QueryFilterFlags::EXCLUDE_SOLIDS,
+        QueryFilterFlags::ONLY_DYNAMIC,
+        QueryFilterFlags::ONLY_KINEMATIC,
+        QueryFilterFlags::ONLY_FIXED,
+    ];
+    assert_eq!(flags.map(|flag| flag.bits()), [1, 2, 4, 8, 16, 3, 5, 6]);
+}
+
+/// The engine's queries and the test of a filter find the same colliders.
+#[test]
+fn each_flag_excludes_its_kind() {
+    let mut world = World::default();
+    let bodies = [
+        RigidBodyBuilder::fixed(),
+        RigidBodyBuilder::kinematic_position_based(),
+        RigidBodyBuilder::dynamic(),
+    ];
+    for body in bodies {
+        for is_sensor in [false, true] {
+            world.insert(body.clone(), ColliderBuilder::ball(1.0).sensor(is_sensor));
+        }
+    }
+    world.colliders.insert(ColliderBuilder::ball(1.0));
+    world.steps(1);
+    let flags = [
+        (QueryFilterFlags::EXCLUDE_FIXED, 4),
+        (QueryFilterFlags::EXCLUDE_KINEMATIC, 5),
+        (QueryFilterFlags::EXCLUDE_DYNAMIC, 5),
+        (QueryFilterFlags::EXCLUDE_SENSORS, 4),
+        (QueryFilterFlags::EXCLUDE_SOLIDS, 3),
+        (QueryFilterFlags::ONLY_DYNAMIC, 2),
+        (QueryFilterFlags::ONLY_KINEMATIC, 2),
+        (QueryFilterFlags::ONLY_FIXED, 3),
+    ];
+    for (flag, count) in flags {
+        let filter = QueryFilter::from(flag);
+        let passes = |(handle, collider): &(ColliderHandle, &Collider)| {
+            filter.test(&world.bodies, *handle, collider)
+        };
+        assert_eq!(world.colliders.iter().filter(passes).count(), count, "{flag:?}");
+        let found = queries(&world, filter);
+        assert_eq!(found.intersect_point(Vector::X * 0.1).count(), count, "{flag:?}");
+    }
+}
+
+/// A filter reads the type of a body from its argument, so that it holds before the next step.
+#[test]
+fn filters_read_the_bodies() {
+    let (mut world, [fixed, _]) = two_balls();
+    let body = world.colliders[fixed].parent().unwrap();
+    world.bodies[body].set_body_type(RigidBodyType::Dynamic, true);
+    let collider = &world.colliders[fixed];
+    assert!(QueryFilter::only_dynamic().test(&world.bodies, fixed, collider));
+    assert!(!QueryFilter::only_fixed().test(&world.bodies, fixed, collider));
+}
+
+#[test]
 fn iterators_borrow_the_pipeline() {
     let (world, [fixed, dynamic]) = two_balls();
     let pipeline = queries(&world, QueryFilter::default());

@@ -137,3 +137,107 @@ fn soft_contacts_sink_in() {
     let depth = GRAVITY / (omega * omega) + world.parameters.allowed_linear_error();
     assert_near(world.bodies[body].translation().y, 0.5 - depth, 0.1 * depth);
 }
+
+/// A contact spring without a frequency corrects no overlap; one with a frequency does.
+#[test]
+fn softness_without_a_frequency_keeps_overlap() {
+    for (frequency, remaining) in [(0.0, 0.1), (60.0, 0.0)] {
+        let mut world = World::default();
+        world.colliders.insert(cuboid(50.0, 1.0).translation(Vector::Y * -1.0));
+        let body = RigidBodyBuilder::dynamic().translation(Vector::Y * 0.4).gravity_scale(0.0);
+        let (body, _) = world.insert(body, ColliderBuilder::ball(0.5));
+        world.parameters.contact_softness =
+            SpringCoefficients { natural_frequency: frequency, damping_ratio: 1.0 };
+        world.steps(60);
+        let overlap = (0.5 - world.bodies[body].translation().y).max(0.0);
+        assert_near(overlap, remaining, 0.005);
+    }
+}
+
+/// Counts of zero and a coefficient above 1 act as the nearest valid values.
+#[test]
+fn invalid_parameters_are_clamped() {
+    let fall = |parameters: IntegrationParameters| {
+        let (mut world, body, _) = World::box_on_ground();
+        world.parameters = parameters;
+        world.bodies[body].set_translation(Vector::Y * 1.0, true);
+        world.steps(40);
+        (world.bodies[body].translation(), world.bodies[body].quarantine().is_some())
+    };
+    let defaults = IntegrationParameters::default();
+    let invalid = IntegrationParameters {
+        num_solver_iterations: 0,
+        num_internal_pgs_iterations: 0,
+        warmstart_coefficient: 1.5,
+        ..defaults
+    };
+    let nearest = IntegrationParameters { num_solver_iterations: 1, ..defaults };
+    let (place, is_quarantined) = fall(invalid);
+    assert_eq!((place, is_quarantined), fall(nearest));
+    assert!(!is_quarantined);
+    assert_near(place.y, 0.5, 0.02);
+}
+
+#[cfg(feature = "debug-render")]
+mod debug_render {
+    use super::World;
+    use rapier::prelude::*;
+
+    #[test]
+    fn modes_have_the_bits_of_version_032() {
+        let modes = [
+            DebugRenderMode::COLLIDER_SHAPES,
+            DebugRenderMode::RIGID_BODY_AXES,
+            DebugRenderMode::MULTIBODY_JOINTS,
+            DebugRenderMode::IMPULSE_JOINTS,
+            DebugRenderMode::SOLVER_CONTACTS,
+            DebugRenderMode::CONTACTS,
+            DebugRenderMode::COLLIDER_AABBS,
+            DebugRenderMode::JOINTS,
+            DebugRenderMode::default(),
+            DebugRenderMode::all(),
+        ];
+        assert_eq!(modes.map(|mode| mode.bits()), [1, 2, 4, 8, 16, 32, 64, 12, 15, 127]);
+    }
+
+    /// Counts lines by the kind of their object.
+    #[derive(Default)]
+    struct Lines {
+        axes: usize,
+        boxes: usize,
+        others: usize,
+    }
+
+    impl DebugRenderBackend for Lines {
+        fn draw_line(&mut self, object: DebugRenderObject, _: Vector, _: Vector, _: DebugColor) {
+            match object {
+                DebugRenderObject::RigidBody(..) => self.axes += 1,
+                DebugRenderObject::ColliderAabb(..) => self.boxes += 1,
+                _ => self.others += 1,
+            }
+        }
+    }
+
+    /// The mode of the pipeline selects the same parts as the engine's mode of that name.
+    #[test]
+    fn modes_select_parts() {
+        let (mut world, ..) = World::box_on_ground();
+        world.steps(1);
+        let draw = |mode| {
+            let mut lines = Lines::default();
+            DebugRenderPipeline::new(DebugRenderStyle::default(), mode).render(
+                &mut lines,
+                &world.bodies,
+                &world.colliders,
+                &world.impulse_joints,
+                &world.multibody_joints,
+                &world.narrow_phase,
+            );
+            [lines.axes > 0, lines.boxes > 0, lines.others > 0]
+        };
+        assert_eq!(draw(DebugRenderMode::RIGID_BODY_AXES), [true, false, false]);
+        assert_eq!(draw(DebugRenderMode::COLLIDER_AABBS), [false, true, false]);
+        assert_eq!(draw(DebugRenderMode::CONTACTS), [false, false, true]);
+        assert_eq!(draw(DebugRenderMode::JOINTS), [false, false, false]);
+    }
+}

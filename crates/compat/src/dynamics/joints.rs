@@ -1,7 +1,7 @@
 //! The sets of joints.
 
 use crate::wrapper::wrapper;
-use engine::dynamics::{ImpulseJoint, ImpulseJointHandle};
+use engine::dynamics::{ImpulseJoint, ImpulseJointHandle, RigidBodyHandle};
 
 wrapper! {
     /// All joints that the solver handles by impulses.
@@ -16,6 +16,31 @@ impl ImpulseJointSet {
         wake_up: bool,
     ) -> Option<&mut ImpulseJoint> {
         if wake_up { self.0.get_mut(handle) } else { self.0.get_mut_without_waking(handle) }
+    }
+
+    /// Mutable access to the joint in a slot (the first number of a handle), with its handle. No body wakes.
+    pub fn get_unknown_gen_mut(
+        &mut self,
+        slot: u32,
+    ) -> Option<(&mut ImpulseJoint, ImpulseJointHandle)> {
+        let (_, handle) = self.0.get_unknown_gen(slot)?;
+        Some((self.0.get_mut_without_waking(handle)?, handle))
+    }
+
+    /// Calls a function with mutable access to each joint of a body, in the order of insertion. No body
+    /// wakes.
+    pub fn map_attached_joints_mut(
+        &mut self,
+        body: RigidBodyHandle,
+        mut change: impl FnMut(RigidBodyHandle, RigidBodyHandle, ImpulseJointHandle, &mut ImpulseJoint),
+    ) {
+        let joints = self.0.attached_joints(body);
+        let handles: Vec<_> = joints.map(|(_, _, handle, _)| handle).collect();
+        for handle in handles {
+            if let Some(joint) = self.0.get_mut_without_waking(handle) {
+                change(joint.body1, joint.body2, handle, joint);
+            }
+        }
     }
 }
 

@@ -111,7 +111,8 @@ impl IntegrationParameters {
         self.normalized_prediction_distance * self.length_unit
     }
 
-    /// The parameters of the engine.
+    /// The parameters of the engine. It refuses values outside their ranges, and upstream does not. Counts of
+    /// zero and coefficients outside 0 to 1 become the nearest valid value.
     pub(crate) fn to_engine(self) -> engine::dynamics::IntegrationParameters {
         let upstream = Self::default();
         let own = engine::dynamics::IntegrationParameters::default();
@@ -124,7 +125,7 @@ impl IntegrationParameters {
             min_ccd_dt: self.min_ccd_dt,
             erp,
             damping_ratio,
-            warmstart_coefficient: self.warmstart_coefficient,
+            warmstart_coefficient: self.warmstart_coefficient.clamp(0.0, 1.0),
             length_unit: self.length_unit,
             allowed_linear_error: self.normalized_allowed_linear_error,
             normalized_max_corrective_velocity: select(
@@ -137,8 +138,8 @@ impl IntegrationParameters {
                 upstream.normalized_prediction_distance,
                 own.normalized_prediction_distance,
             ),
-            num_solver_iterations: self.num_solver_iterations,
-            num_internal_pgs_iterations: self.num_internal_pgs_iterations,
+            num_solver_iterations: self.num_solver_iterations.max(1),
+            num_internal_pgs_iterations: self.num_internal_pgs_iterations.max(1),
             max_ccd_substeps: self.max_ccd_substeps,
             #[cfg(feature = "dim3")]
             friction_model: match self.friction_model {
@@ -152,13 +153,18 @@ impl IntegrationParameters {
     /// The engine's parameters of contact softness.
     ///
     /// A spring of angular frequency `ω` and damping ratio `ζ` removes the fraction `β = hω / (2ζ + hω)` of
-    /// the error in a substep `h`, with the compliance `σ = 1 / (hω (2ζ + hω))`.
+    /// the error in a substep `h`, with the compliance `σ = 1 / (hω (2ζ + hω))`. Without a frequency no
+    /// error is removed. The engine's contacts have at least
+    /// [`CONTACT_COMPLIANCE`](engine::dynamics::CONTACT_COMPLIANCE): stiffer springs get that compliance.
     fn engine_softness(&self, own_erp: Real, own_damping_ratio: Real) -> (Real, Real) {
         use engine::dynamics::{CONTACT_COMPLIANCE, CONTACT_ERP_SCALE};
         let turn = self.dt / self.num_solver_iterations.max(1) as Real
             * self.contact_softness.angular_frequency();
-        if self.contact_softness == Self::default().contact_softness || turn <= 0.0 {
+        if self.contact_softness == Self::default().contact_softness || self.dt <= 0.0 {
             return (own_erp, own_damping_ratio);
+        }
+        if turn <= 0.0 {
+            return (0.0, own_damping_ratio);
         }
         let stiffness = 2.0 * self.contact_softness.damping_ratio + turn;
         let (fraction, compliance) = (turn / stiffness, 1.0 / (turn * stiffness));

@@ -26,7 +26,8 @@ impl Default for SolverFlags {
 pub struct ContactData {
     /// Normal impulse of the last step.
     pub impulse: Real,
-    /// Friction impulse of the last substep.
+    /// Friction impulse of the last substep. The sum over the points of a manifold is its friction without
+    /// the torsional part.
     pub tangent_impulse: TangentImpulse<Real>,
     /// Normal impulse of the last substep.
     pub warmstart_impulse: Real,

@@ -1,7 +1,7 @@
 //! The narrow phase.
 
 use super::{ColliderHandle, ContactPair, to_pair};
-use std::collections::HashMap;
+use std::hash::{DefaultHasher, Hash, Hasher};
 use std::sync::OnceLock;
 
 /// All contact and intersection pairs.
@@ -12,18 +12,43 @@ use std::sync::OnceLock;
 pub struct NarrowPhase {
     engine: engine::geometry::NarrowPhase,
     #[cfg_attr(feature = "serde-serialize", serde(skip))]
-    converted: OnceLock<ConvertedPairs>,
+    converted: ConvertedPairs,
 }
 
-/// The pairs of a step, each converted at its first read.
-struct ConvertedPairs {
-    pairs: Vec<OnceLock<ContactPair>>,
-    indices: HashMap<[ColliderHandle; 2], usize>,
+/// Trie of the pairs that were read since the last step, by the hash of their colliders.
+///
+/// A read inserts one pair under a shared borrow, and never moves the pairs that are borrowed already.
+#[derive(Default)]
+struct ConvertedPairs(OnceLock<Box<ConvertedPair>>);
+
+/// A node of the trie. Two bits of the hash select the child.
+struct ConvertedPair {
+    pair: ContactPair,
+    children: [ConvertedPairs; 4],
+}
+
+impl ConvertedPairs {
+    /// The converted form of a pair.
+    fn get_or_convert(&self, pair: &engine::geometry::ContactPair) -> &ContactPair {
+        let mut hasher = DefaultHasher::new();
+        (pair.collider1, pair.collider2).hash(&mut hasher);
+        let (mut hash, mut trie) = (hasher.finish(), self);
+        loop {
+            let convert = || ConvertedPair { pair: to_pair(pair), children: Default::default() };
+            let node = trie.0.get_or_init(|| Box::new(convert()));
+            let is_same = node.pair.collider1 == pair.collider1;
+            if is_same && node.pair.collider2 == pair.collider2 {
+                return &node.pair;
+            }
+            trie = &node.children[(hash % 4) as usize];
+            hash = hash.rotate_right(2);
+        }
+    }
 }
 
 impl Clone for NarrowPhase {
     fn clone(&self) -> Self {
-        Self { engine: self.engine.clone(), converted: OnceLock::new() }
+        Self { engine: self.engine.clone(), converted: ConvertedPairs::default() }
     }
 }
 
@@ -43,28 +68,13 @@ impl NarrowPhase {
 
     /// Mutable access for a step, after which all pairs are converted again.
     pub(crate) fn begin_step(&mut self) -> &mut engine::geometry::NarrowPhase {
-        self.converted.take();
+        self.converted = ConvertedPairs::default();
         &mut self.engine
-    }
-
-    fn converted(&self) -> &ConvertedPairs {
-        self.converted.get_or_init(|| {
-            let keys = self.engine.contact_pairs().map(|(first, second, _)| [first, second]);
-            let indices: HashMap<_, _> = keys.enumerate().map(|(i, key)| (key, i)).collect();
-            let pairs = core::iter::repeat_with(OnceLock::new).take(indices.len()).collect();
-            ConvertedPairs { pairs, indices }
-        })
-    }
-
-    fn converted_pair(&self, pair: &engine::geometry::ContactPair) -> Option<&ContactPair> {
-        let ConvertedPairs { pairs, indices } = self.converted();
-        let index = *indices.get(&[pair.collider1, pair.collider2])?;
-        Some(pairs.get(index)?.get_or_init(|| to_pair(pair)))
     }
 
     /// All contact pairs.
     pub fn contact_pairs(&self) -> impl Iterator<Item = &ContactPair> {
-        self.engine.contact_pairs().filter_map(|(.., pair)| self.converted_pair(pair))
+        self.engine.contact_pairs().map(|(.., pair)| self.converted.get_or_convert(pair))
     }
 
     /// All contact pairs of a collider.
@@ -72,7 +82,7 @@ impl NarrowPhase {
         &self,
         collider: ColliderHandle,
     ) -> impl Iterator<Item = &ContactPair> {
-        self.engine.contact_pairs_with(collider).filter_map(|pair| self.converted_pair(pair))
+        self.engine.contact_pairs_with(collider).map(|pair| self.converted.get_or_convert(pair))
     }
 
     /// The contact pair of two colliders, in either order.
@@ -81,6 +91,6 @@ impl NarrowPhase {
         collider1: ColliderHandle,
         collider2: ColliderHandle,
     ) -> Option<&ContactPair> {
-        self.converted_pair(self.engine.contact_pair(collider1, collider2)?)
+        Some(self.converted.get_or_convert(self.engine.contact_pair(collider1, collider2)?))
     }
 }

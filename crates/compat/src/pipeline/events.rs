@@ -25,6 +25,17 @@ pub trait EventHandler: Send + Sync {
         contact_pair: &ContactPair,
         total_force_magnitude: Real,
     );
+
+    /// Returns whether the handler reads contact pairs. If not, no pair is converted: collision events have
+    /// no pair, and [`Self::handle_contact_force`] replaces [`Self::handle_contact_force_event`].
+    #[doc(hidden)]
+    fn reads_contact_pairs(&self) -> bool {
+        true
+    }
+
+    /// Called with a contact force event if the handler reads no contact pairs.
+    #[doc(hidden)]
+    fn handle_contact_force(&self, _event: ContactForceEvent) {}
 }
 
 /// Ignores all events.
@@ -46,6 +57,10 @@ impl EventHandler for () {
         _: &ContactPair,
         _: Real,
     ) {
+    }
+
+    fn reads_contact_pairs(&self) -> bool {
+        false
     }
 }
 
@@ -86,6 +101,14 @@ impl EventHandler for ChannelEventCollector {
         total_force_magnitude: Real,
     ) {
         let event = ContactForceEvent::from_contact_pair(dt, contact_pair, total_force_magnitude);
+        self.handle_contact_force(event);
+    }
+
+    fn reads_contact_pairs(&self) -> bool {
+        false
+    }
+
+    fn handle_contact_force(&self, event: ContactForceEvent) {
         let _ = self.forces.send(event);
     }
 }
@@ -101,7 +124,8 @@ impl engine::pipeline::EventHandler for Events<'_> {
         event: &CollisionEvent,
         contact_pair: Option<&engine::geometry::ContactPair>,
     ) {
-        let pair = contact_pair.map(to_pair);
+        let read = contact_pair.filter(|_| self.0.reads_contact_pairs());
+        let pair = read.map(to_pair);
         let bodies = RigidBodySet::wrap(bodies);
         self.0.handle_collision_event(bodies, colliders, *event, pair.as_ref());
     }
@@ -114,9 +138,13 @@ impl engine::pipeline::EventHandler for Events<'_> {
         bodies: &engine::dynamics::RigidBodySet,
         colliders: &ColliderSet,
     ) {
+        let total = event.total_force_magnitude;
+        if !self.0.reads_contact_pairs() {
+            let event = ContactForceEvent::from_engine_pair(dt, contact_pair, total);
+            return self.0.handle_contact_force(event);
+        }
         let pair = to_pair(contact_pair);
         let bodies = RigidBodySet::wrap(bodies);
-        let total = event.total_force_magnitude;
         self.0.handle_contact_force_event(dt, bodies, colliders, &pair, total);
     }
 }

@@ -37,7 +37,7 @@ pub struct ContactModificationContext<'a> {
     pub rigid_body1: Option<RigidBodyHandle>,
     /// Body of the second collider.
     pub rigid_body2: Option<RigidBodyHandle>,
-    /// The manifold before the hook.
+    /// The manifold before the hook, without its solver contacts: the next field has them.
     pub manifold: &'a ContactManifold,
     /// The contacts that are solved: a hook may remove contacts and change their material.
     pub solver_contacts: &'a mut Vec<SolverContact>,
@@ -127,8 +127,8 @@ impl engine::pipeline::PhysicsHooks for Hooks<'_> {
         &self,
         context: &mut engine::pipeline::ContactModificationContext<'_>,
     ) {
-        let manifold = to_manifold(context.manifold());
-        let mut solver_contacts = manifold.data.solver_contacts.clone();
+        let mut manifold = to_manifold(context.manifold());
+        let mut solver_contacts = core::mem::take(&mut manifold.data.solver_contacts);
         let mut normal = manifold.data.normal;
         let mut user_data = manifold.data.user_data;
         self.0.modify_solver_contacts(&mut ContactModificationContext {

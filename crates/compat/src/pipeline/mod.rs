@@ -1,19 +1,22 @@
 //! Steps, queries, events and hooks.
 
 mod collision;
+#[cfg(feature = "debug-render")]
+mod debug;
 mod events;
+mod filter_flags;
 mod hooks;
 mod physics;
 mod queries;
 
 pub use collision::CollisionPipeline;
-pub use engine::pipeline::{ActiveEvents, ActiveHooks, QueryFilterFlags};
 #[cfg(feature = "debug-render")]
-pub use engine::pipeline::{
-    DebugColor, DebugRenderBackend, DebugRenderMode, DebugRenderObject, DebugRenderPipeline,
-    DebugRenderStyle,
-};
+pub use debug::{DebugRenderMode, DebugRenderPipeline};
+pub use engine::pipeline::{ActiveEvents, ActiveHooks};
+#[cfg(feature = "debug-render")]
+pub use engine::pipeline::{DebugColor, DebugRenderBackend, DebugRenderObject, DebugRenderStyle};
 pub use events::{ChannelEventCollector, EventHandler};
+pub use filter_flags::QueryFilterFlags;
 pub use hooks::{ContactModificationContext, PairFilterContext, PhysicsHooks};
 pub use physics::PhysicsPipeline;
 pub use queries::{QueryFilter, QueryPipeline, QueryPipelineMut};

@@ -45,6 +45,7 @@ impl From<InteractionGroups> for QueryFilter<'_> {
 impl<'a> From<QueryFilter<'a>> for engine::pipeline::QueryFilter<'a> {
     fn from(filter: QueryFilter<'a>) -> Self {
         let QueryFilter { flags, groups, exclude_collider, exclude_rigid_body, predicate } = filter;
+        let flags = flags.into();
         Self { flags, groups, exclude_collider, exclude_rigid_body, predicate }
     }
 }
@@ -127,9 +128,11 @@ impl<'a> QueryFilter<'a> {
         self
     }
 
-    /// Returns whether a collider passes the filter.
-    pub fn test(&self, _: &RigidBodySet, handle: ColliderHandle, collider: &Collider) -> bool {
-        engine::pipeline::QueryFilter::from(*self).test(handle, collider)
+    /// Returns whether a collider passes the filter. The type of its body is that of the body in `bodies`.
+    pub fn test(&self, bodies: &RigidBodySet, handle: ColliderHandle, collider: &Collider) -> bool {
+        let conditions = Self { flags: QueryFilterFlags::empty(), ..*self };
+        self.flags.test(bodies, collider)
+            && engine::pipeline::QueryFilter::from(conditions).test(handle, collider)
     }
 }
 
@@ -294,7 +297,7 @@ impl QueryPipelineMut<'_> {
     }
 
     /// The engine's form of the same borrow.
-    pub(crate) fn to_engine(&mut self) -> engine::pipeline::QueryPipelineMut<'_> {
+    pub(crate) fn as_engine(&mut self) -> engine::pipeline::QueryPipelineMut<'_> {
         let Self { tree, dispatcher, bodies, colliders, filter } = self;
         tree.as_query_pipeline_mut(*dispatcher, bodies, colliders, (*filter).into())
     }
