@@ -60,7 +60,7 @@ impl BoxMargin {
 }
 
 /// The box within the limits of the world.
-pub(super) fn limited(aabb: Aabb) -> Aabb {
+fn limited(aabb: Aabb) -> Aabb {
     let limit = Vector::splat(BOX_LIMIT);
     Aabb::new(aabb.mins.clamp(-limit, limit), aabb.maxs.clamp(-limit, limit))
 }

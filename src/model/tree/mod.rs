@@ -16,7 +16,7 @@ mod tests;
 mod trees;
 
 pub(crate) use enlarge::BoxMargin;
-pub(crate) use placement::{MovedProxy, carry, is_in_box};
+pub(crate) use placement::{MovedProxy, carry};
 pub(crate) use proxy::{ColliderProxy, TreeKind};
 pub(crate) use shape_box::shape_box;
 pub(crate) use trees::{AllBoxes, Trees};

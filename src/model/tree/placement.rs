@@ -1,15 +1,11 @@
 //! Updates of a collider's box.
 
-use super::enlarge::limited;
 use super::{BoxMargin, BroadPhaseBvh, TreeKind, shape_box};
 use crate::dim::math::{Real, Vector};
 use crate::model::body::RigidBody;
 use crate::model::collider::{ActiveCollisionTypes, Collider, ColliderHandle};
 use crate::model::params::IntegrationParameters;
-use parry::bounding_volume::{Aabb, BoundingVolume};
-
-/// Rounding error of a box, as a fraction of its largest coordinate.
-const ROUNDING: Real = 16.0 * Real::EPSILON;
+use parry::bounding_volume::Aabb;
 
 impl BroadPhaseBvh {
     /// Updates a collider's box after a motion of the collider. `body` is the one that it is attached to.
@@ -69,14 +65,6 @@ pub(crate) fn carry(
     let Some(needed) = needed else { return Some(MovedProxy::IsElsewhere) };
     let is_new = collider.proxy.fit(kind, &needed, &margin);
     is_new.then_some(MovedProxy::Leaves(kind, collider.proxy.fat_aabb))
-}
-
-/// Returns whether a collider is inside its fat AABB up to rounding, or is in no tree.
-pub(crate) fn is_in_box(collider: &Collider) -> bool {
-    let tight = limited(shape_box(collider.shape(), &collider.pose));
-    let size = tight.mins.abs().max(tight.maxs.abs()).max_element();
-    let outer = collider.proxy.fat_aabb.loosened(ROUNDING * size);
-    collider.proxy.tree.is_none() || outer.contains(&tight)
 }
 
 fn kind_of(body: Option<&RigidBody>) -> TreeKind {

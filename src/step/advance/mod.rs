@@ -16,7 +16,7 @@ use crate::model::body::{RigidBody, RigidBodySet};
 use crate::model::collider::{Collider, ColliderHandle, ColliderSet};
 use crate::model::island::IslandManager;
 use crate::model::params::IntegrationParameters;
-use crate::model::tree::{BroadPhaseBvh, MovedProxy, carry, is_in_box};
+use crate::model::tree::{BroadPhaseBvh, MovedProxy, carry};
 use sleep_timer::update_sleep_timer;
 
 /// Buffers that are reused from step to step.
@@ -72,13 +72,6 @@ pub(crate) fn advance(
         }
         follow(*handle, carried, bodies, colliders, tree, params);
     }
-    debug_assert!(
-        awake.iter().filter_map(|&body| bodies.get(body)).all(|body| {
-            let mut attached = body.colliders.iter().filter_map(|&handle| colliders.get(handle));
-            attached.all(is_in_box)
-        }),
-        "the trees find every collider of an awake body"
-    );
 }
 
 /// Updates the poses of a body's colliders, and lists the colliders that left their fat AABB.

@@ -3,7 +3,7 @@
 import type { ReactNode } from "react";
 import styles from "./charts.module.css";
 
-const MARGIN = { left: 62, right: 16, top: 12, bottom: 44 };
+const MARGIN = { left: 84, right: 16, top: 12, bottom: 44 };
 
 export interface Point {
     readonly x: number;
