@@ -1,14 +1,17 @@
 //! Many independent worlds that step together.
 
+use super::garbage::traverse;
+use super::joint;
 use super::numbers::{self, STATE, finite_elements, parse_state, shaped_array};
 use super::rapier::dynamics::{RigidBodyHandle, RigidBodyVelocity};
 use super::rapier::math::{AngVector, DIM, Pose, Real, Vector};
+use super::scene::Artist;
 use super::simulation::Simulation;
 use super::space;
 use super::world::World;
 use crate::errors::invalid;
 use crate::shared::Shared;
-use numpy::{PyArray1, PyArrayDyn, PyArrayMethods};
+use numpy::{PyArray1, PyArrayDyn, PyArrayMethods, PyReadonlyArray1};
 use pyo3::exceptions::PyMemoryError;
 use pyo3::prelude::*;
 use rayon::prelude::*;
@@ -22,8 +25,8 @@ const WRENCH: usize = DIM + space::ANGULAR;
 /// Each copy gives the bits that it would give alone.
 ///
 /// The bodies of all copies are those of the original, in the order of `World.bodies`. Arrays have
-/// the shape (count, bodies, …), and calls with an array to fill
-/// allocate no memory. Hooks and events of the original belong to it alone.
+/// the shape (count, bodies, …), and calls with an array to fill create no other one. Hooks and events
+/// of the original belong to it alone.
 #[pyclass(frozen, module = "rapier")]
 pub struct WorldBatch {
     /// The world whose joints and vehicles the batch accepts.
@@ -33,7 +36,11 @@ pub struct WorldBatch {
     bodies: Vec<RigidBodyHandle>,
     count: usize,
     worlds: Shared<Vec<Simulation>>,
+    /// The artist of all worlds, which keeps the meshes of shapes from picture to picture.
+    artist: Shared<Artist>,
 }
+
+traverse!(WorldBatch, batch => batch.source);
 
 impl WorldBatch {
     fn of(
@@ -52,7 +59,8 @@ impl WorldBatch {
             )
         });
         let bodies = handles(&originals[0]);
-        Ok(Self { source, originals, bodies, count, worlds: Shared::new(worlds) })
+        let (worlds, artist) = (Shared::new(worlds), Shared::new(Artist::default()));
+        Ok(Self { source, originals, bodies, count, worlds, artist })
     }
 
     /// The number of worlds.
@@ -84,6 +92,25 @@ impl WorldBatch {
         self.worlds.detached(py, |worlds| read(worlds))
     }
 
+    /// Draws one of the worlds, detached from the interpreter.
+    pub fn draw<R: Send>(
+        &self,
+        py: Python<'_>,
+        index: usize,
+        draw: impl FnOnce(&Simulation, &mut Artist) -> R + Send,
+    ) -> PyResult<R> {
+        let world = self.one(py, index)?;
+        self.artist.detached(py, |artist| draw(&world, artist))
+    }
+
+    /// A copy of one of the worlds.
+    fn one(&self, py: Python<'_>, index: usize) -> PyResult<Simulation> {
+        let world = self.worlds(py, |worlds| worlds.get(index).cloned())?;
+        world.ok_or_else(|| {
+            invalid(format!("index is {index}, but there are {} worlds", self.count))
+        })
+    }
+
     /// Changes all worlds on all cores by their rows, detached from the interpreter.
     pub fn change<T: Sync>(
         &self,
@@ -92,9 +119,23 @@ impl WorldBatch {
         rows_per_world: usize,
         change: impl Fn(&mut Simulation, &[T]) + Send + Sync,
     ) -> PyResult<()> {
+        self.change_selected(py, &vec![true; self.count], rows, rows_per_world, change)
+    }
+
+    /// Changes the selected worlds on all cores by their rows. Other worlds have no rows.
+    fn change_selected<T: Sync>(
+        &self,
+        py: Python<'_>,
+        mask: &[bool],
+        rows: &[T],
+        rows_per_world: usize,
+        change: impl Fn(&mut Simulation, &[T]) + Send + Sync,
+    ) -> PyResult<()> {
         self.worlds.detached(py, |worlds| {
             let size = rows_per_world.max(1);
-            let change = |(simulation, rows): (&mut Simulation, &[T])| change(simulation, rows);
+            let mut worlds = selected(worlds, mask);
+            let change =
+                |(simulation, rows): (&mut &mut Simulation, &[T])| change(simulation, rows);
             match rows.len() < SERIAL_MAX {
                 true => worlds.iter_mut().zip(rows.chunks(size)).for_each(change),
                 false => worlds.par_iter_mut().zip(rows.par_chunks(size)).for_each(change),
@@ -103,11 +144,15 @@ impl WorldBatch {
     }
 
     /// The selected worlds: all without a mask.
-    fn mask(&self, mask: Option<Vec<bool>>) -> PyResult<Vec<bool>> {
-        match mask {
-            None => Ok(vec![true; self.count]),
-            Some(mask) if mask.len() == self.count => Ok(mask),
-            Some(mask) => Err(invalid(format!(
+    fn mask(&self, mask: Option<&Bound<'_, PyAny>>) -> PyResult<Vec<bool>> {
+        let Some(mask) = mask else { return Ok(vec![true; self.count]) };
+        let mask = match mask.extract::<PyReadonlyArray1<'_, bool>>() {
+            Ok(array) => array.to_vec()?,
+            Err(_) => mask.extract()?,
+        };
+        match mask.len() == self.count {
+            true => Ok(mask),
+            false => Err(invalid(format!(
                 "mask has {} elements, but there are {} worlds",
                 mask.len(),
                 self.count
@@ -115,30 +160,47 @@ impl WorldBatch {
         }
     }
 
-    /// The states of the bodies of the selected worlds. Rows of other worlds give `None`.
+    /// The states of the bodies of the selected worlds.
     fn parse_states(
         &self,
         rows: &[Real],
         mask: &[bool],
-    ) -> PyResult<Vec<Option<(Pose, RigidBodyVelocity)>>> {
-        let parse = |(index, row): (usize, &[Real])| {
-            let (world, body) = (index / self.bodies.len(), index % self.bodies.len());
-            match mask[world] {
-                true => parse_state(row).map(Some).ok_or_else(|| {
+    ) -> PyResult<Vec<(Pose, RigidBodyVelocity)>> {
+        let bodies = self.bodies.len();
+        let mut states = Vec::new();
+        for world in (0..self.count).filter(|&world| mask[world]) {
+            let own = &rows[world * bodies * STATE..(world + 1) * bodies * STATE];
+            for (body, row) in own.chunks_exact(STATE).enumerate() {
+                states.push(parse_state(row).ok_or_else(|| {
                     invalid(format!(
                         "state[{world}, {body}] is {row:?}, which is no state of a body"
                     ))
-                }),
-                false => Ok(None),
+                })?);
             }
-        };
-        rows.chunks_exact(STATE).enumerate().map(parse).collect()
+        }
+        Ok(states)
     }
+}
+
+/// The worlds with a true element of the mask.
+fn selected<'a>(worlds: &'a mut [Simulation], mask: &[bool]) -> Vec<&'a mut Simulation> {
+    worlds.iter_mut().zip(mask).filter_map(|(world, &chosen)| chosen.then_some(world)).collect()
 }
 
 /// The bodies of a world, in the order of `World.bodies`.
 fn handles(simulation: &Simulation) -> Vec<RigidBodyHandle> {
     simulation.world.bodies.iter().map(|(handle, _)| handle).collect()
+}
+
+/// The kind of objects whose handles, joined bodies, locked axes or wheels differ between two worlds.
+fn difference(first: &Simulation, other: &Simulation) -> Option<&'static str> {
+    if handles(first) != handles(other) {
+        return Some("bodies");
+    }
+    if joint::structures(&first.world) != joint::structures(&other.world) {
+        return Some("joints");
+    }
+    (first.vehicles.wheel_counts() != other.vehicles.wheel_counts()).then_some("vehicles")
 }
 
 #[pymethods]
@@ -150,8 +212,8 @@ impl WorldBatch {
         Self::of(py, world, vec![original], count)
     }
 
-    /// A batch of worlds with different parameters: one copy of each. All have the same bodies and
-    /// joints, inserted in the same order.
+    /// A batch of worlds with different parameters: one copy of each. All have the same bodies, joints
+    /// and vehicles, inserted in the same order.
     ///
     /// worlds: the originals. Joints and vehicles of the first one select those of all.
     #[staticmethod]
@@ -159,9 +221,10 @@ impl WorldBatch {
         let originals =
             worlds.iter().map(|world| world.get().simulation(py)).collect::<PyResult<Vec<_>>>()?;
         let Some(first) = originals.first() else { return Err(invalid("worlds is empty")) };
-        let bodies = handles(first);
-        if let Some(other) = originals.iter().position(|original| handles(original) != bodies) {
-            return Err(invalid(format!("worlds[{other}] has other bodies than worlds[0]")));
+        for (index, other) in originals.iter().enumerate() {
+            if let Some(what) = difference(first, other) {
+                return Err(invalid(format!("worlds[{index}] has other {what} than worlds[0]")));
+            }
         }
         let count = originals.len();
         Self::of(py, worlds[0].clone_ref(py), originals, count)
@@ -220,13 +283,13 @@ impl WorldBatch {
         &self,
         py: Python<'_>,
         state: &Bound<'_, PyAny>,
-        mask: Option<Vec<bool>>,
+        mask: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<()> {
         let rows = shaped_array("state", state, &[self.count, self.bodies.len(), STATE])?;
-        let states = self.parse_states(rows.as_slice()?, &self.mask(mask)?)?;
-        self.change(py, &states, self.bodies.len(), |simulation, states| {
-            for (&handle, state) in self.bodies.iter().zip(states) {
-                let Some((pose, velocity)) = *state else { continue };
+        let mask = self.mask(mask)?;
+        let states = self.parse_states(rows.as_slice()?, &mask)?;
+        self.change_selected(py, &mask, &states, self.bodies.len(), |simulation, states| {
+            for (&handle, &(pose, velocity)) in self.bodies.iter().zip(states) {
                 let body = &mut simulation.world.bodies[handle];
                 body.set_position(pose, true);
                 body.set_vels(velocity, true);
@@ -238,7 +301,7 @@ impl WorldBatch {
     ///
     /// mask: booleans of the shape (count), the worlds to reset, all by default.
     #[pyo3(signature = (mask=None))]
-    fn reset(&self, py: Python<'_>, mask: Option<Vec<bool>>) -> PyResult<()> {
+    fn reset(&self, py: Python<'_>, mask: Option<&Bound<'_, PyAny>>) -> PyResult<()> {
         let mask = self.mask(mask)?;
         self.worlds.detached(py, |worlds| {
             worlds.par_iter_mut().enumerate().filter(|(index, _)| mask[*index]).for_each(
@@ -280,10 +343,7 @@ impl WorldBatch {
 
     /// A copy of one of the worlds.
     fn world(&self, py: Python<'_>, index: usize) -> PyResult<World> {
-        let world = self.worlds(py, |worlds| worlds.get(index).cloned())?;
-        world.map(World::of).ok_or_else(|| {
-            invalid(format!("index is {index}, but there are {} worlds", self.count))
-        })
+        self.one(py, index).map(World::of)
     }
 
     fn __repr__(&self) -> String {

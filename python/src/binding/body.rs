@@ -1,6 +1,7 @@
 //! Bodies.
 
 use super::collider::Collider;
+use super::garbage::traverse;
 use super::identity::identify;
 use super::numbers::{
     angular_velocity, coordinates, finite, non_negative, pose, vector, vector_out,
@@ -82,6 +83,7 @@ pub struct Body {
 }
 
 identify!(Body by handle);
+traverse!(Body, body => body.world);
 
 impl Body {
     /// The handle, if the body is in this world. `bodies` is the locked set of the world.
@@ -103,6 +105,7 @@ impl Body {
         self.world
             .get()
             .lock(py)?
+            .simulation
             .world
             .bodies
             .get(self.handle)
@@ -114,6 +117,7 @@ impl Body {
         self.world
             .get()
             .lock(py)?
+            .simulation
             .world
             .bodies
             .get_mut(self.handle)
@@ -324,7 +328,7 @@ impl Body {
     /// Removes the body with its colliders and joints.
     fn remove(&self, py: Python<'_>) -> PyResult<()> {
         let mut state = self.world.get().lock(py)?;
-        let world = &mut state.world;
+        let world = &mut state.simulation.world;
         let colliders =
             world.bodies.get(self.handle).ok_or_else(|| stale("body"))?.colliders().to_vec();
         // The engine would remove them in the next step.
@@ -338,7 +342,7 @@ impl Body {
     /// Whether the body is still in its world.
     #[getter]
     fn alive(&self, py: Python<'_>) -> PyResult<bool> {
-        Ok(self.world.get().lock(py)?.world.bodies.contains(self.handle))
+        Ok(self.world.get().lock(py)?.simulation.world.bodies.contains(self.handle))
     }
 
     fn __repr__(&self, py: Python<'_>) -> String {

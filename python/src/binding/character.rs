@@ -2,6 +2,7 @@
 
 use super::body::Body;
 use super::collider::Collider;
+use super::garbage::traverse;
 use super::numbers::{coordinates, finite, non_negative, vector, vector_out};
 use super::options::Options;
 use super::rapier::control::{
@@ -9,10 +10,10 @@ use super::rapier::control::{
     KinematicCharacterController,
 };
 use super::rapier::dynamics::{RigidBodyHandle, RigidBodyType};
-use super::rapier::geometry::ColliderHandle;
-use super::rapier::math::{Real, Vector};
+use super::rapier::geometry::{ColliderHandle, SharedShape};
+use super::rapier::math::{Pose, Real, Vector};
 use super::rapier::pipeline::{PhysicsWorld, QueryFilter};
-use super::world::World;
+use super::world::{State, World};
 use crate::errors::{invalid, stale};
 use numpy::PyArray1;
 use pyo3::prelude::*;
@@ -72,30 +73,24 @@ impl CharacterController {
     /// Moves a character in its world.
     fn walk(
         &self,
-        world: &mut PhysicsWorld,
+        state: &mut State,
         walk: Walk,
-    ) -> PyResult<(EffectiveCharacterMovement, Vec<CharacterCollision>)> {
+    ) -> Result<(EffectiveCharacterMovement, Vec<CharacterCollision>), Refusal> {
+        let (queries, world) = state.queries();
         let dt = world.integration_parameters.dt;
-        let body = world.bodies.get(walk.body).ok_or_else(|| stale("body"))?;
-        if body.body_type() != RigidBodyType::KinematicPositionBased {
-            return Err(invalid("a character must be a kinematic_position body"));
-        }
-        let collider = body.colliders().first().and_then(|&handle| world.colliders.get(handle));
-        let collider = collider.ok_or_else(|| invalid("a character must have a collider"))?;
-        let (start, mut collisions) = (*collider.position(), Vec::new());
-        let shape = collider.shared_shape().clone();
+        let (shape, start) = shape_of(world, walk.body)?;
         let filter = QueryFilter::default().exclude_rigid_body(walk.body);
-        let queries = world.query_pipeline_with_filter(filter);
+        let mut collisions = Vec::new();
         let mut movement = self.settings.move_shape(
             dt,
-            &queries,
+            &queries.view(&world.colliders, filter),
             &*shape,
             &start,
             walk.translation,
             |collision| collisions.push(collision),
         );
         if let Some(mass) = walk.mass {
-            let mut queries = world.query_pipeline_mut(filter);
+            let mut queries = queries.view_mut(&mut world.bodies, &world.colliders, filter);
             self.settings.solve_character_collision_impulses(
                 dt,
                 &mut queries,
@@ -113,11 +108,41 @@ impl CharacterController {
     }
 }
 
-/// A wish to move: the body, the desired translation, and the mass with which the character pushes.
+/// The arguments of a move: the body, the desired translation, and the mass with which the character
+/// pushes.
 struct Walk {
     body: RigidBodyHandle,
     translation: Vector,
     mass: Option<Real>,
+}
+
+/// Reasons why a body cannot walk.
+enum Refusal {
+    Removed,
+    Kind,
+    NoCollider,
+}
+
+impl From<Refusal> for PyErr {
+    fn from(refusal: Refusal) -> Self {
+        match refusal {
+            Refusal::Removed => stale("body"),
+            Refusal::Kind => invalid("a character must be a kinematic_position body"),
+            Refusal::NoCollider => invalid("a character must have a collider"),
+        }
+    }
+}
+
+/// The shape of a character and its current pose. The pose of the collider itself is that of the last step.
+fn shape_of(world: &PhysicsWorld, handle: RigidBodyHandle) -> Result<(SharedShape, Pose), Refusal> {
+    let body = world.bodies.get(handle).ok_or(Refusal::Removed)?;
+    if body.body_type() != RigidBodyType::KinematicPositionBased {
+        return Err(Refusal::Kind);
+    }
+    let collider = body.colliders().first().and_then(|&handle| world.colliders.get(handle));
+    let collider = collider.ok_or(Refusal::NoCollider)?;
+    let local = collider.position_wrt_parent().copied().unwrap_or(Pose::IDENTITY);
+    Ok((collider.shared_shape().clone(), *body.position() * local))
 }
 
 #[pymethods]
@@ -162,11 +187,14 @@ impl CharacterController {
             return Err(invalid(format!("mass is {mass}, but must be greater than 0")));
         }
         let walk = Walk { body: body.handle, translation, mass };
-        let (movement, collisions) = self.walk(&mut body.world.get().lock(py)?.world, walk)?;
+        let moved = body.world.get().detached(py, |state| self.walk(state, walk))?;
+        let (movement, collisions) = moved?;
         let collisions = collisions.iter().map(|collision| collision.handle).collect();
         Ok(CharacterMovement { world: body.world.clone_ref(py), movement, collisions })
     }
 }
+
+traverse!(CharacterMovement, movement => movement.world);
 
 #[pymethods]
 impl CharacterMovement {

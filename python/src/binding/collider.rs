@@ -1,6 +1,7 @@
 //! Colliders.
 
 use super::body::Body;
+use super::garbage::traverse;
 use super::identity::identify;
 use super::numbers::{coefficient, non_negative, pose, vector_out};
 use super::options::Options;
@@ -76,12 +77,14 @@ pub struct Collider {
 }
 
 identify!(Collider by handle);
+traverse!(Collider, collider => collider.world);
 
 impl Collider {
     fn read<R>(&self, py: Python<'_>, read: impl FnOnce(&EngineCollider) -> R) -> PyResult<R> {
         self.world
             .get()
             .lock(py)?
+            .simulation
             .world
             .colliders
             .get(self.handle)
@@ -93,6 +96,7 @@ impl Collider {
         self.world
             .get()
             .lock(py)?
+            .simulation
             .world
             .colliders
             .get_mut(self.handle)
@@ -161,7 +165,7 @@ impl Collider {
     /// The colliders with which it has contact, as of the last step.
     #[getter]
     fn touching(&self, py: Python<'_>) -> PyResult<Vec<Collider>> {
-        let handles = self.touching_handles(&self.world.get().lock(py)?.world)?;
+        let handles = self.touching_handles(&self.world.get().lock(py)?.simulation.world)?;
         Ok(handles
             .into_iter()
             .map(|handle| Collider { world: self.world.clone_ref(py), handle })
@@ -173,6 +177,7 @@ impl Collider {
         self.world
             .get()
             .lock(py)?
+            .simulation
             .world
             .remove_collider(self.handle)
             .map(drop)

@@ -1,6 +1,7 @@
 //! Events of steps.
 
 use super::collider::Collider;
+use super::garbage::traverse;
 use super::rapier::geometry::CollisionEvent as EngineEvent;
 use super::rapier::pipeline::ChannelEventCollector;
 use super::world::World;
@@ -39,6 +40,8 @@ pub struct CollisionEvent {
     /// Whether one of them is a sensor.
     sensor: bool,
 }
+
+traverse!(CollisionEvent, event => event.collider1, event.collider2);
 
 impl CollisionEvent {
     pub fn new(py: Python<'_>, world: &Py<World>, event: EngineEvent) -> PyResult<Self> {

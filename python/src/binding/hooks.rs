@@ -2,6 +2,7 @@
 
 use super::body::Body;
 use super::collider::Collider;
+use super::garbage::traverse;
 use super::numbers::{coefficient, coordinates, finite, vector, vector_out};
 use super::rapier::dynamics::{RigidBodyHandle, RigidBodySet};
 use super::rapier::geometry::{ColliderHandle, SolverFlags};
@@ -9,6 +10,7 @@ use super::rapier::math::{DIM, Real, Vector};
 use super::rapier::pipeline::{ContactModificationContext, PairFilterContext, PhysicsHooks};
 use super::world::World;
 use numpy::{PyArray1, PyArray2, PyArrayMethods};
+use pyo3::gc::{PyTraverseError, PyVisit};
 use pyo3::prelude::*;
 use std::sync::{Mutex, PoisonError};
 
@@ -18,6 +20,22 @@ pub struct Callbacks {
     pub filter_contact: Option<Py<PyAny>>,
     pub filter_intersection: Option<Py<PyAny>>,
     pub modify_contact: Option<Py<PyAny>>,
+}
+
+impl Callbacks {
+    fn all(&self) -> [&Option<Py<PyAny>>; 3] {
+        [&self.filter_contact, &self.filter_intersection, &self.modify_contact]
+    }
+
+    /// Returns whether there is no callable.
+    pub fn is_empty(&self) -> bool {
+        self.all().into_iter().all(Option::is_none)
+    }
+
+    /// Shows the callables to the garbage collector.
+    pub fn traverse(&self, visit: &PyVisit<'_>) -> Result<(), PyTraverseError> {
+        self.all().into_iter().flatten().try_for_each(|callback| visit.call(callback))
+    }
 }
 
 /// The callables during the steps of a world. After the first exception, no other callable runs.
@@ -58,13 +76,31 @@ impl<'a> RunningCallbacks<'a> {
             .ok()
     }
 
+    /// Both sides of a pair.
+    fn sides(
+        &self,
+        py: Python<'_>,
+        bodies: &RigidBodySet,
+        colliders: [ColliderHandle; 2],
+        handles: [Option<RigidBodyHandle>; 2],
+    ) -> [Side; 2] {
+        [0, 1].map(|side| {
+            let data = handles[side].and_then(|handle| bodies.get(handle));
+            Side {
+                world: self.world.clone_ref(py),
+                collider: colliders[side],
+                body: handles[side],
+                position: data.map(|body| body.translation()),
+                linvel: data.map(|body| body.linvel()),
+            }
+        })
+    }
+
     fn filter(&self, callback: &Option<Py<PyAny>>, context: &PairFilterContext<'_>) -> bool {
         let allowed = self.call(callback, |callback| {
-            let side = |collider, body| Side::new(self.world, collider, body, context.bodies);
-            let sides = [
-                side(context.collider1, context.rigid_body1),
-                side(context.collider2, context.rigid_body2),
-            ];
+            let colliders = [context.collider1, context.collider2];
+            let bodies = [context.rigid_body1, context.rigid_body2];
+            let sides = self.sides(callback.py(), context.bodies, colliders, bodies);
             callback.call1((Pair { sides },))?.is_truthy()
         });
         allowed.unwrap_or(true)
@@ -82,11 +118,9 @@ impl PhysicsHooks for RunningCallbacks<'_> {
 
     fn modify_solver_contact(&self, context: &mut ContactModificationContext<'_>) {
         self.call(&self.callbacks.modify_contact, |callback| {
-            let side = |collider, body| Side::new(self.world, collider, body, context.bodies);
-            let sides = [
-                side(context.collider1, context.rigid_body1),
-                side(context.collider2, context.rigid_body2),
-            ];
+            let colliders = [context.collider1, context.collider2];
+            let bodies = [context.rigid_body1, context.rigid_body2];
+            let sides = self.sides(callback.py(), context.bodies, colliders, bodies);
             let contact = Bound::new(callback.py(), Contact::of(context, sides))?;
             callback.call1((&contact,))?;
             contact.borrow().apply(context);
@@ -106,24 +140,6 @@ struct Side {
 }
 
 impl Side {
-    fn new(
-        world: &Py<World>,
-        collider: ColliderHandle,
-        body: Option<RigidBodyHandle>,
-        bodies: &RigidBodySet,
-    ) -> Self {
-        let data = body.and_then(|handle| bodies.get(handle));
-        // The caller is attached to the interpreter.
-        let world = Python::attach(|py| world.clone_ref(py));
-        Self {
-            world,
-            collider,
-            body,
-            position: data.map(|body| body.translation()),
-            linvel: data.map(|body| body.linvel()),
-        }
-    }
-
     fn collider(&self, py: Python<'_>) -> Collider {
         Collider { world: self.world.clone_ref(py), handle: self.collider }
     }
@@ -198,6 +214,8 @@ macro_rules! getters_of_sides {
 
 getters_of_sides!(Pair);
 getters_of_sides!(Contact);
+traverse!(Pair, pair => pair.sides[0].world, pair.sides[1].world);
+traverse!(Contact, contact => contact.sides[0].world, contact.sides[1].world);
 
 /// The contact of two colliders, which a hook may change before it is solved. Changes act in this
 /// step.

@@ -1,10 +1,11 @@
 //! Joints.
 
+use super::garbage::traverse;
 use super::identity::identify;
 use super::numbers::{finite, non_negative, vector};
 use super::options::Options;
 use super::rapier::dynamics::{
-    FixedJointBuilder, GenericJoint, ImpulseJointHandle, JointAxis, MotorModel,
+    FixedJointBuilder, GenericJoint, ImpulseJointHandle, JointAxesMask, JointAxis, MotorModel,
     MultibodyJointHandle, PrismaticJointBuilder, RigidBodyHandle, RopeJointBuilder,
     SpringJointBuilder,
 };
@@ -108,6 +109,22 @@ pub fn contains(world: &PhysicsWorld, key: Key) -> bool {
     }
 }
 
+/// The parts of a joint that parameters do not change: its key, its bodies and its locked axes.
+pub type Structure = (Key, [RigidBodyHandle; 2], JointAxesMask);
+
+/// The structures of all joints of a world.
+pub fn structures(world: &PhysicsWorld) -> Vec<Structure> {
+    let impulse = world.impulse_joints.iter().map(|(handle, joint)| {
+        (Key::Impulse(handle), [joint.body1(), joint.body2()], joint.data.locked_axes)
+    });
+    let multibody = world.multibody_joints.iter().map(|(handle, _, multibody, link)| {
+        let parent = link.parent_id().and_then(|parent| multibody.link(parent)).unwrap_or(link);
+        let bodies = [parent.rigid_body_handle(), link.rigid_body_handle()];
+        (Key::Multibody(handle), bodies, link.joint().data.locked_axes)
+    });
+    impulse.chain(multibody).collect()
+}
+
 /// The data of a joint, to change it.
 pub fn data_mut(world: &mut PhysicsWorld, key: Key) -> Option<&mut GenericJoint> {
     match key {
@@ -129,6 +146,7 @@ pub struct Joint {
 }
 
 identify!(Joint by key);
+traverse!(Joint, joint => joint.world);
 
 impl Joint {
     /// The axis of motors and limits.
@@ -142,7 +160,7 @@ impl Joint {
         py: Python<'_>,
         change: impl FnOnce(&mut GenericJoint) -> R,
     ) -> PyResult<R> {
-        data_mut(&mut self.world.get().lock(py)?.world, self.key)
+        data_mut(&mut self.world.get().lock(py)?.simulation.world, self.key)
             .map(change)
             .ok_or_else(|| stale("joint"))
     }
@@ -205,7 +223,7 @@ impl Joint {
 
     /// Removes the joint.
     fn remove(&self, py: Python<'_>) -> PyResult<()> {
-        let world = &mut self.world.get().lock(py)?.world;
+        let world = &mut self.world.get().lock(py)?.simulation.world;
         let removed = match self.key {
             Key::Impulse(handle) => world.remove_impulse_joint(handle).is_some(),
             Key::Multibody(handle) => world.remove_multibody_joint(handle).is_some(),

@@ -9,6 +9,7 @@ pub mod body;
 mod character;
 mod collider;
 mod events;
+pub mod garbage;
 mod hooks;
 mod identity;
 pub mod joint;

@@ -65,7 +65,8 @@ impl Joint {
 impl Joint {
     fn state(&self, py: Python<'_>) -> PyResult<[Real; JOINT_STATE]> {
         let axis = self.free_axis()?;
-        joint_state(&self.world.get().lock(py)?.world, self.key, axis).ok_or_else(|| stale("joint"))
+        joint_state(&self.world.get().lock(py)?.simulation.world, self.key, axis)
+            .ok_or_else(|| stale("joint"))
     }
 }
 
@@ -74,11 +75,7 @@ impl WorldBatch {
     fn motors_of(&self, joints: &[PyRef<'_, Joint>]) -> PyResult<Vec<(Key, JointAxis)>> {
         let motor_of = |joint: &PyRef<'_, Joint>| {
             self.check_source(&joint.world, "joint")?;
-            match self
-                .originals()
-                .iter()
-                .all(|original| joint::contains(&original.world, joint.key))
-            {
+            match joint::contains(&self.originals()[0].world, joint.key) {
                 true => Ok((joint.key, joint.free_axis()?)),
                 false => Err(stale("joint")),
             }

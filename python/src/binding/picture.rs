@@ -1,10 +1,12 @@
 //! Pictures of a world.
 
+use super::batch::WorldBatch;
 use super::numbers::coordinates;
 use super::rapier::pipeline::DebugRenderMode;
 use super::scene::{Artist, BodyColors, point};
+use super::simulation::Simulation;
 use super::space;
-use super::world::{State, World};
+use super::world::World;
 use crate::errors::invalid;
 use crate::pictures::{encode, pixels_out};
 use drawing::{Image, View, raster};
@@ -28,10 +30,35 @@ pub struct Shot {
 }
 
 impl Shot {
+    /// A shot of a size (pixels) with the angles of the camera (degrees): yaw and pitch.
+    fn new(
+        size: [usize; 2],
+        [yaw, pitch]: [f32; 2],
+        focus: Option<(Bound<'_, PyAny>, Bound<'_, PyAny>)>,
+        lines: DebugRenderMode,
+    ) -> PyResult<Self> {
+        let [width, height] = size;
+        if width == 0 || height == 0 || width.saturating_mul(height) > PIXELS_MAX {
+            return Err(invalid(format!(
+                "the size is {width} × {height} pixels, but must have from 1 to {PIXELS_MAX} pixels"
+            )));
+        }
+        if !(yaw.is_finite() && pitch.is_finite()) {
+            return Err(invalid(format!("yaw is {yaw} and pitch is {pitch}, but must be finite")));
+        }
+        let mut view = space::view(yaw, pitch);
+        if let Some((low, high)) = focus {
+            view =
+                view.focus(point(coordinates("focus", &low)?), point(coordinates("focus", &high)?));
+        }
+        Ok(Self { view, size, lines })
+    }
+
     /// The picture of a world.
-    fn of(&self, state: &mut State) -> Image {
-        let mut drawing = state.artist.draw_world(&state.world, &BodyColors::new(), self.lines);
-        state.vehicles.draw(&state.world, &mut drawing);
+    fn of(&self, simulation: &Simulation, artist: &mut Artist) -> Image {
+        let Simulation { world, vehicles } = simulation;
+        let mut drawing = artist.draw_world(world, &BodyColors::new(), self.lines);
+        vehicles.draw(world, &mut drawing);
         let camera = drawing.camera(&self.view, self.size);
         raster::picture(&drawing, &camera, self.size)
     }
@@ -43,11 +70,6 @@ fn lines(joints: bool, contacts: bool) -> DebugRenderMode {
     lines.set(DebugRenderMode::JOINTS, joints);
     lines.set(DebugRenderMode::CONTACTS, contacts);
     lines
-}
-
-/// A new artist, which keeps the meshes of shapes from picture to picture.
-pub fn artist() -> Artist {
-    Artist::default()
 }
 
 #[pymethods]
@@ -71,21 +93,8 @@ impl World {
         joints: bool,
         contacts: bool,
     ) -> PyResult<Bound<'py, PyArray3<u8>>> {
-        if width == 0 || height == 0 || width.saturating_mul(height) > PIXELS_MAX {
-            return Err(invalid(format!(
-                "the size is {width} × {height} pixels, but must have from 1 to {PIXELS_MAX} pixels"
-            )));
-        }
-        if !(yaw.is_finite() && pitch.is_finite()) {
-            return Err(invalid(format!("yaw is {yaw} and pitch is {pitch}, but must be finite")));
-        }
-        let mut view = space::view(yaw, pitch);
-        if let Some((low, high)) = focus {
-            view =
-                view.focus(point(coordinates("focus", &low)?), point(coordinates("focus", &high)?));
-        }
-        let shot = Shot { view, size: [width, height], lines: lines(joints, contacts) };
-        let image = self.detached(py, |state| shot.of(state))?;
+        let shot = Shot::new([width, height], [yaw, pitch], focus, lines(joints, contacts))?;
+        let image = self.detached(py, |state| shot.of(&state.simulation, &mut state.artist))?;
         pixels_out(py, image)
     }
 
@@ -93,7 +102,28 @@ impl World {
     fn _repr_png_<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyBytes>> {
         let shot =
             Shot { view: space::view(YAW, PITCH), size: NOTEBOOK_SIZE, lines: lines(false, false) };
-        let image = self.detached(py, |state| shot.of(state))?;
-        Ok(PyBytes::new(py, &encode(&image)?))
+        let image = self.detached(py, |state| shot.of(&state.simulation, &mut state.artist))?;
+        Ok(PyBytes::new(py, &py.detach(|| encode(&image))?))
+    }
+}
+
+#[pymethods]
+impl WorldBatch {
+    /// A picture of one of the worlds, with the arguments of `World.render` after the index.
+    #[pyo3(signature = (index, width=NOTEBOOK_SIZE[0], height=NOTEBOOK_SIZE[1], *, yaw=YAW, pitch=PITCH, focus=None, joints=false, contacts=false))]
+    fn render<'py>(
+        &self,
+        py: Python<'py>,
+        index: usize,
+        width: usize,
+        height: usize,
+        yaw: f32,
+        pitch: f32,
+        focus: Option<(Bound<'py, PyAny>, Bound<'py, PyAny>)>,
+        joints: bool,
+        contacts: bool,
+    ) -> PyResult<Bound<'py, PyArray3<u8>>> {
+        let shot = Shot::new([width, height], [yaw, pitch], focus, lines(joints, contacts))?;
+        pixels_out(py, self.draw(py, index, |simulation, artist| shot.of(simulation, artist))?)
     }
 }

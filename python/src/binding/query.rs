@@ -1,6 +1,7 @@
 //! Queries of a world. They find a moved body at its new pose after the next step.
 
 use super::collider::Collider;
+use super::garbage::traverse;
 use super::numbers::{points, pose, vector, vector_out};
 use super::rapier::geometry::{ColliderHandle, ColliderSet, Ray};
 use super::rapier::math::{DIM, Pose, Real, Vector};
@@ -23,6 +24,8 @@ pub struct RayHit {
     point: Vector,
     normal: Vector,
 }
+
+traverse!(RayHit, hit => hit.collider);
 
 #[pymethods]
 impl RayHit {
@@ -54,6 +57,8 @@ pub struct PointProjection {
     inside: bool,
     point: Vector,
 }
+
+traverse!(PointProjection, projection => projection.collider);
 
 #[pymethods]
 impl PointProjection {

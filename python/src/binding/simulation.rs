@@ -1,6 +1,8 @@
 //! A world with the vehicles that drive in it.
 
-use super::rapier::pipeline::{EventHandler, PhysicsHooks, PhysicsWorld};
+use super::rapier::pipeline::{
+    EventHandler, PhysicsHooks, PhysicsWorld, Replay, ReplayError, Replayed,
+};
 use super::space::Vehicles;
 
 /// A world and its vehicles: the data that a copy contains.
@@ -21,6 +23,13 @@ impl Simulation {
         self.vehicles.update(&mut self.world);
         self.world.step_with_events(hooks, events);
     }
+}
+
+/// The world after the last step of a recording, if every step has the recorded hash.
+pub fn replay(recording: &[u8]) -> Result<PhysicsWorld, ReplayError> {
+    let mut replay = Replay::new(recording)?;
+    while replay.step()? == Replayed::Step {}
+    Ok(replay.world().clone())
 }
 
 impl Clone for Simulation {

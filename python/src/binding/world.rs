@@ -7,7 +7,6 @@ use super::hooks::{Callbacks, RunningCallbacks};
 use super::joint::{self, Joint};
 use super::numbers::{self, STATE, coordinates, non_negative, vector_out};
 use super::options::Options;
-use super::picture::artist;
 use super::rapier::dynamics::RigidBodyHandle;
 use super::rapier::geometry::ColliderHandle;
 use super::rapier::math::{DIM, Real, Vector};
@@ -17,11 +16,12 @@ use super::rapier::pipeline::{
 };
 use super::scene::Artist;
 use super::shape::Shape;
-use super::simulation::Simulation;
+use super::simulation::{Simulation, replay};
 use super::space::Vehicles;
 use crate::errors::{SnapshotError, invalid};
 use crate::shared::Shared;
 use numpy::{PyArray1, PyArray2, PyArray3, PyArrayDyn, PyArrayMethods};
+use pyo3::gc::{PyTraverseError, PyVisit};
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
@@ -38,10 +38,9 @@ pub struct World {
     callbacks: Mutex<Option<Arc<Callbacks>>>,
 }
 
-/// A world with the data that its vehicles, queries, events and pictures need.
+/// A simulation with the data that its queries, events and pictures need.
 pub struct State {
-    pub world: PhysicsWorld,
-    pub vehicles: Vehicles,
+    pub simulation: Simulation,
     pub artist: Artist,
     queries: QueryPipeline,
     events: EventLog,
@@ -50,24 +49,21 @@ pub struct State {
 impl State {
     /// The tree of queries with the current colliders. The update costs nothing for unchanged
     /// colliders.
-    pub fn queries(&mut self) -> (&QueryPipeline, &PhysicsWorld) {
-        self.queries.update(&self.world.colliders);
-        (&self.queries, &self.world)
+    pub fn queries(&mut self) -> (&QueryPipeline, &mut PhysicsWorld) {
+        self.queries.update(&self.simulation.world.colliders);
+        (&self.queries, &mut self.simulation.world)
     }
 
     fn step(&mut self, hooks: &dyn PhysicsHooks) {
-        self.vehicles.update(&mut self.world);
-        self.world.step_with_events(hooks, &self.events.collector);
+        self.simulation.step(hooks, &self.events.collector);
     }
 }
 
 impl World {
     pub fn of(simulation: Simulation) -> Self {
-        let Simulation { world, vehicles } = simulation;
         let state = State {
-            world,
-            vehicles,
-            artist: artist(),
+            simulation,
+            artist: Artist::default(),
             queries: QueryPipeline::new(),
             events: EventLog::new(),
         };
@@ -76,10 +72,7 @@ impl World {
 
     /// A copy of the world and its vehicles.
     pub fn simulation(&self, py: Python<'_>) -> PyResult<Simulation> {
-        self.detached(py, |state| Simulation {
-            world: state.world.clone(),
-            vehicles: state.vehicles.clone(),
-        })
+        self.detached(py, |state| state.simulation.clone())
     }
 
     /// Locks the state for a short access without Python objects: see [`Shared::lock`].
@@ -94,6 +87,14 @@ impl World {
         compute: impl FnOnce(&mut State) -> R + Send,
     ) -> PyResult<R> {
         self.state.detached(py, compute)
+    }
+
+    /// Replaces the callables. The finalizers of the earlier ones run without the lock.
+    fn replace_callbacks(&self, callbacks: Option<Arc<Callbacks>>) {
+        let mut stored = self.callbacks.lock().unwrap_or_else(PoisonError::into_inner);
+        let earlier = std::mem::replace(&mut *stored, callbacks);
+        drop(stored);
+        drop(earlier);
     }
 }
 
@@ -116,34 +117,34 @@ impl World {
     /// Gravity (m/s²).
     #[getter]
     fn gravity<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray1<Real>>> {
-        let gravity = self.lock(py)?.world.gravity;
+        let gravity = self.lock(py)?.simulation.world.gravity;
         Ok(vector_out(py, gravity))
     }
 
     #[setter]
     fn set_gravity(&self, py: Python<'_>, gravity: &Bound<'_, PyAny>) -> PyResult<()> {
         let gravity = coordinates("gravity", gravity)?;
-        self.lock(py)?.world.gravity = gravity;
+        self.lock(py)?.simulation.world.gravity = gravity;
         Ok(())
     }
 
     /// Length of a step (s).
     #[getter]
     fn dt(&self, py: Python<'_>) -> PyResult<Real> {
-        Ok(self.lock(py)?.world.integration_parameters.dt)
+        Ok(self.lock(py)?.simulation.world.integration_parameters.dt)
     }
 
     #[setter]
     fn set_dt(&self, py: Python<'_>, dt: f64) -> PyResult<()> {
         let dt = non_negative("dt", dt)?;
-        self.lock(py)?.world.integration_parameters.dt = dt;
+        self.lock(py)?.simulation.world.integration_parameters.dt = dt;
         Ok(())
     }
 
     /// Substeps of a step.
     #[getter]
     fn solver_iterations(&self, py: Python<'_>) -> PyResult<usize> {
-        Ok(self.lock(py)?.world.integration_parameters.num_solver_iterations)
+        Ok(self.lock(py)?.simulation.world.integration_parameters.num_solver_iterations)
     }
 
     #[setter]
@@ -151,7 +152,7 @@ impl World {
         if count == 0 {
             return Err(invalid("solver_iterations is 0, but must be at least 1"));
         }
-        self.lock(py)?.world.integration_parameters.num_solver_iterations = count;
+        self.lock(py)?.simulation.world.integration_parameters.num_solver_iterations = count;
         Ok(())
     }
 
@@ -192,13 +193,18 @@ impl World {
         modify_contact: Option<Py<PyAny>>,
     ) {
         let callbacks = Callbacks { filter_contact, filter_intersection, modify_contact };
-        let earlier = self
-            .callbacks
-            .lock()
-            .unwrap_or_else(PoisonError::into_inner)
-            .replace(Arc::new(callbacks));
-        // The finalizers of the earlier callables run without the lock.
-        drop(earlier);
+        self.replace_callbacks((!callbacks.is_empty()).then(|| Arc::new(callbacks)));
+    }
+
+    /// Shows the callables to the garbage collector: they may refer to the world.
+    fn __traverse__(&self, visit: PyVisit<'_>) -> Result<(), PyTraverseError> {
+        // A locked mutex belongs to another thread, whose world is no garbage.
+        let Ok(callbacks) = self.callbacks.try_lock() else { return Ok(()) };
+        callbacks.as_ref().map_or(Ok(()), |callbacks| callbacks.traverse(&visit))
+    }
+
+    fn __clear__(&self) {
+        self.replace_callbacks(None);
     }
 
     /// Inserts a body, and with `shape` its first collider. Returns the body.
@@ -234,9 +240,9 @@ impl World {
         let collider = shape.map(|shape| collider::describe(shape, &options)).transpose()?;
         options.finish()?;
         let mut state = slf.get().lock(slf.py())?;
-        let handle = state.world.insert_body(body);
+        let handle = state.simulation.world.insert_body(body);
         if let Some(collider) = collider {
-            state.world.insert_collider(collider, Some(handle));
+            state.simulation.world.insert_collider(collider, Some(handle));
         }
         Ok(Body { world: slf.clone().unbind(), handle })
     }
@@ -266,8 +272,9 @@ impl World {
         let collider = collider::describe_placed(shape, &options)?;
         options.finish()?;
         let mut state = slf.get().lock(slf.py())?;
-        let parent = body.map(|body| body.handle_in(slf, &state.world.bodies)).transpose()?;
-        let handle = state.world.insert_collider(collider, parent);
+        let parent =
+            body.map(|body| body.handle_in(slf, &state.simulation.world.bodies)).transpose()?;
+        let handle = state.simulation.world.insert_collider(collider, parent);
         Ok(Collider { world: slf.clone().unbind(), handle })
     }
 
@@ -296,25 +303,39 @@ impl World {
         let reduced = options.take("reduced")?.unwrap_or(false);
         options.finish()?;
         let mut state = slf.get().lock(slf.py())?;
-        let bodies = &state.world.bodies;
+        let bodies = &state.simulation.world.bodies;
         let handles = [body1.handle_in(slf, bodies)?, body2.handle_in(slf, bodies)?];
-        let key = joint::insert(&mut state.world, reduced, handles, joint)?;
+        let key = joint::insert(&mut state.simulation.world, reduced, handles, joint)?;
         Ok(Joint { world: slf.clone().unbind(), key, axis })
     }
 
     /// The bodies, in the order of the rows of `state`.
     #[getter]
     fn bodies(slf: &Bound<'_, Self>) -> PyResult<Vec<Body>> {
-        let handles: Vec<RigidBodyHandle> =
-            slf.get().lock(slf.py())?.world.bodies.iter().map(|(handle, _)| handle).collect();
+        let handles: Vec<RigidBodyHandle> = slf
+            .get()
+            .lock(slf.py())?
+            .simulation
+            .world
+            .bodies
+            .iter()
+            .map(|(handle, _)| handle)
+            .collect();
         Ok(handles.into_iter().map(|handle| Body { world: slf.clone().unbind(), handle }).collect())
     }
 
     /// The colliders.
     #[getter]
     fn colliders(slf: &Bound<'_, Self>) -> PyResult<Vec<Collider>> {
-        let handles: Vec<ColliderHandle> =
-            slf.get().lock(slf.py())?.world.colliders.iter().map(|(handle, _)| handle).collect();
+        let handles: Vec<ColliderHandle> = slf
+            .get()
+            .lock(slf.py())?
+            .simulation
+            .world
+            .colliders
+            .iter()
+            .map(|(handle, _)| handle)
+            .collect();
         Ok(handles
             .into_iter()
             .map(|handle| Collider { world: slf.clone().unbind(), handle })
@@ -323,13 +344,13 @@ impl World {
 
     /// The number of bodies.
     fn __len__(&self, py: Python<'_>) -> PyResult<usize> {
-        Ok(self.lock(py)?.world.bodies.len())
+        Ok(self.lock(py)?.simulation.world.bodies.len())
     }
 
     /// The number of bodies that are awake.
     #[getter]
     fn awake(&self, py: Python<'_>) -> PyResult<usize> {
-        Ok(self.lock(py)?.world.active_bodies().len())
+        Ok(self.lock(py)?.simulation.world.active_bodies().len())
     }
 
     /// Poses and velocities of all bodies: an array of the shape (bodies, 13) in 3D (position,
@@ -343,15 +364,17 @@ impl World {
         out: Option<Bound<'py, PyAny>>,
     ) -> PyResult<Bound<'py, PyArrayDyn<Real>>> {
         // NumPy allocates without the guard: see `Shared::lock`.
-        let count = self.lock(py)?.world.bodies.len();
+        let count = self.lock(py)?.simulation.world.bodies.len();
         let out = numbers::output(py, out, &[count, STATE])?;
         let mut rows = out.try_readwrite()?;
         let rows = rows.as_slice_mut()?;
         let state = self.lock(py)?;
-        if state.world.bodies.len() != count {
+        if state.simulation.world.bodies.len() != count {
             return Err(invalid("another thread inserted or removed bodies during the call"));
         }
-        for ((_, body), row) in state.world.bodies.iter().zip(rows.chunks_exact_mut(STATE)) {
+        for ((_, body), row) in
+            state.simulation.world.bodies.iter().zip(rows.chunks_exact_mut(STATE))
+        {
             numbers::write_state(body, row);
         }
         drop(state);
@@ -361,14 +384,15 @@ impl World {
     /// A hash of the simulated state. Equal bits give equal hashes on every machine.
     #[getter]
     fn hash(&self, py: Python<'_>) -> PyResult<u64> {
-        self.detached(py, |state| state.world.hash())
+        self.detached(py, |state| state.simulation.world.hash())
     }
 
     /// The whole world as bytes, which `World.from_snapshot` of any machine reads. Vehicles and
     /// hooks are no part of it.
     fn snapshot<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyBytes>> {
-        let bytes = self
-            .detached(py, |state| state.world.to_snapshot().map_err(|error| error.to_string()))?;
+        let bytes = self.detached(py, |state| {
+            state.simulation.world.to_snapshot().map_err(|error| error.to_string())
+        })?;
         Ok(PyBytes::new(py, &bytes.map_err(SnapshotError::new_err)?))
     }
 
@@ -377,6 +401,15 @@ impl World {
     fn from_snapshot(py: Python<'_>, snapshot: &[u8]) -> PyResult<Self> {
         let world =
             py.detach(|| PhysicsWorld::from_snapshot(snapshot).map_err(|error| error.to_string()));
+        Ok(Self::of(Simulation::of(world.map_err(SnapshotError::new_err)?)))
+    }
+
+    /// Replays a recording, which a native program, a browser or another machine made, and compares the
+    /// hash of every step. Returns the world after the last step. Raises `SnapshotError` if a hash differs.
+    #[staticmethod]
+    #[pyo3(name = "replay")]
+    fn from_recording(py: Python<'_>, recording: &[u8]) -> PyResult<Self> {
+        let world = py.detach(|| replay(recording).map_err(|error| error.to_string()));
         Ok(Self::of(Simulation::of(world.map_err(SnapshotError::new_err)?)))
     }
 
@@ -396,16 +429,22 @@ impl World {
     fn __reduce__<'py>(
         slf: &Bound<'py, Self>,
     ) -> PyResult<(Bound<'py, PyAny>, (Bound<'py, PyBytes>, Bound<'py, PyBytes>))> {
-        let (py, this) = (slf.py(), slf.get());
-        let vehicles = this.lock(py)?.vehicles.to_bytes().map_err(SnapshotError::new_err)?;
-        Ok((slf.get_type().getattr("_restore")?, (this.snapshot(py)?, PyBytes::new(py, &vehicles))))
+        let py = slf.py();
+        let bytes = slf.get().detached(py, |State { simulation, .. }| {
+            let world = simulation.world.to_snapshot().map_err(|error| error.to_string())?;
+            Ok((world, simulation.vehicles.to_bytes()?))
+        })?;
+        let (world, vehicles) = bytes.map_err(SnapshotError::new_err::<String>)?;
+        let restore = slf.get_type().getattr("_restore")?;
+        Ok((restore, (PyBytes::new(py, &world), PyBytes::new(py, &vehicles))))
     }
 
     /// The world of a pickle.
     #[staticmethod]
     fn _restore(py: Python<'_>, snapshot: &[u8], vehicles: &[u8]) -> PyResult<Self> {
         let world = Self::from_snapshot(py, snapshot)?;
-        world.lock(py)?.vehicles = Vehicles::from_bytes(vehicles)?;
+        let vehicles = Vehicles::from_bytes(vehicles)?;
+        world.lock(py)?.simulation.vehicles = vehicles;
         Ok(world)
     }
 
@@ -425,7 +464,7 @@ impl World {
     ) -> PyResult<(Bound<'py, PyArray3<Real>>, Bound<'py, PyArray2<f32>>)> {
         let mut lines = Lines::default();
         self.detached(py, |state| {
-            state.world.debug_render(&mut DebugRenderPipeline::default(), &mut lines)
+            state.simulation.world.debug_render(&mut DebugRenderPipeline::default(), &mut lines)
         })?;
         let count = lines.colors.len() / 4;
         let ends = PyArray1::from_vec(py, lines.ends).reshape([count, 2, DIM])?;
@@ -434,7 +473,7 @@ impl World {
 
     fn __repr__(&self, py: Python<'_>) -> PyResult<String> {
         let state = self.lock(py)?;
-        let world = &state.world;
+        let world = &state.simulation.world;
         Ok(format!("<World: {} bodies, {} colliders>", world.bodies.len(), world.colliders.len()))
     }
 }

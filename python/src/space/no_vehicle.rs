@@ -22,6 +22,11 @@ impl Vehicles {
         Ok(Self(()))
     }
 
+    /// No wheels.
+    pub fn wheel_counts(&self) -> Vec<Option<usize>> {
+        Vec::new()
+    }
+
     /// Adds nothing.
     pub fn draw(&self, _world: &PhysicsWorld, _drawing: &mut Drawing) {}
 }

@@ -2,14 +2,16 @@
 
 use super::super::binding::batch::WorldBatch;
 use super::super::binding::body::Body;
+use super::super::binding::garbage::traverse;
 use super::super::binding::numbers::{
     coordinates, finite, finite_elements, non_negative, shaped_array, vector,
 };
 use super::super::binding::options::Options;
 use super::super::binding::world::World;
-use super::super::rapier::control::{DynamicRayCastVehicleController, Wheel, WheelTuning};
-use super::super::rapier::math::{Real, Rotation, Vector};
-use super::super::rapier::pipeline::{PhysicsWorld, QueryFilter};
+use super::super::rapier::control::{DynamicRayCastVehicleController, WheelTuning};
+use super::super::rapier::dynamics::RigidBodyHandle;
+use super::super::rapier::math::{DIM, Real, Rotation, Vector};
+use super::super::rapier::pipeline::{PhysicsWorld, QueryFilter, QueryPipelineMut};
 use crate::errors::{SnapshotError, invalid, stale};
 use drawing::{Color, Drawing, Instance, Mesh, Role};
 use numpy::{PyArray1, PyArray2, PyArrayMethods};
@@ -25,32 +27,78 @@ const WHEEL_HALF_WIDTH: f32 = 0.35;
 
 /// The vehicles of a world, by their index. A removed vehicle leaves a gap.
 #[derive(Clone, Default)]
-pub struct Vehicles(Vec<Option<DynamicRayCastVehicleController>>);
+pub struct Vehicles(Vec<Option<Braked>>);
+
+/// A vehicle with the brake forces (N) of its wheels. Brakes of the engine are impulses in one step, which
+/// depend on its length.
+#[derive(Clone)]
+struct Braked {
+    controller: DynamicRayCastVehicleController,
+    brakes: Vec<Real>,
+}
+
+impl Braked {
+    fn new(chassis: RigidBodyHandle) -> Self {
+        Self { controller: DynamicRayCastVehicleController::new(chassis), brakes: Vec::new() }
+    }
+
+    /// The controls of the wheels, with [`CONTROLS`] numbers each.
+    fn controls(&self) -> Vec<Real> {
+        let rows = self.controller.wheels().iter().zip(&self.brakes);
+        rows.flat_map(|(wheel, &brake)| [wheel.engine_force, brake, wheel.steering]).collect()
+    }
+
+    /// Sets the controls of the wheels, with [`CONTROLS`] numbers each.
+    fn set_controls(&mut self, rows: &[Real]) {
+        let wheels = self.controller.wheels_mut().iter_mut().zip(&mut self.brakes);
+        for ((wheel, brake), row) in wheels.zip(rows.chunks_exact(CONTROLS)) {
+            (wheel.engine_force, *brake, wheel.steering) = (row[0], row[1], row[2]);
+        }
+    }
+
+    /// Applies the wheels to the bodies for the next step.
+    fn update(&mut self, dt: Real, queries: QueryPipelineMut<'_>) {
+        for (wheel, force) in self.controller.wheels_mut().iter_mut().zip(&self.brakes) {
+            wheel.brake = force * dt;
+        }
+        self.controller.update_vehicle(dt, queries);
+    }
+}
 
 impl Vehicles {
     /// Applies the wheels to the bodies for the next step.
     pub fn update(&mut self, world: &mut PhysicsWorld) {
         let dt = world.integration_parameters.dt;
         for vehicle in self.0.iter_mut().flatten() {
-            vehicle.update_vehicle(dt, world.query_pipeline_mut(QueryFilter::default()));
+            vehicle.update(dt, world.query_pipeline_mut(QueryFilter::default()));
         }
     }
 
     /// The vehicles as bytes.
     pub fn to_bytes(&self) -> Result<Vec<u8>, String> {
-        postcard::to_allocvec(&self.0).map_err(|error| error.to_string())
+        let parts = |vehicle: &Braked| (vehicle.controller.clone(), vehicle.brakes.clone());
+        let vehicles: Vec<_> = self.0.iter().map(|vehicle| vehicle.as_ref().map(parts)).collect();
+        postcard::to_allocvec(&vehicles).map_err(|error| error.to_string())
     }
 
     /// The vehicles of [`Self::to_bytes`].
     pub fn from_bytes(bytes: &[u8]) -> PyResult<Self> {
-        postcard::from_bytes(bytes)
-            .map(Self)
-            .map_err(|error| SnapshotError::new_err(error.to_string()))
+        let vehicles: Vec<Option<(DynamicRayCastVehicleController, Vec<Real>)>> =
+            postcard::from_bytes(bytes)
+                .map_err(|error| SnapshotError::new_err(error.to_string()))?;
+        let fits = |vehicle: &(DynamicRayCastVehicleController, Vec<Real>)| {
+            vehicle.0.wheels().len() == vehicle.1.len()
+        };
+        if !vehicles.iter().flatten().all(fits) {
+            return Err(SnapshotError::new_err("the vehicles have other wheels than brakes"));
+        }
+        let whole = |(controller, brakes)| Braked { controller, brakes };
+        Ok(Self(vehicles.into_iter().map(|vehicle| vehicle.map(whole)).collect()))
     }
 
     /// Adds the wheels to a drawing.
     pub fn draw(&self, world: &PhysicsWorld, drawing: &mut Drawing) {
-        for vehicle in self.0.iter().flatten() {
+        for vehicle in self.0.iter().flatten().map(|vehicle| &vehicle.controller) {
             let Some(chassis) = world.bodies.get(vehicle.chassis) else { continue };
             for wheel in vehicle.wheels() {
                 let pose = *chassis.position();
@@ -74,18 +122,13 @@ impl Vehicles {
         }
     }
 
-    fn get(&mut self, index: usize) -> PyResult<&mut DynamicRayCastVehicleController> {
-        self.0.get_mut(index).and_then(Option::as_mut).ok_or_else(|| stale("vehicle"))
+    /// The numbers of wheels. `None` for a removed vehicle.
+    pub fn wheel_counts(&self) -> Vec<Option<usize>> {
+        self.0.iter().map(|vehicle| vehicle.as_ref().map(|vehicle| vehicle.brakes.len())).collect()
     }
-}
 
-/// Sets the controls of wheels with three numbers each. Brakes of the engine are impulses in one
-/// step.
-fn set_controls(wheels: &mut [Wheel], rows: &[Real], dt: Real) {
-    for (wheel, row) in wheels.iter_mut().zip(rows.chunks_exact(CONTROLS)) {
-        wheel.engine_force = row[0];
-        wheel.brake = row[1] * dt;
-        wheel.steering = row[2];
+    fn get(&mut self, index: usize) -> PyResult<&mut Braked> {
+        self.0.get_mut(index).and_then(Option::as_mut).ok_or_else(|| stale("vehicle"))
     }
 }
 
@@ -128,15 +171,11 @@ pub struct Vehicle {
     index: usize,
 }
 
+traverse!(Vehicle, vehicle => vehicle.world);
+
 impl Vehicle {
-    fn with<R>(
-        &self,
-        py: Python<'_>,
-        read: impl FnOnce(&mut DynamicRayCastVehicleController, &PhysicsWorld) -> R,
-    ) -> PyResult<R> {
-        let mut state = self.world.get().lock(py)?;
-        let state = &mut *state;
-        Ok(read(state.vehicles.get(self.index)?, &state.world))
+    fn with<R>(&self, py: Python<'_>, read: impl FnOnce(&mut Braked) -> R) -> PyResult<R> {
+        self.world.get().lock(py)?.simulation.vehicles.get(self.index).map(read)
     }
 }
 
@@ -186,31 +225,26 @@ impl Vehicle {
             .map(|roll| non_negative("roll_influence", roll))
             .transpose()?;
         options.finish()?;
-        self.with(py, |vehicle, _| {
+        self.with(py, |vehicle| {
+            let controller = &mut vehicle.controller;
             let wheel =
-                vehicle.add_wheel(connection, direction, axle, rest_length, radius, &tuning);
+                controller.add_wheel(connection, direction, axle, rest_length, radius, &tuning);
             wheel.roll_influence = roll.unwrap_or(wheel.roll_influence);
-            vehicle.wheels().len() - 1
+            vehicle.brakes.push(0.0);
+            vehicle.brakes.len() - 1
         })
     }
 
     /// The number of wheels.
     fn __len__(&self, py: Python<'_>) -> PyResult<usize> {
-        self.with(py, |vehicle, _| vehicle.wheels().len())
+        self.with(py, |vehicle| vehicle.brakes.len())
     }
 
     /// The controls of the wheels, of the shape (wheels, 3): engine force (N), brake force (N),
     /// steering (rad, positive to the left). They act until they change.
     #[getter]
     fn controls<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<Real>>> {
-        let rows: Vec<Real> = self.with(py, |vehicle, world| {
-            let dt = world.integration_parameters.dt;
-            vehicle
-                .wheels()
-                .iter()
-                .flat_map(|wheel| [wheel.engine_force, wheel.brake / dt, wheel.steering])
-                .collect()
-        })?;
+        let rows = self.with(py, |vehicle| vehicle.controls())?;
         let count = rows.len() / CONTROLS;
         PyArray1::from_vec(py, rows).reshape([count, CONTROLS])
     }
@@ -221,9 +255,7 @@ impl Vehicle {
         let rows = shaped_array("controls", controls, &[count, CONTROLS])?;
         let rows = finite_elements("controls", &rows)?;
         check_brakes(rows)?;
-        self.with(py, |vehicle, world| {
-            set_controls(vehicle.wheels_mut(), rows, world.integration_parameters.dt)
-        })
+        self.with(py, |vehicle| vehicle.set_controls(rows))
     }
 
     /// Sets the controls of one wheel: engine force (N), brake force (N), steering (rad, positive
@@ -240,47 +272,48 @@ impl Vehicle {
         let engine = engine.map(|force| finite("engine", force)).transpose()?;
         let brake = brake.map(|force| non_negative("brake", force)).transpose()?;
         let steering = steering.map(|angle| finite("steering", angle)).transpose()?;
-        self.with(py, |vehicle, world| {
-            let (count, dt) = (vehicle.wheels().len(), world.integration_parameters.dt);
-            let Some(wheel) = vehicle.wheels_mut().get_mut(wheel) else {
-                return Err(invalid(format!("wheel is {wheel}, but there are {count} wheels")));
-            };
+        let changed = self.with(py, |vehicle| {
+            let mut wheels = vehicle.controller.wheels_mut().iter_mut().zip(&mut vehicle.brakes);
+            let (wheel, force) = wheels.nth(wheel)?;
             wheel.engine_force = engine.unwrap_or(wheel.engine_force);
-            wheel.brake = brake.map_or(wheel.brake, |force| force * dt);
+            *force = brake.unwrap_or(*force);
             wheel.steering = steering.unwrap_or(wheel.steering);
-            Ok(())
-        })?
+            Some(())
+        })?;
+        changed.ok_or_else(|| invalid(format!("wheel is {wheel}, which the vehicle does not have")))
     }
 
     /// Speed of the chassis (m/s) as of the last step: negative backwards.
     #[getter]
     fn speed(&self, py: Python<'_>) -> PyResult<Real> {
-        self.with(py, |vehicle, _| vehicle.current_vehicle_speed)
+        self.with(py, |vehicle| vehicle.controller.current_vehicle_speed)
     }
 
     /// Whether each wheel is on the ground, as of the last step.
     #[getter]
     fn on_ground(&self, py: Python<'_>) -> PyResult<Vec<bool>> {
-        self.with(py, |vehicle, _| {
-            vehicle.wheels().iter().map(|wheel| wheel.raycast_info().is_in_contact).collect()
+        self.with(py, |vehicle| {
+            let wheels = vehicle.controller.wheels().iter();
+            wheels.map(|wheel| wheel.raycast_info().is_in_contact).collect()
         })
     }
 
     /// The middles of the wheels in the frame of the chassis (m), of the shape (wheels, 3).
     #[getter]
     fn wheel_positions<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<Real>>> {
-        let rows: Vec<Real> = self.with(py, |vehicle, _| {
-            vehicle.wheels().iter().flat_map(|wheel| wheel.center_cs().to_array()).collect()
+        let rows: Vec<Real> = self.with(py, |vehicle| {
+            let wheels = vehicle.controller.wheels().iter();
+            wheels.flat_map(|wheel| wheel.center_cs().to_array()).collect()
         })?;
-        let count = rows.len() / 3;
-        PyArray1::from_vec(py, rows).reshape([count, 3])
+        let count = rows.len() / DIM;
+        PyArray1::from_vec(py, rows).reshape([count, DIM])
     }
 
     /// Removes the wheels. The chassis stays.
     fn remove(&self, py: Python<'_>) -> PyResult<()> {
         let mut state = self.world.get().lock(py)?;
-        state.vehicles.get(self.index)?;
-        state.vehicles.0[self.index] = None;
+        state.simulation.vehicles.get(self.index)?;
+        state.simulation.vehicles.0[self.index] = None;
         Ok(())
     }
 
@@ -297,12 +330,12 @@ impl World {
     /// Puts a dynamic body on wheels: see `Vehicle.add_wheel`. 3D only.
     fn add_vehicle(slf: &Bound<'_, Self>, chassis: &Body) -> PyResult<Vehicle> {
         let mut state = slf.get().lock(slf.py())?;
-        let chassis = chassis.handle_in(slf, &state.world.bodies)?;
-        if !state.world.bodies[chassis].is_dynamic() {
+        let chassis = chassis.handle_in(slf, &state.simulation.world.bodies)?;
+        if !state.simulation.world.bodies[chassis].is_dynamic() {
             return Err(invalid("the chassis of a vehicle must be a dynamic body"));
         }
-        state.vehicles.0.push(Some(DynamicRayCastVehicleController::new(chassis)));
-        Ok(Vehicle { world: slf.clone().unbind(), index: state.vehicles.0.len() - 1 })
+        state.simulation.vehicles.0.push(Some(Braked::new(chassis)));
+        Ok(Vehicle { world: slf.clone().unbind(), index: state.simulation.vehicles.0.len() - 1 })
     }
 }
 
@@ -317,15 +350,15 @@ impl WorldBatch {
         controls: &Bound<'_, PyAny>,
     ) -> PyResult<()> {
         self.check_source(&vehicle.world, "vehicle")?;
-        let original = self.originals()[0].vehicles.0.get(vehicle.index).and_then(Option::as_ref);
-        let wheels = original.ok_or_else(|| stale("vehicle"))?.wheels().len();
+        let counts = self.originals()[0].vehicles.wheel_counts();
+        let wheels = counts.get(vehicle.index).copied().flatten();
+        let wheels = wheels.ok_or_else(|| stale("vehicle"))?;
         let rows = shaped_array("controls", controls, &[self.count(), wheels, CONTROLS])?;
         let rows = finite_elements("controls", &rows)?.to_vec();
         check_brakes(&rows)?;
         self.change(py, &rows, wheels * CONTROLS, |simulation, rows| {
-            let dt = simulation.world.integration_parameters.dt;
             if let Some(Some(vehicle)) = simulation.vehicles.0.get_mut(vehicle.index) {
-                set_controls(vehicle.wheels_mut(), rows, dt);
+                vehicle.set_controls(rows);
             }
         })
     }
