@@ -188,22 +188,14 @@ pub fn beside_its_twin(stage: &mut Stage, twin: &mut Stage) -> Vec<Disabled> {
 /// Runs one step of two stages with equal edits.
 ///
 /// # Panics
-/// If a bit or an event differs, or if a disabled body is not at its pose before the step.
+/// If a bit or an event differs, or if a disabled body is not in its state before the step.
 pub fn step_alike(step: usize, stage: &mut Stage, twin: &mut Stage) -> Vec<Disabled> {
-    let before: BTreeMap<_, _> =
-        stage.world.bodies.iter().map(|(handle, body)| (handle, *body.position())).collect();
-    let told = stage.step();
+    let before = copies_of_bodies(stage);
+    let events = stage.step();
     // Texts compare NaN as equal.
-    assert_eq!(format!("{told:?}"), format!("{:?}", twin.step()), "step {step}");
+    assert_eq!(format!("{events:?}"), format!("{:?}", twin.step()), "step {step}");
     assert_eq!(stage.bits(), twin.bits(), "step {step}");
-    let disabled = told.quarantines.iter().filter_map(|event| match *event {
-        QuarantineEvent::Body { body, cause, position, .. } => {
-            assert_eq!(position, before[&body], "at the pose before the step");
-            Some((step, body, cause))
-        }
-        _ => None,
-    });
-    disabled.collect()
+    disabled_in(step, &events, stage, &before)
 }
 
 /// Runs one step of a stage and its twin.
@@ -211,22 +203,45 @@ pub fn step_alike(step: usize, stage: &mut Stage, twin: &mut Stage) -> Vec<Disab
 /// # Panics
 /// If the bits of an enabled body differ between both worlds, or if an event does.
 pub fn step_beside(step: usize, stage: &mut Stage, twin: &mut Stage) -> Vec<Disabled> {
-    let bodies = stage.world.bodies.iter();
-    let before: BTreeMap<_, _> = bodies.map(|(handle, body)| (handle, body.clone())).collect();
-    let told = stage.step();
-    let mut taken = Vec::new();
-    for event in &told.quarantines {
-        let QuarantineEvent::Body { body, cause, position, velocity } = *event else { continue };
-        let old = &before[&body];
-        assert_eq!((position, velocity), (*old.position(), old.vels()), "back where it was");
-        assert!(old.is_enabled(), "{body:?} is taken out once");
-        taken.push((step, body, cause));
+    let before = copies_of_bodies(stage);
+    let events = stage.step();
+    let disabled = disabled_in(step, &events, stage, &before);
+    for &(_, body, _) in &disabled {
         twin.world.bodies[body].set_enabled(false);
     }
-    assert_eq!(stage.world.physics_pipeline.counters.solver.nquarantined, taken.len());
-    let told_of_twin = twin.step();
-    assert_eq!(told_of_twin.quarantines, [], "step {step}");
-    assert_eq!(told.collisions, told_of_twin.collisions, "step {step}");
-    assert_eq!(stage.bits(), twin.bits(), "step {step}, without {taken:?}");
-    taken
+    let events_of_twin = twin.step();
+    assert_eq!(events_of_twin.quarantines, [], "step {step}");
+    assert_eq!(events.collisions, events_of_twin.collisions, "step {step}");
+    assert_eq!(stage.bits(), twin.bits(), "step {step}, without {disabled:?}");
+    disabled
+}
+
+fn copies_of_bodies(stage: &Stage) -> BTreeMap<RigidBodyHandle, RigidBody> {
+    stage.world.bodies.iter().map(|(handle, body)| (handle, body.clone())).collect()
+}
+
+/// The bodies that a step disabled.
+///
+/// # Panics
+/// If one of them is not in its state before the step or was disabled before, or if the counter has another
+/// number.
+fn disabled_in(
+    step: usize,
+    events: &Events,
+    stage: &Stage,
+    before: &BTreeMap<RigidBodyHandle, RigidBody>,
+) -> Vec<Disabled> {
+    let disabled = events.quarantines.iter().filter_map(|event| match *event {
+        QuarantineEvent::Body { body, cause, position, velocity } => {
+            let old = &before[&body];
+            let state = (*old.position(), old.vels());
+            assert_eq!((position, velocity), state, "the state before the step");
+            assert!(old.is_enabled(), "{body:?} is disabled once");
+            Some((step, body, cause))
+        }
+        _ => None,
+    });
+    let disabled: Vec<_> = disabled.collect();
+    assert_eq!(stage.world.physics_pipeline.counters.solver.nquarantined, disabled.len());
+    disabled
 }
