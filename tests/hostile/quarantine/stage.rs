@@ -1,6 +1,6 @@
 //! A heap, a kinematic lift, a chain of links and a sleeping pile, all within reach of one suspect.
 
-use super::super::witness::EventChecker;
+use super::super::event_checker::EventChecker;
 use super::super::world::check;
 use crate::dim::{about_z, cuboid, hinge, hostile::pose_bits, vec};
 use rapier::prelude::*;
@@ -24,7 +24,7 @@ pub struct Stage {
     /// A block on a sleeping pile.
     pub sleeper: RigidBodyHandle,
     pub hooks: Numbers,
-    witness: EventChecker,
+    event_checker: EventChecker,
 }
 
 /// Hooks that pass numbers to all contacts.
@@ -54,8 +54,8 @@ pub struct Events {
 
 /// Handler that records events, and checks them.
 struct Listener<'a> {
-    witness: &'a EventChecker,
-    told: Mutex<Events>,
+    event_checker: &'a EventChecker,
+    events: Mutex<Events>,
 }
 
 impl EventHandler for Listener<'_> {
@@ -66,8 +66,8 @@ impl EventHandler for Listener<'_> {
         event: &CollisionEvent,
         pair: Option<&ContactPair>,
     ) {
-        self.told.lock().unwrap().collisions.push(*event);
-        self.witness.handle_collision_event(bodies, colliders, event, pair);
+        self.events.lock().unwrap().collisions.push(*event);
+        self.event_checker.handle_collision_event(bodies, colliders, event, pair);
     }
 
     fn handle_quarantine_event(
@@ -83,7 +83,7 @@ impl EventHandler for Listener<'_> {
             assert_eq!(format!("{:?}", body.quarantine()), format!("Some({cause:?})"));
             assert_eq!((body.position(), &body.vels()), (position, velocity));
         }
-        self.told.lock().unwrap().quarantines.push(*event);
+        self.events.lock().unwrap().quarantines.push(*event);
     }
 }
 
@@ -121,8 +121,9 @@ impl Stage {
             block(&mut world, body)
         });
         let (suspect, neighbour, sleeper) = (heap[12], heap[13], sleepers[2]);
-        let (hooks, witness) = (Numbers::default(), EventChecker::default());
-        let mut stage = Self { world, suspect, neighbour, lift, links, sleeper, hooks, witness };
+        let (hooks, event_checker) = (Numbers::default(), EventChecker::default());
+        let mut stage =
+            Self { world, suspect, neighbour, lift, links, sleeper, hooks, event_checker };
         for _ in 0..BEFORE {
             stage.step();
         }
@@ -146,12 +147,12 @@ impl Stage {
 
     /// Runs one step and checks the invariants. Returns the events.
     pub fn step(&mut self) -> Events {
-        let listener = Listener { witness: &self.witness, told: Mutex::default() };
+        let listener = Listener { event_checker: &self.event_checker, events: Mutex::default() };
         self.world.step_with_events(&self.hooks, &listener);
-        let told = listener.told.into_inner().unwrap();
+        let events = listener.events.into_inner().unwrap();
         check(&self.world);
-        self.witness.check();
-        told
+        self.event_checker.check();
+        events
     }
 
     /// Returns all bits of the state of all enabled bodies.
