@@ -24,7 +24,6 @@ def ant_world(engine):
     """The ant of the environments, at its initial pose."""
     from rapier.envs import ant
 
-    ant.dim3 = engine
     world = engine.World(dt=DT)
     world.add_collider(engine.Shape.box([200, 0.5, 200]), position=[0, -0.5, 0], friction=1.0)
     _, joints = ant.add_ant(world)

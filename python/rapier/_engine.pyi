@@ -6,6 +6,7 @@ from typing import Any, Literal, Optional, Union
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
+from typing_extensions import Self
 
 DIM: int
 STATE: int
@@ -15,6 +16,7 @@ _Vector = Union[Sequence[float], NDArray[Any]]
 _Rotation = Union[float, Sequence[float], NDArray[Any]]
 _Angular = Union[float, Sequence[float], NDArray[Any]]
 _Kind = Literal["dynamic", "fixed", "kinematic_position", "kinematic_velocity"]
+_Rule = Literal["average", "min", "multiply", "max", "clamped_sum", "geometric_mean"]
 _JointKind = Literal["fixed", "revolute", "prismatic", "spherical", "rope", "spring"]
 _Array = NDArray[Any]
 _Mask = Union[Sequence[bool], NDArray[np.bool_]]
@@ -217,12 +219,14 @@ class World:
         linvel: Optional[_Vector] = None, angvel: Optional[_Angular] = None, gravity_scale: float = 1.0, linear_damping: float = 0.0,
         angular_damping: float = 0.0, additional_mass: float = 0.0, ccd: bool = False, can_sleep: bool = True, lock_translations: bool = False,
         lock_rotations: bool = False, density: float = 1.0, mass: Optional[float] = None, friction: float = 0.5, restitution: float = 0.0,
-        contact_skin: float = 0.0, collision_groups: Optional[tuple[int, int]] = None, solver_groups: Optional[tuple[int, int]] = None,
+        friction_combine_rule: _Rule = "average", restitution_combine_rule: _Rule = "average", contact_skin: float = 0.0,
+        collision_groups: Optional[tuple[int, int]] = None, solver_groups: Optional[tuple[int, int]] = None,
         events: bool = False, hooks: bool = False, sensor: bool = False,
     ) -> Body: ...
     def add_collider(
         self, shape: Shape, body: Optional[Body] = None, *, position: Optional[_Vector] = None, rotation: Optional[_Rotation] = None, density: float = 1.0,
-        mass: Optional[float] = None, friction: float = 0.5, restitution: float = 0.0, contact_skin: float = 0.0,
+        mass: Optional[float] = None, friction: float = 0.5, restitution: float = 0.0,
+        friction_combine_rule: _Rule = "average", restitution_combine_rule: _Rule = "average", contact_skin: float = 0.0,
         collision_groups: Optional[tuple[int, int]] = None, solver_groups: Optional[tuple[int, int]] = None, events: bool = False, hooks: bool = False, sensor: bool = False,
     ) -> Collider: ...
     def add_joint(
@@ -243,7 +247,11 @@ class World:
     def snapshot(self) -> bytes: ...
     @staticmethod
     def from_snapshot(snapshot: bytes) -> World: ...
-    def copy(self) -> World: ...
+    @staticmethod
+    def replay(recording: bytes) -> World: ...
+    def copy(self) -> Self: ...
+    def __copy__(self) -> Self: ...
+    def __deepcopy__(self, memo: Any) -> Self: ...
     def collision_events(self) -> list[CollisionEvent]: ...
     def debug_lines(self) -> tuple[_Array, _Array]: ...
     def cast_ray(self, origin: _Vector, direction: _Vector, max_toi: float = ..., solid: bool = True) -> Optional[RayHit]: ...
@@ -265,3 +273,7 @@ class WorldBatch:
     def joint_state(self, joints: Sequence[Joint], out: Optional[_Array] = None) -> _Array: ...
     def hashes(self) -> NDArray[np.uint64]: ...
     def world(self, index: int) -> World: ...
+    def render(
+        self, index: int, width: int = 640, height: int = 360, *, yaw: float = 30.0, pitch: float = 18.0,
+        focus: Optional[tuple[_Vector, _Vector]] = None, joints: bool = False, contacts: bool = False,
+    ) -> NDArray[np.uint8]: ...

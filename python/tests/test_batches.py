@@ -35,6 +35,41 @@ def test_a_reset_returns_the_selected_worlds(engine):
     assert batch.hashes()[0] == moved[0]
 
 
+@pytest.mark.parametrize("mask", [np.array([True, False, True]), np.repeat([True, False, True], 2)[::2], [True, False, True], (True, False, True)])
+def test_masks_are_arrays_or_sequences_of_booleans(engine, mask):
+    batch = engine.WorldBatch(make_pile(engine, 3), 3)
+    begin = batch.hashes()
+    batch.step(5)
+    moved = batch.hashes()
+    batch.reset(mask)
+    assert np.array_equal(batch.hashes(), np.where(np.asarray(mask), begin, moved))
+
+
+@pytest.mark.parametrize("mask", [np.array([1.0, 0.0, 1.0]), np.array([2, 0, 1]), "yes", [1.5, 0, 1]])
+def test_masks_of_other_types_are_refused(engine, mask):
+    batch = engine.WorldBatch(make_pile(engine, 3), 3)
+    batch.step(5)
+    moved = batch.hashes()
+    with pytest.raises((TypeError, rapier.InvalidValueError)):
+        batch.reset(mask)
+    assert np.array_equal(batch.hashes(), moved)
+
+
+def test_a_batch_renders_each_of_its_worlds(engine):
+    world = make_pile(engine, 6)
+    batch = engine.WorldBatch(world, 2)
+    state = batch.state()
+    state[1, :, 0] += 2.0
+    batch.set_state(state)
+    batch.step(10)
+    focus = (at(engine, -2, -1, -2), at(engine, 6, 5, 2))
+    first, second = (batch.render(index, 96, 64, focus=focus) for index in range(2))
+    assert not np.array_equal(first, second)
+    assert np.array_equal(second, batch.world(1).render(96, 64, focus=focus))
+    with pytest.raises(rapier.InvalidValueError, match="index is 2"):
+        batch.render(2)
+
+
 def test_arrays_are_filled_in_place(engine):
     batch = engine.WorldBatch(make_pile(engine, 4), 2)
     out = np.empty((2, 4, engine.STATE), engine.dtype)
@@ -148,6 +183,14 @@ def test_worlds_with_different_parameters_form_a_batch(engine):
     worlds[1].add_body()
     with pytest.raises(rapier.InvalidValueError, match=r"worlds\[1\] has other bodies"):
         engine.WorldBatch.from_worlds(worlds)
+    joint = worlds[0].add_joint("prismatic", worlds[0].add_body("fixed"), worlds[0].bodies[0], axis=at(engine, 1, 0))
+    other = worlds[2].add_joint("fixed", worlds[2].add_body("fixed"), worlds[2].bodies[0])
+    with pytest.raises(rapier.InvalidValueError, match=r"worlds\[1\] has other joints"):
+        engine.WorldBatch.from_worlds([worlds[0], worlds[2]])
+    other.remove()
+    with pytest.raises(rapier.InvalidValueError, match=r"worlds\[1\] has other joints"):
+        engine.WorldBatch.from_worlds([worlds[0], worlds[2]])
+    joint.remove()
     with pytest.raises(rapier.InvalidValueError, match="worlds is empty"):
         engine.WorldBatch.from_worlds([])
 

@@ -72,6 +72,44 @@ def test_a_mass_pushes_bodies(engine):
     assert pushed[0] == pytest.approx(1.5, abs=0.05) and pushed[1] > 1.8
 
 
+def test_a_moved_character_begins_at_its_new_pose(engine):
+    world = make_ground(engine)
+    wall = world.add_collider(engine.Shape.box(at(engine, 0.5, 2, 5)), position=at(engine, 12, 2))
+    walker = make_walker(engine, world)
+    controller = engine.CharacterController(offset=0.02)
+    world.step()
+    walker.position = at(engine, 10, 1.02)
+    movement = controller.move(walker, at(engine, 3, 0))
+    assert movement.translation[0] == pytest.approx(12 - 0.5 - 0.4 - 0.02 - 10, abs=0.01)
+    assert movement.collisions == [wall]
+    world.step()
+    assert walker.position[0] == pytest.approx(11.08, abs=0.01)
+
+
+def test_obstacles_are_those_of_the_moment(engine):
+    world = make_ground(engine)
+    wall = world.add_body("fixed", engine.Shape.box(at(engine, 0.5, 2, 5)), position=at(engine, 2, 2))
+    walker = make_walker(engine, world, y=1.02)
+    controller = engine.CharacterController(offset=0.02)
+
+    def way():
+        return controller.move(walker, at(engine, 3, 0)).translation[0]
+
+    assert way() == pytest.approx(1.08, abs=0.01)  # before the first step
+    world.step()
+    walker.position = at(engine, 0, 1.02)
+    wall.position = at(engine, 50, 2)
+    assert way() == pytest.approx(3.0, abs=0.01)
+    late = world.add_collider(engine.Shape.box(at(engine, 0.5, 2, 5)), position=at(engine, 3, 2))
+    assert way() == pytest.approx(2.08, abs=0.01)
+    late.remove()
+    assert way() == pytest.approx(3.0, abs=0.01)
+    wall.position = at(engine, 2.5, 2)
+    assert way() == pytest.approx(1.58, abs=0.01)
+    wall.remove()
+    assert way() == pytest.approx(3.0, abs=0.01)
+
+
 def test_invalid_characters_are_refused(engine):
     world = make_ground(engine)
     controller = engine.CharacterController()

@@ -1,5 +1,7 @@
 """Environments: gymnasium's checker, equal bits of both interfaces, and behaviour of the models."""
 
+import pickle
+
 import numpy as np
 import pytest
 
@@ -60,6 +62,68 @@ def test_equal_seeds_give_equal_episodes(name):
 def test_both_interfaces_truncate_after_the_same_steps(name):
     task, steps = ENVIRONMENTS[name]
     assert getattr(rapier.envs, task).max_episode_steps == steps == gymnasium.spec(name).max_episode_steps
+
+
+@pytest.mark.parametrize("name", IDS)
+def test_both_interfaces_truncate_in_the_same_step(name):
+    single = gymnasium.make(name, max_episode_steps=7)
+    vector = gymnasium.make_vec(name, num_envs=1, vectorization_mode="vector_entry_point", max_episode_steps=7)
+    vector.action_space.seed(0)
+    single.reset(seed=0)
+    vector.reset(seed=0)
+    for _ in range(20):
+        actions = vector.action_space.sample()
+        terminated, truncated = single.step(actions[0])[2:4]
+        assert (terminated, truncated) == tuple(bool(flags[0]) for flags in vector.step(actions)[2:4])
+        if terminated or truncated:
+            single.reset()
+
+
+def test_a_fall_in_the_last_step_is_truncated_as_well():
+    single = gymnasium.make("rapier/CartPole-v0")
+    single.reset(seed=0)
+    steps = 1
+    while not single.step(1)[2]:
+        steps += 1
+    vector = gymnasium.make_vec("rapier/CartPole-v0", num_envs=1, vectorization_mode="vector_entry_point", max_episode_steps=steps)
+    vector.reset(seed=0)
+    ends = [tuple(bool(flags[0]) for flags in vector.step(np.array([1]))[2:4]) for _ in range(steps)]
+    assert ends == [(False, False)] * (steps - 1) + [(True, True)]
+
+
+def test_each_task_has_two_classes():
+    assert [task.__name__ for task in rapier.envs.TASKS] == sorted(task for task, _ in ENVIRONMENTS.values())
+    for task in rapier.envs.TASKS:
+        for name in (f"{task.__name__}Env", f"{task.__name__}VectorEnv"):
+            own = getattr(rapier.envs, name)
+            assert name in rapier.envs.__all__ and own.task_type is task and pickle.loads(pickle.dumps(own)) is own
+
+
+def test_an_ant_in_double_precision_stands_as_in_single():
+    heights = []
+    for engine in (rapier.dim3, rapier.dim3_f64):
+        world = engine.World(dt=0.01)
+        world.add_collider(engine.Shape.box([200, 0.5, 200]), position=[0, -0.5, 0], friction=1.0)
+        torso, joints = rapier.envs.ant.add_ant(world)
+        for joint in joints:
+            joint.set_motor_position(0.0, 400.0, 40.0)
+        world.step(200)
+        heights.append(torso.position[1])
+    assert heights[0] == pytest.approx(heights[1], abs=1e-3) and heights[0] > 0.35
+
+
+def test_a_robot_of_soccer_has_no_friction_with_the_ground():
+    env = gymnasium.make("rapier/Soccer-v0").unwrapped
+    env.reset(seed=0)
+    row = env.task.state[:, env.task.bodies[env.task.robot]]
+    row[:, [0, 2]] = [-4.0, 0.0]
+    env.task.state[:, env.task.bodies[env.task.ball], 2] = 3.0
+    env.task.state[:, env.task.bodies[env.task.robot]] = row
+    env.task.batch.set_state(env.task.state)
+    for _ in range(30):
+        observation = env.step(np.array([1.0, 0.0], np.float32))[0]
+    # The motor alone acts: 1 - exp(-8 · 1.5) of the speed.
+    assert observation[2] == pytest.approx(3.5, rel=0.01)
 
 
 def test_an_episode_of_a_vector_is_truncated_and_begins_anew():

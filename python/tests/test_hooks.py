@@ -1,5 +1,8 @@
 """Hooks: callables filter pairs and change contacts."""
 
+import gc
+import weakref
+
 import numpy as np
 import pytest
 from conftest import at, make_ground
@@ -133,6 +136,56 @@ def test_a_hook_that_uses_its_world_raises_instead_of_waiting(engine):
         with pytest.raises(RuntimeError, match="hook"):
             world.step(60)
     assert ball.position[1] > -2
+
+
+class Filter:
+    """A callable that refers to its world by an object."""
+
+    def __init__(self, referred):
+        self.referred = referred
+
+    def __call__(self, pair):
+        return True
+
+
+@pytest.mark.parametrize("refer", [
+    lambda world: world, lambda world: world.bodies, lambda world: world.colliders, lambda world: world.collision_events(),
+    lambda world: world.cast_ray(-world.gravity, world.gravity), lambda world: world.project_point(-world.gravity), lambda world: world.add_joint("fixed", *world.bodies),
+], ids=["world", "bodies", "colliders", "events", "hit", "projection", "joint"])
+def test_a_world_whose_hooks_refer_to_it_is_freed(engine, refer):
+    world, _ = make_drop(engine, events=True)
+    world.add_body()
+    world.step(60)
+    referred = refer(world)
+    assert referred
+    hook = Filter(referred)
+    freed = weakref.ref(hook)
+    world.set_hooks(filter_contact=hook)
+    del world, referred, hook, _
+    gc.collect()
+    assert freed() is None
+
+
+def test_a_batch_in_a_hook_of_its_original_is_freed(engine):
+    world, _ = make_drop(engine)
+    hook = Filter(engine.WorldBatch(world, 2))
+    freed = weakref.ref(hook)
+    world.set_hooks(filter_contact=hook)
+    del world, hook, _
+    gc.collect()
+    assert freed() is None
+
+
+def test_pairs_and_contacts_in_a_hook_are_freed(engine):
+    world, _ = make_drop(engine)
+    hook = Filter([])
+    world.set_hooks(filter_contact=hook.referred.append, modify_contact=hook.referred.append, filter_intersection=hook)
+    world.step(60)
+    assert len({type(part) for part in hook.referred}) == 2
+    freed = weakref.ref(hook)
+    del world, hook, _
+    gc.collect()
+    assert freed() is None
 
 
 def test_invalid_changes_raise_in_the_hook(engine):

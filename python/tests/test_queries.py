@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from conftest import at
+from conftest import at, make_pile, turned
 
 import rapier
 
@@ -68,6 +68,35 @@ def test_queries_leave_the_world_unchanged(engine):
     world.step()
     twin.step()
     assert world.hash == twin.hash
+
+
+def test_queries_of_moved_bodies_leave_the_steps_unchanged(engine):
+    world, twin = make_pile(engine), make_pile(engine)
+    for _ in range(20):
+        for each in [world, twin]:
+            each.step(5)
+            for body in each.bodies[::3]:
+                body.position = body.position + at(engine, 0.25, 0.125)
+        assert world.overlaps(engine.Shape.ball(100.0))
+        world.step(5)
+        twin.step(5)
+        assert world.hash == twin.hash
+
+
+def test_queries_find_moved_bodies_without_a_step(engine):
+    world = engine.World()
+    body = world.add_body(shape=engine.Shape.ball(1.0), position=at(engine, 5, 0))
+    part = world.add_collider(engine.Shape.ball(0.5), body, position=at(engine, 0, 3))
+    world.step()
+    body.position, body.rotation = at(engine, 8, 0), turned(engine, np.pi / 2)
+    origin, direction = at(engine, 0, 0), at(engine, 1, 0)
+    # The part is now in front of the ball.
+    hit = world.cast_ray(origin, direction)
+    assert hit.collider == part and hit.toi == pytest.approx(4.5, abs=1e-4)
+    assert part.position == pytest.approx(at(engine, 5, 0), abs=1e-4)
+    assert world.cast_rays([origin], [direction])[0] == pytest.approx([4.5], abs=1e-4)
+    assert world.project_point(at(engine, 8, 4)).point == pytest.approx(at(engine, 8, 1), abs=1e-4)
+    assert world.overlaps(engine.Shape.ball(0.25), position=at(engine, 8, 0)) == [body.colliders[0]]
 
 
 def test_queries_find_moved_bodies_after_the_step(engine):

@@ -75,7 +75,7 @@ def test_a_killed_worker_loses_nothing(tmp_path):
 
 
 def test_a_case_that_kills_all_workers_fails_alone():
-    with pytest.raises(rapier.SweepError, match="2 workers ended") as error:
+    with pytest.raises(rapier.SweepError, match="2 workers ended.* with the signal SIGKILL") as error:
         rapier.sweep(fatal, {"height": [1.0, 2.0, 3.0]}, {"end": height_of}, steps=10, workers=2, attempts=2, progress=False)
     result = error.value.result
     assert list(result.failures) == [1] and result.lost_workers == 2
@@ -86,6 +86,71 @@ def test_an_exception_fails_alone():
     result = rapier.sweep(faulty, {"height": [1.0, 2.0]}, {"end": height_of}, steps=10, workers=1, progress=False, strict=False)
     assert "no such height" in result.failures[1] and "end" in result.rows[0]
     assert "1 failed" in repr(result)
+
+
+def leaving(height):
+    """Ends the worker for the height 2."""
+    if height == 2.0:
+        os._exit(7)
+    return drop(height, 0.0)
+
+
+def test_the_exit_code_of_a_worker_is_named():
+    result = rapier.sweep(leaving, {"height": [1.0, 2.0]}, {"end": height_of}, steps=1, workers=1, attempts=1, progress=False, strict=False)
+    assert "the exit code 7" in result.failures[1] and "end" in result.rows[0]
+
+
+class Unpicklable(Exception):
+    """An exception, and a value, without a pickle."""
+
+    def __init__(self, height):
+        super().__init__(height)
+        self.height = height
+
+    def __reduce__(self):
+        raise TypeError("no pickle of it")
+
+
+def refuse(height):
+    if height == 2.0:
+        raise Unpicklable(height)
+    return drop(height, 0.0)
+
+
+def unpicklable(world, ball):
+    return Unpicklable(0.0) if ball.position[1] > 2.0 else 1.0
+
+
+def test_values_and_exceptions_without_a_pickle_fail_alone():
+    options = {"steps": 1, "workers": 1, "attempts": 1, "progress": False, "strict": False}
+    result = rapier.sweep(refuse, {"height": [1.0, 2.0, 3.0]}, {"end": height_of}, **options)
+    assert list(result.failures) == [1] and "Unpicklable" in result.failures[1] and result.lost_workers == 0
+    result = rapier.sweep(refuse, {"height": [1.0, 3.0]}, {"end": unpicklable}, **options)
+    assert list(result.failures) == [1] and "no pickle of it" in result.failures[1] and result.lost_workers == 0
+    result = rapier.sweep(refuse, {"height": [1.0, Unpicklable(0.0)]}, {"end": height_of}, **options)
+    assert list(result.failures) == [1] and "no pickle of it" in result.failures[1] and result.lost_workers == 0
+
+
+@pytest.mark.parametrize("grid, metrics, column", [
+    ({"height": [1.0]}, {"height": height_of}, "height"), ({"hash": [1.0]}, {"end": height_of}, "hash"),
+    ({"height": [1.0]}, {"seconds": height_of}, "seconds"), ([{"height": 1.0}, {"worker": 1}], {"end": height_of}, "worker"),
+])
+def test_columns_of_one_name_are_refused(grid, metrics, column):
+    with pytest.raises(rapier.InvalidValueError, match=f"the column {column} is"):
+        rapier.sweep(drop, grid, metrics, steps=1, workers=1, progress=False)
+
+
+def scaled(world, scale=3.0):
+    return scale * len(world)
+
+
+def keyword(world, *, ball=4.0):
+    return ball * len(world)
+
+
+def test_optional_arguments_of_a_metric_keep_their_defaults():
+    result = rapier.sweep(drop, GRID, {"scaled": scaled, "keyword": keyword, "end": height_of}, steps=1, workers=1, progress=False)
+    assert [(row["scaled"], row["keyword"]) for row in result.rows] == [(3.0, 4.0)] * 6
 
 
 def test_a_world_is_copied_for_each_case():
@@ -135,3 +200,21 @@ def test_a_cluster_gives_the_same_bits_and_survives_a_killed_worker(cluster, tmp
     assert not result.failures and len(list(tmp_path.iterdir())) == 2
     assert [row["hash"] for row in result.rows] == expected_hashes(result.rows, 60)
     assert len({row["worker"] for row in result.rows}) >= 2
+    # The sweep ends no Ray of its caller.
+    assert cluster.is_initialized() and cluster.get(cluster.put(1)) == 1
+
+
+def test_a_local_cluster_of_a_sweep_ends_with_it(monkeypatch):
+    ray = pytest.importorskip("ray")
+    monkeypatch.setenv("PYTHONPATH", str(Path(__file__).parent))
+    assert not ray.is_initialized()
+    result = rapier.sweep(drop, {"height": [1.0, 2.0], "restitution": [0.0]}, {"end": height_of}, address="local", steps=60, progress=False)
+    assert not ray.is_initialized()
+    assert [row["hash"] for row in result.rows] == expected_hashes(result.rows, 60)
+
+
+def test_an_address_without_a_cluster_is_an_error():
+    ray = pytest.importorskip("ray")
+    with pytest.raises(ConnectionError):
+        rapier.sweep(drop, GRID, {"end": height_of}, address="auto", steps=1, progress=False)
+    assert not ray.is_initialized()

@@ -51,6 +51,35 @@ def test_brakes_stop_by_the_formula(engine):
     assert abs(chassis.linvel[0]) < 0.01
 
 
+@pytest.mark.parametrize("rate", [60, 240])
+def test_brakes_are_independent_of_the_rate(engine, rate):
+    world, chassis, car = make_car(engine)
+    world.step(60)
+    chassis.linvel = [10.0, 0.0, 0.0]
+    # The controls are set before the length of the step.
+    for wheel in range(4):
+        car.control(wheel, brake=1000.0)
+    world.dt = 1 / rate
+    assert car.controls[:, 1] == pytest.approx([1000.0] * 4)
+    world.step(rate)
+    # 4000 N on 1000 kg for 1 s.
+    assert chassis.linvel[0] == pytest.approx(6.0, abs=0.2)
+
+
+@pytest.mark.parametrize("rate", [60, 240])
+def test_brakes_of_a_batch_are_independent_of_the_rate(engine, rate):
+    world, chassis, car = make_car(engine)
+    world.step(60)
+    chassis.linvel = [10.0, 0.0, 0.0]
+    world.dt = 1 / rate
+    batch = engine.WorldBatch(world, 2)
+    controls = np.zeros((2, 4, 3))
+    controls[1, :, 1] = 1000.0
+    batch.set_vehicle_controls(car, controls)
+    batch.step(rate)
+    assert batch.state()[:, 0, 7] == pytest.approx([10.0, 6.0], abs=0.2)
+
+
 def test_steering_turns_to_the_left(engine):
     world, chassis, car = make_car(engine)
     for wheel in (0, 1):

@@ -1,21 +1,23 @@
 """Environments for gymnasium, written against the public package. `pip install rapier[envs]` installs what they need.
 
 ``gymnasium.make("rapier/Ant-v0")`` is one world, ``gymnasium.make_vec("rapier/Ant-v0", num_envs=64, vectorization_mode="vector_entry_point")`` is a batch of worlds
-that step on all cores with one call.
+that step on all cores with one call. Each task, such as ``Ant``, has two classes: ``AntEnv`` and ``AntVectorEnv``.
 """
 
 from .._registry import register_envs
-from .ant import Ant, AntEnv, AntVectorEnv
-from .base import Task, WorldEnv, WorldVectorEnv
-from .car import Car, CarEnv, CarVectorEnv
-from .cart_pole import CartPole, CartPoleEnv, CartPoleVectorEnv
-from .humanoid import Humanoid, HumanoidEnv, HumanoidVectorEnv
-from .reacher import Reacher, ReacherEnv, ReacherVectorEnv
-from .soccer import Soccer, SoccerEnv, SoccerVectorEnv
+from .ant import Ant
+from .base import Task, WorldEnv, WorldVectorEnv, environments
+from .car import Car
+from .cart_pole import CartPole
+from .humanoid import Humanoid
+from .reacher import Reacher
+from .soccer import Soccer
+from .walker import Walker
+
+TASKS = [Ant, Car, CartPole, Humanoid, Reacher, Soccer]
+_CLASSES = {own.__name__: own for task in TASKS for own in environments(task)}
+globals().update(_CLASSES)
 
 register_envs()
 
-__all__ = [
-    "Ant", "AntEnv", "AntVectorEnv", "Car", "CarEnv", "CarVectorEnv", "CartPole", "CartPoleEnv", "CartPoleVectorEnv", "Humanoid", "HumanoidEnv",
-    "HumanoidVectorEnv", "Reacher", "ReacherEnv", "ReacherVectorEnv", "Soccer", "SoccerEnv", "SoccerVectorEnv", "Task", "WorldEnv", "WorldVectorEnv", "register_envs",
-]
+__all__ = ["TASKS", "Task", "Walker", "WorldEnv", "WorldVectorEnv", "environments", "register_envs", *[task.__name__ for task in TASKS], *_CLASSES]

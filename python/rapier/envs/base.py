@@ -1,5 +1,7 @@
 """The part that all environments share: tasks over batches, and the two interfaces of gymnasium."""
 
+import sys
+
 import gymnasium
 import numpy as np
 from gymnasium.vector import AutoresetMode, VectorEnv
@@ -56,8 +58,8 @@ class Task:
         """The rewards and whether the task has ended, by the state after the steps: two arrays of the shape (count,)."""
         raise NotImplementedError
 
-    def camera(self, world):
-        """Keyword arguments of `World.render`."""
+    def camera(self, index):
+        """Keyword arguments of the picture of one world: see `WorldBatch.render`."""
         return {}
 
     def reset(self, selected, rngs):
@@ -78,8 +80,7 @@ class Task:
 
     def render(self, index):
         """A picture of one world."""
-        world = self.batch.world(index)
-        return world.render(640, 360, **self.camera(world))
+        return self.batch.render(index, 640, 360, **self.camera(index))
 
     def of(self, body):
         """The rows of a body: a view of the shape (count, 13) in 3D, (count, 6) in 2D."""
@@ -91,7 +92,10 @@ def _metadata(task):
 
 
 class WorldEnv(gymnasium.Env):
-    """A task in one world. `render_mode="rgb_array"` gives pictures that the processor paints."""
+    """A task in one world. `render_mode="rgb_array"` gives pictures that the processor paints.
+
+    `gymnasium.make` truncates an episode after `max_episode_steps` of the task. The class itself does not.
+    """
 
     task_type: type
 
@@ -153,7 +157,7 @@ class WorldVectorEnv(VectorEnv):
     def step(self, actions):
         rewards, ended = self.task.step(np.asarray(actions))
         self.elapsed += 1
-        truncated = (self.elapsed >= self.max_episode_steps) & ~ended
+        truncated = self.elapsed >= self.max_episode_steps
         observations, infos = self.task.observe(), {}
         done = ended | truncated
         if done.any():
@@ -167,6 +171,17 @@ class WorldVectorEnv(VectorEnv):
         return tuple(self.task.render(index) for index in range(self.num_envs)) if self.render_mode == "rgb_array" else None
 
 
+def environments(task):
+    """The classes of a task: one world, such as `AntEnv`, and many, such as `AntVectorEnv`."""
+    attributes = {"task_type": task, "__module__": __package__, "__doc__": task.__doc__}
+    return [type(task.__name__ + name, (base,), attributes) for name, base in (("Env", WorldEnv), ("VectorEnv", WorldVectorEnv))]
+
+
+def engine_of(world):
+    """The module of a world: `rapier.dim3` or another one."""
+    return sys.modules[type(world).__module__]
+
+
 def limb(world, body, start, end, radius, **options):
     """Adds a capsule between two points (m, frame of the body) to a body."""
     start, end = np.asarray(start, float), np.asarray(end, float)
@@ -177,7 +192,7 @@ def limb(world, body, start, end, radius, **options):
     rotation = np.array([axis[2], 0.0, -axis[0], 1.0 + axis[1]])
     norm = np.linalg.norm(rotation)
     rotation = rotation / norm if norm > 1e-6 else np.array([1.0, 0.0, 0.0, 0.0])
-    shape = dim3.Shape.capsule(0.5 * length, radius)
+    shape = engine_of(world).Shape.capsule(0.5 * length, radius)
     return world.add_collider(shape, body, position=0.5 * (start + end), rotation=rotation, **options)
 
 
@@ -190,5 +205,3 @@ def up_of(rotations):
     """The vertical component of the up axis of bodies with these quaternions (x, y, z, w)."""
     return 1.0 - 2.0 * (rotations[..., 0] ** 2 + rotations[..., 2] ** 2)
 
-
-__all__ = ["Task", "WorldEnv", "WorldVectorEnv", "box_space", "limb", "up_of"]

@@ -4,7 +4,7 @@ import numpy as np
 
 from rapier import dim3
 
-from .base import Task, WorldEnv, WorldVectorEnv, box_space, up_of
+from .base import Task, box_space, up_of
 
 SIDE, CELLS, HILL = 120.0, 60, 2.5  # length of the terrain (m), its cells, its height (m)
 DRIVE, BRAKE, STEER = 2500.0, 4000.0, 0.5  # largest forces of a wheel (N), largest angle (rad)
@@ -27,7 +27,8 @@ class Car(Task):
 
     Observation (25): the axes of the chassis ahead and up, linear and angular velocity in its frame, the way to the flag ahead and to the left (m) and its
     direction, and the heights of nine points of the ground ahead relative to the car (m). Reward: decrease of the distance to the flag (m), and 20 at the flag,
-    which ends the episode. The episode ends as well if the car leans by more than 80° or leaves the terrain.
+    which ends the episode. The episode ends as well if the car leans by more than 80° or leaves the terrain. It is
+    truncated after 600 actions.
     """
 
     action_space = box_space(2, -1.0, 1.0)
@@ -117,14 +118,6 @@ class Car(Task):
         lost = (up_of(chassis[:, 3:7]) < 0.17) | (np.abs(chassis[:, [0, 2]]).max(axis=1) > SIDE / 2 - 3)
         return rewards + 20.0 * reached, reached | lost
 
-    def camera(self, world):
-        x, y, z = world.bodies[self.bodies[self.chassis]].position
+    def camera(self, index):
+        x, y, z = self.of(self.chassis)[index, :3]
         return {"focus": ([x - 7, y - 1, z - 7], [x + 7, y + 2, z + 7]), "yaw": 40, "pitch": 24}
-
-
-class CarEnv(WorldEnv):
-    task_type = Car
-
-
-class CarVectorEnv(WorldVectorEnv):
-    task_type = Car

@@ -2,11 +2,9 @@
 
 import numpy as np
 
-from rapier import dim3
+from .base import box_space, limb
+from .walker import BODY, GROUND, Walker
 
-from .base import Task, WorldEnv, WorldVectorEnv, box_space, limb, up_of
-
-GROUND, BODY = 1, 2
 STIFFNESS, DAMPING = 900.0, 60.0  # of the motors (1/s², 1/s)
 PELVIS = 1.0  # height (m)
 DENSITY = 1000.0
@@ -58,54 +56,29 @@ def add_humanoid(world):
     return parts["pelvis"][0], joints, np.array(ranges)
 
 
-class Humanoid(Task):
+class Humanoid(Walker):
     """Fifteen actions from -1 to 1 are the targets of the motors: 0 is upright, and the ends are the limits of the joints.
 
     Observation (41): height, quaternion, linear and angular velocity of the pelvis, angles and velocities of the joints. Reward: 1.25 times the speed along x, plus
-    2, minus 0.1 times the sum of the squared actions. The episode ends if the pelvis is below 0.7 m, above 1.6 m, or leans by more than 60°.
+    2, minus 0.1 times the sum of the squared actions. The episode ends if the pelvis is below 0.7 m, above 1.6 m, or leans by more than 60°, and is truncated
+    after 1000 actions.
     """
 
     action_space = box_space(15, -1.0, 1.0)
     observation_space = box_space(41)
     dt = 0.005
     frame_skip = 5
+    stiffness, damping = STIFFNESS, DAMPING
+    initial_speed = 0.05
+    speed_reward = 1.25
+    alive_reward = 2.0
+    action_cost = 0.1
+    heights = (0.7, 1.6)
+    up_min = 0.5
 
-    def build(self):
-        world = dim3.World(dt=self.dt)
-        world.add_collider(dim3.Shape.box([200, 0.5, 200]), position=[0, -0.5, 0], friction=1.0, collision_groups=(GROUND, BODY))
-        self.pelvis, self.joints, ranges = add_humanoid(world)
-        self.low, self.high = ranges.T
-        self.angles = np.zeros((self.count, len(self.joints), 2), np.float32)
-        return world
+    def add_robot(self, world):
+        return add_humanoid(world)
 
-    def randomize(self, row, rng):
-        row[:, 7:10] += rng.uniform(-0.05, 0.05, 3)
-
-    def apply(self, actions):
-        actions = np.clip(actions, -1, 1)
-        targets = np.where(actions > 0, actions * self.high, -actions * self.low)
-        self.batch.set_motors(self.joints, targets, stiffness=STIFFNESS, damping=DAMPING)
-
-    def observe(self):
-        self.batch.joint_state(self.joints, out=self.angles)
-        pelvis = self.of(self.pelvis)
-        parts = [pelvis[:, 1:2], pelvis[:, 3:13], self.angles[:, :, 0], self.angles[:, :, 1]]
-        return np.concatenate(parts, axis=1).astype(np.float32)
-
-    def judge(self, actions):
-        pelvis = self.of(self.pelvis)
-        cost = 0.1 * np.square(np.clip(actions, -1, 1)).sum(axis=1)
-        ended = (pelvis[:, 1] < 0.7) | (pelvis[:, 1] > 1.6) | (up_of(pelvis[:, 3:7]) < 0.5)
-        return 1.25 * pelvis[:, 7] + 2.0 - cost, ended
-
-    def camera(self, world):
-        x, _, z = world.bodies[self.bodies[self.pelvis]].position
+    def camera(self, index):
+        x, _, z = self.of(self.torso)[index, :3]
         return {"focus": ([x - 0.6, 0.1, z - 0.6], [x + 0.6, 1.7, z + 0.6]), "yaw": 40, "pitch": 12}
-
-
-class HumanoidEnv(WorldEnv):
-    task_type = Humanoid
-
-
-class HumanoidVectorEnv(WorldVectorEnv):
-    task_type = Humanoid

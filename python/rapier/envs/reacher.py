@@ -4,7 +4,7 @@ import numpy as np
 
 from rapier import dim3
 
-from .base import Task, WorldEnv, WorldVectorEnv, box_space, limb
+from .base import Task, box_space, limb
 
 SHOULDER = 0.4  # height (m)
 LENGTH = 0.45  # of both parts (m)
@@ -18,7 +18,7 @@ class Reacher(Task):
     """Three actions from -1 to 1 are the speeds of the motors: of the base, of the shoulder and of the elbow.
 
     Observation (12): angles and velocities of the joints, the target and the way from the tip to the target (m). Reward: minus the distance (m), minus 0.01 times the
-    sum of the squared actions, plus 1 within 5 cm. The episode has 150 steps.
+    sum of the squared actions, plus 1 within 5 cm. The episode is truncated after 150 actions.
     """
 
     action_space = box_space(3, -1.0, 1.0)
@@ -73,13 +73,5 @@ class Reacher(Task):
         cost = 0.01 * np.square(np.clip(actions, -1, 1)).sum(axis=1)
         return (distance < 0.05) - distance - cost, np.zeros(self.count, bool)
 
-    def camera(self, world):
+    def camera(self, index):
         return {"focus": ([-0.8, 0.0, -0.8], [0.8, 1.3, 0.8]), "pitch": 22}
-
-
-class ReacherEnv(WorldEnv):
-    task_type = Reacher
-
-
-class ReacherVectorEnv(WorldVectorEnv):
-    task_type = Reacher

@@ -4,7 +4,7 @@ import numpy as np
 
 from rapier import dim3
 
-from .base import Task, WorldEnv, WorldVectorEnv, box_space
+from .base import Task, box_space
 
 LENGTH, WIDTH, GOAL = 12.0, 8.0, 2.4  # of the pitch and of the opening of the goals (m)
 BALL = 0.22  # radius (m)
@@ -18,7 +18,7 @@ class Soccer(Task):
 
     Observation (20): positions and velocities (x, z) of the robot, the ball and the keeper, the ways from the robot to the ball and from the ball to the goal, and
     the direction of both. Reward: decrease of the distance of the robot to the ball (m), twice that of the ball to the goal, and 20 for a goal, -20 for an own goal.
-    A goal ends the episode.
+    A goal ends the episode, and it is truncated after 400 actions.
     """
 
     action_space = box_space(2, -1.0, 1.0)
@@ -38,7 +38,7 @@ class Soccer(Task):
                 world.add_collider(dim3.Shape.box([0.1, 0.2, half]), position=[side * (x + 0.1), 0.2, corner * (GOAL / 2 + half)], restitution=0.5)
                 world.add_collider(dim3.Shape.cylinder(0.5, 0.06), position=[side * x, 0.5, corner * GOAL / 2])
             world.add_collider(dim3.Shape.box([0.05, 0.2, GOAL / 2]), position=[side * (x + 0.9), 0.2, 0])
-        robot = {"mass": ROBOT_MASS, "friction": 0.0, "lock_rotations": True, "can_sleep": False}
+        robot = {"mass": ROBOT_MASS, "friction": 0.0, "friction_combine_rule": "min", "lock_rotations": True, "can_sleep": False}
         self.robot = world.add_body(shape=dim3.Shape.cylinder(0.3, 0.25), position=[-2, 0.3, 0], **robot)
         self.keeper = world.add_body(shape=dim3.Shape.box([0.15, 0.3, 0.4]), position=[x - 0.5, 0.3, 0], **robot)
         self.ball = world.add_body(
@@ -89,13 +89,5 @@ class Soccer(Task):
         scored, conceded = x > LENGTH / 2 + BALL, x < -LENGTH / 2 - BALL
         return rewards + 20.0 * scored - 20.0 * conceded, scored | conceded
 
-    def camera(self, world):
+    def camera(self, index):
         return {"focus": ([-LENGTH / 2, 0, -WIDTH / 2], [LENGTH / 2, 0.6, WIDTH / 2]), "yaw": 0, "pitch": 48}
-
-
-class SoccerEnv(WorldEnv):
-    task_type = Soccer
-
-
-class SoccerVectorEnv(WorldVectorEnv):
-    task_type = Soccer

@@ -39,12 +39,17 @@ class Job:
 
 
 def _call(metric, world, extra):
-    """Calls a metric with the world, and with the object of the scene if it takes two arguments."""
+    """Calls a metric with the world, and with the object of the scene if two arguments have no default."""
+    return metric(world, extra) if _required(metric) >= 2 else metric(world)
+
+
+def _required(function):
+    """The number of positional arguments without a default."""
     try:
-        takes_two = len(inspect.signature(metric).parameters) >= 2
+        parameters = inspect.signature(function).parameters.values()
     except (TypeError, ValueError):
-        takes_two = False
-    return metric(world, extra) if takes_two else metric(world)
+        return 1
+    return sum(own.default is own.empty and own.kind in (own.POSITIONAL_ONLY, own.POSITIONAL_OR_KEYWORD) for own in parameters)
 
 
 def _plain(value):

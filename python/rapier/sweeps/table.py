@@ -1,7 +1,23 @@
 """The table of a sweep: Arrow, Parquet, plots."""
 
 
-class SweepError(Exception):
+from .._rapier import InvalidValueError, RapierError
+
+#: Columns besides the parameters and metrics.
+COLUMNS = ["hash", "seconds", "worker"]
+
+
+def check_columns(parameters, metrics):
+    """Raises an exception if two columns of the table have one name."""
+    taken = {name: "a column of each table" for name in COLUMNS}
+    for kind, names in (("a parameter", parameters), ("a metric", metrics)):
+        for name in names:
+            if name in taken:
+                raise InvalidValueError(f"the column {name} is {kind}, but also {taken[name]}")
+            taken[name] = kind
+
+
+class SweepError(RapierError):
     """Cases of a sweep failed. `result` contains the others."""
 
     def __init__(self, message, result):
@@ -28,7 +44,7 @@ class SweepResult:
         """The rows as a `pyarrow.Table`. Failed cases have null metrics. The column "hash" is that of the world after the steps."""
         import pyarrow
 
-        columns = [*self.parameters, *self.metrics, "hash", "seconds", "worker"]
+        columns = [*self.parameters, *self.metrics, *COLUMNS]
         arrays = {name: [row.get(name) for row in self.rows] for name in columns}
         hashes = pyarrow.array(arrays.pop("hash"), pyarrow.uint64())
         table = pyarrow.table(arrays)

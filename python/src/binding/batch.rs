@@ -335,9 +335,9 @@ impl WorldBatch {
 
     /// The hashes of all worlds.
     fn hashes<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray1<u64>>> {
-        let hashes: Vec<u64> = self.worlds(py, |worlds| {
-            worlds.par_iter().map(|simulation| simulation.world.hash()).collect()
-        })?;
+        let hashes: Vec<u64> = self
+            .worlds
+            .detached(py, |worlds| worlds.par_iter_mut().map(Simulation::hash).collect())?;
         Ok(PyArray1::from_vec(py, hashes))
     }
 

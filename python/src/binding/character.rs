@@ -133,7 +133,7 @@ impl From<Refusal> for PyErr {
     }
 }
 
-/// The shape of a character and its current pose. The pose of the collider itself is that of the last step.
+/// The shape of a character and its pose.
 fn shape_of(world: &PhysicsWorld, handle: RigidBodyHandle) -> Result<(SharedShape, Pose), Refusal> {
     let body = world.bodies.get(handle).ok_or(Refusal::Removed)?;
     if body.body_type() != RigidBodyType::KinematicPositionBased {
@@ -141,8 +141,7 @@ fn shape_of(world: &PhysicsWorld, handle: RigidBodyHandle) -> Result<(SharedShap
     }
     let collider = body.colliders().first().and_then(|&handle| world.colliders.get(handle));
     let collider = collider.ok_or(Refusal::NoCollider)?;
-    let local = collider.position_wrt_parent().copied().unwrap_or(Pose::IDENTITY);
-    Ok((collider.shared_shape().clone(), *body.position() * local))
+    Ok((collider.shared_shape().clone(), *collider.position()))
 }
 
 #[pymethods]

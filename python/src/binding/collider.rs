@@ -5,6 +5,7 @@ use super::garbage::traverse;
 use super::identity::identify;
 use super::numbers::{coefficient, non_negative, pose, vector_out};
 use super::options::Options;
+use super::rapier::dynamics::CoefficientCombineRule;
 use super::rapier::geometry::{
     Collider as EngineCollider, ColliderBuilder, ColliderHandle, ContactPair, Group,
     InteractionGroups,
@@ -42,6 +43,12 @@ fn build(mut collider: ColliderBuilder, options: &Options<'_>) -> PyResult<Engin
     if let Some(restitution) = options.take("restitution")? {
         collider = collider.restitution(non_negative("restitution", restitution)?);
     }
+    if let Some(rule) = options.take::<String>("friction_combine_rule")? {
+        collider = collider.friction_combine_rule(combine_rule(&rule)?);
+    }
+    if let Some(rule) = options.take::<String>("restitution_combine_rule")? {
+        collider = collider.restitution_combine_rule(combine_rule(&rule)?);
+    }
     if let Some(skin) = options.take("contact_skin")? {
         collider = collider.contact_skin(non_negative("contact_skin", skin)?);
     }
@@ -58,6 +65,24 @@ fn build(mut collider: ColliderBuilder, options: &Options<'_>) -> PyResult<Engin
         collider = collider.active_events(ActiveEvents::COLLISION_EVENTS);
     }
     collider.sensor(options.take("sensor")?.unwrap_or(false)).try_build().map_err(invalid)
+}
+
+/// The rules of two coefficients by their names in Python.
+const COMBINE_RULES: [(&str, CoefficientCombineRule); 6] = [
+    ("average", CoefficientCombineRule::Average),
+    ("min", CoefficientCombineRule::Min),
+    ("multiply", CoefficientCombineRule::Multiply),
+    ("max", CoefficientCombineRule::Max),
+    ("clamped_sum", CoefficientCombineRule::ClampedSum),
+    ("geometric_mean", CoefficientCombineRule::GeometricMean),
+];
+
+fn combine_rule(name: &str) -> PyResult<CoefficientCombineRule> {
+    let rule = COMBINE_RULES.into_iter().find(|(own, _)| *own == name).map(|(_, rule)| rule);
+    let names = || COMBINE_RULES.map(|(name, _)| name).join(", ");
+    rule.ok_or_else(|| {
+        invalid(format!("the combine rule is {name}, but must be one of {}", names()))
+    })
 }
 
 fn groups_of((memberships, filter): (u32, u32)) -> InteractionGroups {
@@ -126,10 +151,19 @@ impl Collider {
         Ok(parent.map(|handle| Body { world: self.world.clone_ref(py), handle }))
     }
 
-    /// Position of the shape's origin (m, world), as of the last step.
+    /// Position of the shape's origin (m, world).
     #[getter]
     fn position<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray1<Real>>> {
-        Ok(vector_out(py, self.read(py, |collider| collider.position().translation)?))
+        let position = self
+            .world
+            .get()
+            .lock(py)?
+            .simulation
+            .current()
+            .colliders
+            .get(self.handle)
+            .map(|collider| collider.position().translation);
+        Ok(vector_out(py, position.ok_or_else(|| stale("collider"))?))
     }
 
     /// Largest ratio of the tangential to the normal contact force.

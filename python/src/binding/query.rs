@@ -1,4 +1,4 @@
-//! Queries of a world. They find a moved body at its new pose after the next step.
+//! Queries of a world.
 
 use super::collider::Collider;
 use super::garbage::traverse;
@@ -104,8 +104,8 @@ impl World {
     /// The first collider that a ray hits, or None. A ray that begins inside of a `solid` collider
     /// hits it at once.
     ///
-    /// origin (m, world), direction (m per unit of `max_toi`): vectors. Bodies that were moved
-    /// since the last step are at their old poses for all queries.
+    /// origin (m, world), direction (m per unit of `max_toi`): vectors. All queries find bodies that
+    /// were moved since the last step at their new poses.
     #[pyo3(signature = (origin, direction, max_toi=f64::INFINITY, solid=true))]
     fn cast_ray(
         slf: &Bound<'_, Self>,

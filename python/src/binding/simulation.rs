@@ -18,6 +18,18 @@ impl Simulation {
         Self { world, vehicles: Vehicles::default() }
     }
 
+    /// The world, whose colliders follow bodies that were moved since the last step. The next step does
+    /// the same.
+    pub fn current(&mut self) -> &mut PhysicsWorld {
+        self.world.bodies.propagate_modified_body_positions_to_colliders(&mut self.world.colliders);
+        &mut self.world
+    }
+
+    /// The hash of the current world, before and after queries.
+    pub fn hash(&mut self) -> u64 {
+        self.current().hash()
+    }
+
     /// One step.
     pub fn step(&mut self, hooks: &dyn PhysicsHooks, events: &dyn EventHandler) {
         self.vehicles.update(&mut self.world);

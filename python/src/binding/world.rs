@@ -47,11 +47,12 @@ pub struct State {
 }
 
 impl State {
-    /// The tree of queries with the current colliders. The update costs nothing for unchanged
-    /// colliders.
+    /// The tree of queries with the current colliders, at the poses of bodies that were moved since
+    /// the last step. The update costs nothing for unchanged colliders.
     pub fn queries(&mut self) -> (&QueryPipeline, &mut PhysicsWorld) {
-        self.queries.update(&self.simulation.world.colliders);
-        (&self.queries, &mut self.simulation.world)
+        let world = self.simulation.current();
+        self.queries.update(&world.colliders);
+        (&self.queries, world)
     }
 
     fn step(&mut self, hooks: &dyn PhysicsHooks) {
@@ -255,6 +256,8 @@ impl World {
     /// instead of the density.
     /// friction: largest ratio of the tangential to the normal contact force, by default 0.5.
     /// restitution: ratio of the speeds of separation and approach, by default 0.
+    /// friction_combine_rule, restitution_combine_rule: of the coefficients of two colliders: "average",
+    /// "min", "multiply", "max", "clamped_sum" or "geometric_mean". The later one of both rules acts.
     /// contact_skin: thickness (m) of an invisible layer around the shape, by default 0.
     /// collision_groups, solver_groups: bit masks (memberships, filter). Two colliders make
     /// contact, or exert forces, if each is a member of the other's filter.
@@ -384,7 +387,7 @@ impl World {
     /// A hash of the simulated state. Equal bits give equal hashes on every machine.
     #[getter]
     fn hash(&self, py: Python<'_>) -> PyResult<u64> {
-        self.detached(py, |state| state.simulation.world.hash())
+        self.detached(py, |state| state.simulation.hash())
     }
 
     /// The whole world as bytes, which `World.from_snapshot` of any machine reads. Vehicles and
@@ -404,8 +407,8 @@ impl World {
         Ok(Self::of(Simulation::of(world.map_err(SnapshotError::new_err)?)))
     }
 
-    /// Replays a recording, which a native program, a browser or another machine made, and compares the
-    /// hash of every step. Returns the world after the last step. Raises `SnapshotError` if a hash differs.
+    /// Replays the recording of a native program, and compares the hash of every step. Returns the
+    /// world after the last step. Raises `SnapshotError` if a hash differs.
     #[staticmethod]
     #[pyo3(name = "replay")]
     fn from_recording(py: Python<'_>, recording: &[u8]) -> PyResult<Self> {
