@@ -146,8 +146,8 @@ impl WorldBatch {
     /// The selected worlds: all without a mask.
     fn mask(&self, mask: Option<&Bound<'_, PyAny>>) -> PyResult<Vec<bool>> {
         let Some(mask) = mask else { return Ok(vec![true; self.count]) };
-        let mask = match mask.extract::<PyReadonlyArray1<'_, bool>>() {
-            Ok(array) => array.to_vec()?,
+        let mask: Vec<bool> = match mask.extract::<PyReadonlyArray1<'_, bool>>() {
+            Ok(array) => array.as_array().iter().copied().collect(),
             Err(_) => mask.extract()?,
         };
         match mask.len() == self.count {
