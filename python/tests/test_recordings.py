@@ -8,7 +8,7 @@ import pytest
 import rapier
 from rapier import dim3
 
-#: The file and the hash of its last step, which `cargo run -p rapier3d --example recording` prints.
+#: The file and the hash of its last step, which `cargo run -p replay --example recording` prints.
 RECORDING = Path(__file__).parent / "data/pile.recording"
 HASH = 0x4900F68EE24D5AAE
 

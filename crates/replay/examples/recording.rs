@@ -1,7 +1,7 @@
 //! Recording of a pile, which the tests of the Python package replay.
 //!
 //! ```text
-//! cargo run --release -p rapier3d --example recording -- python/tests/data/pile.recording
+//! cargo run --release -p replay --example recording -- python/tests/data/pile.recording
 //! ```
 //!
 //! The boxes fall onto a plane, a push hits the lowest one, and the gravity turns. The output is the hash of
