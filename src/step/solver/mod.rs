@@ -36,7 +36,6 @@ mod tests;
 
 use crate::model::body::{RigidBodyHandle, RigidBodySet};
 use crate::model::counters::SolverCounters;
-use crate::model::params::FrictionModel;
 use bodies::SolverBodies;
 use contacts::{ContactSources, SolverContacts};
 pub(crate) use context::SolverContext;
@@ -127,8 +126,7 @@ impl SolverScratch {
             world: context.bodies,
         };
         constraints.prepare(sources, bodies, &pass);
-        let links = members.iter().filter(|body| links.moves(body.into_raw_parts().0));
-        constraints.watch_energy(links, sources.world, bodies, &pass);
+        constraints.watch_energy(members, links, sources.world, bodies, &pass);
         counters.velocity_assembly_time.pause();
 
         counters.velocity_resolution_time.resume();
@@ -193,7 +191,7 @@ impl Constraints {
         let SolverContext { islands, bodies: world, joints, narrow_phase, .. } = context;
         let sources = JointSources { islands, world, bodies, links };
         self.joints.load(joints, sources, &pass.joints, pass.tasks);
-        let per_point = pass.params.friction_model == FrictionModel::Coulomb;
+        let per_point = pass.has_friction_per_point();
         let sources = ContactSources { bodies, links, is_only_group, per_point };
         self.contacts.load(sources, &islands.graph, narrow_phase, pass.tasks);
         self.impacts.load(&self.contacts, bodies);
@@ -266,17 +264,19 @@ impl Constraints {
     }
 
     /// Begins to watch the energy of islands with deep overlap, except those that something drives.
-    fn watch_energy<'a>(
+    fn watch_energy(
         &mut self,
-        links: impl Iterator<Item = &'a RigidBodyHandle>,
+        members: &[RigidBodyHandle],
+        links: &Links,
         world: &RigidBodySet,
         bodies: &SolverBodies,
         pass: &SolverPass<'_>,
     ) {
         let Self { joints, contacts, recovery, .. } = self;
         if contacts.note_deep_overlaps(recovery, bodies, pass) {
-            let links = links.map(|&link| world[link].link.island);
-            joints.islands(bodies).chain(links).for_each(|island| recovery.leave_out(island));
+            let of_links = members.iter().filter(|body| links.moves(body.into_raw_parts().0));
+            let of_links = of_links.map(|&link| world[link].link.island);
+            joints.islands(bodies).chain(of_links).for_each(|island| recovery.leave_out(island));
         }
     }
 

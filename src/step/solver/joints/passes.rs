@@ -9,43 +9,12 @@ use crate::base::disjoint::DisjointMut;
 use crate::base::wide::Wide;
 use crate::dim::joint::{angular_to_frame, angular_to_world};
 use crate::dim::math::{DIM, SPATIAL_DIM};
-use crate::dim::state::{BodyState, WideDisplacement, WideMotion};
+use crate::dim::state::{BodyState, WideMotion};
 use crate::dim::wide::{
     ANG_ZERO_LANES, WideAngVector, WideVector, ang_dot, load_ang, store_ang, torque,
 };
 use crate::model::params::JointPass;
-use crate::step::solver::states::{gather_states, scatter_states};
-
-/// Velocities and displacements of a block's two bodies.
-pub(super) struct Bodies<W> {
-    pub velocities: [WideMotion<W>; 2],
-    pub displacements: [WideDisplacement<W>; 2],
-}
-
-impl<W: Wide> Bodies<W> {
-    /// # Safety
-    /// As [`gather_states`], for both bodies.
-    #[inline(always)]
-    pub unsafe fn gather(states: &DisjointMut<BodyState>, block: &JointBlock) -> Self {
-        // SAFETY: the caller's promise.
-        let ((v1, d1), (v2, d2)) = unsafe {
-            (gather_states(states, &block.bodies[0]), gather_states(states, &block.bodies[1]))
-        };
-        Self { velocities: [v1, v2], displacements: [d1, d2] }
-    }
-
-    /// # Safety
-    /// As [`scatter_states`], for both bodies.
-    #[inline(always)]
-    unsafe fn scatter(self, states: &DisjointMut<BodyState>, block: &JointBlock) {
-        let ([v1, v2], [d1, d2]) = (self.velocities, self.displacements);
-        // SAFETY: the caller's promise.
-        unsafe {
-            scatter_states(states, &block.bodies[0], (v1, d1));
-            scatter_states(states, &block.bodies[1], (v2, d2));
-        }
-    }
-}
+use crate::step::solver::states::Bodies;
 
 /// The locked axes of a block at the moment when it is solved: as many as may be, or the translations alone.
 struct Locked<W, const N: usize> {
@@ -95,7 +64,7 @@ pub(super) unsafe fn warm_start<W: Wide>(
     states: &DisjointMut<BodyState>,
 ) {
     // SAFETY: the caller's promise.
-    let mut bodies = unsafe { Bodies::<W>::gather(states, block) };
+    let mut bodies = unsafe { Bodies::<W>::gather(states, &block.bodies) };
     let geometry = Geometry::new(block, &bodies.displacements);
     let locked = Locked::<W, SPATIAL_DIM>::new(block, &geometry);
     let couple = angular_to_world(&geometry.axes, load_ang::<W>(&block.couple));
@@ -111,7 +80,7 @@ pub(super) unsafe fn warm_start<W: Wide>(
     store_angvel_change(masses.angvel_change(&wrench), block);
     bodies.velocities = masses.push(&wrench, bodies.velocities);
     // SAFETY: the caller's promise.
-    unsafe { bodies.scatter(states, block) };
+    unsafe { bodies.scatter(states, &block.bodies) };
 }
 
 /// Joints of stiff components start without impulses, including motors and limits. Without the opposing
@@ -194,7 +163,7 @@ unsafe fn iterate_rows<W: Wide, const AHEAD: bool, const N: usize>(
     pass: &JointPass,
 ) {
     // SAFETY: the caller's promise.
-    let mut bodies = unsafe { Bodies::<W>::gather(states, block) };
+    let mut bodies = unsafe { Bodies::<W>::gather(states, &block.bodies) };
     let geometry = Geometry::new(block, &bodies.displacements);
     if !AHEAD {
         block.inertias.rotate(&bodies.displacements);
@@ -236,7 +205,7 @@ unsafe fn iterate_rows<W: Wide, const AHEAD: bool, const N: usize>(
         store_couple(block, &locked.rows);
     }
     // SAFETY: the caller's promise.
-    unsafe { bodies.scatter(states, block) };
+    unsafe { bodies.scatter(states, &block.bodies) };
 }
 
 /// Replaces the applied wrench by another one.

@@ -2,7 +2,6 @@
 
 use super::block::{AxisRow, JointBlock};
 use super::geometry::Geometry;
-use super::passes::Bodies;
 use super::rows::Row;
 use crate::base::wide::Wide;
 use crate::dim::rotation_vector::turned_further;
@@ -10,6 +9,7 @@ use crate::dim::state::{WideDisplacement, WideMotion};
 use crate::dim::wide::{ang_dot, cross};
 use crate::model::params::JointPass;
 use crate::step::solver::joint_rules::CURVATURE_FRACTION_MAX;
+use crate::step::solver::states::Bodies;
 
 /// Joint positions of a block at the end of the substep.
 pub(super) struct SubstepEnd<W> {

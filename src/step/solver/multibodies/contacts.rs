@@ -7,10 +7,11 @@
 use super::impacts::{LinkImpact, LinkImpactRow};
 use super::rows::{ConstrainedStates, JacobianPool, Row};
 use super::sides::{Geometry, Side, normal_of};
-use super::{MultibodySources, SoftPass, SolverMultibodies};
+use super::{MultibodySources, SolverMultibodies, solve_unilateral};
 use crate::dim::math::{DIM, MAX_MANIFOLD_POINTS, Real, Vector, tangents};
 use crate::model::constraint_graph::ManifoldRef;
 use crate::model::contact::{ContactManifold, NarrowPhase};
+use crate::model::params::ContactPass;
 use crate::step::solver::bodies::SolverBodies;
 use arrayvec::ArrayVec;
 
@@ -254,15 +255,16 @@ impl LinkContacts {
         &mut self,
         jacobians: &JacobianPool,
         states: &mut ConstrainedStates<'_>,
-        pass: &SoftPass,
+        pass: &ContactPass,
         bias: bool,
     ) {
         for point in self.points() {
             let velocity = jacobians.velocity(&point.normal, states);
             let separation =
                 point.shown_separation() + jacobians.displacement(&point.normal, states);
-            let new = pass.solve(velocity, separation, point.normal.mass, point.impulse, bias);
-            jacobians.push(&point.normal, new - point.impulse, states);
+            let (mass, old) = (point.normal.mass, point.impulse);
+            let new = solve_unilateral(pass, velocity, separation, mass, old, bias);
+            jacobians.push(&point.normal, new - old, states);
             point.impulse = new;
         }
     }

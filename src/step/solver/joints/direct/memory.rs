@@ -2,7 +2,7 @@
 
 use super::super::block::{JointBlock, Wrench};
 use super::super::geometry::Geometry;
-use super::super::passes::{Bodies, compliance_of, note_angvel_change, rates_here, store_couple};
+use super::super::passes::{compliance_of, note_angvel_change, rates_here, store_couple};
 use super::super::rows::{Masses, Row};
 use super::super::substep_end::SubstepEnd;
 use super::masses::InverseMass;
@@ -17,6 +17,7 @@ use crate::dim::wide::{
     select_ang, set_ang_lane, set_symmetric_lane, store_ang, symmetric_lane,
 };
 use crate::model::params::JointPass;
+use crate::step::solver::states::Bodies;
 
 /// The locked axes of a block's joints at one moment.
 #[derive(Clone, Debug)]
@@ -142,7 +143,7 @@ unsafe fn write_first_rows<W: Wide, const AHEAD: bool, const N: usize>(
     pass: &JointPass,
 ) {
     // SAFETY: the caller's promise.
-    let bodies = unsafe { Bodies::<W>::gather(states, block) };
+    let bodies = unsafe { Bodies::<W>::gather(states, &block.bodies) };
     let (rows, rates) = if AHEAD {
         rows_ahead::<W, N>(block, memory, &bodies, pass)
     } else {
