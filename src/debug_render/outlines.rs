@@ -29,7 +29,7 @@ impl Outlines {
         }
         let address = Arc::as_ptr(&shape.0).cast::<()>() as usize;
         if !self.kept.contains_key(&address) {
-            self.fresh = outline(&shape.as_typed_shape(), detail);
+            self.fresh = outline(&**shape, detail);
             if self.fresh.points.len() >= KEPT_FROM {
                 let sketch = core::mem::take(&mut self.fresh);
                 self.kept.insert(address, (shape.clone(), sketch));

@@ -9,20 +9,16 @@ use parry::shape::{ConvexPolygon, Polyline, Triangle, TypedShape};
 use parry::transformation::voxelization::VoxelSet;
 use smallvec::{SmallVec, smallvec};
 
-/// Polylines of parry 0.26 have no normals. In later versions the inherent method takes precedence over
-/// this one.
-#[allow(dead_code, reason = "unused in later versions")]
-trait WithoutNormals {
-    fn pseudo_normals(&self) -> Option<&[Vector]> {
-        None
-    }
-}
-
-impl WithoutNormals for Polyline {}
-
 /// The normals by which a polyline decides its inside; `None` if it has none.
+#[cfg(not(feature = "parry026"))]
 pub fn polyline_normals(line: &Polyline) -> Option<&[Vector]> {
     line.pseudo_normals()
+}
+
+/// Polylines of parry 0.26 have no normals.
+#[cfg(feature = "parry026")]
+pub fn polyline_normals(_line: &Polyline) -> Option<&[Vector]> {
+    None
 }
 
 /// The numbers that a shape is made of, for the shapes whose type depends on the dimension; nothing

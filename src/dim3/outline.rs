@@ -13,8 +13,9 @@ const PLANE_EXTENT: Real = 50.0;
 /// Lines across that square, in each direction.
 const PLANE_CELLS: i32 = 10;
 
-/// Adds the sketch of a shape whose kind exists in this dimension only, or is drawn in its own way.
-pub(crate) fn add_shape(out: &mut Outline, shape: &TypedShape, detail: Detail) {
+/// Adds the sketch of a shape whose kind exists in this dimension only, or is drawn in its own way. Returns
+/// whether the shape is of such a kind.
+pub(crate) fn add_shape(out: &mut Outline, shape: &TypedShape, detail: Detail) -> bool {
     let Detail { subdivisions, border_subdivisions } = detail;
     match shape {
         TypedShape::Voxels(s) => *out = s.to_outline().into(),
@@ -39,8 +40,9 @@ pub(crate) fn add_shape(out: &mut Outline, shape: &TypedShape, detail: Detail) {
             *out = s.to_outline(border_subdivisions).into();
         }
         TypedShape::RoundConvexPolyhedron(s) => *out = polyhedron(&s.inner_shape),
-        _ => {}
+        _ => return false,
     }
+    true
 }
 
 /// A full circle.

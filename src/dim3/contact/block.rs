@@ -6,7 +6,7 @@ use crate::dim3::state::READ_ONLY;
 use crate::dim3::wide::{WideVector, cross};
 
 /// Pairs of different points of one manifold.
-pub(crate) const COUPLINGS: usize = MAX_MANIFOLD_POINTS * (MAX_MANIFOLD_POINTS - 1) / 2;
+const COUPLINGS: usize = MAX_MANIFOLD_POINTS * (MAX_MANIFOLD_POINTS - 1) / 2;
 
 /// One contact point of each lane. Absent points have no mass, so their impulse stays zero.
 #[derive(Copy, Clone, Debug, Default)]

@@ -125,7 +125,7 @@ pub struct Motion {
 
 impl Motion {
     /// Begins a step: the links get the poses of the coordinates, and the velocities of the last step.
-    /// `drives` must be set before.
+    /// `joint_loads` must be set before.
     ///
     /// Velocities and impulses that the user applied to bodies since the last step count as momentum. The
     /// generalised velocities have, at each degree of freedom, the momentum of the bodies.

@@ -99,10 +99,8 @@ pub(crate) fn find_approaches(
         return;
     }
     for &handle in structure.islands.awake.kinematic() {
-        let Some(body) = structure.bodies.get(handle) else { continue };
-        let kinematic_motion = KinematicMotion::ahead(body, params);
-        if !kinematic_motion.is_rest() {
-            list(structure, trees, params, handle, kinematic_motion, approaches);
+        if let Some(body) = structure.bodies.get(handle) {
+            list(structure, trees, params, (handle, body), approaches);
         }
     }
     // Each kinematic body has listed each of them once: there are no copies.
@@ -128,11 +126,13 @@ fn list(
     structure: &Structure<'_>,
     trees: &BroadPhaseBvh,
     params: &IntegrationParameters,
-    kinematic: RigidBodyHandle,
-    kinematic_motion: KinematicMotion,
+    (kinematic, body): (RigidBodyHandle, &RigidBody),
     approaches: &mut Vec<Approach>,
 ) {
-    let Some(body) = structure.bodies.get(kinematic) else { return };
+    let kinematic_motion = KinematicMotion::ahead(body, params);
+    if kinematic_motion.is_rest() {
+        return;
+    }
     let begin = approaches.len();
     let mut limit = begin + CANDIDATES_MIN;
     for collider in body.colliders.iter().filter_map(|&handle| structure.colliders.get(handle)) {

@@ -44,8 +44,7 @@ impl Structure<'_> {
 
     /// Returns whether positions and velocities of all awake bodies are finite and within their limits.
     pub fn has_usable_bodies(&self) -> bool {
-        let awake = self.islands.awake.iter().filter_map(|&handle| self.bodies.get(handle));
-        let mut awake = awake;
+        let mut awake = self.islands.awake.iter().filter_map(|&handle| self.bodies.get(handle));
         awake.all(|body| body.vels().is_usable() && is_point(body.pose.translation))
     }
 
