@@ -13,7 +13,7 @@ use parry::shape::{Capsule, Shape, TypedShape};
 /// Certain fraction of a computed distance, allowing for rounding.
 pub(super) const DISTANCE_FRACTION: Real = 0.99;
 /// Boxes that are closer than this fraction of the prediction distance touch with faces and edges only.
-const CORNERS_APART: Real = 0.25;
+const CORNER_GAP_FRACTION_MAX: Real = 0.25;
 
 /// Computes the usable contacts of two convex parts, `pos12` being the pose of the second in the frame
 /// of the first. Returns a lower bound of the distance, 0 if there are contacts or nothing is known;
@@ -65,7 +65,8 @@ pub(super) fn convex_manifold(
             let gap = cuboid_cuboid(pos12, half1, half2, prediction, raw);
             // Approaching corners at a distance are a contact. Corners of neighbours in a wall are none:
             // bodies would catch on them.
-            let meet_with_corners = raw.points.is_empty() && gap > CORNERS_APART * prediction;
+            let meet_with_corners =
+                raw.points.is_empty() && gap > CORNER_GAP_FRACTION_MAX * prediction;
             if meet_with_corners && gap <= prediction {
                 raw.local_n1 = hint;
                 return others(pos12, part1, part2, prediction, raw);

@@ -6,7 +6,7 @@
 //! The same holds for the two edges that are farthest along the last normal, if no corner is deeper. Else the
 //! closest points are searched, which takes several times as long.
 
-use super::normals::LOOKS_ALONG;
+use super::normals::FACE_COSINE_MIN;
 use crate::base::axis::{BestAxis, Side};
 use crate::base::closest::{Closest, closest, extents};
 use crate::dim::collide::{
@@ -107,7 +107,7 @@ pub(super) fn face_contacts(
         is_sharp: radius1 + radius2 == 0.0,
     };
     let face = if is_first { pair.first_face(direction) } else { pair.second_face(direction) };
-    if let Some(face) = face.filter(|face| face.normal.dot(direction) > LOOKS_ALONG) {
+    if let Some(face) = face.filter(|face| face.normal.dot(direction) > FACE_COSINE_MIN) {
         pair.add_face(&face, raw);
         pair.thicken([radius1, radius2], raw);
     }

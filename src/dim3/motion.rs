@@ -360,9 +360,9 @@ impl<W: Wide> Gyroscope<W> {
         // As it is, less what it has too much: E(m - s ω) = E(m) - s ω·ω + s² E(ω).
         let (to_world, kept) = self.seen_from(end);
         let slope = kept.component_mul(self.inv_moments);
-        let (steepness, bend) = (slope.dot(slope), self.energy(slope));
+        let (steepness, curvature) = (slope.dot(slope), self.energy(slope));
         let excess = self.energy(kept) - self.energy(start);
-        let square = steepness * steepness - (bend + bend) * (excess + excess);
+        let square = steepness * steepness - (curvature + curvature) * (excess + excess);
         let root = steepness + square.max(W::zero()).sqrt();
         let away = (excess + excess) / root.max(W::splat(Real::MIN_POSITIVE));
         let is_near = excess.abs().le(self.energy(start) * W::splat(LED_MAX));

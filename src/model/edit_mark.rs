@@ -72,7 +72,7 @@ impl EditMarks {
     }
 
     /// Returns whether a record is the one of its note.
-    pub fn knows(&self, mark: EditMark) -> bool {
+    pub fn matches_note(&self, mark: EditMark) -> bool {
         self.is_of(mark, mark.note as usize)
     }
 
@@ -102,17 +102,21 @@ mod tests {
     fn marks_of_other_records_and_older_copies_are_not_known() {
         let (mut one, mut two) = (EditMarks::default(), EditMarks::default());
         let [first, second] = [one.mark(0), one.mark(1)];
-        assert!(one.is_of(first, 0) && !one.is_of(first, 1) && one.knows(second));
+        assert!(one.is_of(first, 0) && !one.is_of(first, 1) && one.matches_note(second));
         let foreign = two.mark(0);
-        assert!(!one.knows(foreign) && two.knows(foreign) && !one.knows(EditMark::default()));
+        assert!(
+            !one.matches_note(foreign)
+                && two.matches_note(foreign)
+                && !one.matches_note(EditMark::default())
+        );
         let mut newer = first;
         one.renew(&mut newer);
-        assert!(one.knows(newer) && !one.knows(first));
+        assert!(one.matches_note(newer) && !one.matches_note(first));
         one.retire(first);
         assert!(!one.was_of(0), "an older copy was removed");
         one.retire(newer);
-        assert!(one.was_of(0) && !one.was_of(1) && !one.knows(newer));
+        assert!(one.was_of(0) && !one.was_of(1) && !one.matches_note(newer));
         one.clear();
-        assert!(one.knows(EditMark::default()), "loaded records have no number");
+        assert!(one.matches_note(EditMark::default()), "loaded records have no number");
     }
 }

@@ -43,7 +43,7 @@ impl FastMotion {
     /// Returns whether a body is fast that moved by at most `bound`. A body without interior (thickness 0) is
     /// fast if it moved farther than the prediction distance. A deeply penetrating body is fast if it moved
     /// at all. No body is fast if CCD is off.
-    pub fn is_one(body: &RigidBody, bound: Real, params: &IntegrationParameters) -> bool {
+    pub fn is_fast(body: &RigidBody, bound: Real, params: &IntegrationParameters) -> bool {
         let is_solid = body.thickness > 0.0;
         let little = if is_solid {
             MOTION_FRACTION_MAX * body.thickness

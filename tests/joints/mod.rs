@@ -5,7 +5,7 @@
 pub mod stage;
 
 mod agreement;
-mod blows;
+mod impacts;
 mod breaking;
 mod chains;
 mod determinism;

@@ -19,4 +19,4 @@ mod loops;
 mod nonsense;
 mod pendulum;
 mod repeat;
-mod whole;
+mod locked_inertia;

@@ -6,7 +6,7 @@
 pub mod stage;
 pub mod table;
 
-mod blows;
+mod impact_energy;
 mod bounce;
 mod carriers;
 mod determinism;

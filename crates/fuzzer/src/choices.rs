@@ -12,10 +12,10 @@ pub struct Choices<'a> {
 
 impl<'a> Choices<'a> {
     pub fn new(bytes: &'a [u8]) -> Self {
-        Self { rest: bytes, is_verbose: std::env::var_os("FUZZ_TELL").is_some() }
+        Self { rest: bytes, is_verbose: std::env::var_os("FUZZ_VERBOSE").is_some() }
     }
 
-    /// Prints a description of an operation if `FUZZ_TELL` is set, for the analysis of a finding.
+    /// Prints a description of an operation if `FUZZ_VERBOSE` is set, for the analysis of a finding.
     pub fn tell(&self, what: impl FnOnce() -> String) {
         if self.is_verbose {
             eprintln!("{}", what());

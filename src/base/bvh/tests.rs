@@ -259,9 +259,9 @@ struct Counting<'a>(SlabProbe, &'a Cell<usize>);
 
 impl Probe for Counting<'_> {
     #[inline(always)]
-    fn look<W: Wide>(&self, planes: &Planes, reach: Real) -> (W, W::Mask) {
+    fn test<W: Wide>(&self, planes: &Planes, reach: Real) -> (W, W::Mask) {
         self.1.set(self.1.get() + 1);
-        self.0.look::<W>(planes, reach)
+        self.0.test::<W>(planes, reach)
     }
 }
 

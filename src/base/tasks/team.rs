@@ -30,7 +30,7 @@ use std::panic::{catch_unwind, resume_unwind};
 use std::sync::{Mutex, PoisonError};
 
 /// No more threads than this work on one step: as many as a word has bits.
-pub const MAX_THREADS: usize = 64;
+pub const THREADS_MAX: usize = 64;
 /// Number of polls before a waiting thread yields.
 const SPINS_MAX: u32 = 256;
 /// Number of polls without work after which a worker leaves. In all they take some hundred microseconds, more
@@ -43,7 +43,7 @@ type Work<'a> = dyn Fn(Range<usize>) + Sync + 'a;
 /// The threads of one step, its own one first.
 pub struct WorkerTeam {
     threads: usize,
-    work_ranges: [WorkRange; MAX_THREADS],
+    work_ranges: [WorkRange; THREADS_MAX],
     current: UnsafeCell<Loop>,
     done: AtomicUsize,
     /// By bit: the workers that were recruited and have not left.
@@ -76,8 +76,8 @@ impl WorkerTeam {
     /// A team of up to this many threads, without workers yet.
     pub fn new(threads: usize) -> Self {
         Self {
-            threads: threads.clamp(1, MAX_THREADS),
-            work_ranges: [const { WorkRange::empty() }; MAX_THREADS],
+            threads: threads.clamp(1, THREADS_MAX),
+            work_ranges: [const { WorkRange::empty() }; THREADS_MAX],
             current: UnsafeCell::new(Loop { work: &(|_| ()), count: 0, piece: 1 }),
             done: AtomicUsize::new(0),
             recruited: AtomicU64::new(1),
@@ -127,7 +127,7 @@ impl WorkerTeam {
     }
 
     fn fill_vacancies(&self, recruit: &dyn Fn(usize)) {
-        let all = u64::MAX >> (MAX_THREADS - self.threads);
+        let all = u64::MAX >> (THREADS_MAX - self.threads);
         if self.recruited.load(Ordering::Relaxed) == all {
             return;
         }

@@ -32,7 +32,7 @@ use parry::shape::PackedFeatureId;
 /// Largest distance of a piece from the plane of its patch, as a fraction of the step height tolerance.
 const FLATNESS_TOLERANCE: Real = 0.1;
 /// Fewer pieces are tested as quickly one by one.
-const MIN_PIECES: u32 = 2;
+const PIECES_MIN: u32 = 2;
 
 /// A plane in the frame of the shape that has the parts, its normal towards the body.
 #[derive(Copy, Clone)]
@@ -60,7 +60,7 @@ impl Plane {
 }
 
 fn is_several(pieces: &[u32]) -> bool {
-    pieces.iter().map(|block| block.count_ones()).sum::<u32>() >= MIN_PIECES
+    pieces.iter().map(|block| block.count_ones()).sum::<u32>() >= PIECES_MIN
 }
 
 /// The corners of the body over pieces of a patch.

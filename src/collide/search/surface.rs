@@ -210,13 +210,13 @@ fn is_tree_quicker(triangle_cache: &TriangleCache, body: &Parts<'_>) -> bool {
 /// Looks up the parts of a surface in a box, and in what the box will pass over, if they are not there
 /// already.
 fn look_up(surface: &Parts<'_>, bounds: &Aabb, motion: Vector, triangle_cache: &mut TriangleCache) {
-    if triangle_cache.knows(bounds) {
+    if triangle_cache.covers(bounds) {
         return;
     }
     triangle_cache.clear();
     let size = bounds.extents().max_element();
-    let way = (motion * STEPS_AHEAD).clamp_length_max(size);
-    let later = Aabb::new(bounds.mins + way, bounds.maxs + way);
+    let displacement = (motion * STEPS_AHEAD).clamp_length_max(size);
+    let later = Aabb::new(bounds.mins + displacement, bounds.maxs + displacement);
     let (around, margin) = (bounds.merged(&later), Vector::splat(MARGIN * size));
     let region = Aabb::new(around.mins - margin, around.maxs + margin);
     // A body that is very fast, or very far away, uses the current box only.

@@ -240,9 +240,9 @@ fn widest(
 /// has its tolerances. 0 if it is inside.
 fn nearest(pos12: &Pose, point: Vector, part: &dyn Shape, last_normal: Vector) -> (Vector, Real) {
     let local = pos12.inverse_transform_point(point);
-    let way = part.project_local_point(local, true).point - local;
-    let dist = way.length();
-    let normal = if dist > 0.0 { pos12.rotation * (way / dist) } else { last_normal };
+    let displacement = part.project_local_point(local, true).point - local;
+    let dist = displacement.length();
+    let normal = if dist > 0.0 { pos12.rotation * (displacement / dist) } else { last_normal };
     (normal, dist)
 }
 

@@ -68,10 +68,10 @@ const REMAINING_FRACTION: Real = 0.5;
 const CORE_TOLERANCE: Real = 0.05;
 /// A core that is initially nearer than this fraction of it comes no nearer: repeated halving would be lost
 /// in rounding, and the core would be inside.
-const NEAREST: Real = 0.6;
+const GAP_FRACTION_MIN: Real = 0.6;
 /// Largest number of jumps of a search: more than an approach at the tolerance needs that rotates through
 /// hundreds of times the thickness. Each segment allows one more.
-const MAX_JUMPS: usize = 256;
+const JUMPS_MAX: usize = 256;
 
 /// Goal of the search.
 #[derive(Copy, Clone, Debug)]
@@ -233,11 +233,11 @@ fn path_of_other(shapes: [&dyn Shape; 2], sweeps: [&Sweep<'_>; 2], side: usize) 
         });
         return line.map_or(Near::Inside(region), Near::Along);
     }
-    if let Some(bend) = bend_of_other(own, other) {
+    if let Some(chord_error) = chord_error_of_other(own, other) {
         // As far from a straight path as it bends in the eyes of what turns.
         let end = own.at(1.0).inverse_transform_point(other.at(1.0) * other.local_center);
         let path = Aabb::new(center.min(end), center.max(end));
-        return Near::Inside(path.loosened(bend + reach_about(shape, other.local_center)));
+        return Near::Inside(path.loosened(chord_error + reach_about(shape, other.local_center)));
     }
     // In a rotating frame, the other shape moves by at most the sum of both motions.
     let away = center.length() + other.travel()[0];
@@ -257,7 +257,7 @@ fn other_of<'b>([moving, other]: [MovingPart<'_, 'b>; 2], near: Real) -> Option<
 /// Deviation of one centre from its chord, in the frame of the other that rotates by `θ`, if both move
 /// straight. With `d` from one centre of rotation to the other, `p = R(-θs) d(s)` has a second derivative of
 /// at most `θ² d + 2 θ ḋ`. A curve is within an eighth of that from its chord.
-fn bend_of_other(own: &Sweep<'_>, other: &Sweep<'_>) -> Option<Real> {
+fn chord_error_of_other(own: &Sweep<'_>, other: &Sweep<'_>) -> Option<Real> {
     let (segment, other_segment) = own.straight().zip(other.straight())?;
     let speed = (other_segment.shift - segment.shift).length();
     let away = (other_segment.center - segment.center).length() + speed;
@@ -322,7 +322,7 @@ fn impact_of_parts(
 struct Goal {
     gap: Real,
     tolerance: Real,
-    /// Whether initially near parts count as meeting when they come half as near, or nearer than [`NEAREST`].
+    /// Whether initially near parts count as meeting when they come half as near, or nearer than [`GAP_FRACTION_MIN`].
     counts_at_once: bool,
     /// The fraction of the step at which the search begins.
     from: Real,
@@ -332,7 +332,7 @@ struct Goal {
 impl Goal {
     /// From the beginning of the step.
     fn new(gap: Real, tolerance: Real, counts_at_once: bool) -> Self {
-        Self { gap, tolerance, counts_at_once, from: 0.0, jumps_max: MAX_JUMPS }
+        Self { gap, tolerance, counts_at_once, from: 0.0, jumps_max: JUMPS_MAX }
     }
 }
 
@@ -385,7 +385,7 @@ fn advance(
             if !may_come_nearer {
                 return Meeting::FromTheBeginning;
             }
-            if dist - goal.gap < NEAREST * goal.tolerance && nearing > 0.0 {
+            if dist - goal.gap < GAP_FRACTION_MIN * goal.tolerance && nearing > 0.0 {
                 return Meeting::At(goal.from);
             }
             goal.tolerance = 0.5 * (dist - goal.gap);

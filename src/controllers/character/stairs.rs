@@ -127,17 +127,17 @@ impl Mover<'_> {
 
     /// The pose one step up, or as far up as possible.
     fn raised(&mut self, step_up: StepUp) -> Pose {
-        let (pose, way) = (self.pose(), self.settings.up * step_up.max_height);
-        let fraction = self.sweep_from(&pose, way).fraction;
-        shifted(&pose, way * fraction)
+        let (pose, displacement) = (self.pose(), self.settings.up * step_up.max_height);
+        let fraction = self.sweep_from(&pose, displacement).fraction;
+        shifted(&pose, displacement * fraction)
     }
 
     /// The final pose of a shape that is lowered from a pose, not below the character's current height.
     fn lowered(&mut self, pose: &Pose) -> Option<Pose> {
         let height = (pose.translation - self.pose().translation).dot(self.settings.up);
-        let way = -self.settings.up * (height + self.settings.offset);
-        let swept = self.sweep_from(pose, way);
-        swept.hit.is_some().then(|| shifted(pose, way * swept.fraction))
+        let displacement = -self.settings.up * (height + self.settings.offset);
+        let swept = self.sweep_from(pose, displacement);
+        swept.hit.is_some().then(|| shifted(pose, displacement * swept.fraction))
     }
 }
 

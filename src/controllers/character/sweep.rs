@@ -2,7 +2,7 @@
 //!
 //! Conservative advancement with separating planes (B. Mirtich 1996, "Impulse-based Dynamic Simulation of
 //! Rigid Body Systems"). The manifold of two convex parts has a normal along which they are a gap apart.
-//! While one of them moves by `way`, that gap shrinks by at most `-way·n`. The path is free until the gap of
+//! While one of them moves by `displacement`, that gap shrinks by at most `-displacement·n`. The path is free until the gap of
 //! some plane would be used up; there the contacts are recomputed. Along a floor no gap shrinks, and one
 //! evaluation is sufficient. Support and sweep use the same contacts, so the two never contradict each other.
 //! A search for the time of impact alone would sometimes find a floor in the path of a walking character.
@@ -32,7 +32,7 @@ pub(super) struct Swept {
 #[derive(Copy, Clone)]
 struct Sweep<'a> {
     pose: &'a Pose,
-    way: Vector,
+    displacement: Vector,
     length: Real,
     within: Real,
     settings: &'a ResolvedSettings,
@@ -40,12 +40,12 @@ struct Sweep<'a> {
 
 impl Sweep<'_> {
     fn pose_at(&self, time: Real) -> Pose {
-        Pose::from_parts(self.pose.translation + self.way * time, self.pose.rotation)
+        Pose::from_parts(self.pose.translation + self.displacement * time, self.pose.rotation)
     }
 
     /// Length by which a translation by the whole path shortens the gap of a plane.
     fn approach(&self, plane: &Plane) -> Real {
-        -self.way.dot(plane.normal)
+        -self.displacement.dot(plane.normal)
     }
 
     /// The plane whose gap is used up first, and when, if all normals stay.
@@ -62,23 +62,23 @@ impl Sweep<'_> {
 }
 
 impl Obstacles<'_> {
-    /// Moves along `way` until the gap to an obstacle has become the offset.
+    /// Moves along `displacement` until the gap to an obstacle has become the offset.
     ///
     /// The sweep stops at `within` less than the offset, and is moved back. An obstacle along the path at the
     /// offset itself is then no hit, independent of rounding.
     pub fn sweep(
         &mut self,
         pose: &Pose,
-        way: Vector,
+        displacement: Vector,
         within: Real,
         settings: &ResolvedSettings,
     ) -> Swept {
-        let length = way.length();
+        let length = displacement.length();
         let free = Swept { fraction: 1.0, hit: None };
         if length == 0.0 {
             return free;
         }
-        let sweep = Sweep { pose, way, length, within, settings };
+        let sweep = Sweep { pose, displacement, length, within, settings };
         let piece =
             (2.0 * settings.half_thickness).max(4.0 * settings.offset).max(length / PIECES_MAX);
         let mut time: Real = 0.0;

@@ -29,7 +29,7 @@ impl Wheel {
             Ok(directions) => {
                 self.is_reported = false;
                 self.hang(chassis.position(), &directions);
-                self.look_for_ground(chassis, dt, queries);
+                self.cast_ray_to_ground(chassis, dt, queries);
             }
             Err(problem) => {
                 if !self.is_reported {
@@ -67,7 +67,7 @@ impl Wheel {
         };
     }
 
-    fn look_for_ground(&mut self, chassis: &RigidBody, dt: Real, queries: &QueryView<'_>) {
+    fn cast_ray_to_ground(&mut self, chassis: &RigidBody, dt: Real, queries: &QueryView<'_>) {
         let (from, along) = (self.raycast_info.hard_point_ws, self.suspension_ws);
         let reach = self.suspension_rest_length + self.radius;
         let approach = chassis.velocity_at_point(from).dot(along).max(0.0) * dt;

@@ -10,7 +10,7 @@
 //! ```
 //!
 //! and by virtual work the ground presses with N = F / cosφ along n. (Near a right angle of φ, cosφ is
-//! limited to [`LEAST_COSINE`]: the wheel scrapes along a wall.)
+//! limited to [`COSINE_MIN`]: the wheel scrapes along a wall.)
 //!
 //! **Over a step.** From beginning (₀) to end (₁) the force is to be that of a moment in between,
 //!
@@ -50,7 +50,7 @@ use super::wheel::{Below, Wheel};
 use crate::dim::math::Real;
 
 /// The least cosine of the angle between suspension and normal that counts.
-const LEAST_COSINE: Real = 0.1;
+const COSINE_MIN: Real = 0.1;
 
 /// The impulse λ of a suspension on its contact, as a function of the velocity v along the normal at the end
 /// of the step: `λ = bias − softness · v`, from 0 to `limit`.
@@ -75,7 +75,7 @@ impl Spring {
         vehicle: &Vehicle,
     ) -> Option<Self> {
         let (dt, mass) = (vehicle.dt, vehicle.mass);
-        let cosine = (-below.normal.dot(wheel.suspension_ws)).max(LEAST_COSINE);
+        let cosine = (-below.normal.dot(wheel.suspension_ws)).max(COSINE_MIN);
         let [closing, closing_later] = velocities.map(|velocity| -velocity / cosine);
         let touching = fraction_of_step(below.compression, closing_later * dt)?;
         let damping =

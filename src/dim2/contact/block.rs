@@ -137,7 +137,7 @@ impl ContactBlock {
         }
     }
 
-    /// The friction impulses, in world space, and those of twist friction about the normals: none in the
+    /// The friction impulses, in world space, and those of torsional friction about the normals: none in the
     /// plane.
     #[inline(always)]
     pub fn friction_impulses<W: Wide>(&self) -> (WideVector<W>, W) {

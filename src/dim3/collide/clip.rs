@@ -16,7 +16,7 @@ use parry::shape::PackedFeatureId;
 /// as equally deep.
 pub(super) const RIM: Real = 5.0e-3;
 /// Most corners of an overlap.
-const MAX_OVERLAP: usize = 64;
+const OVERLAP_VERTICES_MAX: usize = 64;
 
 /// A face, whose normal is the contact normal, and the polytope that it meets.
 pub struct FaceContact<'a> {
@@ -52,7 +52,7 @@ struct Vertex {
     edge: Edge,
 }
 
-type Overlap = ArrayVec<Vertex, MAX_OVERLAP>;
+type Overlap = ArrayVec<Vertex, OVERLAP_VERTICES_MAX>;
 
 /// Adds the corners of the overlap that are within `prediction` above the face; `None` if there is no
 /// overlap. `flipped`: the face is the second shape's.

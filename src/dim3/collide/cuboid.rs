@@ -18,7 +18,7 @@ const FIRST_FACE: Real = 0.1;
 const SAME_AXIS: Real = 0.98;
 /// Edges whose directions have a smaller sine (squared) than this are parallel: their product says
 /// nothing that the face normals do not.
-const PARALLEL: Real = 1.0e-4;
+const PARALLEL_SINE_SQUARED_MAX: Real = 1.0e-4;
 
 /// Two boxes, seen from both.
 pub(super) struct Boxes {
@@ -125,7 +125,7 @@ impl Boxes {
             let sine_squared = Vector::ONE - row * row;
             let gaps = distance - radius1 - radius2;
             for edge2 in 0..3 {
-                if sine_squared[edge2] > PARALLEL {
+                if sine_squared[edge2] > PARALLEL_SINE_SQUARED_MAX {
                     let gap = gaps[edge2] / sine_squared[edge2].sqrt();
                     if gap > best.0 {
                         best = (gap, (i, edge2));

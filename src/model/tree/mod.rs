@@ -8,15 +8,15 @@
 
 mod check;
 mod enlarge;
-mod placement;
+mod box_update;
 mod proxy;
 mod shape_box;
 #[cfg(test)]
 mod tests;
 mod trees;
 
+pub(crate) use box_update::{MovedProxy, carry};
 pub(crate) use enlarge::BoxMargin;
-pub(crate) use placement::{MovedProxy, carry};
 pub(crate) use proxy::{ColliderProxy, TreeKind};
 pub(crate) use shape_box::shape_box;
 pub(crate) use trees::{AllBoxes, Trees};

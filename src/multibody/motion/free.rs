@@ -33,7 +33,7 @@
 //! # Energy budget
 //! Free motion conserves the kinetic energy `T`. The leapfrog's error oscillates with the configuration;
 //! impulses in between break that bound, and the corrections of the momentum (`centroidal.rs`) do as well.
-//! [`Multibody::flight_error`] therefore sums the energy errors of all substeps, those of the work of the
+//! [`Multibody::free_motion_error`] therefore sums the energy errors of all substeps, those of the work of the
 //! forces among them. It stays within ±[`ERROR_MAX`] of the kinetic energy. An excess is removed from the
 //! change of shape, so that linear and angular momentum are conserved. A deficit is dropped, so that energy
 //! lost in a non-converged piece does not return later. Impulses that leave too much energy enter the same
@@ -230,14 +230,14 @@ impl Motion {
         let corrected = core::mem::take(&mut self.corrected);
         let rounding = self.work_rounding() + ENERGY_ROUNDING * now;
         let band = ERROR_MAX * now + rounding;
-        let known = multibody.flight_error.max(-band).min(band);
+        let known = multibody.free_motion_error.max(-band).min(band);
         let error = known + corrected + (now - before) + (kicks - work);
         let energy_gain = (error - band).max(0.0);
         if energy_gain > 0.0 {
             self.limit_free_energy(Some((now - energy_gain).max(0.0)));
         }
         let rest = (error - energy_gain).max(-band);
-        multibody.flight_error = if rest.is_finite() { rest } else { 0.0 };
+        multibody.free_motion_error = if rest.is_finite() { rest } else { 0.0 };
         now - before - energy_gain
     }
 

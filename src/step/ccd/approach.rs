@@ -5,7 +5,7 @@
 //! a fast body does:
 //!
 //! ```text
-//! |Δx_b - (Δx_k + θ_k × d)| + |θ_b| R_b + |θ_k| R_b + |θ_k|² |d| / 2  >  what FastMotion::is_one allows,  d = c_b - c_k
+//! |Δx_b - (Δx_k + θ_k × d)| + |θ_b| R_b + |θ_k| R_b + |θ_k|² |d| / 2  >  what FastMotion::is_fast allows,  d = c_b - c_k
 //! ```
 //!
 //! `c` are centres of mass, `θ` turns in the step, `R_b` the extent of the body about its centre. A door
@@ -75,8 +75,8 @@ impl KinematicMotion {
     fn carry(&self, place: Vector, extent: Real) -> BodyMotion {
         let arm = place - self.center;
         let carried = BodyMotion::of(self.shift + cross(self.rotvec, arm), self.rotvec, extent);
-        let bend = 0.5 * ang_length_squared(self.rotvec) * arm.length();
-        BodyMotion { rest: carried.rest + bend, ..carried }
+        let linearization_error = 0.5 * ang_length_squared(self.rotvec) * arm.length();
+        BodyMotion { rest: carried.rest + linearization_error, ..carried }
     }
 
     /// A bound of how far away a point is that arrives within `radius` of a place.
@@ -111,7 +111,7 @@ pub(crate) fn find_approaches(
         let Some(kinematic) = structure.bodies.get(near.kinematic) else { continue };
         let carried =
             KinematicMotion::ahead(kinematic, params).carry(body.mprops.world_com, body.extent);
-        if FastMotion::is_one(body, carried.bound(), params) {
+        if FastMotion::is_fast(body, carried.bound(), params) {
             structure.wake_body(near.body);
         }
     }
@@ -244,7 +244,7 @@ pub(crate) fn add_approached(
         let relative =
             own.against(&kinematic_motion.carry(body.mprops.world_com - own.shift, body.extent));
         let is_link = || context.multibodies.rigid_body_link(near.body).is_some();
-        if FastMotion::is_one(body, relative, context.params) && !is_link() {
+        if FastMotion::is_fast(body, relative, context.params) && !is_link() {
             fast.extend(motion_of(context, near.body, body));
             last = Some(near.body);
         }

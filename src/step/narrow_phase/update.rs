@@ -112,13 +112,13 @@ pub(super) struct Outcome {
     /// Whether any input of the solver changed.
     pub is_renewed: bool,
     /// Side of the non-dynamic collider, if contacts with it were computed.
-    pub obstacle: Option<usize>,
+    pub non_dynamic_side: Option<usize>,
 }
 
 impl Outcome {
     /// The pair is as it was, and stays so for this far.
     pub const fn unchanged(slack: Real, reports_force: bool) -> Self {
-        Self { change: None, slack, reports_force, is_renewed: false, obstacle: None }
+        Self { change: None, slack, reports_force, is_renewed: false, non_dynamic_side: None }
     }
 
     /// The boxes no longer overlap.

@@ -79,8 +79,8 @@ impl UserChanges<'_> {
     /// rely on that.
     fn apply_replacements(&mut self) {
         let Structure { bodies, colliders, .. } = &mut self.structure;
-        colliders.settle_replaced(bodies);
-        for handle in self.structure.bodies.settle_replaced() {
+        colliders.register_replaced(bodies);
+        for handle in self.structure.bodies.register_replaced() {
             let attached = self.colliders_of(handle);
             if let Some(body) = self.structure.bodies.get_unnoted_mut(handle) {
                 body.colliders = attached;
@@ -133,12 +133,12 @@ impl UserChanges<'_> {
             self.structure.wake_touching(slot);
         }
         while let Some(&id) = self.structure.narrow_phase.contacts.ids_of(slot).last() {
-            let heard = self.structure.remove_contact_pair(id);
-            self.report_end(heard, flags);
+            let reported = self.structure.remove_contact_pair(id);
+            self.report_end(reported, flags);
         }
         while let Some(&id) = self.structure.narrow_phase.intersections.ids_of(slot).last() {
-            let heard = self.structure.narrow_phase.intersections.remove(id);
-            self.report_end(heard, flags | CollisionEventFlags::SENSOR);
+            let reported = self.structure.narrow_phase.intersections.remove(id);
+            self.report_end(reported, flags | CollisionEventFlags::SENSOR);
         }
     }
 }

@@ -51,7 +51,7 @@ impl<'a> LastStep<'a> {
         }
         for (handle, body) in bodies.iter() {
             let slot = handle.into_raw_parts().0;
-            ensure!(body.link.slot == slot, "{handle:?} knows slot {}", body.link.slot);
+            ensure!(body.link.slot == slot, "{handle:?} stores slot {}", body.link.slot);
             let other = then.removed_places.get(&slot).filter(|_| is_listed(body.link));
             ensure!(other.is_none(), "{other:?} and {handle:?} are listed");
         }

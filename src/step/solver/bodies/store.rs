@@ -35,7 +35,7 @@ impl SolverBodies {
                         BodyMotion::of(body.mprops.world_com - center, rotvec, body.extent);
                     // Not less than that of the displacement: see `commit`.
                     let bound = shift.length() + displacement.rest;
-                    body.ccd_active = body.is_dynamic() && FastMotion::is_one(body, bound, params);
+                    body.ccd_active = body.is_dynamic() && FastMotion::is_fast(body, bound, params);
                     if body.ccd_active {
                         let (body, acceleration) = (order[position], motion.linear_acceleration());
                         let link = None;

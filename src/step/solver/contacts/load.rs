@@ -47,7 +47,7 @@ impl SolverContacts {
         let lanes = &narrow_phase.lanes;
         let stay = is_only_group && lanes.starts() == self.starts;
         if !stay || lanes.are_rough != per_point || bodies.any_scaled() {
-            narrow_phase.settle_all(tasks);
+            narrow_phase.write_back_all(tasks);
         }
         // The set of groups may change from step to step, and a group has no data of the others.
         self.lanes_are_scaled = bodies.any_scaled();

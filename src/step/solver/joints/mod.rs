@@ -193,36 +193,36 @@ impl SolverJoints {
         self.iterate::<false>(bodies, pass);
     }
 
-    fn iterate<const AHEAD: bool>(&mut self, bodies: &mut SolverBodies, pass: &SolverPass<'_>) {
+    fn iterate<const BIASED: bool>(&mut self, bodies: &mut SolverBodies, pass: &SolverPass<'_>) {
         let &SolverPass { joints: ref pass, simd, tasks, .. } = pass;
         let (_, states) = bodies.shared();
         let parts = Parts::new(&mut self.blocks, &mut self.rows);
         for_each_color(self.layout.colors(), tasks, BLOCKS_PER_TASK, |range| {
-            simd.run(Iterate::<AHEAD> { range, parts, states, pass });
+            simd.run(Iterate::<BIASED> { range, parts, states, pass });
         });
-        self.point_to_point.iterate::<AHEAD>(states, pass, simd, tasks);
-        if !AHEAD {
+        self.point_to_point.iterate::<BIASED>(states, pass, simd, tasks);
+        if !BIASED {
             self.direct.forget_matrices();
         }
         if self.direct.is_empty() {
             return;
         }
         self.direct.begin();
-        if AHEAD {
+        if BIASED {
             let Self { memory, direct, geometric_stiffness, blocks, .. } = self;
             let test = stiffness_tests(geometric_stiffness, blocks, bodies, pass);
             direct.find_large_displacements(memory, test);
         }
-        self.solve_exactly::<AHEAD>(bodies, pass, simd, tasks);
-        while AHEAD && self.go_on(bodies, pass) {
-            self.solve_exactly::<AHEAD>(bodies, pass, simd, tasks);
+        self.solve_exactly::<BIASED>(bodies, pass, simd, tasks);
+        while BIASED && self.needs_another_round(bodies, pass) {
+            self.solve_exactly::<BIASED>(bodies, pass, simd, tasks);
         }
     }
 
     /// Returns whether the direct solver needs another round.
-    fn go_on(&mut self, bodies: &SolverBodies, pass: &JointPass) -> bool {
+    fn needs_another_round(&mut self, bodies: &SolverBodies, pass: &JointPass) -> bool {
         let Self { blocks, memory, direct, geometric_stiffness, .. } = self;
-        direct.go_on(
+        direct.needs_another_round(
             memory,
             pass.inv_substep,
             stiffness_tests(geometric_stiffness, blocks, bodies, pass),
@@ -326,7 +326,7 @@ impl SolverJoints {
     }
 
     /// Solves the locked axes of connected joints together.
-    fn solve_exactly<const AHEAD: bool>(
+    fn solve_exactly<const BIASED: bool>(
         &mut self,
         bodies: &mut SolverBodies,
         pass: &JointPass,
@@ -338,11 +338,11 @@ impl SolverJoints {
         let blocks = DisjointMut::new(&mut self.blocks);
         let memory = DisjointMut::new(&mut self.memory);
         tasks.par_for(count, BLOCKS_PER_TASK, |range| {
-            simd.run(WriteRows::<AHEAD> { range, blocks, memory, states, pass });
+            simd.run(WriteRows::<BIASED> { range, blocks, memory, states, pass });
         });
         self.direct.solve(&mut self.memory, states, |_| true, simd, tasks);
         let memory = &self.memory;
-        let is_last = !AHEAD && pass.is_last_iteration;
+        let is_last = !BIASED && pass.is_last_iteration;
         tasks.par_for(count, BLOCKS_PER_TASK, |range| {
             simd.run(Finish { range, blocks, memory, is_last });
         });
@@ -404,19 +404,19 @@ block_kernel! {
 
 block_kernel! {
     /// See [`passes::iterate`].
-    struct Iterate<'a, const AHEAD: bool> {
+    struct Iterate<'a, const BIASED: bool> {
         parts: Parts<'a>,
         states: DisjointMut<'a, BodyState>,
         pass: &'a JointPass,
     }
     |index| {
-        passes::iterate::<W, AHEAD>(parts.blocks.get_mut(index), &parts.rows, &states, pass);
+        passes::iterate::<W, BIASED>(parts.blocks.get_mut(index), &parts.rows, &states, pass);
     }
 }
 
 block_kernel! {
     /// See [`direct::write_rows`].
-    struct WriteRows<'a, const AHEAD: bool> {
+    struct WriteRows<'a, const BIASED: bool> {
         blocks: DisjointMut<'a, JointBlock>,
         memory: DisjointMut<'a, JacobianBlock>,
         states: DisjointMut<'a, BodyState>,
@@ -425,7 +425,7 @@ block_kernel! {
     |index| {
         let block = blocks.get_mut(index);
         if block.has_exact {
-            direct::write_rows::<W, AHEAD>(block, memory.get_mut(index), &states, pass);
+            direct::write_rows::<W, BIASED>(block, memory.get_mut(index), &states, pass);
         }
     }
 }

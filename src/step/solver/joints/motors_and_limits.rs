@@ -65,14 +65,14 @@ pub(super) struct FreeAxis<W> {
 
 /// The change of a motor's impulse.
 #[inline(always)]
-pub(super) fn solve_motor<W: Wide, const AHEAD: bool>(
+pub(super) fn solve_motor<W: Wide, const BIASED: bool>(
     motor: &mut MotorRow,
     axis: &FreeAxis<W>,
     rate: W,
     pass: &JointPass,
 ) -> W {
     let (h, one) = (W::splat(pass.substep), W::splat(1.0));
-    if AHEAD {
+    if BIASED {
         (axis.position - W::load(&motor.target_pos)).store(&mut motor.stretch);
     }
     let per_mass = W::load(&motor.per_mass);
@@ -91,7 +91,7 @@ pub(super) fn solve_motor<W: Wide, const AHEAD: bool>(
 
 /// The change of the impulse of both limits.
 #[inline(always)]
-pub(super) fn solve_limits<W: Wide, const AHEAD: bool>(
+pub(super) fn solve_limits<W: Wide, const BIASED: bool>(
     row: &mut AxisRow,
     axis: &FreeAxis<W>,
     rate: W,
@@ -99,21 +99,21 @@ pub(super) fn solve_limits<W: Wide, const AHEAD: bool>(
 ) -> W {
     let lower = W::load(&row.lower);
     let above = axis.position - W::load(&row.min);
-    let new_lower = limited::<W, AHEAD>(lower, above, rate, axis, pass);
+    let new_lower = limited::<W, BIASED>(lower, above, rate, axis, pass);
     new_lower.store(&mut row.lower);
     let added = new_lower - lower;
 
     let upper = W::load(&row.upper);
     let below = W::load(&row.max) - axis.position;
     let rate = -(rate + axis.effective * added);
-    let new_upper = limited::<W, AHEAD>(upper, below, rate, axis, pass);
+    let new_upper = limited::<W, BIASED>(upper, below, rate, axis, pass);
     new_upper.store(&mut row.upper);
     added - (new_upper - upper)
 }
 
 /// The impulse of a limit that is `distance` away, and nears by `-rate`.
 #[inline(always)]
-fn limited<W: Wide, const AHEAD: bool>(
+fn limited<W: Wide, const BIASED: bool>(
     old: W,
     distance: W,
     rate: W,
@@ -124,7 +124,7 @@ fn limited<W: Wide, const AHEAD: bool>(
     let apart = zero.lt(distance);
     let closing = distance * W::splat(pass.inv_substep);
     let opening =
-        if AHEAD { distance * W::splat(LIMIT_ERROR_FRACTION * pass.inv_substep) } else { zero };
+        if BIASED { distance * W::splat(LIMIT_ERROR_FRACTION * pass.inv_substep) } else { zero };
     let wanted = axis.inverse * (rate + W::select(apart, closing, opening));
     (old - wanted).max(zero)
 }

@@ -129,13 +129,13 @@ fn impulse_of<W: Wide>(row: &AxisRow) -> W {
     W::load(&row.motor.impulse) + (W::load(&row.lower) - W::load(&row.upper))
 }
 
-/// Solves all rows once: free axes, then locked ones. `AHEAD`: with bias (free axes of direct joints include
+/// Solves all rows once: free axes, then locked ones. `BIASED`: with bias (free axes of direct joints include
 /// the curvature); otherwise towards zero relative velocity.
 ///
 /// # Safety
 /// The caller has exclusive access to the states of the block's bodies, and to its rows.
 #[inline(always)]
-pub(super) unsafe fn iterate<W: Wide, const AHEAD: bool>(
+pub(super) unsafe fn iterate<W: Wide, const BIASED: bool>(
     block: &mut JointBlock,
     rows: &DisjointMut<AxisRow>,
     states: &DisjointMut<BodyState>,
@@ -145,8 +145,8 @@ pub(super) unsafe fn iterate<W: Wide, const AHEAD: bool>(
     unsafe {
         // Without locked rotations the results are equal, for half of the work.
         match block.locks_rotations {
-            true => iterate_rows::<W, AHEAD, SPATIAL_DIM>(block, rows, states, pass),
-            false => iterate_rows::<W, AHEAD, DIM>(block, rows, states, pass),
+            true => iterate_rows::<W, BIASED, SPATIAL_DIM>(block, rows, states, pass),
+            false => iterate_rows::<W, BIASED, DIM>(block, rows, states, pass),
         }
     }
 }
@@ -156,7 +156,7 @@ pub(super) unsafe fn iterate<W: Wide, const AHEAD: bool>(
 /// # Safety
 /// As [`iterate`].
 #[inline(always)]
-unsafe fn iterate_rows<W: Wide, const AHEAD: bool, const N: usize>(
+unsafe fn iterate_rows<W: Wide, const BIASED: bool, const N: usize>(
     block: &mut JointBlock,
     rows: &DisjointMut<AxisRow>,
     states: &DisjointMut<BodyState>,
@@ -165,14 +165,14 @@ unsafe fn iterate_rows<W: Wide, const AHEAD: bool, const N: usize>(
     // SAFETY: the caller's promise.
     let mut bodies = unsafe { Bodies::<W>::gather(states, &block.bodies) };
     let geometry = Geometry::new(block, &bodies.displacements);
-    if !AHEAD {
+    if !BIASED {
         block.inertias.rotate(&bodies.displacements);
     }
     let masses = Masses::load(block);
     let locked = Locked::<W, N>::new(block, &geometry);
 
     let mut wrench = Wrench::load(&block.applied);
-    if AHEAD {
+    if BIASED {
         // SAFETY: the caller's promise.
         let turned = unsafe {
             forget_stiff::<W>(block, rows);
@@ -184,7 +184,7 @@ unsafe fn iterate_rows<W: Wide, const AHEAD: bool, const N: usize>(
     let before = wrench;
     if block.row_count > 0 || block.has_iterated {
         let coupling = masses.coupling(&locked.rows, &locked.locked);
-        let substep_end = if AHEAD && block.looks_ahead() {
+        let substep_end = if BIASED && block.includes_curvature() {
             let substep_end = SubstepEnd::new(block, &bodies, pass);
             let curvatures = substep_end.locked_curvatures(block, &geometry, &locked.rows, pass);
             Some((substep_end, curvatures))
@@ -194,13 +194,13 @@ unsafe fn iterate_rows<W: Wide, const AHEAD: bool, const N: usize>(
         let (masses, locked, substep_end) = (&masses, &locked, substep_end.as_ref());
         let joint = JointNow { geometry: &geometry, substep_end, masses, locked, coupling };
         // SAFETY: the caller's promise.
-        let added = unsafe { solve_axes::<W, AHEAD, N>(block, rows, &joint, &mut bodies, pass) };
+        let added = unsafe { solve_axes::<W, BIASED, N>(block, rows, &joint, &mut bodies, pass) };
         wrench = wrench.plus(&added);
     }
 
     wrench.store(&mut block.applied);
     note_angvel_change(block, masses.angvel_change(&wrench.minus(&before)));
-    if !AHEAD && pass.is_last_iteration {
+    if !BIASED && pass.is_last_iteration {
         add_to_totals(block, &geometry, &wrench);
         store_couple(block, &locked.rows);
     }
@@ -261,7 +261,7 @@ struct JointNow<'a, W, const N: usize> {
 /// # Safety
 /// The caller has exclusive access to the block's rows.
 #[inline(always)]
-unsafe fn solve_axes<W: Wide, const AHEAD: bool, const N: usize>(
+unsafe fn solve_axes<W: Wide, const BIASED: bool, const N: usize>(
     block: &mut JointBlock,
     rows: &DisjointMut<AxisRow>,
     joint: &JointNow<'_, W, N>,
@@ -274,14 +274,14 @@ unsafe fn solve_axes<W: Wide, const AHEAD: bool, const N: usize>(
         for index in block.first_row..block.first_row + block.row_count {
             // SAFETY: the caller's promise; the block's rows are in range.
             let row = unsafe { rows.get_mut(index) };
-            let added = solve_free::<W, AHEAD, N>(row, block, joint, &factored, bodies, pass);
+            let added = solve_free::<W, BIASED, N>(row, block, joint, &factored, bodies, pass);
             bodies.velocities = joint.masses.push(&added, bodies.velocities);
             wrench = wrench.plus(&added);
         }
         matrix = Some(factored);
     }
     if block.has_iterated {
-        let added = solve_locked::<W, AHEAD, N>(block, joint, matrix.as_ref(), bodies);
+        let added = solve_locked::<W, BIASED, N>(block, joint, matrix.as_ref(), bodies);
         bodies.velocities = joint.masses.push(&added, bodies.velocities);
         wrench = wrench.plus(&added);
     }
@@ -294,7 +294,7 @@ unsafe fn solve_axes<W: Wide, const AHEAD: bool, const N: usize>(
 /// own row `J` moves the bodies as the joint allows. Its effective mass is the true load of the motor, and no
 /// iteration between the two is necessary.
 #[inline(always)]
-fn solve_free<W: Wide, const AHEAD: bool, const N: usize>(
+fn solve_free<W: Wide, const BIASED: bool, const N: usize>(
     row: &mut AxisRow,
     block: &mut JointBlock,
     joint: &JointNow<'_, W, N>,
@@ -311,7 +311,7 @@ fn solve_free<W: Wide, const AHEAD: bool, const N: usize>(
             curvature = curvature - curvatures[k] * fractions[k];
         }
     }
-    if !AHEAD {
+    if !BIASED {
         position.store(&mut row.position);
     }
     for (locked, fraction) in joint.locked.rows.iter().zip(fractions) {
@@ -323,8 +323,9 @@ fn solve_free<W: Wide, const AHEAD: bool, const N: usize>(
     let inverse = W::select(movable, one / W::select(movable, effective, one), zero);
     let axis = FreeAxis { position, effective, inverse };
     let rate = along.rate(&bodies.velocities);
-    let driven = solve_motor::<W, AHEAD>(&mut row.motor, &axis, rate, pass);
-    let limited = solve_limits::<W, AHEAD>(row, &axis, rate + curvature + effective * driven, pass);
+    let driven = solve_motor::<W, BIASED>(&mut row.motor, &axis, rate, pass);
+    let limited =
+        solve_limits::<W, BIASED>(row, &axis, rate + curvature + effective * driven, pass);
     let added = driven + limited;
     for (impulse, fraction) in block.impulses.iter_mut().zip(fractions) {
         (W::load(impulse) - fraction * added).store(impulse);
@@ -337,14 +338,14 @@ fn solve_free<W: Wide, const AHEAD: bool, const N: usize>(
 /// Solves all locked axes together; returns the changes. The `matrix` is the one without compliance, if it is
 /// known.
 #[inline(always)]
-fn solve_locked<W: Wide, const AHEAD: bool, const N: usize>(
+fn solve_locked<W: Wide, const BIASED: bool, const N: usize>(
     block: &mut JointBlock,
     joint: &JointNow<'_, W, N>,
     matrix: Option<&Factored<W, N>>,
     bodies: &Bodies<W>,
 ) -> Wrench<W> {
     let (Locked { rows, locked }, mut coupling) = (joint.locked, joint.coupling);
-    let mut wanted = if AHEAD {
+    let mut wanted = if BIASED {
         rates_with_bias(block, joint.geometry, rows, bodies)
     } else {
         rates_here(block, rows, bodies)
@@ -353,11 +354,11 @@ fn solve_locked<W: Wide, const AHEAD: bool, const N: usize>(
     for k in 0..N {
         wanted[k] = wanted[k] * (locked[k] * iterated);
     }
-    let is_rigid = !(AHEAD || block.has_springs || block.has_exact);
+    let is_rigid = !(BIASED || block.has_springs || block.has_exact);
     let change = if let (true, Some(matrix)) = (is_rigid, matrix) {
         matrix.solve(wanted)
     } else {
-        let compliance = compliance_of::<W, AHEAD>(block);
+        let compliance = compliance_of::<W, BIASED>(block);
         for k in 0..N {
             for m in 0..k {
                 coupling[k][m] = coupling[k][m] * iterated;
@@ -413,9 +414,9 @@ pub(super) fn rates_here<W: Wide, const N: usize>(
 
 /// The compliance of the rows in a pass: in the relax pass only springs have any.
 #[inline(always)]
-pub(super) fn compliance_of<W: Wide, const AHEAD: bool>(block: &JointBlock) -> W {
+pub(super) fn compliance_of<W: Wide, const BIASED: bool>(block: &JointBlock) -> W {
     let compliance = W::load(&block.compliance);
-    if AHEAD { compliance } else { compliance * W::load(&block.is_spring) }
+    if BIASED { compliance } else { compliance * W::load(&block.is_spring) }
 }
 
 /// Adds a substep's impulse, and its moment about the second anchor, to those of the step.

@@ -305,7 +305,7 @@ impl LinkContacts {
             }
             data.normal = contact.normal;
             data.warmstart_friction = Vector::ZERO;
-            data.warmstart_twist = 0.0;
+            data.warmstart_torsion = 0.0;
             for (known, point) in data.points.iter_mut().zip(&contact.points) {
                 (known.point, known.dist) = (point.position, point.separation);
                 (known.impulse, known.warmstart_impulse) = (point.total, point.impulse);

@@ -49,7 +49,7 @@ pub struct LinkImpactRow {
     /// Its velocity in the substep's middle when the round began.
     middle: Real,
     /// Whether the point approaches fast and does not arrive in this substep.
-    waits: bool,
+    to_defer: bool,
     hit: HitRow<Real>,
     /// Impulses of this round, and of the whole impact: the committed fraction of each round.
     impulse: Real,
@@ -283,7 +283,7 @@ impl SolverMultibodies {
     /// Defers the points that approach fast and do not arrive in this substep.
     pub fn defer(&mut self) {
         for contact in self.contacts.bouncing() {
-            contact.points.iter_mut().for_each(|point| point.is_deferred = point.impact.waits);
+            contact.points.iter_mut().for_each(|point| point.is_deferred = point.impact.to_defer);
         }
     }
 
@@ -374,7 +374,7 @@ impl LinkImpactRow {
     fn find_time(&mut self, velocity: Real, separation: Real, earliest: Real, h: Real) -> bool {
         let comes = velocity < self.limit;
         let arrives = separation + velocity * h < 0.0;
-        self.waits = comes && !arrives;
+        self.to_defer = comes && !arrives;
         self.middle = velocity;
         if comes {
             self.hit.time = (separation / -velocity).max(earliest).min(h);
