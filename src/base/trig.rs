@@ -55,9 +55,9 @@ pub fn sin_cos(angle: Real) -> (Real, Real) {
     (sine as Real, cosine as Real)
 }
 
-/// `atan(t) = t + t z P(z)/Q(z)` with `z = t²`, for `t` up to ±0.66: the rational approximation of Moshier's
-/// "Methods and Programs for Mathematical Functions" (1989), with an error of a unit or two in the last place
-/// of a double.
+/// `atan(t) = t + t z P(z)/Q(z)` with `z = t²`, for `t` up to ±0.66. The rational approximation is that of
+/// Moshier's "Methods and Programs for Mathematical Functions" (1989). Its error is a unit or two in the last
+/// place of a double.
 pub const ATAN_P: [f64; 5] = [
     -64.850_219_049_420_25,
     -122.886_668_449_013_61,

@@ -119,7 +119,7 @@ fn others(
     general_manifold(pos12, part1, part2, prediction, raw).then_some(0.0)
 }
 
-/// The manifold of any two convex parts; `false` if nothing is known of such pairs.
+/// Computes the manifold of any two convex parts. Returns whether such pairs are supported.
 fn general_manifold(
     pos12: &Pose,
     part1: &Part<'_>,
@@ -144,8 +144,8 @@ fn general_manifold(
         .is_ok()
 }
 
-/// Computes the contacts of two parts along a direction, from the first to the second, into `raw`: those of
-/// the face of the first or of the second with the most similar normal.
+/// Computes the contacts of two parts along a direction, from the first to the second, into `raw`. They are
+/// those of the face of either part with the most similar normal.
 ///
 /// Balls have none but those that they have anyway.
 pub(super) fn manifold_along(

@@ -16,7 +16,7 @@
 //! 2. **Hidden.** The rule has four conditions. `X` meets `B` at an edge or a corner (`b` is no normal of a
 //!    face of `B`). This point lies on `A`. `A` rises from there above the plane of the contact. A face of
 //!    `B` with a normal near `a` begins there. The point is then the lowest line of a valley, and `X` touches
-//!    one of its sides already: it reaches the other side before it reaches the line. A ball would feel the
+//!    one of its sides already. It reaches the other side before it reaches the line. A ball would feel the
 //!    lowest line of each valley of a terrain as a bump. (The foot of a wall is no such point: the wall has
 //!    no face there with the floor's normal.)
 //!
@@ -188,7 +188,7 @@ pub(super) struct Facet<'a> {
     body_part: u32,
     /// Unit normal, from the piece to the body.
     normal: Vector,
-    /// The same, or the normal of the piece's face if the contact is with a face: a plane that extends over
+    /// The same, or the normal of the piece's face if the contact is with a face. A plane that extends over
     /// other pieces must not tilt with the body.
     plane: Vector,
     /// The deepest point, on the piece.

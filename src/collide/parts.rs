@@ -199,7 +199,7 @@ impl Near {
         }
     }
 
-    /// A box that covers what of `bounds` lies in the region; `None` if nothing does.
+    /// A box that covers the part of `bounds` in the region; `None` if they do not overlap.
     fn clipped(&self, bounds: Aabb) -> Option<Aabb> {
         match self {
             Self::Inside(region) | Self::Along(Line { region, .. }) => bounds.intersection(region),
@@ -207,7 +207,7 @@ impl Near {
         }
     }
 
-    /// Calls `f` with boxes that cover what of `bounds` lies in the region.
+    /// Calls `f` with boxes that cover the part of `bounds` in the region.
     fn for_each_piece(&self, bounds: Aabb, mut f: impl FnMut(&Aabb)) {
         let Some(whole) = self.clipped(bounds) else { return };
         let Self::Along(line) = self else { return f(&whole) };

@@ -127,8 +127,8 @@ fn mass_covered(vertices: &[Vector], triangles: &[[u32; 3]], density: Real) -> M
     MassProperties::new(origin + com, area * density, inertia)
 }
 
-/// The surface of the union of triangles, in the form of parry's convex decomposition: in 2D the sides that
-/// belong to one triangle alone, in its orientation.
+/// The surface of the union of triangles, in the form of parry's convex decomposition. In 2D these are the
+/// sides that belong to one triangle alone, in its orientation.
 pub fn surface_of(triangles: &[[u32; 3]]) -> Vec<[u32; 2]> {
     let sides = || triangles.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]);
     let ordered = |[a, b]: [u32; 2]| (a.min(b), a.max(b));
@@ -157,7 +157,7 @@ pub fn spread_directions(points: &[Vector]) -> Rotation {
     Rotation::from_cos_sin_unchecked(cosine, -tangent * cosine)
 }
 
-/// The convex hull of what of a surface lies in one part of its convex decomposition.
+/// The convex hull of the part of a surface that lies in one piece of its convex decomposition.
 pub fn exact_hull(
     part: &VoxelSet,
     vertices: &[Vector],

@@ -3,7 +3,7 @@
 use super::math::{Real, Vector};
 use parry::shape::{ConvexPolyhedron, Triangle, TypedShape};
 
-/// Largest distance of corners from the plane of their face, as a fraction of the size of the hull: the
+/// Largest distance of corners from the plane of their face, as a fraction of the size of the hull. It is the
 /// rounding error of coordinates and of their normal.
 const FLATNESS: Real = 256.0 * Real::EPSILON;
 

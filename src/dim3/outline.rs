@@ -1,4 +1,4 @@
-//! Sketches of 3D shapes: the edges of what has edges, a few circles of what is round.
+//! Sketches of 3D shapes: edges of polyhedra, a few circles of round shapes.
 
 use crate::base::outline::{Detail, Outline};
 use crate::dim::math::{Real, Vector, tangents};

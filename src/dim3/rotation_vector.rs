@@ -215,8 +215,8 @@ mod tests {
         assert!(missed < 2.0e-5 && added > 20.0 * missed, "{missed} rad, added {added} rad");
     }
 
-    /// Rotations of any size compose to their product, and their turns are counted: three steps of a body
-    /// that rotates by up to 9 rad and wobbles.
+    /// Rotations of any size compose to their product, and their turns are counted. The body wobbles, and
+    /// rotates by up to 9 rad in each of three steps.
     #[test]
     fn large_turns_are_composed_exactly() {
         let mut random = Random(32);

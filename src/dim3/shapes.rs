@@ -196,7 +196,7 @@ pub fn spread_directions(points: &[Vector]) -> Rotation {
     Rotation::from_mat3(&principal_axes(spread).1).normalize()
 }
 
-/// The convex hull of what of a surface lies in one part of its convex decomposition.
+/// The convex hull of the part of a surface that lies in one piece of its convex decomposition.
 pub fn exact_hull(
     part: &VoxelSet,
     vertices: &[Vector],

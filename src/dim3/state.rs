@@ -135,9 +135,9 @@ pub(crate) struct WideMotion<W> {
 #[derive(Copy, Clone)]
 pub(crate) struct WideDisplacement<W> {
     pub linear: WideVector<W>,
-    /// The rotation vector of the turn.
+    /// Rotation vector (rad).
     pub angular: WideAngVector<W>,
-    /// The unit quaternion of the turn: what makes its vector part of the rotation vector, and its real part.
+    /// The unit quaternion of the rotation: its vector part divided by the rotation vector, and its real part.
     /// They are computed once, when the body rotates: several joints of the body read them, many times.
     scale: W,
     real: W,

@@ -191,8 +191,8 @@ fn with_layer(
     (center, half + Vector::splat(layer), thickness + layer)
 }
 
-/// The outward unit normals of all faces of a hull or triangle; of a cone the base and one side, which are
-/// sufficient; none of other shapes.
+/// The outward unit normals of all faces of a hull or triangle. Those of a cone are the base and one side,
+/// which are sufficient; other shapes have none.
 pub fn face_normals(shape: TypedShape<'_>) -> Vec<Vector> {
     let of_hull = |hull: &ConvexPolyhedron| hull.faces().iter().map(|face| face.normal).collect();
     match shape {

@@ -37,7 +37,7 @@ impl LinkTrajectory {
     pub fn pieces(&self, deviation: Real) -> usize {
         let [path_length, angle] = self.travel;
         let bent = (path_length * angle / (8.0 * deviation.max(Real::MIN_POSITIVE))).sqrt();
-        // A number that is none, or too large, is the largest.
+        // NaN, or a number that is too large, becomes the largest number of pieces.
         let pieces = bent.max(angle / TURN_PER_PIECE).ceil().min(PIECES_MAX as Real);
         (pieces as usize).max(1)
     }

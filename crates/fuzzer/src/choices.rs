@@ -39,12 +39,13 @@ impl<'a> Choices<'a> {
         usize::from(self.byte()) % count
     }
 
-    /// Returns true for one in `times` bytes. A zero byte gives false, so rare operations end with the bytes.
+    /// Returns whether the next byte modulo `times` is `times - 1`. A zero byte gives false, so rare operations
+    /// end with the bytes.
     pub fn once_in(&mut self, times: usize) -> bool {
         self.below(times) == times - 1
     }
 
-    /// Returns true for every other byte.
+    /// Returns whether the next byte is odd.
     pub fn coin(&mut self) -> bool {
         self.once_in(2)
     }

@@ -1,4 +1,4 @@
-//! All that a probe comes by, one at a time.
+//! All leaves that a probe finds, one at a time.
 
 use super::BoxTree;
 use super::node::{Child, Node, Target};
@@ -36,8 +36,8 @@ impl<P: Probe> Iterator for Leaves<'_, P> {
                 Target::Slot(slot) => return Some(slot),
                 Target::Node(node) => &self.nodes[node],
             };
-            let look = Query { node, probe: &self.probe, reach: self.reach };
-            let mut bits = self.simd.run(look) & node.taken();
+            let query = Query { node, probe: &self.probe, reach: self.reach };
+            let mut bits = self.simd.run(query) & node.taken();
             while bits != 0 {
                 self.stack.push(node.children[bits.trailing_zeros() as usize % LANES]);
                 bits &= bits - 1;

@@ -175,8 +175,8 @@ fn check_sweeps(twins: &Twins, random: &mut Random) {
     // And it comes by all that it finds: the axis along which two boxes stay apart does not exist.
     for slot in found {
         let aabb = twins.list[slot as usize].unwrap();
-        let way = Aabb::new(origin.min(origin + dir * reach), origin.max(origin + dir * reach));
-        assert!(way.loosened(half.max_element() + 1.0e-3).intersects(&aabb));
+        let path = Aabb::new(origin.min(origin + dir * reach), origin.max(origin + dir * reach));
+        assert!(path.loosened(half.max_element() + 1.0e-3).intersects(&aabb));
     }
 }
 

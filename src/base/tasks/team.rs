@@ -1,24 +1,24 @@
 //! The worker team of a step.
 //!
-//! A step consists of some hundred loops with serial code in between, and many of them take at most ten
-//! microseconds: the time that a sleeping thread needs to wake. So workers stay awake between loops. Workers
+//! A step consists of some hundred loops with serial code in between. Many of them take at most ten
+//! microseconds, the time that a sleeping thread needs to wake. Workers therefore stay awake between loops. They
 //! join at the first loop that is large enough, and spin until the next one. They leave after a while without
 //! work ([`POLLS_MAX`]), because the pool belongs to the user. The next loop recruits them again.
 //!
-//! Each thread has a *range* of a loop's pieces and takes them from its front: always the same blocks and
-//! bodies, which are in its cache from the last loop. A thread without pieces takes from the back of the
+//! Each thread has a *range* of a loop's pieces and takes them from its front. These are always the same blocks
+//! and bodies, which are in its cache from the last loop. A thread without pieces takes from the back of the
 //! others. The thread that opened the loop needs no worker: in a pool whose threads are all busy it processes
 //! everything itself. A late worker finds that the team is over; the team has shared ownership.
 //!
-//! The rejected alternative is a fork and join for each loop (`rayon::join`): 5 to 20 µs per loop on two
-//! cores, and pieces that move from thread to thread. Box2D v3 (Catto, "SIMD Matters", box2d.org, 2024) uses
+//! The rejected alternative is a fork and join for each loop (`rayon::join`). It costs 5 to 20 µs per loop on
+//! two cores, and pieces move from thread to thread. Box2D v3 (Catto, "SIMD Matters", box2d.org, 2024) uses
 //! the same method, workers synchronised by atomic counters, with a table of stages made in advance.
 //!
 //! ## No access to a finished loop
-//! A range is one word, the first and the last of its pieces, and a piece is taken by exchanging the word for
-//! a shorter one. The loop counts pieces that are *done*, and its owner waits until all are. If an
-//! exchange succeeds, the piece was not done, the loop is open, and its borrows are alive. An exchange with
-//! an equal word of the last loop is equally valid: everything else is read after it.
+//! A range is one word, the first and the last of its pieces. A piece is taken by exchanging the word for a
+//! shorter one. The loop counts pieces that are *done*, and its owner waits until all are. If an exchange
+//! succeeds, the piece was not done, the loop is open, and its borrows are alive. An exchange with an equal
+//! word of the last loop is equally valid: everything else is read after it.
 
 use core::any::Any;
 use core::cell::{Cell, UnsafeCell};

@@ -4,7 +4,7 @@
 //! triangles under the face would be clipped against it. Of all these points only the corners remain after
 //! the merge: they are the outermost, and points in between carry nothing more. If every corner is over
 //! *some* piece of the plane, the corners are therefore the contacts, and the pieces need not be clipped one
-//! by one. The area between the corners is irrelevant: other pieces, a hole or an obstacle above the plane.
+//! by one. The area between the corners is irrelevant: other pieces, a hole or a shape above the plane.
 //! The latter is in another plane, and processed separately.
 //!
 //! Only planes that the body touched a moment ago are tried. There is always a first plane, because the first

@@ -67,8 +67,7 @@ impl<'a> FlatParts<'a> {
 impl Search<'_> {
     /// Visits the parts of the surface on a side that are near the other shape.
     ///
-    /// Returns false if it is no surface, or the other shape is one too or without limits. Then nothing was
-    /// done.
+    /// Returns whether it did: not if the shape is no surface, or if the other shape is a surface or unbounded.
     pub(super) fn visit_surface(&mut self, side: usize) -> bool {
         let [surface, body] = [self.parts[side], self.parts[1 - side]];
         let (prediction, pos12) = (self.pair.prediction, self.pair.pos12);

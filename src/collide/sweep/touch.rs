@@ -19,8 +19,8 @@ use crate::dim::math::{Pose, Real, Vector};
 use crate::model::collider::Widths;
 use parry::shape::Shape;
 
-/// The number of jumps for a turn of one radian about a shape of the same length, up to a relative distance
-/// of 10⁻⁵, for a graze with a tenth of its speed.
+/// Maximum number of jumps. It is sufficient for a rotation of one radian about a shape of the same length,
+/// up to a relative distance of 10⁻⁵, at a tenth of its speed.
 const JUMPS_MAX: usize = 1024;
 /// A full turn, and a bit (rad).
 const FULL_TURN: Real = 6.3;

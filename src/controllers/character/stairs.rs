@@ -1,7 +1,7 @@
 //! Stepping up.
 //!
 //! An obstacle is a step if the raised character can continue far enough, and would stand on a floor there. A
-//! shape with a round bottom does not reach the top of the step at once: it rests on the edge for a while,
+//! shape with a round bottom does not reach the top of the step at once. It rests on the edge for a while,
 //! with a steep normal. An edge of a step therefore supports like a floor ([`Kind::Step`]), and every move
 //! into it ends where the shape rests on it. A capsule rolls over the edge, a box is placed on top.
 

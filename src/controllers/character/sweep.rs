@@ -2,9 +2,9 @@
 //!
 //! Conservative advancement with separating planes (B. Mirtich 1996, "Impulse-based Dynamic Simulation of
 //! Rigid Body Systems"). The manifold of two convex parts has a normal along which they are a gap apart.
-//! While one of them moves by `displacement`, that gap shrinks by at most `-displacement·n`. The path is free until the gap of
-//! some plane would be used up; there the contacts are recomputed. Along a floor no gap shrinks, and one
-//! evaluation is sufficient. Support and sweep use the same contacts, so the two never contradict each other.
+//! While one of them moves by `displacement`, that gap shrinks by at most `-displacement·n`. The path is free
+//! until the gap of some plane would be used up; there the contacts are recomputed. Along a floor no gap
+//! shrinks, and one evaluation is sufficient. Support and sweep use the same contacts, so the two never contradict each other.
 //! A search for the time of impact alone would sometimes find a floor in the path of a walking character.
 
 use super::obstacles::Obstacles;
@@ -50,9 +50,9 @@ impl Sweep<'_> {
 
     /// The plane whose gap is used up first, and when, if all normals stay.
     fn first_of(&self, planes: &[Plane], time: Real) -> Option<(Real, Plane)> {
-        let in_the_way =
+        let approached =
             planes.iter().filter(|plane| self.approach(plane) > SINE_MIN * self.length);
-        let times = in_the_way.map(|plane| {
+        let times = approached.map(|plane| {
             let room = (plane.gap - self.within).max(0.0);
             (time + room / self.approach(plane), plane)
         });

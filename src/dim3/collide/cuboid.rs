@@ -3,7 +3,7 @@
 //! Boxes are apart exactly if they are separated along one of 15 axes: three face normals of each, and nine
 //! products of edges (Gottschalk, Lin, Manocha 1996, "OBBTree", section 5). If they are not, the axis of
 //! least overlap is the contact normal. Of nearly equal axes, a face is preferred to a pair of edges, and the
-//! last axis to another, so that a resting box does not alternate between them.
+//! last axis to another. A resting box therefore does not alternate between them.
 
 use super::cuboid_faces::{FacePair, face_points};
 use super::features::box_feature;

@@ -3,8 +3,8 @@
 //!
 //! Seen along the normal, one is a rectangle and the other a parallelogram. Their overlap has three kinds of
 //! corners: corners of the parallelogram, crossings of edges, and corners of the rectangle. All three contain
-//! the features of the boxes, independent of the reference face, so a contact is matched in the next step
-//! even if the roles have changed.
+//! the features of the boxes, independent of the reference face. A contact is therefore matched in the next
+//! step even if the roles have changed.
 
 use super::cuboid::{Boxes, unit};
 use super::features::box_feature;

@@ -5,7 +5,7 @@
 //! on another one. Faces that the point is higher above than it is away from what was found need not be
 //! looked at.
 //!
-//! parry makes one face of nearly coplanar neighbours, and its tolerance is large for thin hulls: such a face
+//! parry makes one face of nearly coplanar neighbours, and its tolerance is large for thin hulls. Such a face
 //! bulges through the plane of its normal. So what was found must prove itself: no corner of the hull may be
 //! above the plane through the place. Otherwise a general closest-point search is used.
 

@@ -1,4 +1,4 @@
-//! The rows that 3D alone has: two tangents that are solved together, and the torsion about the normal.
+//! The rows that 3D alone has: two tangents that are solved together, and torsional friction about the normal.
 //!
 //! Tests of both dimensions are in `step/solver/tests`, where the passes are called.
 
@@ -89,7 +89,7 @@ impl Touch {
         Self { normal, offset, inv_inertia, velocities, points, coefficient, normal_impulse }
     }
 
-    /// Their velocities after an impulse at a point and a torsion about the normal. Both have mass 1.
+    /// Their velocities after an impulse at a point and a torsional impulse about the normal. Both have mass 1.
     fn pushed(&self, impulse: Vector, torsion: Real, point: Vector) -> [(Vector, Vector); 2] {
         let [(v1, w1), (v2, w2)] = self.velocities;
         let [i1, i2] = &self.inv_inertia;
@@ -182,7 +182,7 @@ fn one_visit_stops_the_sliding_of_the_friction_centre() {
 }
 
 #[test]
-fn the_twist_is_bounded_by_friction_times_load_times_lever() {
+fn torsional_friction_is_bounded_by_friction_times_load_times_radius() {
     let mut random = Random(3);
     for _ in 0..100 {
         let mut touch = Touch::random(&mut random);
@@ -200,7 +200,7 @@ fn the_twist_is_bounded_by_friction_times_load_times_lever() {
 }
 
 #[test]
-fn a_single_point_has_no_lever_to_twist() {
+fn a_single_point_has_no_torsional_friction() {
     let mut random = Random(4);
     let mut touch = Touch::random(&mut random);
     touch.points.truncate(1);

@@ -206,6 +206,7 @@ impl InteractionGroups {
         }
     }
 
+    /// Returns whether the filter accepts the memberships of the other.
     const fn accepts(self, other: Self) -> bool {
         self.filter.intersects(other.memberships)
     }

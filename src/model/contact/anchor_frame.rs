@@ -15,8 +15,8 @@ use crate::model::check::is_saved_unit;
 /// # Frozen anchors
 ///
 /// While both bodies are *near rest*, normal and moment arms stay constant, and only the separations are
-/// updated. Otherwise stable piles would buckle. The faces of two rigid boxes on each other are rigid, but
-/// the soft contacts of the solver are compliant: under a moment they rotate like a hinge with a spring. A
+/// updated. Otherwise stable piles would buckle. The faces of two rigid boxes on each other are rigid. The
+/// soft contacts of the solver are compliant: under a moment they rotate like a hinge with a spring. A
 /// tower of `n` unit cubes of mass `m` is then an elastic column. It buckles under its own weight (Greenhill
 /// 1881) when the stiffness `k` of its hinges is less than
 ///
@@ -27,16 +27,16 @@ use crate::model::check::is_saved_unit;
 /// which for our contacts are towers of some twenty cubes. A column tips by the moment of its load about the
 /// leaning part below: the load times the rotation of the moment arms. With frozen moment arms that moment is
 /// zero, as between rigid faces. The column is then a beam without axial load, which is stable at any height.
-/// The alternative, stiffer contacts, would need a hundred times the stiffness for a pile of a hundred
-/// layers, and one iteration per substep does not converge for these. Box3D keeps its anchors for the same
-/// reason, for up to seven degrees and at any speed.
+/// Stiffer contacts are the alternative. A pile of a hundred layers needs a hundred times the stiffness, for
+/// which one iteration per substep does not converge. Box3D keeps its anchors for the same reason, for up to
+/// seven degrees and at any speed.
 ///
 /// The price: that moment is real. Without it, action and reaction of a contact are not collinear, and the
 /// angular momentum of a compressed pair is not conserved. The rule therefore applies only to bodies under
 /// gravity that rotate more slowly than [`Self::ANGULAR_SPEED_NEAR_REST_MAX`]. It ends at an angle of
 /// [`Self::FROZEN_ANGLE_MAX`], or where the error of the normal exceeds the friction
-/// ([`Self::FROZEN_FRICTION_FRACTION_MAX`]). The remaining error is in the load's moment arm: a few hundredths of the
-/// body's size, on bodies that rotate by less than 3 degrees a second.
+/// ([`Self::FROZEN_FRICTION_FRACTION_MAX`]). The remaining error is in the load's moment arm. It is a few
+/// hundredths of the body's size, on bodies that rotate by less than 3 degrees a second.
 #[derive(Copy, Clone, Debug)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) struct AnchorFrame {
@@ -169,10 +169,10 @@ impl<W: Wide> MotionSince<W> {
         let has_world = is_world[0] | is_world[1];
         let (x1, x2) = (poses[0].center_of_mass, poses[1].center_of_mass);
         let centers = WideVector::load(&anchor_frame.centers);
-        let turn = |side: usize| {
+        let rotation = |side: usize| {
             poses[side].rotation.since(WideRotation::load(&anchor_frame.rotations[side]))
         };
-        let rotations = [turn(0), turn(1)];
+        let rotations = [rotation(0), rotation(1)];
         let limit = W::load(&anchor_frame.frozen_angle_squared) * W::load(&anchor_frame.near_rest);
         let is_frozen =
             rotations[0].chord_squared().lt(limit) & rotations[1].chord_squared().lt(limit);

@@ -209,12 +209,12 @@ impl ContactLanes {
         self.blocks.clear();
     }
 
-    /// Returns whether lanes may be ahead of their pairs.
+    /// Returns whether results of lanes may still have to be written back to their pairs.
     pub fn has_pending_write_backs(&self) -> bool {
         !self.starts.is_empty()
     }
 
-    /// By colour, the first block of lanes that may be ahead; nothing if none are.
+    /// By colour, the first block of lanes with pending write-backs; empty without pending ones.
     pub fn starts(&self) -> &[u32] {
         &self.starts
     }

@@ -102,7 +102,7 @@ impl NarrowPhase {
         &self.contacts[id]
     }
 
-    /// As [`Self::written_back`], of all.
+    /// Writes all pairs back.
     fn write_back_all_shared(&self) {
         self.contacts.ids().for_each(|id| {
             self.written_back(id);

@@ -1,7 +1,7 @@
 //! Casts of rotating shapes.
 //!
-//! They use the step's search for impacts (`collide/sweep`), which ends after a limited number of jumps.
-//! parry's bisects between two times, and does not end for fast and long rotations.
+//! They use the step's search for impacts (`collide/sweep`), which ends after a limited number of jumps. The
+//! search of parry bisects between two times, and does not end for fast and long rotations.
 
 use super::Dispatcher;
 use crate::base::parry_version::shape_cast_hit;

@@ -8,15 +8,15 @@
 //! |Δx_b - (Δx_k + θ_k × d)| + |θ_b| R_b + |θ_k| R_b + |θ_k|² |d| / 2  >  what FastMotion::is_fast allows,  d = c_b - c_k
 //! ```
 //!
-//! `c` are centres of mass, `θ` turns in the step, `R_b` the extent of the body about its centre. A door
+//! `c` are centres of mass, `θ` rotation vectors in the step, `R_b` the extent of the body about its centre. A door
 //! moves far at its edge and hardly at its hinge. A heap that a blade pushes along moves little relative to
 //! the blade. The last term bounds the error of the linearised rotation `θ × d`, at the end of the step and
 //! during it.
 //!
 //! Candidates are found before bodies move, from the velocities of awake kinematic bodies. Sleeping ones
-//! among them wake. A body whose box is outside the swept region of a kinematic collider needs no search: a
+//! among them wake. A body whose box is outside the swept region of a kinematic collider needs no search. A
 //! body that is not fast keeps its core inside its box. Worlds without moving kinematic bodies pay for one
-//! look at an empty list. Many colliders of one body may overlap many of another. The list of pairs is
+//! test of an empty list. Many colliders of one body may overlap many of another. The list of pairs is
 //! therefore deduplicated each time it has doubled, so its length is at most about twice the number of body
 //! pairs.
 

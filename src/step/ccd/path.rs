@@ -17,7 +17,7 @@ use smallvec::SmallVec;
 /// Minimum gap of stopped bodies, as a fraction of the prediction distance.
 const GAP_MIN: Real = 0.01;
 
-/// The non-dynamic colliders that a path is searched against.
+/// Selects the non-dynamic colliders that a path is searched against.
 #[derive(Copy, Clone)]
 pub(super) enum NonDynamicFilter {
     /// All of them.

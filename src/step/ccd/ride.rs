@@ -150,7 +150,7 @@ impl Rides {
 }
 
 impl Ride {
-    /// The ride of the fast body at a position that a moving collider or an obstacle at rest stopped after a
+    /// The ride of the fast body at a position that a moving or resting collider stopped after a
     /// fraction of the step. `None` if nothing carries it on.
     fn of(
         search: Search<'_>,

@@ -1,7 +1,8 @@
 //! # Islands: connectivity, waking and sleep
 //!
 //! Reads:   the narrow phase's notes, and those of bodies that may sleep
-//! Writes:  islands, the list of awake bodies, colours, removed pairs; notes for events
+//! Writes:  islands, the list of awake bodies, colours, removed pairs; sleep states; the velocities of bodies
+//!     that fall asleep (zero); notes for events
 //! Runs:    serial, in the order of the notes
 //! Never:   changes a manifold's points; moves a body
 

@@ -5,7 +5,7 @@
 //! there is no side. The stage therefore compares all contacts of each body with non-dynamic colliders. Pairs
 //! with ghost contacts (see [`crate::collide`]) are computed again, with the other contacts as [`Neighbor`]s.
 //!
-//! Obstacles are colliders without a dynamic body. Bodies in a pile meet internal edges between dynamic
+//! Contacts between dynamic bodies are not compared. Bodies in a pile meet internal edges between dynamic
 //! bodies, but level edges rarely persist. A comparison of all their contacts costs more than it gives.
 
 use super::update::{NarrowPhaseContext, Outcome, Worker};

@@ -92,8 +92,8 @@ impl IslandRequirement {
         heaviest <= MASS_RATIO_EVEN_MAX * lightest
     }
 
-    /// The factor on the usual number of substeps for an island of this size with substeps of `h` seconds: a
-    /// power of two, so there are few groups.
+    /// The factor on the usual number of substeps for an island of this size with substeps of `h` seconds. It
+    /// is a power of two, so there are few groups.
     fn factor(&self, bodies: usize, gravity: Real, h: Real) -> usize {
         let ([lightest, heaviest], [least, most]) = (self.masses, self.joined);
         let is_uneven = most > MASS_RATIO_EVEN_MAX * least;

@@ -6,16 +6,16 @@
 //! Never:   adds or removes anything: the structure is frozen
 //!
 //! The soft step of Catto's "Solver2D" (box2d.org, 2024), after Macklin et al. 2019, "Small Steps in Physics
-//! Simulation": many small substeps with one iteration are better than one step with many iterations. Each
+//! Simulation". Many small substeps with one iteration are better than one step with many iterations. Each
 //! substep processes restitution, solves the constraints with a soft bias that removes overlap, and
 //! integrates the positions. It then relaxes: a second iteration without bias removes the velocity that the
 //! bias added.
 //!
 //! **Warm starting without passes.** A substep should begin with the impulses of the last one. Moment arms
-//! and inertias of contacts are frozen during a step (joints rotate theirs), so warm-start impulses have the
-//! same effect on a body as in the last substep. That effect is the difference between the velocity at the
-//! end of that substep and before any impulse. We keep the latter per body and add the difference, instead of
-//! visiting all constraints.
+//! and inertias of contacts are frozen during a step (joints rotate theirs). Warm-start impulses therefore
+//! have the same effect on a body as in the last substep. That effect is the difference between the velocity
+//! at the end of that substep and before any impulse. The solver stores the latter per body and adds the
+//! difference, instead of visiting all constraints.
 
 mod blocks;
 mod bodies;

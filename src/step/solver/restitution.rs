@@ -8,7 +8,7 @@ use crate::dim::math::Real;
 use crate::model::params::ImpactPass;
 use core::ops::{Add, Mul, Neg, Sub};
 
-/// Gauss–Seidel sweeps over the points of a manifold in each iteration. The points couple with each other
+/// Gauss–Seidel iterations over the points of a manifold in each iteration over all manifolds. The points couple with each other
 /// more than with other manifolds.
 pub(super) const POINT_ITERATIONS: usize = 4;
 /// A round has converged when no point changes its velocity by more than this fraction of its approach

@@ -310,7 +310,7 @@ impl ColliderSet {
 /// A `&mut` to a collider lets the user replace it (assign a copy, swap two colliders), including its record
 /// of its *own* position.
 impl ColliderSet {
-    /// Whether the collider of a handle replaced another one.
+    /// Returns whether the collider of a handle replaced another one.
     fn is_replaced(&self, handle: ColliderHandle) -> bool {
         let slot = handle.into_raw_parts().0;
         self.get(handle).is_some_and(|collider| {

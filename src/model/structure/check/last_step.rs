@@ -7,7 +7,7 @@ use crate::model::collider::{ColliderChanges, ColliderHandle};
 use crate::model::island::{BodyLink, NONE};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// The state after the last step, without the edits since then. Asks for no memory if there were none.
+/// The state after the last step, without the edits since then. Allocates no memory if there were none.
 pub(super) struct LastStep<'a> {
     bodies: &'a RigidBodySet,
     /// By slot: a body that was removed since, and its place in the lists.

@@ -26,7 +26,7 @@ type Verdict = Result<(), Fault>;
 /// Extent of the check.
 #[derive(Copy, Clone, PartialEq, Eq)]
 enum Depth {
-    /// Invariants that an error of the engine would violate. Asks for no memory, as the step does not.
+    /// Invariants that an error of the engine would violate. Allocates no memory, as the step does not.
     Quick,
     /// Invariants that forged data could violate besides.
     Full,

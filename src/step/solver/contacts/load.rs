@@ -141,7 +141,7 @@ impl SolverContacts {
     }
 }
 
-/// Asks for the manifolds with which lanes will be filled: pairs are spread over memory.
+/// Prefetches the manifolds with which lanes will be filled: pairs are spread over memory.
 fn prefetch(lanes: &LaneBlock, chunk: &[ManifoldRef], narrow_phase: &NarrowPhase) {
     for (lane, &at) in chunk.iter().enumerate() {
         if !lanes.is_seated(lane, at) || narrow_phase.contacts.is_renewed(at.pair) {

@@ -30,11 +30,11 @@ pub(in crate::step::solver) unsafe fn solve<W: Wide>(
     unsafe { bodies.scatter(states, &block.bodies) };
 }
 
-/// The normal rows without bias, which removes the velocity that the bias of the solve pass added; then
+/// The normal rows without bias, which remove the velocity that the bias of the solve pass added, then
 /// friction.
 ///
 /// In this order friction is bounded by the impulses that carry the bodies. The impulses of the solve pass
-/// are smaller while a soft contact is compressed, and larger while it removes overlap: with them a new box
+/// are smaller while a soft contact is compressed, and larger while it removes overlap. With them a new box
 /// slides 5 % too far.
 ///
 /// # Safety

@@ -55,7 +55,7 @@ pub(in crate::step::solver) unsafe fn prepare<W: Wide>(
 /// The points in the world and in the contact frame, at the bodies' current poses.
 ///
 /// [Frozen](crate::model::contact::AnchorFrame) contacts keep the frame, the moment arms and `c` of their
-/// last transformation. World positions are subtracted from each other before anything small is added: far
+/// last transformation. World positions are subtracted from each other before anything small is added. Far
 /// from the origin they have few fractional digits, and their differences keep all of them.
 #[inline(always)]
 fn read_points<W: Wide>(

@@ -52,12 +52,12 @@
 //! impacts joints take the inertias that contacts have.
 //!
 //! ## Supported loads
-//! A substep starts with the impulses of the last one, which may be outdated: an impulse that stopped an
+//! A substep starts with the impulses of the last one, which may be outdated. An impulse that stopped an
 //! impact would accelerate the body now. So impacts use the velocities before any impulse, after the forces
 //! and without any support. A loaded contact would then approach. The impulses of the last substep change
-//! that velocity by `o_i`, from 0 up to the effect of the forces, a constant of the substep, which is added.
-//! With it, resting and loaded bodies are at rest. The energy added is then less than the sum above, by `Σ
-//! λ_i o_i`. Joints apply to changes alone: the changes of an impact must be admissible.
+//! that velocity by `o_i`, from 0 up to the effect of the forces. This constant of the substep is added. With
+//! it, resting and loaded bodies are at rest. The energy added is then less than the sum above, by `Σ λ_i
+//! o_i`. Joints apply to changes alone: the changes of an impact must be admissible.
 //!
 //! ## Time of impact
 //! An impact happens at a time `τ = C / |c|` within the substep, or before it if a fast body was detected

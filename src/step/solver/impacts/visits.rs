@@ -1,4 +1,4 @@
-//! The visits of all blocks in an impact: what hits, what is deferred, and friction at the end.
+//! Phases of an impact over all blocks: hit detection, deferral, friction.
 
 use super::points::NormalRows;
 use super::rows::{ImpactBlock, ImpactMark};

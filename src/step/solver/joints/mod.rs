@@ -36,10 +36,10 @@
 //! the angular momentum by `τ`, and the angular velocity by `I⁻¹ τ` with the current inertia. With the
 //! inertia of the start of the step, the work of a joint's impulses differs from the energy change of the
 //! bodies. Two thin limbs on a post gained so much that they flew apart. The relax pass therefore rotates the
-//! inverse inertias of gyroscopic bodies, `R I⁻¹ Rᵀ`, and the next solve pass, which begins at the same
-//! poses, uses the same ones. (Impulses act there for the gyroscope, too: see `dimN/motion.rs`.) The
-//! subtracted impulse of the last substep is therefore the velocity change that it caused, and not a moment
-//! times the current inertia.
+//! inverse inertias of gyroscopic bodies, `R I⁻¹ Rᵀ`, The next solve pass begins at the same poses and uses
+//! the same ones. (Impulses act there for the gyroscope, too: see `dimN/motion.rs`.) The subtracted impulse
+//! of the last substep is therefore the velocity change that it caused, and not a moment times the current
+//! inertia.
 //!
 //! ## Warm starting
 //! Bodies start a substep with the effect of the last one's impulses. A joint's rows have rotated since. Each
@@ -183,12 +183,12 @@ impl SolverJoints {
         }
     }
 
-    /// Solves all joints once, looking ahead.
+    /// Solves all joints once at the end-of-substep positions.
     pub fn solve(&mut self, bodies: &mut SolverBodies, pass: &SolverPass<'_>) {
         self.iterate::<true>(bodies, pass);
     }
 
-    /// Solves all joints once, where the bodies are.
+    /// Solves all joints once at the current positions.
     pub fn relax(&mut self, bodies: &mut SolverBodies, pass: &SolverPass<'_>) {
         self.iterate::<false>(bodies, pass);
     }

@@ -121,10 +121,15 @@ impl<W: Wide> SubstepEnd<W> {
     #[inline(always)]
     fn speed(&self, now: &Geometry<W>, is_translation: W::Mask) -> W {
         let [m1, m2] = &self.velocities;
-        let turn = m2.angular - m1.angular;
+        let angular_velocity = m2.angular - m1.angular;
         let at = [cross(m1.angular, now.arms[0]), cross(m2.angular, now.arms[1])];
-        let way = (m2.linear - m1.linear) + (at[1] - at[0]);
-        W::select(is_translation, way.dot(way), ang_dot(turn, turn)).sqrt()
+        let linear_velocity = (m2.linear - m1.linear) + (at[1] - at[0]);
+        W::select(
+            is_translation,
+            linear_velocity.dot(linear_velocity),
+            ang_dot(angular_velocity, angular_velocity),
+        )
+        .sqrt()
     }
 }
 

@@ -166,7 +166,7 @@ impl SolverMultibodies {
         self.jacobians.rewrite_from(first_number);
         let mut points = core::mem::take(&mut self.contacts.contacts[position].points);
         for (point, (_, separation)) in points.iter_mut().zip(separations) {
-            let places = displacements.map(|way| point.position + way);
+            let places = displacements.map(|displacement| point.position + displacement);
             point.normal = self.row(&sides, places, normal);
             point.tangents = along.map(|tangent| self.row(&sides, places, tangent));
             let states =

@@ -28,7 +28,7 @@ pub(in super::super) struct JacobianBlock {
     pub rates: [Lane; SPATIAL_DIM],
     pub impulses: [Lane; SPATIAL_DIM],
     pub compliance: Lane,
-    /// One where the solve pass takes the rows from where the bodies would go, zero where they are.
+    /// One where the solve pass uses the rows of the predicted poses, zero for those of the current poses.
     pub at_predicted_pose: Lane,
     /// One where the solve pass includes the curvature.
     pub includes_curvature: Lane,
@@ -165,7 +165,7 @@ unsafe fn write_first_rows<W: Wide, const BIASED: bool, const N: usize>(
 }
 
 /// Rows and velocity errors of the solve pass, with the curvature of the present velocities. Stiff joints
-/// take the rows there, others where they are. Joints with a large unconstrained displacement
+/// use the rows of the predicted poses, others those of the current poses. Joints with a large unconstrained displacement
 /// (`../geometric_stiffness.rs`) are excluded.
 #[inline(always)]
 fn rows_biased<W: Wide, const N: usize>(

@@ -72,9 +72,9 @@ pub(super) struct Direct {
 /// Method for a component in a substep: see `../geometric_stiffness.rs`.
 #[derive(Copy, Clone, Debug, PartialEq)]
 enum Linearization {
-    /// Looking ahead, along the rows where the bodies are.
+    /// At the end of the substep, along the rows of the current poses.
     Ahead,
-    /// Stiff: projected from where the bodies would go freely, along the rows there.
+    /// Stiff: projected at the predicted poses of free motion, along the rows there.
     There,
     /// Stiff, with a large unconstrained displacement: projected at the current poses.
     Here,
@@ -259,8 +259,8 @@ impl Direct {
         self.factors.iter_mut().for_each(Factor::forget);
     }
 
-    /// Solves the components that are `wanted`, by their members: gives the rows their change of impulse, and
-    /// the bodies what it does to them.
+    /// Solves the components that are `wanted`, by their members. Applies the changes of impulses to the rows,
+    /// and the resulting velocity changes to the bodies.
     pub fn solve(
         &mut self,
         rows: &mut [JacobianBlock],
@@ -294,7 +294,7 @@ impl Direct {
                         continue;
                     }
                     factor.solve(component, again, read, &states, simd);
-                    // The rows were those of where the bodies are not yet.
+                    // The rows were those of predicted poses.
                     if at_predicted_pose {
                         factor.forget();
                     }

@@ -78,7 +78,7 @@ pub(super) struct Pattern {
     /// In the order of elimination; those of one component together.
     members: Vec<DirectJoint>,
     components: Vec<Part>,
-    /// By member: the later members of its component in whose rows its column has a block, ascending.
+    /// By direct joint: the later members of its component in whose rows its column has a block, ascending.
     columns: Vec<Vec<u32>>,
     search: Search,
     ordering: Ordering,
@@ -112,7 +112,7 @@ struct Search {
     body_count: usize,
     /// By body: whether it has been counted.
     seen: Vec<bool>,
-    /// By member: its position in its component.
+    /// By direct joint: its position in its component.
     position: Vec<u32>,
 }
 

@@ -106,8 +106,8 @@ impl<W: Wide> Masses<W> {
         [-mul_inertia(self.angular[0], first), mul_inertia(self.angular[1], second)]
     }
 
-    /// Gives the bodies an impulse, the first one the opposite, and what it makes of their angular
-    /// velocities.
+    /// Applies an impulse to the bodies, the opposite one to the first, and the resulting changes of their
+    /// angular velocities.
     #[inline(always)]
     fn push(
         &self,
