@@ -11,8 +11,8 @@ use parry::math::Real;
 const QUARTER: [f64; 3] =
     [1.570_796_251_296_997, 7.549_789_415_861_596e-8, 5.390_302_858_158_119e-15];
 
-/// Taylor's coefficients. At an eighth of a turn, the largest angle they see, what is left out is below the
-/// last digit of a double.
+/// Taylor's coefficients. At an eighth of a turn, the largest argument, the omitted terms are below the last
+/// digit of a double.
 const SINE: [f64; 8] = [
     1.0,
     -1.0 / 6.0,
@@ -40,7 +40,7 @@ const COSINE: [f64; 9] = [
 pub fn sin_cos(angle: Real) -> (Real, Real) {
     let angle = f64::from(angle);
     let quarters = (angle * FRAC_2_PI).round();
-    // Beyond what has digits behind the point, the rest is nonsense: any angle will do, but it must be one.
+    // Numbers without fractional digits give an arbitrary angle, which must be finite.
     let rest =
         QUARTER.into_iter().fold(angle, |rest, part| rest - quarters * part).clamp(-1.0, 1.0);
     let square = rest * rest;

@@ -1,4 +1,4 @@
-//! Sketches of shapes, kept from one picture to the next where they are dear.
+//! Sketches of shapes, stored from one picture to the next if they are expensive.
 
 use super::sketch::outline;
 use crate::base::outline::{Detail, Outline};
@@ -6,7 +6,8 @@ use parry::shape::SharedShape;
 use std::collections::HashMap;
 use std::sync::Arc;
 
-/// Sketches with at least this number of points are stored. Those of balls and boxes are made as fast as found.
+/// Sketches with at least this number of points are stored. Those of balls and boxes are made as fast as
+/// found.
 const STORED_POINTS_MIN: usize = 128;
 
 /// A store of sketches.

@@ -12,7 +12,7 @@ use crate::model::joint::{GenericJointBuilder, ImpulseJointSet};
 use crate::model::multibody::MultibodyJointSet;
 use parry::shape::TriMeshFlags;
 
-/// Keeps what is drawn; draws nothing of sensors.
+/// Stores the lines; draws no sensors.
 #[derive(Default)]
 struct Paper {
     lines: Vec<(Vector, Vector, DebugColor)>,

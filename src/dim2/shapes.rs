@@ -41,7 +41,7 @@ pub fn measures(shape: TypedShape<'_>) -> SmallVec<[Measure<'_>; 4]> {
 /// A polygon with a smaller area than this, as a fraction of its squared size, has none.
 const AREA_MIN: Real = 1.0e-6;
 
-/// Returns why a convex shape cannot collide, if it cannot: its kind, and what is wrong with it.
+/// Returns the reason why a convex shape cannot collide, if there is one: its kind and its defect.
 pub fn convex_defect(shape: TypedShape<'_>) -> Option<(&'static str, &'static str)> {
     let polygon = match shape {
         TypedShape::ConvexPolygon(polygon) => polygon,

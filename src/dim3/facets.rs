@@ -16,7 +16,7 @@ pub enum Facets<'a> {
     Triangle(&'a Triangle, Vector),
 }
 
-/// A face: what is inside has a product with the normal of at most `offset`.
+/// A face. The product of an inside point and the normal is at most `offset`.
 #[derive(Copy, Clone)]
 pub struct Facet {
     /// Unit outward normal.

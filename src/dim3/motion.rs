@@ -41,7 +41,8 @@ const ISOTROPY: Real = 1.0e-3;
 const TURN_MIN: Real = 1.0e-4;
 /// A rotation in a substep of up to this angle (rad) is unambiguous.
 const UNAMBIGUOUS_ANGLE_MAX: Real = 1.5;
-/// Up to this angle (rad) in a substep, the velocity of the middle is sufficient for bodies that are not thin.
+/// Up to this angle (rad) in a substep, the velocity of the middle is sufficient for bodies that are not
+/// thin.
 const SMALL_ANGLE_MAX: Real = 0.1;
 /// A body is thin if one of its moments of inertia is so many times another: a rod 8 times as long as thick.
 const INERTIA_RATIO_MAX: Real = 30.0;
@@ -261,7 +262,7 @@ struct Gyroscope<W> {
     momentum: WideAngVector<W>,
     /// The angular velocity that goes with it.
     angvel: WideAngVector<W>,
-    /// Not ours, but in the same registers.
+    /// Other data of the same registers.
     others: [W; 2],
 }
 

@@ -158,8 +158,8 @@ pub(crate) fn plane(out: &mut Outline, normal: Vector) {
     out.segment(Vector::ZERO, normal);
 }
 
-/// Places and directions of the normals with which a mesh decides what is inside: those of its
-/// vertices and those of its edges. Empty for shapes that have none.
+/// Places and directions of a mesh's pseudo-normals, which define its inside: those of its vertices and those
+/// of its edges. Empty for shapes that have none.
 pub(crate) fn pseudo_normals(shape: &TypedShape) -> [Vec<(Vector, Vector)>; 2] {
     let TypedShape::TriMesh(mesh) = shape else { return Default::default() };
     let Some(normals) = mesh.pseudo_normals() else { return Default::default() };

@@ -46,7 +46,7 @@ pub fn measures(shape: TypedShape<'_>) -> SmallVec<[Measure<'_>; 4]> {
     inner
 }
 
-/// Returns why a convex shape cannot collide, if it cannot: its kind, and what is wrong with it.
+/// Returns the reason why a convex shape cannot collide, if there is one: its kind and its defect.
 ///
 /// Two faces back to back are a plate, which collides on both sides.
 pub fn convex_defect(shape: TypedShape<'_>) -> Option<(&'static str, &'static str)> {

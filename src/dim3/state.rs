@@ -137,8 +137,8 @@ pub(crate) struct WideDisplacement<W> {
     pub linear: WideVector<W>,
     /// Rotation vector (rad).
     pub angular: WideAngVector<W>,
-    /// The unit quaternion of the rotation: its vector part divided by the rotation vector, and its real part.
-    /// They are computed once, when the body rotates: several joints of the body read them, many times.
+    /// The unit quaternion of the rotation: its vector part divided by the rotation vector, and its real
+    /// part. They are computed once, when the body rotates: several joints of the body read them, many times.
     scale: W,
     real: W,
 }

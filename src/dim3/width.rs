@@ -4,7 +4,7 @@
 //! origin inside `K - K`. An inscribed polytope of `K - K` grows until its nearest face lies on the boundary.
 //! Of a polyhedron that face is the difference of a face and a vertex, or of two edges. These are the two
 //! kinds of pairs that can attain the minimum width (Houle and Toussaint, "Computing the Width of a Set",
-//! 1988). The search looks at a few dozen supports instead of all pairs.
+//! 1988). The search evaluates a few dozen supports instead of all pairs.
 
 use super::math::{Real, Rotation, Vector, tangents};
 use crate::base::planar_width::{

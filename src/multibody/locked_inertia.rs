@@ -9,10 +9,10 @@
 //! energy is the sum of theirs (the locked inertia tensor: Marsden, Ratiu, "Introduction to Mechanics and
 //! Symmetry", 1999). From that follow two rules:
 //!
-//! * Among all motions that correct a missing momentum, that of the locked body has the least energy. Applied to
-//!   the root alone, a moment of a few roundings about the axis of a thin limb on a ball joint spins that
-//!   limb. A straight chain is a thin locked body. Its missing momentum about that axis is therefore corrected
-//!   slowly, or soon about another axis, as the chain rotates.
+//! * Among all motions that correct a missing momentum, that of the locked body has the least energy. Applied
+//!   to the root alone, a moment of a few roundings about the axis of a thin limb on a ball joint spins that
+//!   limb. A straight chain is a thin locked body. Its missing momentum about that axis is therefore
+//!   corrected slowly, or soon about another axis, as the chain rotates.
 //! * Excess energy can be taken from the change of shape. This conserves the linear and angular momentum in
 //!   every frame of reference.
 

@@ -39,8 +39,8 @@ impl<'a> Choices<'a> {
         usize::from(self.byte()) % count
     }
 
-    /// Returns whether the next byte modulo `times` is `times - 1`. A zero byte gives false, so rare operations
-    /// end with the bytes.
+    /// Returns whether the next byte modulo `times` is `times - 1`. A zero byte gives false, so rare
+    /// operations end with the bytes.
     pub fn once_in(&mut self, times: usize) -> bool {
         self.below(times) == times - 1
     }

@@ -253,7 +253,7 @@ fn no_order_makes_it_deep() {
     }
 }
 
-/// A probe that counts at how many nodes it looks.
+/// A probe that counts the nodes that it tests.
 #[derive(Copy, Clone)]
 struct Counting<'a>(SlabProbe, &'a Cell<usize>);
 

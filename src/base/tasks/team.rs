@@ -1,14 +1,14 @@
 //! The worker team of a step.
 //!
 //! A step consists of some hundred loops with serial code in between. Many of them take at most ten
-//! microseconds, the time that a sleeping thread needs to wake. Workers therefore stay awake between loops. They
-//! join at the first loop that is large enough, and spin until the next one. They leave after a while without
-//! work ([`POLLS_MAX`]), because the pool belongs to the user. The next loop recruits them again.
+//! microseconds, the time that a sleeping thread needs to wake. Workers therefore stay awake between loops.
+//! They join at the first loop that is large enough, and spin until the next one. They leave after a while
+//! without work ([`POLLS_MAX`]), because the pool belongs to the user. The next loop recruits them again.
 //!
-//! Each thread has a *range* of a loop's pieces and takes them from its front. These are always the same blocks
-//! and bodies, which are in its cache from the last loop. A thread without pieces takes from the back of the
-//! others. The thread that opened the loop needs no worker: in a pool whose threads are all busy it processes
-//! everything itself. A late worker finds that the team is over; the team has shared ownership.
+//! Each thread has a *range* of a loop's pieces and takes them from its front. These are always the same
+//! blocks and bodies, which are in its cache from the last loop. A thread without pieces takes from the back
+//! of the others. The thread that opened the loop needs no worker: in a pool whose threads are all busy it
+//! processes everything itself. A late worker finds that the team is over; the team has shared ownership.
 //!
 //! The rejected alternative is a fork and join for each loop (`rayon::join`). It costs 5 to 20 µs per loop on
 //! two cores, and pieces move from thread to thread. Box2D v3 (Catto, "SIMD Matters", box2d.org, 2024) uses
@@ -66,8 +66,7 @@ unsafe impl Sync for WorkerTeam {}
 // SAFETY: as above; the last worker to leave drops the team. It drops only the address of the work.
 unsafe impl Send for WorkerTeam {}
 
-// A thread that works for one step does not start helping with another: that one might wait for what it is
-// doing.
+// A thread that works for one step does not join another one, whose work may depend on the first.
 thread_local! {
     static IS_AT_WORK: Cell<bool> = const { Cell::new(false) };
 }
@@ -218,7 +217,7 @@ impl WorkRange {
         (word >> 32) as usize..(word & u64::from(u32::MAX)) as usize
     }
 
-    /// A thread that takes a piece sees the owner's writes.
+    /// A thread that takes a piece reads the owner's writes.
     fn give(&self, pieces: Range<usize>) {
         self.0.store(Self::pack(pieces), Ordering::Release);
     }

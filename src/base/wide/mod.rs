@@ -13,8 +13,8 @@
 //!
 //! **The same bits from all of them.** Only operations that IEEE 754 rounds correctly are offered. There is
 //! no fused multiply-add, no approximate reciprocal and no sum across lanes. `min` and `max` are defined by
-//! one comparison, which fixes what they do with NaN and with zeros of either sign. The one thing left open
-//! is *which* NaN comes out where a NaN comes out of arithmetic.
+//! one comparison, which defines their results for NaN and for zeros of either sign. Only the bits of a NaN
+//! that results from arithmetic are undefined.
 //!
 //! **In memory** the numbers stand in a [`Lane`]; the solver's constraints are blocks of lanes. [`gather`]
 //! reads records in random order (the states of bodies) and transposes one record per lane into one register

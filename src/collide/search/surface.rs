@@ -67,13 +67,13 @@ impl<'a> FlatParts<'a> {
 impl Search<'_> {
     /// Visits the parts of the surface on a side that are near the other shape.
     ///
-    /// Returns whether it did: not if the shape is no surface, or if the other shape is a surface or unbounded.
+    /// Returns whether it did: not if the shape is no surface, or if the other shape is a surface or
+    /// unbounded.
     pub(super) fn visit_surface(&mut self, side: usize) -> bool {
         let [surface, body] = [self.parts[side], self.parts[1 - side]];
         let (prediction, pos12) = (self.pair.prediction, self.pair.pos12);
         let poses = if side == 0 { [pos12, pos12.inverse()] } else { [pos12.inverse(), pos12] };
-        // The many pieces of another surface find what is near them sooner in the tree than among all that is
-        // kept.
+        // The many pieces of another surface find their neighbours faster in the tree than in the cache.
         if !surface.is_surface() || body.is_surface() {
             return false;
         }
@@ -83,7 +83,7 @@ impl Search<'_> {
         let kept = self.kept.take();
         let place = kept.map_or(&mut passing, |kept| kept.get_or_insert_default());
         look_up(&surface, &bounds, self.pair.motion_of(1 - side), place);
-        // Each part of the body looks through all that is kept.
+        // Each part of the body scans the whole cache.
         if is_tree_quicker(place, &body) {
             place.shrink();
             passing.clear();
@@ -206,8 +206,8 @@ fn is_tree_quicker(triangle_cache: &TriangleCache, body: &Parts<'_>) -> bool {
     !body.is_convex() && triangle_cache.len().saturating_mul(body.len()) > LOOKS_MAX
 }
 
-/// Looks up the parts of a surface in a box, and in what the box will pass over, if they are not there
-/// already.
+/// Adds the parts of a surface in a box, and in the region that the box will pass over, to the cache if they
+/// are missing.
 fn look_up(surface: &Parts<'_>, bounds: &Aabb, motion: Vector, triangle_cache: &mut TriangleCache) {
     if triangle_cache.covers(bounds) {
         return;

@@ -431,8 +431,8 @@ fn turning(angles: [Real; 2], reaches: [Real; 2]) -> Real {
     of(0) + of(1)
 }
 
-/// A box around a shape's core at a pose, with what the search tolerates; that of the shape if it has several
-/// parts.
+/// A box around a shape's core at a pose, plus the tolerance of the search. It is the box of the shape if
+/// that has several parts.
 fn box_of_core(solid: Solid<'_>, pose: &Pose) -> Aabb {
     let whole = || solid.shape.compute_aabb(pose);
     let Parts::Convex(shape) = Parts::of(solid.shape) else { return whole() };

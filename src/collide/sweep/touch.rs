@@ -3,8 +3,8 @@
 //!
 //! The motion may contain a million turns. Three things keep the search short however long the motion is:
 //!
-//! * No point of a part gets farther from its centre of rotation than at the start. While a box around this
-//!   ball passes the box of what stands still, something may be touched; before and after that nothing is.
+//! * No point of a part gets farther from its centre of rotation than at the start. Shapes can touch only
+//!   while a box around this ball overlaps the box of the shape at rest.
 //! * A shape that rotates in place has swept its full region after one turn.
 //! * After [`JUMPS_MAX`] jumps the search ends where it is, at a time before which nothing was touched.
 

@@ -4,8 +4,9 @@
 //! Rigid Body Systems"). The manifold of two convex parts has a normal along which they are a gap apart.
 //! While one of them moves by `displacement`, that gap shrinks by at most `-displacement·n`. The path is free
 //! until the gap of some plane would be used up; there the contacts are recomputed. Along a floor no gap
-//! shrinks, and one evaluation is sufficient. Support and sweep use the same contacts, so the two never contradict each other.
-//! A search for the time of impact alone would sometimes find a floor in the path of a walking character.
+//! shrinks, and one evaluation is sufficient. Support and sweep use the same contacts, so the two never
+//! contradict each other. A search for the time of impact alone would sometimes find a floor in the path of a
+//! walking character.
 
 use super::obstacles::Obstacles;
 use super::planes::Plane;

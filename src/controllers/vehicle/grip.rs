@@ -43,7 +43,7 @@ impl Drive {
         if length <= limit {
             return Grip { forward: wanted, side, is_sliding: false };
         }
-        // As a block: against the slip, whose direction is that of what would stop it.
+        // As a block: against the slip, in the direction of the impulse that would stop it.
         let stop = (forward * forward + side * side).sqrt();
         let as_block = if stop > limit { forward * (limit / stop) } else { forward };
         let forward = as_block.clamp(engine - brake, engine + brake).clamp(-limit, limit);

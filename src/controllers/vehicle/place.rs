@@ -72,7 +72,7 @@ impl Wheel {
         let reach = self.suspension_rest_length + self.radius;
         let approach = chassis.velocity_at_point(from).dot(along).max(0.0) * dt;
         let ray = Ray::new(from, along);
-        // Half a radius more is for what comes towards the wheel.
+        // Half a radius more covers ground that moves towards the wheel.
         let far = reach + approach + 0.5 * self.radius;
         let Some((collider, hit)) = queries.cast_ray_and_get_normal(&ray, far, true) else {
             return;

@@ -1,4 +1,4 @@
-//! The frame of the plane, and the friction row that looks at heights alone.
+//! The frame of the plane, and the friction row, which depends on heights only.
 //!
 //! Tests of both dimensions are in `step/solver/tests`, where the passes are called.
 

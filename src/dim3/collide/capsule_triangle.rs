@@ -118,7 +118,8 @@ fn nearest_of_segments([p1, q1]: [Vector; 2], [p2, q2]: [Vector; 2]) -> (Vector,
     (p1 + along1 * share1, p2 + along2 * share2)
 }
 
-/// Adds both ends of the part of the axis that is above the face. `direction` is from the capsule to the face.
+/// Adds both ends of the part of the axis that is above the face. `direction` is from the capsule to the
+/// face.
 fn add_face(
     pos12: &Pose,
     capsule: &Capsule,

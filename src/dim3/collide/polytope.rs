@@ -179,7 +179,7 @@ impl<'a> Polytope<'a> {
         }
     }
 
-    /// Calls `f` with the corners of the face that looks along a direction, or with the ends of a segment.
+    /// Calls `f` with the corners of the face along a direction, or with the ends of a segment.
     pub fn for_each_corner_toward(
         &self,
         direction: Vector,

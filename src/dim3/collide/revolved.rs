@@ -74,7 +74,7 @@ impl Outline {
         apex
     }
 
-    /// The line of the side that looks in a horizontal direction.
+    /// The line of the side along a horizontal direction.
     fn side(self, azimuth: Vector) -> PolygonalFeature {
         let rim = azimuth * self.radius;
         let top = if self.is_cone { Vector::ZERO } else { rim };

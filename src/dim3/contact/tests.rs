@@ -1,4 +1,5 @@
-//! The rows that 3D alone has: two tangents that are solved together, and torsional friction about the normal.
+//! The rows that 3D alone has: two tangents that are solved together, and torsional friction about the
+//! normal.
 //!
 //! Tests of both dimensions are in `step/solver/tests`, where the passes are called.
 
@@ -89,7 +90,8 @@ impl Touch {
         Self { normal, offset, inv_inertia, velocities, points, coefficient, normal_impulse }
     }
 
-    /// Their velocities after an impulse at a point and a torsional impulse about the normal. Both have mass 1.
+    /// Their velocities after an impulse at a point and a torsional impulse about the normal. Both have mass
+    /// 1.
     fn pushed(&self, impulse: Vector, torsion: Real, point: Vector) -> [(Vector, Vector); 2] {
         let [(v1, w1), (v2, w2)] = self.velocities;
         let [i1, i2] = &self.inv_inertia;

@@ -117,7 +117,7 @@ impl RigidBody {
         let rotation = next_pose.rotation * self.pose.rotation.inverse();
         RigidBodyVelocity {
             linvel: (next_com - self.mprops.world_com) * inv_dt,
-            angvel: rotation_to_angle(&turn) * inv_dt,
+            angvel: rotation_to_angle(&rotation) * inv_dt,
         }
     }
 

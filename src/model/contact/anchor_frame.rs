@@ -24,12 +24,12 @@ use crate::model::check::is_saved_unit;
 /// k  <  n³ m g / 7.84        k = β m / (8 σ h²)        (β, σ, h: see `model/params/softness`)
 /// ```
 ///
-/// which for our contacts are towers of some twenty cubes. A column tips by the moment of its load about the
-/// leaning part below: the load times the rotation of the moment arms. With frozen moment arms that moment is
-/// zero, as between rigid faces. The column is then a beam without axial load, which is stable at any height.
-/// Stiffer contacts are the alternative. A pile of a hundred layers needs a hundred times the stiffness, for
-/// which one iteration per substep does not converge. Box3D keeps its anchors for the same reason, for up to
-/// seven degrees and at any speed.
+/// which for the default contacts are towers of some twenty cubes. A column tips by the moment of its load
+/// about the leaning part below: the load times the rotation of the moment arms. With frozen moment arms that
+/// moment is zero, as between rigid faces. The column is then a beam without axial load, which is stable at
+/// any height. Stiffer contacts are the alternative. A pile of a hundred layers needs a hundred times the
+/// stiffness, for which one iteration per substep does not converge. Box3D keeps its anchors for the same
+/// reason, for up to seven degrees and at any speed.
 ///
 /// The price: that moment is real. Without it, action and reaction of a contact are not collinear, and the
 /// angular momentum of a compressed pair is not conserved. The rule therefore applies only to bodies under

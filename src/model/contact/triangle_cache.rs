@@ -10,7 +10,8 @@ use crate::base::wide::{LANES, prefetch};
 use crate::dim::collide::{FlatBlock, FlatShape, flat_lane, set_flat_lane};
 use parry::bounding_volume::{Aabb, BoundingVolume};
 
-/// More pieces than this are not worth the memory: a large thing on a fine mesh looks them up in each step.
+/// More pieces than this are not worth the memory. A large shape on a fine mesh searches the tree in each
+/// step.
 const PIECES_MAX: usize = 1024;
 
 /// Flat pieces of a shape, in blocks of as many as a register has lanes.

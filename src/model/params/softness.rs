@@ -1,8 +1,8 @@
 //! Soft constraints: from the fraction of the error per substep to the solver's coefficients.
 //!
-//! Source: Catto, "Soft Constraints" (2011), and "Solver2D" (2024), whose *soft step* solver is ours.
-//! Two deviations: we parametrise by what happens in a substep rather than by frequency and damping,
-//! and fixed and moving partners get the same softness.
+//! Source: Catto, "Soft Constraints" (2011), and "Solver2D" (2024), whose *soft step* method the solver uses.
+//! Two details differ: the parameters are fractions per substep instead of frequency and damping, and fixed
+//! and moving partners get the same softness.
 //!
 //! # Derivation
 //!

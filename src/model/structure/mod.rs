@@ -328,8 +328,8 @@ impl Structure<'_> {
         }
     }
 
-    /// Begins to bring near what the first of some pairs do not need yet when they are added, but the next
-    /// ones. A collider stores its body's index, so the collider is prefetched first.
+    /// Prefetches the input of the later ones of some pairs while the first ones are added. A collider stores
+    /// its body's index, so the collider is prefetched first.
     fn prefetch_addition(&self, pairs: &[(ColliderHandle, ColliderHandle)]) {
         let contacts = &self.narrow_phase.contacts;
         contacts.prefetch_vacancy(PREFETCH_DISTANCE);
@@ -453,7 +453,7 @@ impl Structure<'_> {
         }
     }
 
-    /// Two colliders are too far apart to be watched, or one of them goes.
+    /// Removes the pair of two colliders that are too far apart, or of which one is removed.
     ///
     /// Returns them if their begin event was emitted.
     pub fn remove_contact_pair(&mut self, id: PairId) -> Option<[ColliderHandle; 2]> {

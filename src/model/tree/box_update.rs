@@ -26,8 +26,8 @@ impl BroadPhaseBvh {
         self.place(handle, &mut collider.proxy, kind_of(body), &tight, &margin)
     }
 
-    /// Records the collider's groups, its sensor flag and its fixed-fixed type, so that no necessary search is
-    /// skipped.
+    /// Records the collider's groups, its sensor flag and its fixed-fixed type, so that no necessary search
+    /// is skipped.
     pub(crate) fn note_filters(&mut self, collider: &Collider, body: Option<&RigidBody>) {
         self.note_sensor(collider.proxy.slot, collider.is_sensor());
         let groups = collider.collision_groups();

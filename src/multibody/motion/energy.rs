@@ -106,9 +106,9 @@ impl Motion {
 
     /// Limits the kinetic energy. Returns the fraction of it that is kept.
     ///
-    /// A small energy gain, or that of joints alone, is removed from the change of shape, so that the momentum
-    /// from other bodies is conserved. For a large one all velocities are scaled: scaled velocities still
-    /// lead out of all contacts.
+    /// A small energy gain, or that of joints alone, is removed from the change of shape, so that the
+    /// momentum from other bodies is conserved. For a large one all velocities are scaled: scaled velocities
+    /// still lead out of all contacts.
     pub fn limit_energy(&mut self, energy_max: Real, touches: bool) -> Real {
         let energy = self.kinetic_energy();
         let kept = energy_max.max(0.0) / energy;

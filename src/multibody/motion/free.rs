@@ -33,8 +33,8 @@
 //! # Energy budget
 //! Free motion conserves the kinetic energy `T`. The leapfrog's error oscillates with the configuration;
 //! impulses in between break that bound, and the corrections of the momentum (`centroidal.rs`) do as well.
-//! [`Multibody::free_motion_error`] therefore sums the energy errors of all substeps, those of the work of the
-//! forces among them. It stays within ±[`ERROR_MAX`] of the kinetic energy. An excess is removed from the
+//! [`Multibody::free_motion_error`] therefore sums the energy errors of all substeps, those of the work of
+//! the forces among them. It stays within ±[`ERROR_MAX`] of the kinetic energy. An excess is removed from the
 //! change of shape, so that linear and angular momentum are conserved. A deficit is dropped, so that energy
 //! lost in a non-converged piece does not return later. Impulses that leave too much energy have a budget of
 //! their own (`energy.rs`).

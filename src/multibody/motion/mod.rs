@@ -194,8 +194,8 @@ impl Motion {
     }
 
     /// Applies the forces for `h` seconds and integrates the velocities to the middle of the substep. No link
-    /// gets faster than `speed_max`. Meanwhile they have half of what the last substep's impulses did to the
-    /// rates.
+    /// gets faster than `speed_max`. During it, the rates contain half of the effect of the last substep's
+    /// impulses.
     pub fn accelerate(
         &mut self,
         multibody: &mut Multibody,

@@ -1,4 +1,4 @@
-//! Formulas against what they claim: the shapes touch then, and not before.
+//! Tests of formulas: the shapes touch at the computed time, and not before.
 
 use super::{Dispatcher, intersection, time_of_impact};
 use crate::base::random::Random;
@@ -142,7 +142,7 @@ fn distance(pose12: &Pose, shape1: &dyn Shape, shape2: &dyn Shape) -> Real {
     found.expect("parry knows the distance of convex shapes").distance - layer1 - layer2
 }
 
-/// parry's search does not get near round surfaces: it gets what they are around.
+/// parry's search has tolerances near round surfaces, so it is applied to their cores.
 fn core(shape: &dyn Shape) -> (&dyn Shape, Real) {
     match shape.as_typed_shape() {
         TypedShape::RoundCuboid(round) => (&round.inner_shape, round.border_radius),
@@ -256,7 +256,7 @@ fn balls_meet_meshes_when_parry_says() {
     assert!(hits > 100 && grazes <= 12, "{hits} hits, {grazes} that differ");
 }
 
-/// To the last bit: the tree spares us those that cannot matter, and changes nothing.
+/// Equal to the last bit: the tree omits colliders that cannot be hit.
 #[test]
 fn trees_change_no_bit() {
     let (mut random, mut colliders, mut hits) = (Random(8), ColliderSet::new(), 0);

@@ -7,8 +7,8 @@
 //!     pairs is limited
 //!
 //! One of two colliders *owns* the pair: the smaller one; of equals the one that is no sensor, or else the
-//! later one. The owner results the pair when both moved. The number of pairs that a collider owns is limited,
-//! with colliders of its size and with larger ones. Pairs with sensors have a separate limit
+//! later one. The owner results the pair when both moved. The number of pairs that a collider owns is
+//! limited, with colliders of its size and with larger ones. Pairs with sensors have a separate limit
 //! (`IntegrationParameters::max_neighbors_per_collider`,
 //! `IntegrationParameters::max_sensor_neighbors_per_collider`). Without limits, bodies at one point have a
 //! number of pairs quadratic in their number. A platform under thousands of crates owns none of these pairs,
@@ -110,7 +110,7 @@ pub(crate) fn find_pairs(
     debug_assert!(pairs.is_sorted_by(|one, other| one < other), "each pair is new once");
     debug_assert!(
         pairs.iter().all(|&(low, high)| colliders.contains(low) && colliders.contains(high)),
-        "pairs are of living colliders"
+        "pairs are of colliders in the set"
     );
     tree.clear_moved();
     for list in refused.iter_mut() {

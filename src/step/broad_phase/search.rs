@@ -200,8 +200,8 @@ impl<K: KnownPairs> Search<'_, K> {
         }
     }
 
-    /// Returns whether a collider that did not move has to choose among new neighbours itself. It then results
-    /// the pairs of all kinds, so the answer is the same for all.
+    /// Returns whether a collider that did not move has to choose among new neighbours itself. It then
+    /// results the pairs of all kinds, so the answer is the same for all.
     fn is_full(&self, slot: u32) -> bool {
         self.partners(slot, false).len() >= self.most.solids
             || self.partners(slot, true).len() >= self.most.sensors

@@ -186,7 +186,7 @@ pub(crate) fn find_impacts(tasks: Tasks<'_>, context: CcdContext<'_>, scratch: &
 }
 
 /// Marks these bodies, so that their paths are searched if CCD is enabled.
-pub(crate) fn watch(
+pub(crate) fn set_deeply_penetrating(
     bodies: &mut RigidBodySet,
     deeply_penetrating: &[RigidBodyHandle],
     params: &IntegrationParameters,

@@ -246,9 +246,9 @@ fn look_at_all<P: Update>(
     let (results, pairs) = (DisjointMut::new(outcomes), DisjointMut::new(pairs));
     tasks.par_for(due.len(), PAIRS_PER_TASK, |range| {
         let mut worker = workers.take();
-        let ahead = Ahead { context, states, due: &due[range.clone()], pairs };
+        let prefetcher = Prefetcher { context, states, due: &due[range.clone()], pairs };
         for (position, index) in range.enumerate() {
-            ahead.of(position);
+            prefetcher.of(position);
             let id = due[index];
             // SAFETY: ids of awake pairs differ, and so do the indices of different tasks.
             let (pair, result) = unsafe { (pairs.get_mut(id as usize), results.get_mut(index)) };
@@ -290,16 +290,16 @@ fn apply<P: Pair>(
     store.renew(found().filter(|(_, outcome)| outcome.is_renewed).map(|(id, _)| id));
 }
 
-/// Brings near what the next turns will read. Pairs, colliders and bodies are spread over memory, and waiting
-/// for them took as long as a third of the computation.
-struct Ahead<'a, P> {
+/// Prefetches the input of the next iterations. Pairs, colliders and bodies are spread over memory. Without
+/// prefetching, a third of the computation is the delay of these loads.
+struct Prefetcher<'a, P> {
     context: NarrowPhaseContext<'a>,
     states: &'a [PairState],
     due: &'a [PairId],
     pairs: DisjointMut<'a, Option<P>>,
 }
 
-impl<P: Update> Ahead<'_, P> {
+impl<P: Update> Prefetcher<'_, P> {
     /// The pair contains the collider slots, so it is prefetched first.
     #[inline(always)]
     fn of(&self, index: usize) {

@@ -126,7 +126,7 @@ impl SolverScratch {
             world: context.bodies,
         };
         constraints.prepare(sources, bodies, &pass);
-        constraints.watch_energy(members, links, sources.world, bodies, &pass);
+        constraints.record_energy(members, links, sources.world, bodies, &pass);
         counters.velocity_assembly_time.pause();
 
         counters.velocity_resolution_time.resume();
@@ -263,8 +263,8 @@ impl Constraints {
         limited
     }
 
-    /// Begins to watch the energy of islands with deep overlap, except those that something drives.
-    fn watch_energy(
+    /// Starts to record the energy of islands with deep overlap, except those that something drives.
+    fn record_energy(
         &mut self,
         members: &[RigidBodyHandle],
         links: &Links,

@@ -7,7 +7,7 @@
 //!
 //! Replacing a whole set edits everything in it: [`resync`] comes before everything else.
 //!
-//! Removals come first, because slots of removed bodies and colliders may have new tenants already.
+//! Removals come first, because slots of removed bodies and colliders may be occupied again already.
 
 mod bodies;
 mod colliders;
@@ -68,15 +68,15 @@ impl UserChanges<'_> {
         self.apply_sleepers(&bodies);
     }
 
-    /// Applies removals only: all other edits wait for the next [`Self::run`].
+    /// Applies removals only. The next [`Self::run`] applies all other edits.
     pub fn run_removals(mut self) {
         self.apply_replacements();
         self.apply_removals();
     }
 
     /// Replaced colliders become colliders of the bodies that they name, and replaced bodies get the
-    /// colliders of the old ones. No collider is then in two lists, and threads that work on different bodies
-    /// rely on that.
+    /// colliders of the old ones. No collider is then in two lists, as threads that work on different bodies
+    /// require.
     fn apply_replacements(&mut self) {
         let Structure { bodies, colliders, .. } = &mut self.structure;
         colliders.register_replaced(bodies);

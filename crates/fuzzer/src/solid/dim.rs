@@ -20,7 +20,7 @@ pub const TREE_LOCKS: [JointAxesMask; 6] = [
     JointAxesMask::all(),
 ];
 
-/// Returns a rotation vector or angular velocity about the axis out of the plane.
+/// Returns a rotation vector or angular velocity about Z.
 pub fn about_z(angle: Real) -> AngVector {
     AngVector::new(0.0, 0.0, angle)
 }

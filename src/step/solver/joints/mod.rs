@@ -136,8 +136,8 @@ pub(super) struct Changes<'a> {
 }
 
 impl Changes<'_> {
-    /// Adds so many times what they were at the start to the velocities of `wanted` bodies. The others keep
-    /// theirs: subtraction and addition leave rounding errors, as often as other islands need another
+    /// Adds a multiple of the initial velocities to the velocities of `wanted` bodies. The others keep
+    /// theirs. Subtraction and addition leave rounding errors each time that other islands need another
     /// iteration.
     fn add_start(&mut self, times: Real, wanted: impl Fn(u32) -> bool) {
         for &body in self.held.iter().filter(|body| wanted(**body)) {
@@ -241,10 +241,10 @@ impl SolverJoints {
     }
 
     /// Projects the velocity changes since the start of a round on the directly solved joints, in components
-    /// with a `wanted` body. The projection uses the current poses and the inertias of contacts. For impacts:
-    /// what the impulses are is kept apart until [`Self::commit_impact_impulses`], and the next step does not
-    /// start with them. `add_work` receives one body of each joint, and the work of the joint's impulses at
-    /// the velocities of the `start`.
+    /// with a `wanted` body. The projection uses the current poses and the inertias of contacts. It serves
+    /// impacts. The impulses are stored separately until [`Self::commit_impact_impulses`], and the next step
+    /// does not start with them. `add_work` receives one body of each joint, and the work of the joint's
+    /// impulses at the velocities of the `start`.
     pub fn project(
         &mut self,
         mut changes: Changes<'_>,

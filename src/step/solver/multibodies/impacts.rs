@@ -233,7 +233,8 @@ impl SolverMultibodies {
         }
     }
 
-    /// Iterates over the points that hit, and applies impulses until they separate at their target velocities.
+    /// Iterates over the points that hit, and applies impulses until they separate at their target
+    /// velocities.
     pub fn iterate_active(&mut self, states: &mut [BodyState]) {
         let (jacobians, contacts, mut states) = self.bouncing(states);
         for contact in contacts.bouncing().filter(|contact| contact.impact.active) {

@@ -211,7 +211,7 @@ impl<const N: usize> Matrix<N> {
         }
     }
 
-    /// As [`Self::size_of_rates`], of what the impulses do as a whole, and of what rounding makes of rates.
+    /// As [`Self::size_of_rates`], for the total effect of the impulses and for the rounding errors of rates.
     fn size_of_load(
         &self,
         component: Component<'_>,
@@ -341,7 +341,7 @@ impl<const N: usize> Matrix<N> {
         }
     }
 
-    /// Takes what the elimination of the column `at` does off the block of two of its rows.
+    /// Subtracts the effect of the elimination of the column `at` from the block of two of its rows.
     #[expect(clippy::expect_used, reason = "the pattern is ours, and closed under elimination")]
     #[inline(always)]
     fn update(&mut self, component: Component<'_>, at: usize, first: usize, second: usize) {

@@ -164,9 +164,9 @@ unsafe fn write_first_rows<W: Wide, const BIASED: bool, const N: usize>(
     (memory.inv_mass, memory.inv_inertia) = (block.inv_mass, *block.inertias.lanes());
 }
 
-/// Rows and velocity errors of the solve pass, with the curvature of the present velocities. Stiff joints
-/// use the rows of the predicted poses, others those of the current poses. Joints with a large unconstrained displacement
-/// (`../geometric_stiffness.rs`) are excluded.
+/// Rows and velocity errors of the solve pass, with the curvature of the present velocities. Stiff joints use
+/// the rows of the predicted poses, others those of the current poses. Joints with a large unconstrained
+/// displacement (`../geometric_stiffness.rs`) are excluded.
 #[inline(always)]
 fn rows_biased<W: Wide, const N: usize>(
     block: &mut JointBlock,

@@ -1,8 +1,8 @@
 //! Joints that hold each other, solved together and exactly.
 //!
 //! An iteration over the joints of a chain carries a force by one or two links. A long chain, or a light one
-//! with something heavy at its end, is far from done when the substep is. So the locked axes of all joints
-//! that are connected through bodies are one system of linear equations,
+//! with something heavy at its end, has not converged at the end of the substep. So the locked axes of all
+//! joints that are connected through bodies are one system of linear equations,
 //!
 //! ```text
 //! (J M⁻¹ Jᵀ + Γ) Δλ = -(J v + bias + Γ λ)
@@ -73,11 +73,11 @@ pub(super) struct Direct {
 #[derive(Copy, Clone, Debug, PartialEq)]
 enum Linearization {
     /// At the end of the substep, along the rows of the current poses.
-    Ahead,
+    SubstepEnd,
     /// Stiff: projected at the predicted poses of free motion, along the rows there.
-    There,
+    PredictedPose,
     /// Stiff, with a large unconstrained displacement: projected at the current poses.
-    Here,
+    CurrentPose,
 }
 
 /// State of the solution of a component.
@@ -259,8 +259,8 @@ impl Direct {
         self.factors.iter_mut().for_each(Factor::forget);
     }
 
-    /// Solves the components that are `wanted`, by their members. Applies the changes of impulses to the rows,
-    /// and the resulting velocity changes to the bodies.
+    /// Solves the components that are `wanted`, by their members. Applies the changes of impulses to the
+    /// rows, and the resulting velocity changes to the bodies.
     pub fn solve(
         &mut self,
         rows: &mut [JacobianBlock],

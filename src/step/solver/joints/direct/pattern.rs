@@ -21,7 +21,7 @@ const NET_JOINTS: usize = 6;
 
 /// Range of joints of free components with moderate mass ratios that are solved iteratively: ragdolls. They
 /// carry no load for long, and a force passes through them in some substeps. Fewer joints cost little, and
-/// keep the energy of what turns about itself.
+/// keep the energy of rotating components.
 const FREE_JOINTS: RangeInclusive<usize> = 6..=24;
 const MASS_RATIO_MAX: Real = 32.0;
 
