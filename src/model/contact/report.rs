@@ -42,7 +42,7 @@ impl ContactReport {
         Vector::from_slice(&self.0[FRICTION..])
     }
 
-    /// The torsion impulse of the last substep, about the normal: zero in the plane.
+    /// The torsional impulse of the last substep, about the normal; zero in 2D.
     pub fn torsional_impulse(&self) -> Real {
         self.0[TORSION]
     }

@@ -7,7 +7,7 @@
 //!     pairs is limited
 //!
 //! One of two colliders *owns* the pair: the smaller one; of equals the one that is no sensor, or else the
-//! later one. The owner results the pair when both moved. The number of pairs that a collider owns is
+//! later one. The owner finds the pair when both moved. The number of pairs that a collider owns is
 //! limited, with colliders of its size and with larger ones. Pairs with sensors have a separate limit
 //! (`IntegrationParameters::max_neighbors_per_collider`,
 //! `IntegrationParameters::max_sensor_neighbors_per_collider`). Without limits, bodies at one point have a

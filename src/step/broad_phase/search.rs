@@ -172,7 +172,7 @@ impl<K: KnownPairs> Search<'_, K> {
     ) {
         let Seeker { slot, handle, collider, .. } = seeker;
         let owns = self.tree.owns(slot, other_slot);
-        // If both moved, each results the other.
+        // If both moved, each finds the other.
         if !owns && (self.only_owned || self.tree.is_moved(other_slot)) {
             return;
         }
@@ -201,7 +201,7 @@ impl<K: KnownPairs> Search<'_, K> {
     }
 
     /// Returns whether a collider that did not move has to choose among new neighbours itself. It then
-    /// results the pairs of all kinds, so the answer is the same for all.
+    /// finds the pairs of all kinds, so the answer is the same for all.
     fn is_full(&self, slot: u32) -> bool {
         self.partners(slot, false).len() >= self.most.solids
             || self.partners(slot, true).len() >= self.most.sensors

@@ -5,7 +5,7 @@
 //! a fast body does:
 //!
 //! ```text
-//! |Δx_b - (Δx_k + θ_k × d)| + |θ_b| R_b + |θ_k| R_b + |θ_k|² |d| / 2  >  what FastMotion::is_fast allows,  d = c_b - c_k
+//! |Δx_b - (Δx_k + θ_k × d)| + |θ_b| R_b + |θ_k| R_b + |θ_k|² |d| / 2  >  bound of FastMotion::is_fast,  d = c_b - c_k
 //! ```
 //!
 //! `c` are centres of mass, `θ` rotation vectors in the step, `R_b` the extent of the body about its centre. A door
