@@ -5,13 +5,13 @@
 //! a fast body does:
 //!
 //! ```text
-//! |Δx_b - (Δx_k + θ_k × d)| + |θ_b| R_b + |θ_k| R_b + |θ_k|² |d| / 2  >  bound of FastMotion::is_fast,  d = c_b - c_k
+//! |Δx_b - (Δx_k + θ_k × d)| + |θ_b| R_b + |θ_k| R_b + |θ_k|² |d| / 2  >  bound of a fast body,  d = c_b - c_k
 //! ```
 //!
-//! `c` are centres of mass, `θ` rotation vectors in the step, `R_b` the extent of the body about its centre. A door
-//! moves far at its edge and hardly at its hinge. A heap that a blade pushes along moves little relative to
-//! the blade. The last term bounds the error of the linearised rotation `θ × d`, at the end of the step and
-//! during it.
+//! `c` are centres of mass, `θ` rotation vectors in the step, `R_b` the extent of the body about its centre.
+//! A door moves far at its edge and hardly at its hinge. A heap that a blade pushes along moves little
+//! relative to the blade. The last term bounds the error of the linearised rotation `θ × d`, at the end of
+//! the step and during it.
 //!
 //! Candidates are found before bodies move, from the velocities of awake kinematic bodies. Sleeping ones
 //! among them wake. A body whose box is outside the swept region of a kinematic collider needs no search. A
