@@ -16,7 +16,7 @@ use parry::shape::SupportMap;
 const OVERLAP_RATIO_MAX: Real = 0.25;
 /// Separation of the shapes for the search, as a fraction of their thickness: much more than GJK's tolerance,
 /// much less than any relevant feature.
-const MOVED_APART: Real = 0.02;
+const SEPARATION_FRACTION: Real = 0.02;
 
 /// Typical prediction distance in a world of metres (length units).
 const USUAL_REACH: Real = 0.02;
@@ -122,7 +122,7 @@ fn closest_as_is(
             return Closest::Apart(normal);
         }
         if extents.gap < 0.0 && -extents.gap < OVERLAP_RATIO_MAX * extents.thickness {
-            let shift = normal * (MOVED_APART * extents.thickness - extents.gap);
+            let shift = normal * (SEPARATION_FRACTION * extents.thickness - extents.gap);
             if let Some(found) = closest_apart(pos12, shape1, shape2, shift) {
                 return found;
             }

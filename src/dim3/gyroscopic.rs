@@ -13,7 +13,7 @@
 //! The method composes these symmetrically (Strang 1968). The first commutes with all the others. The others
 //! are applied for half of the time, the last of them for all of it, and back again. The result is a
 //! rotation, so the world-space momentum is constant, and the method is reversible. `I₀` is the middle one of
-//! the moments, so two of the terms are exact for a body with two equal moments: a rod, a disc, a capsule.
+//! the moments. Two of the terms are then exact for a body with two equal moments: a rod, a disc, a capsule.
 //! For others the energy oscillates by the square of `h` times the difference of neighbouring moments.
 //!
 //! Sources: McLachlan, "Explicit Lie-Poisson integration and the Euler equations" (Phys. Rev. Lett. 1993);

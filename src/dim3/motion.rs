@@ -19,7 +19,7 @@
 //! * that of thin bodies rotates by `δ`, so that relative to the body it equals that of free motion. A rod
 //!   rotates about its middle and hardly about its axis, so the rotation is invisible.
 //! * that of others is adjusted along the gradient of the energy, `ω`, by the necessary amount. A rotation by
-//!   `δ` for each impulse of its support is wrong for these: a gyroscope at 40 rad/s and 30 steps a second
+//!   `δ` for each impulse of their support is wrong for these. A gyroscope at 40 rad/s and 30 steps a second
 //!   would precess by 8 % too slowly.
 //!
 //! The implicit Euler step of Catto, "Numerical Methods" (GDC 2015), is as stable but dissipates. Explicit

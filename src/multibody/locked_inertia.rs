@@ -80,8 +80,8 @@ impl LockedInertia {
         self.factor.update(&self.body, Resistance { armature, drag: &[] });
     }
 
-    /// The rates of the root's degrees of freedom at which the whole has a momentum, given about the root's
-    /// centre of mass.
+    /// The rates of the root's degrees of freedom at which the locked body has a momentum, given about the
+    /// root's centre of mass.
     pub fn rates_at(&mut self, momentum: &SpatialVector) -> &[Real] {
         self.resist(|_| 0.0);
         self.solve(&carry_back(momentum, -self.reach));
@@ -113,7 +113,7 @@ impl LockedInertia {
         &self.rates
     }
 
-    /// The rates that a momentum about the centre of mass of the whole leads to.
+    /// The rates that a momentum about the centre of mass of the locked body leads to.
     fn solve(&mut self, momentum: &SpatialVector) {
         self.rates.clear();
         self.rates.resize(self.body.axes.len(), 0.0);

@@ -26,7 +26,7 @@ const STEPS_AHEAD: Real = 6.0;
 const MARGIN: Real = 0.05;
 
 /// Pieces of a surface times parts of a body, beyond which the pieces are found in the surface's tree.
-const LOOKS_MAX: usize = 1 << 20;
+const SCANNED_PAIRS_MAX: usize = 1 << 20;
 
 /// Some flat parts: a bit for each of each block.
 pub(super) type Bits = SmallVec<[u32; 16]>;
@@ -203,7 +203,7 @@ impl Search<'_> {
 
 /// Returns whether the tree of a surface is faster than a scan of all pieces around the body.
 fn is_tree_quicker(triangle_cache: &TriangleCache, body: &Parts<'_>) -> bool {
-    !body.is_convex() && triangle_cache.len().saturating_mul(body.len()) > LOOKS_MAX
+    !body.is_convex() && triangle_cache.len().saturating_mul(body.len()) > SCANNED_PAIRS_MAX
 }
 
 /// Adds the parts of a surface in a box, and in the region that the box will pass over, to the cache if they

@@ -16,7 +16,7 @@ use crate::dim::math::{Pose, Real, Vector};
 /// A motion along a plane at less than this sine passes it.
 const SINE_MIN: Real = 1.0e-4;
 /// Largest number of contact computations on a piece of the path.
-const LOOKS_MAX: usize = 32;
+const EVALUATIONS_MAX: usize = 32;
 /// A path is divided into pieces of the shape's thickness, so that only near obstacles are evaluated, up to
 /// this number.
 const PIECES_MAX: Real = 32.0;
@@ -106,7 +106,7 @@ impl Obstacles<'_> {
         let (near, tolerance) = (sweep.settings.reach(), sweep.settings.tolerance);
         let mut reach = sweep.within + (end - time) * sweep.length + tolerance;
         let mut first = None;
-        for _ in 0..LOOKS_MAX {
+        for _ in 0..EVALUATIONS_MAX {
             self.near(&sweep.pose_at(time), reach, sweep.settings, &mut planes);
             let horizon = time + (reach - sweep.within) / sweep.length;
             first = sweep.first_of(&planes, time).filter(|&(then, _)| then < horizon.min(end));

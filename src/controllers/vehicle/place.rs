@@ -110,7 +110,7 @@ fn normal_against(normal: Vector, along: Vector) -> Vector {
 pub(super) fn with_ground_alone<R>(
     filter: QueryFilter<'_>,
     chassis: RigidBodyHandle,
-    ask: impl FnOnce(QueryFilter<'_>) -> R,
+    run_query: impl FnOnce(QueryFilter<'_>) -> R,
 ) -> R {
     // A filter excludes one body, which may be the user's: the chassis needs a second exclusion.
     let users = filter.predicate;
@@ -119,14 +119,16 @@ pub(super) fn with_ground_alone<R>(
             && users.is_none_or(|predicate| predicate(handle, collider))
     };
     let predicate: QueryPredicate<'_> = &predicate;
-    ask(QueryFilter {
-        flags: filter.flags,
-        groups: filter.groups,
-        exclude_collider: filter.exclude_collider,
-        exclude_rigid_body: filter.exclude_rigid_body,
-        predicate: Some(predicate),
-    }
-    .exclude_sensors())
+    run_query(
+        QueryFilter {
+            flags: filter.flags,
+            groups: filter.groups,
+            exclude_collider: filter.exclude_collider,
+            exclude_rigid_body: filter.exclude_rigid_body,
+            predicate: Some(predicate),
+        }
+        .exclude_sensors(),
+    )
 }
 
 /// The velocities (linear, angular) with which a body goes through the next step, as far as it is known.

@@ -14,7 +14,7 @@ use crate::model::contact::{ContactInput, WidePoint};
 
 const ROUNDING: Real = 1000.0 * Real::EPSILON;
 
-/// The lane that is looked at.
+/// The lane of the tests.
 const LANE: usize = LANES - 1;
 
 fn random_vector(random: &mut Random) -> Vector {

@@ -1,5 +1,5 @@
-//! The overlap of two faces of boxes: the reference face, whose normal is the contact normal, and the face of
-//! the other box that opposes it most.
+//! The overlap of two faces of boxes. The normal of the reference face is the contact normal. The incident
+//! face is the one of the other box that opposes it most.
 //!
 //! Seen along the normal, one is a rectangle and the other a parallelogram. Their overlap has three kinds of
 //! corners: corners of the parallelogram, crossings of edges, and corners of the rectangle. All three contain

@@ -18,7 +18,7 @@ use parry::mass_properties::MassProperties;
 
 const ROUNDING: Real = 1000.0 * Real::EPSILON;
 
-/// The lane that is looked at.
+/// The lane of the tests.
 const LANE: usize = LANES - 1;
 
 fn random_vector(random: &mut Random) -> Vector {

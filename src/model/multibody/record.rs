@@ -52,9 +52,9 @@ clone_in_place!(DofLists {
 /// # Links and bodies
 ///
 /// Each step moves the links and writes their poses and velocities to the bodies. Edits of the bodies between
-/// steps are applied. A moved link gives its joint new coordinates, as far as its free axes allow, and
-/// impulses and velocities of bodies act on the whole multibody. Forces, gravity scale and damping of the
-/// bodies act on the links. Colliders collide as those of all bodies do; dominance groups apply.
+/// steps are applied. A moved link gives its joint new coordinates, as far as its free axes allow. Impulses
+/// and velocities of bodies act on the whole multibody. Forces, gravity scale and damping of the bodies act
+/// on the links. Colliders collide as those of all bodies do; dominance groups apply.
 ///
 /// A multibody acts while all its links except the root are dynamic and enabled bodies, and all its joints
 /// are valid and enabled. Otherwise the bodies move as if they had no joints.

@@ -142,8 +142,8 @@ impl Motion {
     }
 
     /// Limits the energy of the links: it reduces the change of shape and, if that is not sufficient, the
-    /// rotation of the whole. If links move far at once, their configuration may be too compact for their
-    /// angular momentum and energy.
+    /// rotation of the locked body. If links move far at once, their configuration may be too compact for
+    /// their angular momentum and energy.
     pub(super) fn limit_free_energy(&mut self, most: Option<Real>) {
         let Some(most) = most else { return };
         self.update_velocities();

@@ -16,9 +16,9 @@
 //! first piece.
 //!
 //! # Pieces without convergence
-//! The contraction of the fixed-point iteration is the angle of half a piece times a ratio of inertias: a
-//! link's smallest one to the one that it carries about another axis. That ratio is forty for a chain of thin
-//! limbs, and grows with the ratio of the masses. A substep whose first half does not converge gets more
+//! The fixed-point iteration contracts by the angle of half a piece times a ratio of inertias. The two are a
+//! link's smallest inertia and the one that it carries about another axis. That ratio is forty for a chain of
+//! thin limbs, and grows with the ratio of the masses. A substep whose first half does not converge gets more
 //! pieces, [`PIECES_MAX`] at most. A piece that does not converge, or whose second half gains energy, is
 //! *non-converged*. Each link then keeps its momentum while the links move, and the velocities are projected
 //! on the joints afterwards:

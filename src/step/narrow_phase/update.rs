@@ -135,17 +135,17 @@ pub(crate) fn update(
     scratch: &mut NarrowPhaseScratch,
     notes: &mut StepNotes,
 ) -> usize {
-    let look = AssertUnwindSafe(|| {
+    let work = AssertUnwindSafe(|| {
         update_store(tasks, context, contacts, scratch, &mut notes.contacts);
         update_store(tasks, context, intersections, scratch, &mut notes.intersections);
     });
-    let looked = catch_unwind(look);
+    let outcome = catch_unwind(work);
     faults::report(&mut scratch.workers, &mut notes.quarantined);
     scratch
         .workers
         .for_each(|worker| notes.deeply_penetrating.append(&mut worker.deeply_penetrating));
     scratch.culled.gather(&mut scratch.workers);
-    if let Err(panic) = looked {
+    if let Err(panic) = outcome {
         // A hook did that. Some pairs are up to date, and their result is lost: all are due again.
         contacts.invalidate_all();
         contacts.renew_all();

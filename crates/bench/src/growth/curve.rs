@@ -96,8 +96,8 @@ impl Curve {
         }
     }
 
-    /// Returns the worlds with at most `bodies_max` bodies, from the smallest to the largest. All curves except
-    /// that over threads use the first number of threads.
+    /// Returns the worlds with at most `bodies_max` bodies, from the smallest to the largest. All curves
+    /// except that over threads use the first number of threads.
     pub fn settings(self, threads: &[usize], bodies_max: usize) -> Vec<Setting> {
         let first = threads[0];
         let sizes = |max: usize| {

@@ -26,7 +26,8 @@ use world::World;
 const STEPS: usize = 40;
 
 /// Number of steps before the measurement in worlds with sleeping bodies. Bodies fall asleep after
-/// [`world::SLEEP_DELAY`] seconds, which is 30 steps; some engines check only some of the bodies in each step.
+/// [`world::SLEEP_DELAY`] seconds, which is 30 steps. Some engines check only some of the bodies in each
+/// step.
 const SETTLE: usize = 90;
 
 /// Number of bodies from which a world gets one round only. A round takes minutes, so disturbances are small.

@@ -36,7 +36,7 @@
 //! the angular momentum by `τ`, and the angular velocity by `I⁻¹ τ` with the current inertia. With the
 //! inertia of the start of the step, the work of a joint's impulses differs from the energy change of the
 //! bodies. Two thin limbs on a post gained so much that they flew apart. The relax pass therefore rotates the
-//! inverse inertias of gyroscopic bodies, `R I⁻¹ Rᵀ`, The next solve pass begins at the same poses and uses
+//! inverse inertias of gyroscopic bodies, `R I⁻¹ Rᵀ`. The next solve pass begins at the same poses and uses
 //! the same ones. (Impulses act there for the gyroscope, too: see `dimN/motion.rs`.) The subtracted impulse
 //! of the last substep is therefore the velocity change that it caused, and not a moment times the current
 //! inertia.
