@@ -1,6 +1,6 @@
 //! Parts of the fuzzer that depend on the dimension, in 3D.
 
-use super::both::values::{some_positive, some_real, some_vector, within};
+use super::both::values::{some_real, some_vector, within};
 use super::rapier::parry::utils::Array2;
 use super::rapier::prelude::*;
 use crate::choices::Choices;
