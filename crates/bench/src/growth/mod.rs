@@ -12,14 +12,13 @@ use crate::args::Options;
 use crate::catalog::{Scene, engine_name};
 use crate::clock::Clock;
 use crate::contest::{Outcome, Score, Turn, scores, take_turns};
-use crate::engine::{Counts, Engine, Kind, Stats, Template, Unsupported};
+use crate::engine::{Counts, Engine, Kind, Stats, Unsupported};
 use crate::pool;
 use crate::scenes::grown;
 use crate::units::counted;
 use curve::{Curve, Setting};
 use gallery::Progress;
 use std::io;
-use world::World;
 
 /// Default number of steps in each world, including the first one: enough for a mean, and for heaps to come
 /// to rest.
@@ -179,6 +178,7 @@ impl Setting {
 
 #[cfg(test)]
 mod tests {
+    use super::world::World;
     use super::*;
 
     #[test]
