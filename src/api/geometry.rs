@@ -9,7 +9,7 @@ pub use crate::model::contact::{
     Contact, ContactManifold, ContactManifoldData, ContactPair, ContactPoints, IntersectionPair,
     NarrowPhase, SolverFlags,
 };
-// The one glob of the house: the two dimensions list different names there.
+// Globs: the names differ by version of parry, and by dimension.
 pub use crate::base::parry_version::names::*;
 pub use crate::dim::names::*;
 pub use crate::model::event::{CollisionEvent, CollisionEventFlags, ContactForceEvent};

@@ -282,7 +282,7 @@ fn a_world_runs_without_stored_solver_data() {
             }
             world.step();
         }
-        lost.narrow_phase.settle_all(crate::base::tasks::Tasks::SERIAL);
+        lost.narrow_phase.write_back_all(crate::base::tasks::Tasks::SERIAL);
         lost.narrow_phase.lanes = ContactLanes::default();
     }
     for ((_, one), (_, other)) in kept.bodies.iter().zip(lost.bodies.iter()) {

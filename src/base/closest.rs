@@ -16,12 +16,12 @@ use parry::shape::SupportMap;
 const OVERLAP_RATIO_MAX: Real = 0.25;
 /// Separation of the shapes for the search, as a fraction of their thickness: much more than GJK's tolerance,
 /// much less than any relevant feature.
-const MOVED_APART: Real = 0.02;
+const SEPARATION_FRACTION: Real = 0.02;
 
 /// Typical prediction distance in a world of metres (length units).
 const USUAL_REACH: Real = 0.02;
 /// Worlds that are smaller than that by this factor are enlarged.
-const ENLARGED_FROM: Real = 8.0;
+const SCALE_RATIO_MIN: Real = 8.0;
 
 /// Result for two shapes, all in the frame of the first.
 #[derive(Copy, Clone, Debug)]
@@ -81,7 +81,7 @@ pub fn closest(
     last_normal: Vector,
 ) -> Closest {
     let scale = USUAL_REACH / reach;
-    if !(scale > ENLARGED_FROM && scale.is_finite()) {
+    if !(scale > SCALE_RATIO_MIN && scale.is_finite()) {
         return closest_as_is(pos12, shape1, shape2, reach, last_normal);
     }
     let pose = Pose::from_parts(pos12.translation * scale, pos12.rotation);
@@ -122,7 +122,7 @@ fn closest_as_is(
             return Closest::Apart(normal);
         }
         if extents.gap < 0.0 && -extents.gap < OVERLAP_RATIO_MAX * extents.thickness {
-            let shift = normal * (MOVED_APART * extents.thickness - extents.gap);
+            let shift = normal * (SEPARATION_FRACTION * extents.thickness - extents.gap);
             if let Some(found) = closest_apart(pos12, shape1, shape2, shift) {
                 return found;
             }
@@ -225,7 +225,7 @@ mod tests {
         Vector::from_array(sizes.map(|size| random.within(-1.0, 1.0) * size))
     }
 
-    /// Hulls of any size, needles and flakes among them, in a world of any unit: the search ends with a
+    /// Hulls of any size, needles and flakes among them, in a world of any unit. The search ends with a
     /// result as long as squares are finite. (EPA read a third point beside edges without a direction in
     /// numbers, as those of 10²⁰ m are, and there was none.)
     #[test]

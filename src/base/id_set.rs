@@ -156,8 +156,8 @@ mod tests {
     use crate::base::random::Random;
     use std::collections::BTreeSet;
 
-    /// It holds what a set of the standard library holds after the same changes, and is walked in the same
-    /// order.
+    /// It has the elements of a set of the standard library after the same changes, and is iterated in the
+    /// same order.
     #[test]
     fn it_is_a_set() {
         let mut random = Random(53);

@@ -4,7 +4,7 @@
 /// bytes for each number up to the largest that was ever in it.
 #[derive(Clone, Debug)]
 pub struct Marks {
-    /// Never 0, so that what was never marked is not.
+    /// Never 0, the value of unmarked elements.
     generation: u32,
     /// By number: the last turn in which it was marked.
     marked: Vec<u32>,

@@ -11,7 +11,7 @@
 //! where the difference set extends farthest beyond that side. (The expanding polytope algorithm of van den
 //! Bergen, "Collision Detection in Interactive 3D Environments", 2003, run on one set.) Each nearest side is
 //! a lower bound of the minimum width, so the result is never too large. The result is exact for a convex
-//! polygon: the last side is the difference of one of its sides and a vertex, as in rotating calipers.
+//! polygon. The last side is the difference of one of its sides and a vertex, as in rotating calipers.
 
 use parry::math::{Real, Rotation, Vector};
 use parry::shape::Triangle;

@@ -2,8 +2,8 @@
 
 use std::sync::{Mutex, PoisonError};
 
-/// Things that are dear to make and may be used by one thread at a time. Holds as many as were ever
-/// out at the same time.
+/// Buffers that are expensive to make, each used by one thread at a time. Their number is the largest number
+/// that was in use at the same time.
 #[derive(Debug, Default)]
 pub(crate) struct Pool<T> {
     idle: Mutex<Vec<T>>,

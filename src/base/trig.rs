@@ -11,8 +11,8 @@ use parry::math::Real;
 const QUARTER: [f64; 3] =
     [1.570_796_251_296_997, 7.549_789_415_861_596e-8, 5.390_302_858_158_119e-15];
 
-/// Taylor's coefficients. At an eighth of a turn, the largest angle they see, what is left out is below the
-/// last digit of a double.
+/// Taylor's coefficients. At an eighth of a turn, the largest argument, the omitted terms are below the last
+/// digit of a double.
 const SINE: [f64; 8] = [
     1.0,
     -1.0 / 6.0,
@@ -40,7 +40,7 @@ const COSINE: [f64; 9] = [
 pub fn sin_cos(angle: Real) -> (Real, Real) {
     let angle = f64::from(angle);
     let quarters = (angle * FRAC_2_PI).round();
-    // Beyond what has digits behind the point, the rest is nonsense: any angle will do, but it must be one.
+    // Numbers without fractional digits give an arbitrary angle, which must be finite.
     let rest =
         QUARTER.into_iter().fold(angle, |rest, part| rest - quarters * part).clamp(-1.0, 1.0);
     let square = rest * rest;
@@ -55,9 +55,9 @@ pub fn sin_cos(angle: Real) -> (Real, Real) {
     (sine as Real, cosine as Real)
 }
 
-/// `atan(t) = t + t z P(z)/Q(z)` with `z = t²`, for `t` up to ±0.66: the rational approximation of Moshier's
-/// "Methods and Programs for Mathematical Functions" (1989), with an error of a unit or two in the last place
-/// of a double.
+/// `atan(t) = t + t z P(z)/Q(z)` with `z = t²`, for `t` up to ±0.66. The rational approximation is that of
+/// Moshier's "Methods and Programs for Mathematical Functions" (1989). Its error is a unit or two in the last
+/// place of a double.
 pub const ATAN_P: [f64; 5] = [
     -64.850_219_049_420_25,
     -122.886_668_449_013_61,

@@ -38,7 +38,7 @@ impl Walk {
         ((wall as Real / self.count as Real - 0.5) * self.size - self.origin) * self.inv_dir
     }
 
-    /// Goes on to the next cell, if there is one.
+    /// Moves to the next cell. Returns whether there is one.
     pub fn advance(&mut self) -> bool {
         let next = if self.inv_dir > 0.0 { self.cell + 1 } else { self.cell.wrapping_sub(1) };
         let is_inside = next < self.count;

@@ -7,7 +7,7 @@ use crate::dim::math::{Pose, Real, Vector};
 use parry::shape::Capsule;
 
 /// Axes whose directions have a smaller sine (squared) than this lie along each other: about 3°.
-const PARALLEL: Real = 3.0e-3;
+const PARALLEL_SINE_SQUARED_MAX: Real = 3.0e-3;
 /// Parallel capsules touch at one point only if the overlap is shorter than this fraction of the shorter
 /// axis.
 const OVERLAP_RATIO_MIN: Real = 1.0e-2;
@@ -114,7 +114,7 @@ impl Axes {
 
     fn is_parallel(&self) -> bool {
         let [a, b, c] = self.products;
-        a * c - b * b <= PARALLEL * a * c
+        a * c - b * b <= PARALLEL_SINE_SQUARED_MAX * a * c
     }
 
     /// The two ends of the common interval of parallel axes, each as fractions of the lengths.

@@ -13,7 +13,7 @@ use parry::shape::{Capsule, Shape, TypedShape};
 /// Certain fraction of a computed distance, allowing for rounding.
 pub(super) const DISTANCE_FRACTION: Real = 0.99;
 /// Boxes that are closer than this fraction of the prediction distance touch with faces and edges only.
-const CORNERS_APART: Real = 0.25;
+const CORNER_GAP_FRACTION_MAX: Real = 0.25;
 
 /// Computes the usable contacts of two convex parts, `pos12` being the pose of the second in the frame
 /// of the first. Returns a lower bound of the distance, 0 if there are contacts or nothing is known;
@@ -65,7 +65,8 @@ pub(super) fn convex_manifold(
             let gap = cuboid_cuboid(pos12, half1, half2, prediction, raw);
             // Approaching corners at a distance are a contact. Corners of neighbours in a wall are none:
             // bodies would catch on them.
-            let meet_with_corners = raw.points.is_empty() && gap > CORNERS_APART * prediction;
+            let meet_with_corners =
+                raw.points.is_empty() && gap > CORNER_GAP_FRACTION_MAX * prediction;
             if meet_with_corners && gap <= prediction {
                 raw.local_n1 = hint;
                 return others(pos12, part1, part2, prediction, raw);
@@ -118,7 +119,7 @@ fn others(
     general_manifold(pos12, part1, part2, prediction, raw).then_some(0.0)
 }
 
-/// The manifold of any two convex parts; `false` if nothing is known of such pairs.
+/// Computes the manifold of any two convex parts. Returns whether such pairs are supported.
 fn general_manifold(
     pos12: &Pose,
     part1: &Part<'_>,
@@ -143,8 +144,8 @@ fn general_manifold(
         .is_ok()
 }
 
-/// Computes the contacts of two parts along a direction, from the first to the second, into `raw`: those of
-/// the face of the first or of the second with the most similar normal.
+/// Computes the contacts of two parts along a direction, from the first to the second, into `raw`. They are
+/// those of the face of either part with the most similar normal.
 ///
 /// Balls have none but those that they have anyway.
 pub(super) fn manifold_along(

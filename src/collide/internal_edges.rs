@@ -16,7 +16,7 @@
 //! 2. **Hidden.** The rule has four conditions. `X` meets `B` at an edge or a corner (`b` is no normal of a
 //!    face of `B`). This point lies on `A`. `A` rises from there above the plane of the contact. A face of
 //!    `B` with a normal near `a` begins there. The point is then the lowest line of a valley, and `X` touches
-//!    one of its sides already: it reaches the other side before it reaches the line. A ball would feel the
+//!    one of its sides already. It reaches the other side before it reaches the line. A ball would feel the
 //!    lowest line of each valley of a terrain as a bump. (The foot of a wall is no such point: the wall has
 //!    no face there with the floor's normal.)
 //!
@@ -32,7 +32,7 @@
 //! Other engines mark the edges of a mesh as convex or not (Bullet, Jolt, parry), or store the corners of
 //! neighbours in segments (Box2D). That requires known neighbours, and works within one shape only.
 
-use super::normals::{FACE, LOOKS_ALONG, SAME_NORMAL};
+use super::normals::{FACE, FACE_COSINE_MIN, SAME_NORMAL};
 use super::parts::Parts;
 use crate::dim::collide::{Flat, FlatShape, Polytope, flat_corners};
 use crate::dim::math::{Pose, Real, Vector};
@@ -42,15 +42,15 @@ use smallvec::SmallVec;
 
 /// The plane of a contact is that of the piece's face if their normals differ by at most this squared length
 /// (0.17 degrees). Bodies on a face are level to about that.
-const LEVEL: Real = 9.0e-6;
+const FACE_NORMAL_DISTANCE_SQUARED_MAX: Real = 9.0e-6;
 /// Minimum rise of the other side of a hidden internal edge above the contact plane, as a fraction of the
 /// tolerance.
 const RISE: Real = 0.05;
 /// Planes whose normals differ by less than this squared length stay together over 1000 times the tolerance
 /// and more.
-const PARALLEL: Real = 1.0e-10;
+const PLANE_NORMAL_DISTANCE_SQUARED_MAX: Real = 1.0e-10;
 /// Most planes that are compared with, the deepest: a ball in a bowl of its own radius touches thousands.
-const MAX_PLANES: usize = 16;
+const PLANES_MAX: usize = 16;
 
 /// A convex part of a shape, somewhere in the common frame.
 #[derive(Copy, Clone)]
@@ -148,8 +148,8 @@ impl<'a> Piece<'a> {
             let (polytope, radius) = polytope?;
             let face = polytope.face_toward(local)?;
             let height = face.normal.dot(pose.inverse_transform_point(point)) - face.offset;
-            let looks_along = face.normal.dot(local) > LOOKS_ALONG;
-            Some(looks_along && (height - radius).abs() <= tolerance)
+            let faces_direction = face.normal.dot(local) > FACE_COSINE_MIN;
+            Some(faces_direction && (height - radius).abs() <= tolerance)
         });
         found.flatten() == Some(true)
     }
@@ -188,7 +188,7 @@ pub(super) struct Facet<'a> {
     body_part: u32,
     /// Unit normal, from the piece to the body.
     normal: Vector,
-    /// The same, or the normal of the piece's face if the contact is with a face: a plane that extends over
+    /// The same, or the normal of the piece's face if the contact is with a face. A plane that extends over
     /// other pieces must not tilt with the body.
     plane: Vector,
     /// The deepest point, on the piece.
@@ -208,7 +208,11 @@ impl<'a> Facet<'a> {
     ) -> Self {
         let face = piece.face(normal);
         let plane = match face {
-            Face::Flat(face) if face.distance_squared(normal) < LEVEL => face,
+            Face::Flat(face)
+                if face.distance_squared(normal) < FACE_NORMAL_DISTANCE_SQUARED_MAX =>
+            {
+                face
+            }
             _ => normal,
         };
         Self { piece, face, body, body_part, normal, plane, place, dist }
@@ -233,14 +237,15 @@ impl Facet<'_> {
     /// Returns whether the contact lies in the plane of another.
     fn is_level(&self, other: &Self, tolerance: Real) -> bool {
         let offset = other.plane.dot(self.place - other.place);
-        let is_parallel = other.plane.distance_squared(self.plane) < PARALLEL;
+        let is_parallel =
+            other.plane.distance_squared(self.plane) < PLANE_NORMAL_DISTANCE_SQUARED_MAX;
         is_parallel && offset.abs() < tolerance
     }
 
     /// Returns whether the collider meets the body with a face along a direction.
     fn is_with_face_along(&self, direction: Vector) -> bool {
         match self.face {
-            Face::Flat(face) => face == self.plane && face.dot(direction) > LOOKS_ALONG,
+            Face::Flat(face) => face == self.plane && face.dot(direction) > FACE_COSINE_MIN,
             _ => false,
         }
     }
@@ -334,7 +339,7 @@ pub(super) fn find_ghost_contacts(
 struct Search<'a> {
     facets: &'a [Facet<'a>],
     /// Numbers of contacts with different planes, the deepest first. Ghost contacts are removed.
-    planes: SmallVec<[usize; MAX_PLANES]>,
+    planes: SmallVec<[usize; PLANES_MAX]>,
     points: &'a Points<'a>,
     tolerance: Real,
     /// The ghost contacts found so far.
@@ -408,15 +413,15 @@ fn distinct_planes(
     facets: &[Facet<'_>],
     order: &[usize],
     tolerance: Real,
-) -> SmallVec<[usize; MAX_PLANES]> {
-    let mut planes = SmallVec::<[usize; MAX_PLANES]>::new();
+) -> SmallVec<[usize; PLANES_MAX]> {
+    let mut planes = SmallVec::<[usize; PLANES_MAX]>::new();
     for &index in order {
         let facet = &facets[index];
         let is_known = planes.iter().any(|&plane| facet.is_level(&facets[plane], tolerance));
         if !is_known {
             planes.push(index);
         }
-        if planes.len() == MAX_PLANES {
+        if planes.len() == PLANES_MAX {
             break;
         }
     }

@@ -1,7 +1,8 @@
-//! # Collide: contact manifolds of two shapes
+//! # Collide: contact manifolds and times of impact of two shapes
 //!
-//! Contact manifolds of any two shapes, from their poses and from the manifolds of a moment ago. Its code is
-//! independent of bodies and of time: the narrow phase, queries and controllers use it.
+//! Contact manifolds of any two shapes, from their poses and from the manifolds of a moment ago, and times of
+//! impact of two moving shapes ([`sweep`]). The room is independent of bodies and of the world. The narrow
+//! phase, CCD, queries and controllers use it.
 //!
 //! [`manifolds`] splits shapes into convex [`parts`], [`search`]es for contacts between these, removes those
 //! at [`internal_edges`], and merges the remaining [`patches`]. [`convex`] selects the algorithm for two

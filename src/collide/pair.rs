@@ -48,7 +48,7 @@ impl<'a> ShapePair<'a> {
     }
 
     /// The position of a contact on the shape on a side, in the frame of the other shape.
-    pub fn on_obstacle(&self, side: usize, point: &RawPoint) -> Vector {
+    pub fn in_other_frame(&self, side: usize, point: &RawPoint) -> Vector {
         match side {
             0 => self.pos12.inverse_transform_point(point.local_p1),
             _ => self.pos12 * point.local_p2,

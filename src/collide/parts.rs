@@ -199,7 +199,7 @@ impl Near {
         }
     }
 
-    /// A box that covers what of `bounds` lies in the region; `None` if nothing does.
+    /// A box that covers the part of `bounds` in the region; `None` if they do not overlap.
     fn clipped(&self, bounds: Aabb) -> Option<Aabb> {
         match self {
             Self::Inside(region) | Self::Along(Line { region, .. }) => bounds.intersection(region),
@@ -207,15 +207,15 @@ impl Near {
         }
     }
 
-    /// Calls `f` with boxes that cover what of `bounds` lies in the region.
+    /// Calls `f` with boxes that cover the part of `bounds` in the region.
     fn for_each_piece(&self, bounds: Aabb, mut f: impl FnMut(&Aabb)) {
         let Some(whole) = self.clipped(bounds) else { return };
         let Self::Along(line) = self else { return f(&whole) };
         let [start, end] = line.probe.span(&whole);
         let (start, end) = (start.min(1.0), end.min(1.0));
-        let length = (end - start) * line.way.length();
-        let count = (length / (2.0 * line.radius)).ceil().clamp(1.0, MAX_PIECES);
-        let at = |k: Real| line.start + line.way * (start + (end - start) * (k / count));
+        let length = (end - start) * line.displacement.length();
+        let count = (length / (2.0 * line.radius)).ceil().clamp(1.0, PIECES_MAX);
+        let at = |k: Real| line.start + line.displacement * (start + (end - start) * (k / count));
         for k in 0..count as usize {
             let (from, to) = (at(k as Real), at(k as Real + 1.0));
             let piece = Aabb::new(from.min(to), from.max(to)).loosened(line.radius);
@@ -231,7 +231,7 @@ fn overlaps(node: &BvhNode, region: &Aabb) -> bool {
 }
 
 /// Into how many boxes a line is divided at most.
-const MAX_PIECES: Real = 64.0;
+const PIECES_MAX: Real = 64.0;
 
 /// The swept region of a point set that moves along a line, independent of its rotation.
 ///
@@ -239,7 +239,7 @@ const MAX_PIECES: Real = 64.0;
 /// crosses some hundred.
 pub(super) struct Line {
     start: Vector,
-    way: Vector,
+    displacement: Vector,
     radius: Real,
     probe: SlabProbe,
     region: Aabb,
@@ -248,12 +248,12 @@ pub(super) struct Line {
 impl Line {
     /// The swept region of all points within `radius` of `start`; all of it lies in `region`. `None` if it is
     /// no longer than wide and the region says enough, or has no end.
-    pub fn new(start: Vector, way: Vector, radius: Real, region: Aabb) -> Option<Self> {
-        let length = way.length();
+    pub fn new(start: Vector, displacement: Vector, radius: Real, region: Aabb) -> Option<Self> {
+        let length = displacement.length();
         let is_long = radius > 0.0 && length > 2.0 * radius;
         (is_long && length.is_finite() && start.is_finite()).then(|| {
-            let probe = SlabProbe::new(start, way, Vector::splat(radius));
-            Self { start, way, radius, probe, region }
+            let probe = SlabProbe::new(start, displacement, Vector::splat(radius));
+            Self { start, displacement, radius, probe, region }
         })
     }
 }

@@ -19,7 +19,7 @@ use smallvec::SmallVec;
 /// A normal whose squared length is off by more than this is the product of degenerate geometry.
 const NORMAL_TOLERANCE: Real = 1.0e-2;
 /// Normals with at least this cosine to that of the deepest patch (5 degrees) become one manifold.
-const SAME_WAY: Real = 0.9962;
+const NORMAL_COSINE_MIN: Real = 0.9962;
 /// Points closer to each other than this fraction of the manifold's size are one.
 const SAME_PLACE: Real = 1.0e-3;
 /// Patches are culled beyond this number. Meshes finer than the bodies on them stay far below it.
@@ -264,7 +264,7 @@ impl Patches {
             let mut normal = Vector::ZERO;
             self.gathered.clear();
             for (patch, merged) in self.list.iter().zip(&mut self.merged) {
-                if !*merged && patch.normal.dot(first) > SAME_WAY {
+                if !*merged && patch.normal.dot(first) > NORMAL_COSINE_MIN {
                     *merged = true;
                     normal += patch.normal * (prediction - patch.dist);
                     let points = &self.points[patch.points.clone()];
@@ -287,7 +287,8 @@ impl Patches {
             return deepest;
         }
         let depth = |index: &usize| self.list[*index].dist;
-        let is_with = |patch: &Patch| patch.is_broad && patch.normal.dot(first.normal) > SAME_WAY;
+        let is_with =
+            |patch: &Patch| patch.is_broad && patch.normal.dot(first.normal) > NORMAL_COSINE_MIN;
         let is_candidate = |&index: &usize| !self.merged[index] && is_with(&self.list[index]);
         let broad = (0..self.list.len()).filter(is_candidate);
         broad.min_by(|a, b| depth(a).total_cmp(&depth(b))).unwrap_or(deepest)

@@ -1,12 +1,12 @@
 //! Two polytopes: the face that separates them best, clipped against the face it meets.
 //!
-//! A persistent contact has hardly changed: the face of either polytope along the last normal is tested
+//! A persistent contact has hardly changed, so the face of either polytope along the last normal is tested
 //! first. The search ends if the clipped faces have a point as deep as the support point of the other
-//! polytope: no similar direction then separates the two better. For separated polytopes, no direction does.
+//! polytope. No similar direction then separates the two better. For separated polytopes, no direction does.
 //! The same holds for the two edges that are farthest along the last normal, if no corner is deeper. Else the
 //! closest points are searched, which takes several times as long.
 
-use super::normals::LOOKS_ALONG;
+use super::normals::FACE_COSINE_MIN;
 use crate::base::axis::{BestAxis, Side};
 use crate::base::closest::{Closest, closest, extents};
 use crate::dim::collide::{
@@ -15,8 +15,8 @@ use crate::dim::collide::{
 use crate::dim::math::{Pose, Real, Vector};
 use parry::shape::PackedFeatureId;
 
-/// Tolerances on the overlap, as a fraction of the polytopes' thickness: a face is preferred to a pair of
-/// edges, and the last face to another face, within it.
+/// Tolerances on the overlap, as a fraction of the polytopes' thickness. Within it, a face is preferred to a
+/// pair of edges, and the last face to another face.
 const TOLERANCE: Real = 0.005;
 /// Of equal faces the first polytope's is taken, by this fraction of the tolerance.
 const FIRST_FACE: Real = 0.1;
@@ -107,7 +107,7 @@ pub(super) fn face_contacts(
         is_sharp: radius1 + radius2 == 0.0,
     };
     let face = if is_first { pair.first_face(direction) } else { pair.second_face(direction) };
-    if let Some(face) = face.filter(|face| face.normal.dot(direction) > LOOKS_ALONG) {
+    if let Some(face) = face.filter(|face| face.normal.dot(direction) > FACE_COSINE_MIN) {
         pair.add_face(&face, raw);
         pair.thicken([radius1, radius2], raw);
     }

@@ -9,8 +9,8 @@ use crate::dim::math::{DIM, Pose, Real, Vector};
 use parry::query::details::NormalConstraintsPair;
 use parry::shape::{PackedFeatureId, PolygonalFeature, PolygonalFeatureMap, Shape};
 
-/// The closest points are a contact of their own only if they are deeper than those of the features by more
-/// than this fraction of the parts' thickness.
+/// Minimum additional depth, as a fraction of the parts' thickness, of closest points that are a contact of
+/// their own beside those of the features.
 const DEPTH_GAIN_RATIO_MIN: Real = 0.01;
 /// A normal that was limited by neighbours may show overlaps of far ends of the parts. Points that are deeper
 /// than the true overlap by this factor are rejected.

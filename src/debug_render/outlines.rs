@@ -1,4 +1,4 @@
-//! Sketches of shapes, kept from one picture to the next where they are dear.
+//! Sketches of shapes, stored from one picture to the next if they are expensive.
 
 use super::sketch::outline;
 use crate::base::outline::{Detail, Outline};
@@ -6,8 +6,9 @@ use parry::shape::SharedShape;
 use std::collections::HashMap;
 use std::sync::Arc;
 
-/// Sketches with more points than this are kept. A ball's or a box's is made as fast as it is found.
-const KEPT_FROM: usize = 128;
+/// Sketches with at least this number of points are stored. Those of balls and boxes are made as fast as
+/// found.
+const STORED_POINTS_MIN: usize = 128;
 
 /// A store of sketches.
 ///
@@ -29,8 +30,8 @@ impl Outlines {
         }
         let address = Arc::as_ptr(&shape.0).cast::<()>() as usize;
         if !self.kept.contains_key(&address) {
-            self.fresh = outline(&shape.as_typed_shape(), detail);
-            if self.fresh.points.len() >= KEPT_FROM {
+            self.fresh = outline(&**shape, detail);
+            if self.fresh.points.len() >= STORED_POINTS_MIN {
                 let sketch = core::mem::take(&mut self.fresh);
                 self.kept.insert(address, (shape.clone(), sketch));
             }

@@ -3,12 +3,13 @@
 use crate::base::outline::{Detail, Outline};
 use crate::dim::math::{Pose, Vector};
 use crate::dim::outline::{add_shape, ball, capsule, cuboid, plane};
-use parry::shape::{Compound, Cuboid, TypedShape};
+use parry::shape::{Compound, Cuboid, Shape, TypedShape};
 
-/// The sketch of a shape, in the shape's frame. Shapes of the user's own are drawn as their box.
-pub(super) fn outline(shape: &TypedShape, detail: Detail) -> Outline {
+/// The sketch of a shape, in the shape's frame. Custom shapes, and kinds without a sketch, are drawn as their
+/// box.
+pub(super) fn outline(shape: &dyn Shape, detail: Detail) -> Outline {
     let mut out = Outline::default();
-    match shape {
+    match &shape.as_typed_shape() {
         TypedShape::Ball(s) => ball(&mut out, s.radius, detail.subdivisions),
         TypedShape::Cuboid(s) => cuboid(&mut out, s, Vector::ZERO),
         TypedShape::Capsule(s) => capsule(&mut out, s, detail.subdivisions),
@@ -20,11 +21,11 @@ pub(super) fn outline(shape: &TypedShape, detail: Detail) -> Outline {
         }
         TypedShape::HalfSpace(s) => plane(&mut out, s.normal),
         TypedShape::Compound(s) => compound(&mut out, s, detail),
-        TypedShape::Custom(s) => {
-            let aabb = s.compute_local_aabb();
+        typed if add_shape(&mut out, typed, detail) => {}
+        _ => {
+            let aabb = shape.compute_local_aabb();
             cuboid(&mut out, &Cuboid::new(aabb.half_extents()), aabb.center());
         }
-        _ => add_shape(&mut out, shape, detail),
     }
     out
 }
@@ -36,7 +37,7 @@ fn mesh(vertices: &[Vector], triangles: &[[u32; 3]]) -> Outline {
 
 fn compound(out: &mut Outline, shape: &Compound, detail: Detail) {
     for (pose, part) in shape.shapes() {
-        out.append(&outline(&part.as_typed_shape(), detail), pose);
+        out.append(&outline(&**part, detail), pose);
     }
 }
 

@@ -12,7 +12,7 @@ use crate::model::joint::{GenericJointBuilder, ImpulseJointSet};
 use crate::model::multibody::MultibodyJointSet;
 use parry::shape::TriMeshFlags;
 
-/// Keeps what is drawn; draws nothing of sensors.
+/// Stores the lines; draws no sensors.
 #[derive(Default)]
 struct Paper {
     lines: Vec<(Vector, Vector, DebugColor)>,
@@ -283,7 +283,7 @@ fn every_sketch_fills_the_box_of_its_shape() {
         // With 4 pieces a circle is a square that touches the box at its corners only.
         let tolerance = if detail.subdivisions < 8 { 0.35 } else { 0.05 };
         for shape in samples::shapes() {
-            let sketch = sketch::outline(&shape.as_typed_shape(), detail);
+            let sketch = sketch::outline(&*shape, detail);
             let aabb = shape.compute_local_aabb();
             let kind = shape.shape_type();
             assert!(!sketch.lines.is_empty(), "{kind:?} is drawn");

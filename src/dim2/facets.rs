@@ -7,7 +7,7 @@ use parry::shape::{ConvexPolygon, TypedShape};
 #[derive(Copy, Clone)]
 pub struct Facets<'a>(&'a ConvexPolygon);
 
-/// A face: what is inside has a product with the normal of at most `offset`.
+/// A face. The product of an inside point and the normal is at most `offset`.
 #[derive(Copy, Clone)]
 pub struct Facet {
     /// Unit outward normal.

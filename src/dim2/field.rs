@@ -1,7 +1,6 @@
 //! Rays and height fields.
 //!
-//! The ray goes from cell to cell, and looks at a segment only where it comes down to the heights of its
-//! ends.
+//! The ray goes from cell to cell, and tests a segment only where it comes down to the heights of its ends.
 
 use super::math::Real;
 use crate::base::parry_version::set_subshape;

@@ -61,17 +61,17 @@ fn hull_corners(points: &[Vector]) -> Vec<Vector> {
 
 /// Visits sorted points and keeps the left turns.
 fn half_hull(sorted: impl Iterator<Item = Vector>) -> Vec<Vector> {
-    let mut way: Vec<Vector> = Vec::new();
+    let mut chain: Vec<Vector> = Vec::new();
     for point in sorted {
-        while let [.., a, b] = way[..] {
+        while let [.., a, b] = chain[..] {
             if (b - a).perp_dot(point - b) > 0.0 {
                 break;
             }
-            way.pop();
+            chain.pop();
         }
-        way.push(point);
+        chain.push(point);
     }
-    way
+    chain
 }
 
 /// Drops corners that lie within `tolerance` of the line from the corner kept before to the next.

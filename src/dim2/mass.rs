@@ -55,7 +55,7 @@ pub fn total_mass(parts: &[MassProperties]) -> MassProperties {
     MassProperties::new(com, mass, parts.iter().map(inertia_about_com).sum())
 }
 
-/// The inverse inertia of a body that turns in a step: in the plane it stays what it is.
+/// The inverse inertia of a body that rotates in a step. It is constant in the plane.
 pub(crate) fn inv_inertia_on_the_way(
     _mass: &MassProperties,
     _rotation: Rotation,

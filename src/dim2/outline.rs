@@ -12,8 +12,9 @@ use parry::shape::{
 /// Half the length of the line that represents an infinite one (length units).
 const PLANE_EXTENT: Real = 1000.0;
 
-/// Adds the sketch of a shape whose kind exists in this dimension only, or is drawn in its own way.
-pub(crate) fn add_shape(out: &mut Outline, shape: &TypedShape, detail: Detail) {
+/// Adds the sketch of a shape whose kind exists in this dimension only, or is drawn in its own way. Returns
+/// whether the shape is of such a kind.
+pub(crate) fn add_shape(out: &mut Outline, shape: &TypedShape, detail: Detail) -> bool {
     let border_subdivisions = detail.border_subdivisions;
     match shape {
         TypedShape::Voxels(s) => *out = s.to_polyline().into(),
@@ -22,8 +23,9 @@ pub(crate) fn add_shape(out: &mut Outline, shape: &TypedShape, detail: Detail) {
         TypedShape::RoundCuboid(s) => round_cuboid(out, s, border_subdivisions),
         TypedShape::RoundTriangle(s) => round_triangle(out, s, border_subdivisions),
         TypedShape::RoundConvexPolygon(s) => round_polygon(out, s, border_subdivisions),
-        _ => {}
+        _ => return false,
     }
+    true
 }
 
 pub(crate) fn ball(out: &mut Outline, radius: Real, pieces: u32) {

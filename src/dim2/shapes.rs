@@ -9,20 +9,16 @@ use parry::shape::{ConvexPolygon, Polyline, Triangle, TypedShape};
 use parry::transformation::voxelization::VoxelSet;
 use smallvec::{SmallVec, smallvec};
 
-/// Polylines of parry 0.26 have no normals. In later versions the inherent method takes precedence over
-/// this one.
-#[allow(dead_code, reason = "unused in later versions")]
-trait WithoutNormals {
-    fn pseudo_normals(&self) -> Option<&[Vector]> {
-        None
-    }
-}
-
-impl WithoutNormals for Polyline {}
-
 /// The normals by which a polyline decides its inside; `None` if it has none.
+#[cfg(not(feature = "parry026"))]
 pub fn polyline_normals(line: &Polyline) -> Option<&[Vector]> {
     line.pseudo_normals()
+}
+
+/// Polylines of parry 0.26 have no normals.
+#[cfg(feature = "parry026")]
+pub fn polyline_normals(_line: &Polyline) -> Option<&[Vector]> {
+    None
 }
 
 /// The numbers that a shape is made of, for the shapes whose type depends on the dimension; nothing
@@ -45,7 +41,7 @@ pub fn measures(shape: TypedShape<'_>) -> SmallVec<[Measure<'_>; 4]> {
 /// A polygon with a smaller area than this, as a fraction of its squared size, has none.
 const AREA_MIN: Real = 1.0e-6;
 
-/// Returns why a convex shape cannot collide, if it cannot: its kind, and what is wrong with it.
+/// Returns the reason why a convex shape cannot collide, if there is one: its kind and its defect.
 pub fn convex_defect(shape: TypedShape<'_>) -> Option<(&'static str, &'static str)> {
     let polygon = match shape {
         TypedShape::ConvexPolygon(polygon) => polygon,
@@ -131,8 +127,8 @@ fn mass_covered(vertices: &[Vector], triangles: &[[u32; 3]], density: Real) -> M
     MassProperties::new(origin + com, area * density, inertia)
 }
 
-/// The surface of the union of triangles, in the form of parry's convex decomposition: in 2D the sides that
-/// belong to one triangle alone, in its orientation.
+/// The surface of the union of triangles, in the form of parry's convex decomposition. In 2D these are the
+/// sides that belong to one triangle alone, in its orientation.
 pub fn surface_of(triangles: &[[u32; 3]]) -> Vec<[u32; 2]> {
     let sides = || triangles.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]);
     let ordered = |[a, b]: [u32; 2]| (a.min(b), a.max(b));
@@ -161,7 +157,7 @@ pub fn spread_directions(points: &[Vector]) -> Rotation {
     Rotation::from_cos_sin_unchecked(cosine, -tangent * cosine)
 }
 
-/// The convex hull of what of a surface lies in one part of its convex decomposition.
+/// The convex hull of the part of a surface that lies in one piece of its convex decomposition.
 pub fn exact_hull(
     part: &VoxelSet,
     vertices: &[Vector],

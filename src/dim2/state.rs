@@ -1,7 +1,8 @@
 //! The solver's data of a body, in 2D: two records of whole registers.
 //!
 //! A constraint gathers the records of its two bodies, one lane per constraint, and a gather reads whole
-//! registers. Records are therefore arrays of numbers, whose meaning is stated here only.
+//! registers. Records are therefore arrays of numbers. Their meaning is stated here; `step/solver/states.rs`
+//! relies on the order velocity, displacement.
 
 use super::math::{AngVector, AngularInertia, Real, Rotation, Vector, integrate_rotation};
 use super::rotation_vector::rotation_by;

@@ -3,7 +3,7 @@
 use super::math::{Real, Vector};
 use parry::shape::{ConvexPolyhedron, Triangle, TypedShape};
 
-/// Largest distance of corners from the plane of their face, as a fraction of the size of the hull: the
+/// Largest distance of corners from the plane of their face, as a fraction of the size of the hull. It is the
 /// rounding error of coordinates and of their normal.
 const FLATNESS: Real = 256.0 * Real::EPSILON;
 
@@ -16,7 +16,7 @@ pub enum Facets<'a> {
     Triangle(&'a Triangle, Vector),
 }
 
-/// A face: what is inside has a product with the normal of at most `offset`.
+/// A face. The product of an inside point and the normal is at most `offset`.
 #[derive(Copy, Clone)]
 pub struct Facet {
     /// Unit outward normal.

@@ -12,10 +12,9 @@
 //!
 //! The method composes these symmetrically (Strang 1968). The first commutes with all the others. The others
 //! are applied for half of the time, the last of them for all of it, and back again. The result is a
-//! rotation, so the world-space momentum is constant, and the method is reversible. With the middle one of
-//! the moments for `I₀`, two of the terms are exact for a body with two equal moments: a rod, a disc, a
-//! capsule. For others the energy oscillates by the square of `h` times the difference of neighbouring
-//! moments.
+//! rotation, so the world-space momentum is constant, and the method is reversible. `I₀` is the middle one of
+//! the moments. Two of the terms are then exact for a body with two equal moments: a rod, a disc, a capsule.
+//! For others the energy oscillates by the square of `h` times the difference of neighbouring moments.
 //!
 //! Sources: McLachlan, "Explicit Lie-Poisson integration and the Euler equations" (Phys. Rev. Lett. 1993);
 //! Dullweber, Leimkuhler and McLachlan, "Symplectic splitting methods for rigid body molecular dynamics" (J.
@@ -124,8 +123,8 @@ mod tests {
         })
     }
 
-    /// The world-space momentum is constant, and a body with two equal moments keeps its energy: here a rod
-    /// that rotates by up to 10 rad about its axis. Single precision has 6e-8 of each of some twenty
+    /// The world-space momentum is constant, and a body with two equal moments keeps its energy. The body is
+    /// a rod that rotates by up to 10 rad about its axis. Single precision has 6e-8 of each of some twenty
     /// products.
     #[test]
     fn tops_keep_momentum_and_energy_however_fast() {

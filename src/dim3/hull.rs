@@ -22,8 +22,8 @@ pub const DEGENERATE: &str = "its points lie in a plane, or too close to one";
 const THINNESS: Real = 1.0e-6;
 /// A polyhedron with a smaller volume than this, in parts of its box, has none.
 const VOLUME_MIN: Real = 1.0e-4;
-/// Largest distance of the corners of a face from its plane, as a fraction of half the length of the box.
-/// parry merges triangles up to 1.5° apart, so large faces reach it.
+/// Largest distance of the corners of a face from its plane, as a fraction of half the length of the box. The
+/// tolerance of parry for merged triangles is 1.5°, so large faces reach it.
 const CROOKEDNESS_MAX: Real = 0.1;
 /// Half the number of steps along an edge of the cube of directions that [`thin_out`] uses, for each attempt:
 /// some 400, 150 and 50 directions.

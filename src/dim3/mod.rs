@@ -1,7 +1,7 @@
 //! The vocabulary of three dimensions.
 //!
-//! `dim2/` has the same table of contents, so the difference of the two folders is the difference
-//! between the two engines.
+//! Files with the same name have the same role in `dim2/`. `gyroscopic.rs` and `collide/cuboid_faces.rs`
+//! exist here only, so the difference of the two folders is the difference between the two engines.
 
 pub mod collide;
 pub mod axes;

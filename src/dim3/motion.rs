@@ -16,15 +16,16 @@
 //! `δ² A / C` for a rod with the moments `A` and `C ≪ A`. (Rods 27 times as long as thick landed with up to
 //! 3000 times their energy.) Energy has priority, so the momentum is adjusted:
 //!
-//! * that of thin bodies turns by `δ`, so that relative to the body it is what it is in a free one. A rod,
-//!   that turns about its middle and hardly about itself, shows nothing of that.
-//! * that of others is adjusted along the gradient of the energy, `ω`, by the necessary amount. With a
-//!   rotation by `δ` for each impulse of its support, a gyroscope at 40 rad/s and 30 steps a second would
-//!   precess by 8 % too slowly.
+//! * that of thin bodies rotates by `δ`, so that relative to the body it equals that of free motion. A rod
+//!   rotates about its middle and hardly about its axis, so the rotation is invisible.
+//! * that of others is adjusted along the gradient of the energy, `ω`, by the necessary amount. A rotation by
+//!   `δ` for each impulse of their support is wrong for these. A gyroscope at 40 rad/s and 30 steps a second
+//!   would precess by 8 % too slowly.
 //!
 //! The implicit Euler step of Catto, "Numerical Methods" (GDC 2015), is as stable but dissipates. Explicit
-//! Euler, `ω ← ω - h I⁻¹ (ω × I ω)`, gains energy until it explodes. With the velocity at the middle of the
-//! substep in place of the mean one, the energy of thin rods at 25 rad/s changes by half from step to step.
+//! Euler, `ω ← ω - h I⁻¹ (ω × I ω)`, gains energy until it explodes. The velocity at the middle of the
+//! substep cannot replace the mean one. With it, the energy of thin rods at 25 rad/s changes by half from
+//! step to step.
 
 use super::gyroscopic::FreeRotation;
 use super::math::{AngVector, Real, Rotation, Vector, integrate_rotation};
@@ -40,7 +41,8 @@ const ISOTROPY: Real = 1.0e-3;
 const TURN_MIN: Real = 1.0e-4;
 /// A rotation in a substep of up to this angle (rad) is unambiguous.
 const UNAMBIGUOUS_ANGLE_MAX: Real = 1.5;
-/// Up to this angle (rad) in a substep the velocity of the middle does for what is not thin.
+/// Up to this angle (rad) in a substep, the velocity of the middle is sufficient for bodies that are not
+/// thin.
 const SMALL_ANGLE_MAX: Real = 0.1;
 /// A body is thin if one of its moments of inertia is so many times another: a rod 8 times as long as thick.
 const INERTIA_RATIO_MAX: Real = 30.0;
@@ -260,7 +262,7 @@ struct Gyroscope<W> {
     momentum: WideAngVector<W>,
     /// The angular velocity that goes with it.
     angvel: WideAngVector<W>,
-    /// Not ours, but in the same registers.
+    /// Other data of the same registers.
     others: [W; 2],
 }
 
@@ -307,8 +309,8 @@ impl<W: Wide> Gyroscope<W> {
     /// The mean angular velocity of a substep of `h` seconds that begins with `angvel`, if nothing holds the
     /// body. If the rotation is so large that its turns are ambiguous, the initial velocity is used.
     ///
-    /// For small turns of what is not thin the velocity of the middle does, from the orientation that the old
-    /// one reaches by then.
+    /// For small rotations of bodies that are not thin, the velocity of the middle is sufficient. Its
+    /// orientation is the one that the initial velocity reaches by then.
     #[inline(always)]
     fn velocity_on_the_way(
         &mut self,
@@ -357,12 +359,12 @@ impl<W: Wide> Gyroscope<W> {
     #[inline(always)]
     fn led_to(&self, end: WideRotation<W>, plainly: W::Mask, h: W) -> WideVector<W> {
         let (_, start) = self.seen_from(self.start);
-        // As it is, less what it has too much: E(m - s ω) = E(m) - s ω·ω + s² E(ω).
+        // Subtracts the excess energy: E(m - s ω) = E(m) - s ω·ω + s² E(ω).
         let (to_world, kept) = self.seen_from(end);
         let slope = kept.component_mul(self.inv_moments);
-        let (steepness, bend) = (slope.dot(slope), self.energy(slope));
+        let (steepness, curvature) = (slope.dot(slope), self.energy(slope));
         let excess = self.energy(kept) - self.energy(start);
-        let square = steepness * steepness - (bend + bend) * (excess + excess);
+        let square = steepness * steepness - (curvature + curvature) * (excess + excess);
         let root = steepness + square.max(W::zero()).sqrt();
         let away = (excess + excess) / root.max(W::splat(Real::MIN_POSITIVE));
         let is_near = excess.abs().le(self.energy(start) * W::splat(LED_MAX));

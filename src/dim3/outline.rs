@@ -1,4 +1,4 @@
-//! Sketches of 3D shapes: the edges of what has edges, a few circles of what is round.
+//! Sketches of 3D shapes: edges of polyhedra, a few circles of round shapes.
 
 use crate::base::outline::{Detail, Outline};
 use crate::dim::math::{Real, Vector, tangents};
@@ -13,8 +13,9 @@ const PLANE_EXTENT: Real = 50.0;
 /// Lines across that square, in each direction.
 const PLANE_CELLS: i32 = 10;
 
-/// Adds the sketch of a shape whose kind exists in this dimension only, or is drawn in its own way.
-pub(crate) fn add_shape(out: &mut Outline, shape: &TypedShape, detail: Detail) {
+/// Adds the sketch of a shape whose kind exists in this dimension only, or is drawn in its own way. Returns
+/// whether the shape is of such a kind.
+pub(crate) fn add_shape(out: &mut Outline, shape: &TypedShape, detail: Detail) -> bool {
     let Detail { subdivisions, border_subdivisions } = detail;
     match shape {
         TypedShape::Voxels(s) => *out = s.to_outline().into(),
@@ -39,8 +40,9 @@ pub(crate) fn add_shape(out: &mut Outline, shape: &TypedShape, detail: Detail) {
             *out = s.to_outline(border_subdivisions).into();
         }
         TypedShape::RoundConvexPolyhedron(s) => *out = polyhedron(&s.inner_shape),
-        _ => {}
+        _ => return false,
     }
+    true
 }
 
 /// A full circle.
@@ -156,8 +158,8 @@ pub(crate) fn plane(out: &mut Outline, normal: Vector) {
     out.segment(Vector::ZERO, normal);
 }
 
-/// Places and directions of the normals with which a mesh decides what is inside: those of its
-/// vertices and those of its edges. Empty for shapes that have none.
+/// Places and directions of a mesh's pseudo-normals, which define its inside: those of its vertices and those
+/// of its edges. Empty for shapes that have none.
 pub(crate) fn pseudo_normals(shape: &TypedShape) -> [Vec<(Vector, Vector)>; 2] {
     let TypedShape::TriMesh(mesh) = shape else { return Default::default() };
     let Some(normals) = mesh.pseudo_normals() else { return Default::default() };

@@ -12,8 +12,8 @@ const SERIES_MAX: Real = 0.5;
 /// A rotation vector that is shorter than this has no direction of its own.
 const ANGLE_MIN: Real = 1.0e-3;
 
-/// The unit quaternion that turns by a rotation vector: what makes its vector part of that vector, and its
-/// real part. See [`integrate_rotation`](crate::dim3::math::integrate_rotation), which this repeats.
+/// The unit quaternion of a rotation vector: its vector part divided by that vector, and its real part. See
+/// [`integrate_rotation`](crate::dim3::math::integrate_rotation), which this repeats.
 #[inline(always)]
 pub(crate) fn wide_unit_quaternion<W: Wide>(rotvec: WideAngVector<W>) -> (W, W) {
     let square = rotvec.dot(rotvec);
@@ -215,8 +215,8 @@ mod tests {
         assert!(missed < 2.0e-5 && added > 20.0 * missed, "{missed} rad, added {added} rad");
     }
 
-    /// Rotations of any size compose to their product, and their turns are counted: three steps of a body
-    /// that rotates by up to 9 rad and wobbles.
+    /// Rotations of any size compose to their product, and their turns are counted. The body wobbles, and
+    /// rotates by up to 9 rad in each of three steps.
     #[test]
     fn large_turns_are_composed_exactly() {
         let mut random = Random(32);

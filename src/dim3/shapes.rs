@@ -46,7 +46,7 @@ pub fn measures(shape: TypedShape<'_>) -> SmallVec<[Measure<'_>; 4]> {
     inner
 }
 
-/// Returns why a convex shape cannot collide, if it cannot: its kind, and what is wrong with it.
+/// Returns the reason why a convex shape cannot collide, if there is one: its kind and its defect.
 ///
 /// Two faces back to back are a plate, which collides on both sides.
 pub fn convex_defect(shape: TypedShape<'_>) -> Option<(&'static str, &'static str)> {
@@ -196,7 +196,7 @@ pub fn spread_directions(points: &[Vector]) -> Rotation {
     Rotation::from_mat3(&principal_axes(spread).1).normalize()
 }
 
-/// The convex hull of what of a surface lies in one part of its convex decomposition.
+/// The convex hull of the part of a surface that lies in one piece of its convex decomposition.
 pub fn exact_hull(
     part: &VoxelSet,
     vertices: &[Vector],

@@ -1,7 +1,8 @@
 //! The solver's data of a body, in 3D: two records of whole registers.
 //!
 //! A constraint gathers the records of its two bodies, one lane per constraint, and a gather reads whole
-//! registers. Records are therefore arrays of numbers, whose meaning is stated here only.
+//! registers. Records are therefore arrays of numbers. Their meaning is stated here; `step/solver/states.rs`
+//! relies on the order velocity, displacement.
 
 use super::math::{AngVector, AngularInertia, Real, Rotation, Vector};
 use super::rotation_vector::{unit_quaternion, wide_unit_quaternion};
@@ -134,10 +135,10 @@ pub(crate) struct WideMotion<W> {
 #[derive(Copy, Clone)]
 pub(crate) struct WideDisplacement<W> {
     pub linear: WideVector<W>,
-    /// The rotation vector of the turn.
+    /// Rotation vector (rad).
     pub angular: WideAngVector<W>,
-    /// The unit quaternion of the turn: what makes its vector part of the rotation vector, and its real part.
-    /// They are computed once, when the body rotates: several joints of the body read them, many times.
+    /// The unit quaternion of the rotation: its vector part divided by the rotation vector, and its real
+    /// part. They are computed once, when the body rotates: several joints of the body read them, many times.
     scale: W,
     real: W,
 }

@@ -4,7 +4,7 @@
 //! origin inside `K - K`. An inscribed polytope of `K - K` grows until its nearest face lies on the boundary.
 //! Of a polyhedron that face is the difference of a face and a vertex, or of two edges. These are the two
 //! kinds of pairs that can attain the minimum width (Houle and Toussaint, "Computing the Width of a Set",
-//! 1988). The search looks at a few dozen supports instead of all pairs.
+//! 1988). The search evaluates a few dozen supports instead of all pairs.
 
 use super::math::{Real, Rotation, Vector, tangents};
 use crate::base::planar_width::{
@@ -191,8 +191,8 @@ fn with_layer(
     (center, half + Vector::splat(layer), thickness + layer)
 }
 
-/// The outward unit normals of all faces of a hull or triangle; of a cone the base and one side, which are
-/// sufficient; none of other shapes.
+/// The outward unit normals of all faces of a hull or triangle. Those of a cone are the base and one side,
+/// which are sufficient; other shapes have none.
 pub fn face_normals(shape: TypedShape<'_>) -> Vec<Vector> {
     let of_hull = |hull: &ConvexPolyhedron| hull.faces().iter().map(|face| face.normal).collect();
     match shape {

@@ -1,14 +1,14 @@
-//! Edit marks: whether a record that was handed out for changing is still the one that it was.
+//! Edit marks: detection of records that were replaced through a `&mut`.
 //!
-//! A `&mut` to a body or collider allows more than its setters: the user may assign a copy, or swap two of
-//! them, of one world or of two. The record brings along where *it* stood, and which partners it had. So a
-//! record that is handed out gets a [unique number](crate::base::unique), and the set stores the number with
-//! its note of the edit. The next step takes a record whose number is another as new. Attaching a collider
-//! edits two sets: it renews the numbers, so that an older copy of the record differs, too.
+//! A `&mut` to a body or collider allows more than its setters. The user may assign a copy, or swap two of
+//! them, of one world or of two. The record contains *its own* position in the lists, and its partners. A
+//! record that is handed out therefore gets a [unique number](crate::base::unique), and the set stores the
+//! number with its note of the edit. The next step treats a record with another number as new. Attaching a
+//! collider edits two sets: it renews the numbers, so that an older copy of the record differs, too.
 //!
 //! A removed record leaves its set before the step compares it with its note. Its removal therefore retires
 //! its number. A note whose record is gone and whose number is not retired belongs to a record that was
-//! replaced first: the removed one had other partners. A copy that was made before any edit has no number at
+//! replaced first. The removed one had other partners. A copy that was made before any edit has no number at
 //! all, so nothing else distinguishes it.
 
 use crate::base::hash::FastHashMap;
@@ -72,7 +72,7 @@ impl EditMarks {
     }
 
     /// Returns whether a record is the one of its note.
-    pub fn knows(&self, mark: EditMark) -> bool {
+    pub fn matches_note(&self, mark: EditMark) -> bool {
         self.is_of(mark, mark.note as usize)
     }
 
@@ -102,17 +102,21 @@ mod tests {
     fn marks_of_other_records_and_older_copies_are_not_known() {
         let (mut one, mut two) = (EditMarks::default(), EditMarks::default());
         let [first, second] = [one.mark(0), one.mark(1)];
-        assert!(one.is_of(first, 0) && !one.is_of(first, 1) && one.knows(second));
+        assert!(one.is_of(first, 0) && !one.is_of(first, 1) && one.matches_note(second));
         let foreign = two.mark(0);
-        assert!(!one.knows(foreign) && two.knows(foreign) && !one.knows(EditMark::default()));
+        assert!(
+            !one.matches_note(foreign)
+                && two.matches_note(foreign)
+                && !one.matches_note(EditMark::default())
+        );
         let mut newer = first;
         one.renew(&mut newer);
-        assert!(one.knows(newer) && !one.knows(first));
+        assert!(one.matches_note(newer) && !one.matches_note(first));
         one.retire(first);
         assert!(!one.was_of(0), "an older copy was removed");
         one.retire(newer);
-        assert!(one.was_of(0) && !one.was_of(1) && !one.knows(newer));
+        assert!(one.was_of(0) && !one.was_of(1) && !one.matches_note(newer));
         one.clear();
-        assert!(one.knows(EditMark::default()), "loaded records have no number");
+        assert!(one.matches_note(EditMark::default()), "loaded records have no number");
     }
 }

@@ -1,7 +1,8 @@
 //! # Model: data types of the world
 //!
-//! Plain data, sets and handles, and the traits that a user implements. No algorithm of the step
-//! lives here; stages of [`crate::step`] act on these types and never on each other.
+//! Plain data, sets and handles, the operations that keep their lists consistent (`structure/`), and the
+//! traits that a user implements. No stage lives here: stages of [`crate::step`] act on these types and never
+//! on each other.
 
 pub mod body;
 pub(crate) mod check;

@@ -102,7 +102,7 @@ impl WorldStamp {
     }
 
     /// Marks two sets that are edited together. If other sets were edited together with one of them before,
-    /// the two do not fit each other afterwards: each contains attachments that the other lacks.
+    /// the two do not fit each other afterwards. Each contains attachments that the other lacks.
     pub fn note_attachment([one, two]: [&mut Self; 2]) {
         let fit = one.attachment == two.attachment;
         one.attachment = unique_number();

@@ -1,16 +1,16 @@
 //! Bias forces by inertia alone: recursive Newton–Euler.
 //!
 //! Links accelerate on curved paths even if no degree of freedom accelerates (Featherstone 2008, section
-//! 5.3). Consider the parent `p` and a link, with the joint's origin at `reach` from the parent's centre of
-//! mass and the link's centre of mass at `arm` from there. With the translation velocity `u` along the
+//! 5.3). Consider the parent `p` and a link. The joint's origin is at `reach` from the parent's centre of
+//! mass, and the link's centre of mass at `arm` from there. With the translation velocity `u` along the
 //! joint's axes and the relative angular velocity `ω_r`:
 //!
 //! ```text
-//! α = α_p + ω_p × ω_r (+ a₁ × a₂ q̇₁ q̇₂ for two free rotations, the second about an axis that the first takes along)
-//! c = c_p + α_p × reach + ω_p × (ω_p × reach) + 2 ω_p × u + α × arm + ω × (ω × arm)
+//! α = α_p + ω_p × ω_r (+ a₁ × a₂ q̇₁ q̇₂ for two free rotations, the second about an axis that the first
+//! takes along) c = c_p + α_p × reach + ω_p × (ω_p × reach) + 2 ω_p × u + α × arm + ω × (ω × arm)
 //! ```
 //!
-//! The wrench that this takes is `(m c, I α + ω × I ω)`; its opposite is what we return.
+//! That requires the wrench `(m c, I α + ω × I ω)`. The result is its opposite.
 
 use super::kinematics::{Kinematics, LinkFrame};
 use super::spatial::{ZERO, angular_momentum};

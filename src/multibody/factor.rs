@@ -9,8 +9,8 @@
 //! I^A_parent = I_parent + Σ Xᵀ I^A X
 //! ```
 //!
-//! with the armature `a`. A joint with several degrees of freedom is a chain of massless ones, so that no
-//! matrix is inverted: an `L D Lᵀ` decomposition of the joint's block, column by column. Then forces become
+//! with the armature `a`. A joint with several degrees of freedom is a chain of massless ones, so no matrix
+//! is inverted. That is an `L D Lᵀ` decomposition of the joint's block, column by column. Then forces become
 //! accelerations:
 //!
 //! ```text
@@ -19,8 +19,8 @@
 //! ```
 //!
 //! Velocities follow from impulses the same way. The damping `d` of a degree of freedom is integrated
-//! implicitly over `h`, and a spring of stiffness `k` is evaluated after the fraction `θ` of that
-//! (`motion/`). They add `h d + θ h² k` to its armature: they are stable for any stiffness, without cost.
+//! implicitly over `h`. A spring of stiffness `k` is evaluated after the fraction `θ` of that (`motion/`).
+//! They add `h d + θ h² k` to its armature: they are stable for any stiffness, without cost.
 
 use super::kinematics::{Kinematics, LinkFrame};
 use super::spatial::{SpatialMatrix, ZERO, add_scaled, carry, carry_back, dot};

@@ -177,9 +177,9 @@ impl Multibody {
                 if from.parent.is_some() {
                     return from.joint.displacement_to(&to.joint, dof.axis);
                 }
-                let turn = to.pose.rotation * from.pose.rotation.inverse();
+                let rotation = to.pose.rotation * from.pose.rotation.inverse();
                 let shift = to.pose * to.mass.local_com - from.pose * from.mass.local_com;
-                join(shift, rotation_to_angle(&turn))[dof.axis as usize]
+                join(shift, rotation_to_angle(&rotation))[dof.axis as usize]
             })
             .collect()
     }
@@ -187,8 +187,8 @@ impl Multibody {
 
 /// The difference of a pose from the target, along and about some axes of the world.
 fn error_to(target: &Pose, pose: &Pose, axes: JointAxesMask) -> SpatialVector {
-    let turn = target.rotation * pose.rotation.inverse();
-    let mut error = join(target.translation - pose.translation, rotation_to_angle(&turn));
+    let rotation = target.rotation * pose.rotation.inverse();
+    let mut error = join(target.translation - pose.translation, rotation_to_angle(&rotation));
     mask(&mut error, axes, true);
     error
 }

@@ -1,18 +1,18 @@
-//! A multibody as a whole: one rigid body, as if all its joints were locked.
+//! The locked body of a multibody: one rigid body, as if all its joints were locked.
 //!
 //! ```text
 //! m = Σ mᵢ        c = Σ mᵢ xᵢ / m        I = Σ Iᵢ - mᵢ [xᵢ - c]ₓ²
 //! ```
 //!
-//! The motion of the links is the sum of two: one of the whole, with the same linear and angular momentum,
-//! and a change of shape without momentum. They are orthogonal in the mass matrix, so that the energy is the
-//! sum of theirs (the locked inertia tensor: Marsden, Ratiu, "Introduction to Mechanics and Symmetry", 1999).
-//! From that follow two rules:
+//! The motion of the links is the sum of two motions. The locked body moves with the same linear and angular
+//! momentum, and the change of shape has no momentum. They are orthogonal in the mass matrix, so that the
+//! energy is the sum of theirs (the locked inertia tensor: Marsden, Ratiu, "Introduction to Mechanics and
+//! Symmetry", 1999). From that follow two rules:
 //!
-//! * Among all motions that correct a missing momentum, that of the whole has the least energy. Applied to
-//!   the root alone, a moment of a few roundings about the axis of a thin limb on a ball joint spins that
-//!   limb. A straight chain is a thin whole. Its missing momentum about that axis is therefore corrected
-//!   slowly, or soon about another axis, as the chain rotates.
+//! * Among all motions that correct a missing momentum, that of the locked body has the least energy. Applied
+//!   to the root alone, a moment of a few roundings about the axis of a thin limb on a ball joint spins that
+//!   limb. A straight chain is a thin locked body. Its missing momentum about that axis is therefore
+//!   corrected slowly, or soon about another axis, as the chain rotates.
 //! * Excess energy can be taken from the change of shape. This conserves the linear and angular momentum in
 //!   every frame of reference.
 
@@ -36,14 +36,14 @@ pub struct LockedInertia {
     /// A single link.
     body: Kinematics,
     factor: Factor,
-    /// From the root's centre of mass to that of the whole.
+    /// From the root's centre of mass to that of the locked body.
     reach: Vector,
     rates: Vec<Real>,
 }
 
 impl LockedInertia {
-    /// The locked inertia of the links at their poses. On a root without degrees of freedom nothing moves as
-    /// a whole.
+    /// The locked inertia of the links at their poses. Without degrees of freedom of the
+    /// root, the locked body does not move.
     pub fn update(&mut self, kinematics: &Kinematics) {
         let root = &kinematics.links[0];
         self.body.links.clear();
@@ -80,8 +80,8 @@ impl LockedInertia {
         self.factor.update(&self.body, Resistance { armature, drag: &[] });
     }
 
-    /// The rates of the root's degrees of freedom at which the whole has a momentum, given about the root's
-    /// centre of mass.
+    /// The rates of the root's degrees of freedom at which the locked body has a momentum, given about the
+    /// root's centre of mass.
     pub fn rates_at(&mut self, momentum: &SpatialVector) -> &[Real] {
         self.resist(|_| 0.0);
         self.solve(&carry_back(momentum, -self.reach));
@@ -113,7 +113,7 @@ impl LockedInertia {
         &self.rates
     }
 
-    /// The rates that a momentum about the centre of mass of the whole leads to.
+    /// The rates that a momentum about the centre of mass of the locked body leads to.
     fn solve(&mut self, momentum: &SpatialVector) {
         self.rates.clear();
         self.rates.resize(self.body.axes.len(), 0.0);

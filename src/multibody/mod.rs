@@ -7,8 +7,8 @@
 //! ## Notation
 //! The state is `q` (coordinates) and `q̇` (velocities of the degrees of freedom). A link's spatial velocity
 //! `v` is that of its centre of mass and its angular velocity. Its wrench `f` is a force at the centre of
-//! mass and a torque about it. Both are in world axes. In these, a link's inertia is `diag(m, m, m, I)`, and
-//! the only change of frame is a shift by the vector `r` from the parent's centre of mass to the link's:
+//! mass and a torque about it. Both are in world axes. In these, a link's inertia is `diag(m, m, m, I)`. The
+//! only change of frame is a shift by the vector `r` from the parent's centre of mass to the link's:
 //!
 //! ```text
 //! v = X v_parent + Σ sⱼ q̇ⱼ        X: (v, ω) ↦ (v + ω × r, ω)        Xᵀ: (F, N) ↦ (F, N + r × F)

@@ -35,9 +35,9 @@ impl LinkTrajectory {
     /// A path of length `w` that bends by the angle `a` is within `w a / 8` of its chord, and a piece of `n`
     /// within `1/n²` of that.
     pub fn pieces(&self, deviation: Real) -> usize {
-        let [way, angle] = self.travel;
-        let bent = (way * angle / (8.0 * deviation.max(Real::MIN_POSITIVE))).sqrt();
-        // A number that is none, or too large, is the largest.
+        let [path_length, angle] = self.travel;
+        let bent = (path_length * angle / (8.0 * deviation.max(Real::MIN_POSITIVE))).sqrt();
+        // NaN, or a number that is too large, becomes the largest number of pieces.
         let pieces = bent.max(angle / TURN_PER_PIECE).ceil().min(PIECES_MAX as Real);
         (pieces as usize).max(1)
     }

@@ -184,7 +184,7 @@ impl<'a> QueryFilter<'a> {
             && self.predicate.is_none_or(|predicate| predicate(handle, collider))
     }
 
-    /// All conditions but the predicate.
+    /// Returns whether all conditions except the predicate hold.
     pub(super) fn test_traits(&self, handle: ColliderHandle, traits: &Traits) -> bool {
         self.flags.test(traits)
             && self.exclude_collider != Some(handle)

@@ -55,15 +55,15 @@ impl<'a> QueryView<'a> {
         })
     }
 
-    /// The first hit collider, for the times that `ask` returns for each, up to a limit.
+    /// The first hit collider, for the times that `time_of_impact` returns for each, up to a limit.
     fn first_hit<T>(
         &self,
         ray: &Ray,
         max_time_of_impact: Real,
-        ask: impl Fn(&Collider, Real) -> Option<(Real, T)>,
+        time_of_impact: impl Fn(&Collider, Real) -> Option<(Real, T)>,
     ) -> Option<(ColliderHandle, T)> {
         let limit = sound_limit(ray, max_time_of_impact)?;
-        self.nearest([0.0, limit], &slabs(ray), |collider| ask(collider, limit))
+        self.nearest([0.0, limit], &slabs(ray), |collider| time_of_impact(collider, limit))
     }
 
     /// All colliders that a ray hits, each with its first hit, in no particular order.

@@ -19,7 +19,7 @@ pub(crate) enum PairChange {
 }
 
 /// A body is fast if it moves farther than this fraction of its thickness in one step. A separated body might
-/// otherwise end with its middle behind a thin obstacle.
+/// otherwise end with its middle behind a thin collider.
 const MOTION_FRACTION_MAX: Real = 0.5;
 
 /// Motion of a body that moved far enough to pass through something.
@@ -31,11 +31,11 @@ pub(crate) struct FastMotion {
     /// Centre of mass at the start, and its displacement.
     pub center: Vector,
     pub shift: Vector,
-    /// The rotation vector of its turn (rad).
+    /// Rotation vector (rad).
     pub rotvec: AngVector,
     /// Acceleration by forces.
     pub acceleration: Vector,
-    /// For a link of a multibody: the position of that in the list of fast ones, and the link's.
+    /// For a link: index of the multibody in `trajectories`, and of the link in it.
     pub link: Option<(usize, usize)>,
 }
 
@@ -43,7 +43,7 @@ impl FastMotion {
     /// Returns whether a body is fast that moved by at most `bound`. A body without interior (thickness 0) is
     /// fast if it moved farther than the prediction distance. A deeply penetrating body is fast if it moved
     /// at all. No body is fast if CCD is off.
-    pub fn is_one(body: &RigidBody, bound: Real, params: &IntegrationParameters) -> bool {
+    pub fn is_fast(body: &RigidBody, bound: Real, params: &IntegrationParameters) -> bool {
         let is_solid = body.thickness > 0.0;
         let little = if is_solid {
             MOTION_FRACTION_MAX * body.thickness

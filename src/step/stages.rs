@@ -39,8 +39,8 @@ impl<'a> Step<'a> {
 impl Step<'_> {
     /// Registers everything anew if a set is not that of the last step. Returns the stamp of this step.
     pub(super) fn resync(&mut self) -> WorldStamp {
-        let Resynced { parted, stamp, .. } = resync_before_step(&mut self.world);
-        self.scratch.notes.events.extend(parted);
+        let Resynced { end_events, stamp, .. } = resync_before_step(&mut self.world);
+        self.scratch.notes.events.extend(end_events);
         stamp
     }
 
@@ -73,14 +73,14 @@ impl Step<'_> {
         joints: &ImpulseJointSet,
         are_applied: bool,
     ) -> WorldStamp {
-        let Resynced { parted, stamp, joints_fit } =
+        let Resynced { end_events, stamp, joints_fit } =
             resync_before_detection(&mut self.world, joints);
         let World { structure, broad_phase: tree, joints: none, params, .. } = &mut self.world;
         // Joints of another world wait for the next step.
         let joints = if joints_fit { joints } else { none };
         let (structure, multibodies) = (structure.reborrow(), MultibodyEdits::default());
         let events = &mut self.scratch.notes.events;
-        events.extend(parted);
+        events.extend(end_events);
         let changes = UserChanges { structure, tree, joints, multibodies, params, events };
         let timer = &mut self.counters.stages.user_changes;
         timer.measure(|| if are_applied { changes.run() } else { changes.run_removals() });
@@ -130,7 +130,7 @@ impl Step<'_> {
         let notes = &mut self.scratch.notes;
         self.counters.stages.island_construction_time.measure(|| {
             islands::update(structure, notes);
-            ccd::watch(structure.bodies, &notes.deeply_penetrating, params);
+            ccd::set_deeply_penetrating(structure.bodies, &notes.deeply_penetrating, params);
         });
         self.trace(StepStage::CollisionDetection);
     }

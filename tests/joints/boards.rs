@@ -187,11 +187,11 @@ impl FreeEnd {
 #[test]
 fn joints_report_the_impulses_of_impacts() {
     let mut dice = Dice(4321);
-    let columns = ["rate", "boards", "balls", "steps with blows", "largest error", "of"];
-    let mut table = Table::new("forces of joints at free ends in blows", &columns);
+    let columns = ["rate", "boards", "balls", "steps with impacts", "largest error", "of"];
+    let mut table = Table::new("forces of joints at free ends in impacts", &columns);
     for rate in [60, 120, 240] {
         for (boards, balls) in [(2, false), (2, true), (3, false), (3, true)] {
-            let (mut blows, mut worst, mut of) = (0, 0.0, 0.0);
+            let (mut impacts, mut worst, mut of) = (0, 0.0, 0.0);
             for restitution in [0.5, 0.9, 1.0].repeat(4) {
                 let mut world = world(rate);
                 let chain =
@@ -214,7 +214,7 @@ fn joints_report_the_impulses_of_impacts() {
                         if end.is_touched(&world) || given.length() < body.mass() * 1.0 {
                             continue;
                         }
-                        blows += 1;
+                        impacts += 1;
                         let error = (got - weight - given).length() / given.length();
                         if error > worst {
                             (worst, of) = (error, given.length() / body.mass());
@@ -226,7 +226,7 @@ fn joints_report_the_impulses_of_impacts() {
                 rate.to_string(),
                 boards.to_string(),
                 balls.to_string(),
-                blows.to_string(),
+                impacts.to_string(),
                 format!("{worst:.5}"),
                 format!("{of:.3} m/s"),
             ]);

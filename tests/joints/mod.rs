@@ -5,11 +5,11 @@
 pub mod stage;
 
 mod agreement;
-mod blows;
 mod breaking;
 mod chains;
 mod determinism;
 mod edits;
+mod impacts;
 mod limits;
 pub mod momentum;
 mod motors;

@@ -1,6 +1,6 @@
 //! Rules of impacts: kinematic bodies, locked axes, dominance, sensors, combined coefficients, hooks.
 
-use super::blows::{RADIUS, ball, surface};
+use super::impact_energy::{RADIUS, ball, surface};
 use super::stage::{run, weightless};
 use crate::dim::{cuboid, vec};
 use rapier::prelude::*;

@@ -6,12 +6,12 @@
 pub mod stage;
 pub mod table;
 
-mod blows;
 mod bounce;
 mod carriers;
 mod determinism;
 mod fall;
 mod friction;
+mod impact_energy;
 mod impact_rules;
 mod impacts;
 mod load;

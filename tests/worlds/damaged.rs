@@ -156,7 +156,7 @@ fn contradictions() -> [(usize, &'static str, Tree); 14] {
         (1, ".parent_type", Tree::Some(Box::new(text("KinematicPositionBased")))),
         // Normals are not unit vectors.
         (4, ".local_n1[0]", Tree::Float(3.0e38)),
-        (4, ".placed_normal[1]", Tree::Float(0.5)),
+        (4, ".anchor_normal[1]", Tree::Float(0.5)),
         (4, ".data.normal[1]", Tree::Float(0.5)),
         (2, ".parts_bodies", Tree::Bool(true)),
         (2, ".attached", Tree::Bool(false)),

@@ -2,7 +2,7 @@
 
 use crate::catalog::Scene;
 use crate::engine::Kind;
-use crate::growth::Curve;
+use crate::growth::curve::Curve;
 use std::fmt;
 use std::io::Write;
 use std::str::FromStr;
@@ -223,7 +223,7 @@ mod tests {
 
     fn options(words: &str) -> Result<Options, UsageError> {
         let arguments: Vec<String> = words.split_whitespace().map(str::to_owned).collect();
-        match parse(&arguments, &crate::catalog::scenes())? {
+        match parse(&arguments, &crate::scenes::all())? {
             Request::Run(options) => Ok(options),
             Request::Help => panic!("`{words}` should not ask for help"),
         }

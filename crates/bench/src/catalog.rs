@@ -1,4 +1,4 @@
-//! Scenes of the benchmark: the scenes of the galleries that contain only physics.
+//! Entries of the benchmark's catalogue.
 
 use crate::engine::{Kind, Template};
 
@@ -37,11 +37,4 @@ pub fn engine_name(kind: Kind, dimension: &str) -> &'static str {
         Kind::Box => "Box3D",
         Kind::Double => "this engine, f64",
     }
-}
-
-/// Returns all scenes, 3D first.
-pub fn scenes() -> Vec<Scene> {
-    let mut scenes = crate::solid::scenes();
-    scenes.extend(crate::flat::scenes());
-    scenes
 }

@@ -38,6 +38,7 @@ mod profile;
 mod queries;
 mod report;
 mod saving;
+mod scenes;
 mod solid;
 mod units;
 
@@ -52,7 +53,7 @@ static ALLOCATOR: memory::Counting = memory::Counting;
 const EXIT_USAGE: u8 = 2;
 
 fn main() -> ExitCode {
-    let scenes = catalog::scenes();
+    let scenes = scenes::all();
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     let outcome = match args::parse(&arguments, &scenes) {
         Ok(Request::Help) => args::print_help(&scenes),

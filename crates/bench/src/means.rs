@@ -7,7 +7,7 @@ use crate::units::{counted, geometric_mean};
 
 /// Wanted upper bound of time in double precision divided by time in single precision: twice the bytes, and
 /// half as many numbers in a register.
-const DOUBLE_WANTED: f64 = 2.2;
+const DOUBLE_TIME_RATIO_MAX: f64 = 2.2;
 
 /// Geometric mean of a ratio over all scenes of one dimension with one number of threads.
 struct Mean<'c> {
@@ -82,7 +82,7 @@ fn line_of_peers(mean: &Mean<'_>) -> Option<String> {
 }
 
 fn line_of_double(mean: &Mean<'_>) -> Option<String> {
-    let more = mean.ratios.iter().filter(|(_, ratio)| *ratio > DOUBLE_WANTED);
+    let more = mean.ratios.iter().filter(|(_, ratio)| *ratio > DOUBLE_TIME_RATIO_MAX);
     let more: Vec<String> =
         more.map(|(contest, ratio)| format!("{} ({ratio:.2})", contest.name())).collect();
     let more = match more.as_slice() {
@@ -90,7 +90,7 @@ fn line_of_double(mean: &Mean<'_>) -> Option<String> {
         scenes => format!("; more in {}: {}", scenes.len(), scenes.join(", ")),
     };
     Some(format!(
-        "{}: geometric mean of f64 / f32 {:.2}, wanted at most {DOUBLE_WANTED}{more}",
+        "{}: geometric mean of f64 / f32 {:.2}, wanted at most {DOUBLE_TIME_RATIO_MAX}{more}",
         mean.title(),
         mean.value()?
     ))

@@ -70,6 +70,27 @@ fn access_wakes_on_request() {
     }
 }
 
+/// The iteration wakes no body, and the step applies the edits.
+#[test]
+fn iteration_wakes_none() {
+    let (mut world, body, joint) = spring(10.0);
+    world.steps(5);
+    world.bodies[body].sleep();
+    world.steps(1);
+    let anchor = world.impulse_joints.get(joint).unwrap().body1;
+    let second = world.bodies.insert(RigidBodyBuilder::fixed());
+    let mut seen = Vec::new();
+    for (handle, joint) in world.impulse_joints.iter_mut() {
+        joint.body1 = second;
+        seen.push(handle);
+    }
+    assert_eq!(seen, [joint]);
+    world.steps(1);
+    assert!(world.bodies[body].is_sleeping());
+    assert_eq!(world.impulse_joints.attached_joints(second).count(), 1);
+    assert_eq!(world.impulse_joints.attached_joints(anchor).count(), 0);
+}
+
 /// Mutable access without an argument for it wakes no body.
 #[test]
 fn access_by_slot_or_body_wakes_none() {

@@ -12,10 +12,10 @@ pub struct Choices<'a> {
 
 impl<'a> Choices<'a> {
     pub fn new(bytes: &'a [u8]) -> Self {
-        Self { rest: bytes, is_verbose: std::env::var_os("FUZZ_TELL").is_some() }
+        Self { rest: bytes, is_verbose: std::env::var_os("FUZZ_VERBOSE").is_some() }
     }
 
-    /// Prints a description of an operation if `FUZZ_TELL` is set, for the analysis of a finding.
+    /// Prints a description of an operation if `FUZZ_VERBOSE` is set, for the analysis of a finding.
     pub fn tell(&self, what: impl FnOnce() -> String) {
         if self.is_verbose {
             eprintln!("{}", what());
@@ -39,12 +39,13 @@ impl<'a> Choices<'a> {
         usize::from(self.byte()) % count
     }
 
-    /// Returns true for one in `times` bytes. A zero byte gives false, so rare operations end with the bytes.
+    /// Returns whether the next byte modulo `times` is `times - 1`. A zero byte gives false, so rare
+    /// operations end with the bytes.
     pub fn once_in(&mut self, times: usize) -> bool {
         self.below(times) == times - 1
     }
 
-    /// Returns true for every other byte.
+    /// Returns whether the next byte is odd.
     pub fn coin(&mut self) -> bool {
         self.once_in(2)
     }

@@ -44,7 +44,7 @@ fn record_panic(info: &PanicHookInfo<'_>) {
     let text = info.payload().downcast_ref::<String>().map(String::as_str);
     let text = text.or_else(|| info.payload().downcast_ref::<&str>().copied());
     let message = text.unwrap_or_default().to_owned();
-    if std::env::var_os("FUZZ_TELL").is_some() {
+    if std::env::var_os("FUZZ_VERBOSE").is_some() {
         eprintln!("{}", std::backtrace::Backtrace::capture());
     }
     LAST.set(Some(Finding { place, message }));

@@ -76,6 +76,8 @@ pub mod flat {
     mod both;
     #[path = "dim.rs"]
     mod dim;
+    #[path = "drive.rs"]
+    mod drive;
     #[path = "thin.rs"]
     mod thin;
 
@@ -90,6 +92,8 @@ pub mod solid {
     mod both;
     #[path = "dim.rs"]
     mod dim;
+    #[path = "drive.rs"]
+    mod drive;
     #[path = "thin.rs"]
     mod thin;
 
@@ -105,6 +109,8 @@ pub mod flat_f64 {
     mod both;
     #[path = "dim.rs"]
     mod dim;
+    #[path = "drive.rs"]
+    mod drive;
     #[path = "thin.rs"]
     mod thin;
 
@@ -120,6 +126,8 @@ pub mod solid_f64 {
     mod both;
     #[path = "dim.rs"]
     mod dim;
+    #[path = "drive.rs"]
+    mod drive;
     #[path = "thin.rs"]
     mod thin;
 

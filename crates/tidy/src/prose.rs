@@ -1,5 +1,5 @@
 //! Comments in the field's language: no person words, no questions, no wide lines, no constants that are bare
-//! adjectives.
+//! adjectives or begin with a quantity.
 //!
 //! The rule is in docs/glossary.md.
 
@@ -14,12 +14,16 @@ const PRONOUNS: [(&[&str], &[&str]); 2] = [
     (&["wh"], &["o", "om", "oever", "omever"]),
 ];
 /// Names of constants that lack a noun and a quantity (`MASS_RATIO_MAX`).
-const ADJECTIVES: [&str; 36] = [
-    "BENT", "CALM", "CLOSE", "DEEP", "DEEPER", "EVEN", "FAR", "FAST", "FASTEST", "FLAT", "GENTLE",
-    "HEAVY", "HUGE", "LARGE", "LEAST", "LIGHT", "LONG", "LOOSE", "MOST", "NARROW", "NEAR",
-    "NEARLY", "NOTICED", "QUIET", "ROUGH", "SETTLED", "SHORT", "SLOW", "SMALL", "STILL", "STRONG",
-    "TAUT", "THIN", "TINY", "USUAL", "WILD",
+const ADJECTIVES: [&str; 39] = [
+    "AHEAD", "BENT", "CALM", "CLOSE", "DEEP", "DEEPER", "EVEN", "FAR", "FAST", "FASTEST", "FLAT",
+    "GENTLE", "HEAVY", "HUGE", "LARGE", "LEAST", "LIGHT", "LONG", "LOOSE", "MOST", "NARROW",
+    "NEAR", "NEARLY", "NEAREST", "NOTICED", "PARALLEL", "QUIET", "ROUGH", "SETTLED", "SHORT",
+    "SLOW", "SMALL", "STILL", "STRONG", "TAUT", "THIN", "TINY", "USUAL", "WILD",
 ];
+/// Quantities, which stand at the end of a constant's name.
+const QUANTITIES: [&str; 4] = ["LEAST_", "MAX_", "MIN_", "MOST_"];
+/// The constant of the upstream API with its quantity in front.
+const UPSTREAM_NAME: &str = "MAX_MANIFOLD_POINTS";
 /// Widest line of a comment, in characters.
 const WIDTH_MAX: usize = 110;
 
@@ -95,9 +99,13 @@ fn words(comment: &str) -> impl Iterator<Item = &str> {
 
 fn check_constants(source: &Source) -> impl Iterator<Item = Complaint> {
     let names = (0..source.tokens.len()).filter(|&at| source.token(at) == "const");
-    let bare = names
-        .filter(|&at| source.token(at + 2) == ":" && ADJECTIVES.contains(&source.token(at + 1)));
-    bare.map(|at| {
+    let misnamed = names.filter(|&at| {
+        let name = source.token(at + 1);
+        let starts_with_quantity = QUANTITIES.iter().any(|quantity| name.starts_with(quantity));
+        source.token(at + 2) == ":"
+            && (ADJECTIVES.contains(&name) || starts_with_quantity && name != UPSTREAM_NAME)
+    });
+    misnamed.map(|at| {
         let what = format!("`{}`: name the noun and the quantity", source.token(at + 1));
         Complaint::new(&source.path, source.tokens[at].line, what)
     })
@@ -168,6 +176,7 @@ mod tests {
     fn constants_have_nouns() {
         assert_eq!(complaints("const FAST: f32 = 1.0;\n"), 1);
         assert_eq!(complaints("impl A {\n    pub const NEAR: f32 = 1.0;\n}\n"), 1);
+        assert_eq!(complaints("const MAX_SPEED: f32 = 1.0;\n"), 1);
         assert_eq!(complaints("const SPEED_MAX: f32 = 1.0;\nlet a = FAST;\n"), 0);
     }
 

@@ -7,7 +7,7 @@ use crate::source::Source;
 const DOORS: [&str; 2] = ["src/lib2d.rs", "src/lib3d.rs"];
 const VARIANTS: [&str; 4] = ["dim2", "dim3", "f32", "f64"];
 /// The folder with threads.
-const PARALLEL: &str = "src/base/tasks/";
+const TASKS_FOLDER: &str = "src/base/tasks/";
 
 /// Files that exist in one of `dim2/` and `dim3/` only, with the reason.
 const SINGLES: [(&str, &str); 2] = [
@@ -36,8 +36,8 @@ fn check_features(source: &Source, complaints: &mut Vec<Complaint>) {
                 let what = format!("asks for the feature `{feature}`: only the front doors may");
                 complaints.push(Complaint::new(&source.path, number + 1, what));
             }
-            if feature == "parallel" && !source.path.starts_with(PARALLEL) {
-                let what = format!("asks for the feature `parallel`: only {PARALLEL} may");
+            if feature == "parallel" && !source.path.starts_with(TASKS_FOLDER) {
+                let what = format!("asks for the feature `parallel`: only {TASKS_FOLDER} may");
                 complaints.push(Complaint::new(&source.path, number + 1, what));
             }
         }

@@ -1,7 +1,7 @@
 //! The whole tree at once.
 //!
-//! The build is top-down: the boxes of a node are split in two, then the larger part again, until there is a
-//! part for each lane or no split pays. The surface area heuristic over a few bins per axis selects the
+//! The build is top-down. The boxes of a node are split in two, then the larger part again. That ends with a
+//! part for each lane, or when no split pays. The surface area heuristic over a few bins per axis selects the
 //! splits (Wald, "On fast Construction of SAH-based Bounding Volume Hierarchies", 2007).
 
 use super::node::{Child, Entry, Node, Place};

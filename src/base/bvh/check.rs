@@ -9,8 +9,8 @@ use parry::bounding_volume::{Aabb, BoundingVolume};
 
 check_when_loaded!(BoxTree);
 
-/// Each node except the root is the child of one other, or free; each box is at the place that its slot
-/// stores; and the box of a child contains the boxes below.
+/// Each node except the root is the child of one other, or free. Each box is at the place that its slot
+/// stores. The box of a child contains the boxes below.
 impl Loaded for BoxTree {
     fn check_loaded(&self) -> Result<(), Fault> {
         let mut is_seen = vec![false; self.nodes.len()];

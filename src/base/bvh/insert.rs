@@ -54,9 +54,9 @@ impl BoxTree {
         }
     }
 
-    /// Keeps a changed box in its place, if no box above must grow, or those that must are small. Boxes that
-    /// move together thus stay together, and a new search would be ten times the work. (Lee et al.,
-    /// "Supporting Frequent Updates in R-Trees: A Bottom-Up Approach", 2003.)
+    /// Keeps a changed box in its place, if no box above must grow, or only small ones. Returns whether it
+    /// did. Boxes that move together thus stay together, and a new search would be ten times the work. (Lee
+    /// et al., "Supporting Frequent Updates in R-Trees: A Bottom-Up Approach", 2003.)
     ///
     /// All boxes above are tested: a group that leaves would otherwise enlarge them across the world.
     fn stay(&mut self, place: Place) -> bool {

@@ -1,4 +1,4 @@
-//! All that a probe comes by, one at a time.
+//! All leaves that a probe finds, one at a time.
 
 use super::BoxTree;
 use super::node::{Child, Node, Target};
@@ -36,8 +36,8 @@ impl<P: Probe> Iterator for Leaves<'_, P> {
                 Target::Slot(slot) => return Some(slot),
                 Target::Node(node) => &self.nodes[node],
             };
-            let look = Query { node, probe: &self.probe, reach: self.reach };
-            let mut bits = self.simd.run(look) & node.taken();
+            let query = Query { node, probe: &self.probe, reach: self.reach };
+            let mut bits = self.simd.run(query) & node.taken();
             while bits != 0 {
                 self.stack.push(node.children[bits.trailing_zeros() as usize % LANES]);
                 bits &= bits - 1;
@@ -72,7 +72,7 @@ impl<P: Probe, V: FnMut(u32)> Kernel for Walk<'_, P, V> {
         stack.push(0);
         while let Some(at) = stack.pop() {
             let node: &Node = &self.nodes[at as usize];
-            let (_, mask) = self.probe.look::<W>(&node.planes, Real::MAX);
+            let (_, mask) = self.probe.test::<W>(&node.planes, Real::MAX);
             let mut bits = W::bits(mask) & node.taken();
             while bits != 0 {
                 match node.children[bits.trailing_zeros() as usize % LANES].target() {
@@ -97,7 +97,7 @@ impl<P: Probe> Kernel for Query<'_, P> {
 
     #[inline(always)]
     fn run<W: Wide>(self) -> u32 {
-        let (_, mask) = self.probe.look::<W>(&self.node.planes, self.reach);
+        let (_, mask) = self.probe.test::<W>(&self.node.planes, self.reach);
         W::bits(mask)
     }
 }

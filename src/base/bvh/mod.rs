@@ -1,19 +1,19 @@
 //! # BVH: a tree of boxes with one child per lane
 //!
 //! A dynamic set of numbered boxes, queried by ray, point and box. A node contains the boxes of its children
-//! plane by plane, a child per lane, so that one pass of a handful of instructions tests all of them (Wald,
-//! Benthin, Boulos, "Getting Rid of Packets", 2008). Children are nodes or leaves, as it comes: a large box
-//! among many small ones stands near the root.
+//! plane by plane, a child per lane. A few instructions therefore test all of them (Wald, Benthin, Boulos,
+//! "Getting Rid of Packets", 2008). Children are nodes or leaves, in any mixture: a large box among many
+//! small ones is near the root.
 //!
-//! | file | what |
+//! | file | content |
 //! |---|---|
 //! | `node.rs` | a node |
 //! | `insert.rs` | one box comes, goes or changes: the tree grows at its root, as a B-tree does |
 //! | `build.rs` | the whole tree at once, from the surface area heuristic |
-//! | `probe.rs` | what is looked for: tests of all boxes of a node |
+//! | `probe.rs` | tests of all boxes of a node |
 //! | `nearest.rs` | the search for the nearest, near children first |
-//! | `leaves.rs` | all that a probe comes by |
-//! | `check.rs` | what must hold of a tree |
+//! | `leaves.rs` | all leaves that a probe finds |
+//! | `check.rs` | invariants |
 //!
 //! The shape of the tree follows from the history of calls, and from nothing else. The set of results does
 //! not depend on it; the order may.

@@ -43,7 +43,7 @@ impl<P: Probe, H: Fn(u32), V: FnMut(u32) -> Real> Kernel for Search<'_, P, H, V>
         let mut at = 0;
         loop {
             let node = &self.nodes[at];
-            let (distances, mask) = self.probe.look::<W>(&node.planes, self.reach);
+            let (distances, mask) = self.probe.test::<W>(&node.planes, self.reach);
             let mut lanes = Lane::ZERO;
             distances.store(&mut lanes);
             let bits = W::bits(mask) & node.taken();

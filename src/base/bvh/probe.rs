@@ -12,7 +12,7 @@ pub trait Probe: Copy {
     /// Lower bounds of the distance for each box, and the boxes with anything within `reach`.
     ///
     /// Must be `#[inline(always)]`, see [`Kernel`](crate::base::wide::Kernel).
-    fn look<W: Wide>(&self, planes: &Planes, reach: Real) -> (W, W::Mask);
+    fn test<W: Wide>(&self, planes: &Planes, reach: Real) -> (W, W::Mask);
 }
 
 /// A box: finds overlapping boxes. Touching counts. It has no distances: all are zero.
@@ -21,7 +21,7 @@ pub struct BoxProbe(pub Aabb);
 
 impl Probe for BoxProbe {
     #[inline(always)]
-    fn look<W: Wide>(&self, planes: &Planes, _reach: Real) -> (W, W::Mask) {
+    fn test<W: Wide>(&self, planes: &Planes, _reach: Real) -> (W, W::Mask) {
         let mut mask = W::zero().le(W::zero());
         for axis in 0..DIM {
             let (mins, maxs) = (W::load(&planes[axis]), W::load(&planes[DIM + axis]));
@@ -38,7 +38,7 @@ pub struct PointProbe(pub Vector);
 
 impl Probe for PointProbe {
     #[inline(always)]
-    fn look<W: Wide>(&self, planes: &Planes, reach: Real) -> (W, W::Mask) {
+    fn test<W: Wide>(&self, planes: &Planes, reach: Real) -> (W, W::Mask) {
         let mut squared = W::zero();
         for axis in 0..DIM {
             let (mins, maxs) = (W::load(&planes[axis]), W::load(&planes[DIM + axis]));
@@ -103,7 +103,7 @@ impl Probe for SlabProbe {
     /// The exit is late by the rounding errors of both (Ize, "Robust BVH Ray Traversal", JCGT 2013): a ray
     /// along a face must not miss the box.
     #[inline(always)]
-    fn look<W: Wide>(&self, planes: &Planes, reach: Real) -> (W, W::Mask) {
+    fn test<W: Wide>(&self, planes: &Planes, reach: Real) -> (W, W::Mask) {
         let (mut start, mut end) = (W::zero(), W::splat(Real::INFINITY));
         for axis in 0..DIM {
             let inv_dir = W::splat(self.inv_dir[axis]);

@@ -11,7 +11,7 @@ pub struct Stack<T> {
 }
 
 impl<T: Copy> Stack<T> {
-    /// Empty. `filler` is what stands where nothing is.
+    /// Empty. `filler` is the value of unused elements.
     #[inline(always)]
     pub fn new(filler: T) -> Self {
         Self { first: [filler; INLINE_CAPACITY], len: 0, rest: Vec::new() }

@@ -175,8 +175,8 @@ fn check_sweeps(twins: &Twins, random: &mut Random) {
     // And it comes by all that it finds: the axis along which two boxes stay apart does not exist.
     for slot in found {
         let aabb = twins.list[slot as usize].unwrap();
-        let way = Aabb::new(origin.min(origin + dir * reach), origin.max(origin + dir * reach));
-        assert!(way.loosened(half.max_element() + 1.0e-3).intersects(&aabb));
+        let path = Aabb::new(origin.min(origin + dir * reach), origin.max(origin + dir * reach));
+        assert!(path.loosened(half.max_element() + 1.0e-3).intersects(&aabb));
     }
 }
 
@@ -253,15 +253,15 @@ fn no_order_makes_it_deep() {
     }
 }
 
-/// A probe that counts at how many nodes it looks.
+/// A probe that counts the nodes that it tests.
 #[derive(Copy, Clone)]
 struct Counting<'a>(SlabProbe, &'a Cell<usize>);
 
 impl Probe for Counting<'_> {
     #[inline(always)]
-    fn look<W: Wide>(&self, planes: &Planes, reach: Real) -> (W, W::Mask) {
+    fn test<W: Wide>(&self, planes: &Planes, reach: Real) -> (W, W::Mask) {
         self.1.set(self.1.get() + 1);
-        self.0.look::<W>(planes, reach)
+        self.0.test::<W>(planes, reach)
     }
 }
 

@@ -209,7 +209,7 @@ mod tests {
             pool.install(|| Threads::of_pool(Arc::clone(&pool)).open(check_cover));
         }
 
-        /// Serial stretches between loops, longer than helpers wait and shorter.
+        /// Serial stretches between loops, longer and shorter than workers poll.
         #[test]
         fn loops_follow_each_other() {
             let mut sums = vec![0_usize; 500];

@@ -1,24 +1,24 @@
 //! The worker team of a step.
 //!
-//! A step consists of some hundred loops with serial code in between, and many of them take at most ten
-//! microseconds: the time that a sleeping thread needs to wake. So workers stay awake between loops. Workers
-//! join at the first loop that is large enough, and spin until the next one. They leave after a while without
-//! work ([`POLLS_MAX`]), because the pool belongs to the user. The next loop recruits them again.
+//! A step consists of some hundred loops with serial code in between. Many of them take at most ten
+//! microseconds, the time that a sleeping thread needs to wake. Workers therefore stay awake between loops.
+//! They join at the first loop that is large enough, and spin until the next one. They leave after a while
+//! without work ([`POLLS_MAX`]), because the pool belongs to the user. The next loop recruits them again.
 //!
-//! Each thread has a *range* of a loop's pieces and takes them from its front: always the same blocks and
-//! bodies, which are in its cache from the last loop. A thread without pieces takes from the back of the
-//! others. The thread that opened the loop needs no worker: in a pool whose threads are all busy it processes
-//! everything itself. A late worker finds that the team is over; the team has shared ownership.
+//! Each thread has a *range* of a loop's pieces and takes them from its front. These are always the same
+//! blocks and bodies, which are in its cache from the last loop. A thread without pieces takes from the back
+//! of the others. The thread that opened the loop needs no worker: in a pool whose threads are all busy it
+//! processes everything itself. A late worker finds that the team is over; the team has shared ownership.
 //!
-//! The rejected alternative is a fork and join for each loop (`rayon::join`): 5 to 20 µs per loop on two
-//! cores, and pieces that move from thread to thread. Box2D v3 (Catto, "SIMD Matters", box2d.org, 2024) uses
+//! The rejected alternative is a fork and join for each loop (`rayon::join`). It costs 5 to 20 µs per loop on
+//! two cores, and pieces move from thread to thread. Box2D v3 (Catto, "SIMD Matters", box2d.org, 2024) uses
 //! the same method, workers synchronised by atomic counters, with a table of stages made in advance.
 //!
 //! ## No access to a finished loop
-//! A range is one word, the first and the last of its pieces, and a piece is taken by exchanging the word for
-//! a shorter one. The loop counts pieces that are *done*, and its owner waits until all are. If an
-//! exchange succeeds, the piece was not done, the loop is open, and its borrows are alive. An exchange with
-//! an equal word of the last loop is equally valid: everything else is read after it.
+//! A range is one word, the first and the last of its pieces. A piece is taken by exchanging the word for a
+//! shorter one. The loop counts pieces that are *done*, and its owner waits until all are. If an exchange
+//! succeeds, the piece was not done, the loop is open, and its borrows are alive. An exchange with an equal
+//! word of the last loop is equally valid: everything else is read after it.
 
 use core::any::Any;
 use core::cell::{Cell, UnsafeCell};
@@ -30,7 +30,7 @@ use std::panic::{catch_unwind, resume_unwind};
 use std::sync::{Mutex, PoisonError};
 
 /// No more threads than this work on one step: as many as a word has bits.
-pub const MAX_THREADS: usize = 64;
+pub const THREADS_MAX: usize = 64;
 /// Number of polls before a waiting thread yields.
 const SPINS_MAX: u32 = 256;
 /// Number of polls without work after which a worker leaves. In all they take some hundred microseconds, more
@@ -43,7 +43,7 @@ type Work<'a> = dyn Fn(Range<usize>) + Sync + 'a;
 /// The threads of one step, its own one first.
 pub struct WorkerTeam {
     threads: usize,
-    work_ranges: [WorkRange; MAX_THREADS],
+    work_ranges: [WorkRange; THREADS_MAX],
     current: UnsafeCell<Loop>,
     done: AtomicUsize,
     /// By bit: the workers that were recruited and have not left.
@@ -66,8 +66,7 @@ unsafe impl Sync for WorkerTeam {}
 // SAFETY: as above; the last worker to leave drops the team. It drops only the address of the work.
 unsafe impl Send for WorkerTeam {}
 
-// A thread that works for one step does not start helping with another: that one might wait for what it is
-// doing.
+// A thread that works for one step does not join another one, whose work may depend on the first.
 thread_local! {
     static IS_AT_WORK: Cell<bool> = const { Cell::new(false) };
 }
@@ -76,8 +75,8 @@ impl WorkerTeam {
     /// A team of up to this many threads, without workers yet.
     pub fn new(threads: usize) -> Self {
         Self {
-            threads: threads.clamp(1, MAX_THREADS),
-            work_ranges: [const { WorkRange::empty() }; MAX_THREADS],
+            threads: threads.clamp(1, THREADS_MAX),
+            work_ranges: [const { WorkRange::empty() }; THREADS_MAX],
             current: UnsafeCell::new(Loop { work: &(|_| ()), count: 0, piece: 1 }),
             done: AtomicUsize::new(0),
             recruited: AtomicU64::new(1),
@@ -127,7 +126,7 @@ impl WorkerTeam {
     }
 
     fn fill_vacancies(&self, recruit: &dyn Fn(usize)) {
-        let all = u64::MAX >> (MAX_THREADS - self.threads);
+        let all = u64::MAX >> (THREADS_MAX - self.threads);
         if self.recruited.load(Ordering::Relaxed) == all {
             return;
         }
@@ -218,7 +217,7 @@ impl WorkRange {
         (word >> 32) as usize..(word & u64::from(u32::MAX)) as usize
     }
 
-    /// A thread that takes a piece sees the owner's writes.
+    /// A thread that takes a piece reads the owner's writes.
     fn give(&self, pieces: Range<usize>) {
         self.0.store(Self::pack(pieces), Ordering::Release);
     }

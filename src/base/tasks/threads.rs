@@ -2,7 +2,7 @@
 
 use super::Tasks;
 #[cfg(feature = "parallel")]
-use super::team::{MAX_THREADS, WorkerTeam};
+use super::team::{THREADS_MAX, WorkerTeam};
 #[cfg(feature = "parallel")]
 use std::sync::Arc;
 
@@ -56,7 +56,7 @@ impl Threads {
     #[cfg(feature = "parallel")]
     pub fn new(count: usize) -> Result<Self, ThreadsError> {
         let cores = || std::thread::available_parallelism().map_or(1, usize::from);
-        let count = if count == 0 { cores() } else { count }.min(MAX_THREADS);
+        let count = if count == 0 { cores() } else { count }.min(THREADS_MAX);
         if count == 1 {
             return Ok(Self { selection: Some(Selection::CallingThread) });
         }

@@ -1,7 +1,7 @@
 //! Registers of 32 bytes: one AVX register each.
 //!
-//! Only [`super::dispatch`] uses these types, on machines with AVX2. This is what makes the intrinsics below
-//! sound to call; each `SAFETY` comment refers to it.
+//! Only [`super::dispatch`] uses these types, on machines with AVX2. The intrinsics below are therefore sound
+//! to call; each `SAFETY` comment refers to this rule.
 
 use super::{Lane, Wide};
 use core::arch::x86_64 as x86;

@@ -27,8 +27,8 @@ use parry::math::Real;
 /// and such a function cannot be inlined into one without it. There is exactly one such function, in this
 /// file. `run` and all callees with register arguments are plain `#[inline(always)]` functions. Their code
 /// ends up *inside* that function, and there the intrinsics become single instructions. A function that is
-/// not inlined has no AVX, and each `+` in it is a call that passes registers through memory: correct, but
-/// ten times slower. Hence:
+/// not inlined has no AVX, and each `+` in it is a call that passes registers through memory. It is correct,
+/// but ten times slower. Hence:
 ///
 /// * `#[inline(always)]` on `run` and on every function that takes, makes or returns a `W`;
 /// * no closure that touches a `W`, and so no `map` or `fold` over registers: closures cannot be

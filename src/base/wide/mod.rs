@@ -11,10 +11,10 @@
 //! | `simd128.rs`: the same | WebAssembly that is compiled with `simd128` | [`Simd::baseline`] |
 //! | `portable.rs`: an array and loops | every other target, and tests | [`Simd::baseline`] |
 //!
-//! **The same bits from all of them.** Only operations that IEEE 754 rounds correctly are offered:
-//! no fused multiply-add, no approximate reciprocals, no sums across lanes. `min` and `max` are
-//! defined by one comparison, which fixes what they do with NaN and with zeros of either sign. The
-//! one thing left open is *which* NaN comes out where a NaN comes out of arithmetic.
+//! **The same bits from all of them.** Only operations that IEEE 754 rounds correctly are offered. There is
+//! no fused multiply-add, no approximate reciprocal and no sum across lanes. `min` and `max` are defined by
+//! one comparison, which defines their results for NaN and for zeros of either sign. Only the bits of a NaN
+//! that results from arithmetic are undefined.
 //!
 //! **In memory** the numbers stand in a [`Lane`]; the solver's constraints are blocks of lanes. [`gather`]
 //! reads records in random order (the states of bodies) and transposes one record per lane into one register
@@ -157,8 +157,8 @@ pub fn invert<W: Wide>(value: W) -> W {
     W::select(positive, one / W::select(positive, value, one), W::zero())
 }
 
-/// Does a piece of work for each group of [`LANES`] components of a record. The lines are unrolled by hand:
-/// compilers unroll a loop around so much work late or not at all, and meanwhile keep all registers of the
+/// Does a piece of work for each group of [`LANES`] components of a record. The lines are unrolled by hand.
+/// Compilers unroll a loop around so much work late or not at all, and meanwhile keep all registers of the
 /// record in memory.
 macro_rules! for_each_group {
     ($first:ident < $length:ident, $work:block) => {

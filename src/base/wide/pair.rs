@@ -10,7 +10,7 @@ use core::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Sub};
 #[derive(Copy, Clone)]
 pub struct Pair<H>([H; 2]);
 
-/// A register of 16 bytes. [`Wide`] says what the operations of the same names do.
+/// A register of 16 bytes. [`Wide`] documents the operations of the same names.
 ///
 /// A mask is a half, too: all bits of a number are set for yes, none for no. Every function is
 /// `#[inline(always)]`.

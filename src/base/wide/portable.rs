@@ -1,9 +1,8 @@
 //! Registers of 32 bytes as arrays and loops: for targets that have no file of their own here, such as
 //! WebAssembly without SIMD.
 //!
-//! The compiler turns the loops into whatever vector instructions the machine has, at optimisation level 3
-//! alone. On x86-64 this file is compiled for tests alone, as the plainest statement of what the other files
-//! must do.
+//! The compiler vectorises the loops at optimisation level 3 only. On x86-64 this file is compiled for tests
+//! only, as the reference of the other files.
 
 use super::{Lane, Wide};
 use core::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Sub};

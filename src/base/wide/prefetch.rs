@@ -1,4 +1,4 @@
-//! Asks for memory before it is needed.
+//! Prefetches memory before it is needed.
 
 /// Bytes that come together.
 #[cfg(target_arch = "x86_64")]
@@ -7,7 +7,7 @@ const LINE: usize = 64;
 /// Prefetch distance of loops with little work per record, in list positions.
 pub const PREFETCH_DISTANCE: usize = 4;
 
-/// Begins to bring a record near to the processor, and does not wait for it. Changes nothing but time.
+/// Begins to load a record into the caches, without a delay. It affects the running time only.
 #[inline(always)]
 pub fn prefetch<T>(record: &T) {
     prefetch_front(record, size_of::<T>());

@@ -4,7 +4,7 @@
 //! triangles under the face would be clipped against it. Of all these points only the corners remain after
 //! the merge: they are the outermost, and points in between carry nothing more. If every corner is over
 //! *some* piece of the plane, the corners are therefore the contacts, and the pieces need not be clipped one
-//! by one. The area between the corners is irrelevant: other pieces, a hole or an obstacle above the plane.
+//! by one. The area between the corners is irrelevant: other pieces, a hole or a shape above the plane.
 //! The latter is in another plane, and processed separately.
 //!
 //! Only planes that the body touched a moment ago are tried. There is always a first plane, because the first
@@ -32,7 +32,7 @@ use parry::shape::PackedFeatureId;
 /// Largest distance of a piece from the plane of its patch, as a fraction of the step height tolerance.
 const FLATNESS_TOLERANCE: Real = 0.1;
 /// Fewer pieces are tested as quickly one by one.
-const MIN_PIECES: u32 = 2;
+const PIECES_MIN: u32 = 2;
 
 /// A plane in the frame of the shape that has the parts, its normal towards the body.
 #[derive(Copy, Clone)]
@@ -60,7 +60,7 @@ impl Plane {
 }
 
 fn is_several(pieces: &[u32]) -> bool {
-    pieces.iter().map(|block| block.count_ones()).sum::<u32>() >= MIN_PIECES
+    pieces.iter().map(|block| block.count_ones()).sum::<u32>() >= PIECES_MIN
 }
 
 /// The corners of the body over pieces of a patch.

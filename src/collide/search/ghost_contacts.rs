@@ -33,7 +33,7 @@ impl Search<'_> {
         let facets: SmallVec<[Facet<'_>; 16]> =
             facets.chain(neighbors.iter().map(Neighbor::as_facet)).collect();
         let points = |patch: usize, f: &mut dyn FnMut(Vector)| {
-            patches.points(patch).iter().for_each(|point| f(pair.on_obstacle(side, point)));
+            patches.points(patch).iter().for_each(|point| f(pair.in_other_frame(side, point)));
         };
         find_ghost_contacts(
             &facets,
@@ -58,7 +58,7 @@ impl Search<'_> {
         let piece = coplanar_patch
             .filter(|_| side == self.culled.side)
             .unwrap_or_else(|| Piece::new(self.parts[side], patch.parts[side], pose));
-        let place = deepest.map_or(Vector::ZERO, |point| pair.on_obstacle(side, point));
+        let place = deepest.map_or(Vector::ZERO, |point| pair.in_other_frame(side, point));
         let (body, body_part) = (self.parts[1 - side], patch.parts[1 - side]);
         Facet::new(piece, body, body_part, normal, place, patch.dist)
     }

@@ -26,7 +26,7 @@ const STEPS_AHEAD: Real = 6.0;
 const MARGIN: Real = 0.05;
 
 /// Pieces of a surface times parts of a body, beyond which the pieces are found in the surface's tree.
-const LOOKS_MAX: usize = 1 << 20;
+const SCANNED_PAIRS_MAX: usize = 1 << 20;
 
 /// Some flat parts: a bit for each of each block.
 pub(super) type Bits = SmallVec<[u32; 16]>;
@@ -67,14 +67,13 @@ impl<'a> FlatParts<'a> {
 impl Search<'_> {
     /// Visits the parts of the surface on a side that are near the other shape.
     ///
-    /// Returns false if it is no surface, or the other shape is one too or without limits. Then nothing was
-    /// done.
+    /// Returns whether it did: not if the shape is no surface, or if the other shape is a surface or
+    /// unbounded.
     pub(super) fn visit_surface(&mut self, side: usize) -> bool {
         let [surface, body] = [self.parts[side], self.parts[1 - side]];
         let (prediction, pos12) = (self.pair.prediction, self.pair.pos12);
         let poses = if side == 0 { [pos12, pos12.inverse()] } else { [pos12.inverse(), pos12] };
-        // The many pieces of another surface find what is near them sooner in the tree than among all that is
-        // kept.
+        // The many pieces of another surface find their neighbours faster in the tree than in the cache.
         if !surface.is_surface() || body.is_surface() {
             return false;
         }
@@ -84,7 +83,7 @@ impl Search<'_> {
         let kept = self.kept.take();
         let place = kept.map_or(&mut passing, |kept| kept.get_or_insert_default());
         look_up(&surface, &bounds, self.pair.motion_of(1 - side), place);
-        // Each part of the body looks through all that is kept.
+        // Each part of the body scans the whole cache.
         if is_tree_quicker(place, &body) {
             place.shrink();
             passing.clear();
@@ -204,19 +203,19 @@ impl Search<'_> {
 
 /// Returns whether the tree of a surface is faster than a scan of all pieces around the body.
 fn is_tree_quicker(triangle_cache: &TriangleCache, body: &Parts<'_>) -> bool {
-    !body.is_convex() && triangle_cache.len().saturating_mul(body.len()) > LOOKS_MAX
+    !body.is_convex() && triangle_cache.len().saturating_mul(body.len()) > SCANNED_PAIRS_MAX
 }
 
-/// Looks up the parts of a surface in a box, and in what the box will pass over, if they are not there
-/// already.
+/// Adds the parts of a surface in a box, and in the region that the box will pass over, to the cache if they
+/// are missing.
 fn look_up(surface: &Parts<'_>, bounds: &Aabb, motion: Vector, triangle_cache: &mut TriangleCache) {
-    if triangle_cache.knows(bounds) {
+    if triangle_cache.covers(bounds) {
         return;
     }
     triangle_cache.clear();
     let size = bounds.extents().max_element();
-    let way = (motion * STEPS_AHEAD).clamp_length_max(size);
-    let later = Aabb::new(bounds.mins + way, bounds.maxs + way);
+    let displacement = (motion * STEPS_AHEAD).clamp_length_max(size);
+    let later = Aabb::new(bounds.mins + displacement, bounds.maxs + displacement);
     let (around, margin) = (bounds.merged(&later), Vector::splat(MARGIN * size));
     let region = Aabb::new(around.mins - margin, around.maxs + margin);
     // A body that is very fast, or very far away, uses the current box only.

@@ -236,13 +236,13 @@ fn widest(
     gaps.max_by(|(_, gap1), (_, gap2)| gap1.total_cmp(gap2))
 }
 
-/// The direction from a point to a part at `pos12`, and its distance: exact where a search of closest points
-/// has its tolerances. 0 if it is inside.
+/// The direction from a point to a part at `pos12`, and its distance, 0 if it is inside. The result is exact
+/// where a search of closest points has tolerances.
 fn nearest(pos12: &Pose, point: Vector, part: &dyn Shape, last_normal: Vector) -> (Vector, Real) {
     let local = pos12.inverse_transform_point(point);
-    let way = part.project_local_point(local, true).point - local;
-    let dist = way.length();
-    let normal = if dist > 0.0 { pos12.rotation * (way / dist) } else { last_normal };
+    let displacement = part.project_local_point(local, true).point - local;
+    let dist = displacement.length();
+    let normal = if dist > 0.0 { pos12.rotation * (displacement / dist) } else { last_normal };
     (normal, dist)
 }
 

@@ -19,11 +19,11 @@
 //!
 //! ## Cores
 //! A body that slides over a floor of many pieces touches the next piece all the time, and must not be
-//! stopped by it. A body that penetrates something at the end of a step is pushed out by its contacts to the
-//! original side, as long as its middle is outside. The middle must never pass through. The search therefore
-//! uses the *core* first: the shape without an outer layer nearly as deep as its thickness, half its minimum
-//! width ([`CORE_DEPTH`], [`Widths`]). If the core would hit, the body is stopped where its surface touches,
-//! unless it touched from the beginning. In that case it is stopped where it is a quarter deep
+//! stopped by it. Contacts push a body that penetrates something at the end of a step out to the original
+//! side, as long as its middle is outside. The middle must never pass through. The search therefore uses the
+//! *core* first: the shape without an outer layer nearly as deep as its thickness, half its minimum width
+//! ([`CORE_DEPTH`], [`Widths`]). If the core would hit, the body is stopped where its surface touches, unless
+//! it touched from the beginning. In that case it is stopped where it is a quarter deep
 //! ([`PENETRATION_FRACTION_MAX`]), so that contacts push a deeply penetrating body out on the original side.
 //!
 //! A rod may have an end of its core in the wall already, because it was turned into it. Then the middle half
@@ -53,7 +53,7 @@ use motion::reach_about;
 use parry::bounding_volume::{Aabb, BoundingVolume};
 use parry::shape::Shape;
 
-/// Depth of a shape's core below its surface, as a fraction of the shape's thickness: the core of a ball is a
+/// Depth of a shape's core below its surface, as a fraction of the shape's thickness. The core of a ball is a
 /// point, of a capsule its axis, of a board a thin one.
 const CORE_DEPTH: Real = 0.98;
 /// Sizes of the searched cores, as fractions of the first. A body with one end in an obstacle must still keep
@@ -64,14 +64,14 @@ pub(crate) const PENETRATION_FRACTION_MAX: Real = 0.25;
 /// A deeper body moves by this fraction of the path that is left until its middle is inside. A body that
 /// spins while deep in a wall must be able to rotate, or it would stop for ever.
 const REMAINING_FRACTION: Real = 0.5;
-/// Final distance of a core from its obstacle, as a fraction of the shape's thickness.
+/// Final distance of a core from the other shape, as a fraction of the shape's thickness.
 const CORE_TOLERANCE: Real = 0.05;
-/// A core that is initially nearer than this fraction of it comes no nearer: repeated halving would be lost
+/// A core that is initially nearer than this fraction of it comes no nearer. Repeated halving would be lost
 /// in rounding, and the core would be inside.
-const NEAREST: Real = 0.6;
+const GAP_FRACTION_MIN: Real = 0.6;
 /// Largest number of jumps of a search: more than an approach at the tolerance needs that rotates through
 /// hundreds of times the thickness. Each segment allows one more.
-const MAX_JUMPS: usize = 256;
+const JUMPS_MAX: usize = 256;
 
 /// Goal of the search.
 #[derive(Copy, Clone, Debug)]
@@ -233,11 +233,11 @@ fn path_of_other(shapes: [&dyn Shape; 2], sweeps: [&Sweep<'_>; 2], side: usize) 
         });
         return line.map_or(Near::Inside(region), Near::Along);
     }
-    if let Some(bend) = bend_of_other(own, other) {
-        // As far from a straight path as it bends in the eyes of what turns.
+    if let Some(chord_error) = chord_error_of_other(own, other) {
+        // The region grows by the path's chord error in the rotating frame.
         let end = own.at(1.0).inverse_transform_point(other.at(1.0) * other.local_center);
         let path = Aabb::new(center.min(end), center.max(end));
-        return Near::Inside(path.loosened(bend + reach_about(shape, other.local_center)));
+        return Near::Inside(path.loosened(chord_error + reach_about(shape, other.local_center)));
     }
     // In a rotating frame, the other shape moves by at most the sum of both motions.
     let away = center.length() + other.travel()[0];
@@ -257,7 +257,7 @@ fn other_of<'b>([moving, other]: [MovingPart<'_, 'b>; 2], near: Real) -> Option<
 /// Deviation of one centre from its chord, in the frame of the other that rotates by `θ`, if both move
 /// straight. With `d` from one centre of rotation to the other, `p = R(-θs) d(s)` has a second derivative of
 /// at most `θ² d + 2 θ ḋ`. A curve is within an eighth of that from its chord.
-fn bend_of_other(own: &Sweep<'_>, other: &Sweep<'_>) -> Option<Real> {
+fn chord_error_of_other(own: &Sweep<'_>, other: &Sweep<'_>) -> Option<Real> {
     let (segment, other_segment) = own.straight().zip(other.straight())?;
     let speed = (other_segment.shift - segment.shift).length();
     let away = (other_segment.center - segment.center).length() + speed;
@@ -322,7 +322,8 @@ fn impact_of_parts(
 struct Goal {
     gap: Real,
     tolerance: Real,
-    /// Whether initially near parts count as meeting when they come half as near, or nearer than [`NEAREST`].
+    /// Whether initially near parts count as meeting when they come half as near, or nearer than
+    /// [`GAP_FRACTION_MIN`].
     counts_at_once: bool,
     /// The fraction of the step at which the search begins.
     from: Real,
@@ -332,7 +333,7 @@ struct Goal {
 impl Goal {
     /// From the beginning of the step.
     fn new(gap: Real, tolerance: Real, counts_at_once: bool) -> Self {
-        Self { gap, tolerance, counts_at_once, from: 0.0, jumps_max: MAX_JUMPS }
+        Self { gap, tolerance, counts_at_once, from: 0.0, jumps_max: JUMPS_MAX }
     }
 }
 
@@ -385,7 +386,7 @@ fn advance(
             if !may_come_nearer {
                 return Meeting::FromTheBeginning;
             }
-            if dist - goal.gap < NEAREST * goal.tolerance && nearing > 0.0 {
+            if dist - goal.gap < GAP_FRACTION_MIN * goal.tolerance && nearing > 0.0 {
                 return Meeting::At(goal.from);
             }
             goal.tolerance = 0.5 * (dist - goal.gap);
@@ -430,8 +431,8 @@ fn turning(angles: [Real; 2], reaches: [Real; 2]) -> Real {
     of(0) + of(1)
 }
 
-/// A box around a shape's core at a pose, with what the search tolerates; that of the shape if it has several
-/// parts.
+/// A box around a shape's core at a pose, plus the tolerance of the search. It is the box of the shape if
+/// that has several parts.
 fn box_of_core(solid: Solid<'_>, pose: &Pose) -> Aabb {
     let whole = || solid.shape.compute_aabb(pose);
     let Parts::Convex(shape) = Parts::of(solid.shape) else { return whole() };

@@ -12,7 +12,8 @@ use parry::shape::Shape;
 /// length.
 const WHOLE_TURN: Real = 1.0;
 const PIECE: Real = 0.25;
-/// Without turning more than this (rad², squared) what a shape passes is around where it begins and ends.
+/// Square of an angle (rad²). Up to it, the box around the initial and the final pose contains the swept
+/// region.
 const SMALL_ANGLE_SQUARED_MAX: Real = 1.0e-4;
 
 /// A piece of a motion, at constant velocity.

@@ -3,8 +3,8 @@
 //!
 //! The motion may contain a million turns. Three things keep the search short however long the motion is:
 //!
-//! * No point of a part gets farther from its centre of rotation than at the start. While a box around this
-//!   ball passes the box of what stands still, something may be touched; before and after that nothing is.
+//! * No point of a part gets farther from its centre of rotation than at the start. Shapes can touch only
+//!   while a box around this ball overlaps the box of the shape at rest.
 //! * A shape that rotates in place has swept its full region after one turn.
 //! * After [`JUMPS_MAX`] jumps the search ends where it is, at a time before which nothing was touched.
 
@@ -19,8 +19,8 @@ use crate::dim::math::{Pose, Real, Vector};
 use crate::model::collider::Widths;
 use parry::shape::Shape;
 
-/// The number of jumps for a turn of one radian about a shape of the same length, up to a relative distance
-/// of 10⁻⁵, for a graze with a tenth of its speed.
+/// Maximum number of jumps. It is sufficient for a rotation of one radian about a shape of the same length,
+/// up to a relative distance of 10⁻⁵, at a tenth of its speed.
 const JUMPS_MAX: usize = 1024;
 /// A full turn, and a bit (rad).
 const FULL_TURN: Real = 6.3;

@@ -36,10 +36,11 @@ fn squares() -> [SharedShape; 2] {
 }
 
 /// Returns the number of parts visited for a line. Checks that they include each part near the line.
-fn count_near(shape: &dyn Shape, start: Vector, way: Vector, radius: Real) -> usize {
-    let path = Aabb::new(start.min(start + way), start.max(start + way));
+fn count_near(shape: &dyn Shape, start: Vector, displacement: Vector, radius: Real) -> usize {
+    let path = Aabb::new(start.min(start + displacement), start.max(start + displacement));
     let region = Aabb::new(path.mins - Vector::splat(radius), path.maxs + Vector::splat(radius));
-    let near = Line::new(start, way, radius, region).map_or(Near::Inside(region), Near::Along);
+    let near =
+        Line::new(start, displacement, radius, region).map_or(Near::Inside(region), Near::Along);
     let (mut seen, mut count) = (vec![false; SIDE * SIDE], 0);
     let place = |at: Vector| at.x.floor() as usize * SIDE + at.y.floor() as usize;
     Parts::of(shape).for_each_part(&near, &mut |part| {
@@ -48,10 +49,13 @@ fn count_near(shape: &dyn Shape, start: Vector, way: Vector, radius: Real) -> us
         count += 1;
     });
     for k in 0..=4096 {
-        let at = start + way * (k as Real / 4096.0);
+        let at = start + displacement * (k as Real / 4096.0);
         let is_over = |x: Real| x > 0.0 && x < SIDE as Real;
         if is_over(at.x) && is_over(at.y) && is_black([at.x as usize, at.y as usize]) {
-            assert!(seen[place(at)], "{start} {way} {radius}: not looked at what is at {at}");
+            assert!(
+                seen[place(at)],
+                "{start} {displacement} {radius}: not looked at what is at {at}"
+            );
         }
     }
     count

@@ -70,7 +70,7 @@ fn just_touching(shape1: &dyn Shape, shape2: &dyn Shape, depth: Real, random: &m
     Pose::from_parts(direction * (low - depth), rotation)
 }
 
-/// Checks what holds for every manifold: points within the prediction, unit normals, finite numbers.
+/// Checks the invariants of every manifold: points within the prediction, unit normals, finite numbers.
 fn assert_sound(found: &[ContactManifold], pos12: &Pose, prediction: Real, what: &str) {
     for manifold in found {
         let (n1, n2) = (manifold.local_n1, manifold.local_n2);

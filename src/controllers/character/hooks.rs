@@ -42,11 +42,11 @@ impl CharacterContacts {
         self.entries.iter_mut().find(|e| e.obstacle == obstacle && e.subshapes == subshapes)
     }
 
-    fn recall(&mut self, obstacle: ColliderHandle, subshapes: [u32; 2]) -> u32 {
+    fn user_data_of(&mut self, obstacle: ColliderHandle, subshapes: [u32; 2]) -> u32 {
         self.find(obstacle, subshapes).map_or(0, |entry| entry.user_data)
     }
 
-    fn remember(&mut self, obstacle: ColliderHandle, subshapes: [u32; 2], user_data: u32) {
+    fn set_user_data(&mut self, obstacle: ColliderHandle, subshapes: [u32; 2], user_data: u32) {
         match self.find(obstacle, subshapes) {
             Some(entry) => (entry.user_data, entry.is_current) = (user_data, true),
             None => self.entries.push(Entry { obstacle, subshapes, user_data, is_current: true }),
@@ -110,7 +110,7 @@ impl<'a> Advisor<'a> {
         self.contacts.into_inner().end();
     }
 
-    fn is_asked(&self, obstacle: &Collider, hooks: ActiveHooks) -> bool {
+    fn has_hooks(&self, obstacle: &Collider, hooks: ActiveHooks) -> bool {
         let own = self.character.map_or(ActiveHooks::empty(), Collider::active_hooks);
         (obstacle.active_hooks() | own).contains(hooks)
     }
@@ -118,7 +118,7 @@ impl<'a> Advisor<'a> {
     /// Returns whether the filter lets the obstacle stop the character. Flags without impulses let the
     /// character pass, as a refusal does.
     pub fn lets_meet(&self, handle: ColliderHandle, obstacle: &Collider) -> bool {
-        if !self.is_asked(obstacle, ActiveHooks::FILTER_CONTACT_PAIRS) {
+        if !self.has_hooks(obstacle, ActiveHooks::FILTER_CONTACT_PAIRS) {
             return true;
         }
         let pair = PairFilterContext {
@@ -134,7 +134,7 @@ impl<'a> Advisor<'a> {
 
     /// Returns whether the hooks may change contacts with this obstacle.
     fn modifies(&self, obstacle: &Collider) -> bool {
-        self.is_asked(obstacle, ActiveHooks::MODIFY_SOLVER_CONTACTS)
+        self.has_hooks(obstacle, ActiveHooks::MODIFY_SOLVER_CONTACTS)
     }
 
     /// Passes a manifold to the hooks. Returns whether it keeps the two apart.
@@ -150,7 +150,7 @@ impl<'a> Advisor<'a> {
         }
         let subshapes = [manifold.subshape1, manifold.subshape2];
         self.complete(manifold, obstacle, pose);
-        manifold.data.user_data = self.contacts.borrow_mut().recall(handle, subshapes);
+        manifold.data.user_data = self.contacts.borrow_mut().user_data_of(handle, subshapes);
         self.hooks.modify_solver_contact(&mut ContactModificationContext {
             bodies: self.bodies,
             colliders: self.colliders,
@@ -162,7 +162,7 @@ impl<'a> Advisor<'a> {
         });
         let user_data = manifold.data.user_data;
         if !manifold.contacts().is_empty() {
-            self.contacts.borrow_mut().remember(handle, subshapes, user_data);
+            self.contacts.borrow_mut().set_user_data(handle, subshapes, user_data);
         }
         manifold.is_solved()
     }

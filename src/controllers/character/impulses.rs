@@ -1,9 +1,9 @@
 //! Impulses of a character on dynamic bodies.
 //!
 //! Each collision is treated as a perfectly inelastic one of a point of the mass `m` at the character's
-//! velocity with the body, without friction. With the velocity of approach `v` along the unit normal `n` and
-//! the body's response `k = 1/mᵦ + (r × n)·I⁻¹(r × n)` to a unit impulse there, the impulse after which both
-//! continue together is
+//! velocity with the body, without friction. Let `v` be the velocity of approach along the unit normal `n`,
+//! and `k = 1/mᵦ + (r × n)·I⁻¹(r × n)` the body's response to a unit impulse there. The impulse after which
+//! both continue together is
 //!
 //! ```text
 //! j = v / (1/m + k)  <=  m v

@@ -54,7 +54,7 @@ impl<'a> Mover<'a> {
     }
 
     /// Updates the planes around the present pose.
-    pub fn look(&mut self, reach: Real) {
+    pub fn update_planes(&mut self, reach: Real) {
         let pose = self.pose();
         self.obstacles.planes(&pose, reach, &self.settings, &mut self.planes);
     }
@@ -87,30 +87,30 @@ impl<'a> Mover<'a> {
             if stood && let Some(fraction) = self.step_up(left) {
                 left *= 1.0 - fraction;
                 turned = true;
-                self.look_for(left);
+                self.update_planes_for(left);
                 continue;
             }
-            let way = self.settings.way(left, &self.planes, sticks);
-            slides |= way.slides;
+            let solved = self.settings.solved_move(left, &self.planes, sticks);
+            slides |= solved.slides;
             self.report_planes(left);
-            let length = way.translation.length();
+            let length = solved.translation.length();
             // Between planes beyond the range of squares, there is no finite move.
             if length <= self.settings.nothing() || !length.is_finite() {
                 break;
             }
             let pose = self.pose();
-            let swept = self.sweep_from(&pose, way.translation);
-            self.moved += way.translation * swept.fraction;
+            let swept = self.sweep_from(&pose, solved.translation);
+            self.moved += solved.translation * swept.fraction;
             turned |= swept.hit.is_some();
             let Some(plane) = swept.hit else {
-                self.look_for(Vector::ZERO);
+                self.update_planes_for(Vector::ZERO);
                 break;
             };
             left *= 1.0 - swept.fraction;
             self.report(&plane, left);
-            self.look_for(left);
-            if swept.fraction * way.translation.length() <= self.settings.tolerance {
-                self.believe(plane);
+            self.update_planes_for(left);
+            if swept.fraction * solved.translation.length() <= self.settings.tolerance {
+                self.add_hit_plane(plane);
             }
         }
         if turned {
@@ -123,14 +123,14 @@ impl<'a> Mover<'a> {
         slides
     }
 
-    fn look_for(&mut self, desired: Vector) {
-        self.look(self.settings.reach());
+    fn update_planes_for(&mut self, desired: Vector) {
+        self.update_planes(self.settings.reach());
         self.find_steps(desired);
     }
 
     /// Adds the plane of a hit to the planes. If a sweep is stopped by an obstacle that has no plane at the
     /// final pose, the character would repeat the same move.
-    fn believe(&mut self, plane: Plane) {
+    fn add_hit_plane(&mut self, plane: Plane) {
         let is_known = |other: &Plane| {
             other.collider == plane.collider && other.normal.dot(plane.normal) > SAME_NORMAL
         };
@@ -148,20 +148,20 @@ impl<'a> Mover<'a> {
         }
         let before = self.moved;
         self.moved += down * swept.fraction;
-        self.look_for(Vector::ZERO);
+        self.update_planes_for(Vector::ZERO);
         if !self.is_supported() {
             self.moved = before;
-            self.look_for(Vector::ZERO);
+            self.update_planes_for(Vector::ZERO);
         }
     }
 
     /// Sweeps the shape from a pose.
-    pub fn sweep_from(&mut self, pose: &Pose, way: Vector) -> Swept {
+    pub fn sweep_from(&mut self, pose: &Pose, translation: Vector) -> Swept {
         // An obstacle that is already closer than the stopping distance must not stop the sweep at its start.
         let gaps = self.planes.iter().map(|plane| plane.gap - self.settings.tolerance);
         let within =
             gaps.fold(self.settings.offset - 2.0 * self.settings.tolerance, Real::min).max(0.0);
-        self.obstacles.sweep(pose, way, within, &self.settings)
+        self.obstacles.sweep(pose, translation, within, &self.settings)
     }
 
     /// The most level plane that supports the character.

@@ -16,7 +16,7 @@ pub(super) struct HalfSpace {
 }
 
 /// Squared sine of the angle below which two planes are parallel.
-const PARALLEL: Real = 1.0e-5;
+const PARALLEL_SINE_SQUARED_MAX: Real = 1.0e-5;
 /// Rounding tolerance of a candidate outside of a plane, as a fraction of the involved lengths.
 const ROUNDING: Real = 64.0 * Real::EPSILON;
 /// Bisections of the search for the common relaxation of contradicting planes: each halves the interval.
@@ -111,7 +111,7 @@ fn on_planes(target: Vector, planes: &[&HalfSpace]) -> Option<Vector> {
             direction -= *earlier * earlier.dot(direction);
         }
         let squared = direction.length_squared();
-        if squared < PARALLEL {
+        if squared < PARALLEL_SINE_SQUARED_MAX {
             return None;
         }
         point += direction * ((plane.at_least - plane.normal.dot(point)) / squared);

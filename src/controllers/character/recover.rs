@@ -16,19 +16,19 @@ impl Mover<'_> {
     /// Each push is at most half of the shape's thickness, and every obstacle within that reach is included,
     /// so the shape is pushed through nothing.
     pub fn recover(&mut self) {
-        self.look(self.settings.reach());
+        self.update_planes(self.settings.reach());
         let step_up = self.settings.half_thickness.max(self.settings.offset);
         for _ in 0..PUSHES_MAX {
             if self.planes.iter().all(|plane| plane.excess(&self.settings) == 0.0) {
                 return;
             }
-            self.look(self.settings.offset + step_up);
+            self.update_planes(self.settings.offset + step_up);
             let spaces: Vec<_> =
                 self.planes.iter().map(|plane| escape(plane, &self.settings)).collect();
             let push: Vector = least_violation(&spaces);
             let length = push.length();
             self.moved += if length > step_up { push * (step_up / length) } else { push };
-            self.look(self.settings.reach());
+            self.update_planes(self.settings.reach());
             if length <= self.settings.nothing() {
                 return;
             }

@@ -131,7 +131,7 @@ impl Size {
         if !(half.is_finite() && center.is_finite() && half.max_element() > 0.0) {
             return None;
         }
-        // Along a tilted up direction, boxes are higher than what is in them.
+        // Along a tilted up direction, boxes are higher than their contents.
         let foot = |down: Vector| match shape.as_support_map() {
             Some(map) => (map.support_point(pose, down) - pose.translation).dot(down),
             None => (center - pose.translation).dot(down) + half.dot(down.abs()),

@@ -28,7 +28,7 @@ impl ResolvedSettings {
     /// Converts a desired translation into one that no plane forbids.
     ///
     /// `sticks`: the character is grounded without an upward motion, so it follows floors downwards, too.
-    pub fn way(&self, desired: Vector, planes: &[Plane], sticks: bool) -> SolvedMove {
+    pub fn solved_move(&self, desired: Vector, planes: &[Plane], sticks: bool) -> SolvedMove {
         let (fall, ahead) = self.split(desired);
         let uprights: HalfSpaces = planes
             .iter()

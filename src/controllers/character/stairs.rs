@@ -1,7 +1,7 @@
 //! Stepping up.
 //!
 //! An obstacle is a step if the raised character can continue far enough, and would stand on a floor there. A
-//! shape with a round bottom does not reach the top of the step at once: it rests on the edge for a while,
+//! shape with a round bottom does not reach the top of the step at once. It rests on the edge for a while,
 //! with a steep normal. An edge of a step therefore supports like a floor ([`Kind::Step`]), and every move
 //! into it ends where the shape rests on it. A capsule rolls over the edge, a box is placed on top.
 
@@ -127,17 +127,17 @@ impl Mover<'_> {
 
     /// The pose one step up, or as far up as possible.
     fn raised(&mut self, step_up: StepUp) -> Pose {
-        let (pose, way) = (self.pose(), self.settings.up * step_up.max_height);
-        let fraction = self.sweep_from(&pose, way).fraction;
-        shifted(&pose, way * fraction)
+        let (pose, displacement) = (self.pose(), self.settings.up * step_up.max_height);
+        let fraction = self.sweep_from(&pose, displacement).fraction;
+        shifted(&pose, displacement * fraction)
     }
 
     /// The final pose of a shape that is lowered from a pose, not below the character's current height.
     fn lowered(&mut self, pose: &Pose) -> Option<Pose> {
         let height = (pose.translation - self.pose().translation).dot(self.settings.up);
-        let way = -self.settings.up * (height + self.settings.offset);
-        let swept = self.sweep_from(pose, way);
-        swept.hit.is_some().then(|| shifted(pose, way * swept.fraction))
+        let displacement = -self.settings.up * (height + self.settings.offset);
+        let swept = self.sweep_from(pose, displacement);
+        swept.hit.is_some().then(|| shifted(pose, displacement * swept.fraction))
     }
 }
 

@@ -2,10 +2,11 @@
 //!
 //! Conservative advancement with separating planes (B. Mirtich 1996, "Impulse-based Dynamic Simulation of
 //! Rigid Body Systems"). The manifold of two convex parts has a normal along which they are a gap apart.
-//! While one of them moves by `way`, that gap shrinks by at most `-way·n`. The path is free until the gap of
-//! some plane would be used up; there the contacts are recomputed. Along a floor no gap shrinks, and one
-//! evaluation is sufficient. Support and sweep use the same contacts, so the two never contradict each other.
-//! A search for the time of impact alone would sometimes find a floor in the path of a walking character.
+//! While one of them moves by `displacement`, that gap shrinks by at most `-displacement·n`. The path is free
+//! until the gap of some plane would be used up; there the contacts are recomputed. Along a floor no gap
+//! shrinks, and one evaluation is sufficient. Support and sweep use the same contacts, so the two never
+//! contradict each other. A search for the time of impact alone would sometimes find a floor in the path of a
+//! walking character.
 
 use super::obstacles::Obstacles;
 use super::planes::Plane;
@@ -15,7 +16,7 @@ use crate::dim::math::{Pose, Real, Vector};
 /// A motion along a plane at less than this sine passes it.
 const SINE_MIN: Real = 1.0e-4;
 /// Largest number of contact computations on a piece of the path.
-const LOOKS_MAX: usize = 32;
+const EVALUATIONS_MAX: usize = 32;
 /// A path is divided into pieces of the shape's thickness, so that only near obstacles are evaluated, up to
 /// this number.
 const PIECES_MAX: Real = 32.0;
@@ -32,7 +33,7 @@ pub(super) struct Swept {
 #[derive(Copy, Clone)]
 struct Sweep<'a> {
     pose: &'a Pose,
-    way: Vector,
+    displacement: Vector,
     length: Real,
     within: Real,
     settings: &'a ResolvedSettings,
@@ -40,19 +41,19 @@ struct Sweep<'a> {
 
 impl Sweep<'_> {
     fn pose_at(&self, time: Real) -> Pose {
-        Pose::from_parts(self.pose.translation + self.way * time, self.pose.rotation)
+        Pose::from_parts(self.pose.translation + self.displacement * time, self.pose.rotation)
     }
 
     /// Length by which a translation by the whole path shortens the gap of a plane.
     fn approach(&self, plane: &Plane) -> Real {
-        -self.way.dot(plane.normal)
+        -self.displacement.dot(plane.normal)
     }
 
     /// The plane whose gap is used up first, and when, if all normals stay.
     fn first_of(&self, planes: &[Plane], time: Real) -> Option<(Real, Plane)> {
-        let in_the_way =
+        let approached =
             planes.iter().filter(|plane| self.approach(plane) > SINE_MIN * self.length);
-        let times = in_the_way.map(|plane| {
+        let times = approached.map(|plane| {
             let room = (plane.gap - self.within).max(0.0);
             (time + room / self.approach(plane), plane)
         });
@@ -62,23 +63,23 @@ impl Sweep<'_> {
 }
 
 impl Obstacles<'_> {
-    /// Moves along `way` until the gap to an obstacle has become the offset.
+    /// Moves along `displacement` until the gap to an obstacle has become the offset.
     ///
     /// The sweep stops at `within` less than the offset, and is moved back. An obstacle along the path at the
     /// offset itself is then no hit, independent of rounding.
     pub fn sweep(
         &mut self,
         pose: &Pose,
-        way: Vector,
+        displacement: Vector,
         within: Real,
         settings: &ResolvedSettings,
     ) -> Swept {
-        let length = way.length();
+        let length = displacement.length();
         let free = Swept { fraction: 1.0, hit: None };
         if length == 0.0 {
             return free;
         }
-        let sweep = Sweep { pose, way, length, within, settings };
+        let sweep = Sweep { pose, displacement, length, within, settings };
         let piece =
             (2.0 * settings.half_thickness).max(4.0 * settings.offset).max(length / PIECES_MAX);
         let mut time: Real = 0.0;
@@ -105,7 +106,7 @@ impl Obstacles<'_> {
         let (near, tolerance) = (sweep.settings.reach(), sweep.settings.tolerance);
         let mut reach = sweep.within + (end - time) * sweep.length + tolerance;
         let mut first = None;
-        for _ in 0..LOOKS_MAX {
+        for _ in 0..EVALUATIONS_MAX {
             self.near(&sweep.pose_at(time), reach, sweep.settings, &mut planes);
             let horizon = time + (reach - sweep.within) / sweep.length;
             first = sweep.first_of(&planes, time).filter(|&(then, _)| then < horizon.min(end));

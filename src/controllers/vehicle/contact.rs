@@ -19,7 +19,7 @@ use super::spring::Spring;
 use super::wheel::{Below, Wheel};
 use crate::dim::math::{AngularInertia, Real, Vector, mul_inertia, zero_inertia};
 
-/// A body as the rows see it: its velocities at the end of the step, as far as they are known.
+/// A body as input of the rows: its velocities at the end of the step, as far as they are known.
 #[derive(Copy, Clone, Debug)]
 pub(super) struct Mover {
     pub center: Vector,

@@ -2,13 +2,13 @@
 //!
 //! Friction at a wheel under the load N is at most µ N in all (Coulomb; for tyres the "friction circle",
 //! Milliken and Milliken, "Race Car Vehicle Dynamics", 1995, chapter 2). Its direction depends on the state
-//! of the wheel. It has no mass, so its torques are in balance: what the ground does along the direction of
-//! rolling is what engine and brake do. In impulses, with E that of the engine and B the most that the brake
-//! holds against:
+//! of the wheel. The wheel has no mass, so its torques balance. The impulse f of the ground along the
+//! direction of rolling equals that of engine and brake. Let E be the impulse of the engine, and B the
+//! maximum of the brake:
 //!
-//! * *It stands still, or is locked* while the ground takes less of the brake than it can hold: |f − E| ≤ B.
-//!   Then the tyre is a block on the ground: it sticks if the impulse that stops it is within the circle, and
-//!   otherwise slides with µ N against its velocity.
+//! * *It stands still, or is locked* while the brake is not at its maximum: |f − E| ≤ B. The tyre is then a
+//!   block on the ground. It sticks if the impulse that stops it is within the circle, and otherwise slides
+//!   with µ N against its velocity.
 //! * *It rolls* otherwise, with f = E ± B. The rest of the circle is available to the side: √((µ N)² − f²).
 //! * *It spins* if E alone is more than the circle, and has no hold to the side at all.
 
@@ -19,7 +19,7 @@ use crate::dim::math::Real;
 pub(super) struct Drive {
     /// Impulse of the engine.
     pub engine: Real,
-    /// The most that the brake holds against.
+    /// Maximum impulse of the brake.
     pub brake: Real,
 }
 
@@ -43,7 +43,7 @@ impl Drive {
         if length <= limit {
             return Grip { forward: wanted, side, is_sliding: false };
         }
-        // As a block: against the slip, whose direction is that of what would stop it.
+        // As a block: against the slip, in the direction of the impulse that would stop it.
         let stop = (forward * forward + side * side).sqrt();
         let as_block = if stop > limit { forward * (limit / stop) } else { forward };
         let forward = as_block.clamp(engine - brake, engine + brake).clamp(-limit, limit);

@@ -25,7 +25,7 @@ impl Memory {
     /// Compares the chassis with the prediction. Returns the acceleration that does not come from forces on
     /// the body (length/s²).
     pub fn observe(&mut self, chassis: &RigidBody) -> Vector {
-        // While pushes wait there was no step, and there is nothing new to see.
+        // Pending pushes mean that no step ran, so there is no new measurement.
         if chassis.is_pushed() {
             return self.steady;
         }

@@ -29,7 +29,7 @@ impl Wheel {
             Ok(directions) => {
                 self.is_reported = false;
                 self.hang(chassis.position(), &directions);
-                self.look_for_ground(chassis, dt, queries);
+                self.cast_ray_to_ground(chassis, dt, queries);
             }
             Err(problem) => {
                 if !self.is_reported {
@@ -67,12 +67,12 @@ impl Wheel {
         };
     }
 
-    fn look_for_ground(&mut self, chassis: &RigidBody, dt: Real, queries: &QueryView<'_>) {
+    fn cast_ray_to_ground(&mut self, chassis: &RigidBody, dt: Real, queries: &QueryView<'_>) {
         let (from, along) = (self.raycast_info.hard_point_ws, self.suspension_ws);
         let reach = self.suspension_rest_length + self.radius;
         let approach = chassis.velocity_at_point(from).dot(along).max(0.0) * dt;
         let ray = Ray::new(from, along);
-        // Half a radius more is for what comes towards the wheel.
+        // Half a radius more covers ground that moves towards the wheel.
         let far = reach + approach + 0.5 * self.radius;
         let Some((collider, hit)) = queries.cast_ray_and_get_normal(&ray, far, true) else {
             return;
@@ -110,7 +110,7 @@ fn normal_against(normal: Vector, along: Vector) -> Vector {
 pub(super) fn with_ground_alone<R>(
     filter: QueryFilter<'_>,
     chassis: RigidBodyHandle,
-    ask: impl FnOnce(QueryFilter<'_>) -> R,
+    run_query: impl FnOnce(QueryFilter<'_>) -> R,
 ) -> R {
     // A filter excludes one body, which may be the user's: the chassis needs a second exclusion.
     let users = filter.predicate;
@@ -119,14 +119,16 @@ pub(super) fn with_ground_alone<R>(
             && users.is_none_or(|predicate| predicate(handle, collider))
     };
     let predicate: QueryPredicate<'_> = &predicate;
-    ask(QueryFilter {
-        flags: filter.flags,
-        groups: filter.groups,
-        exclude_collider: filter.exclude_collider,
-        exclude_rigid_body: filter.exclude_rigid_body,
-        predicate: Some(predicate),
-    }
-    .exclude_sensors())
+    run_query(
+        QueryFilter {
+            flags: filter.flags,
+            groups: filter.groups,
+            exclude_collider: filter.exclude_collider,
+            exclude_rigid_body: filter.exclude_rigid_body,
+            predicate: Some(predicate),
+        }
+        .exclude_sensors(),
+    )
 }
 
 /// The velocities (linear, angular) with which a body goes through the next step, as far as it is known.

@@ -1,6 +1,6 @@
 //! Spin of the wheels.
 //!
-//! Wheels have no mass: nothing of what follows pushes the chassis. On the ground a wheel rolls. Its spin is
+//! Wheels have no mass, so their spin has no effect on the chassis. On the ground a wheel rolls. Its spin is
 //! the ground velocity of the chassis divided by its radius, and its angle integrates the velocities before
 //! and after the step. Locked, it stands. In the air it goes on turning. If the engine exceeds the grip of
 //! the tyre, or the wheel is in the air, the rest of its force accelerates the wheel. The wheel is a solid

@@ -10,7 +10,7 @@
 //! ```
 //!
 //! and by virtual work the ground presses with N = F / cosφ along n. (Near a right angle of φ, cosφ is
-//! limited to [`LEAST_COSINE`]: the wheel scrapes along a wall.)
+//! limited to [`COSINE_MIN`]: the wheel scrapes along a wall.)
 //!
 //! **Over a step.** From beginning (₀) to end (₁) the force is to be that of a moment in between,
 //!
@@ -18,25 +18,26 @@
 //! F = k (x₀ + α dt ẋ₀ + β dt (ẋ₁ − ẋ₀)) + c (ẋ₀ + γ (ẋ₁ − ẋ₀))
 //! ```
 //!
-//! The means of a motion with constant acceleration are α = γ = ½, β = ⅙: second order, so a soft spring
+//! The means of a motion with constant acceleration are α = γ = ½, β = ⅙. The order is two, so a soft spring
 //! oscillates with its own frequency and damping at any rate. But such a scheme explodes on stiff springs.
-//! All ones is implicit Euler, which takes anything and kills every swing. The method interpolates from one
-//! to the other by the stiffness of the spring for this step (exponential fitting: Werner Liniger, Ralph
-//! Willoughby, "Efficient integration methods for stiff systems of ordinary differential equations", SIAM J.
-//! Numer. Anal. 1970; ours are rational functions of the same limits): with q = dt² k w and r = dt c w, w the
-//! inverse mass of the row,
+//! With α = β = γ = 1 it is implicit Euler, which is always stable and damps every oscillation. The method
+//! interpolates from one to the other by the stiffness of the spring for this step. (Exponential fitting:
+//! Werner Liniger, Ralph Willoughby, "Efficient integration methods for stiff systems of ordinary
+//! differential equations", SIAM J. Numer. Anal. 1970. Here it uses rational functions with the same limits.)
+//! With q = dt² k w and r = dt c w, w the inverse mass of the row,
 //!
 //! ```text
 //! t = q / (q + 4)     α = ½ + ½ t     β = ⅙ + ⅚ t     γ = ½ + ½ r / (r + 6)
 //! ```
 //!
-//! For one mass, impulses in 1 to 32 substeps, and all q up to 10⁶ and r up to 10⁵, the oscillation decays
-//! (largest eigenvalue of the step below 1). It also does if w is wrong by a factor of four, as it is for a
-//! car on four wheels. At 60 Hz a swing of 1.5 Hz has its frequency to 0.02 % and its damping ratio to 0.01.
+//! The oscillation decays (largest eigenvalue of the step below 1) for one mass, impulses in 1 to 32
+//! substeps, and all q up to 10⁶ and r up to 10⁵. It also decays if w is wrong by a factor of four, as it is
+//! for a car on four wheels. At 60 Hz a swing of 1.5 Hz has its frequency to 0.02 % and its damping ratio to
+//! 0.01.
 //!
-//! **Before it touches.** A wheel above the ground by less than the possible motion of the step counts with
-//! its negative compression: it takes part only if it arrives. One that came into play when it has sunk in
-//! would find a stiff spring wound up, and hop for ever.
+//! **Before it touches.** A wheel above the ground by less than the possible motion of the step has a row
+//! with its negative compression. The row acts only if the wheel arrives. A row that starts after penetration
+//! would start with a compressed stiff spring, and the wheel would hop for ever.
 //!
 //! As an impulse λ = dt N, with ẋ₁ = −v₁ / cosφ:  λ = b − G v₁, where
 //!
@@ -49,11 +50,11 @@ use super::contact::Vehicle;
 use super::wheel::{Below, Wheel};
 use crate::dim::math::Real;
 
-/// The least cosine of the angle between suspension and normal that counts.
-const LEAST_COSINE: Real = 0.1;
+/// Minimum cosine of the angle between suspension and normal in the equations.
+const COSINE_MIN: Real = 0.1;
 
 /// The impulse λ of a suspension on its contact, as a function of the velocity v along the normal at the end
-/// of the step: `λ = bias − softness · v`, from 0 to `limit`.
+/// of the step. It is `λ = bias − softness · v`, from 0 to `limit`.
 #[derive(Copy, Clone, Debug)]
 pub(super) struct Spring {
     bias: Real,
@@ -75,7 +76,7 @@ impl Spring {
         vehicle: &Vehicle,
     ) -> Option<Self> {
         let (dt, mass) = (vehicle.dt, vehicle.mass);
-        let cosine = (-below.normal.dot(wheel.suspension_ws)).max(LEAST_COSINE);
+        let cosine = (-below.normal.dot(wheel.suspension_ws)).max(COSINE_MIN);
         let [closing, closing_later] = velocities.map(|velocity| -velocity / cosine);
         let touching = fraction_of_step(below.compression, closing_later * dt)?;
         let damping =
@@ -108,7 +109,7 @@ impl Spring {
 }
 
 /// The fraction of the step in which the wheel touches the ground, if the compression grows by `closing` in
-/// it: a damper acts on the ground only. `None` if the wheel does not get there.
+/// it. A damper acts on the ground only. `None` if the wheel does not get there.
 fn fraction_of_step(compression: Real, closing: Real) -> Option<Real> {
     if compression >= 0.0 {
         return Some(1.0);

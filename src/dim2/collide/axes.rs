@@ -1,9 +1,9 @@
 //! The axes that separate a box and segments best, a segment per lane.
 //!
-//! A box and a segment are apart exactly if they are separated along one of three axes: the two of the box
-//! and the normal of the segment. If they are not, the axis of least overlap is the contact normal. Chains
-//! and height fields consist of segments, and most of those near a body are new candidates. So they have no
-//! history, and one register tests one segment per lane.
+//! A box and a segment are apart exactly if they are separated along one of three axes. These are the two of
+//! the box and the normal of the segment. If they are not, the axis of least overlap is the contact normal.
+//! Chains and height fields consist of segments, and most of those near a body are new candidates. So they
+//! have no history, and one register tests one segment per lane.
 
 use super::flat::{FlatBlock, FlatShape, set_flat_lane};
 use super::polytope::Polytope;

@@ -4,7 +4,7 @@ use super::polytope::{Face, Polytope};
 use super::{RawManifold, RawPoint};
 use crate::dim::math::{Pose, Real};
 
-/// Points outside a face by up to this fraction of it still count as inside: faces of equal size meet often,
+/// Points outside a face by up to this fraction of it still count as inside. Faces of equal size meet often,
 /// and rounding must not determine their ends. Points above the deepest by the same fraction count as equally
 /// deep.
 pub(super) const RIM: Real = 5.0e-3;

@@ -144,7 +144,7 @@ impl<'a> Polytope<'a> {
         }
     }
 
-    /// Calls `f` with the ends of the face that looks along a direction.
+    /// Calls `f` with the ends of the face along a direction.
     pub fn for_each_corner_toward(
         &self,
         direction: Vector,

@@ -6,7 +6,7 @@ use crate::dim2::state::READ_ONLY;
 use crate::dim2::wide::{WideSymmetric, WideVector};
 
 /// Pairs of different points of one manifold.
-pub(crate) const COUPLINGS: usize = MAX_MANIFOLD_POINTS * (MAX_MANIFOLD_POINTS - 1) / 2;
+const COUPLINGS: usize = MAX_MANIFOLD_POINTS * (MAX_MANIFOLD_POINTS - 1) / 2;
 
 /// One contact point of each lane. Absent points have no mass, so their impulse stays zero.
 #[derive(Copy, Clone, Debug, Default)]
@@ -137,7 +137,7 @@ impl ContactBlock {
         }
     }
 
-    /// The friction impulses, in world space, and those of twist friction about the normals: none in the
+    /// The friction impulses, in world space, and those of torsional friction about the normals: none in the
     /// plane.
     #[inline(always)]
     pub fn friction_impulses<W: Wide>(&self) -> (WideVector<W>, W) {

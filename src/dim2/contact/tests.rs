@@ -1,4 +1,4 @@
-//! The frame of the plane, and the friction row that looks at heights alone.
+//! The frame of the plane, and the friction row, which depends on heights only.
 //!
 //! Tests of both dimensions are in `step/solver/tests`, where the passes are called.
 
@@ -14,7 +14,7 @@ use crate::model::contact::{ContactInput, WidePoint};
 
 const ROUNDING: Real = 1000.0 * Real::EPSILON;
 
-/// The lane that is looked at.
+/// The lane of the tests.
 const LANE: usize = LANES - 1;
 
 fn random_vector(random: &mut Random) -> Vector {

@@ -21,8 +21,8 @@ impl FreeRotations {
     }
 }
 
-/// The angle of the axis of rotation (radians), and what the relative angular velocity is multiplied by to
-/// change it. `rotation` is the second frame's, seen from the first.
+/// The angle of the axis of rotation (radians), and the factor from the relative angular velocity to its
+/// derivative. `rotation` is the second frame's, seen from the first.
 pub(crate) fn angle_about(
     _axis: JointAxis,
     _rotations: FreeRotations,

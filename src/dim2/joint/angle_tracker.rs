@@ -30,7 +30,7 @@ impl AngleTracker {
         (self.turns.0[lane], self.angle.0[lane]) = (1.0, angle);
     }
 
-    /// The gradient of the angle, and the angle, after a relative rotation of the bodies by `rotvec`: there
+    /// The gradient of the angle, and the angle, after a relative rotation of the bodies by `rotvec`. There
     /// is one axis only, and rotations about it add up.
     #[inline(always)]
     pub fn measure<W: Wide>(

@@ -1,10 +1,10 @@
 //! The axes that separate a box and triangles best, a triangle per lane.
 //!
-//! A box and a triangle are apart exactly if they are separated along one of 13 axes: the three of the box,
-//! the normal of the triangle, and nine products of edges (Akenine-Möller 2001, "Fast 3D triangle-box overlap
-//! testing"). If they are not, the axis of least overlap is the contact normal. A body has dozens of mesh
-//! triangles around it and touches a few, and most of them are new candidates. So they have no history, and
-//! one register tests one triangle per lane.
+//! A box and a triangle are apart exactly if they are separated along one of 13 axes. These are the three of
+//! the box, the normal of the triangle, and nine products of edges (Akenine-Möller 2001, "Fast 3D
+//! triangle-box overlap testing"). If they are not, the axis of least overlap is the contact normal. A body
+//! has dozens of mesh triangles around it and touches a few, and most of them are new candidates. So they
+//! have no history, and one register tests one triangle per lane.
 
 use super::flat::{FlatBlock, FlatShape, set_flat_lane};
 use super::polytope::Polytope;
@@ -23,7 +23,7 @@ const FIRST_FACE: Real = 0.1;
 const SAME_AXIS: Real = 0.98;
 /// Edges whose directions have a smaller sine (squared) than this are parallel: their product says
 /// nothing that the face normals do not.
-const PARALLEL: Real = 1.0e-4;
+const PARALLEL_SINE_SQUARED_MAX: Real = 1.0e-4;
 
 /// The best axis of each kind: of the box, of the triangle, of an edge of each. In the frame of the box.
 #[derive(Copy, Clone, Debug, Default)]
@@ -204,7 +204,7 @@ impl<W: Wide> Axis<W> {
         on_edge: WideVector<W>,
         opposite: WideVector<W>,
     ) {
-        let (zero, least) = (W::zero(), W::splat(PARALLEL) * edge.dot(edge));
+        let (zero, least) = (W::zero(), W::splat(PARALLEL_SINE_SQUARED_MAX) * edge.dot(edge));
         let x = Product::new([edge.y, edge.z], [on_edge.y, on_edge.z], [half.y, half.z]);
         let normal = WideVector { x: zero, y: -edge.z, z: edge.y };
         self.or_of_product(x, [opposite.y, opposite.z], normal, least);

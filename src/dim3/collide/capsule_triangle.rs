@@ -70,7 +70,7 @@ pub fn capsule_triangle(
     Some(bound.max(0.0))
 }
 
-/// Distance of the part of the axis above or below the face, 0 if it passes through, and whether it is below;
+/// Distance of the part of the axis above or below the face, 0 if it passes through, and whether it is below.
 /// `None` if there is no such part. An axis that passes through leaves on the side of its longer end.
 fn nearest_to_face(
     axis: [Vector; 2],
@@ -118,7 +118,8 @@ fn nearest_of_segments([p1, q1]: [Vector; 2], [p2, q2]: [Vector; 2]) -> (Vector,
     (p1 + along1 * share1, p2 + along2 * share2)
 }
 
-/// Adds both ends of what of the axis is above the face. `direction` is from the capsule to the face.
+/// Adds both ends of the part of the axis that is above the face. `direction` is from the capsule to the
+/// face.
 fn add_face(
     pos12: &Pose,
     capsule: &Capsule,

@@ -11,12 +11,12 @@ use crate::dim::math::{Pose, Real, Vector};
 use arrayvec::ArrayVec;
 use parry::shape::PackedFeatureId;
 
-/// Points outside a face by up to this fraction of its edge still count as inside: faces of equal size meet
+/// Points outside a face by up to this fraction of its edge still count as inside. Faces of equal size meet
 /// often, and rounding must not determine their corners. Points above the deepest by the same fraction count
 /// as equally deep.
 pub(super) const RIM: Real = 5.0e-3;
-/// Most corners of an overlap.
-const MAX_OVERLAP: usize = 64;
+/// Maximum number of corners of an overlap.
+const OVERLAP_VERTICES_MAX: usize = 64;
 
 /// A face, whose normal is the contact normal, and the polytope that it meets.
 pub struct FaceContact<'a> {
@@ -52,7 +52,7 @@ struct Vertex {
     edge: Edge,
 }
 
-type Overlap = ArrayVec<Vertex, MAX_OVERLAP>;
+type Overlap = ArrayVec<Vertex, OVERLAP_VERTICES_MAX>;
 
 /// Adds the corners of the overlap that are within `prediction` above the face; `None` if there is no
 /// overlap. `flipped`: the face is the second shape's.

@@ -3,7 +3,7 @@
 //! Boxes are apart exactly if they are separated along one of 15 axes: three face normals of each, and nine
 //! products of edges (Gottschalk, Lin, Manocha 1996, "OBBTree", section 5). If they are not, the axis of
 //! least overlap is the contact normal. Of nearly equal axes, a face is preferred to a pair of edges, and the
-//! last axis to another, so that a resting box does not alternate between them.
+//! last axis to another. A resting box therefore does not alternate between them.
 
 use super::cuboid_faces::{FacePair, face_points};
 use super::features::box_feature;
@@ -18,7 +18,7 @@ const FIRST_FACE: Real = 0.1;
 const SAME_AXIS: Real = 0.98;
 /// Edges whose directions have a smaller sine (squared) than this are parallel: their product says
 /// nothing that the face normals do not.
-const PARALLEL: Real = 1.0e-4;
+const PARALLEL_SINE_SQUARED_MAX: Real = 1.0e-4;
 
 /// Two boxes, seen from both.
 pub(super) struct Boxes {
@@ -125,7 +125,7 @@ impl Boxes {
             let sine_squared = Vector::ONE - row * row;
             let gaps = distance - radius1 - radius2;
             for edge2 in 0..3 {
-                if sine_squared[edge2] > PARALLEL {
+                if sine_squared[edge2] > PARALLEL_SINE_SQUARED_MAX {
                     let gap = gaps[edge2] / sine_squared[edge2].sqrt();
                     if gap > best.0 {
                         best = (gap, (i, edge2));

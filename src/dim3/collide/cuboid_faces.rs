@@ -1,10 +1,10 @@
-//! The overlap of two faces of boxes: the reference face, whose normal is the contact normal, and the face of
-//! the other box that opposes it most.
+//! The overlap of two faces of boxes. The normal of the reference face is the contact normal. The incident
+//! face is the one of the other box that opposes it most.
 //!
 //! Seen along the normal, one is a rectangle and the other a parallelogram. Their overlap has three kinds of
 //! corners: corners of the parallelogram, crossings of edges, and corners of the rectangle. All three contain
-//! the features of the boxes, independent of the reference face, so a contact is matched in the next step
-//! even if the roles have changed.
+//! the features of the boxes, independent of the reference face. A contact is therefore matched in the next
+//! step even if the roles have changed.
 
 use super::cuboid::{Boxes, unit};
 use super::features::box_feature;

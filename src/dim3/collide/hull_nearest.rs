@@ -2,12 +2,12 @@
 //!
 //! Inside, it is on the face that is least deep. Outside, it is on a face that is visible from the point. If
 //! the point projects into the face with the largest distance, it is there, else at the rim of that face or
-//! on another one. Faces that the point is higher above than it is away from what was found need not be
-//! looked at.
+//! on another one. Faces are skipped if the point's height above them exceeds its distance from the place
+//! that was found.
 //!
-//! parry makes one face of nearly coplanar neighbours, and its tolerance is large for thin hulls: such a face
-//! bulges through the plane of its normal. So what was found must prove itself: no corner of the hull may be
-//! above the plane through the place. Otherwise a general closest-point search is used.
+//! parry makes one face of nearly coplanar neighbours, and its tolerance is large for thin hulls. Such a face
+//! bulges through the plane of its normal. The place is therefore checked: no corner of the hull may be above
+//! the plane through it. Otherwise a general closest-point search is used.
 
 use crate::base::feature;
 use crate::base::nearest::{Nearest, direction_and_length};

@@ -10,7 +10,7 @@ use parry::shape::{
 };
 
 /// Most corners of a face that are looked at. Faces with more corners lose some of them evenly.
-const MAX_CORNERS: usize = 32;
+const CORNERS_MAX: usize = 32;
 
 /// A convex shape with flat faces.
 #[derive(Copy, Clone)]
@@ -67,7 +67,7 @@ impl Corner {
 }
 
 /// The corners of a face, counter-clockwise as seen from outside.
-pub(super) type Corners = ArrayVec<Corner, MAX_CORNERS>;
+pub(super) type Corners = ArrayVec<Corner, CORNERS_MAX>;
 
 impl<'a> Polytope<'a> {
     /// The polytope of a shape, and the thickness (length units) of the layer around it; `None` if it is no
@@ -179,7 +179,7 @@ impl<'a> Polytope<'a> {
         }
     }
 
-    /// Calls `f` with the corners of the face that looks along a direction, or with the ends of a segment.
+    /// Calls `f` with the corners of the face along a direction, or with the ends of a segment.
     pub fn for_each_corner_toward(
         &self,
         direction: Vector,
@@ -273,7 +273,7 @@ fn hull_corners(hull: &ConvexPolyhedron, id: usize) -> Corners {
     let (first, count) = (face.first_vertex_or_edge as usize, face.num_vertices_or_edges as usize);
     let vertices = &hull.vertices_adj_to_face()[first..first + count];
     let edges = &hull.edges_adj_to_face()[first..first + count];
-    let kept = count.min(MAX_CORNERS);
+    let kept = count.min(CORNERS_MAX);
     (0..kept)
         .map(|index| {
             let index = index * count / kept;

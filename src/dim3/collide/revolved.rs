@@ -1,13 +1,13 @@
 //! The features of shapes of revolution: cylinders and cones.
 //!
 //! A cap is flat, a side is a line as seen from any direction, and rim and apex are points. A direction
-//! selects the cap or the side if it is within [`FEATURE_SINE`] of their normal; contacts farther away along
+//! selects the cap or the side if it is within [`FEATURE_SINE`] of their normal. Contacts farther away along
 //! a feature with a larger angle are out of reach anyway. All other directions show a point of the rim or the
 //! apex, where the closest points of the two shapes are the only contact.
 //!
-//! In the earlier form, every direction selected a cap or a side, up to 60° from its normal. A rim on a line
-//! then had four contacts within millimetres of each other, and one in the next step, with other features; a
-//! pile of 250 cylinders never came to rest.
+//! The alternative selects a cap or a side for every direction, up to 60° from its normal. A rim on a line
+//! then has four contacts within millimetres of each other, and one in the next step with other features. A
+//! pile of 250 cylinders never came to rest with it.
 
 use super::RawManifold;
 use crate::base::facing::FacingParts;
@@ -74,7 +74,7 @@ impl Outline {
         apex
     }
 
-    /// The line of the side that looks in a horizontal direction.
+    /// The line of the side along a horizontal direction.
     fn side(self, azimuth: Vector) -> PolygonalFeature {
         let rim = azimuth * self.radius;
         let top = if self.is_cone { Vector::ZERO } else { rim };

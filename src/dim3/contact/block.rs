@@ -6,7 +6,7 @@ use crate::dim3::state::READ_ONLY;
 use crate::dim3::wide::{WideVector, cross};
 
 /// Pairs of different points of one manifold.
-pub(crate) const COUPLINGS: usize = MAX_MANIFOLD_POINTS * (MAX_MANIFOLD_POINTS - 1) / 2;
+const COUPLINGS: usize = MAX_MANIFOLD_POINTS * (MAX_MANIFOLD_POINTS - 1) / 2;
 
 /// One contact point of each lane. Absent points have no mass, so their impulse stays zero.
 #[derive(Copy, Clone, Debug, Default)]
@@ -78,11 +78,11 @@ pub(crate) struct FrictionRow {
     pub coefficient: Lane,
     /// Inverse of the 2×2 effective-mass matrix of the tangents: 11, 12, 22.
     pub tangent_mass: [Lane; 3],
-    pub twist_mass: Lane,
+    pub torsional_mass: Lane,
     /// Mean distance of the points from the friction centre: the radius of torsional friction.
     pub radius: Lane,
     /// `K_13` and `K_23`: effect of a torsional impulse on the velocities along the two tangents.
-    pub twist_coupling: [Lane; 2],
+    pub torsional_coupling: [Lane; 2],
     /// Wanted relative velocity along the two tangents.
     pub surface_velocity: [Lane; 2],
     /// Friction impulses of this substep: along the two tangents, and about the normal.
@@ -99,9 +99,9 @@ impl ContactBlock {
             center: vector,
             coefficient: zero,
             tangent_mass: [zero; 3],
-            twist_mass: zero,
+            torsional_mass: zero,
             radius: zero,
-            twist_coupling: [zero; 2],
+            torsional_coupling: [zero; 2],
             surface_velocity: [zero; 2],
             impulse: [zero; 3],
         };
@@ -155,11 +155,11 @@ impl ContactBlock {
         }
     }
 
-    /// The friction impulses, in world space, and those of twist friction about the normals.
+    /// The friction impulses, in world space, and those of torsional friction about the normals.
     #[inline(always)]
     pub fn friction_impulses<W: Wide>(&self) -> (WideVector<W>, W) {
         let (n, t1) = (WideVector::<W>::load(&self.normal), WideVector::load(&self.tangent));
-        let [x, y, twist] = &self.friction.impulse;
-        (t1 * W::load(x) + cross(n, t1) * W::load(y), W::load(twist))
+        let [x, y, torsion] = &self.friction.impulse;
+        (t1 * W::load(x) + cross(n, t1) * W::load(y), W::load(torsion))
     }
 }

@@ -1,4 +1,4 @@
-//! Friction of a whole manifold: two tangential rows and a twist row at the friction centre.
+//! Friction of a whole manifold: two tangential rows and a torsional row at the friction centre.
 //!
 //! The friction centre is the mean of the points, weighted by how close they are to touching. A tangential
 //! impulse `λt` (two rows, solved together) acts there, and a torsional impulse `λw` about the normal. With
@@ -37,9 +37,9 @@ pub(crate) struct WideFriction<W> {
     pub center: WideVector<W>,
     pub coefficient: W,
     pub tangent_mass: [W; 3],
-    pub twist_mass: W,
+    pub torsional_mass: W,
     pub radius: W,
-    pub twist_coupling: [W; 2],
+    pub torsional_coupling: [W; 2],
     pub surface_velocity: [W; 2],
     pub impulse: [W; 3],
 }
@@ -55,16 +55,16 @@ pub(crate) fn prepare<W: Wide>(
     let (center, radius) = center(points, prediction);
     let frame = &pair.frame;
     let [x, y] = frame.tangential(WideVector::load(&input.friction_impulse));
-    let (tangents, twist_coupling) = tangent_matrix(pair, center);
+    let (tangents, torsional_coupling) = tangent_matrix(pair, center);
     WideFriction {
         center,
         coefficient: W::load(&input.friction),
         tangent_mass: invert_matrix(tangents),
-        twist_mass: invert(pair.inv_inertia[0].m33 + pair.inv_inertia[1].m33),
+        torsional_mass: invert(pair.inv_inertia[0].m33 + pair.inv_inertia[1].m33),
         radius,
-        twist_coupling,
+        torsional_coupling,
         surface_velocity: frame.tangential(WideVector::load(&input.tangent_velocity)),
-        impulse: [x, y, W::load(&input.twist_impulse)],
+        impulse: [x, y, W::load(&input.torsional_impulse)],
     }
 }
 
@@ -114,7 +114,7 @@ fn center<W: Wide>(
     (center, radius * inv_sum)
 }
 
-/// The matrix `K` of the two tangential rows (11, 12, 22), and their coupling with the twist row.
+/// The matrix `K` of the two tangential rows (11, 12, 22), and their coupling with the torsional row.
 #[inline(always)]
 fn tangent_matrix<W: Wide>(pair: &Pair<W>, center: WideVector<W>) -> ([W; 3], [W; 2]) {
     let inv_mass = pair.inv_mass[0] + pair.inv_mass[1];
@@ -129,7 +129,7 @@ fn tangent_matrix<W: Wide>(pair: &Pair<W>, center: WideVector<W>) -> ([W; 3], [W
     (tangents, [a13 + b13, a23 + b23])
 }
 
-/// `J I⁻¹ Jᵀ` of the two tangential rows at a point and the twist row `J₃ = (0, 0, 1)`: 11, 12, 22, 13,
+/// `J I⁻¹ Jᵀ` of the two tangential rows at a point and the torsional row `J₃ = (0, 0, 1)`: 11, 12, 22, 13,
 /// 23.
 #[inline(always)]
 fn angular_part<W: Wide>(i: WideSymmetric<W>, r: WideVector<W>) -> [W; 5] {
@@ -165,9 +165,9 @@ impl<W: Wide> WideFriction<W> {
             center: WideVector::load(&row.center),
             coefficient: W::load(&row.coefficient),
             tangent_mass: load(&row.tangent_mass),
-            twist_mass: W::load(&row.twist_mass),
+            torsional_mass: W::load(&row.torsional_mass),
             radius: W::load(&row.radius),
-            twist_coupling: load(&row.twist_coupling),
+            torsional_coupling: load(&row.torsional_coupling),
             surface_velocity: load(&row.surface_velocity),
             impulse: load(&row.impulse),
         }
@@ -178,9 +178,9 @@ impl<W: Wide> WideFriction<W> {
         self.center.store(&mut row.center);
         self.coefficient.store(&mut row.coefficient);
         store(self.tangent_mass, &mut row.tangent_mass);
-        self.twist_mass.store(&mut row.twist_mass);
+        self.torsional_mass.store(&mut row.torsional_mass);
         self.radius.store(&mut row.radius);
-        store(self.twist_coupling, &mut row.twist_coupling);
+        store(self.torsional_coupling, &mut row.torsional_coupling);
         store(self.surface_velocity, &mut row.surface_velocity);
         store(self.impulse, &mut row.impulse);
     }
@@ -217,29 +217,29 @@ impl<W: Wide> WideFriction<W> {
     ) -> [W; 3] {
         let limit = self.coefficient * normal_impulse;
         let spin = frame.n.dot(m2.angular - m1.angular);
-        let twist = self.solve_twist(spin, limit * self.radius);
+        let torsion = self.solve_torsion(spin, limit * self.radius);
         let [vx, vy] = slip(frame, self.center, c, [m1, m2]);
         let slip = [
-            vx + self.twist_coupling[0] * twist - self.surface_velocity[0],
-            vy + self.twist_coupling[1] * twist - self.surface_velocity[1],
+            vx + self.torsional_coupling[0] * torsion - self.surface_velocity[0],
+            vy + self.torsional_coupling[1] * torsion - self.surface_velocity[1],
         ];
         let [x, y] = self.solve_tangents(slip, limit);
-        [x, y, twist]
+        [x, y, torsion]
     }
 
     #[inline(always)]
-    fn solve_twist(&mut self, spin: W, limit: W) -> W {
+    fn solve_torsion(&mut self, spin: W, limit: W) -> W {
         let old = self.impulse[2];
-        let wanted = old - self.twist_mass * spin;
+        let wanted = old - self.torsional_mass * spin;
         self.impulse[2] = wanted.min(limit).max(-limit);
         self.impulse[2] - old
     }
 
     #[inline(always)]
     fn solve_tangents(&mut self, slip: [W; 2], limit: W) -> [W; 2] {
-        let [old_x, old_y, twist] = self.impulse;
+        let [old_x, old_y, torsion] = self.impulse;
         let [x, y] = to_cone(self.tangent_mass, [old_x, old_y], slip, limit);
-        self.impulse = [x, y, twist];
+        self.impulse = [x, y, torsion];
         [x - old_x, y - old_y]
     }
 
@@ -248,15 +248,15 @@ impl<W: Wide> WideFriction<W> {
     #[inline(always)]
     pub fn apply(
         &self,
-        [x, y, twist]: [W; 3],
+        [x, y, torsion]: [W; 3],
         block: &ContactBlock,
         frame: &Frame<W>,
         velocities: [WideMotion<W>; 2],
     ) -> [WideMotion<W>; 2] {
         let (a, b) = (self.center, self.center + WideVector::load(&block.offset));
         let mut moments = [moment(a, [x, y]), moment(b, [x, y])];
-        moments[0][2] = moments[0][2] + twist;
-        moments[1][2] = moments[1][2] + twist;
+        moments[0][2] = moments[0][2] + torsion;
+        moments[1][2] = moments[1][2] + torsion;
         push(block, frame.t1 * x + frame.t2 * y, moments, velocities)
     }
 }

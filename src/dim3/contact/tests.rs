@@ -1,4 +1,5 @@
-//! The rows that 3D alone has: two tangents that are solved together, and the twist about the normal.
+//! The rows that 3D alone has: two tangents that are solved together, and torsional friction about the
+//! normal.
 //!
 //! Tests of both dimensions are in `step/solver/tests`, where the passes are called.
 
@@ -17,7 +18,7 @@ use parry::mass_properties::MassProperties;
 
 const ROUNDING: Real = 1000.0 * Real::EPSILON;
 
-/// The lane that is looked at.
+/// The lane of the tests.
 const LANE: usize = LANES - 1;
 
 fn random_vector(random: &mut Random) -> Vector {
@@ -89,11 +90,12 @@ impl Touch {
         Self { normal, offset, inv_inertia, velocities, points, coefficient, normal_impulse }
     }
 
-    /// Their velocities after an impulse at a point and a twist about the normal. Both have mass 1.
-    fn pushed(&self, impulse: Vector, twist: Real, point: Vector) -> [(Vector, Vector); 2] {
+    /// Their velocities after an impulse at a point and a torsional impulse about the normal. Both have mass
+    /// 1.
+    fn pushed(&self, impulse: Vector, torsion: Real, point: Vector) -> [(Vector, Vector); 2] {
         let [(v1, w1), (v2, w2)] = self.velocities;
         let [i1, i2] = &self.inv_inertia;
-        let moment = self.normal * twist;
+        let moment = self.normal * torsion;
         [
             (v1 - impulse, w1 - mul_inertia(i1, point.cross(impulse) + moment)),
             (v2 + impulse, w2 + mul_inertia(i2, (point + self.offset).cross(impulse) + moment)),
@@ -153,11 +155,11 @@ impl Kernel for Iterate<'_> {
             WideMotion { linear: WideVector::splat(v1), angular: WideVector::splat(w1) },
             WideMotion { linear: WideVector::splat(v2), angular: WideVector::splat(w2) },
         ];
-        let [x, y, twist] =
+        let [x, y, torsion] =
             rows.solve(&frame, pair.offset, motions, W::splat(touch.normal_impulse));
         let (mut impulse, mut about) = (lanes(Vector::ZERO), Lane::ZERO);
         (frame.t1 * x + frame.t2 * y).store(&mut impulse);
-        twist.store(&mut about);
+        torsion.store(&mut about);
         (impulse.lane(LANE), about.0[LANE])
     }
 }
@@ -172,38 +174,40 @@ fn one_visit_stops_the_sliding_of_the_friction_centre() {
     for _ in 0..100 {
         let touch = Touch::random(&mut random);
         let center = middle(&touch.points);
-        let (impulse, twist) = Simd::detect().run(Iterate(&touch));
-        let (sliding, _) = slip(&touch, touch.pushed(impulse, twist, center), center);
+        let (impulse, torsion) = Simd::detect().run(Iterate(&touch));
+        let (sliding, _) = slip(&touch, touch.pushed(impulse, torsion, center), center);
         assert!(sliding.length() < ROUNDING, "{sliding} is left");
-        // The twist row was solved first, and alone.
-        let (_, spin) = slip(&touch, touch.pushed(Vector::ZERO, twist, center), center);
+        // The torsional row was solved first, and alone.
+        let (_, spin) = slip(&touch, touch.pushed(Vector::ZERO, torsion, center), center);
         assert!(spin.abs() < ROUNDING, "{spin} is left");
     }
 }
 
 #[test]
-fn the_twist_is_bounded_by_friction_times_load_times_lever() {
+fn torsional_friction_is_bounded_by_friction_times_load_times_radius() {
     let mut random = Random(3);
     for _ in 0..100 {
         let mut touch = Touch::random(&mut random);
         touch.normal_impulse = random.within(0.0, 0.01);
-        let (impulse, twist) = Simd::detect().run(Iterate(&touch));
+        let (impulse, torsion) = Simd::detect().run(Iterate(&touch));
         let limit = touch.coefficient * touch.normal_impulse;
         assert!(impulse.length() <= limit * (1.0 + 8.0 * Real::EPSILON));
-        assert!(twist.abs() <= limit * 0.3 * (1.0 + ROUNDING));
+        assert!(torsion.abs() <= limit * 0.3 * (1.0 + ROUNDING));
         // It spins fast enough that the bound is reached, against the spin.
         let (_, spin) = slip(&touch, touch.velocities, middle(&touch.points));
-        assert!(spin.abs() < 0.1 || (twist + spin.signum() * limit * 0.3).abs() < ROUNDING * limit);
+        assert!(
+            spin.abs() < 0.1 || (torsion + spin.signum() * limit * 0.3).abs() < ROUNDING * limit
+        );
     }
 }
 
 #[test]
-fn a_single_point_has_no_lever_to_twist() {
+fn a_single_point_has_no_torsional_friction() {
     let mut random = Random(4);
     let mut touch = Touch::random(&mut random);
     touch.points.truncate(1);
-    let (impulse, twist) = Simd::detect().run(Iterate(&touch));
-    assert_eq!(twist, 0.0);
+    let (impulse, torsion) = Simd::detect().run(Iterate(&touch));
+    assert_eq!(torsion, 0.0);
     assert!(impulse.length() > 0.0);
 }
 

@@ -80,9 +80,9 @@ fn unit(mask: JointAxesMask) -> Vector {
 }
 
 fn whole_angle(rotation: &Rotation) -> (Real, AngVector) {
-    let turn = rotation_to_angle(rotation);
-    let angle = turn.length();
-    (angle, if angle > 0.0 { turn / angle } else { AngVector::X })
+    let rotvec = rotation_to_angle(rotation);
+    let angle = rotvec.length();
+    (angle, if angle > 0.0 { rotvec / angle } else { AngVector::X })
 }
 
 /// The twist about `e`.

@@ -7,11 +7,11 @@
 //! * A *tilt* of `e` towards `g` is the angle of `(f·e, f·g)`; a swing in any direction is a tilt towards a
 //!   `g` that follows `f`.
 //!
-//! The tracker adds the angle since the start of the step to the initial angle: of two points with the
-//! complex numbers `z₀` and `z`, the angle of `z z₀*`. So turns that were counted stay counted, and small
-//! angles keep their digits.
+//! The tracker adds the angle since the start of the step to the initial angle. For two points with the
+//! complex numbers `z₀` and `z`, it is the angle of `z z₀*`. So turns that were counted stay counted, and
+//! small angles keep their digits.
 //!
-//! That is ambiguous by whole turns: a wheel that rotates by 5 rad in a step has the same pose as after -1.3
+//! That is ambiguous by whole turns. A wheel that rotates by 5 rad in a step has the same pose as after -1.3
 //! rad. The sum of the rotations of all substeps is a second estimate of the bodies' relative rotation. With
 //! one free rotation and counted turns, this estimate selects among these values. It needs an error of less
 //! than half a turn only, so a rotation of the axis itself does no harm.
@@ -100,7 +100,7 @@ impl AngleTracker {
     }
 
     /// The direction, in the first frame, along which the relative angular velocity changes the angle, and
-    /// the angle. `between` is the second frame relative to the first, and `rotvec` the approximate rotation
+    /// the angle. `between` is the second frame relative to the first. `rotvec` is the approximate rotation
     /// since the start of the step, in the first frame, with all turns.
     #[inline(always)]
     pub fn measure<W: Wide>(
@@ -206,7 +206,7 @@ mod tests {
     use crate::dim3::joint_axes::JointAxesMask;
     use crate::dim3::math::{DIM, Rotation, integrate_rotation};
 
-    /// A gauge, and what it reads.
+    /// An angle tracker and its measured angles.
     struct Reading {
         angle_tracker: AngleTracker,
         between: WideRotation<Lane>,
@@ -232,7 +232,7 @@ mod tests {
     }
 
     /// Different kinds in one tracker measure the same as a direct computation, for any rotation of the
-    /// bodies: within half a turn the angle is unique. Single precision has 1e-7 of each number, a quotient
+    /// bodies. Within half a turn the angle is unique. Single precision has 1e-7 of each number, a quotient
     /// of small ones less.
     #[test]
     fn lanes_measure_what_is_measured_one_by_one() {

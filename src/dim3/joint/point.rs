@@ -4,8 +4,8 @@ use crate::base::wide::Wide;
 use crate::dim3::math::DIM;
 use crate::dim3::wide::{WideSymmetric, WideVector};
 
-/// Velocity of a point at the moment arm `r` by the rotation of its body, per unit of impulse at that point:
-/// the lower half of `-[r]ₓ I⁻¹ [r]ₓ`.
+/// Velocity of a point at the moment arm `r` by the rotation of its body, per unit of impulse at that point.
+/// It is the lower half of `-[r]ₓ I⁻¹ [r]ₓ`.
 #[inline(always)]
 pub(crate) fn point_response<W: Wide>(
     inv_inertia: WideSymmetric<W>,

@@ -52,8 +52,8 @@ impl RigidBodyActivation {
 
     /// The default of [`Self::time_until_sleep`]: a second.
     ///
-    /// It must exceed momentary slow motions: a body at the top of its flight, a pendulum at its turning
-    /// point, a domino that begins to tip.
+    /// It must exceed momentary slow motions. Examples are a body at the top of its flight, a pendulum at its
+    /// turning point, and a domino that begins to tip.
     pub const fn default_time_until_sleep() -> Real {
         1.0
     }

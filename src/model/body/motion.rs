@@ -114,10 +114,10 @@ impl RigidBody {
             return RigidBodyVelocity::zero();
         }
         let next_com = next_pose * self.mprops.local_mprops.local_com;
-        let turn = next_pose.rotation * self.pose.rotation.inverse();
+        let rotation = next_pose.rotation * self.pose.rotation.inverse();
         RigidBodyVelocity {
             linvel: (next_com - self.mprops.world_com) * inv_dt,
-            angvel: rotation_to_angle(&turn) * inv_dt,
+            angvel: rotation_to_angle(&rotation) * inv_dt,
         }
     }
 

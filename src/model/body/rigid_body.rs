@@ -68,8 +68,8 @@ pub struct RigidBody {
     pub(crate) enabled: bool,
     pub(crate) ccd_enabled: bool,
     pub(crate) ccd_active: bool,
-    /// Whether the body penetrates a fixed collider almost up to its middle. Its path is then searched at any
-    /// length.
+    /// Whether the body penetrates a non-dynamic collider by more than a quarter of its thickness. CCD then
+    /// searches its path at any length.
     pub(crate) deeply_penetrating: bool,
     pub(crate) gyroscopic_forces_enabled: bool,
     /// Whether [`Self::push`] is not zero.

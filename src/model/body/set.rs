@@ -230,7 +230,7 @@ impl RigidBodySet {
 
     /// Corrects the stored positions of bodies that replaced others, and returns their handles. The step must
     /// process them as new bodies.
-    pub(crate) fn settle_replaced(&mut self) -> Vec<RigidBodyHandle> {
+    pub(crate) fn register_replaced(&mut self) -> Vec<RigidBodyHandle> {
         let mut replaced = Vec::new();
         // Backwards: a replaced body may have left a second note, and the first one is right.
         for note in (0..self.notes.modified.len()).rev() {

@@ -125,7 +125,7 @@ impl RigidBody {
 
     /// Returns whether the last step searched the body's path. A path is searched if the body moves by more
     /// than half its thickness. Any motion is searched while the body penetrates a wall by a quarter of its
-    /// thickness. [`Self::is_ccd_enabled`] only selects the obstacles of the search.
+    /// thickness. [`Self::is_ccd_enabled`] only selects the colliders of the search.
     pub fn is_ccd_active(&self) -> bool {
         self.ccd_active && self.is_dynamic()
     }

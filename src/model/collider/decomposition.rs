@@ -68,7 +68,7 @@ pub(super) fn decompose(
     let hulls = guarded(|| {
         let decomposition = VHACD::decompose(params, vertices, indices, true);
         let parts = decomposition.voxel_parts().iter();
-        // A part that the library chokes on is left out: better a gap than no shape.
+        // A part for which the library fails is omitted: a gap is better than no shape.
         parts.filter_map(|part| guarded(|| shapes::exact_hull(part, vertices, indices))?).collect()
     });
     let hulls: Vec<ConvexShape> = hulls.unwrap_or_default();

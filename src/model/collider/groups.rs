@@ -188,13 +188,13 @@ impl InteractionGroups {
     /// Returns whether each filter accepts the other.
     #[inline]
     pub const fn test_and(self, other: Self) -> bool {
-        self.wants(other) && other.wants(self)
+        self.accepts(other) && other.accepts(self)
     }
 
     /// Returns whether at least one filter accepts the other.
     #[inline]
     pub const fn test_or(self, other: Self) -> bool {
-        self.wants(other) || other.wants(self)
+        self.accepts(other) || other.accepts(self)
     }
 
     /// Returns whether the two interact, given both test modes.
@@ -206,7 +206,8 @@ impl InteractionGroups {
         }
     }
 
-    const fn wants(self, other: Self) -> bool {
+    /// Returns whether the filter accepts the memberships of the other.
+    const fn accepts(self, other: Self) -> bool {
         self.filter.intersects(other.memberships)
     }
 }

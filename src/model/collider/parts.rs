@@ -90,7 +90,7 @@ impl ColliderChanges {
     pub(crate) const IDENTITY: Self =
         Self::PARENT.union(Self::TYPE).union(Self::ENABLED_OR_DISABLED);
     /// Edits that affect the set of possible partners.
-    pub(crate) const COMPANY: Self = Self::GROUPS.union(Self::INTERACTIONS);
+    pub(crate) const PARTNER_CHANGES: Self = Self::GROUPS.union(Self::INTERACTIONS);
 
     /// All changes, for a collider that is new to the step.
     pub(crate) const fn everything() -> Self {

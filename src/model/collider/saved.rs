@@ -2,7 +2,7 @@
 //!
 //! parry's own format contains derived data (trees of boxes, topology, adjacency) and loads it unchecked: an
 //! index out of range panics in some later query. Here, shapes made of many parts are saved as the lists that
-//! they were made of, and built again; the same lists give the same tree. Convex hulls keep parry's form,
+//! they were made of, and built again. The same lists give the same tree. Convex hulls keep parry's form,
 //! because another construction might number the faces differently: their indices are checked. (Of a compound
 //! with pseudo-normals, the tolerance with which parry found neighbouring parts is not known: it is the
 //! default.) The saved form is not recursive, so damaged data cannot exhaust the stack. Loaded shapes are

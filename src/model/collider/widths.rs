@@ -1,12 +1,12 @@
 //! Width of convex parts: the measure of motion in continuous collision detection.
 //!
 //! The *width* of a convex set along a direction is the distance of the two planes across that direction
-//! between which the set lies. Its *minimum width* is the least of these over all directions: the diameter of
-//! a ball, the height of a disc, the gauge of a plate in any orientation. The *thickness* of a part is half
-//! its minimum width. No point of it is deeper below the surface than that, and a body that moves less than
-//! its thickness keeps its middle on one side of everything.
+//! between which the set lies. Its *minimum width* is the least of these over all directions. Examples are
+//! the diameter of a ball, the height of a disc and the thickness of a plate in any orientation. The
+//! *thickness* of a part is half its minimum width. No point of it is deeper below the surface than that. A
+//! body that moves less than its thickness keeps its middle on one side of everything.
 //!
-//! Boxes, cylinders, cones and what is round have formulas. Hulls, triangles and custom shapes are searched
+//! Boxes, cylinders, cones and round shapes have formulas. Hulls, triangles and custom shapes are searched
 //! ([`crate::dim::width`]), with a lower bound as the result. A thickness that is too small makes a body fast
 //! too early; one that is too large lets it through.
 

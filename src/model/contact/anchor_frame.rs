@@ -15,8 +15,8 @@ use crate::model::check::is_saved_unit;
 /// # Frozen anchors
 ///
 /// While both bodies are *near rest*, normal and moment arms stay constant, and only the separations are
-/// updated. Otherwise stable piles would buckle. The faces of two rigid boxes on each other are rigid, but
-/// the soft contacts of the solver are compliant: under a moment they rotate like a hinge with a spring. A
+/// updated. Otherwise stable piles would buckle. The faces of two rigid boxes on each other are rigid. The
+/// soft contacts of the solver are compliant: under a moment they rotate like a hinge with a spring. A
 /// tower of `n` unit cubes of mass `m` is then an elastic column. It buckles under its own weight (Greenhill
 /// 1881) when the stiffness `k` of its hinges is less than
 ///
@@ -24,19 +24,19 @@ use crate::model::check::is_saved_unit;
 /// k  <  n³ m g / 7.84        k = β m / (8 σ h²)        (β, σ, h: see `model/params/softness`)
 /// ```
 ///
-/// which for our contacts are towers of some twenty cubes. A column tips by the moment of its load about the
-/// leaning part below: the load times the rotation of the moment arms. With frozen moment arms that moment is
-/// zero, as between rigid faces. The column is then a beam without axial load, which is stable at any height.
-/// The alternative, stiffer contacts, would need a hundred times the stiffness for a pile of a hundred
-/// layers, and one iteration per substep does not converge for these. Box3D keeps its anchors for the same
+/// which for the default contacts are towers of some twenty cubes. A column tips by the moment of its load
+/// about the leaning part below: the load times the rotation of the moment arms. With frozen moment arms that
+/// moment is zero, as between rigid faces. The column is then a beam without axial load, which is stable at
+/// any height. Stiffer contacts are the alternative. A pile of a hundred layers needs a hundred times the
+/// stiffness, for which one iteration per substep does not converge. Box3D keeps its anchors for the same
 /// reason, for up to seven degrees and at any speed.
 ///
 /// The price: that moment is real. Without it, action and reaction of a contact are not collinear, and the
 /// angular momentum of a compressed pair is not conserved. The rule therefore applies only to bodies under
 /// gravity that rotate more slowly than [`Self::ANGULAR_SPEED_NEAR_REST_MAX`]. It ends at an angle of
 /// [`Self::FROZEN_ANGLE_MAX`], or where the error of the normal exceeds the friction
-/// ([`Self::FROZEN_BY_FRICTION`]). The remaining error is in the load's moment arm: a few hundredths of the
-/// body's size, on bodies that rotate by less than 3 degrees a second.
+/// ([`Self::FROZEN_FRICTION_FRACTION_MAX`]). The remaining error is in the load's moment arm. It is a few
+/// hundredths of the body's size, on bodies that rotate by less than 3 degrees a second.
 #[derive(Copy, Clone, Debug)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) struct AnchorFrame {
@@ -67,7 +67,7 @@ impl AnchorFrame {
     const FROZEN_ANGLE_MAX: Real = 0.05;
 
     /// The same, in units of the friction coefficient: the slope that friction can hold is right to a tenth.
-    const FROZEN_BY_FRICTION: Real = 0.1;
+    const FROZEN_FRICTION_FRACTION_MAX: Real = 0.1;
 
     /// Returns whether a body is near rest. A body that is not dynamic is near rest only if it does not
     /// rotate at all: it does not buckle. Bodies on a tilting platform must follow it.
@@ -82,7 +82,7 @@ impl AnchorFrame {
 
     /// Largest angle (rad) of frozen anchors relative to bodies near rest.
     pub fn frozen_angle(friction: Real) -> Real {
-        (Self::FROZEN_BY_FRICTION * friction).clamp(0.0, Self::FROZEN_ANGLE_MAX)
+        (Self::FROZEN_FRICTION_FRACTION_MAX * friction).clamp(0.0, Self::FROZEN_ANGLE_MAX)
     }
 }
 
@@ -139,7 +139,7 @@ impl WideAnchorFrame {
 
 /// Motion of two bodies since their anchors were transformed.
 pub(crate) struct MotionSince<W: Wide> {
-    turns: [WideRotation<W>; 2],
+    rotations: [WideRotation<W>; 2],
     /// The second centre of mass relative to the first.
     shift: WideVector<W>,
     /// `c = x1 - x2`, which converts moment arms of the first body into those of the second: at the
@@ -169,12 +169,13 @@ impl<W: Wide> MotionSince<W> {
         let has_world = is_world[0] | is_world[1];
         let (x1, x2) = (poses[0].center_of_mass, poses[1].center_of_mass);
         let centers = WideVector::load(&anchor_frame.centers);
-        let turn = |side: usize| {
+        let rotation = |side: usize| {
             poses[side].rotation.since(WideRotation::load(&anchor_frame.rotations[side]))
         };
-        let turns = [turn(0), turn(1)];
+        let rotations = [rotation(0), rotation(1)];
         let limit = W::load(&anchor_frame.frozen_angle_squared) * W::load(&anchor_frame.near_rest);
-        let is_frozen = turns[0].chord_squared().lt(limit) & turns[1].chord_squared().lt(limit);
+        let is_frozen =
+            rotations[0].chord_squared().lt(limit) & rotations[1].chord_squared().lt(limit);
         let (normal, zero) = (WideVector::load(&anchor_frame.normal), WideVector::zero());
         Self {
             shift: (x2 - x1) - centers,
@@ -182,9 +183,9 @@ impl<W: Wide> MotionSince<W> {
                 WideVector::select(has_world, zero, -centers),
                 WideVector::select(has_world, zero, x1 - x2),
             ],
-            normal: WideVector::select(is_frozen, normal, turns[0].rotate(normal)),
+            normal: WideVector::select(is_frozen, normal, rotations[0].rotate(normal)),
             origin: WideVector::select(is_world[0], x2, x1),
-            turns,
+            rotations,
             is_frozen,
             is_second_world: is_world[1],
         }
@@ -201,8 +202,8 @@ impl<W: Wide> MotionSince<W> {
     #[inline(always)]
     pub fn at(&self, arm: WideVector<W>) -> (WideVector<W>, WideVector<W>) {
         let arm2 = arm + self.offsets[0];
-        let turned1 = self.turns[0].displacement(arm);
-        let turned2 = self.turns[1].displacement(arm2);
+        let turned1 = self.rotations[0].displacement(arm);
+        let turned2 = self.rotations[1].displacement(arm2);
         let moved = self.shift + turned2 - turned1;
         let half = moved * W::splat(0.5);
         // The surface of the world has not moved; from the other one it is half of the distance.

@@ -32,7 +32,7 @@ pub(crate) struct ContactInput {
     /// Friction impulse with which to start, in world space.
     pub friction_impulse: WideVector<Lane>,
     /// Twist impulse about the normal with which to start: none in the plane.
-    pub twist_impulse: Lane,
+    pub torsional_impulse: Lane,
     /// Friction impulses of the points with which to start, along the tangents: for friction per point.
     pub tangent_impulses: [[Lane; DIM - 1]; MAX_MANIFOLD_POINTS],
 }
@@ -54,7 +54,7 @@ impl ContactInput {
             restitution: Lane::ZERO,
             tangent_velocity: vector,
             friction_impulse: vector,
-            twist_impulse: Lane::ZERO,
+            torsional_impulse: Lane::ZERO,
             tangent_impulses: [[Lane::ZERO; DIM - 1]; MAX_MANIFOLD_POINTS],
         }
     };
@@ -91,7 +91,7 @@ impl ContactInput {
         (self.friction.0[lane], self.restitution.0[lane]) = (0.0, 0.0);
         self.tangent_velocity.set_lane(lane, Vector::ZERO);
         self.friction_impulse.set_lane(lane, Vector::ZERO);
-        self.twist_impulse.0[lane] = 0.0;
+        self.torsional_impulse.0[lane] = 0.0;
         (0..MAX_MANIFOLD_POINTS).for_each(|point| self.leave_out(point, lane));
     }
 
@@ -100,7 +100,7 @@ impl ContactInput {
     pub fn scale_impulses(&mut self, lane: usize, factor: Real, per_point: bool) {
         self.friction_impulse.set_lane(lane, self.friction_impulse.lane(lane) * factor);
         let tangents = self.tangent_impulses.iter_mut().flatten().filter(|_| per_point);
-        let all = self.impulses.iter_mut().chain(tangents).chain([&mut self.twist_impulse]);
+        let all = self.impulses.iter_mut().chain(tangents).chain([&mut self.torsional_impulse]);
         all.for_each(|impulse| impulse.0[lane] *= factor);
     }
 }

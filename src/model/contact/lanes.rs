@@ -89,21 +89,21 @@ impl LaneBlock {
         } else {
             0.0
         };
-        input.anchor_frame.set_lane(lane, &pair.anchor_frame, data.placed_normal, frozen_angle);
+        input.anchor_frame.set_lane(lane, &pair.anchor_frame, data.anchor_normal, frozen_angle);
         input.mass_factors[0].0[lane] = if data.relative_dominance > 0 { 0.0 } else { 1.0 };
         input.mass_factors[1].0[lane] = if data.relative_dominance < 0 { 0.0 } else { 1.0 };
         input.friction.0[lane] = data.friction;
         input.restitution.0[lane] = data.restitution;
         input.tangent_velocity.set_lane(lane, data.tangent_velocity);
         input.friction_impulse.set_lane(lane, data.warmstart_friction);
-        input.twist_impulse.0[lane] = data.warmstart_twist;
+        input.torsional_impulse.0[lane] = data.warmstart_torsion;
         for k in 0..MAX_MANIFOLD_POINTS {
             let Some(point) = data.points.get(k) else {
                 input.leave_out(k, lane);
                 continue;
             };
             input.arms[k].set_lane(lane, point.arm);
-            input.anchor_separations[k].0[lane] = point.placed_dist;
+            input.anchor_separations[k].0[lane] = point.anchor_dist;
             input.present[k].0[lane] = 1.0;
             input.impulses[k].0[lane] = point.warmstart_impulse;
             input.set_tangent_impulse(k, lane, point.warmstart_tangent_impulse);
@@ -118,7 +118,7 @@ fn write_back(report: &ContactReport, data: &mut ContactManifoldData) {
     }
     data.normal = report.normal();
     data.warmstart_friction = report.friction_impulse();
-    data.warmstart_twist = report.twist_impulse();
+    data.warmstart_torsion = report.torsional_impulse();
     for (k, point) in data.points.iter_mut().enumerate() {
         point.point = report.point(k);
         point.dist = report.separation(k);
@@ -205,22 +205,22 @@ impl ContactLanes {
 
     /// Must all be filled again. None of them is ahead of its pair.
     pub fn forget(&mut self) {
-        debug_assert!(!self.are_ahead());
+        debug_assert!(!self.has_pending_write_backs());
         self.blocks.clear();
     }
 
-    /// Returns whether lanes may be ahead of their pairs.
-    pub fn are_ahead(&self) -> bool {
+    /// Returns whether results of lanes may still have to be written back to their pairs.
+    pub fn has_pending_write_backs(&self) -> bool {
         !self.starts.is_empty()
     }
 
-    /// By colour, the first block of lanes that may be ahead; nothing if none are.
+    /// By colour, the first block of lanes with pending write-backs; empty without pending ones.
     pub fn starts(&self) -> &[u32] {
         &self.starts
     }
 
     /// Marks all pairs as written back.
-    pub fn fall_back(&mut self) {
+    pub fn mark_written_back(&mut self) {
         self.starts.clear();
     }
 
@@ -282,7 +282,7 @@ impl ContactLanes {
 
     /// Prefetches the results and the lane of a pair that will be written back.
     pub fn prefetch(&self, pair: &ContactPair) {
-        let first = pair.manifolds.first().filter(|_| self.are_ahead());
+        let first = pair.manifolds.first().filter(|_| self.has_pending_write_backs());
         if let Some((block, lane)) = first.and_then(|manifold| self.place_of(manifold)) {
             prefetch(&self.reports[block][lane]);
             prefetch(&self.blocks[block].members);
@@ -292,7 +292,7 @@ impl ContactLanes {
     #[inline]
     fn is_written(&self, id: PairId) -> bool {
         let stores = self.written.get(id as usize);
-        !self.are_ahead()
+        !self.has_pending_write_backs()
             || stores.is_none_or(|stores| stores.load(Ordering::Acquire) == self.stores)
     }
 

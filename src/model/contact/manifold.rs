@@ -37,7 +37,7 @@ pub struct Contact {
     /// space, when the anchors were [transformed](super::AnchorFrame).
     pub(crate) arm: Vector,
     /// [`Self::dist`] when the anchors were transformed.
-    pub(crate) placed_dist: Real,
+    pub(crate) anchor_dist: Real,
     /// Distance of the two points along the normal; negative when the colliders overlap.
     pub dist: Real,
     /// The point midway between the two surfaces, in world space, as of the last step.
@@ -68,7 +68,7 @@ impl Contact {
             local_p1,
             local_p2,
             arm: Vector::ZERO,
-            placed_dist: dist,
+            anchor_dist: dist,
             dist,
             point: Vector::ZERO,
             fid1,
@@ -82,7 +82,7 @@ impl Contact {
     /// Returns whether all numbers are usable.
     fn is_sound(&self) -> bool {
         let vectors = [self.local_p1, self.local_p2, self.arm, self.point];
-        let numbers = [self.placed_dist, self.dist, self.impulse, self.warmstart_impulse];
+        let numbers = [self.anchor_dist, self.dist, self.impulse, self.warmstart_impulse];
         vectors.iter().all(|vector| vector.is_finite())
             && numbers.iter().chain(&self.warmstart_tangent_impulse).all(|it| it.is_finite())
     }
@@ -113,7 +113,7 @@ pub struct ContactManifoldData {
     /// Unit normal in world space, from the first collider to the second.
     pub normal: Vector,
     /// [`Self::normal`] when the anchors were [transformed](super::AnchorFrame).
-    pub(crate) placed_normal: Vector,
+    pub(crate) anchor_normal: Vector,
     /// Combined friction coefficient.
     pub friction: Real,
     /// Combined restitution coefficient.
@@ -130,8 +130,8 @@ pub struct ContactManifoldData {
     pub user_data: u32,
     /// Friction impulse of the last substep in world space, at the manifold's friction centre.
     pub(crate) warmstart_friction: Vector,
-    /// Twist-friction impulse of the last substep about the normal (3D).
-    pub(crate) warmstart_twist: Real,
+    /// Torsional-friction impulse of the last substep about the normal (3D).
+    pub(crate) warmstart_torsion: Real,
     /// The points, all within the prediction distance. They are read-only in a contact pair and a manifold.
     pub points: ContactPoints,
 }
@@ -143,14 +143,14 @@ impl Default for ContactManifoldData {
             rigid_body2: None,
             solver_flags: SolverFlags::default(),
             normal: Vector::ZERO,
-            placed_normal: Vector::ZERO,
+            anchor_normal: Vector::ZERO,
             friction: 0.0,
             restitution: 0.0,
             tangent_velocity: Vector::ZERO,
             relative_dominance: 0,
             user_data: 0,
             warmstart_friction: Vector::ZERO,
-            warmstart_twist: 0.0,
+            warmstart_torsion: 0.0,
             points: ContactPoints::new(),
         }
     }
@@ -191,7 +191,7 @@ impl ContactManifoldData {
     /// Clears the impulses, as for a new contact.
     pub(crate) fn forget_impulses(&mut self) {
         self.warmstart_friction = Vector::ZERO;
-        self.warmstart_twist = 0.0;
+        self.warmstart_torsion = 0.0;
         for point in &mut self.points {
             point.impulse = 0.0;
             point.warmstart_impulse = 0.0;
@@ -265,9 +265,9 @@ impl ContactManifold {
     /// current normal from the anchors' normal.) A manifold that never had a point has no normals yet.
     pub(crate) fn is_sound(&self) -> bool {
         let data = &self.data;
-        let directions = [self.local_n1, self.local_n2, data.normal, data.placed_normal];
+        let directions = [self.local_n1, self.local_n2, data.normal, data.anchor_normal];
         let vectors = [data.tangent_velocity, data.warmstart_friction];
-        let numbers = [data.friction, data.restitution, data.warmstart_twist];
+        let numbers = [data.friction, data.restitution, data.warmstart_torsion];
         let is_empty = data.points.is_empty();
         let is_direction = |direction: &Vector| {
             is_saved_unit(direction.length_squared()) || is_empty && *direction == Vector::ZERO

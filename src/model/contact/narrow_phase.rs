@@ -25,7 +25,7 @@ pub struct NarrowPhase {
 impl Clone for NarrowPhase {
     fn clone(&self) -> Self {
         // Another thread may read for the first time meanwhile: after the write-back there are no writers.
-        self.settle_all_shared();
+        self.write_back_all_shared();
         Self {
             contacts: self.contacts.clone(),
             intersections: self.intersections.clone(),
@@ -35,7 +35,7 @@ impl Clone for NarrowPhase {
     }
 
     fn clone_from(&mut self, source: &Self) {
-        source.settle_all_shared();
+        source.write_back_all_shared();
         let Self { contacts, intersections, lanes, stamp } = source;
         self.contacts.clone_from(contacts);
         self.intersections.clone_from(intersections);
@@ -66,7 +66,7 @@ impl serde::Serialize for NarrowPhase {
             intersections: &'a PairStore<IntersectionPair>,
             stamp: WorldStamp,
         }
-        self.settle_all_shared();
+        self.write_back_all_shared();
         let Self { contacts, intersections, stamp, .. } = self;
         Saved { contacts, intersections, stamp: *stamp }.serialize(serializer)
     }
@@ -80,7 +80,7 @@ impl NarrowPhase {
 
     /// Resets the contact forces: reports of awake pairs are zero, and warm-start impulses are kept.
     pub(crate) fn forget_step_impulses(&mut self) {
-        self.settle_all(Tasks::SERIAL);
+        self.write_back_all(Tasks::SERIAL);
         self.contacts.for_each_awake_pair(Tasks::SERIAL, |_, pair| {
             let manifolds = pair.manifolds.iter_mut();
             for contact in manifolds.flat_map(|manifold| &mut manifold.data.points) {
@@ -93,7 +93,7 @@ impl NarrowPhase {
     ///
     /// Every read of a pair behind a shared reference uses this function. Exceptions are the stages of a
     /// step, which have exclusive access.
-    pub(crate) fn settled(&self, id: PairId) -> &ContactPair {
+    pub(crate) fn written_back(&self, id: PairId) -> &ContactPair {
         self.lanes.complete(id, || {
             // SAFETY: the lanes admit one writing thread at a time, and only if no thread has read the pair
             // since the lanes were stored.
@@ -102,10 +102,10 @@ impl NarrowPhase {
         &self.contacts[id]
     }
 
-    /// As [`Self::settled`], of all.
-    fn settle_all_shared(&self) {
+    /// Writes all pairs back.
+    fn write_back_all_shared(&self) {
         self.contacts.ids().for_each(|id| {
-            self.settled(id);
+            self.written_back(id);
         });
     }
 
@@ -115,10 +115,10 @@ impl NarrowPhase {
     }
 
     /// Writes the results of the last step back to all contact pairs.
-    pub(crate) fn settle_all(&mut self, tasks: Tasks<'_>) {
-        if self.lanes.are_ahead() {
+    pub(crate) fn write_back_all(&mut self, tasks: Tasks<'_>) {
+        if self.lanes.has_pending_write_backs() {
             self.contacts.for_each_awake_pair(tasks, |id, pair| self.lanes.write_back(id, pair));
-            self.lanes.fall_back();
+            self.lanes.mark_written_back();
         }
     }
 
@@ -127,7 +127,7 @@ impl NarrowPhase {
     pub fn contact_pairs(
         &self,
     ) -> impl Iterator<Item = (ColliderHandle, ColliderHandle, &ContactPair)> {
-        let pairs = self.contacts.ids().map(|id| self.settled(id));
+        let pairs = self.contacts.ids().map(|id| self.written_back(id));
         pairs.map(|pair| (pair.collider1, pair.collider2, pair))
     }
 
@@ -139,7 +139,7 @@ impl NarrowPhase {
         collider2: ColliderHandle,
     ) -> Option<&ContactPair> {
         let colliders = [collider1, collider2];
-        let pair = self.settled(self.contacts.find(colliders)?);
+        let pair = self.written_back(self.contacts.find(colliders)?);
         pair.is_of(colliders).then_some(pair)
     }
 
@@ -150,7 +150,7 @@ impl NarrowPhase {
     ) -> impl Iterator<Item = &ContactPair> {
         let ids = self.contacts.ids_of(collider.into_raw_parts().0);
         ids.iter()
-            .map(|&id| self.settled(id))
+            .map(|&id| self.written_back(id))
             .filter(move |pair| pair.collider1 == collider || pair.collider2 == collider)
     }
 

@@ -6,8 +6,8 @@ use crate::dim::wide::WideVector;
 
 /// Offsets in a report, after the normal at 0.
 const FRICTION: usize = DIM;
-const TWIST: usize = 2 * DIM;
-const IS_SOUND: usize = TWIST + 1;
+const TORSION: usize = 2 * DIM;
+const IS_SOUND: usize = TORSION + 1;
 const POINTS: usize = IS_SOUND + 1;
 const POINT_LEN: usize = DIM + 3;
 /// Offsets in the numbers of a point, after its position.
@@ -42,9 +42,9 @@ impl ContactReport {
         Vector::from_slice(&self.0[FRICTION..])
     }
 
-    /// The twist impulse of the last substep, about the normal: zero in the plane.
-    pub fn twist_impulse(&self) -> Real {
-        self.0[TWIST]
+    /// The torsional impulse of the last substep, about the normal; zero in 2D.
+    pub fn torsional_impulse(&self) -> Real {
+        self.0[TORSION]
     }
 
     /// A point midway between the two surfaces, in world space.
@@ -80,11 +80,11 @@ pub(crate) struct WideReport<W> {
 impl<W: Wide> WideReport<W> {
     /// A report with these normals, and with these impulses of friction and torsional friction.
     #[inline(always)]
-    pub fn new(normal: WideVector<W>, friction: WideVector<W>, twist: W) -> Self {
+    pub fn new(normal: WideVector<W>, friction: WideVector<W>, torsion: W) -> Self {
         let mut numbers = [W::zero(); ContactReport::LEN];
         numbers[..FRICTION].copy_from_slice(&normal.components());
-        numbers[FRICTION..TWIST].copy_from_slice(&friction.components());
-        numbers[TWIST] = twist;
+        numbers[FRICTION..TORSION].copy_from_slice(&friction.components());
+        numbers[TORSION] = torsion;
         Self { numbers }
     }
 

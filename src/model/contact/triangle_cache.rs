@@ -10,8 +10,9 @@ use crate::base::wide::{LANES, prefetch};
 use crate::dim::collide::{FlatBlock, FlatShape, flat_lane, set_flat_lane};
 use parry::bounding_volume::{Aabb, BoundingVolume};
 
-/// More pieces than this are not worth the memory: a large thing on a fine mesh looks them up in each step.
-const MAX_KEPT: usize = 1024;
+/// More pieces than this are not worth the memory. A large shape on a fine mesh searches the tree in each
+/// step.
+const PIECES_MAX: usize = 1024;
 
 /// Flat pieces of a shape, in blocks of as many as a register has lanes.
 #[derive(Debug)]
@@ -36,7 +37,7 @@ impl Default for TriangleCache {
 
 impl TriangleCache {
     /// Returns whether the cache contains all pieces that reach into a box.
-    pub fn knows(&self, region: &Aabb) -> bool {
+    pub fn covers(&self, region: &Aabb) -> bool {
         self.region.contains(region)
     }
 
@@ -68,7 +69,7 @@ impl TriangleCache {
     /// Marks the cache as complete: it contains all pieces that reach into a box.
     pub fn keep(&mut self, region: Aabb) {
         self.region = region;
-        self.is_crowded = self.ids.len() > MAX_KEPT;
+        self.is_crowded = self.ids.len() > PIECES_MAX;
     }
 
     /// Returns whether the last search found so many pieces that a larger region does not pay.

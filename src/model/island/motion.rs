@@ -21,7 +21,7 @@ impl BodyMotion {
     /// No motion.
     pub const NONE: Self = Self { shift: Vector::ZERO, rest: 0.0 };
 
-    /// Motion of a body whose points are within `extent` of its centre of mass: the rotation moves them by at
+    /// Motion of a body whose points are within `extent` of its centre of mass. The rotation moves them by at
     /// most the angle times that distance.
     pub fn of(shift: Vector, rotvec: AngVector, extent: Real) -> Self {
         let turn_squared = ang_length_squared(rotvec);

@@ -160,7 +160,7 @@ impl ImpulseJointSet {
     /// Mutable access to the joint of a handle; `None` if the handle is stale. Its bodies wake.
     pub fn get_mut(&mut self, handle: ImpulseJointHandle) -> Option<&mut ImpulseJoint> {
         let entry = self.joints.get_mut(handle.0)?;
-        note(&mut self.modified, handle, entry);
+        note(&mut self.modified, handle, entry, true);
         Some(&mut entry.joint)
     }
 
@@ -170,9 +170,7 @@ impl ImpulseJointSet {
         handle: ImpulseJointHandle,
     ) -> Option<&mut ImpulseJoint> {
         let entry = self.joints.get_mut(handle.0)?;
-        let wakes = entry.note.listed && entry.note.wakes;
-        note(&mut self.modified, handle, entry);
-        entry.note.wakes = wakes;
+        note(&mut self.modified, handle, entry, false);
         Some(&mut entry.joint)
     }
 
@@ -190,7 +188,7 @@ impl ImpulseJointSet {
     ) -> Option<(&mut ImpulseJoint, ImpulseJointHandle)> {
         let (index, entry) = self.joints.at_slot_mut(slot)?;
         let handle = ImpulseJointHandle(index);
-        note(&mut self.modified, handle, entry);
+        note(&mut self.modified, handle, entry, true);
         Some((&mut entry.joint, handle))
     }
 
@@ -222,10 +220,26 @@ impl ImpulseJointSet {
     pub fn iter_mut(
         &mut self,
     ) -> impl DoubleEndedIterator<Item = (ImpulseJointHandle, &mut ImpulseJoint)> {
+        self.iter_noted_mut(true)
+    }
+
+    /// [`Self::iter_mut`], except that the bodies of a joint wake only if an earlier edit since the last step
+    /// wakes them.
+    pub fn iter_mut_without_waking(
+        &mut self,
+    ) -> impl DoubleEndedIterator<Item = (ImpulseJointHandle, &mut ImpulseJoint)> {
+        self.iter_noted_mut(false)
+    }
+
+    /// Mutable access to all joints. Each visited joint is noted as edited.
+    fn iter_noted_mut(
+        &mut self,
+        wakes: bool,
+    ) -> impl DoubleEndedIterator<Item = (ImpulseJointHandle, &mut ImpulseJoint)> {
         let modified = &mut self.modified;
         self.joints.iter_mut().map(move |(index, entry)| {
             let handle = ImpulseJointHandle(index);
-            note(modified, handle, entry);
+            note(modified, handle, entry, wakes);
             (handle, &mut entry.joint)
         })
     }
@@ -453,8 +467,14 @@ fn check(
     data.validate()
 }
 
-fn note(modified: &mut Vec<ImpulseJointHandle>, handle: ImpulseJointHandle, entry: &mut Entry) {
-    entry.note.wakes = true;
+/// Notes a joint as edited, and whether the edit wakes its bodies.
+fn note(
+    modified: &mut Vec<ImpulseJointHandle>,
+    handle: ImpulseJointHandle,
+    entry: &mut Entry,
+    wakes: bool,
+) {
+    entry.note.wakes = wakes || entry.note.listed && entry.note.wakes;
     if !entry.note.listed {
         entry.note.listed = true;
         modified.push(handle);

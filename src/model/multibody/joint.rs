@@ -111,7 +111,9 @@ impl MultibodyJoint {
     /// Moves the coordinates by one displacement per degree of freedom (length units, radians), translations
     /// first, in the order of the axes. Missing displacements are 0.
     pub fn apply_displacement(&mut self, displacements: &[Real]) {
-        self.displace(displacements, |ball, turn| (rotation_from_angle(turn) * ball).normalize());
+        self.displace(displacements, |ball, rotvec| {
+            (rotation_from_angle(rotvec) * ball).normalize()
+        });
     }
 
     /// Moves the coordinates for `dt` seconds at these velocities (length/s, rad/s), one per degree of
@@ -193,8 +195,8 @@ impl MultibodyJoint {
     /// The displacement along an axis from the coordinates of this joint to those of the same one, moved.
     pub(crate) fn displacement_to(&self, other: &Self, axis: JointAxis) -> Real {
         if axis as usize >= DIM && self.is_ball() {
-            let turn = rotation_to_angle(&(other.ball * self.ball.inverse()));
-            return join(Vector::ZERO, turn)[axis as usize];
+            let rotvec = rotation_to_angle(&(other.ball * self.ball.inverse()));
+            return join(Vector::ZERO, rotvec)[axis as usize];
         }
         other.coords[axis as usize] - self.coords[axis as usize]
     }

@@ -52,9 +52,9 @@ clone_in_place!(DofLists {
 /// # Links and bodies
 ///
 /// Each step moves the links and writes their poses and velocities to the bodies. Edits of the bodies between
-/// steps are applied. A moved link gives its joint new coordinates, as far as its free axes allow, and
-/// impulses and velocities of bodies act on the whole multibody. Forces, gravity scale and damping of the
-/// bodies act on the links. Colliders collide as those of all bodies do; dominance groups apply.
+/// steps are applied. A moved link gives its joint new coordinates, as far as its free axes allow. Impulses
+/// and velocities of bodies act on the whole multibody. Forces, gravity scale and damping of the bodies act
+/// on the links. Colliders collide as those of all bodies do; dominance groups apply.
 ///
 /// A multibody acts while all its links except the root are dynamic and enabled bodies, and all its joints
 /// are valid and enabled. Otherwise the bodies move as if they had no joints.
@@ -68,7 +68,7 @@ pub struct Multibody {
     pub(crate) couplings: Vec<MultibodyDofCoupling>,
     pub(super) self_contacts_enabled: bool,
     /// The sum of the energy errors of free motion (J), not above 0: see `multibody/motion/free.rs`.
-    pub(crate) flight_error: Real,
+    pub(crate) free_motion_error: Real,
     /// The excess energy of impulses (J), which is bounded as well.
     pub(crate) impulse_error: Real,
 }
@@ -79,7 +79,7 @@ clone_in_place!(Multibody {
     lists,
     couplings,
     self_contacts_enabled,
-    flight_error,
+    free_motion_error,
     impulse_error
 });
 
@@ -98,7 +98,7 @@ impl Multibody {
             lists: DofLists::default(),
             couplings: Vec::new(),
             self_contacts_enabled: true,
-            flight_error: 0.0,
+            free_motion_error: 0.0,
             impulse_error: 0.0,
         }
     }

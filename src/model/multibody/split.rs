@@ -31,7 +31,7 @@ impl Multibody {
                     }
                     parts.push(Self {
                         self_contacts_enabled: self.self_contacts_enabled,
-                        flight_error: 0.0,
+                        free_motion_error: 0.0,
                         impulse_error: 0.0,
                         ..Self::new()
                     });

@@ -5,7 +5,6 @@
 //! gives them in the world's own units.
 
 mod pass;
-mod soft_row;
 mod softness;
 mod validate;
 
@@ -13,7 +12,6 @@ mod validate;
 mod tests;
 
 pub(crate) use pass::{ContactPass, ImpactPass, JointPass};
-pub(crate) use soft_row::SoftRow;
 pub use softness::{CONTACT_COMPLIANCE, CONTACT_ERP_SCALE, JOINT_ERP_SCALE, Softness};
 pub(crate) use validate::ITERATIONS_MAX;
 pub use validate::InvalidParameters;

@@ -1,8 +1,8 @@
 //! Soft constraints: from the fraction of the error per substep to the solver's coefficients.
 //!
-//! Source: Catto, "Soft Constraints" (2011), and "Solver2D" (2024), whose *soft step* solver is ours.
-//! Two deviations: we parametrise by what happens in a substep rather than by frequency and damping,
-//! and fixed and moving partners get the same softness.
+//! Source: Catto, "Soft Constraints" (2011), and "Solver2D" (2024), whose *soft step* method the solver uses.
+//! Two details differ: the parameters are fractions per substep instead of frequency and damping, and fixed
+//! and moving partners get the same softness.
 //!
 //! # Derivation
 //!
@@ -17,7 +17,7 @@
 //! ```
 //!
 //! All of it is two numbers without a unit. The fraction `β` of the error is what a substep aims to remove.
-//! The *compliance* `σ` is the relative motion under load: an impulse that would change the free relative
+//! The *compliance* `σ` is the relative motion under load. An impulse that would change the free relative
 //! velocity by `λ/m` moves the constraint at `σ` times that. The impulse that satisfies the equation, given
 //! the `λ` so far:
 //!
@@ -41,7 +41,7 @@
 //! # Limits
 //!
 //! * `σ = 0`: a hard constraint, `mass_scale` 1 and `impulse_scale` 0; only the fraction `β` is left. It is
-//!   sensitive to unfinished iterations: one iteration over a light stack under a weight of a hundred times
+//!   sensitive to unfinished iterations. One iteration over a light stack under a weight of a hundred times
 //!   its mass adds energy until the stack explodes.
 //! * `β = 0`: no position correction, a pure damper if `σ > 0`.
 //! * `β = 1`: the whole error at once.
@@ -54,7 +54,7 @@ use crate::dim::math::Real;
 ///
 /// Box2D's contacts (30 Hz, damping ratio 10) have a compliance of 0.061 at 240 substeps a second. A model of
 /// columns of boxes under 100-fold loads, at 30 to 240 steps a second, gives the range. Values up to 1/50
-/// left stacks of 30 boxes trembling, and values from 1/5 let them sag ten times the allowed error; between
+/// left stacks of 30 boxes trembling, and values from 1/5 let them sag ten times the allowed error. Between
 /// 1/25 and 1/12 both are small.
 pub const CONTACT_COMPLIANCE: Real = 1.0 / 16.0;
 

@@ -1,8 +1,8 @@
 //! The operations that keep bodies, pairs, islands and colours in agreement.
 //!
-//! Four lists reference each other: a body its island and its awake position, a pair its awake position, a
-//! touching pair its islands ("attached"), its manifolds their colours. All changes use methods of this type;
-//! [`Structure::validate`] states the invariants between steps.
+//! Four lists reference each other. A body stores its island and its awake position, a pair its awake
+//! position, a touching pair ("attached") its islands, and its manifolds their colours. All changes use
+//! methods of this type; [`Structure::validate`] states the invariants between stages.
 //!
 //! * A contact or intersection pair is awake if one of its bodies is. (Between an edit and the next
 //!   narrow phase, a pair that must be computed once is listed awake too.)
@@ -92,8 +92,8 @@ impl Structure<'_> {
         self.forget_bodies(&mut [(handle, link)]);
     }
 
-    /// Takes bodies that are gone from their set out of all lists. Each comes with what it knew of its
-    /// place.
+    /// Takes bodies that are gone from their set out of all lists. Each is paired with its last positions in
+    /// the lists.
     pub fn forget_bodies(&mut self, removed: &mut [(RigidBodyHandle, BodyLink)]) {
         for (handle, link) in removed.iter_mut() {
             self.islands.set_motion(handle.into_raw_parts().0, BodyMotion::NONE);
@@ -177,8 +177,8 @@ impl Structure<'_> {
         let Some(body) = self.bodies.get_unnoted_mut(handle) else { return };
         body.activation.wake_up(true);
         match body.link.island {
-            // Whose pairs are awake if it is, and many: everything that touches a moving kinematic body reads
-            // this.
+            // Everything that touches a moving kinematic body reads its pairs' states, and the pairs of an
+            // awake body are awake.
             NONE if body.is_kinematic() && body.is_enabled() && body.link.awake == NONE => {
                 self.list_awake(handle);
                 self.wake_pairs_of(handle);
@@ -292,7 +292,7 @@ impl Structure<'_> {
                 self.update_colors(id);
                 // A pair that stays awake would miss this body's last motion.
                 self.narrow_phase.contacts.invalidate(id);
-                // Nor is it worth the memory to keep what is around a sleeper.
+                // The triangle cache of a sleeping body is freed.
                 self.narrow_phase.contacts[id].triangle_cache = None;
                 self.rest_contact(id);
             }
@@ -328,8 +328,8 @@ impl Structure<'_> {
         }
     }
 
-    /// Begins to bring near what the first of some pairs do not need yet when they are added, but the next
-    /// ones. A collider stores its body's index, so the collider is prefetched first.
+    /// Prefetches the input of the later ones of some pairs while the first ones are added. A collider stores
+    /// its body's index, so the collider is prefetched first.
     fn prefetch_addition(&self, pairs: &[(ColliderHandle, ColliderHandle)]) {
         let contacts = &self.narrow_phase.contacts;
         contacts.prefetch_vacancy(PREFETCH_DISTANCE);
@@ -453,7 +453,7 @@ impl Structure<'_> {
         }
     }
 
-    /// Two colliders are too far apart to be watched, or one of them goes.
+    /// Removes the pair of two colliders that are too far apart, or of which one is removed.
     ///
     /// Returns them if their begin event was emitted.
     pub fn remove_contact_pair(&mut self, id: PairId) -> Option<[ColliderHandle; 2]> {

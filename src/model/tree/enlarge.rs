@@ -16,9 +16,9 @@ const MARGIN_FRACTION: Real = 0.1;
 const STEPS_AHEAD: Real = 2.0;
 /// The margin ahead is limited to this many half extents. A faster collider leaves its box in every step
 /// anyway, and a long box would only find more neighbours.
-const AHEAD_MAX: Real = 0.5;
-/// The world ends here (length units). Products of three such lengths and the number of leaves, which the
-/// trees compute, stay within `f32`, and so do the fourth powers in contact generation.
+const MOTION_MARGIN_FRACTION_MAX: Real = 0.5;
+/// The world ends here (length units). The trees compute products of three such lengths and the number of
+/// leaves, which stay within `f32`. So do the fourth powers in contact generation.
 const BOX_LIMIT: Real = 1.0e10;
 /// A box this large represents an infinite one, as of a half-space, and is cut at the limit.
 const UNBOUNDED: Real = Real::MAX * 0.25;
@@ -52,7 +52,7 @@ impl BoxMargin {
         let half = needed.half_extents();
         let margin = Vector::splat((MARGIN_FRACTION * half.min_element()).max(self.reach));
         let travel = if self.travel.is_finite() { self.travel } else { Vector::ZERO };
-        let limit = Vector::splat(AHEAD_MAX * half.max_element());
+        let limit = Vector::splat(MOTION_MARGIN_FRACTION_MAX * half.max_element());
         let ahead = (travel * STEPS_AHEAD).clamp(-limit, limit);
         let (back, forth) = (ahead.min(Vector::ZERO), ahead.max(Vector::ZERO));
         limited(Aabb::new(needed.mins - margin + back, needed.maxs + margin + forth))

@@ -3,20 +3,20 @@
 //! Each collider is in one of three trees, with a box somewhat larger than itself. While it stays inside,
 //! nothing is done. When it leaves, it gets a new box and is noted as moved, and only moved colliders search
 //! for new neighbours. Fixed colliders have a tree of their own, so that they never find each other. The few
-//! kinematic colliders have a tree, so that the search of obstacles for fast bodies need not visit all
-//! dynamic ones. A step costs nothing for colliders that rest, however many there are.
+//! kinematic colliders have a tree, so that the search along paths of fast bodies does not visit all dynamic
+//! ones. A step costs nothing for colliders that rest, however many there are.
 
 mod check;
 mod enlarge;
-mod placement;
+mod box_update;
 mod proxy;
 mod shape_box;
 #[cfg(test)]
 mod tests;
 mod trees;
 
+pub(crate) use box_update::{MovedProxy, carry};
 pub(crate) use enlarge::BoxMargin;
-pub(crate) use placement::{MovedProxy, carry};
 pub(crate) use proxy::{ColliderProxy, TreeKind};
 pub(crate) use shape_box::shape_box;
 pub(crate) use trees::{AllBoxes, Trees};
@@ -74,7 +74,7 @@ impl BroadPhaseBvh {
     /// Inserts or updates a collider in a tree: afterwards its fat AABB contains `tight`, in the tree of its
     /// kind. Returns whether the fat AABB changed.
     ///
-    /// A box that is not finite, or beyond the limits of the world, is not inserted: the collider is left
+    /// A box that is not finite, or beyond the limits of the world, is not inserted. The collider is left
     /// out, with a warning when that begins.
     pub(crate) fn place(
         &mut self,

@@ -61,8 +61,8 @@ impl Trees {
         self.trees.iter_mut().for_each(|tree| tree.boxes.remove(slot));
     }
 
-    /// Improves the trees after many insertions, at an amortised cost: a tree is rebuilt only when half of
-    /// its boxes are new, or all have moved many times.
+    /// Rebuilds trees after many insertions, at an amortised cost. A tree is rebuilt only when half of its
+    /// boxes are new, or all have moved many times.
     pub fn tidy(&mut self) {
         for Tree { boxes, built } in &mut self.trees {
             let count = boxes.len();

@@ -10,12 +10,12 @@
 //! substep. The energy of that correction is part of the reference of the next impulses. Uneven trees that
 //! hit walls gain energy this way. Two remedies were tried on 1,000 random trees
 //! (`tests/multibody/energy.rs`), and neither is in use. Both correct the momentum before the energy bound of
-//! the same substep, and scale all velocities where the change of shape has less than the excess:
+//! the same substep. They scale all velocities where the change of shape has less than the excess:
 //!
 //! * always: none gains energy in 120 steps (3D, single precision), but free trees lose up to 1.8 % of their
 //!   momentum in 1 s;
-//! * with contacts only: momentum is conserved, but one of 1,000 trees gains energy (658, a multiple), and in
-//!   2D and double precision tree 662 gains 17 % and tree 431 23 %.
+//! * with contacts only: momentum is conserved, but one of 1,000 trees gains energy (658, a multiple). In 2D
+//!   and double precision, tree 662 gains 17 % and tree 431 23 %.
 //!
 //! The momentum is that about the root's centre of mass, wherever that moves. The moment arm of an impulse
 //! moves along: the contact of a ball is below the ball also when this has rolled on. (With the arm of the
@@ -52,9 +52,9 @@ impl Motion {
         (self.momentum, self.external_impulse) = (self.root_momentum(), ZERO);
     }
 
-    /// Adds the motion of the whole that corrects the missing momentum. It referred to `before`, and refers
-    /// to the root's centre of mass from now on. Returns the energy that this took: with the change `δ` of
-    /// the rates and the momentum `p` before it, `δᵀ Sᵀ (p + ½ missing)`.
+    /// Adds the motion of the locked body that corrects the missing momentum. It referred to `before`, and
+    /// refers to the root's centre of mass from now on. Returns the energy that this took: with the change
+    /// `δ` of the rates and the momentum `p` before it, `δᵀ Sᵀ (p + ½ missing)`.
     pub(super) fn keep_momentum(&mut self, before: Vector) -> Real {
         if self.root_dofs() == 0 {
             return 0.0;

@@ -1,9 +1,9 @@
-//! The kinetic energy of a multibody, and how surplus is removed.
+//! The kinetic energy of a multibody, and the removal of energy gains.
 //!
-//! Free motion conserves the energy in any frame that moves evenly (`free.rs`). Impulses of contacts with
-//! bodies at rest, of limits and of dry friction do not increase it. Numerically both may. Surplus of free
-//! motion is removed from the change of shape first, so that linear and angular momentum stay. Surplus of
-//! contacts is removed from all velocities alike: scaled velocities still lead out of a contact.
+//! Free motion conserves the energy in any inertial frame (`free.rs`). Impulses of contacts with bodies at
+//! rest, of limits and of dry friction do not increase it. Numerically both may. An energy gain of free
+//! motion is removed from the change of shape first, so that linear and angular momentum stay. An energy gain
+//! of contacts is removed from all velocities alike: scaled velocities still lead out of a contact.
 
 use super::super::kinematics::LinkFrame;
 use super::super::spatial::{ZERO, angular_momentum};
@@ -106,9 +106,9 @@ impl Motion {
 
     /// Limits the kinetic energy. Returns the fraction of it that is kept.
     ///
-    /// A small surplus, or that of joints alone, is removed from the change of shape, so that the momentum
-    /// from other bodies is conserved. For a large one all velocities are scaled: scaled velocities still
-    /// lead out of all contacts.
+    /// A small energy gain, or that of joints alone, is removed from the change of shape, so that the
+    /// momentum from other bodies is conserved. For a large one all velocities are scaled: scaled velocities
+    /// still lead out of all contacts.
     pub fn limit_energy(&mut self, energy_max: Real, touches: bool) -> Real {
         let energy = self.kinetic_energy();
         let kept = energy_max.max(0.0) / energy;
@@ -142,8 +142,8 @@ impl Motion {
     }
 
     /// Limits the energy of the links: it reduces the change of shape and, if that is not sufficient, the
-    /// rotation of the whole. If links move far at once, their configuration may be too compact for their
-    /// angular momentum and energy.
+    /// rotation of the locked body. If links move far at once, their configuration may be too compact for
+    /// their angular momentum and energy.
     pub(super) fn limit_free_energy(&mut self, most: Option<Real>) {
         let Some(most) = most else { return };
         self.update_velocities();
@@ -203,14 +203,14 @@ impl Motion {
         }
     }
 
-    /// Leaves the motion of the whole alone.
+    /// Keeps the motion of the locked body only.
     fn slow_to_locked(&mut self) {
         let momentum = self.root_momentum();
         self.rates.fill(0.0);
         add_all(&mut self.rates, self.locked_inertia.rates_at(&momentum), 1.0);
     }
 
-    /// Leaves the whole going evenly.
+    /// Leaves a common translation of all links at this velocity.
     fn slow_to(&mut self, velocity: Vector) {
         self.rates.fill(0.0);
         let count = self.root_dofs();

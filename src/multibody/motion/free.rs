@@ -16,10 +16,10 @@
 //! first piece.
 //!
 //! # Pieces without convergence
-//! The fixed-point iteration contracts by the angle of half a piece times the ratio of a link's smallest
-//! inertia to the inertia that it carries about another axis. That ratio is forty for a chain of thin limbs,
-//! and grows with the ratio of the masses. A substep whose first half does not converge gets more pieces,
-//! [`PIECES_MAX`] at most. A piece that does not converge, or whose second half gains energy, is
+//! The fixed-point iteration contracts by the angle of half a piece times a ratio of inertias. The two are a
+//! link's smallest inertia and the one that it carries about another axis. That ratio is forty for a chain of
+//! thin limbs, and grows with the ratio of the masses. A substep whose first half does not converge gets more
+//! pieces, [`PIECES_MAX`] at most. A piece that does not converge, or whose second half gains energy, is
 //! *non-converged*. Each link then keeps its momentum while the links move, and the velocities are projected
 //! on the joints afterwards:
 //!
@@ -33,11 +33,11 @@
 //! # Energy budget
 //! Free motion conserves the kinetic energy `T`. The leapfrog's error oscillates with the configuration;
 //! impulses in between break that bound, and the corrections of the momentum (`centroidal.rs`) do as well.
-//! [`Multibody::flight_error`] therefore sums the energy errors of all substeps, those of the work of the
-//! forces among them. It stays within ±[`ERROR_MAX`] of the kinetic energy. An excess is removed from the
+//! [`Multibody::free_motion_error`] therefore sums the energy errors of all substeps, those of the work of
+//! the forces among them. It stays within ±[`ERROR_MAX`] of the kinetic energy. An excess is removed from the
 //! change of shape, so that linear and angular momentum are conserved. A deficit is dropped, so that energy
-//! lost in a non-converged piece does not return later. Impulses that leave too much energy enter the same
-//! account (`energy.rs`).
+//! lost in a non-converged piece does not return later. Impulses that leave too much energy have a budget of
+//! their own (`energy.rs`).
 
 use super::super::kinematics::LinkFrame;
 use super::super::spatial::ZERO;
@@ -62,8 +62,8 @@ const PIECES_MAX: usize = 8;
 /// A second half that leaves more than this multiple of the energy is not accepted.
 const GAIN_MAX: Real = 1.1;
 /// The bound of the energy budget, in both directions, as a fraction of the kinetic energy. At an angle `θ` a
-/// piece, the leapfrog's energy oscillates by about `θ² / 8` for links of equal masses, and by several
-/// percent if a light root carries links of a hundred times its mass.
+/// piece, the leapfrog's energy oscillates by about `θ² / 8` for links of equal masses. It oscillates by
+/// several percent if a light root carries links of a hundred times its mass.
 pub(super) const ERROR_MAX: Real = 0.025;
 /// Relative rounding errors of an energy and of a work.
 const ENERGY_ROUNDING: Real = 4.0 * Real::EPSILON;
@@ -101,7 +101,7 @@ impl Motion {
     fn pieces_for(&mut self, h: Real) -> usize {
         let turn = |most: Real, v: &_| most.max(ang_length_squared(angular(v)));
         let fastest = self.link_velocities().iter().fold(0.0, turn).sqrt();
-        // A number that is none, or infinite, becomes the nearest bound.
+        // NaN and infinity become the nearest bound.
         ((fastest * h / TURN_PER_PIECE).ceil() as usize).clamp(1, PIECES_MAX)
     }
 
@@ -230,14 +230,14 @@ impl Motion {
         let corrected = core::mem::take(&mut self.corrected);
         let rounding = self.work_rounding() + ENERGY_ROUNDING * now;
         let band = ERROR_MAX * now + rounding;
-        let known = multibody.flight_error.max(-band).min(band);
+        let known = multibody.free_motion_error.max(-band).min(band);
         let error = known + corrected + (now - before) + (kicks - work);
         let energy_gain = (error - band).max(0.0);
         if energy_gain > 0.0 {
             self.limit_free_energy(Some((now - energy_gain).max(0.0)));
         }
         let rest = (error - energy_gain).max(-band);
-        multibody.flight_error = if rest.is_finite() { rest } else { 0.0 };
+        multibody.free_motion_error = if rest.is_finite() { rest } else { 0.0 };
         now - before - energy_gain
     }
 
@@ -344,7 +344,7 @@ impl Motion {
         converges
     }
 
-    /// The same, and leaves the velocities wherever the iterations led.
+    /// Returns whether the iteration converges. The velocities are those of the last iteration.
     fn fixed_point_iteration(&mut self, start: &[Real], h: Real, change: &mut Vec<Real>) -> bool {
         // A residual below rounding is accepted.
         let fastest = start.iter().fold(0.0, |most: Real, rate| most.max(rate.abs()));

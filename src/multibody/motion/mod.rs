@@ -12,18 +12,19 @@
 //! q̇  ← q̇½ - ½ h M̃⁻¹ C(q, q̇½) q̇½                                               explicit, at the new q
 //! ```
 //!
-//! The two halves of the free motion are each other's mirror image, so that the whole is reversible and of
+//! The two halves of the free motion are each other's mirror image. The method is therefore reversible and of
 //! second order, and its energy does not drift. It is the generalised leapfrog (Hairer, Lubich, Wanner,
 //! "Geometric Numerical Integration", 2006, chapter VI) in velocities. Persistent limits and contacts must
 //! not break the symmetry. The first half therefore includes half of the impulses of the last substep, which
-//! equals their steady state, and the rest is added after it. (Without them, what goes round in a cone at 8
-//! rad/s loses a tenth of its energy per second.) An explicit step `q̇ - h M⁻¹ C q̇`, as given by one
-//! evaluation of forward dynamics, makes a tumbling chain gain energy until it explodes. A single body uses
-//! another symmetric method (`dim3/gyroscopic.rs`), so chains and bodies fall alike to second order.
+//! equals their steady state, and the rest is added after it. (Without them, a conical pendulum at 8 rad/s
+//! loses a tenth of its energy per second.) An explicit step `q̇ - h M⁻¹ C q̇`, as given by one evaluation of
+//! forward dynamics, makes a tumbling chain gain energy until it explodes. A single body uses another
+//! symmetric method (`dim3/gyroscopic.rs`), so chains and bodies fall alike to second order.
 //!
 //! `M̃ = M + h D + θ h² K`: dampers `D` are evaluated at the end of the substep, and springs of stiffness `K`
 //! after the fraction `θ` of it. At its beginning, `θ = 0`, they conserve energy but are stable only for `h ω
-//! < 2`; at its end they are always stable, and lose `h ω / 2` of it per radian. With `a = (h ω)²` and
+//! < 2`. At its end they are always stable, and lose `h ω / 2` of the energy per radian. With `a = (h ω)²`
+//! and
 //!
 //! ```text
 //! θ = a / (1 + a)        stable for a (1 - 2 θ) < 4, that is, always; loss per substep θ a, in fourth order
@@ -32,8 +33,7 @@
 //! springs that can be followed swing on (2 Hz at 240 substeps a second: 0.5 % in three seconds), and stiff
 //! ones hold.
 //!
-//! Free motion, what happens when it cannot be followed, and its energy account: `free.rs`. Momentum:
-//! `centroidal.rs`.
+//! Free motion, its non-converged pieces and its energy budget are in `free.rs`, momentum in `centroidal.rs`.
 
 mod centroidal;
 mod energy;
@@ -125,7 +125,7 @@ pub struct Motion {
 
 impl Motion {
     /// Begins a step: the links get the poses of the coordinates, and the velocities of the last step.
-    /// `drives` must be set before.
+    /// `joint_loads` must be set before.
     ///
     /// Velocities and impulses that the user applied to bodies since the last step count as momentum. The
     /// generalised velocities have, at each degree of freedom, the momentum of the bodies.
@@ -194,8 +194,8 @@ impl Motion {
     }
 
     /// Applies the forces for `h` seconds and integrates the velocities to the middle of the substep. No link
-    /// gets faster than `speed_max`. Meanwhile they have half of what the last substep's impulses did to the
-    /// rates.
+    /// gets faster than `speed_max`. During it, the rates contain half of the effect of the last substep's
+    /// impulses.
     pub fn accelerate(
         &mut self,
         multibody: &mut Multibody,

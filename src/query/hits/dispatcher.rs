@@ -77,7 +77,7 @@ impl QueryDispatcher for Dispatcher {
         prediction: Real,
     ) -> Result<Option<Contact>, Unsupported> {
         if shape2.as_halfspace().is_some() {
-            // parry forgets to turn the pose round, too, when it turns these two round.
+            // parry exchanges the two shapes without inverting the pose.
             let pose21 = pose12.inverse();
             let contact = DefaultQueryDispatcher.contact(&pose21, shape2, shape1, prediction);
             return contact.map(|contact| contact.map(Contact::flipped));

@@ -6,7 +6,7 @@ use crate::dim::facets::Facets;
 use crate::dim::math::{Real, Vector};
 
 /// Largest number of borders for which a test of all is faster than a search for closest points.
-const MAX_BORDERS: usize = 64;
+const BORDERS_MAX: usize = 64;
 
 /// The time interval in which a path is below all faces, with its entry and exit faces.
 pub struct Span {
@@ -55,7 +55,7 @@ pub fn enter_layer(facets: &Facets<'_>, origin: Vector, dir: Vector, radius: Rea
             return Meeting::At(Touch { time, normal, core: place - normal * radius });
         }
     }
-    if facets.border_count() > MAX_BORDERS {
+    if facets.border_count() > BORDERS_MAX {
         return Meeting::Unclear;
     }
     if time < 0.0

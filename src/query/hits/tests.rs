@@ -1,4 +1,4 @@
-//! Formulas against what they claim: the shapes touch then, and not before.
+//! Tests of formulas: the shapes touch at the computed time, and not before.
 
 use super::{Dispatcher, intersection, time_of_impact};
 use crate::base::random::Random;
@@ -26,7 +26,7 @@ fn direction(random: &mut Random) -> Vector {
 }
 
 /// A path towards the neighbourhood of the origin.
-fn way(random: &mut Random) -> (Vector, Vector) {
+fn random_path(random: &mut Random) -> (Vector, Vector) {
     let (target, dir) = (samples::vector(random, 1.5), direction(random));
     (target - dir * random.within(0.5, 4.0), dir)
 }
@@ -54,7 +54,7 @@ fn rays_hit_surfaces_and_nothing_before() {
             continue;
         }
         let pose = samples::pose(&mut random, 0.5);
-        let (origin, dir) = way(&mut random);
+        let (origin, dir) = random_path(&mut random);
         let (ray, limit) = (Ray::new(origin, dir), random.within(0.0, 8.0));
         let found = time_of_impact(&*shape, &pose, &ray, limit, true);
         let with_normal = intersection(&*shape, &pose, &ray, limit, true);
@@ -142,7 +142,7 @@ fn distance(pose12: &Pose, shape1: &dyn Shape, shape2: &dyn Shape) -> Real {
     found.expect("parry knows the distance of convex shapes").distance - layer1 - layer2
 }
 
-/// parry's search does not get near round surfaces: it gets what they are around.
+/// parry's search has tolerances near round surfaces, so it is applied to their cores.
 fn core(shape: &dyn Shape) -> (&dyn Shape, Real) {
     match shape.as_typed_shape() {
         TypedShape::RoundCuboid(round) => (&round.inner_shape, round.border_radius),
@@ -164,7 +164,7 @@ fn check_cast(kind: usize, random: &mut Random) -> bool {
         return false;
     }
     let ball = Ball::new(random.within(0.01, 0.8));
-    let (origin, velocity) = way(random);
+    let (origin, velocity) = random_path(random);
     let pose12 = Pose::from_parts(origin, samples::rotation(random));
     let (first, second): (&dyn Shape, &dyn Shape) =
         if random.below(2) == 0 { (&ball, &*shape) } else { (&*shape, &ball) };
@@ -240,7 +240,7 @@ fn balls_meet_meshes_when_parry_says() {
     for round in 0..600 {
         let shape = samples::shape(samples::MESH + round % 4, &mut random, 1.0);
         let ball = Ball::new(random.within(0.05, 0.3));
-        let (origin, velocity) = way(&mut random);
+        let (origin, velocity) = random_path(&mut random);
         let pose12 = Pose::from_parts(origin, samples::rotation(&mut random));
         let options = ShapeCastOptions::with_max_time_of_impact(8.0);
         let cast = |dispatcher: &dyn QueryDispatcher| {
@@ -256,7 +256,7 @@ fn balls_meet_meshes_when_parry_says() {
     assert!(hits > 100 && grazes <= 12, "{hits} hits, {grazes} that differ");
 }
 
-/// To the last bit: the tree spares us those that cannot matter, and changes nothing.
+/// Equal to the last bit: the tree omits colliders that cannot be hit.
 #[test]
 fn trees_change_no_bit() {
     let (mut random, mut colliders, mut hits) = (Random(8), ColliderSet::new(), 0);

@@ -1,7 +1,7 @@
 //! Casts of rotating shapes.
 //!
-//! They use the step's search for impacts (`collide/sweep`), which ends after a limited number of jumps.
-//! parry's bisects between two times, and does not end for fast and long rotations.
+//! They use the step's search for impacts (`collide/sweep`), which ends after a limited number of jumps. The
+//! search of parry bisects between two times, and does not end for fast and long rotations.
 
 use super::Dispatcher;
 use crate::base::parry_version::shape_cast_hit;
@@ -75,7 +75,7 @@ fn hit(
 /// distances. It is then repeated from the other side, and with the shapes a tolerance farther apart in
 /// several directions.
 fn contact(pose12: &Pose, [shape1, shape2]: [&dyn Shape; 2], tolerance: Real) -> Option<Contact> {
-    let ask = |shift: Vector| {
+    let contact_after = |shift: Vector| {
         let mut pose = *pose12;
         pose.translation += shift;
         let from_here = Dispatcher.contact(&pose, shape1, shape2, Real::MAX).ok()?;
@@ -83,5 +83,5 @@ fn contact(pose12: &Pose, [shape1, shape2]: [&dyn Shape; 2], tolerance: Real) ->
         from_here.or_else(|| from_there().map(Contact::flipped))
     };
     let shifts = Vector::AXES.into_iter().flat_map(|axis| [axis * tolerance, axis * -tolerance]);
-    core::iter::once(Vector::ZERO).chain(shifts).find_map(ask)
+    core::iter::once(Vector::ZERO).chain(shifts).find_map(contact_after)
 }

@@ -1,10 +1,10 @@
 //! Time that each body has been at rest.
 //!
 //! A body is at rest within a window of time under two conditions. No point of it drifts farther than a limit
-//! from its position at the start of the window, and its smoothed path is no longer than that limit. Speed
-//! alone is the wrong measure: a trembling body in a pile is faster than most visible motions, and stays in
-//! its place. Drift alone is wrong too: a low bounce or a short spring stays within the limit at any speed,
-//! and would freeze, even in mid-air.
+//! from its position at the start of the window. Its smoothed path is no longer than that limit. Speed alone
+//! is the wrong measure: a trembling body in a pile is faster than most visible motions, and stays in its
+//! place. Drift alone is wrong too: a low bounce or a short spring stays within the limit at any speed, and
+//! would freeze, even in mid-air.
 
 use crate::dim::math::{Real, ang_length_squared};
 use crate::model::body::{RestPose, RigidBody};
@@ -53,7 +53,7 @@ impl Limits {
         body.rest = rest;
         [rest.path, rest.drift(body)]
             .iter()
-            .all(|way| way.distance <= self.distance && way.angle <= self.angle)
+            .all(|motion| motion.distance <= self.distance && motion.angle <= self.angle)
     }
 }
 

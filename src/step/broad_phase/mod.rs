@@ -1,13 +1,14 @@
 //! # Broad phase: overlapping pairs of fat AABBs
 //!
 //! Reads:   fat AABBs, collider flags, the pairs already known
-//! Writes:  the list of new pairs; the trees' notes of moved colliders
+//! Writes:  the list of new pairs; rebuilt trees; the trees' list of moved colliders
 //! Runs:    parallel over moved colliders; the list is sorted by slots
-//! Never:   visits a collider that stayed in its fat AABB
+//! Never:   searches for a collider that stayed in its fat AABB, unless its groups changed or its number of
+//!     pairs is limited
 //!
 //! One of two colliders *owns* the pair: the smaller one; of equals the one that is no sensor, or else the
-//! later one. The owner finds the pair when both moved. The number of pairs that a collider owns is limited,
-//! with colliders of its size and with larger ones. Pairs with sensors have a separate limit
+//! later one. The owner finds the pair when both moved. The number of pairs that a collider owns is
+//! limited, with colliders of its size and with larger ones. Pairs with sensors have a separate limit
 //! (`IntegrationParameters::max_neighbors_per_collider`,
 //! `IntegrationParameters::max_sensor_neighbors_per_collider`). Without limits, bodies at one point have a
 //! number of pairs quadratic in their number. A platform under thousands of crates owns none of these pairs,
@@ -24,7 +25,7 @@ use crate::model::collider::{ColliderHandle, ColliderSet};
 use crate::model::contact::NarrowPhase;
 use crate::model::tree::BroadPhaseBvh;
 pub(crate) use search::NeighborLimits;
-use search::{Finds, Search};
+use search::{Search, SearchResult};
 
 /// Colliders that are worth handing over to another thread together.
 const COLLIDERS_PER_TASK: usize = 16;
@@ -35,13 +36,15 @@ pub(crate) struct BroadPhaseScratch {
     /// The pairs that were found.
     pub pairs: Vec<(ColliderHandle, ColliderHandle)>,
     /// One for each task that runs at the same time.
-    finds: Pool<Finds>,
-    late: Vec<u32>,
-    /// Colliders that own the maximum of pairs, of solids and with sensors.
+    results: Pool<SearchResult>,
+    /// Colliders at rest that search in a second pass.
+    unmoved: Vec<u32>,
+    /// Colliders with more candidates than they may own, of solids and with sensors. They search again in
+    /// the next step.
     refused: [Vec<u32>; 2],
 }
 
-/// Number of colliders that own the maximum of pairs and overlap others besides.
+/// Number of colliders with more candidates than they may own.
 #[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Crowded {
     /// Pairs of solid colliders.
@@ -69,14 +72,14 @@ impl KnownPairs for NarrowPhase {
     }
 }
 
-/// Finds the pairs of colliders whose fat AABBs began to overlap.
+/// SearchResult the pairs of colliders whose fat AABBs began to overlap.
 ///
 /// Only colliders with a new box search for partners, and find the others. The result excludes `known` pairs,
 /// and pairs that cannot interact: colliders of one body, and pairs that their groups or body types exclude.
 /// `scratch.pairs` contains the result: the collider with the lower slot first, in the order of the slots.
 ///
-/// Colliders that own the maximum of pairs (`most`) search again in the next step. Returns how many these
-/// are.
+/// Colliders with more candidates than they may own (`most`) search again in the next step. Returns their
+/// number.
 pub(crate) fn find_pairs(
     tasks: Tasks<'_>,
     tree: &mut BroadPhaseBvh,
@@ -85,19 +88,19 @@ pub(crate) fn find_pairs(
     known: &impl KnownPairs,
     scratch: &mut BroadPhaseScratch,
 ) -> Crowded {
-    let BroadPhaseScratch { pairs, finds, late, refused } = scratch;
+    let BroadPhaseScratch { pairs, results, unmoved, refused } = scratch;
     pairs.clear();
-    late.clear();
+    unmoved.clear();
     tree.tidy();
     let search = Search { tree, colliders, known, most, only_owned: false };
-    search.run(tasks, tree.moved(), finds);
-    finds.for_each(|found| late.append(&mut found.late));
-    late.sort_unstable();
-    late.dedup();
-    Search { only_owned: true, ..search }.run(tasks, late, finds);
+    search.run(tasks, tree.moved(), results);
+    results.for_each(|found| unmoved.append(&mut found.unmoved));
+    unmoved.sort_unstable();
+    unmoved.dedup();
+    Search { only_owned: true, ..search }.run(tasks, unmoved, results);
     let had_refused = refused.each_ref().map(|list| !list.is_empty());
     refused.iter_mut().for_each(Vec::clear);
-    finds.for_each(|found| {
+    results.for_each(|found| {
         pairs.append(&mut found.pairs);
         for (all, some) in refused.iter_mut().zip(&mut found.refused) {
             all.append(some);
@@ -107,7 +110,7 @@ pub(crate) fn find_pairs(
     debug_assert!(pairs.is_sorted_by(|one, other| one < other), "each pair is new once");
     debug_assert!(
         pairs.iter().all(|&(low, high)| colliders.contains(low) && colliders.contains(high)),
-        "pairs are of living colliders"
+        "pairs are of colliders in the set"
     );
     tree.clear_moved();
     for list in refused.iter_mut() {

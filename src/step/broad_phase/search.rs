@@ -12,12 +12,12 @@ use crate::model::tree::{BroadPhaseBvh, TreeKind};
 
 /// Result of one thread.
 #[derive(Default)]
-pub(super) struct Finds {
+pub(super) struct SearchResult {
     pub pairs: Vec<HandlePair>,
     /// Colliders that did not move and own the maximum of pairs, so that they must select their partners
     /// again.
-    pub late: Vec<u32>,
-    /// Colliders that would own more pairs than they may: of solids, and with sensors.
+    pub unmoved: Vec<u32>,
+    /// Colliders with more candidates than they may own: of solids, and with sensors.
     pub refused: [Vec<u32>; 2],
     /// The pairs that one collider would own, by [`Kind`].
     owned: [OwnedPairs; Kind::ALL.len()],
@@ -90,9 +90,9 @@ struct Seeker<'a> {
 
 impl<K: KnownPairs> Search<'_, K> {
     /// Searches partners for the colliders at these slots.
-    pub fn run(&self, tasks: Tasks<'_>, slots: &[u32], finds: &Pool<Finds>) {
+    pub fn run(&self, tasks: Tasks<'_>, slots: &[u32], results: &Pool<SearchResult>) {
         tasks.par_for(slots.len(), COLLIDERS_PER_TASK, |range| {
-            let mut found = finds.take();
+            let mut found = results.take();
             for position in range {
                 self.prefetch(slots.get(position + PREFETCH_DISTANCE));
                 let slot = slots[position];
@@ -104,7 +104,7 @@ impl<K: KnownPairs> Search<'_, K> {
                 }
                 self.find_partners(Seeker { slot, handle, collider, kind }, &mut found);
             }
-            finds.put(found);
+            results.put(found);
         });
     }
 
@@ -117,7 +117,7 @@ impl<K: KnownPairs> Search<'_, K> {
     }
 
     /// Adds the new pairs of one collider. Nearly all results are known pairs.
-    fn find_partners(&self, seeker: Seeker<'_>, found: &mut Finds) {
+    fn find_partners(&self, seeker: Seeker<'_>, found: &mut SearchResult) {
         for kind in Kind::ALL {
             found.owned[kind.index()].clear(self.most.of_kind(kind));
         }
@@ -141,7 +141,7 @@ impl<K: KnownPairs> Search<'_, K> {
     }
 
     /// Adds the pairs of a kind that a collider owns, up to the maximum.
-    fn take_nearest(&self, slot: u32, kind: Kind, found: &mut Finds) {
+    fn take_nearest(&self, slot: u32, kind: Kind, found: &mut SearchResult) {
         let owned = &mut found.owned[kind.index()];
         if owned.len() == 0 {
             return;
@@ -163,7 +163,13 @@ impl<K: KnownPairs> Search<'_, K> {
 
     /// Adds a new pair with the collider at another slot, if the two are to be one.
     #[inline]
-    fn meet(&self, seeker: Seeker<'_>, other_slot: u32, is_movable: bool, found: &mut Finds) {
+    fn meet(
+        &self,
+        seeker: Seeker<'_>,
+        other_slot: u32,
+        is_movable: bool,
+        found: &mut SearchResult,
+    ) {
         let Seeker { slot, handle, collider, .. } = seeker;
         let owns = self.tree.owns(slot, other_slot);
         // If both moved, each finds the other.
@@ -188,14 +194,14 @@ impl<K: KnownPairs> Search<'_, K> {
         if is_movable && owns {
             owned.push(slot_distance, pair);
         } else if is_movable && self.is_full(other_slot) {
-            found.late.push(other_slot);
+            found.unmoved.push(other_slot);
         } else {
             found.pairs.push(pair);
         }
     }
 
-    /// Returns whether a collider that did not move has to choose among new neighbours itself. It then finds
-    /// the pairs of all kinds, so the answer is the same for all.
+    /// Returns whether a collider that did not move has to choose among new neighbours itself. It then
+    /// finds the pairs of all kinds, so the answer is the same for all.
     fn is_full(&self, slot: u32) -> bool {
         self.partners(slot, false).len() >= self.most.solids
             || self.partners(slot, true).len() >= self.most.sensors

@@ -81,7 +81,7 @@ impl Boxes {
     fn search_again(&mut self, handle: ColliderHandle) {
         let collider = self.colliders.get_mut(handle).unwrap();
         let body = collider.parent().and_then(|body| self.bodies.get(body));
-        self.tree.note_wishes(collider, body);
+        self.tree.note_filters(collider, body);
         self.tree.mark_moved(handle.into_raw_parts().0);
     }
 

@@ -5,18 +5,18 @@
 //! a fast body does:
 //!
 //! ```text
-//! |Δx_b - (Δx_k + θ_k × d)| + |θ_b| R_b + |θ_k| R_b + |θ_k|² |d| / 2  >  what FastMotion::is_one allows,  d = c_b - c_k
+//! |Δx_b - (Δx_k + θ_k × d)| + |θ_b| R_b + |θ_k| R_b + |θ_k|² |d| / 2  >  bound of a fast body,  d = c_b - c_k
 //! ```
 //!
-//! `c` are centres of mass, `θ` turns in the step, `R_b` the extent of the body about its centre. A door
-//! moves far at its edge and hardly at its hinge. A heap that a blade pushes along moves little relative to
-//! the blade. The last term bounds the error of the linearised rotation `θ × d`, at the end of the step and
-//! during it.
+//! `c` are centres of mass, `θ` rotation vectors in the step, `R_b` the extent of the body about its centre.
+//! A door moves far at its edge and hardly at its hinge. A heap that a blade pushes along moves little
+//! relative to the blade. The last term bounds the error of the linearised rotation `θ × d`, at the end of
+//! the step and during it.
 //!
 //! Candidates are found before bodies move, from the velocities of awake kinematic bodies. Sleeping ones
-//! among them wake. A body whose box is outside the swept region of a kinematic collider needs no search: a
+//! among them wake. A body whose box is outside the swept region of a kinematic collider needs no search. A
 //! body that is not fast keeps its core inside its box. Worlds without moving kinematic bodies pay for one
-//! look at an empty list. Many colliders of one body may overlap many of another. The list of pairs is
+//! test of an empty list. Many colliders of one body may overlap many of another. The list of pairs is
 //! therefore deduplicated each time it has doubled, so its length is at most about twice the number of body
 //! pairs.
 
@@ -75,8 +75,8 @@ impl KinematicMotion {
     fn carry(&self, place: Vector, extent: Real) -> BodyMotion {
         let arm = place - self.center;
         let carried = BodyMotion::of(self.shift + cross(self.rotvec, arm), self.rotvec, extent);
-        let bend = 0.5 * ang_length_squared(self.rotvec) * arm.length();
-        BodyMotion { rest: carried.rest + bend, ..carried }
+        let linearization_error = 0.5 * ang_length_squared(self.rotvec) * arm.length();
+        BodyMotion { rest: carried.rest + linearization_error, ..carried }
     }
 
     /// A bound of how far away a point is that arrives within `radius` of a place.
@@ -99,10 +99,8 @@ pub(crate) fn find_approaches(
         return;
     }
     for &handle in structure.islands.awake.kinematic() {
-        let Some(body) = structure.bodies.get(handle) else { continue };
-        let kinematic_motion = KinematicMotion::ahead(body, params);
-        if !kinematic_motion.is_rest() {
-            list(structure, trees, params, handle, kinematic_motion, approaches);
+        if let Some(body) = structure.bodies.get(handle) {
+            list(structure, trees, params, (handle, body), approaches);
         }
     }
     // Each kinematic body has listed each of them once: there are no copies.
@@ -113,7 +111,7 @@ pub(crate) fn find_approaches(
         let Some(kinematic) = structure.bodies.get(near.kinematic) else { continue };
         let carried =
             KinematicMotion::ahead(kinematic, params).carry(body.mprops.world_com, body.extent);
-        if FastMotion::is_one(body, carried.bound(), params) {
+        if FastMotion::is_fast(body, carried.bound(), params) {
             structure.wake_body(near.body);
         }
     }
@@ -128,11 +126,13 @@ fn list(
     structure: &Structure<'_>,
     trees: &BroadPhaseBvh,
     params: &IntegrationParameters,
-    kinematic: RigidBodyHandle,
-    kinematic_motion: KinematicMotion,
+    (kinematic, body): (RigidBodyHandle, &RigidBody),
     approaches: &mut Vec<Approach>,
 ) {
-    let Some(body) = structure.bodies.get(kinematic) else { return };
+    let kinematic_motion = KinematicMotion::ahead(body, params);
+    if kinematic_motion.is_rest() {
+        return;
+    }
     let begin = approaches.len();
     let mut limit = begin + CANDIDATES_MIN;
     for collider in body.colliders.iter().filter_map(|&handle| structure.colliders.get(handle)) {
@@ -244,7 +244,7 @@ pub(crate) fn add_approached(
         let relative =
             own.against(&kinematic_motion.carry(body.mprops.world_com - own.shift, body.extent));
         let is_link = || context.multibodies.rigid_body_link(near.body).is_some();
-        if FastMotion::is_one(body, relative, context.params) && !is_link() {
+        if FastMotion::is_fast(body, relative, context.params) && !is_link() {
             fast.extend(motion_of(context, near.body, body));
             last = Some(near.body);
         }

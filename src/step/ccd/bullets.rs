@@ -88,7 +88,7 @@ impl Bullets {
             self.foresee(pair, search, stops);
         }
         while let Some(Impact { fraction, pair, stopped }) = self.queue.pop() {
-            // One of them was stopped since: what comes of that stands in the queue, too.
+            // One of them was stopped since: the queue already contains the later impact.
             if stopped != self.stopped_of(pair, search) {
                 continue;
             }
@@ -262,8 +262,9 @@ impl Ball {
 
 /// Squared distance of a segment from the origin, up to rounding.
 fn nearest_square(from: Vector, to: Vector) -> Real {
-    let way = to - from;
-    let length_squared = way.length_squared();
-    let fraction = if length_squared > 0.0 { -from.dot(way) / length_squared } else { 0.0 };
-    (from + way * fraction.clamp(0.0, 1.0)).length_squared()
+    let displacement = to - from;
+    let length_squared = displacement.length_squared();
+    let fraction =
+        if length_squared > 0.0 { -from.dot(displacement) / length_squared } else { 0.0 };
+    (from + displacement * fraction.clamp(0.0, 1.0)).length_squared()
 }

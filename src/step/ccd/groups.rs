@@ -1,8 +1,8 @@
 //! Fast bodies that joints hold together, and that stop together.
 //!
-//! If one limb stopped a metre before the rest of its body, the joint would tear, and pull the limb through
-//! the wall in the next step. So all of them go back to where they were when the first was stopped, and hold
-//! each other as they did then.
+//! If one limb stopped a metre before the rest of its body, the joint would be violated. It would pull the
+//! limb through the wall in the next step. So all of them go back to where they were when the first was
+//! stopped, and hold each other as they did then.
 //!
 //! Joined bodies that are not fast moved less than half their thickness. They keep their pose, and the joint
 //! error is bounded by that distance.

@@ -58,7 +58,7 @@ use bullets::Bullets;
 use core::sync::atomic::{AtomicUsize, Ordering};
 use groups::Groups;
 use link_trajectories::LinkTrajectories;
-use path::{Obstacles, Path, sweep_of};
+use path::{NonDynamicFilter, Path, sweep_of};
 use ride::{Rides, Stop};
 use sensors::SensorCrossing;
 
@@ -159,7 +159,7 @@ pub(crate) fn find_impacts(tasks: Tasks<'_>, context: CcdContext<'_>, scratch: &
     let search = Search { context, movers, link_trajectories, groups, searched };
     tasks.par_fill(first, BODIES_PER_TASK, |position| {
         let path = Path::of(search, position, 1.0);
-        path.map_or(Stop::NONE, |path| path.first_stop(search, Obstacles::All))
+        path.map_or(Stop::NONE, |path| path.first_stop(search, NonDynamicFilter::All))
     });
     stops.extend(first.iter().map(|stop| stop.fraction));
     groups.stop_together(stops);
@@ -186,7 +186,7 @@ pub(crate) fn find_impacts(tasks: Tasks<'_>, context: CcdContext<'_>, scratch: &
 }
 
 /// Marks these bodies, so that their paths are searched if CCD is enabled.
-pub(crate) fn watch(
+pub(crate) fn set_deeply_penetrating(
     bodies: &mut RigidBodySet,
     deeply_penetrating: &[RigidBodyHandle],
     params: &IntegrationParameters,
@@ -242,9 +242,10 @@ pub(crate) fn stop(
             body.update_world_mass_properties();
             if !body.ccd_active {
                 // The bound of the whole motion of a fast body is noted already.
-                let way = body.mprops.world_com - motion.center;
-                let way = BodyMotion::of(way, motion.rotvec * fraction, body.extent);
-                islands.set_motion(motion.body.into_raw_parts().0, way);
+                let displacement = body.mprops.world_com - motion.center;
+                let displacement =
+                    BodyMotion::of(displacement, motion.rotvec * fraction, body.extent);
+                islands.set_motion(motion.body.into_raw_parts().0, displacement);
             }
         }
     }

@@ -17,9 +17,9 @@ use smallvec::SmallVec;
 /// Minimum gap of stopped bodies, as a fraction of the prediction distance.
 const GAP_MIN: Real = 0.01;
 
-/// The non-dynamic colliders that a path is searched against.
+/// Selects the non-dynamic colliders that a path is searched against.
 #[derive(Copy, Clone)]
-pub(super) enum Obstacles {
+pub(super) enum NonDynamicFilter {
     /// All of them.
     All,
     /// All except the colliders of this body.
@@ -50,16 +50,16 @@ impl Search<'_> {
 
     /// Calls `visit` with the solid colliders in a region that are not on dynamic bodies, in slot order. Of
     /// two nearly simultaneous hits, the first one visited may win, and that must not depend on the trees.
-    fn for_each_obstacle(
+    fn for_each_non_dynamic(
         self,
-        obstacles: Obstacles,
+        filter: NonDynamicFilter,
         region: &Aabb,
         mut visit: impl FnMut(Mover<'_>),
     ) {
         let CcdContext { trees, colliders, .. } = self.context;
         let mut slots = SmallVec::<[u32; 16]>::new();
-        let kinds: &[_] = match obstacles {
-            Obstacles::Moving => &[],
+        let kinds: &[_] = match filter {
+            NonDynamicFilter::Moving => &[],
             _ => &[TreeKind::Fixed, TreeKind::Kinematic],
         };
         for &kind in kinds {
@@ -71,7 +71,7 @@ impl Search<'_> {
         slots.dedup();
         for (handle, collider) in slots.into_iter().filter_map(|slot| colliders.at_slot(slot)) {
             let is_on = |body| collider.parent() == Some(body);
-            let is_left_out = matches!(obstacles, Obstacles::NotOn(Some(body)) if is_on(body));
+            let is_left_out = matches!(filter, NonDynamicFilter::NotOn(Some(body)) if is_on(body));
             if !collider.is_sensor() && !is_left_out {
                 Mover::not_fast(self, handle, collider).into_iter().for_each(&mut visit);
             }
@@ -151,11 +151,11 @@ impl<'a> Path<'a> {
     }
 
     /// The first stop among some colliders. It must be the path of solid colliders.
-    pub fn first_stop(&self, search: Search<'_>, obstacles: Obstacles) -> Stop {
+    pub fn first_stop(&self, search: Search<'_>, filter: NonDynamicFilter) -> Stop {
         let mut first = Stop::NONE;
         for mover in &self.movers {
             let region = mover.sweep.region_of_core(Solid::of(mover.collider));
-            search.for_each_obstacle(obstacles, &region, |other| {
+            search.for_each_non_dynamic(filter, &region, |other| {
                 if let Some(fraction) = mover.impact(&other, search, first.fraction) {
                     first = Stop { fraction, by: other.sweep.moves().then_some(other.handle) };
                 }
@@ -171,7 +171,7 @@ impl<'a> Path<'a> {
         for mover in &self.movers {
             let solid = Solid::of(mover.collider);
             let region = solid.shape.compute_aabb(&mover.sweep.at(1.0));
-            search.for_each_obstacle(Obstacles::All, &region, |other| {
+            search.for_each_non_dynamic(NonDynamicFilter::All, &region, |other| {
                 deep = deep
                     || mover.is_stopped_by(&other, search)
                         && ends_deep(solid, other.collider.shape(), [&mover.sweep, &other.sweep]);

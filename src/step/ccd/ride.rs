@@ -25,7 +25,7 @@
 //! links, do not ride.
 
 use super::Search;
-use super::path::{Mover, Obstacles, Path, sweep_of};
+use super::path::{Mover, NonDynamicFilter, Path, sweep_of};
 use crate::base::tasks::Tasks;
 use crate::collide::{PathSegment, Sweep};
 use crate::dim::math::{ANG_ZERO, Pose, Real, Vector, ang_length_squared, rotation_to_angle};
@@ -150,7 +150,7 @@ impl Rides {
 }
 
 impl Ride {
-    /// The ride of the fast body at a position that a moving collider or an obstacle at rest stopped after a
+    /// The ride of the fast body at a position that a moving or resting collider stopped after a
     /// fraction of the step. `None` if nothing carries it on.
     fn of(
         search: Search<'_>,
@@ -196,13 +196,13 @@ impl Ride {
         on: Option<ColliderHandle>,
     ) -> Option<Stop> {
         let (from, local_center) = (self.end, body.local_center_of_mass());
-        let (end, obstacles) = match on {
+        let (end, filter) = match on {
             Some(on) => {
                 let collider = search.context.colliders.get(on)?;
                 let carrier = Mover::not_fast(search, on, collider)?.sweep;
-                (carried(&carrier, from, &self.pose), Obstacles::NotOn(collider.parent()))
+                (carried(&carrier, from, &self.pose), NonDynamicFilter::NotOn(collider.parent()))
             }
-            None => (self.pose, Obstacles::Moving),
+            None => (self.pose, NonDynamicFilter::Moving),
         };
         let segment = match on {
             Some(_) => straight_segment(from, [&self.pose, &end], local_center)?,
@@ -213,7 +213,7 @@ impl Ride {
         next.segments.push(segment);
         let (stop, pose) = {
             let path = next.path(search, position)?;
-            let stop = path.first_stop(search, obstacles);
+            let stop = path.first_stop(search, filter);
             (stop, if stop.fraction < 1.0 { path.pose_at(stop.fraction)? } else { end })
         };
         if stop.fraction <= from {
@@ -241,11 +241,12 @@ impl Ride {
 
     fn motion_of(&self, body: &RigidBody) -> BodyMotion {
         let lasts = |segment: &PathSegment| segment.until - segment.from;
-        let way: Vector = self.segments.iter().map(|segment| segment.shift * lasts(segment)).sum();
+        let displacement: Vector =
+            self.segments.iter().map(|segment| segment.shift * lasts(segment)).sum();
         let angle: Real =
             self.segments.iter().map(|segment| segment.angle() * lasts(segment)).sum();
         let rest = if angle > 0.0 { angle * body.extent } else { 0.0 };
-        BodyMotion::within(way.length() + rest)
+        BodyMotion::within(displacement.length() + rest)
     }
 
     /// The path of all colliders of the body as far as it rides.

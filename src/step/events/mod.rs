@@ -42,7 +42,7 @@ pub(crate) fn report(context: EventContext<'_>, panic: &mut HeldPanic) {
     }
     let mut strong = core::mem::take(narrow_phase.contacts.strong_mut());
     for id in narrow_phase.contacts.reporting() {
-        let pair = narrow_phase.settled(id);
+        let pair = narrow_phase.written_back(id);
         let Some(threshold) = force_threshold(pair, colliders) else { continue };
         let total = pair.total_impulse_magnitude() / dt;
         if total > 0.0 && total >= threshold {
@@ -62,8 +62,9 @@ pub(crate) fn report(context: EventContext<'_>, panic: &mut HeldPanic) {
 /// does.
 fn force_threshold(pair: &ContactPair, colliders: &ColliderSet) -> Option<Real> {
     let threshold = |collider: &Collider| {
-        let wants = collider.active_events().contains(ActiveEvents::CONTACT_FORCE_EVENTS);
-        wants.then_some(collider.contact_force_event_threshold)
+        let has_force_events =
+            collider.active_events().contains(ActiveEvents::CONTACT_FORCE_EVENTS);
+        has_force_events.then_some(collider.contact_force_event_threshold)
     };
     let of = |handle| colliders.get(handle).and_then(threshold);
     match (of(pair.collider1), of(pair.collider2)) {

@@ -1,7 +1,8 @@
 //! # Islands: connectivity, waking and sleep
 //!
 //! Reads:   the narrow phase's notes, and those of bodies that may sleep
-//! Writes:  islands, the list of awake bodies, colours, removed pairs; notes for events
+//! Writes:  islands, the list of awake bodies, colours, removed pairs; sleep states; the velocities of bodies
+//!     that fall asleep (zero); notes for events
 //! Runs:    serial, in the order of the notes
 //! Never:   changes a manifold's points; moves a body
 
@@ -40,8 +41,8 @@ fn follow_contact(
 ) {
     let none = CollisionEventFlags::empty();
     if change == PairChange::Apart {
-        let heard = structure.remove_contact_pair(id);
-        return events.extend(heard.map(|[one, two]| CollisionEvent::Stopped(one, two, none)));
+        let reported = structure.remove_contact_pair(id);
+        return events.extend(reported.map(|[one, two]| CollisionEvent::Stopped(one, two, none)));
     }
     structure.follow_contact(id);
     debug_assert!(
@@ -62,8 +63,8 @@ fn follow_intersection(
 ) {
     let sensor = CollisionEventFlags::SENSOR;
     if change == PairChange::Apart {
-        let heard = structure.narrow_phase.intersections.remove(id);
-        return events.extend(heard.map(|[one, two]| CollisionEvent::Stopped(one, two, sensor)));
+        let reported = structure.narrow_phase.intersections.remove(id);
+        return events.extend(reported.map(|[one, two]| CollisionEvent::Stopped(one, two, sensor)));
     }
     let pair = &mut structure.narrow_phase.intersections[id];
     let (colliders, touching) = ([pair.collider1, pair.collider2], pair.intersecting);
@@ -83,12 +84,12 @@ fn report(
     if touching == *reported {
         return;
     }
-    let wants = |handle| {
+    let has_collision_events = |handle| {
         set.get(handle).is_some_and(|collider| {
             collider.active_events().contains(ActiveEvents::COLLISION_EVENTS)
         })
     };
-    if touching && (wants(collider1) || wants(collider2)) {
+    if touching && (has_collision_events(collider1) || has_collision_events(collider2)) {
         *reported = true;
         events.push(CollisionEvent::Started(collider1, collider2, flags));
     } else if !touching {

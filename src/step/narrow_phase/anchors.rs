@@ -53,10 +53,10 @@ impl<'a> AnchorTransform<'a> {
             let gap = frame2.arm(point2, self.origins[1]) - arm1 + between;
             contact.arm = arm1 + gap * 0.5;
             contact.dist = gap.dot(normal);
-            contact.placed_dist = contact.dist;
+            contact.anchor_dist = contact.dist;
             contact.point = self.origins[0] + contact.arm;
         }
-        (manifold.data.normal, manifold.data.placed_normal) = (normal, normal);
+        (manifold.data.normal, manifold.data.anchor_normal) = (normal, normal);
     }
 
     /// Returns whether both bodies are near rest.
@@ -66,13 +66,15 @@ impl<'a> AnchorTransform<'a> {
 
     /// Bound on the motion of the two bodies (as for slack) until frozen anchors must be transformed again.
     /// `friction` is the least coefficient of the contacts. Anchors that are not frozen need no bound.
-    pub fn left(&self, anchor_frame: &AnchorFrame, friction: Real) -> Real {
+    pub fn remaining_motion(&self, anchor_frame: &AnchorFrame, friction: Real) -> Real {
         let frozen = AnchorFrame::frozen_angle(friction);
         if frozen == 0.0 || !anchor_frame.may_freeze {
             return Real::INFINITY;
         }
-        let left = |side: usize| self.frames[side].turn_left(anchor_frame.rotations[side], frozen);
-        left(0).min(left(1))
+        let remaining = |side: usize| {
+            self.frames[side].remaining_rotation(anchor_frame.rotations[side], frozen)
+        };
+        remaining(0).min(remaining(1))
     }
 }
 
@@ -117,7 +119,7 @@ impl<'a> Frame<'a> {
 
     /// Bound on the motion until the rotation since `anchor_rotation` reaches an angle. A rotation moves the
     /// farthest point of the body by the angle times its extent.
-    fn turn_left(&self, anchor_rotation: Rotation, frozen: Real) -> Real {
+    fn remaining_rotation(&self, anchor_rotation: Rotation, frozen: Real) -> Real {
         let Some((body, _)) = self.body else { return Real::INFINITY };
         (frozen - turn_bound(body.pose.rotation, anchor_rotation)) * body.extent
     }

@@ -28,7 +28,7 @@ struct Computed {
     /// that far.
     gap: Real,
     /// Admissible motion of the bodies until the anchors must be [transformed](super::anchors) again.
-    left: Real,
+    remaining: Real,
 }
 
 impl Update for ContactPair {
@@ -44,9 +44,9 @@ impl Update for ContactPair {
             && self.is_touching()
             && let Some(drift) = self.drift_below(recycle_distance, &view.pose12, view.reach())
         {
-            let left = recycle_distance - drift;
+            let remaining = recycle_distance - drift;
             let (stay, is_renewed) = self.update_frozen_anchors(id, view);
-            let outcome = Outcome::unchanged(left.min(stay), last.reports_force);
+            let outcome = Outcome::unchanged(remaining.min(stay), last.reports_force);
             return Outcome { is_renewed, ..outcome };
         }
         if !view.boxes_overlap() {
@@ -77,22 +77,22 @@ impl ContactPair {
         neighbors: [&[Neighbor<'_>]; 2],
         worker: &mut Worker,
     ) -> Outcome {
-        let Computed { gap, left } = self.compute(view, neighbors, worker);
+        let Computed { gap, remaining } = self.compute(view, neighbors, worker);
         worker.deeply_penetrating.extend(self.penetrating_body(view));
         let hooks = ActiveHooks::FILTER_CONTACT_PAIRS | ActiveHooks::MODIFY_SOLVER_CONTACTS;
         let slack = if view.has_hooks(hooks) {
             DUE
         } else if self.is_touching() {
-            view.recycle_distance().min(left)
+            view.recycle_distance().min(remaining)
         } else {
             gap
         };
         Outcome {
             change: self.needs_follow_up(view).then_some(PairChange::Computed),
             slack,
-            reports_force: view.wants_events(ActiveEvents::CONTACT_FORCE_EVENTS),
+            reports_force: view.has_events(ActiveEvents::CONTACT_FORCE_EVENTS),
             is_renewed: true,
-            obstacle: non_dynamic_side(view).filter(|_| self.is_touching()),
+            non_dynamic_side: non_dynamic_side(view).filter(|_| self.is_touching()),
         }
     }
 
@@ -121,7 +121,7 @@ impl ContactPair {
         let is_solved = self.manifolds.iter().any(ContactManifold::is_solved);
         let wants_start = !self.start_event_emitted
             && self.has_any_active_contact
-            && view.wants_events(ActiveEvents::COLLISION_EVENTS);
+            && view.has_events(ActiveEvents::COLLISION_EVENTS);
         let wants_stop = self.start_event_emitted && !self.has_any_active_contact;
         let as_colored = self.manifolds.iter().all(|manifold| {
             !manifold.contacts().is_empty() && manifold.slot.is_some() == manifold.is_solved()
@@ -157,9 +157,9 @@ impl ContactPair {
         let anchors = AnchorTransform::of(view);
         let friction = self.least_friction();
         let (was_frozen, near_rest) = (self.anchor_frame.may_freeze, anchors.near_rest());
-        let left = anchors.left(&self.anchor_frame, friction);
-        if near_rest == was_frozen && left > 0.0 {
-            return (left, false);
+        let remaining = anchors.remaining_motion(&self.anchor_frame, friction);
+        if near_rest == was_frozen && remaining > 0.0 {
+            return (remaining, false);
         }
         view.context.lanes.write_back(id, self);
         if near_rest {
@@ -171,7 +171,7 @@ impl ContactPair {
             // If the bodies come near rest again later, outdated anchors must not be frozen.
             self.anchor_frame.may_freeze = false;
         }
-        (anchors.left(&self.anchor_frame, friction), true)
+        (anchors.remaining_motion(&self.anchor_frame, friction), true)
     }
 
     fn least_friction(&self) -> Real {
@@ -218,7 +218,10 @@ impl ContactPair {
             reach
         };
         let gap = (distance - reach).max(0.0);
-        Computed { gap, left: anchors.left(&self.anchor_frame, self.least_friction()) }
+        Computed {
+            gap,
+            remaining: anchors.remaining_motion(&self.anchor_frame, self.least_friction()),
+        }
     }
 
     /// Returns whether the result can be written in place. The shapes are their own only parts, there is at
@@ -363,8 +366,8 @@ fn modify(
         manifold,
     };
     view.context.hooks.modify_solver_contact(&mut context);
-    manifold.data.placed_normal = manifold.data.normal;
+    manifold.data.anchor_normal = manifold.data.normal;
     for contact in &mut manifold.data.points {
-        contact.placed_dist = contact.dist;
+        contact.anchor_dist = contact.dist;
     }
 }

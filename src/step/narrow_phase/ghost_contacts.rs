@@ -5,7 +5,7 @@
 //! there is no side. The stage therefore compares all contacts of each body with non-dynamic colliders. Pairs
 //! with ghost contacts (see [`crate::collide`]) are computed again, with the other contacts as [`Neighbor`]s.
 //!
-//! Obstacles are colliders without a dynamic body. Bodies in a pile meet internal edges between dynamic
+//! Contacts between dynamic bodies are not compared. Bodies in a pile meet internal edges between dynamic
 //! bodies, but level edges rarely persist. A comparison of all their contacts costs more than it gives.
 
 use super::update::{NarrowPhaseContext, Outcome, Worker};
@@ -71,7 +71,7 @@ pub(super) fn filter_ghost_contacts(
         for group in &groups[range] {
             let members = &touching[group.clone()];
             let ids = of_collider[members[0].0 as usize].ids.iter().copied();
-            let ids = ids.filter(|&id| states[id as usize].met_obstacle);
+            let ids = ids.filter(|&id| states[id as usize].touched_non_dynamic);
             // SAFETY: a pair of a dynamic and a non-dynamic collider belongs to the group of the dynamic one
             // alone. Pairs of two dynamic bodies belong to no group.
             let pair = |id: PairId| unsafe { pairs.get(id as usize).as_ref() };
@@ -81,7 +81,7 @@ pub(super) fn filter_ghost_contacts(
             }
             let mut contacts = Contacts::default();
             for id in ids {
-                let Some((side, view)) = pair(id).and_then(|pair| with_obstacle(context, pair))
+                let Some((side, view)) = pair(id).and_then(|pair| with_non_dynamic(context, pair))
                 else {
                     continue;
                 };
@@ -136,9 +136,9 @@ impl GhostContactScratch {
         touching.clear();
         groups.clear();
         for (index, outcome) in computed.outcomes.iter().enumerate() {
-            let Some(side) = outcome.obstacle else { continue };
+            let Some(side) = outcome.non_dynamic_side else { continue };
             let id = computed.due[index];
-            store.state_mut(id).met_obstacle = true;
+            store.state_mut(id).touched_non_dynamic = true;
             let body = store.collider_slots(id)[1 - side];
             if store.ids_of(body).len() > 1 {
                 touching.push((body, index as u32));
@@ -154,7 +154,7 @@ impl GhostContactScratch {
 }
 
 /// Side of the non-dynamic collider of a touching pair, if it has one.
-fn with_obstacle<'a>(
+fn with_non_dynamic<'a>(
     context: NarrowPhaseContext<'a>,
     pair: &ContactPair,
 ) -> Option<(usize, PairView<'a>)> {

@@ -2,7 +2,8 @@
 //!
 //! Reads:   collider poses and shapes, bounds on the motion of bodies, last step's manifolds
 //! Writes:  manifolds of awake pairs; notes of computed pairs and of bodies deep in a wall
-//! Runs:    parallel over pairs; notes are in the order of the colliders
+//! Runs:    parallel over pairs; notes of pairs are in the order of the colliders, notes of bodies in any
+//!     order
 //! Never:   moves a body; links islands; assigns colours
 //!
 //! Most pairs of a settled pile have moved little since their manifolds were computed. Each awake pair has

@@ -25,7 +25,7 @@ impl Update for IntersectionPair {
             slack: if filtered { DUE } else { 0.0 },
             reports_force: false,
             is_renewed: false,
-            obstacle: None,
+            non_dynamic_side: None,
         }
     }
 }

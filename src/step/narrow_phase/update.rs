@@ -112,13 +112,13 @@ pub(super) struct Outcome {
     /// Whether any input of the solver changed.
     pub is_renewed: bool,
     /// Side of the non-dynamic collider, if contacts with it were computed.
-    pub obstacle: Option<usize>,
+    pub non_dynamic_side: Option<usize>,
 }
 
 impl Outcome {
     /// The pair is as it was, and stays so for this far.
     pub const fn unchanged(slack: Real, reports_force: bool) -> Self {
-        Self { change: None, slack, reports_force, is_renewed: false, obstacle: None }
+        Self { change: None, slack, reports_force, is_renewed: false, non_dynamic_side: None }
     }
 
     /// The boxes no longer overlap.
@@ -135,17 +135,17 @@ pub(crate) fn update(
     scratch: &mut NarrowPhaseScratch,
     notes: &mut StepNotes,
 ) -> usize {
-    let look = AssertUnwindSafe(|| {
+    let work = AssertUnwindSafe(|| {
         update_store(tasks, context, contacts, scratch, &mut notes.contacts);
         update_store(tasks, context, intersections, scratch, &mut notes.intersections);
     });
-    let looked = catch_unwind(look);
+    let outcome = catch_unwind(work);
     faults::report(&mut scratch.workers, &mut notes.quarantined);
     scratch
         .workers
         .for_each(|worker| notes.deeply_penetrating.append(&mut worker.deeply_penetrating));
     scratch.culled.gather(&mut scratch.workers);
-    if let Err(panic) = looked {
+    if let Err(panic) = outcome {
         // A hook did that. Some pairs are up to date, and their result is lost: all are due again.
         contacts.invalidate_all();
         contacts.renew_all();
@@ -246,9 +246,9 @@ fn look_at_all<P: Update>(
     let (results, pairs) = (DisjointMut::new(outcomes), DisjointMut::new(pairs));
     tasks.par_for(due.len(), PAIRS_PER_TASK, |range| {
         let mut worker = workers.take();
-        let ahead = Ahead { context, states, due: &due[range.clone()], pairs };
+        let prefetcher = Prefetcher { context, states, due: &due[range.clone()], pairs };
         for (position, index) in range.enumerate() {
-            ahead.of(position);
+            prefetcher.of(position);
             let id = due[index];
             // SAFETY: ids of awake pairs differ, and so do the indices of different tasks.
             let (pair, result) = unsafe { (pairs.get_mut(id as usize), results.get_mut(index)) };
@@ -290,16 +290,16 @@ fn apply<P: Pair>(
     store.renew(found().filter(|(_, outcome)| outcome.is_renewed).map(|(id, _)| id));
 }
 
-/// Brings near what the next turns will read. Pairs, colliders and bodies are spread over memory, and waiting
-/// for them took as long as a third of the computation.
-struct Ahead<'a, P> {
+/// Prefetches the input of the next iterations. Pairs, colliders and bodies are spread over memory. Without
+/// prefetching, a third of the computation is the delay of these loads.
+struct Prefetcher<'a, P> {
     context: NarrowPhaseContext<'a>,
     states: &'a [PairState],
     due: &'a [PairId],
     pairs: DisjointMut<'a, Option<P>>,
 }
 
-impl<P: Update> Ahead<'_, P> {
+impl<P: Update> Prefetcher<'_, P> {
     /// The pair contains the collider slots, so it is prefetched first.
     #[inline(always)]
     fn of(&self, index: usize) {

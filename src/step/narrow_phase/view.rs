@@ -46,7 +46,7 @@ impl<'a> PairView<'a> {
     }
 
     /// Returns whether one of the colliders has these events enabled.
-    pub fn wants_events(&self, events: ActiveEvents) -> bool {
+    pub fn has_events(&self, events: ActiveEvents) -> bool {
         let [c1, c2] = self.colliders;
         (c1.active_events() | c2.active_events()).contains(events)
     }

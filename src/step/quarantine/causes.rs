@@ -52,8 +52,8 @@ impl Causes<'_> {
             let mut causes = suspects.filter_map(|&suspect| {
                 Some((suspect, self.cause_in(self.world.structure.bodies.get(suspect)?)?))
             });
-            if let Some((culprit, cause)) = causes.next() {
-                self.take_with_group(culprit, cause, taken);
+            if let Some((body, cause)) = causes.next() {
+                self.take_with_group(body, cause, taken);
             }
         }
         if taken.len() > known {
@@ -138,7 +138,7 @@ impl Causes<'_> {
         self.world.structure.islands.groups.of(body.into_raw_parts().0)
     }
 
-    // ---- Blame ----
+    // ---- Causes ----
 
     /// The cause for which a body diverges on its own.
     fn cause_in(&self, body: &RigidBody) -> Option<QuarantineCause> {
@@ -245,7 +245,7 @@ impl Causes<'_> {
     }
 }
 
-/// The larger of two numbers that are not negative; what is none is larger than all.
+/// The larger of two numbers that are not negative; NaN counts as the largest.
 fn larger(a: Real, b: Real) -> Real {
     if b <= a { a } else { b.abs() }
 }

@@ -13,7 +13,7 @@
 //! events about pairs that begin and end because of the disabled bodies cancel out.
 //!
 //! Edits are the usual cause. Before the first attempt, edited bodies that diverge on their own are therefore
-//! disabled at once, and the rest of the world is as if the user had disabled them.
+//! disabled. The rest of the world is as if the user had disabled them.
 //!
 //! A step may also fail because of values that grew, or of constraints. It is then repeated from the current
 //! state. Poses, velocities and impulses are those of the step's beginning. Contacts that began in the failed

@@ -9,7 +9,9 @@ use crate::model::event::JointBreakEvent;
 use crate::model::island::IslandManager;
 use crate::model::joint::ImpulseJointSet;
 use crate::model::multibody::{LinkTrajectory, MultibodyJointSet};
-use crate::model::params::{ContactPass, ImpactPass, IntegrationParameters, JointPass};
+use crate::model::params::{
+    ContactPass, FrictionModel, ImpactPass, IntegrationParameters, JointPass,
+};
 use crate::step::notes::{Diverged, FastMotion};
 
 /// Input and output of the solver.
@@ -65,6 +67,11 @@ pub(super) struct SolverPass<'a> {
 }
 
 impl SolverPass<'_> {
+    /// Returns whether each contact point has its own friction rows.
+    pub fn has_friction_per_point(&self) -> bool {
+        self.params.friction_model == FrictionModel::Coulomb
+    }
+
     /// The relax iterations of a substep.
     pub fn relaxations(&self) -> impl Iterator<Item = Self> {
         let mut early = *self;

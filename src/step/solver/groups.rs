@@ -1,12 +1,12 @@
 //! Groups of islands, and their numbers of substeps.
 //!
-//! An iteration transfers through a contact what the lighter of two bodies can carry. Under a body `r` times
-//! as heavy, a contact carries `r` times the load for which it is stiff, and penetrates by `r σ g h² / β`
-//! ([`Softness`](crate::model::params::Softness)). More iterations per substep do not help: the residual
-//! after one is nearly all of it, 1 - 1/r. A harder contact is unstable. But the penetration decreases with
-//! the square of the substep `h`, as everything in a soft step. Islands in which light bodies carry heavy
-//! ones therefore get more substeps, without cost for other islands. Groups of islands are solved in
-//! sequence, each with its own `h`.
+//! The load that a contact transfers in an iteration is limited by the lighter of two bodies. Under a body
+//! `r` times as heavy, a contact carries `r` times the load for which it is stiff, and penetrates by `r σ g
+//! h² / β` ([`Softness`](crate::model::params::Softness)). More iterations per substep do not help: the
+//! residual after one is nearly the whole, 1 - 1/r. A harder contact is unstable. But the penetration
+//! decreases with the square of the substep `h`, as everything in a soft step. Islands in which light bodies
+//! carry heavy ones therefore get more substeps, without cost for other islands. Groups of islands are solved
+//! in sequence, each with its own `h`.
 //!
 //! Joints that connect light bodies to heavy ones need more substeps for another reason. Under a load `M g`
 //! with moment arm `r`, a link of mass `m` and inertia `I` vibrates with `ω² = M g r / (I + m r²)`. The
@@ -92,8 +92,8 @@ impl IslandRequirement {
         heaviest <= MASS_RATIO_EVEN_MAX * lightest
     }
 
-    /// The factor on the usual number of substeps for an island of this size with substeps of `h` seconds: a
-    /// power of two, so there are few groups.
+    /// The factor on the usual number of substeps for an island of this size with substeps of `h` seconds. It
+    /// is a power of two, so there are few groups.
     fn factor(&self, bodies: usize, gravity: Real, h: Real) -> usize {
         let ([lightest, heaviest], [least, most]) = (self.masses, self.joined);
         let is_uneven = most > MASS_RATIO_EVEN_MAX * least;

@@ -6,16 +6,16 @@
 //! Never:   adds or removes anything: the structure is frozen
 //!
 //! The soft step of Catto's "Solver2D" (box2d.org, 2024), after Macklin et al. 2019, "Small Steps in Physics
-//! Simulation": many small substeps with one iteration are better than one step with many iterations. Each
+//! Simulation". Many small substeps with one iteration are better than one step with many iterations. Each
 //! substep processes restitution, solves the constraints with a soft bias that removes overlap, and
 //! integrates the positions. It then relaxes: a second iteration without bias removes the velocity that the
 //! bias added.
 //!
 //! **Warm starting without passes.** A substep should begin with the impulses of the last one. Moment arms
-//! and inertias of contacts are frozen during a step (joints rotate theirs), so warm-start impulses have the
-//! same effect on a body as in the last substep. That effect is the difference between the velocity at the
-//! end of that substep and before any impulse. We keep the latter per body and add the difference, instead of
-//! visiting all constraints.
+//! and inertias of contacts are frozen during a step (joints rotate theirs). Warm-start impulses therefore
+//! have the same effect on a body as in the last substep. That effect is the difference between the velocity
+//! at the end of that substep and before any impulse. The solver stores the latter per body and adds the
+//! difference, instead of visiting all constraints.
 
 mod blocks;
 mod bodies;
@@ -36,7 +36,6 @@ mod tests;
 
 use crate::model::body::{RigidBodyHandle, RigidBodySet};
 use crate::model::counters::SolverCounters;
-use crate::model::params::FrictionModel;
 use bodies::SolverBodies;
 use contacts::{ContactSources, SolverContacts};
 pub(crate) use context::SolverContext;
@@ -127,8 +126,7 @@ impl SolverScratch {
             world: context.bodies,
         };
         constraints.prepare(sources, bodies, &pass);
-        let links = members.iter().filter(|body| links.moves(body.into_raw_parts().0));
-        constraints.watch_energy(links, sources.world, bodies, &pass);
+        constraints.record_energy(members, links, sources.world, bodies, &pass);
         counters.velocity_assembly_time.pause();
 
         counters.velocity_resolution_time.resume();
@@ -193,7 +191,7 @@ impl Constraints {
         let SolverContext { islands, bodies: world, joints, narrow_phase, .. } = context;
         let sources = JointSources { islands, world, bodies, links };
         self.joints.load(joints, sources, &pass.joints, pass.tasks);
-        let per_point = pass.params.friction_model == FrictionModel::Coulomb;
+        let per_point = pass.has_friction_per_point();
         let sources = ContactSources { bodies, links, is_only_group, per_point };
         self.contacts.load(sources, &islands.graph, narrow_phase, pass.tasks);
         self.impacts.load(&self.contacts, bodies);
@@ -265,18 +263,20 @@ impl Constraints {
         limited
     }
 
-    /// Begins to watch the energy of islands with deep overlap, except those that something drives.
-    fn watch_energy<'a>(
+    /// Starts to record the energy of islands with deep overlap, except those that something drives.
+    fn record_energy(
         &mut self,
-        links: impl Iterator<Item = &'a RigidBodyHandle>,
+        members: &[RigidBodyHandle],
+        links: &Links,
         world: &RigidBodySet,
         bodies: &SolverBodies,
         pass: &SolverPass<'_>,
     ) {
         let Self { joints, contacts, recovery, .. } = self;
         if contacts.note_deep_overlaps(recovery, bodies, pass) {
-            let links = links.map(|&link| world[link].link.island);
-            joints.islands(bodies).chain(links).for_each(|island| recovery.leave_out(island));
+            let of_links = members.iter().filter(|body| links.moves(body.into_raw_parts().0));
+            let of_links = of_links.map(|&link| world[link].link.island);
+            joints.islands(bodies).chain(of_links).for_each(|island| recovery.leave_out(island));
         }
     }
 

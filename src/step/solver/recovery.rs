@@ -67,7 +67,7 @@ struct IslandEnergy {
 
 impl IslandEnergy {
     /// Returns whether its deep contacts form loops, in which one relax iteration does not converge.
-    fn is_watched(&self) -> bool {
+    fn is_recorded(&self) -> bool {
         self.deep_contacts > self.deep_bodies && !self.is_driven
     }
 
@@ -196,7 +196,7 @@ impl Recovery {
 
     fn watched(&self, island: u32) -> Option<&IslandEnergy> {
         let energy = self.islands.get(island as usize)?;
-        energy.is_watched().then_some(energy)
+        energy.is_recorded().then_some(energy)
     }
 }
 

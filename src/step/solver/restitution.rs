@@ -8,8 +8,8 @@ use crate::dim::math::Real;
 use crate::model::params::ImpactPass;
 use core::ops::{Add, Mul, Neg, Sub};
 
-/// Gauss–Seidel sweeps over the points of a manifold in each iteration. The points couple with each other
-/// more than with other manifolds.
+/// Gauss–Seidel iterations over the points of a manifold in each iteration over all manifolds. The points
+/// couple with each other more than with other manifolds.
 pub(super) const POINT_ITERATIONS: usize = 4;
 /// A round has converged when no point changes its velocity by more than this fraction of its approach
 /// velocity.
@@ -146,7 +146,7 @@ impl<N: Number> HitRow<N> {
         -(self.mass * self.approach * N::all(CONVERGENCE_TOLERANCE))
     }
 
-    /// Impulse times approach, and the energy beyond what the restitution allows.
+    /// Impulse times approach, and the energy gain beyond the restitution.
     #[inline(always)]
     pub fn energies(&self, velocity: N, impulse: N, restitution: N) -> [N; 2] {
         let allowed = restitution.larger(N::all(1.0));

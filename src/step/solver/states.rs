@@ -4,8 +4,8 @@ use crate::base::disjoint::DisjointMut;
 use crate::base::wide::{LANES, Wide, gather, gather_adjacent, scatter, scatter_adjacent};
 use crate::dim::math::{AngVector, Real, SPATIAL_DIM, Vector};
 use crate::dim::state::{
-    BodyPose, BodyState, MOTION_LEN, POSE_LEN, READ_ONLY, STATE_LEN, WRITTEN_LEN, WideMotion,
-    WidePose, WideState, motions, numbers, pose,
+    BodyPose, BodyState, MOTION_LEN, POSE_LEN, READ_ONLY, STATE_LEN, WRITTEN_LEN, WideDisplacement,
+    WideMotion, WidePose, WideState, motions, numbers, pose,
 };
 
 impl BodyState {
@@ -88,6 +88,46 @@ pub(super) unsafe fn scatter_states<W: Wide>(
     let mut written = [W::zero(); WRITTEN_LEN];
     written.copy_from_slice(&numbers(state)[..WRITTEN_LEN]);
     scatter::<W, WRITTEN_LEN>(written, rows);
+}
+
+/// Velocities and displacements of a block's two bodies.
+pub(super) struct Bodies<W> {
+    pub velocities: [WideMotion<W>; 2],
+    pub displacements: [WideDisplacement<W>; 2],
+}
+
+impl<W: Wide> Bodies<W> {
+    /// Reads velocities and displacements of two bodies per lane.
+    ///
+    /// # Safety
+    /// As [`gather_states`], for both bodies.
+    #[inline(always)]
+    pub unsafe fn gather(states: &DisjointMut<BodyState>, indices: &[[u32; LANES]; 2]) -> Self {
+        // SAFETY: the caller's promise.
+        let ((v1, d1), (v2, d2)) =
+            unsafe { (gather_states(states, &indices[0]), gather_states(states, &indices[1])) };
+        Self { velocities: [v1, v2], displacements: [d1, d2] }
+    }
+
+    /// Displacements of the bodies since the step began.
+    #[inline(always)]
+    pub fn moved(&self) -> [WideMotion<W>; 2] {
+        [self.displacements[0].motion(), self.displacements[1].motion()]
+    }
+
+    /// Writes the velocities of two bodies per lane, except read-only ones.
+    ///
+    /// # Safety
+    /// As [`scatter_states`], for both bodies.
+    #[inline(always)]
+    pub unsafe fn scatter(self, states: &DisjointMut<BodyState>, indices: &[[u32; LANES]; 2]) {
+        let ([v1, v2], [d1, d2]) = (self.velocities, self.displacements);
+        // SAFETY: the caller's promise.
+        unsafe {
+            scatter_states(states, &indices[0], (v1, d1));
+            scatter_states(states, &indices[1], (v2, d2));
+        }
+    }
 }
 
 /// Reads the velocity of one body per lane.

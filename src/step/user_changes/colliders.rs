@@ -44,10 +44,11 @@ impl UserChanges<'_> {
         }
         let (parent, slot) = (collider.parent(), handle.into_raw_parts().0);
         let body = parent.and_then(|parent| self.structure.bodies.get(parent));
-        self.tree.note_wishes(collider, body);
+        self.tree.note_filters(collider, body);
 
         // A pair of another kind, or of other bodies, cannot be kept.
-        let (identity, company) = (ColliderChanges::IDENTITY, ColliderChanges::COMPANY);
+        let (identity, partner_changes) =
+            (ColliderChanges::IDENTITY, ColliderChanges::PARTNER_CHANGES);
         if changes.intersects(identity) {
             self.remove_pairs_of(handle, true, CollisionEventFlags::empty());
         }
@@ -55,10 +56,10 @@ impl UserChanges<'_> {
             self.structure.wake_touching(slot);
             self.place(handle);
         }
-        if changes.intersects(company) {
+        if changes.intersects(partner_changes) {
             self.drop_forbidden_pairs(handle);
         }
-        if changes.intersects(company | identity) {
+        if changes.intersects(partner_changes | identity) {
             self.tree.mark_moved(slot);
         }
         if changes.needs_narrow_phase_update() {
@@ -83,16 +84,16 @@ impl UserChanges<'_> {
                 if pair.is_touching() {
                     self.structure.wake_sleepers_of(id);
                 }
-                let heard = self.structure.remove_contact_pair(id);
-                self.report_end(heard, CollisionEventFlags::empty());
+                let reported = self.structure.remove_contact_pair(id);
+                self.report_end(reported, CollisionEventFlags::empty());
             }
         }
         let intersections = self.structure.narrow_phase.intersections.ids_of(slot).to_vec();
         for id in intersections {
             let pair = &self.structure.narrow_phase.intersections[id];
             if !self.may_interact(pair.collider1, pair.collider2) {
-                let heard = self.structure.narrow_phase.intersections.remove(id);
-                self.report_end(heard, CollisionEventFlags::SENSOR);
+                let reported = self.structure.narrow_phase.intersections.remove(id);
+                self.report_end(reported, CollisionEventFlags::SENSOR);
             }
         }
     }
@@ -100,10 +101,10 @@ impl UserChanges<'_> {
     /// Emits the end event of two colliders whose begin event was emitted.
     pub(super) fn report_end(
         &mut self,
-        heard: Option<[ColliderHandle; 2]>,
+        reported: Option<[ColliderHandle; 2]>,
         flags: CollisionEventFlags,
     ) {
-        self.events.extend(heard.map(|[one, two]| CollisionEvent::Stopped(one, two, flags)));
+        self.events.extend(reported.map(|[one, two]| CollisionEvent::Stopped(one, two, flags)));
     }
 
     fn may_interact(&self, collider1: ColliderHandle, collider2: ColliderHandle) -> bool {

@@ -92,8 +92,8 @@ impl UserChanges<'_> {
             };
             let ids: Vec<_> = store.ids_of(collider).iter().filter(between).copied().collect();
             for id in ids {
-                let heard = apply.structure.remove_contact_pair(id);
-                apply.report_end(heard, CollisionEventFlags::empty());
+                let reported = apply.structure.remove_contact_pair(id);
+                apply.report_end(reported, CollisionEventFlags::empty());
             }
         });
     }

@@ -7,7 +7,7 @@
 //!
 //! Replacing a whole set edits everything in it: [`resync`] comes before everything else.
 //!
-//! Removals come first, because slots of removed bodies and colliders may have new tenants already.
+//! Removals come first, because slots of removed bodies and colliders may be occupied again already.
 
 mod bodies;
 mod colliders;
@@ -68,19 +68,19 @@ impl UserChanges<'_> {
         self.apply_sleepers(&bodies);
     }
 
-    /// Applies removals only: all other edits wait for the next [`Self::run`].
+    /// Applies removals only. The next [`Self::run`] applies all other edits.
     pub fn run_removals(mut self) {
         self.apply_replacements();
         self.apply_removals();
     }
 
     /// Replaced colliders become colliders of the bodies that they name, and replaced bodies get the
-    /// colliders of the old ones. No collider is then in two lists, and threads that work on different bodies
-    /// rely on that.
+    /// colliders of the old ones. No collider is then in two lists, as threads that work on different bodies
+    /// require.
     fn apply_replacements(&mut self) {
         let Structure { bodies, colliders, .. } = &mut self.structure;
-        colliders.settle_replaced(bodies);
-        for handle in self.structure.bodies.settle_replaced() {
+        colliders.register_replaced(bodies);
+        for handle in self.structure.bodies.register_replaced() {
             let attached = self.colliders_of(handle);
             if let Some(body) = self.structure.bodies.get_unnoted_mut(handle) {
                 body.colliders = attached;
@@ -133,12 +133,12 @@ impl UserChanges<'_> {
             self.structure.wake_touching(slot);
         }
         while let Some(&id) = self.structure.narrow_phase.contacts.ids_of(slot).last() {
-            let heard = self.structure.remove_contact_pair(id);
-            self.report_end(heard, flags);
+            let reported = self.structure.remove_contact_pair(id);
+            self.report_end(reported, flags);
         }
         while let Some(&id) = self.structure.narrow_phase.intersections.ids_of(slot).last() {
-            let heard = self.structure.narrow_phase.intersections.remove(id);
-            self.report_end(heard, flags | CollisionEventFlags::SENSOR);
+            let reported = self.structure.narrow_phase.intersections.remove(id);
+            self.report_end(reported, flags | CollisionEventFlags::SENSOR);
         }
     }
 }

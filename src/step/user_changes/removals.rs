@@ -5,7 +5,7 @@ use crate::model::body::{AttachedColliders, RigidBodyHandle};
 use crate::model::event::CollisionEventFlags;
 
 impl UserChanges<'_> {
-    /// All colliders that are attached to a body, by their own account.
+    /// All colliders whose own records name the body as their parent.
     pub(super) fn colliders_of(&self, body: RigidBodyHandle) -> AttachedColliders {
         let colliders = self.structure.colliders.iter();
         let attached = colliders.filter(|(_, collider)| collider.parent() == Some(body));

@@ -27,7 +27,7 @@ use crate::step::world::World;
 /// The result of a resync.
 pub(crate) struct Resynced {
     /// Events of pairs that were discarded.
-    pub parted: Vec<CollisionEvent>,
+    pub end_events: Vec<CollisionEvent>,
     /// The stamp that the islands get when the step has ended. Until then they fit no other set. After a step
     /// that ended by a panic, everything is inserted as new.
     pub stamp: WorldStamp,
@@ -40,28 +40,28 @@ pub(crate) fn resync_before_step(world: &mut World<'_>) -> Resynced {
     let unverified = any_unverified(world)
         || world.joints.stamp.is_unverified()
         || world.multibodies.stamp.is_unverified();
-    let mut parted = Vec::new();
+    let mut end_events = Vec::new();
     if unverified {
         if let Err(fault) = check(world, world.joints, Some(world.multibodies)) {
             log::warn!("a loaded world is taken in as new: {fault}");
-            parted = begin_anew(world);
+            end_events = begin_anew(world);
             world.joints.begin_anew();
             world.multibodies.begin_anew();
         }
     } else {
-        parted = unite(world);
-        parted.extend(unite_joints(world));
+        end_events = unite(world);
+        end_events.extend(unite_joints(world));
     }
     let stamp = world.structure.islands.stamp.after_step(&trace(&world.structure));
     put(stamp, world);
     (world.joints.stamp, world.multibodies.stamp) = (stamp, stamp);
     world.structure.islands.stamp = WorldStamp::of_unfinished_step();
-    Resynced { parted, stamp, joints_fit: true }
+    Resynced { end_events, stamp, joints_fit: true }
 }
 
 /// Before collisions are detected without a step.
 pub(crate) fn resync_before_detection(world: &mut World<'_>, joints: &ImpulseJointSet) -> Resynced {
-    let parted = if !any_unverified(world) {
+    let end_events = if !any_unverified(world) {
         unite(world)
     } else if let Err(fault) = check(world, joints, None) {
         log::warn!("a loaded world is taken in as new: {fault}");
@@ -74,7 +74,7 @@ pub(crate) fn resync_before_detection(world: &mut World<'_>, joints: &ImpulseJoi
     let stamp = islands.stamp.after_detection(&trace(&world.structure));
     put(stamp, world);
     world.structure.islands.stamp = WorldStamp::of_unfinished_step();
-    Resynced { parted, stamp, joints_fit }
+    Resynced { end_events, stamp, joints_fit }
 }
 
 fn stamps(world: &World<'_>) -> [WorldStamp; 5] {
@@ -133,14 +133,14 @@ fn unite_joints(world: &mut World<'_>) -> Vec<CollisionEvent> {
     let other_multibodies = !multibodies.stamp.is_of_same_step(islands.stamp);
     let known_are_others = other_joints && islands.joints.iter().next().is_some()
         || other_multibodies && islands.groups.bodies().next().is_some();
-    let parted = if known_are_others { begin_anew(world) } else { Vec::new() };
+    let end_events = if known_are_others { begin_anew(world) } else { Vec::new() };
     if other_joints || known_are_others {
         world.joints.begin_anew();
     }
     if other_multibodies || known_are_others {
         world.multibodies.begin_anew();
     }
-    parted
+    end_events
 }
 
 /// Discards islands, pairs and trees: everything is new.
@@ -151,11 +151,11 @@ fn begin_anew(world: &mut World<'_>) -> Vec<CollisionEvent> {
     let known = core::mem::take(*narrow_phase);
     **islands = IslandManager::new();
     *world.broad_phase = BroadPhaseBvh::new();
-    parted(&known, colliders)
+    end_events(&known, colliders)
 }
 
 /// The end of each contact and intersection whose begin was reported.
-fn parted(known: &NarrowPhase, colliders: &ColliderSet) -> Vec<CollisionEvent> {
+fn end_events(known: &NarrowPhase, colliders: &ColliderSet) -> Vec<CollisionEvent> {
     let contacts = known.contacts.iter().filter(|pair| pair.start_event_emitted);
     let contacts = contacts.map(|pair| ([pair.collider1, pair.collider2], false));
     let intersections = known.intersections.iter().filter(|pair| pair.start_event_emitted);

@@ -10,10 +10,10 @@ import { MOVING } from "@site/src/components/moving";
 import LiveScene from "@site/src/live/LiveScene";
 import bullets from "@repository/docs/images/bullets.png";
 import characters from "@repository/docs/images/characters.png";
+import internalEdges from "@repository/docs/images/ghost-contacts.png";
 import junkyard from "@repository/docs/images/junkyard.png";
 import motors from "@repository/docs/images/motors.png";
 import robotArm from "@repository/docs/images/robot_arm.png";
-import seams from "@repository/docs/images/seams.png";
 import vehicle from "@repository/docs/images/vehicle.png";
 import descriptions from "@site/generated/data/descriptions.json";
 import styles from "./gallery.module.css";
@@ -23,8 +23,8 @@ type Scene = (typeof SCENES)[number];
 const GROUPS = [...new Set(SCENES.map(({ group }) => group))];
 const FIRST = SCENES.find(({ id }) => id === "ziggurat") ?? SCENES[0];
 
-/** Still pictures of the native gallery by name of the scene. */
-const STILL = { junkyard, vehicle, characters, robot_arm: robotArm, motors, bullets, seams };
+/** Still pictures of the native gallery by name of the scene's file. */
+const STILL = { junkyard, vehicle, characters, robot_arm: robotArm, motors, bullets, internal_edges: internalEdges };
 
 function keys<T extends object>(record: T): (keyof T)[] {
     return Object.keys(record) as (keyof T)[];

@@ -2,7 +2,7 @@
 
 use super::dim::{add_floors, cell, cube, layer_size, place_in_layer};
 use super::ours::prelude::*;
-use crate::growth::{SLEEP_DELAY, World};
+use crate::growth::world::{SLEEP_DELAY, World};
 
 /// Half the side of a box.
 const HALF: Real = 0.5;

@@ -11,7 +11,7 @@ use crate::engine::{Counts, Engine, Stats, Template as _, Unsupported};
 use boxdd_sys::ffi::*;
 
 /// Limit of Box2D.
-const MAX_POLYGON_VERTICES: usize = 8;
+const POLYGON_VERTICES_MAX: usize = 8;
 /// Limit of Box2D: it divides the awake bodies into four blocks per thread and counts the bodies of a block
 /// in 16 bits. Larger numbers end the process.
 const AWAKE_PER_THREAD: usize = 4 * u16::MAX as usize;
@@ -171,7 +171,7 @@ fn create_shape(body: b2BodyId, collider: &Collider, local: &Pose) -> Result<(),
             TypedShape::HeightField(field) => create_chain(body, &definition, field, &at),
             TypedShape::ConvexPolygon(polygon) => {
                 let points: Vec<b2Vec2> = polygon.points().iter().map(|&p| at(p)).collect();
-                if points.len() > MAX_POLYGON_VERTICES {
+                if points.len() > POLYGON_VERTICES_MAX {
                     return Err(Unsupported::because("a polygon has too many corners"));
                 }
                 let hull = b2ComputeHull(points.as_ptr(), points.len() as i32);

@@ -13,6 +13,8 @@ mod box_engines;
 mod dim;
 #[path = "../both/double.rs"]
 mod double;
+#[path = "../both/engines.rs"]
+mod engines;
 #[path = "../both/overlap.rs"]
 mod overlap;
 #[path = "../both/rapier.rs"]
@@ -32,7 +34,7 @@ mod worlds;
 
 use crate::catalog::Scene;
 use crate::engine::{Engine, Unsupported};
-use crate::growth::World;
+use crate::growth::world::World;
 use ours::math::Vector;
 use template::Template;
 
@@ -80,7 +82,7 @@ const SCENES: [(&str, bool); 16] = [
 
 /// Returns the scenes in 2D.
 pub fn scenes() -> Vec<Scene> {
-    template::catalog("2d", &SCENES)
+    engines::catalog("2d", &SCENES)
 }
 
 /// Builds a growing world in 2D.

@@ -1,7 +1,6 @@
 //! Curves of the growth measurement: each varies one quantity and keeps the others.
 
-use super::{SLEEP_DELAY, World};
-use crate::args::Options;
+use super::world::{SLEEP_DELAY, World};
 
 /// Number of moving bodies among bodies at rest.
 const MOVING_BODIES: usize = 100;
@@ -36,17 +35,6 @@ pub struct Setting {
     pub threads: usize,
     /// Value of the varied quantity, if it is known in advance. Numbers of contact points are not.
     pub grows: Option<usize>,
-}
-
-impl World {
-    /// Returns the number of bodies that the curve varies.
-    pub fn bodies(self) -> usize {
-        match self {
-            World::Heaps { bodies, .. }
-            | World::Static { bodies, .. }
-            | World::Sleeping { bodies, .. } => bodies,
-        }
-    }
 }
 
 impl Curve {
@@ -108,11 +96,12 @@ impl Curve {
         }
     }
 
-    /// Returns the worlds, from the smallest to the largest that the options allow.
-    pub fn settings(self, options: &Options) -> Vec<Setting> {
-        let first = options.threads[0];
+    /// Returns the worlds with at most `bodies_max` bodies, from the smallest to the largest. All curves
+    /// except that over threads use the first number of threads.
+    pub fn settings(self, threads: &[usize], bodies_max: usize) -> Vec<Setting> {
+        let first = threads[0];
         let sizes = |max: usize| {
-            let max = max.min(options.bodies_max);
+            let max = max.min(bodies_max);
             (2..=6).map(|power| 10_usize.pow(power)).filter(move |&size| size <= max)
         };
         let of = |world: World| Setting { world, threads: first, grows: Some(world.bodies()) };
@@ -127,7 +116,7 @@ impl Curve {
                 .map(|bodies| of(World::Sleeping { bodies, awake: MOVING_BODIES }))
                 .collect(),
             Curve::Contacts => {
-                let bodies = CONTACT_CURVE_BODIES.min(options.bodies_max);
+                let bodies = CONTACT_CURVE_BODIES.min(bodies_max);
                 let heaps =
                     [(1, false), (10, false), (100, false), (bodies, false), (bodies, true)];
                 let world = |(each, dense)| World::Heaps { bodies, each, dense };
@@ -135,12 +124,12 @@ impl Curve {
             }
             Curve::Threads => {
                 let world = World::Heaps {
-                    bodies: THREAD_CURVE_BODIES.min(options.bodies_max),
+                    bodies: THREAD_CURVE_BODIES.min(bodies_max),
                     each: 100,
                     dense: false,
                 };
                 let setting = |threads| Setting { world, threads, grows: Some(threads) };
-                threads(options).into_iter().map(setting).collect()
+                thread_counts(threads).into_iter().map(setting).collect()
             }
         }
     }
@@ -148,8 +137,8 @@ impl Curve {
 
 /// Returns the listed numbers of threads. A single number selects all numbers up to the machine's
 /// parallelism.
-fn threads(options: &Options) -> Vec<usize> {
-    match options.threads.as_slice() {
+fn thread_counts(threads: &[usize]) -> Vec<usize> {
+    match threads {
         [_] => (1..=std::thread::available_parallelism().map_or(1, usize::from)).collect(),
         several => several.to_vec(),
     }
@@ -158,25 +147,17 @@ fn threads(options: &Options) -> Vec<usize> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::args::{Request, parse};
-
-    fn settings(curve: Curve, words: &str) -> Vec<Setting> {
-        let words: Vec<String> = words.split_whitespace().map(str::to_owned).collect();
-        match parse(&words, &crate::catalog::scenes()) {
-            Ok(Request::Run(options)) => curve.settings(&options),
-            _ => panic!("`{words:?}` should be understood"),
-        }
-    }
 
     #[test]
     fn worlds_grow_up_to_the_limit() {
-        let sizes = |curve, words| -> Vec<usize> {
-            settings(curve, words).iter().filter_map(|setting| setting.grows).collect()
+        let sizes = |curve: Curve, threads: &[usize], bodies_max| -> Vec<usize> {
+            let settings = curve.settings(threads, bodies_max);
+            settings.iter().filter_map(|setting| setting.grows).collect()
         };
-        assert_eq!(sizes(Curve::Awake, ""), [100, 1_000, 10_000, 100_000]);
-        assert_eq!(sizes(Curve::Static, "").last(), Some(&1_000_000));
-        assert_eq!(sizes(Curve::Sleeping, "--bodies-max 5000"), [100, 1_000]);
-        assert_eq!(sizes(Curve::Threads, "--threads 1,2,8"), [1, 2, 8]);
-        assert_eq!(settings(Curve::Contacts, "").len(), 5);
+        assert_eq!(sizes(Curve::Awake, &[1], 1_000_000), [100, 1_000, 10_000, 100_000]);
+        assert_eq!(sizes(Curve::Static, &[1], 1_000_000).last(), Some(&1_000_000));
+        assert_eq!(sizes(Curve::Sleeping, &[1], 5_000), [100, 1_000]);
+        assert_eq!(sizes(Curve::Threads, &[1, 2, 8], 1_000_000), [1, 2, 8]);
+        assert_eq!(Curve::Contacts.settings(&[1], 1_000_000).len(), 5);
     }
 }

@@ -4,19 +4,19 @@
 //! Each curve is a series of worlds that differ in one quantity. All engines run the same steps in each by
 //! turns, as in a contest.
 
-mod curve;
+pub mod curve;
 mod page;
-
-pub use curve::Curve;
+pub mod world;
 
 use crate::args::Options;
 use crate::catalog::{Scene, engine_name};
 use crate::clock::Clock;
 use crate::contest::{Outcome, Score, Turn, scores, take_turns};
-use crate::engine::{Counts, Engine, Kind, Stats, Template, Unsupported};
+use crate::engine::{Counts, Engine, Kind, Stats, Unsupported};
 use crate::pool;
+use crate::scenes::grown;
 use crate::units::counted;
-use curve::Setting;
+use curve::{Curve, Setting};
 use gallery::Progress;
 use std::io;
 
@@ -25,11 +25,9 @@ use std::io;
 const STEPS: usize = 40;
 
 /// Number of steps before the measurement in worlds with sleeping bodies. Bodies fall asleep after
-/// [`SLEEP_DELAY`] seconds, which is 30 steps; some engines check only some of the bodies in each step.
+/// [`world::SLEEP_DELAY`] seconds, which is 30 steps. Some engines check only some of the bodies in each
+/// step.
 const SETTLE: usize = 90;
-
-/// Time without motion after which a body falls asleep (s). Box2D and Box3D have this value as a constant.
-pub const SLEEP_DELAY: f32 = 0.5;
 
 /// Number of bodies from which a world gets one round only. A round takes minutes, so disturbances are small.
 const ONE_ROUND_BODIES_MIN: usize = 1_000_000;
@@ -39,34 +37,6 @@ const ONE_ROUND_BODIES_MIN: usize = 1_000_000;
 /// most six. The limit selects the same engines on most machines, and all curves with one round take about
 /// seven minutes.
 const SETUP_TIME_MAX: f64 = 10_000.0;
-
-/// Growing world.
-#[derive(Copy, Clone, Debug, PartialEq, Eq)]
-pub enum World {
-    /// Boxes in heaps.
-    Heaps {
-        /// Number of all boxes.
-        bodies: usize,
-        /// Number of boxes per heap.
-        each: usize,
-        /// Whether the boxes of a layer touch each other.
-        dense: bool,
-    },
-    /// Fixed blocks, with dynamic boxes on some of them.
-    Static {
-        /// Number of blocks.
-        bodies: usize,
-        /// Number of boxes.
-        awake: usize,
-    },
-    /// Boxes that fall asleep, and among them some that may not sleep.
-    Sleeping {
-        /// Number of sleeping boxes.
-        bodies: usize,
-        /// Number of awake boxes.
-        awake: usize,
-    },
-}
 
 /// Results of one curve in one dimension.
 pub struct Growth {
@@ -102,7 +72,7 @@ fn measure(curve: Curve, dimension: &'static str, options: &Options) -> io::Resu
     let settle = if curve == Curve::Sleeping { SETTLE } else { 1 };
     // At least one step is measured.
     let steps = options.steps.unwrap_or(STEPS).max(2) + settle - 1;
-    let settings = curve.settings(options);
+    let settings = curve.settings(&options.threads, options.bodies_max);
     let label = format!("{dimension} {}", curve.name());
     let turns = settings.iter().map(|setting| setting.rounds(options) * options.engines.len());
     let all = turns.sum::<usize>() * steps;
@@ -144,10 +114,6 @@ impl Spot {
             Err(reason) => Some(reason.clone()),
         }
     }
-}
-
-fn grown(dimension: &str, world: World) -> Box<dyn Template> {
-    if dimension == "2d" { crate::flat::grown(world) } else { crate::solid::grown(world) }
 }
 
 /// Returns the counts only: the overlaps of a million bodies take longer than all the steps.
@@ -212,6 +178,7 @@ impl Setting {
 
 #[cfg(test)]
 mod tests {
+    use super::world::World;
     use super::*;
 
     #[test]

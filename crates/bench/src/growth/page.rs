@@ -1,7 +1,7 @@
 //! Tables of the curves, for the terminal and for the documentation, and their charts.
 
-use super::curve::Setting;
-use super::{Curve, Growth};
+use super::Growth;
+use super::curve::{Curve, Setting};
 use crate::args::Options;
 use crate::catalog::engine_name;
 use crate::chart::{self, Panel};

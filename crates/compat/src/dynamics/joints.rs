@@ -18,6 +18,11 @@ impl ImpulseJointSet {
         if wake_up { self.0.get_mut(handle) } else { self.0.get_mut_without_waking(handle) }
     }
 
+    /// Mutable access to all joints with their handles, in the order of their slots. No body wakes.
+    pub fn iter_mut(&mut self) -> impl Iterator<Item = (ImpulseJointHandle, &mut ImpulseJoint)> {
+        self.0.iter_mut_without_waking()
+    }
+
     /// Mutable access to the joint in a slot (the first number of a handle), with its handle. No body wakes.
     pub fn get_unknown_gen_mut(
         &mut self,

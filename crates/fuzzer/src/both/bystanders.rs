@@ -3,8 +3,8 @@
 //! They touch each other without overlap, without gravity, and in a separate interaction group. No force acts
 //! on them, so the laws of motion keep them at rest in steps of any length.
 
-use super::colliders::BYSTANDERS;
 use super::dim::cuboid;
+use super::groups::BYSTANDERS;
 use super::rapier::prelude::*;
 
 /// Coordinate of the bodies along all axes.

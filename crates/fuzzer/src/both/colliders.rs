@@ -1,17 +1,12 @@
 //! Operations on colliders.
 
 use super::dim::{SHAPES, about_z, shape};
+use super::groups::OTHERS;
 use super::play::{COLLIDERS_MAX, Play};
 use super::rapier::prelude::*;
 use super::values::choose;
 use super::values::{some_pose, some_positive, some_real, some_vector, within};
 use crate::choices::Choices;
-
-/// Interaction group of the bystanders. No other collider is in it.
-pub const BYSTANDERS: Group = Group::GROUP_32;
-/// Interaction groups of all other colliders.
-pub const OTHERS: InteractionGroups =
-    InteractionGroups::new(BYSTANDERS.complement(), BYSTANDERS.complement());
 
 /// Returns a collider of any kind.
 pub fn some_collider(choices: &mut Choices<'_>) -> ColliderBuilder {

@@ -1,14 +1,17 @@
 //! Code that is compiled for all four crates.
 
 use super::dim;
+use super::drive;
 use super::rapier;
 use super::thin;
 
+mod acts;
 mod bodies;
 mod bystanders;
-pub mod colliders;
+mod colliders;
 mod event_checker;
 mod families;
+pub mod groups;
 mod joints;
 mod loading;
 mod multibodies;
@@ -18,6 +21,7 @@ mod sets;
 mod steps;
 pub mod values;
 mod walkers;
+mod world_copy;
 // The tests of hostile users define the invariants of every world.
 #[path = "../../../../tests/hostile/world.rs"]
 mod world;
@@ -41,6 +45,6 @@ pub fn run(bytes: &[u8]) -> Tally {
     let mut choices = Choices::new(bytes);
     match family_of(choices.below(KINDS)) {
         Some(family) => families::run(family, choices),
-        None => play::run(choices),
+        None => acts::run(choices),
     }
 }

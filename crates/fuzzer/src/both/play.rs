@@ -1,57 +1,18 @@
-//! A world with random operations.
+//! A world with all handles that were ever created in it, for random operations.
 
 use super::bystanders::Bystanders;
-use super::dim::{self, Vehicle};
+use super::dim::Vehicle;
 use super::event_checker::EventChecker;
+use super::groups::OTHERS;
 use super::rapier::prelude::*;
-use super::sets::Copy;
 use super::values::{some_real, some_vector};
-use super::{bodies, colliders, joints, loading, multibodies, queries, sets, steps, walkers};
-use crate::Tally;
+use super::world_copy::WorldCopy;
 use crate::choices::Choices;
 
 /// Largest number of bodies.
 pub const BODIES_MAX: usize = 30;
 pub const COLLIDERS_MAX: usize = 70;
 pub const JOINTS_MAX: usize = 30;
-
-type Act = (&'static str, fn(&mut Play<'_>));
-
-/// All operations. Repetitions increase their frequency.
-const ACTS: [Act; 32] = [
-    ("insert a body", bodies::insert),
-    ("insert a body", bodies::insert),
-    ("insert a body", bodies::insert),
-    ("insert a body", bodies::insert),
-    ("remove a body", bodies::remove),
-    ("edit a body", bodies::edit),
-    ("edit a body", bodies::edit),
-    ("edit a body", bodies::edit),
-    ("edit a body", bodies::edit),
-    ("edit a body", bodies::edit),
-    ("insert or remove a collider", colliders::insert_or_remove),
-    ("insert or remove a collider", colliders::insert_or_remove),
-    ("edit a collider", colliders::edit),
-    ("edit a collider", colliders::edit),
-    ("edit a collider", colliders::edit),
-    ("edit a collider", colliders::edit),
-    ("insert or remove a joint", joints::insert_or_remove),
-    ("insert or remove a joint", joints::insert_or_remove),
-    ("edit a joint", joints::edit),
-    ("edit a joint", joints::edit),
-    ("insert or remove a link", multibodies::insert_or_remove),
-    ("insert or remove a link", multibodies::insert_or_remove),
-    ("edit a multibody", multibodies::edit),
-    ("edit a multibody", multibodies::edit),
-    ("query", queries::query),
-    ("walk", walkers::walk),
-    ("drive", dim::drive),
-    ("edit whole sets", sets::edit_sets),
-    ("change parameters", |play| play.change_parameters()),
-    ("reset parameters", |play| play.reset_parameters()),
-    ("mix with a twin", sets::mix_with_twin),
-    ("load a damaged copy", loading::load_damaged),
-];
 
 /// World with all handles that were ever created in it.
 pub struct Play<'a> {
@@ -64,34 +25,20 @@ pub struct Play<'a> {
     /// Removed bodies, for later insertion.
     pub removed: Vec<RigidBody>,
     /// Earlier state of the world.
-    pub copy: Option<Copy>,
+    pub copy: Option<WorldCopy>,
     pub bystanders: Bystanders,
     pub event_checker: EventChecker,
     pub vehicle: Vehicle,
     pub pid: PidController,
     pub queries: QueryPipeline,
-    tally: Tally,
-}
-
-/// Creates a world and runs operations until the choices are used up.
-pub fn run(choices: Choices<'_>) -> Tally {
-    let mut play = Play::new(choices);
-    while !play.choices.is_over() {
-        for _ in 0..play.choices.below(6) {
-            play.act();
-            play.tally.operations += 1;
-        }
-        play.tally.steps += steps::step(&mut play);
-    }
-    play.tally
 }
 
 impl<'a> Play<'a> {
-    fn new(choices: Choices<'a>) -> Self {
+    pub fn new(choices: Choices<'a>) -> Self {
         let mut world = PhysicsWorld::new();
         let ground = ColliderBuilder::halfspace(Vector::Y)
             .active_events(ActiveEvents::all())
-            .collision_groups(colliders::OTHERS);
+            .collision_groups(OTHERS);
         let ground = world.insert_collider(ground, None);
         let bystanders = Bystanders::new(&mut world);
         Self {
@@ -108,14 +55,7 @@ impl<'a> Play<'a> {
             vehicle: Vehicle::default(),
             pid: PidController::default(),
             queries: QueryPipeline::new(),
-            tally: Tally::default(),
         }
-    }
-
-    fn act(&mut self) {
-        let (name, act) = self.choices.pick(&ACTS);
-        self.choices.tell(|| name.to_owned());
-        act(self);
     }
 
     /// Returns any body handle except a bystander's: usually of an existing body, sometimes a stale or
@@ -155,7 +95,7 @@ impl<'a> Play<'a> {
     }
 
     /// Changes gravity or a parameter of the world.
-    fn change_parameters(&mut self) {
+    pub fn change_parameters(&mut self) {
         let choices = &mut self.choices;
         let params = &mut self.world.integration_parameters;
         match choices.below(10) {
@@ -201,7 +141,7 @@ fn change_softness(params: &mut IntegrationParameters, choices: &mut Choices<'_>
 }
 
 /// Returns one of the last handles.
-fn recent<T: core::marker::Copy>(handles: &[T], choices: &mut Choices<'_>) -> T {
+fn recent<T: Copy>(handles: &[T], choices: &mut Choices<'_>) -> T {
     let first = handles.len().saturating_sub(40);
     handles[first + choices.below(handles.len() - first)]
 }

@@ -5,55 +5,7 @@
 
 use super::play::Play;
 use super::rapier::prelude::*;
-
-/// Complete state of a world.
-pub struct Copy {
-    islands: IslandManager,
-    broad_phase: BroadPhaseBvh,
-    narrow_phase: NarrowPhase,
-    bodies: RigidBodySet,
-    colliders: ColliderSet,
-    impulse_joints: ImpulseJointSet,
-    multibody_joints: MultibodyJointSet,
-}
-
-impl Copy {
-    fn of(world: &PhysicsWorld) -> Self {
-        Self {
-            islands: world.islands.clone(),
-            broad_phase: world.broad_phase.clone(),
-            narrow_phase: world.narrow_phase.clone(),
-            bodies: world.bodies.clone(),
-            colliders: world.colliders.clone(),
-            impulse_joints: world.impulse_joints.clone(),
-            multibody_joints: world.multibody_joints.clone(),
-        }
-    }
-
-    /// Exchanges this state and the world's.
-    fn exchange(&mut self, world: &mut PhysicsWorld) {
-        core::mem::swap(&mut self.islands, &mut world.islands);
-        core::mem::swap(&mut self.broad_phase, &mut world.broad_phase);
-        core::mem::swap(&mut self.narrow_phase, &mut world.narrow_phase);
-        core::mem::swap(&mut self.bodies, &mut world.bodies);
-        core::mem::swap(&mut self.colliders, &mut world.colliders);
-        core::mem::swap(&mut self.impulse_joints, &mut world.impulse_joints);
-        core::mem::swap(&mut self.multibody_joints, &mut world.multibody_joints);
-    }
-}
-
-/// Exchanges one set for the older or an empty one.
-fn exchange_one(old: &mut Copy, world: &mut PhysicsWorld, which: usize) {
-    match which {
-        0 => core::mem::swap(&mut old.islands, &mut world.islands),
-        1 => core::mem::swap(&mut old.broad_phase, &mut world.broad_phase),
-        2 => core::mem::swap(&mut old.narrow_phase, &mut world.narrow_phase),
-        3 => core::mem::swap(&mut old.bodies, &mut world.bodies),
-        4 => core::mem::swap(&mut old.colliders, &mut world.colliders),
-        5 => core::mem::swap(&mut old.impulse_joints, &mut world.impulse_joints),
-        _ => core::mem::swap(&mut old.multibody_joints, &mut world.multibody_joints),
-    }
-}
+use super::world_copy::WorldCopy;
 
 /// Copies, exchanges, wakes or discards sets.
 pub fn edit_sets(play: &mut Play<'_>) {
@@ -61,7 +13,7 @@ pub fn edit_sets(play: &mut Play<'_>) {
     let variant = play.choices.below(13);
     play.choices.tell(|| format!("    variant {variant}"));
     match variant {
-        0 | 1 => play.copy = Some(Copy::of(&play.world)),
+        0 | 1 => play.copy = Some(WorldCopy::of(&play.world)),
         2 | 3 => {
             if let Some(copy) = &mut play.copy {
                 copy.exchange(&mut play.world);
@@ -86,9 +38,9 @@ pub fn edit_sets(play: &mut Play<'_>) {
         }
         8 => {
             let which = play.choices.below(7);
-            let mut empty = Copy::of(&PhysicsWorld::new());
+            let mut empty = WorldCopy::of(&PhysicsWorld::new());
             let old = play.copy.as_mut().filter(|_| play.choices.coin());
-            exchange_one(old.unwrap_or(&mut empty), &mut play.world, which);
+            old.unwrap_or(&mut empty).exchange_one(&mut play.world, which);
             play.event_checker.mark_missed_events();
         }
         9 | 10 => restore_records(play, handle),
@@ -128,7 +80,7 @@ pub fn mix_with_twin(play: &mut Play<'_>) {
         integration_parameters: play.world.integration_parameters,
         ..PhysicsWorld::new()
     };
-    let mut copy = Copy::of(&play.world);
+    let mut copy = WorldCopy::of(&play.world);
     copy.exchange(&mut twin);
     if let Some(body) = twin.bodies.get_mut(handle) {
         let place = body.translation() + Vector::AXES[along] * 1.0e-3;
@@ -142,9 +94,9 @@ pub fn mix_with_twin(play: &mut Play<'_>) {
     if records {
         exchange_records(play, &mut twin, handle);
     }
-    let mut twin = Copy::of(&twin);
+    let mut twin = WorldCopy::of(&twin);
     for which in (0..7).filter(|which| sets & (1 << which) != 0) {
-        exchange_one(&mut twin, &mut play.world, which);
+        twin.exchange_one(&mut play.world, which);
     }
     play.event_checker.mark_missed_events();
 }

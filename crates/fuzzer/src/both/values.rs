@@ -60,7 +60,7 @@ pub fn some_pose(choices: &mut Choices<'_>, size: f64) -> Pose {
     pose
 }
 
-/// Returns a number from 0 to `count - 1`, and prints it if `FUZZ_TELL` is set.
+/// Returns a number from 0 to `count - 1`, and prints it if `FUZZ_VERBOSE` is set.
 pub fn choose(choices: &mut Choices<'_>, count: usize) -> usize {
     let choice = choices.below(count);
     choices.tell(|| format!("    variant {choice} of {count}"));

@@ -1,6 +1,6 @@
 //! Character controllers, and bodies that follow a target.
 
-use super::colliders::OTHERS;
+use super::groups::OTHERS;
 use super::play::Play;
 use super::queries::some_shape;
 use super::rapier::prelude::*;

@@ -1,6 +1,5 @@
 //! Parts of the fuzzer that depend on the dimension, in 2D.
 
-use super::both::play::Play;
 use super::both::values::{some_real, within};
 use super::rapier::prelude::*;
 use crate::choices::Choices;
@@ -112,8 +111,3 @@ pub fn spin(choices: &mut Choices<'_>) -> AngVector {
 /// Placeholder: there are no vehicles in 2D.
 #[derive(Copy, Clone, Default)]
 pub struct Vehicle {}
-
-/// Does nothing: there are no vehicles in 2D.
-pub fn drive(play: &mut Play<'_>) {
-    let Vehicle {} = play.vehicle;
-}

@@ -25,7 +25,7 @@ pub mod sleeping;
 pub mod trimesh;
 pub mod heightfield;
 pub mod polyline;
-pub mod seams;
+pub mod internal_edges;
 pub mod radar;
 pub mod strider;
 pub mod joints;
@@ -90,7 +90,7 @@ pub const SCENES: [SceneInfo; 60] = [
     trimesh::INFO,
     heightfield::INFO,
     polyline::INFO,
-    seams::INFO,
+    internal_edges::INFO,
     radar::INFO,
     strider::INFO,
     joints::INFO,

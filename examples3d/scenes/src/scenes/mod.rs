@@ -48,7 +48,7 @@ pub mod convex_pile;
 pub mod junkyard;
 pub mod washer;
 pub mod large_world;
-pub mod seams;
+pub mod internal_edges;
 pub mod radar;
 pub mod fine_mesh;
 pub mod tiles;
@@ -120,7 +120,7 @@ pub const SCENES: [SceneInfo; 70] = [
     junkyard::INFO,
     washer::INFO,
     large_world::INFO,
-    seams::INFO,
+    internal_edges::INFO,
     radar::INFO,
     fine_mesh::INFO,
     tiles::INFO,

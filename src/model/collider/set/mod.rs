@@ -310,23 +310,23 @@ impl ColliderSet {
 /// A `&mut` to a collider lets the user replace it (assign a copy, swap two colliders), including its record
 /// of its *own* position.
 impl ColliderSet {
-    /// Whether the collider of a handle replaced another one.
+    /// Returns whether the collider of a handle replaced another one.
     fn is_replaced(&self, handle: ColliderHandle) -> bool {
         let slot = handle.into_raw_parts().0;
         self.get(handle).is_some_and(|collider| {
             let is_noted = collider.changes.contains(ColliderChanges::IN_MODIFIED_SET);
-            collider.proxy.slot != slot || is_noted && !self.notes.marks.knows(collider.edit)
+            collider.proxy.slot != slot || is_noted && !self.notes.marks.matches_note(collider.edit)
         })
     }
 
     /// Registers a replaced collider: as part of the body that it names, and as new to the step.
     fn mend(&mut self, handle: ColliderHandle, bodies: &mut RigidBodySet) {
         if self.is_replaced(handle) {
-            self.settle_in(handle, bodies);
+            self.register(handle, bodies);
         }
     }
 
-    fn settle_in(&mut self, handle: ColliderHandle, bodies: &mut RigidBodySet) {
+    fn register(&mut self, handle: ColliderHandle, bodies: &mut RigidBodySet) {
         let Some(collider) = self.colliders.get_mut(handle.0) else { return };
         let parent = collider.parent().filter(|parent| bodies.contains(*parent));
         detach_from_others(handle, parent, bodies);
@@ -350,14 +350,14 @@ impl ColliderSet {
 
     /// Registers the colliders that replaced others. One whose note is gone is an older copy of itself, and
     /// one with two notes was put in the place of another between them.
-    pub(crate) fn settle_replaced(&mut self, bodies: &mut RigidBodySet) {
+    pub(crate) fn register_replaced(&mut self, bodies: &mut RigidBodySet) {
         for note in 0..self.notes.modified.len() {
             let handle = self.notes.modified[note];
             let Some(collider) = self.get(handle) else { continue };
             let is_noted = collider.changes.contains(ColliderChanges::IN_MODIFIED_SET);
             let is_own = is_noted && self.notes.marks.is_of(collider.edit, note);
             if !is_own || self.is_replaced(handle) {
-                self.settle_in(handle, bodies);
+                self.register(handle, bodies);
             }
         }
         self.detach_removed(bodies);

@@ -1,4 +1,4 @@
-//! Setters: what they note for the next step, and what they refuse.
+//! Setters: their notes for the next step, and the refused values.
 
 use super::{NOT_COORDINATES, NOT_LENGTHS};
 use crate::dim::math::{ANG_ZERO, Pose, Real, Rotation, Vector, torque};

@@ -71,7 +71,7 @@ pub(crate) struct PairState {
     pub slack: Real,
     /// Whether contacts of a dynamic body with a non-dynamic collider were ever found. Ghost contacts are
     /// searched among such pairs alone, and most of a body's pairs are none.
-    pub met_obstacle: bool,
+    pub touched_non_dynamic: bool,
 }
 
 /// Positions of a pair in the lists of its two colliders.
@@ -234,7 +234,7 @@ impl<P: Pair> PairStore<P> {
             "colliders {slots:?} already have a pair"
         );
         let place = Place { slots, positions: self.list(slots, id) };
-        let state = PairState { bodies, slack: DUE, met_obstacle: false };
+        let state = PairState { bodies, slack: DUE, touched_non_dynamic: false };
         if let Some(free) = self.pairs.get_mut(id as usize) {
             *free.get_mut() = Some(pair);
             self.states[id as usize] = state;
@@ -267,7 +267,7 @@ impl<P: Pair> PairStore<P> {
     pub fn remove(&mut self, id: PairId) -> Option<[ColliderHandle; 2]> {
         self.sleep(id);
         self.strong.remove(id);
-        let heard = self[id].began().then(|| self[id].colliders());
+        let reported = self[id].began().then(|| self[id].colliders());
         // The address of the pair: a pair has some hundred bytes.
         *self.pairs[id as usize].get_mut() = None;
         self.free.push(id);
@@ -276,7 +276,7 @@ impl<P: Pair> PairStore<P> {
         for side in 0..2 {
             self.unlist(slots[side], positions[side], id);
         }
-        heard
+        reported
     }
 
     /// Swap-removes a pair from a collider's list and repairs the place of the one that took its place.

@@ -95,7 +95,7 @@ impl Structure<'_> {
                     && (collider.flags.enabled != ColliderEnabled::DisabledByParent
                         || !body.is_enabled())
             });
-            ensure!(agrees, "{handle:?} knows another type or state of {parent:?}");
+            ensure!(agrees, "{handle:?} stores another type or state of {parent:?}");
         }
         let listed = listed.len();
         ensure!(listed == attached, "bodies list {listed} of {attached} colliders");

@@ -7,7 +7,7 @@ use crate::model::collider::{ColliderChanges, ColliderHandle};
 use crate::model::island::{BodyLink, NONE};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// The state after the last step, without the edits since then. Asks for no memory if there were none.
+/// The state after the last step, without the edits since then. Allocates no memory if there were none.
 pub(super) struct LastStep<'a> {
     bodies: &'a RigidBodySet,
     /// By slot: a body that was removed since, and its place in the lists.
@@ -51,7 +51,7 @@ impl<'a> LastStep<'a> {
         }
         for (handle, body) in bodies.iter() {
             let slot = handle.into_raw_parts().0;
-            ensure!(body.link.slot == slot, "{handle:?} knows slot {}", body.link.slot);
+            ensure!(body.link.slot == slot, "{handle:?} stores slot {}", body.link.slot);
             let other = then.removed_places.get(&slot).filter(|_| is_listed(body.link));
             ensure!(other.is_none(), "{other:?} and {handle:?} are listed");
         }

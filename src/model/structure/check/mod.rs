@@ -26,7 +26,7 @@ type Verdict = Result<(), Fault>;
 /// Extent of the check.
 #[derive(Copy, Clone, PartialEq, Eq)]
 enum Depth {
-    /// Invariants that an error of the engine would violate. Asks for no memory, as the step does not.
+    /// Invariants that an error of the engine would violate. Allocates no memory, as the step does not.
     Quick,
     /// Invariants that forged data could violate besides.
     Full,
@@ -44,8 +44,7 @@ impl Structure<'_> {
 
     /// Returns whether positions and velocities of all awake bodies are finite and within their limits.
     pub fn has_usable_bodies(&self) -> bool {
-        let awake = self.islands.awake.iter().filter_map(|&handle| self.bodies.get(handle));
-        let mut awake = awake;
+        let mut awake = self.islands.awake.iter().filter_map(|&handle| self.bodies.get(handle));
         awake.all(|body| body.vels().is_usable() && is_point(body.pose.translation))
     }
 

@@ -97,7 +97,7 @@ impl Structure<'_> {
     /// Returns whether a pending edit affects the possible partners of a collider.
     fn may_change_company(&self, collider: &Collider) -> bool {
         let body = collider.parent().and_then(|parent| self.bodies.get(parent));
-        collider.changes.intersects(ColliderChanges::IDENTITY | ColliderChanges::COMPANY)
+        collider.changes.intersects(ColliderChanges::IDENTITY | ColliderChanges::PARTNER_CHANGES)
             || body.is_some_and(|body| body.changes.intersects(RigidBodyChanges::KIND))
     }
 

@@ -15,7 +15,7 @@ impl Structure<'_> {
         let mut found = 0;
         for (handle, collider) in self.colliders.iter() {
             let (slot, proxy) = (handle.into_raw_parts().0, &collider.proxy);
-            ensure!(proxy.slot == slot, "{handle:?} knows slot {}", proxy.slot);
+            ensure!(proxy.slot == slot, "{handle:?} stores slot {}", proxy.slot);
             ensure!(
                 proxy.clearance.is_finite(),
                 "{handle:?} has the clearance {}",

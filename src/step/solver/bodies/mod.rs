@@ -19,7 +19,7 @@ use crate::step::notes::FastMotion;
 use core::ops::Range;
 use core::sync::atomic::{AtomicUsize, Ordering};
 use load::Places;
-use motion::{Accelerate, Advance, Movers};
+use motion::{Accelerate, Advance, BodyChunk};
 
 /// All awake bodies. Index 0 is the world, index `i + 1` the `i`-th in the order of the groups.
 #[derive(Default)]
@@ -196,7 +196,7 @@ impl SolverBodies {
         self.for_all_moving(tasks, |bodies| simd.run(Advance { bodies, h }));
     }
 
-    fn for_all_moving(&mut self, tasks: Tasks<'_>, work: impl Fn(Movers<'_>) + Sync) {
+    fn for_all_moving(&mut self, tasks: Tasks<'_>, work: impl Fn(BodyChunk<'_>) + Sync) {
         let all = self.moving.clone();
         let Places { states, before, last, motions, .. } = self.places();
         for members in all {
@@ -204,7 +204,7 @@ impl SolverBodies {
                 let range = members.start + range.start..members.start + range.end;
                 // SAFETY: groups have places, and each index belongs to one task.
                 let bodies = unsafe {
-                    Movers {
+                    BodyChunk {
                         states: states.range_mut(range.clone()),
                         before: before.range_mut(range.clone()),
                         last: last.range_mut(if last.len() == 0 { 0..0 } else { range.clone() }),

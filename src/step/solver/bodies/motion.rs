@@ -28,7 +28,7 @@ pub(super) fn motion_of(body: &RigidBody, gravity: Vector, substep: Real) -> Fre
 }
 
 /// Some bodies that stand side by side, and how they were before any impulse of the substep.
-pub(super) struct Movers<'a> {
+pub(super) struct BodyChunk<'a> {
     pub states: &'a mut [BodyState],
     pub before: &'a mut [BodyState],
     /// Gets how they moved until now; or nothing.
@@ -36,7 +36,7 @@ pub(super) struct Movers<'a> {
     pub motions: &'a mut [FreeMotion],
 }
 
-impl Movers<'_> {
+impl BodyChunk<'_> {
     /// A register full of them after another.
     fn chunks(self) -> impl Iterator<Item = Self> {
         let states = self.states.chunks_mut(LANES);
@@ -44,14 +44,14 @@ impl Movers<'_> {
         let mut lasts = self.last.chunks_mut(LANES);
         states.zip(others).map(move |(states, (before, motions))| {
             let last = lasts.next().unwrap_or_default();
-            Movers { states, before, last, motions }
+            BodyChunk { states, before, last, motions }
         })
     }
 }
 
 /// Adds gravity and the user's forces, damps, and starts the substep with the last one's impulses.
 pub(super) struct Accelerate<'a> {
-    pub bodies: Movers<'a>,
+    pub bodies: BodyChunk<'a>,
     pub h: Real,
     /// The fraction of the last impulses with which it starts.
     pub warm_start_coefficient: Real,
@@ -67,7 +67,7 @@ impl Kernel for Accelerate<'_> {
     #[inline(always)]
     fn run<W: Wide>(self) -> usize {
         let (warm_start_coefficient, mut limited) = (W::splat(self.warm_start_coefficient), 0);
-        for Movers { states, before, last, motions } in self.bodies.chunks() {
+        for BodyChunk { states, before, last, motions } in self.bodies.chunks() {
             let (old, _) = load_states::<W>(before);
             let (velocity, displacement) = load_states::<W>(states);
             let linear = (velocity.linear - old.linear) * warm_start_coefficient;
@@ -91,7 +91,7 @@ impl Kernel for Accelerate<'_> {
 
 /// Moves bodies by their velocities.
 pub(super) struct Advance<'a> {
-    pub bodies: Movers<'a>,
+    pub bodies: BodyChunk<'a>,
     pub h: Real,
 }
 
@@ -101,7 +101,7 @@ impl Kernel for Advance<'_> {
     #[inline(always)]
     fn run<W: Wide>(self) {
         let h = W::splat(self.h);
-        for Movers { states, before, motions, .. } in self.bodies.chunks() {
+        for BodyChunk { states, before, motions, .. } in self.bodies.chunks() {
             let (mut velocity, moved) = load_states::<W>(states);
             let linear = moved.linear + velocity.linear * h;
             let angular = turned_further(moved.angular, velocity.angular * h);

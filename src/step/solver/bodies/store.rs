@@ -35,7 +35,7 @@ impl SolverBodies {
                         BodyMotion::of(body.mprops.world_com - center, rotvec, body.extent);
                     // Not less than that of the displacement: see `commit`.
                     let bound = shift.length() + displacement.rest;
-                    body.ccd_active = body.is_dynamic() && FastMotion::is_one(body, bound, params);
+                    body.ccd_active = body.is_dynamic() && FastMotion::is_fast(body, bound, params);
                     if body.ccd_active {
                         let (body, acceleration) = (order[position], motion.linear_acceleration());
                         let link = None;
@@ -82,8 +82,8 @@ pub(super) fn outcome(
     checked_pose(pose).filter(|_| velocity.is_usable()).map(|pose| (pose, velocity))
 }
 
-/// Gives a body the pose and velocity that the solver found. Returns how far its centre moved,
-/// and its turn.
+/// Gives a body the pose and velocity that the solver found. Returns the displacement of
+/// its centre and its rotation vector.
 fn commit(body: &mut RigidBody, state: &BodyState, motion: &FreeMotion) -> (Vector, AngVector) {
     body.use_up_push();
     let Some((pose, velocity)) = outcome(body, state, motion) else {

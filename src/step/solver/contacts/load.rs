@@ -47,7 +47,7 @@ impl SolverContacts {
         let lanes = &narrow_phase.lanes;
         let stay = is_only_group && lanes.starts() == self.starts;
         if !stay || lanes.are_rough != per_point || bodies.any_scaled() {
-            narrow_phase.settle_all(tasks);
+            narrow_phase.write_back_all(tasks);
         }
         // The set of groups may change from step to step, and a group has no data of the others.
         self.lanes_are_scaled = bodies.any_scaled();
@@ -141,7 +141,7 @@ impl SolverContacts {
     }
 }
 
-/// Asks for the manifolds with which lanes will be filled: pairs are spread over memory.
+/// Prefetches the manifolds with which lanes will be filled: pairs are spread over memory.
 fn prefetch(lanes: &LaneBlock, chunk: &[ManifoldRef], narrow_phase: &NarrowPhase) {
     for (lane, &at) in chunk.iter().enumerate() {
         if !lanes.is_seated(lane, at) || narrow_phase.contacts.is_renewed(at.pair) {

@@ -3,6 +3,7 @@
 mod load;
 pub(super) mod passes;
 mod prepare;
+mod soft_row;
 mod store_impulses;
 
 use super::blocks::{Layout, OverflowOrder, block_kernel, for_each_color};
@@ -17,11 +18,11 @@ use crate::dim::math::Real;
 use crate::dim::state::{BodyPose, BodyState};
 use crate::model::constraint_graph::ManifoldRef;
 use crate::model::contact::{ContactLanes, ContactReport, LaneBlock, NarrowPhase};
-use crate::model::params::{ContactPass, FrictionModel};
+use crate::model::params::ContactPass;
 use core::ops::Range;
 use core::sync::atomic::{AtomicBool, Ordering};
 pub(super) use load::ContactSources;
-pub(super) use passes::{Bodies, solve_friction, values_at};
+pub(super) use passes::{solve_friction, values_at};
 pub(super) use prepare::{PrepareContext, prepare};
 pub(super) use store_impulses::store_impulses;
 
@@ -75,8 +76,7 @@ impl SolverContacts {
     /// Prepares the constraints of the manifolds, and applies the last step's impulses to the bodies.
     pub fn prepare_and_warm_start(&mut self, bodies: &mut SolverBodies, pass: &SolverPass<'_>) {
         let &SolverPass { params, simd, tasks, .. } = pass;
-        let per_point = params.friction_model == FrictionModel::Coulomb;
-        let rows = if per_point { self.blocks.len() } else { 0 };
+        let rows = if pass.has_friction_per_point() { self.blocks.len() } else { 0 };
         self.coulomb.resize(rows, CoulombBlock::EMPTY);
         let prediction = params.prediction_distance();
         let (poses, states) = bodies.shared();
@@ -168,6 +168,11 @@ impl SolverContacts {
     /// The manifolds of links, which have no lanes.
     pub fn of_links(&self) -> &[ManifoldRef] {
         &self.of_links
+    }
+
+    /// The block at an index.
+    pub fn block_mut(&mut self, index: usize) -> &mut ContactBlock {
+        &mut self.blocks[index]
     }
 
     /// The blocks, for impacts.

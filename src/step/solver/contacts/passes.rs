@@ -1,52 +1,16 @@
 //! The passes over a block: solve and relax in each substep.
 
+use super::soft_row::SoftRow;
 use crate::base::disjoint::DisjointMut;
 use crate::base::wide::Wide;
 use crate::dim::contact::{
     ContactBlock, CoulombBlock, Frame, NormalImpulse, NormalRow, solve_friction as solve_rows,
 };
 use crate::dim::math::MAX_MANIFOLD_POINTS;
-use crate::dim::state::{BodyState, WideDisplacement, WideMotion};
+use crate::dim::state::{BodyState, WideMotion};
 use crate::dim::wide::WideVector;
-use crate::model::params::{ContactPass, SoftRow};
-use crate::step::solver::states::{gather_states, scatter_states};
-
-/// Velocities and displacements of a block's two bodies.
-pub(in crate::step::solver) struct Bodies<W> {
-    pub velocities: [WideMotion<W>; 2],
-    pub displacements: [WideDisplacement<W>; 2],
-}
-
-impl<W: Wide> Bodies<W> {
-    /// # Safety
-    /// As [`gather_states`], for both bodies.
-    #[inline(always)]
-    pub unsafe fn gather(states: &DisjointMut<BodyState>, block: &ContactBlock) -> Self {
-        // SAFETY: the caller's promise.
-        let ((v1, d1), (v2, d2)) = unsafe {
-            (gather_states(states, &block.bodies[0]), gather_states(states, &block.bodies[1]))
-        };
-        Self { velocities: [v1, v2], displacements: [d1, d2] }
-    }
-
-    /// Displacements of the bodies since the step began.
-    #[inline(always)]
-    pub fn moved(&self) -> [WideMotion<W>; 2] {
-        [self.displacements[0].motion(), self.displacements[1].motion()]
-    }
-
-    /// # Safety
-    /// As [`scatter_states`], for both bodies.
-    #[inline(always)]
-    pub unsafe fn scatter(self, states: &DisjointMut<BodyState>, block: &ContactBlock) {
-        let (v, d) = (self.velocities, self.displacements);
-        // SAFETY: the caller's promise.
-        unsafe {
-            scatter_states(states, &block.bodies[0], (v[0], d[0]));
-            scatter_states(states, &block.bodies[1], (v[1], d[1]));
-        }
-    }
-}
+use crate::model::params::ContactPass;
+use crate::step::solver::states::Bodies;
 
 /// The normal rows with their bias: separates overlapping bodies, and lets separated ones approach up to
 /// contact.
@@ -60,17 +24,17 @@ pub(in crate::step::solver) unsafe fn solve<W: Wide>(
     pass: &ContactPass,
 ) {
     // SAFETY: the caller's promise.
-    let mut bodies = unsafe { Bodies::<W>::gather(states, block) };
+    let mut bodies = unsafe { Bodies::<W>::gather(states, &block.bodies) };
     solve_normals::<W, true>(block, &mut bodies, pass);
     // SAFETY: the caller's promise.
-    unsafe { bodies.scatter(states, block) };
+    unsafe { bodies.scatter(states, &block.bodies) };
 }
 
-/// The normal rows without bias, which removes the velocity that the bias of the solve pass added; then
+/// The normal rows without bias, which remove the velocity that the bias of the solve pass added, then
 /// friction.
 ///
 /// In this order friction is bounded by the impulses that carry the bodies. The impulses of the solve pass
-/// are smaller while a soft contact is compressed, and larger while it removes overlap: with them a new box
+/// are smaller while a soft contact is compressed, and larger while it removes overlap. With them a new box
 /// slides 5 % too far.
 ///
 /// # Safety
@@ -83,7 +47,7 @@ pub(in crate::step::solver) unsafe fn relax<W: Wide>(
     pass: &ContactPass,
 ) {
     // SAFETY: the caller's promise.
-    let mut bodies = unsafe { Bodies::<W>::gather(states, block) };
+    let mut bodies = unsafe { Bodies::<W>::gather(states, &block.bodies) };
     solve_normals::<W, false>(block, &mut bodies, pass);
     bodies.velocities = solve_friction(block, coulomb, bodies.velocities);
     if pass.is_last_iteration {
@@ -93,7 +57,7 @@ pub(in crate::step::solver) unsafe fn relax<W: Wide>(
         }
     }
     // SAFETY: the caller's promise.
-    unsafe { bodies.scatter(states, block) };
+    unsafe { bodies.scatter(states, &block.bodies) };
 }
 
 /// Solves the friction rows once, central ones or those of the points, under the normal impulses as they are.

@@ -1,6 +1,5 @@
 //! From manifolds to rows, when a step begins, and the impulses of the last one.
 
-use super::passes::Bodies;
 use crate::base::disjoint::DisjointMut;
 use crate::base::wide::{Lane, Wide, invert};
 use crate::dim::contact::{
@@ -10,7 +9,7 @@ use crate::dim::math::{MAX_MANIFOLD_POINTS, Real};
 use crate::dim::state::{BodyPose, BodyState, WideMotion};
 use crate::dim::wide::WideVector;
 use crate::model::contact::{ContactInput, MotionSince, WidePoint};
-use crate::step::solver::states::gather_poses;
+use crate::step::solver::states::{Bodies, gather_poses};
 
 /// The bodies as constraints are prepared.
 #[derive(Copy, Clone)]
@@ -45,18 +44,18 @@ pub(in crate::step::solver) unsafe fn prepare<W: Wide>(
     let pair = Pair::store(input, block, frame, frame.local(motion.offset()), &poses);
     write_points(block, &pair, &points);
     // SAFETY: the caller's promise.
-    let mut bodies = unsafe { Bodies::<W>::gather(states, block) };
+    let mut bodies = unsafe { Bodies::<W>::gather(states, &block.bodies) };
     let friction = prepare_friction(input, &pair, &points, W::splat(prediction));
     bodies.velocities = friction.begin(input, block, coulomb, &pair, &points, bodies.velocities);
     bodies.velocities = warm_start(block, &frame, &points, bodies.velocities);
     // SAFETY: the caller's promise.
-    unsafe { bodies.scatter(states, block) };
+    unsafe { bodies.scatter(states, &block.bodies) };
 }
 
 /// The points in the world and in the contact frame, at the bodies' current poses.
 ///
 /// [Frozen](crate::model::contact::AnchorFrame) contacts keep the frame, the moment arms and `c` of their
-/// last transformation. World positions are subtracted from each other before anything small is added: far
+/// last transformation. World positions are subtracted from each other before anything small is added. Far
 /// from the origin they have few fractional digits, and their differences keep all of them.
 #[inline(always)]
 fn read_points<W: Wide>(

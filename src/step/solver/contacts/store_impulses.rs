@@ -15,8 +15,8 @@ pub(in crate::step::solver) fn store_impulses<W: Wide>(
     input: &mut ContactInput,
     reports: &mut [ContactReport; LANES],
 ) {
-    let (zero, (friction, twist)) = (W::zero(), block.friction_impulses::<W>());
-    let mut report = WideReport::new(WideVector::load(&block.normal), friction, twist);
+    let (zero, (friction, torsion)) = (W::zero(), block.friction_impulses::<W>());
+    let mut report = WideReport::new(WideVector::load(&block.normal), friction, torsion);
     let rows = block.points.iter().zip(&block.places).zip(&block.totals);
     for (k, ((row, place), total)) in rows.enumerate() {
         let impulses = [W::load(total), W::load(&row.impulse)];
@@ -24,7 +24,7 @@ pub(in crate::step::solver) fn store_impulses<W: Wide>(
     }
     let is_sound = report.find_sound();
     WideVector::select(is_sound, friction, WideVector::zero()).store(&mut input.friction_impulse);
-    W::select(is_sound, twist, zero).store(&mut input.twist_impulse);
+    W::select(is_sound, torsion, zero).store(&mut input.torsional_impulse);
     for (row, kept) in block.points.iter().zip(&mut input.impulses) {
         W::select(is_sound, W::load(&row.impulse), zero).store(kept);
     }

@@ -170,8 +170,9 @@ impl ActiveBlock {
         }
     }
 
-    /// Sweeps over the points in order, and applies impulses until they separate at their target velocities.
-    /// A lane has converged after a sweep without change. It needs one sweep if at most one point hits.
+    /// Iterates over the points in order, and applies impulses until they separate at their target
+    /// velocities. A lane has converged after an iteration without change. It needs one if at most one point
+    /// hits.
     ///
     /// # Safety
     /// The caller has exclusive access to the states of the block's bodies.

@@ -52,12 +52,12 @@
 //! impacts joints take the inertias that contacts have.
 //!
 //! ## Supported loads
-//! A substep starts with the impulses of the last one, which may be outdated: an impulse that stopped an
+//! A substep starts with the impulses of the last one, which may be outdated. An impulse that stopped an
 //! impact would accelerate the body now. So impacts use the velocities before any impulse, after the forces
 //! and without any support. A loaded contact would then approach. The impulses of the last substep change
-//! that velocity by `o_i`, from 0 up to the effect of the forces, a constant of the substep, which is added.
-//! With it, resting and loaded bodies are at rest. The energy added is then less than the sum above, by `Σ
-//! λ_i o_i`. Joints apply to changes alone: the changes of an impact must be admissible.
+//! that velocity by `o_i`, from 0 up to the effect of the forces. This constant of the substep is added. With
+//! it, resting and loaded bodies are at rest. The energy added is then less than the sum above, by `Σ λ_i
+//! o_i`. Joints apply to changes alone: the changes of an impact must be admissible.
 //!
 //! ## Time of impact
 //! An impact happens at a time `τ = C / |c|` within the substep, or before it if a fast body was detected
@@ -93,7 +93,6 @@ use crate::base::disjoint::DisjointMut;
 use crate::base::wide::{LANES, Lane};
 use crate::dim::math::Real;
 use crate::model::contact::ContactInput;
-use crate::model::params::ImpactPass;
 #[cfg(test)]
 pub(super) use active::ActiveBlock;
 use active::{Active, Phase, Round};
@@ -183,35 +182,35 @@ impl Impacts {
         bodies: &mut SolverBodies,
         mut context: ImpactContext<'_>,
     ) {
-        let (contacts, pass) = (contacts.blocks(), &context.pass.impacts);
-        let sources = context.sources;
         if self.is_empty() && !context.multibodies.has_restitution() {
             return;
         }
+        let (contacts, pass) = (contacts.blocks(), &context.pass.impacts);
+        let sources = context.sources;
         bodies.swap_before();
         context.multibodies.begin_impact(bodies, pass);
         context.multibodies.mark_active(sources, bodies, |_| true, pass);
-        self.visit_blocks(ImpactPhase::Begin, contacts, bodies, &context, pass);
+        self.visit_blocks(ImpactPhase::Begin, contacts, bodies, &context);
         let hits = self.marks.iter().any(|mark| mark.active != 0);
         let hits = hits || context.multibodies.active().next().is_some();
         if hits {
             self.open_islands(bodies, context.multibodies);
             let held = self.begin(bodies, &context);
             while self.find_active(contacts, context.multibodies) {
-                self.solve_round(held, bodies, &mut context, pass);
+                self.solve_round(held, bodies, &mut context);
                 let impact_islands = &self.memory.impact_islands;
                 let has_iterations = |island: u32| impact_islands[island as usize].iterations > 0;
                 context.multibodies.mark_active(sources, bodies, has_iterations, pass);
-                self.visit_blocks(ImpactPhase::Mark, contacts, bodies, &context, pass);
+                self.visit_blocks(ImpactPhase::Mark, contacts, bodies, &context);
             }
         }
         context.multibodies.defer();
-        self.visit_blocks(ImpactPhase::Defer, contacts, bodies, &context, pass);
+        self.visit_blocks(ImpactPhase::Defer, contacts, bodies, &context);
         if hits {
             self.begin_round(bodies, context.multibodies);
             context.multibodies.solve_active_friction(&mut bodies.states);
-            self.visit_blocks(ImpactPhase::Friction, contacts, bodies, &context, pass);
-            self.accept(bodies, &mut context, |_| 1.0, pass);
+            self.visit_blocks(ImpactPhase::Friction, contacts, bodies, &context);
+            self.accept(bodies, &mut context, |_| 1.0);
             context.joints.forget_places();
         }
         context.multibodies.end_impact();
@@ -220,12 +219,9 @@ impl Impacts {
 
     /// Restores the points that the last substep deferred.
     pub fn restore(&mut self, contacts: &mut SolverContacts) {
-        let contacts = contacts.blocks();
         for (impact, mark) in self.blocks.iter().zip(&mut self.marks) {
             if mark.is_deferred() {
-                // SAFETY: no task runs meanwhile.
-                let (block, _) = unsafe { contacts.get(impact.at) };
-                impact.restore(mark, block);
+                impact.restore(mark, contacts.block_mut(impact.at));
             }
         }
     }
@@ -308,7 +304,6 @@ impl Impacts {
         held: usize,
         bodies: &mut SolverBodies,
         context: &mut ImpactContext<'_>,
-        pass: &ImpactPass,
     ) {
         self.begin_round(bodies, context.multibodies);
         context.joints.forget_places();
@@ -352,16 +347,11 @@ impl Impacts {
             );
         }
         context.joints.share_delays(&mut self.touched.delays);
-        self.commit_round(bodies, context, pass);
+        self.commit_round(bodies, context);
     }
 
     /// Scales the round of each island by the fraction that its energy allows.
-    fn commit_round(
-        &mut self,
-        bodies: &mut SolverBodies,
-        context: &mut ImpactContext<'_>,
-        pass: &ImpactPass,
-    ) {
+    fn commit_round(&mut self, bodies: &mut SolverBodies, context: &mut ImpactContext<'_>) {
         let Memory { impact_islands, sums, .. } = &mut self.memory;
         sums.for_each(|island, [dissipated, energy_gain]| {
             let impact_island = &mut impact_islands[island as usize];
@@ -381,7 +371,7 @@ impl Impacts {
         let islands = &bodies.islands;
         context.joints.commit_impact_impulses(|body| fraction(islands[body as usize]));
         context.multibodies.commit_round(fraction);
-        self.accept(bodies, context, fraction, pass);
+        self.accept(bodies, context, fraction);
     }
 
     /// Commits the changes of the round to bodies and multibodies, scaled by the fraction of each island.
@@ -390,11 +380,10 @@ impl Impacts {
         bodies: &mut SolverBodies,
         context: &mut ImpactContext<'_>,
         fraction: impl Fn(u32) -> Real + Copy,
-        pass: &ImpactPass,
     ) {
         let Touched { bodies: touched, start, delays, .. } = &self.touched;
         bodies.accept_impact(touched, start, delays, fraction);
-        context.multibodies.accept_impact(pass.substep, fraction);
+        context.multibodies.accept_impact(context.pass.substep, fraction);
     }
 
     /// Finds the islands that the last iteration changed, and deactivates the others for the rest of the
@@ -451,13 +440,13 @@ impl Impacts {
         contacts: Blocks<'_>,
         bodies: &mut SolverBodies,
         context: &ImpactContext<'_>,
-        pass: &ImpactPass,
     ) {
         let known = [&bodies.last[..], &bodies.before];
         let states = DisjointMut::new(&mut bodies.states);
         let impacts = DisjointMut::new(&mut self.blocks);
         let marks = DisjointMut::new(&mut self.marks);
-        let (simd, touched) = (context.pass.simd, &self.touched);
+        let (simd, pass) = (context.pass.simd, &context.pass.impacts);
+        let touched = &self.touched;
         let all = 0..impacts.len();
         let (colors, grain) = match phase {
             ImpactPhase::Friction => (&self.colors[..], BLOCKS_PER_TASK * BLOCKS_PER_ACTIVE),

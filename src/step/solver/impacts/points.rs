@@ -8,8 +8,8 @@ use crate::dim::contact::{ContactBlock, CoulombBlock, Frame, NormalImpulse, Norm
 use crate::dim::math::MAX_MANIFOLD_POINTS;
 use crate::dim::state::BodyState;
 use crate::dim::wide::WideVector;
-use crate::step::solver::contacts::{self, Bodies, values_at};
-use crate::step::solver::states::gather_velocities;
+use crate::step::solver::contacts::{self, values_at};
+use crate::step::solver::states::{Bodies, gather_velocities};
 
 /// The normal rows of a block with the motion of its bodies.
 pub struct NormalRows<'a, W> {
@@ -23,7 +23,7 @@ impl<'a, W: Wide> NormalRows<'a, W> {
     #[inline(always)]
     pub unsafe fn gather(states: &DisjointMut<BodyState>, block: &'a ContactBlock) -> Self {
         // SAFETY: the caller's promise.
-        Self { block, bodies: unsafe { Bodies::gather(states, block) } }
+        Self { block, bodies: unsafe { Bodies::gather(states, &block.bodies) } }
     }
 
     /// # Safety
@@ -31,7 +31,7 @@ impl<'a, W: Wide> NormalRows<'a, W> {
     #[inline(always)]
     pub unsafe fn scatter(self, states: &DisjointMut<BodyState>) {
         // SAFETY: the caller's promise.
-        unsafe { self.bodies.scatter(states, self.block) };
+        unsafe { self.bodies.scatter(states, &self.block.bodies) };
     }
 
     /// The relative normal velocities at the points.
@@ -111,10 +111,10 @@ pub unsafe fn solve_friction<W: Wide>(
         rows.scale_impulses(&Lane::ZERO);
     }
     // SAFETY: the caller's promise.
-    let mut bodies = unsafe { Bodies::<W>::gather(states, block) };
+    let mut bodies = unsafe { Bodies::<W>::gather(states, &block.bodies) };
     bodies.velocities = contacts::solve_friction(block, fresh.as_mut(), bodies.velocities);
     // SAFETY: the caller's promise.
-    unsafe { bodies.scatter(states, block) };
+    unsafe { bodies.scatter(states, &block.bodies) };
     let (normal, friction) = kept;
     for (point, impulse) in block.points.iter_mut().zip(normal) {
         point.impulse = impulse;

@@ -57,7 +57,7 @@ pub(in super::super) struct ImpactMark {
     /// Whether any point hit in this substep.
     pub was_active: bool,
     /// One bit per point and lane: set if it approaches fast and does not arrive in this substep.
-    waiting: u32,
+    to_defer: u32,
     /// One bit per point and lane: set if it is deferred.
     deferred: u32,
 }
@@ -66,8 +66,8 @@ const _: () = assert!(MAX_MANIFOLD_POINTS * LANES <= u32::BITS as usize);
 
 impl ImpactMark {
     /// Returns whether any point is to be deferred.
-    pub fn waits(&self) -> bool {
-        self.waiting != 0
+    pub fn has_points_to_defer(&self) -> bool {
+        self.to_defer != 0
     }
 
     /// Returns whether any point is deferred.
@@ -101,12 +101,12 @@ impl ImpactBlock {
     /// them at contact, so they would arrive too slowly.
     pub fn defer(&mut self, mark: &mut ImpactMark, block: &mut ContactBlock) {
         for (k, (row, point)) in self.rows.iter_mut().zip(&mut block.points).enumerate() {
-            for lane in lanes(of_point(mark.waiting, k)) {
+            for lane in lanes(of_point(mark.to_defer, k)) {
                 row.separation.0[lane] =
                     core::mem::replace(&mut point.separation.0[lane], DEFERRED_SEPARATION);
             }
         }
-        mark.deferred = mark.waiting;
+        mark.deferred = mark.to_defer;
     }
 
     /// Begins a substep: notes how the points move, and what forces did to that since the last one ended
@@ -147,7 +147,7 @@ impl ImpactBlock {
         let (zero, h) = (W::zero(), W::splat(pass.substep));
         let restitution = W::load(&self.restitution);
         let mut hits = [zero.lt(zero); MAX_MANIFOLD_POINTS];
-        (mark.active, mark.waiting) = (0, 0);
+        (mark.active, mark.to_defer) = (0, 0);
         for (k, row) in self.rows.iter().enumerate() {
             let velocity = velocities[k] + W::load(&row.active.support_velocity);
             // Points that the manifold has not got have no mass.
@@ -156,7 +156,7 @@ impl ImpactBlock {
             let end = separations[k] + velocity * h;
             hits[k] = comes & end.lt(zero);
             mark.active |= W::bits(hits[k]);
-            mark.waiting |= W::bits(comes & zero.le(end)) << (k * LANES);
+            mark.to_defer |= W::bits(comes & zero.le(end)) << (k * LANES);
         }
         if mark.active == 0 {
             return;

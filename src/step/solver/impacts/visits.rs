@@ -1,4 +1,4 @@
-//! The visits of all blocks in an impact: what hits, what is deferred, and friction at the end.
+//! Phases of an impact over all blocks: hit detection, deferral, friction.
 
 use super::points::NormalRows;
 use super::rows::{ImpactBlock, ImpactMark};
@@ -65,7 +65,7 @@ impl BlockVisit<'_> {
             let mark = self.marks.get_mut(index);
             let is_of_interest = match self.phase {
                 ImpactPhase::Begin | ImpactPhase::Mark => true,
-                ImpactPhase::Defer => mark.waits(),
+                ImpactPhase::Defer => mark.has_points_to_defer(),
                 ImpactPhase::Friction => mark.was_active,
             };
             if !is_of_interest {

@@ -119,7 +119,7 @@ impl JointBlock {
     }
 
     /// Returns whether any lane includes the curvature of its free axes.
-    pub fn looks_ahead(&self) -> bool {
+    pub fn includes_curvature(&self) -> bool {
         self.row_count > 0 && (self.has_exact || self.has_distances)
     }
 

@@ -31,13 +31,13 @@
 //! ## Large unconstrained displacements
 //! Joints must recover from the unconstrained poses of the bodies. When only gravity and their own speed lead
 //! them, that is near. But contacts, limits and motors start with their impulses of the last substep. Without
-//! the opposing joint impulses, they accelerate light bodies: a board of 1.4 kg between the ground and a load
-//! of 140 kg would rotate by 2 rad in a substep. The rows there say nothing of where it will be, Newton's
-//! steps from there wander, and a chain got 10⁹ times its energy from that. A component with a body whose
-//! unconstrained rotation exceeds [`UNCONSTRAINED_ANGLE_MAX`] is therefore projected at the current poses, in
-//! one step without prediction. With constant rows, one projection is exact. It finds the nearest admissible
-//! velocity (Gauss's principle of least constraint), and never adds energy. The next substep corrects the
-//! remaining curvature error.
+//! the opposing joint impulses, they accelerate light bodies. A board of 1.4 kg between the ground and a load
+//! of 140 kg would rotate by 2 rad in a substep. The rows there do not predict its final pose, Newton's steps
+//! from there diverge, and a chain gained 10⁹ times its energy. A component with a body whose unconstrained
+//! rotation exceeds [`UNCONSTRAINED_ANGLE_MAX`] is therefore projected at the current poses, in one step
+//! without prediction. With constant rows, one projection is exact. It finds the nearest admissible velocity
+//! (Gauss's principle of least constraint), and never adds energy. The next substep corrects the remaining
+//! curvature error.
 //!
 //! ## Selection of the method
 //! The forces of the last substep show whether a component is stiff; then it is projected from the beginning.

@@ -31,7 +31,7 @@ const ITERATED_COMPLIANCE: Real = 1.0 / 8.0;
 /// A body that turns by less than this (rad) in a substep keeps its inertia for the step.
 const TURN_MIN: Real = 1.0e-4;
 
-/// Joints that are worth being looked at by another thread.
+/// Number of joints that are worth a task of another thread.
 const JOINTS_PER_TASK: usize = 64;
 
 /// Context for loading joints.

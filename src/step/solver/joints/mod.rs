@@ -36,10 +36,10 @@
 //! the angular momentum by `τ`, and the angular velocity by `I⁻¹ τ` with the current inertia. With the
 //! inertia of the start of the step, the work of a joint's impulses differs from the energy change of the
 //! bodies. Two thin limbs on a post gained so much that they flew apart. The relax pass therefore rotates the
-//! inverse inertias of gyroscopic bodies, `R I⁻¹ Rᵀ`, and the next solve pass, which begins at the same
-//! poses, uses the same ones. (Impulses act there for the gyroscope, too: see `dimN/motion.rs`.) The
-//! subtracted impulse of the last substep is therefore the velocity change that it caused, and not a moment
-//! times the current inertia.
+//! inverse inertias of gyroscopic bodies, `R I⁻¹ Rᵀ`. The next solve pass begins at the same poses and uses
+//! the same ones. (Impulses act there for the gyroscope, too: see `dimN/motion.rs`.) The subtracted impulse
+//! of the last substep is therefore the velocity change that it caused, and not a moment times the current
+//! inertia.
 //!
 //! ## Warm starting
 //! Bodies start a substep with the effect of the last one's impulses. A joint's rows have rotated since. Each
@@ -136,8 +136,8 @@ pub(super) struct Changes<'a> {
 }
 
 impl Changes<'_> {
-    /// Adds so many times what they were at the start to the velocities of `wanted` bodies. The others keep
-    /// theirs: subtraction and addition leave rounding errors, as often as other islands need another
+    /// Adds a multiple of the initial velocities to the velocities of `wanted` bodies. The others keep
+    /// theirs. Subtraction and addition leave rounding errors each time that other islands need another
     /// iteration.
     fn add_start(&mut self, times: Real, wanted: impl Fn(u32) -> bool) {
         for &body in self.held.iter().filter(|body| wanted(**body)) {
@@ -183,46 +183,46 @@ impl SolverJoints {
         }
     }
 
-    /// Solves all joints once, looking ahead.
+    /// Solves all joints once at the end-of-substep positions.
     pub fn solve(&mut self, bodies: &mut SolverBodies, pass: &SolverPass<'_>) {
         self.iterate::<true>(bodies, pass);
     }
 
-    /// Solves all joints once, where the bodies are.
+    /// Solves all joints once at the current positions.
     pub fn relax(&mut self, bodies: &mut SolverBodies, pass: &SolverPass<'_>) {
         self.iterate::<false>(bodies, pass);
     }
 
-    fn iterate<const AHEAD: bool>(&mut self, bodies: &mut SolverBodies, pass: &SolverPass<'_>) {
+    fn iterate<const BIASED: bool>(&mut self, bodies: &mut SolverBodies, pass: &SolverPass<'_>) {
         let &SolverPass { joints: ref pass, simd, tasks, .. } = pass;
         let (_, states) = bodies.shared();
         let parts = Parts::new(&mut self.blocks, &mut self.rows);
         for_each_color(self.layout.colors(), tasks, BLOCKS_PER_TASK, |range| {
-            simd.run(Iterate::<AHEAD> { range, parts, states, pass });
+            simd.run(Iterate::<BIASED> { range, parts, states, pass });
         });
-        self.point_to_point.iterate::<AHEAD>(states, pass, simd, tasks);
-        if !AHEAD {
+        self.point_to_point.iterate::<BIASED>(states, pass, simd, tasks);
+        if !BIASED {
             self.direct.forget_matrices();
         }
         if self.direct.is_empty() {
             return;
         }
         self.direct.begin();
-        if AHEAD {
+        if BIASED {
             let Self { memory, direct, geometric_stiffness, blocks, .. } = self;
             let test = stiffness_tests(geometric_stiffness, blocks, bodies, pass);
             direct.find_large_displacements(memory, test);
         }
-        self.solve_exactly::<AHEAD>(bodies, pass, simd, tasks);
-        while AHEAD && self.go_on(bodies, pass) {
-            self.solve_exactly::<AHEAD>(bodies, pass, simd, tasks);
+        self.solve_exactly::<BIASED>(bodies, pass, simd, tasks);
+        while BIASED && self.needs_another_round(bodies, pass) {
+            self.solve_exactly::<BIASED>(bodies, pass, simd, tasks);
         }
     }
 
     /// Returns whether the direct solver needs another round.
-    fn go_on(&mut self, bodies: &SolverBodies, pass: &JointPass) -> bool {
+    fn needs_another_round(&mut self, bodies: &SolverBodies, pass: &JointPass) -> bool {
         let Self { blocks, memory, direct, geometric_stiffness, .. } = self;
-        direct.go_on(
+        direct.needs_another_round(
             memory,
             pass.inv_substep,
             stiffness_tests(geometric_stiffness, blocks, bodies, pass),
@@ -241,10 +241,10 @@ impl SolverJoints {
     }
 
     /// Projects the velocity changes since the start of a round on the directly solved joints, in components
-    /// with a `wanted` body. The projection uses the current poses and the inertias of contacts. For impacts:
-    /// what the impulses are is kept apart until [`Self::commit_impact_impulses`], and the next step does not
-    /// start with them. `add_work` receives one body of each joint, and the work of the joint's impulses at
-    /// the velocities of the `start`.
+    /// with a `wanted` body. The projection uses the current poses and the inertias of contacts. It serves
+    /// impacts. The impulses are stored separately until [`Self::commit_impact_impulses`], and the next step
+    /// does not start with them. `add_work` receives one body of each joint, and the work of the joint's
+    /// impulses at the velocities of the `start`.
     pub fn project(
         &mut self,
         mut changes: Changes<'_>,
@@ -326,7 +326,7 @@ impl SolverJoints {
     }
 
     /// Solves the locked axes of connected joints together.
-    fn solve_exactly<const AHEAD: bool>(
+    fn solve_exactly<const BIASED: bool>(
         &mut self,
         bodies: &mut SolverBodies,
         pass: &JointPass,
@@ -338,11 +338,11 @@ impl SolverJoints {
         let blocks = DisjointMut::new(&mut self.blocks);
         let memory = DisjointMut::new(&mut self.memory);
         tasks.par_for(count, BLOCKS_PER_TASK, |range| {
-            simd.run(WriteRows::<AHEAD> { range, blocks, memory, states, pass });
+            simd.run(WriteRows::<BIASED> { range, blocks, memory, states, pass });
         });
         self.direct.solve(&mut self.memory, states, |_| true, simd, tasks);
         let memory = &self.memory;
-        let is_last = !AHEAD && pass.is_last_iteration;
+        let is_last = !BIASED && pass.is_last_iteration;
         tasks.par_for(count, BLOCKS_PER_TASK, |range| {
             simd.run(Finish { range, blocks, memory, is_last });
         });
@@ -404,19 +404,19 @@ block_kernel! {
 
 block_kernel! {
     /// See [`passes::iterate`].
-    struct Iterate<'a, const AHEAD: bool> {
+    struct Iterate<'a, const BIASED: bool> {
         parts: Parts<'a>,
         states: DisjointMut<'a, BodyState>,
         pass: &'a JointPass,
     }
     |index| {
-        passes::iterate::<W, AHEAD>(parts.blocks.get_mut(index), &parts.rows, &states, pass);
+        passes::iterate::<W, BIASED>(parts.blocks.get_mut(index), &parts.rows, &states, pass);
     }
 }
 
 block_kernel! {
     /// See [`direct::write_rows`].
-    struct WriteRows<'a, const AHEAD: bool> {
+    struct WriteRows<'a, const BIASED: bool> {
         blocks: DisjointMut<'a, JointBlock>,
         memory: DisjointMut<'a, JacobianBlock>,
         states: DisjointMut<'a, BodyState>,
@@ -425,7 +425,7 @@ block_kernel! {
     |index| {
         let block = blocks.get_mut(index);
         if block.has_exact {
-            direct::write_rows::<W, AHEAD>(block, memory.get_mut(index), &states, pass);
+            direct::write_rows::<W, BIASED>(block, memory.get_mut(index), &states, pass);
         }
     }
 }

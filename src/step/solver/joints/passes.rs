@@ -9,43 +9,12 @@ use crate::base::disjoint::DisjointMut;
 use crate::base::wide::Wide;
 use crate::dim::joint::{angular_to_frame, angular_to_world};
 use crate::dim::math::{DIM, SPATIAL_DIM};
-use crate::dim::state::{BodyState, WideDisplacement, WideMotion};
+use crate::dim::state::{BodyState, WideMotion};
 use crate::dim::wide::{
     ANG_ZERO_LANES, WideAngVector, WideVector, ang_dot, load_ang, store_ang, torque,
 };
 use crate::model::params::JointPass;
-use crate::step::solver::states::{gather_states, scatter_states};
-
-/// Velocities and displacements of a block's two bodies.
-pub(super) struct Bodies<W> {
-    pub velocities: [WideMotion<W>; 2],
-    pub displacements: [WideDisplacement<W>; 2],
-}
-
-impl<W: Wide> Bodies<W> {
-    /// # Safety
-    /// As [`gather_states`], for both bodies.
-    #[inline(always)]
-    pub unsafe fn gather(states: &DisjointMut<BodyState>, block: &JointBlock) -> Self {
-        // SAFETY: the caller's promise.
-        let ((v1, d1), (v2, d2)) = unsafe {
-            (gather_states(states, &block.bodies[0]), gather_states(states, &block.bodies[1]))
-        };
-        Self { velocities: [v1, v2], displacements: [d1, d2] }
-    }
-
-    /// # Safety
-    /// As [`scatter_states`], for both bodies.
-    #[inline(always)]
-    unsafe fn scatter(self, states: &DisjointMut<BodyState>, block: &JointBlock) {
-        let ([v1, v2], [d1, d2]) = (self.velocities, self.displacements);
-        // SAFETY: the caller's promise.
-        unsafe {
-            scatter_states(states, &block.bodies[0], (v1, d1));
-            scatter_states(states, &block.bodies[1], (v2, d2));
-        }
-    }
-}
+use crate::step::solver::states::Bodies;
 
 /// The locked axes of a block at the moment when it is solved: as many as may be, or the translations alone.
 struct Locked<W, const N: usize> {
@@ -95,7 +64,7 @@ pub(super) unsafe fn warm_start<W: Wide>(
     states: &DisjointMut<BodyState>,
 ) {
     // SAFETY: the caller's promise.
-    let mut bodies = unsafe { Bodies::<W>::gather(states, block) };
+    let mut bodies = unsafe { Bodies::<W>::gather(states, &block.bodies) };
     let geometry = Geometry::new(block, &bodies.displacements);
     let locked = Locked::<W, SPATIAL_DIM>::new(block, &geometry);
     let couple = angular_to_world(&geometry.axes, load_ang::<W>(&block.couple));
@@ -111,7 +80,7 @@ pub(super) unsafe fn warm_start<W: Wide>(
     store_angvel_change(masses.angvel_change(&wrench), block);
     bodies.velocities = masses.push(&wrench, bodies.velocities);
     // SAFETY: the caller's promise.
-    unsafe { bodies.scatter(states, block) };
+    unsafe { bodies.scatter(states, &block.bodies) };
 }
 
 /// Joints of stiff components start without impulses, including motors and limits. Without the opposing
@@ -160,13 +129,13 @@ fn impulse_of<W: Wide>(row: &AxisRow) -> W {
     W::load(&row.motor.impulse) + (W::load(&row.lower) - W::load(&row.upper))
 }
 
-/// Solves all rows once: free axes, then locked ones. `AHEAD`: with bias (free axes of direct joints include
+/// Solves all rows once: free axes, then locked ones. `BIASED`: with bias (free axes of direct joints include
 /// the curvature); otherwise towards zero relative velocity.
 ///
 /// # Safety
 /// The caller has exclusive access to the states of the block's bodies, and to its rows.
 #[inline(always)]
-pub(super) unsafe fn iterate<W: Wide, const AHEAD: bool>(
+pub(super) unsafe fn iterate<W: Wide, const BIASED: bool>(
     block: &mut JointBlock,
     rows: &DisjointMut<AxisRow>,
     states: &DisjointMut<BodyState>,
@@ -176,8 +145,8 @@ pub(super) unsafe fn iterate<W: Wide, const AHEAD: bool>(
     unsafe {
         // Without locked rotations the results are equal, for half of the work.
         match block.locks_rotations {
-            true => iterate_rows::<W, AHEAD, SPATIAL_DIM>(block, rows, states, pass),
-            false => iterate_rows::<W, AHEAD, DIM>(block, rows, states, pass),
+            true => iterate_rows::<W, BIASED, SPATIAL_DIM>(block, rows, states, pass),
+            false => iterate_rows::<W, BIASED, DIM>(block, rows, states, pass),
         }
     }
 }
@@ -187,23 +156,23 @@ pub(super) unsafe fn iterate<W: Wide, const AHEAD: bool>(
 /// # Safety
 /// As [`iterate`].
 #[inline(always)]
-unsafe fn iterate_rows<W: Wide, const AHEAD: bool, const N: usize>(
+unsafe fn iterate_rows<W: Wide, const BIASED: bool, const N: usize>(
     block: &mut JointBlock,
     rows: &DisjointMut<AxisRow>,
     states: &DisjointMut<BodyState>,
     pass: &JointPass,
 ) {
     // SAFETY: the caller's promise.
-    let mut bodies = unsafe { Bodies::<W>::gather(states, block) };
+    let mut bodies = unsafe { Bodies::<W>::gather(states, &block.bodies) };
     let geometry = Geometry::new(block, &bodies.displacements);
-    if !AHEAD {
+    if !BIASED {
         block.inertias.rotate(&bodies.displacements);
     }
     let masses = Masses::load(block);
     let locked = Locked::<W, N>::new(block, &geometry);
 
     let mut wrench = Wrench::load(&block.applied);
-    if AHEAD {
+    if BIASED {
         // SAFETY: the caller's promise.
         let turned = unsafe {
             forget_stiff::<W>(block, rows);
@@ -215,7 +184,7 @@ unsafe fn iterate_rows<W: Wide, const AHEAD: bool, const N: usize>(
     let before = wrench;
     if block.row_count > 0 || block.has_iterated {
         let coupling = masses.coupling(&locked.rows, &locked.locked);
-        let substep_end = if AHEAD && block.looks_ahead() {
+        let substep_end = if BIASED && block.includes_curvature() {
             let substep_end = SubstepEnd::new(block, &bodies, pass);
             let curvatures = substep_end.locked_curvatures(block, &geometry, &locked.rows, pass);
             Some((substep_end, curvatures))
@@ -225,18 +194,18 @@ unsafe fn iterate_rows<W: Wide, const AHEAD: bool, const N: usize>(
         let (masses, locked, substep_end) = (&masses, &locked, substep_end.as_ref());
         let joint = JointNow { geometry: &geometry, substep_end, masses, locked, coupling };
         // SAFETY: the caller's promise.
-        let added = unsafe { solve_axes::<W, AHEAD, N>(block, rows, &joint, &mut bodies, pass) };
+        let added = unsafe { solve_axes::<W, BIASED, N>(block, rows, &joint, &mut bodies, pass) };
         wrench = wrench.plus(&added);
     }
 
     wrench.store(&mut block.applied);
     note_angvel_change(block, masses.angvel_change(&wrench.minus(&before)));
-    if !AHEAD && pass.is_last_iteration {
+    if !BIASED && pass.is_last_iteration {
         add_to_totals(block, &geometry, &wrench);
         store_couple(block, &locked.rows);
     }
     // SAFETY: the caller's promise.
-    unsafe { bodies.scatter(states, block) };
+    unsafe { bodies.scatter(states, &block.bodies) };
 }
 
 /// Replaces the applied wrench by another one.
@@ -292,7 +261,7 @@ struct JointNow<'a, W, const N: usize> {
 /// # Safety
 /// The caller has exclusive access to the block's rows.
 #[inline(always)]
-unsafe fn solve_axes<W: Wide, const AHEAD: bool, const N: usize>(
+unsafe fn solve_axes<W: Wide, const BIASED: bool, const N: usize>(
     block: &mut JointBlock,
     rows: &DisjointMut<AxisRow>,
     joint: &JointNow<'_, W, N>,
@@ -305,14 +274,14 @@ unsafe fn solve_axes<W: Wide, const AHEAD: bool, const N: usize>(
         for index in block.first_row..block.first_row + block.row_count {
             // SAFETY: the caller's promise; the block's rows are in range.
             let row = unsafe { rows.get_mut(index) };
-            let added = solve_free::<W, AHEAD, N>(row, block, joint, &factored, bodies, pass);
+            let added = solve_free::<W, BIASED, N>(row, block, joint, &factored, bodies, pass);
             bodies.velocities = joint.masses.push(&added, bodies.velocities);
             wrench = wrench.plus(&added);
         }
         matrix = Some(factored);
     }
     if block.has_iterated {
-        let added = solve_locked::<W, AHEAD, N>(block, joint, matrix.as_ref(), bodies);
+        let added = solve_locked::<W, BIASED, N>(block, joint, matrix.as_ref(), bodies);
         bodies.velocities = joint.masses.push(&added, bodies.velocities);
         wrench = wrench.plus(&added);
     }
@@ -325,7 +294,7 @@ unsafe fn solve_axes<W: Wide, const AHEAD: bool, const N: usize>(
 /// own row `J` moves the bodies as the joint allows. Its effective mass is the true load of the motor, and no
 /// iteration between the two is necessary.
 #[inline(always)]
-fn solve_free<W: Wide, const AHEAD: bool, const N: usize>(
+fn solve_free<W: Wide, const BIASED: bool, const N: usize>(
     row: &mut AxisRow,
     block: &mut JointBlock,
     joint: &JointNow<'_, W, N>,
@@ -342,7 +311,7 @@ fn solve_free<W: Wide, const AHEAD: bool, const N: usize>(
             curvature = curvature - curvatures[k] * fractions[k];
         }
     }
-    if !AHEAD {
+    if !BIASED {
         position.store(&mut row.position);
     }
     for (locked, fraction) in joint.locked.rows.iter().zip(fractions) {
@@ -354,8 +323,9 @@ fn solve_free<W: Wide, const AHEAD: bool, const N: usize>(
     let inverse = W::select(movable, one / W::select(movable, effective, one), zero);
     let axis = FreeAxis { position, effective, inverse };
     let rate = along.rate(&bodies.velocities);
-    let driven = solve_motor::<W, AHEAD>(&mut row.motor, &axis, rate, pass);
-    let limited = solve_limits::<W, AHEAD>(row, &axis, rate + curvature + effective * driven, pass);
+    let driven = solve_motor::<W, BIASED>(&mut row.motor, &axis, rate, pass);
+    let limited =
+        solve_limits::<W, BIASED>(row, &axis, rate + curvature + effective * driven, pass);
     let added = driven + limited;
     for (impulse, fraction) in block.impulses.iter_mut().zip(fractions) {
         (W::load(impulse) - fraction * added).store(impulse);
@@ -368,14 +338,14 @@ fn solve_free<W: Wide, const AHEAD: bool, const N: usize>(
 /// Solves all locked axes together; returns the changes. The `matrix` is the one without compliance, if it is
 /// known.
 #[inline(always)]
-fn solve_locked<W: Wide, const AHEAD: bool, const N: usize>(
+fn solve_locked<W: Wide, const BIASED: bool, const N: usize>(
     block: &mut JointBlock,
     joint: &JointNow<'_, W, N>,
     matrix: Option<&Factored<W, N>>,
     bodies: &Bodies<W>,
 ) -> Wrench<W> {
     let (Locked { rows, locked }, mut coupling) = (joint.locked, joint.coupling);
-    let mut wanted = if AHEAD {
+    let mut wanted = if BIASED {
         rates_with_bias(block, joint.geometry, rows, bodies)
     } else {
         rates_here(block, rows, bodies)
@@ -384,11 +354,11 @@ fn solve_locked<W: Wide, const AHEAD: bool, const N: usize>(
     for k in 0..N {
         wanted[k] = wanted[k] * (locked[k] * iterated);
     }
-    let is_rigid = !(AHEAD || block.has_springs || block.has_exact);
+    let is_rigid = !(BIASED || block.has_springs || block.has_exact);
     let change = if let (true, Some(matrix)) = (is_rigid, matrix) {
         matrix.solve(wanted)
     } else {
-        let compliance = compliance_of::<W, AHEAD>(block);
+        let compliance = compliance_of::<W, BIASED>(block);
         for k in 0..N {
             for m in 0..k {
                 coupling[k][m] = coupling[k][m] * iterated;
@@ -444,9 +414,9 @@ pub(super) fn rates_here<W: Wide, const N: usize>(
 
 /// The compliance of the rows in a pass: in the relax pass only springs have any.
 #[inline(always)]
-pub(super) fn compliance_of<W: Wide, const AHEAD: bool>(block: &JointBlock) -> W {
+pub(super) fn compliance_of<W: Wide, const BIASED: bool>(block: &JointBlock) -> W {
     let compliance = W::load(&block.compliance);
-    if AHEAD { compliance } else { compliance * W::load(&block.is_spring) }
+    if BIASED { compliance } else { compliance * W::load(&block.is_spring) }
 }
 
 /// Adds a substep's impulse, and its moment about the second anchor, to those of the step.

@@ -2,7 +2,6 @@
 
 use super::block::{AxisRow, JointBlock};
 use super::geometry::Geometry;
-use super::passes::Bodies;
 use super::rows::Row;
 use crate::base::wide::Wide;
 use crate::dim::rotation_vector::turned_further;
@@ -10,6 +9,7 @@ use crate::dim::state::{WideDisplacement, WideMotion};
 use crate::dim::wide::{ang_dot, cross};
 use crate::model::params::JointPass;
 use crate::step::solver::joint_rules::CURVATURE_FRACTION_MAX;
+use crate::step::solver::states::Bodies;
 
 /// Joint positions of a block at the end of the substep.
 pub(super) struct SubstepEnd<W> {
@@ -121,10 +121,15 @@ impl<W: Wide> SubstepEnd<W> {
     #[inline(always)]
     fn speed(&self, now: &Geometry<W>, is_translation: W::Mask) -> W {
         let [m1, m2] = &self.velocities;
-        let turn = m2.angular - m1.angular;
+        let angular_velocity = m2.angular - m1.angular;
         let at = [cross(m1.angular, now.arms[0]), cross(m2.angular, now.arms[1])];
-        let way = (m2.linear - m1.linear) + (at[1] - at[0]);
-        W::select(is_translation, way.dot(way), ang_dot(turn, turn)).sqrt()
+        let linear_velocity = (m2.linear - m1.linear) + (at[1] - at[0]);
+        W::select(
+            is_translation,
+            linear_velocity.dot(linear_velocity),
+            ang_dot(angular_velocity, angular_velocity),
+        )
+        .sqrt()
     }
 }
 

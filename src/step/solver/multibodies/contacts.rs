@@ -7,10 +7,11 @@
 use super::impacts::{LinkImpact, LinkImpactRow};
 use super::rows::{ConstrainedStates, JacobianPool, Row};
 use super::sides::{Geometry, Side, normal_of};
-use super::{MultibodySources, SoftPass, SolverMultibodies};
+use super::{MultibodySources, SolverMultibodies, solve_unilateral};
 use crate::dim::math::{DIM, MAX_MANIFOLD_POINTS, Real, Vector, tangents};
 use crate::model::constraint_graph::ManifoldRef;
 use crate::model::contact::{ContactManifold, NarrowPhase};
+use crate::model::params::ContactPass;
 use crate::step::solver::bodies::SolverBodies;
 use arrayvec::ArrayVec;
 
@@ -165,7 +166,7 @@ impl SolverMultibodies {
         self.jacobians.rewrite_from(first_number);
         let mut points = core::mem::take(&mut self.contacts.contacts[position].points);
         for (point, (_, separation)) in points.iter_mut().zip(separations) {
-            let places = displacements.map(|way| point.position + way);
+            let places = displacements.map(|displacement| point.position + displacement);
             point.normal = self.row(&sides, places, normal);
             point.tangents = along.map(|tangent| self.row(&sides, places, tangent));
             let states =
@@ -254,15 +255,16 @@ impl LinkContacts {
         &mut self,
         jacobians: &JacobianPool,
         states: &mut ConstrainedStates<'_>,
-        pass: &SoftPass,
+        pass: &ContactPass,
         bias: bool,
     ) {
         for point in self.points() {
             let velocity = jacobians.velocity(&point.normal, states);
             let separation =
                 point.shown_separation() + jacobians.displacement(&point.normal, states);
-            let new = pass.solve(velocity, separation, point.normal.mass, point.impulse, bias);
-            jacobians.push(&point.normal, new - point.impulse, states);
+            let (mass, old) = (point.normal.mass, point.impulse);
+            let new = solve_unilateral(pass, velocity, separation, mass, old, bias);
+            jacobians.push(&point.normal, new - old, states);
             point.impulse = new;
         }
     }
@@ -303,7 +305,7 @@ impl LinkContacts {
             }
             data.normal = contact.normal;
             data.warmstart_friction = Vector::ZERO;
-            data.warmstart_twist = 0.0;
+            data.warmstart_torsion = 0.0;
             for (known, point) in data.points.iter_mut().zip(&contact.points) {
                 (known.point, known.dist) = (point.position, point.separation);
                 (known.impulse, known.warmstart_impulse) = (point.total, point.impulse);

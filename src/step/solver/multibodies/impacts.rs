@@ -6,19 +6,18 @@
 //! multibody. An impact thus travels through chains as through rows of bodies, and the energy sum of an
 //! island includes both.
 //!
-//! A multibody takes an impact as a body does: its generalised velocities change by the fraction of its
+//! An impact acts on a multibody as on a body. Its generalised velocities change by the fraction of its
 //! island's round, and the impulse is no warm-start load. But its configuration changes. `J`, `W` and the
-//! velocities in the middle of a substep differ from those at the time `τ` of the impact, and with them an
-//! impact would add energy. The multibody is therefore moved to that time, `q + τ q̇`, with the velocities of
-//! free motion. The impact rows are made there, and after the round everything returns the same way with the
-//! new velocities. Both halves of the free motion use the configuration at the impact, so that they cancel
+//! velocities in the middle of a substep differ from those at the time `τ` of the impact. With them an impact
+//! would add energy. The multibody is therefore moved to that time, `q + τ q̇`, with the velocities of free
+//! motion. The impact rows are made there, and after the round everything returns the same way with the new
+//! velocities. Both halves of the free motion use the configuration at the impact, so that they cancel
 //! exactly without one. There may be dozens of rounds, for example when a corner bounces while another one
 //! rests, and their errors would add up. A multibody that is hit several times in a round goes to the mean of
 //! these. It returns to a time before the substep only if all its links move as one. That distance exceeds
-//! the range of the tangents of a chain, and on the way forward links that were not hit would end up in the
-//! ground.
+//! the range of the tangents of a chain. On the return, links that were not hit would end up in the ground.
 //!
-//! Impacts see multibodies, too, without the impulses that the substep starts with. Without this rule, an
+//! Impact velocities of multibodies exclude the impulses that the substep starts with. Without this rule, an
 //! impact could drive a link into the ground, and the contact there would throw it back in the next substep.
 //! That causes another impact with a larger impulse, until all links fly about.
 //!
@@ -49,7 +48,7 @@ pub struct LinkImpactRow {
     /// Its velocity in the substep's middle when the round began.
     middle: Real,
     /// Whether the point approaches fast and does not arrive in this substep.
-    waits: bool,
+    to_defer: bool,
     hit: HitRow<Real>,
     /// Impulses of this round, and of the whole impact: the committed fraction of each round.
     impulse: Real,
@@ -234,7 +233,8 @@ impl SolverMultibodies {
         }
     }
 
-    /// Sweeps over the points that hit, and applies impulses until they separate at their target velocities.
+    /// Iterates over the points that hit, and applies impulses until they separate at their target
+    /// velocities.
     pub fn iterate_active(&mut self, states: &mut [BodyState]) {
         let (jacobians, contacts, mut states) = self.bouncing(states);
         for contact in contacts.bouncing().filter(|contact| contact.impact.active) {
@@ -283,7 +283,7 @@ impl SolverMultibodies {
     /// Defers the points that approach fast and do not arrive in this substep.
     pub fn defer(&mut self) {
         for contact in self.contacts.bouncing() {
-            contact.points.iter_mut().for_each(|point| point.is_deferred = point.impact.waits);
+            contact.points.iter_mut().for_each(|point| point.is_deferred = point.impact.to_defer);
         }
     }
 
@@ -374,7 +374,7 @@ impl LinkImpactRow {
     fn find_time(&mut self, velocity: Real, separation: Real, earliest: Real, h: Real) -> bool {
         let comes = velocity < self.limit;
         let arrives = separation + velocity * h < 0.0;
-        self.waits = comes && !arrives;
+        self.to_defer = comes && !arrives;
         self.middle = velocity;
         if comes {
             self.hit.time = (separation / -velocity).max(earliest).min(h);

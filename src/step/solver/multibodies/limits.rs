@@ -17,7 +17,7 @@
 //! those of impulse joints do (`joints/substep_end.rs`).
 
 use super::rows::{ConstrainedStates, JacobianPool, Part, Row};
-use super::{Moving, SoftPass};
+use super::{Moving, solve_unilateral};
 use crate::dim::joint::{FreeRotations, angle_about};
 use crate::dim::joint_axes::JointAxis;
 use crate::dim::math::{ANG_DIM, DIM, Real, SpatialVector};
@@ -26,6 +26,7 @@ use crate::model::joint::{
     GenericJoint, ImpulseJointHandle, ImpulseJointSet, JointLimits, JointMotor, MotorModel, mask_of,
 };
 use crate::model::multibody::{MultibodyJoint, MultibodyLink};
+use crate::model::params::ContactPass;
 use crate::step::solver::joint_rules::CURVATURE_FRACTION_MAX;
 
 /// Owner of the axis of a row: the joint of a link, or a joint that closes a loop.
@@ -230,7 +231,7 @@ impl JointRows {
         &mut self,
         jacobians: &JacobianPool,
         states: &mut ConstrainedStates<'_>,
-        pass: &SoftPass,
+        pass: &ContactPass,
         bias: bool,
     ) {
         for force_row in &mut self.force_rows {
@@ -243,7 +244,7 @@ impl JointRows {
                 let velocity = (jacobians.velocity(&limit.row, states) + curvature) * sign;
                 let separation = limit.distances[side] + moved * sign;
                 let old = limit.impulses[side];
-                let new = pass.solve(velocity, separation, limit.row.mass, old, bias);
+                let new = solve_unilateral(pass, velocity, separation, limit.row.mass, old, bias);
                 limit.impulses[side] = new;
                 jacobians.push(&limit.row, (new - old) * sign, states);
             }

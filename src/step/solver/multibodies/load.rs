@@ -63,7 +63,7 @@ impl SolverMultibodies {
         for moving in &mut self.moving {
             moving.fit_impulses(bodies, h);
             moving.read_forces(bodies, gravity);
-            moving.read_drives();
+            moving.read_joint_loads();
             moving.motion.begin(&moving.multibody, bodies);
             moving.add_motors();
             moving.motion.resist(h);
@@ -128,7 +128,7 @@ impl Moving {
     }
 
     /// Armature, springs and dampers of the joints.
-    fn read_drives(&mut self) {
+    fn read_joint_loads(&mut self) {
         let Multibody { links, dofs, lists, .. } = &self.multibody;
         self.motion.joint_loads.clear();
         for (position, dof) in dofs.iter().enumerate() {

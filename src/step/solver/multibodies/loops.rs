@@ -97,6 +97,9 @@ impl SolverMultibodies {
     ) {
         let MultibodySources { islands, joints, world, .. } = sources;
         self.loops.loops.clear();
+        if self.moving.is_empty() {
+            return;
+        }
         let slots = islands.joint_graph.in_solving_order().flat_map(|(_, list)| list);
         let links = slots.filter_map(|&slot| islands.joints.get(slot));
         let links = links.filter(|link| self.solves_one_of(link.body_slots()));

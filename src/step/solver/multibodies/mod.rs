@@ -117,60 +117,37 @@ pub(super) struct MultibodySources<'a> {
     pub world: &'a RigidBodySet,
 }
 
-/// Softness, allowed error and largest correction velocity of unilateral rows.
-#[derive(Copy, Clone, Debug)]
-struct SoftPass {
-    softness: Softness,
-    inv_substep: Real,
-    /// Error that is left alone.
-    allowed: Real,
-    /// Fastest that an error is undone.
-    push_max: Real,
+/// Parameters of the limit rows of joints: their own softness, no allowed error, and no largest correction
+/// velocity.
+fn limit_pass(pass: &ContactPass, params: &IntegrationParameters) -> ContactPass {
+    let substep = if pass.inv_substep > 0.0 { 1.0 / pass.inv_substep } else { 0.0 };
+    ContactPass {
+        softness: Softness::new(params.joint_erp, params.joint_damping_ratio, substep),
+        allowed_error: 0.0,
+        push_velocity_max: Real::INFINITY,
+        ..*pass
+    }
 }
 
-impl SoftPass {
-    /// For contacts.
-    fn contact(pass: &ContactPass) -> Self {
-        Self {
-            softness: pass.softness,
-            inv_substep: pass.inv_substep,
-            allowed: pass.allowed_error,
-            push_max: pass.push_velocity_max,
-        }
+/// The impulse of a unilateral row (`dim3/contact/mod.rs`), given `Ċ`, `C`, `1/K` and the impulse so far.
+fn solve_unilateral(
+    pass: &ContactPass,
+    velocity: Real,
+    separation: Real,
+    mass: Real,
+    impulse: Real,
+    bias: bool,
+) -> Real {
+    if separation > 0.0 {
+        return (impulse - mass * (velocity + separation * pass.inv_substep)).max(0.0);
     }
-
-    /// For limits of joints.
-    fn limit(pass: &ContactPass, params: &IntegrationParameters) -> Self {
-        let substep = if pass.inv_substep > 0.0 { 1.0 / pass.inv_substep } else { 0.0 };
-        Self {
-            softness: Softness::new(params.joint_erp, params.joint_damping_ratio, substep),
-            inv_substep: pass.inv_substep,
-            allowed: 0.0,
-            push_max: Real::INFINITY,
-        }
+    if !bias {
+        return (impulse - mass * velocity).max(0.0);
     }
-
-    /// The impulse of a row that must not go below zero (`dim3/contact/mod.rs`), given `Ċ`, `C`, `1/K` and
-    /// the impulse so far.
-    fn solve(
-        &self,
-        velocity: Real,
-        separation: Real,
-        mass: Real,
-        impulse: Real,
-        bias: bool,
-    ) -> Real {
-        if separation > 0.0 {
-            return (impulse - mass * (velocity + separation * self.inv_substep)).max(0.0);
-        }
-        if !bias {
-            return (impulse - mass * velocity).max(0.0);
-        }
-        let Softness { bias_rate, mass_scale, impulse_scale } = self.softness;
-        let error = (separation + self.allowed).min(0.0);
-        let opening = (error * bias_rate * mass_scale).max(-self.push_max);
-        (impulse - mass * (velocity * mass_scale + opening) - impulse * impulse_scale).max(0.0)
-    }
+    let Softness { bias_rate, mass_scale, impulse_scale } = pass.softness;
+    let error = (separation + pass.allowed_error).min(0.0);
+    let opening = (error * bias_rate * mass_scale).max(-pass.push_velocity_max);
+    (impulse - mass * (velocity * mass_scale + opening) - impulse * impulse_scale).max(0.0)
 }
 
 impl SolverMultibodies {
@@ -337,14 +314,13 @@ impl SolverMultibodies {
 
     /// Visits all rows but those of friction.
     fn iterate(&mut self, bodies: &mut SolverBodies, pass: &SolverPass<'_>, bias: bool) {
-        let contact = SoftPass::contact(&pass.contacts);
-        let limit = SoftPass::limit(&pass.contacts, pass.params);
+        let limit = limit_pass(&pass.contacts, pass.params);
         let Self { jacobians, joints, gears, loops, contacts, moving, .. } = self;
         let mut states = ConstrainedStates { multibodies: moving, states: &mut bodies.states };
         loops.solve(jacobians, &mut states, bias);
         joints.solve(jacobians, &mut states, &limit, bias);
         gears.solve(jacobians, &mut states, bias);
-        contacts.solve(jacobians, &mut states, &contact, bias);
+        contacts.solve(jacobians, &mut states, &pass.contacts, bias);
     }
 }
 

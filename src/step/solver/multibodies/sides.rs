@@ -147,7 +147,7 @@ pub(super) fn normal_of(
     anchor_frame: &AnchorFrame,
     manifold: &ContactManifold,
 ) -> Vector {
-    sides[0].rotation * anchor_frame.rotations[0].inverse() * manifold.data.placed_normal
+    sides[0].rotation * anchor_frame.rotations[0].inverse() * manifold.data.anchor_normal
 }
 
 impl Geometry {
@@ -175,7 +175,7 @@ impl Geometry {
                 None => turned1 + moved * 0.5,
                 Some(_) => turned2 - moved * 0.5 - offset_now,
             };
-            (origin + arm, known.placed_dist + normal.dot(moved))
+            (origin + arm, known.anchor_dist + normal.dot(moved))
         };
         Self { normal, points: manifold.data.points.iter().map(follow).collect() }
     }

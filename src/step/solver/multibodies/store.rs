@@ -103,7 +103,7 @@ impl Moving {
         for id in 0..self.multibody.links.len() {
             let Some((bound, motion)) = self.store_link(id, islands, bodies) else { continue };
             let Some(body) = bodies.get_unnoted_mut(motion.body) else { continue };
-            body.ccd_active = FastMotion::is_one(body, bound, params);
+            body.ccd_active = FastMotion::is_fast(body, bound, params);
             is_fast |= body.ccd_active;
             fast.push(FastMotion { link: Some((trajectories.len(), id)), ..motion });
         }

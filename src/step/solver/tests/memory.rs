@@ -1,5 +1,5 @@
-//! Memory access of the kernels: all registers give the same bits, only own bodies are written, no digits are
-//! lost far from the origin, and impulses persist.
+//! Memory access of the kernels. All register types give the same bits, and only own bodies are written. No
+//! digits are lost far from the origin, and impulses persist.
 
 use super::scene::{
     Body, Contact, LANE, SUBSTEP, Scene, advance, random_direction, random_turn, random_vector,

@@ -296,8 +296,8 @@ fn a_dominant_body_is_not_moved() {
     }
 }
 
-/// A body on a rail along x, against a slope: friction and the normal row act on the same coordinate, and
-/// each must include the effect of the other.
+/// A body on a rail along x touches a slope. Friction and the normal row act on the same coordinate, and each
+/// must include the effect of the other.
 #[test]
 fn rows_of_a_locked_body_see_each_other() {
     let normal = (Vector::X + Vector::Y).normalize();

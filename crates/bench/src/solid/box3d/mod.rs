@@ -13,7 +13,7 @@ use crate::engine::{Counts, Engine, Probes, Stats, Unsupported};
 use box3d_sys::*;
 
 /// Limit of Box3D.
-const MAX_HULL_VERTICES: usize = 128;
+const HULL_VERTICES_MAX: usize = 128;
 
 /// Corners of the prism that replaces a cylinder. Box3D has no cylinders.
 const CYLINDER_SIDES: usize = 16;
@@ -198,7 +198,7 @@ fn create_shape(
             }
             TypedShape::ConvexPolyhedron(polyhedron) => {
                 let points: Vec<b3Vec3> = polyhedron.points().iter().map(|&p| at(p)).collect();
-                if points.len() > MAX_HULL_VERTICES {
+                if points.len() > HULL_VERTICES_MAX {
                     return Err(Unsupported::because("a hull has too many vertices"));
                 }
                 create_hull(body, &definition, &points)?;

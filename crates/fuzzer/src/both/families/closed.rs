@@ -13,8 +13,8 @@
 //! Both are fractions of `v h / height` of the total. Together with rounding they may reach [`GAIN_MAX`] of
 //! the initial energy, plus a lift of [`LIFT_MAX`] for each body.
 
-use super::colliders::OTHERS;
 use super::dim::{cuboid, shape, spin_energy};
+use super::groups::OTHERS;
 use super::rapier::prelude::*;
 use super::values::within;
 use super::world::check;

@@ -1,6 +1,6 @@
 //! Families: worlds of one kind, each with an invariant.
 //!
-//! The operations of [`super::play`] combine all features, so few statements about the outcome are possible.
+//! The operations of [`super::acts`] combine all features, so few statements about the outcome are possible.
 //! A family has a generator, which reads a scene from the bytes, and an invariant, which is checked after
 //! each step. The scenes stay within the limits of the guide. A string of bytes is a sequence of scenes.
 
@@ -12,7 +12,7 @@ mod thrown;
 mod trees;
 
 use super::rapier;
-use super::{colliders, dim, thin, values, world};
+use super::{dim, groups, thin, values, world};
 use crate::choices::Choices;
 use crate::{FAMILIES, Tally};
 

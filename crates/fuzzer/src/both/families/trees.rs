@@ -5,8 +5,8 @@
 //! ranges: links that rotate at hundreds of rad/s and collide at mass ratios of 1:74 gain energy in one of
 //! some thousand trees.
 
-use super::colliders::OTHERS;
 use super::dim::{TREE_LOCKS, cuboid};
+use super::groups::OTHERS;
 use super::rapier::prelude::*;
 use super::room;
 use super::thin::turn;

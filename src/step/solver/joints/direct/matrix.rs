@@ -8,16 +8,16 @@
 //! axes stand first.
 //!
 //! ## Redundant constraints
-//! Three hinges of a door are redundant: some impulses `n` have no effect on the bodies, `A n = 0` with `A =
-//! J M⁻¹ Jᵀ`, and `A λ = b` leaves their fraction in `λ` open. The result is rounding divided by almost zero:
+//! Three hinges of a door are redundant. Some impulses `n` have no effect on the bodies, `A n = 0` with `A =
+//! J M⁻¹ Jᵀ`. `A λ = b` leaves their fraction in `λ` open. The result is rounding divided by almost zero:
 //! hinges that strain against each other with a thousand times their load. Only components with loops can
 //! have redundant constraints. For these, the solver selects the smallest of all valid impulses. They
 //! minimise `λᵀ D λ`, where `D` contains the inverse masses of each row without its moment arms. Equal joints
 //! then carry equal loads, independent of their position.
 //!
 //! With a small damping `δ` (Tikhonov's) the equations have one solution, and the factors of the damped
-//! matrix are those that solve it. One more turn with them takes away what the first one found where it
-//! should find nothing:
+//! matrix are those that solve it. A second solution with the same factors removes the first one's component
+//! along the null space:
 //!
 //! ```text
 //! (A + δ D) y = b        (A + δ D) Δλ = b - δ D (λ + y)
@@ -26,7 +26,7 @@
 //! Along an eigenvector of `D⁻¹ A` with the eigenvalue `a` this is `Δλ = (a b/(a + δ) - δ λ)/(a + δ)`. For `a
 //! = 0` nothing is left of `b`, and `λ`, which has been along other eigenvectors before the bodies turned,
 //! goes away. For `a ≫ δ` it is `b/a`: well-determined rows have an error of `δ D λ` in velocity, which is
-//! rounding. (The first turn alone leaves `b/δ` for `a = 0`. With `δ` large enough to make that small,
+//! rounding. (The first solution alone leaves `b/δ` for `a = 0`. With `δ` large enough to make that small,
 //! bridges sag.) The idea is the reverse of the proximal method (Rockafellar, "Monotone operators and the
 //! proximal point algorithm", 1976): its steps lead from the last impulses to the solution, these from the
 //! solution to zero.
@@ -83,23 +83,23 @@ pub(super) enum Progress {
 /// The matrix of a component, and the buffers of its solution, with `N` rows per joint.
 #[derive(Default)]
 pub(super) struct Matrix<const N: usize> {
-    /// By member.
+    /// By direct joint.
     rows: Vec<Rows<N>>,
-    /// By member: its diagonal block; factorised, `L` below the diagonal.
+    /// By direct joint: its diagonal block; factorised, `L` below the diagonal.
     diagonal: Vec<Block<N>>,
-    /// By member: the inverse pivots.
+    /// By direct joint: the inverse pivots.
     inverses: Vec<Column<N>>,
-    /// By member: the diagonal of `J M⁻¹ Jᵀ`.
+    /// By direct joint: the diagonal of `J M⁻¹ Jᵀ`.
     own: Vec<Column<N>>,
     /// The blocks below the diagonal, those of one column together; factorised, they are `L D`.
     below: Vec<Block<N>>,
-    /// By member: where the blocks of its column begin.
+    /// By direct joint: where the blocks of its column begin.
     first_below: Vec<usize>,
-    /// By member: `δ D` of components with loops.
+    /// By direct joint: `δ D` of components with loops.
     damping: Vec<Column<N>>,
-    /// By member: right-hand side, then solution.
+    /// By direct joint: right-hand side, then solution.
     x: Vec<Column<N>>,
-    /// By member: right-hand side of the second turn.
+    /// By direct joint: right-hand side of the second solution.
     again: Vec<Column<N>>,
     /// Input of the first solution of a substep, of the one before the last, and of the last one.
     first_size: f64,
@@ -211,7 +211,7 @@ impl<const N: usize> Matrix<N> {
         }
     }
 
-    /// As [`Self::size_of_rates`], of what the impulses do as a whole, and of what rounding makes of rates.
+    /// As [`Self::size_of_rates`], for the total effect of the impulses and for the rounding errors of rates.
     fn size_of_load(
         &self,
         component: Component<'_>,
@@ -276,7 +276,7 @@ impl<const N: usize> Matrix<N> {
         }
     }
 
-    /// Puts the right-hand side of the second turn in place of the first one's solution.
+    /// Replaces the first solution by the right-hand side of the second one.
     fn load_shares(&mut self, component: Component<'_>, memory: &[JacobianBlock]) {
         for (at, member) in component.members.iter().enumerate() {
             let (from, lane) = (&memory[member.block as usize], member.lane as usize);
@@ -341,7 +341,7 @@ impl<const N: usize> Matrix<N> {
         }
     }
 
-    /// Takes what the elimination of the column `at` does off the block of two of its rows.
+    /// Subtracts the effect of the elimination of the column `at` from the block of two of its rows.
     #[expect(clippy::expect_used, reason = "the pattern is ours, and closed under elimination")]
     #[inline(always)]
     fn update(&mut self, component: Component<'_>, at: usize, first: usize, second: usize) {

@@ -2,7 +2,7 @@
 
 use super::super::block::{JointBlock, Wrench};
 use super::super::geometry::Geometry;
-use super::super::passes::{Bodies, compliance_of, note_angvel_change, rates_here, store_couple};
+use super::super::passes::{compliance_of, note_angvel_change, rates_here, store_couple};
 use super::super::rows::{Masses, Row};
 use super::super::substep_end::SubstepEnd;
 use super::masses::InverseMass;
@@ -17,6 +17,7 @@ use crate::dim::wide::{
     select_ang, set_ang_lane, set_symmetric_lane, store_ang, symmetric_lane,
 };
 use crate::model::params::JointPass;
+use crate::step::solver::states::Bodies;
 
 /// The locked axes of a block's joints at one moment.
 #[derive(Clone, Debug)]
@@ -27,10 +28,10 @@ pub(in super::super) struct JacobianBlock {
     pub rates: [Lane; SPATIAL_DIM],
     pub impulses: [Lane; SPATIAL_DIM],
     pub compliance: Lane,
-    /// One where the solve pass takes the rows from where the bodies would go, zero where they are.
-    pub are_there: Lane,
+    /// One where the solve pass uses the rows of the predicted poses, zero for those of the current poses.
+    pub at_predicted_pose: Lane,
     /// One where the solve pass includes the curvature.
-    pub look_ahead: Lane,
+    pub includes_curvature: Lane,
     /// Masses of its bodies at the current poses.
     pub inv_mass: [WideVector<Lane>; 2],
     pub inv_inertia: [WideSymmetric<Lane>; 2],
@@ -46,8 +47,8 @@ impl JacobianBlock {
             rates: [zero; SPATIAL_DIM],
             impulses: [zero; SPATIAL_DIM],
             compliance: zero,
-            are_there: zero,
-            look_ahead: zero,
+            at_predicted_pose: zero,
+            includes_curvature: zero,
             inv_mass: [WideVector::ZERO; 2],
             inv_inertia: [ZERO_INERTIA; 2],
             changes: [zero; SPATIAL_DIM],
@@ -115,7 +116,7 @@ impl ImpactImpulse {
 /// # Safety
 /// No other thread writes the states of the block's bodies.
 #[inline(always)]
-pub(in super::super) unsafe fn write_rows<W: Wide, const AHEAD: bool>(
+pub(in super::super) unsafe fn write_rows<W: Wide, const BIASED: bool>(
     block: &mut JointBlock,
     memory: &mut JacobianBlock,
     states: &DisjointMut<BodyState>,
@@ -124,8 +125,8 @@ pub(in super::super) unsafe fn write_rows<W: Wide, const AHEAD: bool>(
     // SAFETY: the caller's promise.
     unsafe {
         match block.locks_rotations {
-            true => write_first_rows::<W, AHEAD, SPATIAL_DIM>(block, memory, states, pass),
-            false => write_first_rows::<W, AHEAD, DIM>(block, memory, states, pass),
+            true => write_first_rows::<W, BIASED, SPATIAL_DIM>(block, memory, states, pass),
+            false => write_first_rows::<W, BIASED, DIM>(block, memory, states, pass),
         }
     }
 }
@@ -135,16 +136,16 @@ pub(in super::super) unsafe fn write_rows<W: Wide, const AHEAD: bool>(
 /// # Safety
 /// As [`write_rows`].
 #[inline(always)]
-unsafe fn write_first_rows<W: Wide, const AHEAD: bool, const N: usize>(
+unsafe fn write_first_rows<W: Wide, const BIASED: bool, const N: usize>(
     block: &mut JointBlock,
     memory: &mut JacobianBlock,
     states: &DisjointMut<BodyState>,
     pass: &JointPass,
 ) {
     // SAFETY: the caller's promise.
-    let bodies = unsafe { Bodies::<W>::gather(states, block) };
-    let (rows, rates) = if AHEAD {
-        rows_ahead::<W, N>(block, memory, &bodies, pass)
+    let bodies = unsafe { Bodies::<W>::gather(states, &block.bodies) };
+    let (rows, rates) = if BIASED {
+        rows_biased::<W, N>(block, memory, &bodies, pass)
     } else {
         let rows = Geometry::new(block, &bodies.displacements).rows::<N>();
         (rows, rates_here(block, &rows, &bodies))
@@ -159,35 +160,36 @@ unsafe fn write_first_rows<W: Wide, const AHEAD: bool, const N: usize>(
             store_all(components(linear, angular), &mut memory.rows[k][side]);
         }
     }
-    compliance_of::<W, AHEAD>(block).store(&mut memory.compliance);
+    compliance_of::<W, BIASED>(block).store(&mut memory.compliance);
     (memory.inv_mass, memory.inv_inertia) = (block.inv_mass, *block.inertias.lanes());
 }
 
-/// Rows and velocity errors of the solve pass, with the curvature of the present velocities. Stiff joints
-/// take the rows there, others where they are. Joints with a large unconstrained displacement
-/// (`../geometric_stiffness.rs`) are excluded.
+/// Rows and velocity errors of the solve pass, with the curvature of the present velocities. Stiff joints use
+/// the rows of the predicted poses, others those of the current poses. Joints with a large unconstrained
+/// displacement (`../geometric_stiffness.rs`) are excluded.
 #[inline(always)]
-fn rows_ahead<W: Wide, const N: usize>(
+fn rows_biased<W: Wide, const N: usize>(
     block: &mut JointBlock,
     memory: &JacobianBlock,
     bodies: &Bodies<W>,
     pass: &JointPass,
 ) -> ([Row<W>; N], [W; N]) {
-    let are_there = W::zero().lt(W::load(&memory.are_there));
-    let look_ahead = W::zero().lt(W::load(&memory.look_ahead));
+    let at_predicted_pose = W::zero().lt(W::load(&memory.at_predicted_pose));
+    let includes_curvature = W::zero().lt(W::load(&memory.includes_curvature));
     let now = Geometry::new(block, &bodies.displacements);
     let substep_end = SubstepEnd::new(block, bodies, pass);
     let (mut rows, then) = (now.rows::<N>(), substep_end.then.rows::<N>());
     for (row, then) in rows.iter_mut().zip(&then) {
-        row.linear = WideVector::select(are_there, then.linear, row.linear);
+        row.linear = WideVector::select(at_predicted_pose, then.linear, row.linear);
         for side in 0..2 {
-            row.angular[side] = select_ang(are_there, then.angular[side], row.angular[side]);
+            row.angular[side] =
+                select_ang(at_predicted_pose, then.angular[side], row.angular[side]);
         }
     }
     let mut rates = substep_end.rates::<N>(block, &now, pass);
     for (k, rate) in rates.iter_mut().enumerate() {
         let here = rows[k].rate(&bodies.velocities) + W::load(&block.held_bias[k]);
-        *rate = W::select(look_ahead, *rate, here);
+        *rate = W::select(includes_curvature, *rate, here);
     }
     (rows, rates)
 }

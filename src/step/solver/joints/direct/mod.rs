@@ -1,8 +1,8 @@
 //! Joints that hold each other, solved together and exactly.
 //!
 //! An iteration over the joints of a chain carries a force by one or two links. A long chain, or a light one
-//! with something heavy at its end, is far from done when the substep is. So the locked axes of all joints
-//! that are connected through bodies are one system of linear equations,
+//! with something heavy at its end, has not converged at the end of the substep. So the locked axes of all
+//! joints that are connected through bodies are one system of linear equations,
 //!
 //! ```text
 //! (J M⁻¹ Jᵀ + Γ) Δλ = -(J v + bias + Γ λ)
@@ -72,12 +72,12 @@ pub(super) struct Direct {
 /// Method for a component in a substep: see `../geometric_stiffness.rs`.
 #[derive(Copy, Clone, Debug, PartialEq)]
 enum Linearization {
-    /// Looking ahead, along the rows where the bodies are.
-    Ahead,
-    /// Stiff: projected from where the bodies would go freely, along the rows there.
-    There,
+    /// At the end of the substep, along the rows of the current poses.
+    SubstepEnd,
+    /// Stiff: projected at the predicted poses of free motion, along the rows there.
+    PredictedPose,
     /// Stiff, with a large unconstrained displacement: projected at the current poses.
-    Here,
+    CurrentPose,
 }
 
 /// State of the solution of a component.
@@ -92,13 +92,16 @@ struct SolveState {
 impl SolveState {
     /// Selects the linearisation of a stiff component.
     fn linearize_stiff(&mut self, has_large_displacement: bool) {
-        self.linearization =
-            if has_large_displacement { Linearization::Here } else { Linearization::There };
+        self.linearization = if has_large_displacement {
+            Linearization::CurrentPose
+        } else {
+            Linearization::PredictedPose
+        };
     }
 
     /// The step after a round of a stiff component.
     fn next_if_stiff(&self) -> Next {
-        if self.linearization == Linearization::There && self.rounds < STIFF_ROUNDS_MAX {
+        if self.linearization == Linearization::PredictedPose && self.rounds < STIFF_ROUNDS_MAX {
             Next::Solve
         } else {
             Next::Nothing
@@ -162,7 +165,8 @@ impl Direct {
                 // Stiff joints take other rows than those of the last relax pass.
                 self.factors[index].forget();
             }
-            let linearization = if is_stiff { Linearization::There } else { Linearization::Ahead };
+            let linearization =
+                if is_stiff { Linearization::PredictedPose } else { Linearization::SubstepEnd };
             self.solve_states.push(SolveState { linearization, rounds: 0, next: Next::Solve });
         }
     }
@@ -182,7 +186,7 @@ impl Direct {
     ) {
         for (index, solve_state) in self.solve_states.iter_mut().enumerate() {
             let members = self.pattern.component(index).members;
-            if solve_state.linearization == Linearization::There {
+            if solve_state.linearization == Linearization::PredictedPose {
                 solve_state.linearize_stiff(test(members, StiffnessTest::HasLargeDisplacement));
             }
             note_linearization(members, rows, solve_state.linearization);
@@ -206,13 +210,13 @@ impl Direct {
 
     /// Ends a round of the solve pass. Returns whether another round is necessary. `test` returns whether a
     /// component is stiff.
-    pub fn go_on(
+    pub fn needs_another_round(
         &mut self,
         rows: &mut [JacobianBlock],
         inv_h: Real,
         mut test: impl FnMut(&[DirectJoint], StiffnessTest) -> bool,
     ) -> bool {
-        let mut goes_on = false;
+        let mut is_unfinished = false;
         for (index, solve_state) in self.solve_states.iter_mut().enumerate() {
             let (component, factor) = (self.pattern.component(index), &mut self.factors[index]);
             solve_state.rounds += 1;
@@ -228,7 +232,7 @@ impl Direct {
                     note_linearization(component.members, rows, solve_state.linearization);
                     Next::Solve
                 }
-                Next::Solve if solve_state.linearization != Linearization::Ahead => {
+                Next::Solve if solve_state.linearization != Linearization::SubstepEnd => {
                     solve_state.next_if_stiff()
                 }
                 Next::Solve if solve_state.rounds == 1 => Next::Solve,
@@ -245,9 +249,9 @@ impl Direct {
                     Progress::Far | Progress::Astray => Next::Rollback,
                 },
             };
-            goes_on |= solve_state.next != Next::Nothing;
+            is_unfinished |= solve_state.next != Next::Nothing;
         }
-        goes_on
+        is_unfinished
     }
 
     /// Marks all matrices as outdated, because the bodies moved or changed.
@@ -255,8 +259,8 @@ impl Direct {
         self.factors.iter_mut().for_each(Factor::forget);
     }
 
-    /// Solves the components that are `wanted`, by their members: gives the rows their change of impulse, and
-    /// the bodies what it does to them.
+    /// Solves the components that are `wanted`, by their members. Applies the changes of impulses to the
+    /// rows, and the resulting velocity changes to the bodies.
     pub fn solve(
         &mut self,
         rows: &mut [JacobianBlock],
@@ -282,14 +286,16 @@ impl Direct {
                         factor.roll_back(component, read, &states);
                         continue;
                     }
-                    let (again, is_there) =
-                        (solve_state.rounds > 0, solve_state.linearization == Linearization::There);
-                    if again && is_there && factor.has_converged(component, read) {
+                    let (again, at_predicted_pose) = (
+                        solve_state.rounds > 0,
+                        solve_state.linearization == Linearization::PredictedPose,
+                    );
+                    if again && at_predicted_pose && factor.has_converged(component, read) {
                         continue;
                     }
                     factor.solve(component, again, read, &states, simd);
-                    // The rows were those of where the bodies are not yet.
-                    if is_there {
+                    // The rows were those of predicted poses.
+                    if at_predicted_pose {
                         factor.forget();
                     }
                 }
@@ -309,7 +315,9 @@ fn note_linearization(
 ) {
     for member in members {
         let (memory, lane) = (&mut rows[member.block as usize], member.lane as usize);
-        memory.are_there.0[lane] = if linearization == Linearization::There { 1.0 } else { 0.0 };
-        memory.look_ahead.0[lane] = if linearization == Linearization::Here { 0.0 } else { 1.0 };
+        memory.at_predicted_pose.0[lane] =
+            if linearization == Linearization::PredictedPose { 1.0 } else { 0.0 };
+        memory.includes_curvature.0[lane] =
+            if linearization == Linearization::CurrentPose { 0.0 } else { 1.0 };
     }
 }

@@ -7,7 +7,7 @@
 //! hub. The first one in the given order is taken among equals: the result is independent of hashes and
 //! addresses.
 //!
-//! Components are small, so the graph of what is left is kept as it is, a sorted list for each joint.
+//! Components are small, so the remaining graph is stored directly, as a sorted list for each joint.
 
 use std::collections::BTreeSet;
 

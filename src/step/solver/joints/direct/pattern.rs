@@ -21,7 +21,7 @@ const NET_JOINTS: usize = 6;
 
 /// Range of joints of free components with moderate mass ratios that are solved iteratively: ragdolls. They
 /// carry no load for long, and a force passes through them in some substeps. Fewer joints cost little, and
-/// keep the energy of what turns about itself.
+/// keep the energy of rotating components.
 const FREE_JOINTS: RangeInclusive<usize> = 6..=24;
 const MASS_RATIO_MAX: Real = 32.0;
 
@@ -78,7 +78,7 @@ pub(super) struct Pattern {
     /// In the order of elimination; those of one component together.
     members: Vec<DirectJoint>,
     components: Vec<Part>,
-    /// By member: the later members of its component in whose rows its column has a block, ascending.
+    /// By direct joint: the later members of its component in whose rows its column has a block, ascending.
     columns: Vec<Vec<u32>>,
     search: Search,
     ordering: Ordering,
@@ -112,7 +112,7 @@ struct Search {
     body_count: usize,
     /// By body: whether it has been counted.
     seen: Vec<bool>,
-    /// By member: its position in its component.
+    /// By direct joint: its position in its component.
     position: Vec<u32>,
 }
 

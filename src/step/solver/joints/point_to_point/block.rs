@@ -11,7 +11,7 @@ use crate::dim::wide::{
     load_ang, mul_inertia, set_ang_lane, store_ang, torque,
 };
 use crate::model::params::JointPass;
-use crate::step::solver::states::{gather_states, scatter_states};
+use crate::step::solver::states::{Bodies, gather_states};
 
 /// The least compliance of point-to-point joints: half that of other iterated joints. In a net of 100 × 100 a
 /// quarter of it pumps.
@@ -106,8 +106,8 @@ impl<W: Wide> Masses<W> {
         [-mul_inertia(self.angular[0], first), mul_inertia(self.angular[1], second)]
     }
 
-    /// Gives the bodies an impulse, the first one the opposite, and what it makes of their angular
-    /// velocities.
+    /// Applies an impulse to the bodies, the opposite one to the first, and the resulting changes of their
+    /// angular velocities.
     #[inline(always)]
     fn push(
         &self,
@@ -153,21 +153,14 @@ pub(super) unsafe fn warm_start<W: Wide>(
     states: &DisjointMut<BodyState>,
 ) {
     // SAFETY: the caller's promise.
-    let ((v1, d1), (v2, d2)) = unsafe {
-        (gather_states::<W>(states, &block.bodies[0]), gather_states(states, &block.bodies[1]))
-    };
-    let mut velocities = [v1, v2];
+    let mut bodies = unsafe { Bodies::<W>::gather(states, &block.bodies) };
     let impulse = WideVector::load(&block.impulse);
     let masses = Masses::load(block);
     let turned = masses.turned(moments_of(&load_both(&block.arms), impulse));
-    masses.push(impulse, &turned, &mut velocities);
+    masses.push(impulse, &turned, &mut bodies.velocities);
     store_turned(turned, block);
-    let [v1, v2] = velocities;
     // SAFETY: the caller's promise.
-    unsafe {
-        scatter_states(states, &block.bodies[0], (v1, d1));
-        scatter_states(states, &block.bodies[1], (v2, d2));
-    }
+    unsafe { bodies.scatter(states, &block.bodies) };
 }
 
 /// Solves the joints once: with bias (`BIASED`), otherwise towards zero relative velocity.
@@ -181,12 +174,10 @@ pub(super) unsafe fn iterate<W: Wide, const BIASED: bool>(
     pass: &PointToPointPass,
 ) {
     // SAFETY: the caller's promise.
-    let ((v1, d1), (v2, d2)) = unsafe {
-        (gather_states::<W>(states, &block.bodies[0]), gather_states(states, &block.bodies[1]))
-    };
-    let mut velocities = [v1, v2];
+    let mut bodies = unsafe { Bodies::<W>::gather(states, &block.bodies) };
+    let [d1, d2] = bodies.displacements;
     if !BIASED {
-        block.inertias.rotate(&[d1, d2]);
+        block.inertias.rotate(&bodies.displacements);
     }
     let masses = Masses::load(block);
     let old = load_both::<W>(&block.arms);
@@ -197,11 +188,12 @@ pub(super) unsafe fn iterate<W: Wide, const BIASED: bool>(
         // The bodies already have the last substep's impulse; moment arms and inertias have rotated since.
         let now = masses.turned(moments_of(&arms, impulse));
         for side in 0..2 {
-            velocities[side].angular = velocities[side].angular + (now[side] - turned[side]);
+            let angular = &mut bodies.velocities[side].angular;
+            *angular = *angular + (now[side] - turned[side]);
         }
         turned = now;
     }
-    let [v1, v2] = &velocities;
+    let [v1, v2] = &bodies.velocities;
     let mut rate =
         (v2.linear - v1.linear) + (cross(v2.angular, arms[1]) - cross(v1.angular, arms[0]));
     if BIASED {
@@ -216,19 +208,15 @@ pub(super) unsafe fn iterate<W: Wide, const BIASED: bool>(
         change = change * W::splat(pass.mass_scale) - impulse * W::splat(pass.impulse_scale);
     }
     let added = masses.turned(moments_of(&arms, change));
-    masses.push(change, &added, &mut velocities);
+    masses.push(change, &added, &mut bodies.velocities);
     let impulse = impulse + change;
     impulse.store(&mut block.impulse);
     store_turned([turned[0] + added[0], turned[1] + added[1]], block);
     if !BIASED && pass.is_last_iteration {
         (WideVector::load(&block.total) + impulse).store(&mut block.total);
     }
-    let [v1, v2] = velocities;
     // SAFETY: the caller's promise.
-    unsafe {
-        scatter_states(states, &block.bodies[0], (v1, d1));
-        scatter_states(states, &block.bodies[1], (v2, d2));
-    }
+    unsafe { bodies.scatter(states, &block.bodies) };
 }
 
 /// Expresses the impulses along the axes of the joints' first frames, where the next step finds them.

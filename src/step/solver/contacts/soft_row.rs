@@ -1,11 +1,11 @@
-//! The soft normal row of a contact: the derivation is in `softness.rs`, the rule for separated points in
-//! `dim3/contact/mod.rs`.
+//! The soft normal row of a contact: the derivation is in `model/params/softness.rs`, the rule for separated
+//! points in `dim3/contact/mod.rs`.
 
-use super::{ContactPass, Softness};
 use crate::base::wide::Wide;
+use crate::model::params::{ContactPass, Softness};
 
 /// A [`ContactPass`] in registers.
-pub(crate) struct SoftRow<W> {
+pub(super) struct SoftRow<W> {
     /// Bias rate times mass scale (1/s).
     rate: W,
     mass_scale: W,

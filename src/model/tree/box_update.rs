@@ -20,14 +20,15 @@ impl BroadPhaseBvh {
         if !collider.is_enabled() {
             return self.remove(handle.into_raw_parts().0, &mut collider.proxy);
         }
-        self.note_wishes(collider, body);
+        self.note_filters(collider, body);
         let margin = margin_of(collider, body, params);
         let tight = shape_box(collider.shape(), &collider.pose);
         self.place(handle, &mut collider.proxy, kind_of(body), &tight, &margin)
     }
 
-    /// Adds the groups of a collider to the set of groups, so that no necessary search is skipped.
-    pub(crate) fn note_wishes(&mut self, collider: &Collider, body: Option<&RigidBody>) {
+    /// Records the collider's groups, its sensor flag and its fixed-fixed type, so that no necessary search
+    /// is skipped.
+    pub(crate) fn note_filters(&mut self, collider: &Collider, body: Option<&RigidBody>) {
         self.note_sensor(collider.proxy.slot, collider.is_sensor());
         let groups = collider.collision_groups();
         self.groups = Some(self.groups.map_or(groups, |all| all.union(groups)));
