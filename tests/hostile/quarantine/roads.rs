@@ -31,7 +31,8 @@ fn an_overflowing_force() {
 }
 
 /// The largest speed limits edited velocities and the effect of forces before positions change. Each edit
-/// alone would move the body beyond the range of positions in one step.
+/// alone would move the body beyond the range of positions in one step. The body may pass its momentum to its
+/// neighbours, so the statement is about the fastest body.
 #[test]
 fn the_largest_speed_prevents_an_overflow() {
     let edits: [fn(&mut RigidBody); 2] = [
@@ -44,8 +45,9 @@ fn the_largest_speed_prevents_an_overflow() {
         edit(stage.suspect());
         let events = stage.step();
         assert!(events.quarantines.is_empty(), "{:?}", events.quarantines);
-        let speed = stage.suspect().linvel().length();
-        assert!((1.0..100.1).contains(&speed), "{speed}");
+        let speeds = stage.world.bodies.iter().map(|(_, body)| body.linvel().length());
+        let fastest = speeds.fold(0.0, Real::max);
+        assert!((10.0..100.1).contains(&fastest), "{fastest}");
     }
 }
 
