@@ -17,6 +17,13 @@ macro_rules! wrapper {
             }
         }
 
+        $crate::wrapper::forward!($name, $engine);
+    };
+}
+
+/// Dereferences a wrapper to the engine type in its field.
+macro_rules! forward {
+    ($name:ident, $engine:ty) => {
         impl core::ops::Deref for $name {
             type Target = $engine;
 
@@ -46,4 +53,4 @@ macro_rules! wrap_reference {
     };
 }
 
-pub(crate) use {wrap_reference, wrapper};
+pub(crate) use {forward, wrap_reference, wrapper};

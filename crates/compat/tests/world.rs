@@ -57,7 +57,7 @@ impl World {
         (body, collider)
     }
 
-    /// A box of half the given size with its top at y = 0, and a box of unit size above it.
+    /// Fixed ground with its top at y = 0, and a box of unit size that rests on it.
     pub fn box_on_ground() -> (Self, RigidBodyHandle, [ColliderHandle; 2]) {
         let mut world = Self::default();
         let ground = world.colliders.insert(cuboid(50.0, 1.0).translation(Vector::Y * -1.0));
