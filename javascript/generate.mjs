@@ -1,5 +1,6 @@
-// Writes the TypeScript interface of the functions that crates/wasm exports: node generate.mjs OUTPUT The
-// source is the `exports!` blocks. A function of one dimension becomes optional in neither: both packages
+// Writes the TypeScript interface of the functions that crates/wasm exports:
+//     node generate.mjs OUTPUT
+// The source is the `exports!` blocks. A function of one dimension becomes optional in neither: both packages
 // share the interface.
 
 import { readFileSync, readdirSync, writeFileSync } from "node:fs";

@@ -3,17 +3,10 @@
 import { readdirSync } from "node:fs";
 import { join } from "node:path";
 import type { SidebarsConfig } from "@docusaurus/plugin-content-docs";
+import { numbered, tabled } from "./plugins/listed.mjs";
 import { ROOT, read } from "./plugins/repository";
 
-/** The documents that the list of a page links to, in order. */
-function listed(page: string, folder: string): string[] {
-    return [...read(page).matchAll(/^\d+\. \[[^\]]*\]\(([\w-]+)\.md\)/gm)].map((match) => `${folder}/${match[1]}`);
-}
-
-/** The documents that the table of a folder links to, in order. */
-function pages(folder: string): string[] {
-    return [...read(`docs/${folder}/README.md`).matchAll(/^\| \[[^\]]*\]\(([\w-]+)\.md\)/gm)].map((match) => `${folder}/${match[1]}`);
-}
+const inFolder = (folder: string, pages: readonly string[]): string[] => pages.map((page) => `${folder}/${page}`);
 
 const decisions = readdirSync(join(ROOT, "docs/decisions"))
     .filter((name) => name.endsWith(".md"))
@@ -21,7 +14,7 @@ const decisions = readdirSync(join(ROOT, "docs/decisions"))
     .map((name) => `decisions/${name.replace(/\.md$/, "")}`);
 
 const sidebars: SidebarsConfig = {
-    guide: ["guide/README", ...listed("docs/guide/README.md", "guide"), "complaints"],
+    guide: ["guide/README", ...inFolder("guide", numbered(read("docs/guide/README.md"))), "complaints", "compat"],
     design: [
         "architecture",
         "step",
@@ -32,7 +25,7 @@ const sidebars: SidebarsConfig = {
         "papers",
         "dependencies",
     ],
-    fidelity: [{ type: "link", label: "Charts", href: "/fidelity" }, "fidelity/README", ...pages("fidelity")],
+    fidelity: [{ type: "link", label: "Charts", href: "/fidelity" }, "fidelity/README", ...inFolder("fidelity", tabled(read("docs/fidelity/README.md")))],
     benchmarks: [
         { type: "link", label: "Charts", href: "/benchmarks" },
         "benchmarks/latest",

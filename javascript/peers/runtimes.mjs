@@ -1,5 +1,6 @@
 // Runs one program with the packages in Node.js, Deno, Bun and a worker of Chromium, on one and on two
-// threads: the same hash everywhere. npm run runtimes Chromium is left out where it is not installed.
+// threads: the same hash everywhere. Chromium is left out where it is not installed.
+//     npm run runtimes
 
 import { execFileSync } from "node:child_process";
 import { existsSync, mkdirSync, mkdtempSync, rmSync, symlinkSync, writeFileSync } from "node:fs";

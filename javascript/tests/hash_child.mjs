@@ -1,5 +1,5 @@
-// Builds the scene of crates/wasm/src/native_hash.rs, and prints its hash: node hash_child.mjs DIMENSION
-// simd|scalar STEPS
+// Builds the scene of crates/wasm/src/native_hash.rs, and prints its hash:
+//     node hash_child.mjs DIMENSION simd|scalar STEPS
 
 import { join } from "node:path";
 import { pathToFileURL } from "node:url";

@@ -109,8 +109,8 @@ pub fn mass_properties(shape: TypedShape<'_>, density: Real) -> Option<MassPrope
 
 /// Mass properties of the union of triangles of any orientation.
 ///
-/// About the origin, the second moment of a triangle of area `A` and corners `a, b, c` is `A/12 (a² + b² + c²
-/// + s²)`, `s = a + b + c`.
+/// About the origin, the second moment of a triangle of area `A` and corners `a, b, c` is
+/// `A/12 (a² + b² + c² + s²)`, `s = a + b + c`.
 fn mass_covered(vertices: &[Vector], triangles: &[[u32; 3]], density: Real) -> MassProperties {
     let Some(&origin) = vertices.first() else { return no_mass() };
     let (mut area, mut moment, mut second) = (0.0, Vector::ZERO, 0.0);

@@ -84,6 +84,7 @@ impl Step<'_> {
                 step.sleep();
             }
         });
+        self.report_quarantine();
         self.events();
         self.end(stamp);
     }

@@ -46,7 +46,8 @@ impl Step<'_> {
 
     /// Disables edited bodies that diverge on their own.
     pub(super) fn quarantine_edits(&mut self) {
-        self.scratch.quarantine.open(&mut self.world);
+        let quarantine = &mut self.scratch.quarantine;
+        self.counters.stages.user_changes.measure(|| quarantine.open(&mut self.world));
     }
 
     /// Applies the edits since the last step.
@@ -187,6 +188,12 @@ impl Step<'_> {
         quarantine.take_out(&mut self.world, notes);
     }
 
+    /// Notes the disabled bodies for the event handler.
+    pub(super) fn report_quarantine(&mut self) {
+        let StepScratch { quarantine, notes, .. } = self.scratch;
+        self.counters.solver.nquarantined = quarantine.close(self.world.structure.bodies, notes);
+    }
+
     /// Stops fast bodies at their first impact. Bodies have moved: even if a hook panics, the rest of the
     /// world must follow them.
     pub(super) fn ccd(&mut self) {
@@ -247,9 +254,8 @@ impl Step<'_> {
 
     /// Calls the user's event handler. Contacts have impulses only if bodies moved.
     pub(super) fn events(&mut self) {
-        let StepScratch { notes, quarantine, .. } = self.scratch;
+        let notes = &mut self.scratch.notes;
         let Structure { bodies, colliders, narrow_phase, .. } = &mut self.world.structure;
-        self.counters.solver.nquarantined = quarantine.close(bodies, notes);
         notes.order_events();
         let context = EventContext {
             bodies,

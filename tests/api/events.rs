@@ -53,13 +53,13 @@ fn events_switched_on_and_off_while_touching() {
     assert!(protocol.of_steps(&mut world, 10).is_empty());
     world.colliders[collider].set_active_events(ActiveEvents::COLLISION_EVENTS);
     let events = protocol.of_steps(&mut world, 1);
-    assert_eq!(events.len(), 1, "what touches already is told now");
+    assert_eq!(events.len(), 1, "what touches already is reported now");
     assert!(events[0].started());
     world.colliders[collider].set_active_events(ActiveEvents::empty());
     assert!(protocol.of_steps(&mut world, 2).is_empty());
     world.bodies[body].set_translation(vec(0.0, 9.0), true);
     let events = protocol.of_steps(&mut world, 2);
-    assert_eq!(events.len(), 1, "what was told to have begun is told to have ended");
+    assert_eq!(events.len(), 1, "what was reported to have begun is reported to have ended");
     assert!(events[0].stopped());
     between(&events[0], ground, collider);
 }

@@ -4,8 +4,8 @@
 //! The sets refer to each other. A step detects a set that does not belong to its last step, and continues
 //! with the present contents.
 
+use super::event_checker::EventChecker;
 use super::scene::Scene;
-use super::witness::EventChecker;
 use super::world::check;
 use crate::dim::{cuboid, vec};
 use core::mem::{swap, take};
@@ -43,11 +43,11 @@ fn busy_world() -> PhysicsWorld {
 }
 
 /// Runs some steps with an event checker.
-fn steps(world: &mut PhysicsWorld, witness: &EventChecker, count: usize) {
+fn steps(world: &mut PhysicsWorld, event_checker: &EventChecker, count: usize) {
     for _ in 0..count {
-        world.step_with_events(&(), witness);
+        world.step_with_events(&(), event_checker);
         check(world);
-        witness.check();
+        event_checker.check();
     }
 }
 
@@ -181,11 +181,11 @@ fn missing_bodies_lose_their_colliders() {
     let ground = world.insert_collider(ground, None);
     let (body, collider) =
         world.insert(RigidBodyBuilder::dynamic().translation(vec(0.0, 0.5)), cuboid(0.5, 0.5));
-    let witness = EventChecker::default();
-    steps(&mut world, &witness, 300);
+    let event_checker = EventChecker::default();
+    steps(&mut world, &event_checker, 300);
     assert!(world.bodies[body].is_sleeping());
     let bodies = take(&mut world.bodies);
-    steps(&mut world, &witness, 2);
+    steps(&mut world, &event_checker, 2);
     assert!(bodies.contains(body) && !world.colliders.contains(collider));
     assert!(world.colliders.contains(ground) && world.contact_pairs().next().is_none());
 }
@@ -214,11 +214,11 @@ fn events_stay_consistent_when_a_set_is_exchanged() {
     for (name, exchange) in SETS.into_iter().filter(|(name, _)| *name != "narrow phase") {
         let mut world = busy_world();
         world.colliders.iter_mut().for_each(|(_, it)| it.set_active_events(ActiveEvents::all()));
-        let witness = EventChecker::default();
-        steps(&mut world, &witness, 60);
+        let event_checker = EventChecker::default();
+        steps(&mut world, &event_checker, 60);
         println!("without {name}");
         exchange(&mut world, &mut PhysicsWorld::new());
-        steps(&mut world, &witness, 3);
+        steps(&mut world, &event_checker, 3);
     }
 }
 

@@ -219,20 +219,20 @@ type Events = Vec<(bool, ColliderHandle, ColliderHandle)>;
 /// Handler that records events, and panics a given number of times.
 #[derive(Default)]
 struct Notes {
-    told: Mutex<Events>,
+    events: Mutex<Events>,
     quarantined: AtomicUsize,
     panics: AtomicUsize,
 }
 
 impl Notes {
     fn take_note(&self, note: (bool, ColliderHandle, ColliderHandle)) {
-        self.told.lock().unwrap_or_else(PoisonError::into_inner).push(note);
+        self.events.lock().unwrap_or_else(PoisonError::into_inner).push(note);
         let left = self.panics.fetch_update(Relaxed, Relaxed, |left| left.checked_sub(1));
         assert!(left.is_err(), "a handler, with {left:?} panics left");
     }
 
     fn into_events(self) -> Events {
-        self.told.into_inner().unwrap_or_else(PoisonError::into_inner)
+        self.events.into_inner().unwrap_or_else(PoisonError::into_inner)
     }
 }
 
@@ -292,9 +292,9 @@ fn no_event_is_lost_when_a_hook_panics() {
     assert_eq!(expected.iter().filter(|(started, ..)| *started).count(), 6, "{expected:?}");
     assert_eq!(expected.len(), 8, "two were removed: {expected:?}");
     for panics_at in 0..260 {
-        let mut told = bullets_on_a_plate(Some(panics_at), Notes::default());
-        told.sort_unstable();
-        assert_eq!(told, expected, "after a panic of call {panics_at}");
+        let mut events = bullets_on_a_plate(Some(panics_at), Notes::default());
+        events.sort_unstable();
+        assert_eq!(events, expected, "after a panic of call {panics_at}");
     }
 }
 

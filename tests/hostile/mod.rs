@@ -14,8 +14,8 @@ mod scene;
 pub mod values;
 /// The fuzzer's event checker.
 #[allow(dead_code, reason = "here all events are heard")]
-#[path = "../../crates/fuzzer/src/both/witness.rs"]
-mod witness;
+#[path = "../../crates/fuzzer/src/both/event_checker.rs"]
+mod event_checker;
 mod world;
 
 mod bodies;

@@ -43,8 +43,8 @@ fn each_number_is_refused_by_name_or_survived() {
             if let Err(error) = valid {
                 assert_eq!(error.field, name);
                 assert!(names(&error.to_string(), error.value), "{name} {value}: {error}");
-                let told = heard.iter().any(|text| text.contains(&error.to_string()));
-                assert!(told, "{name} {value}: {heard:?}");
+                let reported = heard.iter().any(|text| text.contains(&error.to_string()));
+                assert!(reported, "{name} {value}: {heard:?}");
                 assert!(scene.all_in_the_end() == untouched, "{name} {value} changed something");
                 rejected_by_collision_detection_too(&mut scene, &error);
             } else {

@@ -140,8 +140,8 @@ fn stacks_that_are_hit_do_not_gain_energy() {
     }
 }
 
-/// Impact of two balls with the masses `m1`, `m2` and the coefficient of restitution `e`: `v1' = (m1
-/// - e m2) v / (m1 + m2)`, `v2' = (1 + e) m1 v / (m1 + m2)`.
+/// Impact of two balls with the masses `m1`, `m2` and the coefficient of restitution `e`:
+/// `v1' = (m1 - e m2) v / (m1 + m2)`, `v2' = (1 + e) m1 v / (m1 + m2)`.
 #[test]
 fn unequal_masses_part_as_newton_says() {
     let mut table =

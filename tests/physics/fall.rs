@@ -5,8 +5,8 @@ use super::table::Table;
 use crate::dim::vec;
 use rapier::prelude::*;
 
-/// Semi-implicit Euler (velocity first) with the substep `h`: in the time `t` a body drops by `g t (t
-/// + h) / 2`. The exact drop is `g t² / 2`.
+/// Semi-implicit Euler (velocity first) with the substep `h`: in the time `t` a body drops by
+/// `g t (t + h) / 2`. The exact drop is `g t² / 2`.
 #[test]
 fn free_fall() {
     let time = 2.0;

@@ -97,7 +97,7 @@ fn thin_rods_that_land_gain_no_energy() {
 /// depend on the vertical speed and the thickness. (The tolerance is a tenth: a soft contact yields by a
 /// fraction of the radius, which shortens the moment arm of friction.)
 #[test]
-fn a_level_landing_spins_a_ball_to_two_thirds_of_its_speed() {
+fn a_level_landing_spins_a_rod_to_two_thirds_of_its_speed() {
     for rate in [60, 120] {
         for [long, radius, speed] in [[0.8, 0.03, 3.0], [0.8, 0.1, 10.0]] {
             let mut world = world(rate);

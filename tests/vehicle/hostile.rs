@@ -80,11 +80,11 @@ fn every_number_everywhere() {
             set(&mut road.car.wheels_mut()[1], value);
             let ((), log) = listen(|| road.run(0.2));
             assert!(is_valid(&road), "{name} of {value}");
-            let told = log.iter().any(|line| line.contains(name) && names(line, value));
+            let reported = log.iter().any(|line| line.contains(name) && names(line, value));
             let may_be_infinite = ["travel", "force", "brake"].contains(&name) && value > 0.0;
             if NOT_FINITE.iter().any(|v| v.to_bits() == value.to_bits()) && !may_be_infinite {
-                assert!(told || name == "place", "{name} of {value}: {log:?}");
-                assert_eq!(log.len(), 1, "it is told once: {log:?}");
+                assert!(reported || name == "place", "{name} of {value}: {log:?}");
+                assert_eq!(log.len(), 1, "it is reported once: {log:?}");
                 let wheels = road.car.wheels();
                 assert!(!wheels[1].raycast_info().is_in_contact, "{name} of {value}");
                 assert!(wheels[0].raycast_info().is_in_contact, "the others go on");
@@ -160,7 +160,7 @@ fn no_chassis() {
     road.world.remove_body(chassis);
     let seen: Vec<_> = road.car.wheels().to_vec();
     let ((), log) = listen(|| road.run(0.1));
-    assert_eq!(log.len(), 1, "it is told once: {log:?}");
+    assert_eq!(log.len(), 1, "it is reported once: {log:?}");
     assert_eq!(road.car.wheels(), seen, "nothing changes");
 
     let mut lost = DynamicRayCastVehicleController::new(RigidBodyHandle::default());

@@ -10,6 +10,7 @@ import { writeJavaScriptReference } from "./javascript.mjs";
 import { document } from "./rust/crate.mjs";
 import { writeRustReferences } from "./rust/write.mjs";
 import { firstFrame } from "./stills.mjs";
+import { tabled } from "../plugins/listed.mjs";
 import { hashes } from "../src/live/pile.mjs";
 
 const WEBSITE = dirname(import.meta.dirname);
@@ -37,9 +38,10 @@ writeData("contests.json", contests(read("docs/benchmarks/latest.md")));
 writeData("growth.json", growth(read("docs/benchmarks/growth.md")));
 writeData("packages.json", packages(read("docs/benchmarks/javascript.md")));
 
-/** The documents about fidelity, in the order of their list. */
-const FIDELITY = [...read("docs/fidelity/README.md").matchAll(/^\| \[[^\]]*\]\(([\w-]+)\.md\)/gm)].map(([, page]) => page);
-writeData("fidelity.json", FIDELITY.flatMap((page) => laws(page, read(`docs/fidelity/${page}.md`))));
+writeData(
+    "fidelity.json",
+    tabled(read("docs/fidelity/README.md")).flatMap((page) => laws(page, read(`docs/fidelity/${page}.md`))),
+);
 
 const IMAGES = "docs/images";
 mkdirSync(join(GENERATED, "images"), { recursive: true });
@@ -86,7 +88,8 @@ writeData("pile.json", pile);
 /** The crates with a reference, and the folders of their pages. Names in guides lead to the first one. */
 const CRATES = { rapier3d: "rust", rapier2d: "rust-2d" };
 try {
-    const crates = Object.entries(CRATES).map(([name, folder]) => ({ name, folder, json: document(ROOT, name) }));
+    const documents = document(ROOT, Object.keys(CRATES));
+    const crates = Object.entries(CRATES).map(([name, folder]) => ({ name, folder, json: documents[name] }));
     writeData("rust-names.json", writeRustReferences(WEBSITE, crates));
 } catch (error) {
     missing(`the Rust reference: ${error.message}`);

@@ -6,11 +6,11 @@ use crate::engine::Kind;
 use crate::units::counted;
 use gallery::grouped;
 
-/// Largest relative difference of contact counts without a note. Smaller differences come from each engine's
-/// way of counting.
+/// Contact counts that differ by more than this fraction, and by more than [`DIFFERENCE_MIN`], get a note.
+/// Smaller differences come from each engine's way of counting.
 const RELATIVE_DIFFERENCE_MAX: f64 = 0.3;
 
-/// Largest difference of contact counts without a note.
+/// Differences of contact counts up to this number get no note: so few contacts mean nothing.
 const DIFFERENCE_MIN: usize = 20;
 
 /// Returns the notes on the engines' work.

@@ -12,6 +12,13 @@ pub struct Area {
     pub title: &'static str,
 }
 
+impl Area {
+    /// Returns whether a test with this path, with dots between its parts, belongs to the area.
+    pub fn contains(&self, path: &str) -> bool {
+        self.filters.iter().any(|filter| path.starts_with(&filter.replace("::", ".")))
+    }
+}
+
 /// All areas, in the order of the documents.
 pub const AREAS: [Area; 6] = [
     Area {

@@ -55,7 +55,7 @@ fn write_documents() -> Result<(), Box<dyn error::Error>> {
     for area in &AREAS {
         let files = statements::read(&root, area.folder)?;
         let path = root.join("docs/fidelity").join(area.page);
-        fs::write(&path, page::write(area, &files, &found))?;
+        fs::write(&path, page::write(area, &files, &found)?)?;
         println!("{}", path.display());
     }
     Ok(())

@@ -3,30 +3,50 @@
 use crate::area::Area;
 use crate::statements::{Test, TestFile};
 use crate::tables::{Table, Tables};
+use std::collections::BTreeMap;
 
 /// The document of an area. Tests without a table are left out.
-pub fn write(area: &Area, files: &[TestFile], tables: &Tables) -> String {
+///
+/// # Errors
+/// Two tests have one table, or a table of the area has no test.
+pub fn write(area: &Area, files: &[TestFile], tables: &Tables) -> Result<String, String> {
+    let mut own: BTreeMap<&str, &[Table]> = BTreeMap::new();
+    for (path, found) in tables.iter().filter(|(path, _)| area.contains(path)) {
+        own.insert(path, found);
+    }
     let mut text = format!(
         "# {}\n\nWritten by `cargo run -p fidelity` from the tests in `tests/{}/`. [How to read these pages](README.md)\n",
         area.title, area.folder
     );
     for file in files {
-        let tests: Vec<_> =
-            file.tests.iter().filter(|test| tables.contains_key(&file.key(test))).collect();
-        if !tests.is_empty() {
-            text += &section(file, &tests, tables);
+        let found: Vec<_> = file
+            .tests
+            .iter()
+            .filter_map(|test| Some((test, take(&mut own, &file.key(test))?)))
+            .collect();
+        if !found.is_empty() {
+            text += &section(file, &found);
         }
     }
-    text
+    match own.keys().next() {
+        Some(path) => Err(format!("no file of tests/{} has the test {path}", area.folder)),
+        None => Ok(text),
+    }
 }
 
-fn section(file: &TestFile, tests: &[&Test], tables: &Tables) -> String {
+/// Takes the tables of the test whose path ends with this key.
+fn take<'a>(own: &mut BTreeMap<&str, &'a [Table]>, key: &str) -> Option<&'a [Table]> {
+    let end = format!(".{key}");
+    let path = *own.keys().find(|path| path.ends_with(&end))?;
+    own.remove(path)
+}
+
+fn section(file: &TestFile, tests: &[(&Test, &[Table])]) -> String {
     let mut text = format!("\n## {}\n", file.subject);
     if !file.text.is_empty() {
         text += &format!("\n{}\n", file.text);
     }
-    for test in tests {
-        let found = &tables[&file.key(test)];
+    for (test, found) in tests {
         text += &format!("\n### {}\n", heading(&found[0].title));
         if !test.law.is_empty() {
             text += &format!("\n{}\n", test.law);
@@ -87,7 +107,7 @@ mod tests {
 
     #[test]
     fn a_law_stands_above_its_figures() {
-        let area = Area { folder: "a", filters: &[], page: "a.md", title: "A" };
+        let area = Area { folder: "a", filters: &["suite::a"], page: "a.md", title: "A" };
         let test = Test { name: "fall".into(), law: "It drops.".into() };
         let file = TestFile {
             path: "tests/a/b.rs".into(),
@@ -98,12 +118,22 @@ mod tests {
         let rows = vec![("2D f32", vec!["30".to_string(), "1.5".to_string()])];
         let table =
             Table { title: "free fall".into(), columns: vec!["rate".into(), "drop".into()], rows };
-        let text = write(&area, &[file], &Tables::from([("b.fall".to_string(), vec![table])]));
+        let text =
+            write(&area, &[file], &Tables::from([("suite.a.b.fall".to_string(), vec![table])]))
+                .expect("one test has the table");
         let law = text.find("### Free fall\n\nIt drops.\n").expect("the law");
         let figures = text
             .find("| build | rate | drop |\n| --- | --: | --: |\n| 2D f32 | 30 | 1.5 |")
             .expect("the figures");
         assert!(law < figures);
+    }
+
+    #[test]
+    fn a_table_without_a_test_is_reported() {
+        let area = Area { folder: "a", filters: &["suite::a"], page: "a.md", title: "A" };
+        let tables = |path: &str| Tables::from([(path.to_string(), Vec::new())]);
+        assert!(write(&area, &[], &tables("suite.a.b.fall")).is_err());
+        assert!(write(&area, &[], &tables("suite.other.b.fall")).is_ok());
     }
 
     #[test]

@@ -16,7 +16,7 @@ pub struct TestFile {
 }
 
 impl TestFile {
-    /// The key of a test's tables: its module and its name.
+    /// Module and name of a test: the last two parts of its path.
     pub fn key(&self, test: &Test) -> String {
         let mut parts = self.path.trim_end_matches(".rs").trim_end_matches("/mod").rsplit('/');
         format!("{}.{}", parts.next().unwrap_or_default(), test.name)

@@ -14,7 +14,7 @@ pub struct Table {
     pub rows: Vec<(&'static str, Vec<String>)>,
 }
 
-/// Tables by module and name of the test.
+/// Tables by the path of the test, with dots between its parts.
 pub type Tables = BTreeMap<String, Vec<Table>>;
 
 /// Reads the tables of these crates (folder, name in the documents).
@@ -24,17 +24,10 @@ pub fn read(folder: &Path, crates: &[(&str, &'static str)]) -> io::Result<Tables
         for entry in fs::read_dir(folder.join(package))? {
             let path = entry?.path();
             let test = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
-            merge(tables.entry(key(&test)).or_default(), &fs::read_to_string(&path)?, name);
+            merge(tables.entry(test).or_default(), &fs::read_to_string(&path)?, name);
         }
     }
     Ok(tables)
-}
-
-/// Module and name of a test: the last two parts of its path.
-fn key(path: &str) -> String {
-    let mut parts: Vec<_> = path.rsplitn(3, '.').take(2).collect();
-    parts.reverse();
-    parts.join(".")
 }
 
 /// Names of the tests that have a table in one precision of a dimension and lack it in the other: an
@@ -75,11 +68,7 @@ mod tests {
     fn tables_of_one_precision_alone_are_reported() {
         let mut tables = Tables::new();
         for (test, build) in [("a.b", "2D f32"), ("a.b", "2D f64"), ("a.c", "3D f32")] {
-            merge(
-                tables.entry(key(&format!("suite.{test}"))).or_default(),
-                "t\nrate\n30\n\n",
-                build,
-            );
+            merge(tables.entry(test.to_string()).or_default(), "t\nrate\n30\n\n", build);
         }
         assert_eq!(incomplete(&tables), ["a.c"]);
     }

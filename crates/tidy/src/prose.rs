@@ -31,13 +31,20 @@ pub fn check(sources: &[Source]) -> Vec<Complaint> {
 
 fn check_file(source: &Source) -> Vec<Complaint> {
     let mut complaints = Vec::new();
-    let mut fenced = false;
+    let (mut fenced, mut in_code) = (false, false);
     for (number, (line, code)) in source.text.lines().zip(source.bare.lines()).enumerate() {
         let comment = comment(line, code);
         let is_whole_line = code.trim().is_empty();
         fenced &= is_whole_line && comment.is_some();
+        in_code &= is_whole_line && comment.is_some() && !fenced;
         let Some(comment) = comment else { continue };
-        fenced ^= is_whole_line && comment.trim_start().starts_with("```");
+        if in_code && is_list_item(comment) {
+            let what = "code in backticks continues behind a mark of a list".to_owned();
+            complaints.push(Complaint::new(&source.path, number + 1, what));
+        }
+        let is_fence = is_whole_line && comment.trim_start().starts_with("```");
+        fenced ^= is_fence;
+        in_code ^= !is_fence && comment.matches('`').count() % 2 == 1;
         if !fenced {
             complaints.extend(
                 faults(line, comment).map(|what| Complaint::new(&source.path, number + 1, what)),
@@ -46,6 +53,11 @@ fn check_file(source: &Source) -> Vec<Complaint> {
     }
     complaints.extend(check_constants(source));
     complaints
+}
+
+/// Returns whether Markdown takes a line for an item of a list or a quotation.
+fn is_list_item(comment: &str) -> bool {
+    ["- ", "+ ", "* ", "> "].iter().any(|mark| comment.trim_start().starts_with(mark))
 }
 
 /// The text of a comment that is a whole line, or follows the code of a line. `code` is the line with blanks
@@ -126,6 +138,12 @@ mod tests {
         assert_eq!(complaints("/// Returns whether it is fast.\n"), 0);
         assert_eq!(complaints("/// ```\n/// let a = b()? + 1;\n/// ```\n"), 0);
         assert_eq!(complaints("/// ```\n/// a\n/// ```\n/// Is it fast?\n"), 1);
+    }
+
+    #[test]
+    fn code_does_not_continue_as_a_list() {
+        assert_eq!(complaints("/// The drop is `t (t\n/// + h)`.\n"), 1);
+        assert_eq!(complaints("/// The drop is\n/// `t (t + h)`.\n/// * `a`\n/// * `b`\n"), 0);
     }
 
     #[test]

@@ -5,7 +5,7 @@ use std::io;
 use std::path::Path;
 
 /// Folders of the repository's own text; build outputs and package folders are excluded.
-const FOLDERS: [&str; 6] = ["src", "crates", "tests", "examples2d", "examples3d", "docs"];
+const FOLDERS: [&str; 7] = ["src", "crates", "tests", "examples2d", "examples3d", "fuzz", "docs"];
 const SKIPPED: [&str; 3] = ["target", "node_modules", "pkg"];
 
 /// All files with an extension, with paths relative to `root`, in the order of their paths.

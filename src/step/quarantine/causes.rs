@@ -12,12 +12,13 @@
 //! Each round costs a step. After [`ROUNDS`] of them all diverged bodies are disabled, and after twice as
 //! many all awake bodies. Then nothing moves, and the step cannot fail.
 
+use crate::base::measure::MODERATE_MAX;
 use crate::dim::axes::inv_mass_per_axis;
 use crate::dim::math::{AngVector, Real, Vector, ang_length_squared, mul_inertia};
 use crate::model::body::{
     QuarantineCause, RigidBody, RigidBodyHandle, RigidBodyType, RigidBodyVelocity,
 };
-use crate::model::check::checked_pose;
+use crate::model::check::{checked_pose, checked_rotation};
 use crate::model::joint::JointMotor;
 use crate::step::notes::Diverged;
 use crate::step::world::World;
@@ -74,11 +75,36 @@ impl Causes<'_> {
             params.dt > 0.0 && body.is_enabled() && !body.is_fixed() && !body.is_sleeping()
         };
         let causes = structure.bodies.modified().iter().filter_map(|&handle| {
-            let body = structure.bodies.get(handle).filter(|body| moves(body))?;
-            let is_link = multibodies.rigid_body_link(handle).is_some();
-            Some((handle, self.cause_in(body).filter(|_| !is_link)?))
+            let body = structure.bodies.get(handle)?;
+            if !moves(body) || self.is_moderate(body) {
+                return None;
+            }
+            let cause = self.cause_in(body)?;
+            multibodies.rigid_body_link(handle).is_none().then_some((handle, cause))
         });
         taken.extend(causes);
+    }
+
+    /// Returns whether the numbers of a body are far too small to overflow within this step, as after nearly
+    /// every edit. Such a body needs no predicted poses.
+    fn is_moderate(&self, body: &RigidBody) -> bool {
+        let &World { gravity, params, .. } = self.world;
+        let is_small = |squared: Real| squared <= MODERATE_MAX * MODERATE_MAX;
+        let Pull { fall, push, twist } = Pull::on(body, gravity);
+        let vectors = [
+            body.pose.translation,
+            body.mprops.local_mprops.local_com,
+            body.linvel,
+            (fall + push) * params.dt,
+        ];
+        params.dt <= 1.0
+            && body.body_type != RigidBodyType::KinematicPositionBased
+            && checked_rotation(body.pose.rotation).is_some()
+            && body.mprops.inv_mass.is_finite()
+            && vectors.into_iter().all(|vector| is_small(vector.length_squared()))
+            && [body.angvel, twist * params.dt]
+                .into_iter()
+                .all(|vector| is_small(ang_length_squared(vector)))
     }
 
     fn body(&self, diverged: &Diverged) -> Option<&RigidBody> {
@@ -128,24 +154,42 @@ impl Causes<'_> {
             let target = QuarantineCause::KinematicTarget(body.next_pose);
             return (!velocity.is_usable()).then_some(target);
         }
-        if !leads_somewhere(body, body.vels(), params.dt) {
+        if !self.leads_somewhere(body, body.vels()) {
             return Some(QuarantineCause::Velocity(body.vels()));
         }
         let Pull { fall, push, twist } = Pull::on(body, gravity);
-        // The solver limits the speed, too.
         let after = |acceleration: Vector, twist: AngVector| RigidBodyVelocity {
-            linvel: (body.linvel + acceleration * params.dt)
-                .clamp_length_max(params.max_linear_velocity()),
+            linvel: body.linvel + acceleration * params.dt,
             angvel: body.angvel + twist * params.dt,
         };
-        if !leads_somewhere(body, after(fall, Default::default()), params.dt) {
+        if !self.leads_somewhere(body, after(fall, Default::default())) {
             return Some(QuarantineCause::Gravity(gravity * body.gravity_scale));
         }
-        if !leads_somewhere(body, after(fall + push, twist), params.dt) {
+        if !self.leads_somewhere(body, after(fall + push, twist)) {
             let (force, torque) = body.forces();
             return Some(QuarantineCause::Force { force, torque });
         }
         None
+    }
+
+    /// Returns whether a body with this velocity stays finite within the step.
+    fn leads_somewhere(&self, body: &RigidBody, velocity: RigidBodyVelocity) -> bool {
+        let dt = self.world.params.dt;
+        let velocity = self.integrated(body, velocity);
+        let pose = velocity.integrate(dt, &body.pose, body.mprops.local_mprops.local_com);
+        velocity.is_usable() && checked_pose(pose).is_some()
+    }
+
+    /// The velocity with which the solver integrates the pose: that of a dynamic body is damped, and limited
+    /// to the largest speed.
+    fn integrated(&self, body: &RigidBody, velocity: RigidBodyVelocity) -> RigidBodyVelocity {
+        if !body.is_dynamic() {
+            return velocity;
+        }
+        let params = self.world.params;
+        let damped = velocity.apply_damping(params.dt, body.linear_damping, body.angular_damping);
+        let linvel = damped.linvel.clamp_length_max(params.max_linear_velocity());
+        RigidBodyVelocity { linvel, ..damped }
     }
 
     /// The most stressed body of each island.
@@ -226,10 +270,4 @@ impl Pull {
             twist: mul_inertia(&mprops.inv_inertia, torque),
         }
     }
-}
-
-/// Returns whether a body with this velocity stays finite for `dt` seconds.
-fn leads_somewhere(body: &RigidBody, velocity: RigidBodyVelocity, dt: Real) -> bool {
-    let pose = velocity.integrate(dt, &body.pose, body.mprops.local_mprops.local_com);
-    velocity.is_usable() && checked_pose(pose).is_some()
 }

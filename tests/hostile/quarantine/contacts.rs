@@ -21,9 +21,9 @@ fn are_as_zeros(hooks: Numbers, of_twin: Numbers, is_cause: impl Fn(QuarantineCa
     assert_eq!(beside_its_twin(&mut stage, &mut twin), []);
     let [mut stage, _] = with_hooks(hooks, of_twin);
     let own = stage.suspect().colliders()[0];
-    let told = stage.step().quarantines;
-    assert!(!told.is_empty(), "the suspect touches others");
-    for event in told {
+    let events = stage.step().quarantines;
+    assert!(!events.is_empty(), "the suspect touches others");
+    for event in events {
         let QuarantineEvent::Contact { collider1, collider2, cause } = event else {
             panic!("{event:?}")
         };

@@ -30,17 +30,23 @@ fn an_overflowing_force() {
     }
 }
 
-/// The largest speed limits the effect of a force before it can overflow. The force alone would move the body
-/// beyond the range of positions in one step.
+/// The largest speed limits edited velocities and the effect of forces before positions change. Each edit
+/// alone would move the body beyond the range of positions in one step.
 #[test]
 fn the_largest_speed_prevents_an_overflow() {
-    let mut stage = Stage::new();
-    stage.world.integration_parameters.normalized_max_linear_velocity = 100.0;
-    stage.suspect().add_force(vec(1.0e18, 0.0), true);
-    let events = stage.step();
-    assert!(events.quarantines.is_empty(), "{:?}", events.quarantines);
-    let speed = stage.suspect().linvel().length();
-    assert!((1.0..100.1).contains(&speed), "{speed}");
+    let edits: [fn(&mut RigidBody); 2] = [
+        |body| body.add_force(vec(1.0e18, 0.0), true),
+        |body| body.set_linvel(vec(1.0e17, 0.0), true),
+    ];
+    for edit in edits {
+        let mut stage = Stage::new();
+        stage.world.integration_parameters.normalized_max_linear_velocity = 100.0;
+        edit(stage.suspect());
+        let events = stage.step();
+        assert!(events.quarantines.is_empty(), "{:?}", events.quarantines);
+        let speed = stage.suspect().linvel().length();
+        assert!((1.0..100.1).contains(&speed), "{speed}");
+    }
 }
 
 #[test]

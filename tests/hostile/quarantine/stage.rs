@@ -1,6 +1,6 @@
 //! A heap, a kinematic lift, a chain of links and a sleeping pile, all within reach of one suspect.
 
-use super::super::witness::EventChecker;
+use super::super::event_checker::EventChecker;
 use super::super::world::check;
 use crate::dim::{about_z, cuboid, hinge, hostile::pose_bits, vec};
 use rapier::prelude::*;
@@ -24,7 +24,7 @@ pub struct Stage {
     /// A block on a sleeping pile.
     pub sleeper: RigidBodyHandle,
     pub hooks: Numbers,
-    witness: EventChecker,
+    event_checker: EventChecker,
 }
 
 /// Hooks that pass numbers to all contacts.
@@ -54,8 +54,8 @@ pub struct Events {
 
 /// Handler that records events, and checks them.
 struct Listener<'a> {
-    witness: &'a EventChecker,
-    told: Mutex<Events>,
+    event_checker: &'a EventChecker,
+    events: Mutex<Events>,
 }
 
 impl EventHandler for Listener<'_> {
@@ -66,8 +66,8 @@ impl EventHandler for Listener<'_> {
         event: &CollisionEvent,
         pair: Option<&ContactPair>,
     ) {
-        self.told.lock().unwrap().collisions.push(*event);
-        self.witness.handle_collision_event(bodies, colliders, event, pair);
+        self.events.lock().unwrap().collisions.push(*event);
+        self.event_checker.handle_collision_event(bodies, colliders, event, pair);
     }
 
     fn handle_quarantine_event(
@@ -83,7 +83,7 @@ impl EventHandler for Listener<'_> {
             assert_eq!(format!("{:?}", body.quarantine()), format!("Some({cause:?})"));
             assert_eq!((body.position(), &body.vels()), (position, velocity));
         }
-        self.told.lock().unwrap().quarantines.push(*event);
+        self.events.lock().unwrap().quarantines.push(*event);
     }
 }
 
@@ -121,8 +121,9 @@ impl Stage {
             block(&mut world, body)
         });
         let (suspect, neighbour, sleeper) = (heap[12], heap[13], sleepers[2]);
-        let (hooks, witness) = (Numbers::default(), EventChecker::default());
-        let mut stage = Self { world, suspect, neighbour, lift, links, sleeper, hooks, witness };
+        let (hooks, event_checker) = (Numbers::default(), EventChecker::default());
+        let mut stage =
+            Self { world, suspect, neighbour, lift, links, sleeper, hooks, event_checker };
         for _ in 0..BEFORE {
             stage.step();
         }
@@ -146,12 +147,12 @@ impl Stage {
 
     /// Runs one step and checks the invariants. Returns the events.
     pub fn step(&mut self) -> Events {
-        let listener = Listener { witness: &self.witness, told: Mutex::default() };
+        let listener = Listener { event_checker: &self.event_checker, events: Mutex::default() };
         self.world.step_with_events(&self.hooks, &listener);
-        let told = listener.told.into_inner().unwrap();
+        let events = listener.events.into_inner().unwrap();
         check(&self.world);
-        self.witness.check();
-        told
+        self.event_checker.check();
+        events
     }
 
     /// Returns all bits of the state of all enabled bodies.
@@ -188,22 +189,14 @@ pub fn beside_its_twin(stage: &mut Stage, twin: &mut Stage) -> Vec<Disabled> {
 /// Runs one step of two stages with equal edits.
 ///
 /// # Panics
-/// If a bit or an event differs, or if a disabled body is not at its pose before the step.
+/// If a bit or an event differs, or if a disabled body is not in its state before the step.
 pub fn step_alike(step: usize, stage: &mut Stage, twin: &mut Stage) -> Vec<Disabled> {
-    let before: BTreeMap<_, _> =
-        stage.world.bodies.iter().map(|(handle, body)| (handle, *body.position())).collect();
-    let told = stage.step();
+    let before = copies_of_bodies(stage);
+    let events = stage.step();
     // Texts compare NaN as equal.
-    assert_eq!(format!("{told:?}"), format!("{:?}", twin.step()), "step {step}");
+    assert_eq!(format!("{events:?}"), format!("{:?}", twin.step()), "step {step}");
     assert_eq!(stage.bits(), twin.bits(), "step {step}");
-    let disabled = told.quarantines.iter().filter_map(|event| match *event {
-        QuarantineEvent::Body { body, cause, position, .. } => {
-            assert_eq!(position, before[&body], "at the pose before the step");
-            Some((step, body, cause))
-        }
-        _ => None,
-    });
-    disabled.collect()
+    disabled_in(step, &events, stage, &before)
 }
 
 /// Runs one step of a stage and its twin.
@@ -211,22 +204,45 @@ pub fn step_alike(step: usize, stage: &mut Stage, twin: &mut Stage) -> Vec<Disab
 /// # Panics
 /// If the bits of an enabled body differ between both worlds, or if an event does.
 pub fn step_beside(step: usize, stage: &mut Stage, twin: &mut Stage) -> Vec<Disabled> {
-    let bodies = stage.world.bodies.iter();
-    let before: BTreeMap<_, _> = bodies.map(|(handle, body)| (handle, body.clone())).collect();
-    let told = stage.step();
-    let mut taken = Vec::new();
-    for event in &told.quarantines {
-        let QuarantineEvent::Body { body, cause, position, velocity } = *event else { continue };
-        let old = &before[&body];
-        assert_eq!((position, velocity), (*old.position(), old.vels()), "back where it was");
-        assert!(old.is_enabled(), "{body:?} is taken out once");
-        taken.push((step, body, cause));
+    let before = copies_of_bodies(stage);
+    let events = stage.step();
+    let disabled = disabled_in(step, &events, stage, &before);
+    for &(_, body, _) in &disabled {
         twin.world.bodies[body].set_enabled(false);
     }
-    assert_eq!(stage.world.physics_pipeline.counters.solver.nquarantined, taken.len());
-    let told_of_twin = twin.step();
-    assert_eq!(told_of_twin.quarantines, [], "step {step}");
-    assert_eq!(told.collisions, told_of_twin.collisions, "step {step}");
-    assert_eq!(stage.bits(), twin.bits(), "step {step}, without {taken:?}");
-    taken
+    let events_of_twin = twin.step();
+    assert_eq!(events_of_twin.quarantines, [], "step {step}");
+    assert_eq!(events.collisions, events_of_twin.collisions, "step {step}");
+    assert_eq!(stage.bits(), twin.bits(), "step {step}, without {disabled:?}");
+    disabled
+}
+
+fn copies_of_bodies(stage: &Stage) -> BTreeMap<RigidBodyHandle, RigidBody> {
+    stage.world.bodies.iter().map(|(handle, body)| (handle, body.clone())).collect()
+}
+
+/// The bodies that a step disabled.
+///
+/// # Panics
+/// If one of them is not in its state before the step or was disabled before, or if the counter has another
+/// number.
+fn disabled_in(
+    step: usize,
+    events: &Events,
+    stage: &Stage,
+    before: &BTreeMap<RigidBodyHandle, RigidBody>,
+) -> Vec<Disabled> {
+    let disabled = events.quarantines.iter().filter_map(|event| match *event {
+        QuarantineEvent::Body { body, cause, position, velocity } => {
+            let old = &before[&body];
+            let state = (*old.position(), old.vels());
+            assert_eq!((position, velocity), state, "the state before the step");
+            assert!(old.is_enabled(), "{body:?} is disabled once");
+            Some((step, body, cause))
+        }
+        _ => None,
+    });
+    let disabled: Vec<_> = disabled.collect();
+    assert_eq!(stage.world.physics_pipeline.counters.solver.nquarantined, disabled.len());
+    disabled
 }

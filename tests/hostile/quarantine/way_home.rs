@@ -11,11 +11,11 @@ fn a_repaired_body_returns() {
     let mut stage = Stage::new();
     let at = *stage.suspect().position();
     stage.suspect().add_force(Vector::X * 1.0e30, true);
-    let (told, heard) = listen(|| stage.step());
-    assert_eq!(told.quarantines.len(), 1);
+    let (events, heard) = listen(|| stage.step());
+    assert_eq!(events.quarantines.len(), 1);
     assert!(heard.iter().any(|text| text.contains("disabled")), "{heard:?}");
     for _ in 0..10 {
-        assert_eq!(stage.step().quarantines, [], "it is told of once");
+        assert_eq!(stage.step().quarantines, [], "it is reported once");
         assert_eq!((*stage.suspect().position(), stage.suspect().is_enabled()), (at, false));
     }
     assert!(stage.suspect().quarantine().is_some());
@@ -33,8 +33,8 @@ fn a_body_without_repair_is_disabled_again() {
     let mut stage = Stage::new();
     stage.suspect().add_force(Vector::X * 1.0e30, true);
     for _ in 0..3 {
-        let told = stage.step().quarantines;
-        let [event] = told[..] else { panic!("{told:?}") };
+        let events = stage.step().quarantines;
+        let [event] = events[..] else { panic!("{events:?}") };
         assert_eq!(event.body(), Some(stage.suspect));
         assert!(matches!(event.cause(), QuarantineCause::Force { .. }));
         stage.suspect().set_enabled(true);
@@ -62,14 +62,14 @@ fn an_unpredictable_failure() {
         world.step_with_events(&(), &events);
         super::super::world::check(&world);
     }
-    let told: Vec<_> = quarantines.try_iter().collect();
-    let [event] = told[..] else { panic!("{told:?}") };
+    let events: Vec<_> = quarantines.try_iter().collect();
+    let [event] = events[..] else { panic!("{events:?}") };
     assert_eq!(event.body(), Some(balls[1]));
-    let told: Vec<_> = collisions.try_iter().collect();
+    let events: Vec<_> = collisions.try_iter().collect();
     let dust = world.bodies[balls[1]].colliders()[0];
     assert!(
-        !told.is_empty()
-            && !told.iter().any(|event| event.collider1() == dust || event.collider2() == dust)
+        !events.is_empty()
+            && !events.iter().any(|event| event.collider1() == dust || event.collider2() == dust)
     );
     for ball in [balls[0], balls[2]] {
         let body = &world.bodies[ball];
@@ -90,9 +90,9 @@ fn crossed_sensors_still_send_events() {
         // The ball moves four metres in this step, half of them in front of the gate.
         stage.world.insert(flyer.linvel(vec(240.0, 0.0)), ColliderBuilder::ball(0.1));
         stage.suspect().add_force(Vector::X * force, true);
-        let told = stage.step();
-        assert_eq!(told.quarantines.len(), usize::from(force > 0.0));
-        let passed = told.collisions.iter().filter(|event| event.sensor());
+        let events = stage.step();
+        assert_eq!(events.quarantines.len(), usize::from(force > 0.0));
+        let passed = events.collisions.iter().filter(|event| event.sensor());
         assert_eq!(passed.map(|event| event.started()).collect::<Vec<_>>(), [true, false]);
     }
 }

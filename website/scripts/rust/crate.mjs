@@ -8,19 +8,25 @@ const FEATURES = "debug-render,parallel,serde-serialize";
 /** The version of the JSON for which these scripts were written. Others may work; an unknown kind ends the script. */
 const FORMAT = 57;
 
-/** Runs rustdoc on a crate, and returns its JSON. */
-export function document(root, name) {
+/** Runs rustdoc on crates, and returns its JSON by name. */
+export function document(root, names) {
     const target = join(process.env.CARGO_TARGET_DIR ?? join(root, "target"), "reference");
-    const options = ["rustdoc", "--quiet", "-p", name, "--features", FEATURES, "--target-dir", target];
+    const packages = names.flatMap((name) => ["-p", name]);
+    const options = ["doc", "--quiet", "--no-deps", ...packages, "--features", FEATURES, "--target-dir", target];
     // JSON is an unstable output of rustdoc, which stable toolchains write with this variable.
-    const run = spawnSync("cargo", [...options, "--", "-Z", "unstable-options", "--output-format", "json"], {
+    const format = { RUSTC_BOOTSTRAP: "1", RUSTDOCFLAGS: "-Z unstable-options --output-format json" };
+    const run = spawnSync("cargo", options, {
         cwd: root,
-        env: { ...process.env, RUSTC_BOOTSTRAP: "1" },
+        env: { ...process.env, ...format },
         stdio: ["ignore", "inherit", "inherit"],
     });
     if (run.error !== undefined) throw new Error("there is no Rust toolchain");
     if (run.status !== 0) throw new Error("rustdoc failed");
-    const json = JSON.parse(readFileSync(join(target, `doc/${name}.json`), "utf8"));
+    return Object.fromEntries(names.map((name) => [name, read(join(target, `doc/${name}.json`))]));
+}
+
+function read(path) {
+    const json = JSON.parse(readFileSync(path, "utf8"));
     if (json.format_version !== FORMAT) console.warn(`rustdoc's JSON has format ${json.format_version}; ${FORMAT} was expected`);
     return json;
 }

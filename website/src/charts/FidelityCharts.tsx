@@ -11,7 +11,7 @@ const BUILDS = [
     { name: "2D f32", colour: "var(--build-2d-f32)", dashes: "2 4" },
     { name: "2D f64", colour: "var(--build-2d-f64)", dashes: "6 4" },
     { name: "3D f32", colour: "var(--build-3d-f32)", dashes: "12 5" },
-    { name: "3D f64", colour: "var(--build-3d-f64)", dashes: undefined },
+    { name: "3D f64", colour: "var(--build-3d-f64)", dashes: "1 0" },
 ] as const;
 
 type Law = (typeof data)[number];

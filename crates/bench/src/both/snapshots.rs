@@ -12,7 +12,7 @@ pub fn load(bytes: &[u8]) -> bool {
 }
 
 pub fn save_and_return(world: &mut PhysicsWorld) -> Option<f64> {
-    // The first turn allocates the memory of the copy, as in a game that saves every step.
+    // The timed copies reuse the memory of this one, as in a game that saves every step.
     let mut saved = world.clone();
     saved.clone_from(world);
     let clock = Clock::start(1);

@@ -133,7 +133,7 @@ mod tests {
     }
 
     #[test]
-    fn only_dense_heaps_overlap() {
+    fn loose_heaps_do_not_overlap() {
         let loose = World::Heaps { bodies: 60, each: 30, dense: false };
         for world in [loose, World::Static { bodies: 30, awake: 30 }] {
             let template = Template::grown(world);

@@ -238,7 +238,7 @@ mod tests {
     fn different_work_is_remarked() {
         let counts = Counts { bodies: 31, awake: 30, substeps: 4, pairs: 1, points: 2 };
         assert_eq!(difference(&counts, &Counts { pairs: 9, ..counts }), None);
-        let told = difference(&Counts { awake: 0, ..counts }, &counts);
-        assert_eq!(told.as_deref(), Some("0 awake bodies, not 30"));
+        let reported = difference(&Counts { awake: 0, ..counts }, &counts);
+        assert_eq!(reported.as_deref(), Some("0 awake bodies, not 30"));
     }
 }

@@ -7,17 +7,17 @@ use super::thin;
 mod bodies;
 mod bystanders;
 pub mod colliders;
+mod event_checker;
 mod families;
 mod joints;
 mod loading;
 mod multibodies;
 pub mod play;
-mod questions;
+mod queries;
 mod sets;
 mod steps;
 pub mod values;
 mod walkers;
-mod witness;
 // The tests of hostile users define the invariants of every world.
 #[path = "../../../../tests/hostile/world.rs"]
 mod world;

@@ -2,11 +2,11 @@
 
 use super::bystanders::Bystanders;
 use super::dim::{self, Vehicle};
+use super::event_checker::EventChecker;
 use super::rapier::prelude::*;
 use super::sets::Copy;
 use super::values::{some_real, some_vector};
-use super::witness::EventChecker;
-use super::{bodies, colliders, joints, loading, multibodies, questions, sets, steps, walkers};
+use super::{bodies, colliders, joints, loading, multibodies, queries, sets, steps, walkers};
 use crate::Tally;
 use crate::choices::Choices;
 
@@ -43,7 +43,7 @@ const ACTS: [Act; 32] = [
     ("insert or remove a link", multibodies::insert_or_remove),
     ("edit a multibody", multibodies::edit),
     ("edit a multibody", multibodies::edit),
-    ("query", questions::query),
+    ("query", queries::query),
     ("walk", walkers::walk),
     ("drive", dim::drive),
     ("edit whole sets", sets::edit_sets),
@@ -66,7 +66,7 @@ pub struct Play<'a> {
     /// Earlier state of the world.
     pub copy: Option<Copy>,
     pub bystanders: Bystanders,
-    pub witness: EventChecker,
+    pub event_checker: EventChecker,
     pub vehicle: Vehicle,
     pub pid: PidController,
     pub queries: QueryPipeline,
@@ -104,7 +104,7 @@ impl<'a> Play<'a> {
             removed: Vec::new(),
             copy: None,
             bystanders,
-            witness: EventChecker::default(),
+            event_checker: EventChecker::default(),
             vehicle: Vehicle::default(),
             pid: PidController::default(),
             queries: QueryPipeline::new(),

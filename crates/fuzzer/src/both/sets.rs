@@ -65,13 +65,13 @@ pub fn edit_sets(play: &mut Play<'_>) {
         2 | 3 => {
             if let Some(copy) = &mut play.copy {
                 copy.exchange(&mut play.world);
-                play.witness.mark_missed_events();
+                play.event_checker.mark_missed_events();
             }
         }
         4 => {
             let PhysicsWorld { gravity, integration_parameters, .. } = play.world;
             play.world = PhysicsWorld { gravity, integration_parameters, ..PhysicsWorld::new() };
-            play.witness.mark_missed_events();
+            play.event_checker.mark_missed_events();
         }
         5 => play.world.wake_up_all(play.choices.coin()),
         6 => {
@@ -89,7 +89,7 @@ pub fn edit_sets(play: &mut Play<'_>) {
             let mut empty = Copy::of(&PhysicsWorld::new());
             let old = play.copy.as_mut().filter(|_| play.choices.coin());
             exchange_one(old.unwrap_or(&mut empty), &mut play.world, which);
-            play.witness.mark_missed_events();
+            play.event_checker.mark_missed_events();
         }
         9 | 10 => restore_records(play, handle),
         _ => play.world.wake_up(handle, play.choices.coin()),
@@ -146,7 +146,7 @@ pub fn mix_with_twin(play: &mut Play<'_>) {
     for which in (0..7).filter(|which| sets & (1 << which) != 0) {
         exchange_one(&mut twin, &mut play.world, which);
     }
-    play.witness.mark_missed_events();
+    play.event_checker.mark_missed_events();
 }
 
 /// Exchanges a body with the twin's body of the same handle. The twin's colliders may be attached to other

@@ -20,15 +20,15 @@ pub fn step(play: &mut Play<'_>) -> usize {
     play.bystanders.note_attachments(&play.world);
     for _ in 0..count {
         completed &= completes(|| match variant {
-            1 | 2 => play.world.detect_collisions(&hooks, &play.witness),
-            3 => detect_without_changes(&mut play.world, &hooks, &play.witness),
-            4 => step_with_new_pipeline(&mut play.world, &hooks, &play.witness),
+            1 | 2 => play.world.detect_collisions(&hooks, &play.event_checker),
+            3 => detect_without_changes(&mut play.world, &hooks, &play.event_checker),
+            4 => step_with_new_pipeline(&mut play.world, &hooks, &play.event_checker),
             5 => play.world.step_with_events(&hooks, &PanickingHandler),
-            _ => play.world.step_with_events(&hooks, &play.witness),
+            _ => play.world.step_with_events(&hooks, &play.event_checker),
         });
     }
     if !completed || variant == 5 {
-        play.witness.mark_missed_events(); // some events are lost
+        play.event_checker.mark_missed_events(); // some events are lost
     }
     // Without the edits the world is out of date, and an interrupted or rejected step has not processed them.
     let refused =
@@ -36,7 +36,7 @@ pub fn step(play: &mut Play<'_>) -> usize {
     if completed && !refused && variant != 3 {
         check(&play.world);
     }
-    play.witness.check();
+    play.event_checker.check();
     play.bystanders.note_attachments(&play.world);
     play.bystanders.check(&play.world);
     if refused {

@@ -2,7 +2,7 @@
 
 use super::colliders::OTHERS;
 use super::play::Play;
-use super::questions::some_shape;
+use super::queries::some_shape;
 use super::rapier::prelude::*;
 use super::values::{some_pose, some_positive, some_real, some_vector};
 use crate::choices::Choices;

@@ -17,7 +17,7 @@ pub fn turn(choices: &mut Choices<'_>, size: f64) -> AngVector {
     AngVector::from_array([(); 3].map(|()| within(choices, -size, size)))
 }
 
-/// Returns a shape that is thin along one axis, and about equally wide along all others.
+/// Returns a shape that is thin along at least one axis.
 pub fn thin_shape(choices: &mut Choices<'_>) -> ColliderBuilder {
     let (wide, long) = (within(choices, 0.1, 1.0), within(choices, 0.05, 1.0));
     let disc = SharedShape::cylinder(HALF_THICKNESS, wide);

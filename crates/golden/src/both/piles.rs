@@ -26,8 +26,8 @@ pub fn heap(world: &mut PhysicsWorld) -> Act {
             .angvel(about(0.1 * t, 0.0, 1.0));
         let surface =
             shapes[k % shapes.len()].clone().restitution(0.1 * (k % 4) as Real).friction(0.3);
-        let told = ActiveEvents::COLLISION_EVENTS | ActiveEvents::CONTACT_FORCE_EVENTS;
-        world.insert(body, surface.active_events(told).contact_force_event_threshold(20.0));
+        let events = ActiveEvents::COLLISION_EVENTS | ActiveEvents::CONTACT_FORCE_EVENTS;
+        world.insert(body, surface.active_events(events).contact_force_event_threshold(20.0));
     }
     undisturbed()
 }

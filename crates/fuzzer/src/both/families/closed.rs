@@ -1,8 +1,8 @@
 //! Closed systems: their energy may decrease but not increase.
 //!
 //! Bodies start without overlap, with friction and restitution of at most 1. Fitting joints connect some of
-//! them. There are no motors and no kinematic bodies, and no edits after the first step. The energy `Σ m v²/2
-//! + ω I ω/2 + m g y` then stays below its initial value, except for two errors of the time step:
+//! them. There are no motors and no kinematic bodies, and no edits after the first step. The energy
+//! `Σ m v²/2 + ω I ω/2 + m g y` then stays below its initial value, except for two errors of the time step:
 //!
 //! * Semi-implicit Euler with step `h` falls `g t h / 2` too far in a time `t`. Its energy oscillates by up
 //!   to `m g v h / 2` about the true one: `m v²/2` is taken at the end of a step, and the height assumes the

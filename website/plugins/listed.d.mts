@@ -1,0 +1,2 @@
+export function tabled(markdown: string): string[];
+export function numbered(markdown: string): string[];
