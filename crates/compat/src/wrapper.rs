@@ -40,17 +40,4 @@ macro_rules! forward {
     };
 }
 
-/// Defines the view of a borrowed engine value as its transparent wrapper.
-macro_rules! wrap_reference {
-    ($name:ident, $engine:ty) => {
-        impl $name {
-            /// A borrowed engine value as this wrapper.
-            pub(crate) fn wrap(engine: &$engine) -> &Self {
-                // SAFETY: the wrapper is transparent, so both types have the same layout and validity.
-                unsafe { &*core::ptr::from_ref(engine).cast() }
-            }
-        }
-    };
-}
-
-pub(crate) use {forward, wrap_reference, wrapper};
+pub(crate) use {forward, wrapper};
