@@ -16,15 +16,13 @@ mkdir -p "$folder"
 folder=$(cd "$folder" && pwd)
 export CARGO_TARGET_DIR="$folder/target"
 
-# name, version, arguments of cargo. The tests of the crates with `check` need a window or a renderer: their libraries are
-# checked only.
+# name, version, arguments of cargo. The tests of the crates with `check` need a window: their libraries are checked
+# only. fyrox-impl needs the packages libasound2-dev and libudev-dev of Debian.
 crates='
 rapier3d-meshloader 0.13.0 test --all-features
 rapier3d-urdf 0.13.0 test --all-features
 bevy_rapier3d 0.34.0 check --no-default-features --features dim3,rapier-debug-render
 bevy_rapier2d 0.34.0 check --no-default-features --features dim2,rapier-debug-render
-rapier_testbed3d 0.32.0 check
-rapier_testbed2d 0.32.0 check
 fyrox-impl 1.0.1 check
 '
 
