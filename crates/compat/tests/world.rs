@@ -109,6 +109,22 @@ fn islands_list_awake_bodies() {
     assert_eq!(awake, [body]);
 }
 
+/// Three flags lock rotations, in two dimensions too: the last one is that of the z axis.
+#[test]
+fn rotations_are_locked_by_axis() {
+    let mut world = World::default();
+    let (body, _) = world.insert(RigidBodyBuilder::dynamic(), cuboid(0.5, 0.5));
+    for enabled in [false, true] {
+        let turned = &mut world.bodies[body];
+        turned.set_enabled_rotations(true, true, enabled, true);
+        let before = *turned.rotation();
+        turned.apply_impulse_at_point(Vector::Y, turned.center_of_mass() + Vector::X, true);
+        world.steps(1);
+        let after = *world.bodies[body].rotation();
+        assert_eq!(after != before, enabled);
+    }
+}
+
 #[test]
 fn parameters_have_the_fields_of_version_032() {
     let mut parameters = IntegrationParameters {
