@@ -16,13 +16,14 @@ mkdir -p "$folder"
 folder=$(cd "$folder" && pwd)
 export CARGO_TARGET_DIR="$folder/target"
 
-# name, version, arguments of cargo. The development dependencies of Bevy's plugin need a window: its library is
-# checked only.
+# name, version, arguments of cargo. The tests of the crates with `check` need a window: their libraries are checked
+# only. fyrox-impl needs the packages libasound2-dev and libudev-dev of Debian.
 crates='
 rapier3d-meshloader 0.13.0 test --all-features
 rapier3d-urdf 0.13.0 test --all-features
 bevy_rapier3d 0.34.0 check --no-default-features --features dim3,rapier-debug-render
 bevy_rapier2d 0.34.0 check --no-default-features --features dim2,rapier-debug-render
+fyrox-impl 1.0.1 check
 '
 
 # Copies the source of a crate of the registry to FOLDER/<name>, with the patch in its manifest.
@@ -33,7 +34,7 @@ prepare() {
     printf '[package]\nname = "probe"\nversion = "0.0.0"\nedition = "2024"\n[dependencies]\n%s = "=%s"\n[workspace]\n' \
         "$1" "$2" >"$probe/Cargo.toml"
     (cd "$probe" && cargo fetch --quiet) || return 1
-    local manifest
+    local manifest package
     manifest=$(cd "$probe" && cargo metadata --format-version 1 |
         python3 -c 'import json, sys
 name, version = sys.argv[1:]
@@ -42,8 +43,10 @@ for package in json.load(sys.stdin)["packages"]:
     rm -rf "$target"
     cp -r "$(dirname "$manifest")" "$target"
     rm -f "$target/Cargo.lock" # A lock file refuses the patched versions.
-    printf '\n[workspace]\n[patch.crates-io]\nrapier3d = { path = "%s" }\nrapier2d = { path = "%s" }\n' \
-        "$here/rapier3d" "$here/rapier2d" >>"$target/Cargo.toml"
+    printf '\n[workspace]\n[patch.crates-io]\n' >>"$target/Cargo.toml"
+    for package in rapier2d rapier2d-f64 rapier3d rapier3d-f64; do
+        printf '%s = { path = "%s" }\n' "$package" "$here/$package"
+    done >>"$target/Cargo.toml"
 }
 
 outcome=0

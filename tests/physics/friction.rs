@@ -176,33 +176,78 @@ fn ball_rolls() {
     }
 }
 
-/// The friction impulse of each contact can be read in the default model. For a sliding box the sum is `µ m g
-/// h`, against its motion. None exceeds `µ` times the normal impulse of its point.
+/// Returns a world with a box that slides along x on the ground.
+fn sliding_box(friction: Real) -> (PhysicsWorld, RigidBodyHandle) {
+    let mut world = PhysicsWorld::new();
+    world.insert_collider(ColliderBuilder::halfspace(Vector::Y).friction(friction), None);
+    let body = RigidBodyBuilder::dynamic().translation(vec(0.0, 0.5)).linvel(Vector::X * 8.0);
+    let (body, _) = world.insert(body, cuboid(1.0, 0.5).friction(friction));
+    (world, body)
+}
+
+/// Runs 20 steps. Asserts that the friction impulses of the sliding box have the sum `µ m g h`, against its
+/// motion, and that none exceeds `µ` times the normal impulse of its point. The box carries the mass `m`.
+#[track_caller]
+fn assert_friction_impulses(world: &mut PhysicsWorld, mass: Real, friction: Real) {
+    for _ in 0..20 {
+        world.step();
+    }
+    let expected = friction * mass * G * substep(world);
+    let (_, _, pair) = world.contact_pairs().next().expect("the box touches the ground");
+    let data = &pair.manifolds[0].data;
+    let each: Vec<Vector> = (0..data.points.len()).map(|k| data.friction_impulse(k)).collect();
+    let total: Vector = each.iter().copied().sum();
+    let is_second = data.rigid_body2.is_some();
+    let along = if is_second { -total.x } else { total.x };
+    println!("{friction}: {along:.5} of {expected:.5}");
+    assert!((along / expected - 1.0).abs() < 0.02, "{friction}: {total} of {expected}");
+    for (own, point) in each.iter().zip(&data.points) {
+        let bound = friction * point.warmstart_impulse;
+        assert!(own.length() <= 1.05 * bound + 1.0e-4, "{friction}: {own} of {bound}");
+    }
+    assert_eq!(data.friction_impulse(data.points.len()), Vector::ZERO);
+}
+
+/// The friction impulse of each contact can be read in the default model.
 #[test]
 fn friction_impulses_of_contacts_can_be_read() {
     for friction in [0.1, 0.4, 0.7] {
-        let mut world = PhysicsWorld::new();
-        world.insert_collider(ColliderBuilder::halfspace(Vector::Y).friction(friction), None);
-        let body = RigidBodyBuilder::dynamic().translation(crate::dim::vec(0.0, 0.5));
-        let shape = crate::dim::cuboid(1.0, 0.5).friction(friction);
-        let (body, _) = world.insert(body.linvel(Vector::X * 8.0), shape);
-        for _ in 0..20 {
-            world.step();
+        let (mut world, body) = sliding_box(friction);
+        let mass = world.bodies[body].mass();
+        assert_friction_impulses(&mut world, mass, friction);
+    }
+}
+
+/// The friction impulse of each contact can be read with Coulomb friction, and in the default model after it.
+#[test]
+fn friction_impulses_of_coulomb_contacts_can_be_read() {
+    for friction in [0.1, 0.4, 0.7] {
+        let (mut world, body) = sliding_box(friction);
+        let mass = world.bodies[body].mass();
+        for model in [FrictionModel::Coulomb, FrictionModel::Standard, FrictionModel::Coulomb] {
+            world.integration_parameters.friction_model = model;
+            assert_friction_impulses(&mut world, mass, friction);
         }
-        let substep = world.integration_parameters.substep();
-        let expected = friction * world.bodies[body].mass() * 9.81 * substep;
-        let (_, _, pair) = world.contact_pairs().next().expect("the box touches the ground");
-        let data = &pair.manifolds[0].data;
-        let each: Vec<Vector> = (0..data.points.len()).map(|k| data.friction_impulse(k)).collect();
-        let total: Vector = each.iter().copied().sum();
-        let is_second = data.rigid_body2.is_some();
-        let along = if is_second { -total.x } else { total.x };
-        println!("{friction}: {along:.5} of {expected:.5}");
-        assert!((along / expected - 1.0).abs() < 0.02, "{friction}: {total} of {expected}");
-        for (own, point) in each.iter().zip(&data.points) {
-            let bound = friction * point.warmstart_impulse;
-            assert!(own.length() <= 1.05 * bound + 1.0e-4, "{friction}: {own} of {bound}");
+    }
+}
+
+/// The friction impulse of each contact of a link can be read, and that of the body after the removal of its
+/// joint. The link carries a second one without a collider.
+#[test]
+fn friction_impulses_of_links_can_be_read() {
+    for friction in [0.1, 0.4, 0.7] {
+        for model in [FrictionModel::Standard, FrictionModel::Coulomb] {
+            let (mut world, body) = sliding_box(friction);
+            world.integration_parameters.friction_model = model;
+            let load = RigidBodyBuilder::dynamic().additional_mass(1.0);
+            let pose = *world.bodies[body].position();
+            let load = world.insert_body(load.pose(pose).linvel(Vector::X * 8.0));
+            let joint = world.multibody_joints.insert(body, load, FixedJoint::new(), true);
+            let joint = joint.expect("the joint fits");
+            let mass = world.bodies[body].mass();
+            assert_friction_impulses(&mut world, mass + 1.0, friction);
+            world.multibody_joints.remove(joint, true);
+            assert_friction_impulses(&mut world, mass, friction);
         }
-        assert_eq!(data.friction_impulse(data.points.len()), Vector::ZERO);
     }
 }

@@ -108,25 +108,14 @@ mod vehicle {
     use crate::dynamics::RigidBodyHandle;
     use crate::math::Real;
     use crate::pipeline::QueryPipelineMut;
+    use crate::wrapper::forward;
     pub use engine::control::{Wheel, WheelTuning};
 
     /// A vehicle whose wheels are rays.
     #[derive(Clone, Debug)]
     pub struct DynamicRayCastVehicleController(engine::control::DynamicRayCastVehicleController);
 
-    impl core::ops::Deref for DynamicRayCastVehicleController {
-        type Target = engine::control::DynamicRayCastVehicleController;
-
-        fn deref(&self) -> &engine::control::DynamicRayCastVehicleController {
-            &self.0
-        }
-    }
-
-    impl core::ops::DerefMut for DynamicRayCastVehicleController {
-        fn deref_mut(&mut self) -> &mut engine::control::DynamicRayCastVehicleController {
-            &mut self.0
-        }
-    }
+    forward!(DynamicRayCastVehicleController, engine::control::DynamicRayCastVehicleController);
 
     impl DynamicRayCastVehicleController {
         /// A vehicle without wheels.

@@ -17,6 +17,13 @@ macro_rules! wrapper {
             }
         }
 
+        $crate::wrapper::forward!($name, $engine);
+    };
+}
+
+/// Dereferences a wrapper to the engine type in its field.
+macro_rules! forward {
+    ($name:ident, $engine:ty) => {
         impl core::ops::Deref for $name {
             type Target = $engine;
 
@@ -33,17 +40,4 @@ macro_rules! wrapper {
     };
 }
 
-/// Defines the view of a borrowed engine value as its transparent wrapper.
-macro_rules! wrap_reference {
-    ($name:ident, $engine:ty) => {
-        impl $name {
-            /// A borrowed engine value as this wrapper.
-            pub(crate) fn wrap(engine: &$engine) -> &Self {
-                // SAFETY: the wrapper is transparent, so both types have the same layout and validity.
-                unsafe { &*core::ptr::from_ref(engine).cast() }
-            }
-        }
-    };
-}
-
-pub(crate) use {wrap_reference, wrapper};
+pub(crate) use {forward, wrapper};

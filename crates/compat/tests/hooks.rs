@@ -1,6 +1,6 @@
 //! Filters of pairs, and modification of contacts.
 
-use super::world::{GRAVITY, World, assert_near, cuboid};
+use super::world::{GRAVITY, World, assert_near, cuboid, rounding};
 use rapier::prelude::*;
 
 /// Answers each contact pair with the same flags.
@@ -33,10 +33,10 @@ fn filters_refuse_pairs_or_forces() {
     let (time, h) = (0.5, 1.0 / 240.0);
     let fallen = 0.5 - GRAVITY * time * (time + h) / 2.0;
     let (height, contacts) = filtered(None);
-    assert_near(height, fallen, 1.0e-3);
+    assert_near(height, fallen, rounding(5_000));
     assert_eq!(contacts, 0);
     let (height, contacts) = filtered(Some(SolverFlags::empty()));
-    assert_near(height, fallen, 1.0e-3);
+    assert_near(height, fallen, rounding(5_000));
     assert_eq!(contacts, 1);
     let (height, contacts) = filtered(Some(SolverFlags::COMPUTE_IMPULSES));
     assert_near(height, 0.5, 0.01);
@@ -97,7 +97,7 @@ fn cleared_contacts_exert_no_force() {
     for _ in 0..60 {
         world.step_with(&Ghost, &());
     }
-    assert_near(world.bodies[body].linvel().y, -GRAVITY, 1.0e-3);
+    assert_near(world.bodies[body].linvel().y, -GRAVITY, rounding(5_000));
 }
 
 /// Keeps the contacts on one side.

@@ -37,9 +37,19 @@ impl RigidBody {
     }
 
     /// Sets whether torques and impulses rotate the body. Otherwise its rotation is locked.
+    #[cfg(not(feature = "upstream-groups"))]
     pub fn set_enabled_rotations(&mut self, enabled: bool, wake_up: bool) {
         let mut locked_axes = self.locked_axes();
         locked_axes.set(LockedAxes::ROTATION_LOCKED_Z, !enabled);
+        self.set_locked_axes(locked_axes, wake_up);
+    }
+
+    /// Sets whether torques and impulses rotate the body. The older API has a flag for each axis in two
+    /// dimensions too: the last one decides.
+    #[cfg(feature = "upstream-groups")]
+    pub fn set_enabled_rotations(&mut self, _x: bool, _y: bool, z: bool, wake_up: bool) {
+        let mut locked_axes = self.locked_axes();
+        locked_axes.set(LockedAxes::ROTATION_LOCKED_Z, !z);
         self.set_locked_axes(locked_axes, wake_up);
     }
 
@@ -50,9 +60,17 @@ impl RigidBody {
     }
 
     /// [`Self::set_enabled_rotations`].
+    #[cfg(not(feature = "upstream-groups"))]
     #[deprecated(note = "use `set_enabled_rotations()`")]
     pub fn restrict_rotations(&mut self, enabled: bool, wake_up: bool) {
         self.set_enabled_rotations(enabled, wake_up);
+    }
+
+    /// [`Self::set_enabled_rotations`].
+    #[cfg(feature = "upstream-groups")]
+    #[deprecated(note = "use `set_enabled_rotations()`")]
+    pub fn restrict_rotations(&mut self, x: bool, y: bool, z: bool, wake_up: bool) {
+        self.set_enabled_rotations(x, y, z, wake_up);
     }
 
     /// Returns whether the rotation of the body is locked.

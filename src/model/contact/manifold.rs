@@ -1,7 +1,7 @@
 //! The contact manifold: up to [`MAX_MANIFOLD_POINTS`] points with one normal.
 
 use crate::base::measure::is_point;
-use crate::dim::math::{DIM, MAX_MANIFOLD_POINTS, Real, Vector};
+use crate::dim::math::{DIM, MAX_MANIFOLD_POINTS, Real, Vector, tangents};
 use crate::model::body::RigidBodyHandle;
 use crate::model::check::is_saved_unit;
 use crate::model::constraint_graph::ColorSlot;
@@ -50,8 +50,8 @@ pub struct Contact {
     pub impulse: Real,
     /// Normal impulse of the last substep, with which the next step starts.
     pub warmstart_impulse: Real,
-    /// Friction impulse at this point of the last substep, along the manifold's tangents
-    /// ([`FrictionModel::Coulomb`](crate::model::params::FrictionModel) only).
+    /// Friction impulse at this point of the last substep, along the manifold's tangents. Only points with
+    /// friction of their own have it: see [`ContactManifoldData::friction_impulse`].
     pub warmstart_tangent_impulse: [Real; DIM - 1],
 }
 
@@ -178,11 +178,19 @@ impl ContactManifoldData {
     /// The default model ([`FrictionModel::Standard`](crate::model::params::FrictionModel)) has one friction
     /// impulse per manifold. Friction is distributed in proportion to the normal impulses: the largest
     /// friction of a point is proportional to its normal impulse. The sum over the points is exact. The
-    /// torsional friction of a manifold is not included. With
-    /// [`FrictionModel::Coulomb`](crate::model::params::FrictionModel) the friction of a point is its
-    /// `warmstart_tangent_impulse`.
+    /// torsional friction of a manifold is not included.
+    ///
+    /// Points of multibody links have friction of their own. In 3D,
+    /// [`FrictionModel::Coulomb`](crate::model::params::FrictionModel) gives every point its own friction.
+    /// The impulse is then the stored one of the point.
     pub fn friction_impulse(&self, point: usize) -> Vector {
         let Some(contact) = self.points.get(point) else { return Vector::ZERO };
+        // A manifold with a friction impulse may still store those of points, from steps before a change of
+        // the model or the removal of a multibody joint. They no longer act.
+        if self.warmstart_friction == Vector::ZERO {
+            let own = tangents(self.normal).into_iter().zip(contact.warmstart_tangent_impulse);
+            return own.map(|(tangent, impulse)| tangent * impulse).sum();
+        }
         let sum: Real = self.points.iter().map(|contact| contact.warmstart_impulse).sum();
         let fraction = if sum > 0.0 { contact.warmstart_impulse / sum } else { 0.0 };
         self.warmstart_friction * fraction

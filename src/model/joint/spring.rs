@@ -23,6 +23,17 @@ impl SpringCoefficients {
         Self { natural_frequency, damping_ratio }
     }
 
+    /// The spring of contacts in Rapier 0.32. The engine's own contacts follow
+    /// [`IntegrationParameters::erp`](crate::model::params::IntegrationParameters::erp).
+    pub const fn contact_defaults() -> Self {
+        Self::new(30.0, 5.0)
+    }
+
+    /// A spring that is nearly rigid: the softness of joints in Rapier 0.32.
+    pub const fn joint_defaults() -> Self {
+        Self::new(1.0e6, 1.0)
+    }
+
     /// The frequency as radians per second: `2π` times the natural frequency.
     pub fn angular_frequency(&self) -> Real {
         self.natural_frequency * (2.0 * core::f64::consts::PI as Real)

@@ -1,4 +1,4 @@
-//! The sets of joints.
+//! The set of joints that the solver handles by impulses.
 
 use crate::wrapper::wrapper;
 use engine::dynamics::{ImpulseJoint, ImpulseJointHandle, RigidBodyHandle};
@@ -47,9 +47,4 @@ impl ImpulseJointSet {
             }
         }
     }
-}
-
-wrapper! {
-    /// All joints of multibodies.
-    MultibodyJointSet, engine::dynamics::MultibodyJointSet
 }

@@ -5,16 +5,14 @@ mod islands;
 mod joints;
 mod parameters;
 mod sets;
-mod softness;
 mod spring;
 
 pub use ccd::CCDSolver;
 pub use engine::dynamics::*;
 pub use islands::IslandManager;
-pub use joints::{ImpulseJointSet, MultibodyJointSet};
+pub use joints::ImpulseJointSet;
 #[cfg(feature = "dim3")]
 pub use parameters::FrictionModel;
 pub use parameters::IntegrationParameters;
 pub use sets::RigidBodySet;
-pub use softness::SpringCoefficients;
 pub use spring::{SpringJoint, SpringJointBuilder};

@@ -1,6 +1,6 @@
 //! The parameters of a step.
 
-use super::SpringCoefficients;
+use engine::dynamics::SpringCoefficients;
 use engine::math::Real;
 
 /// Model of friction.
@@ -152,22 +152,20 @@ impl IntegrationParameters {
 
     /// The engine's parameters of contact softness.
     ///
-    /// A spring of angular frequency `ω` and damping ratio `ζ` removes the fraction `β = hω / (2ζ + hω)` of
-    /// the error in a substep `h`, with the compliance `σ = 1 / (hω (2ζ + hω))`. Without a frequency no
-    /// error is removed. The engine's contacts have at least
-    /// [`CONTACT_COMPLIANCE`](engine::dynamics::CONTACT_COMPLIANCE): stiffer springs get that compliance.
+    /// A contact without a frequency removes no error, and stays as hard as the engine's. The engine's
+    /// contacts have at least [`CONTACT_COMPLIANCE`](engine::dynamics::CONTACT_COMPLIANCE): stiffer springs
+    /// get that compliance.
     fn engine_softness(&self, own_erp: Real, own_damping_ratio: Real) -> (Real, Real) {
         use engine::dynamics::{CONTACT_COMPLIANCE, CONTACT_ERP_SCALE};
-        let turn = self.dt / self.num_solver_iterations.max(1) as Real
-            * self.contact_softness.angular_frequency();
+        let substep = self.dt / self.num_solver_iterations.max(1) as Real;
         if self.contact_softness == Self::default().contact_softness || self.dt <= 0.0 {
             return (own_erp, own_damping_ratio);
         }
-        if turn <= 0.0 {
+        if substep * self.contact_softness.angular_frequency() <= 0.0 {
             return (0.0, own_damping_ratio);
         }
-        let stiffness = 2.0 * self.contact_softness.damping_ratio + turn;
-        let (fraction, compliance) = (turn / stiffness, 1.0 / (turn * stiffness));
+        let fraction = self.contact_softness.erp(substep);
+        let compliance = self.contact_softness.cfm_coeff(substep);
         ((fraction / CONTACT_ERP_SCALE).min(1.0), (compliance - CONTACT_COMPLIANCE).max(0.0))
     }
 }

@@ -1,7 +1,7 @@
 //! The set of bodies.
 
 use super::{ImpulseJointSet, IslandManager, MultibodyJointSet};
-use crate::wrapper::{wrap_reference, wrapper};
+use crate::wrapper::wrapper;
 use engine::dynamics::{RigidBody, RigidBodyHandle};
 use engine::geometry::ColliderSet;
 
@@ -9,9 +9,14 @@ wrapper! {
     /// All bodies of a world.
     RigidBodySet, engine::dynamics::RigidBodySet
 }
-wrap_reference!(RigidBodySet, engine::dynamics::RigidBodySet);
 
 impl RigidBodySet {
+    /// A borrowed set of the engine as this type.
+    pub(crate) fn wrap(bodies: &engine::dynamics::RigidBodySet) -> &Self {
+        // SAFETY: the wrapper is transparent, so both types have the same layout and validity.
+        unsafe { &*core::ptr::from_ref(bodies).cast() }
+    }
+
     /// An empty set with space for `capacity` bodies.
     pub fn with_capacity(capacity: usize) -> Self {
         Self(engine::dynamics::RigidBodySet::with_capacity(capacity))

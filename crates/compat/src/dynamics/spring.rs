@@ -1,70 +1,26 @@
-//! Springs between two anchors.
+//! Springs between two anchors, with the constructor of Rapier 0.32.
 
-use engine::dynamics::{GenericJoint, GenericJointBuilder, JointAxesMask, JointAxis, MotorModel};
+use crate::wrapper::forward;
+use engine::dynamics::{GenericJoint, MotorModel};
 use engine::math::{Real, Vector};
 
 /// A damped spring between two anchors.
 #[derive(Copy, Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde-serialize", serde(transparent))]
 #[repr(transparent)]
-pub struct SpringJoint {
-    /// The joint with the spring as the motor of its distance.
-    pub data: GenericJoint,
-}
+pub struct SpringJoint(engine::dynamics::SpringJoint);
+
+forward!(SpringJoint, engine::dynamics::SpringJoint);
 
 impl SpringJoint {
     /// A spring with this rest length (length units), stiffness and damping.
     pub fn new(rest_length: Real, stiffness: Real, damping: Real) -> Self {
-        let data = GenericJointBuilder::new(JointAxesMask::empty())
-            .coupled_axes(JointAxesMask::LIN_AXES)
-            .motor_position(JointAxis::LinX, rest_length, stiffness, damping)
-            .motor_model(JointAxis::LinX, MotorModel::ForceBased)
-            .build();
-        Self { data }
-    }
-
-    /// The underlying joint.
-    pub fn data(&self) -> &GenericJoint {
-        &self.data
-    }
-
-    /// Returns whether the joined bodies collide with each other.
-    pub fn contacts_enabled(&self) -> bool {
-        self.data.contacts_enabled()
-    }
-
-    /// Sets whether the joined bodies collide with each other.
-    pub fn set_contacts_enabled(&mut self, enabled: bool) -> &mut Self {
-        self.data.set_contacts_enabled(enabled);
-        self
-    }
-
-    /// The anchor in the frame of the first body.
-    pub fn local_anchor1(&self) -> Vector {
-        self.data.local_anchor1()
-    }
-
-    /// Sets the anchor in the frame of the first body.
-    pub fn set_local_anchor1(&mut self, anchor: Vector) -> &mut Self {
-        self.data.set_local_anchor1(anchor);
-        self
-    }
-
-    /// The anchor in the frame of the second body.
-    pub fn local_anchor2(&self) -> Vector {
-        self.data.local_anchor2()
-    }
-
-    /// Sets the anchor in the frame of the second body.
-    pub fn set_local_anchor2(&mut self, anchor: Vector) -> &mut Self {
-        self.data.set_local_anchor2(anchor);
-        self
-    }
-
-    /// Sets the units of stiffness and damping.
-    pub fn set_spring_model(&mut self, model: MotorModel) -> &mut Self {
-        self.data.set_motor_model(JointAxis::LinX, model);
-        self
+        let (anchor1, anchor2) = (Vector::ZERO, Vector::ZERO);
+        let mut spring =
+            engine::dynamics::SpringJoint::new(anchor1, anchor2, rest_length, stiffness);
+        spring.set_damping(damping);
+        Self(spring)
     }
 }
 
@@ -79,38 +35,37 @@ impl From<SpringJoint> for GenericJoint {
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub struct SpringJointBuilder(pub SpringJoint);
 
+/// Defines functions of the builder that call a setter of the spring.
+macro_rules! setters {
+    ($($(#[$doc:meta])* $name:ident, $setter:ident($argument:ident: $type:ty);)*) => {
+        impl SpringJointBuilder {
+            $(
+                $(#[$doc])*
+                #[must_use]
+                pub fn $name(mut self, $argument: $type) -> Self {
+                    self.0.$setter($argument);
+                    self
+                }
+            )*
+        }
+    };
+}
+
+setters! {
+    /// Sets whether the joined bodies collide with each other.
+    contacts_enabled, set_contacts_enabled(enabled: bool);
+    /// Sets the anchor in the frame of the first body.
+    local_anchor1, set_local_anchor1(anchor: Vector);
+    /// Sets the anchor in the frame of the second body.
+    local_anchor2, set_local_anchor2(anchor: Vector);
+    /// Sets the units of stiffness and damping.
+    spring_model, set_spring_model(model: MotorModel);
+}
+
 impl SpringJointBuilder {
     /// A spring with this rest length (length units), stiffness and damping.
     pub fn new(rest_length: Real, stiffness: Real, damping: Real) -> Self {
         Self(SpringJoint::new(rest_length, stiffness, damping))
-    }
-
-    /// Sets whether the joined bodies collide with each other.
-    #[must_use]
-    pub fn contacts_enabled(mut self, enabled: bool) -> Self {
-        self.0.set_contacts_enabled(enabled);
-        self
-    }
-
-    /// Sets the anchor in the frame of the first body.
-    #[must_use]
-    pub fn local_anchor1(mut self, anchor: Vector) -> Self {
-        self.0.set_local_anchor1(anchor);
-        self
-    }
-
-    /// Sets the anchor in the frame of the second body.
-    #[must_use]
-    pub fn local_anchor2(mut self, anchor: Vector) -> Self {
-        self.0.set_local_anchor2(anchor);
-        self
-    }
-
-    /// Sets the units of stiffness and damping.
-    #[must_use]
-    pub fn spring_model(mut self, model: MotorModel) -> Self {
-        self.0.set_spring_model(model);
-        self
     }
 
     /// The spring.

@@ -20,13 +20,13 @@ pub fn to_pair(pair: &engine::geometry::ContactPair) -> ContactPair {
 /// no part has a pose of its own.
 pub fn to_manifold(manifold: &engine::geometry::ContactManifold) -> ContactManifold {
     let data = &manifold.data;
-    let points = data.points.iter().enumerate();
-    let points = points.map(|(index, point)| to_contact(data, index, point));
-    let solver_contacts = data.points.iter().enumerate();
-    let solver_contacts =
-        solver_contacts.map(|(index, point)| to_solver_contact(data, index, point)).collect();
     let mut converted = ContactManifold::new();
-    converted.points.extend(points);
+    let mut solver_contacts = Vec::with_capacity(data.points.len());
+    for (index, point) in data.points.iter().enumerate() {
+        let friction = tangent_impulse(data.normal, data.friction_impulse(index));
+        converted.points.push(to_contact(point, friction));
+        solver_contacts.push(to_solver_contact(data, index, friction));
+    }
     converted.local_n1 = manifold.local_n1;
     converted.local_n2 = manifold.local_n2;
     converted.subshape1 = manifold.subshape1;
@@ -43,12 +43,7 @@ pub fn to_manifold(manifold: &engine::geometry::ContactManifold) -> ContactManif
     converted
 }
 
-fn to_contact(
-    data: &engine::geometry::ContactManifoldData,
-    index: usize,
-    point: &engine::geometry::Contact,
-) -> Contact {
-    let tangent_impulse = tangent_impulse(data.normal, friction_impulse(data, index, point));
+fn to_contact(point: &engine::geometry::Contact, tangent_impulse: TangentImpulse<Real>) -> Contact {
     let mut contact =
         Contact::new(point.local_p1, point.local_p2, point.fid1, point.fid2, point.dist);
     contact.data = ContactData {
@@ -65,8 +60,9 @@ fn to_contact(
 fn to_solver_contact(
     data: &engine::geometry::ContactManifoldData,
     index: usize,
-    point: &engine::geometry::Contact,
+    warmstart_tangent_impulse: TangentImpulse<Real>,
 ) -> SolverContact {
+    let point = &data.points[index];
     SolverContact {
         point: point.point,
         dist: point.dist,
@@ -74,54 +70,11 @@ fn to_solver_contact(
         restitution: data.restitution,
         tangent_velocity: data.tangent_velocity,
         warmstart_impulse: point.warmstart_impulse,
-        warmstart_tangent_impulse: tangent_impulse(
-            data.normal,
-            friction_impulse(data, index, point),
-        ),
+        warmstart_tangent_impulse,
         warmstart_twist_impulse: 0.0,
         is_new: Real::from(u8::from(point.warmstart_impulse == 0.0)),
         contact_id: [index as u32],
     }
-}
-
-/// The friction impulse at a point during the last substep, on the second body, in world space.
-///
-/// The engine stores a friction impulse per manifold, or per point: for multibodies, and with Coulomb
-/// friction. An impulse of a manifold is distributed over its points in proportion to their normal
-/// impulses. In both cases the sum over the points is the friction of the manifold without its torsional
-/// part.
-fn friction_impulse(
-    data: &engine::geometry::ContactManifoldData,
-    index: usize,
-    point: &engine::geometry::Contact,
-) -> Vector {
-    let distributed = data.friction_impulse(index);
-    if distributed != Vector::ZERO {
-        return distributed;
-    }
-    let own = engine_tangents(data.normal).into_iter().zip(point.warmstart_tangent_impulse);
-    own.map(|(tangent, impulse)| tangent * impulse).sum()
-}
-
-/// The tangents along which the engine stores the friction impulses of a point.
-///
-/// The basis is that of Duff et al. 2017, "Building an Orthonormal Basis, Revisited". The function of glam
-/// has another sign for a normal with a negative zero.
-#[cfg(feature = "dim3")]
-fn engine_tangents(n: Vector) -> [Vector; 2] {
-    let sign = if n.z >= 0.0 { 1.0 } else { -1.0 };
-    let a = -1.0 / (sign + n.z);
-    let b = n.x * n.y * a;
-    [
-        Vector::new(1.0 + sign * n.x * n.x * a, sign * b, -sign * n.x),
-        Vector::new(b, sign + n.y * n.y * a, -n.y),
-    ]
-}
-
-/// The tangent along which the engine stores the friction impulse of a point.
-#[cfg(feature = "dim2")]
-fn engine_tangents(n: Vector) -> [Vector; 1] {
-    [Vector::new(n.y, -n.x)]
 }
 
 /// The components of a friction impulse along two unit tangents of a contact.

@@ -22,43 +22,37 @@ pub struct ContactForceEvent {
 }
 
 impl ContactForceEvent {
-    /// The forces of a pair in a step of `dt` seconds.
+    /// The forces of a pair in a step of `dt` seconds, by the formula of the engine's event: a force beyond
+    /// the range of numbers is replaced by the largest number.
     pub fn from_contact_pair(dt: Real, pair: &ContactPair, total_force_magnitude: Real) -> Self {
+        let inv_dt = if dt > 0.0 { 1.0 / dt } else { 0.0 };
+        let largest = Vector::splat(Real::MAX);
         let impulses = pair.manifolds.iter().flat_map(|manifold| {
-            manifold.points.iter().map(|point| (manifold.data.normal, point.data.impulse))
+            manifold.points.iter().map(|point| (point.data.impulse, manifold.data.normal))
         });
-        let event = Self::from_impulses(dt, impulses, total_force_magnitude);
-        Self { collider1: pair.collider1, collider2: pair.collider2, ..event }
-    }
-
-    /// [`Self::from_contact_pair`] for a pair of the engine, without its conversion.
-    pub(crate) fn from_engine_pair(
-        dt: Real,
-        pair: &engine::geometry::ContactPair,
-        total_force_magnitude: Real,
-    ) -> Self {
-        let impulses = pair.manifolds.iter().flat_map(|manifold| {
-            manifold.data.points.iter().map(|point| (manifold.data.normal, point.impulse))
-        });
-        let event = Self::from_impulses(dt, impulses, total_force_magnitude);
-        Self { collider1: pair.collider1, collider2: pair.collider2, ..event }
-    }
-
-    /// The event of contact points, each given by its normal and its normal impulse.
-    fn from_impulses(
-        dt: Real,
-        impulses: impl Iterator<Item = (Vector, Real)>,
-        total_force_magnitude: Real,
-    ) -> Self {
-        let inv_dt = if dt == 0.0 { 0.0 } else { 1.0 / dt };
-        let mut event = Self { total_force_magnitude, ..Self::default() };
-        for (normal, impulse) in impulses {
-            let force = impulse * inv_dt;
-            event.total_force += normal * force;
-            if force > event.max_force_magnitude {
-                (event.max_force_magnitude, event.max_force_direction) = (force, normal);
-            }
+        let none = (0.0, Vector::ZERO);
+        let (max_impulse, max_force_direction) =
+            impulses.fold(none, |largest, next| if next.0 > largest.0 { next } else { largest });
+        Self {
+            collider1: pair.collider1,
+            collider2: pair.collider2,
+            total_force: (pair.total_impulse() * inv_dt).clamp(-largest, largest),
+            total_force_magnitude: total_force_magnitude.min(Real::MAX),
+            max_force_direction,
+            max_force_magnitude: (max_impulse * inv_dt).min(Real::MAX),
         }
-        event
+    }
+}
+
+impl From<&engine::geometry::ContactForceEvent> for ContactForceEvent {
+    fn from(event: &engine::geometry::ContactForceEvent) -> Self {
+        Self {
+            collider1: event.collider1,
+            collider2: event.collider2,
+            total_force: event.total_force,
+            total_force_magnitude: event.total_force_magnitude,
+            max_force_direction: event.max_force_direction,
+            max_force_magnitude: event.max_force_magnitude,
+        }
     }
 }

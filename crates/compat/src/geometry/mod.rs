@@ -3,6 +3,7 @@
 mod broad_phase;
 mod contact;
 mod convert;
+mod force;
 mod narrow_phase;
 
 pub use crate::parry::bounding_volume::BoundingVolume;
@@ -27,5 +28,3 @@ pub use engine::geometry::{
 pub type MeshConverterError = engine::geometry::InvalidCollider;
 pub use force::ContactForceEvent;
 pub use narrow_phase::NarrowPhase;
-
-mod force;

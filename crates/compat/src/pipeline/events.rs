@@ -138,13 +138,12 @@ impl engine::pipeline::EventHandler for Events<'_> {
         bodies: &engine::dynamics::RigidBodySet,
         colliders: &ColliderSet,
     ) {
-        let total = event.total_force_magnitude;
         if !self.0.reads_contact_pairs() {
-            let event = ContactForceEvent::from_engine_pair(dt, contact_pair, total);
-            return self.0.handle_contact_force(event);
+            return self.0.handle_contact_force(event.into());
         }
         let pair = to_pair(contact_pair);
         let bodies = RigidBodySet::wrap(bodies);
+        let total = event.total_force_magnitude;
         self.0.handle_contact_force_event(dt, bodies, colliders, &pair, total);
     }
 }

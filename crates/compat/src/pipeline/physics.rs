@@ -9,24 +9,13 @@ use crate::dynamics::{
 };
 use crate::geometry::{BroadPhaseBvh, ColliderSet, NarrowPhase};
 use crate::math::Vector;
+use crate::wrapper::forward;
 
 /// The simulation step, with its buffers and counters.
 #[derive(Default)]
 pub struct PhysicsPipeline(engine::pipeline::PhysicsPipeline);
 
-impl core::ops::Deref for PhysicsPipeline {
-    type Target = engine::pipeline::PhysicsPipeline;
-
-    fn deref(&self) -> &engine::pipeline::PhysicsPipeline {
-        &self.0
-    }
-}
-
-impl core::ops::DerefMut for PhysicsPipeline {
-    fn deref_mut(&mut self) -> &mut engine::pipeline::PhysicsPipeline {
-        &mut self.0
-    }
-}
+forward!(PhysicsPipeline, engine::pipeline::PhysicsPipeline);
 
 impl PhysicsPipeline {
     /// A pipeline with empty buffers.
