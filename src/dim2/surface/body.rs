@@ -37,7 +37,7 @@ impl RigidBody {
     }
 
     /// Sets whether torques and impulses rotate the body. Otherwise its rotation is locked.
-    #[cfg(not(feature = "upstream-groups"))]
+    #[cfg(not(feature = "upstream-signatures"))]
     pub fn set_enabled_rotations(&mut self, enabled: bool, wake_up: bool) {
         let mut locked_axes = self.locked_axes();
         locked_axes.set(LockedAxes::ROTATION_LOCKED_Z, !enabled);
@@ -46,7 +46,7 @@ impl RigidBody {
 
     /// Sets whether torques and impulses rotate the body. The older API has a flag for each axis in two
     /// dimensions too: the last one decides.
-    #[cfg(feature = "upstream-groups")]
+    #[cfg(feature = "upstream-signatures")]
     pub fn set_enabled_rotations(&mut self, _x: bool, _y: bool, z: bool, wake_up: bool) {
         let mut locked_axes = self.locked_axes();
         locked_axes.set(LockedAxes::ROTATION_LOCKED_Z, !z);
@@ -60,14 +60,14 @@ impl RigidBody {
     }
 
     /// [`Self::set_enabled_rotations`].
-    #[cfg(not(feature = "upstream-groups"))]
+    #[cfg(not(feature = "upstream-signatures"))]
     #[deprecated(note = "use `set_enabled_rotations()`")]
     pub fn restrict_rotations(&mut self, enabled: bool, wake_up: bool) {
         self.set_enabled_rotations(enabled, wake_up);
     }
 
     /// [`Self::set_enabled_rotations`].
-    #[cfg(feature = "upstream-groups")]
+    #[cfg(feature = "upstream-signatures")]
     #[deprecated(note = "use `set_enabled_rotations()`")]
     pub fn restrict_rotations(&mut self, x: bool, y: bool, z: bool, wake_up: bool) {
         self.set_enabled_rotations(x, y, z, wake_up);

@@ -130,13 +130,13 @@ impl Default for InteractionGroups {
 
 impl InteractionGroups {
     /// A member of `memberships` that interacts with members of `filter`, in one of the test modes.
-    #[cfg(feature = "upstream-groups")]
+    #[cfg(feature = "upstream-signatures")]
     pub const fn new(memberships: Group, filter: Group, test_mode: InteractionTestMode) -> Self {
         Self { memberships, filter, test_mode }
     }
 
     /// A member of `memberships` that interacts with members of `filter`, if their filters accept it.
-    #[cfg(not(feature = "upstream-groups"))]
+    #[cfg(not(feature = "upstream-signatures"))]
     pub const fn new(memberships: Group, filter: Group) -> Self {
         Self { memberships, filter, test_mode: InteractionTestMode::And }
     }

@@ -72,6 +72,14 @@ impl core::ops::Deref for ImpulseJoint {
     }
 }
 
+/// The bodies are writable, as in Rapier 0.32. The next step files the joint under the new ones.
+#[cfg(feature = "upstream-signatures")]
+impl core::ops::DerefMut for ImpulseJoint {
+    fn deref_mut(&mut self) -> &mut BodyPair {
+        &mut self.bodies
+    }
+}
+
 impl ImpulseJoint {
     /// Bytes at the front of a joint that are all that the step needs of one without limits and motors.
     pub(crate) const FRONT: usize =
