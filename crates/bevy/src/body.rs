@@ -8,8 +8,8 @@ use bevy::reflect::Reflect;
 use bevy::transform::components::Transform;
 use rapier::prelude::{LockedAxes as AxesMask, RigidBodyType};
 
-/// A rigid body. Its pose is the entity's `Transform`; its shape are the [`Collider`](crate::Collider)s of the
-/// entity and of its descendants.
+/// A rigid body. Its pose is the entity's `Transform`; its shape are the [`Collider`](crate::Collider)s of
+/// the entity and of its descendants.
 ///
 /// All other components of a body are required ones, so `commands.spawn(RigidBody::Dynamic)` is complete.
 #[derive(Component, Reflect, Copy, Clone, Debug, Default, PartialEq, Eq)]
@@ -31,8 +31,8 @@ pub enum RigidBody {
     Dynamic,
     /// The body never moves.
     Fixed,
-    /// The user sets the `Transform`, best in `FixedUpdate`. The next step moves the body there, and it pushes and
-    /// carries other bodies on the way.
+    /// The user sets the `Transform`, best in `FixedUpdate`. The next step moves the body there, and it
+    /// pushes and carries other bodies on the way.
     KinematicPosition,
     /// The user sets the [`Velocity`]. Contacts do not slow the body down.
     KinematicVelocity,

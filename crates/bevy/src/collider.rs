@@ -14,8 +14,8 @@ use rapier::prelude::{
     InvalidCollider, SharedShape,
 };
 
-/// A shape that collides. It belongs to the body of its entity or of the nearest ancestor with one; without such
-/// a body it is immovable scenery.
+/// A shape that collides. It belongs to the body of its entity or of the nearest ancestor with one; without
+/// such a body it is immovable scenery.
 ///
 /// Constructors have the names of the engine's `ColliderBuilder` and accept any numbers. An invalid shape is
 /// [reported](crate::Refused) and left out.

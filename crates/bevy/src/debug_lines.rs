@@ -16,7 +16,8 @@ use rapier::prelude::{
     DebugRenderStyle,
 };
 
-/// Gizmos of the simulation. Their colour tells the state of a body: the engine's `DebugRenderStyle` lists them.
+/// Gizmos of the simulation. Their colour tells the state of a body: the engine's `DebugRenderStyle` lists
+/// them.
 ///
 /// `GizmoConfigStore` has the width of the lines, and switches them off.
 #[derive(Default, Reflect, GizmoConfigGroup)]

@@ -92,8 +92,8 @@ impl Collider {
         ColliderBuilder::round_cuboid(hx, hy, border_radius).into()
     }
 
-    /// A line over the x axis, from its heights at equal distances. `scale` holds its length and the factor of
-    /// the heights.
+    /// A line over the x axis, from its heights at equal distances. `scale` holds its length and the factor
+    /// of the heights.
     pub fn heightfield(heights: &[Real], scale: Vector) -> Self {
         ColliderBuilder::heightfield(heights.to_vec(), to_engine(scale)).into()
     }

@@ -93,8 +93,8 @@ impl Collider {
         ColliderBuilder::cone(half_height, radius).into()
     }
 
-    /// A surface over a rectangle of the x-z plane, from `rows` × `columns` heights in row order: rows along z,
-    /// columns along x. `scale` holds the sides of the rectangle and the factor of the heights.
+    /// A surface over a rectangle of the x-z plane, from `rows` × `columns` heights in row order: rows along
+    /// z, columns along x. `scale` holds the sides of the rectangle and the factor of the heights.
     pub fn heightfield(heights: &[Real], rows: usize, columns: usize, scale: Vector) -> Self {
         let height = |row: usize, column: usize| {
             heights.get(row * columns + column).copied().unwrap_or(Real::NAN)

@@ -1,6 +1,7 @@
 //! Events of a step, as entity events for observers.
 
 use crate::dim::{Vector, to_bevy};
+use crate::invalid::{Invalid, refuse};
 use crate::precision::Real;
 use crate::world::{PhysicsWorld, entity_of};
 use bevy::ecs::entity::Entity;
@@ -8,7 +9,7 @@ use bevy::ecs::event::EntityEvent;
 use bevy::ecs::system::Commands;
 use rapier::prelude::{
     ColliderHandle, ColliderSet, CollisionEvent, ContactForceEvent, ContactPair, EventHandler,
-    ImpulseJointSet, JointBreakEvent, RigidBodySet,
+    ImpulseJointSet, JointBreakEvent, QuarantineEvent, RigidBodySet,
 };
 use std::sync::Mutex;
 
@@ -30,8 +31,8 @@ pub struct CollisionStarted {
     pub is_sensor: bool,
 }
 
-/// Event: two colliders no longer touch or intersect, or one of them was removed. Triggered once on each of the two
-/// entities.
+/// Event: two colliders no longer touch or intersect, or one of them was removed. Triggered once on each of
+/// the two entities.
 #[derive(EntityEvent, Copy, Clone, Debug, PartialEq, Eq)]
 #[entity_event(propagate)]
 pub struct CollisionStopped {
@@ -86,6 +87,7 @@ pub(crate) enum Occurrence {
     Collision(CollisionEvent),
     Force(ContactForceEvent),
     Break(JointBreakEvent),
+    Quarantine(QuarantineEvent),
 }
 
 /// Collects the events of a step in the engine's order.
@@ -127,6 +129,10 @@ impl EventHandler for Recorder {
     fn handle_joint_break_event(&self, event: &JointBreakEvent, _: &RigidBodySet) {
         self.push(Occurrence::Break(*event));
     }
+
+    fn handle_quarantine_event(&self, event: &QuarantineEvent, _: &RigidBodySet, _: &ColliderSet) {
+        self.push(Occurrence::Quarantine(*event));
+    }
 }
 
 impl Occurrence {
@@ -136,6 +142,12 @@ impl Occurrence {
             Self::Collision(event) => trigger_collision(*event, world, commands),
             Self::Force(event) => trigger_force(event, world, commands),
             Self::Break(event) => trigger_break(event, &world.engine.impulse_joints, commands),
+            Self::Quarantine(event) => {
+                let entity = event.body().and_then(|body| world.entity_of_body(body));
+                if let Some(entity) = entity {
+                    refuse(commands, entity, Invalid::Motion(event.cause()));
+                }
+            }
         }
     }
 }

@@ -12,9 +12,9 @@ use rapier::prelude::{
 
 /// Decisions about pairs and contacts, by a type that is a system parameter of Bevy.
 ///
-/// The hooks are called for pairs with a collider that has [`HookedPairs`](crate::HookedPairs), from several threads
-/// at once and in any order. Their results should depend on their input alone. The parameter may read the world, except
-/// [`PhysicsWorld`](crate::PhysicsWorld), which the step owns.
+/// The hooks are called for pairs with a collider that has [`HookedPairs`](crate::HookedPairs), from several
+/// threads at once and in any order. Their results should depend on their input alone. The parameter may
+/// read the world, except [`PhysicsWorld`](crate::PhysicsWorld), which the step owns.
 pub trait CollisionHooks: Send + Sync {
     /// Returns whether the two solid colliders touch.
     fn filter_contacts(&self, pair: &ContactPair) -> bool {
@@ -90,8 +90,8 @@ impl ModifiedContacts<'_, '_> {
         self.engine.clear_contacts();
     }
 
-    /// Keeps only the contacts of a platform that is solid from one side. The direction is the normal of its solid
-    /// side in the frame of the first collider.
+    /// Keeps only the contacts of a platform that is solid from one side. The direction is the normal of its
+    /// solid side in the frame of the first collider.
     pub fn keep_one_way(&mut self, local_normal1: Vector, angle: Real) {
         let normal: engine::Vector = crate::dim::to_engine(local_normal1);
         self.engine.update_as_oneway_platform(normal, angle);

@@ -4,7 +4,7 @@ use bevy::ecs::entity::Entity;
 use bevy::ecs::event::EntityEvent;
 use bevy::ecs::system::Commands;
 use bevy::log::warn;
-use rapier::prelude::{InvalidCollider, InvalidJoint, InvalidRigidBody};
+use rapier::prelude::{InvalidCollider, InvalidJoint, InvalidRigidBody, QuarantineCause};
 
 /// The reason why the simulation left a component out, with the value.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -19,10 +19,14 @@ pub enum Invalid {
     /// A joint.
     #[error("the joint is invalid: {0}")]
     Joint(#[from] InvalidJoint),
+    /// A body whose motion left the range of numbers, for example by an excessive force. The engine disabled
+    /// it; its `set_enabled` enables it again.
+    #[error("the body is disabled: {0}")]
+    Motion(QuarantineCause),
 }
 
-/// Event: a body, collider or joint has an invalid value. The simulation continues without it, or with its last
-/// valid state. An edit of the component is the next try.
+/// Event: a body, collider or joint has an invalid value. The simulation continues without it, or with its
+/// last valid state. An edit of the component is the next attempt.
 #[derive(EntityEvent, Clone, Debug)]
 pub struct Refused {
     /// The entity with the component.

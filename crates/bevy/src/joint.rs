@@ -109,8 +109,8 @@ impl Joint {
         self
     }
 
-    /// Sets the force and the torque above which the joint breaks. [`JointBroken`](crate::JointBroken) is then
-    /// triggered.
+    /// Sets the force and the torque above which the joint breaks. [`JointBroken`](crate::JointBroken) is
+    /// then triggered.
     #[must_use]
     pub fn with_break_thresholds(mut self, force: Real, torque: Real) -> Self {
         self.data.set_break_thresholds(force, torque);

@@ -17,8 +17,8 @@ use core::marker::PhantomData;
 
 /// Physics in Bevy's fixed schedule.
 ///
-/// The systems run in `FixedPostUpdate`, so systems in `FixedUpdate` set forces for the coming step and read the result
-/// of the last one. The time step is that of `Time<Fixed>`, 1/64 s by default.
+/// The systems run in `FixedPostUpdate`, so systems in `FixedUpdate` set forces for the coming step and read
+/// the result of the last one. The time step is that of `Time<Fixed>`, 1/64 s by default.
 ///
 /// `H` is the type of the [hooks](CollisionHooks).
 pub struct PhysicsPlugin<H = ()> {

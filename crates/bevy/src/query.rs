@@ -136,8 +136,8 @@ impl SpatialQuery<'_> {
         })
     }
 
-    /// The first collider in the path of a shape that moves by `displacement` without rotation. The transform places
-    /// the shape; its scale has no effect. `None` also if the shape is invalid.
+    /// The first collider in the path of a shape that moves by `displacement` without rotation. The
+    /// transform places the shape; its scale has no effect. `None` also if the shape is invalid.
     pub fn cast_shape(
         &self,
         shape: &Collider,

@@ -10,8 +10,8 @@ use rapier::prelude::{
 
 /// The simulation: the engine's world, and the maps between entities and handles.
 ///
-/// [`Self::engine`] gives access to everything that has no component. The user data of its bodies, colliders and
-/// joints are the bits of their entities.
+/// [`Self::engine`] gives access to everything that has no component. The user data of its bodies, colliders
+/// and joints are the bits of their entities.
 #[derive(Resource, Default)]
 pub struct PhysicsWorld {
     /// The engine's world.

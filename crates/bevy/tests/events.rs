@@ -31,7 +31,8 @@ fn a_contact_starts_and_stops_once_on_each_entity() {
     let bundle = (RigidBody::Dynamic, cube(0.5), CollisionEvents, at(0.0, 1.0));
     let body = app.world_mut().spawn(bundle).id();
     run(&mut app, 128);
-    let started: Vec<_> = heard(&app).started.iter().map(|event| (event.entity, event.other)).collect();
+    let started: Vec<_> =
+        heard(&app).started.iter().map(|event| (event.entity, event.other)).collect();
     assert_eq!(started.len(), 2);
     assert!(started.contains(&(ground, body)) && started.contains(&(body, ground)));
     assert!(heard(&app).started.iter().all(|event| !event.is_sensor));
@@ -71,7 +72,8 @@ fn a_despawned_collider_ends_its_contacts() {
     run(&mut app, 8);
     app.world_mut().entity_mut(body).despawn();
     run(&mut app, 8);
-    let stopped: Vec<_> = heard(&app).stopped.iter().map(|event| (event.entity, event.other)).collect();
+    let stopped: Vec<_> =
+        heard(&app).stopped.iter().map(|event| (event.entity, event.other)).collect();
     assert_eq!(stopped.len(), 2);
     assert!(stopped.contains(&(ground, body)) && stopped.contains(&(body, ground)));
     assert!(heard(&app).stopped.iter().all(|event| event.is_removed));

@@ -21,7 +21,8 @@ fn assert_at(found: [f64; 2], expected: [f64; 2]) {
 fn colliders_belong_to_the_nearest_body_above_them() {
     let mut app = weightless();
     let quarter = Quat::from_rotation_z(core::f32::consts::FRAC_PI_2);
-    let body = app.world_mut().spawn((RigidBody::Dynamic, at(10.0, 0.0).with_rotation(quarter))).id();
+    let body =
+        app.world_mut().spawn((RigidBody::Dynamic, at(10.0, 0.0).with_rotation(quarter))).id();
     let arm = app.world_mut().spawn((at(2.0, 0.0).with_rotation(quarter), ChildOf(body))).id();
     let hand = app.world_mut().spawn((cube(0.5), at(1.0, 0.0), ChildOf(arm))).id();
     run(&mut app, 2);
@@ -47,10 +48,7 @@ fn a_collider_moves_with_its_ancestors_until_it_gets_another_body() {
     app.world_mut().entity_mut(part).insert(ChildOf(second));
     run(&mut app, 2);
     assert_at(collider_at(&app, part), [5.0, 1.0]);
-    assert_eq!(
-        physics(&app).collider(part).unwrap().parent(),
-        physics(&app).body_handle(second)
-    );
+    assert_eq!(physics(&app).collider(part).unwrap().parent(), physics(&app).body_handle(second));
     app.world_mut().entity_mut(part).remove::<ChildOf>();
     run(&mut app, 2);
     assert_at(collider_at(&app, part), [0.0, 1.0]);

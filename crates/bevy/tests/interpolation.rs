@@ -62,9 +62,12 @@ fn systems_in_the_fixed_schedule_read_exact_states() {
     let mut app = interpolated();
     let body = moving(&mut app);
     app.init_resource::<Seen>();
-    app.add_systems(FixedUpdate, |bodies: Query<&Transform, With<RigidBody>>, mut seen: ResMut<Seen>| {
-        seen.0.extend(bodies.iter().map(|transform| transform.translation.x));
-    });
+    app.add_systems(
+        FixedUpdate,
+        |bodies: Query<&Transform, With<RigidBody>>, mut seen: ResMut<Seen>| {
+            seen.0.extend(bodies.iter().map(|transform| transform.translation.x));
+        },
+    );
     frame_length(&mut app, 0.75);
     run(&mut app, 16);
     let seen = &app.world().resource::<Seen>().0;

@@ -99,7 +99,8 @@ fn an_invalid_body_is_reported_and_tried_again_after_an_edit() {
 #[test]
 fn an_invalid_joint_is_reported() {
     let mut app = reporting();
-    let [first, second] = [0.0, 5.0].map(|x| app.world_mut().spawn((RigidBody::Fixed, at(x, 0.0))).id());
+    let [first, second] =
+        [0.0, 5.0].map(|x| app.world_mut().spawn((RigidBody::Fixed, at(x, 0.0))).id());
     let joint = app.world_mut().spawn(Joint::rope(first, second, 1.0)).id();
     run(&mut app, 4);
     let reports = take_reports(&mut app);
@@ -117,5 +118,19 @@ fn a_velocity_that_is_no_number_is_refused() {
     edit::<Velocity>(&mut app, body).linear = vector(Real::NAN, 0.0);
     run(&mut app, 2);
     assert!(get::<Velocity>(&app, body).linear.is_finite());
+    assert!(position(&app, body).is_finite());
+}
+
+#[test]
+fn a_body_that_leaves_the_range_of_numbers_is_reported() {
+    let mut app = reporting();
+    let body = app.world_mut().spawn((RigidBody::Dynamic, cube(0.5))).id();
+    run(&mut app, 2);
+    edit::<ExternalForce>(&mut app, body).force = vector(1.0e30, 0.0);
+    run(&mut app, 2);
+    let reports = take_reports(&mut app);
+    assert_eq!(reports.len(), 1);
+    assert_eq!(reports[0].0, body);
+    assert!(matches!(reports[0].1, Invalid::Motion(_)));
     assert!(position(&app, body).is_finite());
 }

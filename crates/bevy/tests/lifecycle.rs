@@ -116,7 +116,8 @@ fn entities_and_handles_map_both_ways() {
     let part = app.world_mut().spawn((cube(0.5), ChildOf(body))).id();
     run(&mut app, 2);
     let world = physics(&app);
-    let (handle, collider) = (world.body_handle(body).unwrap(), world.collider_handle(part).unwrap());
+    let (handle, collider) =
+        (world.body_handle(body).unwrap(), world.collider_handle(part).unwrap());
     assert_eq!(world.entity_of_body(handle), Some(body));
     assert_eq!(world.entity_of_collider(collider), Some(part));
     assert!(world.body_handle(part).is_none() && world.collider_handle(body).is_none());

@@ -18,30 +18,29 @@ fn row() -> (App, [Entity; 3]) {
 
 /// The answer of a query.
 fn ask<T: 'static>(app: &mut App, query: impl Fn(SpatialQuery) -> T + Send + Sync + 'static) -> T {
-    app.world_mut().run_system_once(move |world: SpatialQuery| query(world)).expect("the system runs")
+    app.world_mut()
+        .run_system_once(move |world: SpatialQuery| query(world))
+        .expect("the system runs")
 }
 
 #[test]
 fn a_ray_hits_the_first_collider() {
     let (mut app, [cube, ball, sensor]) = row();
     let all = SpatialFilter::default();
-    let hit = ask(&mut app, move |query| {
-        query.cast_ray(Vector::ZERO, vector(1.0, 0.0), 100.0, &all)
-    });
+    let hit =
+        ask(&mut app, move |query| query.cast_ray(Vector::ZERO, vector(1.0, 0.0), 100.0, &all));
     let hit = hit.expect("a hit");
     assert_eq!(hit.entity, cube);
     assert_near(hit.distance, 1.5, 1.0e-5);
     assert_near(hit.point.x, 1.5, 1.0e-5);
     assert_near(hit.normal.x, -1.0, 1.0e-5);
     let filter = SpatialFilter::default().excluding(cube);
-    let hit = ask(&mut app, move |query| {
-        query.cast_ray(Vector::ZERO, vector(1.0, 0.0), 100.0, &filter)
-    });
+    let hit =
+        ask(&mut app, move |query| query.cast_ray(Vector::ZERO, vector(1.0, 0.0), 100.0, &filter));
     assert_eq!(hit.expect("a hit").entity, ball);
     let filter = SpatialFilter::default().excluding(cube).excluding(ball).without_sensors();
-    let hit = ask(&mut app, move |query| {
-        query.cast_ray(Vector::ZERO, vector(1.0, 0.0), 100.0, &filter)
-    });
+    let hit =
+        ask(&mut app, move |query| query.cast_ray(Vector::ZERO, vector(1.0, 0.0), 100.0, &filter));
     assert_eq!(hit, None);
     let all = SpatialFilter::default();
     let found = ask(&mut app, move |query| {
@@ -97,13 +96,20 @@ fn groups_and_bodies_filter_queries() {
         (SpatialFilter::default(), true),
         (SpatialFilter::default().excluding(body), false),
         (SpatialFilter::default().excluding(part), false),
-        (SpatialFilter::default().with_groups(InteractionGroups::all().with_filter(Group::GROUP_3)), true),
-        (SpatialFilter::default().with_groups(InteractionGroups::all().with_filter(Group::GROUP_4)), false),
+        (
+            SpatialFilter::default()
+                .with_groups(InteractionGroups::all().with_filter(Group::GROUP_3)),
+            true,
+        ),
+        (
+            SpatialFilter::default()
+                .with_groups(InteractionGroups::all().with_filter(Group::GROUP_4)),
+            false,
+        ),
     ];
     for (filter, expected) in filters {
-        let found = ask(&mut app, move |query| {
-            query.intersections_with_point(vector(2.0, 0.0), &filter)
-        });
+        let found =
+            ask(&mut app, move |query| query.intersections_with_point(vector(2.0, 0.0), &filter));
         assert_eq!(found.contains(&part), expected);
     }
 }

@@ -24,7 +24,8 @@ struct Weight;
 
 fn spawn_wheel(mut commands: Commands) {
     let axle = commands.spawn((RigidBody::Fixed, Transform::from_xyz(5.0, 0.0, 0.0))).id();
-    let wheel = (Wheel, RigidBody::Dynamic, Collider::ball(0.5), Transform::from_xyz(5.0, 0.0, 0.0));
+    let wheel =
+        (Wheel, RigidBody::Dynamic, Collider::ball(0.5), Transform::from_xyz(5.0, 0.0, 0.0));
     let wheel = commands.spawn(wheel).id();
     let hinge = Joint::revolute(axle, wheel, Vector::Z);
     commands.spawn(hinge.with_motor_velocity(JointAxis::AngX, 6.0, 10.0));

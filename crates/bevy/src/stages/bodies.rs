@@ -14,7 +14,7 @@ use bevy::ecs::entity::{Entity, EntityHashSet};
 use bevy::ecs::query::{Changed, Or, QueryData};
 use bevy::ecs::system::{Commands, Query, ResMut};
 use bevy::transform::components::Transform;
-use rapier::prelude::RigidBodyBuilder;
+use rapier::prelude::{RigidBody as EngineBody, RigidBodyBuilder};
 
 /// All components of a body.
 #[derive(QueryData)]
@@ -51,14 +51,21 @@ pub(crate) fn edit_bodies(
     hierarchy: Hierarchy,
 ) {
     for mut item in &mut bodies {
-        let Some(body) = world.body_mut(item.entity) else {
+        let Some(&handle) = world.bodies.get(&item.entity) else {
             world.pending.bodies.push(item.entity);
+            continue;
+        };
+        // The engine looks for edits at every body that was borrowed mutably.
+        if !item.is_edited() {
+            continue;
+        }
+        let Some(body) = world.engine.bodies.get_mut(handle) else {
             continue;
         };
         item.edit_settings(body);
         item.edit_velocity(body);
-        item.apply_loads(body);
-        if !has_pose_of(item.transform, &item.state.shown) {
+        item.apply_impulse(body);
+        if item.is_moved() {
             let placed = hierarchy.world_transform(item.entity, |entity| locals.get(entity).ok());
             item.edit_pose(body, &placed);
         }
@@ -84,7 +91,8 @@ pub(crate) fn insert_bodies(
         let local = |entity| locals.get(entity).ok();
         match item.builder(&hierarchy.world_transform(entity, local)).try_build() {
             Ok(mut body) => {
-                item.apply_loads(&mut body);
+                item.apply_force(&mut body);
+                item.apply_impulse(&mut body);
                 let handle = world.engine.insert_body(body);
                 world.bodies.insert(entity, handle);
             }
@@ -111,7 +119,25 @@ impl BodyItemItem<'_, '_> {
             .user_data(u128::from(self.entity.to_bits()))
     }
 
-    fn edit_settings(&self, body: &mut rapier::prelude::RigidBody) {
+    /// Returns whether the transform has another pose than the plugin wrote.
+    fn is_moved(&self) -> bool {
+        !has_pose_of(self.transform, &self.state.shown)
+    }
+
+    /// Returns whether the engine needs to take over a value. Each step changes transforms and velocities,
+    /// too.
+    fn is_edited(&self) -> bool {
+        self.body.is_changed()
+            || self.gravity_scale.is_changed()
+            || self.damping.is_changed()
+            || self.locked_axes.is_changed()
+            || self.force.is_changed()
+            || *self.velocity != self.state.velocity
+            || *self.impulse != ExternalImpulse::default()
+            || self.is_moved()
+    }
+
+    fn edit_settings(&self, body: &mut EngineBody) {
         if self.body.is_changed() {
             body.set_body_type(self.body.engine_type(), true);
         }
@@ -128,10 +154,11 @@ impl BodyItemItem<'_, '_> {
         if self.force.is_changed() {
             body.reset_forces(true);
             body.reset_torques(true);
+            self.apply_force(body);
         }
     }
 
-    fn edit_velocity(&mut self, body: &mut rapier::prelude::RigidBody) {
+    fn edit_velocity(&mut self, body: &mut EngineBody) {
         if *self.velocity != self.state.velocity {
             body.set_linvel(to_engine(self.velocity.linear), true);
             body.set_angvel(ang_to_engine(self.velocity.angular), true);
@@ -139,12 +166,13 @@ impl BodyItemItem<'_, '_> {
         }
     }
 
-    /// Adds new forces and impulses.
-    fn apply_loads(&mut self, body: &mut rapier::prelude::RigidBody) {
-        if self.force.is_changed() && *self.force != ExternalForce::default() {
-            body.add_force(to_engine(self.force.force), true);
-            body.add_torque(ang_to_engine(self.force.torque), true);
-        }
+    fn apply_force(&self, body: &mut EngineBody) {
+        body.add_force(to_engine(self.force.force), true);
+        body.add_torque(ang_to_engine(self.force.torque), true);
+    }
+
+    /// Adds an impulse, and resets the component.
+    fn apply_impulse(&mut self, body: &mut EngineBody) {
         if *self.impulse != ExternalImpulse::default() {
             body.apply_impulse(to_engine(self.impulse.impulse), true);
             body.apply_torque_impulse(ang_to_engine(self.impulse.torque_impulse), true);
@@ -153,7 +181,7 @@ impl BodyItemItem<'_, '_> {
     }
 
     /// Moves a kinematic body during the next step, and any other body at once.
-    fn edit_pose(&mut self, body: &mut rapier::prelude::RigidBody, placed: &Transform) {
+    fn edit_pose(&mut self, body: &mut EngineBody, placed: &Transform) {
         if *self.body == RigidBody::KinematicPosition {
             body.set_next_kinematic_position(pose_of(placed));
             self.state.shown = *self.transform;

@@ -14,8 +14,8 @@ use bevy::ecs::system::{Commands, Query, ResMut};
 use bevy::transform::components::Transform;
 use rapier::prelude::Collider;
 
-/// Finds colliders that have another body, another size or another place on their body. Those of the first two kinds
-/// are described anew.
+/// Finds colliders that have another body, another size or another place on their body. Those of the first
+/// two kinds are described anew.
 pub(crate) fn place_colliders(
     mut world: ResMut<PhysicsWorld>,
     mut colliders: Query<(

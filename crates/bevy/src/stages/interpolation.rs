@@ -1,7 +1,7 @@
 //! Between the fixed steps: transforms for the picture.
 //!
-//! A frame lies between two steps. It shows the pose at the same fraction between the last two states, one step late,
-//! so that bodies move evenly at any frame rate.
+//! A frame lies between two steps. It shows the pose at the same fraction between the last two states, one
+//! step late, so that bodies move evenly at any frame rate.
 
 use super::write_back::{has_pose_of, set_pose};
 use crate::body::BodyState;

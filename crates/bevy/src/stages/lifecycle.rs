@@ -1,7 +1,7 @@
 //! Observers of inserted and removed components.
 //!
-//! An observer runs in the order of the user's commands, so the engine receives elements in the order in which their
-//! entities were spawned. A query's order depends on all components of the entities.
+//! An observer runs in the order of the user's commands, so the engine receives elements in the order in
+//! which their entities were spawned. A query's order depends on all components of the entities.
 
 use crate::body::RigidBody;
 use crate::collider::{Collider, CollisionEvents, ContactForceEvents, HookedPairs, Sensor};
