@@ -1,7 +1,7 @@
 //! Components of a body.
 
 use crate::dim::{ANG_ZERO, AngVector, Vector};
-use crate::precision::Real;
+use crate::precision::Scalar;
 use bevy::ecs::component::Component;
 use bevy::ecs::reflect::ReflectComponent;
 use bevy::reflect::Reflect;
@@ -81,7 +81,7 @@ impl Velocity {
 /// Factor of the gravity on a body. 1 by default.
 #[derive(Component, Reflect, Copy, Clone, Debug, PartialEq)]
 #[reflect(Component)]
-pub struct GravityScale(pub Real);
+pub struct GravityScale(pub Scalar);
 
 impl Default for GravityScale {
     fn default() -> Self {
@@ -94,9 +94,9 @@ impl Default for GravityScale {
 #[reflect(Component)]
 pub struct Damping {
     /// Rate of the linear velocity.
-    pub linear: Real,
+    pub linear: Scalar,
     /// Rate of the angular velocity.
-    pub angular: Real,
+    pub angular: Scalar,
 }
 
 /// World axes along and about which forces do not move a body. None by default.

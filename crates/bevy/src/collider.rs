@@ -1,7 +1,7 @@
 //! Components of a collider.
 
 use crate::dim::{Vector, to_engine};
-use crate::precision::Real;
+use crate::precision::Scalar;
 use bevy::ecs::component::Component;
 use bevy::ecs::entity::Entity;
 use bevy::ecs::query::{Changed, Has, Or, QueryData};
@@ -55,7 +55,7 @@ impl Collider {
     }
 
     /// A ball around the origin.
-    pub fn ball(radius: Real) -> Self {
+    pub fn ball(radius: Scalar) -> Self {
         ColliderBuilder::ball(radius).into()
     }
 
@@ -65,17 +65,17 @@ impl Collider {
     }
 
     /// A capsule along the x axis.
-    pub fn capsule_x(half_height: Real, radius: Real) -> Self {
+    pub fn capsule_x(half_height: Scalar, radius: Scalar) -> Self {
         ColliderBuilder::capsule_x(half_height, radius).into()
     }
 
     /// A capsule along the y axis.
-    pub fn capsule_y(half_height: Real, radius: Real) -> Self {
+    pub fn capsule_y(half_height: Scalar, radius: Scalar) -> Self {
         ColliderBuilder::capsule_y(half_height, radius).into()
     }
 
     /// A capsule between two points.
-    pub fn capsule_from_endpoints(a: Vector, b: Vector, radius: Real) -> Self {
+    pub fn capsule_from_endpoints(a: Vector, b: Vector, radius: Scalar) -> Self {
         ColliderBuilder::capsule_from_endpoints(to_engine(a), to_engine(b), radius).into()
     }
 
@@ -117,14 +117,14 @@ fn engine_points(points: &[Vector]) -> Vec<engine::Vector> {
 #[derive(Component, Copy, Clone, Debug, PartialEq)]
 pub struct Friction {
     /// The ratio, 0 or more.
-    pub coefficient: Real,
+    pub coefficient: Scalar,
     /// The rule that combines it with that of another collider.
     pub combine_rule: CoefficientCombineRule,
 }
 
 impl Friction {
     /// Friction with the default rule, the average.
-    pub fn new(coefficient: Real) -> Self {
+    pub fn new(coefficient: Scalar) -> Self {
         Self { coefficient, combine_rule: CoefficientCombineRule::Average }
     }
 }
@@ -139,14 +139,14 @@ impl Default for Friction {
 #[derive(Component, Copy, Clone, Debug, PartialEq)]
 pub struct Restitution {
     /// The ratio, 0 or more.
-    pub coefficient: Real,
+    pub coefficient: Scalar,
     /// The rule that combines it with that of another collider.
     pub combine_rule: CoefficientCombineRule,
 }
 
 impl Restitution {
     /// Restitution with the default rule, the average.
-    pub fn new(coefficient: Real) -> Self {
+    pub fn new(coefficient: Scalar) -> Self {
         Self { coefficient, combine_rule: CoefficientCombineRule::Average }
     }
 }
@@ -162,9 +162,9 @@ impl Default for Restitution {
 #[reflect(Component)]
 pub enum ColliderMass {
     /// Mass per volume (per area in 2D).
-    Density(Real),
+    Density(Scalar),
     /// Mass, spread evenly over the shape.
-    Mass(Real),
+    Mass(Scalar),
 }
 
 impl Default for ColliderMass {
@@ -206,7 +206,7 @@ pub struct CollisionEvents;
 #[reflect(Component)]
 pub struct ContactForceEvents {
     /// Sum of the contact forces of a pair above which the event is triggered.
-    pub threshold: Real,
+    pub threshold: Scalar,
 }
 
 /// The [hooks](crate::CollisionHooks) that are called for pairs of the collider.

@@ -4,7 +4,7 @@
 
 use crate::collider::Collider;
 use crate::joint::Joint;
-use crate::precision::{Precision, Real};
+use crate::precision::{Precision, Scalar};
 use bevy::ecs::entity::Entity;
 use bevy::math::{Quat, Vec3};
 use bevy::transform::components::Transform;
@@ -12,9 +12,9 @@ use rapier::math as engine;
 use rapier::prelude::{ColliderBuilder, PinSlotJoint, RevoluteJoint};
 
 /// A vector: `Vec2`, or `DVec2` with the feature `f64`.
-pub type Vector = <Real as Precision>::Vec2;
+pub type Vector = <Scalar as Precision>::Vec2;
 /// An angle (radians), an angular velocity or a torque.
-pub type AngVector = Real;
+pub type AngVector = Scalar;
 
 /// The angular velocity of a body without rotation.
 pub(crate) const ANG_ZERO: AngVector = 0.0;
@@ -41,12 +41,12 @@ pub(crate) fn ang_to_bevy(angle: engine::AngVector) -> AngVector {
 
 /// A vector of a `Transform` in the engine's precision.
 pub(crate) fn from_transform(vector: Vec3) -> engine::Vector {
-    engine::Vector::new(Real::from(vector.x), Real::from(vector.y))
+    engine::Vector::new(Scalar::from(vector.x), Scalar::from(vector.y))
 }
 
 /// The pose of a transform; its scale is left out, and so are rotations that leave the plane.
 pub(crate) fn pose_of(transform: &Transform) -> engine::Pose {
-    let [z, w] = [transform.rotation.z, transform.rotation.w].map(Real::from);
+    let [z, w] = [transform.rotation.z, transform.rotation.w].map(Scalar::from);
     // The double angle of the quaternion (z, w), without trigonometry: equal bits on all machines.
     let (cosine, sine) = (w * w - z * z, 2.0 * z * w);
     let length = (cosine * cosine + sine * sine).sqrt();
@@ -83,18 +83,18 @@ pub(crate) fn to_gizmo(point: engine::Vector) -> Vec3 {
 /// Shapes of two dimensions.
 impl Collider {
     /// A rectangle around the origin, from its half extents.
-    pub fn cuboid(hx: Real, hy: Real) -> Self {
+    pub fn cuboid(hx: Scalar, hy: Scalar) -> Self {
         ColliderBuilder::cuboid(hx, hy).into()
     }
 
     /// A rectangle, enlarged and rounded by `border_radius` on all sides.
-    pub fn round_cuboid(hx: Real, hy: Real, border_radius: Real) -> Self {
+    pub fn round_cuboid(hx: Scalar, hy: Scalar, border_radius: Scalar) -> Self {
         ColliderBuilder::round_cuboid(hx, hy, border_radius).into()
     }
 
     /// A line over the x axis, from its heights at equal distances. `scale` holds its length and the factor
     /// of the heights.
-    pub fn heightfield(heights: &[Real], scale: Vector) -> Self {
+    pub fn heightfield(heights: &[Scalar], scale: Vector) -> Self {
         ColliderBuilder::heightfield(heights.to_vec(), to_engine(scale)).into()
     }
 }

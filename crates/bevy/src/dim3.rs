@@ -2,7 +2,7 @@
 
 use crate::collider::Collider;
 use crate::joint::Joint;
-use crate::precision::{Precision, Real};
+use crate::precision::{Precision, Scalar};
 use bevy::ecs::entity::Entity;
 use bevy::math::{Quat, Vec3};
 use bevy::transform::components::Transform;
@@ -13,7 +13,7 @@ use rapier::prelude::{
 };
 
 /// A vector: `Vec3`, or `DVec3` with the feature `f64`.
-pub type Vector = <Real as Precision>::Vec3;
+pub type Vector = <Scalar as Precision>::Vec3;
 /// A rotation vector, an angular velocity or a torque: `Vec3`, or `DVec3` with the feature `f64`.
 pub type AngVector = Vector;
 
@@ -42,12 +42,12 @@ pub(crate) fn ang_to_bevy(vector: engine::AngVector) -> AngVector {
 
 /// A vector of a `Transform` in the engine's precision.
 pub(crate) fn from_transform(vector: Vec3) -> engine::Vector {
-    engine::Vector::from_array(vector.to_array().map(Real::from))
+    engine::Vector::from_array(vector.to_array().map(Scalar::from))
 }
 
 /// The pose of a transform; its scale is left out.
 pub(crate) fn pose_of(transform: &Transform) -> engine::Pose {
-    let [x, y, z, w] = transform.rotation.to_array().map(Real::from);
+    let [x, y, z, w] = transform.rotation.to_array().map(Scalar::from);
     engine::Pose::from_parts(
         from_transform(transform.translation),
         engine::Rotation::from_xyzw(x, y, z, w),
@@ -69,35 +69,35 @@ pub(crate) fn to_gizmo(point: engine::Vector) -> Vec3 {
 /// Shapes of three dimensions.
 impl Collider {
     /// A box around the origin, from its half extents.
-    pub fn cuboid(hx: Real, hy: Real, hz: Real) -> Self {
+    pub fn cuboid(hx: Scalar, hy: Scalar, hz: Scalar) -> Self {
         ColliderBuilder::cuboid(hx, hy, hz).into()
     }
 
     /// A box, enlarged and rounded by `border_radius` on all sides.
-    pub fn round_cuboid(hx: Real, hy: Real, hz: Real, border_radius: Real) -> Self {
+    pub fn round_cuboid(hx: Scalar, hy: Scalar, hz: Scalar, border_radius: Scalar) -> Self {
         ColliderBuilder::round_cuboid(hx, hy, hz, border_radius).into()
     }
 
     /// A capsule along the z axis.
-    pub fn capsule_z(half_height: Real, radius: Real) -> Self {
+    pub fn capsule_z(half_height: Scalar, radius: Scalar) -> Self {
         ColliderBuilder::capsule_z(half_height, radius).into()
     }
 
     /// A cylinder around the y axis.
-    pub fn cylinder(half_height: Real, radius: Real) -> Self {
+    pub fn cylinder(half_height: Scalar, radius: Scalar) -> Self {
         ColliderBuilder::cylinder(half_height, radius).into()
     }
 
     /// A cone around the y axis with its tip up.
-    pub fn cone(half_height: Real, radius: Real) -> Self {
+    pub fn cone(half_height: Scalar, radius: Scalar) -> Self {
         ColliderBuilder::cone(half_height, radius).into()
     }
 
     /// A surface over a rectangle of the x-z plane, from `rows` × `columns` heights in row order: rows along
     /// z, columns along x. `scale` holds the sides of the rectangle and the factor of the heights.
-    pub fn heightfield(heights: &[Real], rows: usize, columns: usize, scale: Vector) -> Self {
+    pub fn heightfield(heights: &[Scalar], rows: usize, columns: usize, scale: Vector) -> Self {
         let height = |row: usize, column: usize| {
-            heights.get(row * columns + column).copied().unwrap_or(Real::NAN)
+            heights.get(row * columns + column).copied().unwrap_or(Scalar::NAN)
         };
         let heights = Array2::from_fn(rows, columns, height);
         let flags = HeightFieldFlags::FIX_INTERNAL_EDGES;

@@ -2,7 +2,7 @@
 
 use crate::dim::{Vector, to_bevy};
 use crate::invalid::{Invalid, refuse};
-use crate::precision::Real;
+use crate::precision::Scalar;
 use crate::world::{PhysicsWorld, entity_of};
 use bevy::ecs::entity::Entity;
 use bevy::ecs::event::EntityEvent;
@@ -64,9 +64,9 @@ pub struct ContactForce {
     /// Sum of the contact forces on this collider.
     pub total_force: Vector,
     /// Sum of the magnitudes of the contact forces.
-    pub total_magnitude: Real,
+    pub total_magnitude: Scalar,
     /// Magnitude of the largest force.
-    pub max_magnitude: Real,
+    pub max_magnitude: Scalar,
     /// Whether the pair touched in this step for the first time.
     pub is_started: bool,
 }
@@ -77,9 +77,9 @@ pub struct JointBroken {
     /// The entity of the joint.
     pub entity: Entity,
     /// Force at that moment.
-    pub force: Real,
+    pub force: Scalar,
     /// Torque at that moment.
-    pub torque: Real,
+    pub torque: Scalar,
 }
 
 /// An event of the engine.
@@ -118,7 +118,7 @@ impl EventHandler for Recorder {
 
     fn handle_contact_force_event(
         &self,
-        _: Real,
+        _: Scalar,
         event: &ContactForceEvent,
         _: &RigidBodySet,
         _: &ColliderSet,

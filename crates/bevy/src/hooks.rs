@@ -1,7 +1,7 @@
 //! Hooks: decisions of the user about single pairs and contacts.
 
 use crate::dim::{Vector, to_bevy};
-use crate::precision::Real;
+use crate::precision::Scalar;
 use crate::world::entity_of;
 use bevy::ecs::entity::Entity;
 use rapier::math as engine;
@@ -71,12 +71,12 @@ impl ModifiedContacts<'_, '_> {
     }
 
     /// Sets the friction of the contacts.
-    pub fn set_friction(&mut self, friction: Real) {
+    pub fn set_friction(&mut self, friction: Scalar) {
         self.engine.set_friction(friction);
     }
 
     /// Sets the restitution of the contacts.
-    pub fn set_restitution(&mut self, restitution: Real) {
+    pub fn set_restitution(&mut self, restitution: Scalar) {
         self.engine.set_restitution(restitution);
     }
 
@@ -92,7 +92,7 @@ impl ModifiedContacts<'_, '_> {
 
     /// Keeps only the contacts of a platform that is solid from one side. The direction is the normal of its
     /// solid side in the frame of the first collider.
-    pub fn keep_one_way(&mut self, local_normal1: Vector, angle: Real) {
+    pub fn keep_one_way(&mut self, local_normal1: Vector, angle: Scalar) {
         let normal: engine::Vector = crate::dim::to_engine(local_normal1);
         self.engine.update_as_oneway_platform(normal, angle);
     }

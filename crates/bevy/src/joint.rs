@@ -1,7 +1,7 @@
 //! Joints between two bodies.
 
 use crate::dim::{Vector, to_engine};
-use crate::precision::Real;
+use crate::precision::Scalar;
 use bevy::ecs::component::Component;
 use bevy::ecs::entity::Entity;
 use rapier::prelude::{
@@ -49,7 +49,7 @@ impl Joint {
     }
 
     /// A rope: the anchors are at most `max_distance` apart.
-    pub fn rope(body1: Entity, body2: Entity, max_distance: Real) -> Self {
+    pub fn rope(body1: Entity, body2: Entity, max_distance: Scalar) -> Self {
         Self::generic(body1, body2, RopeJoint::new(max_distance))
     }
 
@@ -57,9 +57,9 @@ impl Joint {
     pub fn spring(
         body1: Entity,
         body2: Entity,
-        rest_length: Real,
-        stiffness: Real,
-        damping: Real,
+        rest_length: Scalar,
+        stiffness: Scalar,
+        damping: Scalar,
     ) -> Self {
         let anchor = to_engine(Vector::ZERO);
         let mut spring = SpringJoint::new(anchor, anchor, rest_length, stiffness);
@@ -77,14 +77,19 @@ impl Joint {
 
     /// Sets the range of an axis (length units or radians).
     #[must_use]
-    pub fn with_limits(mut self, axis: JointAxis, limits: [Real; 2]) -> Self {
+    pub fn with_limits(mut self, axis: JointAxis, limits: [Scalar; 2]) -> Self {
         self.data.set_limits(axis, limits);
         self
     }
 
     /// Drives an axis at a velocity. `factor` is the damping of the motor.
     #[must_use]
-    pub fn with_motor_velocity(mut self, axis: JointAxis, velocity: Real, factor: Real) -> Self {
+    pub fn with_motor_velocity(
+        mut self,
+        axis: JointAxis,
+        velocity: Scalar,
+        factor: Scalar,
+    ) -> Self {
         self.data.set_motor_velocity(axis, velocity, factor);
         self
     }
@@ -94,9 +99,9 @@ impl Joint {
     pub fn with_motor_position(
         mut self,
         axis: JointAxis,
-        position: Real,
-        stiffness: Real,
-        damping: Real,
+        position: Scalar,
+        stiffness: Scalar,
+        damping: Scalar,
     ) -> Self {
         self.data.set_motor_position(axis, position, stiffness, damping);
         self
@@ -112,7 +117,7 @@ impl Joint {
     /// Sets the force and the torque above which the joint breaks. [`JointBroken`](crate::JointBroken) is
     /// then triggered.
     #[must_use]
-    pub fn with_break_thresholds(mut self, force: Real, torque: Real) -> Self {
+    pub fn with_break_thresholds(mut self, force: Scalar, torque: Scalar) -> Self {
         self.data.set_break_thresholds(force, torque);
         self
     }

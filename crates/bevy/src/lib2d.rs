@@ -38,7 +38,7 @@ pub use hooks::{CollisionHooks, ContactPair, ModifiedContacts};
 pub use invalid::{Invalid, Refused};
 pub use joint::Joint;
 pub use plugin::{PhysicsPlugin, PhysicsSystems};
-pub use precision::{Precision, Real};
+pub use precision::{Precision, Scalar};
 pub use query::{PointHit, RayHit, ShapeHit, SpatialFilter, SpatialQuery};
 /// The engine: its types appear where Bevy has none.
 pub use rapier;

@@ -88,6 +88,7 @@ where
             stages::place_colliders,
             stages::describe_colliders,
             stages::sync_joints,
+            stages::apply_impulses,
         );
         let write_back = (stages::write_transforms, stages::write_nested_transforms);
         app.add_systems(FixedPostUpdate, prepare.chain().in_set(Prepare))

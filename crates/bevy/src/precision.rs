@@ -1,9 +1,9 @@
 //! Bevy's mathematics in the precision of the engine.
 
 use bevy::math::{DVec2, DVec3, Vec2, Vec3};
-pub use rapier::math::Real;
+pub use rapier::math::Real as Scalar;
 
-/// Bevy's vectors in one precision. The engine's [`Real`] selects the implementation, so no code depends on
+/// Bevy's vectors in one precision. The engine's number type selects the implementation, so no code depends on
 /// the feature `f64`.
 pub trait Precision {
     /// The vector with two components.

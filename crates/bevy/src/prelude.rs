@@ -7,7 +7,7 @@ pub use crate::{
     CollisionStarted, CollisionStopped, ContactForce, ContactForceEvents, ContactPair, Damping,
     ExternalForce, ExternalImpulse, Friction, GravityScale, HookedPairs, Invalid, Joint,
     JointBroken, LockedAxes, ModifiedContacts, PhysicsPlugin, PhysicsSystems, PhysicsWorld,
-    PointHit, RayHit, Real, Refused, Restitution, RigidBody, Sensor, ShapeHit, Sleeping,
+    PointHit, RayHit, Refused, Restitution, RigidBody, Scalar, Sensor, ShapeHit, Sleeping,
     SpatialFilter, SpatialQuery, Vector, Velocity,
 };
 pub use rapier::prelude::{

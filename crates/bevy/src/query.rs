@@ -2,7 +2,7 @@
 
 use crate::collider::Collider;
 use crate::dim::{Vector, pose_of, to_bevy, to_engine};
-use crate::precision::Real;
+use crate::precision::Scalar;
 use crate::world::{PhysicsWorld, entity_of};
 use bevy::ecs::entity::{Entity, EntityHashSet};
 use bevy::ecs::system::{Res, SystemParam};
@@ -69,7 +69,7 @@ pub struct RayHit {
     /// The entity of the collider.
     pub entity: Entity,
     /// Length of the ray until the hit, in lengths of its direction.
-    pub distance: Real,
+    pub distance: Scalar,
     /// The point.
     pub point: Vector,
     /// The normal of the surface.
@@ -93,7 +93,7 @@ pub struct ShapeHit {
     /// The entity of the collider.
     pub entity: Entity,
     /// Length of the way until the hit, in lengths of the displacement.
-    pub distance: Real,
+    pub distance: Scalar,
     /// The point on the collider.
     pub point: Vector,
     /// The normal of the collider at the point.
@@ -106,7 +106,7 @@ impl SpatialQuery<'_> {
         &self,
         origin: Vector,
         direction: Vector,
-        max_distance: Real,
+        max_distance: Scalar,
         filter: &SpatialFilter,
     ) -> Option<RayHit> {
         let ray = Ray::new(to_engine(origin), to_engine(direction));
@@ -126,7 +126,7 @@ impl SpatialQuery<'_> {
         &self,
         origin: Vector,
         direction: Vector,
-        max_distance: Real,
+        max_distance: Scalar,
         filter: &SpatialFilter,
     ) -> Vec<Entity> {
         let ray = Ray::new(to_engine(origin), to_engine(direction));
@@ -157,7 +157,7 @@ impl SpatialQuery<'_> {
     pub fn project_point(
         &self,
         point: Vector,
-        max_distance: Real,
+        max_distance: Scalar,
         filter: &SpatialFilter,
     ) -> Option<PointHit> {
         self.run(filter, |view| {

@@ -5,22 +5,22 @@ use crate::plugin::rapier::prelude as engine;
 use bevy::prelude::Entity;
 
 /// A vector.
-pub fn vector(x: Real, y: Real) -> Vector {
+pub fn vector(x: Scalar, y: Scalar) -> Vector {
     Vector::new(x, y)
 }
 
 /// A rotation.
-pub fn rotation(angle: Real) -> AngVector {
+pub fn rotation(angle: Scalar) -> AngVector {
     angle
 }
 
 /// The angle.
-pub fn angle(rotation: AngVector) -> Real {
+pub fn angle(rotation: AngVector) -> Scalar {
     rotation
 }
 
 /// A cube or a square.
-pub fn cube(half_extent: Real) -> Collider {
+pub fn cube(half_extent: Scalar) -> Collider {
     Collider::cuboid(half_extent, half_extent)
 }
 
@@ -30,12 +30,12 @@ pub fn floor() -> Collider {
 }
 
 /// The engine's description of a square.
-pub fn engine_cube(half_extent: Real) -> engine::ColliderBuilder {
+pub fn engine_cube(half_extent: Scalar) -> engine::ColliderBuilder {
     engine::ColliderBuilder::cuboid(half_extent, half_extent)
 }
 
 /// The engine's vector.
-pub fn engine_vector(x: Real, y: Real) -> engine::Vector {
+pub fn engine_vector(x: Scalar, y: Scalar) -> engine::Vector {
     engine::Vector::new(x, y)
 }
 
@@ -48,4 +48,4 @@ pub fn hinge(body1: Entity, body2: Entity) -> Joint {
 pub const HINGE: JointAxis = JointAxis::AngX;
 
 /// Squared radius of gyration of a disc with radius 1.
-pub const BALL_GYRATION: Real = 0.5;
+pub const BALL_GYRATION: Scalar = 0.5;

@@ -59,7 +59,7 @@ fn an_invalid_edit_keeps_the_last_valid_state() {
     let mut app = reporting();
     let body = app.world_mut().spawn((RigidBody::Dynamic, cube(0.5))).id();
     run(&mut app, 2);
-    edit::<Friction>(&mut app, body).coefficient = Real::NAN;
+    edit::<Friction>(&mut app, body).coefficient = Scalar::NAN;
     run(&mut app, 2);
     let reports = take_reports(&mut app);
     assert_eq!(reports.len(), 1);
@@ -115,7 +115,7 @@ fn a_velocity_that_is_no_number_is_refused() {
     let mut app = reporting();
     let body = app.world_mut().spawn((RigidBody::Dynamic, cube(0.5))).id();
     run(&mut app, 2);
-    edit::<Velocity>(&mut app, body).linear = vector(Real::NAN, 0.0);
+    edit::<Velocity>(&mut app, body).linear = vector(Scalar::NAN, 0.0);
     run(&mut app, 2);
     assert!(get::<Velocity>(&app, body).linear.is_finite());
     assert!(position(&app, body).is_finite());

@@ -120,7 +120,7 @@ fn a_step_does_not_count_as_an_edit() {
         expected.x += 0.1 * DT;
     }
     let pose = physics(&app).body(moving).expect("a body").position().translation;
-    assert_near(pose.x, expected.x, 4.0 * f64::from(Real::EPSILON));
+    assert_near(pose.x, expected.x, 4.0 * f64::from(Scalar::EPSILON));
 }
 
 #[test]

@@ -7,10 +7,10 @@ use bevy::time::TimeUpdateStrategy;
 use std::time::Duration;
 
 /// Bevy's default time step (s).
-pub const DT: Real = 1.0 / 64.0;
+pub const DT: Scalar = 1.0 / 64.0;
 
 /// Magnitude of the default gravity.
-pub const G: Real = 9.81;
+pub const G: Scalar = 9.81;
 
 /// An app with the default plugin, without interpolation.
 pub fn app() -> App {

@@ -30,7 +30,7 @@ fn report(
     ball: Single<(&Transform, &Velocity, &Sleeping), With<RigidBody>>,
     mut exit: MessageWriter<AppExit>,
     mut bounces: Local<u32>,
-    mut last: Local<Real>,
+    mut last: Local<Scalar>,
 ) {
     let (transform, velocity, sleeping) = *ball;
     let (height, speed) = (transform.translation.y, velocity.linear.y);

@@ -40,7 +40,7 @@ fn spawn_chain(mut commands: Commands) {
         let below = commands.spawn(below).id();
         let joint = Joint::spherical(above, below)
             .with_anchors(Vector::Y * -0.5, Vector::Y * 0.5)
-            .with_break_thresholds(200.0, Real::INFINITY);
+            .with_break_thresholds(200.0, Scalar::INFINITY);
         commands.spawn(joint).observe(|broken: On<JointBroken>| {
             println!("the joint {} breaks at {:.0} N", broken.entity, broken.force);
         });
@@ -51,7 +51,7 @@ fn spawn_chain(mut commands: Commands) {
 
 /// A force that grows by 50 N each second pulls at the last link.
 fn load(time: Res<Time>, mut force: Single<&mut ExternalForce, With<Weight>>) {
-    force.force = Vector::Y * -50.0 * time.elapsed_secs() as Real;
+    force.force = Vector::Y * -50.0 * time.elapsed_secs() as Scalar;
 }
 
 fn report(

@@ -51,7 +51,7 @@ fn fly(
     let (entity, transform) = &mut *drone;
     transform.translation.x += 4.0 * time.delta_secs();
     let filter = SpatialFilter::default().excluding(*entity);
-    let [x, y] = [transform.translation.x, transform.translation.y].map(Real::from);
+    let [x, y] = [transform.translation.x, transform.translation.y].map(Scalar::from);
     if let Some(hit) = query.cast_ray(Vector::new(x, y, 0.0), -Vector::Y, 20.0, &filter) {
         transform.translation.y = hit.point.y as f32 + 2.0;
     }

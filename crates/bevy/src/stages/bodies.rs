@@ -28,7 +28,6 @@ pub(crate) struct BodyItem {
     damping: Ref<'static, Damping>,
     locked_axes: Ref<'static, LockedAxes>,
     force: Ref<'static, ExternalForce>,
-    impulse: &'static mut ExternalImpulse,
     state: &'static mut BodyState,
 }
 
@@ -40,7 +39,6 @@ type BodyEdits = Or<(
     Changed<Damping>,
     Changed<LockedAxes>,
     Changed<ExternalForce>,
-    Changed<ExternalImpulse>,
 )>;
 
 /// Hands the edits since the last step to the engine. An edit of a refused body queues it again.
@@ -64,7 +62,6 @@ pub(crate) fn edit_bodies(
         };
         item.edit_settings(body);
         item.edit_velocity(body);
-        item.apply_impulse(body);
         if item.is_moved() {
             let placed = hierarchy.world_transform(item.entity, |entity| locals.get(entity).ok());
             item.edit_pose(body, &placed);
@@ -92,7 +89,6 @@ pub(crate) fn insert_bodies(
         match item.builder(&hierarchy.world_transform(entity, local)).try_build() {
             Ok(mut body) => {
                 item.apply_force(&mut body);
-                item.apply_impulse(&mut body);
                 let handle = world.engine.insert_body(body);
                 world.bodies.insert(entity, handle);
             }
@@ -102,6 +98,26 @@ pub(crate) fn insert_bodies(
         item.state.reset(transform);
         item.state.velocity = velocity;
         item.state.parent = hierarchy.parent_transform(entity, local);
+    }
+}
+
+/// Applies the impulses, once the bodies have the masses of their colliders, and resets the components.
+pub(crate) fn apply_impulses(
+    mut world: ResMut<PhysicsWorld>,
+    mut impulses: Query<(Entity, &mut ExternalImpulse), Changed<ExternalImpulse>>,
+) {
+    let PhysicsWorld { engine, bodies, .. } = &mut *world;
+    for (entity, mut impulse) in &mut impulses {
+        let handle = bodies.get(&entity);
+        if *impulse == ExternalImpulse::default() || handle.is_none() {
+            continue;
+        }
+        if let Some(body) = handle.and_then(|&handle| engine.bodies.get_mut(handle)) {
+            body.recompute_mass_properties_from_colliders(&engine.colliders);
+            body.apply_impulse(to_engine(impulse.impulse), true);
+            body.apply_torque_impulse(ang_to_engine(impulse.torque_impulse), true);
+        }
+        *impulse = ExternalImpulse::default();
     }
 }
 
@@ -133,7 +149,6 @@ impl BodyItemItem<'_, '_> {
             || self.locked_axes.is_changed()
             || self.force.is_changed()
             || *self.velocity != self.state.velocity
-            || *self.impulse != ExternalImpulse::default()
             || self.is_moved()
     }
 
@@ -169,15 +184,6 @@ impl BodyItemItem<'_, '_> {
     fn apply_force(&self, body: &mut EngineBody) {
         body.add_force(to_engine(self.force.force), true);
         body.add_torque(ang_to_engine(self.force.torque), true);
-    }
-
-    /// Adds an impulse, and resets the component.
-    fn apply_impulse(&mut self, body: &mut EngineBody) {
-        if *self.impulse != ExternalImpulse::default() {
-            body.apply_impulse(to_engine(self.impulse.impulse), true);
-            body.apply_torque_impulse(ang_to_engine(self.impulse.torque_impulse), true);
-            *self.impulse = ExternalImpulse::default();
-        }
     }
 
     /// Moves a kinematic body during the next step, and any other body at once.

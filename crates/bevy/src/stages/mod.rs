@@ -10,7 +10,7 @@ mod write_back;
 mod nested;
 mod interpolation;
 
-pub(crate) use bodies::{edit_bodies, insert_bodies};
+pub(crate) use bodies::{apply_impulses, edit_bodies, insert_bodies};
 pub(crate) use colliders::{describe_colliders, place_colliders};
 pub(crate) use interpolation::interpolate_transforms;
 pub(crate) use joints::sync_joints;

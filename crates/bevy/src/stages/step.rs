@@ -2,7 +2,7 @@
 
 use crate::event::Recorder;
 use crate::hooks::{CollisionHooks, EngineHooks};
-use crate::precision::Real;
+use crate::precision::Scalar;
 use crate::world::PhysicsWorld;
 use bevy::ecs::system::{Commands, Res, ResMut, StaticSystemParam, SystemParam, SystemParamItem};
 use bevy::time::{Fixed, Time};
@@ -17,7 +17,7 @@ pub(crate) fn step<H>(
     for<'w, 's> SystemParamItem<'w, 's, H>: CollisionHooks,
 {
     let recorder = Recorder::default();
-    world.engine.integration_parameters.dt = time.timestep().as_secs_f64() as Real;
+    world.engine.integration_parameters.dt = time.timestep().as_secs_f64() as Scalar;
     world.engine.step_with_events(&EngineHooks(&*hooks), &recorder);
     world.occurrences = recorder.into_events();
 }
