@@ -10,7 +10,8 @@ fn main() -> AppExit {
         .add_plugins((MinimalPlugins, TransformPlugin, PhysicsPlugin::default()))
         .insert_resource(TimeUpdateStrategy::ManualDuration(Duration::from_millis(16)))
         .add_systems(Startup, spawn)
-        .add_systems(FixedUpdate, (ride, end).chain())
+        .add_systems(FixedUpdate, ride)
+        .add_systems(Update, end)
         .run()
 }
 

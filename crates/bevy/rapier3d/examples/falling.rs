@@ -11,7 +11,7 @@ fn main() -> AppExit {
         // Without a window, time passes as fast as the processor allows.
         .insert_resource(TimeUpdateStrategy::ManualDuration(Duration::from_millis(16)))
         .add_systems(Startup, spawn)
-        .add_systems(FixedUpdate, report)
+        .add_systems(Update, report)
         .run()
 }
 
@@ -34,7 +34,7 @@ fn report(
 ) {
     let (transform, velocity, sleeping) = *ball;
     let (height, speed) = (transform.translation.y, velocity.linear.y);
-    if *last < -0.5 && speed > 0.0 {
+    if *last < 0.0 && speed > 0.1 {
         *bounces += 1;
         println!("{:.2} s: bounce {} at {speed:.2} m/s", time.elapsed_secs(), *bounces);
     }

@@ -10,7 +10,8 @@ fn main() -> AppExit {
         .add_plugins((MinimalPlugins, TransformPlugin, PhysicsPlugin::default()))
         .insert_resource(TimeUpdateStrategy::ManualDuration(Duration::from_millis(16)))
         .add_systems(Startup, spawn)
-        .add_systems(FixedUpdate, (grow, end).chain())
+        .add_systems(FixedUpdate, grow)
+        .add_systems(Update, end)
         .run()
 }
 

@@ -11,7 +11,8 @@ fn main() -> AppExit {
         .insert_resource(TimeUpdateStrategy::ManualDuration(Duration::from_millis(16)))
         .init_resource::<Found>()
         .add_systems(Startup, spawn)
-        .add_systems(FixedUpdate, (fly, search, end).chain())
+        .add_systems(FixedUpdate, (fly, search).chain())
+        .add_systems(Update, end)
         .run()
 }
 
