@@ -28,13 +28,15 @@ pub struct PhysicsWorld {
     pub(crate) occurrences: Vec<Occurrence>,
 }
 
-/// Entities whose component was inserted since the last step, in the order of insertion. Queries iterate by
+/// Entities with components that were inserted since the last step, in the order of insertion. Queries iterate by
 /// archetype, so their order depends on unrelated components.
 #[derive(Default)]
 pub(crate) struct Pending {
     pub bodies: Vec<Entity>,
     pub colliders: Vec<Entity>,
     pub joints: Vec<Entity>,
+    /// Bodies that lost their parent entity since the last step.
+    pub detached: Vec<Entity>,
 }
 
 /// The entity in an element's user data.
@@ -97,11 +99,6 @@ impl PhysicsWorld {
     /// The entity of a joint.
     pub fn entity_of_joint(&self, handle: ImpulseJointHandle) -> Option<Entity> {
         entity_of(self.engine.impulse_joints.get(handle)?.data.user_data)
-    }
-
-    /// Mutable access to the engine's body of an entity.
-    pub(crate) fn body_mut(&mut self, entity: Entity) -> Option<&mut RigidBody> {
-        self.engine.bodies.get_mut(*self.bodies.get(&entity)?)
     }
 
     /// Removes a body. Its colliders and joints return to the pending ones: their entities may live on.

@@ -144,3 +144,21 @@ fn a_moved_group_takes_its_bodies_along() {
     assert_near(position(&app, body).y, 0.5, 0.01);
     assert_near(get::<GlobalTransform>(&app, body).translation().y, 4.5, 0.01);
 }
+
+#[test]
+fn a_body_follows_its_transform_to_another_parent() {
+    let mut app = weightless();
+    let groups = [10.0, 20.0].map(|x| app.world_mut().spawn(at(x, 0.0)).id());
+    let body = (RigidBody::Fixed, cube(0.5), at(1.0, 0.0), ChildOf(groups[0]));
+    let body = app.world_mut().spawn(body).id();
+    let engine_x = |app: &App| physics(app).body(body).unwrap().position().translation.x;
+    run(&mut app, 2);
+    assert_near(engine_x(&app), 11.0, 1.0e-5);
+    app.world_mut().entity_mut(body).insert(ChildOf(groups[1]));
+    run(&mut app, 2);
+    assert_near(engine_x(&app), 21.0, 1.0e-5);
+    app.world_mut().entity_mut(body).remove::<ChildOf>();
+    run(&mut app, 2);
+    assert_near(engine_x(&app), 1.0, 1.0e-5);
+    assert_near(position(&app, body).x, 1.0, 1.0e-5);
+}

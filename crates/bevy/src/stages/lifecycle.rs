@@ -10,6 +10,7 @@ use crate::world::PhysicsWorld;
 use bevy::app::App;
 use bevy::ecs::component::Component;
 use bevy::ecs::entity::Entity;
+use bevy::ecs::hierarchy::ChildOf;
 use bevy::ecs::lifecycle::{Insert, Remove};
 use bevy::ecs::observer::On;
 use bevy::ecs::query::With;
@@ -34,6 +35,11 @@ pub(crate) fn observe_lifecycle(app: &mut App) {
     })
     .add_observer(|on: On<Remove, Joint>, mut world: ResMut<PhysicsWorld>| {
         world.remove_joint(on.entity);
+    })
+    .add_observer(|on: On<Remove, ChildOf>, mut world: ResMut<PhysicsWorld>| {
+        if world.bodies.contains_key(&on.entity) {
+            world.pending.detached.push(on.entity);
+        }
     })
     // Change detection reports insertions of optional components, and no removals.
     .add_observer(describe_again::<Sensor>)

@@ -8,25 +8,33 @@ use crate::world::PhysicsWorld;
 use bevy::ecs::entity::Entity;
 use bevy::ecs::hierarchy::ChildOf;
 use bevy::ecs::query::With;
-use bevy::ecs::system::{Query, ResMut};
+use bevy::ecs::system::{Query, Res, ResMut};
 use bevy::transform::components::Transform;
 
-/// Moves the bodies whose ancestors the user moved. Motion of a parent body by the engine does not count.
+/// Moves the bodies whose ancestors the user moved or exchanged. Motion of a parent body by the engine does
+/// not count.
 pub(crate) fn carry_nested_bodies(
     mut world: ResMut<PhysicsWorld>,
-    mut bodies: Query<(Entity, &RigidBody, &mut BodyState), With<ChildOf>>,
+    nested: Query<Entity, (With<ChildOf>, With<RigidBody>)>,
+    mut bodies: Query<(&RigidBody, &mut BodyState)>,
     locals: Query<&Transform>,
     hierarchy: Hierarchy,
 ) {
     let local = |entity| locals.get(entity).ok();
-    for (entity, kind, mut state) in &mut bodies {
+    let detached = core::mem::take(&mut world.pending.detached);
+    for entity in nested.iter().chain(detached) {
         let parent = hierarchy.parent_transform(entity, local);
+        let (Ok((kind, mut state)), Some(body)) =
+            (bodies.get_mut(entity), world.bodies.get(&entity).copied())
+        else {
+            continue;
+        };
         if parent == state.parent {
             continue;
         }
         state.parent = parent;
         let placed = pose_of(&hierarchy.world_transform(entity, local));
-        match (world.body_mut(entity), kind) {
+        match (world.engine.bodies.get_mut(body), kind) {
             (None, _) => {}
             (Some(body), RigidBody::KinematicPosition) => body.set_next_kinematic_position(placed),
             (Some(body), _) => body.set_position(placed, true),
@@ -36,7 +44,7 @@ pub(crate) fn carry_nested_bodies(
 
 /// Writes the local transforms of nested bodies that moved or whose parent moved, parents first.
 pub(crate) fn write_nested_transforms(
-    world: ResMut<PhysicsWorld>,
+    world: Res<PhysicsWorld>,
     nested: Query<Entity, (With<ChildOf>, With<RigidBody>)>,
     mut transforms: Query<&mut Transform>,
     mut bodies: Query<Written>,
