@@ -3,8 +3,8 @@
 use bevy::math::{DVec2, DVec3, Vec2, Vec3};
 pub use rapier::math::Real as Scalar;
 
-/// Bevy's vectors in one precision. The engine's number type selects the implementation, so no code depends on
-/// the feature `f64`.
+/// Bevy's vectors in one precision. The engine's number type selects the implementation, so no code depends
+/// on the feature `f64`.
 pub trait Precision {
     /// The vector with two components.
     type Vec2;

@@ -28,8 +28,9 @@ pub struct PhysicsWorld {
     pub(crate) occurrences: Vec<Occurrence>,
 }
 
-/// Entities with components that were inserted since the last step, in the order of insertion. Queries iterate by
-/// archetype, so their order depends on unrelated components.
+/// Entities with components that were inserted since the last step, in the order of insertion.
+///
+/// Queries iterate by archetype, so their order depends on unrelated components.
 #[derive(Default)]
 pub(crate) struct Pending {
     pub bodies: Vec<Entity>,
