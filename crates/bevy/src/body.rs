@@ -8,8 +8,8 @@ use bevy::reflect::Reflect;
 use bevy::transform::components::Transform;
 use rapier::prelude::{LockedAxes as AxesMask, RigidBodyType};
 
-/// A rigid body. Its pose is the entity's `Transform`; its shape are the [`Collider`](crate::Collider)s of
-/// the entity and of its descendants.
+/// A rigid body. The entity's `Transform` is its pose. The [`Collider`](crate::Collider)s of the entity and
+/// of its descendants are its shape.
 ///
 /// All other components of a body are required ones, so `commands.spawn(RigidBody::Dynamic)` is complete.
 #[derive(Component, Reflect, Copy, Clone, Debug, Default, PartialEq, Eq)]

@@ -16,8 +16,8 @@ use rapier::prelude::{
     DebugRenderStyle,
 };
 
-/// Gizmos of the simulation. Their colour tells the state of a body: the engine's `DebugRenderStyle` lists
-/// them.
+/// Gizmos of the simulation. The colour depends on the type and the state of the body, as the engine's
+/// `DebugRenderStyle` lists.
 ///
 /// `GizmoConfigStore` has the width of the lines, and switches them off.
 #[derive(Default, Reflect, GizmoConfigGroup)]

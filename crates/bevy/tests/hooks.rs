@@ -66,7 +66,7 @@ fn a_filter_lets_pairs_pass() {
 }
 
 #[test]
-fn pairs_without_the_component_are_not_asked() {
+fn pairs_without_the_component_skip_the_hooks() {
     let mut app = hooked();
     app.world_mut().spawn((floor(), Colour(1), at(0.0, -1.0)));
     let bundle = (RigidBody::Dynamic, Collider::ball(0.5), Colour(2), at(0.0, 1.0));

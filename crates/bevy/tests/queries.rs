@@ -16,8 +16,11 @@ fn row() -> (App, [Entity; 3]) {
     (app, [cube, ball, sensor])
 }
 
-/// The answer of a query.
-fn ask<T: 'static>(app: &mut App, query: impl Fn(SpatialQuery) -> T + Send + Sync + 'static) -> T {
+/// The result of a query.
+fn result_of<T: 'static>(
+    app: &mut App,
+    query: impl Fn(SpatialQuery) -> T + Send + Sync + 'static,
+) -> T {
     app.world_mut()
         .run_system_once(move |world: SpatialQuery| query(world))
         .expect("the system runs")
@@ -27,23 +30,26 @@ fn ask<T: 'static>(app: &mut App, query: impl Fn(SpatialQuery) -> T + Send + Syn
 fn a_ray_hits_the_first_collider() {
     let (mut app, [cube, ball, sensor]) = row();
     let all = SpatialFilter::default();
-    let hit =
-        ask(&mut app, move |query| query.cast_ray(Vector::ZERO, vector(1.0, 0.0), 100.0, &all));
+    let hit = result_of(&mut app, move |query| {
+        query.cast_ray(Vector::ZERO, vector(1.0, 0.0), 100.0, &all)
+    });
     let hit = hit.expect("a hit");
     assert_eq!(hit.entity, cube);
     assert_near(hit.distance, 1.5, 1.0e-5);
     assert_near(hit.point.x, 1.5, 1.0e-5);
     assert_near(hit.normal.x, -1.0, 1.0e-5);
     let filter = SpatialFilter::default().excluding(cube);
-    let hit =
-        ask(&mut app, move |query| query.cast_ray(Vector::ZERO, vector(1.0, 0.0), 100.0, &filter));
+    let hit = result_of(&mut app, move |query| {
+        query.cast_ray(Vector::ZERO, vector(1.0, 0.0), 100.0, &filter)
+    });
     assert_eq!(hit.expect("a hit").entity, ball);
     let filter = SpatialFilter::default().excluding(cube).excluding(ball).without_sensors();
-    let hit =
-        ask(&mut app, move |query| query.cast_ray(Vector::ZERO, vector(1.0, 0.0), 100.0, &filter));
+    let hit = result_of(&mut app, move |query| {
+        query.cast_ray(Vector::ZERO, vector(1.0, 0.0), 100.0, &filter)
+    });
     assert_eq!(hit, None);
     let all = SpatialFilter::default();
-    let found = ask(&mut app, move |query| {
+    let found = result_of(&mut app, move |query| {
         query.intersections_with_ray(Vector::ZERO, vector(1.0, 0.0), 100.0, &all)
     });
     assert_eq!(found.len(), 3);
@@ -53,7 +59,7 @@ fn a_ray_hits_the_first_collider() {
 #[test]
 fn a_moving_shape_stops_at_the_first_collider() {
     let (mut app, [cube, ..]) = row();
-    let hit = ask(&mut app, |query| {
+    let hit = result_of(&mut app, |query| {
         let (shape, all) = (Collider::ball(0.25), SpatialFilter::default());
         query.cast_shape(&shape, &Transform::IDENTITY, vector(10.0, 0.0), &all)
     });
@@ -67,17 +73,17 @@ fn a_moving_shape_stops_at_the_first_collider() {
 #[test]
 fn points_and_shapes_find_colliders_around_them() {
     let (mut app, [cube, ball, _]) = row();
-    let near = ask(&mut app, |query| {
+    let near = result_of(&mut app, |query| {
         query.project_point(vector(2.0, 2.0), 100.0, &SpatialFilter::default())
     });
     let near = near.expect("a collider");
     assert_eq!((near.entity, near.is_inside), (cube, false));
     assert_near(near.point.y, 0.5, 1.0e-5);
-    let inside = ask(&mut app, |query| {
+    let inside = result_of(&mut app, |query| {
         query.intersections_with_point(vector(4.1, 0.0), &SpatialFilter::default())
     });
     assert_eq!(inside, [ball]);
-    let touched = ask(&mut app, |query| {
+    let touched = result_of(&mut app, |query| {
         let (shape, all) = (Collider::ball(1.0), SpatialFilter::default());
         query.intersections_with_shape(&shape, &at(3.0, 0.0), &all)
     });
@@ -108,8 +114,9 @@ fn groups_and_bodies_filter_queries() {
         ),
     ];
     for (filter, expected) in filters {
-        let found =
-            ask(&mut app, move |query| query.intersections_with_point(vector(2.0, 0.0), &filter));
+        let found = result_of(&mut app, move |query| {
+            query.intersections_with_point(vector(2.0, 0.0), &filter)
+        });
         assert_eq!(found.contains(&part), expected);
     }
 }
@@ -117,7 +124,7 @@ fn groups_and_bodies_filter_queries() {
 #[test]
 fn an_invalid_shape_finds_nothing() {
     let (mut app, _) = row();
-    let (hit, touched) = ask(&mut app, |query| {
+    let (hit, touched) = result_of(&mut app, |query| {
         let (shape, all) = (Collider::ball(-1.0), SpatialFilter::default());
         let hit = query.cast_shape(&shape, &at(0.0, 0.0), vector(10.0, 0.0), &all);
         (hit, query.intersections_with_shape(&shape, &at(2.0, 0.0), &all))

@@ -43,7 +43,7 @@ fn spawn(mut commands: Commands) {
             Transform::from_xyz(6.0, 2.5, 0.0),
         ))
         .observe(|on: On<CollisionStarted>, mut cargo: Query<&mut GravityScale, With<Cargo>>| {
-            println!("the gate sees {}", on.other);
+            println!("the gate reports {}", on.other);
             // The gate lifts the cargo off its platform.
             if let Ok(mut scale) = cargo.get_mut(on.other) {
                 scale.0 = -0.5;
