@@ -4,7 +4,6 @@ use crate::dim::cube;
 use crate::plugin::prelude::*;
 use crate::scene::*;
 use bevy::asset::AssetPlugin;
-use bevy::gizmos::{GizmoAsset, GizmoPlugin};
 use bevy::prelude::*;
 
 /// Ends of all lines that the renderer would draw.
@@ -16,7 +15,9 @@ fn line_ends(app: &App) -> usize {
 #[test]
 fn every_collider_has_lines() {
     let mut app = App::new();
-    app.add_plugins((MinimalPlugins, TransformPlugin, AssetPlugin::default(), GizmoPlugin))
+    // Bevy's `GizmoPlugin` needs meshes, too.
+    app.add_plugins((MinimalPlugins, TransformPlugin, AssetPlugin::default()))
+        .init_asset::<GizmoAsset>()
         .add_plugins((PhysicsPlugin::default(), PhysicsDebugPlugin::default()));
     frame_length(&mut app, 1.0);
     run(&mut app, 3);

@@ -3,7 +3,6 @@
 //! This program has no window and counts the lines. With `DefaultPlugins` of Bevy a camera shows them.
 
 use bevy::asset::AssetPlugin;
-use bevy::gizmos::{GizmoAsset, GizmoPlugin};
 use bevy::prelude::*;
 use bevy::time::TimeUpdateStrategy;
 use rapier3d_bevy::prelude::*;
@@ -11,7 +10,9 @@ use std::time::Duration;
 
 fn main() -> AppExit {
     App::new()
-        .add_plugins((MinimalPlugins, TransformPlugin, AssetPlugin::default(), GizmoPlugin))
+        // In place of `GizmoPlugin`, which needs meshes, too.
+        .add_plugins((MinimalPlugins, TransformPlugin, AssetPlugin::default()))
+        .init_asset::<GizmoAsset>()
         .add_plugins((PhysicsPlugin::default(), PhysicsDebugPlugin::default()))
         .insert_resource(TimeUpdateStrategy::ManualDuration(Duration::from_millis(16)))
         .add_systems(Startup, spawn)
