@@ -1,0 +1,63 @@
+//! New and edited joints.
+
+use crate::invalid::refuse;
+use crate::joint::Joint;
+use crate::world::PhysicsWorld;
+use bevy::ecs::entity::{Entity, EntityHashSet};
+use bevy::ecs::query::Changed;
+use bevy::ecs::system::{Commands, Query, ResMut};
+use rapier::prelude::{InvalidJoint, RigidBodyHandle};
+
+/// Inserts new joints and edits changed ones. A joint remains pending until both entities have a body.
+pub(crate) fn sync_joints(
+    mut world: ResMut<PhysicsWorld>,
+    joints: Query<&Joint>,
+    edited: Query<Entity, Changed<Joint>>,
+    mut commands: Commands,
+) {
+    let mut seen = EntityHashSet::default();
+    for entity in core::mem::take(&mut world.pending.joints).into_iter().chain(&edited) {
+        let Ok(joint) = joints.get(entity) else {
+            continue;
+        };
+        if !seen.insert(entity) {
+            continue;
+        }
+        let (Some(body1), Some(body2)) =
+            (world.body_handle(joint.body1), world.body_handle(joint.body2))
+        else {
+            world.pending.joints.push(entity);
+            continue;
+        };
+        if let Err(reason) = world.put_joint(entity, joint, [body1, body2]) {
+            refuse(&mut commands, entity, reason);
+        }
+    }
+}
+
+impl PhysicsWorld {
+    /// Inserts the joint of an entity, or edits it.
+    fn put_joint(
+        &mut self,
+        entity: Entity,
+        joint: &Joint,
+        [body1, body2]: [RigidBodyHandle; 2],
+    ) -> Result<(), InvalidJoint> {
+        let mut data = joint.data;
+        data.user_data = u128::from(entity.to_bits());
+        data.validate()?;
+        let old = self.joint(entity);
+        let is_same_pair = old.is_some_and(|old| old.body1() == body1 && old.body2() == body2);
+        if is_same_pair {
+            let handle = self.joint_handle(entity);
+            if let Some(old) = handle.and_then(|h| self.engine.impulse_joints.get_mut(h)) {
+                old.data = data;
+            }
+            return Ok(());
+        }
+        self.remove_joint(entity);
+        let handle = self.engine.try_insert_impulse_joint(body1, body2, data)?;
+        self.joints.insert(entity, handle);
+        Ok(())
+    }
+}

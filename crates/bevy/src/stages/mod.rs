@@ -1,0 +1,21 @@
+//! The systems of a fixed step, in the order of execution, and the observers between the steps.
+
+mod lifecycle;
+mod restore;
+mod bodies;
+mod colliders;
+mod joints;
+mod step;
+mod write_back;
+mod nested;
+mod interpolation;
+
+pub(crate) use bodies::{apply_impulses, edit_bodies, insert_bodies};
+pub(crate) use colliders::{describe_colliders, place_colliders};
+pub(crate) use interpolation::interpolate_transforms;
+pub(crate) use joints::sync_joints;
+pub(crate) use lifecycle::{adopt_entities, observe_lifecycle};
+pub(crate) use nested::{carry_nested_bodies, write_nested_transforms};
+pub(crate) use restore::restore_transforms;
+pub(crate) use step::{send_events, step};
+pub(crate) use write_back::write_transforms;

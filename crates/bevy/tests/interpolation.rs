@@ -1,0 +1,94 @@
+//! Frames between two steps.
+
+use crate::dim::{cube, rotation, vector};
+use crate::plugin::prelude::*;
+use crate::scene::*;
+use bevy::prelude::*;
+
+/// A body that moves by 1 and rotates by 0.5 rad in each step.
+fn moving(app: &mut App) -> Entity {
+    let velocity = Velocity { linear: vector(64.0, 0.0), angular: rotation(32.0) };
+    app.world_mut().spawn((RigidBody::Dynamic, cube(0.5), velocity)).id()
+}
+
+fn interpolated() -> App {
+    app_with(PhysicsPlugin::default().with_gravity(Vector::ZERO))
+}
+
+#[test]
+fn a_frame_shows_the_same_fraction_between_the_last_two_states() {
+    let mut app = interpolated();
+    let body = moving(&mut app);
+    run(&mut app, 4);
+    frame_length(&mut app, 0.25);
+    for quarter in 0..12 {
+        // The fixed clock is at step 4: the frames show the time since step 3.
+        let shown = 3.0 + f64::from(quarter) * 0.25;
+        if quarter > 0 {
+            app.update();
+        }
+        assert_near(position(&app, body).x, shown, 1.0e-4);
+        let state = physics(&app).body(body).unwrap().position().translation.x;
+        assert_near(state, 4.0 + (f64::from(quarter) * 0.25).floor(), 1.0e-4);
+    }
+}
+
+#[test]
+fn rotations_take_the_short_way() {
+    let mut app = interpolated();
+    let body = moving(&mut app);
+    run(&mut app, 4);
+    frame_length(&mut app, 0.5);
+    app.update();
+    let expected = Quat::from_rotation_z(3.5 * 0.5);
+    assert_near(get::<Transform>(&app, body).rotation.angle_between(expected), 0.0, 2.0e-3);
+}
+
+#[test]
+fn without_interpolation_a_frame_shows_the_last_state() {
+    let mut app = weightless();
+    let body = moving(&mut app);
+    run(&mut app, 4);
+    frame_length(&mut app, 0.25);
+    app.update();
+    assert_near(position(&app, body).x, 4.0, 1.0e-4);
+}
+
+#[derive(Resource, Default)]
+struct Seen(Vec<f32>);
+
+#[test]
+fn systems_in_the_fixed_schedule_read_exact_states() {
+    let mut app = interpolated();
+    let body = moving(&mut app);
+    app.init_resource::<Seen>();
+    app.add_systems(
+        FixedUpdate,
+        |bodies: Query<&Transform, With<RigidBody>>, mut seen: ResMut<Seen>| {
+            seen.0.extend(bodies.iter().map(|transform| transform.translation.x));
+        },
+    );
+    frame_length(&mut app, 0.75);
+    run(&mut app, 16);
+    let seen = &app.world().resource::<Seen>().0;
+    assert_eq!(seen.len(), 12);
+    for (step, x) in seen.iter().enumerate() {
+        assert_near(*x, step as f64, 1.0e-4);
+    }
+    assert_near(position(&app, body).x, 11.0, 1.0e-4);
+}
+
+#[test]
+fn a_teleport_between_two_steps_is_not_interpolated() {
+    let mut app = interpolated();
+    let body = moving(&mut app);
+    run(&mut app, 4);
+    frame_length(&mut app, 0.5);
+    app.update();
+    edit::<Transform>(&mut app, body).translation = Vec3::new(100.0, 0.0, 0.0);
+    // The step moves the body from its new place: 100 to 101.
+    app.update();
+    assert_near(position(&app, body).x, 100.0, 1.0e-4);
+    app.update();
+    assert_near(position(&app, body).x, 100.5, 1.0e-4);
+}
