@@ -32,7 +32,7 @@
 //! Other engines mark the edges of a mesh as convex or not (Bullet, Jolt, parry), or store the corners of
 //! neighbours in segments (Box2D). That requires known neighbours, and works within one shape only.
 
-use super::normals::{FACE, FACE_COSINE_MIN, SAME_NORMAL};
+use super::normals::{FACE_NORMAL_COSINE_MIN, FACE_COSINE_MIN, NORMAL_DISTANCE_SQUARED_MAX};
 use super::parts::Parts;
 use crate::dim::collide::{Flat, FlatShape, Polytope, flat_corners};
 use crate::dim::math::{Pose, Real, Vector};
@@ -158,7 +158,7 @@ impl<'a> Piece<'a> {
     fn face(&self, normal: Vector) -> Face {
         let face = self.with(|_, polytope, pose| {
             let local = pose.rotation.inverse() * normal;
-            let face = polytope?.0.face_toward(local).filter(|face| face.normal.dot(local) > FACE);
+            let face = polytope?.0.face_toward(local).filter(|face| face.normal.dot(local) > FACE_NORMAL_COSINE_MIN);
             Some(face.map_or(Face::Edge, |face| Face::Flat(pose.rotation * face.normal)))
         });
         face.flatten().unwrap_or(Face::Round)
@@ -223,7 +223,7 @@ impl Facet<'_> {
     /// Returns whether the plane of `other` may constrain `self`. Its normal must differ, and the touching
     /// feature of the body must be above it.
     fn may_be_explained_by(&self, other: &Self, tolerance: Real) -> bool {
-        if self.plane.distance_squared(other.plane) <= SAME_NORMAL {
+        if self.plane.distance_squared(other.plane) <= NORMAL_DISTANCE_SQUARED_MAX {
             return false;
         }
         let is_above = || {
@@ -399,7 +399,7 @@ impl Search<'_> {
     fn explained_by(&self, index: usize) -> impl Iterator<Item = &Facet<'_>> {
         let contact = &self.facets[index];
         let same =
-            move |facet: &&Facet<'_>| facet.plane.distance_squared(contact.plane) <= SAME_NORMAL;
+            move |facet: &&Facet<'_>| facet.plane.distance_squared(contact.plane) <= NORMAL_DISTANCE_SQUARED_MAX;
         let ghost_contacts =
             self.ghost_contacts.iter().filter(move |ghost| ghost.explained_by == index);
         let ghost_contacts = ghost_contacts.map(|ghost| &self.facets[ghost.index]);

@@ -9,7 +9,7 @@ use parry::shape::PackedFeatureId;
 /// Manifolds whose normals differ by more than 45° hold different sides of the bodies apart.
 const NORMAL_COSINE_MIN: Real = 0.7;
 /// Manifolds of different parts count as the same up to 8° between their normals.
-const SAME_NORMAL: Real = 0.99;
+const EQUAL_NORMAL_COSINE_MIN: Real = 0.99;
 /// Points without known features match if they are closer than this fraction of the manifold's size.
 const NEAR_FRACTION: Real = 0.25;
 
@@ -41,7 +41,7 @@ fn with_same_normal(manifold: &ContactManifold, old: &[ContactManifold]) -> Opti
         let other = &old[*index];
         manifold.local_n1.dot(other.local_n1).max(manifold.local_n2.dot(other.local_n2))
     };
-    let same = (0..old.len()).filter(|index| cosine(index) > SAME_NORMAL);
+    let same = (0..old.len()).filter(|index| cosine(index) > EQUAL_NORMAL_COSINE_MIN);
     same.max_by(|a, b| cosine(a).total_cmp(&cosine(b)))
 }
 

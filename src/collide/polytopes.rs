@@ -21,7 +21,7 @@ const TOLERANCE: Real = 0.005;
 /// Of equal faces the first polytope's is taken, by this fraction of the tolerance.
 const FIRST_FACE: Real = 0.1;
 /// A face with at least this cosine to the normal of last time is the same face.
-const SAME_AXIS: Real = 0.98;
+const AXIS_COSINE_MIN: Real = 0.98;
 /// Overlaps deeper than this fraction of the thickness are searched again: a face on another side may have
 /// become the better one.
 pub(super) const OVERLAP_RATIO_MAX: Real = 0.25;
@@ -130,7 +130,7 @@ impl Pair<'_> {
             raw.local_n1 = best.normal;
             return best.gap;
         }
-        let were_faces = best.is_some_and(|best| best.normal.dot(guess) > SAME_AXIS);
+        let were_faces = best.is_some_and(|best| best.normal.dot(guess) > AXIS_COSINE_MIN);
         for try_faces in [were_faces, !were_faces] {
             let gap = match &best {
                 _ if !try_faces => self.add_edges(guess, raw),
@@ -172,7 +172,7 @@ impl Pair<'_> {
     fn best_face(&self, direction: Vector, hint: Vector) -> Option<Separation> {
         match (self.first_face(direction), self.second_face(direction)) {
             (Some(first), Some(second)) => {
-                let is_same = |face: Separation| face.normal.dot(hint) > SAME_AXIS;
+                let is_same = |face: Separation| face.normal.dot(hint) > AXIS_COSINE_MIN;
                 let bonus = |face: Separation| if is_same(face) { 1.0 } else { 0.0 };
                 let scale = TOLERANCE * (first.face.offset.abs() + second.face.offset.abs());
                 let advantage = (bonus(first) - bonus(second) + FIRST_FACE) * scale;

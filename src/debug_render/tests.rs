@@ -69,7 +69,7 @@ impl World {
 }
 
 #[test]
-fn color_tells_the_type_of_the_body() {
+fn color_depends_on_the_type_of_the_body() {
     let style = DebugRenderStyle::default();
     let kinds = [
         (RigidBodyBuilder::dynamic(), style.collider_dynamic_color),

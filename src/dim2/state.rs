@@ -127,9 +127,9 @@ pub(crate) struct WideMotion<W> {
 #[derive(Copy, Clone)]
 pub(crate) struct WideDisplacement<W> {
     pub linear: WideVector<W>,
-    /// The angle of the turn.
+    /// Rotation angle (rad).
     pub angular: WideAngVector<W>,
-    /// The turn itself. It is computed once, when the body rotates: several joints of the body read it, many
+    /// The rotation. It is computed once, when the body rotates: several joints of the body read it, many
     /// times.
     rotation: WideRotation<W>,
 }

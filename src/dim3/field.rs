@@ -90,7 +90,7 @@ mod tests {
     /// between triangles either of two answers is right, so times are compared, to the rounding of
     /// coordinates up to 30.
     #[test]
-    fn a_walk_finds_what_a_look_at_all_triangles_finds() {
+    fn a_walk_finds_the_same_as_a_test_of_all_triangles() {
         let mut random = Random(4);
         let (mut hits, mut asked) = (0, 0);
         for scale in [Vector::new(20.0, 2.0, 12.0), Vector::new(3.0, 30.0, 40.0)] {

@@ -21,7 +21,7 @@
 //! Chem. Phys. 1997). They split off the symmetric top as well. Jacobi's elliptic functions, which are exact
 //! for all bodies, take several times as long and lose their digits where two moments are nearly the same.
 
-use super::math::TURN_MAX;
+use super::math::ANGLE_SQUARED_MAX;
 use super::rotation_vector::wide_unit_quaternion;
 use super::wide::{WideRotation, WideVector};
 use crate::base::turning::wide_cosine_and_sine;
@@ -60,7 +60,7 @@ impl<W: Wide> FreeRotation<W> {
         let mut m = [x, y, z];
         let angle = rate * m[AXIS];
         let square = angle * angle;
-        let (cos, sin) = wide_cosine_and_sine::<W, 2>(square.min(W::splat(TURN_MAX)));
+        let (cos, sin) = wide_cosine_and_sine::<W, 2>(square.min(W::splat(ANGLE_SQUARED_MAX)));
         let scale = W::splat(1.0) / (cos * cos + square * (sin * sin)).sqrt();
         let (cos, sin) = (cos * scale, sin * scale * angle);
         let mut vector = [W::zero(); 3];

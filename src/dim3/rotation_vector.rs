@@ -1,14 +1,14 @@
-//! Turning, lane by lane, in 3D.
+//! Rotation by rotation vectors, lane by lane, in 3D.
 
-use super::math::{AngVector, Real, TURN_MAX};
+use super::math::{AngVector, Real, ANGLE_SQUARED_MAX};
 use super::wide::{WideAngVector, WideRotation, WideSymmetric, WideVector, cross};
 use crate::base::trig::{ATAN_P, ATAN_Q};
 use crate::base::turning::{cosine_and_sine, wide_cosine_and_sine};
 use crate::base::wide::Wide;
 use core::f64::consts::TAU;
 
-/// Up to which angle [`turned_further`] takes the series (rad).
-const SERIES_MAX: Real = 0.5;
+/// Largest angle (rad) at which [`turned_further`] uses the series.
+const SERIES_ANGLE_MAX: Real = 0.5;
 /// A rotation vector that is shorter than this has no direction of its own.
 const ANGLE_MIN: Real = 1.0e-3;
 
@@ -17,7 +17,7 @@ const ANGLE_MIN: Real = 1.0e-3;
 #[inline(always)]
 pub(crate) fn wide_unit_quaternion<W: Wide>(rotvec: WideAngVector<W>) -> (W, W) {
     let square = rotvec.dot(rotvec);
-    let (cosine, sine) = wide_cosine_and_sine::<W, 2>(square.min(W::splat(TURN_MAX)));
+    let (cosine, sine) = wide_cosine_and_sine::<W, 2>(square.min(W::splat(ANGLE_SQUARED_MAX)));
     let scale = W::splat(1.0) / (cosine * cosine + square * (sine * sine)).sqrt();
     (sine * scale, cosine * scale)
 }
@@ -25,7 +25,7 @@ pub(crate) fn wide_unit_quaternion<W: Wide>(rotvec: WideAngVector<W>) -> (W, W) 
 /// The same of one body.
 pub(crate) fn unit_quaternion(rotvec: AngVector) -> (Real, Real) {
     let square = rotvec.length_squared();
-    let (cosine, sine) = cosine_and_sine::<2>(square.min(TURN_MAX));
+    let (cosine, sine) = cosine_and_sine::<2>(square.min(ANGLE_SQUARED_MAX));
     let scale = 1.0 / (cosine * cosine + square * (sine * sine)).sqrt();
     (sine * scale, cosine * scale)
 }
@@ -87,7 +87,7 @@ pub(crate) fn turned_further<W: Wide>(
     let across = cross(by, rotvec);
     let correction = across * W::splat(0.5) + cross(by - rotvec, across) * W::splat(1.0 / 12.0);
     let sum = rotvec + by;
-    let is_far = W::splat(SERIES_MAX * SERIES_MAX).lt(sum.dot(sum));
+    let is_far = W::splat(SERIES_ANGLE_MAX * SERIES_ANGLE_MAX).lt(sum.dot(sum));
     if W::any(is_far) {
         WideVector::select(is_far, composed(rotvec, by), sum + correction)
     } else {

@@ -155,11 +155,11 @@ mod tests {
     }
 
     #[test]
-    fn functions_are_looked_for() {
+    fn functions_are_searched() {
         let root = Path::new(env!("CARGO_MANIFEST_DIR"));
         assert!(
             exists(root, "src/papers.rs")
-                && exists(root, "src/papers.rs::functions_are_looked_for")
+                && exists(root, "src/papers.rs::functions_are_searched")
         );
         assert!(
             !exists(root, "src/paper.rs") && !exists(root, "src/papers.rs::functions_are_lost")

@@ -399,9 +399,9 @@ fn advance(
         // The distance is less than contact: closest points of touching shapes are not always found.
         let next = fraction + (dist - goal.gap - 0.5 * goal.tolerance) / closing.max(0.0);
         let change = sweeps[0].next_change(fraction).min(sweeps[1].next_change(fraction));
-        // Beyond a change of velocity this says nothing.
+        // The bound holds up to the next change of velocity.
         fraction = if next > change { change } else { next };
-        // Not if they part, and the quotient is infinite; nor if it is no number.
+        // The quotient is infinite if the shapes separate. A comparison with NaN is false.
         let may_meet = fraction < until;
         if !may_meet {
             return Meeting::Never;

@@ -8,8 +8,8 @@ use crate::dim::math::Real;
 use crate::model::body::{RigidBody, RigidBodySet};
 use crate::model::collider::{ColliderHandle, ColliderSet};
 
-/// Fraction of the radius by which the ground below a sleeping vehicle may seem to move: rounding.
-const SAME_PLACE: Real = 1.0e-3;
+/// Fraction of the radius up to which a displacement of the ground below a sleeping vehicle is rounding.
+const GROUND_MOTION_FRACTION_MAX: Real = 1.0e-3;
 
 /// A wheel as it was when the vehicle was awake.
 #[derive(Copy, Clone, Debug, PartialEq)]
@@ -36,7 +36,7 @@ impl Seen {
     fn is_still(&self, wheel: &Wheel) -> bool {
         let now = Self::of(wheel);
         let moved = (now.length - self.length).abs();
-        Self { length: self.length, ..now } == *self && moved <= SAME_PLACE * wheel.radius
+        Self { length: self.length, ..now } == *self && moved <= GROUND_MOTION_FRACTION_MAX * wheel.radius
     }
 }
 

@@ -17,9 +17,9 @@ use parry::bounding_volume::Aabb;
 /// extent.
 const TOLERANCE: Real = 0.001;
 /// Preference of the last axis, in the same measure.
-const SAME_AXIS_BONUS: Real = 0.01;
+const LAST_AXIS_BONUS: Real = 0.01;
 /// An axis with at least this cosine to the normal of last time is the same axis.
-const SAME_AXIS: Real = 0.98;
+const AXIS_COSINE_MIN: Real = 0.98;
 
 /// The best axis of each kind: of the box, of the segment. In the frame of the box.
 #[derive(Copy, Clone, Debug, Default)]
@@ -39,8 +39,8 @@ impl FlatAxes {
         };
         let (of_box, of_segment) = (axis(0, Side::First), axis(1, Side::Second));
         let score = |axis: &BestAxis, bonus: Real| {
-            let is_same = axis.normal.dot(hint) > SAME_AXIS;
-            let bonus = bonus + if is_same { SAME_AXIS_BONUS } else { 0.0 };
+            let is_same = axis.normal.dot(hint) > AXIS_COSINE_MIN;
+            let bonus = bonus + if is_same { LAST_AXIS_BONUS } else { 0.0 };
             axis.gap + bonus * half.min_element()
         };
         if score(&of_segment, TOLERANCE) >= score(&of_box, 0.0) { of_segment } else { of_box }

@@ -13,7 +13,7 @@ const TOLERANCE: Real = 0.01;
 /// Of equal faces the first box's is taken, by this fraction of the tolerance.
 const FIRST_FACE: Real = 0.1;
 /// An axis with at least this cosine to the normal of last time is the same axis.
-const SAME_AXIS: Real = 0.98;
+const AXIS_COSINE_MIN: Real = 0.98;
 /// Corners outside the other face by up to this fraction of its size still count as inside. Boxes of equal
 /// size are stacked often, and rounding must not decide what their corners are.
 const RIM: Real = 5.0e-3;
@@ -46,7 +46,7 @@ pub fn cuboid_cuboid(
     let oriented = |axis: Vector| if axis.dot(center1) < 0.0 { -axis } else { axis };
     let normals = [oriented(Vector::AXES[face1]), oriented(rotation.col(face2))];
     let hint = raw.local_n1;
-    let bonus = normals.map(|n| if n.dot(hint) > SAME_AXIS { tolerance } else { 0.0 });
+    let bonus = normals.map(|n| if n.dot(hint) > AXIS_COSINE_MIN { tolerance } else { 0.0 });
     let is_first = gaps1[face1] + bonus[0] >= gaps2[face2] + bonus[1] - FIRST_FACE * tolerance;
     let pair = if is_first {
         let sign = if center1[face1] < 0.0 { -1.0 } else { 1.0 };

@@ -20,7 +20,7 @@ const TOLERANCE: Real = 0.01;
 /// Of equal faces the triangle's is taken, by this fraction of the tolerance.
 const FIRST_FACE: Real = 0.1;
 /// An axis with at least this cosine to the normal of last time is the same axis.
-const SAME_AXIS: Real = 0.98;
+const AXIS_COSINE_MIN: Real = 0.98;
 /// Edges whose directions have a smaller sine (squared) than this are parallel: their product says
 /// nothing that the face normals do not.
 const PARALLEL_SINE_SQUARED_MAX: Real = 1.0e-4;
@@ -46,7 +46,7 @@ impl FlatAxes {
         };
         let score = |kind: usize| {
             let axis = axis(kind);
-            let is_same = axis.normal.dot(hint) > SAME_AXIS;
+            let is_same = axis.normal.dot(hint) > AXIS_COSINE_MIN;
             axis.gap - penalties[kind] + if is_same { tolerance } else { 0.0 }
         };
         let mut best = (1, score(1));

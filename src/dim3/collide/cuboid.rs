@@ -15,7 +15,7 @@ const TOLERANCE: Real = 0.01;
 /// Of equal faces the first box's is taken, by this fraction of the tolerance.
 const FIRST_FACE: Real = 0.1;
 /// An axis with at least this cosine to the normal of last time is the same axis.
-const SAME_AXIS: Real = 0.98;
+const AXIS_COSINE_MIN: Real = 0.98;
 /// Edges whose directions have a smaller sine (squared) than this are parallel: their product says
 /// nothing that the face normals do not.
 const PARALLEL_SINE_SQUARED_MAX: Real = 1.0e-4;
@@ -82,7 +82,7 @@ pub fn cuboid_cuboid(
             continue;
         }
         let normal = boxes.normal(axis);
-        let bonus = if normal.dot(hint) > SAME_AXIS { tolerance } else { 0.0 };
+        let bonus = if normal.dot(hint) > AXIS_COSINE_MIN { tolerance } else { 0.0 };
         if gap + bonus > best.0 {
             best = (gap + bonus, axis, normal);
         }

@@ -24,7 +24,7 @@ const FLAT_SINE: Real = 0.01;
 /// A flat cap has at least this many contacts, if the four points of its rim do not miss the other shape.
 const FLAT_POINTS: usize = 3;
 /// Contacts of one line that are closer than this fraction of its length are one.
-const SAME_POINT: Real = 1.0e-3;
+const POINT_DISTANCE_FRACTION_MAX: Real = 1.0e-3;
 
 /// Half of the outline of a shape of revolution about the second axis.
 #[derive(Copy, Clone)]
@@ -154,8 +154,8 @@ fn add_contacts(
     let pos21 = pos12.inverse();
     PolygonalFeature::contacts(pos12, &pos21, normal1, normal2, &one, &other, raw, false);
     match lines {
-        [true, false] => remove_copies(raw, along(&one).length() * SAME_POINT),
-        [false, true] => remove_copies(raw, along(&other).length() * SAME_POINT),
+        [true, false] => remove_copies(raw, along(&one).length() * POINT_DISTANCE_FRACTION_MAX),
+        [false, true] => remove_copies(raw, along(&other).length() * POINT_DISTANCE_FRACTION_MAX),
         _ => {}
     }
 }

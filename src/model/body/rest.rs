@@ -5,7 +5,7 @@ use super::{RigidBody, RigidBodyVelocity};
 use crate::base::measure::is_point;
 use crate::dim::math::{ANG_ZERO, Real, Rotation, Vector, ang_length_squared};
 use crate::model::check::is_saved_unit;
-use crate::model::island::turn_bound;
+use crate::model::island::rotation_bound;
 
 /// The pose of a body at the beginning of the current drift window, and its motion since.
 #[derive(Copy, Clone, Debug)]
@@ -82,7 +82,7 @@ impl RestPose {
 
     /// The drift of the body since the start of the window.
     pub fn drift(&self, body: &RigidBody) -> Drift {
-        let angle = turn_bound(body.pose.rotation, self.rotation);
+        let angle = rotation_bound(body.pose.rotation, self.rotation);
         let shift = (body.mprops.world_com - self.center).length();
         Drift { distance: shift + angle * body.extent, angle }
     }

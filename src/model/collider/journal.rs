@@ -75,7 +75,7 @@ mod tests {
     use super::{Bookmark, Journal, KEPT_MIN};
 
     #[test]
-    fn readers_hear_of_each_change_after_their_bookmark() {
+    fn readers_get_each_change_after_their_bookmark() {
         let mut journal = Journal::default();
         assert_eq!(journal.since(Bookmark::default()), None);
         let start = journal.end();
@@ -89,7 +89,7 @@ mod tests {
     }
 
     #[test]
-    fn who_is_too_far_behind_is_told_so() {
+    fn bookmarks_before_the_first_entry_are_outdated() {
         let mut journal = Journal::default();
         let start = journal.end();
         for slot in 0..=KEPT_MIN as u32 {
@@ -102,7 +102,7 @@ mod tests {
     }
 
     #[test]
-    fn bookmarks_of_other_journals_are_not_believed() {
+    fn bookmarks_of_other_journals_are_refused() {
         let mut journal = Journal::default();
         journal.note(1, 1);
         let copy = journal.clone();

@@ -74,12 +74,12 @@ impl LaneBlock {
     }
 
     /// Returns whether a lane stores this manifold.
-    pub fn is_seated(&self, lane: usize, manifold: ManifoldRef) -> bool {
+    pub fn stores(&self, lane: usize, manifold: ManifoldRef) -> bool {
         self.members[lane] == manifold
     }
 
     /// Fills a lane from a manifold of a pair of bodies in these slots.
-    pub fn learn(&mut self, lane: usize, manifold: u32, pair: &ContactPair, slots: [u32; 2]) {
+    pub fn fill(&mut self, lane: usize, manifold: u32, pair: &ContactPair, slots: [u32; 2]) {
         let input = &mut self.input;
         let data = &pair.manifolds[manifold as usize].data;
         [self.slots[0][lane], self.slots[1][lane]] = slots;
@@ -298,7 +298,7 @@ impl ContactLanes {
 
     /// The block and the lane of a manifold.
     fn find(&self, at: ManifoldRef, manifold: &ContactManifold) -> Option<(usize, usize)> {
-        self.place_of(manifold).filter(|&(block, lane)| self.blocks[block].is_seated(lane, at))
+        self.place_of(manifold).filter(|&(block, lane)| self.blocks[block].stores(lane, at))
     }
 
     /// The indices of the block and the lane of a manifold, unless the lane was reused.

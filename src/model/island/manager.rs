@@ -33,13 +33,13 @@ clone_in_place!(Island { bodies, is_cut, sleeping, split_at });
 /// Islands of the simulation: the awake bodies, and the bodies that fall asleep together.
 ///
 /// Every enabled dynamic body belongs to one island. Bodies of an island fall asleep together, once each of
-/// them has been slow for its
+/// them has been at rest for its
 /// [`time_until_sleep`](crate::model::body::RigidBodyActivation::time_until_sleep), and wake together.
 /// Sleeping bodies are free: no per-step loop visits them.
 #[derive(Debug, Default)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub struct IslandManager {
-    /// Awake dynamic and kinematic bodies. A body's position here is its index in the solver.
+    /// Awake dynamic and kinematic bodies.
     pub(crate) awake: AwakeBodies,
     /// All islands, with holes.
     islands: Vec<Island>,

@@ -49,12 +49,12 @@ impl BodyMotion {
 /// A rotation moves no unit vector farther than this factor times its largest displacement of a coordinate
 /// axis. At least one axis is at 54.7 degrees or more from the axis of rotation, and 1 / sin 54.7° is the
 /// square root of 3/2.
-const TURN_BOUND: Real = 1.225;
+const ROTATION_BOUND_FACTOR: Real = 1.225;
 
 /// A bound of how far two rotations take a unit vector apart.
-pub(crate) fn turn_bound(a: Rotation, b: Rotation) -> Real {
+pub(crate) fn rotation_bound(a: Rotation, b: Rotation) -> Real {
     let apart = Vector::AXES.map(|axis| (a * axis - b * axis).length_squared());
-    TURN_BOUND * apart.into_iter().fold(0.0, Real::max).sqrt()
+    ROTATION_BOUND_FACTOR * apart.into_iter().fold(0.0, Real::max).sqrt()
 }
 
 #[cfg(test)]

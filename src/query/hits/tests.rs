@@ -128,7 +128,7 @@ fn rays_from_far_away_keep_their_digits() {
                 assert!(error <= tolerance, "{error} from {distance} at {speed}");
             }
         }
-        // Directions whose squares are no numbers may lose a hit, and find none that is not there.
+        // Directions with squares outside the range of numbers may lose a hit, but have no false hit.
         for speed in [1.0, Real::MAX.sqrt() * 10.0, Real::MIN_POSITIVE.sqrt()] {
             let beside = Ray::new(Vector::Y * 0.51 - Vector::X * distance, Vector::X * speed);
             assert_eq!(time_of_impact(&ball, &Pose::IDENTITY, &beside, Real::MAX, true), None);

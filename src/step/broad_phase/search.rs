@@ -14,8 +14,8 @@ use crate::model::tree::{BroadPhaseBvh, TreeKind};
 #[derive(Default)]
 pub(super) struct SearchResult {
     pub pairs: Vec<HandlePair>,
-    /// Colliders that did not move and own the maximum of pairs, so that they must select their partners
-    /// again.
+    /// Colliders that did not move and have at least the maximum number of partners, so that they must select
+    /// their partners again.
     pub unmoved: Vec<u32>,
     /// Colliders with more candidates than they may own: of solids, and with sensors.
     pub refused: [Vec<u32>; 2],

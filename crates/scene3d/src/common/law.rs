@@ -41,7 +41,7 @@ impl Law {
     /// Checks a scene that has taken the steps.
     ///
     /// # Errors
-    /// A value is beyond its bound, or is not a number; the text names both.
+    /// A value is beyond its bound, or is NaN; the text names both.
     pub fn check(&self, scene: &Scene) -> Result<(), String> {
         let within = |name: &str, value: f64, bound: f64| {
             if value <= bound { Ok(()) } else { Err(format!("{name} {value} is beyond {bound}")) }

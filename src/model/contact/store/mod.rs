@@ -138,7 +138,7 @@ pub(crate) struct PairStore<P> {
     of_collider: Vec<Partners>,
     awake: IdSet,
     reporting: IdSet,
-    /// Pairs whose force exceeded the threshold in their last step awake.
+    /// Pairs whose force reached the threshold in their last step awake.
     strong: IdSet,
     #[cfg_attr(feature = "serde-serialize", serde(skip))]
     renewed: IdSet,
@@ -304,7 +304,7 @@ impl<P: Pair> PairStore<P> {
         self.reporting.remove(id);
     }
 
-    /// The pairs whose force exceeded the threshold in their last step awake.
+    /// The pairs whose force reached the threshold in their last step awake.
     pub fn strong_mut(&mut self) -> &mut IdSet {
         &mut self.strong
     }

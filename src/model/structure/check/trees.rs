@@ -21,7 +21,7 @@ impl Structure<'_> {
                 "{handle:?} has the clearance {}",
                 proxy.clearance
             );
-            tree.check_wishes(collider)?;
+            tree.check_filters(collider)?;
             for kind in TreeKind::ALL {
                 let aabb = tree.boxes(kind).get(slot);
                 if proxy.tree == Some(kind) {

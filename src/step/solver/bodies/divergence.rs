@@ -1,6 +1,6 @@
 //! Divergence check: tests whether all states are storable before the first one is stored.
 //!
-//! A sum that overflows is infinite or not a number, and that spreads: one pass later, all touching bodies
+//! A sum that overflows is infinite or NaN, and that spreads: one pass later, all touching bodies
 //! have no finite state either. Such a state never becomes finite again. One check after all passes, before
 //! the first body is stored, is therefore sufficient.
 //!

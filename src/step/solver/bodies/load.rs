@@ -204,9 +204,9 @@ impl Places<'_> {
         let flags = if body.link.island == NONE { READ_ONLY } else { 0 };
         // SAFETY: the caller's promise.
         unsafe {
-            let bears_weight = self.motions.get(index).bears_weight();
+            let may_be_in_pile = self.motions.get(index).may_be_in_pile();
             let near_rest =
-                bears_weight && AnchorFrame::near_rest(ang_length_squared(body.angvel), flags == 0);
+                may_be_in_pile && AnchorFrame::near_rest(ang_length_squared(body.angvel), flags == 0);
             let flags = if near_rest { flags | NEAR_REST } else { flags };
             *self.listed.get_mut(index) = slot;
             *self.indices.get_mut(slot as usize) = index as u32 | flags;

@@ -18,8 +18,8 @@ pub(super) fn motion_of(body: &RigidBody, gravity: Vector, substep: Real) -> Fre
     let linear = gravity * body.gravity_scale * free + force * mprops.inv_mass;
     let angular = mul_inertia(&mprops.inv_inertia, torque);
     let damping = [body.linear_damping, body.angular_damping];
-    let bears_weight = gravity * body.gravity_scale != Vector::ZERO;
-    let motion = FreeMotion::new(body.pose.rotation, linear, angular, damping, bears_weight);
+    let may_be_in_pile = gravity * body.gravity_scale != Vector::ZERO;
+    let motion = FreeMotion::new(body.pose.rotation, linear, angular, damping, may_be_in_pile);
     if body.gyroscopic_forces_enabled && mprops.rotates_freely() {
         motion.with_gyroscope(&mprops.local_mprops, body.angvel, substep)
     } else {

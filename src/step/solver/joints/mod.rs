@@ -312,8 +312,8 @@ impl SolverJoints {
     /// not be torn by that. Bodies of directly solved joints get the sum of all their `delays` (sums over
     /// impacts): they were hit as one. Bodies of iterated joints get none, because the impact has moved them
     /// apart.
-    pub fn share_delays(&self, delays: &mut [BodyState]) {
-        self.direct.share_delays(delays);
+    pub fn sum_delays(&self, delays: &mut [BodyState]) {
+        self.direct.sum_delays(delays);
         let iterated = self.members.iter().filter(|member| !self.direct.contains(member.slot));
         for member in iterated.filter(|member| member.form.locked != 0) {
             member.movable().for_each(|(_, body)| delays[body as usize] = BodyState::default());

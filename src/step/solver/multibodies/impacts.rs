@@ -303,7 +303,7 @@ impl SolverMultibodies {
         }
     }
 
-    /// Remembers how the multibodies move when a round begins.
+    /// Stores the velocities of the multibodies when a round begins.
     pub fn begin_round(&mut self) {
         for moving in &mut self.moving {
             let BeforeImpact { rates, external_impulse, .. } = &mut moving.before_impact;

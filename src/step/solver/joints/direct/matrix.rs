@@ -153,7 +153,7 @@ impl<const N: usize> Matrix<N> {
         if component.has_loops {
             self.again.clone_from(&self.x);
             self.substitute(component);
-            self.load_shares(component, memory);
+            self.load_second_rhs(component, memory);
         }
         self.substitute(component);
     }
@@ -277,7 +277,7 @@ impl<const N: usize> Matrix<N> {
     }
 
     /// Replaces the first solution by the right-hand side of the second one.
-    fn load_shares(&mut self, component: Component<'_>, memory: &[JacobianBlock]) {
+    fn load_second_rhs(&mut self, component: Component<'_>, memory: &[JacobianBlock]) {
         for (at, member) in component.members.iter().enumerate() {
             let (from, lane) = (&memory[member.block as usize], member.lane as usize);
             for (row, axis) in locked_axes::<N>(member).enumerate() {

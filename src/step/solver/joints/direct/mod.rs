@@ -194,7 +194,7 @@ impl Direct {
     }
 
     /// Sets the value of each body of a component to the sum over the component.
-    pub fn share_delays(&self, counts: &mut [BodyState]) {
+    pub fn sum_delays(&self, counts: &mut [BodyState]) {
         for index in 0..self.pattern.component_count() {
             let members = self.pattern.component(index).members;
             let bodies =
