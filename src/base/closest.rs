@@ -156,8 +156,8 @@ fn least_overlap(
         return Closest::Apart(Vector::X);
     }
     if simplex.dimension() == 1 {
-        // Nor has one between two points that are one. From a single point EPA finds a second that is
-        // elsewhere.
+        // An edge between equal points has no finite direction either. From a single point EPA finds a second
+        // one at another position.
         let [first, second] = [0, 1].map(|k| *simplex.point(k));
         if (second.point - first.point).try_normalize().is_none() {
             simplex.reset(first);

@@ -246,8 +246,8 @@ pub(super) struct Line {
 }
 
 impl Line {
-    /// The swept region of all points within `radius` of `start`; all of it lies in `region`. `None` if it is
-    /// no longer than wide and the region says enough, or has no end.
+    /// The swept region of all points within `radius` of `start`; all of it lies in `region`. `None` if it has
+    /// no end, or is no longer than wide, so that the region is sufficient.
     pub fn new(start: Vector, displacement: Vector, radius: Real, region: Aabb) -> Option<Self> {
         let length = displacement.length();
         let is_long = radius > 0.0 && length > 2.0 * radius;

@@ -107,7 +107,7 @@ pub fn store_ang<W: Wide>(value: WideAngVector<W>, to: &mut WideAngVector<Lane>)
     value.store(to);
 }
 
-/// `yes` in the lanes where the mask says yes, `no` in the others.
+/// `yes` in the lanes where the mask is set, `no` in the others.
 #[inline(always)]
 pub fn select_ang<W: Wide>(
     mask: W::Mask,

@@ -323,13 +323,13 @@ impl<W: Wide> Gyroscope<W> {
         let (to_world, momentum) = self.seen_from(middle);
         self.angvel = to_world.rotate_unscaled(momentum.component_mul(self.inv_moments));
         let is_far = W::splat(MIDPOINT_ANGLE_MAX * MIDPOINT_ANGLE_MAX).lt(angvel.dot(angvel) * (h * h));
-        let wants_mean = is_far | self.is_thin();
-        if W::any(wants_mean) {
+        let needs_mean = is_far | self.is_thin();
+        if W::any(needs_mean) {
             let (to_world, momentum) = self.seen_from(rotation);
             let rotvec = rotation_vector(FreeRotation::new(self.inv_moments, momentum, h).rotation);
             let mean = to_world.rotate_unscaled(rotvec) * (W::splat(1.0) / h);
             let mean = WideVector::select(turns_plainly(angvel, h), mean, angvel);
-            self.angvel = WideVector::select(wants_mean, mean, self.angvel);
+            self.angvel = WideVector::select(needs_mean, mean, self.angvel);
         }
         self.angvel
     }

@@ -73,7 +73,7 @@ impl LinkTrajectory {
     }
 
     /// Moves a multibody and its bodies back from the end to a fraction of the trajectory. `acceleration`
-    /// says by how much forces accelerate each link.
+    /// returns the acceleration of each link by forces.
     ///
     /// A root that is not dynamic stays where it is.
     pub fn go_back(

@@ -13,7 +13,7 @@ const BUDGET: Duration = Duration::from_millis(24);
 /// Longest delay that is caught up, in seconds.
 const CATCH_UP: f64 = 0.1;
 
-/// Builds a scene, with the camera that it asks for where its view is not enough.
+/// Builds a scene, with a camera where its view is not sufficient.
 pub(crate) type Build = std::sync::Arc<dyn Fn() -> (Scene, Option<OrbitCamera>) + Send + Sync>;
 
 /// A running scene.
@@ -32,7 +32,7 @@ pub(crate) struct Player {
 type Moment = (Option<usize>, usize, usize);
 
 impl Player {
-    /// A player from the start of its scene, and the camera that the scene asks for.
+    /// A player from the start of its scene, and the camera of the scene.
     pub(crate) fn new(build: Build) -> (Self, Option<OrbitCamera>) {
         let (scene, camera) = build();
         let mut history = History::default();

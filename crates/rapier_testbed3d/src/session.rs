@@ -32,7 +32,7 @@ pub(crate) struct Session {
     pub follow: bool,
     pub plot: StagePlot,
     home: OrbitCamera,
-    /// The camera that the scene asks for.
+    /// The camera of the scene, if it has one.
     wanted: Option<OrbitCamera>,
     /// Points of the first picture, which the home frames.
     points: Vec<Point>,
@@ -161,7 +161,7 @@ impl Session {
             let body = world.colliders.get(handle)?.parent()?;
             Grip::new(world, body, place)
         });
-        // A pull changes the future; a selection only looks.
+        // A pull changes the future; a selection does not.
         if self.grip.is_some() {
             self.player.resume();
         }

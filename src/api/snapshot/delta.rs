@@ -177,7 +177,7 @@ impl Blocks {
         let (blocks, _) = base[..base.len().min(u32::MAX as usize)].as_chunks::<BLOCK_BYTES>();
         let positions = (0_u32..).step_by(BLOCK_BYTES);
         let all = blocks.iter().map(|block| u128::from_le_bytes(*block)).zip(positions);
-        // A run of zeros is everywhere, and says nothing about a shift.
+        // Runs of zeros are frequent, so they do not identify a shift.
         let mut blocks: Vec<_> = all.filter(|(block, _)| *block != 0).collect();
         blocks.sort_unstable();
         Self(blocks)

@@ -148,7 +148,7 @@ impl Node {
     }
 }
 
-/// The least or greatest number of a lane, as `of` says. Halves are compared with halves, side by side, which
+/// The least or greatest number of a lane, by `of`. Halves are compared with halves, side by side, which
 /// is a few instructions.
 #[inline(always)]
 fn extreme(lane: &Lane, of: impl Fn(Real, Real) -> Real) -> Real {

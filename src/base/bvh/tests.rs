@@ -172,7 +172,7 @@ fn check_sweeps(twins: &Twins, random: &mut Random) {
             assert!(start <= time && time * 0.999 <= end, "{time} is not in {start}..{end}");
         }
     }
-    // And it comes by all that it finds: the axis along which two boxes stay apart does not exist.
+    // The search has no false positives: no axis keeps the two boxes apart.
     for slot in found {
         let aabb = twins.list[slot as usize].unwrap();
         let path = Aabb::new(origin.min(origin + dir * reach), origin.max(origin + dir * reach));

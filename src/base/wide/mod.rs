@@ -127,11 +127,11 @@ pub trait Wide<S = Real, const N: usize = LANES>:
     fn lt(self, other: Self) -> Self::Mask;
     /// `self <= other`; no if one is NaN.
     fn le(self, other: Self) -> Self::Mask;
-    /// `yes` in the lanes where the mask says yes, `no` in the others.
+    /// `yes` in the lanes where the mask is set, `no` in the others.
     fn select(mask: Self::Mask, yes: Self, no: Self) -> Self;
     /// Returns whether the mask is set in any lane.
     fn any(mask: Self::Mask) -> bool;
-    /// One bit per lane, set where the mask says yes; the first lane is the lowest bit.
+    /// One bit per lane, set where the mask is set; the first lane is the lowest bit.
     fn bits(mask: Self::Mask) -> u32;
 
     /// Reads `N` numbers from each of `N` places; register `k` of the result holds the `k`-th number of each.

@@ -101,7 +101,7 @@ macro_rules! vector_of_lanes {
                 self.$first.le(other.$first) $(& self.$rest.le(other.$rest))+
             }
 
-            /// `yes` in the lanes where the mask says yes, `no` in the others.
+            /// `yes` in the lanes where the mask is set, `no` in the others.
             #[inline(always)]
             pub fn select(mask: W::Mask, yes: Self, no: Self) -> Self {
                 Self {

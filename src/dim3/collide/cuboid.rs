@@ -16,8 +16,8 @@ const TOLERANCE: Real = 0.01;
 const FIRST_FACE: Real = 0.1;
 /// An axis with at least this cosine to the normal of last time is the same axis.
 const AXIS_COSINE_MIN: Real = 0.98;
-/// Edges whose directions have a smaller sine (squared) than this are parallel: their product says
-/// nothing that the face normals do not.
+/// Edges whose directions have a smaller sine (squared) than this are parallel: their product equals a face
+/// normal.
 const PARALLEL_SINE_SQUARED_MAX: Real = 1.0e-4;
 
 /// Two boxes, seen from both.

@@ -5,8 +5,7 @@ use crate::dim::math::{AngVector, Real, Rotation, Vector, ang_length_squared};
 /// Motion of a body's points in a step: the displacement `shift`, plus at most `rest`.
 ///
 /// Bodies that move together, as in a settling or sliding pile, hardly move relative to each other, and only
-/// that affects their contacts. With one number for each body these had to be looked at again nearly every
-/// step.
+/// that affects their contacts. With one number for each body these had to be checked nearly every step.
 #[derive(Copy, Clone, Debug, Default)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) struct BodyMotion {
@@ -63,8 +62,8 @@ mod tests {
     use crate::base::random::Random;
     use crate::dim::math::{Pose, Rotation, Vector, integrate_rotation, torque};
 
-    /// Points of two bodies that move and turn at random come no nearer to each other, and no farther apart,
-    /// than the bound says.
+    /// Points of two bodies with random displacements and rotations change their distance by at most the
+    /// bound.
     #[test]
     fn no_point_moves_farther_than_the_bound() {
         let mut random = Random(54);

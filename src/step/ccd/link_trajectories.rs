@@ -154,8 +154,8 @@ fn gone(fraction: Real, pieces: usize) -> Real {
     if fraction <= last { fraction } else { (fraction + fraction - last).min(1.0) }
 }
 
-/// The thickness of the thinnest of these links that is fast; of one without an inside, how near contacts are
-/// looked for.
+/// The thickness of the thinnest fast link. For a link without an inside, the distance at which contacts are
+/// searched.
 fn thickness(context: CcdContext<'_>, links: &[FastMotion]) -> Real {
     let bodies = links.iter().filter_map(|motion| context.bodies.get(motion.body));
     let fast = bodies.filter(|body| body.ccd_active).map(|body| {

@@ -65,7 +65,7 @@ impl Curve {
     }
 
     /// Returns the description of the curve's worlds.
-    pub fn says(self) -> String {
+    pub fn description(self) -> String {
         match self {
             Curve::Awake => "Boxes in heaps of ten, all awake.".to_owned(),
             Curve::Static => format!(
@@ -86,7 +86,7 @@ impl Curve {
     }
 
     /// Returns the meaning of the x axis.
-    pub fn below(self) -> &'static str {
+    pub fn x_axis(self) -> &'static str {
         match self {
             Curve::Awake => "bodies",
             Curve::Static => "fixed bodies",

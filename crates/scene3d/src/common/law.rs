@@ -4,8 +4,8 @@ use super::scene::Scene;
 use crate::rapier::prelude::*;
 use gallery::SceneRun;
 
-/// What must hold of a scene after a number of steps: bounds of its dynamic bodies. [`Law::after`] has
-/// none, so a scene names those that it is about.
+/// Bounds of the dynamic bodies of a scene after a number of steps. [`Law::after`] has none, so a scene names
+/// its own.
 #[derive(Copy, Clone, Debug, PartialEq)]
 pub struct Law {
     /// Number of steps.

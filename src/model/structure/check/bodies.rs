@@ -10,7 +10,7 @@ use crate::model::multibody::MultibodyJointSet;
 use std::collections::BTreeSet;
 
 impl Structure<'_> {
-    /// Each awake body is listed once, where its link says; kinematic ones first.
+    /// Each awake body is listed once, at the position in its link; kinematic ones first.
     pub(super) fn check_awake(&self, then: &LastStep<'_>, depth: Depth) -> Verdict {
         let awake = &self.islands.awake;
         ensure!(awake.is_divided(), "more kinematic bodies are awake than bodies");
@@ -35,7 +35,7 @@ impl Structure<'_> {
         Ok(())
     }
 
-    /// Each dynamic body stands in one island, where its link says, and sleeps as its island does.
+    /// Each dynamic body is in one island, at the position in its link, and sleeps if its island does.
     pub(super) fn check_islands(&self, then: &LastStep<'_>) -> Verdict {
         let bound = self.islands.island_bound();
         let mut members = 0;

@@ -29,7 +29,7 @@ impl Structure<'_> {
                     found += 1;
                 } else {
                     let is_other = aabb.is_none() || removed.contains(&slot);
-                    ensure!(is_other, "{handle:?} is in a tree that it does not know");
+                    ensure!(is_other, "{handle:?} is in a tree that is not its own");
                 }
             }
         }

@@ -23,7 +23,7 @@ impl SolverBodies {
     /// Gathers all awake bodies. Links of multibodies have an index without a state.
     pub fn load(&mut self, groups: &Groups, links: &Links, context: &mut SolverContext<'_>) {
         let &mut SolverContext { gravity, params, tasks, ref mut bodies, .. } = context;
-        self.make_room(groups.order().len(), bodies.slot_count());
+        self.allocate(groups.order().len(), bodies.slot_count());
         let order = groups.order();
         let context = LoadContext { links, gravity, params };
         let ungrouped = 0..groups.ungrouped();
@@ -37,7 +37,7 @@ impl SolverBodies {
     }
 
     /// Allocates states for some bodies, which fill all of them, and for the world.
-    fn make_room(&mut self, count: usize, slot_count: usize) {
+    fn allocate(&mut self, count: usize, slot_count: usize) {
         for slot in self.listed.drain(..).filter(|&slot| slot != NONE) {
             self.indices[slot as usize] = WORLD;
         }

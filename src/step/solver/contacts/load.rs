@@ -104,7 +104,7 @@ impl SolverContacts {
                 self.starts.push(first as u32);
             }
             if let Some(capacity) = &mut capacity {
-                self.layout.keep_room(first, &mut capacity[color as usize]);
+                self.layout.reserve_capacity(first, &mut capacity[color as usize]);
             }
         }
         if !are_all {

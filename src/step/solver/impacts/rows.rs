@@ -48,8 +48,8 @@ pub(in super::super) struct ImpactBlock {
     pub islands: [u32; LANES],
 }
 
-/// Flags that each round reads for every block; often they show that nothing is to do. So it stands apart:
-/// thousands of blocks are passed over without a look at their rows.
+/// Flags that each round reads for every block; often they show that nothing is to do. They are stored
+/// separately, so that thousands of blocks are skipped without reading their rows.
 #[derive(Copy, Clone, Debug, Default)]
 pub(in super::super) struct ImpactMark {
     /// One bit per lane: set if any point hits in this round.

@@ -57,7 +57,7 @@ fn all_registers_give_the_same_bits() {
                 scene.add(lane, bodies, &contact);
             }
         }
-        // Numbers are printed so that different ones look different.
+        // Different numbers are printed differently.
         let [baseline, detected] = scenes.map(|mut scene| {
             step(&mut scene);
             format!("{:?} {:?} {:?}", scene.states, scene.block, scene.input)

@@ -33,7 +33,7 @@ macro_rules! of_matrix {
 
 impl Factor {
     /// Resizes the blocks for a component, and clears the last matrix.
-    pub fn make_room(&mut self, component: Component<'_>) {
+    pub fn resize(&mut self, component: Component<'_>) {
         let turns = component.members.iter().any(|member| member.form.locks_rotations());
         if turns != matches!(self, Self::All(_)) {
             *self = if turns { Self::All(Matrix::default()) } else { Self::default() };

@@ -1,7 +1,7 @@
-//! Joints that hold each other, solved together and exactly.
+//! Direct solution of the locked axes of connected joints.
 //!
 //! An iteration over the joints of a chain carries a force by one or two links. A long chain, or a light one
-//! with something heavy at its end, has not converged at the end of the substep. So the locked axes of all
+//! with a heavy body at its end, has not converged at the end of the substep. So the locked axes of all
 //! joints that are connected through bodies are one system of linear equations,
 //!
 //! ```text
@@ -53,8 +53,8 @@ use factor::Factor;
 use matrix::Progress;
 use pattern::Pattern;
 
-/// The most Newton steps per substep towards where the bodies should be. Two make a pendulum keep its energy;
-/// more are made where bodies turn by much in a substep.
+/// Largest number of Newton steps per substep towards the constrained poses. A pendulum keeps its energy with
+/// two; bodies with large rotations in a substep need more.
 const ROUNDS: usize = 8;
 /// The same for stiff components, whose projection starts farther away.
 const STIFF_ROUNDS_MAX: usize = 4;
@@ -137,7 +137,7 @@ impl Direct {
             self.factors.resize_with(count, Factor::default);
         }
         for (index, factor) in self.factors[..count].iter_mut().enumerate() {
-            factor.make_room(self.pattern.component(index));
+            factor.resize(self.pattern.component(index));
         }
     }
 

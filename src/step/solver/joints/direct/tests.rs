@@ -15,7 +15,7 @@ use crate::model::joint::JointForm;
 const ALL: u8 = (1 << SPATIAL_DIM) - 1;
 const FIXED: u32 = READ_ONLY;
 
-/// Numbers between -1 and 1 that look random.
+/// Pseudorandom numbers between -1 and 1.
 struct Numbers(u32);
 
 impl Numbers {
@@ -68,7 +68,7 @@ impl Net {
         assert_eq!(pattern.component_count(), 1);
         let mut states = vec![BodyState::default(); self.body_count];
         let mut factor = Factor::default();
-        factor.make_room(pattern.component(0));
+        factor.resize(pattern.component(0));
         // SAFETY: this thread owns the states exclusively.
         unsafe {
             let shared = DisjointMut::new(&mut states);
