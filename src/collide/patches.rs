@@ -280,7 +280,7 @@ impl Patches {
 
     /// The patch whose parts name a manifold, among those that will be merged with the deepest: the deepest
     /// that is no rim, if any. The wall of a step touches the body at its top edge, but does not continue
-    /// beneath the body, so it must not name the support.
+    /// beneath the body. So it must not name the support.
     fn namesake(&self, deepest: usize) -> usize {
         let first = &self.list[deepest];
         if first.is_broad {

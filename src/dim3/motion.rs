@@ -12,9 +12,9 @@
 //!
 //! # Impulses on gyroscopic bodies
 //! The pose of a pushed body differs from its free pose with the new momentum by an angle `δ` of second
-//! order. With the same momentum, its energy is different there, considerably so for thin bodies: by about
-//! `δ² A / C` for a rod with the moments `A` and `C ≪ A`. (Rods 27 times as long as thick landed with up to
-//! 3000 times their energy.) Energy has priority, so the momentum is adjusted:
+//! order. With the same momentum, its energy is different there. The difference is large for thin bodies:
+//! about `δ² A / C` for a rod with the moments `A` and `C ≪ A`. (Rods 27 times as long as thick landed with
+//! up to 3000 times their energy.) Energy has priority, so the momentum is adjusted:
 //!
 //! * that of thin bodies rotates by `δ`, so that relative to the body it equals that of free motion. A rod
 //!   rotates about its middle and hardly about its axis, so the rotation is invisible.

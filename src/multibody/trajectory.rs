@@ -32,7 +32,7 @@ pub struct LinkSample {
 impl LinkTrajectory {
     /// The number of pieces in which a link moves along a line up to a deviation, and rotates about one axis.
     ///
-    /// A path of length `w` that bends by the angle `a` is within `w a / 8` of its chord, and a piece of `n`
+    /// A path of length `w` that bends by the angle `a` is within `w a / 8` of its chord. A piece of `n` is
     /// within `1/n²` of that.
     pub fn pieces(&self, deviation: Real) -> usize {
         let [path_length, angle] = self.travel;

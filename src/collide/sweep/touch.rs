@@ -20,9 +20,9 @@ use crate::model::collider::Widths;
 use parry::shape::Shape;
 
 /// Maximum number of jumps. It is sufficient for a rotation of one radian about a shape of the same length,
-/// up to a relative distance of 10⁻⁵, at a tenth of its speed.
+/// at a tenth of its speed. The remaining relative distance is 10⁻⁵.
 const JUMPS_MAX: usize = 1024;
-/// A full turn, and a bit (rad).
+/// A full revolution and the rounding error (rad).
 const FULL_TURN: Real = 6.3;
 
 /// Two shapes that touch during their motion.

@@ -138,8 +138,8 @@ impl DynamicRayCastVehicleController {
     ///
     /// `queries` contains the bodies, and the colliders of the ground as selected by its filter. Call this
     /// once for each step. With a `dt` of 0 the call only places the wheels. The call has no effect if the
-    /// chassis is missing or disabled, if `dt` is negative, NaN or above 10¹⁵, or if an axis is out of range.
-    /// Except for a disabled chassis, `log` contains one warning.
+    /// chassis is missing or disabled, or an axis is out of range. The same holds if `dt` is negative, NaN or
+    /// above 10¹⁵. Except for a disabled chassis, `log` contains one warning.
     pub fn update_vehicle(&mut self, dt: Real, queries: QueryPipelineMut<'_>) {
         let Some(chassis) = self.checked_chassis(dt, queries.bodies) else { return };
         if !chassis.is_enabled() {

@@ -60,8 +60,8 @@ impl RestPose {
     /// Adds a step of the body to the path.
     ///
     /// The step counts with the mean of the velocities at its two ends. A velocity that alternates from step
-    /// to step, as in a trembling pile, therefore adds nothing, but a motion over several steps adds its
-    /// whole length.
+    /// to step, as in a trembling pile, therefore adds nothing. A motion over several steps adds its whole
+    /// length.
     pub fn extend_path(&mut self, body: &RigidBody, dt: Real) {
         let half = 0.5 * dt;
         let shift = (body.linvel + self.velocity.linvel).length() * half;

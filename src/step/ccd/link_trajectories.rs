@@ -16,8 +16,8 @@ use crate::step::notes::FastMotion;
 use core::ops::Range;
 
 /// Largest distance of a link from its segment, as a fraction of the thickness of the thinnest fast link. It
-/// is less than the gap that the search leaves between a core and the other shape, or a stopped link could
-/// have its middle inside.
+/// is less than the gap that the search leaves between a core and the other shape. Otherwise a stopped link
+/// could have its middle inside.
 const CHORD_DEVIATION_MAX: Real = 0.01;
 
 /// The segments of all links of fast multibodies.

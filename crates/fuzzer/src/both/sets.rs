@@ -71,8 +71,8 @@ fn restore_records(play: &mut Play<'_>, handle: RigidBodyHandle) {
     }
 }
 
-/// Exchanges any sets, or a record, for those of a twin: a copy with one displaced body, or a copy that has
-/// advanced by some steps.
+/// Replaces any sets, or a record, by those of a twin. A twin is a copy with one displaced body, or a copy
+/// that has advanced by some steps.
 pub fn mix_with_twin(play: &mut Play<'_>) {
     let (handle, along) = (play.body(), play.choices.below(DIM));
     let mut twin = PhysicsWorld {

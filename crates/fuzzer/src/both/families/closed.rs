@@ -5,7 +5,7 @@
 //! `Σ m v²/2 + ω I ω/2 + m g y` then stays below its initial value, except for two errors of the time step:
 //!
 //! * Semi-implicit Euler with step `h` falls `g t h / 2` too far in a time `t`. Its energy oscillates by up
-//!   to `m g v h / 2` about the true one: `m v²/2` is taken at the end of a step, and the height assumes the
+//!   to `m g v h / 2` about the true one. `m v²/2` is taken at the end of a step, and the height assumes the
 //!   end velocity for the whole step.
 //! * Penetration `d` is corrected with up to [`IntegrationParameters::max_corrective_velocity`], which lifts
 //!   by `d`. Penetrations are as deep as the motion of one step, `v h`.

@@ -2,7 +2,7 @@
 //!
 //! Trees, tolerance and its reasons are those of `tests/multibody/energy.rs`. Link masses range from 1 to 10
 //! kg, and speeds up to 150 m/s in empty space and 30 m/s among walls. A known defect is outside these
-//! ranges: links that rotate at hundreds of rad/s and collide at mass ratios of 1:74 gain energy in one of
+//! ranges. Links that rotate at hundreds of rad/s and collide at mass ratios of 1:74 gain energy in one of
 //! some thousand trees.
 
 use super::dim::{TREE_LOCKS, cuboid};
