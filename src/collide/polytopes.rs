@@ -19,7 +19,7 @@ use parry::shape::PackedFeatureId;
 /// pair of edges, and the last face to another face.
 const TOLERANCE: Real = 0.005;
 /// Of equal faces the first polytope's is taken, by this fraction of the tolerance.
-const FIRST_FACE: Real = 0.1;
+const FIRST_FACE_FRACTION: Real = 0.1;
 /// A face with at least this cosine to the normal of last time is the same face.
 const AXIS_COSINE_MIN: Real = 0.98;
 /// Overlaps deeper than this fraction of the thickness are searched again: a face on another side may have
@@ -29,7 +29,7 @@ pub(super) const OVERLAP_RATIO_MAX: Real = 0.25;
 /// Tolerance on the depth of other corners against two edges, as a fraction of the shorter edge.
 const EDGE_DEPTH: Real = 1.0e-3;
 
-/// Two polytopes, and how far apart contacts are wanted.
+/// Two polytopes, and the largest distance of contacts.
 struct Pair<'a> {
     pos12: &'a Pose,
     pos21: Pose,
@@ -175,7 +175,7 @@ impl Pair<'_> {
                 let is_same = |face: Separation| face.normal.dot(hint) > AXIS_COSINE_MIN;
                 let bonus = |face: Separation| if is_same(face) { 1.0 } else { 0.0 };
                 let scale = TOLERANCE * (first.face.offset.abs() + second.face.offset.abs());
-                let advantage = (bonus(first) - bonus(second) + FIRST_FACE) * scale;
+                let advantage = (bonus(first) - bonus(second) + FIRST_FACE_FRACTION) * scale;
                 Some(if first.gap + advantage >= second.gap { first } else { second })
             }
             (first, second) => first.or(second),

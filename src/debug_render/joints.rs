@@ -20,7 +20,7 @@ use crate::model::multibody::MultibodyJointSet;
 const QUARTER_TURN: Real = core::f64::consts::FRAC_PI_2 as Real;
 const HALF_TURN: Real = core::f64::consts::PI as Real;
 /// Length of the marks at the ends of a range, relative to the length of the axes.
-const MARK: Real = 0.2;
+const MARK_FRACTION: Real = 0.2;
 
 /// A joint, its bodies and the colours of its lines.
 struct DrawnJoint<'a> {
@@ -125,7 +125,7 @@ impl DebugRenderPipeline {
         let mut sketch = Outline::default();
         if (axis as usize) < DIM {
             let (along, [from, to]) = (Vector::AXES[axis as usize], range(joint, axis, length));
-            let mark = Vector::AXES[(axis as usize + 1) % DIM] * (MARK * length);
+            let mark = Vector::AXES[(axis as usize + 1) % DIM] * (MARK_FRACTION * length);
             sketch.segment(along * from, along * to);
             for end in [along * from, along * to] {
                 sketch.segment(end - mark, end + mark);

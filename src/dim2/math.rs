@@ -99,7 +99,7 @@ pub fn inertia_of(inv_inertia: &AngularInertia) -> AngularInertia {
     if *inv_inertia > 0.0 { 1.0 / *inv_inertia } else { zero_inertia() }
 }
 
-/// The inertia of a body that no torque can turn.
+/// The inertia of a body that no torque can rotate.
 #[inline]
 pub fn zero_inertia() -> AngularInertia {
     0.0

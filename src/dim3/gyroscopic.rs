@@ -83,7 +83,7 @@ mod tests {
     use crate::dim3::math::{Real, Rotation, Vector, integrate_rotation};
     use crate::dim3::rotation_vector::rotation_vector;
 
-    /// One body that turns freely.
+    /// One body that rotates freely.
     struct Turn {
         inv_moments: Vector,
         momentum: Vector,
@@ -163,9 +163,9 @@ mod tests {
         assert!(whole < 0.05 && half < 0.4 * whole, "{whole}, and {half} in half of the time");
     }
 
-    /// The rotation vector is the one that makes the turn.
+    /// The rotation vector and the rotation agree.
     #[test]
-    fn the_vector_leads_where_the_turn_does() {
+    fn the_vector_equals_the_rotation() {
         for body in turns(Vector::new(9.0, 2.0, 1.0), 60.0) {
             let (rotation, _, vector) = Simd::detect().run(body);
             let led = integrate_rotation(Rotation::IDENTITY, vector);

@@ -126,7 +126,7 @@ pub fn inertia_of(inv_inertia: &AngularInertia) -> AngularInertia {
     if is_valid { inverse } else { zero_inertia() }
 }
 
-/// The inertia of a body that no torque can turn.
+/// The inertia of a body that no torque can rotate.
 #[inline]
 pub fn zero_inertia() -> AngularInertia {
     AngularInertia::zero()

@@ -189,7 +189,7 @@ pub(crate) fn gyroscopic<W: Wide>(
     gyroscope.scatter(bodies);
 }
 
-/// The angular velocity of one body after it has turned freely for `h` seconds, which may be negative.
+/// The angular velocity of one body after free rotation for `h` seconds, which may be negative.
 pub(crate) fn angvel_after(
     mass: &MassProperties,
     rotation: Rotation,
@@ -226,7 +226,7 @@ fn rotated_freely(
     }
 }
 
-/// One body that turns for a while.
+/// One body that rotates for some time.
 struct RotateFreely {
     body: FreeMotion,
     angvel: AngVector,
@@ -383,7 +383,7 @@ impl<W: Wide> Gyroscope<W> {
         (x.min(y).min(z) * W::splat(INERTIA_RATIO_MAX)).lt(x.max(y).max(z))
     }
 
-    /// The kinetic energy of turning with an angular momentum, in the frame of the principal axes.
+    /// The kinetic energy of rotation with an angular momentum, in the frame of the principal axes.
     #[inline(always)]
     fn energy(&self, momentum: WideVector<W>) -> W {
         momentum.dot(momentum.component_mul(self.inv_moments)) * W::splat(0.5)

@@ -30,7 +30,7 @@ pub(crate) fn unit_quaternion(rotvec: AngVector) -> (Real, Real) {
     (sine * scale, cosine * scale)
 }
 
-/// A frame of a body after the body has turned.
+/// A frame of a body after a rotation of the body.
 #[inline(always)]
 pub(crate) fn turned_frame<W: Wide>(
     frame: WideRotation<W>,
@@ -74,7 +74,7 @@ pub(super) fn atan_excess<W: Wide>(square: W) -> W {
     square * (polynomial(&ATAN_P) / polynomial(&ATAN_Q))
 }
 
-/// The rotation vector of a turn by `rotvec` and then by `by`. The sum of two rotation vectors is off by half
+/// The rotation vector of a rotation by `rotvec` and then by `by`. The sum of two rotation vectors is off by half
 /// of `by × rotvec`. Joints that are solved with the sum break when the bodies are rotated.
 ///
 /// Small ones are composed to third order: the series of Baker, Campbell and Hausdorff. Beyond that it fails
@@ -95,7 +95,7 @@ pub(crate) fn turned_further<W: Wide>(
     }
 }
 
-/// The same for turns of any size: of all rotation vectors that lead there the one that is nearest to the
+/// The same for rotations of any size: of all rotation vectors that lead there the one that is nearest to the
 /// sum.
 #[inline(always)]
 fn composed<W: Wide>(rotvec: WideAngVector<W>, by: WideAngVector<W>) -> WideAngVector<W> {
@@ -120,7 +120,7 @@ pub(crate) fn nearest_whole<W: Wide>(number: W) -> W {
     (number + large) - large
 }
 
-/// The inverse inertia of a body after the body has turned: `R I⁻¹ Rᵀ`.
+/// The inverse inertia of a body after a rotation of the body: `R I⁻¹ Rᵀ`.
 #[inline(always)]
 pub(crate) fn turned_inertia<W: Wide>(
     inv_inertia: WideSymmetric<W>,
@@ -155,7 +155,7 @@ mod tests {
     use crate::dim::state::WideDisplacement;
     use crate::dim::wide::{load_symmetric, set_symmetric_lane, store_symmetric, symmetric_lane};
 
-    /// A turn, a further one, and what is turned.
+    /// A rotation, a further one, and the rotated vectors.
     struct Turns {
         rotvec: WideVector<Lane>,
         by: WideVector<Lane>,

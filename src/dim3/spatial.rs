@@ -9,7 +9,7 @@ use super::math::{ANG_DIM, AngVector, Real, Rotation, SpatialVector, Vector};
 use crate::base::trig::{atan2, sin_cos};
 use parry::mass_properties::MassProperties;
 
-/// The axes about which one can turn.
+/// The axes of rotation.
 pub const ANG_AXES: [AngVector; ANG_DIM] = [AngVector::X, AngVector::Y, AngVector::Z];
 
 /// Both parts in one.

@@ -96,7 +96,7 @@ pub(crate) struct StepNotes {
     pub fast: Vec<FastMotion>,
     /// Dynamic bodies near the paths of kinematic ones, in the order of their handles.
     pub approaches: Vec<Approach>,
-    /// Multibodies with a link that moved far. All their links stand in the list of fast bodies.
+    /// Multibodies with a link that moved far. All their links are in the list of fast bodies.
     pub trajectories: Vec<LinkTrajectory>,
     /// In the order of the awake bodies: whether each has been at rest for long enough to sleep. Empty until
     /// all of them have moved.

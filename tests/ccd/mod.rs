@@ -14,7 +14,7 @@ mod sensors;
 mod settings;
 mod surfaces;
 mod throws;
-mod turns;
+mod rotations;
 
 use crate::dim::grounds::GROUNDS;
 use crate::dim::{about_z, cuboid, vec};

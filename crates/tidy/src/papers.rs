@@ -177,7 +177,7 @@ mod tests {
     const WHOLE: &str = "//! # Solver\n//!\n//! Reads:   a,\n//!     b\n//! Writes:  c\n//! Runs:    d\n//! Never:   e\n";
 
     #[test]
-    fn the_table_is_what_the_cards_say() {
+    fn the_table_repeats_the_cards() {
         let (rows, complaints) = table(&house(WHOLE));
         assert!(complaints.is_empty());
         assert_eq!(rows[2..], ["| 1 | `solver` | a, b | c | d | e |"]);

@@ -70,7 +70,7 @@ pub struct Entry {
     pub child: Child,
 }
 
-/// Up to [`LANES`] children and their boxes. Children stand in the first lanes.
+/// Up to [`LANES`] children and their boxes. Children are in the first lanes.
 #[derive(Clone, Debug)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub struct Node {

@@ -1,6 +1,6 @@
 //! Records of lanes: the functions of vectors, rotations and matrices that act on each component alone.
 //!
-//! Macros stand for closures here, because a closure that touches a register is not inlined (see
+//! Macros replace closures here, because a closure with a register argument is not inlined (see
 //! [`Kernel`](super::Kernel)).
 
 /// Reading and writing of a record with these components, and of one of its lanes.

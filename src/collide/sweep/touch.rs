@@ -1,12 +1,12 @@
 //! Time at which a moving shape touches another one, and the parts that touch. For queries: nothing is
 //! stopped here, and a graze counts as much as an impact.
 //!
-//! The motion may contain a million turns. Three things keep the search short however long the motion is:
+//! The motion may contain a million revolutions. Three rules bound the search for motions of any length:
 //!
 //! * No point of a part gets farther from its centre of rotation than at the start. Shapes can touch only
 //!   while a box around this ball overlaps the box of the shape at rest.
-//! * A shape that rotates in place has swept its full region after one turn.
-//! * After [`JUMPS_MAX`] jumps the search ends where it is, at a time before which nothing was touched.
+//! * A shape that rotates in place has swept its full region after one revolution.
+//! * After [`JUMPS_MAX`] jumps the search ends at its current time, before which it found no contact.
 
 use super::body::Body;
 use super::motion::reach_about;

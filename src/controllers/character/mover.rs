@@ -18,7 +18,7 @@ pub(super) struct Mover<'a> {
     pub settings: ResolvedSettings,
     pub obstacles: Obstacles<'a>,
     pub start: Pose,
-    /// The translation so far. Added to the start only where the pose is wanted, so that it is exactly zero
+    /// The translation so far. Added to the start only where the pose is needed, so that it is exactly zero
     /// when nothing happens, wherever the start is.
     pub moved: Vector,
     /// The planes around the present pose.

@@ -150,7 +150,7 @@ mod tests {
     use super::next_fraction;
 
     #[test]
-    fn a_share_follows_what_is_seen() {
+    fn a_fraction_follows_the_measurement() {
         assert_eq!(next_fraction(1.0, 0.0, -2.0), 0.5);
         assert_eq!(next_fraction(0.5, -2.0, -2.0), 0.75);
         assert_eq!(next_fraction(0.5, 8.0, 2.0), 0.75);

@@ -85,7 +85,7 @@ pub struct TriangleCulling {
 }
 
 impl TriangleCulling {
-    /// For segments in a frame that stands at `pose` in the frame of the box.
+    /// For segments in a frame at `pose` in the frame of the box.
     pub fn new(around: &Aabb, pose: &Pose, reach: Real) -> Self {
         Self {
             half: around.half_extents(),

@@ -18,7 +18,7 @@ use parry::bounding_volume::Aabb;
 /// half extent.
 const TOLERANCE: Real = 0.01;
 /// Of equal faces the triangle's is taken, by this fraction of the tolerance.
-const FIRST_FACE: Real = 0.1;
+const FIRST_FACE_FRACTION: Real = 0.1;
 /// An axis with at least this cosine to the normal of last time is the same axis.
 const AXIS_COSINE_MIN: Real = 0.98;
 /// Edges whose directions have a smaller sine (squared) than this are parallel: their product equals a face
@@ -37,7 +37,7 @@ impl FlatAxes {
     /// zero.
     pub fn best(&self, lane: usize, half: Vector, hint: Vector) -> BestAxis {
         let tolerance = TOLERANCE * half.min_element();
-        let penalties = [FIRST_FACE * tolerance, 0.0, tolerance];
+        let penalties = [FIRST_FACE_FRACTION * tolerance, 0.0, tolerance];
         let faces = [Some(Side::First), Some(Side::Second), None];
         let axis = |kind: usize| BestAxis {
             gap: self.gaps[kind].0[lane],
@@ -98,7 +98,7 @@ pub struct TriangleCulling {
 }
 
 impl TriangleCulling {
-    /// For triangles in a frame that stands at `pose` in the frame of the box.
+    /// For triangles in a frame at `pose` in the frame of the box.
     pub fn new(around: &Aabb, pose: &Pose, reach: Real) -> Self {
         Self {
             half: around.half_extents(),

@@ -13,7 +13,7 @@ use crate::dim::math::{Matrix, Pose, Real, Vector};
 /// Tolerance on the overlap within which an axis is preferred, as a fraction of the smallest half extent.
 const TOLERANCE: Real = 0.01;
 /// Of equal faces the first box's is taken, by this fraction of the tolerance.
-const FIRST_FACE: Real = 0.1;
+const FIRST_FACE_FRACTION: Real = 0.1;
 /// An axis with at least this cosine to the normal of last time is the same axis.
 const AXIS_COSINE_MIN: Real = 0.98;
 /// Edges whose directions have a smaller sine (squared) than this are parallel: their product equals a face
@@ -74,7 +74,7 @@ pub fn cuboid_cuboid(
     let mut best = (Real::NEG_INFINITY, Axis::Face1(face1), Vector::ZERO);
     let candidates = [
         (gaps1[face1], Axis::Face1(face1)),
-        (gaps2[face2] - FIRST_FACE * tolerance, Axis::Face2(face2)),
+        (gaps2[face2] - FIRST_FACE_FRACTION * tolerance, Axis::Face2(face2)),
         (edge_gap - tolerance, Axis::Edges(edges.0, edges.1)),
     ];
     for (gap, axis) in candidates {

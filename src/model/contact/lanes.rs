@@ -138,7 +138,7 @@ pub(crate) struct ContactLanes {
     pub reports: Vec<[ContactReport; LANES]>,
     /// Whether each point has its own friction.
     pub are_rough: bool,
-    /// By colour: its first block, if lanes stand in the order of the constraint graph and may be ahead of
+    /// By colour: its first block, if lanes are in the order of the constraint graph and may be ahead of
     /// their pairs; else nothing.
     starts: Vec<u32>,
     /// Number of blocks per colour, including empty ones.

@@ -49,8 +49,8 @@ pub(crate) enum MovedProxy {
     IsElsewhere,
 }
 
-/// Gives a collider that its body has carried beyond its box another one. `None` if it is in its box, or is
-/// to have none. Looks at no tree, so that many can be carried at once.
+/// Makes a new box for a collider that its body has carried beyond its box. `None` if it is in its box, or
+/// must have none. Reads no tree, so that many can be carried in parallel.
 pub(crate) fn carry(
     collider: &mut Collider,
     body: &RigidBody,

@@ -105,9 +105,9 @@ impl Motion {
         ((fastest * h / ANGLE_PER_PIECE_MAX).ceil() as usize).clamp(1, PIECES_MAX)
     }
 
-    /// Moves the links for `h` seconds at their velocities, and turns these to those of the substep's end. No
-    /// link gets faster than `speed_max`. Before each piece `note` is called with its length (s). Returns by
-    /// how much the kinetic energy changed.
+    /// Moves the links for `h` seconds, and updates their velocities to the substep's end. No link gets
+    /// faster than `speed_max`. Before each piece `note` is called with its length (s). Returns the change of
+    /// the kinetic energy.
     pub fn advance(
         &mut self,
         multibody: &mut Multibody,

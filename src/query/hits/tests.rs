@@ -123,7 +123,7 @@ fn rays_from_far_away_keep_their_digits() {
                 let ray = Ray::new(Vector::Y * aside - Vector::X * distance, Vector::X * speed);
                 let time = time_of_impact(&ball, &Pose::IDENTITY, &ray, Real::MAX, true);
                 let error = (time.expect("it hits") * speed - (distance - chord)).abs();
-                // Roots near the rim are worth the square root of what they are made of.
+                // Roots near the rim have the square root of the accuracy of their arguments.
                 let tolerance = 4.0 * Real::EPSILON * distance + 1.0e-5;
                 assert!(error <= tolerance, "{error} from {distance} at {speed}");
             }

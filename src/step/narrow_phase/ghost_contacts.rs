@@ -21,7 +21,7 @@ use crate::model::contact::{ContactPair, PairId, PairStore, StoreParts};
 use core::ops::Range;
 use smallvec::SmallVec;
 
-/// Bodies that are worth handing over to another thread together.
+/// Number of bodies per parallel task.
 const BODIES_PER_TASK: usize = 8;
 
 /// Buffers that are reused from step to step.

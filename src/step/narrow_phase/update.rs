@@ -208,8 +208,8 @@ fn update_store<P: Update>(
     );
     changes.clear();
     apply(tasks, store, Computed { due, outcomes }, gather_changes, changes);
-    // The free ids depend on all pairs of the world. Colours are given in the order of the notes, and what
-    // happens far away must not change them.
+    // The free ids depend on all pairs of the world. Colours are assigned in the order of the notes, and
+    // remote events must not change them.
     changes.sort_unstable_by_key(|&(slots, ..)| slots);
     notes.extend(changes.iter().map(|&(_, id, change)| (id, change)));
 }

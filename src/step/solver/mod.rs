@@ -143,7 +143,7 @@ impl SolverScratch {
         counters.velocity_writeback_time.pause();
     }
 
-    /// Writes the results back, and notes what later stages need.
+    /// Writes the results back, and the notes for later stages.
     fn store(&mut self, context: &mut SolverContext<'_>, counters: &mut SolverCounters) {
         let Self { groups, links, bodies, constraints } = self;
         if groups.len() > 0 {

@@ -73,7 +73,7 @@ impl Curve {
             ),
             Curve::Sleeping => format!(
                 "Boxes that lie on the floor and have fallen asleep, and {MOVING_BODIES} among them, spread evenly, that may not. Here bodies sleep \
-                 in all engines, after {SLEEP_DELAY} s of calm; what is measured begins when they do."
+                 in all engines, after {SLEEP_DELAY} s of calm; the measurement begins then."
             ),
             Curve::Contacts => format!(
                 "{CONTACT_CURVE_BODIES} boxes: each by itself on the floor; in heaps of 10, of 100, of all, apart from their neighbours in the \

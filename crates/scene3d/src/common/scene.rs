@@ -1,4 +1,4 @@
-//! A scene: a world, and what happens to it beside physics.
+//! A scene: a world, and its events beside physics.
 
 use super::draw::Artist;
 use super::events::StepEvents;

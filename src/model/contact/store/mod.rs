@@ -30,7 +30,7 @@ use crate::dim::math::Real;
 use crate::model::collider::ColliderHandle;
 use core::ops::Range;
 
-/// Pages of 512 ids that are worth handing over to another thread together.
+/// Number of pages of 512 ids per parallel task.
 const PAGES_PER_TASK: usize = 2;
 
 /// Id of a pair, stable for its lifetime.
@@ -60,7 +60,7 @@ pub(crate) trait Pair {
     fn prefetch(&self, _what_is_there: bool) {}
 }
 
-/// Data of a pair with which the narrow phase decides that nothing is to do.
+/// Data of a pair with which the narrow phase decides whether to skip it.
 #[derive(Copy, Clone, Debug)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) struct PairState {

@@ -52,7 +52,7 @@ impl Structure<'_> {
         Ok(())
     }
 
-    /// Bodies stand in the lists for their type, unless the user changed it.
+    /// Bodies are in the lists for their type, unless the user changed it.
     pub(super) fn check_body_types(&self) -> Verdict {
         for (handle, body) in self.bodies.iter().filter(|(_, body)| is_as_before(body)) {
             let link = body.link;
@@ -67,7 +67,7 @@ impl Structure<'_> {
         self.bodies.check_notes()
     }
 
-    /// Each collider stands in the list of the body that it names, and in no other.
+    /// Each collider is in the list of its parent body, and in no other.
     pub(super) fn check_attachments(&self, then: &LastStep<'_>) -> Verdict {
         let mut listed = BTreeSet::new();
         for (handle, body) in self.bodies.iter() {

@@ -6,7 +6,7 @@ use crate::model::tree::{BroadPhaseBvh, TreeKind};
 use std::collections::BTreeSet;
 
 impl Structure<'_> {
-    /// Each collider's box stands in the tree that the collider names, and the lists beside the trees agree
+    /// Each collider's box is in the tree that the collider names, and the lists beside the trees agree
     /// with the collider. There are no other boxes but those of removed colliders.
     pub(super) fn check_trees(&self, tree: &BroadPhaseBvh) -> Verdict {
         tree.check_moved()?;

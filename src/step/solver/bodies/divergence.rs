@@ -20,7 +20,7 @@ use crate::step::solver::groups::Groups;
 use crate::step::solver::links::Links;
 use core::sync::atomic::{AtomicBool, Ordering};
 
-/// Number of states that are worth a task of another thread (a microsecond or two).
+/// Number of states per parallel task (a microsecond or two).
 const STATES_PER_TASK: usize = 1024;
 
 impl SolverBodies {

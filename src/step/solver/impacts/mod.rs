@@ -106,7 +106,7 @@ use visits::{BlockVisit, ImpactPhase};
 
 /// Largest number of iterations of a round.
 const ROUND_ITERATIONS: usize = 16;
-/// Blocks that are worth handing over to another thread together. An iteration of few blocks ends before
+/// Number of blocks per parallel task. An iteration of few blocks ends before
 /// another thread starts.
 const BLOCKS_PER_TASK: usize = 32;
 

@@ -370,8 +370,8 @@ fn load_motor_and_limits(
         set(&mut row.motor.impulse, motor.impulse);
     }
     if let Some(JointLimits { min, max, impulse }) = joint.limits(axis).copied() {
-        // A distance is never less than zero, nor is the angle of a swing: a limit there would only stop what
-        // passes through.
+        // A distance and the angle of a swing are never negative. A limit there would only stop bodies that
+        // pass through zero.
         let has_sign = !joint.is_measured_together(axis);
         let min = if has_sign || min > 0.0 { min } else { -UNLIMITED };
         set(&mut row.min, min);

@@ -122,7 +122,7 @@ struct LaneSlot {
     driven: u8,
 }
 
-/// Blocks that are worth handing over to another thread together.
+/// Number of blocks per parallel task.
 const BLOCKS_PER_TASK: usize = 8;
 
 /// Velocity changes of a round of an impact.
@@ -308,8 +308,8 @@ impl SolverJoints {
         }
     }
 
-    /// Bodies that an impact has hit are put where they would be had they moved on since then. Joints must
-    /// not be torn by that. Bodies of directly solved joints get the sum of all their `delays` (sums over
+    /// Bodies that an impact has hit are moved by their motion since then. That must not violate joints.
+    /// Bodies of directly solved joints get the sum of all their `delays` (sums over
     /// impacts): they were hit as one. Bodies of iterated joints get none, because the impact has moved them
     /// apart.
     pub fn sum_delays(&self, delays: &mut [BodyState]) {

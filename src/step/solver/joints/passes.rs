@@ -232,7 +232,7 @@ fn store_angvel_change<W: Wide>(angvel_change: [WideAngVector<W>; 2], block: &mu
     }
 }
 
-/// Notes what impulses that are added make of the angular velocities.
+/// Stores the change of the angular velocities by added impulses.
 #[inline(always)]
 pub(super) fn note_angvel_change<W: Wide>(
     block: &mut JointBlock,

@@ -352,7 +352,7 @@ impl JacobianPool {
 }
 
 impl Moving {
-    /// Notes what an impulse does.
+    /// Stores the effect of an impulse.
     fn note_push(&mut self, jacobian: &[Real], response: &[Real], impulse: Real) {
         add(&mut self.pushed, response, impulse);
         add(&mut self.root_pushed, jacobian, impulse);

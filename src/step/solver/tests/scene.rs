@@ -140,7 +140,7 @@ pub struct Scene {
     pub input: ContactInput,
     pub reports: [ContactReport; LANES],
     pub block: ContactBlock,
-    /// Friction per point, if that is wanted.
+    /// Friction per point, if the model has it.
     pub coulomb: Option<CoulombBlock>,
     pub pass: ContactPass,
     pub prediction: Real,

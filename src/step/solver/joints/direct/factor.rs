@@ -21,7 +21,7 @@ impl Default for Factor {
     }
 }
 
-/// Calls a method of the matrix, whatever its size.
+/// Calls a method of the matrix of either size.
 macro_rules! of_matrix {
     ($factor:expr, $matrix:ident => $call:expr) => {
         match $factor {

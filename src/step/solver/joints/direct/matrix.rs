@@ -5,7 +5,7 @@
 //!
 //! Blocks have the size of joints that lock all axes or, if no joint of the component locks a rotation, of
 //! translations alone. That halves the time for chains of ropes and balls. Rows of joints that lock fewer
-//! axes stand first.
+//! axes come first.
 //!
 //! ## Redundant constraints
 //! Three hinges of a door are redundant. Some impulses `n` have no effect on the bodies, `A n = 0` with `A =
@@ -116,8 +116,8 @@ impl<const N: usize> Matrix<N> {
         if N == DIM { N } else { member.form.row_count() }
     }
 
-    /// Solves a component for the changes of its impulses, and gives its bodies what these do. `again`:
-    /// another round of this pass.
+    /// Solves a component for the changes of its impulses, and applies them to its bodies. `again`: another
+    /// round of this pass.
     ///
     /// # Safety
     /// The caller has exclusive access to the states of the component's movable bodies.

@@ -23,7 +23,7 @@
 //!
 //! Stiff components (`../geometric_stiffness.rs`) use the rows at the predicted poses, and need a new matrix
 //! in each round. Components with a large unconstrained displacement are solved once, at the current poses.
-//! All rounds end when there is nothing left to do: each component by itself, whatever others need.
+//! Each component ends its rounds on its own convergence, independent of the others.
 //!
 //! Components with little gain are left to the iterative solver, too: free ones with few joints and moderate
 //! mass ratios. A ragdoll carries no load for long.

@@ -1,4 +1,4 @@
-//! The sparse solution in its dense equations, and what is solved sparsely.
+//! The sparse solution in its dense equations, and the selection of sparse components.
 
 use super::factor::Factor;
 use super::memory::JacobianBlock;
@@ -121,7 +121,7 @@ fn rows(lane: usize, numbers: &mut Numbers) -> JacobianBlock {
 /// Rounding of the velocities, a few units in size, times the numbers of a row.
 const ROUNDING: f64 = 1.0e3 * Real::EPSILON as f64;
 
-/// The same where there are loops, with what their damping leaves: 10⁻⁸, times impulses of up to a hundred.
+/// The same for loops, with the error of their damping: 10⁻⁸, times impulses of up to a hundred.
 const DAMPED: f64 = ROUNDING + 1.0e-6;
 
 /// A chain that hangs on a fixed body and forks in its middle.
