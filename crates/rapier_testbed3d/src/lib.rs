@@ -25,7 +25,7 @@ pub use scene3d as scene;
 
 mod app;
 mod camera;
-mod hand;
+mod pointer;
 mod history;
 mod look3d;
 mod painter;

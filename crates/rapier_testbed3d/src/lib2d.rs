@@ -25,7 +25,7 @@ pub use scene2d as scene;
 
 mod app;
 mod camera;
-mod hand;
+mod pointer;
 mod history;
 mod look2d;
 mod painter;

@@ -1,7 +1,7 @@
 //! A scene that runs: pace, pause, single steps, history.
 
 use crate::camera::OrbitCamera;
-use crate::hand::Grip;
+use crate::pointer::Grip;
 use crate::history::History;
 use crate::rapier::prelude::*;
 use crate::scene::Scene;
@@ -72,7 +72,7 @@ impl Player {
         }
     }
 
-    /// Takes one step, with the pull of a hand.
+    /// Takes one step, with the pull of the pointer.
     pub(crate) fn step(&mut self, grip: Option<&Grip>) {
         self.resume();
         if let Some(grip) = grip {
@@ -82,7 +82,7 @@ impl Player {
         self.history.after_step(&self.scene);
     }
 
-    /// The world of the present, for the hand and the panels.
+    /// The world of the present, for the pointer and the panels.
     pub(crate) fn world_mut(&mut self) -> &mut PhysicsWorld {
         self.resume();
         self.changes += 1;

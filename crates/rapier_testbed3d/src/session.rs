@@ -1,7 +1,7 @@
 //! A loaded scene with everything that the window keeps about it.
 
 use crate::camera::OrbitCamera;
-use crate::hand::{Grip, pick, throw};
+use crate::pointer::{Grip, pick, throw};
 use crate::player::{Build, Pace, Player};
 use crate::rapier::prelude::*;
 use crate::scene::{Artist, point};
@@ -167,7 +167,7 @@ impl Session {
         }
     }
 
-    /// Moves the target of the hand to a place of the picture, at the distance of the held point.
+    /// Moves the target of the pull to a place of the picture, at the distance of the held point.
     pub(crate) fn drag(&mut self, camera: &Camera, at: [f32; 2]) {
         let Some(grip) = &mut self.grip else { return };
         let w = camera.see(point(grip.target)).w;

@@ -4,7 +4,7 @@ use super::contact::{Mover, Vehicle, WheelContact};
 use super::disturbance_observer::{DisturbanceObserver, linvel_after_forces};
 use super::ground::{GroundCompliance, Grounds};
 use super::place::{velocities_ahead, with_ground_alone};
-use super::rest::{Seen, is_disturbed, is_driven};
+use super::rest::{WheelState, is_disturbed, is_driven};
 use super::solve::{on_chassis, on_ground, solve};
 use super::wheel::{Wheel, WheelTuning};
 use crate::base::measure::is_margin;
@@ -77,7 +77,7 @@ pub struct DynamicRayCastVehicleController {
     pub index_forward_axis: usize,
     observer: DisturbanceObserver,
     ground_compliances: Vec<GroundCompliance>,
-    seen: Vec<Seen>,
+    seen: Vec<WheelState>,
     is_reported: bool,
 }
 
@@ -280,7 +280,7 @@ impl DynamicRayCastVehicleController {
             }
         }
         self.seen.clear();
-        self.seen.extend(self.wheels.iter().map(Seen::of));
+        self.seen.extend(self.wheels.iter().map(WheelState::of));
     }
 
     /// Applies the impulses to the bodies, as forces for the next step.

@@ -14,14 +14,14 @@ const GROUND_MOTION_FRACTION_MAX: Real = 1.0e-3;
 /// A wheel as it was when the vehicle was awake.
 #[derive(Copy, Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
-pub(super) struct Seen {
+pub(super) struct WheelState {
     brake: Real,
     steering: Real,
     ground: Option<ColliderHandle>,
     length: Real,
 }
 
-impl Seen {
+impl WheelState {
     pub fn of(wheel: &Wheel) -> Self {
         let info = wheel.raycast_info();
         Self {
@@ -43,7 +43,7 @@ impl Seen {
 /// Returns whether there is a reason to wake a sleeping vehicle.
 pub(super) fn is_disturbed(
     wheels: &[Wheel],
-    seen: &[Seen],
+    seen: &[WheelState],
     bodies: &RigidBodySet,
     colliders: &ColliderSet,
 ) -> bool {

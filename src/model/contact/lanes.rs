@@ -114,7 +114,7 @@ impl LaneBlock {
 /// Writes a report to its manifold.
 fn write_back(report: &ContactReport, data: &mut ContactManifoldData) {
     if !report.is_sound() {
-        return data.forget_impulses();
+        return data.clear_impulses();
     }
     data.normal = report.normal();
     data.warmstart_friction = report.friction_impulse();
@@ -204,7 +204,7 @@ impl ContactLanes {
     }
 
     /// Must all be filled again. None of them is ahead of its pair.
-    pub fn forget(&mut self) {
+    pub fn invalidate(&mut self) {
         debug_assert!(!self.has_pending_write_backs());
         self.blocks.clear();
     }

@@ -197,7 +197,7 @@ impl ContactManifoldData {
     }
 
     /// Clears the impulses, as for a new contact.
-    pub(crate) fn forget_impulses(&mut self) {
+    pub(crate) fn clear_impulses(&mut self) {
         self.warmstart_friction = Vector::ZERO;
         self.warmstart_torsion = 0.0;
         for point in &mut self.points {

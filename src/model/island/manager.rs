@@ -166,7 +166,7 @@ impl IslandManager {
     }
 
     /// Marks the last motion as applied to all pairs.
-    pub(crate) fn forget_motion(&mut self) {
+    pub(crate) fn clear_motion(&mut self) {
         for position in 0..self.awake.len() {
             let slot = self.awake[position].into_raw_parts().0;
             self.set_motion(slot, BodyMotion::NONE);

@@ -139,7 +139,7 @@ fn rays_from_far_away_keep_their_digits() {
 fn distance(pose12: &Pose, shape1: &dyn Shape, shape2: &dyn Shape) -> Real {
     let ((core1, layer1), (core2, layer2)) = (core(shape1), core(shape2));
     let found = DefaultQueryDispatcher.distance(pose12, core1, core2);
-    found.expect("parry knows the distance of convex shapes").distance - layer1 - layer2
+    found.expect("parry computes the distance of convex shapes").distance - layer1 - layer2
 }
 
 /// parry's search has tolerances near round surfaces, so it is applied to their cores.

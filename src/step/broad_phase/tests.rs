@@ -204,7 +204,7 @@ fn a_slow_motion_is_noticed_when_it_adds_up() {
         boxes.find();
     }
     assert!(boxes.known.contains(&(ground.into_raw_parts().0, first.into_raw_parts().0)));
-    assert!(x > 1.02 && updates < 60, "found at {x} after {updates} looks at the box");
+    assert!(x > 1.02 && updates < 60, "found at {x} after {updates} updates of the box");
 }
 
 #[test]

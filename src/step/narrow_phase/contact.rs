@@ -312,7 +312,7 @@ fn complete(
     modify(manifold, collider1, collider2, view);
     let fault = faults::leave_out(manifold);
     if !manifold.is_solved() {
-        manifold.data.forget_impulses();
+        manifold.data.clear_impulses();
     }
     fault
 }

@@ -54,7 +54,7 @@ impl Quarantine {
         Causes { world, diverged: &notes.diverged }.find(self.failures, &mut self.taken);
         self.failures += 1;
         // All pairs already include the last motion.
-        world.structure.islands.forget_motion();
+        world.structure.islands.clear_motion();
         notes.clear_attempt();
         self.emitted = notes.events.len();
         self.disable(world);

@@ -147,7 +147,7 @@ impl SolverScratch {
     fn store(&mut self, context: &mut SolverContext<'_>, counters: &mut SolverCounters) {
         let Self { groups, links, bodies, constraints } = self;
         if groups.len() > 0 {
-            context.narrow_phase.contacts.forget_renewed();
+            context.narrow_phase.contacts.clear_renewed();
         }
         (counters.nconstraints, counters.ncontacts) = (0, 0);
         for constraints in &mut constraints[..groups.len()] {

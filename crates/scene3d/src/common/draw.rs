@@ -70,7 +70,7 @@ impl Artist {
             };
             self.surfaces.add(&mut drawing, collider, &look);
         }
-        self.surfaces.forget_unused();
+        self.surfaces.drop_unused();
         self.add_lines(world, moving, mode, &mut drawing);
         self.overlays.mark(world, &mut drawing);
         drawing

@@ -341,7 +341,7 @@ impl<P: Pair> PairStore<P> {
     }
 
     /// Marks all pairs as read by the solver.
-    pub fn forget_renewed(&mut self) {
+    pub fn clear_renewed(&mut self) {
         self.renewed.clear();
     }
 

@@ -55,8 +55,8 @@ impl SolverContacts {
         if is_only_group {
             self.lanes = core::mem::take(&mut narrow_phase.lanes);
         } else {
-            narrow_phase.lanes.forget();
-            self.lanes.forget();
+            narrow_phase.lanes.invalidate();
+            self.lanes.invalidate();
         }
         let count = self.layout.block_count();
         self.lanes.resize(count);

@@ -66,7 +66,7 @@ impl SolverContacts {
     /// Discards the results of the step.
     pub fn give_back(&mut self, narrow_phase: &mut NarrowPhase) {
         if self.lanes_are_scaled {
-            self.lanes.forget();
+            self.lanes.invalidate();
         }
         if self.are_on_loan {
             narrow_phase.lanes = core::mem::take(&mut self.lanes);

@@ -211,7 +211,7 @@ impl Impacts {
             context.multibodies.solve_active_friction(&mut bodies.states);
             self.visit_blocks(ImpactPhase::Friction, contacts, bodies, &context);
             self.accept(bodies, &mut context, |_| 1.0);
-            context.joints.forget_places();
+            context.joints.invalidate_poses();
         }
         context.multibodies.end_impact();
         bodies.swap_before();
@@ -306,7 +306,7 @@ impl Impacts {
         context: &mut ImpactContext<'_>,
     ) {
         self.begin_round(bodies, context.multibodies);
-        context.joints.forget_places();
+        context.joints.invalidate_poses();
         context.joints.begin_impact_impulses();
         for _ in 0..ROUND_ITERATIONS {
             context.multibodies.iterate_active(&mut bodies.states);

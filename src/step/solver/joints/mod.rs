@@ -202,7 +202,7 @@ impl SolverJoints {
         });
         self.point_to_point.iterate::<BIASED>(states, pass, simd, tasks);
         if !BIASED {
-            self.direct.forget_matrices();
+            self.direct.invalidate_matrices();
         }
         if self.direct.is_empty() {
             return;
@@ -321,8 +321,8 @@ impl SolverJoints {
     }
 
     /// Marks the poses of the bodies as changed.
-    pub fn forget_places(&mut self) {
-        self.direct.forget_matrices();
+    pub fn invalidate_poses(&mut self) {
+        self.direct.invalidate_matrices();
     }
 
     /// Solves the locked axes of connected joints together.

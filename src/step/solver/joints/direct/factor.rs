@@ -38,7 +38,7 @@ impl Factor {
         if turns != matches!(self, Self::All(_)) {
             *self = if turns { Self::All(Matrix::default()) } else { Self::default() };
         }
-        self.forget();
+        self.invalidate();
     }
 
     /// See [`Matrix::solve`].
@@ -86,9 +86,9 @@ impl Factor {
         of_matrix!(self, matrix => matrix.progress(component, memory, inv_h))
     }
 
-    /// See [`Matrix::forget`].
-    pub fn forget(&mut self) {
-        of_matrix!(self, matrix => matrix.forget());
+    /// See [`Matrix::invalidate`].
+    pub fn invalidate(&mut self) {
+        of_matrix!(self, matrix => matrix.invalidate());
     }
 
     /// See [`Matrix::write_changes`].

@@ -247,7 +247,7 @@ impl<const N: usize> Matrix<N> {
     }
 
     /// Marks the matrix as outdated, because the bodies have moved.
-    pub fn forget(&mut self) {
+    pub fn invalidate(&mut self) {
         self.made_with = None;
     }
 

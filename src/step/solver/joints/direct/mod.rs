@@ -163,7 +163,7 @@ impl Direct {
             let is_stiff = find(self.pattern.component(index).members);
             if is_stiff {
                 // Stiff joints take other rows than those of the last relax pass.
-                self.factors[index].forget();
+                self.factors[index].invalidate();
             }
             let linearization =
                 if is_stiff { Linearization::PredictedPose } else { Linearization::SubstepEnd };
@@ -223,7 +223,7 @@ impl Direct {
             solve_state.next = match solve_state.next {
                 Next::Nothing => Next::Nothing,
                 Next::Rollback => {
-                    factor.forget();
+                    factor.invalidate();
                     solve_state.rounds = 0;
                     solve_state.linearize_stiff(test(
                         component.members,
@@ -255,8 +255,8 @@ impl Direct {
     }
 
     /// Marks all matrices as outdated, because the bodies moved or changed.
-    pub fn forget_matrices(&mut self) {
-        self.factors.iter_mut().for_each(Factor::forget);
+    pub fn invalidate_matrices(&mut self) {
+        self.factors.iter_mut().for_each(Factor::invalidate);
     }
 
     /// Solves the components that are `wanted`, by their members. Applies the changes of impulses to the
@@ -296,7 +296,7 @@ impl Direct {
                     factor.solve(component, again, read, &states, simd);
                     // The rows were those of predicted poses.
                     if at_predicted_pose {
-                        factor.forget();
+                        factor.invalidate();
                     }
                 }
             }
