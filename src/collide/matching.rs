@@ -8,10 +8,10 @@ use parry::shape::PackedFeatureId;
 
 /// Manifolds whose normals differ by more than 45° hold different sides of the bodies apart.
 const NORMAL_COSINE_MIN: Real = 0.7;
-/// Manifolds of different parts count as the same up to 8° between their normals.
+/// Least cosine of the normals of equal manifolds of different parts (8°).
 const EQUAL_NORMAL_COSINE_MIN: Real = 0.99;
-/// Points without known features match if they are closer than this fraction of the manifold's size.
-const NEAR_FRACTION: Real = 0.25;
+/// Largest distance of matching points without known features, as a fraction of the manifold's size.
+const MATCH_DISTANCE_FRACTION_MAX: Real = 0.25;
 
 /// Copies the impulses of the last step's manifolds to the manifolds of this step.
 ///
@@ -129,7 +129,7 @@ fn near_limit(old: &[Contact], new_count: usize) -> Real {
     }
     let Some(first) = old.first() else { return 0.0 };
     let spread = old.iter().map(|point| point.local_p1.distance_squared(first.local_p1));
-    spread.fold(0.0, Real::max) * (NEAR_FRACTION * NEAR_FRACTION)
+    spread.fold(0.0, Real::max) * (MATCH_DISTANCE_FRACTION_MAX * MATCH_DISTANCE_FRACTION_MAX)
 }
 
 /// The unmatched old point that is nearest on one of the shapes, within the squared distance `limit`.

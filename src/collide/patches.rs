@@ -20,7 +20,7 @@ use smallvec::SmallVec;
 const NORMAL_TOLERANCE: Real = 1.0e-2;
 /// Normals with at least this cosine to that of the deepest patch (5 degrees) become one manifold.
 const NORMAL_COSINE_MIN: Real = 0.9962;
-/// Points closer to each other than this fraction of the manifold's size are one.
+/// Largest distance of equal points, as a fraction of the manifold's size.
 const POINT_DISTANCE_FRACTION_MAX: Real = 1.0e-3;
 /// Patches are culled beyond this number. Meshes finer than the bodies on them stay far below it.
 const PATCHES_MAX: usize = 1024;
@@ -106,7 +106,9 @@ impl Patches {
     /// Returns whether all patches have similar normals. In that case none is a ghost contact.
     pub fn have_similar_normals(&self) -> bool {
         let Some(first) = self.list.first() else { return true };
-        let same = |patch: &Patch| patch.normal.distance_squared(first.normal) <= NORMAL_DISTANCE_SQUARED_MAX;
+        let same = |patch: &Patch| {
+            patch.normal.distance_squared(first.normal) <= NORMAL_DISTANCE_SQUARED_MAX
+        };
         self.list.iter().all(same)
     }
 

@@ -18,9 +18,9 @@ use parry::shape::PackedFeatureId;
 /// Tolerances on the overlap, as a fraction of the polytopes' thickness. Within it, a face is preferred to a
 /// pair of edges, and the last face to another face.
 const TOLERANCE: Real = 0.005;
-/// Of equal faces the first polytope's is taken, by this fraction of the tolerance.
+/// Preference of the first polytope among equal faces, as a fraction of the tolerance.
 const FIRST_FACE_FRACTION: Real = 0.1;
-/// A face with at least this cosine to the normal of last time is the same face.
+/// Least cosine of a face's normal and the last normal at which the face counts as the last one.
 const AXIS_COSINE_MIN: Real = 0.98;
 /// Overlaps deeper than this fraction of the thickness are searched again: a face on another side may have
 /// become the better one.

@@ -322,7 +322,8 @@ impl<W: Wide> Gyroscope<W> {
         let middle = turned_frame(rotation, angvel * (h * W::splat(0.5)));
         let (to_world, momentum) = self.seen_from(middle);
         self.angvel = to_world.rotate_unscaled(momentum.component_mul(self.inv_moments));
-        let is_far = W::splat(MIDPOINT_ANGLE_MAX * MIDPOINT_ANGLE_MAX).lt(angvel.dot(angvel) * (h * h));
+        let is_far =
+            W::splat(MIDPOINT_ANGLE_MAX * MIDPOINT_ANGLE_MAX).lt(angvel.dot(angvel) * (h * h));
         let needs_mean = is_far | self.is_thin();
         if W::any(needs_mean) {
             let (to_world, momentum) = self.seen_from(rotation);

@@ -1,6 +1,6 @@
 //! Rotation by rotation vectors, lane by lane, in 3D.
 
-use super::math::{AngVector, Real, ANGLE_SQUARED_MAX};
+use super::math::{ANGLE_SQUARED_MAX, AngVector, Real};
 use super::wide::{WideAngVector, WideRotation, WideSymmetric, WideVector, cross};
 use crate::base::trig::{ATAN_P, ATAN_Q};
 use crate::base::turning::{cosine_and_sine, wide_cosine_and_sine};

@@ -142,8 +142,9 @@ fn a_solid_that_becomes_a_sensor_stops_and_begins() {
 #[test]
 fn events_of_one_step_are_in_order() {
     let (mut world, ground) = world_with_ground();
-    let boxes: Vec<_> =
-        (0..5_u8).map(|i| add_box(&mut world, vec(3.0 * Real::from(i), 0.7), with_events).1).collect();
+    let boxes: Vec<_> = (0..5_u8)
+        .map(|i| add_box(&mut world, vec(3.0 * Real::from(i), 0.7), with_events).1)
+        .collect();
     let protocol = Protocol::default();
     let events = protocol.of_steps(&mut world, 40);
     let expected: Vec<_> =

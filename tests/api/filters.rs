@@ -105,7 +105,8 @@ fn fixed_colliders_touch_on_request_only() {
 fn kinematic_bodies_pass_fixed_colliders() {
     let (mut world, ground) = world_with_ground();
     let body = RigidBodyBuilder::kinematic_velocity_based().linvel(vec(0.0, -1.0));
-    let platform = with_events(cuboid(0.5, 0.5)).active_collision_types(ActiveCollisionTypes::all());
+    let platform =
+        with_events(cuboid(0.5, 0.5)).active_collision_types(ActiveCollisionTypes::all());
     let (body, platform) = world.insert(body.translation(vec(0.0, 1.0)), platform);
     let protocol = Protocol::default();
     let events = protocol.of_steps(&mut world, 60);

@@ -1,6 +1,8 @@
 //! Hooks filter pairs and modify contacts.
 
-use super::stage::{Protocol, add_box, close, height, plain, steps, with_events, world_with_ground};
+use super::stage::{
+    Protocol, add_box, close, height, plain, steps, with_events, world_with_ground,
+};
 use crate::dim::{cuboid, vec};
 use rapier::prelude::*;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -35,7 +37,8 @@ fn a_filter_is_called_for_pairs_with_active_hooks() {
     let refusal = RejectsAll::default();
     let (kept, _) = add_box(&mut world, vec(0.0, 0.6), plain);
     let flags = ActiveHooks::FILTER_CONTACT_PAIRS;
-    let (passes, refused) = add_box(&mut world, vec(3.0, 0.6), |c| with_events(c).active_hooks(flags));
+    let (passes, refused) =
+        add_box(&mut world, vec(3.0, 0.6), |c| with_events(c).active_hooks(flags));
     let protocol = Protocol::default();
     for _ in 0..60 {
         world.step_with_events(&refusal, &protocol);
@@ -64,7 +67,10 @@ fn a_filter_is_called_for_sensors() {
         assert_eq!(refusal.intersections.load(Relaxed) > 0, filtered);
         assert_eq!(protocol.collisions().is_empty(), filtered);
         assert_eq!(world.intersection_pair(zone, collider), Some(!filtered));
-        assert!(world.contact_pair(ground, collider).is_some(), "the hook does not filter this pair");
+        assert!(
+            world.contact_pair(ground, collider).is_some(),
+            "the hook does not filter this pair"
+        );
     }
 }
 

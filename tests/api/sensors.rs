@@ -1,6 +1,8 @@
 //! Intersections of sensors.
 
-use super::stage::{Protocol, add_box, between, height, plain, steps, with_events, world_with_ground};
+use super::stage::{
+    Protocol, add_box, between, height, plain, steps, with_events, world_with_ground,
+};
 use crate::dim::{cuboid, vec};
 use rapier::prelude::*;
 

@@ -126,7 +126,10 @@ fn a_broken_shape_disables_its_collider_only() {
             assert!(heard.iter().any(|text| names(text, value)), "{value}: {heard:?}");
         }
         let end = scene.bystanders_in_the_end();
-        assert!(end == bystanders || (possible && value > COORDINATE), "{value} affects distant bodies");
+        assert!(
+            end == bystanders || (possible && value > COORDINATE),
+            "{value} affects distant bodies"
+        );
     }
 }
 

@@ -312,7 +312,7 @@ fn links_transmit_an_impact() {
 /// ball leaves, the others stay.
 #[test]
 fn a_cradle_of_links() {
-    let columns = ["rate", "roots", "speeds a tenth of a second after the blow"];
+    let columns = ["rate", "roots", "speeds a tenth of a second after the impact"];
     let mut table = Table::new("cradle of 5 links at 2 m/s", &columns);
     let (length, angle): (Real, Real) = (2.0, -0.1);
     for rate in RATES {

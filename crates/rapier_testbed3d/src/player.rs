@@ -1,8 +1,8 @@
 //! A scene that runs: pace, pause, single steps, history.
 
 use crate::camera::OrbitCamera;
-use crate::pointer::Grip;
 use crate::history::History;
+use crate::pointer::Grip;
 use crate::rapier::prelude::*;
 use crate::scene::Scene;
 use std::cell::Cell;

@@ -1,8 +1,8 @@
 //! A loaded scene with everything that the window keeps about it.
 
 use crate::camera::OrbitCamera;
-use crate::pointer::{Grip, pick, throw};
 use crate::player::{Build, Pace, Player};
+use crate::pointer::{Grip, pick, throw};
 use crate::rapier::prelude::*;
 use crate::scene::{Artist, point};
 use crate::stages::{Part, StagePlot};

@@ -158,8 +158,7 @@ mod tests {
     fn functions_are_searched() {
         let root = Path::new(env!("CARGO_MANIFEST_DIR"));
         assert!(
-            exists(root, "src/papers.rs")
-                && exists(root, "src/papers.rs::functions_are_searched")
+            exists(root, "src/papers.rs") && exists(root, "src/papers.rs::functions_are_searched")
         );
         assert!(
             !exists(root, "src/paper.rs") && !exists(root, "src/papers.rs::functions_are_lost")

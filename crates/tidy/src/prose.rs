@@ -76,7 +76,8 @@ fn faults(line: &str, comment: &str) -> impl Iterator<Item = String> {
     let person = words(comment).find(|word| is_person(&word.to_lowercase()));
     let person = person.map(|word| format!("`{word}` in a comment: data is no person"));
     let is_question = comment.trim_end().ends_with('?') || comment.contains("? ");
-    let question = is_question.then(|| "a question in a comment: begin with `Returns whether`".to_owned());
+    let question =
+        is_question.then(|| "a question in a comment: begin with `Returns whether`".to_owned());
     let width = line.chars().count();
     let is_fixed = comment.trim_start().starts_with('|') || comment.contains("](");
     let wide = (width > WIDTH_MAX && !is_fixed)

@@ -12,8 +12,8 @@ use core::cmp::Ordering;
 use parry::bounding_volume::{Aabb, BoundingVolume};
 use parry::math::{DIM, Real};
 
-/// Weight of a box's growth against its size when a new box is inserted. Growth makes searches visit the
-/// existing contents in vain; size makes them visit the new box.
+/// Weight of a box's growth relative to its size at the insertion of a new box. With growth, more searches
+/// visit the existing contents without a hit; with size, more searches visit the new box.
 const GROWTH_WEIGHT: Real = 4.0;
 /// Limit on the box of a node before a growing child is moved elsewhere: this fraction of the sum of its
 /// children's measures. Eight squares side by side are a third, as many cubes a half.

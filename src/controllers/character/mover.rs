@@ -10,7 +10,7 @@ use crate::model::collider::ColliderHandle;
 
 /// Largest number of direction changes of a move.
 const TURNS_MAX: usize = 8;
-/// Normals whose cosine is larger than this are the same.
+/// Least cosine of equal normals.
 const NORMAL_COSINE_MIN: Real = 0.999;
 
 /// A moving character.

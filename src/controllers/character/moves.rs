@@ -1,6 +1,6 @@
 //! The public methods of the controller.
 
-use super::hooks::{HookContext, CharacterHooks};
+use super::hooks::{CharacterHooks, HookContext};
 use super::movement::{CharacterCollision, EffectiveCharacterMovement};
 use super::mover::Mover;
 use super::obstacles::Obstacles;
@@ -39,7 +39,9 @@ impl KinematicCharacterController {
         desired_translation: Vector,
         mut events: impl FnMut(CharacterCollision),
     ) -> EffectiveCharacterMovement {
-        let Some(initial) = self.start_of_move(dt, character_shape, character_pos, desired_translation) else {
+        let Some(initial) =
+            self.start_of_move(dt, character_shape, character_pos, desired_translation)
+        else {
             return EffectiveCharacterMovement::default();
         };
         let obstacles = Obstacles::new(*queries, character_shape, None);
@@ -117,7 +119,9 @@ impl KinematicCharacterController {
         hooks: CharacterHooks<'_>,
         mut events: impl FnMut(CharacterCollision),
     ) -> EffectiveCharacterMovement {
-        let Some(initial) = self.start_of_move(dt, character_shape, character_pos, desired_translation) else {
+        let Some(initial) =
+            self.start_of_move(dt, character_shape, character_pos, desired_translation)
+        else {
             return EffectiveCharacterMovement::default();
         };
         let hook_context = HookContext::new(hooks, queries.colliders);
@@ -131,7 +135,13 @@ impl KinematicCharacterController {
     }
 
     /// Validates the input; `None`, with a warning, if it is invalid.
-    fn start_of_move(&self, dt: Real, shape: &dyn Shape, pose: &Pose, desired: Vector) -> Option<MoveStart> {
+    fn start_of_move(
+        &self,
+        dt: Real,
+        shape: &dyn Shape,
+        pose: &Pose,
+        desired: Vector,
+    ) -> Option<MoveStart> {
         if !(dt > 0.0 && dt.is_finite()) {
             log::warn!(
                 "the time step {dt} of a character is not a positive number: the character does not move"

@@ -29,7 +29,11 @@ pub(super) struct Obstacles<'a> {
 }
 
 impl<'a> Obstacles<'a> {
-    pub fn new(queries: QueryView<'a>, shape: &'a dyn Shape, hook_context: Option<HookContext<'a>>) -> Self {
+    pub fn new(
+        queries: QueryView<'a>,
+        shape: &'a dyn Shape,
+        hook_context: Option<HookContext<'a>>,
+    ) -> Self {
         let (scratch, manifolds) = (ManifoldScratch::default(), Manifolds::new());
         Self { queries, shape, hook_context, scratch, manifolds }
     }
@@ -72,7 +76,8 @@ impl<'a> Obstacles<'a> {
                 for manifold in &mut self.manifolds {
                     // Hooks are called for touching obstacles; other obstacles block.
                     let is_touched = manifold.deepest_dist() <= settings.reach();
-                    let is_solid = |a: &HookContext<'_>| a.is_solid(handle, collider, manifold, pose);
+                    let is_solid =
+                        |a: &HookContext<'_>| a.is_solid(handle, collider, manifold, pose);
                     if !is_touched || self.hook_context.as_ref().is_none_or(is_solid) {
                         let touch = Touch { handle, collider, pose, shape: self.shape };
                         out.extend(touch.plane(manifold, reach, settings));

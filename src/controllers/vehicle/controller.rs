@@ -247,8 +247,13 @@ impl DynamicRayCastVehicleController {
         let mut contacts = Vec::with_capacity(self.wheels.len());
         for (index, wheel) in self.wheels.iter().enumerate() {
             let Some(below) = wheel.below else { continue };
-            let ground =
-                grounds.index_of(below.collider, bodies, colliders, &self.ground_compliances, vehicle.dt);
+            let ground = grounds.index_of(
+                below.collider,
+                bodies,
+                colliders,
+                &self.ground_compliances,
+                vehicle.dt,
+            );
             let movers = [&*chassis, &grounds.all[ground].mover];
             contacts.extend(WheelContact::new(index, wheel, &below, ground, movers, vehicle));
         }

@@ -36,7 +36,8 @@ impl WheelState {
     fn is_still(&self, wheel: &Wheel) -> bool {
         let now = Self::of(wheel);
         let moved = (now.length - self.length).abs();
-        Self { length: self.length, ..now } == *self && moved <= GROUND_MOTION_FRACTION_MAX * wheel.radius
+        Self { length: self.length, ..now } == *self
+            && moved <= GROUND_MOTION_FRACTION_MAX * wheel.radius
     }
 }
 

@@ -18,7 +18,7 @@ use parry::bounding_volume::Aabb;
 const TOLERANCE: Real = 0.001;
 /// Preference of the last axis, in the same measure.
 const LAST_AXIS_BONUS: Real = 0.01;
-/// An axis with at least this cosine to the normal of last time is the same axis.
+/// Least cosine of an axis and the last normal at which the axis counts as the last one.
 const AXIS_COSINE_MIN: Real = 0.98;
 
 /// The best axis of each kind: of the box, of the segment. In the frame of the box.

@@ -10,9 +10,9 @@ use crate::dim::math::{Matrix, Pose, Real, Vector};
 
 /// Tolerance on the overlap within which an axis is preferred, as a fraction of the smallest half extent.
 const TOLERANCE: Real = 0.01;
-/// Of equal faces the first box's is taken, by this fraction of the tolerance.
+/// Preference of the first box among equal faces, as a fraction of the tolerance.
 const FIRST_FACE_FRACTION: Real = 0.1;
-/// An axis with at least this cosine to the normal of last time is the same axis.
+/// Least cosine of an axis and the last normal at which the axis counts as the last one.
 const AXIS_COSINE_MIN: Real = 0.98;
 /// Corners outside the other face by up to this fraction of its size still count as inside. Boxes of equal
 /// size are stacked often, and rounding must not decide what their corners are.
@@ -47,7 +47,8 @@ pub fn cuboid_cuboid(
     let normals = [oriented(Vector::AXES[face1]), oriented(rotation.col(face2))];
     let hint = raw.local_n1;
     let bonus = normals.map(|n| if n.dot(hint) > AXIS_COSINE_MIN { tolerance } else { 0.0 });
-    let is_first = gaps1[face1] + bonus[0] >= gaps2[face2] + bonus[1] - FIRST_FACE_FRACTION * tolerance;
+    let is_first =
+        gaps1[face1] + bonus[0] >= gaps2[face2] + bonus[1] - FIRST_FACE_FRACTION * tolerance;
     let pair = if is_first {
         let sign = if center1[face1] < 0.0 { -1.0 } else { 1.0 };
         FacePair {

@@ -17,9 +17,9 @@ use parry::bounding_volume::Aabb;
 /// Tolerance on the overlap within which a face is preferred to another axis, as a fraction of the smallest
 /// half extent.
 const TOLERANCE: Real = 0.01;
-/// Of equal faces the triangle's is taken, by this fraction of the tolerance.
+/// Preference of the triangle among equal faces, as a fraction of the tolerance.
 const FIRST_FACE_FRACTION: Real = 0.1;
-/// An axis with at least this cosine to the normal of last time is the same axis.
+/// Least cosine of an axis and the last normal at which the axis counts as the last one.
 const AXIS_COSINE_MIN: Real = 0.98;
 /// Edges whose directions have a smaller sine (squared) than this are parallel: their product equals a face
 /// normal.

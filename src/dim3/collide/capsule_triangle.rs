@@ -12,7 +12,7 @@ use crate::base::segments::Segments;
 use crate::dim::math::{Pose, Real, Vector};
 use parry::shape::{Capsule, PackedFeatureId, Triangle};
 
-/// A direction with at least this cosine to the triangle's normal (1.1 degrees) is that normal.
+/// Least cosine of a direction and the triangle's normal that count as equal (1.1 degrees).
 const NORMAL_COSINE_MIN: Real = 0.9998;
 
 /// The points of two shapes that are nearest to each other, and the feature of the triangle.

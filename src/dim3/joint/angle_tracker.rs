@@ -24,10 +24,10 @@ use crate::dim3::math::{Real, Vector};
 use crate::dim3::rotation_vector::{atan_excess, nearest_whole};
 use crate::dim3::wide::{WideAngVector, WideRotation, WideVector, cross};
 
-/// Below this, numbers that should have a direction have none.
+/// Least length of a vector with a direction.
 const LENGTH_MIN: Real = 1.0e-12;
 const TURN: Real = 2.0 * core::f64::consts::PI as Real;
-/// More turns in a step than this cannot be counted.
+/// Largest number of turns in a step that can be counted.
 const TURNS_MAX: Real = 1.0e6;
 /// The steepest slope of which [`atan_excess`] is right.
 const SLOPE_MAX: Real = 0.66;

@@ -25,7 +25,7 @@ use crate::model::island::NONE;
 use core::sync::atomic::{AtomicU32, Ordering};
 use std::sync::{Mutex, PoisonError};
 
-/// In a lane that is empty.
+/// Manifold of an empty lane.
 const NO_MANIFOLD: ManifoldRef = ManifoldRef { pair: u32::MAX, manifold: u32::MAX };
 
 /// A block's worth of manifolds.

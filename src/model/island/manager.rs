@@ -54,7 +54,7 @@ pub struct IslandManager {
     pub(crate) groups: BodyGroups,
     /// Step count, for the time since an island was split.
     pub(crate) step: u32,
-    /// By body slot: how far the body moved in the last step.
+    /// By body slot: the motion of the body in the last step.
     pub(crate) motion: Vec<BodyMotion>,
     pub(crate) stamp: WorldStamp,
 }
@@ -173,13 +173,13 @@ impl IslandManager {
         }
     }
 
-    /// By body slot, for at least so many: how far the body moved.
+    /// The motions of the bodies in the last step, for at least `slot_count` slots.
     pub(crate) fn motions_mut(&mut self, slot_count: usize) -> &mut [BodyMotion] {
         self.motion.resize(slot_count.max(self.motion.len()), BodyMotion::NONE);
         &mut self.motion
     }
 
-    /// Notes how far the body in a slot moved.
+    /// Stores the motion of the body in a slot.
     pub(crate) fn set_motion(&mut self, body_slot: u32, motion: BodyMotion) {
         let slot = body_slot as usize;
         if slot >= self.motion.len() {

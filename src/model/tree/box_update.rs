@@ -45,7 +45,7 @@ pub(crate) enum MovedProxy {
     /// It left its box in this tree, and has a new one, with which the tree must be
     /// [updated](BroadPhaseBvh::put).
     Leaves(TreeKind, Aabb),
-    /// In a tree where it should not be, or in none, rightly or not: it must [follow](BroadPhaseBvh::follow).
+    /// Possibly in the wrong tree, or in none: it must [follow](BroadPhaseBvh::follow).
     IsElsewhere,
 }
 

@@ -49,8 +49,8 @@ use crate::model::multibody::Multibody;
 /// Least and greatest number of iterations of the implicit half.
 const ITERATIONS_MIN: usize = 3;
 const ITERATIONS_MAX: usize = 8;
-/// The iteration stops when it changes less than this fraction of the first change.
-const CONVERGENCE: Real = 1.0e-3;
+/// Largest change of a converged iteration, as a fraction of the first change.
+const CONVERGED_FRACTION_MAX: Real = 1.0e-3;
 /// The iteration diverges if it changes more than this fraction of the change before.
 const CONTRACTION_MAX: Real = 0.5;
 /// Least fraction of the velocities that a half without convergence may change.
@@ -360,7 +360,9 @@ impl Motion {
             if iteration == 1 {
                 first = next;
             }
-            if next <= rounding || (iteration >= ITERATIONS_MIN && next <= CONVERGENCE * first) {
+            if next <= rounding
+                || (iteration >= ITERATIONS_MIN && next <= CONVERGED_FRACTION_MAX * first)
+            {
                 return true;
             }
             // A comparison with NaN is false, so NaN does not converge.

@@ -131,11 +131,15 @@ impl<K: KnownPairs> Search<'_, K> {
                 continue;
             }
             let is_movable = searching.kind.is_movable() && other_kind.is_movable();
-            self.tree.for_each_overlapping(other_kind, &searching.collider.proxy.fat_aabb, |other| {
-                if !found.known.has(other) {
-                    self.meet(searching, other, is_movable, found);
-                }
-            });
+            self.tree.for_each_overlapping(
+                other_kind,
+                &searching.collider.proxy.fat_aabb,
+                |other| {
+                    if !found.known.has(other) {
+                        self.meet(searching, other, is_movable, found);
+                    }
+                },
+            );
         }
         Kind::ALL.into_iter().for_each(|kind| self.take_nearest(searching.slot, kind, found));
     }

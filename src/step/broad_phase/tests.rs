@@ -161,7 +161,11 @@ fn fixed_colliders_meet_on_request() {
     boxes.search_again(second);
     assert_eq!(boxes.find(), [(first, second)]);
     let third = boxes.cube(Vector::ZERO, None);
-    assert_eq!(boxes.find(), [(second, third)], "the new collider finds the one that allows the pair");
+    assert_eq!(
+        boxes.find(),
+        [(second, third)],
+        "the new collider finds the one that allows the pair"
+    );
 }
 
 #[test]

@@ -13,7 +13,7 @@ use super::view::PairView;
 use crate::base::disjoint::DisjointMut;
 use crate::base::pool::Pool;
 use crate::base::tasks::Tasks;
-use crate::collide::{Neighbor, NORMAL_DISTANCE_SQUARED_MAX, ghost_contacts_among};
+use crate::collide::{NORMAL_DISTANCE_SQUARED_MAX, Neighbor, ghost_contacts_among};
 use crate::dim::math::Real;
 use crate::model::body::RigidBody;
 use crate::model::collider::Collider;

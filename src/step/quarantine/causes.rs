@@ -9,7 +9,7 @@
 //! equations. It is the end of a causal chain more often than its beginning. Any choice that splits the group
 //! works, and this one depends on the group alone.
 //!
-//! Each round costs a step. After [`ROUNDS`] of them all diverged bodies are disabled, and after twice as
+//! Each round costs a step. After [`ROUNDS_MAX`] of them all diverged bodies are disabled, and after twice as
 //! many all awake bodies. Then nothing moves, and the step cannot fail.
 
 use crate::base::measure::MODERATE_MAX;
@@ -24,7 +24,7 @@ use crate::step::notes::Diverged;
 use crate::step::world::World;
 
 /// Number of rounds in which the most stressed bodies are selected one by one.
-const ROUNDS: usize = 4;
+const ROUNDS_MAX: usize = 4;
 
 /// A body and the cause of its quarantine.
 type Cause = (RigidBodyHandle, QuarantineCause);
@@ -39,7 +39,7 @@ impl Causes<'_> {
     /// Adds the bodies to disable after the step has failed `failures` times before.
     pub fn find(&self, failures: usize, taken: &mut Vec<Cause>) {
         let known = taken.len();
-        if failures >= 2 * ROUNDS {
+        if failures >= 2 * ROUNDS_MAX {
             let awake = self.world.structure.islands.awake.iter();
             let at_rest = RigidBodyVelocity::zero();
             let all = awake.map(|&body| Diverged { body, velocity: at_rest, is_link: false });
@@ -59,7 +59,7 @@ impl Causes<'_> {
         if taken.len() > known {
             return;
         }
-        if failures >= ROUNDS {
+        if failures >= ROUNDS_MAX {
             return self.diverged.iter().for_each(|diverged| self.take(diverged, taken));
         }
         for diverged in self.most_stressed() {

@@ -36,7 +36,7 @@ const PAGES_PER_TASK: usize = 2;
 /// Id of a pair, stable for its lifetime.
 pub(crate) type PairId = u32;
 
-/// The slack of a pair that must be computed whether or not anything moved.
+/// The slack of a due pair, which must be computed even without motion.
 pub(crate) const DUE: Real = Real::NEG_INFINITY;
 
 /// The store's data of a pair.

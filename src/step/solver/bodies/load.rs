@@ -205,8 +205,8 @@ impl Places<'_> {
         // SAFETY: the caller's promise.
         unsafe {
             let may_be_in_pile = self.motions.get(index).may_be_in_pile();
-            let near_rest =
-                may_be_in_pile && AnchorFrame::near_rest(ang_length_squared(body.angvel), flags == 0);
+            let near_rest = may_be_in_pile
+                && AnchorFrame::near_rest(ang_length_squared(body.angvel), flags == 0);
             let flags = if near_rest { flags | NEAR_REST } else { flags };
             *self.listed.get_mut(index) = slot;
             *self.indices.get_mut(slot as usize) = index as u32 | flags;

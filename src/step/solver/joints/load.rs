@@ -234,7 +234,9 @@ impl End {
 pub(super) fn is_gyroscopic(body: &RigidBody, substep: Real) -> bool {
     let angle_squared = ang_length_squared(body.angvel) * substep * substep;
     let mprops = &body.mprops;
-    angle_squared >= ROTATION_ANGLE_MIN * ROTATION_ANGLE_MIN && mprops.rotates_freely() && !is_round(&mprops.inv_inertia)
+    angle_squared >= ROTATION_ANGLE_MIN * ROTATION_ANGLE_MIN
+        && mprops.rotates_freely()
+        && !is_round(&mprops.inv_inertia)
 }
 
 /// Fills one lane of a block, and of its rows.

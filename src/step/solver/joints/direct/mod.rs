@@ -55,7 +55,7 @@ use pattern::Pattern;
 
 /// Largest number of Newton steps per substep towards the constrained poses. A pendulum keeps its energy with
 /// two; bodies with large rotations in a substep need more.
-const ROUNDS: usize = 8;
+const ROUNDS_MAX: usize = 8;
 /// The same for stiff components, whose projection starts farther away.
 const STIFF_ROUNDS_MAX: usize = 4;
 
@@ -244,7 +244,9 @@ impl Direct {
                 }
                 Next::Solve => match factor.progress(component, rows, inv_h) {
                     Progress::Done => Next::Nothing,
-                    Progress::Near | Progress::Far if solve_state.rounds < ROUNDS => Next::Solve,
+                    Progress::Near | Progress::Far if solve_state.rounds < ROUNDS_MAX => {
+                        Next::Solve
+                    }
                     Progress::Near => Next::Nothing,
                     Progress::Far | Progress::Astray => Next::Rollback,
                 },
