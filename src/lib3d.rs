@@ -59,14 +59,14 @@ mod dim3;
 use dim3 as dim; // the one line that decides the dimension
 
 mod base;
+mod collide;
+mod controllers;
 mod model;
 mod multibody;
-mod collide;
-mod step;
 mod query;
-mod controllers;
+mod step;
 #[cfg(feature = "debug-render")]
-mod debug_render;
 mod api;
+mod debug_render;
 
 pub use api::{control, data, dynamics, geometry, math, pipeline, prelude};

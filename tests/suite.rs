@@ -5,12 +5,12 @@
 //! in single and double precision.
 
 mod allocations;
-mod determinism;
 mod api;
-pub mod ghosts;
+mod ccd;
 pub mod characters;
 mod complaints;
-mod ccd;
+mod determinism;
+pub mod ghosts;
 pub mod hostile;
 pub mod joints;
 pub mod multibody;

@@ -230,7 +230,7 @@ fn overlaps(node: &BvhNode, region: &Aabb) -> bool {
     node.mins().cmple(region.maxs).all() && node.maxs().cmpge(region.mins).all()
 }
 
-/// Into how many boxes a line is divided at most.
+/// Largest number of boxes of a line.
 const PIECES_MAX: Real = 64.0;
 
 /// The swept region of a point set that moves along a line, independent of its rotation.

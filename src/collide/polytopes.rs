@@ -208,8 +208,7 @@ impl Pair<'_> {
         extents(self.pos12, shape1, shape2, direction).thickness
     }
 
-    /// Adds the contacts of a face. Returns how far the polytopes are apart, if this is where they are
-    /// closest.
+    /// Adds the contacts of a face. Returns the distance of the polytopes, if they are closest there.
     fn add_face(&self, separation: &Separation, raw: &mut RawManifold) -> Option<Real> {
         raw.local_n1 = separation.normal;
         let (pose, polytope, other) = if separation.is_first {
@@ -234,8 +233,8 @@ impl Pair<'_> {
         }
     }
 
-    /// Adds the contact of the two edges that are closest along `direction`. Returns how far the
-    /// polytopes are apart, if this is where they are closest.
+    /// Adds the contact of the two edges that are closest along `direction`. Returns the distance of the
+    /// polytopes, if they are closest there.
     fn add_edges(&self, direction: Vector, raw: &mut RawManifold) -> Option<Real> {
         let edge1 = self.polytope1.edge_toward(direction)?;
         let edge2 = self.polytope2.edge_toward(self.pos21.rotation * -direction)?;

@@ -158,7 +158,7 @@ impl<W: Wide> WideRotation<W> {
         }
     }
 
-    /// Square of how far it moves the tip of a unit vector: of the angle, nearly.
+    /// Squared displacement of the tip of a unit vector, approximately the squared angle.
     #[inline(always)]
     pub fn chord_squared(self) -> W {
         let less = self.re - W::splat(1.0);

@@ -38,7 +38,6 @@
 //! Sources: Featherstone, "Rigid Body Dynamics Algorithms" (2008).
 
 mod bias;
-mod trajectory;
 mod factor;
 mod inverse;
 mod kinematics;
@@ -46,9 +45,10 @@ mod mass_matrix;
 mod motion;
 mod spatial;
 mod sync;
+mod trajectory;
 #[cfg(test)]
-mod tests;
 mod locked_inertia;
+mod tests;
 
 pub use inverse::InverseKinematicsOption;
 pub(crate) use mass_matrix::usable;

@@ -11,8 +11,7 @@ use crate::model::params::IntegrationParameters;
 /// Change of a contact pair in the narrow phase.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 pub(crate) enum PairChange {
-    /// Its manifolds were computed anew: how many there are, and whether they are to be solved, may
-    /// differ from before.
+    /// Its manifolds were recomputed. Their number may differ from before, and so may the set of solved ones.
     Computed,
     /// The fat AABBs no longer overlap.
     Apart,

@@ -10,11 +10,11 @@ mod drives;
 mod links;
 mod paths;
 mod presses;
+mod rotations;
 mod sensors;
 mod settings;
 mod surfaces;
 mod throws;
-mod rotations;
 
 use crate::dim::grounds::GROUNDS;
 use crate::dim::{about_z, cuboid, vec};

@@ -25,12 +25,12 @@ pub use scene3d as scene;
 
 mod app;
 mod camera;
-mod pointer;
 mod history;
 mod look3d;
 mod painter;
 mod panels;
 mod player;
+mod pointer;
 mod recorder;
 mod session;
 mod stages;

@@ -25,12 +25,12 @@ pub use scene2d as scene;
 
 mod app;
 mod camera;
-mod pointer;
 mod history;
 mod look2d;
 mod painter;
 mod panels;
 mod player;
+mod pointer;
 mod recorder;
 mod session;
 mod stages;

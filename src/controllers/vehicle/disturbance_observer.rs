@@ -13,7 +13,7 @@ use crate::model::body::RigidBody;
 #[derive(Copy, Clone, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub(super) struct DisturbanceObserver {
-    /// The velocity that the chassis should have after the step, and how long that takes.
+    /// The expected velocity of the chassis after the step, and the length of the step (s).
     expected: Option<(Vector, Real)>,
     /// The last missing acceleration (length/s²).
     last: Vector,

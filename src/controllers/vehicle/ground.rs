@@ -27,7 +27,7 @@ pub(super) struct GroundCompliance {
     handle: RigidBodyHandle,
     /// Fractions, linear and angular.
     fractions: [Vector; 2],
-    /// The velocities at the last update, and by how much pushes should have changed them.
+    /// The velocities at the last update, and their expected changes by pushes.
     old: [Vector; 2],
     expected: [Vector; 2],
 }

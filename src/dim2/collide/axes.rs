@@ -75,7 +75,7 @@ pub fn best_axis(
     }
 }
 
-/// A box, and how near is near.
+/// A box, and the prediction distance.
 pub struct TriangleCulling {
     half: Vector,
     reach: Real,

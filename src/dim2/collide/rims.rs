@@ -12,7 +12,7 @@ pub struct Rims<W> {
     start: WideVector<W>,
     /// From end to end.
     along: WideVector<W>,
-    /// The square of its length, and how much of it beyond the ends is still inside.
+    /// The square of its length, and the part beyond the ends that counts as inside.
     length: W,
     rim: W,
 }

@@ -5,8 +5,8 @@
 //! continuous up to half a revolution.
 
 mod angle;
-mod frame;
 mod angle_tracker;
+mod frame;
 mod inertia;
 mod point;
 

@@ -88,7 +88,7 @@ pub fn best_axis(
     }
 }
 
-/// A box, and how near is near.
+/// A box, and the prediction distance.
 pub struct TriangleCulling {
     half: Vector,
     reach: Real,
@@ -157,7 +157,7 @@ impl Pass<'_> {
     }
 }
 
-/// An axis per lane, from the box to the triangle, and how far the two are apart along it.
+/// An axis per lane, from the box to the triangle, and the distance of the two along it.
 #[derive(Copy, Clone)]
 struct Axis<W> {
     gap: W,

@@ -21,7 +21,7 @@ pub(crate) struct RestPose {
     pub path: Drift,
 }
 
-/// A bound of the motion of a body: how far it is from its [`RestPose`], or how long its path is.
+/// A bound of the motion of a body: its distance from its [`RestPose`], or the length of its path.
 #[derive(Copy, Clone, Debug)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) struct Drift {

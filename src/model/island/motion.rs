@@ -1,4 +1,4 @@
-//! Bounds of how far bodies moved.
+//! Bounds of the motion of bodies.
 
 use crate::dim::math::{AngVector, Real, Rotation, Vector, ang_length_squared};
 
@@ -38,7 +38,7 @@ impl BodyMotion {
         self.shift.length() + self.rest
     }
 
-    /// No point of the one moved farther than this against any of the other.
+    /// A bound of the relative displacement of any two points of the two bodies.
     #[inline]
     pub fn against(&self, other: &Self) -> Real {
         (self.shift - other.shift).length() + self.rest + other.rest
@@ -50,7 +50,7 @@ impl BodyMotion {
 /// square root of 3/2.
 const ROTATION_BOUND_FACTOR: Real = 1.225;
 
-/// A bound of how far two rotations take a unit vector apart.
+/// A bound of the distance of a unit vector's images under two rotations.
 pub(crate) fn rotation_bound(a: Rotation, b: Rotation) -> Real {
     let apart = Vector::AXES.map(|axis| (a * axis - b * axis).length_squared());
     ROTATION_BOUND_FACTOR * apart.into_iter().fold(0.0, Real::max).sqrt()

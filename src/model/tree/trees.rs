@@ -25,7 +25,7 @@ pub(crate) struct Trees {
 
 clone_in_place!(Trees { trees, scratch });
 
-/// One tree and how much it grew.
+/// One tree and its growth.
 #[derive(Debug, Default)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 struct Tree {

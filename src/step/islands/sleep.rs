@@ -11,7 +11,7 @@ const SPLIT_INTERVAL: u32 = 30;
 /// Buffers that are reused from step to step.
 #[derive(Default)]
 pub(crate) struct SleepScratch {
-    /// By island: how many of its bodies are sleepy.
+    /// By island: the number of its sleepy bodies.
     sleepy: Vec<usize>,
     /// The islands with any.
     islands: Vec<u32>,

@@ -73,7 +73,7 @@ impl Quarantine {
         }
     }
 
-    /// Reports the disabled bodies. Returns how many.
+    /// Reports the disabled bodies. Returns their number.
     pub fn close(&self, bodies: &RigidBodySet, notes: &mut StepNotes) -> usize {
         if self.failures > 0 {
             cancel_out(&mut notes.events, self.emitted);

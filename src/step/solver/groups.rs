@@ -60,7 +60,7 @@ struct IslandRequirement {
     masses: [Real; 2],
     /// The same for bodies that joints hold.
     joined: [Real; 2],
-    /// The largest `r / (I + m r²)` of these: how fast a force turns one aside.
+    /// The largest `r / (I + m r²)` of these: the angular acceleration by a unit force.
     agility: Real,
     /// Additional substeps that its bodies request.
     extra: usize,

@@ -6,11 +6,11 @@
 //! body diverge. A step that failed for another reason may have woken bodies and coloured contacts that the
 //! twin has not. Such a step has the same bits in each run (`random_edits.rs`).
 
-mod random_edits;
+mod causes;
 mod contacts;
 mod crowds;
 mod joints;
-mod causes;
+mod random_edits;
+mod recovery;
 mod stage;
 mod threads;
-mod recovery;

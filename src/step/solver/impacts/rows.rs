@@ -1,4 +1,4 @@
-//! The points of one block in an impact: which of them hit, and how fast they are to part. The rounds are in
+//! The points of one block in an impact: those that hit, and their target velocities. The rounds are in
 //! `active.rs`.
 //!
 //! The velocity of a substep, which is that of its middle, is not that of the time `τ`. With the acceleration

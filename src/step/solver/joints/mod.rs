@@ -60,17 +60,17 @@
 //!
 //! Sources: Catto, "Solver2D" (box2d.org, 2024) for the soft step; Catto, "Soft Constraints" (GDC 2011).
 
-mod substep_end;
 mod block;
 mod direct;
-mod motors_and_limits;
+mod geometric_stiffness;
 mod geometry;
 mod load;
+mod motors_and_limits;
 mod passes;
 mod point_to_point;
 mod rows;
 mod store;
-mod geometric_stiffness;
+mod substep_end;
 
 use super::blocks::{Layout, block_kernel, for_each_color};
 use super::bodies::SolverBodies;
@@ -103,7 +103,7 @@ pub(super) struct SolverJoints {
     impact_impulses: Vec<ImpactImpulse>,
     /// The point-to-point joints, which have their own blocks.
     point_to_point: PointToPointJoints,
-    /// All joints in the order of their colours, and how many of them each colour has.
+    /// All joints in the order of their colours, and the number of joints per colour.
     members: Vec<DirectJoint>,
     colors: Vec<(u32, usize)>,
     /// Slots of all joints that have a colour, in that order.

@@ -66,8 +66,7 @@ pub struct LinkImpact {
     pub was_active: bool,
     /// Whether the last iteration changed anything.
     pub moving: bool,
-    /// The sum of impulse times approach in this round, and how much more energy there is than there should
-    /// be.
+    /// The sum of impulse times approach in this round, and the excess of energy.
     pub dissipated: Real,
     pub energy_gain: Real,
 }
@@ -77,9 +76,9 @@ pub struct LinkImpact {
 pub struct BeforeImpact {
     rates: Vec<Real>,
     external_impulse: SpatialVector,
-    /// The sum of the times (s) at which it is hit in this round, and how many they are.
+    /// The sum of the times (s) at which it is hit in this round, and the number of hits.
     times: [Real; 2],
-    /// For how long (s) it has been moved on to where it is hit, if it is.
+    /// Time (s) by which it was moved to the pose of its hit, if it has one.
     ahead: Option<Real>,
     /// Whether it may gain energy: other bodies hit it, or its restitution exceeds 1.
     may_gain: bool,

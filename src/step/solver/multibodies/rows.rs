@@ -167,7 +167,7 @@ impl JacobianPool {
         row
     }
 
-    /// `J_i W_j`: how fast the first row becomes by an impulse of 1 on the second, which must be of the same
+    /// `J_i W_j`: the velocity of the first row by an impulse of 1 on the second, which must be of the same
     /// two sides.
     pub fn coupling(&self, first: &Row, second: &Row) -> Real {
         let of = |side: usize| match (&first.parts[side], &second.parts[side]) {

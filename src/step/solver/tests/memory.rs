@@ -111,7 +111,7 @@ fn read_only_bodies_and_the_world_are_not_written() {
     assert_eq!(format!("{:?}", scene.states[0]), format!("{:?}", Scene::empty().states[0]));
 }
 
-/// Turning a body does not change how far it has moved: velocities are written, displacements are not.
+/// A rotation of a body does not change its displacement: velocities are written, displacements are not.
 #[test]
 fn displacements_stay() {
     let mut random = Random(24);
