@@ -59,14 +59,14 @@ mod dim2;
 use dim2 as dim; // the one line that decides the dimension
 
 mod base;
-mod collide;
-mod controllers;
 mod model;
 mod multibody;
-mod query;
+mod collide;
 mod step;
+mod query;
+mod controllers;
 #[cfg(feature = "debug-render")]
-mod api;
 mod debug_render;
+mod api;
 
 pub use api::{control, data, dynamics, geometry, math, pipeline, prelude};

@@ -5,12 +5,12 @@
 //! in single and double precision.
 
 mod allocations;
+mod determinism;
 mod api;
-mod ccd;
+pub mod ghosts;
 pub mod characters;
 mod complaints;
-mod determinism;
-pub mod ghosts;
+mod ccd;
 pub mod hostile;
 pub mod joints;
 pub mod multibody;

@@ -3,16 +3,16 @@
 //! Files with the same name have the same role in `dim3/`, which has two more: `gyroscopic.rs` and
 //! `collide/cuboid_faces.rs`. So the difference of the two folders is the difference between the two engines.
 
-pub mod axes;
 pub mod collide;
+pub mod axes;
 pub mod facets;
 pub mod field;
 pub mod hull;
 pub mod joint_axes;
+pub mod names;
 pub mod mask;
 pub mod mass;
 pub mod math;
-pub mod names;
 #[cfg(feature = "serde-serialize")]
 pub mod saved;
 pub mod shapes;
@@ -21,14 +21,14 @@ pub mod spatial;
 // Vehicles drive in 3D only.
 pub mod vehicle {}
 #[allow(dead_code, reason = "the same words in both dimensions; not each is needed in both")]
-pub mod surface;
 pub mod wide;
+pub mod surface;
 pub mod width;
 
 pub(crate) mod contact;
 pub(crate) mod joint;
+pub(crate) mod state;
 pub(crate) mod motion;
 pub(crate) mod rotation_vector;
-pub(crate) mod state;
 #[cfg(feature = "debug-render")]
 pub(crate) mod outline;

@@ -38,6 +38,7 @@
 //! Sources: Featherstone, "Rigid Body Dynamics Algorithms" (2008).
 
 mod bias;
+mod trajectory;
 mod factor;
 mod inverse;
 mod kinematics;
@@ -45,10 +46,9 @@ mod mass_matrix;
 mod motion;
 mod spatial;
 mod sync;
-mod trajectory;
 #[cfg(test)]
-mod locked_inertia;
 mod tests;
+mod locked_inertia;
 
 pub use inverse::InverseKinematicsOption;
 pub(crate) use mass_matrix::usable;

@@ -10,15 +10,15 @@ mod trace;
 mod world;
 
 // In the order in which they run.
-mod advance;
-mod broad_phase;
-mod ccd;
-mod events;
-mod islands;
-mod narrow_phase;
-mod quarantine;
-mod solver;
 mod user_changes;
+mod broad_phase;
+mod narrow_phase;
+mod islands;
+mod solver;
+mod quarantine;
+mod ccd;
+mod advance;
+mod events;
 
 use crate::base::held::HeldPanic;
 use crate::base::tasks::Tasks;

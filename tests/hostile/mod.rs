@@ -19,10 +19,10 @@ mod event_checker;
 mod world;
 
 mod bodies;
-mod bounds;
 mod builders;
 mod bursts;
 mod colliders;
+mod bounds;
 mod crowds;
 mod edits;
 mod exchanged;

@@ -14,8 +14,8 @@ pub use scene2d as scene;
 
 #[path = "../../../examples3d/scenes/src/common/mod.rs"]
 pub mod common;
-mod kit;
 pub mod scenes;
+mod kit;
 
 pub use scene::{Scene, SceneInfo};
 pub use scenes::SCENES;

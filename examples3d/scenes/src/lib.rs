@@ -13,8 +13,8 @@ pub use rapier3d as rapier;
 pub use scene3d as scene;
 
 pub mod common;
-mod kit;
 pub mod scenes;
+mod kit;
 
 pub use scene::{Scene, SceneInfo};
 pub use scenes::SCENES;

@@ -6,8 +6,8 @@
 //! independently, and its result goes to a place that depends on the item alone.
 
 #[cfg(feature = "parallel")]
-mod gather;
 mod team;
+mod gather;
 mod threads;
 
 use super::disjoint::DisjointMut;

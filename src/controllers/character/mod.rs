@@ -27,9 +27,9 @@
 mod hooks;
 mod impulses;
 mod length;
-mod movement;
 mod mover;
 mod moves;
+mod movement;
 mod obstacles;
 mod plane_pruning;
 mod planes;

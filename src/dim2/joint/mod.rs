@@ -5,8 +5,8 @@
 //! continuous up to half a revolution.
 
 mod angle;
-mod angle_tracker;
 mod frame;
+mod angle_tracker;
 mod inertia;
 mod point;
 

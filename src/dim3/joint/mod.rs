@@ -27,8 +27,8 @@
 //! the chain rule.
 
 mod angle;
-mod angle_tracker;
 mod frame;
+mod angle_tracker;
 mod inertia;
 mod point;
 

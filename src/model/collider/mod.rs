@@ -5,6 +5,8 @@
 //! empty mesh, a coordinate that is not finite). No stage of the step therefore needs a check. Setters record
 //! each change, so that the next step processes changed colliders alone.
 
+mod interact;
+mod journal;
 mod active;
 mod builder;
 pub(crate) mod check;
@@ -15,8 +17,6 @@ mod form;
 mod grid;
 mod groups;
 mod handle;
-mod interact;
-mod journal;
 mod mass;
 mod material;
 mod mesh_converter;

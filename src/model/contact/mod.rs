@@ -1,14 +1,14 @@
 //! Contacts: pairs of nearby colliders, and their contact points.
 
-mod anchor_frame;
 mod input;
 mod lanes;
 mod manifold;
 mod narrow_phase;
+mod triangle_cache;
 mod pair;
+mod anchor_frame;
 mod report;
 mod store;
-mod triangle_cache;
 
 pub(crate) use anchor_frame::{AnchorFrame, MotionSince, WidePoint};
 pub(crate) use input::ContactInput;

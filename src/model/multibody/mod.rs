@@ -8,13 +8,13 @@
 //! [`crate::multibody`] contains the laws of motion, and the solver of the step applies them.
 
 mod coupling;
+mod trajectory;
 mod handle;
 mod joint;
 mod link;
 mod record;
 mod set;
 mod split;
-mod trajectory;
 #[cfg(test)]
 mod tests;
 

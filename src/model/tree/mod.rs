@@ -6,9 +6,9 @@
 //! kinematic colliders have a tree, so that the search along paths of fast bodies does not visit all dynamic
 //! ones. A step costs nothing for colliders that rest, however many there are.
 
-mod box_update;
 mod check;
 mod enlarge;
+mod box_update;
 mod proxy;
 mod shape_box;
 #[cfg(test)]

@@ -33,10 +33,10 @@
 mod approach;
 mod bullets;
 mod groups;
-mod link_trajectories;
 mod path;
 mod ride;
 mod sensors;
+mod link_trajectories;
 
 use crate::base::tasks::Tasks;
 use crate::dim::math::Real;

@@ -11,11 +11,11 @@
 //! a bound on the relative motion of the two bodies, which costs two loads. Only pairs whose slack is used up
 //! are checked: [`update`].
 
-mod anchors;
 mod contact;
 mod faults;
-mod ghost_contacts;
+mod anchors;
 mod recycle;
+mod ghost_contacts;
 mod sensor;
 mod update;
 mod view;

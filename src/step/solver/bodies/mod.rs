@@ -1,9 +1,9 @@
 //! Awake bodies of the solver: dense, and group after group.
 
-mod divergence;
 mod load;
 mod motion;
 mod store;
+mod divergence;
 
 use super::context::SolverPass;
 use super::groups::{Group, Groups};

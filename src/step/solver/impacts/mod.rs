@@ -75,10 +75,10 @@
 //! Acts once at the end, under all normal impulses of the impact. The velocity changes of an impact are also
 //! added to the velocities "before any impulse" of the substep: they are no warm-start load.
 
-mod active;
 mod impact_islands;
 mod points;
 mod rows;
+mod active;
 mod touched;
 mod visits;
 

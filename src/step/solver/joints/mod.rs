@@ -60,17 +60,17 @@
 //!
 //! Sources: Catto, "Solver2D" (box2d.org, 2024) for the soft step; Catto, "Soft Constraints" (GDC 2011).
 
+mod substep_end;
 mod block;
 mod direct;
-mod geometric_stiffness;
+mod motors_and_limits;
 mod geometry;
 mod load;
-mod motors_and_limits;
 mod passes;
 mod point_to_point;
 mod rows;
 mod store;
-mod substep_end;
+mod geometric_stiffness;
 
 use super::blocks::{Layout, block_kernel, for_each_color};
 use super::bodies::SolverBodies;

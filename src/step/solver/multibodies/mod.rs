@@ -8,9 +8,9 @@
 //! Multibodies warm-start a substep as bodies do, without an iteration: the effect of the impulses on the
 //! generalised velocities is stored ([`Moving::pushed`]) and added.
 
+mod impacts;
 mod contacts;
 mod gears;
-mod impacts;
 mod limits;
 mod load;
 mod loops;
