@@ -259,8 +259,8 @@ impl Facet<'_> {
         self.piece.height(other.plane).is_some_and(|height| height <= limit)
     }
 
-    /// Second rule, for one point of `self`. Returns whether the point is on the plane of `other`, a face of
-    /// its own collider continues there, and a collider within the plane hides it.
+    /// Second rule, for one point of `self`. Returns whether a collider within the plane of `other` hides the
+    /// point. The point must be on that plane, and a face of its own collider must continue there.
     fn is_hidden_at<'b>(
         &self,
         point: Vector,

@@ -28,7 +28,7 @@ const PATCHES_MAX: usize = 1024;
 const POINTS_MAX: usize = 32 * PATCHES_MAX;
 /// A cell of the culling grid keeps a patch for each of these directions of its normal.
 const DIRECTIONS: usize = 2 * DIM;
-/// Stands for no patch.
+/// Index of no patch.
 const NONE: u32 = u32::MAX;
 
 /// The contacts of two convex parts.

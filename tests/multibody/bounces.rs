@@ -264,8 +264,8 @@ fn energy_lost_in_an_impact_does_not_return() {
     }
 }
 
-/// A striker of two welded bodies of the total mass 1 hits a row of balls of mass 1, one of which may
-/// be a link. The last ball leaves at the speed of the striker.
+/// A striker of two welded bodies of the total mass 1 hits a row of balls of mass 1. One of the balls may be
+/// a link. The last ball leaves at the speed of the striker.
 #[test]
 fn links_transmit_an_impact() {
     let columns = ["rate", "link in the row", "last", "others", "energy"];

@@ -105,8 +105,8 @@ fn tower_kept_awake() {
     }
 }
 
-/// A pyramid of twenty rows stands and falls asleep. At 30 steps a second, and at 60 in double
-/// precision, it stands, but soft contacts let it sway by more than the drift of a sleeping body
+/// A pyramid of twenty rows stands and falls asleep. At 30 steps a second, and at 60 in double precision, it
+/// stands. But soft contacts let it sway by more than the drift of a sleeping body
 /// (`docs/decisions/0013-bodies-sleep-by-drift.md`).
 #[test]
 fn pyramid() {

@@ -84,7 +84,7 @@ impl Kernel for AllOperations<'_> {
     }
 }
 
-/// Numbers that go wrong where anything does, then numbers of all sizes and bit patterns.
+/// Critical numbers, then numbers of all sizes and bit patterns.
 fn numbers() -> Vec<Real> {
     let mut numbers = vec![0.0, 1.0, 3.0, 0.1, 1.0e20, 1.0e-20];
     numbers.extend([Real::MAX, Real::MIN_POSITIVE, Real::EPSILON, Real::INFINITY, Real::NAN]);

@@ -340,7 +340,7 @@ impl Goal {
 /// Closing motion of two parts.
 #[derive(Copy, Clone, Debug, PartialEq)]
 enum Meeting {
-    /// They do not.
+    /// The parts do not meet.
     Never,
     /// They have met when the step begins.
     FromTheBeginning,

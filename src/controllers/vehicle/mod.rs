@@ -12,7 +12,7 @@
 //!    will probably act again.
 //! 3. [`ground`]: the ground below the wheels, and its compliance.
 //! 4. [`contact`], [`spring`], [`grip`]: per wheel on the ground one spring, which only pushes, and two rows
-//!    of friction with one bound; solved together by projected Gauss–Seidel iteration ([`solve`]).
+//!    of friction with one bound. They are solved together by projected Gauss–Seidel iteration ([`solve`]).
 //! 5. [`spin`]: the wheels turn.
 //! 6. The impulses become pushes: forces that last for the next step alone.
 //!

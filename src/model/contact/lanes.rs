@@ -28,7 +28,7 @@ use std::sync::{Mutex, PoisonError};
 /// Manifold of an empty lane.
 const NO_MANIFOLD: ManifoldRef = ManifoldRef { pair: u32::MAX, manifold: u32::MAX };
 
-/// A block's worth of manifolds.
+/// The manifolds of a block.
 #[derive(Clone, Debug)]
 pub(crate) struct LaneBlock {
     /// The manifolds of the lanes.

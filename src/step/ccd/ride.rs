@@ -260,8 +260,8 @@ impl Ride {
     }
 }
 
-/// Pose at the end of the step of an object at `start` after a fraction of the step that moves with a carrier
-/// from then on.
+/// Pose at the end of the step of an object at `start` after a fraction of the step. From then on it moves
+/// with a carrier.
 fn carried(carrier: &Sweep<'_>, fraction: Real, start: &Pose) -> Pose {
     let relative = carrier.at(fraction).inv_mul(start);
     let end = carrier.at(1.0) * relative;

@@ -81,7 +81,7 @@ impl UserChanges<'_> {
         }
     }
 
-    /// Takes away the pairs between two bodies' colliders.
+    /// Removes the pairs between two bodies' colliders.
     fn drop_pairs_between(&mut self, [body1, body2]: [RigidBodyHandle; 2]) {
         let slots = [body1, body2].map(|body| body.into_raw_parts().0);
         self.each_collider_of(body1, |apply, collider| {

@@ -1,9 +1,9 @@
 //! A constraint row between links of multibodies, ordinary bodies and the world.
 //!
 //! The relative velocity of a row is `Ċ = Σ J v` over its two sides. For an ordinary body `v` is its spatial
-//! velocity. For the links of a multibody it is the list of all its generalised velocities `q̇`, because an
-//! impulse on one link moves all of them. An impulse `λ` adds `W λ` with the response `W = M⁻¹ Jᵀ`, and the
-//! row resists with `K = J W`.
+//! velocity. For the links of a multibody it is the list of all its generalised velocities `q̇`. An impulse
+//! on one link moves all of them. An impulse `λ` adds `W λ` with the response `W = M⁻¹ Jᵀ`, and the row
+//! resists with `K = J W`.
 //!
 //! `J` and `W` are lists with one number per degree of freedom, computed once a step in time proportional to
 //! the number of links. (Moment arms and inertias of contacts are frozen during a step; multibodies that

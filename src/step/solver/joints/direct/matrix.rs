@@ -72,12 +72,12 @@ const RESIDUAL_GROWTH_MAX: f64 = 100.0;
 #[derive(Copy, Clone, Debug, PartialEq)]
 pub(super) enum Progress {
     Done,
-    /// Another round would make it better, and that is all.
+    /// Sufficient; another round would reduce the error.
     Near,
-    /// It takes another round.
+    /// Another round is required.
     Far,
-    /// The rounds lead away.
-    Astray,
+    /// The rounds diverge.
+    Diverging,
 }
 
 /// The matrix of a component, and the buffers of its solution, with `N` rows per joint.
@@ -203,7 +203,7 @@ impl<const N: usize> Matrix<N> {
         if rest <= CONVERGED_FRACTION_MAX * load + noise {
             Progress::Done
         } else if last > load && last > RESIDUAL_GROWTH_MAX * before {
-            Progress::Astray
+            Progress::Diverging
         } else if rest > RESIDUAL_FRACTION_MAX * load {
             Progress::Far
         } else {

@@ -248,7 +248,7 @@ impl Direct {
                         Next::Solve
                     }
                     Progress::Near => Next::Nothing,
-                    Progress::Far | Progress::Astray => Next::Rollback,
+                    Progress::Far | Progress::Diverging => Next::Rollback,
                 },
             };
             is_unfinished |= solve_state.next != Next::Nothing;
