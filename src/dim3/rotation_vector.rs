@@ -74,8 +74,8 @@ pub(super) fn atan_excess<W: Wide>(square: W) -> W {
     square * (polynomial(&ATAN_P) / polynomial(&ATAN_Q))
 }
 
-/// The rotation vector of a rotation by `rotvec` and then by `by`. The sum of two rotation vectors is off by half
-/// of `by × rotvec`. Joints that are solved with the sum break when the bodies are rotated.
+/// The rotation vector of a rotation by `rotvec` and then by `by`. The sum of two rotation vectors is off by
+/// half of `by × rotvec`. Joints that are solved with the sum break when the bodies are rotated.
 ///
 /// Small ones are composed to third order: the series of Baker, Campbell and Hausdorff. Beyond that it fails
 /// (a wheel with a radian per substep vibrated off its axle), and the rotations themselves are composed.

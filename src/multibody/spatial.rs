@@ -108,7 +108,7 @@ impl SpatialMatrix {
 
     /// `Xᵀ I X`: the inertia at `r` from the reference point, about that point.
     pub fn carried_back(&self, r: Vector) -> Self {
-        // A rotation about an axis moves a point at `r` along `axis × r`: columns of I X, then rows of Xᵀ I X.
+        // A rotation about an axis moves a point at `r` by `axis × r`: columns of I X, then rows of Xᵀ I X.
         let along = ANG_AXES.map(|axis| join(cross(axis, r), axis));
         let mut columns = self.0;
         for (column, motion) in columns[DIM..].iter_mut().zip(&along) {

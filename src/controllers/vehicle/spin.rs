@@ -2,10 +2,10 @@
 //!
 //! Wheels have no mass, so their spin has no effect on the chassis. On the ground a wheel rolls. Its spin is
 //! the ground velocity of the chassis divided by its radius, and its angle integrates the velocities before
-//! and after the step. A locked wheel does not rotate. In the air it continues to rotate. If the engine exceeds the grip of
-//! the tyre, or the wheel is in the air, the rest of its force accelerates the wheel. The wheel is a solid
-//! disc of a [`WHEEL_MASS_FRACTION`] of the mass of the chassis. The brake slows it in the air in the same
-//! way.
+//! and after the step. A locked wheel does not rotate. In the air it continues to rotate. If the engine
+//! exceeds the grip of the tyre, or the wheel is in the air, the rest of its force accelerates the wheel. The
+//! wheel is a solid disc of a [`WHEEL_MASS_FRACTION`] of the mass of the chassis. The brake slows it in the
+//! air in the same way.
 
 use super::contact::{Mover, WheelContact};
 use super::wheel::Wheel;

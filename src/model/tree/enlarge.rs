@@ -17,8 +17,8 @@ const STEPS_AHEAD: Real = 2.0;
 /// The margin ahead is limited to this many half extents. A faster collider leaves its box in every step
 /// anyway, and a long box would only find more neighbours.
 const MOTION_MARGIN_FRACTION_MAX: Real = 0.5;
-/// Largest coordinate of a box (length units). The trees compute products of three such lengths and the number of
-/// leaves, which stay within `f32`. So do the fourth powers in contact generation.
+/// Largest coordinate of a box (length units). The trees compute products of three such lengths and the
+/// number of leaves, which stay within `f32`. So do the fourth powers in contact generation.
 const COORDINATE_MAX: Real = 1.0e10;
 /// A box this large represents an infinite one, as of a half-space, and is cut at the limit.
 const UNBOUNDED: Real = Real::MAX * 0.25;

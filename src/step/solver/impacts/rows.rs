@@ -109,9 +109,9 @@ impl ImpactBlock {
         mark.deferred = mark.to_defer;
     }
 
-    /// Begins a substep: stores the velocities of the points, and their change by forces since the end of
-    /// the last one (`last`). `loaded` are the velocities with the impulses of the last substep, which support these
-    /// forces.
+    /// Begins a substep: stores the velocities of the points, and their change by forces since the end of the
+    /// last one (`last`). `loaded` are the velocities with the impulses of the last substep, which support
+    /// these forces.
     #[inline(always)]
     pub fn begin<W: Wide>(
         &mut self,
