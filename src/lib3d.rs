@@ -30,9 +30,9 @@
 //!
 //! # Promises
 //!
-//! * The same world and the same calls give the same bits on every machine, for any number of threads and any
-//!   width of the processor's registers.
-//! * No value makes a function of this crate panic or corrupts other bodies: invalid values are refused with
+//! * The same world and the same calls give the same bits on every machine. The number of threads and the
+//!   width of the registers have no effect.
+//! * No value makes a function of this crate panic or corrupts other bodies. Invalid values are refused with
 //!   an error, or ignored with a warning through the `log` crate. Only indexing a set with a stale handle
 //!   panics. The re-exported constructors of the geometry library panic on some values;
 //!   [`ColliderBuilder::try_shape`](geometry::ColliderBuilder::try_shape) is the checked way.

@@ -65,7 +65,7 @@ fn world() -> PhysicsWorld {
     world
 }
 
-/// Returns a world with all features that the heap lacks: chains and nets of joints, some of which break,
+/// Returns a world with all features that the heap lacks. These are chains and nets of joints (some break),
 /// links, bullets, a mesh, and sleeping bodies.
 fn workshop() -> PhysicsWorld {
     let mut world = PhysicsWorld::new();

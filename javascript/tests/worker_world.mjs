@@ -1,4 +1,4 @@
-// A world in a worker: boxes that fall, and one that turns. Without a rate, it steps when it is asked to.
+// A world in a worker: boxes that fall, and one that turns. Without a rate, it steps on request.
 
 import { parentPort, workerData } from "node:worker_threads";
 import { DIM, RAPIER, box, insert, makeGround, v } from "./setup.mjs";

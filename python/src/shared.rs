@@ -35,7 +35,7 @@ impl<T: Send> Shared<T> {
     /// Runs a long computation on the value, detached from the interpreter.
     ///
     /// # Errors
-    /// Those of [`Self::lock`].
+    /// The errors of [`Self::lock`].
     pub fn detached<R: Send>(
         &self,
         py: Python<'_>,

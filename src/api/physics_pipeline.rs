@@ -76,7 +76,7 @@ impl PhysicsPipeline {
     ///
     /// `gravity` is an acceleration in world space (length/s²), such as `(0, -9.81)` or `(0, -9.81, 0)`; the
     /// argument can be `gravity` or `&gravity`. The sets, `islands`, `broad_phase` and `narrow_phase` belong
-    /// together from the first step on: they refer to each other, and the references are invalid in other
+    /// together from the first step on. They refer to each other, and the references are invalid in other
     /// sets. If one of them was not part of the last step, the step logs a warning and treats all elements as
     /// new. All bodies wake, colliders and joints of missing bodies are removed, and contacts end and begin
     /// again.

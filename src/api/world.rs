@@ -242,7 +242,7 @@ impl PhysicsWorld {
     /// let mut world = PhysicsWorld::new();
     /// let [post, wall] = [0, 1].map(|_| world.insert_body(RigidBodyBuilder::fixed()));
     /// let refused = world.try_insert_impulse_joint(post, wall, FixedJoint::new());
-    /// assert_eq!(refused, Err(InvalidJoint::NobodyDynamic { body1: post, body2: wall }));
+    /// assert_eq!(refused, Err(InvalidJoint::NoDynamicBody { body1: post, body2: wall }));
     /// ```
     pub fn try_insert_impulse_joint(
         &mut self,
@@ -263,7 +263,7 @@ impl PhysicsWorld {
         let find = |body| self.bodies.get(body).ok_or(InvalidJoint::MissingBody { body });
         let (first, second) = (find(body1)?, find(body2)?);
         if body1 != body2 && !first.is_dynamic() && !second.is_dynamic() {
-            return Err(InvalidJoint::NobodyDynamic { body1, body2 });
+            return Err(InvalidJoint::NoDynamicBody { body1, body2 });
         }
         Ok(())
     }

@@ -10,7 +10,7 @@ pub enum Side {
     Second,
 }
 
-/// An axis, and how far two polytopes are apart along it.
+/// An axis, and the distance of two polytopes along it.
 #[derive(Copy, Clone, Debug)]
 pub struct BestAxis {
     /// Negative if they overlap.

@@ -19,7 +19,7 @@ const OVERLAP_RATIO_MAX: Real = 0.25;
 const SEPARATION_FRACTION: Real = 0.02;
 
 /// Typical prediction distance in a world of metres (length units).
-const USUAL_REACH: Real = 0.02;
+const PREDICTION_DISTANCE: Real = 0.02;
 /// Worlds that are smaller than that by this factor are enlarged.
 const SCALE_RATIO_MIN: Real = 8.0;
 
@@ -80,13 +80,13 @@ pub fn closest(
     reach: Real,
     last_normal: Vector,
 ) -> Closest {
-    let scale = USUAL_REACH / reach;
+    let scale = PREDICTION_DISTANCE / reach;
     if !(scale > SCALE_RATIO_MIN && scale.is_finite()) {
         return closest_as_is(pos12, shape1, shape2, reach, last_normal);
     }
     let pose = Pose::from_parts(pos12.translation * scale, pos12.rotation);
     let (shape1, shape2) = (Scaled { shape: shape1, scale }, Scaled { shape: shape2, scale });
-    match closest_as_is(&pose, &shape1, &shape2, USUAL_REACH, last_normal) {
+    match closest_as_is(&pose, &shape1, &shape2, PREDICTION_DISTANCE, last_normal) {
         Closest::Near { point1, point2, normal, dist } => Closest::Near {
             point1: point1 / scale,
             point2: point2 / scale,
@@ -156,8 +156,8 @@ fn least_overlap(
         return Closest::Apart(Vector::X);
     }
     if simplex.dimension() == 1 {
-        // Nor has one between two points that are one. From a single point EPA finds a second that is
-        // elsewhere.
+        // An edge between equal points has no finite direction either. From a single point EPA finds a second
+        // one at another position.
         let [first, second] = [0, 1].map(|k| *simplex.point(k));
         if (second.point - first.point).try_normalize().is_none() {
             simplex.reset(first);

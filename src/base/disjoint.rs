@@ -1,7 +1,7 @@
 //! One slice, several writers: each element belongs to one of them at a time.
 //!
-//! The borrow checker sees a slice as a whole. Within one colour no two constraints have a common body, so
-//! workers may each write the bodies of their own constraints. This is the type in which it says so. The
+//! The borrow checker treats a slice as a whole. Within one colour no two constraints have a common body, so
+//! workers may each write the bodies of their own constraints. This type expresses that. The
 //! compiler cannot check that; it is the safety contract of each function.
 
 use super::wide::{prefetch, prefetch_front};

@@ -23,7 +23,7 @@ impl fmt::Display for Fault {
 /// Returns a [`Fault`] from the function unless a condition holds.
 macro_rules! ensure {
     ($condition:expr, $($what:tt)+) => {
-        // A comparison with a number that is none does not hold.
+        // A comparison with NaN is false.
         match $condition {
             true => {}
             false => return Err($crate::base::fault::Fault::new(format_args!($($what)+))),

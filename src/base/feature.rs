@@ -40,7 +40,7 @@ mod tests {
     use parry::shape::FeatureId;
 
     #[test]
-    fn parry_knows_them() {
+    fn parry_reads_them() {
         for number in [0, 1, 77, BOUND - 1] {
             assert_eq!(vertex(number).unpack(), FeatureId::Vertex(number));
             assert_eq!(face(number).unpack(), FeatureId::Face(number));

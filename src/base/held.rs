@@ -63,7 +63,7 @@ mod tests {
     }
 
     #[test]
-    fn nothing_goes_on_if_nobody_panicked() {
+    fn release_does_nothing_without_a_panic() {
         let mut held = HeldPanic::default();
         assert_eq!(held.hold(|| 7), Some(7));
         held.release();

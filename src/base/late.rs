@@ -53,7 +53,7 @@ impl<T> Late<T> {
         unsafe { &*self.0.get() }
     }
 
-    /// The value, for oneself.
+    /// Mutable access to the value.
     #[inline(always)]
     pub fn get_mut(&mut self) -> &mut T {
         self.0.get_mut()
@@ -68,7 +68,7 @@ impl<T> Late<T> {
         write(unsafe { &mut *self.0.get() });
     }
 
-    /// Several values, for oneself.
+    /// Mutable access to several values.
     pub fn slice_mut(slice: &mut [Self]) -> &mut [T] {
         // SAFETY: `Late<T>` has the layout of `T`, and the slice is ours alone.
         unsafe { &mut *(core::ptr::from_mut(slice) as *mut [T]) }

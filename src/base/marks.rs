@@ -1,12 +1,12 @@
 //! Marks on small numbers that are cleared all at once.
 
-/// A set of `u32`s that is emptied in no time: a mark counts in the turn in which it was made. Takes four
-/// bytes for each number up to the largest that was ever in it.
+/// A set of `u32`s that is cleared in constant time: a mark is valid in the generation in which it was made.
+/// Needs four bytes for each number up to the largest that was ever in it.
 #[derive(Clone, Debug)]
 pub struct Marks {
     /// Never 0, the value of unmarked elements.
     generation: u32,
-    /// By number: the last turn in which it was marked.
+    /// By number: the last generation in which it was marked.
     marked: Vec<u32>,
 }
 
@@ -17,11 +17,11 @@ impl Default for Marks {
 }
 
 impl Marks {
-    /// Takes all marks off.
+    /// Removes all marks.
     pub fn clear(&mut self) {
         self.generation = self.generation.wrapping_add(1);
         if self.generation == 0 {
-            // After four billion turns old marks would count again.
+            // After four billion generations old marks would be valid again.
             self.marked.fill(0);
             self.generation = 1;
         }

@@ -1,4 +1,4 @@
-//! Buffers that threads borrow and give back.
+//! Buffers that threads borrow and return.
 
 use std::sync::{Mutex, PoisonError};
 
@@ -10,19 +10,19 @@ pub(crate) struct Pool<T> {
 }
 
 impl<T: Default> Pool<T> {
-    /// One of the idle things, or a new one.
+    /// One of the idle buffers, or a new one.
     pub fn take(&self) -> T {
         let mut idle = self.idle.lock().unwrap_or_else(PoisonError::into_inner);
         idle.pop().unwrap_or_default()
     }
 
-    /// Visits the idle things.
+    /// Visits the idle buffers.
     pub fn for_each(&mut self, visit: impl FnMut(&mut T)) {
         self.idle.get_mut().unwrap_or_else(PoisonError::into_inner).iter_mut().for_each(visit);
     }
 
-    /// Gives a thing back.
-    pub fn put(&self, thing: T) {
-        self.idle.lock().unwrap_or_else(PoisonError::into_inner).push(thing);
+    /// Returns a buffer to the pool.
+    pub fn put(&self, buffer: T) {
+        self.idle.lock().unwrap_or_else(PoisonError::into_inner).push(buffer);
     }
 }

@@ -74,7 +74,7 @@ pub const ATAN_Q: [f64; 6] = [
     1.0,
 ];
 
-/// The angle (radians, from `-π` to `π`) at which `(x, y)` stands from the first axis; 0 if both are 0.
+/// The angle (radians, from `-π` to `π`) of `(x, y)` from the first axis; 0 if both are 0.
 pub fn atan2(y: Real, x: Real) -> Real {
     let (y, x) = (f64::from(y), f64::from(x));
     let (short, long) = if y.abs() < x.abs() { (y.abs(), x.abs()) } else { (x.abs(), y.abs()) };

@@ -1,4 +1,4 @@
-//! A ball against anything: the point of the surface that is nearest to its centre.
+//! A ball against any shape: the point of the surface that is nearest to its centre.
 
 use crate::base::feature;
 use crate::base::nearest::{Nearest, direction_and_length};

@@ -32,7 +32,7 @@
 //! Other engines mark the edges of a mesh as convex or not (Bullet, Jolt, parry), or store the corners of
 //! neighbours in segments (Box2D). That requires known neighbours, and works within one shape only.
 
-use super::normals::{FACE, FACE_COSINE_MIN, SAME_NORMAL};
+use super::normals::{FACE_COSINE_MIN, FACE_NORMAL_COSINE_MIN, NORMAL_DISTANCE_SQUARED_MAX};
 use super::parts::Parts;
 use crate::dim::collide::{Flat, FlatShape, Polytope, flat_corners};
 use crate::dim::math::{Pose, Real, Vector};
@@ -43,9 +43,9 @@ use smallvec::SmallVec;
 /// The plane of a contact is that of the piece's face if their normals differ by at most this squared length
 /// (0.17 degrees). Bodies on a face are level to about that.
 const FACE_NORMAL_DISTANCE_SQUARED_MAX: Real = 9.0e-6;
-/// Minimum rise of the other side of a hidden internal edge above the contact plane, as a fraction of the
+/// Least height of the other side of a hidden internal edge above the contact plane, as a fraction of the
 /// tolerance.
-const RISE: Real = 0.05;
+const HEIGHT_FRACTION_MIN: Real = 0.05;
 /// Planes whose normals differ by less than this squared length stay together over 1000 times the tolerance
 /// and more.
 const PLANE_NORMAL_DISTANCE_SQUARED_MAX: Real = 1.0e-10;
@@ -158,7 +158,10 @@ impl<'a> Piece<'a> {
     fn face(&self, normal: Vector) -> Face {
         let face = self.with(|_, polytope, pose| {
             let local = pose.rotation.inverse() * normal;
-            let face = polytope?.0.face_toward(local).filter(|face| face.normal.dot(local) > FACE);
+            let face = polytope?
+                .0
+                .face_toward(local)
+                .filter(|face| face.normal.dot(local) > FACE_NORMAL_COSINE_MIN);
             Some(face.map_or(Face::Edge, |face| Face::Flat(pose.rotation * face.normal)))
         });
         face.flatten().unwrap_or(Face::Round)
@@ -223,7 +226,7 @@ impl Facet<'_> {
     /// Returns whether the plane of `other` may constrain `self`. Its normal must differ, and the touching
     /// feature of the body must be above it.
     fn may_be_explained_by(&self, other: &Self, tolerance: Real) -> bool {
-        if self.plane.distance_squared(other.plane) <= SAME_NORMAL {
+        if self.plane.distance_squared(other.plane) <= NORMAL_DISTANCE_SQUARED_MAX {
             return false;
         }
         let is_above = || {
@@ -256,8 +259,8 @@ impl Facet<'_> {
         self.piece.height(other.plane).is_some_and(|height| height <= limit)
     }
 
-    /// Second rule, for one point of `self`. Returns whether the point is on the plane of `other`, a face of
-    /// its own collider continues there, and a collider within the plane hides it.
+    /// Second rule, for one point of `self`. Returns whether a collider within the plane of `other` hides the
+    /// point. The point must be on that plane, and a face of its own collider must continue there.
     fn is_hidden_at<'b>(
         &self,
         point: Vector,
@@ -265,7 +268,7 @@ impl Facet<'_> {
         mut in_plane: impl Iterator<Item = &'b Facet<'b>>,
         tolerance: Real,
     ) -> bool {
-        let level = self.normal.dot(point) + RISE * tolerance;
+        let level = self.normal.dot(point) + HEIGHT_FRACTION_MIN * tolerance;
         other.dist <= self.dist + tolerance
             && other.plane.dot(point - other.place).abs() <= tolerance
             && self.piece.goes_on_along(other.plane, point, tolerance)
@@ -398,8 +401,9 @@ impl Search<'_> {
     /// A contact, those in its plane, and the ghost contacts that it explains.
     fn explained_by(&self, index: usize) -> impl Iterator<Item = &Facet<'_>> {
         let contact = &self.facets[index];
-        let same =
-            move |facet: &&Facet<'_>| facet.plane.distance_squared(contact.plane) <= SAME_NORMAL;
+        let same = move |facet: &&Facet<'_>| {
+            facet.plane.distance_squared(contact.plane) <= NORMAL_DISTANCE_SQUARED_MAX
+        };
         let ghost_contacts =
             self.ghost_contacts.iter().filter(move |ghost| ghost.explained_by == index);
         let ghost_contacts = ghost_contacts.map(|ghost| &self.facets[ghost.index]);

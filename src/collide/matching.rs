@@ -8,10 +8,10 @@ use parry::shape::PackedFeatureId;
 
 /// Manifolds whose normals differ by more than 45° hold different sides of the bodies apart.
 const NORMAL_COSINE_MIN: Real = 0.7;
-/// Manifolds of different parts count as the same up to 8° between their normals.
-const SAME_NORMAL: Real = 0.99;
-/// Points without known features match if they are closer than this fraction of the manifold's size.
-const NEAR_FRACTION: Real = 0.25;
+/// Least cosine of the normals of equal manifolds of different parts (8°).
+const EQUAL_NORMAL_COSINE_MIN: Real = 0.99;
+/// Largest distance of matching points without known features, as a fraction of the manifold's size.
+const MATCH_DISTANCE_FRACTION_MAX: Real = 0.25;
 
 /// Copies the impulses of the last step's manifolds to the manifolds of this step.
 ///
@@ -41,7 +41,7 @@ fn with_same_normal(manifold: &ContactManifold, old: &[ContactManifold]) -> Opti
         let other = &old[*index];
         manifold.local_n1.dot(other.local_n1).max(manifold.local_n2.dot(other.local_n2))
     };
-    let same = (0..old.len()).filter(|index| cosine(index) > SAME_NORMAL);
+    let same = (0..old.len()).filter(|index| cosine(index) > EQUAL_NORMAL_COSINE_MIN);
     same.max_by(|a, b| cosine(a).total_cmp(&cosine(b)))
 }
 
@@ -129,7 +129,7 @@ fn near_limit(old: &[Contact], new_count: usize) -> Real {
     }
     let Some(first) = old.first() else { return 0.0 };
     let spread = old.iter().map(|point| point.local_p1.distance_squared(first.local_p1));
-    spread.fold(0.0, Real::max) * (NEAR_FRACTION * NEAR_FRACTION)
+    spread.fold(0.0, Real::max) * (MATCH_DISTANCE_FRACTION_MAX * MATCH_DISTANCE_FRACTION_MAX)
 }
 
 /// The unmatched old point that is nearest on one of the shapes, within the squared distance `limit`.

@@ -39,7 +39,7 @@ pub(crate) use manifolds::{
 };
 pub(crate) use matching::inherit_impulses;
 pub(crate) use neighbor::{Neighbor, ghost_contacts_among};
-pub(crate) use normals::SAME_NORMAL;
+pub(crate) use normals::NORMAL_DISTANCE_SQUARED_MAX;
 pub(crate) use pair::ShapePair;
 pub(crate) use sweep::{
     Overlap, PENETRATION_FRACTION_MAX, PathSegment, Solid, Sweep, SweepGoal, Touch, ends_deep,

@@ -1,7 +1,7 @@
 //! The contacts of a body with other shapes than that of the current pair.
 
 use super::internal_edges::{Facet, GhostContact, Piece, find_ghost_contacts};
-use super::normals::SAME_NORMAL;
+use super::normals::NORMAL_DISTANCE_SQUARED_MAX;
 use super::parts::Parts;
 use crate::dim::math::{MAX_MANIFOLD_POINTS, Pose, Real, Vector};
 use crate::model::contact::ContactManifold;
@@ -77,7 +77,7 @@ fn any_below_another(neighbors: &[Neighbor<'_>], step_height_tolerance: Real) ->
         let others = neighbors.iter().enumerate().filter(|(other, _)| *other != index);
         let is_below = |point: &Vector| one.normal.dot(*point) <= level;
         others.into_iter().any(|(_, other)| {
-            one.normal.distance_squared(other.normal) > SAME_NORMAL
+            one.normal.distance_squared(other.normal) > NORMAL_DISTANCE_SQUARED_MAX
                 && other.points.iter().any(is_below)
         })
     })

@@ -2,9 +2,9 @@
 
 use crate::dim::math::Real;
 
-/// A contact normal with at least this cosine to that of a face (1.1 degrees) is the face's.
-pub(super) const FACE: Real = 0.9998;
-/// A face is along a direction if their cosine is at least this.
+/// Least cosine of a contact normal and the normal of a face that count as equal (1.1 degrees).
+pub(super) const FACE_NORMAL_COSINE_MIN: Real = 0.9998;
+/// Least cosine of a direction and the normal of a face along it.
 pub(super) const FACE_COSINE_MIN: Real = 0.5;
-/// Normals whose difference has at most this squared length (0.06 degrees) are the same.
-pub(crate) const SAME_NORMAL: Real = 1.0e-6;
+/// Largest squared distance of equal normals (0.06 degrees).
+pub(crate) const NORMAL_DISTANCE_SQUARED_MAX: Real = 1.0e-6;

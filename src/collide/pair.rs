@@ -6,7 +6,7 @@ use crate::dim::collide::RawPoint;
 use crate::dim::math::{Pose, Real, Vector};
 use parry::shape::Shape;
 
-/// Two shapes, and which contacts of theirs are wanted.
+/// Two shapes, and the settings of their contacts.
 #[derive(Copy, Clone)]
 pub(crate) struct ShapePair<'a> {
     /// Pose of the second shape in the frame of the first.

@@ -1,6 +1,6 @@
 //! A convex part of a shape.
 
-use super::normals::FACE;
+use super::normals::FACE_NORMAL_COSINE_MIN;
 use crate::dim::collide::{Flat, as_flat, flat_corners};
 use crate::dim::math::{Pose, Real, Vector};
 use parry::query::details::NormalConstraints;
@@ -25,8 +25,9 @@ impl<'a> Part<'a> {
         Self { id: 0, pose: None, shape, constraints: None }
     }
 
-    /// Returns whether the last normal is a useful start, or a formula needs no start.
-    pub fn wants_hint(&self) -> bool {
+    /// Returns whether the search of this part may start from the normal of a manifold of its plane. Balls,
+    /// boxes and capsules need no such start.
+    pub fn uses_plane_normal(&self) -> bool {
         !matches!(
             self.shape.as_typed_shape(),
             TypedShape::Ball(_) | TypedShape::Cuboid(_) | TypedShape::Capsule(_)
@@ -43,10 +44,10 @@ impl<'a> Part<'a> {
     }
 
     /// Returns whether the part is flat and its normal differs from a direction in its shape's frame.
-    pub fn looks_aside(&self, direction: Vector) -> bool {
+    pub fn has_other_normal(&self, direction: Vector) -> bool {
         let Some(flat) = as_flat(self.shape).and_then(Flat::new) else { return false };
         let normal = self.pose.map_or(flat.normal(), |pose| pose.rotation * flat.normal());
-        normal.dot(direction).abs() < FACE
+        normal.dot(direction).abs() < FACE_NORMAL_COSINE_MIN
     }
 
     /// Place of the part in the frame of its shape.

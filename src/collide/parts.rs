@@ -159,7 +159,7 @@ pub(super) enum Near {
 }
 
 impl Near {
-    /// The points that are within `prediction` of `other`, which stands at `pose`.
+    /// The points that are within `prediction` of `other` at `pose`.
     pub fn of(other: &dyn Shape, pose: &Pose, prediction: Real) -> Self {
         match other.as_halfspace() {
             Some(half_space) => {
@@ -230,7 +230,7 @@ fn overlaps(node: &BvhNode, region: &Aabb) -> bool {
     node.mins().cmple(region.maxs).all() && node.maxs().cmpge(region.mins).all()
 }
 
-/// Into how many boxes a line is divided at most.
+/// Largest number of boxes of a line.
 const PIECES_MAX: Real = 64.0;
 
 /// The swept region of a point set that moves along a line, independent of its rotation.
@@ -246,8 +246,8 @@ pub(super) struct Line {
 }
 
 impl Line {
-    /// The swept region of all points within `radius` of `start`; all of it lies in `region`. `None` if it is
-    /// no longer than wide and the region says enough, or has no end.
+    /// The swept region of all points within `radius` of `start`; all of it lies in `region`. `None` if it
+    /// has no end, or is no longer than wide, so that the region is sufficient.
     pub fn new(start: Vector, displacement: Vector, radius: Real, region: Aabb) -> Option<Self> {
         let length = displacement.length();
         let is_long = radius > 0.0 && length > 2.0 * radius;

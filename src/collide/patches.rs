@@ -6,7 +6,7 @@
 
 use super::culling::{Grid, Rank, main_direction};
 use super::matching::set_contacts;
-use super::normals::SAME_NORMAL;
+use super::normals::NORMAL_DISTANCE_SQUARED_MAX;
 use super::pair::ShapePair;
 use super::part::Part;
 use crate::dim::collide::{FlatShape, RawManifold, RawPoint, reduce};
@@ -20,15 +20,15 @@ use smallvec::SmallVec;
 const NORMAL_TOLERANCE: Real = 1.0e-2;
 /// Normals with at least this cosine to that of the deepest patch (5 degrees) become one manifold.
 const NORMAL_COSINE_MIN: Real = 0.9962;
-/// Points closer to each other than this fraction of the manifold's size are one.
-const SAME_PLACE: Real = 1.0e-3;
+/// Largest distance of equal points, as a fraction of the manifold's size.
+const POINT_DISTANCE_FRACTION_MAX: Real = 1.0e-3;
 /// Patches are culled beyond this number. Meshes finer than the bodies on them stay far below it.
 const PATCHES_MAX: usize = 1024;
 /// Points of replaced patches are dropped beyond this number.
 const POINTS_MAX: usize = 32 * PATCHES_MAX;
 /// A cell of the culling grid keeps a patch for each of these directions of its normal.
 const DIRECTIONS: usize = 2 * DIM;
-/// Stands for no patch.
+/// Index of no patch.
 const NONE: u32 = u32::MAX;
 
 /// The contacts of two convex parts.
@@ -104,9 +104,11 @@ impl Patches {
     }
 
     /// Returns whether all patches have similar normals. In that case none is a ghost contact.
-    pub fn look_alike(&self) -> bool {
+    pub fn have_similar_normals(&self) -> bool {
         let Some(first) = self.list.first() else { return true };
-        let same = |patch: &Patch| patch.normal.distance_squared(first.normal) <= SAME_NORMAL;
+        let same = |patch: &Patch| {
+            patch.normal.distance_squared(first.normal) <= NORMAL_DISTANCE_SQUARED_MAX
+        };
         self.list.iter().all(same)
     }
 
@@ -234,7 +236,7 @@ impl Patches {
         let patch = &mut self.list[index];
         patch.normal = part1.pose.map_or(unit, |pose| pose.rotation * unit);
         let normals = [patch.normal, pair.pos12.rotation.inverse() * patch.normal];
-        let meets_with_rim = |(part, normal): (&Part<'_>, Vector)| part.looks_aside(normal);
+        let meets_with_rim = |(part, normal): (&Part<'_>, Vector)| part.has_other_normal(normal);
         patch.is_broad = !parts.iter().zip(normals).any(meets_with_rim);
         patch.dist = raw.points.iter().map(|point| point.dist).fold(Real::INFINITY, Real::min);
         patch.points = start..self.points.len();
@@ -280,7 +282,7 @@ impl Patches {
 
     /// The patch whose parts name a manifold, among those that will be merged with the deepest: the deepest
     /// that is no rim, if any. The wall of a step touches the body at its top edge, but does not continue
-    /// beneath the body, so it must not name the support.
+    /// beneath the body. So it must not name the support.
     fn namesake(&self, deepest: usize) -> usize {
         let first = &self.list[deepest];
         if first.is_broad {
@@ -307,7 +309,7 @@ fn drop_doubles(points: &mut Vec<RawPoint>) {
     let apart = |point: &RawPoint| point.local_p2.distance_squared(first);
     let spread = points.iter().map(apart).fold(0.0, Real::max);
     let rounding = Real::EPSILON * Real::EPSILON * 1.0e2 * first.length_squared();
-    let limit = SAME_PLACE * SAME_PLACE * spread + rounding;
+    let limit = POINT_DISTANCE_FRACTION_MAX * POINT_DISTANCE_FRACTION_MAX * spread + rounding;
     let mut kept = 0;
     for index in 0..points.len() {
         let place = points[index].local_p2;

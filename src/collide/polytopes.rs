@@ -18,10 +18,10 @@ use parry::shape::PackedFeatureId;
 /// Tolerances on the overlap, as a fraction of the polytopes' thickness. Within it, a face is preferred to a
 /// pair of edges, and the last face to another face.
 const TOLERANCE: Real = 0.005;
-/// Of equal faces the first polytope's is taken, by this fraction of the tolerance.
-const FIRST_FACE: Real = 0.1;
-/// A face with at least this cosine to the normal of last time is the same face.
-const SAME_AXIS: Real = 0.98;
+/// Preference of the first polytope among equal faces, as a fraction of the tolerance.
+const FIRST_FACE_FRACTION: Real = 0.1;
+/// Least cosine of a face's normal and the last normal at which the face counts as the last one.
+const AXIS_COSINE_MIN: Real = 0.98;
 /// Overlaps deeper than this fraction of the thickness are searched again: a face on another side may have
 /// become the better one.
 pub(super) const OVERLAP_RATIO_MAX: Real = 0.25;
@@ -29,7 +29,7 @@ pub(super) const OVERLAP_RATIO_MAX: Real = 0.25;
 /// Tolerance on the depth of other corners against two edges, as a fraction of the shorter edge.
 const EDGE_DEPTH: Real = 1.0e-3;
 
-/// Two polytopes, and how far apart contacts are wanted.
+/// Two polytopes, and the largest distance of contacts.
 struct Pair<'a> {
     pos12: &'a Pose,
     pos21: Pose,
@@ -130,7 +130,7 @@ impl Pair<'_> {
             raw.local_n1 = best.normal;
             return best.gap;
         }
-        let were_faces = best.is_some_and(|best| best.normal.dot(guess) > SAME_AXIS);
+        let were_faces = best.is_some_and(|best| best.normal.dot(guess) > AXIS_COSINE_MIN);
         for try_faces in [were_faces, !were_faces] {
             let gap = match &best {
                 _ if !try_faces => self.add_edges(guess, raw),
@@ -172,10 +172,10 @@ impl Pair<'_> {
     fn best_face(&self, direction: Vector, hint: Vector) -> Option<Separation> {
         match (self.first_face(direction), self.second_face(direction)) {
             (Some(first), Some(second)) => {
-                let is_same = |face: Separation| face.normal.dot(hint) > SAME_AXIS;
+                let is_same = |face: Separation| face.normal.dot(hint) > AXIS_COSINE_MIN;
                 let bonus = |face: Separation| if is_same(face) { 1.0 } else { 0.0 };
                 let scale = TOLERANCE * (first.face.offset.abs() + second.face.offset.abs());
-                let advantage = (bonus(first) - bonus(second) + FIRST_FACE) * scale;
+                let advantage = (bonus(first) - bonus(second) + FIRST_FACE_FRACTION) * scale;
                 Some(if first.gap + advantage >= second.gap { first } else { second })
             }
             (first, second) => first.or(second),
@@ -208,8 +208,7 @@ impl Pair<'_> {
         extents(self.pos12, shape1, shape2, direction).thickness
     }
 
-    /// Adds the contacts of a face. Returns how far the polytopes are apart, if this is where they are
-    /// closest.
+    /// Adds the contacts of a face. Returns the distance of the polytopes, if they are closest there.
     fn add_face(&self, separation: &Separation, raw: &mut RawManifold) -> Option<Real> {
         raw.local_n1 = separation.normal;
         let (pose, polytope, other) = if separation.is_first {
@@ -234,8 +233,8 @@ impl Pair<'_> {
         }
     }
 
-    /// Adds the contact of the two edges that are closest along `direction`. Returns how far the
-    /// polytopes are apart, if this is where they are closest.
+    /// Adds the contact of the two edges that are closest along `direction`. Returns the distance of the
+    /// polytopes, if they are closest there.
     fn add_edges(&self, direction: Vector, raw: &mut RawManifold) -> Option<Real> {
         let edge1 = self.polytope1.edge_toward(direction)?;
         let edge2 = self.polytope2.edge_toward(self.pos21.rotation * -direction)?;

@@ -20,10 +20,10 @@ use crate::model::multibody::MultibodyJointSet;
 const QUARTER_TURN: Real = core::f64::consts::FRAC_PI_2 as Real;
 const HALF_TURN: Real = core::f64::consts::PI as Real;
 /// Length of the marks at the ends of a range, relative to the length of the axes.
-const MARK: Real = 0.2;
+const MARK_FRACTION: Real = 0.2;
 
-/// A joint at its pose in the world.
-struct Placed<'a> {
+/// A joint, its bodies and the colours of its lines.
+struct DrawnJoint<'a> {
     object: DebugRenderObject<'a>,
     joint: &'a GenericJoint,
     bodies: [&'a RigidBody; 2],
@@ -52,7 +52,7 @@ impl DebugRenderPipeline {
                 if let Some(bodies) = find([joint.body1(), joint.body2()]) {
                     self.render_joint(
                         backend,
-                        &Placed { object, joint: &joint.data, bodies, colors },
+                        &DrawnJoint { object, joint: &joint.data, bodies, colors },
                     );
                 }
             }
@@ -67,19 +67,19 @@ impl DebugRenderPipeline {
                 };
                 if let Some(bodies) = find([parent.rigid_body_handle(), link.rigid_body_handle()]) {
                     let joint = &link.joint().data;
-                    self.render_joint(backend, &Placed { object, joint, bodies, colors });
+                    self.render_joint(backend, &DrawnJoint { object, joint, bodies, colors });
                 }
             }
         }
     }
 
-    fn render_joint(&self, backend: &mut dyn DebugRenderBackend, placed: &Placed<'_>) {
-        let &Placed { object, joint, bodies: [body1, body2], colors: [anchor, separation] } =
-            placed;
+    fn render_joint(&self, backend: &mut dyn DebugRenderBackend, drawn: &DrawnJoint<'_>) {
+        let &DrawnJoint { object, joint, bodies: [body1, body2], colors: [anchor, separation] } =
+            drawn;
         if !backend.filter_object(object) {
             return;
         }
-        let multiplier = self.joint_multiplier(placed);
+        let multiplier = self.joint_multiplier(drawn);
         let [frame1, frame2] =
             [*body1.position() * joint.local_frame1, *body2.position() * joint.local_frame2];
         let (p1, p2) = (frame1.translation, frame2.translation);
@@ -99,20 +99,20 @@ impl DebugRenderPipeline {
                     color,
                 );
                 if axis as usize >= DIM {
-                    let hand = zero_of(axis) * self.style.joint_axes_length;
-                    backend.draw_line(object, p2, frame2 * hand, color);
+                    let pointer = zero_of(axis) * self.style.joint_axes_length;
+                    backend.draw_line(object, p2, frame2 * pointer, color);
                 }
             }
         }
     }
 
     /// Colour factor of a joint: it sleeps if no body of it is awake.
-    fn joint_multiplier(&self, placed: &Placed<'_>) -> [f32; 4] {
+    fn joint_multiplier(&self, drawn: &DrawnJoint<'_>) -> [f32; 4] {
         let rests = |body: &RigidBody| body.is_sleeping() || !body.is_dynamic();
         let is_off = |body: &RigidBody| !body.is_enabled();
-        if !placed.joint.is_enabled() || placed.bodies.into_iter().any(is_off) {
+        if !drawn.joint.is_enabled() || drawn.bodies.into_iter().any(is_off) {
             self.style.disabled_color_multiplier
-        } else if placed.bodies.into_iter().all(rests) {
+        } else if drawn.bodies.into_iter().all(rests) {
             self.style.sleep_color_multiplier
         } else {
             [1.0; 4]
@@ -125,7 +125,7 @@ impl DebugRenderPipeline {
         let mut sketch = Outline::default();
         if (axis as usize) < DIM {
             let (along, [from, to]) = (Vector::AXES[axis as usize], range(joint, axis, length));
-            let mark = Vector::AXES[(axis as usize + 1) % DIM] * (MARK * length);
+            let mark = Vector::AXES[(axis as usize + 1) % DIM] * (MARK_FRACTION * length);
             sketch.segment(along * from, along * to);
             for end in [along * from, along * to] {
                 sketch.segment(end - mark, end + mark);
@@ -148,7 +148,7 @@ impl DebugRenderPipeline {
     }
 }
 
-/// The free axes that have something to show. Coupled translations are a distance, which is the line between
+/// The free axes that are drawn. Coupled translations are a distance, which is the line between
 /// the anchors. If no translation is locked, rotations are drawn only with limits or a motor.
 fn free_axes(joint: &GenericJoint) -> impl Iterator<Item = JointAxis> {
     let free = !joint.locked_axes;
@@ -163,7 +163,7 @@ fn free_axes(joint: &GenericJoint) -> impl Iterator<Item = JointAxis> {
     })
 }
 
-/// The direction to which the hand of a rotation points at angle 0: the first axis that the rotation turns.
+/// Direction of the pointer of a rotation at angle 0: the first axis that the rotation moves.
 fn zero_of(axis: JointAxis) -> Vector {
     let quarter = rotation_about(axis as usize - DIM, QUARTER_TURN);
     let turns = |direction: &Vector| (quarter * *direction).dot(*direction) < 0.5;

@@ -4,8 +4,8 @@
 //! Writes:  nothing but lines, to a [`DebugRenderBackend`] of the user's
 //! Never:   changes the world; decides how a line is drawn
 //!
-//! [`DebugRenderPipeline`] goes through what [`DebugRenderMode`] selects, and gives every line the object
-//! that it belongs to and a colour of the [`DebugRenderStyle`]. The outlines of shapes are in
+//! [`DebugRenderPipeline`] draws the objects that [`DebugRenderMode`] selects. Every line has its object and
+//! a colour of the [`DebugRenderStyle`]. The outlines of shapes are in
 //! `dim2/outline.rs` and `dim3/outline.rs`.
 
 mod backend;

@@ -45,7 +45,7 @@ impl Outlines {
     }
 
     /// Removes the outlines of shapes without another owner.
-    pub(super) fn forget_unused(&mut self) {
+    pub(super) fn drop_unused(&mut self) {
         self.kept.retain(|_, (shape, _)| Arc::strong_count(&shape.0) > 1);
     }
 }

@@ -138,7 +138,7 @@ impl DebugRenderPipeline {
                 }
             }
         }
-        self.outlines.forget_unused();
+        self.outlines.drop_unused();
     }
 
     fn render_shape(

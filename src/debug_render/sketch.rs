@@ -1,4 +1,4 @@
-//! Sketches of shapes: the lines that stand for a shape in a picture.
+//! Sketches of shapes: the lines that represent a shape in a picture.
 
 use crate::base::outline::{Detail, Outline};
 use crate::dim::math::{Pose, Vector};

@@ -69,7 +69,7 @@ impl World {
 }
 
 #[test]
-fn color_tells_the_type_of_the_body() {
+fn color_depends_on_the_type_of_the_body() {
     let style = DebugRenderStyle::default();
     let kinds = [
         (RigidBodyBuilder::dynamic(), style.collider_dynamic_color),
@@ -237,7 +237,7 @@ fn joints_without_bodies_are_not_drawn_and_disabled_ones_are_dimmed() {
     assert!(!drawn.has_color(style.impulse_joint_anchor_color));
 }
 
-/// An arc goes as far as the limits do, and its hand points to the angle.
+/// An arc goes as far as the limits do, and its pointer shows the angle.
 #[test]
 fn arcs_and_ways_reach_as_far_as_limits() {
     let length = DebugRenderStyle::default().joint_axes_length;
@@ -255,7 +255,7 @@ fn arcs_and_ways_reach_as_far_as_limits() {
     let zero = if ANG_DIM == 1 { Vector::X } else { Vector::Y };
     let lines = axes_of(hinge.limits(JointAxis::AngX, [-0.5, 1.0]));
     let (mut smallest, mut largest): (Real, Real) = (0.0, 0.0);
-    let (hand, arc) = lines.split_last().expect("a hinge has an axis");
+    let (pointer, arc) = lines.split_last().expect("a hinge has an axis");
     for point in arc.iter().flat_map(|line| [line.0, line.1]).filter(|&p| p != Vector::ZERO) {
         assert!((point.length() - length).abs() < tolerance);
         // The direction in which the angle grows is the axis behind the one of angle zero.
@@ -264,7 +264,7 @@ fn arcs_and_ways_reach_as_far_as_limits() {
         (smallest, largest) = (smallest.min(angle), largest.max(angle));
     }
     assert!((smallest + 0.5).abs() < tolerance && (largest - 1.0).abs() < tolerance);
-    assert_eq!((hand.0, hand.1), (Vector::X * 3.0, Vector::X * 3.0 + zero * length));
+    assert_eq!((pointer.0, pointer.1), (Vector::X * 3.0, Vector::X * 3.0 + zero * length));
 
     let slider = GenericJointBuilder::new(JointAxesMask::LOCKED_PRISMATIC_AXES);
     let lines = axes_of(slider.limits(JointAxis::LinX, [-1.0, 2.0]));

@@ -40,7 +40,7 @@ pub fn inv_mass_per_axis(locked: LockedAxes, inv_mass: Real) -> Vector {
     Vector::new(along(LockedAxes::TRANSLATION_LOCKED_X), along(LockedAxes::TRANSLATION_LOCKED_Y))
 }
 
-/// The inverse inertia that is left once no torque can turn the body about the locked axis.
+/// The inverse inertia of a body that no torque can rotate about the locked axis.
 #[inline]
 pub fn lock_rotations(locked: LockedAxes, inv_inertia: AngularInertia) -> AngularInertia {
     if locked.contains(LockedAxes::ROTATION_LOCKED_Z) { 0.0 } else { inv_inertia }

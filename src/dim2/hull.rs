@@ -12,11 +12,11 @@ pub type ConvexShape = ConvexPolygon;
 /// The reason why points have no hull.
 pub const DEGENERATE: &str = "its points lie on a line, or too close to one";
 
-/// A corner this close to the line through its neighbours, in parts of the size, is none.
-const FLATNESS: Real = 1.0e-5;
-/// A polygon with a smaller area than this, in parts of the squared size, has none.
+/// Least height of a corner above the line through its neighbours, as a fraction of the size.
+const CORNER_HEIGHT_FRACTION_MIN: Real = 1.0e-5;
+/// Least area of a polygon, as a fraction of the squared size.
 const AREA_MIN: Real = 1.0e-6;
-/// An outline whose area is this much smaller than its hull's, in parts of it, is not convex.
+/// Largest difference of the areas of a convex outline and its hull, as a fraction of the latter.
 const DENT_MAX: Real = 1.0e-3;
 
 /// The smallest convex polygon around finite points; `None` if they lie on a line.
@@ -39,7 +39,7 @@ fn polygon(mut corners: Vec<Vector>) -> Option<ConvexPolygon> {
     let lowest = corners.iter().copied().reduce(Vector::min)?;
     let highest = corners.iter().copied().reduce(Vector::max)?;
     let size = (highest - lowest).length();
-    drop_flat_corners(&mut corners, FLATNESS * size);
+    drop_flat_corners(&mut corners, CORNER_HEIGHT_FRACTION_MIN * size);
     if corners.len() < 3 || signed_area(&corners) < AREA_MIN * size * size {
         return None;
     }

@@ -65,15 +65,14 @@ pub fn rotation_to_angle(rotation: &Rotation) -> AngVector {
     atan2(rotation.im, rotation.re)
 }
 
-/// The square of an angle (rad²) from which it is as good as a turn: beyond, powers of it are not worth their
-/// digits.
-pub const TURN_MAX: Real = 1.0e4;
+/// Largest square of a rotation angle (rad²). Larger ones are clamped, because the series loses all digits.
+pub const ANGLE_SQUARED_MAX: Real = 1.0e4;
 
 /// Rotates `rotation` by the angle `angle` (radians), by the series of [`turning`](crate::base::turning). The
-/// error is zero at 1 rad, 10⁻⁵ rad at a turn, and 0.003 at two turns.
+/// error is zero at 1 rad, 10⁻⁵ rad at one revolution, and 0.003 at two.
 #[inline]
 pub fn integrate_rotation(rotation: Rotation, angle: AngVector) -> Rotation {
-    let square = (angle * angle).min(TURN_MAX);
+    let square = (angle * angle).min(ANGLE_SQUARED_MAX);
     let (cosine, sine) = cosine_and_sine::<3>(square);
     let sine = angle * sine;
     Rotation::from_cos_sin_unchecked(
@@ -100,7 +99,7 @@ pub fn inertia_of(inv_inertia: &AngularInertia) -> AngularInertia {
     if *inv_inertia > 0.0 { 1.0 / *inv_inertia } else { zero_inertia() }
 }
 
-/// The inertia of a body that no torque can turn.
+/// The inertia of a body that no torque can rotate.
 #[inline]
 pub fn zero_inertia() -> AngularInertia {
     0.0

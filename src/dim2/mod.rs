@@ -1,7 +1,7 @@
 //! The vocabulary of two dimensions.
 //!
-//! `dim3/` has the same table of contents, so the difference of the two folders is the difference
-//! between the two engines.
+//! Files with the same name have the same role in `dim3/`, which has two more: `gyroscopic.rs` and
+//! `collide/cuboid_faces.rs`. So the difference of the two folders is the difference between the two engines.
 
 pub mod collide;
 pub mod axes;

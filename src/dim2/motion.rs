@@ -1,7 +1,7 @@
 //! Free motion of bodies in 2D: a record of whole registers, and its integration lane by lane.
 //!
-//! # Tumbling
-//! In 2D there is none, since there is only one axis to turn about.
+//! # Gyroscopic motion
+//! 2D has none, because it has only one axis of rotation.
 
 use super::math::{AngVector, Real, Rotation, Vector};
 use super::state::WideMotion;
@@ -11,7 +11,7 @@ use parry::mass_properties::MassProperties;
 
 /// The rotation at 0, the acceleration at 2, the damping at 5 and 6.
 const RECORD_LEN: usize = 8;
-const BEARS_WEIGHT: usize = 7;
+const MAY_BE_IN_PILE: usize = 7;
 
 /// Data for the integration of a body; no constraint reads it.
 #[derive(Copy, Clone, Debug)]
@@ -27,17 +27,16 @@ impl FreeMotion {
     /// A body with this orientation, linear and angular acceleration by gravity and the user's forces
     /// (length/s², rad/s²), and linear and angular damping (1/s).
     ///
-    /// Whether gravity acts on the body, so that it may be part of a pile. Supports of piles also have
-    /// `bears_weight`.
+    /// `may_be_in_pile`: whether the body may be part or support of a pile. Gravity acts on its parts.
     pub fn new(
         rotation: Rotation,
         linear: Vector,
         angular: AngVector,
         [linear_damping, angular_damping]: [Real; 2],
-        bears_weight: bool,
+        may_be_in_pile: bool,
     ) -> Self {
-        let (q, a, weight) = (rotation, linear, if bears_weight { 1.0 } else { 0.0 });
-        Self([q.re, q.im, a.x, a.y, angular, linear_damping, angular_damping, weight])
+        let (q, a, flag) = (rotation, linear, if may_be_in_pile { 1.0 } else { 0.0 });
+        Self([q.re, q.im, a.x, a.y, angular, linear_damping, angular_damping, flag])
     }
 
     /// Enables gyroscopic motion if necessary: never in 2D.
@@ -60,9 +59,9 @@ impl FreeMotion {
         false
     }
 
-    /// Returns whether the body may be part of a pile.
-    pub fn bears_weight(&self) -> bool {
-        self.0[BEARS_WEIGHT] != 0.0
+    /// Returns whether the body may be part or support of a pile.
+    pub fn may_be_in_pile(&self) -> bool {
+        self.0[MAY_BE_IN_PILE] != 0.0
     }
 
     /// Rotates a gyroscopic body by this angle.

@@ -21,7 +21,7 @@ plain_shapes!(
     RoundConvexPolygon
 );
 
-/// A height field without what follows from its heights.
+/// A height field without the data that follow from its heights.
 #[derive(serde::Serialize, serde::Deserialize)]
 pub struct SavedField {
     heights: Vec<Real>,

@@ -9,7 +9,7 @@ use super::math::{ANG_DIM, AngVector, Real, Rotation, SpatialVector, Vector, rot
 use crate::base::trig::sin_cos;
 use parry::mass_properties::MassProperties;
 
-/// The axes about which one can turn: the one there is.
+/// The axes of rotation: 2D has one.
 pub const ANG_AXES: [AngVector; ANG_DIM] = [1.0];
 
 /// Both parts in one.
@@ -48,7 +48,7 @@ pub fn ang_cross(_: AngVector, _: AngVector) -> AngVector {
     0.0
 }
 
-/// An axis of rotation as the rotation takes it along: the axis of the plane does not turn.
+/// An axis of rotation after the rotation: the axis of the plane is constant.
 #[inline]
 pub fn turn_axis(_: Rotation, axis: AngVector) -> AngVector {
     axis
@@ -66,7 +66,7 @@ pub fn angle_about(_: usize, rotation: Rotation) -> Real {
     rotation_to_angle(&rotation)
 }
 
-/// There are no two axes to turn about: the first angle is all.
+/// 2D has one axis of rotation: the first angle is all.
 pub fn angles_about(_: [usize; 2], rotation: Rotation) -> [Real; 2] {
     [rotation_to_angle(&rotation), 0.0]
 }

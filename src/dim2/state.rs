@@ -10,7 +10,7 @@ use super::wide::{WideAngVector, WideRotation, WideSymmetric, WideVector};
 use crate::base::wide::{LANES, Wide};
 
 /// Marks a body index of a constraint whose body the constraint must not write: a fixed or kinematic
-/// one, or the world. Such bodies may stand in many constraints that are solved at the same time.
+/// one, or the world. Such bodies may be in many constraints that are solved at the same time.
 pub(crate) const READ_ONLY: u32 = 1 << 31;
 
 /// Numbers in a velocity or displacement: two linear, one angular. The real part of the rotation follows the
@@ -127,9 +127,9 @@ pub(crate) struct WideMotion<W> {
 #[derive(Copy, Clone)]
 pub(crate) struct WideDisplacement<W> {
     pub linear: WideVector<W>,
-    /// The angle of the turn.
+    /// Rotation angle (rad).
     pub angular: WideAngVector<W>,
-    /// The turn itself. It is computed once, when the body rotates: several joints of the body read it, many
+    /// The rotation. It is computed once, when the body rotates: several joints of the body read it, many
     /// times.
     rotation: WideRotation<W>,
 }

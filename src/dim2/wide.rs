@@ -107,7 +107,7 @@ pub fn store_ang<W: Wide>(value: WideAngVector<W>, to: &mut WideAngVector<Lane>)
     value.store(to);
 }
 
-/// `yes` in the lanes where the mask says yes, `no` in the others.
+/// `yes` in the lanes where the mask is set, `no` in the others.
 #[inline(always)]
 pub fn select_ang<W: Wide>(
     mask: W::Mask,
@@ -158,7 +158,7 @@ impl<W: Wide> WideRotation<W> {
         }
     }
 
-    /// Square of how far it moves the tip of a unit vector: of the angle, nearly.
+    /// Squared displacement of the tip of a unit vector, approximately the squared angle.
     #[inline(always)]
     pub fn chord_squared(self) -> W {
         let less = self.re - W::splat(1.0);

@@ -42,12 +42,12 @@ pub fn inv_mass_per_axis(locked: LockedAxes, inv_mass: Real) -> Vector {
     )
 }
 
-/// The inverse inertia that is left once no torque can turn the body about the locked world axes.
+/// The inverse inertia of a body that no torque can rotate about the locked world axes.
 ///
 /// Locking the axis `e` adds the torque along `e` that keeps `ω·e` constant, which subtracts the part `K e
-/// (eᵀ K e)⁻¹ eᵀ K` from the inverse inertia `K`. Its row and column of `e` become zero, and what remains is
+/// (eᵀ K e)⁻¹ eᵀ K` from the inverse inertia `K`. Its row and column of `e` become zero. The rest is
 /// the inverse of the inertia's other rows and columns. (Merely clearing the row and the column of `K` would
-/// make a body whose axes stand askew too easy to turn.)
+/// make the inertia of a body with oblique axes too small.)
 #[inline]
 pub fn lock_rotations(locked: LockedAxes, mut k: AngularInertia) -> AngularInertia {
     if !locked.intersects(LockedAxes::ROTATION_LOCKED) {
@@ -81,7 +81,7 @@ mod tests {
     use crate::dim::math::{AngVector, Matrix, Rotation};
     use parry::mass_properties::MassProperties;
 
-    /// The world-space inverse inertia of a body whose principal axes stand askew.
+    /// The world-space inverse inertia of a body whose principal axes are oblique.
     fn askew() -> (Matrix, AngularInertia) {
         let rotation = Rotation::from_scaled_axis(AngVector::new(0.3, -0.7, 0.5));
         let moments = Vector::new(1.0, 2.0, 5.0);

@@ -5,7 +5,7 @@ use parry::shape::{ConvexPolyhedron, Triangle, TypedShape};
 
 /// Largest distance of corners from the plane of their face, as a fraction of the size of the hull. It is the
 /// rounding error of coordinates and of their normal.
-const FLATNESS: Real = 256.0 * Real::EPSILON;
+const PLANE_DISTANCE_FRACTION_MAX: Real = 256.0 * Real::EPSILON;
 
 /// A hull, or a triangle, which is a hull of no thickness.
 #[derive(Copy, Clone)]
@@ -126,7 +126,7 @@ fn has_flat_faces(hull: &ConvexPolyhedron) -> bool {
         corners[1..].iter().all(|&corner| {
             let along = points[corner as usize] - origin;
             let size = along.abs().max_element() + origin.abs().max_element();
-            face.normal.dot(along).abs() <= FLATNESS * size
+            face.normal.dot(along).abs() <= PLANE_DISTANCE_FRACTION_MAX * size
         })
     })
 }

@@ -90,9 +90,9 @@ mod tests {
     /// between triangles either of two answers is right, so times are compared, to the rounding of
     /// coordinates up to 30.
     #[test]
-    fn a_walk_finds_what_a_look_at_all_triangles_finds() {
+    fn a_walk_finds_the_same_as_a_test_of_all_triangles() {
         let mut random = Random(4);
-        let (mut hits, mut asked) = (0, 0);
+        let (mut hits, mut tried) = (0, 0);
         for scale in [Vector::new(20.0, 2.0, 12.0), Vector::new(3.0, 30.0, 40.0)] {
             let heights: Vec<_> = (0..9 * 14).map(|_| random.within(-1.0, 1.0)).collect();
             let field = HeightField::new(Array2::new(9, 14, heights), scale);
@@ -116,7 +116,7 @@ mod tests {
                     .iter()
                     .filter_map(|triangle| triangle.cast_local_ray(&ray, limit, true));
                 let nearest = all.min_by(Real::total_cmp);
-                asked += 1;
+                tried += 1;
                 hits += usize::from(found.is_some());
                 let tolerance = 1.0e3 * Real::EPSILON;
                 let is_same = match (found, nearest) {
@@ -127,6 +127,6 @@ mod tests {
                 assert!(is_same, "{found:?} but {nearest:?}: {ray:?} up to {limit}");
             }
         }
-        assert!(hits > asked / 5 && hits < asked - asked / 20, "{hits} of {asked}");
+        assert!(hits > tried / 5 && hits < tried - tried / 20, "{hits} of {tried}");
     }
 }

@@ -21,7 +21,7 @@
 //! Chem. Phys. 1997). They split off the symmetric top as well. Jacobi's elliptic functions, which are exact
 //! for all bodies, take several times as long and lose their digits where two moments are nearly the same.
 
-use super::math::TURN_MAX;
+use super::math::ANGLE_SQUARED_MAX;
 use super::rotation_vector::wide_unit_quaternion;
 use super::wide::{WideRotation, WideVector};
 use crate::base::turning::wide_cosine_and_sine;
@@ -60,7 +60,7 @@ impl<W: Wide> FreeRotation<W> {
         let mut m = [x, y, z];
         let angle = rate * m[AXIS];
         let square = angle * angle;
-        let (cos, sin) = wide_cosine_and_sine::<W, 2>(square.min(W::splat(TURN_MAX)));
+        let (cos, sin) = wide_cosine_and_sine::<W, 2>(square.min(W::splat(ANGLE_SQUARED_MAX)));
         let scale = W::splat(1.0) / (cos * cos + square * (sin * sin)).sqrt();
         let (cos, sin) = (cos * scale, sin * scale * angle);
         let mut vector = [W::zero(); 3];
@@ -83,7 +83,7 @@ mod tests {
     use crate::dim3::math::{Real, Rotation, Vector, integrate_rotation};
     use crate::dim3::rotation_vector::rotation_vector;
 
-    /// One body that turns freely.
+    /// One body that rotates freely.
     struct Turn {
         inv_moments: Vector,
         momentum: Vector,
@@ -163,9 +163,9 @@ mod tests {
         assert!(whole < 0.05 && half < 0.4 * whole, "{whole}, and {half} in half of the time");
     }
 
-    /// The rotation vector is the one that makes the turn.
+    /// The rotation vector and the rotation agree.
     #[test]
-    fn the_vector_leads_where_the_turn_does() {
+    fn the_vector_equals_the_rotation() {
         for body in turns(Vector::new(9.0, 2.0, 1.0), 60.0) {
             let (rotation, _, vector) = Simd::detect().run(body);
             let led = integrate_rotation(Rotation::IDENTITY, vector);

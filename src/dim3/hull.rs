@@ -18,8 +18,8 @@ pub type ConvexShape = ConvexPolyhedron;
 /// The reason why points have no hull.
 pub const DEGENERATE: &str = "its points lie in a plane, or too close to one";
 
-/// Points whose box is thinner than this, in parts of its length, span no volume.
-const THINNESS: Real = 1.0e-6;
+/// Least thickness of a box of points that span a volume, as a fraction of its length.
+const THICKNESS_FRACTION_MIN: Real = 1.0e-6;
 /// A polyhedron with a smaller volume than this, in parts of its box, has none.
 const VOLUME_MIN: Real = 1.0e-4;
 /// Largest distance of the corners of a face from its plane, as a fraction of half the length of the box. The
@@ -59,7 +59,7 @@ pub fn convex_mesh(mut points: Vec<Vector>, triangles: &[[u32; 3]]) -> Option<Co
     }
 }
 
-/// The hull, with the corners taken from `originals`, which stand in the same order as `scaled`.
+/// The hull, with the corners taken from `originals`, which have the same order as `scaled`.
 fn hull_of_scaled(
     scaled: &[Vector],
     originals: &[Vector],
@@ -94,7 +94,8 @@ impl UnitBox {
         let lowest = points.iter().copied().reduce(Vector::min)?;
         let highest = points.iter().copied().reduce(Vector::max)?;
         let half_extents = (highest - lowest) * 0.5;
-        let is_flat = half_extents.min_element() <= THINNESS * half_extents.max_element();
+        let is_flat =
+            half_extents.min_element() <= THICKNESS_FRACTION_MIN * half_extents.max_element();
         (!is_flat).then_some(Self { center: lowest + half_extents, half_extents })
     }
 

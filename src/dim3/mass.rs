@@ -129,7 +129,7 @@ pub fn angular_momentum(mass: &MassProperties, rotation: Rotation, angvel: AngVe
     to_world * (mass.principal_inertia() * (to_world.inverse() * angvel))
 }
 
-/// The inverse inertia, in world space, of a body that turns by `rotvec` in a step. `None`: that with which
+/// The inverse inertia, in world space, of a body that rotates by `rotvec` in a step. `None`: that with which
 /// the step begins will do.
 ///
 /// Contacts take one inertia for all of the step. Let a rod with the moments `A` and `C ≪ A` rotate by `θ`.

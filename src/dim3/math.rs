@@ -74,15 +74,15 @@ pub fn rotation_to_angle(rotation: &Rotation) -> AngVector {
     if length == 0.0 { v * 2.0 } else { v * (2.0 * atan2(length, q.w) / length) }
 }
 
-/// The square of an angle (rad²) from which it is as good as a turn: beyond, powers of it are not worth their
-/// digits.
-pub const TURN_MAX: Real = 1.0e4;
+/// Largest square of a rotation angle (rad²). Larger ones are clamped, because the series loses all digits.
+pub const ANGLE_SQUARED_MAX: Real = 1.0e4;
 
 /// Rotates `rotation` by the world-space rotation vector `angle` (radians), by the series of
-/// [`turning`](crate::base::turning). The error is zero at 1 rad, 10⁻⁵ rad at a turn, and 0.003 at two turns.
+/// [`turning`](crate::base::turning). The error is zero at 1 rad, 10⁻⁵ rad at one revolution, and 0.003 at
+/// two.
 #[inline]
 pub fn integrate_rotation(rotation: Rotation, angle: AngVector) -> Rotation {
-    let square = angle.length_squared().min(TURN_MAX);
+    let square = angle.length_squared().min(ANGLE_SQUARED_MAX);
     // Cosine and sine of half the angle.
     let (cosine, sine) = cosine_and_sine::<2>(square);
     let (q, a) = (rotation, angle * sine);
@@ -126,7 +126,7 @@ pub fn inertia_of(inv_inertia: &AngularInertia) -> AngularInertia {
     if is_valid { inverse } else { zero_inertia() }
 }
 
-/// The inertia of a body that no torque can turn.
+/// The inertia of a body that no torque can rotate.
 #[inline]
 pub fn zero_inertia() -> AngularInertia {
     AngularInertia::zero()

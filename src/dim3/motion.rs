@@ -12,9 +12,9 @@
 //!
 //! # Impulses on gyroscopic bodies
 //! The pose of a pushed body differs from its free pose with the new momentum by an angle `δ` of second
-//! order. With the same momentum, its energy is different there, considerably so for thin bodies: by about
-//! `δ² A / C` for a rod with the moments `A` and `C ≪ A`. (Rods 27 times as long as thick landed with up to
-//! 3000 times their energy.) Energy has priority, so the momentum is adjusted:
+//! order. With the same momentum, its energy is different there. The difference is large for thin bodies:
+//! about `δ² A / C` for a rod with the moments `A` and `C ≪ A`. (Rods 27 times as long as thick landed with
+//! up to 3000 times their energy.) Energy has priority, so the momentum is adjusted:
 //!
 //! * that of thin bodies rotates by `δ`, so that relative to the body it equals that of free motion. A rod
 //!   rotates about its middle and hardly about its axis, so the rotation is invisible.
@@ -35,19 +35,19 @@ use super::wide::{WideAngVector, WideRotation, WideVector};
 use crate::base::wide::{Kernel, Simd, Wide, gather_adjacent, scatter_adjacent};
 use parry::mass_properties::MassProperties;
 
-/// Moments that differ by less than this fraction make no visible difference.
-const ISOTROPY: Real = 1.0e-3;
-/// A body that rotates by less than this (rad) in a substep has no gyroscopic motion.
-const TURN_MIN: Real = 1.0e-4;
+/// Least relative difference of two moments of inertia that counts.
+const MOMENT_DIFFERENCE_MIN: Real = 1.0e-3;
+/// Least rotation angle (rad) in a substep of a body with gyroscopic motion.
+const ROTATION_ANGLE_MIN: Real = 1.0e-4;
 /// A rotation in a substep of up to this angle (rad) is unambiguous.
 const UNAMBIGUOUS_ANGLE_MAX: Real = 1.5;
-/// Up to this angle (rad) in a substep, the velocity of the middle is sufficient for bodies that are not
-/// thin.
-const SMALL_ANGLE_MAX: Real = 0.1;
+/// Largest rotation angle (rad) in a substep at which the velocity at the midpoint is sufficient for bodies
+/// that are not thin.
+const MIDPOINT_ANGLE_MAX: Real = 0.1;
 /// A body is thin if one of its moments of inertia is so many times another: a rod 8 times as long as thick.
 const INERTIA_RATIO_MAX: Real = 30.0;
-/// The momentum of others is adjusted if that changes the energy by at most this fraction.
-const LED_MAX: Real = 0.25;
+/// Largest fraction of the energy by which an adjustment of the momentum may change it.
+const ENERGY_CHANGE_FRACTION_MAX: Real = 0.25;
 
 /// Numbers in each part of a record.
 const LEN: usize = 16;
@@ -56,7 +56,7 @@ const GYROSCOPIC: usize = 12;
 const INV_MOMENTS: usize = 13;
 /// Offsets in the second part.
 const FRAME: usize = 0;
-const BEARS_WEIGHT: usize = 14;
+const MAY_BE_IN_PILE: usize = 14;
 
 /// Data for the integration of a body; no constraint reads it.
 #[derive(Copy, Clone, Debug)]
@@ -65,7 +65,7 @@ pub(crate) struct FreeMotion {
     /// Data of every body.
     plain: [Real; LEN],
     /// Data of gyroscopic bodies only.
-    tumbling: [Real; LEN],
+    gyroscopic: [Real; LEN],
 }
 
 impl FreeMotion {
@@ -77,34 +77,33 @@ impl FreeMotion {
     /// A body with this orientation, linear and angular acceleration by gravity and the user's forces
     /// (length/s², rad/s²), and linear and angular damping (1/s).
     ///
-    /// Whether gravity acts on the body, so that it may be part of a pile. Supports of piles also have
-    /// `bears_weight`.
+    /// `may_be_in_pile`: whether the body may be part or support of a pile. Gravity acts on its parts.
     pub fn new(
         rotation: Rotation,
         linear: Vector,
         angular: AngVector,
         damping: [Real; 2],
-        bears_weight: bool,
+        may_be_in_pile: bool,
     ) -> Self {
-        let (mut plain, mut tumbling) = ([0.0; LEN], [0.0; LEN]);
+        let (mut plain, mut gyroscopic) = ([0.0; LEN], [0.0; LEN]);
         plain[0..4].copy_from_slice(&rotation.to_array());
         plain[4..7].copy_from_slice(&linear.to_array());
         plain[7..10].copy_from_slice(&angular.to_array());
         plain[10..12].copy_from_slice(&damping);
-        tumbling[BEARS_WEIGHT] = if bears_weight { 1.0 } else { 0.0 };
-        Self { plain, tumbling }
+        gyroscopic[MAY_BE_IN_PILE] = if may_be_in_pile { 1.0 } else { 0.0 };
+        Self { plain, gyroscopic }
     }
 
     /// Enables gyroscopic motion, unless the body is round, or hardly rotates in `h` seconds.
     pub fn with_gyroscope(mut self, mass: &MassProperties, angvel: AngVector, h: Real) -> Self {
         let inv_moments = mass.inv_principal_inertia;
         let (low, high) = (inv_moments.min_element(), inv_moments.max_element());
-        let is_round = low <= 0.0 || high - low < ISOTROPY * high;
-        if !is_round && angvel.length_squared() * h * h >= TURN_MIN * TURN_MIN {
+        let is_round = low <= 0.0 || high - low < MOMENT_DIFFERENCE_MIN * high;
+        if !is_round && angvel.length_squared() * h * h >= ROTATION_ANGLE_MIN * ROTATION_ANGLE_MIN {
             self.plain[GYROSCOPIC] = 1.0;
             self.plain[INV_MOMENTS..INV_MOMENTS + 3].copy_from_slice(&inv_moments.to_array());
             let frame = mass.principal_inertia_local_frame.to_array();
-            self.tumbling[FRAME..FRAME + 4].copy_from_slice(&frame);
+            self.gyroscopic[FRAME..FRAME + 4].copy_from_slice(&frame);
         }
         self
     }
@@ -124,9 +123,9 @@ impl FreeMotion {
         self.plain[GYROSCOPIC] != 0.0
     }
 
-    /// Returns whether the body may be part of a pile.
-    pub fn bears_weight(&self) -> bool {
-        self.tumbling[BEARS_WEIGHT] != 0.0
+    /// Returns whether the body may be part or support of a pile.
+    pub fn may_be_in_pile(&self) -> bool {
+        self.gyroscopic[MAY_BE_IN_PILE] != 0.0
     }
 
     /// Rotates a gyroscopic body by this rotation vector.
@@ -190,7 +189,7 @@ pub(crate) fn gyroscopic<W: Wide>(
     gyroscope.scatter(bodies);
 }
 
-/// The angular velocity of one body after it has turned freely for `h` seconds, which may be negative.
+/// The angular velocity of one body after free rotation for `h` seconds, which may be negative.
 pub(crate) fn angvel_after(
     mass: &MassProperties,
     rotation: Rotation,
@@ -227,7 +226,7 @@ fn rotated_freely(
     }
 }
 
-/// One body that turns for a while.
+/// One body that rotates for some time.
 struct RotateFreely {
     body: FreeMotion,
     angvel: AngVector,
@@ -269,7 +268,7 @@ struct Gyroscope<W> {
 impl<W: Wide> Gyroscope<W> {
     #[inline(always)]
     fn gather(bodies: &[FreeMotion], own: &[W; LEN]) -> Self {
-        let s = gather_adjacent::<W, _, LEN>(bodies, |body| &body.tumbling);
+        let s = gather_adjacent::<W, _, LEN>(bodies, |body| &body.gyroscopic);
         Self {
             inv_moments: WideVector {
                 x: own[INV_MOMENTS],
@@ -290,7 +289,7 @@ impl<W: Wide> Gyroscope<W> {
         let [first, second] = self.others;
         let numbers =
             [f.x, f.y, f.z, f.w, s.x, s.y, s.z, s.w, l.x, l.y, l.z, w.x, w.y, w.z, first, second];
-        scatter_adjacent(numbers, bodies, |body| &mut body.tumbling);
+        scatter_adjacent(numbers, bodies, |body| &mut body.gyroscopic);
     }
 
     /// The angular velocity was changed at the orientation `rotation`.
@@ -323,14 +322,15 @@ impl<W: Wide> Gyroscope<W> {
         let middle = turned_frame(rotation, angvel * (h * W::splat(0.5)));
         let (to_world, momentum) = self.seen_from(middle);
         self.angvel = to_world.rotate_unscaled(momentum.component_mul(self.inv_moments));
-        let is_far = W::splat(SMALL_ANGLE_MAX * SMALL_ANGLE_MAX).lt(angvel.dot(angvel) * (h * h));
-        let wants_mean = is_far | self.is_thin();
-        if W::any(wants_mean) {
+        let is_far =
+            W::splat(MIDPOINT_ANGLE_MAX * MIDPOINT_ANGLE_MAX).lt(angvel.dot(angvel) * (h * h));
+        let needs_mean = is_far | self.is_thin();
+        if W::any(needs_mean) {
             let (to_world, momentum) = self.seen_from(rotation);
             let rotvec = rotation_vector(FreeRotation::new(self.inv_moments, momentum, h).rotation);
             let mean = to_world.rotate_unscaled(rotvec) * (W::splat(1.0) / h);
             let mean = WideVector::select(turns_plainly(angvel, h), mean, angvel);
-            self.angvel = WideVector::select(wants_mean, mean, self.angvel);
+            self.angvel = WideVector::select(needs_mean, mean, self.angvel);
         }
         self.angvel
     }
@@ -367,7 +367,7 @@ impl<W: Wide> Gyroscope<W> {
         let square = steepness * steepness - (curvature + curvature) * (excess + excess);
         let root = steepness + square.max(W::zero()).sqrt();
         let away = (excess + excess) / root.max(W::splat(Real::MIN_POSITIVE));
-        let is_near = excess.abs().le(self.energy(start) * W::splat(LED_MAX));
+        let is_near = excess.abs().le(self.energy(start) * W::splat(ENERGY_CHANGE_FRACTION_MAX));
         let follows = is_near & W::zero().le(square);
         let mut momentum = WideVector::select(follows, kept - slope * away, start);
         let is_thin = self.is_thin();
@@ -384,7 +384,7 @@ impl<W: Wide> Gyroscope<W> {
         (x.min(y).min(z) * W::splat(INERTIA_RATIO_MAX)).lt(x.max(y).max(z))
     }
 
-    /// The kinetic energy of turning with an angular momentum, in the frame of the principal axes.
+    /// The kinetic energy of rotation with an angular momentum, in the frame of the principal axes.
     #[inline(always)]
     fn energy(&self, momentum: WideVector<W>) -> W {
         momentum.dot(momentum.component_mul(self.inv_moments)) * W::splat(0.5)

@@ -1,14 +1,14 @@
-//! Turning, lane by lane, in 3D.
+//! Rotation by rotation vectors, lane by lane, in 3D.
 
-use super::math::{AngVector, Real, TURN_MAX};
+use super::math::{ANGLE_SQUARED_MAX, AngVector, Real};
 use super::wide::{WideAngVector, WideRotation, WideSymmetric, WideVector, cross};
 use crate::base::trig::{ATAN_P, ATAN_Q};
 use crate::base::turning::{cosine_and_sine, wide_cosine_and_sine};
 use crate::base::wide::Wide;
 use core::f64::consts::TAU;
 
-/// Up to which angle [`turned_further`] takes the series (rad).
-const SERIES_MAX: Real = 0.5;
+/// Largest angle (rad) at which [`turned_further`] uses the series.
+const SERIES_ANGLE_MAX: Real = 0.5;
 /// A rotation vector that is shorter than this has no direction of its own.
 const ANGLE_MIN: Real = 1.0e-3;
 
@@ -17,7 +17,7 @@ const ANGLE_MIN: Real = 1.0e-3;
 #[inline(always)]
 pub(crate) fn wide_unit_quaternion<W: Wide>(rotvec: WideAngVector<W>) -> (W, W) {
     let square = rotvec.dot(rotvec);
-    let (cosine, sine) = wide_cosine_and_sine::<W, 2>(square.min(W::splat(TURN_MAX)));
+    let (cosine, sine) = wide_cosine_and_sine::<W, 2>(square.min(W::splat(ANGLE_SQUARED_MAX)));
     let scale = W::splat(1.0) / (cosine * cosine + square * (sine * sine)).sqrt();
     (sine * scale, cosine * scale)
 }
@@ -25,12 +25,12 @@ pub(crate) fn wide_unit_quaternion<W: Wide>(rotvec: WideAngVector<W>) -> (W, W) 
 /// The same of one body.
 pub(crate) fn unit_quaternion(rotvec: AngVector) -> (Real, Real) {
     let square = rotvec.length_squared();
-    let (cosine, sine) = cosine_and_sine::<2>(square.min(TURN_MAX));
+    let (cosine, sine) = cosine_and_sine::<2>(square.min(ANGLE_SQUARED_MAX));
     let scale = 1.0 / (cosine * cosine + square * (sine * sine)).sqrt();
     (sine * scale, cosine * scale)
 }
 
-/// A frame of a body after the body has turned.
+/// A frame of a body after a rotation of the body.
 #[inline(always)]
 pub(crate) fn turned_frame<W: Wide>(
     frame: WideRotation<W>,
@@ -74,8 +74,8 @@ pub(super) fn atan_excess<W: Wide>(square: W) -> W {
     square * (polynomial(&ATAN_P) / polynomial(&ATAN_Q))
 }
 
-/// The rotation vector of a turn by `rotvec` and then by `by`. The sum of two rotation vectors is off by half
-/// of `by × rotvec`. Joints that are solved with the sum break when the bodies are rotated.
+/// The rotation vector of a rotation by `rotvec` and then by `by`. The sum of two rotation vectors is off by
+/// half of `by × rotvec`. Joints that are solved with the sum break when the bodies are rotated.
 ///
 /// Small ones are composed to third order: the series of Baker, Campbell and Hausdorff. Beyond that it fails
 /// (a wheel with a radian per substep vibrated off its axle), and the rotations themselves are composed.
@@ -87,7 +87,7 @@ pub(crate) fn turned_further<W: Wide>(
     let across = cross(by, rotvec);
     let correction = across * W::splat(0.5) + cross(by - rotvec, across) * W::splat(1.0 / 12.0);
     let sum = rotvec + by;
-    let is_far = W::splat(SERIES_MAX * SERIES_MAX).lt(sum.dot(sum));
+    let is_far = W::splat(SERIES_ANGLE_MAX * SERIES_ANGLE_MAX).lt(sum.dot(sum));
     if W::any(is_far) {
         WideVector::select(is_far, composed(rotvec, by), sum + correction)
     } else {
@@ -95,7 +95,7 @@ pub(crate) fn turned_further<W: Wide>(
     }
 }
 
-/// The same for turns of any size: of all rotation vectors that lead there the one that is nearest to the
+/// The same for rotations of any size: of all rotation vectors that lead there the one that is nearest to the
 /// sum.
 #[inline(always)]
 fn composed<W: Wide>(rotvec: WideAngVector<W>, by: WideAngVector<W>) -> WideAngVector<W> {
@@ -120,7 +120,7 @@ pub(crate) fn nearest_whole<W: Wide>(number: W) -> W {
     (number + large) - large
 }
 
-/// The inverse inertia of a body after the body has turned: `R I⁻¹ Rᵀ`.
+/// The inverse inertia of a body after a rotation of the body: `R I⁻¹ Rᵀ`.
 #[inline(always)]
 pub(crate) fn turned_inertia<W: Wide>(
     inv_inertia: WideSymmetric<W>,
@@ -155,7 +155,7 @@ mod tests {
     use crate::dim::state::WideDisplacement;
     use crate::dim::wide::{load_symmetric, set_symmetric_lane, store_symmetric, symmetric_lane};
 
-    /// A turn, a further one, and what is turned.
+    /// A rotation, a further one, and the rotated vectors.
     struct Turns {
         rotvec: WideVector<Lane>,
         by: WideVector<Lane>,

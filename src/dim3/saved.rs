@@ -27,7 +27,7 @@ plain_shapes!(
     RoundConvexPolyhedron
 );
 
-/// A height field without what follows from its heights.
+/// A height field without the data that follow from its heights.
 #[derive(serde::Serialize, serde::Deserialize)]
 pub struct SavedField {
     rows: usize,

@@ -139,8 +139,8 @@ pub fn has_curved_surface(shape: TypedShape<'_>) -> bool {
     )
 }
 
-/// Mass properties of the shapes for which parry uses trigonometric functions, whose last bits differ between
-/// machines, to find the principal axes; `None` for the others.
+/// Mass properties of the shapes for which parry finds the principal axes with trigonometric functions. The
+/// last bits of these functions differ between machines. `None` for the others.
 pub fn mass_properties(shape: TypedShape<'_>, density: Real) -> Option<MassProperties> {
     let polyhedron = |solid: &ConvexPolyhedron| {
         let (vertices, triangles) = solid.to_trimesh();

@@ -9,7 +9,7 @@ use super::math::{ANG_DIM, AngVector, Real, Rotation, SpatialVector, Vector};
 use crate::base::trig::{atan2, sin_cos};
 use parry::mass_properties::MassProperties;
 
-/// The axes about which one can turn.
+/// The axes of rotation.
 pub const ANG_AXES: [AngVector; ANG_DIM] = [AngVector::X, AngVector::Y, AngVector::Z];
 
 /// Both parts in one.
@@ -100,9 +100,9 @@ pub fn world_inertia(mass: &MassProperties, rotation: Rotation) -> [[Real; ANG_D
     inertia
 }
 
-/// By axis: the error if the rotation about it is locked, and the direction in the first frame along which
-/// the relative angular velocity changes it. `rotation` is the second frame's, seen from the first. See
-/// `dim3/joint/mod.rs`.
+/// By axis: the error if the rotation about it is locked, and its gradient. The gradient is the direction of
+/// the relative angular velocity, in the first frame, that changes the error. `rotation` is the second
+/// frame's, seen from the first. See `dim3/joint/mod.rs`.
 pub fn locked_angles(rotation: Rotation) -> [(Real, AngVector); ANG_DIM] {
     let (x, y, z, w) = (rotation.x, rotation.y, rotation.z, rotation.w);
     [

@@ -10,7 +10,7 @@ use super::wide::{WideAngVector, WideRotation, WideSymmetric, WideVector};
 use crate::base::wide::Wide;
 
 /// Marks a body index of a constraint whose body the constraint must not write: a fixed or kinematic
-/// one, or the world. Such bodies may stand in many constraints that are solved at the same time.
+/// one, or the world. Such bodies may be in many constraints that are solved at the same time.
 pub(crate) const READ_ONLY: u32 = 1 << 31;
 
 /// Numbers in a velocity or displacement: three linear, three angular, two unused. After the displacement

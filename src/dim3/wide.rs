@@ -127,7 +127,7 @@ pub fn store_ang<W: Wide>(value: WideAngVector<W>, to: &mut WideAngVector<Lane>)
     value.store(to);
 }
 
-/// `yes` in the lanes where the mask says yes, `no` in the others.
+/// `yes` in the lanes where the mask is set, `no` in the others.
 #[inline(always)]
 pub fn select_ang<W: Wide>(
     mask: W::Mask,
@@ -211,8 +211,8 @@ impl<W: Wide> WideRotation<W> {
         }
     }
 
-    /// Square of how far it moves the tip of a unit vector that is perpendicular to the axis: of the angle,
-    /// nearly.
+    /// Squared displacement of the tip of a unit vector perpendicular to the axis, approximately the squared
+    /// angle.
     #[inline(always)]
     pub fn chord_squared(self) -> W {
         W::splat(4.0) * (self.x * self.x + self.y * self.y + self.z * self.z)

@@ -168,8 +168,8 @@ pub fn aligned(shape: TypedShape<'_>) -> Option<(Vector, Vector, Real)> {
     }
 }
 
-/// At an angle to the axis with sine `s` and cosine `c`, the width of a cylinder is `2 (r s + h c)`, with the
-/// minimum at one of the ends.
+/// At an angle to the axis with sine `s` and cosine `c`, the width of a cylinder is `2 (r s + h c)`. The
+/// minimum is at one of the ends.
 fn of_cylinder(cylinder: &Cylinder) -> (Vector, Vector, Real) {
     let (r, h) = (cylinder.radius, cylinder.half_height);
     (Vector::ZERO, Vector::new(r, h, r), r.min(h))

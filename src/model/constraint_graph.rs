@@ -9,7 +9,7 @@
 //!
 //! Colours are updated as constraints come and go (the lowest free one is taken) and are never recomputed: a
 //! settled pile costs nothing. Constraints with only one dynamic body have colours of their own that are
-//! solved last, so that the ground has the last word.
+//! solved last, so that contacts with the ground have the smallest error.
 //!
 //! A constraint that finds no free colour is put into the overflow, whose members are solved one by one. The
 //! alternative, unlimited colours, makes the rare hub body (a dynamic floor, say) cost one pass per
@@ -24,7 +24,7 @@ use crate::model::contact::PairId;
 const DYNAMIC_COLORS: u32 = 44;
 /// All colours; those from [`DYNAMIC_COLORS`] on are for constraints with one dynamic body.
 pub(crate) const COLORS: u32 = 64;
-/// Stands in for a colour when there was none left.
+/// Colour of constraints without a free colour.
 pub(crate) const OVERFLOW: u32 = COLORS;
 
 /// A manifold of a contact pair.
@@ -163,7 +163,7 @@ mod tests {
     }
 
     #[test]
-    fn a_removed_constraint_frees_its_color_and_names_who_moved() {
+    fn a_removed_constraint_frees_its_color_and_returns_the_moved_one() {
         let mut graph = ConstraintGraph::default();
         let first = graph.add(edge(7), [Some(0), None]);
         let second = graph.add(edge(8), [Some(1), None]);

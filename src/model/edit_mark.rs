@@ -99,7 +99,7 @@ mod tests {
     use super::{EditMark, EditMarks};
 
     #[test]
-    fn marks_of_other_records_and_older_copies_are_not_known() {
+    fn marks_of_other_records_and_older_copies_do_not_match() {
         let (mut one, mut two) = (EditMarks::default(), EditMarks::default());
         let [first, second] = [one.mark(0), one.mark(1)];
         assert!(one.is_of(first, 0) && !one.is_of(first, 1) && one.matches_note(second));

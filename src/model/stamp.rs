@@ -1,7 +1,7 @@
 //! The world stamp: which sets belong together.
 //!
-//! The sets of a world refer to each other by position. A body stores its place in the list of awake bodies,
-//! a manifold its place in the constraint graph, a collider its place in a tree. Replacing one set
+//! The sets of a world refer to each other by position. A body stores its place in the list of awake bodies.
+//! A manifold stores its place in the constraint graph, and a collider its place in a tree. Replacing one set
 //! (`mem::take`, an older copy, the set of a similar world) invalidates these references. Positions may lie
 //! beyond the end of a list, and constraints of one colour may have a common body.
 //!

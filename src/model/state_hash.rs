@@ -1,9 +1,8 @@
 //! Hashes of simulated state, for the comparison of two runs.
 //!
-//! A hash covers the bits of every quantity that a step reads from an element and writes back to it, and that
-//! a user can read. These are poses, velocities, forces, masses, sleep states, joint coordinates and
-//! impulses, and touching pairs. Caches are left out: warm-start data that differ change a velocity in the
-//! same step.
+//! A hash covers the bits of every quantity of an element that a step reads and writes, and that a user can
+//! read. These are poses, velocities, forces, masses, sleep states, joint coordinates and impulses, and
+//! touching pairs. Caches are left out: warm-start data that differ change a velocity in the same step.
 //!
 //! The hash function is the word mixer of [`crate::base::hash`]. It is no defence against forgery. It is
 //! fast, and the same on every machine: words are 64 bits wide, and a number enters by its bits. `-0.0` and

@@ -44,7 +44,7 @@ struct Pivot {
 pub struct Factor {
     pivots: Vec<Pivot>,
     inertias: Vec<SpatialMatrix>,
-    /// By link: about how much mass and angular inertia there is from it to the tips.
+    /// By link: approximate mass and angular inertia from the link to the tips.
     sizes: Vec<[Real; 2]>,
     /// Wrenches of the upward pass of the last [`Self::solve`].
     wrenches: Vec<SpatialVector>,

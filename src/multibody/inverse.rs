@@ -20,9 +20,9 @@ use crate::model::body::RigidBodySet;
 use crate::model::check::checked_pose;
 use crate::model::multibody::{Multibody, MultibodyLink};
 
-/// The largest angle (rad) of a joint in one step of the search. The Jacobian is inaccurate beyond it, and a
-/// target out of reach requests more in each step.
-const TURN_MAX: Real = 0.3;
+/// The largest rotation angle (rad) of a joint in one step of the search. The Jacobian is inaccurate beyond
+/// it, and a target out of reach leads to larger angles in each step.
+const STEP_ANGLE_MAX: Real = 0.3;
 
 /// Search parameters and tolerances of [`Multibody::inverse_kinematics`].
 #[derive(Copy, Clone, Debug, PartialEq)]
@@ -103,12 +103,12 @@ impl Multibody {
         *displacements = start.displacements_to(&posed);
     }
 
-    /// Limits the rotation of each joint in a step to [`TURN_MAX`].
+    /// Limits the rotation of each joint in a step to [`STEP_ANGLE_MAX`].
     fn shorten(&self, step: &mut [Real]) {
         let turns = self.dofs.iter().zip(step.iter()).filter(|(dof, _)| dof.axis as usize >= DIM);
         let largest = turns.map(|(_, turn)| turn.abs()).fold(0.0, Real::max);
-        if largest > TURN_MAX {
-            step.iter_mut().for_each(|number| *number *= TURN_MAX / largest);
+        if largest > STEP_ANGLE_MAX {
+            step.iter_mut().for_each(|number| *number *= STEP_ANGLE_MAX / largest);
         }
     }
 

@@ -46,8 +46,8 @@ pub struct Kinematics {
 }
 
 impl Kinematics {
-    /// The links as the coordinates say, from the root on, which stands where it stands. Empty for a
-    /// multibody whose links were replaced.
+    /// The links at the coordinates, from the root at its current pose on. Empty for a multibody with
+    /// replaced links.
     pub fn of(multibody: &Multibody) -> Self {
         let mut kinematics = Self::default();
         if multibody.is_whole() {

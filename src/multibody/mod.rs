@@ -19,7 +19,7 @@
 //! as one at the origin.
 //!
 //! ## Algorithms
-//! | file | what | after |
+//! | file | content | source |
 //! |---|---|---|
 //! | `kinematics.rs` | poses, moment arms, axes, velocities, Jacobians | |
 //! | `factor.rs` | `M⁻¹ τ` in `O(n)`: the articulated-body algorithm, as a factorisation | Featherstone 2008, chapter 7 |

@@ -108,7 +108,7 @@ impl SpatialMatrix {
 
     /// `Xᵀ I X`: the inertia at `r` from the reference point, about that point.
     pub fn carried_back(&self, r: Vector) -> Self {
-        // Turning about an axis moves what is at `r` along `axis × r`: columns of I X, then rows of Xᵀ I X.
+        // A rotation about an axis moves a point at `r` by `axis × r`: columns of I X, then rows of Xᵀ I X.
         let along = ANG_AXES.map(|axis| join(cross(axis, r), axis));
         let mut columns = self.0;
         for (column, motion) in columns[DIM..].iter_mut().zip(&along) {
@@ -123,7 +123,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_carried_inertia_is_the_sum_of_what_carrying_does() {
+    fn a_carried_inertia_is_the_sum_of_carried_parts() {
         let r = Vector::X * 0.7 - Vector::Y * 0.4;
         let mut inertia: AngularMatrix = [[0.0; ANG_DIM]; ANG_DIM];
         for (k, row) in inertia.iter_mut().enumerate() {

@@ -57,7 +57,7 @@ fn the_mass_matrix_of_sliders_adds_up_masses() {
 fn forces_accelerate_bodies() {
     let (_, multibody) = sliders(3);
     let alone = multibody.accelerations_of(&[0.0, 0.0, 6.0]);
-    // The second slider is pushed back by what the third one's rail carries: nothing, since it is free to
+    // The second slider is pushed back by the load of the third one's rail: nothing, since it is free to
     // slide.
     assert!(near(alone[2] + alone[1] + alone[0], 2.0, 10.0), "{alone:?}");
     assert!(near(alone[0], 0.0, 10.0) && near(alone[1], -3.0, 10.0), "{alone:?}");

@@ -17,8 +17,8 @@ use crate::model::multibody::{LinkTrajectory, Multibody};
 
 /// The largest number of pieces of a trajectory.
 const PIECES_MAX: usize = 1024;
-/// The largest turn (rad) of a link within a piece.
-const TURN_PER_PIECE: Real = 0.5;
+/// The largest rotation angle (rad) of a link within a piece.
+const ANGLE_PER_PIECE_MAX: Real = 0.5;
 
 /// A sample of a link's trajectory: its rotation, its centre of mass, and its angular velocity (rad per
 /// trajectory).
@@ -32,13 +32,13 @@ pub struct LinkSample {
 impl LinkTrajectory {
     /// The number of pieces in which a link moves along a line up to a deviation, and rotates about one axis.
     ///
-    /// A path of length `w` that bends by the angle `a` is within `w a / 8` of its chord, and a piece of `n`
+    /// A path of length `w` that bends by the angle `a` is within `w a / 8` of its chord. A piece of `n` is
     /// within `1/n²` of that.
     pub fn pieces(&self, deviation: Real) -> usize {
         let [path_length, angle] = self.travel;
         let bent = (path_length * angle / (8.0 * deviation.max(Real::MIN_POSITIVE))).sqrt();
         // NaN, or a number that is too large, becomes the largest number of pieces.
-        let pieces = bent.max(angle / TURN_PER_PIECE).ceil().min(PIECES_MAX as Real);
+        let pieces = bent.max(angle / ANGLE_PER_PIECE_MAX).ceil().min(PIECES_MAX as Real);
         (pieces as usize).max(1)
     }
 
@@ -73,7 +73,7 @@ impl LinkTrajectory {
     }
 
     /// Moves a multibody and its bodies back from the end to a fraction of the trajectory. `acceleration`
-    /// says by how much forces accelerate each link.
+    /// returns the acceleration of each link by forces.
     ///
     /// A root that is not dynamic stays where it is.
     pub fn go_back(

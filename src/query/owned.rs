@@ -17,7 +17,7 @@ use parry::shape::{FeatureId, Shape};
 const MARGIN_FRACTION: Real = 0.01;
 
 /// The same for flat boxes, as a fraction of their distance from the origin.
-const MARGIN_OF_PLACE: Real = 64.0 * Real::EPSILON;
+const POSITION_MARGIN_FRACTION: Real = 64.0 * Real::EPSILON;
 
 /// Queries of a set of colliders: ray casts, nearest points, shape casts.
 ///
@@ -120,7 +120,8 @@ impl QueryPipeline {
 fn whereabouts(collider: &Collider) -> Option<Aabb> {
     let tight = shape_box(collider.shape(), collider.position());
     let size = tight.mins.abs().max(tight.maxs.abs()).max_element();
-    let reach = (MARGIN_FRACTION * tight.half_extents().min_element()).max(MARGIN_OF_PLACE * size);
+    let reach =
+        (MARGIN_FRACTION * tight.half_extents().min_element()).max(POSITION_MARGIN_FRACTION * size);
     let here = BoxMargin { reach, travel: Vector::ZERO }.needed(&tight);
     let kept = collider.proxy.tree.map(|_| collider.proxy.fat_aabb);
     match (here, kept) {

@@ -96,7 +96,7 @@ impl Step<'_> {
             step.broad_phase();
             step.narrow_phase();
             step.islands();
-            step.forget_last_step();
+            step.clear_last_step();
         });
         // Removals changed the list of awake bodies even if a hook panicked since.
         self.world.structure.bodies.renew_places();

@@ -11,8 +11,7 @@ use crate::model::params::IntegrationParameters;
 /// Change of a contact pair in the narrow phase.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 pub(crate) enum PairChange {
-    /// Its manifolds were computed anew: how many there are, and whether they are to be solved, may
-    /// differ from before.
+    /// Its manifolds were recomputed. Their number may differ from before, and so may the set of solved ones.
     Computed,
     /// The fat AABBs no longer overlap.
     Apart,
@@ -96,7 +95,7 @@ pub(crate) struct StepNotes {
     pub fast: Vec<FastMotion>,
     /// Dynamic bodies near the paths of kinematic ones, in the order of their handles.
     pub approaches: Vec<Approach>,
-    /// Multibodies with a link that moved far. All their links stand in the list of fast bodies.
+    /// Multibodies with a link that moved far. All their links are in the list of fast bodies.
     pub trajectories: Vec<LinkTrajectory>,
     /// In the order of the awake bodies: whether each has been at rest for long enough to sleep. Empty until
     /// all of them have moved.

@@ -149,7 +149,7 @@ impl Step<'_> {
     pub(super) fn solver(&mut self) {
         let World { gravity, params, structure, joints, multibodies, .. } = &mut self.world;
         if params.dt <= 0.0 {
-            structure.islands.forget_motion();
+            structure.islands.clear_motion();
             return;
         }
         let StepScratch { notes, solver: scratch, simd, .. } = self.scratch;
@@ -269,9 +269,9 @@ impl Step<'_> {
     }
 
     /// After a detection: contacts have no impulses, and no body has moved.
-    pub(super) fn forget_last_step(&mut self) {
-        self.world.structure.islands.forget_motion();
-        self.world.structure.narrow_phase.forget_step_impulses();
+    pub(super) fn clear_last_step(&mut self) {
+        self.world.structure.islands.clear_motion();
+        self.world.structure.narrow_phase.clear_step_impulses();
     }
 
     /// Marks the sets as those of one step, and continues a panic.

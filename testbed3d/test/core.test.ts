@@ -38,7 +38,7 @@ test("a long frame runs four steps, and the backlog is dropped", () => {
     assert.equal(clock.take(0, 1 / 60), 0);
 });
 
-test("a paused clock takes the steps that were asked for", () => {
+test("a paused clock takes the requested steps", () => {
     const clock = new Clock();
     clock.stepOnce();
     clock.stepOnce();

@@ -1,6 +1,6 @@
 //! Collision detection without a simulation.
 
-use super::stage::{Protocol, add_box, between, plain, steps, telling, world_with_ground};
+use super::stage::{Protocol, add_box, between, plain, steps, with_events, world_with_ground};
 use crate::dim::vec;
 use rapier::prelude::*;
 
@@ -32,7 +32,7 @@ pub fn detect(
 #[test]
 fn detection_finds_contacts_and_moves_nothing() {
     let (mut world, ground) = world_with_ground();
-    let (body, collider) = add_box(&mut world, vec(0.0, 0.4), telling);
+    let (body, collider) = add_box(&mut world, vec(0.0, 0.4), with_events);
     world.bodies[body].set_linvel(vec(1.0, 2.0), true);
     let before = *world.bodies[body].position();
     let protocol = Protocol::default();
@@ -58,13 +58,13 @@ fn detection_finds_contacts_and_moves_nothing() {
 #[test]
 fn detection_uses_edits_that_it_applies() {
     let (mut world, ground) = world_with_ground();
-    let (body, collider) = add_box(&mut world, vec(0.0, 5.0), telling);
+    let (body, collider) = add_box(&mut world, vec(0.0, 5.0), with_events);
     let protocol = Protocol::default();
     detect(&mut world, true, &(), &protocol);
     world.bodies[body].set_translation(vec(0.0, 0.4), true);
     let late = world.insert_collider(ColliderBuilder::ball(0.5), None);
     detect(&mut world, false, &(), &protocol);
-    assert!(protocol.collisions().is_empty(), "not looked at yet");
+    assert!(protocol.collisions().is_empty(), "the edit is not applied yet");
     assert!(world.contact_pair(collider, late).is_none());
     detect(&mut world, true, &(), &protocol);
     let events = protocol.collisions();
@@ -76,15 +76,15 @@ fn detection_uses_edits_that_it_applies() {
 #[test]
 fn detection_survives_removals_that_it_does_not_apply() {
     let (mut world, ground) = world_with_ground();
-    let (body, collider) = add_box(&mut world, vec(0.0, 0.5), telling);
-    let (other, _) = add_box(&mut world, vec(0.0, 1.5), telling);
+    let (body, collider) = add_box(&mut world, vec(0.0, 0.5), with_events);
+    let (other, _) = add_box(&mut world, vec(0.0, 1.5), with_events);
     let protocol = Protocol::default();
     steps(&mut world, 5);
     world.remove_body(body);
     for _ in 0..3 {
         detect(&mut world, false, &(), &protocol);
     }
-    let (next, _) = add_box(&mut world, vec(0.0, 0.5), telling);
+    let (next, _) = add_box(&mut world, vec(0.0, 0.5), with_events);
     assert_eq!(next.into_raw_parts().0, body.into_raw_parts().0, "the slot is used again");
     world.remove_collider(ground);
     detect(&mut world, false, &(), &protocol);

@@ -1,6 +1,6 @@
 //! Start and end events of touching solid colliders.
 
-use super::stage::{Protocol, add_box, between, plain, steps, telling, world_with_ground};
+use super::stage::{Protocol, add_box, between, plain, steps, with_events, world_with_ground};
 use crate::dim::{cuboid, vec};
 use rapier::prelude::*;
 use std::sync::mpsc::channel;
@@ -10,7 +10,7 @@ const NONE: CollisionEventFlags = CollisionEventFlags::empty();
 #[test]
 fn a_bounce_begins_once_and_ends_once() {
     let (mut world, ground) = world_with_ground();
-    let (body, ball) = add_box(&mut world, vec(0.0, 2.0), |c| telling(c).restitution(1.0));
+    let (body, ball) = add_box(&mut world, vec(0.0, 2.0), |c| with_events(c).restitution(1.0));
     world.colliders[ground].set_restitution(1.0);
     let protocol = Protocol::default();
     let mut events = Vec::new();
@@ -41,7 +41,7 @@ fn colliders_without_active_events_send_none() {
     world.colliders[ground].set_active_events(ActiveEvents::COLLISION_EVENTS);
     let (_, collider) = add_box(&mut world, vec(0.0, 0.6), plain);
     let events = protocol.of_steps(&mut world, 60);
-    assert_eq!(events.len(), 1, "either collider may ask");
+    assert_eq!(events.len(), 1, "either collider may have the flag");
     between(&events[0], ground, collider);
 }
 
@@ -75,7 +75,7 @@ fn removal_is_flagged() {
     for remove in removals {
         for sleeping in [false, true] {
             let (mut world, ground) = world_with_ground();
-            let ours = add_box(&mut world, vec(0.0, 0.5), telling);
+            let ours = add_box(&mut world, vec(0.0, 0.5), with_events);
             steps(&mut world, if sleeping { 200 } else { 2 });
             assert_eq!(world.bodies[ours.0].is_sleeping(), sleeping);
             let protocol = Protocol::default();
@@ -106,7 +106,7 @@ fn other_ends_are_not_flagged_as_removed() {
     for (name, end) in ends {
         for sleeping in [false, true] {
             let (mut world, ground) = world_with_ground();
-            let (body, collider) = add_box(&mut world, vec(0.0, 0.5), telling);
+            let (body, collider) = add_box(&mut world, vec(0.0, 0.5), with_events);
             steps(&mut world, if sleeping { 200 } else { 2 });
             let protocol = Protocol::default();
             end(&mut world, body, collider);
@@ -119,7 +119,7 @@ fn other_ends_are_not_flagged_as_removed() {
 #[test]
 fn a_solid_that_becomes_a_sensor_stops_and_begins() {
     let (mut world, ground) = world_with_ground();
-    let (_, collider) = add_box(&mut world, vec(0.0, 0.5), telling);
+    let (_, collider) = add_box(&mut world, vec(0.0, 0.5), with_events);
     let protocol = Protocol::default();
     protocol.of_steps(&mut world, 2);
     world.colliders[collider].set_sensor(true);
@@ -142,8 +142,9 @@ fn a_solid_that_becomes_a_sensor_stops_and_begins() {
 #[test]
 fn events_of_one_step_are_in_order() {
     let (mut world, ground) = world_with_ground();
-    let boxes: Vec<_> =
-        (0..5_u8).map(|i| add_box(&mut world, vec(3.0 * Real::from(i), 0.7), telling).1).collect();
+    let boxes: Vec<_> = (0..5_u8)
+        .map(|i| add_box(&mut world, vec(3.0 * Real::from(i), 0.7), with_events).1)
+        .collect();
     let protocol = Protocol::default();
     let events = protocol.of_steps(&mut world, 40);
     let expected: Vec<_> =
@@ -168,7 +169,7 @@ fn edited_pads(arrivals: impl Iterator<Item = usize>) -> Vec<CollisionEvent> {
         let flier = RigidBodyBuilder::dynamic().translation(at(k, 9.0)).gravity_scale(0.0);
         // Some boxes are older than their pads.
         let late = (k % 3 != 0).then(|| world.insert_collider(pad.clone(), None));
-        boxes[k] = Some(world.insert(flier, telling(cuboid(0.5, 0.5))));
+        boxes[k] = Some(world.insert(flier, with_events(cuboid(0.5, 0.5))));
         late.unwrap_or_else(|| world.insert_collider(pad, None));
     }
     let boxes: Vec<_> = boxes.into_iter().flatten().collect();
@@ -230,7 +231,7 @@ impl EventHandler for ArgumentChecker {
 #[test]
 fn a_handler_sees_the_hit() {
     let (mut world, _) = world_with_ground();
-    let (body, ball) = add_box(&mut world, vec(0.0, 1.5), telling);
+    let (body, ball) = add_box(&mut world, vec(0.0, 1.5), with_events);
     world.bodies[body].set_linvel(vec(0.0, -6.0), true);
     for _ in 0..30 {
         world.step_with_events(&(), &ArgumentChecker { ball });
@@ -244,7 +245,7 @@ fn a_collector_sends_the_events_of_a_handler() {
     let (send_force, forces) = channel();
     let events = ChannelEventCollector::new(send_collision, send_force);
     let (mut world, ground) = world_with_ground();
-    let (body, collider) = add_box(&mut world, vec(0.0, 0.55), telling);
+    let (body, collider) = add_box(&mut world, vec(0.0, 0.55), with_events);
     for _ in 0..30 {
         world.step_with_events(&(), &events);
     }
@@ -253,7 +254,7 @@ fn a_collector_sends_the_events_of_a_handler() {
     assert!(forces.try_iter().count() > 10);
     world.remove_body(body);
     drop(forces); // The collector drops events of a closed channel.
-    world.insert(RigidBodyBuilder::dynamic(), telling(cuboid(0.5, 0.5)));
+    world.insert(RigidBodyBuilder::dynamic(), with_events(cuboid(0.5, 0.5)));
     world.step_with_events(&(), &events);
     assert_eq!(collisions.try_iter().count(), 2, "one ended, one began");
 }

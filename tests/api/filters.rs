@@ -1,6 +1,6 @@
 //! Interaction groups and body types: colliding pairs, and pairs without contacts.
 
-use super::stage::{Protocol, add_box, height, plain, steps, telling, world_with_ground};
+use super::stage::{Protocol, add_box, height, plain, steps, with_events, world_with_ground};
 use crate::dim::{cuboid, vec};
 use rapier::prelude::*;
 
@@ -12,7 +12,7 @@ fn drop_with(
     box_groups: InteractionGroups,
 ) -> (bool, Vec<CollisionEvent>) {
     let (mut world, ground) = world_with_ground();
-    let (body, collider) = add_box(&mut world, vec(0.0, 0.6), telling);
+    let (body, collider) = add_box(&mut world, vec(0.0, 0.6), with_events);
     set(&mut world.colliders[ground], ground_groups);
     set(&mut world.colliders[collider], box_groups);
     let protocol = Protocol::default();
@@ -86,17 +86,17 @@ fn group_edits_take_effect_in_the_next_step() {
 fn fixed_colliders_touch_on_request_only() {
     for types in [ActiveCollisionTypes::default(), ActiveCollisionTypes::FIXED_FIXED] {
         let (mut world, ground) = world_with_ground();
-        let wall = telling(cuboid(0.5, 1.0)).active_collision_types(types);
+        let wall = with_events(cuboid(0.5, 1.0)).active_collision_types(types);
         let wall = world.insert_collider(wall, None);
         let protocol = Protocol::default();
         let events = protocol.of_steps(&mut world, 2);
-        let asked = types == ActiveCollisionTypes::FIXED_FIXED;
-        assert_eq!(events.len(), usize::from(asked), "{types:?}");
-        assert_eq!(world.contact_pair(wall, ground).is_some(), asked, "{types:?}");
+        let has_pair = types == ActiveCollisionTypes::FIXED_FIXED;
+        assert_eq!(events.len(), usize::from(has_pair), "{types:?}");
+        assert_eq!(world.contact_pair(wall, ground).is_some(), has_pair, "{types:?}");
 
         world.colliders[wall].set_active_collision_types(ActiveCollisionTypes::FIXED_FIXED);
         world.step();
-        assert!(world.contact_pair(wall, ground).is_some(), "asked later: {types:?}");
+        assert!(world.contact_pair(wall, ground).is_some(), "changed later: {types:?}");
     }
 }
 
@@ -105,7 +105,8 @@ fn fixed_colliders_touch_on_request_only() {
 fn kinematic_bodies_pass_fixed_colliders() {
     let (mut world, ground) = world_with_ground();
     let body = RigidBodyBuilder::kinematic_velocity_based().linvel(vec(0.0, -1.0));
-    let platform = telling(cuboid(0.5, 0.5)).active_collision_types(ActiveCollisionTypes::all());
+    let platform =
+        with_events(cuboid(0.5, 0.5)).active_collision_types(ActiveCollisionTypes::all());
     let (body, platform) = world.insert(body.translation(vec(0.0, 1.0)), platform);
     let protocol = Protocol::default();
     let events = protocol.of_steps(&mut world, 60);
@@ -119,7 +120,7 @@ fn colliders_of_one_body_never_touch() {
     let mut world = PhysicsWorld::new();
     let body = world.insert_body(RigidBodyBuilder::dynamic());
     for _ in 0..3 {
-        world.insert_collider(telling(cuboid(0.5, 0.5)), Some(body));
+        world.insert_collider(with_events(cuboid(0.5, 0.5)), Some(body));
     }
     let protocol = Protocol::default();
     assert!(protocol.of_steps(&mut world, 5).is_empty());

@@ -1,6 +1,8 @@
 //! Hooks filter pairs and modify contacts.
 
-use super::stage::{Protocol, add_box, close, height, plain, steps, telling, world_with_ground};
+use super::stage::{
+    Protocol, add_box, close, height, plain, steps, with_events, world_with_ground,
+};
 use crate::dim::{cuboid, vec};
 use rapier::prelude::*;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -35,7 +37,8 @@ fn a_filter_is_called_for_pairs_with_active_hooks() {
     let refusal = RejectsAll::default();
     let (kept, _) = add_box(&mut world, vec(0.0, 0.6), plain);
     let flags = ActiveHooks::FILTER_CONTACT_PAIRS;
-    let (passes, refused) = add_box(&mut world, vec(3.0, 0.6), |c| telling(c).active_hooks(flags));
+    let (passes, refused) =
+        add_box(&mut world, vec(3.0, 0.6), |c| with_events(c).active_hooks(flags));
     let protocol = Protocol::default();
     for _ in 0..60 {
         world.step_with_events(&refusal, &protocol);
@@ -53,18 +56,21 @@ fn a_filter_is_called_for_sensors() {
     for flags in [ActiveHooks::empty(), ActiveHooks::FILTER_INTERSECTION_PAIR] {
         let (mut world, ground) = world_with_ground();
         let refusal = RejectsAll::default();
-        let zone = telling(cuboid(1.0, 1.0)).sensor(true).active_hooks(flags);
+        let zone = with_events(cuboid(1.0, 1.0)).sensor(true).active_hooks(flags);
         let zone = world.insert_collider(zone, None);
         let (_, collider) = add_box(&mut world, vec(0.0, 0.5), plain);
         let protocol = Protocol::default();
         for _ in 0..3 {
             world.step_with_events(&refusal, &protocol);
         }
-        let asked = !flags.is_empty();
-        assert_eq!(refusal.intersections.load(Relaxed) > 0, asked);
-        assert_eq!(protocol.collisions().is_empty(), asked);
-        assert_eq!(world.intersection_pair(zone, collider), Some(!asked));
-        assert!(world.contact_pair(ground, collider).is_some(), "that one was not asked about");
+        let filtered = !flags.is_empty();
+        assert_eq!(refusal.intersections.load(Relaxed) > 0, filtered);
+        assert_eq!(protocol.collisions().is_empty(), filtered);
+        assert_eq!(world.intersection_pair(zone, collider), Some(!filtered));
+        assert!(
+            world.contact_pair(ground, collider).is_some(),
+            "the hook does not filter this pair"
+        );
     }
 }
 
@@ -90,7 +96,7 @@ fn a_one_way_platform_acts_from_above_only() {
             let insert_platform =
                 |world: &mut PhysicsWorld| world.insert_collider(platform.clone(), None);
             let early = platform_first.then(|| insert_platform(&mut world));
-            let (body, _) = add_box(&mut world, vec(0.0, start), telling);
+            let (body, _) = add_box(&mut world, vec(0.0, start), with_events);
             let platform = early.unwrap_or_else(|| insert_platform(&mut world));
             world.bodies[body].set_linvel(vec(0.0, velocity), true);
             let (hooks, protocol) = (OneWay { platform }, Protocol::default());
@@ -232,7 +238,7 @@ impl PhysicsHooks for PanicsForSensors {
 fn events_are_sent_after_a_panic() {
     let (mut world, ground) = world_with_ground();
     world.gravity = Vector::ZERO;
-    let (_, collider) = add_box(&mut world, vec(0.0, 0.499), telling);
+    let (_, collider) = add_box(&mut world, vec(0.0, 0.499), with_events);
     let flags = ActiveHooks::FILTER_INTERSECTION_PAIR;
     world.insert_collider(cuboid(1.0, 1.0).sensor(true).active_hooks(flags), None);
     let step = AssertUnwindSafe(|| world.step_with_events(&PanicsForSensors, &()));

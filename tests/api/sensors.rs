@@ -1,6 +1,8 @@
 //! Intersections of sensors.
 
-use super::stage::{Protocol, add_box, between, height, plain, steps, telling, world_with_ground};
+use super::stage::{
+    Protocol, add_box, between, height, plain, steps, with_events, world_with_ground,
+};
 use crate::dim::{cuboid, vec};
 use rapier::prelude::*;
 
@@ -47,7 +49,7 @@ fn sensors_detect_the_active_collision_types() {
         for other_is_sensor in [false, true] {
             let mut world = PhysicsWorld::new();
             world.gravity = Vector::ZERO;
-            let sensor = telling(cuboid(1.0, 1.0)).sensor(true).active_collision_types(types);
+            let sensor = with_events(cuboid(1.0, 1.0)).sensor(true).active_collision_types(types);
             let (_, sensor) = world.insert(RigidBodyBuilder::new(type1), sensor);
             let other = cuboid(0.5, 0.5).sensor(other_is_sensor);
             let (_, other) = world.insert(RigidBodyBuilder::new(type2), other);
@@ -84,7 +86,7 @@ fn sensors_add_mass_but_no_contacts() {
 fn a_sleeping_body_stays_detected() {
     let (mut world, _) = world_with_ground();
     let (body, collider) = add_box(&mut world, vec(0.0, 0.5), plain);
-    let zone = telling(cuboid(1.0, 1.0)).sensor(true);
+    let zone = with_events(cuboid(1.0, 1.0)).sensor(true);
     let zone = world.insert_collider(zone, None);
     let protocol = Protocol::default();
     let events = protocol.of_steps(&mut world, 200);

@@ -28,7 +28,7 @@ pub fn plain(collider: ColliderBuilder) -> ColliderBuilder {
 }
 
 /// Returns the collider with all events active.
-pub fn telling(collider: ColliderBuilder) -> ColliderBuilder {
+pub fn with_events(collider: ColliderBuilder) -> ColliderBuilder {
     collider.active_events(ActiveEvents::all())
 }
 

@@ -48,10 +48,10 @@ fn energy(world: &PhysicsWorld, chain: &Chain) -> Real {
 
 /// No ball of a chain passes the wall, and joints recover the separation that the impact causes.
 ///
-/// The joints do separate: the balls are 20 cm apart and move by 40 cm in a substep at 100 m/s, so
-/// that they rotate about the stopped ball by radians at once. Stopping each ball alone would
-/// separate them by the motion of a whole step. From 400 m/s on, the rest of the chain spins faster
-/// than substeps resolve, and the joints stay apart for that time.
+/// The joints do separate. The balls are 20 cm apart and move by 40 cm in a substep at 100 m/s. So they
+/// rotate about the stopped ball by radians at once. Stopping each ball alone would separate them by the
+/// motion of a whole step. From 400 m/s on, the rest of the chain spins faster than substeps resolve, and the
+/// joints stay apart for that time.
 #[test]
 fn chains_hit_walls_as_wholes() {
     let columns = ["speed", "aslant", "passed", "gap (mm)", "left (mm)", "energy"];

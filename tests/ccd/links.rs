@@ -39,8 +39,8 @@ fn add_wall(world: &mut PhysicsWorld) {
     world.insert_collider(wall(), None);
 }
 
-/// At 1000 m/s chains that do not hit with all links at once rotate by dozens of radians in a step,
-/// and one link in twenty passes: docs/guide/fast-bodies.md.
+/// At 1000 m/s chains that do not hit with all links at once rotate by dozens of radians in a step. One link
+/// in twenty passes: docs/guide/fast-bodies.md.
 #[test]
 fn chains_do_not_pass_walls() {
     let columns = ["speed", "upright", "aslant", "turning"];
@@ -114,8 +114,8 @@ fn stopped_chains_keep_momentum_and_energy() {
         }
         assert_eq!(stopped, chain.len(), "all links are stopped together");
         let (p2, l2, energy2) = state(&world);
-        // The error of the return to the time of impact is of third order in the angle of a segment, half a
-        // radian at most: (0.5)³/12.
+        // The error of the return to the time of impact is of third order in the angle of a segment (half a
+        // radian at most): (0.5)³/12.
         let close = 0.01;
         assert!((p2 - p).length() < close * p.length(), "{spin}: momentum {p} became {p2}");
         let angular = ang_length(l2 - l);

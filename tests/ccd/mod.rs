@@ -1,7 +1,7 @@
 //! Continuous collision detection: bodies do not pass through others.
 //!
 //! Balls of 10 cm move by up to 330 times their size in a step of 1/60 s. Each case runs from 20
-//! initial positions, a twentieth of the motion of one step apart, so that no lucky phase hides a
+//! initial positions, a twentieth of the motion of one step apart, so that no single phase hides a
 //! gap.
 
 mod bullets;
@@ -10,11 +10,11 @@ mod drives;
 mod links;
 mod paths;
 mod presses;
+mod rotations;
 mod sensors;
 mod settings;
 mod surfaces;
 mod throws;
-mod turns;
 
 use crate::dim::grounds::GROUNDS;
 use crate::dim::{about_z, cuboid, vec};

@@ -1,8 +1,8 @@
 //! Bodies in contact with a barrier, hit from behind.
 //!
-//! Contacts are compliant. A body between a wall and a bullet of a hundred times its mass moves by
-//! its own thickness within a substep, and contacts then push it out of the wall on the other side.
-//! Deeply penetrating bodies therefore move no deeper, however small the motion.
+//! Contacts are compliant. A body between a wall and a bullet of a hundred times its mass moves by its own
+//! thickness within a substep. Contacts then push it out of the wall on the other side. Deeply penetrating
+//! bodies therefore move no deeper, however small the motion.
 
 use super::{PHASES, RADIUS, SPEEDS};
 use crate::dim::grounds::{GROUNDS, Ground};

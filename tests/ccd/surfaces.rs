@@ -98,9 +98,9 @@ fn thin_slabs_do_not_pass_grounds() {
     }
 }
 
-/// Boxes and bars in steps of 1/30 s: at 1000 m/s the motion of a step is 33 m, on which a search of
-/// closest points does not resolve millimetres. A spinning bar hits with its tip first, and the
-/// impact rotates it into the ground.
+/// Boxes and bars in steps of 1/30 s. At 1000 m/s the motion of a step is 33 m. At that length a search of
+/// closest points does not resolve millimetres. A spinning bar hits with its tip first, and the impact
+/// rotates it into the ground.
 #[test]
 fn long_steps_and_spinning_bars_pass_nothing() {
     let columns = ["ground", "50", "100", "400", "1000"];

@@ -64,7 +64,7 @@ fn critical_damping_agrees_with_the_formula() {
 fn only_the_chosen_axes_are_controlled() {
     let (world, handle) = weightless();
     let body = &world.bodies[handle];
-    let asked = |axes| {
+    let corrects = |axes| {
         let change = PdController::new(60.0, 0.8, axes).rigid_body_correction(
             body,
             target(),
@@ -72,11 +72,11 @@ fn only_the_chosen_axes_are_controlled() {
         );
         (change.linvel.x != 0.0, change.linvel.y != 0.0, z_of(change.angvel) != 0.0)
     };
-    assert_eq!(asked(AxesMask::LIN_X), (true, false, false));
-    assert_eq!(asked(AxesMask::LIN_Y), (false, true, false));
-    assert_eq!(asked(AxesMask::ANG_Z), (false, false, true));
-    assert_eq!(asked(AxesMask::empty()), (false, false, false));
-    assert_eq!(asked(AxesMask::all()), (true, true, true));
+    assert_eq!(corrects(AxesMask::LIN_X), (true, false, false));
+    assert_eq!(corrects(AxesMask::LIN_Y), (false, true, false));
+    assert_eq!(corrects(AxesMask::ANG_Z), (false, false, true));
+    assert_eq!(corrects(AxesMask::empty()), (false, false, false));
+    assert_eq!(corrects(AxesMask::all()), (true, true, true));
     let pd = PdController::default();
     let linear = pd.linear_rigid_body_correction(body, vec(2.0, -1.0), Vector::ZERO);
     assert_eq!(linear, vec(2.0, -1.0) * 60.0);

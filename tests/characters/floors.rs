@@ -1,4 +1,4 @@
-//! "My character stumbles over the seams of the floor."
+//! "My character stumbles over the internal edges of the floor."
 
 use super::stage::{CAPSULE, DT, FOOT, GAP_TOLERANCE, OFFSET, Walker};
 use crate::dim::floors::{heights, mesh};

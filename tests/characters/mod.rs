@@ -1,8 +1,8 @@
 //! Characters: walking, standing, climbing and pushing.
 //!
 //! Each test states a user's complaint about character controllers, as a figure with the reason for its
-//! tolerance. `table` prints the figures together (`cargo nextest run -p rapier3d characters::table
-//! --no-capture`).
+//! tolerance. `table` prints the figures together
+//! (`cargo test -p rapier3d --test suite characters::table -- --nocapture`).
 
 mod feedback;
 mod floors;

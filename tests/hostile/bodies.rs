@@ -45,7 +45,7 @@ fn numbers_are_accepted_or_refused_by_name() {
             if new == value {
                 assert!(heard.is_empty(), "{name} {value}: {heard:?}");
                 let end = scene.bystanders_in_the_end();
-                assert!(end == bystanders, "{name} {value} is felt far away");
+                assert!(end == bystanders, "{name} {value} affects distant bodies");
             } else {
                 assert_eq!(new, old, "{name} {value}");
                 assert!(heard.iter().any(|text| names(text, value)), "{name} {value}: {heard:?}");
@@ -88,7 +88,7 @@ fn no_vector_affects_another_pile() {
                 assert!(heard.iter().any(|text| names_one_of(text, vector)), "{name}: {heard:?}");
             }
             let end = scene.bystanders_in_the_end();
-            assert!(end == bystanders, "{name} {vector} is felt far away");
+            assert!(end == bystanders, "{name} {vector} affects distant bodies");
         }
     }
 }
@@ -148,7 +148,7 @@ fn thresholds_of_sleep_can_be_anything() {
         activation.angular_threshold = value;
         activation.time_until_sleep = value;
         activation.time_since_can_sleep = value;
-        assert!(scene.bystanders_in_the_end() == bystanders, "{value} is felt far away");
+        assert!(scene.bystanders_in_the_end() == bystanders, "{value} affects distant bodies");
     }
 }
 

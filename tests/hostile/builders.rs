@@ -49,7 +49,10 @@ fn a_body_is_built_or_rejected_by_name() {
             let mut scene = Scene::new();
             scene.world.insert(body, ColliderBuilder::ball(0.5).density(1.0));
             let end = scene.bystanders_in_the_end();
-            assert!(end == bystanders || value.abs() > 900.0, "{field} {value} is felt far away");
+            assert!(
+                end == bystanders || value.abs() > 900.0,
+                "{field} {value} affects distant bodies"
+            );
         }
     }
 }

@@ -44,7 +44,7 @@ fn numbers_are_accepted_or_refused_by_name() {
                 assert!(heard.is_empty(), "{name} {value}: {heard:?}");
                 let end = scene.bystanders_in_the_end();
                 let reaches_them = name == "contact skin" && value > COORDINATE;
-                assert!(end == bystanders || reaches_them, "{name} {value} is felt far away");
+                assert!(end == bystanders || reaches_them, "{name} {value} affects distant bodies");
             } else {
                 assert_eq!(new, old, "{name} {value}");
                 assert!(heard.iter().any(|text| names(text, value)), "{name} {value}: {heard:?}");
@@ -70,7 +70,7 @@ fn a_collider_without_body_stays_at_valid_positions() {
         let taken = scene.world.colliders[wall].translation() == vector;
         let named = vector.to_array().iter().any(|v| heard.iter().any(|text| names(text, *v)));
         assert!(taken == heard.is_empty() && (taken || named), "{vector}: {heard:?}");
-        assert!(scene.bystanders_in_the_end() == bystanders, "{vector} is felt far away");
+        assert!(scene.bystanders_in_the_end() == bystanders, "{vector} affects distant bodies");
     }
 }
 
@@ -126,7 +126,10 @@ fn a_broken_shape_disables_its_collider_only() {
             assert!(heard.iter().any(|text| names(text, value)), "{value}: {heard:?}");
         }
         let end = scene.bystanders_in_the_end();
-        assert!(end == bystanders || (possible && value > COORDINATE), "{value} is felt far away");
+        assert!(
+            end == bystanders || (possible && value > COORDINATE),
+            "{value} affects distant bodies"
+        );
     }
 }
 

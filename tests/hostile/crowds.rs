@@ -33,8 +33,8 @@ fn ten_thousand_bodies_at_one_point() {
         let counters = world.physics_pipeline.counters;
         // All but the first few own the maximum number of pairs, and all touch the ground.
         assert_eq!(counters.cd.ncrowded, COUNT - 1 - PAIRS_MAX);
-        let borne = PAIRS_MAX * (COUNT - 1 - PAIRS_MAX) + PAIRS_MAX * (PAIRS_MAX + 1) / 2;
-        assert_eq!(counters.cd.ncontact_pairs, borne + COUNT);
+        let owned = PAIRS_MAX * (COUNT - 1 - PAIRS_MAX) + PAIRS_MAX * (PAIRS_MAX + 1) / 2;
+        assert_eq!(counters.cd.ncontact_pairs, owned + COUNT);
         world.step();
         let positions = || world.bodies.iter().map(|(_, body)| body.translation());
         assert!(positions().all(|at| at.is_finite() && at.length() < 100.0));

@@ -117,7 +117,7 @@ fn edits_of_touching_bodies_affect_no_other_body() {
     for (name, edit) in EDITS {
         let mut scene = Scene::new();
         edit_between_steps(&mut scene, edit, 1);
-        assert!(scene.bystanders_in_the_end() == expected, "{name} is felt far away");
+        assert!(scene.bystanders_in_the_end() == expected, "{name} affects distant bodies");
     }
 }
 
@@ -134,7 +134,7 @@ fn edits_of_sleeping_bodies_affect_no_other_body() {
         for (name, edit) in EDITS {
             let mut scene = asleep();
             edit_between_steps(&mut scene, edit, pause);
-            assert!(scene.bystanders_in_the_end() == expected, "{name} wakes who is far away");
+            assert!(scene.bystanders_in_the_end() == expected, "{name} wakes distant bodies");
         }
     }
 }

@@ -80,7 +80,7 @@ fn masses_of_any_ratio_may_touch() {
             }
             assert!(
                 scene.bystanders_in_the_end() == untouched,
-                "{above} on {below} is felt far away"
+                "{above} on {below} affects distant bodies"
             );
             // The centres are at half a metre, a metre and a half, and two and a half.
             let energy = 9.81 * (0.5 * below + 1.5 + 2.5 * above);
@@ -138,7 +138,7 @@ fn no_body_leaves_the_world() {
         let bystanders = Scene::new().bystanders_in_the_end();
         let top = scene.neighbours[1];
         scene.world.bodies[top].set_linvel(Vector::Y * speed, true);
-        assert!(scene.bystanders_in_the_end() == bystanders, "{speed} is felt far away");
+        assert!(scene.bystanders_in_the_end() == bystanders, "{speed} affects distant bodies");
         scene.steps(100);
         let height = scene.world.bodies[top].translation().y;
         assert!((0.9 * speed..=1.0e15).contains(&height), "{speed} takes it to {height}");
@@ -205,7 +205,7 @@ fn kinematic_jumps_keep_the_invariants() {
                 let speed = (y - scene.body().translation().y).abs() / dt;
                 scene.steps(1);
                 if speed <= 1.0e15 {
-                    assert_eq!(scene.body().translation().y, y, "it goes where it was told");
+                    assert_eq!(scene.body().translation().y, y, "it reaches its target");
                     continue;
                 }
                 let cause = scene.body().quarantine();

@@ -120,7 +120,7 @@ fn no_collider_is_attached_to_a_missing_body() {
         assert!(heard.iter().any(|text| text.contains(&format!("{missing:?}"))), "{heard:?}");
         colliders.set_parent(missing, None, bodies);
     }
-    assert!(scene.bystanders_in_the_end() == expected, "missing handles are felt far away");
+    assert!(scene.bystanders_in_the_end() == expected, "missing handles affect distant bodies");
 }
 
 /// The next step removes a joint to a forged body handle. It allocates no memory for the slots in between.

@@ -64,8 +64,11 @@ fn inconsistent_filters_affect_no_other_body() {
         let filter = || (calls.fetch_add(1, Relaxed) / period).is_multiple_of(2);
         let mut scene = scene();
         steps(&mut scene, &Hooks { filter: Some(&filter), modify: None }, 40);
-        assert!(calls.into_inner() > 40, "the filter was asked");
-        assert!(scene.bystanders_in_the_end() == expected, "period {period} is felt far away");
+        assert!(calls.into_inner() > 40, "the filter was called");
+        assert!(
+            scene.bystanders_in_the_end() == expected,
+            "period {period} affects distant bodies"
+        );
     }
 }
 
@@ -105,7 +108,7 @@ fn randomly_modified_contacts_affect_no_other_body() {
         let mut scene = scene();
         listen(|| steps(&mut scene, &Hooks { filter: None, modify: Some(&modify) }, 40));
         assert!(calls.into_inner() > 40, "{name}: the hook was called");
-        assert!(scene.bystanders_in_the_end() == expected, "{name} is felt far away");
+        assert!(scene.bystanders_in_the_end() == expected, "{name} affects distant bodies");
     }
 }
 
@@ -333,7 +336,7 @@ fn quarantine_events_are_sent_when_a_hook_panics() {
 
 /// Handler that queries the world of its events, and steps another world with the same handler.
 struct ReentrantHandler {
-    asked: AtomicUsize,
+    calls: AtomicUsize,
     inner: ChannelEventCollector,
 }
 
@@ -351,7 +354,7 @@ impl EventHandler for ReentrantHandler {
             let down = Ray::new(collider.translation() + Vector::Y * 9.0, -Vector::Y);
             assert!(collider.shape().intersects_ray(collider.position(), &down, 20.0));
         }
-        if self.asked.fetch_add(1, Relaxed) < 2 {
+        if self.calls.fetch_add(1, Relaxed) < 2 {
             let mut other = scene();
             other.collider().set_active_events(ActiveEvents::all());
             let (left, right) = rayon::join(
@@ -369,7 +372,7 @@ fn handlers_may_call_the_engine() {
     let (send_collision, collisions) = std::sync::mpsc::channel();
     let (send_force, _forces) = std::sync::mpsc::channel();
     let inner = ChannelEventCollector::new(send_collision, send_force);
-    let handler = ReentrantHandler { asked: AtomicUsize::new(0), inner };
+    let handler = ReentrantHandler { calls: AtomicUsize::new(0), inner };
     let mut scene = scene();
     let (body, _) = scene.world.insert(
         RigidBodyBuilder::dynamic().translation(vec(0.0, 3.6)),
@@ -381,10 +384,10 @@ fn handlers_may_call_the_engine() {
     }
     scene.world.remove_body(body);
     scene.world.step_with_events(&Hooks::default(), &handler);
-    let asked = handler.asked.into_inner();
+    let calls = handler.calls.into_inner();
     drop(handler.inner);
-    assert!(asked >= 2, "asked {asked} times");
-    assert_eq!(collisions.try_iter().count(), asked);
+    assert!(calls >= 2, "{calls} calls");
+    assert_eq!(collisions.try_iter().count(), calls);
 }
 
 /// No body passes a plate because a hook panics during the search of its path.

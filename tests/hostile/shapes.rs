@@ -44,12 +44,12 @@ fn degenerate_shapes_affect_no_other_body() {
         let (ghost, heard) = listen(|| builder.translation(vec(0.0, 1.0)).build());
         assert!(!heard.is_empty(), "{name} is built in silence");
         scene.world.insert_collider(ghost.clone(), None);
-        assert!(scene.all_in_the_end() == untouched, "{name} is felt");
+        assert!(scene.all_in_the_end() == untouched, "{name} affects other bodies");
 
         let mut scene = Scene::new();
         let mass = scene.body().mass();
         scene.world.insert_collider(ghost, Some(scene.body));
-        assert!(scene.bystanders_in_the_end() == bystanders, "{name} is felt far away");
+        assert!(scene.bystanders_in_the_end() == bystanders, "{name} affects distant bodies");
         assert_eq!(scene.body().mass(), mass, "{name} has a mass");
     }
 }

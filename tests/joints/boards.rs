@@ -180,10 +180,9 @@ impl FreeEnd {
     }
 }
 
-/// The reported impulse of a joint in a step with an impact equals the change of the board at its
-/// end, `m Δv = (F + m g) dt`, although each round of impacts may apply only a fraction. Steps in
-/// which continuous collision detection stops a board are excluded: the board then lacks the weight
-/// of the remaining time.
+/// The reported impulse of a joint in a step with an impact equals the change of the board at its end:
+/// `m Δv = (F + m g) dt`. Each round of impacts may apply only a fraction. Steps in which continuous
+/// collision detection stops a board are excluded: the board then lacks the weight of the remaining time.
 #[test]
 fn joints_report_the_impulses_of_impacts() {
     let mut dice = Dice(4321);

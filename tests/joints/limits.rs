@@ -51,7 +51,7 @@ fn hinges_stop_at_limits_of_any_angle() {
     }
 }
 
-/// A joint between limits beyond half a revolution starts there: the first angle of a hinge is ambiguous by
+/// A joint between limits beyond half a revolution starts there. The first angle of a hinge is ambiguous by
 /// revolutions, and is chosen within the limits.
 #[test]
 fn joints_between_their_limits_keep_their_position() {

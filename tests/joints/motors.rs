@@ -74,7 +74,7 @@ fn acceleration_motors_are_independent_of_the_mass() {
     assert!((swing(0.1) - swing(50.0)).abs() < 1.0e-3);
 }
 
-/// The mass of an acceleration-based motor is that of its own two bodies: with a second wheel of the same
+/// The mass of an acceleration-based motor is that of its own two bodies. With a second wheel of the same
 /// inertia welded to the first, `ω² = k / 2`.
 #[test]
 fn acceleration_motors_use_their_own_bodies() {

@@ -181,8 +181,8 @@ fn hinges_of_a_bridge_do_not_strain_sideways() {
                 torque = torque.max(ang_length(joint.torque()));
             }
             let ends = [joints[0], joints[COUNT]].map(|joint| world.impulse_joints[joint].force());
-            let borne = (ends[0].y - ends[1].y) / (COUNT as Real * G);
-            (least, most) = (least.min(borne), most.max(borne));
+            let load = (ends[0].y - ends[1].y) / (COUNT as Real * G);
+            (least, most) = (least.min(load), most.max(load));
         }
         table.row([
             rate.to_string(),

@@ -264,8 +264,8 @@ fn energy_lost_in_an_impact_does_not_return() {
     }
 }
 
-/// A striker of two welded bodies of the total mass 1 hits a row of balls of mass 1, one of which may
-/// be a link. The last ball leaves at the speed of the striker.
+/// A striker of two welded bodies of the total mass 1 hits a row of balls of mass 1. One of the balls may be
+/// a link. The last ball leaves at the speed of the striker.
 #[test]
 fn links_transmit_an_impact() {
     let columns = ["rate", "link in the row", "last", "others", "energy"];
@@ -312,7 +312,7 @@ fn links_transmit_an_impact() {
 /// ball leaves, the others stay.
 #[test]
 fn a_cradle_of_links() {
-    let columns = ["rate", "roots", "speeds a tenth of a second after the blow"];
+    let columns = ["rate", "roots", "speeds a tenth of a second after the impact"];
     let mut table = Table::new("cradle of 5 links at 2 m/s", &columns);
     let (length, angle): (Real, Real) = (2.0, -0.1);
     for rate in RATES {

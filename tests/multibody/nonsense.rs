@@ -15,7 +15,7 @@ fn a_world_returns_the_reason_of_a_rejected_joint() {
     world.remove_body(gone);
     let cases = [
         (a, a, InvalidJoint::SameBody { body: a }),
-        (post, wall, InvalidJoint::NobodyDynamic { body1: post, body2: wall }),
+        (post, wall, InvalidJoint::NoDynamicBody { body1: post, body2: wall }),
         (a, gone, InvalidJoint::MissingBody { body: gone }),
         (gone, a, InvalidJoint::MissingBody { body: gone }),
     ];

@@ -54,9 +54,9 @@ fn chains_that_hit_a_corner_gain_no_energy() {
     }
 }
 
-/// A socket joins a rod and a ball at the ends of long arms. A rotation of one or two degrees in a
-/// substep moves the end of such an arm far, and contacts that do not follow this motion add energy.
-/// Gravity alone does work here.
+/// A socket joins a rod and a ball at the ends of long arms. A rotation of one or two degrees in a substep
+/// moves the end of such an arm far. Contacts that do not follow this motion add energy. Gravity alone does
+/// work here.
 #[test]
 fn bodies_on_long_arms_gain_no_energy_from_the_ground() {
     let mut table = Table::new("thrown on the ground", &["case", "largest gain in a step"]);

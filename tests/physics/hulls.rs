@@ -1,9 +1,9 @@
 //! Convex hulls at rest on few contact points. 3D only: in the plane a manifold has at most two
 //! points.
 //!
-//! Manifolds of hulls have 1.9 points per touching pair in a pile of rocks, and 3.1 and 3.5 in two
-//! peers: crossing edges touch at one point, and only vertices within the prediction distance are
-//! contact points. These tests require statics, whatever the number of points.
+//! Manifolds of hulls have 1.9 points per touching pair in a pile of rocks, and 3.1 and 3.5 in two peers.
+//! Crossing edges touch at one point, and only vertices within the prediction distance are contact points.
+//! These tests require statics, whatever the number of points.
 
 use crate::suite::physics::stage::{Dice, G, add_ground, steps, world};
 use crate::suite::physics::table::Table;

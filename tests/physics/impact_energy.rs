@@ -56,7 +56,7 @@ fn add_walls(world: &mut PhysicsWorld, away: Real, e: Real, friction: Real) {
     }
 }
 
-/// The kinetic energy of spinning balls and boxes in a closed box never grows: restitution 0 to 1,
+/// The kinetic energy of spinning balls and boxes in a closed box never grows. Ranges: restitution 0 to 1,
 /// friction 0 to 2, speeds up to 100 m/s.
 #[test]
 fn spinning_crowds_do_not_gain_energy() {

@@ -88,7 +88,7 @@ fn cradle(
 /// The other balls stay.
 #[test]
 fn newtons_cradle() {
-    let columns = ["rate", "strings", "in", "speeds a tenth of a second after the blow"];
+    let columns = ["rate", "strings", "in", "speeds a tenth of a second after the impact"];
     let mut table = Table::new("cradle of 5 balls at 2 m/s", &columns);
     for rate in RATES {
         for strings in [Strings::Rods, Strings::Links] {
@@ -346,8 +346,8 @@ fn impacts_have_friction() {
             ]);
             // The moment arm of the impact ends midway between the surfaces. They are up to a substep's
             // motion apart, or overlap by up to a step's motion.
-            let lever = 0.5 * 4.0 / rate as Real / RADIUS;
-            table.check("the speed sideways", sideways, formula, lever * formula);
+            let tolerance = 0.5 * 4.0 / rate as Real / RADIUS;
+            table.check("the speed sideways", sideways, formula, tolerance * formula);
         }
     }
 }

@@ -51,7 +51,7 @@ fn implosion(rate: u32) -> PhysicsWorld {
 /// rounding: `n` changes of a momentum `p` round by about `ε p √n`.
 ///
 /// `ΣL` is constant as long as both impulses act at the same point. The moment arms are those at the
-/// beginning of a step, and the bodies move during the step: the error is of first order in the step.
+/// beginning of a step, and the bodies move during the step. The error is of first order in the step.
 #[test]
 fn momentum_without_gravity() {
     let columns = ["rate", "manifolds", "|Σp|", "error / Σ|p|", "limit", "|ΣL|", "error / Σ|L|"];

@@ -81,7 +81,7 @@ fn a_falling_body_wakes_the_bodies_that_it_hits() {
             woke += usize::from(count == 0);
             assert_eq!(sleepers(&world, &right), 3, "the other stack sleeps on");
         }
-        assert!(woke > 0, "at {rate} Hz nobody woke");
+        assert!(woke > 0, "at {rate} Hz no body woke");
         run(&mut world, 3.0);
         assert!(world.active_bodies().is_empty(), "all sleep again");
     }
@@ -162,7 +162,7 @@ fn pushes_wake_on_request() {
         assert_eq!((sleepers(&world, &left), sleepers(&world, &right)), (0, 3));
         push(&mut world.bodies[right[0]], false);
         world.step();
-        assert_eq!(sleepers(&world, &right), 3, "nobody asked to wake");
+        assert_eq!(sleepers(&world, &right), 3, "the push does not wake");
     }
 }
 

@@ -75,7 +75,7 @@ fn tower() {
 /// A tower of thirty cubes, the topmost slightly off centre, stands for a minute without sleeping.
 ///
 /// With soft contacts alone it would fall: like any elastic column, it buckles under its own weight
-/// from some height on (`step/narrow_phase/place`). A rigid tower stands until the top leans by a
+/// from some height on (`AnchorFrame`). A rigid tower stands until the top leans by a
 /// whole width.
 #[test]
 fn tower_kept_awake() {
@@ -105,8 +105,8 @@ fn tower_kept_awake() {
     }
 }
 
-/// A pyramid of twenty rows stands and falls asleep. At 30 steps a second, and at 60 in double
-/// precision, it stands, but soft contacts let it sway by more than the drift of a sleeping body
+/// A pyramid of twenty rows stands and falls asleep. At 30 steps a second, and at 60 in double precision, it
+/// stands. But soft contacts let it sway by more than the drift of a sleeping body
 /// (`docs/decisions/0013-bodies-sleep-by-drift.md`).
 #[test]
 fn pyramid() {
@@ -150,9 +150,9 @@ fn longer(rate: u32) -> Real {
 
 /// Four cubes carry a fifth cube of a multiple of their mass.
 ///
-/// At 60 steps a second and default settings, another engine penetrates by 7 mm at the ratio 10, by
-/// 68 mm at 100, and the stack collapses at 1000. Here the penetration never exceeds 2 cm: islands
-/// get shorter substeps where light bodies carry heavy ones.
+/// At 60 steps a second and default settings, another engine penetrates by 7 mm at the ratio 10 and by 68 mm
+/// at 100. At 1000 the stack collapses. Here the penetration never exceeds 2 cm: islands get shorter substeps
+/// where light bodies carry heavy ones.
 #[test]
 fn heavy_top() {
     let columns =

@@ -44,8 +44,8 @@ pub fn substep(world: &PhysicsWorld) -> Real {
     world.integration_parameters.substep()
 }
 
-/// Returns a bound of the rounding error of a sum of `terms` numbers of this size: half a unit in the last
-/// place each, all in the same direction.
+/// Returns a bound of the rounding error of a sum of `terms` numbers of this size. It is half a unit in the
+/// last place each, all in the same direction.
 pub fn rounding(terms: usize, size: Real) -> Real {
     0.5 * Real::EPSILON * size * terms as Real
 }

@@ -39,7 +39,7 @@ fn torque_free_rotation() {
             format!("{:.5}", lost * 100.0),
         ]);
         table.require(flips >= 8, "it does not flip");
-        // The error is of second order in the angle of a substep, plus rounding: the velocity is computed
+        // The error is of second order in the angle of a substep, plus rounding. The velocity is computed
         // from the momentum, and the next step computes the momentum from the velocity.
         let angle = 5.0 * substep(&world);
         let drift = rounding(steps(&world, 60.0), 1.0);

@@ -92,14 +92,14 @@ fn edit(world: &mut PhysicsWorld, dice: &mut Dice) {
 fn first<T>(
     colliders: &ColliderSet,
     filter: QueryFilter<'_>,
-    ask: impl Fn(&Collider) -> Option<(Real, T)>,
+    test: impl Fn(&Collider) -> Option<(Real, T)>,
 ) -> Option<(ColliderHandle, Real)> {
     let mut best: Option<(ColliderHandle, Real)> = None;
     for (handle, collider) in colliders.iter_enabled() {
         if !filter.test(handle, collider) {
             continue;
         }
-        if let Some((distance, _)) = ask(collider)
+        if let Some((distance, _)) = test(collider)
             && best.is_none_or(|(_, nearest)| distance < nearest)
         {
             best = Some((handle, distance));
@@ -248,13 +248,13 @@ fn compare_casts(view: QueryView<'_>, dice: &mut Dice) -> usize {
 
 /// Compares all queries. The test fails if all or no queries have hits, because it would then prove little.
 fn compare(view: QueryView<'_>, dice: &mut Dice) {
-    for (what, asked, hits) in [
+    for (what, count, hits) in [
         ("rays", RAYS, compare_rays(view, dice)),
         ("points", POINTS, compare_points(view, dice)),
         ("casts", CASTS, compare_casts(view, dice)),
     ] {
-        println!("{asked} {what}: {hits} found something");
-        assert!(hits > asked / 20 && hits < asked - asked / 20, "{hits} of {asked} {what} hit");
+        println!("{count} {what}: {hits} hits");
+        assert!(hits > count / 20 && hits < count - count / 20, "{hits} of {count} {what} hit");
     }
 }
 

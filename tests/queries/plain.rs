@@ -146,24 +146,24 @@ fn groups_and_exclusions_are_respected() {
     );
     let mut queries = QueryPipeline::new();
     queries.update(&world.colliders);
-    let ask = |filter: QueryFilter<'_>| {
+    let first_hit = |filter: QueryFilter<'_>| {
         let ray = Ray::new(vec(-1.0, 0.0), Vector::X);
         let hit = queries.cast_ray(&world.colliders, &ray, 100.0, true, filter);
         hit.map(|(handle, _)| handle)
     };
-    assert_eq!(ask(ALL), Some(first));
-    assert_eq!(ask(ALL.exclude_rigid_body(body)), Some(second));
-    assert_eq!(ask(ALL.exclude_collider(first)), Some(second));
-    assert_eq!(ask(ALL.exclude_kinematic()), Some(second));
-    assert_eq!(ask(ALL.only_kinematic()), Some(first));
-    assert_eq!(ask(ALL.only_fixed()), Some(second));
-    assert_eq!(ask(ALL.only_dynamic()), Some(third));
-    assert_eq!(ask(ALL.only_dynamic().exclude_sensors()), None);
-    assert_eq!(ask(ALL.exclude_solids()), Some(third));
+    assert_eq!(first_hit(ALL), Some(first));
+    assert_eq!(first_hit(ALL.exclude_rigid_body(body)), Some(second));
+    assert_eq!(first_hit(ALL.exclude_collider(first)), Some(second));
+    assert_eq!(first_hit(ALL.exclude_kinematic()), Some(second));
+    assert_eq!(first_hit(ALL.only_kinematic()), Some(first));
+    assert_eq!(first_hit(ALL.only_fixed()), Some(second));
+    assert_eq!(first_hit(ALL.only_dynamic()), Some(third));
+    assert_eq!(first_hit(ALL.only_dynamic().exclude_sensors()), None);
+    assert_eq!(first_hit(ALL.exclude_solids()), Some(third));
     let only = |n: u32| InteractionGroups::new(Group::ALL, Group::from_bits_retain(n));
-    assert_eq!(ask(ALL.groups(only(2))), Some(second));
-    assert_eq!(ask(ALL.groups(only(4))), Some(third));
-    assert_eq!(ask(ALL.groups(only(8))), None);
+    assert_eq!(first_hit(ALL.groups(only(2))), Some(second));
+    assert_eq!(first_hit(ALL.groups(only(4))), Some(third));
+    assert_eq!(first_hit(ALL.groups(only(8))), None);
 }
 
 /// A ray that begins within a crowd hits all of it at time zero, compounds and single shapes alike.

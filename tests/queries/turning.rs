@@ -93,8 +93,8 @@ fn the_search_terminates_for_long_rotations() {
     }
 }
 
-/// A ball that begins 0.1 deep in a wall hits it at once, or may leave: outwards at any speed, and inwards
-/// until its middle would be inside.
+/// A ball that begins 0.1 deep in a wall hits it at once, or may leave. It leaves outwards at any speed, and
+/// inwards until its middle would be inside.
 #[test]
 fn a_penetrating_start_is_ignored_unless_the_middle_enters() {
     let wall = || cuboid(1.0, 10.0).translation(vec(1.4, 0.0));

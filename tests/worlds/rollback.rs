@@ -84,11 +84,11 @@ fn saving_and_returning_allocate_nothing() {
     (0..10).for_each(|_| step(&mut world));
     saved.clone_from(&world);
     (0..10).for_each(|_| step(&mut world));
-    let asked = measure(|| {
+    let allocations = measure(|| {
         for _ in 0..10 {
             world.clone_from(&saved);
             saved.clone_from(&world);
         }
     });
-    assert_eq!(asked.count_total, 0);
+    assert_eq!(allocations.count_total, 0);
 }

@@ -225,7 +225,7 @@ mod tests {
         let arguments: Vec<String> = words.split_whitespace().map(str::to_owned).collect();
         match parse(&arguments, &crate::scenes::all())? {
             Request::Run(options) => Ok(options),
-            Request::Help => panic!("`{words}` should not ask for help"),
+            Request::Help => panic!("`{words}` should not request help"),
         }
     }
 

@@ -126,8 +126,8 @@ pub fn run(scene: &Scene, threads: usize, options: &Options) -> Contest {
             scene.engine_name(kind)
         );
         let mut progress = Progress::new(&label, label.len(), steps);
-        let (clock, look) = (Clock::start, |engine: &dyn Engine| engine.stats());
-        let turn = Turn { template: &*template, kind, threads, settle: 1, steps, clock, look };
+        let (clock, stats) = (Clock::start, |engine: &dyn Engine| engine.stats());
+        let turn = Turn { template: &*template, kind, threads, settle: 1, steps, clock, stats };
         let score = turn.play(&mut |done| progress.advance(done));
         progress.clear();
         score
@@ -175,7 +175,7 @@ pub struct Turn<'t> {
     /// Starts the clock for this number of threads.
     pub clock: fn(usize) -> Clock,
     /// Measures the world at the end.
-    pub look: fn(&dyn Engine) -> Stats,
+    pub stats: fn(&dyn Engine) -> Stats,
 }
 
 impl Turn<'_> {
@@ -198,7 +198,7 @@ impl Turn<'_> {
         }
         let bytes = live_bytes().saturating_sub(bytes_before) + engine.foreign_bytes();
         let (rounds, setups) = (vec![durations], vec![setup]);
-        Ok(Score { rounds, setups, stats: (self.look)(&*engine), bytes })
+        Ok(Score { rounds, setups, stats: (self.stats)(&*engine), bytes })
     }
 }
 
@@ -221,15 +221,15 @@ mod tests {
 
     #[test]
     fn an_engine_without_support_is_tried_once() {
-        let mut asked = Vec::new();
+        let mut calls = Vec::new();
         let outcomes = take_turns(&[Kind::This, Kind::Box], 3, |round, kind| {
-            asked.push((round, kind));
+            calls.push((round, kind));
             let absent = Err(Unsupported::because("absent"));
             if kind == Kind::This { Ok(score(&[&[round as f64]])) } else { absent }
         });
         let rounds = outcomes[0].1.as_ref().map(|score| score.rounds.len());
         assert_eq!((rounds, outcomes[1].1.is_err()), (Ok(3), true));
-        assert_eq!(asked.len(), 4);
+        assert_eq!(calls.len(), 4);
     }
 
     #[test]

@@ -5,7 +5,7 @@ use crate::contest::Contest;
 use crate::engine::Kind;
 use crate::units::{counted, geometric_mean};
 
-/// Wanted upper bound of time in double precision divided by time in single precision: twice the bytes, and
+/// Target upper bound of time in double precision divided by time in single precision: twice the bytes, and
 /// half as many numbers in a register.
 const DOUBLE_TIME_RATIO_MAX: f64 = 2.2;
 

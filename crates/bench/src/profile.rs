@@ -1,6 +1,6 @@
 //! Times of the stages of this engine's step.
 //!
-//! Stage times are wall times. The last column is the processor time of all threads: idle workers spin for a
+//! Stage times are wall times. The last column is the processor time of all threads. Idle workers spin for a
 //! while before they sleep, so with two threads it is nearly twice the step. A value near the step's wall
 //! time means that the other threads were idle, as in small scenes, or had no processor. The stages are then
 //! those of one thread.

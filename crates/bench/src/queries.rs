@@ -45,7 +45,7 @@ pub fn run(scenes: &[Scene], options: &Options) -> io::Result<()> {
         let mut progress = Progress::new(&label, label.len(), options.rounds * count);
         for round in 0..options.rounds {
             for (position, contestant) in contestants.iter_mut().enumerate() {
-                contestant.answers.push(ask(&*contestant.engine, &*template, round));
+                contestant.answers.push(run_queries(&*contestant.engine, &*template, round));
                 progress.advance(round * count + position + 1);
             }
         }
@@ -68,7 +68,7 @@ fn start<'t>(template: &'t dyn Template, kinds: &[Kind]) -> Vec<Contestant<'t>> 
 }
 
 /// Runs one round of one engine.
-fn ask(engine: &dyn Engine, template: &dyn Template, round: usize) -> Answers {
+fn run_queries(engine: &dyn Engine, template: &dyn Template, round: usize) -> Answers {
     let probes = Probes::random(COUNT, template.region(), round as u64);
     [None, Some(probes.radius)].map(|radius| {
         let clock = Clock::start(1);

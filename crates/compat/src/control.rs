@@ -61,7 +61,7 @@ impl KinematicCharacterController {
         }
     }
 
-    /// The movement of a character that wants to move by `desired_translation`.
+    /// The movement of a character with the desired translation `desired_translation`.
     pub fn move_shape(
         &self,
         dt: Real,

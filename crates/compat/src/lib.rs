@@ -6,8 +6,9 @@
 //!
 //! Types with equal signatures are the engine's own types. Types with other signatures are transparent
 //! wrappers that dereference to the engine's type. A contact pair is converted to upstream's representation
-//! when it is read, or when it is passed to an event handler or a hook of the program. The handlers `()`
-//! and [`ChannelEventCollector`](pipeline::ChannelEventCollector) read no pair, so they convert none.
+//! when it is read. The same holds when it is passed to an event handler or a hook of the program. The
+//! handlers `()` and [`ChannelEventCollector`](pipeline::ChannelEventCollector) read no pair, so they convert
+//! none.
 
 pub extern crate nalgebra as na;
 pub use engine::parry;

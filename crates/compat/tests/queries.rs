@@ -133,7 +133,7 @@ fn shapes_are_cast() {
     assert_near(projection.point.x, 4.0, rounding(500));
 }
 
-/// A character on flat ground moves as it wants to, and stops in front of a wall.
+/// A character on flat ground moves by its desired translation, and stops in front of a wall.
 #[test]
 fn characters_move() {
     let mut world = World::default();

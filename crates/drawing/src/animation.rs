@@ -1,7 +1,7 @@
 //! Moving pictures: PNG files with frames (APNG), which browsers and code hosts play.
 //!
 //! One palette of 255 colours serves all frames, and a frame stores only the pixels that differ from the
-//! frame before: the palette's first entry is transparent. Both together make files about ten times smaller
+//! frame before. The palette's first entry is transparent. Both together make files about ten times smaller
 //! than whole frames in full colour.
 
 use crate::Image;

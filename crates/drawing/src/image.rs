@@ -30,7 +30,7 @@ impl Image {
     /// Writes the bytes of a PNG file.
     ///
     /// # Errors
-    /// Those of the writer.
+    /// Errors of the writer.
     pub fn encode(&self, writer: impl io::Write) -> io::Result<()> {
         let mut encoder = png::Encoder::new(writer, self.width as u32, self.height as u32);
         encoder.set_color(png::ColorType::Rgb);

@@ -37,8 +37,8 @@ pub fn sun_axes() -> [Point; 3] {
     [right, cross(sun, right), sun]
 }
 
-/// Side of a cell of the ground's grid: a round number that is about a sixth of the radius of the content, 1,
-/// 2 or 5 times a power of ten.
+/// Side of a cell of the ground's grid: 1, 2 or 5 times a power of ten, about a sixth of the radius of the
+/// content.
 pub fn cell_size(radius: f32) -> f32 {
     let wanted = (0.16 * radius).max(1.0e-3);
     let power = 10.0_f32.powf(wanted.log10().floor());

@@ -19,7 +19,7 @@ const COARSE: [(u32, f32); 3] = [(20, 48.0), (12, 16.0), (8, 6.0)];
 pub struct Vertex {
     /// Its place.
     pub position: Point,
-    /// The unit normal of a surface. In a flat shape: +z inside; zero on the border; in the plane of the
+    /// The unit normal of a surface. In a flat shape: +z inside; zero on the border. In the plane of the
     /// shape where the renderer moves a vertex from the border inwards, by the width of the rim times this
     /// vector.
     pub normal: Point,

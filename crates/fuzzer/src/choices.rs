@@ -16,7 +16,7 @@ impl<'a> Choices<'a> {
     }
 
     /// Prints a description of an operation if `FUZZ_VERBOSE` is set, for the analysis of a finding.
-    pub fn tell(&self, what: impl FnOnce() -> String) {
+    pub fn print(&self, what: impl FnOnce() -> String) {
         if self.is_verbose {
             eprintln!("{}", what());
         }

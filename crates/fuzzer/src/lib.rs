@@ -7,7 +7,7 @@
 //! fuzzer`), or a coverage-guided fuzzer (`fuzz/` beside the workspace). Each finding has its own test,
 //! mostly in `tests/hostile/`. A new operation here changes the meaning of strings, but not of tests.
 //!
-//! The code is compiled four times, once against each crate: files in `both/` use the names `rapier` and
+//! The code is compiled four times, once against each crate. Files in `both/` use the names `rapier` and
 //! `dim`, and the modules here bind these names.
 
 #![expect(

@@ -125,7 +125,7 @@ impl Window {
         }
     }
 
-    /// Loads a demo; the choice of what is drawn and the pace stay.
+    /// Loads a demo; the selection of drawn items and the pace stay.
     fn load(&mut self, index: usize) {
         self.current = index;
         let mut session = Session::new(&self.demos[index]);

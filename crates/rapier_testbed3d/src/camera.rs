@@ -24,7 +24,7 @@ pub(crate) struct OrbitCamera {
 }
 
 impl OrbitCamera {
-    /// The camera that frames points as a view wants it.
+    /// The camera that frames points with the settings of a view.
     pub(crate) fn framing(view: &View, points: &[Point], aspect: f32) -> Self {
         let fit = Camera::fit(view, points, aspect);
         if fit.flat {

@@ -1,7 +1,7 @@
 //! # The 2D testbed: worlds in a window
 //!
-//! A window with a list of scenes, a camera, a hand that pulls bodies, panels for every parameter, a plot
-//! of the stages of the step, and a history to go back in.
+//! A window with a list of scenes, a camera, and a pointer that pulls bodies. It has panels for every
+//! parameter, a plot of the stages of the step, and a history with past states.
 //!
 //! ```no_run
 //! use rapier2d::prelude::*;
@@ -25,12 +25,12 @@ pub use scene2d as scene;
 
 mod app;
 mod camera;
-mod hand;
 mod history;
 mod look2d;
 mod painter;
 mod panels;
 mod player;
+mod pointer;
 mod recorder;
 mod session;
 mod stages;

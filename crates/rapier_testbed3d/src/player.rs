@@ -1,8 +1,8 @@
 //! A scene that runs: pace, pause, single steps, history.
 
 use crate::camera::OrbitCamera;
-use crate::hand::Grip;
 use crate::history::History;
+use crate::pointer::Grip;
 use crate::rapier::prelude::*;
 use crate::scene::Scene;
 use std::cell::Cell;
@@ -13,7 +13,7 @@ const BUDGET: Duration = Duration::from_millis(24);
 /// Longest delay that is caught up, in seconds.
 const CATCH_UP: f64 = 0.1;
 
-/// Builds a scene, with the camera that it asks for where its view is not enough.
+/// Builds a scene, with a camera where its view is not sufficient.
 pub(crate) type Build = std::sync::Arc<dyn Fn() -> (Scene, Option<OrbitCamera>) + Send + Sync>;
 
 /// A running scene.
@@ -32,7 +32,7 @@ pub(crate) struct Player {
 type Moment = (Option<usize>, usize, usize);
 
 impl Player {
-    /// A player from the start of its scene, and the camera that the scene asks for.
+    /// A player from the start of its scene, and the camera of the scene.
     pub(crate) fn new(build: Build) -> (Self, Option<OrbitCamera>) {
         let (scene, camera) = build();
         let mut history = History::default();
@@ -72,7 +72,7 @@ impl Player {
         }
     }
 
-    /// Takes one step, with the pull of a hand.
+    /// Takes one step, with the pull of the pointer.
     pub(crate) fn step(&mut self, grip: Option<&Grip>) {
         self.resume();
         if let Some(grip) = grip {
@@ -82,7 +82,7 @@ impl Player {
         self.history.after_step(&self.scene);
     }
 
-    /// The world of the present, for the hand and the panels.
+    /// The world of the present, for the pointer and the panels.
     pub(crate) fn world_mut(&mut self) -> &mut PhysicsWorld {
         self.resume();
         self.changes += 1;

@@ -1,8 +1,8 @@
 //! A loaded scene with everything that the window keeps about it.
 
 use crate::camera::OrbitCamera;
-use crate::hand::{Grip, pick, throw};
 use crate::player::{Build, Pace, Player};
+use crate::pointer::{Grip, pick, throw};
 use crate::rapier::prelude::*;
 use crate::scene::{Artist, point};
 use crate::stages::{Part, StagePlot};
@@ -32,7 +32,7 @@ pub(crate) struct Session {
     pub follow: bool,
     pub plot: StagePlot,
     home: OrbitCamera,
-    /// The camera that the scene asks for.
+    /// The camera of the scene, if it has one.
     wanted: Option<OrbitCamera>,
     /// Points of the first picture, which the home frames.
     points: Vec<Point>,
@@ -161,13 +161,13 @@ impl Session {
             let body = world.colliders.get(handle)?.parent()?;
             Grip::new(world, body, place)
         });
-        // A pull changes the future; a selection only looks.
+        // A pull changes the future; a selection does not.
         if self.grip.is_some() {
             self.player.resume();
         }
     }
 
-    /// Moves the target of the hand to a place of the picture, at the distance of the held point.
+    /// Moves the target of the pull to a place of the picture, at the distance of the held point.
     pub(crate) fn drag(&mut self, camera: &Camera, at: [f32; 2]) {
         let Some(grip) = &mut self.grip else { return };
         let w = camera.see(point(grip.target)).w;

@@ -15,7 +15,7 @@ type Callback =
 pub struct PhysicsEvents {
     /// Colliders that began or stopped to touch.
     pub collision_events: Receiver<CollisionEvent>,
-    /// Contacts with a force above the threshold of a collider.
+    /// Contacts with a force of at least the threshold of a collider.
     pub contact_force_events: Receiver<ContactForceEvent>,
 }
 

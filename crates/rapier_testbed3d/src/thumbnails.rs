@@ -22,7 +22,7 @@ const REST: Duration = Duration::from_millis(60);
 pub(crate) struct Thumbnails {
     wanted: Sender<(String, Build)>,
     done: Receiver<(String, Image)>,
-    asked: HashMap<String, Option<eframe::egui::TextureHandle>>,
+    requested: HashMap<String, Option<eframe::egui::TextureHandle>>,
 }
 
 impl Thumbnails {
@@ -42,7 +42,7 @@ impl Thumbnails {
                 }
             }
         });
-        Self { wanted, done, asked: HashMap::new() }
+        Self { wanted, done, requested: HashMap::new() }
     }
 
     /// The picture of a scene, once it is done.
@@ -56,14 +56,14 @@ impl Thumbnails {
             let size = [image.width, image.height];
             let pixels = eframe::egui::ColorImage::from_rgb(size, &image.pixels);
             let texture = ctx.load_texture(&done, pixels, Default::default());
-            self.asked.insert(done, Some(texture));
+            self.requested.insert(done, Some(texture));
         }
-        if !self.asked.contains_key(name) {
-            self.asked.insert(name.to_owned(), None);
+        if !self.requested.contains_key(name) {
+            self.requested.insert(name.to_owned(), None);
             // Without the thread, the list has no pictures.
             let _ = self.wanted.send((name.to_owned(), build.clone()));
         }
-        self.asked.get(name).and_then(Option::as_ref)
+        self.requested.get(name).and_then(Option::as_ref)
     }
 }
 

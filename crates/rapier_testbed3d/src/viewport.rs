@@ -173,7 +173,7 @@ fn framed(session: &Session, aspect: f32, drawing: &drawing::Drawing) -> Camera 
         return camera;
     }
     if let Some((middle, radius)) = drawing.moving_extent() {
-        // A near camera looks at a part of the scene only.
+        // A near camera shows a part of the scene only.
         let near = 1.6 * session.camera.distance;
         if radius < near {
             (camera.center, camera.radius) = (middle, radius.max(1.0));

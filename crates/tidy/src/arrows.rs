@@ -47,7 +47,7 @@ const DRIVER: [&str; 3] = ["scratch", "stages", "trace"];
 /// Stages that get the whole world of a step instead of the sets that their signatures list, with the reason.
 const WHOLE_WORLD: [(&str, &str); 2] = [
     ("user_changes", "compares the stamps of all sets"),
-    ("quarantine", "looks for causes in all sets"),
+    ("quarantine", "searches all sets for causes"),
 ];
 
 /// The rooms of the solver, each with the rooms that it may use, which stand before it. The solver's `mod.rs`
@@ -299,7 +299,7 @@ mod tests {
     }
 
     #[test]
-    fn stages_do_not_know_each_other() {
+    fn stages_do_not_import_each_other() {
         let other = "use crate::step::islands::update;";
         assert_eq!(complaints("src/step/solver/a.rs", other), 1);
         assert_eq!(complaints("src/step/islands/a.rs", other), 0);

@@ -131,7 +131,7 @@ mod tests {
     }
 
     #[test]
-    fn functions_say_what_they_need() {
+    fn functions_state_their_requirements() {
         let place = "src/base/arena.rs";
         assert_eq!(complaints(place, "/// A.\nunsafe fn a() {}"), 1);
         assert_eq!(

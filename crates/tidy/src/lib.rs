@@ -1,8 +1,8 @@
 //! Checks the source tree against the rules of the house.
 //!
 //! The compiler checks arrows between crates, not between the rooms of one. This crate checks the rules of
-//! CONTRIBUTING.md and docs/architecture.md on the text of the sources and documents: a few hundred lines
-//! without dependencies, which run with every `cargo test`. The rules and their exceptions:
+//! CONTRIBUTING.md and docs/architecture.md on the text of the sources and documents. It has a few hundred
+//! lines without dependencies, which run with every `cargo test`. The rules and their exceptions:
 //!
 //! * [`arrows`]: dependencies among rooms.
 //! * [`variants`]: one tree without `cfg` on dimension or precision; twins that stay twins.

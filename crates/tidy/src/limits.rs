@@ -35,7 +35,7 @@ fn check_file(source: &Source, complaints: &mut Vec<Complaint>) {
         complaints.push(Complaint::new(
             &source.path,
             1,
-            "does not begin with `//!`: what is it, and why?",
+            "does not begin with `//!`, its content and its reasons",
         ));
     }
     let lines = source.text.lines().count();
@@ -169,7 +169,7 @@ mod tests {
     }
 
     #[test]
-    fn files_say_what_they_are() {
+    fn files_begin_with_a_description() {
         assert!(complaints("//! A thing.\n").is_empty());
         assert_eq!(complaints("use a::b;\n").len(), 1);
         assert_eq!(complaints("").len(), 1);

@@ -155,11 +155,10 @@ mod tests {
     }
 
     #[test]
-    fn functions_are_looked_for() {
+    fn functions_are_searched() {
         let root = Path::new(env!("CARGO_MANIFEST_DIR"));
         assert!(
-            exists(root, "src/papers.rs")
-                && exists(root, "src/papers.rs::functions_are_looked_for")
+            exists(root, "src/papers.rs") && exists(root, "src/papers.rs::functions_are_searched")
         );
         assert!(
             !exists(root, "src/paper.rs") && !exists(root, "src/papers.rs::functions_are_lost")
@@ -177,7 +176,7 @@ mod tests {
     const WHOLE: &str = "//! # Solver\n//!\n//! Reads:   a,\n//!     b\n//! Writes:  c\n//! Runs:    d\n//! Never:   e\n";
 
     #[test]
-    fn the_table_is_what_the_cards_say() {
+    fn the_table_repeats_the_cards() {
         let (rows, complaints) = table(&house(WHOLE));
         assert!(complaints.is_empty());
         assert_eq!(rows[2..], ["| 1 | `solver` | a, b | c | d | e |"]);

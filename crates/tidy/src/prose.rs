@@ -75,8 +75,9 @@ fn comment<'a>(line: &'a str, code: &str) -> Option<&'a str> {
 fn faults(line: &str, comment: &str) -> impl Iterator<Item = String> {
     let person = words(comment).find(|word| is_person(&word.to_lowercase()));
     let person = person.map(|word| format!("`{word}` in a comment: data is no person"));
-    let asks = comment.trim_end().ends_with('?') || comment.contains("? ");
-    let question = asks.then(|| "a question in a comment: begin with `Returns whether`".to_owned());
+    let is_question = comment.trim_end().ends_with('?') || comment.contains("? ");
+    let question =
+        is_question.then(|| "a question in a comment: begin with `Returns whether`".to_owned());
     let width = line.chars().count();
     let is_fixed = comment.trim_start().starts_with('|') || comment.contains("](");
     let wide = (width > WIDTH_MAX && !is_fixed)
@@ -140,7 +141,7 @@ mod tests {
     }
 
     #[test]
-    fn comments_do_not_ask() {
+    fn questions_in_comments_are_complaints() {
         assert_eq!(complaints("/// Is it fast?\n"), 1);
         assert_eq!(complaints("/// Is it fast? If so, stop it.\n"), 1);
         assert_eq!(complaints("/// Returns whether it is fast.\n"), 0);

@@ -33,11 +33,11 @@ fn check_features(source: &Source, complaints: &mut Vec<Complaint>) {
                 .iter()
                 .any(|variant| feature == *variant || feature.ends_with(&format!("-{variant}")));
             if variant && !DOORS.contains(&source.path.as_str()) {
-                let what = format!("asks for the feature `{feature}`: only the front doors may");
+                let what = format!("depends on the feature `{feature}`: only the front doors may");
                 complaints.push(Complaint::new(&source.path, number + 1, what));
             }
             if feature == "parallel" && !source.path.starts_with(TASKS_FOLDER) {
-                let what = format!("asks for the feature `parallel`: only {TASKS_FOLDER} may");
+                let what = format!("depends on the feature `parallel`: only {TASKS_FOLDER} may");
                 complaints.push(Complaint::new(&source.path, number + 1, what));
             }
         }
@@ -83,7 +83,7 @@ fn check_doors(sources: &[Source], complaints: &mut Vec<Complaint>) {
     complaints.push(Complaint::new(DOORS[1], line, what));
 }
 
-/// `dim2/` and `dim3/` must have the same files.
+/// `dim2/` and `dim3/` must have the same files, apart from the listed [`SINGLES`].
 fn check_dimensions(sources: &[Source], complaints: &mut Vec<Complaint>) {
     let exists = |path: &str| sources.iter().any(|source| source.path == path);
     for source in sources {
@@ -119,7 +119,7 @@ mod tests {
     }
 
     #[test]
-    fn only_the_doors_know_the_dimension() {
+    fn only_the_doors_test_the_dimension() {
         for feature in ["dim2", "dim3", "f32", "f64", "parry3d-f64"] {
             let text = format!("#[cfg(all(test, feature = \"{feature}\"))]");
             assert_eq!(of_features("src/model/a.rs", &text), 1, "{feature}");
@@ -130,7 +130,7 @@ mod tests {
     }
 
     #[test]
-    fn only_tasks_know_of_threads() {
+    fn only_tasks_test_for_threads() {
         let text = "#[cfg(not(feature = \"parallel\"))]";
         assert_eq!(of_features("src/step/mod.rs", text), 1);
         assert_eq!(of_features("src/base/tasks/mod.rs", text), 0);

@@ -166,19 +166,19 @@ exports! {
         let (shape, pose, parent) = (moved.shared_shape().clone(), *moved.position(), moved.parent());
         let own = ColliderHandle::of_number(handle);
         let controller = character(number)?.controller;
-        let mut asked = filter();
-        asked.exclude_collider = Some(own);
-        asked.exclude_rigid_body = asked.exclude_rigid_body.or(parent);
+        let mut selection = filter();
+        selection.exclude_collider = Some(own);
+        selection.exclude_rigid_body = selection.exclude_rigid_body.or(parent);
         let mut collisions = Vec::new();
         let movement = queried(world, |world| {
             let dt = world.integration_parameters.dt;
-            let queries = world.query_pipeline_with_filter(asked);
+            let queries = world.query_pipeline_with_filter(selection);
             controller.move_shape(dt, &queries, &*shape, &pose, desired, |collision| collisions.push(collision))
         })?;
         if mass > 0.0 {
             let world = write(world)?;
             let dt = world.integration_parameters.dt;
-            let obstacles = QueryFilter { flags: asked.flags, groups: asked.groups, ..QueryFilter::default() };
+            let obstacles = QueryFilter { flags: selection.flags, groups: selection.groups, ..QueryFilter::default() };
             let mut queries = world.query_pipeline_mut(obstacles);
             controller.solve_character_collision_impulses(dt, &mut queries, &*shape, mass as Real, &collisions);
         }

@@ -140,8 +140,8 @@ exports! {
         put_list(events.into_iter().flat_map(|(collider1, collider2, started)| [collider1, collider2, started]))
     }
 
-    /// Moves the contact force events into the lists: colliders into the list; total force, its magnitude,
-    /// the direction of the largest force and its magnitude into the real numbers.
+    /// Moves the contact force events into the lists. The list gets the colliders. The real numbers get the
+    /// total force, its magnitude, the direction of the largest force and its magnitude.
     fn queue_take_forces(number: u32) -> u32 {
         let events = core::mem::take(&mut queue(number)?.records().forces);
         memory::put_reals(events.iter().flat_map(|event| {

@@ -71,9 +71,9 @@ exports! {
             .collect();
         left_out.sort_unstable();
         let is_ground = |handle: ColliderHandle, _: &Collider| left_out.binary_search(&handle.to_number().to_bits()).is_err();
-        let mut asked = filter();
-        asked.predicate = if left_out.is_empty() { None } else { Some(&is_ground) };
-        vehicle.update_vehicle(dt, write(world)?.query_pipeline_mut(asked));
+        let mut selection = filter();
+        selection.predicate = if left_out.is_empty() { None } else { Some(&is_ground) };
+        vehicle.update_vehicle(dt, write(world)?.query_pipeline_mut(selection));
     }
 
     /// The speed along the forward axis.

@@ -1,4 +1,4 @@
-"""Environments for gymnasium, written against the public package. `pip install rapier[envs]` installs what they need.
+"""Environments for gymnasium, written against the public package. `pip install rapier[envs]` installs their dependencies.
 
 ``gymnasium.make("rapier/Ant-v0")`` is one world, ``gymnasium.make_vec("rapier/Ant-v0", num_envs=64, vectorization_mode="vector_entry_point")`` is a batch of worlds
 that step on all cores with one call. Each task, such as ``Ant``, has two classes: ``AntEnv`` and ``AntVectorEnv``.

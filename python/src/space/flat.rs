@@ -1,4 +1,4 @@
-//! What differs in 2D: rotations and angular quantities are numbers (rad).
+//! Differences of 2D: rotations and angular quantities are numbers (rad).
 
 mod no_vehicle;
 

@@ -1,4 +1,4 @@
-//! What differs in 3D: rotations are unit quaternions `(x, y, z, w)`, angular quantities are
+//! Differences of 3D: rotations are unit quaternions `(x, y, z, w)`, angular quantities are
 //! vectors.
 
 mod vehicle;

@@ -8,7 +8,7 @@
 //! Copies move forward through the base and never overlap. So a forged delta cannot make more bytes than the
 //! base and itself have.
 //!
-//! Every run is three numbers in front of the new bytes: how many these are, how many are copied, and the
+//! Every run is three numbers in front of the new bytes: their number, the number of copied bytes, and the
 //! change of the shift. General tools (bsdiff, xdelta) find shorter deltas of executables, which move in
 //! pieces; a world moves in few, and these tools take a hundred times longer.
 
@@ -100,7 +100,7 @@ fn read_runs(base: &[u8], mut runs: &[u8]) -> Result<Vec<u8>, CodecError> {
     Ok(next)
 }
 
-/// Two snapshots, and how far the comparison is.
+/// Two snapshots, and the position of the comparison.
 struct Differ<'a> {
     base: &'a [u8],
     next: &'a [u8],
@@ -133,7 +133,7 @@ impl<'a> Differ<'a> {
         Ok(())
     }
 
-    /// Moves to the next bytes that can be copied, and returns how many they are; 0 at the end.
+    /// Moves to the next bytes that can be copied, and returns their number; 0 at the end.
     fn find_copy(&mut self) -> usize {
         let start = self.at;
         while self.at < self.next.len() {
@@ -177,7 +177,7 @@ impl Blocks {
         let (blocks, _) = base[..base.len().min(u32::MAX as usize)].as_chunks::<BLOCK_BYTES>();
         let positions = (0_u32..).step_by(BLOCK_BYTES);
         let all = blocks.iter().map(|block| u128::from_le_bytes(*block)).zip(positions);
-        // A run of zeros is everywhere, and says nothing about a shift.
+        // Runs of zeros are frequent, so they do not identify a shift.
         let mut blocks: Vec<_> = all.filter(|(block, _)| *block != 0).collect();
         blocks.sort_unstable();
         Self(blocks)

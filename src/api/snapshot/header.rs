@@ -98,7 +98,7 @@ pub fn checksum(bytes: &[u8]) -> u64 {
 }
 
 /// Fills in the header in front of the saved parts.
-pub fn seal(snapshot: &mut [u8]) {
+pub fn fill_header(snapshot: &mut [u8]) {
     let (header, payload) = snapshot.split_at_mut(HEADER_BYTES);
     header.copy_from_slice(&Header::of(payload).to_bytes());
 }

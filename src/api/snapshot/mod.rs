@@ -55,7 +55,7 @@ impl PhysicsWorld {
         bytes.resize(HEADER_BYTES, 0);
         let written = self.write_parts(bytes);
         match written {
-            Ok(()) => header::seal(bytes),
+            Ok(()) => header::fill_header(bytes),
             Err(_) => bytes.clear(),
         }
         written

@@ -12,12 +12,12 @@ use core::cmp::Ordering;
 use parry::bounding_volume::{Aabb, BoundingVolume};
 use parry::math::{DIM, Real};
 
-/// Weight of a box's growth against its size when a new box is inserted. Growth makes searches visit the
-/// existing contents in vain; size makes them visit the new box.
-const WEIGHT_OF_GROWTH: Real = 4.0;
+/// Weight of a box's growth relative to its size at the insertion of a new box. With growth, more searches
+/// visit the existing contents without a hit; with size, more searches visit the new box.
+const GROWTH_WEIGHT: Real = 4.0;
 /// Limit on the box of a node before a growing child is moved elsewhere: this fraction of the sum of its
 /// children's measures. Eight squares side by side are a third, as many cubes a half.
-const LOOSENESS: Real = 0.8;
+const MEASURE_FRACTION_MAX: Real = 0.8;
 
 /// The children of a full node, and one more.
 type Overfull = [Entry; LANES + 1];
@@ -70,7 +70,7 @@ impl BoxTree {
             if old.contains(&around) {
                 break;
             }
-            if measure(&around) > LOOSENESS * sum {
+            if measure(&around) > MEASURE_FRACTION_MAX * sum {
                 return false;
             }
             grows = true;
@@ -241,7 +241,7 @@ fn cost_of_growth<W: Wide>(planes: &Planes, aabb: &Aabb) -> W {
         after[axis] = maxs.max(W::splat(aabb.maxs[axis])) - mins.min(W::splat(aabb.mins[axis]));
     }
     let (before, after) = (measure_of(before), measure_of(after));
-    after + W::splat(WEIGHT_OF_GROWTH) * (after - before)
+    after + W::splat(GROWTH_WEIGHT) * (after - before)
 }
 
 /// Sorts the children of an overfull node so that it is best divided before the one whose number is the

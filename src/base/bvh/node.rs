@@ -70,7 +70,7 @@ pub struct Entry {
     pub child: Child,
 }
 
-/// Up to [`LANES`] children and their boxes. Children stand in the first lanes.
+/// Up to [`LANES`] children and their boxes. Children are in the first lanes.
 #[derive(Clone, Debug)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub struct Node {
@@ -148,7 +148,7 @@ impl Node {
     }
 }
 
-/// The least or greatest number of a lane, as `of` says. Halves are compared with halves, side by side, which
+/// The least or greatest number of a lane, by `of`. Halves are compared with halves, side by side, which
 /// is a few instructions.
 #[inline(always)]
 fn extreme(lane: &Lane, of: impl Fn(Real, Real) -> Real) -> Real {

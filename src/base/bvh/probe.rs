@@ -108,8 +108,7 @@ impl Probe for SlabProbe {
         for axis in 0..DIM {
             let inv_dir = W::splat(self.inv_dir[axis]);
             let (near, far) = (W::load(&planes[self.near[axis]]), W::load(&planes[self.far[axis]]));
-            // Should a number not be one, the other is taken: `max` and `min` give their second argument
-            // then.
+            // If one operand is NaN, `max` and `min` return the second one.
             start = ((near - W::splat(self.front[axis])) * inv_dir).max(start);
             end = ((far - W::splat(self.back[axis])) * inv_dir).min(end);
         }

@@ -172,7 +172,7 @@ fn check_sweeps(twins: &Twins, random: &mut Random) {
             assert!(start <= time && time * 0.999 <= end, "{time} is not in {start}..{end}");
         }
     }
-    // And it comes by all that it finds: the axis along which two boxes stay apart does not exist.
+    // The search has no false positives: no axis keeps the two boxes apart.
     for slot in found {
         let aabb = twins.list[slot as usize].unwrap();
         let path = Aabb::new(origin.min(origin + dir * reach), origin.max(origin + dir * reach));
@@ -190,7 +190,7 @@ fn check(twins: &Twins, random: &mut Random) {
 }
 
 #[test]
-fn it_finds_what_a_look_at_all_boxes_finds() {
+fn it_finds_the_same_as_a_test_of_all_boxes() {
     for (seed, slots) in [(1, 3), (2, LANES), (3, LANES + 1), (4, 60), (5, 700)] {
         let (mut twins, mut random) = (Twins::default(), Random(seed));
         for slot in 0..slots as u32 {
@@ -267,7 +267,7 @@ impl Probe for Counting<'_> {
 
 /// A large box does not affect searches for small ones, nor do moved boxes.
 #[test]
-fn few_nodes_are_looked_at() {
+fn few_nodes_are_visited() {
     let (mut twins, mut random) = (Twins::default(), Random(8));
     twins.insert(Aabb::from_half_extents(Vector::ZERO, Vector::splat(1.0e3)), 0);
     let small = |center| Aabb::from_half_extents(center, Vector::splat(0.2));
@@ -278,19 +278,19 @@ fn few_nodes_are_looked_at() {
         if when == "moved" {
             (1..3000).for_each(|slot| twins.insert(small(vector(&mut random, 50.0)), slot));
         }
-        let looks = Cell::new(0);
+        let visits = Cell::new(0);
         for _ in 0..100 {
             let (origin, dir) = (vector(&mut random, 50.0), vector(&mut random, 1.0));
-            let probe = Counting(SlabProbe::new(origin, dir, Vector::ZERO), &looks);
+            let probe = Counting(SlabProbe::new(origin, dir, Vector::ZERO), &visits);
             let found = twins.tree.leaves(probe, 1.0).count();
             assert!(found > 0, "the large box is everywhere");
         }
-        println!("{when}: {} looks for 100 short rays", looks.get());
+        println!("{when}: {} visits for 100 short rays", visits.get());
         // The fewer lanes, the more nodes.
         assert!(
-            looks.get() < 100 * 240 / LANES,
-            "{} looks for 100 short rays, when {when}",
-            looks.get()
+            visits.get() < 100 * 240 / LANES,
+            "{} visits for 100 short rays, when {when}",
+            visits.get()
         );
         twins.tree.rebuild(&mut BuildScratch::default());
     }

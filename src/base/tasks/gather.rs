@@ -20,7 +20,7 @@ impl<T> Default for Gather<T> {
 }
 
 impl<T: Send> Gather<T> {
-    /// Appends to `list` what `find` adds to the lists that it is given for each range: see
+    /// Appends to `list` the elements that `find` adds for each range, in the order of the ranges: see
     /// [`Tasks::par_for`].
     pub fn run(
         &mut self,

@@ -162,7 +162,7 @@ mod tests {
     }
 
     #[test]
-    fn each_place_gets_what_is_made_for_it() {
+    fn each_place_gets_its_own_value() {
         let mut places = vec![0; 1000];
         Tasks::open(|tasks| tasks.par_fill(&mut places, 3, |index| index * index));
         assert!(places.iter().enumerate().all(|(index, &place)| place == index * index));

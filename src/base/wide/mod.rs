@@ -16,7 +16,7 @@
 //! one comparison, which defines their results for NaN and for zeros of either sign. Only the bits of a NaN
 //! that results from arithmetic are undefined.
 //!
-//! **In memory** the numbers stand in a [`Lane`]; the solver's constraints are blocks of lanes. [`gather`]
+//! **In memory** the numbers are in a [`Lane`]; the solver's constraints are blocks of lanes. [`gather`]
 //! reads records in random order (the states of bodies) and transposes one record per lane into one register
 //! per component; [`scatter`] writes them back.
 
@@ -60,7 +60,7 @@ pub(crate) use record::{record_of_lanes, vector_of_lanes};
 /// The number of lanes of a register: 8 single-precision or 4 double-precision numbers.
 pub const LANES: usize = 32 / size_of::<Real>();
 
-/// [`LANES`] numbers in memory, one per lane: what the constraint blocks are made of.
+/// [`LANES`] numbers in memory, one per lane. Constraint blocks consist of them.
 #[derive(Copy, Clone, Debug, PartialEq)]
 #[repr(C, align(32))]
 #[cfg_attr(
@@ -91,8 +91,8 @@ impl Lane {
 
 /// A register of `N` numbers of type `S`. Kernels say `W: Wide` and mean [`LANES`] × [`Real`].
 ///
-/// All operations act on each lane by itself. Every function is `#[inline(always)]`; why that
-/// matters stands at [`Kernel`].
+/// All operations act on each lane independently. Every function is `#[inline(always)]`, for the reason in
+/// [`Kernel`].
 #[allow(dead_code, reason = "a whole set of operations; not every dimension needs each")]
 pub trait Wide<S = Real, const N: usize = LANES>:
     Copy
@@ -127,11 +127,11 @@ pub trait Wide<S = Real, const N: usize = LANES>:
     fn lt(self, other: Self) -> Self::Mask;
     /// `self <= other`; no if one is NaN.
     fn le(self, other: Self) -> Self::Mask;
-    /// `yes` in the lanes where the mask says yes, `no` in the others.
+    /// `yes` in the lanes where the mask is set, `no` in the others.
     fn select(mask: Self::Mask, yes: Self, no: Self) -> Self;
     /// Returns whether the mask is set in any lane.
     fn any(mask: Self::Mask) -> bool;
-    /// One bit per lane, set where the mask says yes; the first lane is the lowest bit.
+    /// One bit per lane, set where the mask is set; the first lane is the lowest bit.
     fn bits(mask: Self::Mask) -> u32;
 
     /// Reads `N` numbers from each of `N` places; register `k` of the result holds the `k`-th number of each.
@@ -217,7 +217,7 @@ pub fn scatter<W: Wide, const N: usize>(
     });
 }
 
-/// As [`gather`], of the numbers of up to [`LANES`] records that stand side by side; the other lanes get
+/// As [`gather`], of the numbers of up to [`LANES`] adjacent records; the other lanes get
 /// zeros.
 #[inline(always)]
 pub fn gather_adjacent<W: Wide, R, const N: usize>(
@@ -235,7 +235,7 @@ pub fn gather_adjacent<W: Wide, R, const N: usize>(
     gather(rows)
 }
 
-/// As [`scatter`], to the numbers of up to [`LANES`] records that stand side by side.
+/// As [`scatter`], to the numbers of up to [`LANES`] adjacent records.
 #[inline(always)]
 pub fn scatter_adjacent<W: Wide, R, const N: usize>(
     components: [W; N],

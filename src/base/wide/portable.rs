@@ -7,7 +7,7 @@
 use super::{Lane, Wide};
 use core::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Sub};
 
-/// A number, or a yes or no, per lane.
+/// A number or a boolean per lane.
 #[derive(Copy, Clone)]
 #[repr(C, align(32))]
 pub struct Array<T, const N: usize>([T; N]);

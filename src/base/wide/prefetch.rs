@@ -1,6 +1,6 @@
 //! Prefetches memory before it is needed.
 
-/// Bytes that come together.
+/// Size of a cache line (bytes).
 #[cfg(target_arch = "x86_64")]
 const LINE: usize = 64;
 

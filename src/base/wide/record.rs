@@ -1,6 +1,6 @@
 //! Records of lanes: the functions of vectors, rotations and matrices that act on each component alone.
 //!
-//! Macros stand for closures here, because a closure that touches a register is not inlined (see
+//! Macros replace closures here, because a closure with a register argument is not inlined (see
 //! [`Kernel`](super::Kernel)).
 
 /// Reading and writing of a record with these components, and of one of its lanes.
@@ -101,7 +101,7 @@ macro_rules! vector_of_lanes {
                 self.$first.le(other.$first) $(& self.$rest.le(other.$rest))+
             }
 
-            /// `yes` in the lanes where the mask says yes, `no` in the others.
+            /// `yes` in the lanes where the mask is set, `no` in the others.
             #[inline(always)]
             pub fn select(mask: W::Mask, yes: Self, no: Self) -> Self {
                 Self {

@@ -84,7 +84,7 @@ impl Kernel for AllOperations<'_> {
     }
 }
 
-/// Numbers that go wrong where anything does, then numbers of all sizes and bit patterns.
+/// Critical numbers, then numbers of all sizes and bit patterns.
 fn numbers() -> Vec<Real> {
     let mut numbers = vec![0.0, 1.0, 3.0, 0.1, 1.0e20, 1.0e-20];
     numbers.extend([Real::MAX, Real::MIN_POSITIVE, Real::EPSILON, Real::INFINITY, Real::NAN]);
@@ -147,10 +147,10 @@ fn any_finds_a_yes_in_each_lane() {
         let mut numbers = Lane::splat(2.0);
         numbers.0[lane] = 1.0;
         for (registers, (found, bits)) in run_on_all(|| AnyBelow(numbers, 1.5)) {
-            assert!(found && bits == 1 << lane, "{registers} does not see lane {lane}");
+            assert!(found && bits == 1 << lane, "{registers} misses lane {lane}");
         }
         for (registers, (found, bits)) in run_on_all(|| AnyBelow(numbers, 1.0)) {
-            assert!(!found && bits == 0, "{registers} sees what is not there");
+            assert!(!found && bits == 0, "{registers}: a false hit");
         }
         for (registers, (_, bits)) in run_on_all(|| AnyBelow(numbers, 3.0)) {
             assert_eq!(bits, (1 << LANES) - 1, "{registers}");

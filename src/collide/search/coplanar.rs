@@ -3,9 +3,9 @@
 //! A body that lies on a plane touches it with the corners of one face. If the plane is a mesh, dozens of
 //! triangles under the face would be clipped against it. Of all these points only the corners remain after
 //! the merge: they are the outermost, and points in between carry nothing more. If every corner is over
-//! *some* piece of the plane, the corners are therefore the contacts, and the pieces need not be clipped one
-//! by one. The area between the corners is irrelevant: other pieces, a hole or a shape above the plane.
-//! The latter is in another plane, and processed separately.
+//! *some* piece of the plane, the corners are therefore the contacts. The pieces need not be clipped one by
+//! one. The area between the corners is irrelevant: other pieces, a hole or a shape above the plane. The
+//! latter is in another plane, and processed separately.
 //!
 //! Only planes that the body touched a moment ago are tried. There is always a first plane, because the first
 //! time the pieces *are* processed one by one. On rough ground, without coplanar triangles, there are few

@@ -23,7 +23,8 @@ impl Search<'_> {
     /// Returns whether a contact may be a ghost contact: there are several directions, or other contacts.
     pub(super) fn may_have_ghost_contacts(&self, side: usize) -> bool {
         let neighbors = self.pair.neighbors[1 - side];
-        !neighbors.is_empty() || !(self.parts[side].is_convex() || self.patches.look_alike())
+        !neighbors.is_empty()
+            || !(self.parts[side].is_convex() || self.patches.have_similar_normals())
     }
 
     fn find_ghost_contacts(&self, side: usize, ghost_contacts: &mut Vec<GhostContact>) {

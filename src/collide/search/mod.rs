@@ -88,7 +88,7 @@ impl Search<'_> {
         let ids = (part1.id, part2.id);
         let is_same = |m: &&ContactManifold| (m.subshape1, m.subshape2) == ids;
         let is_in_plane = |manifold: &&ContactManifold| {
-            if !(part1.wants_hint() && part2.wants_hint()) {
+            if !(part1.uses_plane_normal() && part2.uses_plane_normal()) {
                 return false;
             }
             let Some(contact) = manifold.contacts().first() else { return false };

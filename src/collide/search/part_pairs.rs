@@ -12,10 +12,10 @@ use crate::collide::parts::Near;
 use crate::dim::math::{Real, Vector};
 use parry::bounding_volume::{Aabb, BoundingVolume};
 
-/// Most pairs of parts for which contacts are computed.
+/// Largest number of pairs of parts with computed contacts.
 const PAIRS_VISITED_MAX: usize = 16_384;
-/// Most pairs that a cell keeps.
-const PER_CELL: usize = PAIRS_VISITED_MAX / CELLS_MAX;
+/// Largest number of pairs of a cell.
+const PAIRS_PER_CELL_MAX: usize = PAIRS_VISITED_MAX / CELLS_MAX;
 /// Most pairs from which the visited ones are chosen. Each part of the first shape offers an equal fraction
 /// of them, in the order of the second shape's tree.
 const CANDIDATES_MAX: usize = 1 << 21;
@@ -29,15 +29,15 @@ struct Cell(Vec<Rank>);
 impl Cell {
     fn add(&mut self, rank: Rank) {
         self.0.push(rank);
-        if self.0.len() >= 2 * PER_CELL {
+        if self.0.len() >= 2 * PAIRS_PER_CELL_MAX {
             self.drop_surplus();
         }
     }
 
     fn drop_surplus(&mut self) {
-        if self.0.len() > PER_CELL {
-            self.0.select_nth_unstable_by(PER_CELL, Rank::cmp);
-            self.0.truncate(PER_CELL);
+        if self.0.len() > PAIRS_PER_CELL_MAX {
+            self.0.select_nth_unstable_by(PAIRS_PER_CELL_MAX, Rank::cmp);
+            self.0.truncate(PAIRS_PER_CELL_MAX);
         }
     }
 }

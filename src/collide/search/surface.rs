@@ -206,8 +206,8 @@ fn is_tree_quicker(triangle_cache: &TriangleCache, body: &Parts<'_>) -> bool {
     !body.is_convex() && triangle_cache.len().saturating_mul(body.len()) > SCANNED_PAIRS_MAX
 }
 
-/// Adds the parts of a surface in a box, and in the region that the box will pass over, to the cache if they
-/// are missing.
+/// Adds the parts of a surface in a box to the cache if they are missing, and those in the predicted path of
+/// the box.
 fn look_up(surface: &Parts<'_>, bounds: &Aabb, motion: Vector, triangle_cache: &mut TriangleCache) {
     if triangle_cache.covers(bounds) {
         return;

@@ -8,8 +8,8 @@
 //! t + d / ((v1 - v2)·n + |ω1| r1 + |ω2| r2)
 //! ```
 //!
-//! because until then a plane across `n` parts them; `r` is how far points of a part are from the centre
-//! about which it turns. So the search jumps ahead by that, and ends where the parts are within a tolerance
+//! because until then a plane across `n` separates them. `r` is the largest distance of a part's points from
+//! its centre of rotation. So the search jumps ahead by that, and ends where the parts are within a tolerance
 //! or cannot meet any more. Shapes of several parts are searched part by part, those that the path comes
 //! near.
 //!
@@ -26,11 +26,11 @@
 //! it touched from the beginning. In that case it is stopped where it is a quarter deep
 //! ([`PENETRATION_FRACTION_MAX`]), so that contacts push a deeply penetrating body out on the original side.
 //!
-//! A rod may have an end of its core in the wall already, because it was turned into it. Then the middle half
-//! of the core is searched with, and if that is in, the centre.
+//! A rod may have an end of its core in the wall already, by its rotation. Then the search uses the middle
+//! half of the core, and if that is inside, the centre.
 //!
-//! A triangle or a segment has no inside and no core. It is stopped where it touches what it did not touch
-//! when the step began. If one of its corners did, its middle half is searched with, and then its centre.
+//! A triangle or a segment has no inside and no core. It is stopped at its first new contact of the step.
+//! If one of its corners touched before, the search uses its middle half, and then its centre.
 //!
 //! ## Sensors
 //! Sensors stop nothing, but crossings are reported: [`passes`] returns whether two shapes are apart at both
@@ -340,7 +340,7 @@ impl Goal {
 /// Closing motion of two parts.
 #[derive(Copy, Clone, Debug, PartialEq)]
 enum Meeting {
-    /// They do not.
+    /// The parts do not meet.
     Never,
     /// They have met when the step begins.
     FromTheBeginning,
@@ -399,9 +399,9 @@ fn advance(
         // The distance is less than contact: closest points of touching shapes are not always found.
         let next = fraction + (dist - goal.gap - 0.5 * goal.tolerance) / closing.max(0.0);
         let change = sweeps[0].next_change(fraction).min(sweeps[1].next_change(fraction));
-        // Beyond a change of velocity this says nothing.
+        // The bound holds up to the next change of velocity.
         fraction = if next > change { change } else { next };
-        // Not if they part, and the quotient is infinite; nor if it is no number.
+        // The quotient is infinite if the shapes separate. A comparison with NaN is false.
         let may_meet = fraction < until;
         if !may_meet {
             return Meeting::Never;

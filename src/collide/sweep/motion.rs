@@ -8,13 +8,13 @@ use core::slice;
 use parry::bounding_volume::{Aabb, BoundingVolume};
 use parry::shape::Shape;
 
-/// A rotation vector this long (rad) is integrated as one, as joints do it; a longer one in pieces of this
-/// length.
-const WHOLE_TURN: Real = 1.0;
-const PIECE: Real = 0.25;
-/// Square of an angle (rad²). Up to it, the box around the initial and the final pose contains the swept
-/// region.
-const SMALL_ANGLE_SQUARED_MAX: Real = 1.0e-4;
+/// Rotation vectors of up to this length (rad) are integrated undivided, as those of joints.
+const UNDIVIDED_ANGLE_MAX: Real = 1.0;
+/// Longer ones are integrated in pieces of at most this length (rad).
+const ANGLE_PER_PIECE_MAX: Real = 0.25;
+/// Largest square of a rotation angle (rad²) at which the box around the initial and the final pose contains
+/// the swept region.
+const BOX_ANGLE_SQUARED_MAX: Real = 1.0e-4;
 
 /// A piece of a motion, at constant velocity.
 #[derive(Copy, Clone, Debug)]
@@ -204,7 +204,7 @@ impl<'a> Sweep<'a> {
     ) -> Aabb {
         let end = segment.until.min(self.stop);
         let angle = segment.angle() * (segment.until - segment.from);
-        if angle * angle < SMALL_ANGLE_SQUARED_MAX {
+        if angle * angle < BOX_ANGLE_SQUARED_MAX {
             let boxes = [segment.from, end].map(|fraction| box_at(&self.at(fraction)));
             return boxes[0].merged(&boxes[1]);
         }
@@ -214,13 +214,13 @@ impl<'a> Sweep<'a> {
     }
 }
 
-/// The rotation after it was turned by a rotation vector of any length (rad, world space).
+/// The rotation after a rotation vector of any length (rad, world space).
 pub(crate) fn turned(rotation: Rotation, angle: AngVector) -> Rotation {
-    if ang_length_squared(angle) <= WHOLE_TURN * WHOLE_TURN {
+    if ang_length_squared(angle) <= UNDIVIDED_ANGLE_MAX * UNDIVIDED_ANGLE_MAX {
         return integrate_rotation(rotation, angle);
     }
     let (mut angle, mut halvings) = (angle, 0);
-    while ang_length_squared(angle) > PIECE * PIECE && halvings < 64 {
+    while ang_length_squared(angle) > ANGLE_PER_PIECE_MAX * ANGLE_PER_PIECE_MAX && halvings < 64 {
         (angle, halvings) = (angle * 0.5, halvings + 1);
     }
     let mut rotvec = integrate_rotation(Rotation::IDENTITY, angle);

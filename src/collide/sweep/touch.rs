@@ -1,12 +1,12 @@
 //! Time at which a moving shape touches another one, and the parts that touch. For queries: nothing is
 //! stopped here, and a graze counts as much as an impact.
 //!
-//! The motion may contain a million turns. Three things keep the search short however long the motion is:
+//! The motion may contain a million revolutions. Three rules bound the search for motions of any length:
 //!
 //! * No point of a part gets farther from its centre of rotation than at the start. Shapes can touch only
 //!   while a box around this ball overlaps the box of the shape at rest.
-//! * A shape that rotates in place has swept its full region after one turn.
-//! * After [`JUMPS_MAX`] jumps the search ends where it is, at a time before which nothing was touched.
+//! * A shape that rotates in place has swept its full region after one revolution.
+//! * After [`JUMPS_MAX`] jumps the search ends at its current time, before which it found no contact.
 
 use super::body::Body;
 use super::motion::reach_about;
@@ -20,9 +20,9 @@ use crate::model::collider::Widths;
 use parry::shape::Shape;
 
 /// Maximum number of jumps. It is sufficient for a rotation of one radian about a shape of the same length,
-/// up to a relative distance of 10⁻⁵, at a tenth of its speed.
+/// at a tenth of its speed. The remaining relative distance is 10⁻⁵.
 const JUMPS_MAX: usize = 1024;
-/// A full turn, and a bit (rad).
+/// A full revolution and the rounding error (rad).
 const FULL_TURN: Real = 6.3;
 
 /// Two shapes that touch during their motion.

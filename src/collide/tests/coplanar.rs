@@ -164,7 +164,7 @@ fn nothing_stands_beyond_a_long_edge() {
         let beyond = 0.005 * step as Real - 0.1;
         let pose = Pose::from_parts(out * beyond + up, rotation);
         found = contacts(&ground, &body, &pose, &found, None, Vector::ZERO);
-        // The diagonal of the box, what is near enough to be a contact, and rounding.
+        // The diagonal of the box, the prediction distance, and rounding.
         if beyond > 1.5 * half + PREDICTION + 1.0e-3 {
             assert!(found.is_empty(), "{beyond}: {found:?}");
         } else if beyond < -1.5 * half {

@@ -54,7 +54,7 @@ fn count_near(shape: &dyn Shape, start: Vector, displacement: Vector, radius: Re
         if is_over(at.x) && is_over(at.y) && is_black([at.x as usize, at.y as usize]) {
             assert!(
                 seen[place(at)],
-                "{start} {displacement} {radius}: not looked at what is at {at}"
+                "{start} {displacement} {radius}: the cell at {at} was not visited"
             );
         }
     }

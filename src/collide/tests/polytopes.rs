@@ -40,7 +40,7 @@ fn faces_and_supports_of_polytopes_agree() {
     }
 }
 
-/// Moves two shapes along each other and compares the deepest point with what parry says in each step.
+/// Moves two shapes along each other and compares the deepest point with parry's result in each step.
 fn follow(shapes: [SharedShape; 2], random: &mut Random, what: &str) -> [u32; 2] {
     let mut pos12 = just_touching(&*shapes[0], &*shapes[1], 0.005, random);
     let mut scene = Scene::new(shapes[0].clone(), shapes[1].clone());

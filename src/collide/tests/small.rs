@@ -1,4 +1,4 @@
-//! Worlds of millimetres are as good as worlds of metres.
+//! Worlds of millimetres have the same relative accuracy as worlds of metres.
 
 use super::{just_touching, manifolds};
 use crate::base::random::Random;

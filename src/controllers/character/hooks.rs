@@ -84,7 +84,7 @@ impl core::fmt::Debug for CharacterHooks<'_> {
 }
 
 /// The hooks during a call.
-pub(super) struct Advisor<'a> {
+pub(super) struct HookContext<'a> {
     hooks: &'a dyn PhysicsHooks,
     bodies: &'a RigidBodySet,
     colliders: &'a ColliderSet,
@@ -93,7 +93,7 @@ pub(super) struct Advisor<'a> {
     contacts: RefCell<&'a mut CharacterContacts>,
 }
 
-impl<'a> Advisor<'a> {
+impl<'a> HookContext<'a> {
     pub fn new(character_hooks: CharacterHooks<'a>, colliders: &'a ColliderSet) -> Self {
         character_hooks.contacts.begin();
         Self {

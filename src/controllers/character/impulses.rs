@@ -30,11 +30,11 @@ impl KinematicCharacterController {
     /// # let (crate_handle, _) = world.insert(start, ColliderBuilder::cuboid(0.5, 0.5, 0.5));
     /// # world.step();
     /// # let (shape, pose) = (SharedShape::ball(0.3), Pose::IDENTITY);
-    /// # let (dt, wish) = (1.0 / 60.0, vector![0.1, 0.0, 0.0]);
+    /// # let (dt, desired) = (1.0 / 60.0, vector![0.1, 0.0, 0.0]);
     /// let controller = KinematicCharacterController::default();
     /// let mut collisions = Vec::new();
     /// let queries = world.query_pipeline();
-    /// controller.move_shape(dt, &queries, &*shape, &pose, wish, |collision| collisions.push(collision));
+    /// controller.move_shape(dt, &queries, &*shape, &pose, desired, |collision| collisions.push(collision));
     /// let mut queries = world.query_pipeline_mut(QueryFilter::default());
     /// controller.solve_character_collision_impulses(dt, &mut queries, &*shape, 80.0, &collisions);
     /// assert!(world.bodies[crate_handle].linvel().x > 0.1);

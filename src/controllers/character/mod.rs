@@ -15,10 +15,10 @@
 //! 4. **Sweep** ([`sweep`]). Move until a new obstacle, and repeat with the rest of the desired translation.
 //! 5. **Step up** ([`stairs`]) at low obstacles, and **snap** down to a floor that was just lost.
 //!
-//! Three things follow. *A resting character does not move*: planes at the offset, within a tolerance, count
-//! as exactly there. A standing character therefore moves by zero and not by a rounding error. *Floors
-//! support vertically*: on a walkable floor, gravity has no component along the slope. *Unwalkable walls
-//! count as upright*, independent of their slope, for horizontal motion.
+//! This has three consequences. *A resting character does not move*: planes at the offset, within a
+//! tolerance, count as exactly there. A standing character therefore moves by zero and not by a rounding
+//! error. *Floors support vertically*: on a walkable floor, gravity has no component along the slope.
+//! *Unwalkable walls count as upright*, independent of their slope, for horizontal motion.
 //!
 //! References: E. Catto, "Character mover" (Box2D 3.1 documentation); M. Abrash and J. Carmack's clip planes
 //! as described in K. Fauerby, "Improved Collision detection and Response" (2003), whose sliding loop this

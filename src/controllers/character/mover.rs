@@ -10,15 +10,15 @@ use crate::model::collider::ColliderHandle;
 
 /// Largest number of direction changes of a move.
 const TURNS_MAX: usize = 8;
-/// Normals whose cosine is larger than this are the same.
-const SAME_NORMAL: Real = 0.999;
+/// Least cosine of equal normals.
+const NORMAL_COSINE_MIN: Real = 0.999;
 
 /// A moving character.
 pub(super) struct Mover<'a> {
     pub settings: ResolvedSettings,
     pub obstacles: Obstacles<'a>,
     pub start: Pose,
-    /// The translation so far. Added to the start only where the pose is wanted, so that it is exactly zero
+    /// The translation so far. Added to the start only where the pose is needed, so that it is exactly zero
     /// when nothing happens, wherever the start is.
     pub moved: Vector,
     /// The planes around the present pose.
@@ -132,7 +132,7 @@ impl<'a> Mover<'a> {
     /// final pose, the character would repeat the same move.
     fn add_hit_plane(&mut self, plane: Plane) {
         let is_known = |other: &Plane| {
-            other.collider == plane.collider && other.normal.dot(plane.normal) > SAME_NORMAL
+            other.collider == plane.collider && other.normal.dot(plane.normal) > NORMAL_COSINE_MIN
         };
         if !self.planes.iter().any(is_known) {
             self.planes.push(Plane { gap: self.settings.offset, ..plane });
@@ -196,7 +196,7 @@ impl<'a> Mover<'a> {
     /// Reports a collision, unless it was reported already.
     fn report(&mut self, plane: &Plane, left: Vector) {
         let is_same = |&(handle, normal): &(_, Vector)| {
-            handle == plane.collider && normal.dot(plane.normal) > SAME_NORMAL
+            handle == plane.collider && normal.dot(plane.normal) > NORMAL_COSINE_MIN
         };
         let is_gone = self.obstacles.queries.colliders.get(plane.collider).is_none();
         if is_gone || self.met.iter().any(is_same) {

@@ -1,6 +1,6 @@
 //! The public methods of the controller.
 
-use super::hooks::{Advisor, CharacterHooks};
+use super::hooks::{CharacterHooks, HookContext};
 use super::movement::{CharacterCollision, EffectiveCharacterMovement};
 use super::mover::Mover;
 use super::obstacles::Obstacles;
@@ -39,11 +39,13 @@ impl KinematicCharacterController {
         desired_translation: Vector,
         mut events: impl FnMut(CharacterCollision),
     ) -> EffectiveCharacterMovement {
-        let Some(trip) = self.trip(dt, character_shape, character_pos, desired_translation) else {
+        let Some(initial) =
+            self.start_of_move(dt, character_shape, character_pos, desired_translation)
+        else {
             return EffectiveCharacterMovement::default();
         };
         let obstacles = Obstacles::new(*queries, character_shape, None);
-        Mover::new(trip.settings, obstacles, trip.start, &mut events).run(desired_translation)
+        Mover::new(initial.settings, obstacles, initial.start, &mut events).run(desired_translation)
     }
 
     /// [`Self::move_shape`] for a character that is subject to the world's hooks.
@@ -117,21 +119,29 @@ impl KinematicCharacterController {
         hooks: CharacterHooks<'_>,
         mut events: impl FnMut(CharacterCollision),
     ) -> EffectiveCharacterMovement {
-        let Some(trip) = self.trip(dt, character_shape, character_pos, desired_translation) else {
+        let Some(initial) =
+            self.start_of_move(dt, character_shape, character_pos, desired_translation)
+        else {
             return EffectiveCharacterMovement::default();
         };
-        let advisor = Advisor::new(hooks, queries.colliders);
-        let obstacles = Obstacles::new(*queries, character_shape, Some(advisor));
-        let mut mover = Mover::new(trip.settings, obstacles, trip.start, &mut events);
+        let hook_context = HookContext::new(hooks, queries.colliders);
+        let obstacles = Obstacles::new(*queries, character_shape, Some(hook_context));
+        let mut mover = Mover::new(initial.settings, obstacles, initial.start, &mut events);
         let movement = mover.run(desired_translation);
-        if let Some(advisor) = mover.obstacles.advisor {
-            advisor.finish();
+        if let Some(hook_context) = mover.obstacles.hook_context {
+            hook_context.finish();
         }
         movement
     }
 
     /// Validates the input; `None`, with a warning, if it is invalid.
-    fn trip(&self, dt: Real, shape: &dyn Shape, pose: &Pose, desired: Vector) -> Option<Trip> {
+    fn start_of_move(
+        &self,
+        dt: Real,
+        shape: &dyn Shape,
+        pose: &Pose,
+        desired: Vector,
+    ) -> Option<MoveStart> {
         if !(dt > 0.0 && dt.is_finite()) {
             log::warn!(
                 "the time step {dt} of a character is not a positive number: the character does not move"
@@ -150,12 +160,12 @@ impl KinematicCharacterController {
                 "the settings {self:?} or the size of a character are invalid: the character does not move"
             );
         }
-        Some(Trip { settings: settings?, start })
+        Some(MoveStart { settings: settings?, start })
     }
 }
 
 /// Start of a move.
-struct Trip {
+struct MoveStart {
     settings: ResolvedSettings,
     start: Pose,
 }

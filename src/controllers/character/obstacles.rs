@@ -1,6 +1,6 @@
 //! The surroundings of the character: colliders that a query finds, as planes.
 
-use super::hooks::Advisor;
+use super::hooks::HookContext;
 use super::plane_pruning::prune_planes;
 use super::planes::Plane;
 use super::resolved::ResolvedSettings;
@@ -23,21 +23,25 @@ type Manifolds = SmallVec<[ContactManifold; 1]>;
 pub(super) struct Obstacles<'a> {
     pub queries: QueryView<'a>,
     pub shape: &'a dyn Shape,
-    pub advisor: Option<Advisor<'a>>,
+    pub hook_context: Option<HookContext<'a>>,
     scratch: ManifoldScratch,
     manifolds: Manifolds,
 }
 
 impl<'a> Obstacles<'a> {
-    pub fn new(queries: QueryView<'a>, shape: &'a dyn Shape, advisor: Option<Advisor<'a>>) -> Self {
+    pub fn new(
+        queries: QueryView<'a>,
+        shape: &'a dyn Shape,
+        hook_context: Option<HookContext<'a>>,
+    ) -> Self {
         let (scratch, manifolds) = (ManifoldScratch::default(), Manifolds::new());
-        Self { queries, shape, advisor, scratch, manifolds }
+        Self { queries, shape, hook_context, scratch, manifolds }
     }
 
     /// Returns whether the character can collide with this collider, independent of the contact point.
     pub fn may_meet(&self, handle: ColliderHandle, collider: &Collider) -> bool {
-        let lets_meet = |advisor: &Advisor<'_>| advisor.lets_meet(handle, collider);
-        !collider.is_sensor() && self.advisor.as_ref().is_none_or(lets_meet)
+        let lets_meet = |hook_context: &HookContext<'_>| hook_context.lets_meet(handle, collider);
+        !collider.is_sensor() && self.hook_context.as_ref().is_none_or(lets_meet)
     }
 
     /// All planes within `reach` of the shape, pruned.
@@ -72,8 +76,9 @@ impl<'a> Obstacles<'a> {
                 for manifold in &mut self.manifolds {
                     // Hooks are called for touching obstacles; other obstacles block.
                     let is_touched = manifold.deepest_dist() <= settings.reach();
-                    let is_solid = |a: &Advisor<'_>| a.is_solid(handle, collider, manifold, pose);
-                    if !is_touched || self.advisor.as_ref().is_none_or(is_solid) {
+                    let is_solid =
+                        |a: &HookContext<'_>| a.is_solid(handle, collider, manifold, pose);
+                    if !is_touched || self.hook_context.as_ref().is_none_or(is_solid) {
                         let touch = Touch { handle, collider, pose, shape: self.shape };
                         out.extend(touch.plane(manifold, reach, settings));
                     }

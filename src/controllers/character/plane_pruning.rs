@@ -1,11 +1,11 @@
 //! Removes redundant planes, so that internal edges have no effect.
 //!
-//! A capsule that walks over a flat mesh is close to the triangle below it and, a little less, to the edges
-//! of that triangle's neighbours. The edges' normals oppose the motion, and a character that respects them is
-//! lifted over each. But their contact points lie in the plane of the triangle below, which the character
-//! stays in front of anyway. That plane keeps the offset from everything behind it. The same holds for level
-//! tiles, of one body or of many, and for the far side of a ridge. Steps, walls and valleys have points in
-//! front of the plane, and stay.
+//! A capsule that walks over a flat mesh is close to the triangle below it. It is slightly less close to the
+//! edges of that triangle's neighbours. The edges' normals oppose the motion, and a character that respects
+//! them is lifted over each. But their contact points lie in the plane of the triangle below, which the
+//! character stays in front of anyway. That plane keeps the offset from everything behind it. The same holds
+//! for level tiles, of one body or of many, and for the far side of a ridge. Steps, walls and valleys have
+//! points in front of the plane, and stay.
 
 use super::planes::Plane;
 use super::resolved::ResolvedSettings;

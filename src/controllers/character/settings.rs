@@ -10,7 +10,7 @@ pub struct CharacterAutostep {
     /// Largest height of a step; relative to the character's height.
     pub max_height: CharacterLength,
     /// Free depth of a step, in the direction of the motion, that the character needs to step up; relative to
-    /// its width. It is measured from the character's position below the step, so the character steps over a
+    /// its width. It is measured from the character's position below the step. So the character steps over a
     /// pole or a fence if the space behind is free.
     pub min_width: CharacterLength,
     /// Whether the character also steps onto dynamic bodies. Otherwise they are walls.

@@ -98,7 +98,7 @@ impl Obstacles<'_> {
 
     /// The first time in `time..end` when a plane is as close as `within`, and the plane.
     ///
-    /// Contacts that are looked for from afar may be planes that separate two parts without being closest to
+    /// Contacts that are searched from afar may be planes that separate two parts without being closest to
     /// them. Before such a plane ends the path, contacts are computed at a small distance, where only real
     /// ones exist.
     fn first_plane(&mut self, sweep: &Sweep<'_>, time: Real, end: Real) -> Option<(Real, Plane)> {

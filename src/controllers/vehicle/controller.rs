@@ -1,10 +1,10 @@
 //! The vehicle: its wheels, and one update.
 
 use super::contact::{Mover, Vehicle, WheelContact};
-use super::ground::{Give, Grounds};
-use super::memory::{Memory, linvel_after_forces};
+use super::disturbance_observer::{DisturbanceObserver, linvel_after_forces};
+use super::ground::{GroundCompliance, Grounds};
 use super::place::{velocities_ahead, with_ground_alone};
-use super::rest::{Seen, is_disturbed, is_driven};
+use super::rest::{WheelState, is_disturbed, is_driven};
 use super::solve::{on_chassis, on_ground, solve};
 use super::wheel::{Wheel, WheelTuning};
 use crate::base::measure::is_margin;
@@ -75,9 +75,9 @@ pub struct DynamicRayCastVehicleController {
     pub index_up_axis: usize,
     /// The forward axis of the chassis. 0 by default. Only for the sign of [`Self::current_vehicle_speed`].
     pub index_forward_axis: usize,
-    memory: Memory,
-    gives: Vec<Give>,
-    seen: Vec<Seen>,
+    observer: DisturbanceObserver,
+    ground_compliances: Vec<GroundCompliance>,
+    seen: Vec<WheelState>,
     is_reported: bool,
 }
 
@@ -90,8 +90,8 @@ impl DynamicRayCastVehicleController {
             chassis,
             index_up_axis: 1,
             index_forward_axis: 0,
-            memory: Memory::default(),
-            gives: Vec::new(),
+            observer: DisturbanceObserver::default(),
+            ground_compliances: Vec::new(),
             seen: Vec::new(),
             is_reported: false,
         }
@@ -138,12 +138,12 @@ impl DynamicRayCastVehicleController {
     ///
     /// `queries` contains the bodies, and the colliders of the ground as selected by its filter. Call this
     /// once for each step. With a `dt` of 0 the call only places the wheels. The call has no effect if the
-    /// chassis is missing or disabled, if `dt` is negative, NaN or above 10¹⁵, or if an axis is out of range.
-    /// Except for a disabled chassis, `log` contains one warning.
+    /// chassis is missing or disabled, or an axis is out of range. The same holds if `dt` is negative, NaN or
+    /// above 10¹⁵. Except for a disabled chassis, `log` contains one warning.
     pub fn update_vehicle(&mut self, dt: Real, queries: QueryPipelineMut<'_>) {
         let Some(chassis) = self.checked_chassis(dt, queries.bodies) else { return };
         if !chassis.is_enabled() {
-            return self.memory.skip();
+            return self.observer.skip();
         }
         let forward = chassis.rotation() * Vector::AXES[self.index_forward_axis];
         let speed = chassis.linvel().length();
@@ -202,7 +202,7 @@ impl DynamicRayCastVehicleController {
             if is_asleep {
                 // It fell asleep before they acted.
                 chassis.drop_push();
-                self.memory.skip();
+                self.observer.skip();
             }
             if wants_to_wake {
                 chassis.wake_up(true);
@@ -215,9 +215,9 @@ impl DynamicRayCastVehicleController {
     fn drive(&mut self, dt: Real, bodies: &mut RigidBodySet, colliders: &ColliderSet) {
         let Some(chassis) = bodies.get(self.chassis) else { return };
         let stepped = !chassis.is_pushed();
-        let acceleration = self.memory.observe(chassis);
+        let acceleration = self.observer.observe(chassis);
         if stepped {
-            Give::observe(&mut self.gives, bodies);
+            GroundCompliance::observe(&mut self.ground_compliances, bodies);
         }
         let vehicle = Vehicle {
             up: chassis.rotation() * Vector::AXES[self.index_up_axis],
@@ -247,8 +247,13 @@ impl DynamicRayCastVehicleController {
         let mut contacts = Vec::with_capacity(self.wheels.len());
         for (index, wheel) in self.wheels.iter().enumerate() {
             let Some(below) = wheel.below else { continue };
-            let ground =
-                grounds.index_of(below.collider, bodies, colliders, &self.gives, vehicle.dt);
+            let ground = grounds.index_of(
+                below.collider,
+                bodies,
+                colliders,
+                &self.ground_compliances,
+                vehicle.dt,
+            );
             let movers = [&*chassis, &grounds.all[ground].mover];
             contacts.extend(WheelContact::new(index, wheel, &below, ground, movers, vehicle));
         }
@@ -280,7 +285,7 @@ impl DynamicRayCastVehicleController {
             }
         }
         self.seen.clear();
-        self.seen.extend(self.wheels.iter().map(Seen::of));
+        self.seen.extend(self.wheels.iter().map(WheelState::of));
     }
 
     /// Applies the impulses to the bodies, as forces for the next step.
@@ -297,7 +302,7 @@ impl DynamicRayCastVehicleController {
         }
         let (impulse, moment) = on_chassis(contacts);
         chassis.push(impulse / dt, moment / dt);
-        self.memory.expect(chassis, dt);
+        self.observer.expect(chassis, dt);
         for (index, ground) in grounds.dynamic() {
             let Some(body) = ground.handle.and_then(|handle| bodies.get_mut(handle)) else {
                 continue;
@@ -309,7 +314,7 @@ impl DynamicRayCastVehicleController {
             let (impulse, moment) = on_ground(contacts, index);
             body.push(impulse / dt, moment / dt);
         }
-        Give::expect(&mut self.gives, grounds, bodies, dt);
+        GroundCompliance::expect(&mut self.ground_compliances, grounds, bodies, dt);
     }
 }
 

@@ -91,7 +91,7 @@ mod tests {
     }
 
     #[test]
-    fn the_side_gets_what_is_left() {
+    fn the_side_gets_the_remainder() {
         let rolling = Drive { engine: 3.0, brake: 0.0 }.grip(0.0, 40.0, 5.0);
         assert_eq!(rolling, Grip { forward: 3.0, side: 4.0, is_sliding: true });
         let spinning = Drive { engine: 9.0, brake: 0.0 }.grip(0.0, 40.0, 5.0);

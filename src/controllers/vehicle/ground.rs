@@ -23,11 +23,11 @@ pub(super) struct Ground {
 /// Compliance of a dynamic body.
 #[derive(Copy, Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
-pub(super) struct Give {
+pub(super) struct GroundCompliance {
     handle: RigidBodyHandle,
     /// Fractions, linear and angular.
     fractions: [Vector; 2],
-    /// The velocities at the last update, and by how much pushes should have changed them.
+    /// The velocities at the last update, and their expected changes by pushes.
     old: [Vector; 2],
     expected: [Vector; 2],
 }
@@ -45,7 +45,7 @@ impl Grounds {
         collider: ColliderHandle,
         bodies: &RigidBodySet,
         colliders: &ColliderSet,
-        gives: &[Give],
+        compliances: &[GroundCompliance],
         dt: Real,
     ) -> usize {
         let handle = colliders.get(collider).and_then(|collider| collider.parent());
@@ -54,15 +54,15 @@ impl Grounds {
         if let Some(index) = self.all.iter().position(|ground| ground.handle == handle) {
             return index;
         }
-        let give = gives.iter().find(|give| Some(give.handle) == handle);
-        let mover = body.map_or_else(Mover::fixed, |body| mover_of(body, give, dt));
+        let compliance = compliances.iter().find(|compliance| Some(compliance.handle) == handle);
+        let mover = body.map_or_else(Mover::fixed, |body| mover_of(body, compliance, dt));
         let is_dynamic = body.is_some_and(RigidBody::is_dynamic);
         self.all.push(Ground { handle, is_dynamic, mover });
         self.all.len() - 1
     }
 }
 
-fn mover_of(body: &RigidBody, give: Option<&Give>, dt: Real) -> Mover {
+fn mover_of(body: &RigidBody, compliance: Option<&GroundCompliance>, dt: Real) -> Mover {
     let (linvel, angvel) = velocities_ahead(body, dt);
     let mprops = body.mass_properties();
     let mut mover = Mover {
@@ -74,9 +74,9 @@ fn mover_of(body: &RigidBody, give: Option<&Give>, dt: Real) -> Mover {
         linvel,
         angvel,
     };
-    if let Some(give) = give {
-        mover.inv_mass *= give.fractions[0];
-        mover.inv_inertia = scaled(&mover.inv_inertia, give.fractions[1]);
+    if let Some(compliance) = compliance {
+        mover.inv_mass *= compliance.fractions[0];
+        mover.inv_inertia = scaled(&mover.inv_inertia, compliance.fractions[1]);
     }
     // Effect of other vehicles on it in this step.
     let (force, torque) = body.pending_push();
@@ -98,15 +98,15 @@ fn scaled(inertia: &AngularInertia, fractions: Vector) -> AngularInertia {
     result
 }
 
-impl Give {
+impl GroundCompliance {
     /// Measures the response of bodies to the pushes of the last update. Removes missing bodies.
-    pub fn observe(gives: &mut Vec<Self>, bodies: &RigidBodySet) {
-        gives.retain_mut(|give| {
-            let Some(body) = bodies.get(give.handle) else { return false };
+    pub fn observe(compliances: &mut Vec<Self>, bodies: &RigidBodySet) {
+        compliances.retain_mut(|compliance| {
+            let Some(body) = bodies.get(compliance.handle) else { return false };
             for (i, now) in [body.linvel(), body.angvel()].into_iter().enumerate() {
-                let (changed, expected) = (now - give.old[i], give.expected[i]);
+                let (changed, expected) = (now - compliance.old[i], compliance.expected[i]);
                 for axis in 0..3 {
-                    let fraction = &mut give.fractions[i][axis];
+                    let fraction = &mut compliance.fractions[i][axis];
                     *fraction = next_fraction(*fraction, changed[axis], expected[axis]);
                 }
             }
@@ -115,18 +115,18 @@ impl Give {
     }
 
     /// Stores the expected effect of the pending pushes on the bodies below the wheels.
-    pub fn expect(gives: &mut Vec<Self>, grounds: &Grounds, bodies: &RigidBodySet, dt: Real) {
-        let known = core::mem::take(gives);
+    pub fn expect(compliances: &mut Vec<Self>, grounds: &Grounds, bodies: &RigidBodySet, dt: Real) {
+        let known = core::mem::take(compliances);
         for ground in grounds.all.iter().filter(|ground| ground.is_dynamic) {
             let Some(handle) = ground.handle else { continue };
             let Some(body) = bodies.get(handle) else { continue };
-            let fractions = known.iter().find(|give| give.handle == handle);
+            let fractions = known.iter().find(|compliance| compliance.handle == handle);
             let (force, torque) = body.pending_push();
             let mprops = body.mass_properties();
             let by_torque = mul_inertia(mprops.effective_world_inv_inertia(), torque);
-            gives.push(Self {
+            compliances.push(Self {
                 handle,
-                fractions: fractions.map_or([Vector::ONE; 2], |give| give.fractions),
+                fractions: fractions.map_or([Vector::ONE; 2], |compliance| compliance.fractions),
                 old: [body.linvel(), body.angvel()],
                 expected: [mprops.effective_inv_mass() * force * dt, by_torque * dt],
             });
@@ -150,7 +150,7 @@ mod tests {
     use super::next_fraction;
 
     #[test]
-    fn a_share_follows_what_is_seen() {
+    fn a_fraction_follows_the_measurement() {
         assert_eq!(next_fraction(1.0, 0.0, -2.0), 0.5);
         assert_eq!(next_fraction(0.5, -2.0, -2.0), 0.75);
         assert_eq!(next_fraction(0.5, 8.0, 2.0), 0.75);

@@ -8,10 +8,11 @@
 //! One update, in this order:
 //!
 //! 1. [`place`](self::place): the pose of each wheel, and its ray-cast result.
-//! 2. [`memory`]: external loads on the chassis since the last update, such as gravity. It will pull again.
+//! 2. [`disturbance_observer`]: external loads on the chassis since the last update, such as gravity. They
+//!    will probably act again.
 //! 3. [`ground`]: the ground below the wheels, and its compliance.
 //! 4. [`contact`], [`spring`], [`grip`]: per wheel on the ground one spring, which only pushes, and two rows
-//!    of friction with one bound; solved together by projected Gauss–Seidel iteration ([`solve`]).
+//!    of friction with one bound. They are solved together by projected Gauss–Seidel iteration ([`solve`]).
 //! 5. [`spin`]: the wheels turn.
 //! 6. The impulses become pushes: forces that last for the next step alone.
 //!
@@ -21,15 +22,15 @@
 //! standing car would be compensated only at the end of the step, and the body would report a wrong speed. A
 //! force that acts as long as gravity does cancels it at all times, and a standing car has no velocity.
 //!
-//! **Why memory.** Friction prevents motion that would begin *during* the step, so the solver needs the
+//! **Why an observer.** Friction prevents motion that would begin *during* the step, so the solver needs the
 //! external loads. The condition applies to the velocities at the end of the step.
 
 mod check;
 mod contact;
 mod controller;
+mod disturbance_observer;
 mod grip;
 mod ground;
-mod memory;
 mod place;
 mod rest;
 mod solve;

@@ -131,7 +131,7 @@ pub(super) fn with_ground_alone<R>(
     )
 }
 
-/// The velocities (linear, angular) with which a body goes through the next step, as far as it is known.
+/// The predicted velocities (linear, angular) of a body in the next step.
 pub(super) fn velocities_ahead(body: &RigidBody, dt: Real) -> (Vector, Vector) {
     if body.is_kinematic() && body.next_position() != body.position() {
         let ahead = body.velocity_to_next_position(1.0 / dt);

@@ -8,20 +8,20 @@ use crate::dim::math::Real;
 use crate::model::body::{RigidBody, RigidBodySet};
 use crate::model::collider::{ColliderHandle, ColliderSet};
 
-/// Fraction of the radius by which the ground below a sleeping vehicle may seem to move: rounding.
-const SAME_PLACE: Real = 1.0e-3;
+/// Fraction of the radius up to which a displacement of the ground below a sleeping vehicle is rounding.
+const GROUND_MOTION_FRACTION_MAX: Real = 1.0e-3;
 
 /// A wheel as it was when the vehicle was awake.
 #[derive(Copy, Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
-pub(super) struct Seen {
+pub(super) struct WheelState {
     brake: Real,
     steering: Real,
     ground: Option<ColliderHandle>,
     length: Real,
 }
 
-impl Seen {
+impl WheelState {
     pub fn of(wheel: &Wheel) -> Self {
         let info = wheel.raycast_info();
         Self {
@@ -36,14 +36,15 @@ impl Seen {
     fn is_still(&self, wheel: &Wheel) -> bool {
         let now = Self::of(wheel);
         let moved = (now.length - self.length).abs();
-        Self { length: self.length, ..now } == *self && moved <= SAME_PLACE * wheel.radius
+        Self { length: self.length, ..now } == *self
+            && moved <= GROUND_MOTION_FRACTION_MAX * wheel.radius
     }
 }
 
 /// Returns whether there is a reason to wake a sleeping vehicle.
 pub(super) fn is_disturbed(
     wheels: &[Wheel],
-    seen: &[Seen],
+    seen: &[WheelState],
     bodies: &RigidBodySet,
     colliders: &ColliderSet,
 ) -> bool {

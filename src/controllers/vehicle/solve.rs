@@ -43,7 +43,7 @@ impl WheelContact {
         }
     }
 
-    /// Applies the suspension. Returns by how much it changed its velocity.
+    /// Applies the suspension. Returns the change of its velocity.
     fn press(&mut self, chassis: &mut Mover, ground: &mut Mover) -> Real {
         let row = &mut self.normal;
         let (old, inv_mass) = (row.impulse, row.inv_mass);
@@ -52,7 +52,7 @@ impl WheelContact {
         (impulse - old).abs() * inv_mass
     }
 
-    /// Applies the friction of the tyre. Returns by how much it changed its velocities.
+    /// Applies the friction of the tyre. Returns the changes of its velocities.
     fn hold(&mut self, chassis: &mut Mover, ground: &mut Mover) -> Real {
         let limit = self.friction * self.normal.impulse;
         let forward = self.forward.impulse_for(0.0, chassis, ground);

@@ -2,10 +2,10 @@
 //!
 //! Wheels have no mass, so their spin has no effect on the chassis. On the ground a wheel rolls. Its spin is
 //! the ground velocity of the chassis divided by its radius, and its angle integrates the velocities before
-//! and after the step. Locked, it stands. In the air it goes on turning. If the engine exceeds the grip of
-//! the tyre, or the wheel is in the air, the rest of its force accelerates the wheel. The wheel is a solid
-//! disc of a [`WHEEL_MASS_FRACTION`] of the mass of the chassis. The brake slows it in the air in the same
-//! way.
+//! and after the step. A locked wheel does not rotate. In the air it continues to rotate. If the engine
+//! exceeds the grip of the tyre, or the wheel is in the air, the rest of its force accelerates the wheel. The
+//! wheel is a solid disc of a [`WHEEL_MASS_FRACTION`] of the mass of the chassis. The brake slows it in the
+//! air in the same way.
 
 use super::contact::{Mover, WheelContact};
 use super::wheel::Wheel;
@@ -32,19 +32,19 @@ impl Wheel {
         }
     }
 
-    /// Turns in the air for `dt` seconds.
+    /// Rotates the wheel in the air for `dt` seconds.
     pub(super) fn turn_in_air(&mut self, chassis_mass: Real, dt: Real) {
         let per_impulse = self.spin_of_impulse(chassis_mass);
         let driven = self.spin + self.engine_force * dt * per_impulse;
-        // An infinite brake stops every wheel, also that of a chassis without mass, which no impulse turns:
-        // there, infinity times zero would be no number.
+        // An infinite brake stops every wheel, including the wheels of a chassis without mass. No impulse
+        // rotates those, and infinity times zero would be NaN.
         let braked = if self.brake.is_finite() { self.brake * per_impulse } else { self.brake };
         self.turn(driven - driven.clamp(-braked, braked), dt);
     }
 }
 
 impl WheelContact {
-    /// Turns a wheel on the ground for `dt` seconds.
+    /// Rotates a wheel on the ground for `dt` seconds.
     pub fn turn(&self, wheel: &mut Wheel, movers: [&Mover; 2], chassis_mass: Real, dt: Real) {
         let [chassis, ground] = movers;
         let before = self.forward.old_velocity(chassis, ground);

@@ -17,9 +17,9 @@ use parry::bounding_volume::Aabb;
 /// extent.
 const TOLERANCE: Real = 0.001;
 /// Preference of the last axis, in the same measure.
-const SAME_AXIS_BONUS: Real = 0.01;
-/// An axis with at least this cosine to the normal of last time is the same axis.
-const SAME_AXIS: Real = 0.98;
+const LAST_AXIS_BONUS: Real = 0.01;
+/// Least cosine of an axis and the last normal at which the axis counts as the last one.
+const AXIS_COSINE_MIN: Real = 0.98;
 
 /// The best axis of each kind: of the box, of the segment. In the frame of the box.
 #[derive(Copy, Clone, Debug, Default)]
@@ -39,8 +39,8 @@ impl FlatAxes {
         };
         let (of_box, of_segment) = (axis(0, Side::First), axis(1, Side::Second));
         let score = |axis: &BestAxis, bonus: Real| {
-            let is_same = axis.normal.dot(hint) > SAME_AXIS;
-            let bonus = bonus + if is_same { SAME_AXIS_BONUS } else { 0.0 };
+            let is_same = axis.normal.dot(hint) > AXIS_COSINE_MIN;
+            let bonus = bonus + if is_same { LAST_AXIS_BONUS } else { 0.0 };
             axis.gap + bonus * half.min_element()
         };
         if score(&of_segment, TOLERANCE) >= score(&of_box, 0.0) { of_segment } else { of_box }
@@ -75,7 +75,7 @@ pub fn best_axis(
     }
 }
 
-/// A box, and how near is near.
+/// A box, and the prediction distance.
 pub struct TriangleCulling {
     half: Vector,
     reach: Real,
@@ -85,7 +85,7 @@ pub struct TriangleCulling {
 }
 
 impl TriangleCulling {
-    /// For segments in a frame that stands at `pose` in the frame of the box.
+    /// For segments in a frame at `pose` in the frame of the box.
     pub fn new(around: &Aabb, pose: &Pose, reach: Real) -> Self {
         Self {
             half: around.half_extents(),

@@ -10,13 +10,13 @@ use crate::dim::math::{Matrix, Pose, Real, Vector};
 
 /// Tolerance on the overlap within which an axis is preferred, as a fraction of the smallest half extent.
 const TOLERANCE: Real = 0.01;
-/// Of equal faces the first box's is taken, by this fraction of the tolerance.
-const FIRST_FACE: Real = 0.1;
-/// An axis with at least this cosine to the normal of last time is the same axis.
-const SAME_AXIS: Real = 0.98;
+/// Preference of the first box among equal faces, as a fraction of the tolerance.
+const FIRST_FACE_FRACTION: Real = 0.1;
+/// Least cosine of an axis and the last normal at which the axis counts as the last one.
+const AXIS_COSINE_MIN: Real = 0.98;
 /// Corners outside the other face by up to this fraction of its size still count as inside. Boxes of equal
 /// size are stacked often, and rounding must not decide what their corners are.
-const RIM: Real = 5.0e-3;
+const RIM_FRACTION_MAX: Real = 5.0e-3;
 
 /// Computes the contacts of two boxes into `raw`, whose `local_n1` is the normal of last time, or zero.
 ///
@@ -46,8 +46,9 @@ pub fn cuboid_cuboid(
     let oriented = |axis: Vector| if axis.dot(center1) < 0.0 { -axis } else { axis };
     let normals = [oriented(Vector::AXES[face1]), oriented(rotation.col(face2))];
     let hint = raw.local_n1;
-    let bonus = normals.map(|n| if n.dot(hint) > SAME_AXIS { tolerance } else { 0.0 });
-    let is_first = gaps1[face1] + bonus[0] >= gaps2[face2] + bonus[1] - FIRST_FACE * tolerance;
+    let bonus = normals.map(|n| if n.dot(hint) > AXIS_COSINE_MIN { tolerance } else { 0.0 });
+    let is_first =
+        gaps1[face1] + bonus[0] >= gaps2[face2] + bonus[1] - FIRST_FACE_FRACTION * tolerance;
     let pair = if is_first {
         let sign = if center1[face1] < 0.0 { -1.0 } else { 1.0 };
         FacePair {
@@ -115,7 +116,7 @@ impl FacePair {
             return; // The projections are disjoint.
         }
         for (end, sign) in ends.into_iter().zip([-1.0, 1.0]) {
-            let (point, side, end) = if end.x.abs() <= size * (1.0 + RIM) {
+            let (point, side, end) = if end.x.abs() <= size * (1.0 + RIM_FRACTION_MAX) {
                 (end, 0.0, sign) // a corner of the other box
             } else {
                 // The face of the other box passes a corner of this one.

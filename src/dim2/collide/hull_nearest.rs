@@ -3,9 +3,9 @@
 //! Inside, it is on the side that is least deep; outside, on the nearest of the sides that the point is
 //! beyond.
 //!
-//! parry makes one side of neighbours that are nearly in a line, and keeps the normal of one of them. So what
-//! was found must prove itself: no corner may be above the line through the place. Otherwise a general
-//! closest-point search is used.
+//! parry makes one side of neighbours that are nearly in a line, and keeps the normal of one of them. The
+//! place is therefore checked: no corner may be above the line through it. Otherwise a general closest-point
+//! search is used.
 
 use crate::base::feature;
 use crate::base::nearest::{Nearest, direction_and_length};

@@ -31,7 +31,7 @@ pub struct Face {
     pub offset: Real,
 }
 
-/// An edge between two faces, which there is none of in the plane.
+/// An edge between two faces. 2D polytopes have no edges between faces.
 #[derive(Copy, Clone)]
 pub struct Edge {
     /// Its ends.

@@ -1,6 +1,6 @@
 //! Points over a segment, a segment per lane.
 
-use super::clip::RIM;
+use super::clip::RIM_FRACTION_MAX;
 use super::flat::FlatBlock;
 use crate::base::wide::Wide;
 use crate::dim::math::{Real, Vector};
@@ -12,7 +12,7 @@ pub struct Rims<W> {
     start: WideVector<W>,
     /// From end to end.
     along: WideVector<W>,
-    /// The square of its length, and how much of it beyond the ends is still inside.
+    /// The square of its length, and the part beyond the ends that counts as inside.
     length: W,
     rim: W,
 }
@@ -25,7 +25,7 @@ impl<W: Wide> Rims<W> {
         let (start, end) = (WideVector::load(&block[0]), WideVector::load(&block[1]));
         let along = end - start;
         let length = along.dot(along);
-        let rim = (W::splat(RIM) * length).min(W::splat(tolerance) * length.sqrt());
+        let rim = (W::splat(RIM_FRACTION_MAX) * length).min(W::splat(tolerance) * length.sqrt());
         Self { start, along, length, rim }
     }
 

@@ -73,7 +73,7 @@ pub(crate) struct FrictionRow {
     pub coefficient: Lane,
     /// `1 / K` of the tangential row.
     pub mass: Lane,
-    /// Wanted relative velocity along the tangent.
+    /// Target relative velocity along the tangent.
     pub surface_velocity: Lane,
     /// Friction impulse of this substep along the tangent.
     pub impulse: Lane,

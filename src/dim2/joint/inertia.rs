@@ -7,7 +7,7 @@ use crate::dim2::wide::{
     WideSymmetric, ZERO_INERTIA, load_symmetric, set_symmetric_lane, symmetric_lane,
 };
 
-/// The moment of inertia of a body with this inverse; `None` if it cannot turn.
+/// The moment of inertia of a body with this inverse; `None` if it cannot rotate.
 pub(crate) fn inertia_about(inv_inertia: &AngularInertia) -> Option<Real> {
     (*inv_inertia > 0.0).then(|| 1.0 / inv_inertia)
 }

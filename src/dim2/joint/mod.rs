@@ -2,7 +2,7 @@
 //!
 //! Rotations of joints, lane by lane and for one joint at a time. There is one axis of rotation. If it is
 //! locked, the error is `2 tan(φ/2)` of the angle `φ` between the frames: the angle for small ones, and
-//! continuous up to half a turn.
+//! continuous up to half a revolution.
 
 mod angle;
 mod frame;

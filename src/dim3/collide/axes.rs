@@ -17,12 +17,12 @@ use parry::bounding_volume::Aabb;
 /// Tolerance on the overlap within which a face is preferred to another axis, as a fraction of the smallest
 /// half extent.
 const TOLERANCE: Real = 0.01;
-/// Of equal faces the triangle's is taken, by this fraction of the tolerance.
-const FIRST_FACE: Real = 0.1;
-/// An axis with at least this cosine to the normal of last time is the same axis.
-const SAME_AXIS: Real = 0.98;
-/// Edges whose directions have a smaller sine (squared) than this are parallel: their product says
-/// nothing that the face normals do not.
+/// Preference of the triangle among equal faces, as a fraction of the tolerance.
+const FIRST_FACE_FRACTION: Real = 0.1;
+/// Least cosine of an axis and the last normal at which the axis counts as the last one.
+const AXIS_COSINE_MIN: Real = 0.98;
+/// Edges whose directions have a smaller sine (squared) than this are parallel: their product equals a face
+/// normal.
 const PARALLEL_SINE_SQUARED_MAX: Real = 1.0e-4;
 
 /// The best axis of each kind: of the box, of the triangle, of an edge of each. In the frame of the box.
@@ -37,7 +37,7 @@ impl FlatAxes {
     /// zero.
     pub fn best(&self, lane: usize, half: Vector, hint: Vector) -> BestAxis {
         let tolerance = TOLERANCE * half.min_element();
-        let penalties = [FIRST_FACE * tolerance, 0.0, tolerance];
+        let penalties = [FIRST_FACE_FRACTION * tolerance, 0.0, tolerance];
         let faces = [Some(Side::First), Some(Side::Second), None];
         let axis = |kind: usize| BestAxis {
             gap: self.gaps[kind].0[lane],
@@ -46,7 +46,7 @@ impl FlatAxes {
         };
         let score = |kind: usize| {
             let axis = axis(kind);
-            let is_same = axis.normal.dot(hint) > SAME_AXIS;
+            let is_same = axis.normal.dot(hint) > AXIS_COSINE_MIN;
             axis.gap - penalties[kind] + if is_same { tolerance } else { 0.0 }
         };
         let mut best = (1, score(1));
@@ -88,7 +88,7 @@ pub fn best_axis(
     }
 }
 
-/// A box, and how near is near.
+/// A box, and the prediction distance.
 pub struct TriangleCulling {
     half: Vector,
     reach: Real,
@@ -98,7 +98,7 @@ pub struct TriangleCulling {
 }
 
 impl TriangleCulling {
-    /// For triangles in a frame that stands at `pose` in the frame of the box.
+    /// For triangles in a frame at `pose` in the frame of the box.
     pub fn new(around: &Aabb, pose: &Pose, reach: Real) -> Self {
         Self {
             half: around.half_extents(),
@@ -157,7 +157,7 @@ impl Pass<'_> {
     }
 }
 
-/// An axis per lane, from the box to the triangle, and how far the two are apart along it.
+/// An axis per lane, from the box to the triangle, and the distance of the two along it.
 #[derive(Copy, Clone)]
 struct Axis<W> {
     gap: W,

@@ -12,8 +12,8 @@ use crate::base::segments::Segments;
 use crate::dim::math::{Pose, Real, Vector};
 use parry::shape::{Capsule, PackedFeatureId, Triangle};
 
-/// A direction with at least this cosine to the triangle's normal (1.1 degrees) is that normal.
-const IS_NORMAL: Real = 0.9998;
+/// Least cosine of a direction and the triangle's normal that count as equal (1.1 degrees).
+const NORMAL_COSINE_MIN: Real = 0.9998;
 
 /// The points of two shapes that are nearest to each other, and the feature of the triangle.
 struct Nearest {
@@ -48,7 +48,7 @@ pub fn capsule_triangle(
         _ if to_edge > 0.0 => (to_edge, offset / to_edge),
         _ => (0.0, -outward),
     };
-    let is_face = direction.dot(normal).abs() > IS_NORMAL;
+    let is_face = direction.dot(normal).abs() > NORMAL_COSINE_MIN;
     let direction = match is_face {
         true if direction.dot(normal) < 0.0 => -normal,
         true => normal,

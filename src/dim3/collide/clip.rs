@@ -14,7 +14,7 @@ use parry::shape::PackedFeatureId;
 /// Points outside a face by up to this fraction of its edge still count as inside. Faces of equal size meet
 /// often, and rounding must not determine their corners. Points above the deepest by the same fraction count
 /// as equally deep.
-pub(super) const RIM: Real = 5.0e-3;
+pub(super) const RIM_FRACTION_MAX: Real = 5.0e-3;
 /// Maximum number of corners of an overlap.
 const OVERLAP_VERTICES_MAX: usize = 64;
 
@@ -108,7 +108,7 @@ pub fn clip_faces(
 /// Minimum additional depth of another relevant point of the other polytope.
 fn tolerance(face: &Corners) -> Real {
     match face.as_slice() {
-        [first, second, ..] => RIM * first.point.distance(second.point),
+        [first, second, ..] => RIM_FRACTION_MAX * first.point.distance(second.point),
         _ => 0.0,
     }
 }
@@ -131,7 +131,7 @@ fn clip_line(
     let mut names = [0, 1].map(|end| (face, feature::vertex(end)));
     for (index, corner) in cutting.iter().enumerate() {
         let outward = (cutting[(index + 1) % cutting.len()].point - corner.point).cross(normal);
-        let rim = RIM * outward.length_squared();
+        let rim = RIM_FRACTION_MAX * outward.length_squared();
         let [from, to] = [start, end].map(|point| outward.dot(point - corner.point) - rim);
         if from > 0.0 && to > 0.0 {
             return None;
@@ -163,7 +163,7 @@ fn clip_line(
 /// Writes to `result` the part of a polygon below a plane; `outward` is the plane's normal, with the length
 /// of the edge that it contains.
 fn cut_by(polygon: &Overlap, index: u8, on_plane: Vector, outward: Vector, result: &mut Overlap) {
-    let rim = RIM * outward.length_squared();
+    let rim = RIM_FRACTION_MAX * outward.length_squared();
     let height = |vertex: &Vertex| outward.dot(vertex.point - on_plane);
     result.clear();
     let Some(first) = polygon.first() else { return };

@@ -12,12 +12,12 @@ use crate::dim::math::{Matrix, Pose, Real, Vector};
 
 /// Tolerance on the overlap within which an axis is preferred, as a fraction of the smallest half extent.
 const TOLERANCE: Real = 0.01;
-/// Of equal faces the first box's is taken, by this fraction of the tolerance.
-const FIRST_FACE: Real = 0.1;
-/// An axis with at least this cosine to the normal of last time is the same axis.
-const SAME_AXIS: Real = 0.98;
-/// Edges whose directions have a smaller sine (squared) than this are parallel: their product says
-/// nothing that the face normals do not.
+/// Preference of the first box among equal faces, as a fraction of the tolerance.
+const FIRST_FACE_FRACTION: Real = 0.1;
+/// Least cosine of an axis and the last normal at which the axis counts as the last one.
+const AXIS_COSINE_MIN: Real = 0.98;
+/// Edges whose directions have a smaller sine (squared) than this are parallel: their product equals a face
+/// normal.
 const PARALLEL_SINE_SQUARED_MAX: Real = 1.0e-4;
 
 /// Two boxes, seen from both.
@@ -74,7 +74,7 @@ pub fn cuboid_cuboid(
     let mut best = (Real::NEG_INFINITY, Axis::Face1(face1), Vector::ZERO);
     let candidates = [
         (gaps1[face1], Axis::Face1(face1)),
-        (gaps2[face2] - FIRST_FACE * tolerance, Axis::Face2(face2)),
+        (gaps2[face2] - FIRST_FACE_FRACTION * tolerance, Axis::Face2(face2)),
         (edge_gap - tolerance, Axis::Edges(edges.0, edges.1)),
     ];
     for (gap, axis) in candidates {
@@ -82,7 +82,7 @@ pub fn cuboid_cuboid(
             continue;
         }
         let normal = boxes.normal(axis);
-        let bonus = if normal.dot(hint) > SAME_AXIS { tolerance } else { 0.0 };
+        let bonus = if normal.dot(hint) > AXIS_COSINE_MIN { tolerance } else { 0.0 };
         if gap + bonus > best.0 {
             best = (gap + bonus, axis, normal);
         }

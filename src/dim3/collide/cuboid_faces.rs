@@ -14,7 +14,7 @@ use crate::dim::math::{Matrix, Real, Vector};
 /// Relative enlargement of the rectangle. Boxes of equal size are stacked often: then all corners of the
 /// parallelogram are inside, and rounding does not decide which of them are. Points outside by up to that
 /// fraction are moved to the true rim.
-const RIM: Real = 5.0e-3;
+const RIM_FRACTION_MAX: Real = 5.0e-3;
 
 /// A reference face and the box that it meets.
 pub(super) struct FacePair {
@@ -116,7 +116,7 @@ pub(super) fn face_points(pair: &FacePair, prediction: Real, raw: &mut RawManifo
         pair,
         incident: &incident,
         prediction,
-        size: [u, v].map(|axis| pair.half[axis] * (1.0 + RIM)),
+        size: [u, v].map(|axis| pair.half[axis] * (1.0 + RIM_FRACTION_MAX)),
         raw,
     };
     let corners =

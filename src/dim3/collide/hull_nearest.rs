@@ -76,8 +76,8 @@ struct OnFace {
 
 /// The place on a face that is nearest to a point above it.
 ///
-/// In the plane of the face, the nearest point of a convex polygon lies on a side that the point is beyond,
-/// or there is none. Below the face (then all others are deeper) only the plane matters.
+/// In the plane of the face, the nearest point of a convex polygon lies on a side that the point is beyond.
+/// There may be none. Below the face (then all others are deeper) only the plane matters.
 fn on_face(hull: &ConvexPolyhedron, id: usize, height: Real, point: Vector) -> OnFace {
     let face = &hull.faces()[id];
     let (first, count) = (face.first_vertex_or_edge as usize, face.num_vertices_or_edges as usize);

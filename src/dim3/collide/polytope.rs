@@ -9,7 +9,7 @@ use parry::shape::{
     ConvexPolyhedron, Cuboid, PackedFeatureId, Segment, Shape, SupportMap, Triangle, TypedShape,
 };
 
-/// Most corners of a face that are looked at. Faces with more corners lose some of them evenly.
+/// Largest number of corners of a face. Faces with more corners lose some of them evenly.
 const CORNERS_MAX: usize = 32;
 
 /// A convex shape with flat faces.

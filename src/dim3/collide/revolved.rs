@@ -20,11 +20,11 @@ const FEATURE_SINE: Real = 0.2;
 /// The same as a cosine.
 const FEATURE_COSINE: Real = 0.98;
 /// Tilt (sine of 0.6°) up to which a cap lies flat: the azimuth of its lowest point is rounding then.
-const FLAT_SINE: Real = 0.01;
-/// A flat cap has at least this many contacts, if the four points of its rim do not miss the other shape.
-const FLAT_POINTS: usize = 3;
-/// Contacts of one line that are closer than this fraction of its length are one.
-const SAME_POINT: Real = 1.0e-3;
+const FLAT_CAP_SINE_MAX: Real = 0.01;
+/// Least number of contacts of a flat cap, if the four points of its rim do not miss the other shape.
+const FLAT_CAP_POINTS_MIN: usize = 3;
+/// Largest distance of equal contacts of a line, as a fraction of its length.
+const POINT_DISTANCE_FRACTION_MAX: Real = 1.0e-3;
 
 /// Half of the outline of a shape of revolution about the second axis.
 #[derive(Copy, Clone)]
@@ -58,12 +58,12 @@ impl Outline {
         let lateral = across.length();
         let has_cap = !self.is_cone || normal.y < 0.0;
         if has_cap && lateral < FEATURE_SINE {
-            let azimuth = if lateral > FLAT_SINE { across } else { hint };
+            let azimuth = if lateral > FLAT_CAP_SINE_MAX { across } else { hint };
             return self.cap(normal.y, azimuth);
         }
         let apex = PolygonalFeature { num_vertices: 1, ..PolygonalFeature::default() };
         // The normal of the side of a flat cone is nearly its axis. Along the axis no side is the nearest.
-        if lateral <= FLAT_SINE {
+        if lateral <= FLAT_CAP_SINE_MAX {
             return apex;
         }
         let lean = if self.is_cone { self.radius } else { 0.0 };
@@ -115,7 +115,7 @@ pub fn feature_contacts(pos12: &Pose, parts: &FacingParts<'_>, raw: &mut RawMani
     }
     let has_cap = (0..2).any(|side| outlines[side].is_some() && features[side].num_vertices == 4);
     add_contacts(pos12, parts, features, raw);
-    if has_cap && raw.points.len() < FLAT_POINTS {
+    if has_cap && raw.points.len() < FLAT_CAP_POINTS_MIN {
         let mut hinted = RawManifold::new();
         add_contacts(pos12, parts, facing_features(parts, outlines, parts.points), &mut hinted);
         if hinted.points.len() > raw.points.len() {
@@ -154,8 +154,8 @@ fn add_contacts(
     let pos21 = pos12.inverse();
     PolygonalFeature::contacts(pos12, &pos21, normal1, normal2, &one, &other, raw, false);
     match lines {
-        [true, false] => remove_copies(raw, along(&one).length() * SAME_POINT),
-        [false, true] => remove_copies(raw, along(&other).length() * SAME_POINT),
+        [true, false] => remove_copies(raw, along(&one).length() * POINT_DISTANCE_FRACTION_MAX),
+        [false, true] => remove_copies(raw, along(&other).length() * POINT_DISTANCE_FRACTION_MAX),
         _ => {}
     }
 }

@@ -1,6 +1,6 @@
 //! Points over a triangle, a triangle per lane.
 
-use super::clip::RIM;
+use super::clip::RIM_FRACTION_MAX;
 use super::flat::FlatBlock;
 use crate::base::wide::Wide;
 use crate::dim::math::{Real, Vector};
@@ -51,5 +51,5 @@ impl<W: Wide> Rims<W> {
 #[inline(always)]
 fn rim<W: Wide>(outward: WideVector<W>, tolerance: Real) -> W {
     let squared = outward.dot(outward);
-    (W::splat(RIM) * squared).min(W::splat(tolerance) * squared.sqrt())
+    (W::splat(RIM_FRACTION_MAX) * squared).min(W::splat(tolerance) * squared.sqrt())
 }

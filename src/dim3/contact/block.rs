@@ -83,7 +83,7 @@ pub(crate) struct FrictionRow {
     pub radius: Lane,
     /// `K_13` and `K_23`: effect of a torsional impulse on the velocities along the two tangents.
     pub torsional_coupling: [Lane; 2],
-    /// Wanted relative velocity along the two tangents.
+    /// Target relative velocity along the two tangents.
     pub surface_velocity: [Lane; 2],
     /// Friction impulses of this substep: along the two tangents, and about the normal.
     pub impulse: [Lane; 3],

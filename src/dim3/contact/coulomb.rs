@@ -6,7 +6,7 @@
 //! |λt_k| ≤ μ λ_k        rows, matrix and signs as in `friction`, with the point for the centre
 //! ```
 //!
-//! Torque about the normal comes out of the points by itself. The points are solved in sequence, coupled
+//! Torque about the normal follows from the forces of the points. The points are solved in sequence, coupled
 //! through the bodies: four small solves, about twice the work of the [central rows](super::friction). Kept
 //! out of [`ContactBlock`] so that worlds with the standard model do not carry it through the caches.
 
@@ -25,7 +25,7 @@ use crate::model::contact::{ContactInput, WidePoint};
 #[repr(C)]
 struct TangentRows {
     /// Height of the point in the contact frame, from the first centre of mass. The other two
-    /// coordinates stand in the block.
+    /// coordinates are in the block.
     z: Lane,
     /// Inverse of the 2×2 effective-mass matrix: 11, 12, 22.
     mass: [Lane; 3],

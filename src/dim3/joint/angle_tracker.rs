@@ -1,6 +1,6 @@
 //! The angles of free axes while the bodies move, lane by lane.
 //!
-//! Each kind of angle is how far a point `(cos, sin)` has gone round:
+//! Each kind of angle is the angle of a point `(cos, sin)` on a circle:
 //!
 //! * a *twist* about `e` is twice the angle of `(w, v·e)`; that of the whole rotation is a twist about an `e`
 //!   that follows `v`,
@@ -24,10 +24,10 @@ use crate::dim3::math::{Real, Vector};
 use crate::dim3::rotation_vector::{atan_excess, nearest_whole};
 use crate::dim3::wide::{WideAngVector, WideRotation, WideVector, cross};
 
-/// Below this, numbers that should have a direction have none.
+/// Least length of a vector with a direction.
 const LENGTH_MIN: Real = 1.0e-12;
 const TURN: Real = 2.0 * core::f64::consts::PI as Real;
-/// More turns in a step than this cannot be counted.
+/// Largest number of turns in a step that can be counted.
 const TURNS_MAX: Real = 1.0e6;
 /// The steepest slope of which [`atan_excess`] is right.
 const SLOPE_MAX: Real = 0.66;
@@ -134,7 +134,7 @@ impl AngleTracker {
         W::select(counts, turned + turns * W::splat(TURN), turned)
     }
 
-    /// The direction of a twist, and how far its half angle has gone.
+    /// The direction of a twist, and its half angle.
     #[inline(always)]
     fn twist<W: Wide>(&self, between: WideRotation<W>) -> (WideAngVector<W>, W) {
         let (zero, one) = (W::zero(), W::splat(1.0));
@@ -157,7 +157,7 @@ impl AngleTracker {
         (WideVector::select(fair, shared, e), self.turned(cos, sin, true))
     }
 
-    /// The direction of a tilt, and how far it has gone.
+    /// The direction of a tilt, and its angle.
     #[inline(always)]
     fn tilt<W: Wide>(&self, between: WideRotation<W>) -> (WideAngVector<W>, W) {
         let (zero, one) = (W::zero(), W::splat(1.0));

@@ -1,4 +1,4 @@
-//! Frames as the bodies turn, lane by lane.
+//! Frames of rotating bodies, lane by lane.
 
 use crate::base::wide::Wide;
 use crate::dim3::math::{ANG_DIM, DIM, SPATIAL_DIM};

@@ -9,14 +9,14 @@ use crate::dim3::wide::{
     symmetric_lane,
 };
 
-/// The harmonic mean of the moments of inertia of a body with this inverse; `None` if it cannot turn.
+/// The harmonic mean of the moments of inertia of a body with this inverse; `None` if it cannot rotate.
 pub(crate) fn inertia_about(inv_inertia: &AngularInertia) -> Option<Real> {
     let sum = inv_inertia.m11 + inv_inertia.m22 + inv_inertia.m33;
     (sum > 0.0).then(|| 3.0 / sum)
 }
 
-/// Moments that differ by less than this fraction make no visible difference.
-const ROUNDNESS: Real = 1.0e-3;
+/// Least relative difference of two moments of inertia that counts.
+const MOMENT_DIFFERENCE_MIN: Real = 1.0e-3;
 
 /// Returns whether the moments of inertia about all axes are equal.
 pub(crate) fn is_round(inv_inertia: &AngularInertia) -> bool {
@@ -24,7 +24,7 @@ pub(crate) fn is_round(inv_inertia: &AngularInertia) -> bool {
     let differences = [m.m11 - m.m22, m.m22 - m.m33, m.m33 - m.m11, m.m12, m.m13, m.m23];
     let largest =
         differences.into_iter().fold(0.0, |largest: Real, value| largest.max(value.abs()));
-    largest <= ROUNDNESS * (m.m11 + m.m22 + m.m33)
+    largest <= MOMENT_DIFFERENCE_MIN * (m.m11 + m.m22 + m.m33)
 }
 
 /// The inverse inertias of the two bodies of each lane's joint.

@@ -14,9 +14,9 @@ pub struct RigidBodyActivation {
     /// `IntegrationParameters::length_unit` per second. Negative: never.
     ///
     /// The mean is taken over windows of a quarter of a second for [`Self::time_until_sleep`]. In a window,
-    /// the displacement of every point and the length of its path must be at most the threshold times the
-    /// length of the window. Rotations count with the size of the body. Velocities that alternate from step
-    /// to step cancel, so a trembling body may be faster.
+    /// two quantities are limited: the displacement of every point and the length of its path. The limit is
+    /// the threshold times the length of the window. Rotations count with the size of the body. Velocities
+    /// that alternate from step to step cancel, so a trembling body may be faster.
     pub normalized_linear_threshold: Real,
     /// Mean angular speed below which the body must stay to fall asleep (rad/s), independent of its size.
     /// Negative: never.

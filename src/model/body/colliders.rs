@@ -127,7 +127,7 @@ impl RigidBody {
         for collider in colliders {
             let place = collider.parent.as_ref().map_or(Pose::IDENTITY, |p| p.pos_wrt_parent);
             let reach = collider.bounding_radius_about(place.inverse_transform_point(center));
-            // Half-spaces reach to infinity, but infinity times an angular velocity of zero is no number.
+            // Half-spaces reach to infinity, but infinity times an angular velocity of zero is NaN.
             self.extent = self.extent.max(reach).min(Real::MAX);
             self.thickness = self.thickness.min(collider.thickness());
         }

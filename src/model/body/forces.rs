@@ -96,14 +96,14 @@ impl RigidBody {
         if !self.is_dynamic() || (impulse == Vector::ZERO && torque_impulse == ANG_ZERO) {
             return;
         }
-        let struck = RigidBodyVelocity {
+        let pushed = RigidBodyVelocity {
             linvel: self.linvel + impulse * self.mprops.inv_mass,
             angvel: self.angvel + mul_inertia(&self.mprops.inv_inertia, torque_impulse),
         };
-        if !struck.is_usable() {
+        if !pushed.is_usable() {
             return refuse("the impulses on a rigid body", (impulse, torque_impulse));
         }
-        (self.linvel, self.angvel) = (struck.linvel, struck.angvel);
+        (self.linvel, self.angvel) = (pushed.linvel, pushed.angvel);
         self.wake_if(wake_up);
     }
 
@@ -130,7 +130,7 @@ impl RigidBody {
 }
 
 /// Forces for one step alone.
-#[allow(dead_code, reason = "those who push drive in 3D only")]
+#[allow(dead_code, reason = "only the 3D vehicle calls it")]
 impl RigidBody {
     /// Pushes the body throughout the next step, and in that step alone, with a world-space force and torque
     /// on its centre of mass. Pushes add up. The body does not wake.

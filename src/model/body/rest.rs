@@ -5,7 +5,7 @@ use super::{RigidBody, RigidBodyVelocity};
 use crate::base::measure::is_point;
 use crate::dim::math::{ANG_ZERO, Real, Rotation, Vector, ang_length_squared};
 use crate::model::check::is_saved_unit;
-use crate::model::island::turn_bound;
+use crate::model::island::rotation_bound;
 
 /// The pose of a body at the beginning of the current drift window, and its motion since.
 #[derive(Copy, Clone, Debug)]
@@ -21,7 +21,7 @@ pub(crate) struct RestPose {
     pub path: Drift,
 }
 
-/// A bound of the motion of a body: how far it is from its [`RestPose`], or how long its path is.
+/// A bound of the motion of a body: its distance from its [`RestPose`], or the length of its path.
 #[derive(Copy, Clone, Debug)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) struct Drift {
@@ -60,8 +60,8 @@ impl RestPose {
     /// Adds a step of the body to the path.
     ///
     /// The step counts with the mean of the velocities at its two ends. A velocity that alternates from step
-    /// to step, as in a trembling pile, therefore adds nothing, but a motion over several steps adds its
-    /// whole length.
+    /// to step, as in a trembling pile, therefore adds nothing. A motion over several steps adds its whole
+    /// length.
     pub fn extend_path(&mut self, body: &RigidBody, dt: Real) {
         let half = 0.5 * dt;
         let shift = (body.linvel + self.velocity.linvel).length() * half;
@@ -82,7 +82,7 @@ impl RestPose {
 
     /// The drift of the body since the start of the window.
     pub fn drift(&self, body: &RigidBody) -> Drift {
-        let angle = turn_bound(body.pose.rotation, self.rotation);
+        let angle = rotation_bound(body.pose.rotation, self.rotation);
         let shift = (body.mprops.world_com - self.center).length();
         Drift { distance: shift + angle * body.extent, angle }
     }

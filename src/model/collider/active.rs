@@ -87,8 +87,8 @@ bitflags::bitflags! {
     pub struct ActiveEvents: u32 {
         /// Events of two colliders that begin or stop to touch or intersect.
         const COLLISION_EVENTS = 1;
-        /// Events of every step in which the contact forces of a pair sum up to more than the collider's
-        /// threshold.
+        /// Events of every step in which the contact forces of a pair sum up to at least the collider's
+        /// threshold, and not to zero.
         const CONTACT_FORCE_EVENTS = 1 << 1;
     }
 }

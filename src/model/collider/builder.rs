@@ -57,7 +57,8 @@ pub struct ColliderBuilder {
     pub enabled: bool,
     /// Thickness (length units) of an invisible layer around the shape. 0 by default.
     pub contact_skin: Real,
-    /// Total contact force magnitude of a pair (force units) above which an event is sent. 0 by default.
+    /// Least total contact force magnitude of a pair (force units) with an event. A force of zero has none. 0
+    /// by default.
     pub contact_force_event_threshold: Real,
     /// The error of the shape's constructor, if it failed; `shape` is then a placeholder.
     impossible: Option<InvalidCollider>,
@@ -326,7 +327,8 @@ impl ColliderBuilder {
         self
     }
 
-    /// Sets the total contact force magnitude of a pair (force units) above which an event is sent.
+    /// Sets the least total contact force magnitude of a pair (force units) with an event. A force of zero
+    /// has none.
     pub fn contact_force_event_threshold(mut self, threshold: Real) -> Self {
         self.contact_force_event_threshold = threshold;
         self

@@ -226,7 +226,7 @@ mod tests {
     }
 
     #[test]
-    fn both_must_agree_unless_both_ask_for_the_or_test() {
+    fn both_must_agree_unless_both_have_the_or_test() {
         let a = InteractionGroups::new(Group::GROUP_1, Group::GROUP_2);
         let wanted_and_willing = InteractionGroups::new(Group::GROUP_2, Group::GROUP_1);
         let wanted_only = InteractionGroups::new(Group::GROUP_2, Group::GROUP_3);

@@ -5,8 +5,8 @@ use crate::model::body::RigidBodyType;
 
 /// Returns whether the two colliders can interact at any pose.
 ///
-/// False if they belong to the same body, if neither accepts the other's body type, if their groups do not
-/// interact, or if one is disabled. A collider without a body counts as fixed.
+/// False if they belong to the same body, or if one is disabled. Also false if neither accepts the other's
+/// body type, or if their groups do not interact. A collider without a body counts as fixed.
 pub(crate) fn may_interact(collider1: &Collider, collider2: &Collider) -> bool {
     let (flags1, flags2) = (&collider1.flags, &collider2.flags);
     if let (Some(body1), Some(body2)) = (collider1.parent(), collider2.parent())

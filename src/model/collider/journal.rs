@@ -3,11 +3,11 @@
 use crate::base::unique::unique_number;
 
 /// Smallest number of stored entries, independent of the number of colliders.
-const KEPT_MIN: usize = 1024;
+const ENTRIES_MIN: usize = 1024;
 
 /// Number of entries per collider. A reader that is farther behind visits all colliders, which is less work
 /// than to read more entries.
-const KEPT_PER_COLLIDER: usize = 2;
+const ENTRIES_PER_COLLIDER: usize = 2;
 
 /// The slots of colliders in the order of their insertion, removal, mutable access, or change of their box in
 /// the trees.
@@ -30,7 +30,7 @@ pub(crate) struct Bookmark {
 impl Journal {
     /// Notes a change. `count` is the number of colliders.
     pub fn note(&mut self, slot: u32, count: usize) {
-        if self.slots.len() >= KEPT_MIN + KEPT_PER_COLLIDER * count {
+        if self.slots.len() >= ENTRIES_MIN + ENTRIES_PER_COLLIDER * count {
             self.first += self.slots.len() as u64;
             self.slots.clear();
         }
@@ -72,10 +72,10 @@ impl Clone for Journal {
 
 #[cfg(test)]
 mod tests {
-    use super::{Bookmark, Journal, KEPT_MIN};
+    use super::{Bookmark, ENTRIES_MIN, Journal};
 
     #[test]
-    fn readers_hear_of_each_change_after_their_bookmark() {
+    fn readers_get_each_change_after_their_bookmark() {
         let mut journal = Journal::default();
         assert_eq!(journal.since(Bookmark::default()), None);
         let start = journal.end();
@@ -89,10 +89,10 @@ mod tests {
     }
 
     #[test]
-    fn who_is_too_far_behind_is_told_so() {
+    fn bookmarks_before_the_first_entry_are_outdated() {
         let mut journal = Journal::default();
         let start = journal.end();
-        for slot in 0..=KEPT_MIN as u32 {
+        for slot in 0..=ENTRIES_MIN as u32 {
             journal.note(slot, 0);
         }
         assert_eq!(journal.since(start), None);
@@ -102,7 +102,7 @@ mod tests {
     }
 
     #[test]
-    fn bookmarks_of_other_journals_are_not_believed() {
+    fn bookmarks_of_other_journals_are_refused() {
         let mut journal = Journal::default();
         journal.note(1, 1);
         let copy = journal.clone();

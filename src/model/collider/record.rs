@@ -192,8 +192,8 @@ impl Collider {
         self.contact_skin
     }
 
-    /// Total contact force magnitude of a pair (force units) above which an event is sent, if
-    /// [`ActiveEvents::CONTACT_FORCE_EVENTS`] is set.
+    /// Least total contact force magnitude of a pair (force units) with an event, if
+    /// [`ActiveEvents::CONTACT_FORCE_EVENTS`] is set. A force of zero has none.
     #[inline]
     pub fn contact_force_event_threshold(&self) -> Real {
         self.contact_force_event_threshold

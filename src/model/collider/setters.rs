@@ -155,7 +155,8 @@ impl Collider {
         }
     }
 
-    /// Sets the total contact force magnitude of a pair (force units) above which an event is sent.
+    /// Sets the least total contact force magnitude of a pair (force units) with an event. A force of zero
+    /// has none.
     pub fn set_contact_force_event_threshold(&mut self, threshold: Real) {
         if threshold >= 0.0 {
             self.contact_force_event_threshold = threshold;

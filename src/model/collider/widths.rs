@@ -93,7 +93,7 @@ impl Widths {
         let scales = normals.iter().map(|&normal| {
             let flat = self.axes * ((self.axes.inverse() * normal) * self.skeleton);
             let (room, needed) = (height(normal) - SKELETON_MARGIN * least, height(flat));
-            // Not if the skeleton is flat across the normal, and `needed` is no number.
+            // `needed` is NaN if the skeleton is flat across the normal. A comparison with NaN is false.
             if needed > room { room.max(0.0) / needed } else { 1.0 }
         });
         Self { skeleton: self.skeleton * scales.fold(1.0, Real::min), ..self }

@@ -31,7 +31,7 @@ pub(crate) struct ContactInput {
     pub tangent_velocity: WideVector<Lane>,
     /// Friction impulse with which to start, in world space.
     pub friction_impulse: WideVector<Lane>,
-    /// Twist impulse about the normal with which to start: none in the plane.
+    /// Torsional impulse about the normal with which to start: none in the plane.
     pub torsional_impulse: Lane,
     /// Friction impulses of the points with which to start, along the tangents: for friction per point.
     pub tangent_impulses: [[Lane; DIM - 1]; MAX_MANIFOLD_POINTS],

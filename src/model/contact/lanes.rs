@@ -25,10 +25,10 @@ use crate::model::island::NONE;
 use core::sync::atomic::{AtomicU32, Ordering};
 use std::sync::{Mutex, PoisonError};
 
-/// In a lane that is empty.
+/// Manifold of an empty lane.
 const NO_MANIFOLD: ManifoldRef = ManifoldRef { pair: u32::MAX, manifold: u32::MAX };
 
-/// A block's worth of manifolds.
+/// The manifolds of a block.
 #[derive(Clone, Debug)]
 pub(crate) struct LaneBlock {
     /// The manifolds of the lanes.
@@ -74,12 +74,12 @@ impl LaneBlock {
     }
 
     /// Returns whether a lane stores this manifold.
-    pub fn is_seated(&self, lane: usize, manifold: ManifoldRef) -> bool {
+    pub fn stores(&self, lane: usize, manifold: ManifoldRef) -> bool {
         self.members[lane] == manifold
     }
 
     /// Fills a lane from a manifold of a pair of bodies in these slots.
-    pub fn learn(&mut self, lane: usize, manifold: u32, pair: &ContactPair, slots: [u32; 2]) {
+    pub fn fill(&mut self, lane: usize, manifold: u32, pair: &ContactPair, slots: [u32; 2]) {
         let input = &mut self.input;
         let data = &pair.manifolds[manifold as usize].data;
         [self.slots[0][lane], self.slots[1][lane]] = slots;
@@ -114,7 +114,7 @@ impl LaneBlock {
 /// Writes a report to its manifold.
 fn write_back(report: &ContactReport, data: &mut ContactManifoldData) {
     if !report.is_sound() {
-        return data.forget_impulses();
+        return data.clear_impulses();
     }
     data.normal = report.normal();
     data.warmstart_friction = report.friction_impulse();
@@ -138,7 +138,7 @@ pub(crate) struct ContactLanes {
     pub reports: Vec<[ContactReport; LANES]>,
     /// Whether each point has its own friction.
     pub are_rough: bool,
-    /// By colour: its first block, if lanes stand in the order of the constraint graph and may be ahead of
+    /// By colour: its first block, if lanes are in the order of the constraint graph and may be ahead of
     /// their pairs; else nothing.
     starts: Vec<u32>,
     /// Number of blocks per colour, including empty ones.
@@ -204,7 +204,7 @@ impl ContactLanes {
     }
 
     /// Must all be filled again. None of them is ahead of its pair.
-    pub fn forget(&mut self) {
+    pub fn invalidate(&mut self) {
         debug_assert!(!self.has_pending_write_backs());
         self.blocks.clear();
     }
@@ -298,7 +298,7 @@ impl ContactLanes {
 
     /// The block and the lane of a manifold.
     fn find(&self, at: ManifoldRef, manifold: &ContactManifold) -> Option<(usize, usize)> {
-        self.place_of(manifold).filter(|&(block, lane)| self.blocks[block].is_seated(lane, at))
+        self.place_of(manifold).filter(|&(block, lane)| self.blocks[block].stores(lane, at))
     }
 
     /// The indices of the block and the lane of a manifold, unless the lane was reused.

@@ -185,8 +185,8 @@ impl ContactManifoldData {
     /// The impulse is then the stored one of the point.
     pub fn friction_impulse(&self, point: usize) -> Vector {
         let Some(contact) = self.points.get(point) else { return Vector::ZERO };
-        // A manifold with a friction impulse may still store those of points, from steps before a change of
-        // the model or the removal of a multibody joint. They no longer act.
+        // A manifold with a friction impulse may still store old impulses of points. They are from steps
+        // before a change of the model or the removal of a multibody joint, and no longer act.
         if self.warmstart_friction == Vector::ZERO {
             let own = tangents(self.normal).into_iter().zip(contact.warmstart_tangent_impulse);
             return own.map(|(tangent, impulse)| tangent * impulse).sum();
@@ -197,7 +197,7 @@ impl ContactManifoldData {
     }
 
     /// Clears the impulses, as for a new contact.
-    pub(crate) fn forget_impulses(&mut self) {
+    pub(crate) fn clear_impulses(&mut self) {
         self.warmstart_friction = Vector::ZERO;
         self.warmstart_torsion = 0.0;
         for point in &mut self.points {

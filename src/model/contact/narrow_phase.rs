@@ -79,7 +79,7 @@ impl NarrowPhase {
     }
 
     /// Resets the contact forces: reports of awake pairs are zero, and warm-start impulses are kept.
-    pub(crate) fn forget_step_impulses(&mut self) {
+    pub(crate) fn clear_step_impulses(&mut self) {
         self.write_back_all(Tasks::SERIAL);
         self.contacts.for_each_awake_pair(Tasks::SERIAL, |_, pair| {
             let manifolds = pair.manifolds.iter_mut();

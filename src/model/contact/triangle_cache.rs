@@ -1,7 +1,7 @@
 //! The pieces of a mesh around a body, kept from step to step.
 //!
 //! A body that slides over a mesh meets nearly the same triangles in each step, but they and their tree are
-//! spread over memory. Finding them took longer than all further work on them. They are therefore looked up
+//! spread over memory. Finding them took longer than all further work on them. They are therefore searched
 //! in a box that contains the body for some steps, and stored contiguously. The cache affects no result: it
 //! is filtered by the current box, in the order of the tree.
 

@@ -23,8 +23,8 @@ pub struct ContactForceEvent {
     pub max_force_direction: Vector,
     /// Magnitude of the largest force of one contact (mass · length / s²).
     pub max_force_magnitude: Real,
-    /// Whether the force exceeds the threshold for the first step: it did not in the step before, or the two
-    /// did not touch.
+    /// Whether this is the first step in which the force reaches the threshold. In the step before, it was
+    /// smaller, or the two did not touch.
     pub started: bool,
 }
 

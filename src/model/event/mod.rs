@@ -122,10 +122,10 @@ pub trait EventHandler: Send + Sync {
         contact_pair: Option<&ContactPair>,
     );
 
-    /// Called when the contact forces between two colliders sum up to more than the
+    /// Called when the contact forces between two colliders sum up to at least the
     /// `contact_force_event_threshold` of one that has
-    /// [`CONTACT_FORCE_EVENTS`](crate::model::collider::ActiveEvents::CONTACT_FORCE_EVENTS). `dt` is the
-    /// length of the step (s). The default implementation does nothing.
+    /// [`CONTACT_FORCE_EVENTS`](crate::model::collider::ActiveEvents::CONTACT_FORCE_EVENTS), and not to zero.
+    /// `dt` is the length of the step (s). The default implementation does nothing.
     fn handle_contact_force_event(
         &self,
         dt: Real,

@@ -76,7 +76,7 @@ mod tests {
     /// Kinematic bodies come first after any insertion and removal, and the returned positions keep all
     /// stored positions true.
     #[test]
-    fn kinematic_bodies_stand_first_and_all_are_told() {
+    fn kinematic_bodies_stand_first_and_links_are_updated() {
         let mut random = Random(71);
         let (mut awake, mut places) = (AwakeBodies::default(), [None; 40]);
         for _ in 0..2_000 {

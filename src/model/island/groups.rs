@@ -38,8 +38,8 @@ impl BodyGroups {
         self.groups.iter().map(Vec::as_slice).filter(|group| !group.is_empty())
     }
 
-    /// Checks that each body of a group is listed once and has that group, that no other body has one, and
-    /// that empty groups are free.
+    /// Checks that each body of a group is listed once and has that group. No other body may have one, and
+    /// empty groups must be free.
     pub fn check(&self) -> Result<(), Fault> {
         let mut is_free = vec![false; self.groups.len()];
         for &id in &self.free {

@@ -8,8 +8,7 @@ pub(crate) const NONE: u32 = u32::MAX;
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) struct BodyLink {
-    /// Position in the list of awake bodies, which is also the solver's body index; [`NONE`] for
-    /// fixed, sleeping and disabled bodies.
+    /// Position in the list of awake bodies; [`NONE`] for fixed, sleeping and disabled bodies.
     pub awake: u32,
     /// The island it belongs to; [`NONE`] for all but dynamic bodies that are enabled.
     pub island: u32,

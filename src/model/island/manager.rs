@@ -33,13 +33,13 @@ clone_in_place!(Island { bodies, is_cut, sleeping, split_at });
 /// Islands of the simulation: the awake bodies, and the bodies that fall asleep together.
 ///
 /// Every enabled dynamic body belongs to one island. Bodies of an island fall asleep together, once each of
-/// them has been slow for its
+/// them has been at rest for its
 /// [`time_until_sleep`](crate::model::body::RigidBodyActivation::time_until_sleep), and wake together.
 /// Sleeping bodies are free: no per-step loop visits them.
 #[derive(Debug, Default)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub struct IslandManager {
-    /// Awake dynamic and kinematic bodies. A body's position here is its index in the solver.
+    /// Awake dynamic and kinematic bodies.
     pub(crate) awake: AwakeBodies,
     /// All islands, with holes.
     islands: Vec<Island>,
@@ -54,7 +54,7 @@ pub struct IslandManager {
     pub(crate) groups: BodyGroups,
     /// Step count, for the time since an island was split.
     pub(crate) step: u32,
-    /// By body slot: how far the body moved in the last step.
+    /// By body slot: the motion of the body in the last step.
     pub(crate) motion: Vec<BodyMotion>,
     pub(crate) stamp: WorldStamp,
 }
@@ -166,20 +166,20 @@ impl IslandManager {
     }
 
     /// Marks the last motion as applied to all pairs.
-    pub(crate) fn forget_motion(&mut self) {
+    pub(crate) fn clear_motion(&mut self) {
         for position in 0..self.awake.len() {
             let slot = self.awake[position].into_raw_parts().0;
             self.set_motion(slot, BodyMotion::NONE);
         }
     }
 
-    /// By body slot, for at least so many: how far the body moved.
+    /// The motions of the bodies in the last step, for at least `slot_count` slots.
     pub(crate) fn motions_mut(&mut self, slot_count: usize) -> &mut [BodyMotion] {
         self.motion.resize(slot_count.max(self.motion.len()), BodyMotion::NONE);
         &mut self.motion
     }
 
-    /// Notes how far the body in a slot moved.
+    /// Stores the motion of the body in a slot.
     pub(crate) fn set_motion(&mut self, body_slot: u32, motion: BodyMotion) {
         let slot = body_slot as usize;
         if slot >= self.motion.len() {

@@ -9,4 +9,4 @@ mod motion;
 pub(crate) use groups::BodyGroups;
 pub(crate) use link::{BodyLink, NONE};
 pub use manager::IslandManager;
-pub(crate) use motion::{BodyMotion, turn_bound};
+pub(crate) use motion::{BodyMotion, rotation_bound};

@@ -1,12 +1,11 @@
-//! Bounds of how far bodies moved.
+//! Bounds of the motion of bodies.
 
 use crate::dim::math::{AngVector, Real, Rotation, Vector, ang_length_squared};
 
 /// Motion of a body's points in a step: the displacement `shift`, plus at most `rest`.
 ///
 /// Bodies that move together, as in a settling or sliding pile, hardly move relative to each other, and only
-/// that affects their contacts. With one number for each body these had to be looked at again nearly every
-/// step.
+/// that affects their contacts. With one number for each body these had to be checked nearly every step.
 #[derive(Copy, Clone, Debug, Default)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) struct BodyMotion {
@@ -39,7 +38,7 @@ impl BodyMotion {
         self.shift.length() + self.rest
     }
 
-    /// No point of the one moved farther than this against any of the other.
+    /// A bound of the relative displacement of any two points of the two bodies.
     #[inline]
     pub fn against(&self, other: &Self) -> Real {
         (self.shift - other.shift).length() + self.rest + other.rest
@@ -49,12 +48,12 @@ impl BodyMotion {
 /// A rotation moves no unit vector farther than this factor times its largest displacement of a coordinate
 /// axis. At least one axis is at 54.7 degrees or more from the axis of rotation, and 1 / sin 54.7° is the
 /// square root of 3/2.
-const TURN_BOUND: Real = 1.225;
+const ROTATION_BOUND_FACTOR: Real = 1.225;
 
-/// A bound of how far two rotations take a unit vector apart.
-pub(crate) fn turn_bound(a: Rotation, b: Rotation) -> Real {
+/// A bound of the distance of a unit vector's images under two rotations.
+pub(crate) fn rotation_bound(a: Rotation, b: Rotation) -> Real {
     let apart = Vector::AXES.map(|axis| (a * axis - b * axis).length_squared());
-    TURN_BOUND * apart.into_iter().fold(0.0, Real::max).sqrt()
+    ROTATION_BOUND_FACTOR * apart.into_iter().fold(0.0, Real::max).sqrt()
 }
 
 #[cfg(test)]
@@ -63,8 +62,8 @@ mod tests {
     use crate::base::random::Random;
     use crate::dim::math::{Pose, Rotation, Vector, integrate_rotation, torque};
 
-    /// Points of two bodies that move and turn at random come no nearer to each other, and no farther apart,
-    /// than the bound says.
+    /// Points of two bodies with random displacements and rotations change their distance by at most the
+    /// bound.
     #[test]
     fn no_point_moves_farther_than_the_bound() {
         let mut random = Random(54);

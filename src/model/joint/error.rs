@@ -86,7 +86,7 @@ pub enum InvalidJoint {
     },
     /// Neither body is dynamic, so they cannot move relative to each other.
     #[error("neither {body1:?} nor {body2:?} is dynamic")]
-    NobodyDynamic {
+    NoDynamicBody {
         /// The first body.
         body1: RigidBodyHandle,
         /// The second body.

@@ -120,13 +120,13 @@ impl ImpulseJoint {
     }
 
     /// Clears impulses and turns, which belonged to other bodies.
-    pub(super) fn forget_past(&mut self) {
+    pub(super) fn clear_history(&mut self) {
         self.angles = None;
-        self.forget_impulses();
+        self.clear_impulses();
     }
 
     /// Clears all impulses, so that the next step starts with zeros.
-    pub(crate) fn forget_impulses(&mut self) {
+    pub(crate) fn clear_impulses(&mut self) {
         self.impulses = [0.0; SPATIAL_DIM];
         (self.force, self.torque) = (Vector::ZERO, ANG_ZERO);
         self.data.limits.iter_mut().for_each(|limits| limits.impulse = 0.0);

@@ -169,7 +169,7 @@ impl JointLinks {
         }
     }
 
-    /// Checks that each joint stands in its slot and, once per end, in the lists of its bodies. Then the sum
+    /// Checks that each joint is in its slot and, once per end, in the lists of its bodies. Then the sum
     /// of the lengths proves that the lists hold nothing else.
     pub fn check(&self) -> Result<(), Fault> {
         let mut count = 0;

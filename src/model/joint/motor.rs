@@ -25,8 +25,8 @@ impl MotorModel {
     ///
     /// ```
     /// # use rapier3d::prelude::*;
-    /// let (rate, yields, _) = MotorModel::AccelerationBased.combine_coefficients(0.1, 100.0, 10.0);
-    /// assert_eq!((rate, yields), (5.0, 0.5)); // k / (dt k + c), 1 / (dt (dt k + c))
+    /// let (rate, compliance, _) = MotorModel::AccelerationBased.combine_coefficients(0.1, 100.0, 10.0);
+    /// assert_eq!((rate, compliance), (5.0, 0.5)); // k / (dt k + c), 1 / (dt (dt k + c))
     /// ```
     pub fn combine_coefficients(
         self,

@@ -146,7 +146,7 @@ impl MultibodyJoint {
         }
     }
 
-    /// Sets the coordinates to those with which the link stands nearest to `link`, a pose in the frame of the
+    /// Sets the coordinates with which the link is nearest to `link`, a pose in the frame of the
     /// parent's body. Among equivalent angles, the closest to the old ones is selected.
     pub(crate) fn read_pose(&mut self, link: &Pose) {
         let (frame1, frame2) = (self.data.local_frame1, self.data.local_frame2);

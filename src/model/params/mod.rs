@@ -82,7 +82,7 @@ pub struct IntegrationParameters {
     pub joint_erp: Real,
     /// The same as [`Self::damping_ratio`], for joints (0 or more, default 0).
     pub joint_damping_ratio: Real,
-    /// Overlap that is left alone (length units, default 0.001).
+    /// Overlap that is not corrected (length units, default 0.001).
     ///
     /// A resting contact that stays slightly inside does not begin and end all the time. With a value
     /// of 0 piles tremble; with a value near the size of the bodies they visibly sink in.

@@ -12,7 +12,7 @@ pub(crate) struct ContactPass {
     pub softness: Softness,
     /// Largest velocity at which overlap is corrected (length/s).
     pub push_velocity_max: Real,
-    /// Overlap that is left alone (length).
+    /// Overlap that is not corrected (length).
     pub allowed_error: Real,
     /// Whether this is the last iteration of the constraints in the substep. Then its impulses are the
     /// substep's, and count into those of the step.

@@ -16,7 +16,7 @@
 //! v + (β/h) C + (σ/m) λ = 0      with   β = h k / (c + h k)   and   σ = m / (h (c + h k))
 //! ```
 //!
-//! All of it is two numbers without a unit. The fraction `β` of the error is what a substep aims to remove.
+//! All of it is two numbers without a unit. A substep aims to remove the fraction `β` of the error.
 //! The *compliance* `σ` is the relative motion under load. An impulse that would change the free relative
 //! velocity by `λ/m` moves the constraint at `σ` times that. The impulse that satisfies the equation, given
 //! the `λ` so far:

@@ -6,7 +6,7 @@ use crate::model::body::RigidBodyHandle;
 use crate::model::joint::JointLink;
 
 impl Structure<'_> {
-    /// Takes in a joint. Its bodies must be there, and its slot empty.
+    /// Registers a joint. Its bodies must exist, and its slot must be empty.
     pub fn add_joint(&mut self, link: JointLink) {
         let slot = link.handle.into_raw_parts().0;
         let attached = link.attached;

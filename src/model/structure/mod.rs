@@ -89,12 +89,12 @@ impl Structure<'_> {
         let Some(body) = self.bodies.get_unnoted_mut(handle) else { return };
         let unlisted = BodyLink::of_slot(handle.into_raw_parts().0);
         let link = core::mem::replace(&mut body.link, unlisted);
-        self.forget_bodies(&mut [(handle, link)]);
+        self.unregister_bodies(&mut [(handle, link)]);
     }
 
     /// Takes bodies that are gone from their set out of all lists. Each is paired with its last positions in
     /// the lists.
-    pub fn forget_bodies(&mut self, removed: &mut [(RigidBodyHandle, BodyLink)]) {
+    pub fn unregister_bodies(&mut self, removed: &mut [(RigidBodyHandle, BodyLink)]) {
         for (handle, link) in removed.iter_mut() {
             self.islands.set_motion(handle.into_raw_parts().0, BodyMotion::NONE);
             self.verify_link(*handle, link);

@@ -17,7 +17,7 @@ impl Structure<'_> {
         self.update_colors(id);
     }
 
-    /// A pair no longer touches, or is about to go.
+    /// A pair no longer touches, or will be removed.
     pub fn detach(&mut self, id: PairId) {
         let slots = self.narrow_phase.contacts.bodies(id);
         let pair = &mut self.narrow_phase.contacts[id];
@@ -53,7 +53,7 @@ impl Structure<'_> {
         }
     }
 
-    /// Takes a manifold out of the constraint graph, if it is there.
+    /// Removes a manifold from the constraint graph, if it is in it.
     pub fn uncolor(&mut self, manifold: ManifoldRef) {
         let bodies = self.narrow_phase.contacts.bodies(manifold.pair);
         let manifolds = &self.narrow_phase.contacts[manifold.pair].manifolds;

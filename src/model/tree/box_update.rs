@@ -45,12 +45,12 @@ pub(crate) enum MovedProxy {
     /// It left its box in this tree, and has a new one, with which the tree must be
     /// [updated](BroadPhaseBvh::put).
     Leaves(TreeKind, Aabb),
-    /// In a tree where it should not be, or in none, rightly or not: it must [follow](BroadPhaseBvh::follow).
+    /// Possibly in the wrong tree, or in none: it must [follow](BroadPhaseBvh::follow).
     IsElsewhere,
 }
 
-/// Gives a collider that its body has carried beyond its box another one. `None` if it is in its box, or is
-/// to have none. Looks at no tree, so that many can be carried at once.
+/// Makes a new box for a collider that its body has carried beyond its box. `None` if it is in its box, or
+/// must have none. Reads no tree, so that many can be carried in parallel.
 pub(crate) fn carry(
     collider: &mut Collider,
     body: &RigidBody,

@@ -21,9 +21,9 @@ impl BroadPhaseBvh {
         Ok(())
     }
 
-    /// Checks the data that the pair search reads of a collider: the size of its box, whether it is a sensor,
-    /// and its groups and types. Only the size is known of a collider with edits.
-    pub(crate) fn check_wishes(&self, collider: &Collider) -> Result<(), Fault> {
+    /// Checks the data of a collider that the pair search reads: the size of its box, the sensor flag, its
+    /// groups and types. Only the size is known of a collider with edits.
+    pub(crate) fn check_filters(&self, collider: &Collider) -> Result<(), Fault> {
         let (slot, tree) = (collider.proxy.slot, collider.proxy.tree);
         let size = exponent(collider.proxy.fat_aabb.extents().max_element());
         let known = self.size(slot);

@@ -17,9 +17,9 @@ const STEPS_AHEAD: Real = 2.0;
 /// The margin ahead is limited to this many half extents. A faster collider leaves its box in every step
 /// anyway, and a long box would only find more neighbours.
 const MOTION_MARGIN_FRACTION_MAX: Real = 0.5;
-/// The world ends here (length units). The trees compute products of three such lengths and the number of
-/// leaves, which stay within `f32`. So do the fourth powers in contact generation.
-const BOX_LIMIT: Real = 1.0e10;
+/// Largest coordinate of a box (length units). The trees compute products of three such lengths and the
+/// number of leaves, which stay within `f32`. So do the fourth powers in contact generation.
+const COORDINATE_MAX: Real = 1.0e10;
 /// A box this large represents an infinite one, as of a half-space, and is cut at the limit.
 const UNBOUNDED: Real = Real::MAX * 0.25;
 
@@ -38,7 +38,7 @@ impl BoxMargin {
     pub fn needed(&self, tight: &Aabb) -> Option<Aabb> {
         let size = tight.mins.abs().max(tight.maxs.abs()).max_element();
         let is_finite = tight.mins.is_finite() && tight.maxs.is_finite() && self.reach.is_finite();
-        if !is_finite || (size > BOX_LIMIT && size < UNBOUNDED) {
+        if !is_finite || (size > COORDINATE_MAX && size < UNBOUNDED) {
             return None;
         }
         Some(limited(tight.loosened(self.reach.max(0.0))))
@@ -61,6 +61,6 @@ impl BoxMargin {
 
 /// The box within the limits of the world.
 fn limited(aabb: Aabb) -> Aabb {
-    let limit = Vector::splat(BOX_LIMIT);
+    let limit = Vector::splat(COORDINATE_MAX);
     Aabb::new(aabb.mins.clamp(-limit, limit), aabb.maxs.clamp(-limit, limit))
 }

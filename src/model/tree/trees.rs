@@ -7,14 +7,13 @@ use parry::bounding_volume::Aabb;
 
 /// Below this number of boxes the order of insertion does not matter.
 const REBUILD_MIN: usize = 64;
-/// A tree is rebuilt when its boxes have been put elsewhere, or had those above them grow, this often, on
-/// average.
-const REBUILD_WEAR: usize = 8;
+/// Average number of moves per box, including growth of the boxes above it, at which a tree is rebuilt.
+const MOVES_PER_BOX_MAX: usize = 8;
 
 /// The boxes of all kinds.
 pub(crate) type AllBoxes<'a> = [&'a BoxTree; TreeKind::ALL.len()];
 
-/// Boxes of colliders, by slot. Each stands in one tree.
+/// Boxes of colliders, by slot. Each is in one tree.
 #[derive(Debug, Default)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) struct Trees {
@@ -26,7 +25,7 @@ pub(crate) struct Trees {
 
 clone_in_place!(Trees { trees, scratch });
 
-/// One tree and how much it grew.
+/// One tree and its growth.
 #[derive(Debug, Default)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 struct Tree {
@@ -56,7 +55,7 @@ impl Trees {
         self.trees[kind as usize].boxes.insert(aabb, slot);
     }
 
-    /// Takes a slot out, wherever it stands.
+    /// Removes a slot from all trees.
     pub fn remove(&mut self, slot: u32) {
         self.trees.iter_mut().for_each(|tree| tree.boxes.remove(slot));
     }
@@ -66,7 +65,7 @@ impl Trees {
     pub fn tidy(&mut self) {
         for Tree { boxes, built } in &mut self.trees {
             let count = boxes.len();
-            let is_worn = boxes.wear() > REBUILD_WEAR * count;
+            let is_worn = boxes.wear() > MOVES_PER_BOX_MAX * count;
             if count >= REBUILD_MIN && (count / 2 > *built || is_worn) {
                 boxes.rebuild(&mut self.scratch);
                 *built = count;

@@ -16,7 +16,7 @@ use crate::model::multibody::Multibody;
 /// The rotation (rad) of a link in a step beyond which its contact rows are made in each substep: rows are
 /// made when the step begins. (Four hundred rods on long arms were thrown on the ground. Eighteen gained
 /// energy, up to a factor of two, when the angle of a substep was compared, and none with that of a step.)
-const CONTACT_TURN_MAX: Real = 0.1;
+const CONTACT_ANGLE_MAX: Real = 0.1;
 /// The largest angle (rad) that a joint rotates in a substep with a non-converged piece.
 const JOINT_ANGLE_MAX: Real = 0.5;
 /// Joints that rotate by a larger angle (rad) in a substep are not limited: the input is beyond the simulated
@@ -63,7 +63,7 @@ impl Motion {
     /// Returns whether a link rotates so far in `dt` seconds that its contacts change.
     pub fn turns_far(&mut self, dt: Real) -> bool {
         let turns_far = |v: &SpatialVector| {
-            ang_length_squared(angular(v)) * dt * dt > CONTACT_TURN_MAX * CONTACT_TURN_MAX
+            ang_length_squared(angular(v)) * dt * dt > CONTACT_ANGLE_MAX * CONTACT_ANGLE_MAX
         };
         self.has_diverged || self.link_velocities().iter().any(turns_far)
     }

@@ -1,8 +1,8 @@
 //! Free motion: the effect of inertia on the velocities while the links move.
 //!
 //! # Pieces
-//! A substep of `h` seconds is divided into `n` equal pieces, so that no link turns by more than
-//! [`TURN_PER_PIECE`] in a piece. With the inertial forces `-C q̇` and the piece `p = h / n`:
+//! A substep of `h` seconds is divided into `n` equal pieces, so that no link rotates by more than
+//! [`ANGLE_PER_PIECE_MAX`] in a piece. With the inertial forces `-C q̇` and the piece `p = h / n`:
 //!
 //! ```text
 //! q̇½ = q̇ - ½ p M̃⁻¹ C(q, q̇½) q̇½        implicit: by fixed-point iteration
@@ -49,14 +49,14 @@ use crate::model::multibody::Multibody;
 /// Least and greatest number of iterations of the implicit half.
 const ITERATIONS_MIN: usize = 3;
 const ITERATIONS_MAX: usize = 8;
-/// The iteration stops when it changes less than this fraction of the first change.
-const CONVERGENCE: Real = 1.0e-3;
+/// Largest change of a converged iteration, as a fraction of the first change.
+const CONVERGED_FRACTION_MAX: Real = 1.0e-3;
 /// The iteration diverges if it changes more than this fraction of the change before.
 const CONTRACTION_MAX: Real = 0.5;
-/// A half that changes the velocities by less than this fraction converges.
-const SMALL_CHANGE: Real = 0.05;
+/// Least fraction of the velocities that a half without convergence may change.
+const CHANGE_FRACTION_MIN: Real = 0.05;
 /// The largest angle (rad) that a link rotates in a piece, up to [`PIECES_MAX`] pieces.
-const TURN_PER_PIECE: Real = 0.1;
+const ANGLE_PER_PIECE_MAX: Real = 0.1;
 /// The largest number of pieces of a substep, which bounds the cost of a fast substep.
 const PIECES_MAX: usize = 8;
 /// A second half that leaves more than this multiple of the energy is not accepted.
@@ -102,12 +102,12 @@ impl Motion {
         let turn = |most: Real, v: &_| most.max(ang_length_squared(angular(v)));
         let fastest = self.link_velocities().iter().fold(0.0, turn).sqrt();
         // NaN and infinity become the nearest bound.
-        ((fastest * h / TURN_PER_PIECE).ceil() as usize).clamp(1, PIECES_MAX)
+        ((fastest * h / ANGLE_PER_PIECE_MAX).ceil() as usize).clamp(1, PIECES_MAX)
     }
 
-    /// Moves the links for `h` seconds at their velocities, and turns these to those of the substep's end. No
-    /// link gets faster than `speed_max`. Before each piece `note` is called with its length (s). Returns by
-    /// how much the kinetic energy changed.
+    /// Moves the links for `h` seconds, and updates their velocities to the substep's end. No link gets
+    /// faster than `speed_max`. Before each piece `note` is called with its length (s). Returns the change of
+    /// the kinetic energy.
     pub fn advance(
         &mut self,
         multibody: &mut Multibody,
@@ -197,7 +197,7 @@ impl Motion {
         let size =
             |list: &[Real]| list.iter().fold(0.0, |most: Real, number| most.max(number.abs()));
         let mut converges = true;
-        if size(&change) > SMALL_CHANGE * size(&self.rates) {
+        if size(&change) > CHANGE_FRACTION_MIN * size(&self.rates) {
             let mut next = self.copy_of_rates();
             self.inertial_kick(h, &mut next);
             add_all(&mut next, &change, -1.0);
@@ -360,10 +360,12 @@ impl Motion {
             if iteration == 1 {
                 first = next;
             }
-            if next <= rounding || (iteration >= ITERATIONS_MIN && next <= CONVERGENCE * first) {
+            if next <= rounding
+                || (iteration >= ITERATIONS_MIN && next <= CONVERGED_FRACTION_MAX * first)
+            {
                 return true;
             }
-            // Nor do they if something is no number.
+            // A comparison with NaN is false, so NaN does not converge.
             let comes_nearer = next <= CONTRACTION_MAX * moved;
             if !comes_nearer {
                 return false;

@@ -150,7 +150,7 @@ impl Motion {
         if multibody.links.iter().any(|link| velocity(link) != link.seen_velocity) {
             self.take_momenta(|id, frame| {
                 let link = &multibody.links[id];
-                // A body that was at rest when it became a link says nothing: the user may have set the
+                // The zero velocity of a body that became a link does not count: the user may have set the
                 // joint's velocity.
                 let velocity =
                     velocity(link).filter(|v| link.seen_velocity.is_some() || !v.is_zero());

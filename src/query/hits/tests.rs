@@ -123,12 +123,12 @@ fn rays_from_far_away_keep_their_digits() {
                 let ray = Ray::new(Vector::Y * aside - Vector::X * distance, Vector::X * speed);
                 let time = time_of_impact(&ball, &Pose::IDENTITY, &ray, Real::MAX, true);
                 let error = (time.expect("it hits") * speed - (distance - chord)).abs();
-                // Roots near the rim are worth the square root of what they are made of.
+                // Roots near the rim have the square root of the accuracy of their arguments.
                 let tolerance = 4.0 * Real::EPSILON * distance + 1.0e-5;
                 assert!(error <= tolerance, "{error} from {distance} at {speed}");
             }
         }
-        // Directions whose squares are no numbers may lose a hit, and find none that is not there.
+        // Directions with squares outside the range of numbers may lose a hit, but have no false hit.
         for speed in [1.0, Real::MAX.sqrt() * 10.0, Real::MIN_POSITIVE.sqrt()] {
             let beside = Ray::new(Vector::Y * 0.51 - Vector::X * distance, Vector::X * speed);
             assert_eq!(time_of_impact(&ball, &Pose::IDENTITY, &beside, Real::MAX, true), None);
@@ -139,7 +139,7 @@ fn rays_from_far_away_keep_their_digits() {
 fn distance(pose12: &Pose, shape1: &dyn Shape, shape2: &dyn Shape) -> Real {
     let ((core1, layer1), (core2, layer2)) = (core(shape1), core(shape2));
     let found = DefaultQueryDispatcher.distance(pose12, core1, core2);
-    found.expect("parry knows the distance of convex shapes").distance - layer1 - layer2
+    found.expect("parry computes the distance of convex shapes").distance - layer1 - layer2
 }
 
 /// parry's search has tolerances near round surfaces, so it is applied to their cores.

@@ -12,7 +12,7 @@ use parry::shape::Shape;
 
 /// Touching distance, as a fraction of the smaller shape's size.
 const TOUCH_TOLERANCE: Real = 1.0e-4;
-/// And within how many digits of where they are.
+/// Relative rounding error of the positions.
 const ROUNDING: Real = 32.0 * Real::EPSILON;
 
 /// The first touch of two shapes between two times, and when it is.

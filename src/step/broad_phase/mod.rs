@@ -27,7 +27,7 @@ use crate::model::tree::BroadPhaseBvh;
 pub(crate) use search::NeighborLimits;
 use search::{Search, SearchResult};
 
-/// Colliders that are worth handing over to another thread together.
+/// Number of colliders per parallel task.
 const COLLIDERS_PER_TASK: usize = 16;
 
 /// Buffers that are reused from step to step.
@@ -72,11 +72,12 @@ impl KnownPairs for NarrowPhase {
     }
 }
 
-/// SearchResult the pairs of colliders whose fat AABBs began to overlap.
+/// Finds the pairs of colliders whose fat AABBs began to overlap.
 ///
-/// Only colliders with a new box search for partners, and find the others. The result excludes `known` pairs,
-/// and pairs that cannot interact: colliders of one body, and pairs that their groups or body types exclude.
-/// `scratch.pairs` contains the result: the collider with the lower slot first, in the order of the slots.
+/// Colliders with a new box search for partners. Colliders at rest near them with the maximum number of
+/// partners search in a second pass. The result excludes `known` pairs, and pairs that cannot interact:
+/// colliders of one body, and pairs that their groups or body types exclude. `scratch.pairs` contains the
+/// result: the collider with the lower slot first, in the order of the slots.
 ///
 /// Colliders with more candidates than they may own (`most`) search again in the next step. Returns their
 /// number.

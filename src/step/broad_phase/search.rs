@@ -14,8 +14,8 @@ use crate::model::tree::{BroadPhaseBvh, TreeKind};
 #[derive(Default)]
 pub(super) struct SearchResult {
     pub pairs: Vec<HandlePair>,
-    /// Colliders that did not move and own the maximum of pairs, so that they must select their partners
-    /// again.
+    /// Colliders that did not move and have at least the maximum number of partners, so that they must select
+    /// their partners again.
     pub unmoved: Vec<u32>,
     /// Colliders with more candidates than they may own: of solids, and with sensors.
     pub refused: [Vec<u32>; 2],
@@ -81,7 +81,7 @@ pub(super) struct Search<'a, K> {
 
 /// The searching collider.
 #[derive(Copy, Clone)]
-struct Seeker<'a> {
+struct SearchingCollider<'a> {
     slot: u32,
     handle: ColliderHandle,
     collider: &'a Collider,
@@ -102,7 +102,7 @@ impl<K: KnownPairs> Search<'_, K> {
                 if !self.tree.may_meet_any(collider.collision_groups()) {
                     continue;
                 }
-                self.find_partners(Seeker { slot, handle, collider, kind }, &mut found);
+                self.find_partners(SearchingCollider { slot, handle, collider, kind }, &mut found);
             }
             results.put(found);
         });
@@ -117,27 +117,31 @@ impl<K: KnownPairs> Search<'_, K> {
     }
 
     /// Adds the new pairs of one collider. Nearly all results are known pairs.
-    fn find_partners(&self, seeker: Seeker<'_>, found: &mut SearchResult) {
+    fn find_partners(&self, searching: SearchingCollider<'_>, found: &mut SearchResult) {
         for kind in Kind::ALL {
             found.owned[kind.index()].clear(self.most.of_kind(kind));
         }
         found.known.clear();
-        let partners = self.known.partners(seeker.slot);
-        let all = partners.iter().chain(self.known.sensed(seeker.slot));
+        let partners = self.known.partners(searching.slot);
+        let all = partners.iter().chain(self.known.sensed(searching.slot));
         all.for_each(|&slot| found.known.mark(slot));
-        found.known.mark(seeker.slot);
+        found.known.mark(searching.slot);
         for other_kind in TreeKind::ALL {
-            if !self.tree.may_meet(seeker.kind, other_kind) {
+            if !self.tree.may_meet(searching.kind, other_kind) {
                 continue;
             }
-            let is_movable = seeker.kind.is_movable() && other_kind.is_movable();
-            self.tree.for_each_overlapping(other_kind, &seeker.collider.proxy.fat_aabb, |other| {
-                if !found.known.has(other) {
-                    self.meet(seeker, other, is_movable, found);
-                }
-            });
+            let is_movable = searching.kind.is_movable() && other_kind.is_movable();
+            self.tree.for_each_overlapping(
+                other_kind,
+                &searching.collider.proxy.fat_aabb,
+                |other| {
+                    if !found.known.has(other) {
+                        self.meet(searching, other, is_movable, found);
+                    }
+                },
+            );
         }
-        Kind::ALL.into_iter().for_each(|kind| self.take_nearest(seeker.slot, kind, found));
+        Kind::ALL.into_iter().for_each(|kind| self.take_nearest(searching.slot, kind, found));
     }
 
     /// Adds the pairs of a kind that a collider owns, up to the maximum.
@@ -165,12 +169,12 @@ impl<K: KnownPairs> Search<'_, K> {
     #[inline]
     fn meet(
         &self,
-        seeker: Seeker<'_>,
+        searching: SearchingCollider<'_>,
         other_slot: u32,
         is_movable: bool,
         found: &mut SearchResult,
     ) {
-        let Seeker { slot, handle, collider, .. } = seeker;
+        let SearchingCollider { slot, handle, collider, .. } = searching;
         let owns = self.tree.owns(slot, other_slot);
         // If both moved, each finds the other.
         if !owns && (self.only_owned || self.tree.is_moved(other_slot)) {

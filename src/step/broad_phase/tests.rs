@@ -123,7 +123,7 @@ fn movable_colliders_find_each_other_and_the_fixed() {
         (second, third),
     ];
     assert_eq!(boxes.find(), expected);
-    assert_eq!(boxes.find(), [], "nobody moved");
+    assert_eq!(boxes.find(), [], "no body moved");
     boxes.put(third, Vector::splat(0.5));
     assert_eq!(boxes.find(), [(ground, third), (wall, third)], "the others are known");
 }
@@ -161,7 +161,11 @@ fn fixed_colliders_meet_on_request() {
     boxes.search_again(second);
     assert_eq!(boxes.find(), [(first, second)]);
     let third = boxes.cube(Vector::ZERO, None);
-    assert_eq!(boxes.find(), [(second, third)], "the one that asked is found by the one that came");
+    assert_eq!(
+        boxes.find(),
+        [(second, third)],
+        "the new collider finds the one that allows the pair"
+    );
 }
 
 #[test]
@@ -204,7 +208,7 @@ fn a_slow_motion_is_noticed_when_it_adds_up() {
         boxes.find();
     }
     assert!(boxes.known.contains(&(ground.into_raw_parts().0, first.into_raw_parts().0)));
-    assert!(x > 1.02 && updates < 60, "found at {x} after {updates} looks at the box");
+    assert!(x > 1.02 && updates < 60, "found at {x} after {updates} updates of the box");
 }
 
 #[test]
@@ -264,7 +268,7 @@ fn a_crowd_has_as_many_pairs_as_it_may() {
         assert!(owned.clone().all(|(low, _)| cubes[k.saturating_sub(PAIRS_MAX)..k].contains(low)));
     }
     assert_eq!(boxes.find(), [], "nothing new");
-    assert_eq!(boxes.crowded.solids, 100 - 1 - PAIRS_MAX, "but they looked");
+    assert_eq!(boxes.crowded.solids, 100 - 1 - PAIRS_MAX, "the search still counts them");
     // Two owned pairs are gone: the next nearest replace them.
     let last = cubes[99];
     for gone in [cubes[98], cubes[97]] {

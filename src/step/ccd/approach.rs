@@ -79,7 +79,7 @@ impl KinematicMotion {
         BodyMotion { rest: carried.rest + linearization_error, ..carried }
     }
 
-    /// A bound of how far away a point is that arrives within `radius` of a place.
+    /// A bound of the distance of points that arrive within `radius` of a place.
     fn reach(&self, place: Vector, radius: Real) -> Real {
         let length = self.shift.length();
         let angle = ang_length_squared(self.rotvec).sqrt();

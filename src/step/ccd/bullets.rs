@@ -32,7 +32,7 @@ pub(super) struct Bullets {
     /// Fast bodies with their pairs.
     pairs_of: Vec<(u32, u32)>,
     queue: BinaryHeap<Impact>,
-    /// By the first of each group of fast bodies: how often the group was stopped.
+    /// By the first of each group of fast bodies: the number of stops of the group.
     stopped: Vec<u32>,
 }
 

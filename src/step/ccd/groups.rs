@@ -33,7 +33,7 @@ impl Groups {
         self.firsts.extend(0..context.fast.len() as u32);
         let mut last_link = None;
         for (position, motion) in (0..).zip(context.fast) {
-            // Links of one multibody stand side by side.
+            // Links of one multibody are adjacent.
             let tree = motion.link.map(|(tree, _)| tree);
             if tree.is_some() && tree == last_link {
                 self.join(position, position - 1);

@@ -16,8 +16,8 @@ use crate::step::notes::FastMotion;
 use core::ops::Range;
 
 /// Largest distance of a link from its segment, as a fraction of the thickness of the thinnest fast link. It
-/// is less than the gap that the search leaves between a core and the other shape, or a stopped link could
-/// have its middle inside.
+/// is less than the gap that the search leaves between a core and the other shape. Otherwise a stopped link
+/// could have its middle inside.
 const CHORD_DEVIATION_MAX: Real = 0.01;
 
 /// The segments of all links of fast multibodies.
@@ -154,8 +154,8 @@ fn gone(fraction: Real, pieces: usize) -> Real {
     if fraction <= last { fraction } else { (fraction + fraction - last).min(1.0) }
 }
 
-/// The thickness of the thinnest of these links that is fast; of one without an inside, how near contacts are
-/// looked for.
+/// The thickness of the thinnest fast link. For a link without an inside, the distance at which contacts are
+/// searched.
 fn thickness(context: CcdContext<'_>, links: &[FastMotion]) -> Real {
     let bodies = links.iter().filter_map(|motion| context.bodies.get(motion.body));
     let fast = bodies.filter(|body| body.ccd_active).map(|body| {

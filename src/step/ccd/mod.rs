@@ -62,7 +62,7 @@ use path::{NonDynamicFilter, Path, sweep_of};
 use ride::{Rides, Stop};
 use sensors::SensorCrossing;
 
-/// Fast bodies that are worth being searched for by another thread.
+/// Number of fast bodies per parallel search task.
 const BODIES_PER_TASK: usize = 2;
 
 /// Buffers that are reused from step to step.

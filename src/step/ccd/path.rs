@@ -80,7 +80,7 @@ impl Search<'_> {
 }
 
 impl<'a> Path<'a> {
-    /// The path of the solid colliders of the fast body at a position, as far as it is executed.
+    /// The executed path of the solid colliders of the fast body at a position.
     pub fn of(search: Search<'a>, position: usize, stop: Real) -> Option<Self> {
         Self::of_all(search, position, stop).map(Self::of_solids)
     }

@@ -15,7 +15,7 @@
 //! The ride is searched as every path. A fixed collider on the path ends the ride; the body stops there.
 //! While a body is stopped, moving kinematic colliders are searched for, and the first one carries it on. A
 //! blade thus takes along a ball that landed on the floor earlier in the same step. At most [`SEGMENTS_MAX`]
-//! rides and stands follow each other.
+//! rides and stops follow each other.
 //!
 //! A body between a fixed collider and a kinematic one stops at the fraction of the step at which it is
 //! caught. No position is outside both rigid bodies. The body never passes the fixed one, and the kinematic
@@ -186,7 +186,7 @@ impl Ride {
         has_moved.then_some(ride)
     }
 
-    /// Adds the segment on a moving collider, or the segment of a stopped body. Returns what ends it; `None`
+    /// Adds the segment on a moving collider, or the segment of a stopped body. Returns its end; `None`
     /// if a ride ends as it begins.
     fn go_on(
         &mut self,
@@ -260,8 +260,8 @@ impl Ride {
     }
 }
 
-/// Pose at the end of the step of an object at `start` after a fraction of the step that moves with a carrier
-/// from then on.
+/// Pose at the end of the step of an object at `start` after a fraction of the step. From then on it moves
+/// with a carrier.
 fn carried(carrier: &Sweep<'_>, fraction: Real, start: &Pose) -> Pose {
     let relative = carrier.at(fraction).inv_mul(start);
     let end = carrier.at(1.0) * relative;

@@ -1,7 +1,7 @@
 //! # Events: calls of the user's event handler
 //!
 //! Reads:   notes of begun and ended contacts, broken joints and quarantined bodies; impulses
-//! Writes:  the flags of pairs above their force threshold; calls of the user's handler
+//! Writes:  the flags of pairs that reach their force threshold; calls of the user's handler
 //! Runs:    serial, in the order of the colliders; forces in that of the pairs
 //! Never:   changes a body, a collider or the structure
 

@@ -11,7 +11,7 @@ const SPLIT_INTERVAL: u32 = 30;
 /// Buffers that are reused from step to step.
 #[derive(Default)]
 pub(crate) struct SleepScratch {
-    /// By island: how many of its bodies are sleepy.
+    /// By island: the number of its sleepy bodies.
     sleepy: Vec<usize>,
     /// The islands with any.
     islands: Vec<u32>,
@@ -25,7 +25,7 @@ pub(crate) struct SleepScratch {
 /// part of it sleeps: at once if all of it is ready, at intervals if a part is. The interval is independent
 /// of other islands: remote events must not affect sleep.
 ///
-/// `sleepy` says of each awake body whether it has been still for long enough.
+/// `sleepy` contains, for each awake body, whether it has been at rest for long enough.
 pub(crate) fn put_to_sleep(
     structure: &mut Structure<'_>,
     sleepy: &[bool],

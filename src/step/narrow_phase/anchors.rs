@@ -9,7 +9,7 @@ use crate::dim::math::{Pose, Real, Rotation, Vector, ang_length_squared};
 use crate::model::body::RigidBody;
 use crate::model::collider::Collider;
 use crate::model::contact::{AnchorFrame, ContactManifold};
-use crate::model::island::turn_bound;
+use crate::model::island::rotation_bound;
 
 /// Input of the transformation of a pair's contacts.
 pub(super) struct AnchorTransform<'a> {
@@ -121,6 +121,6 @@ impl<'a> Frame<'a> {
     /// farthest point of the body by the angle times its extent.
     fn remaining_rotation(&self, anchor_rotation: Rotation, frozen: Real) -> Real {
         let Some((body, _)) = self.body else { return Real::INFINITY };
-        (frozen - turn_bound(body.pose.rotation, anchor_rotation)) * body.extent
+        (frozen - rotation_bound(body.pose.rotation, anchor_rotation)) * body.extent
     }
 }

@@ -18,7 +18,7 @@ use crate::model::collider::{
 };
 use crate::model::contact::{ContactManifold, ContactPair, DUE, PairId, PairStore, SolverFlags};
 use crate::model::hooks::ContactModificationContext;
-use crate::model::island::turn_bound;
+use crate::model::island::rotation_bound;
 use crate::step::notes::PairChange;
 use smallvec::SmallVec;
 
@@ -139,7 +139,7 @@ impl ContactPair {
     /// The bound includes the motion of the points, and the rotation about them of everything within `reach`.
     /// The contact points of a tipping body do not move.
     fn drift_below(&self, limit: Real, pose12: &Pose, reach: Real) -> Option<Real> {
-        let turned = turn_bound(pose12.rotation, self.pose12.rotation) * reach;
+        let turned = rotation_bound(pose12.rotation, self.pose12.rotation) * reach;
         if turned >= limit {
             return None;
         }
@@ -312,7 +312,7 @@ fn complete(
     modify(manifold, collider1, collider2, view);
     let fault = faults::leave_out(manifold);
     if !manifold.is_solved() {
-        manifold.data.forget_impulses();
+        manifold.data.clear_impulses();
     }
     fault
 }

@@ -13,7 +13,7 @@ use super::view::PairView;
 use crate::base::disjoint::DisjointMut;
 use crate::base::pool::Pool;
 use crate::base::tasks::Tasks;
-use crate::collide::{Neighbor, SAME_NORMAL, ghost_contacts_among};
+use crate::collide::{NORMAL_DISTANCE_SQUARED_MAX, Neighbor, ghost_contacts_among};
 use crate::dim::math::Real;
 use crate::model::body::RigidBody;
 use crate::model::collider::Collider;
@@ -21,7 +21,7 @@ use crate::model::contact::{ContactPair, PairId, PairStore, StoreParts};
 use core::ops::Range;
 use smallvec::SmallVec;
 
-/// Bodies that are worth handing over to another thread together.
+/// Number of bodies per parallel task.
 const BODIES_PER_TASK: usize = 8;
 
 /// Buffers that are reused from step to step.
@@ -76,7 +76,7 @@ pub(super) fn filter_ghost_contacts(
             // alone. Pairs of two dynamic bodies belong to no group.
             let pair = |id: PairId| unsafe { pairs.get(id as usize).as_ref() };
             let pairs_of_body = ids.clone().filter_map(|id| Some((id, pair(id)?)));
-            if look_alike(context, members[0].0, pairs_of_body) {
+            if have_similar_normals(context, members[0].0, pairs_of_body) {
                 continue;
             }
             let mut contacts = Contacts::default();
@@ -109,7 +109,7 @@ pub(super) fn filter_ghost_contacts(
 
 /// Returns whether all contacts of the collider in a slot push it in the same direction. In that case none is
 /// a ghost contact.
-fn look_alike<'a>(
+fn have_similar_normals<'a>(
     context: NarrowPhaseContext<'_>,
     slot: u32,
     pairs: impl Iterator<Item = (PairId, &'a ContactPair)>,
@@ -121,7 +121,7 @@ fn look_alike<'a>(
         for (index, manifold) in manifolds.filter(|(_, manifold)| manifold.is_solved()) {
             let normal = context.lanes.normal_of(id, index, manifold);
             let normal = normal * if is_second { 1.0 } else { -1.0 };
-            if normal.distance_squared(*first.get_or_insert(normal)) > SAME_NORMAL {
+            if normal.distance_squared(*first.get_or_insert(normal)) > NORMAL_DISTANCE_SQUARED_MAX {
                 return false;
             }
         }

@@ -7,9 +7,9 @@
 //! Never:   moves a body; links islands; assigns colours
 //!
 //! Most pairs of a settled pile have moved little since their manifolds were computed. Each awake pair has
-//! *slack*: how far its bodies may still move against each other before it must be computed again. Each step
-//! subtracts a bound on the relative motion of the two bodies, which costs two loads. Only pairs whose slack
-//! is used up are checked: [`update`].
+//! *slack*: the relative motion of its bodies up to which it need not be computed again. Each step subtracts
+//! a bound on the relative motion of the two bodies, which costs two loads. Only pairs whose slack is used up
+//! are checked: [`update`].
 
 mod contact;
 mod faults;

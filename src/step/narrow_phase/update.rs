@@ -23,9 +23,9 @@ use core::ops::Range;
 use smallvec::SmallVec;
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 
-/// Pairs that are worth handing over to another thread together.
+/// Number of pairs per parallel task.
 const PAIRS_PER_TASK: usize = 16;
-/// And outcomes.
+/// Number of outcomes per parallel task.
 const OUTCOMES_PER_TASK: usize = 512;
 
 /// Prefetch distance of the update, in list positions.
@@ -197,7 +197,7 @@ fn update_store<P: Update>(
     list_due(tasks, context, store, gather_due, due);
     outcomes.clear();
     outcomes.resize(due.len(), Outcome::APART);
-    look_at_all(tasks, context, store, due, outcomes, workers);
+    update_due_pairs(tasks, context, store, due, outcomes, workers);
     P::filter_ghost_contacts(
         tasks,
         context,
@@ -208,8 +208,8 @@ fn update_store<P: Update>(
     );
     changes.clear();
     apply(tasks, store, Computed { due, outcomes }, gather_changes, changes);
-    // The free ids depend on all pairs of the world. Colours are given in the order of the notes, and what
-    // happens far away must not change them.
+    // The free ids depend on all pairs of the world. Colours are assigned in the order of the notes, and
+    // remote events must not change them.
     changes.sort_unstable_by_key(|&(slots, ..)| slots);
     notes.extend(changes.iter().map(|&(_, id, change)| (id, change)));
 }
@@ -226,14 +226,14 @@ fn list_due<P: Pair>(
     let is_due = |state: &mut PairState| {
         let [body1, body2] = state.bodies;
         state.slack -= context.islands.motion_of(body1).against(context.islands.motion_of(body2));
-        // The difference of two infinite displacements is not a number.
+        // The difference of two infinite displacements is NaN.
         state.slack < 0.0 || state.slack.is_nan()
     };
     store.list_awake(tasks, gather, is_due, due);
 }
 
-/// Looks at each due pair by itself.
-fn look_at_all<P: Update>(
+/// Updates each due pair independently.
+fn update_due_pairs<P: Update>(
     tasks: Tasks<'_>,
     context: NarrowPhaseContext<'_>,
     store: &mut PairStore<P>,
@@ -254,7 +254,7 @@ fn look_at_all<P: Update>(
             let (pair, result) = unsafe { (pairs.get_mut(id as usize), results.get_mut(index)) };
             let Some(pair) = pair else { continue };
             let last = Outcome::unchanged(states[id as usize].slack, reporting.contains(id));
-            *result = look_at(context, id, pair, last, &mut worker);
+            *result = update_pair(context, id, pair, last, &mut worker);
         }
         workers.put(worker);
     });
@@ -327,7 +327,7 @@ impl<P: Update> Prefetcher<'_, P> {
     }
 }
 
-fn look_at<P: Update>(
+fn update_pair<P: Update>(
     context: NarrowPhaseContext<'_>,
     id: PairId,
     pair: &mut P,

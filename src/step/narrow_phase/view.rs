@@ -87,7 +87,7 @@ impl<'a> PairView<'a> {
         self.colliders[0].pose.rotation.inverse() * relative * self.context.params.dt
     }
 
-    /// Gap below which contacts are wanted.
+    /// Gap below which contacts are computed.
     pub fn prediction(&self) -> Real {
         let soft_ccd = |body: Option<&RigidBody>| body.map_or(0.0, |body| body.soft_ccd_prediction);
         let soft = soft_ccd(self.bodies[0]).max(soft_ccd(self.bodies[1]));

@@ -9,7 +9,7 @@
 //! equations. It is the end of a causal chain more often than its beginning. Any choice that splits the group
 //! works, and this one depends on the group alone.
 //!
-//! Each round costs a step. After [`ROUNDS`] of them all diverged bodies are disabled, and after twice as
+//! Each round costs a step. After [`ROUNDS_MAX`] of them all diverged bodies are disabled, and after twice as
 //! many all awake bodies. Then nothing moves, and the step cannot fail.
 
 use crate::base::measure::MODERATE_MAX;
@@ -24,7 +24,7 @@ use crate::step::notes::Diverged;
 use crate::step::world::World;
 
 /// Number of rounds in which the most stressed bodies are selected one by one.
-const ROUNDS: usize = 4;
+const ROUNDS_MAX: usize = 4;
 
 /// A body and the cause of its quarantine.
 type Cause = (RigidBodyHandle, QuarantineCause);
@@ -39,7 +39,7 @@ impl Causes<'_> {
     /// Adds the bodies to disable after the step has failed `failures` times before.
     pub fn find(&self, failures: usize, taken: &mut Vec<Cause>) {
         let known = taken.len();
-        if failures >= 2 * ROUNDS {
+        if failures >= 2 * ROUNDS_MAX {
             let awake = self.world.structure.islands.awake.iter();
             let at_rest = RigidBodyVelocity::zero();
             let all = awake.map(|&body| Diverged { body, velocity: at_rest, is_link: false });
@@ -59,7 +59,7 @@ impl Causes<'_> {
         if taken.len() > known {
             return;
         }
-        if failures >= ROUNDS {
+        if failures >= ROUNDS_MAX {
             return self.diverged.iter().for_each(|diverged| self.take(diverged, taken));
         }
         for diverged in self.most_stressed() {
@@ -90,19 +90,19 @@ impl Causes<'_> {
     fn is_moderate(&self, body: &RigidBody) -> bool {
         let &World { gravity, params, .. } = self.world;
         let is_small = |squared: Real| squared <= MODERATE_MAX * MODERATE_MAX;
-        let Pull { fall, push, twist } = Pull::on(body, gravity);
+        let Accelerations { by_gravity, by_force, by_torque } = Accelerations::of(body, gravity);
         let vectors = [
             body.pose.translation,
             body.mprops.local_mprops.local_com,
             body.linvel,
-            (fall + push) * params.dt,
+            (by_gravity + by_force) * params.dt,
         ];
         params.dt <= 1.0
             && body.body_type != RigidBodyType::KinematicPositionBased
             && checked_rotation(body.pose.rotation).is_some()
             && body.mprops.inv_mass.is_finite()
             && vectors.into_iter().all(|vector| is_small(vector.length_squared()))
-            && [body.angvel, twist * params.dt]
+            && [body.angvel, by_torque * params.dt]
                 .into_iter()
                 .all(|vector| is_small(ang_length_squared(vector)))
     }
@@ -154,18 +154,18 @@ impl Causes<'_> {
             let target = QuarantineCause::KinematicTarget(body.next_pose);
             return (!velocity.is_usable()).then_some(target);
         }
-        if !self.leads_somewhere(body, body.vels()) {
+        if !self.stays_finite(body, body.vels()) {
             return Some(QuarantineCause::Velocity(body.vels()));
         }
-        let Pull { fall, push, twist } = Pull::on(body, gravity);
-        let after = |acceleration: Vector, twist: AngVector| RigidBodyVelocity {
-            linvel: body.linvel + acceleration * params.dt,
-            angvel: body.angvel + twist * params.dt,
+        let Accelerations { by_gravity, by_force, by_torque } = Accelerations::of(body, gravity);
+        let after = |linear: Vector, angular: AngVector| RigidBodyVelocity {
+            linvel: body.linvel + linear * params.dt,
+            angvel: body.angvel + angular * params.dt,
         };
-        if !self.leads_somewhere(body, after(fall, Default::default())) {
+        if !self.stays_finite(body, after(by_gravity, Default::default())) {
             return Some(QuarantineCause::Gravity(gravity * body.gravity_scale));
         }
-        if !self.leads_somewhere(body, after(fall + push, twist)) {
+        if !self.stays_finite(body, after(by_gravity + by_force, by_torque)) {
             let (force, torque) = body.forces();
             return Some(QuarantineCause::Force { force, torque });
         }
@@ -173,7 +173,7 @@ impl Causes<'_> {
     }
 
     /// Returns whether a body with this velocity stays finite within the step.
-    fn leads_somewhere(&self, body: &RigidBody, velocity: RigidBodyVelocity) -> bool {
+    fn stays_finite(&self, body: &RigidBody, velocity: RigidBodyVelocity) -> bool {
         let dt = self.world.params.dt;
         let velocity = self.integrated(body, velocity);
         let pose = velocity.integrate(dt, &body.pose, body.mprops.local_mprops.local_com);
@@ -208,27 +208,28 @@ impl Causes<'_> {
     /// The stress of a body, or of the most stressed link of a multibody.
     fn stress_of(&self, diverged: &Diverged) -> Real {
         let links = if diverged.is_link { self.group_of(diverged.body) } else { &[] };
-        let strains = core::iter::once(&diverged.body).chain(links).filter_map(|&handle| {
+        let stresses = core::iter::once(&diverged.body).chain(links).filter_map(|&handle| {
             Some(self.stress_of_body(handle, self.world.structure.bodies.get(handle)?))
         });
-        strains.fold(0.0, larger)
+        stresses.fold(0.0, larger)
     }
 
     /// Largest displacement (length units) of a point of the body within a step by any single load.
     fn stress_of_body(&self, handle: RigidBodyHandle, body: &RigidBody) -> Real {
         let dt = self.world.params.dt;
-        let Pull { fall, push, twist } = Pull::on(body, self.world.gravity);
-        let by_motors = self.pull_of_motors(handle) * body.mprops.local_mprops.inv_mass;
-        let length = |turn| ang_length_squared(turn).sqrt() * body.extent;
+        let Accelerations { by_gravity, by_force, by_torque } =
+            Accelerations::of(body, self.world.gravity);
+        let by_motors = self.motor_force_max(handle) * body.mprops.local_mprops.inv_mass;
+        let length = |angular| ang_length_squared(angular).sqrt() * body.extent;
         let speeds = [body.linvel.length(), length(body.angvel)];
-        let pulls = [(fall + push).length(), length(twist), by_motors];
+        let accelerations = [(by_gravity + by_force).length(), length(by_torque), by_motors];
         let displacements = speeds.map(|speed| speed * dt).into_iter();
-        let displacements = displacements.chain(pulls.map(|pull| pull * dt * dt));
+        let displacements = displacements.chain(accelerations.map(|a| a * dt * dt));
         displacements.fold(0.0, larger)
     }
 
     /// The largest force of a motor that holds a body, a unit of length or velocity away from its target.
-    fn pull_of_motors(&self, handle: RigidBodyHandle) -> Real {
+    fn motor_force_max(&self, handle: RigidBodyHandle) -> Real {
         let (islands, joints) = (&self.world.structure.islands, &self.world.joints);
         let slots = islands.joints.of_body(handle.into_raw_parts().0).iter();
         let links = slots.filter_map(|&slot| islands.joints.get(slot));
@@ -236,12 +237,12 @@ impl Causes<'_> {
             let driven = joint.data.driven_axes();
             driven.map(|axis| &joint.data.motors[axis as usize])
         });
-        let pull = |motor: &JointMotor| {
+        let force = |motor: &JointMotor| {
             let [away, slow] =
                 [motor.target_pos, motor.target_vel].map(|target| target.abs() + 1.0);
             (motor.stiffness * away + motor.damping * slow).min(motor.max_force)
         };
-        motors.map(pull).fold(0.0, Real::max)
+        motors.map(force).fold(0.0, Real::max)
     }
 }
 
@@ -251,23 +252,24 @@ fn larger(a: Real, b: Real) -> Real {
 }
 
 /// Accelerations of a body by gravity and by the user's forces.
-struct Pull {
-    fall: Vector,
-    push: Vector,
-    twist: AngVector,
+struct Accelerations {
+    by_gravity: Vector,
+    by_force: Vector,
+    by_torque: AngVector,
 }
 
-impl Pull {
-    fn on(body: &RigidBody, gravity: Vector) -> Self {
+impl Accelerations {
+    fn of(body: &RigidBody, gravity: Vector) -> Self {
         if !body.is_dynamic() {
-            return Self { fall: Vector::ZERO, push: Vector::ZERO, twist: Default::default() };
+            let (by_gravity, by_force) = (Vector::ZERO, Vector::ZERO);
+            return Self { by_gravity, by_force, by_torque: Default::default() };
         }
         let mprops = &body.mprops;
         let (force, torque) = body.forces();
         Self {
-            fall: gravity * body.gravity_scale * inv_mass_per_axis(mprops.locked_axes, 1.0),
-            push: force * mprops.inv_mass,
-            twist: mul_inertia(&mprops.inv_inertia, torque),
+            by_gravity: gravity * body.gravity_scale * inv_mass_per_axis(mprops.locked_axes, 1.0),
+            by_force: force * mprops.inv_mass,
+            by_torque: mul_inertia(&mprops.inv_inertia, torque),
         }
     }
 }

@@ -54,7 +54,7 @@ impl Quarantine {
         Causes { world, diverged: &notes.diverged }.find(self.failures, &mut self.taken);
         self.failures += 1;
         // All pairs already include the last motion.
-        world.structure.islands.forget_motion();
+        world.structure.islands.clear_motion();
         notes.clear_attempt();
         self.emitted = notes.events.len();
         self.disable(world);
@@ -73,7 +73,7 @@ impl Quarantine {
         }
     }
 
-    /// Reports the disabled bodies. Returns how many.
+    /// Reports the disabled bodies. Returns their number.
     pub fn close(&self, bodies: &RigidBodySet, notes: &mut StepNotes) -> usize {
         if self.failures > 0 {
             cancel_out(&mut notes.events, self.emitted);

@@ -1,7 +1,7 @@
 //! The links of awake multibodies, by the slots of their bodies.
 //!
-//! Links have no solver state, and multibodies solve the joints and contacts of links. The rooms of bodies,
-//! joints and contacts read this register to leave them out, and do not depend on multibodies.
+//! Links have no solver state, and multibodies solve the joints and contacts of links. The modules of
+//! bodies, joints and contacts read this register to skip them, and do not depend on multibodies.
 
 use crate::model::body::{RigidBody, RigidBodySet};
 use crate::model::island::NONE;

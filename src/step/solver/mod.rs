@@ -143,11 +143,11 @@ impl SolverScratch {
         counters.velocity_writeback_time.pause();
     }
 
-    /// Writes the results back, and notes what later stages need.
+    /// Writes the results back, and the notes for later stages.
     fn store(&mut self, context: &mut SolverContext<'_>, counters: &mut SolverCounters) {
         let Self { groups, links, bodies, constraints } = self;
         if groups.len() > 0 {
-            context.narrow_phase.contacts.forget_renewed();
+            context.narrow_phase.contacts.clear_renewed();
         }
         (counters.nconstraints, counters.ncontacts) = (0, 0);
         for constraints in &mut constraints[..groups.len()] {

@@ -144,14 +144,14 @@ pub(super) fn gather_velocities<W: Wide>(
     velocity
 }
 
-/// Reads velocity and displacement of up to [`LANES`] bodies that stand side by side; the other lanes get
+/// Reads velocity and displacement of up to [`LANES`] adjacent bodies; the other lanes get
 /// zeros.
 #[inline(always)]
 pub(super) fn load_states<W: Wide>(states: &[BodyState]) -> WideState<W> {
     motions(gather_adjacent(states, |state| &state.0))
 }
 
-/// Writes velocity and displacement of up to [`LANES`] bodies that stand side by side.
+/// Writes velocity and displacement of up to [`LANES`] adjacent bodies.
 #[inline(always)]
 pub(super) fn store_states<W: Wide>(states: &mut [BodyState], motions: WideState<W>) {
     scatter_adjacent(numbers(motions), states, |state| &mut state.0);

@@ -111,7 +111,7 @@ impl UserChanges<'_> {
                 // The solver needs the pose of a body that touches an awake one.
                 NONE if self.structure.has_awake_partner(handle) => self.stay_awake(handle),
                 NONE => self.structure.sleep_kinematic(handle),
-                island if self.all_want_to_sleep(island) => self.structure.sleep_island(island),
+                island if self.are_all_put_to_sleep(island) => self.structure.sleep_island(island),
                 _ => self.stay_awake(handle),
             }
         }
@@ -126,7 +126,7 @@ impl UserChanges<'_> {
         }
     }
 
-    fn all_want_to_sleep(&self, island: u32) -> bool {
+    fn are_all_put_to_sleep(&self, island: u32) -> bool {
         let bodies = &self.structure.islands.island(island).bodies;
         bodies.iter().all(|&handle| {
             self.structure.bodies.get(handle).is_some_and(|body| body.activation.sleeping)

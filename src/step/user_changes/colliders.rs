@@ -74,7 +74,7 @@ impl UserChanges<'_> {
         }
     }
 
-    /// Takes away the pairs that may no longer interact.
+    /// Removes the pairs that may no longer interact.
     pub(super) fn drop_forbidden_pairs(&mut self, handle: ColliderHandle) {
         let slot = handle.into_raw_parts().0;
         let contacts = self.structure.narrow_phase.contacts.ids_of(slot).to_vec();

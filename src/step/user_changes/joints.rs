@@ -9,7 +9,7 @@ impl UserChanges<'_> {
     /// Removes the joints that the user removed.
     pub(super) fn apply_removed_joints(&mut self) {
         for (handle, wake_up) in self.joints.removed() {
-            self.forget_joint(handle, wake_up);
+            self.unregister_joint(handle, wake_up);
         }
     }
 
@@ -45,7 +45,7 @@ impl UserChanges<'_> {
         let same = |known: JointLink| JointLink { slot: None, ..known } == link;
         if !known.is_some_and(same) {
             if let Some(known) = known {
-                self.forget_joint(known.handle, wake_up);
+                self.unregister_joint(known.handle, wake_up);
             }
             if bodies.iter().any(|&body| !self.structure.bodies.contains(body)) {
                 return self.structure.islands.joints.orphans.push(handle);
@@ -60,7 +60,7 @@ impl UserChanges<'_> {
         }
     }
 
-    fn forget_joint(&mut self, handle: ImpulseJointHandle, wake_up: bool) {
+    fn unregister_joint(&mut self, handle: ImpulseJointHandle, wake_up: bool) {
         let slot = handle.into_raw_parts().0;
         let known = self.structure.islands.joints.get(slot);
         let Some(link) = known.filter(|link| link.handle == handle).copied() else { return };
@@ -81,7 +81,7 @@ impl UserChanges<'_> {
         }
     }
 
-    /// Takes away the pairs between two bodies' colliders.
+    /// Removes the pairs between two bodies' colliders.
     fn drop_pairs_between(&mut self, [body1, body2]: [RigidBodyHandle; 2]) {
         let slots = [body1, body2].map(|body| body.into_raw_parts().0);
         self.each_collider_of(body1, |apply, collider| {

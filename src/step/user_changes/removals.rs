@@ -28,7 +28,7 @@ impl UserChanges<'_> {
             }
         }
         self.apply_removed_joints();
-        self.structure.forget_bodies(&mut links);
+        self.structure.unregister_bodies(&mut links);
         for (handle, _) in links {
             self.structure.remove_joints_of(handle);
             self.structure.islands.groups.leave(handle.into_raw_parts().0);

@@ -112,7 +112,7 @@ fn check(
     Ok(())
 }
 
-/// Takes everything in as new unless the sets are of one step.
+/// Inserts everything as new unless the sets are of one step.
 fn unite(world: &mut World<'_>) -> Vec<CollisionEvent> {
     let Structure { bodies, colliders, islands, .. } = &world.structure;
     let are_of_one_world =

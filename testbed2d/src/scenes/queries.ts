@@ -81,7 +81,7 @@ const sweep: Scene = {
 const overlap: Scene = {
     id: "overlap",
     title: "Overlap",
-    description: "A disc that only queries know colours everything inside of it.",
+    description: "A disc that only queries detect colours everything inside of it.",
     group: "Queries",
     camera: { target: [0, 3, 0], height: 9 },
     poster: 160,

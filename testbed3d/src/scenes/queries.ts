@@ -139,7 +139,7 @@ const nearest: Scene = {
 const overlap: Scene = {
     id: "overlap",
     title: "Overlap",
-    description: "A ball that only queries know colours everything inside of it.",
+    description: "A ball that only queries detect colours everything inside of it.",
     group,
     camera: { eye: [7, 8, 11], target: [0, 0.8, 0] },
     setup(context) {

@@ -1,8 +1,8 @@
 //! Rapier from its published crates.
 //!
-//! The defaults of Rapier are its authors' recommendation and the settings of its own benchmarks: 4 solver
-//! iterations, contact recycling and clustering, friction in the relax pass only. Geometry, mathematics and
-//! the numbers of the collision groups have the same types as here, so shapes are shared.
+//! The defaults of Rapier are its authors' recommendation and the settings of its own benchmarks. They are 4
+//! solver iterations, contact recycling and clustering, friction in the relax pass only. Geometry,
+//! mathematics and the numbers of the collision groups have the same types as here, so shapes are shared.
 
 #[path = "running.rs"]
 mod running;

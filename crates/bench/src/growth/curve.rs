@@ -65,7 +65,7 @@ impl Curve {
     }
 
     /// Returns the description of the curve's worlds.
-    pub fn says(self) -> String {
+    pub fn description(self) -> String {
         match self {
             Curve::Awake => "Boxes in heaps of ten, all awake.".to_owned(),
             Curve::Static => format!(
@@ -73,7 +73,7 @@ impl Curve {
             ),
             Curve::Sleeping => format!(
                 "Boxes that lie on the floor and have fallen asleep, and {MOVING_BODIES} among them, spread evenly, that may not. Here bodies sleep \
-                 in all engines, after {SLEEP_DELAY} s of calm; what is measured begins when they do."
+                 in all engines, after {SLEEP_DELAY} s of calm; the measurement begins then."
             ),
             Curve::Contacts => format!(
                 "{CONTACT_CURVE_BODIES} boxes: each by itself on the floor; in heaps of 10, of 100, of all, apart from their neighbours in the \
@@ -86,7 +86,7 @@ impl Curve {
     }
 
     /// Returns the meaning of the x axis.
-    pub fn below(self) -> &'static str {
+    pub fn x_axis(self) -> &'static str {
         match self {
             Curve::Awake => "bodies",
             Curve::Static => "fixed bodies",

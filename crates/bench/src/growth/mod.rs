@@ -88,7 +88,15 @@ fn measure(curve: Curve, dimension: &'static str, options: &Options) -> io::Resu
                 if let Some(slow) = spots.last().and_then(|spot| spot.too_slow(kind)) {
                     return Err(slow);
                 }
-                let turn = Turn { template: &*template, kind, threads, settle, steps, clock, look };
+                let turn = Turn {
+                    template: &*template,
+                    kind,
+                    threads,
+                    settle,
+                    steps,
+                    clock,
+                    stats: counts_only,
+                };
                 let score = turn.play(&mut |step| progress.advance(done + step));
                 done += steps;
                 score
@@ -117,7 +125,7 @@ impl Spot {
 }
 
 /// Returns the counts only: the overlaps of a million bodies take longer than all the steps.
-fn look(engine: &dyn Engine) -> Stats {
+fn counts_only(engine: &dyn Engine) -> Stats {
     Stats { counts: engine.counts(), ..Stats::default() }
 }
 

@@ -27,7 +27,7 @@ memory of the world at the end divided by all its bodies, contacts, floors and a
 
 /// Prints a curve as a table.
 pub fn print(out: &mut dyn Write, growth: &Growth) -> io::Result<()> {
-    writeln!(out, "{}\n{}\n", title(growth), growth.curve.says())?;
+    writeln!(out, "{}\n{}\n", title(growth), growth.curve.description())?;
     let mut table = Table::new(&HEADINGS);
     rows(growth).into_iter().for_each(|row| table.push(row));
     table.print(out)?;
@@ -65,7 +65,7 @@ pub fn write(growths: &[Growth], options: &Options) -> io::Result<()> {
     let mut page = format!(
         "# How costs grow\n\n\
          {}, {}.\n\
-         Machine: {}. Steps of 1/60 s, 4 substeps, no continuous collision detection, no sleeping unless it is said.\n\n\
+         Machine: {}. Steps of 1/60 s, 4 substeps, no continuous collision detection, no sleeping unless stated.\n\n\
          ```text\n{LEGEND}\n```\n",
         written_by(),
         rounds(options),
@@ -74,7 +74,7 @@ pub fn write(growths: &[Growth], options: &Options) -> io::Result<()> {
     let mut last = None;
     for growth in growths {
         if last.replace(growth.curve) != Some(growth.curve) {
-            page += &format!("\n## {}\n\n{}\n", growth.curve.heading(), growth.curve.says());
+            page += &format!("\n## {}\n\n{}\n", growth.curve.heading(), growth.curve.description());
         }
         let picture = format!("growth-{}-{}.svg", growth.curve.name(), growth.dimension);
         chart::panels(&folder.join(&picture), &title(growth), &panels(growth))?;
@@ -106,7 +106,7 @@ fn panels(growth: &Growth) -> [Panel; 2] {
             let name = engine_name(kind, growth.dimension);
             (!points.is_empty()).then_some(chart::Curve { name, place, points })
         });
-        Panel { heading, below: growth.curve.below(), curves: curves.collect() }
+        Panel { heading, below: growth.curve.x_axis(), curves: curves.collect() }
     };
     [panel("ms per step", Score::median), panel("bytes per body", bytes_per_body)]
 }

@@ -22,7 +22,7 @@ pub struct ContactForceEvent {
 }
 
 impl ContactForceEvent {
-    /// The forces of a pair in a step of `dt` seconds, by the formula of the engine's event: a force beyond
+    /// The forces of a pair in a step of `dt` seconds, by the formula of the engine's event. A force beyond
     /// the range of numbers is replaced by the largest number.
     pub fn from_contact_pair(dt: Real, pair: &ContactPair, total_force_magnitude: Real) -> Self {
         let inv_dt = if dt > 0.0 { 1.0 / dt } else { 0.0 };

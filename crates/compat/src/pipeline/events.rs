@@ -16,7 +16,7 @@ pub trait EventHandler: Send + Sync {
         contact_pair: Option<&ContactPair>,
     );
 
-    /// Called when the contact forces of two colliders exceed a threshold.
+    /// Called when the contact forces of two colliders reach a threshold.
     fn handle_contact_force_event(
         &self,
         dt: Real,

@@ -15,7 +15,7 @@ const MARGIN: f32 = 30.0;
 /// Size of a label's letters: pixels in a step of their grid.
 const LABEL_UNIT: f32 = 1.9;
 
-/// The strokes of a letter; small letters look like large ones.
+/// The strokes of a letter; small letters have the strokes of large ones.
 fn strokes(letter: char) -> &'static str {
     match letter.to_ascii_uppercase() {
         'A' => "000516364540 0343",

@@ -61,6 +61,6 @@ pub fn run(choices: Choices<'_>) -> Tally {
 
 fn act(play: &mut Play<'_>) {
     let (name, act) = play.choices.pick(&ACTS);
-    play.choices.tell(|| name.to_owned());
+    play.choices.print(|| name.to_owned());
     act(play);
 }

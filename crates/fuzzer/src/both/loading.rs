@@ -16,7 +16,7 @@ pub fn load_damaged(play: &mut Play<'_>) {
         damage(play, &mut sets);
     }
     let loaded = load_all(&sets);
-    play.choices.tell(|| format!("    refused: {:?}", loaded.as_ref().err()));
+    play.choices.print(|| format!("    refused: {:?}", loaded.as_ref().err()));
     if let Ok(mut loaded) = loaded {
         for _ in 0..STEPS {
             loaded.step();
@@ -38,7 +38,7 @@ fn damage(play: &mut Play<'_>, sets: &mut Saved) {
         if number == chosen {
             let changes = changes(value);
             if let Some(changed) = changes.get(change % changes.len().max(1)) {
-                choices.tell(|| format!("    set {set}: {path}: {value:?} becomes {changed:?}"));
+                choices.print(|| format!("    set {set}: {path}: {value:?} becomes {changed:?}"));
                 *value = changed.clone();
             }
         }

@@ -67,7 +67,7 @@ impl<'a> Play<'a> {
         } else {
             recent(&self.bodies, &mut self.choices)
         };
-        self.choices.tell(|| format!("    {handle:?}"));
+        self.choices.print(|| format!("    {handle:?}"));
         if self.bystanders.bodies.contains(&handle) { RigidBodyHandle::invalid() } else { handle }
     }
 
@@ -79,7 +79,7 @@ impl<'a> Play<'a> {
         } else {
             recent(&self.colliders, &mut self.choices)
         };
-        self.choices.tell(|| format!("    {handle:?}"));
+        self.choices.print(|| format!("    {handle:?}"));
         let is_bystander = self.bystanders.colliders.contains(&handle);
         if is_bystander { ColliderHandle::invalid() } else { handle }
     }

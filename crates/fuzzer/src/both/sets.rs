@@ -11,7 +11,7 @@ use super::world_copy::WorldCopy;
 pub fn edit_sets(play: &mut Play<'_>) {
     let handle = play.body();
     let variant = play.choices.below(13);
-    play.choices.tell(|| format!("    variant {variant}"));
+    play.choices.print(|| format!("    variant {variant}"));
     match variant {
         0 | 1 => play.copy = Some(WorldCopy::of(&play.world)),
         2 | 3 => {
@@ -71,8 +71,8 @@ fn restore_records(play: &mut Play<'_>, handle: RigidBodyHandle) {
     }
 }
 
-/// Exchanges any sets, or a record, for those of a twin: a copy with one displaced body, or a copy that has
-/// advanced by some steps.
+/// Replaces any sets, or a record, by those of a twin. A twin is a copy with one displaced body, or a copy
+/// that has advanced by some steps.
 pub fn mix_with_twin(play: &mut Play<'_>) {
     let (handle, along) = (play.body(), play.choices.below(DIM));
     let mut twin = PhysicsWorld {
@@ -90,7 +90,7 @@ pub fn mix_with_twin(play: &mut Play<'_>) {
         twin.step();
     }
     let (sets, records) = (play.choices.below(128), play.choices.coin());
-    play.choices.tell(|| format!("    sets {sets:07b}, {handle:?} along {along}, {records}"));
+    play.choices.print(|| format!("    sets {sets:07b}, {handle:?} along {along}, {records}"));
     if records {
         exchange_records(play, &mut twin, handle);
     }

@@ -14,7 +14,7 @@ const STEPS: usize = 40;
 pub fn step(play: &mut Play<'_>) -> usize {
     let variant = play.choices.below(40);
     let hooks = RandomHooks::new(play);
-    play.choices.tell(|| format!("step {variant}, hooks {}", hooks.behavior));
+    play.choices.print(|| format!("step {variant}, hooks {}", hooks.behavior));
     let count = if variant == 0 { STEPS } else { 1 };
     let mut completed = true;
     play.bystanders.note_attachments(&play.world);

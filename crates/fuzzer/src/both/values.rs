@@ -63,6 +63,6 @@ pub fn some_pose(choices: &mut Choices<'_>, size: f64) -> Pose {
 /// Returns a number from 0 to `count - 1`, and prints it if `FUZZ_VERBOSE` is set.
 pub fn choose(choices: &mut Choices<'_>, count: usize) -> usize {
     let choice = choices.below(count);
-    choices.tell(|| format!("    variant {choice} of {count}"));
+    choices.print(|| format!("    variant {choice} of {count}"));
     choice
 }

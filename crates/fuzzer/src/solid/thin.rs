@@ -60,7 +60,7 @@ pub fn lay_floor(world: &mut PhysicsWorld, half: Real, choices: &mut Choices<'_>
             .translation(Vector::Y * -HALF_THICKNESS),
         _ => cells(half),
     };
-    choices.tell(|| format!("a floor: {:?}", floor.shape.shape_type()));
+    choices.print(|| format!("a floor: {:?}", floor.shape.shape_type()));
     world.insert_collider(floor, None);
 }
 

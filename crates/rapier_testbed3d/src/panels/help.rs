@@ -1,4 +1,4 @@
-//! The list of keys and of what the mouse does.
+//! The list of keys and of actions of the mouse.
 
 use crate::rapier::math::DIM;
 use eframe::egui::{Align2, Context, Grid, Key, RichText, Window};

@@ -1,4 +1,4 @@
-//! The choice of what is drawn, and of its quality.
+//! The selection of drawn items, and their quality.
 
 use crate::rapier::prelude::*;
 use crate::scene::Overlays;

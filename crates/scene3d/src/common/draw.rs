@@ -27,7 +27,7 @@ pub struct Artist {
 }
 
 impl Artist {
-    /// Draws a scene: its world, its joints as it wants them, its labels.
+    /// Draws a scene: its world, its joints with its settings, its labels.
     pub fn draw(&mut self, scene: &Scene) -> Drawing {
         self.lines.style.joint_axes_length = scene.joint_axes.unwrap_or(self.overlays.length);
         let joints = DebugRenderMode::JOINTS | DebugRenderMode::JOINT_AXES;
@@ -70,7 +70,7 @@ impl Artist {
             };
             self.surfaces.add(&mut drawing, collider, &look);
         }
-        self.surfaces.forget_unused();
+        self.surfaces.drop_unused();
         self.add_lines(world, moving, mode, &mut drawing);
         self.overlays.mark(world, &mut drawing);
         drawing
@@ -94,7 +94,7 @@ impl Artist {
     }
 }
 
-/// How the surface of a collider looks.
+/// Appearance of a collider's surface.
 pub(crate) struct Look {
     pub color: Color,
     pub role: Role,

@@ -8,7 +8,7 @@ use std::sync::mpsc::channel;
 pub struct StepEvents {
     /// Colliders that began or ceased to touch.
     pub collisions: Vec<CollisionEvent>,
-    /// Contacts with a force above the threshold of a collider.
+    /// Contacts with a force of at least the threshold of a collider.
     pub contact_forces: Vec<ContactForceEvent>,
 }
 

@@ -4,8 +4,8 @@ use super::scene::Scene;
 use crate::rapier::prelude::*;
 use gallery::SceneRun;
 
-/// What must hold of a scene after a number of steps: bounds of its dynamic bodies. [`Law::after`] has
-/// none, so a scene names those that it is about.
+/// Bounds of the dynamic bodies of a scene after a number of steps. [`Law::after`] has none, so a scene names
+/// its own.
 #[derive(Copy, Clone, Debug, PartialEq)]
 pub struct Law {
     /// Number of steps.
@@ -41,7 +41,7 @@ impl Law {
     /// Checks a scene that has taken the steps.
     ///
     /// # Errors
-    /// A value is beyond its bound, or is not a number; the text names both.
+    /// A value is beyond its bound, or is NaN; the text names both.
     pub fn check(&self, scene: &Scene) -> Result<(), String> {
         let within = |name: &str, value: f64, bound: f64| {
             if value <= bound { Ok(()) } else { Err(format!("{name} {value} is beyond {bound}")) }

@@ -1,11 +1,11 @@
-//! Lines over the surfaces: what the debug-renderer draws, and marks of bodies.
+//! Lines over the surfaces: the lines of the debug-renderer, and marks of bodies.
 
 use super::palette::spread;
 use crate::rapier::prelude::*;
 use crate::shapes::point;
 use drawing::{Color, Drawing, Line};
 
-/// Choice of what is drawn besides the surfaces.
+/// Selection of drawn items besides the surfaces.
 #[derive(Copy, Clone, Debug, PartialEq)]
 pub struct Overlays {
     /// Parts that the debug-renderer draws.

@@ -1,4 +1,4 @@
-//! A scene: a world, and what happens to it beside physics.
+//! A scene: a world, and its events beside physics.
 
 use super::draw::Artist;
 use super::events::StepEvents;
@@ -16,13 +16,13 @@ use std::rc::Rc;
 pub struct SceneInfo {
     /// Lower-case words joined by underscores.
     pub name: &'static str,
-    /// One sentence that says what there is to see.
+    /// One sentence about the visible motion.
     pub description: &'static str,
-    /// What the scene is for.
+    /// Purpose of the scene.
     pub category: Category,
-    /// After how many steps there is something to see.
+    /// Number of steps before the visible motion begins.
     pub steps: usize,
-    /// What must hold of it.
+    /// Bounds of its bodies.
     pub law: Law,
     /// Builds the scene in its usual size.
     pub build: fn() -> Scene,
@@ -51,23 +51,23 @@ impl<F: FnMut(&mut PhysicsWorld, usize) + Clone + 'static> Script for F {
 /// Colours by body.
 pub type BodyColors = HashMap<RigidBodyHandle, Color>;
 
-/// Answers the events of each step.
+/// Reacts to the events of each step.
 type Reaction = Rc<dyn Fn(&mut PhysicsWorld, &StepEvents)>;
 
-/// Sees the world after each step.
+/// Reads the world after each step.
 type Observer = Rc<RefCell<dyn FnMut(&mut PhysicsWorld, &mut BodyColors, &StepEvents, usize)>>;
 
 /// A world with all that belongs to it.
 pub struct Scene {
     /// The world.
     pub world: PhysicsWorld,
-    /// From where to look at it.
+    /// Initial view.
     pub view: View,
     /// Number of steps taken.
     pub steps_taken: usize,
-    /// How long the free axes of joints are drawn; `None`: they are not.
+    /// Length of the drawn free axes of joints; `None` draws none.
     pub joint_axes: Option<Real>,
-    /// What is written where.
+    /// Texts and their positions.
     pub labels: Vec<(Vector, &'static str)>,
     /// Colours of bodies that are not those of the palette.
     pub body_colors: BodyColors,
@@ -130,7 +130,7 @@ impl Scene {
         }
     }
 
-    /// Looks at the box with these two opposite corners, rather than at all that moves.
+    /// Sets the view to the box with these two opposite corners, instead of all moving bodies.
     pub fn focusing(mut self, min: Vector, max: Vector) -> Self {
         self.view = self.view.focus(point(min), point(max));
         self

@@ -26,7 +26,7 @@ impl Surfaces {
     }
 
     /// Drops the meshes of shapes that have no other owner any more.
-    pub(crate) fn forget_unused(&mut self) {
+    pub(crate) fn drop_unused(&mut self) {
         self.kept.retain(|_, (shape, _)| Arc::strong_count(&shape.0) > 1);
     }
 }

@@ -51,7 +51,7 @@ fn small_integers_take_one_byte() {
 }
 
 #[test]
-fn lengths_are_not_believed() {
+fn lengths_beyond_the_bytes_are_refused() {
     let mut bytes = bytes_of(&u64::MAX);
     bytes.extend([0; 20]);
     let refused = read::<Vec<u8>>(&bytes).expect_err("there are 20 bytes").to_string();

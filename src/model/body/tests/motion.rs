@@ -41,7 +41,7 @@ fn forces_and_damping_bend_the_prediction() {
 }
 
 #[test]
-fn predictions_are_poses_whatever_is_asked() {
+fn predictions_are_poses_for_any_input() {
     let mut body = off_center_body();
     body.set_linvel(Vector::X, true);
     for dt in [Real::NAN, Real::INFINITY, Real::NEG_INFINITY, Real::MAX] {

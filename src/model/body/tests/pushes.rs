@@ -92,7 +92,7 @@ fn an_impulse_that_is_not_finite_or_too_large_is_refused() {
 }
 
 #[test]
-fn only_a_push_that_asks_for_it_wakes_a_sleeper() {
+fn only_a_push_with_wake_up_wakes_a_sleeper() {
     let mut body = off_center_body();
     body.sleep();
     body.apply_impulse(Vector::X, false);

@@ -5,8 +5,8 @@ use crate::dim::math::Vector;
 use crate::model::body::{RigidBodyBuilder, RigidBodyChanges, RigidBodyHandle, RigidBodySet};
 use crate::model::collider::{ColliderBuilder, ColliderHandle, ColliderSet};
 
-/// The step's treatment of its notes.
-fn digest(bodies: &mut RigidBodySet) -> Vec<RigidBodyHandle> {
+/// Clears the change flags, like a step.
+fn apply_changes(bodies: &mut RigidBodySet) -> Vec<RigidBodyHandle> {
     let modified = bodies.take_modified();
     for handle in &modified {
         if let Some(body) = bodies.get_unnoted_mut(*handle) {
@@ -39,16 +39,16 @@ fn a_stale_handle_finds_nothing() {
 fn each_change_is_noted_once() {
     let mut bodies = RigidBodySet::new();
     let handles: Vec<_> = (0..3).map(|_| bodies.insert(RigidBodyBuilder::dynamic())).collect();
-    assert_eq!(digest(&mut bodies), handles);
-    assert_eq!(digest(&mut bodies), []);
+    assert_eq!(apply_changes(&mut bodies), handles);
+    assert_eq!(apply_changes(&mut bodies), []);
 
     bodies[handles[1]].set_linvel(Vector::X, true);
     bodies[handles[1]].set_translation(Vector::X, true);
     bodies.get_unnoted_mut(handles[2]).expect("it is there").set_linvel(Vector::X, true);
-    assert_eq!(digest(&mut bodies), [handles[1]]);
+    assert_eq!(apply_changes(&mut bodies), [handles[1]]);
 
     bodies.iter_mut().for_each(|(_, body)| body.wake_up(true));
-    assert_eq!(digest(&mut bodies), handles);
+    assert_eq!(apply_changes(&mut bodies), handles);
 }
 
 #[test]
@@ -102,7 +102,7 @@ fn colliders_follow_their_body_before_the_next_step() {
     let handle = bodies.insert(RigidBodyBuilder::fixed());
     let ball = ColliderBuilder::ball(1.0).translation(Vector::Y);
     let collider = colliders.insert_with_parent(ball, handle, &mut bodies);
-    digest(&mut bodies);
+    apply_changes(&mut bodies);
     bodies[handle].set_translation(Vector::X * 3.0, true);
     assert_eq!(colliders[collider].position().translation, Vector::Y);
     bodies.propagate_modified_body_positions_to_colliders(&mut colliders);

@@ -117,7 +117,7 @@ fn the_value_is_in_the_error() {
 }
 
 #[test]
-fn a_builder_becomes_a_collider_where_one_is_wanted() {
+fn a_builder_converts_into_a_collider() {
     let collider: Collider = ColliderBuilder::ball(2.0).position(Pose::IDENTITY).into();
     assert_eq!(collider.shape().as_ball().map(|ball| ball.radius), Some(2.0));
 }

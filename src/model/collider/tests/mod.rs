@@ -1,4 +1,4 @@
-//! Tests of what colliders are made of and of the book-keeping around them, for every dimension and
+//! Tests of the parts of colliders and of their book-keeping, for every dimension and
 //! precision. Dimension-specific functions are tested in `dim2/surface` and `dim3/surface`.
 
 mod builder;

@@ -36,7 +36,7 @@ impl World {
         self.colliders.insert_with_parent(collider, body, &mut self.bodies)
     }
 
-    /// As if a step had looked at all changes.
+    /// As if a step had applied all changes.
     fn settle(&mut self) {
         for handle in self.colliders.take_modified() {
             if let Some(collider) = self.colliders.get_unnoted_mut(handle) {
@@ -153,7 +153,7 @@ fn a_collider_taken_out_goes_back_to_its_place_on_a_body() {
 fn a_change_is_noted_once() {
     let mut world = World::new();
     let [a, b] = [0, 1].map(|_| world.colliders.insert(ColliderBuilder::ball(0.5)));
-    assert_eq!(world.colliders.take_modified(), [a, b], "new ones are to be looked at");
+    assert_eq!(world.colliders.take_modified(), [a, b], "new ones are changes");
     world.settle();
     for handle in [a, b] {
         let collider = world.colliders.get_unnoted_mut(handle).expect("it is there");

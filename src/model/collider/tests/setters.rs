@@ -10,14 +10,14 @@ use crate::model::collider::{
 use parry::mass_properties::MassProperties;
 use parry::shape::SharedShape;
 
-/// A collider whose changes have been looked at.
+/// A collider whose changes have been applied.
 fn settled() -> Collider {
     let mut collider = ColliderBuilder::ball(0.5).build();
     collider.changes = Changes::empty();
     collider
 }
 
-/// An attached collider whose changes have been looked at.
+/// An attached collider whose changes have been applied.
 fn attached() -> Collider {
     let (mut bodies, mut colliders) = (RigidBodySet::new(), ColliderSet::new());
     let body = bodies.insert(RigidBodyBuilder::dynamic().translation(Vector::Y));

@@ -108,8 +108,8 @@ fn thickness_is_half_the_minimum_width() {
         let found = 2.0 * widths.thickness;
         let ratio = found / least;
         worst = (Real::min(worst.0, ratio), Real::max(worst.1, ratio));
-        // Above: what rounding does to a plate a hundred times as long as thick. Below: the tolerance of the
-        // search, and what the descent has not found.
+        // Above: rounding of a plate a hundred times as long as thick. Below: the tolerance of the search,
+        // and the error of the descent.
         let name = shape.shape_type();
         assert!((0.96..1.002).contains(&ratio), "{name:?}: {found} found, {least} tried");
     }

@@ -1,4 +1,4 @@
-//! Whether the views of a store agree.
+//! Checks that the views of a store agree.
 
 use super::{Pair, PairId, PairStore, Place, slot};
 use crate::base::fault::{Fault, ensure};

@@ -203,7 +203,7 @@ impl ImpulseJointSet {
         }
         if let Some(joint) = self.get_mut(handle) {
             joint.bodies = BodyPair { body1, body2 };
-            joint.forget_past();
+            joint.clear_history();
             self.refile(handle);
         }
     }
@@ -301,7 +301,7 @@ impl ImpulseJointSet {
         let (old, new) = (entry.filed, [entry.joint.body1, entry.joint.body2]);
         if old != new {
             entry.filed = new;
-            entry.joint.forget_past();
+            entry.joint.clear_history();
             self.unfile(handle, old);
             self.file(handle, new);
         }

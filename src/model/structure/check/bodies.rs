@@ -10,7 +10,7 @@ use crate::model::multibody::MultibodyJointSet;
 use std::collections::BTreeSet;
 
 impl Structure<'_> {
-    /// Each awake body is listed once, where its link says; kinematic ones first.
+    /// Each awake body is listed once, at the position in its link; kinematic ones first.
     pub(super) fn check_awake(&self, then: &LastStep<'_>, depth: Depth) -> Verdict {
         let awake = &self.islands.awake;
         ensure!(awake.is_divided(), "more kinematic bodies are awake than bodies");
@@ -35,7 +35,7 @@ impl Structure<'_> {
         Ok(())
     }
 
-    /// Each dynamic body stands in one island, where its link says, and sleeps as its island does.
+    /// Each dynamic body is in one island, at the position in its link, and sleeps if its island does.
     pub(super) fn check_islands(&self, then: &LastStep<'_>) -> Verdict {
         let bound = self.islands.island_bound();
         let mut members = 0;
@@ -52,7 +52,7 @@ impl Structure<'_> {
         Ok(())
     }
 
-    /// Bodies stand in the lists for their type, unless the user changed it.
+    /// Bodies are in the lists for their type, unless the user changed it.
     pub(super) fn check_body_types(&self) -> Verdict {
         for (handle, body) in self.bodies.iter().filter(|(_, body)| is_as_before(body)) {
             let link = body.link;
@@ -67,7 +67,7 @@ impl Structure<'_> {
         self.bodies.check_notes()
     }
 
-    /// Each collider stands in the list of the body that it names, and in no other.
+    /// Each collider is in the list of its parent body, and in no other.
     pub(super) fn check_attachments(&self, then: &LastStep<'_>) -> Verdict {
         let mut listed = BTreeSet::new();
         for (handle, body) in self.bodies.iter() {

@@ -22,7 +22,7 @@ impl<'a, C: Copy + Debug + PartialEq> Colors<'a, C> {
         Ok(Self { graph, of_body: vec![0; bound], depth, count: 0 })
     }
 
-    /// A constraint between the bodies in two slots says that it has a place, or that it has none.
+    /// Checks the place of a constraint between the bodies in two slots, or that it has none.
     pub fn check(
         &mut self,
         constraint: C,

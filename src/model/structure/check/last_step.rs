@@ -62,7 +62,7 @@ impl<'a> LastStep<'a> {
         Ok(then)
     }
 
-    /// The bodies that stand in lists, and their places.
+    /// The bodies in lists, and their places.
     pub fn listed(&self) -> impl Iterator<Item = (RigidBodyHandle, BodyLink)> {
         let there = self.bodies.iter().map(|(handle, body)| (handle, body.link));
         there.filter(|(_, link)| is_listed(*link)).chain(self.removed_places.values().copied())

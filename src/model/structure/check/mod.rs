@@ -80,7 +80,7 @@ impl Structure<'_> {
         self.islands.check_free()?;
         self.check_body_types()?;
         self.check_attachments(&then)?;
-        self.check_company()?;
+        self.check_partners()?;
         self.check_contact_data()?;
         self.check_known_joints(joints)?;
         self.check_groups(&then, multibodies)?;

@@ -70,22 +70,22 @@ impl Structure<'_> {
 
     /// The colliders of a pair may meet, unless the user changed that since: the next step removes such
     /// pairs. Sensors have intersection pairs, and no other colliders.
-    pub(super) fn check_company(&self) -> Verdict {
+    pub(super) fn check_partners(&self) -> Verdict {
         let NarrowPhase { contacts, intersections, .. } = &*self.narrow_phase;
         for pair in contacts.iter() {
-            self.check_companions([pair.collider1, pair.collider2], false)?;
+            self.check_partner_pair([pair.collider1, pair.collider2], false)?;
         }
         for pair in intersections.iter() {
-            self.check_companions([pair.collider1, pair.collider2], true)?;
+            self.check_partner_pair([pair.collider1, pair.collider2], true)?;
         }
         Ok(())
     }
 
-    fn check_companions(&self, handles: [ColliderHandle; 2], is_sensed: bool) -> Verdict {
+    fn check_partner_pair(&self, handles: [ColliderHandle; 2], is_sensed: bool) -> Verdict {
         let [Some(one), Some(two)] = handles.map(|handle| self.colliders.get(handle)) else {
             return Ok(());
         };
-        if [one, two].into_iter().any(|collider| self.may_change_company(collider)) {
+        if [one, two].into_iter().any(|collider| self.may_change_partners(collider)) {
             return Ok(());
         }
         ensure!(may_interact(one, two), "{handles:?} are a pair and may not meet");
@@ -95,7 +95,7 @@ impl Structure<'_> {
     }
 
     /// Returns whether a pending edit affects the possible partners of a collider.
-    fn may_change_company(&self, collider: &Collider) -> bool {
+    fn may_change_partners(&self, collider: &Collider) -> bool {
         let body = collider.parent().and_then(|parent| self.bodies.get(parent));
         collider.changes.intersects(ColliderChanges::IDENTITY | ColliderChanges::PARTNER_CHANGES)
             || body.is_some_and(|body| body.changes.intersects(RigidBodyChanges::KIND))

@@ -6,7 +6,7 @@ use crate::model::tree::{BroadPhaseBvh, TreeKind};
 use std::collections::BTreeSet;
 
 impl Structure<'_> {
-    /// Each collider's box stands in the tree that the collider names, and the lists beside the trees agree
+    /// Each collider's box is in the tree that the collider names, and the lists beside the trees agree
     /// with the collider. There are no other boxes but those of removed colliders.
     pub(super) fn check_trees(&self, tree: &BroadPhaseBvh) -> Verdict {
         tree.check_moved()?;
@@ -21,7 +21,7 @@ impl Structure<'_> {
                 "{handle:?} has the clearance {}",
                 proxy.clearance
             );
-            tree.check_wishes(collider)?;
+            tree.check_filters(collider)?;
             for kind in TreeKind::ALL {
                 let aabb = tree.boxes(kind).get(slot);
                 if proxy.tree == Some(kind) {
@@ -29,7 +29,7 @@ impl Structure<'_> {
                     found += 1;
                 } else {
                     let is_other = aabb.is_none() || removed.contains(&slot);
-                    ensure!(is_other, "{handle:?} is in a tree that it does not know");
+                    ensure!(is_other, "{handle:?} is in a tree that is not its own");
                 }
             }
         }

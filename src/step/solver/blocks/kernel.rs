@@ -3,11 +3,11 @@
 /// Declares a kernel over a range of blocks, with its fields and its work on the block `index`. The work
 /// uses the fields by name, and registers of type `W`.
 ///
-/// The work may access what one block owns exclusively:
-/// * the block itself and what belongs to it under the same index;
+/// The work may access the exclusive data of one block:
+/// * the block itself and its data under the same index;
 /// * the states of its dynamic bodies, if the kernel runs [colour by colour](super::for_each_color).
 ///
-/// It may read what no block writes.
+/// It may read data that no block writes.
 macro_rules! block_kernel {
     (
         $(#[$doc:meta])*

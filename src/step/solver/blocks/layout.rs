@@ -80,7 +80,7 @@ impl<T> Layout<T> {
     ///
     /// Its blocks begin with the `first`. A colour that needs more than its `capacity` gets an eighth more
     /// than it needs, so the capacity seldom changes.
-    pub fn keep_room(&mut self, first: usize, capacity: &mut usize) {
+    pub fn reserve_capacity(&mut self, first: usize, capacity: &mut usize) {
         let used = self.starts.len() - first;
         if used > *capacity || 4 * used + SPARE_BLOCKS_MAX < *capacity {
             *capacity = used + used / 8;

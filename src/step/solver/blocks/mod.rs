@@ -1,6 +1,6 @@
 //! Scheduling: which constraints fill the lanes of a block, and which blocks run at the same time.
 //!
-//! All rows of the solver stand in blocks of lanes. A colour is a range of blocks whose constraints have no
+//! All rows of the solver are in blocks of lanes. A colour is a range of blocks whose constraints have no
 //! common dynamic body. Blocks of one colour run on any number of threads, and colours run in sequence.
 
 mod kernel;

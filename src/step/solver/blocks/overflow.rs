@@ -31,7 +31,7 @@ impl OverflowOrder {
         self.block_of.clear();
     }
 
-    /// Takes in the next constraint, between bodies in these slots ([`NONE`]: no body).
+    /// Adds the next constraint, between bodies in these slots ([`NONE`]: no body).
     pub fn push(&mut self, slots: [u32; 2]) {
         let slots = slots.into_iter().filter(|&slot| slot != NONE);
         let behind = |slot: u32| self.behind.get(slot as usize).copied().unwrap_or(0);

@@ -1,6 +1,6 @@
 //! Divergence check: tests whether all states are storable before the first one is stored.
 //!
-//! A sum that overflows is infinite or not a number, and that spreads: one pass later, all touching bodies
+//! A sum that overflows is infinite or NaN, and that spreads: one pass later, all touching bodies
 //! have no finite state either. Such a state never becomes finite again. One check after all passes, before
 //! the first body is stored, is therefore sufficient.
 //!
@@ -20,7 +20,7 @@ use crate::step::solver::groups::Groups;
 use crate::step::solver::links::Links;
 use core::sync::atomic::{AtomicBool, Ordering};
 
-/// Number of states that are worth a task of another thread (a microsecond or two).
+/// Number of states per parallel task (a microsecond or two).
 const STATES_PER_TASK: usize = 1024;
 
 impl SolverBodies {

@@ -23,7 +23,7 @@ impl SolverBodies {
     /// Gathers all awake bodies. Links of multibodies have an index without a state.
     pub fn load(&mut self, groups: &Groups, links: &Links, context: &mut SolverContext<'_>) {
         let &mut SolverContext { gravity, params, tasks, ref mut bodies, .. } = context;
-        self.make_room(groups.order().len(), bodies.slot_count());
+        self.allocate(groups.order().len(), bodies.slot_count());
         let order = groups.order();
         let context = LoadContext { links, gravity, params };
         let ungrouped = 0..groups.ungrouped();
@@ -37,7 +37,7 @@ impl SolverBodies {
     }
 
     /// Allocates states for some bodies, which fill all of them, and for the world.
-    fn make_room(&mut self, count: usize, slot_count: usize) {
+    fn allocate(&mut self, count: usize, slot_count: usize) {
         for slot in self.listed.drain(..).filter(|&slot| slot != NONE) {
             self.indices[slot as usize] = WORLD;
         }
@@ -204,9 +204,9 @@ impl Places<'_> {
         let flags = if body.link.island == NONE { READ_ONLY } else { 0 };
         // SAFETY: the caller's promise.
         unsafe {
-            let bears_weight = self.motions.get(index).bears_weight();
-            let near_rest =
-                bears_weight && AnchorFrame::near_rest(ang_length_squared(body.angvel), flags == 0);
+            let may_be_in_pile = self.motions.get(index).may_be_in_pile();
+            let near_rest = may_be_in_pile
+                && AnchorFrame::near_rest(ang_length_squared(body.angvel), flags == 0);
             let flags = if near_rest { flags | NEAR_REST } else { flags };
             *self.listed.get_mut(index) = slot;
             *self.indices.get_mut(slot as usize) = index as u32 | flags;

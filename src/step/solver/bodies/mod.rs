@@ -132,8 +132,8 @@ impl SolverBodies {
     /// Adds gravity and the user's forces, damps, and starts the substep with the last one's impulses.
     ///
     /// At the first substep the states hold the impulses of the last step already, which must not be damped
-    /// with the velocity. Keeps how bodies moved until now if `keep_last`. Returns how many were slowed down
-    /// to the largest speed.
+    /// with the velocity. Keeps the old velocities if `keep_last`. Returns the number of bodies that were
+    /// limited to the largest speed.
     pub fn integrate_velocities(
         &mut self,
         is_first: bool,

@@ -13,13 +13,13 @@ use crate::step::solver::states::{load_states, store_states};
 pub(super) fn motion_of(body: &RigidBody, gravity: Vector, substep: Real) -> FreeMotion {
     let (force, torque) = body.forces();
     let mprops = &body.mprops;
-    // Gravity accelerates whatever can move, with or without mass.
+    // Gravity accelerates all movable bodies, with or without mass.
     let free = inv_mass_per_axis(mprops.locked_axes, 1.0);
     let linear = gravity * body.gravity_scale * free + force * mprops.inv_mass;
     let angular = mul_inertia(&mprops.inv_inertia, torque);
     let damping = [body.linear_damping, body.angular_damping];
-    let bears_weight = gravity * body.gravity_scale != Vector::ZERO;
-    let motion = FreeMotion::new(body.pose.rotation, linear, angular, damping, bears_weight);
+    let may_be_in_pile = gravity * body.gravity_scale != Vector::ZERO;
+    let motion = FreeMotion::new(body.pose.rotation, linear, angular, damping, may_be_in_pile);
     if body.gyroscopic_forces_enabled && mprops.rotates_freely() {
         motion.with_gyroscope(&mprops.local_mprops, body.angvel, substep)
     } else {
@@ -27,11 +27,11 @@ pub(super) fn motion_of(body: &RigidBody, gravity: Vector, substep: Real) -> Fre
     }
 }
 
-/// Some bodies that stand side by side, and how they were before any impulse of the substep.
+/// Adjacent bodies, and their velocities before any impulse of the substep.
 pub(super) struct BodyChunk<'a> {
     pub states: &'a mut [BodyState],
     pub before: &'a mut [BodyState],
-    /// Gets how they moved until now; or nothing.
+    /// Receives their velocities until now; may be empty.
     pub last: &'a mut [BodyState],
     pub motions: &'a mut [FreeMotion],
 }

@@ -15,8 +15,8 @@ use crate::step::solver::groups::Groups;
 use crate::step::solver::links::Links;
 
 impl SolverBodies {
-    /// Writes velocities and poses back to the bodies, and notes how far each one moved, and how the fast
-    /// ones did.
+    /// Writes velocities and poses back to the bodies. Stores the displacement bound of each body, and the
+    /// motions of fast ones.
     pub fn store(&mut self, groups: &Groups, links: &Links, context: &mut SolverContext<'_>) {
         let SolverContext { islands, bodies, params, fast, tasks, .. } = context;
         let order = groups.order();

@@ -55,8 +55,8 @@ impl SolverContacts {
         if is_only_group {
             self.lanes = core::mem::take(&mut narrow_phase.lanes);
         } else {
-            narrow_phase.lanes.forget();
-            self.lanes.forget();
+            narrow_phase.lanes.invalidate();
+            self.lanes.invalidate();
         }
         let count = self.layout.block_count();
         self.lanes.resize(count);
@@ -104,7 +104,7 @@ impl SolverContacts {
                 self.starts.push(first as u32);
             }
             if let Some(capacity) = &mut capacity {
-                self.layout.keep_room(first, &mut capacity[color as usize]);
+                self.layout.reserve_capacity(first, &mut capacity[color as usize]);
             }
         }
         if !are_all {
@@ -144,7 +144,7 @@ impl SolverContacts {
 /// Prefetches the manifolds with which lanes will be filled: pairs are spread over memory.
 fn prefetch(lanes: &LaneBlock, chunk: &[ManifoldRef], narrow_phase: &NarrowPhase) {
     for (lane, &at) in chunk.iter().enumerate() {
-        if !lanes.is_seated(lane, at) || narrow_phase.contacts.is_renewed(at.pair) {
+        if !lanes.stores(lane, at) || narrow_phase.contacts.is_renewed(at.pair) {
             narrow_phase.contacts.prefetch(at.pair);
         }
     }
@@ -163,7 +163,7 @@ fn fill(
     let contacts = &narrow_phase.contacts;
     for (lane, &at) in chunk.iter().enumerate() {
         if block.assign(lane, Some(at)) || contacts.is_renewed(at.pair) {
-            block.learn(lane, at.manifold, &contacts[at.pair], contacts.bodies(at.pair));
+            block.fill(lane, at.manifold, &contacts[at.pair], contacts.bodies(at.pair));
         }
     }
     for lane in chunk.len()..LANES {

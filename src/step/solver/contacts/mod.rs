@@ -26,7 +26,7 @@ pub(super) use passes::{solve_friction, values_at};
 pub(super) use prepare::{PrepareContext, prepare};
 pub(super) use store_impulses::store_impulses;
 
-/// Blocks that are worth handing over to another thread together (a microsecond or two).
+/// Number of blocks per parallel task (a microsecond or two).
 const BLOCKS_PER_TASK: usize = 8;
 
 /// All contact constraints of a step.
@@ -66,7 +66,7 @@ impl SolverContacts {
     /// Discards the results of the step.
     pub fn give_back(&mut self, narrow_phase: &mut NarrowPhase) {
         if self.lanes_are_scaled {
-            self.lanes.forget();
+            self.lanes.invalidate();
         }
         if self.are_on_loan {
             narrow_phase.lanes = core::mem::take(&mut self.lanes);
@@ -225,7 +225,7 @@ impl SolverContacts {
     }
 }
 
-/// All blocks, and the friction per point of each if that is wanted.
+/// All blocks, and the friction per point of each if the model has it.
 #[derive(Clone, Copy)]
 pub(super) struct Blocks<'a> {
     contacts: DisjointMut<'a, ContactBlock>,

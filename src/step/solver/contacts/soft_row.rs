@@ -11,7 +11,7 @@ pub(super) struct SoftRow<W> {
     mass_scale: W,
     impulse_scale: W,
     inv_substep: W,
-    /// Overlap that is left alone.
+    /// Overlap that is not corrected (length units).
     allowed: W,
     /// Fastest that overlap is undone, downwards.
     push: W,

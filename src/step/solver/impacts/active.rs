@@ -100,8 +100,7 @@ pub(in super::super) struct ActiveBlock {
     count: usize,
     /// One bit per lane: set if the last iteration changed the lane.
     pub moving: u32,
-    /// The sum of impulse times approach in this round (negative), and how much more energy there is than
-    /// there should be at most.
+    /// The sum of impulse times approach in this round (negative), and the excess of energy above the bound.
     pub dissipated: Lane,
     pub energy_gain: Lane,
 }

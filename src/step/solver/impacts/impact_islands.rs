@@ -4,8 +4,8 @@ use crate::dim::math::Real;
 
 /// Iterations over all contacts that hit, per substep, in an island with a contact of restitution 1.
 const ITERATIONS_MAX: usize = 128;
-/// Islands with at most this number of contacts get all iterations for any restitution.
-const SMALL_ISLAND: usize = 32;
+/// Largest number of contacts of an island that gets all iterations for any restitution.
+const CONTACTS_ALL_ITERATIONS_MAX: usize = 32;
 
 /// The contacts of an island that have restitution: their number, and the largest restitution. The number of
 /// iterations follows from both.
@@ -18,7 +18,7 @@ pub(super) struct IslandRestitution {
 impl IslandRestitution {
     /// Number of iterations per substep.
     pub fn iterations(&self) -> usize {
-        let smallness = SMALL_ISLAND as Real / self.contacts as Real;
+        let smallness = CONTACTS_ALL_ITERATIONS_MAX as Real / self.contacts as Real;
         let fraction = self.restitution.max(smallness).min(1.0);
         (ITERATIONS_MAX as Real * fraction).ceil() as usize
     }

@@ -64,7 +64,7 @@
 //! late. The bodies are placed as if they had moved on at their new velocities since then: by `-τ Δv`
 //! (`accept_impact`). The correction must not violate joints, which would turn errors into velocity. Bodies
 //! of directly solved joints have one `τ`, and those of iterated joints have none
-//! (`SolverJoints::share_delays`).
+//! (`SolverJoints::sum_delays`).
 //!
 //! The target velocity (`rows.rs`) is that of the middle of the substep.
 //!
@@ -106,7 +106,7 @@ use visits::{BlockVisit, ImpactPhase};
 
 /// Largest number of iterations of a round.
 const ROUND_ITERATIONS: usize = 16;
-/// Blocks that are worth handing over to another thread together. An iteration of few blocks ends before
+/// Number of blocks per parallel task. An iteration of few blocks ends before
 /// another thread starts.
 const BLOCKS_PER_TASK: usize = 32;
 
@@ -124,12 +124,12 @@ pub(super) struct Impacts {
     /// The active part of a round, often a small part of all contacts.
     active: Active,
     touched: Touched,
-    memory: Memory,
+    islands: ImpactIslands,
 }
 
-/// Data of islands.
+/// Energy, restitution and sums of the islands that impacts have hit.
 #[derive(Default)]
-struct Memory {
+struct ImpactIslands {
     /// By island.
     impact_islands: Vec<ImpactIsland>,
     /// By island. Empty until a contact hits in this step.
@@ -154,7 +154,7 @@ impl Impacts {
         let lanes = contacts.lanes();
         self.blocks.clear();
         self.colors.clear();
-        self.memory.restitutions.clear();
+        self.islands.restitutions.clear();
         for color in contacts.colors() {
             let start = self.blocks.len();
             for at in color.clone().filter(|&at| lanes[at].input.restitution != Lane::ZERO) {
@@ -198,7 +198,7 @@ impl Impacts {
             let held = self.begin(bodies, &context);
             while self.find_active(contacts, context.multibodies) {
                 self.solve_round(held, bodies, &mut context);
-                let impact_islands = &self.memory.impact_islands;
+                let impact_islands = &self.islands.impact_islands;
                 let has_iterations = |island: u32| impact_islands[island as usize].iterations > 0;
                 context.multibodies.mark_active(sources, bodies, has_iterations, pass);
                 self.visit_blocks(ImpactPhase::Mark, contacts, bodies, &context);
@@ -211,7 +211,7 @@ impl Impacts {
             context.multibodies.solve_active_friction(&mut bodies.states);
             self.visit_blocks(ImpactPhase::Friction, contacts, bodies, &context);
             self.accept(bodies, &mut context, |_| 1.0);
-            context.joints.forget_places();
+            context.joints.invalidate_poses();
         }
         context.multibodies.end_impact();
         bodies.swap_before();
@@ -230,8 +230,8 @@ impl Impacts {
     /// restitution: an error of the fraction `e` of its speed. So the iterations of a large island are
     /// proportional to its largest `e`. Small islands get all of them: their iterations are cheap.
     fn open_islands(&mut self, bodies: &SolverBodies, links: &SolverMultibodies) {
-        let Self { blocks, active, memory, .. } = self;
-        let Memory { impact_islands, restitutions, .. } = memory;
+        let Self { blocks, active, islands, .. } = self;
+        let ImpactIslands { impact_islands, restitutions, .. } = islands;
         if restitutions.is_empty() {
             restitutions.resize(
                 bodies.island_bound().max(links.island_bound()),
@@ -277,14 +277,14 @@ impl Impacts {
 
     /// Finds the contacts that hit, in islands with iterations left. Returns whether there is any.
     fn find_active(&mut self, contacts: Blocks<'_>, links: &mut SolverMultibodies) -> bool {
-        let Self { blocks, marks, colors, active, touched, memory } = self;
-        let impact_islands = &mut memory.impact_islands;
+        let Self { blocks, marks, colors, active, touched, islands } = self;
+        let impact_islands = &mut islands.impact_islands;
         for island in active.islands.drain(..) {
             let impact_island = &mut impact_islands[island as usize];
             (impact_island.is_active, impact_island.is_moving) = (false, false);
             (impact_island.dissipated, impact_island.energy_gain) = (0.0, 0.0);
         }
-        memory.sums.clear();
+        islands.sums.clear();
         active.clear();
         touched.begin_round();
         for color in &*colors {
@@ -306,7 +306,7 @@ impl Impacts {
         context: &mut ImpactContext<'_>,
     ) {
         self.begin_round(bodies, context.multibodies);
-        context.joints.forget_places();
+        context.joints.invalidate_poses();
         context.joints.begin_impact_impulses();
         for _ in 0..ROUND_ITERATIONS {
             context.multibodies.iterate_active(&mut bodies.states);
@@ -314,7 +314,7 @@ impl Impacts {
             if !self.find_moving(context.multibodies) {
                 break;
             }
-            let Memory { impact_islands, sums, .. } = &mut self.memory;
+            let ImpactIslands { impact_islands, sums, .. } = &mut self.islands;
             let islands = &bodies.islands;
             let impact_island = |body: u32| impact_islands.get(islands[body as usize] as usize);
             // Bodies without an island move as they did.
@@ -331,7 +331,7 @@ impl Impacts {
         }
         context.multibodies.end_round(&mut bodies.states, &mut self.touched.delays);
         self.iterate(Phase::End, bodies, context);
-        let sums = &mut self.memory.sums;
+        let sums = &mut self.islands.sums;
         for block in &self.active.blocks {
             for lane in block.lanes() {
                 sums.push(
@@ -346,13 +346,13 @@ impl Impacts {
                 [contact.impact.dissipated, contact.impact.energy_gain],
             );
         }
-        context.joints.share_delays(&mut self.touched.delays);
+        context.joints.sum_delays(&mut self.touched.delays);
         self.commit_round(bodies, context);
     }
 
     /// Scales the round of each island by the fraction that its energy allows.
     fn commit_round(&mut self, bodies: &mut SolverBodies, context: &mut ImpactContext<'_>) {
-        let Memory { impact_islands, sums, .. } = &mut self.memory;
+        let ImpactIslands { impact_islands, sums, .. } = &mut self.islands;
         sums.for_each(|island, [dissipated, energy_gain]| {
             let impact_island = &mut impact_islands[island as usize];
             impact_island.dissipated += dissipated;
@@ -364,7 +364,7 @@ impl Impacts {
                 impact_island.iterations = 0;
             }
         }
-        let impact_islands = &self.memory.impact_islands;
+        let impact_islands = &self.islands.impact_islands;
         let fraction =
             |island: u32| impact_islands.get(island as usize).map_or(1.0, ImpactIsland::fraction);
         self.active.blocks.iter().for_each(|block| block.commit(&mut self.blocks, fraction));
@@ -389,8 +389,8 @@ impl Impacts {
     /// Finds the islands that the last iteration changed, and deactivates the others for the rest of the
     /// round. Returns whether there is any.
     fn find_moving(&mut self, links: &mut SolverMultibodies) -> bool {
-        let Self { active, memory, .. } = self;
-        let impact_islands = &mut memory.impact_islands;
+        let Self { active, islands, .. } = self;
+        let impact_islands = &mut islands.impact_islands;
         for &island in &active.islands {
             let impact_island = &mut impact_islands[island as usize];
             impact_island.iterations =

@@ -54,8 +54,8 @@ impl<'a, W: Wide> NormalRows<'a, W> {
         separations
     }
 
-    /// Gauss–Seidel over the points of each lane: `solve` says for each point, at its velocity, which impulse
-    /// is added there.
+    /// Gauss–Seidel over the points of each lane. `solve` returns the additional impulse of a point from its
+    /// velocity.
     #[inline(always)]
     pub fn iterate(&mut self, mut solve: impl FnMut(usize, W) -> W) {
         let mut velocities = self.velocities();

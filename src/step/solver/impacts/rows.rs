@@ -1,4 +1,4 @@
-//! The points of one block in an impact: which of them hit, and how fast they are to part. The rounds are in
+//! The points of one block in an impact: those that hit, and their target velocities. The rounds are in
 //! `active.rs`.
 //!
 //! The velocity of a substep, which is that of its middle, is not that of the time `τ`. With the acceleration
@@ -48,8 +48,8 @@ pub(in super::super) struct ImpactBlock {
     pub islands: [u32; LANES],
 }
 
-/// Flags that each round reads for every block; often they show that nothing is to do. So it stands apart:
-/// thousands of blocks are passed over without a look at their rows.
+/// Flags that each round reads for every block; often they show that nothing is to do. They are stored
+/// separately, so that thousands of blocks are skipped without reading their rows.
 #[derive(Copy, Clone, Debug, Default)]
 pub(in super::super) struct ImpactMark {
     /// One bit per lane: set if any point hits in this round.
@@ -109,9 +109,9 @@ impl ImpactBlock {
         mark.deferred = mark.to_defer;
     }
 
-    /// Begins a substep: notes how the points move, and what forces did to that since the last one ended
-    /// (`last`). `loaded` are the velocities with the impulses of the last substep, which support these
-    /// forces.
+    /// Begins a substep: stores the velocities of the points, and their change by forces since the end of the
+    /// last one (`last`). `loaded` are the velocities with the impulses of the last substep, which support
+    /// these forces.
     #[inline(always)]
     pub fn begin<W: Wide>(
         &mut self,

@@ -141,7 +141,7 @@ impl<W: Wide> Geometry<W> {
         (along, distance + angle)
     }
 
-    /// The direction of an axis of translation, and how far the joint is along it.
+    /// The direction of an axis of translation, and the displacement of the joint along it.
     #[inline(always)]
     fn translation(&self, row: &AxisRow) -> (WideVector<W>, W) {
         let single = WideVector::load(&row.linear);

@@ -28,10 +28,10 @@ use crate::step::solver::links::Links;
 /// gains energy by its own corrections: see [`CONTACT_COMPLIANCE`](crate::model::params::CONTACT_COMPLIANCE).
 const ITERATED_COMPLIANCE: Real = 1.0 / 8.0;
 
-/// A body that turns by less than this (rad) in a substep keeps its inertia for the step.
-const TURN_MIN: Real = 1.0e-4;
+/// A body that rotates by less than this angle (rad) in a substep keeps its inertia for the step.
+const ROTATION_ANGLE_MIN: Real = 1.0e-4;
 
-/// Number of joints that are worth a task of another thread.
+/// Number of joints per parallel task.
 const JOINTS_PER_TASK: usize = 64;
 
 /// Context for loading joints.
@@ -232,9 +232,11 @@ impl End {
 
 /// Returns whether a body rotates so far in a substep that its world-space inertia changes noticeably.
 pub(super) fn is_gyroscopic(body: &RigidBody, substep: Real) -> bool {
-    let turn_squared = ang_length_squared(body.angvel) * substep * substep;
+    let angle_squared = ang_length_squared(body.angvel) * substep * substep;
     let mprops = &body.mprops;
-    turn_squared >= TURN_MIN * TURN_MIN && mprops.rotates_freely() && !is_round(&mprops.inv_inertia)
+    angle_squared >= ROTATION_ANGLE_MIN * ROTATION_ANGLE_MIN
+        && mprops.rotates_freely()
+        && !is_round(&mprops.inv_inertia)
 }
 
 /// Fills one lane of a block, and of its rows.
@@ -370,8 +372,8 @@ fn load_motor_and_limits(
         set(&mut row.motor.impulse, motor.impulse);
     }
     if let Some(JointLimits { min, max, impulse }) = joint.limits(axis).copied() {
-        // A distance is never less than zero, nor is the angle of a swing: a limit there would only stop what
-        // passes through.
+        // A distance and the angle of a swing are never negative. A limit there would only stop bodies that
+        // pass through zero.
         let has_sign = !joint.is_measured_together(axis);
         let min = if has_sign || min > 0.0 { min } else { -UNLIMITED };
         set(&mut row.min, min);

@@ -103,7 +103,7 @@ pub(super) struct SolverJoints {
     impact_impulses: Vec<ImpactImpulse>,
     /// The point-to-point joints, which have their own blocks.
     point_to_point: PointToPointJoints,
-    /// All joints in the order of their colours, and how many of them each colour has.
+    /// All joints in the order of their colours, and the number of joints per colour.
     members: Vec<DirectJoint>,
     colors: Vec<(u32, usize)>,
     /// Slots of all joints that have a colour, in that order.
@@ -122,7 +122,7 @@ struct LaneSlot {
     driven: u8,
 }
 
-/// Blocks that are worth handing over to another thread together.
+/// Number of blocks per parallel task.
 const BLOCKS_PER_TASK: usize = 8;
 
 /// Velocity changes of a round of an impact.
@@ -202,7 +202,7 @@ impl SolverJoints {
         });
         self.point_to_point.iterate::<BIASED>(states, pass, simd, tasks);
         if !BIASED {
-            self.direct.forget_matrices();
+            self.direct.invalidate_matrices();
         }
         if self.direct.is_empty() {
             return;
@@ -308,12 +308,12 @@ impl SolverJoints {
         }
     }
 
-    /// Bodies that an impact has hit are put where they would be had they moved on since then. Joints must
-    /// not be torn by that. Bodies of directly solved joints get the sum of all their `delays` (sums over
+    /// Bodies that an impact has hit are moved by their motion since then. That must not violate joints.
+    /// Bodies of directly solved joints get the sum of all their `delays` (sums over
     /// impacts): they were hit as one. Bodies of iterated joints get none, because the impact has moved them
     /// apart.
-    pub fn share_delays(&self, delays: &mut [BodyState]) {
-        self.direct.share_delays(delays);
+    pub fn sum_delays(&self, delays: &mut [BodyState]) {
+        self.direct.sum_delays(delays);
         let iterated = self.members.iter().filter(|member| !self.direct.contains(member.slot));
         for member in iterated.filter(|member| member.form.locked != 0) {
             member.movable().for_each(|(_, body)| delays[body as usize] = BodyState::default());
@@ -321,8 +321,8 @@ impl SolverJoints {
     }
 
     /// Marks the poses of the bodies as changed.
-    pub fn forget_places(&mut self) {
-        self.direct.forget_matrices();
+    pub fn invalidate_poses(&mut self) {
+        self.direct.invalidate_matrices();
     }
 
     /// Solves the locked axes of connected joints together.

@@ -89,7 +89,7 @@ pub(super) unsafe fn warm_start<W: Wide>(
 /// # Safety
 /// The caller has exclusive access to the block's rows.
 #[inline(always)]
-unsafe fn forget_stiff<W: Wide>(block: &mut JointBlock, rows: &DisjointMut<AxisRow>) {
+unsafe fn clear_stiff<W: Wide>(block: &mut JointBlock, rows: &DisjointMut<AxisRow>) {
     let kept = W::splat(1.0) - W::load(&block.is_stiff);
     for impulse in &mut block.impulses {
         (W::load(impulse) * kept).store(impulse);
@@ -175,7 +175,7 @@ unsafe fn iterate_rows<W: Wide, const BIASED: bool, const N: usize>(
     if BIASED {
         // SAFETY: the caller's promise.
         let turned = unsafe {
-            forget_stiff::<W>(block, rows);
+            clear_stiff::<W>(block, rows);
             wrench_of(block, rows, &geometry, &locked)
         };
         bodies.velocities = give_instead(block, &masses, &turned, bodies.velocities);
@@ -232,7 +232,7 @@ fn store_angvel_change<W: Wide>(angvel_change: [WideAngVector<W>; 2], block: &mu
     }
 }
 
-/// Notes what impulses that are added make of the angular velocities.
+/// Stores the change of the angular velocities by added impulses.
 #[inline(always)]
 pub(super) fn note_angvel_change<W: Wide>(
     block: &mut JointBlock,

@@ -91,6 +91,6 @@ fn store_lane(
     joint.force = block.total_impulse.lane(lane) * inv_dt;
     joint.torque = ang_lane(&block.total_moment, lane) * inv_dt;
     if !joint.is_sound() {
-        joint.forget_impulses();
+        joint.clear_impulses();
     }
 }

@@ -300,7 +300,7 @@ impl LinkContacts {
             let pair = &mut narrow_phase.contacts[contact.at.pair];
             let data = &mut pair.manifolds[contact.at.manifold as usize].data;
             if !contact.is_sound() {
-                data.forget_impulses();
+                data.clear_impulses();
                 continue;
             }
             data.normal = contact.normal;

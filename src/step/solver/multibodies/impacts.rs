@@ -66,8 +66,7 @@ pub struct LinkImpact {
     pub was_active: bool,
     /// Whether the last iteration changed anything.
     pub moving: bool,
-    /// The sum of impulse times approach in this round, and how much more energy there is than there should
-    /// be.
+    /// The sum of impulse times approach in this round, and the excess of energy.
     pub dissipated: Real,
     pub energy_gain: Real,
 }
@@ -77,9 +76,9 @@ pub struct LinkImpact {
 pub struct BeforeImpact {
     rates: Vec<Real>,
     external_impulse: SpatialVector,
-    /// The sum of the times (s) at which it is hit in this round, and how many they are.
+    /// The sum of the times (s) at which it is hit in this round, and the number of hits.
     times: [Real; 2],
-    /// For how long (s) it has been moved on to where it is hit, if it is.
+    /// Time (s) by which it was moved to the pose of its hit, if it has one.
     ahead: Option<Real>,
     /// Whether it may gain energy: other bodies hit it, or its restitution exceeds 1.
     may_gain: bool,
@@ -303,7 +302,7 @@ impl SolverMultibodies {
         }
     }
 
-    /// Remembers how the multibodies move when a round begins.
+    /// Stores the velocities of the multibodies when a round begins.
     pub fn begin_round(&mut self) {
         for moving in &mut self.moving {
             let BeforeImpact { rates, external_impulse, .. } = &mut moving.before_impact;

@@ -44,8 +44,8 @@ pub enum Owner {
     },
 }
 
-/// From how far (rad) a limit of a ball's angle is followed. Joints that must stay within half a degree
-/// rotate by less in a substep.
+/// Distance (rad) from which a limit of a ball's angle is updated in each substep. Joints that must stay
+/// within half a degree rotate by less in a substep.
 const LIMIT_DISTANCE_MAX: Real = 0.25;
 
 /// Both limits of an axis. They have a common row: one pushes along it, the other against it.

@@ -377,7 +377,7 @@ impl Loops {
         for Loop { handle, .. } in &self.loops {
             let Some(joint) = joints.get_unnoted_mut(*handle) else { continue };
             if !joint.is_sound() {
-                joint.forget_impulses();
+                joint.clear_impulses();
             }
             if let Some(event) = break_if_overloaded(*handle, joint) {
                 broken.push(event);

@@ -39,7 +39,7 @@ use limits::JointRows;
 use loops::Loops;
 use rows::{ConstrainedStates, JacobianPool};
 
-/// Multibodies that are worth handing over to another thread together (some ten microseconds).
+/// Number of multibodies per parallel task (some ten microseconds).
 const MULTIBODIES_PER_TASK: usize = 2;
 
 /// While overlap is undone, links may have this multiple of the energy that they may keep.

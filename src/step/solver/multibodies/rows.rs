@@ -1,13 +1,13 @@
 //! A constraint row between links of multibodies, ordinary bodies and the world.
 //!
 //! The relative velocity of a row is `Ċ = Σ J v` over its two sides. For an ordinary body `v` is its spatial
-//! velocity. For the links of a multibody it is the list of all its generalised velocities `q̇`, because an
-//! impulse on one link moves all of them. An impulse `λ` adds `W λ` with the response `W = M⁻¹ Jᵀ`, and the
-//! row resists with `K = J W`.
+//! velocity. For the links of a multibody it is the list of all its generalised velocities `q̇`. An impulse
+//! on one link moves all of them. An impulse `λ` adds `W λ` with the response `W = M⁻¹ Jᵀ`, and the row
+//! resists with `K = J W`.
 //!
 //! `J` and `W` are lists with one number per degree of freedom, computed once a step in time proportional to
 //! the number of links. (Moment arms and inertias of contacts are frozen during a step; multibodies that
-//! rotate far are updated in each substep.) An iteration of the row is one product of two lists over the span
+//! rotate far are updated in each substep.) An iteration of the row is a product of two lists over the span
 //! where `J` is not zero (one number for a limit), and one addition if the impulse changes.
 
 use super::Moving;
@@ -167,7 +167,7 @@ impl JacobianPool {
         row
     }
 
-    /// `J_i W_j`: how fast the first row becomes by an impulse of 1 on the second, which must be of the same
+    /// `J_i W_j`: the velocity of the first row by an impulse of 1 on the second, which must be of the same
     /// two sides.
     pub fn coupling(&self, first: &Row, second: &Row) -> Real {
         let of = |side: usize| match (&first.parts[side], &second.parts[side]) {
@@ -352,7 +352,7 @@ impl JacobianPool {
 }
 
 impl Moving {
-    /// Notes what an impulse does.
+    /// Stores the effect of an impulse.
     fn note_push(&mut self, jacobian: &[Real], response: &[Real], impulse: Real) {
         add(&mut self.pushed, response, impulse);
         add(&mut self.root_pushed, jacobian, impulse);

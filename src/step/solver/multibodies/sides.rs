@@ -28,7 +28,7 @@ pub(super) struct Side<'a> {
 /// Current world-space geometry of a manifold.
 pub(super) struct Geometry {
     pub normal: Vector,
-    /// By point: where it is, how far apart the surfaces are.
+    /// By point: its position, and the distance of the surfaces.
     pub points: ArrayVec<(Vector, Real), MAX_MANIFOLD_POINTS>,
 }
 

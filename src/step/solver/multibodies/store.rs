@@ -59,8 +59,8 @@ impl SolverMultibodies {
         }
     }
 
-    /// Writes impulses to manifolds and joints, and poses and velocities to bodies. Notes how far each body
-    /// moved, and the trajectories of fast multibodies. The multibodies go back to their set. Returns the
+    /// Writes impulses to manifolds and joints, and poses and velocities to bodies. Stores the motion of
+    /// each body, and the trajectories of fast multibodies. The multibodies return to their set. Returns the
     /// number of multibodies that were limited to the largest speed.
     pub fn store(&mut self, context: &mut SolverContext<'_>) -> usize {
         self.store_constraints(context);
@@ -91,7 +91,7 @@ pub(super) fn note_travel(travels: &mut [[Real; 2]], velocities: &[SpatialVector
 }
 
 impl Moving {
-    /// Notes how far the links go in `h` seconds if these rates alone move them.
+    /// Stores the displacements of the links in `h` seconds at these rates.
     pub(super) fn note_travel_at(&mut self, rates: &[Real], h: Real) {
         note_travel(&mut self.travel, self.motion.link_velocities_at(rates), h);
     }

@@ -57,7 +57,7 @@ fn all_registers_give_the_same_bits() {
                 scene.add(lane, bodies, &contact);
             }
         }
-        // Numbers are printed so that different ones look different.
+        // Different numbers are printed differently.
         let [baseline, detected] = scenes.map(|mut scene| {
             step(&mut scene);
             format!("{:?} {:?} {:?}", scene.states, scene.block, scene.input)
@@ -111,7 +111,7 @@ fn read_only_bodies_and_the_world_are_not_written() {
     assert_eq!(format!("{:?}", scene.states[0]), format!("{:?}", Scene::empty().states[0]));
 }
 
-/// Turning a body does not change how far it has moved: velocities are written, displacements are not.
+/// A rotation of a body does not change its displacement: velocities are written, displacements are not.
 #[test]
 fn displacements_stay() {
     let mut random = Random(24);

@@ -1,4 +1,4 @@
-//! The normal rows: impulses that stop, hold apart, bounce, and see how far apart bodies are.
+//! The normal rows: impulses that stop bodies, separate them, let them bounce, and depend on their distance.
 
 use super::scene::{
     Body, Contact, LANE, SUBSTEP, Scene, THRESHOLD, advance, random_direction, random_vector,

@@ -25,7 +25,7 @@ pub const THRESHOLD: Real = 0.5;
 /// Prediction distance.
 pub const PREDICTION: Real = 0.02;
 
-/// A body, as the solver sees it.
+/// A body with the data that the solver reads.
 #[derive(Copy, Clone)]
 pub struct Body {
     pub rotation: Rotation,
@@ -140,7 +140,7 @@ pub struct Scene {
     pub input: ContactInput,
     pub reports: [ContactReport; LANES],
     pub block: ContactBlock,
-    /// Friction per point, if that is wanted.
+    /// Friction per point, if the model has it.
     pub coulomb: Option<CoulombBlock>,
     pub pass: ContactPass,
     pub prediction: Real,

@@ -5,7 +5,7 @@
 //! `Σ m v²/2 + ω I ω/2 + m g y` then stays below its initial value, except for two errors of the time step:
 //!
 //! * Semi-implicit Euler with step `h` falls `g t h / 2` too far in a time `t`. Its energy oscillates by up
-//!   to `m g v h / 2` about the true one: `m v²/2` is taken at the end of a step, and the height assumes the
+//!   to `m g v h / 2` about the true one. `m v²/2` is taken at the end of a step, and the height assumes the
 //!   end velocity for the whole step.
 //! * Penetration `d` is corrected with up to [`IntegrationParameters::max_corrective_velocity`], which lifts
 //!   by `d`. Penetrations are as deep as the motion of one step, `v h`.
@@ -44,7 +44,7 @@ pub fn run(choices: &mut Choices<'_>) -> Tally {
         tally.steps += 1;
         check(&world);
         let now = energy(&world);
-        choices.tell(|| format!("step {}: {now:.2} J of {first:.2} J", tally.steps));
+        choices.print(|| format!("step {}: {now:.2} J of {first:.2} J", tally.steps));
         assert!(
             now <= most,
             "the energy rose from {first} to {now} J within {} steps",
@@ -69,7 +69,7 @@ fn fill(world: &mut PhysicsWorld, linked: bool, choices: &mut Choices<'_>) -> Ve
         let solid = shape(choices.below(SOLIDS), 0.4, choices).unwrap_or_else(|| cuboid(0.4));
         let restitution = if choices.coin() { 0.0 } else { within(choices, 0.0, 1.0) };
         let solid = solid.friction(within(choices, 0.0, 1.0)).restitution(restitution);
-        choices.tell(|| {
+        choices.print(|| {
             format!(
                 "a body with {:?} of restitution {restitution} at {speed}",
                 solid.shape.shape_type()
@@ -95,7 +95,7 @@ fn hold(
     let middle = (at2 - at1) * 0.5;
     let locked = choices.pick(&[JointAxesMask::LIN_AXES, JointAxesMask::all()]);
     let joint = GenericJointBuilder::new(locked).local_anchor1(middle).local_anchor2(-middle);
-    choices.tell(|| format!("    held by {locked:?}, linked: {linked}"));
+    choices.print(|| format!("    held by {locked:?}, linked: {linked}"));
     if linked {
         world.insert_multibody_joint(body1, body2, joint.build());
     } else {

@@ -50,7 +50,7 @@ pub fn run(choices: &mut Choices<'_>) -> Tally {
         tally.steps += 1;
         check(&world);
         check_work(&world, limits);
-        choices.tell(|| format!("step {}: {}", tally.steps, counted(&world)));
+        choices.print(|| format!("step {}: {}", tally.steps, counted(&world)));
     }
     tally
 }

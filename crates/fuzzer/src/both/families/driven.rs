@@ -56,7 +56,7 @@ impl Driven {
                 RigidBodyBuilder::kinematic_velocity_based().linvel(velocity).angvel(about_z(spin))
             }
         };
-        choices.tell(|| format!("{velocity} m/s, {spin} rad/s, by position: {is_position_based}"));
+        choices.print(|| format!("{velocity} m/s, {spin} rad/s, by position: {is_position_based}"));
         let body = world.insert_body(builder.translation(from));
         Self { body, velocity, spin, angle: 0.0, is_position_based }
     }
@@ -113,7 +113,7 @@ fn cage(world: &mut PhysicsWorld, choices: &mut Choices<'_>) -> Tally {
     for _ in 0..150 {
         let [_, first] = cage.step(world, balls[0]);
         tally.steps += 1;
-        choices.tell(|| format!("step {}: the first ball is at {first}", tally.steps));
+        choices.print(|| format!("step {}: the first ball is at {first}", tally.steps));
         for &ball in &balls {
             let at = world.bodies[ball].translation();
             let seen = world.bodies[cage.body].position().inverse_transform_point(at);
@@ -133,7 +133,7 @@ fn add_ball(
     let radius = within(choices, 0.05, f64::from(RADIUS_MAX));
     let speed = if choices.once_in(4) { 0.0 } else { speed * choices.within(0.0, 1.0) };
     let velocity = some_velocity(choices, 1.0).normalize_or_zero() * speed as Real;
-    choices.tell(|| format!("a ball of {radius} m at {at} with {velocity} m/s"));
+    choices.print(|| format!("a ball of {radius} m at {at} with {velocity} m/s"));
     let body = RigidBodyBuilder::dynamic()
         .translation(at)
         .linvel(velocity)
@@ -162,7 +162,7 @@ fn wall(world: &mut PhysicsWorld, choices: &mut Choices<'_>) -> Tally {
     for _ in 0..40 {
         let [_, seen] = wall.step(world, ball);
         tally.steps += 1;
-        choices.tell(|| format!("step {}: the ball is at {seen}", tally.steps));
+        choices.print(|| format!("step {}: the ball is at {seen}", tally.steps));
         assert!(
             seen.x < HALF_THICKNESS,
             "a wall at {speed} m/s passed a ball at {velocity}: {seen}"
@@ -184,7 +184,7 @@ fn door(world: &mut PhysicsWorld, choices: &mut Choices<'_>) -> Tally {
     for _ in 0..steps {
         let [before, seen] = door.step(world, ball);
         tally.steps += 1;
-        choices.tell(|| format!("step {}: the ball is at {seen}", tally.steps));
+        choices.print(|| format!("step {}: the ball is at {seen}", tally.steps));
         // A ball beyond the end of the door, or at the hinge, is not in its path.
         let is_before_end = before.length().max(seen.length()) < DOOR - RADIUS_MAX;
         let is_beside = seen.x > 0.0 && is_before_end;

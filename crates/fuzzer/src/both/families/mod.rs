@@ -36,7 +36,7 @@ pub fn run(family: usize, mut choices: Choices<'_>) -> Tally {
         if choices.is_over() {
             break;
         }
-        choices.tell(|| format!("a scene of the family `{}`", FAMILIES[family]));
+        choices.print(|| format!("a scene of the family `{}`", FAMILIES[family]));
         tally.add(RUNS[family](&mut choices));
     }
     tally

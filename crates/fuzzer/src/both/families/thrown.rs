@@ -33,7 +33,7 @@ pub fn run(choices: &mut Choices<'_>) -> Tally {
         tally.steps += 1;
         check(&world);
         let at = world.bodies[body].center_of_mass();
-        choices.tell(|| {
+        choices.print(|| {
             let body = &world.bodies[body];
             format!("step {}: at {at}, {:?}", tally.steps, body.vels())
         });
@@ -59,7 +59,7 @@ fn throw(world: &mut PhysicsWorld, choices: &mut Choices<'_>) -> RigidBodyHandle
         .linvel(direction * speed)
         .angvel(turn(choices, spin))
         .ccd_enabled(choices.once_in(4));
-    choices.tell(|| format!("{:?} at {speed} m/s along {direction}", shape.shape.shape_type()));
+    choices.print(|| format!("{:?} at {speed} m/s along {direction}", shape.shape.shape_type()));
     let shape = shape.restitution(within(choices, 0.0, 1.0)).friction(within(choices, 0.0, 1.0));
     world.insert(body, shape).0
 }

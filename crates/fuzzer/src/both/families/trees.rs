@@ -2,7 +2,7 @@
 //!
 //! Trees, tolerance and its reasons are those of `tests/multibody/energy.rs`. Link masses range from 1 to 10
 //! kg, and speeds up to 150 m/s in empty space and 30 m/s among walls. A known defect is outside these
-//! ranges: links that rotate at hundreds of rad/s and collide at mass ratios of 1:74 gain energy in one of
+//! ranges. Links that rotate at hundreds of rad/s and collide at mass ratios of 1:74 gain energy in one of
 //! some thousand trees.
 
 use super::dim::{TREE_LOCKS, cuboid};
@@ -57,7 +57,7 @@ pub fn run(choices: &mut Choices<'_>) -> Tally {
         tally.steps += 1;
         check(&world);
         let now = energy(&world, &links);
-        choices.tell(|| format!("step {}: {now:.4} J", tally.steps));
+        choices.print(|| format!("step {}: {now:.4} J", tally.steps));
         let gain = (now - least) / scale.max(f64::MIN_POSITIVE);
         assert!(
             gain <= GAIN_MAX,
@@ -120,7 +120,7 @@ fn some_link(throw: &Throw, choices: &mut Choices<'_>) -> ColliderBuilder {
         _ => ColliderBuilder::capsule_x(0.5 * size, 0.5 * size),
     };
     let mass = throw.mass_ratio.powf(choices.within(0.0, 1.0)) as Real;
-    choices.tell(|| format!("a link of {size} m and {mass} kg"));
+    choices.print(|| format!("a link of {size} m and {mass} kg"));
     let friction = within(choices, 0.0, 1.0);
     let shape = shape.mass(mass).restitution(throw.restitution).friction(friction);
     shape.collision_groups(OTHERS)
@@ -135,7 +135,7 @@ fn join(
     let [from, at] = [parent, link].map(|body| world.bodies[body].translation());
     let middle = (at + from) * 0.5;
     let locks = choices.pick(&TREE_LOCKS);
-    choices.tell(|| format!("    joined with {locks:?}"));
+    choices.print(|| format!("    joined with {locks:?}"));
     let mut joint = GenericJointBuilder::new(locks)
         .local_anchor1(middle - from)
         .local_anchor2(middle - at)

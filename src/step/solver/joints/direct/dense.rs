@@ -19,7 +19,7 @@ pub(super) const fn zero<const N: usize>() -> Block<N> {
     [[0.0; N]; N]
 }
 
-/// Factorises a diagonal block in place, and returns the inverse pivots. `own` is what stood on the diagonal
+/// Factorises a diagonal block in place, and returns the inverse pivots. `own` is the diagonal
 /// before any elimination.
 #[inline(always)]
 pub(super) fn factorise<const N: usize>(

@@ -21,7 +21,7 @@ impl Default for Factor {
     }
 }
 
-/// Calls a method of the matrix, whatever its size.
+/// Calls a method of the matrix of either size.
 macro_rules! of_matrix {
     ($factor:expr, $matrix:ident => $call:expr) => {
         match $factor {
@@ -33,12 +33,12 @@ macro_rules! of_matrix {
 
 impl Factor {
     /// Resizes the blocks for a component, and clears the last matrix.
-    pub fn make_room(&mut self, component: Component<'_>) {
+    pub fn resize(&mut self, component: Component<'_>) {
         let turns = component.members.iter().any(|member| member.form.locks_rotations());
         if turns != matches!(self, Self::All(_)) {
             *self = if turns { Self::All(Matrix::default()) } else { Self::default() };
         }
-        self.forget();
+        self.invalidate();
     }
 
     /// See [`Matrix::solve`].
@@ -86,9 +86,9 @@ impl Factor {
         of_matrix!(self, matrix => matrix.progress(component, memory, inv_h))
     }
 
-    /// See [`Matrix::forget`].
-    pub fn forget(&mut self) {
-        of_matrix!(self, matrix => matrix.forget());
+    /// See [`Matrix::invalidate`].
+    pub fn invalidate(&mut self) {
+        of_matrix!(self, matrix => matrix.invalidate());
     }
 
     /// See [`Matrix::write_changes`].

@@ -5,7 +5,7 @@
 //!
 //! Blocks have the size of joints that lock all axes or, if no joint of the component locks a rotation, of
 //! translations alone. That halves the time for chains of ropes and balls. Rows of joints that lock fewer
-//! axes stand first.
+//! axes come first.
 //!
 //! ## Redundant constraints
 //! Three hinges of a door are redundant. Some impulses `n` have no effect on the bodies, `A n = 0` with `A =
@@ -72,12 +72,12 @@ const RESIDUAL_GROWTH_MAX: f64 = 100.0;
 #[derive(Copy, Clone, Debug, PartialEq)]
 pub(super) enum Progress {
     Done,
-    /// Another round would make it better, and that is all.
+    /// Sufficient; another round would reduce the error.
     Near,
-    /// It takes another round.
+    /// Another round is required.
     Far,
-    /// The rounds lead away.
-    Astray,
+    /// The rounds diverge.
+    Diverging,
 }
 
 /// The matrix of a component, and the buffers of its solution, with `N` rows per joint.
@@ -116,8 +116,8 @@ impl<const N: usize> Matrix<N> {
         if N == DIM { N } else { member.form.row_count() }
     }
 
-    /// Solves a component for the changes of its impulses, and gives its bodies what these do. `again`:
-    /// another round of this pass.
+    /// Solves a component for the changes of its impulses, and applies them to its bodies. `again`: another
+    /// round of this pass.
     ///
     /// # Safety
     /// The caller has exclusive access to the states of the component's movable bodies.
@@ -153,7 +153,7 @@ impl<const N: usize> Matrix<N> {
         if component.has_loops {
             self.again.clone_from(&self.x);
             self.substitute(component);
-            self.load_shares(component, memory);
+            self.load_second_rhs(component, memory);
         }
         self.substitute(component);
     }
@@ -203,7 +203,7 @@ impl<const N: usize> Matrix<N> {
         if rest <= CONVERGED_FRACTION_MAX * load + noise {
             Progress::Done
         } else if last > load && last > RESIDUAL_GROWTH_MAX * before {
-            Progress::Astray
+            Progress::Diverging
         } else if rest > RESIDUAL_FRACTION_MAX * load {
             Progress::Far
         } else {
@@ -247,7 +247,7 @@ impl<const N: usize> Matrix<N> {
     }
 
     /// Marks the matrix as outdated, because the bodies have moved.
-    pub fn forget(&mut self) {
+    pub fn invalidate(&mut self) {
         self.made_with = None;
     }
 
@@ -277,7 +277,7 @@ impl<const N: usize> Matrix<N> {
     }
 
     /// Replaces the first solution by the right-hand side of the second one.
-    fn load_shares(&mut self, component: Component<'_>, memory: &[JacobianBlock]) {
+    fn load_second_rhs(&mut self, component: Component<'_>, memory: &[JacobianBlock]) {
         for (at, member) in component.members.iter().enumerate() {
             let (from, lane) = (&memory[member.block as usize], member.lane as usize);
             for (row, axis) in locked_axes::<N>(member).enumerate() {

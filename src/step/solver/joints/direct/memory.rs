@@ -35,7 +35,7 @@ pub(in super::super) struct JacobianBlock {
     /// Masses of its bodies at the current poses.
     pub inv_mass: [WideVector<Lane>; 2],
     pub inv_inertia: [WideSymmetric<Lane>; 2],
-    /// Out: by how much the impulses change.
+    /// Out: the changes of the impulses.
     pub changes: [Lane; SPATIAL_DIM],
 }
 

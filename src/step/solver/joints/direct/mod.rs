@@ -1,7 +1,7 @@
-//! Joints that hold each other, solved together and exactly.
+//! Direct solution of the locked axes of connected joints.
 //!
 //! An iteration over the joints of a chain carries a force by one or two links. A long chain, or a light one
-//! with something heavy at its end, has not converged at the end of the substep. So the locked axes of all
+//! with a heavy body at its end, has not converged at the end of the substep. So the locked axes of all
 //! joints that are connected through bodies are one system of linear equations,
 //!
 //! ```text
@@ -23,7 +23,7 @@
 //!
 //! Stiff components (`../geometric_stiffness.rs`) use the rows at the predicted poses, and need a new matrix
 //! in each round. Components with a large unconstrained displacement are solved once, at the current poses.
-//! All rounds end when there is nothing left to do: each component by itself, whatever others need.
+//! Each component ends its rounds on its own convergence, independent of the others.
 //!
 //! Components with little gain are left to the iterative solver, too: free ones with few joints and moderate
 //! mass ratios. A ragdoll carries no load for long.
@@ -53,9 +53,9 @@ use factor::Factor;
 use matrix::Progress;
 use pattern::Pattern;
 
-/// The most Newton steps per substep towards where the bodies should be. Two make a pendulum keep its energy;
-/// more are made where bodies turn by much in a substep.
-const ROUNDS: usize = 8;
+/// Largest number of Newton steps per substep towards the constrained poses. A pendulum keeps its energy with
+/// two; bodies with large rotations in a substep need more.
+const ROUNDS_MAX: usize = 8;
 /// The same for stiff components, whose projection starts farther away.
 const STIFF_ROUNDS_MAX: usize = 4;
 
@@ -137,7 +137,7 @@ impl Direct {
             self.factors.resize_with(count, Factor::default);
         }
         for (index, factor) in self.factors[..count].iter_mut().enumerate() {
-            factor.make_room(self.pattern.component(index));
+            factor.resize(self.pattern.component(index));
         }
     }
 
@@ -163,7 +163,7 @@ impl Direct {
             let is_stiff = find(self.pattern.component(index).members);
             if is_stiff {
                 // Stiff joints take other rows than those of the last relax pass.
-                self.factors[index].forget();
+                self.factors[index].invalidate();
             }
             let linearization =
                 if is_stiff { Linearization::PredictedPose } else { Linearization::SubstepEnd };
@@ -194,7 +194,7 @@ impl Direct {
     }
 
     /// Sets the value of each body of a component to the sum over the component.
-    pub fn share_delays(&self, counts: &mut [BodyState]) {
+    pub fn sum_delays(&self, counts: &mut [BodyState]) {
         for index in 0..self.pattern.component_count() {
             let members = self.pattern.component(index).members;
             let bodies =
@@ -223,7 +223,7 @@ impl Direct {
             solve_state.next = match solve_state.next {
                 Next::Nothing => Next::Nothing,
                 Next::Rollback => {
-                    factor.forget();
+                    factor.invalidate();
                     solve_state.rounds = 0;
                     solve_state.linearize_stiff(test(
                         component.members,
@@ -244,9 +244,11 @@ impl Direct {
                 }
                 Next::Solve => match factor.progress(component, rows, inv_h) {
                     Progress::Done => Next::Nothing,
-                    Progress::Near | Progress::Far if solve_state.rounds < ROUNDS => Next::Solve,
+                    Progress::Near | Progress::Far if solve_state.rounds < ROUNDS_MAX => {
+                        Next::Solve
+                    }
                     Progress::Near => Next::Nothing,
-                    Progress::Far | Progress::Astray => Next::Rollback,
+                    Progress::Far | Progress::Diverging => Next::Rollback,
                 },
             };
             is_unfinished |= solve_state.next != Next::Nothing;
@@ -255,8 +257,8 @@ impl Direct {
     }
 
     /// Marks all matrices as outdated, because the bodies moved or changed.
-    pub fn forget_matrices(&mut self) {
-        self.factors.iter_mut().for_each(Factor::forget);
+    pub fn invalidate_matrices(&mut self) {
+        self.factors.iter_mut().for_each(Factor::invalidate);
     }
 
     /// Solves the components that are `wanted`, by their members. Applies the changes of impulses to the
@@ -296,7 +298,7 @@ impl Direct {
                     factor.solve(component, again, read, &states, simd);
                     // The rows were those of predicted poses.
                     if at_predicted_pose {
-                        factor.forget();
+                        factor.invalidate();
                     }
                 }
             }

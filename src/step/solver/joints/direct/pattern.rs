@@ -15,9 +15,9 @@ const BLOCK_PRODUCTS_PER_JOINT_MAX: usize = 200;
 /// masses. Iterations let them sag by little, at a hundredth of the time: 6 by 6 knots are solved directly,
 /// 10 by 10 are not.
 const NET_BLOCK_PRODUCTS_PER_JOINT_MAX: usize = 40;
-/// Most joints for each body of a net: those of cubes that are braced. A board on 25 point-to-point joints is
-/// none.
-const NET_JOINTS: usize = 6;
+/// Largest number of joints per body of a net, as of braced cubes. A board on 25 point-to-point joints is no
+/// net.
+const NET_JOINTS_PER_BODY_MAX: usize = 6;
 
 /// Range of joints of free components with moderate mass ratios that are solved iteratively: ragdolls. They
 /// carry no load for long, and a force passes through them in some substeps. Fewer joints cost little, and
@@ -292,7 +292,7 @@ impl Search {
 
     /// Returns whether all joints are point-to-point joints, with few joints and no heavy body.
     fn is_net(&self, members: &[DirectJoint]) -> bool {
-        let is_wide = self.order.len() <= NET_JOINTS * self.body_count;
+        let is_wide = self.order.len() <= NET_JOINTS_PER_BODY_MAX * self.body_count;
         is_wide
             && self.component(members).all(|member| member.form.is_point_to_point)
             && self.is_even(members)

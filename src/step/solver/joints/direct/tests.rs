@@ -1,4 +1,4 @@
-//! The sparse solution in its dense equations, and what is solved sparsely.
+//! The sparse solution in its dense equations, and the selection of sparse components.
 
 use super::factor::Factor;
 use super::memory::JacobianBlock;
@@ -15,7 +15,7 @@ use crate::model::joint::JointForm;
 const ALL: u8 = (1 << SPATIAL_DIM) - 1;
 const FIXED: u32 = READ_ONLY;
 
-/// Numbers between -1 and 1 that look random.
+/// Pseudorandom numbers between -1 and 1.
 struct Numbers(u32);
 
 impl Numbers {
@@ -68,7 +68,7 @@ impl Net {
         assert_eq!(pattern.component_count(), 1);
         let mut states = vec![BodyState::default(); self.body_count];
         let mut factor = Factor::default();
-        factor.make_room(pattern.component(0));
+        factor.resize(pattern.component(0));
         // SAFETY: this thread owns the states exclusively.
         unsafe {
             let shared = DisjointMut::new(&mut states);
@@ -121,7 +121,7 @@ fn rows(lane: usize, numbers: &mut Numbers) -> JacobianBlock {
 /// Rounding of the velocities, a few units in size, times the numbers of a row.
 const ROUNDING: f64 = 1.0e3 * Real::EPSILON as f64;
 
-/// The same where there are loops, with what their damping leaves: 10⁻⁸, times impulses of up to a hundred.
+/// The same for loops, with the error of their damping: 10⁻⁸, times impulses of up to a hundred.
 const DAMPED: f64 = ROUNDING + 1.0e-6;
 
 /// A chain that hangs on a fixed body and forks in its middle.

@@ -42,7 +42,7 @@ pub(super) struct PointToPointJoints {
     layout: Layout<u32>,
 }
 
-/// Blocks that are worth being filled by another thread.
+/// Number of blocks per parallel task of filling.
 const FILLED_PER_TASK: usize = 16;
 
 impl PointToPointJoints {

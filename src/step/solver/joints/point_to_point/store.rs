@@ -15,6 +15,6 @@ pub(super) fn store_lane(
     (0..DIM).for_each(|k| joint.impulses[k] = impulse[k]);
     (joint.force, joint.torque) = (block.total.lane(lane) * inv_dt, ANG_ZERO);
     if !(impulse.is_finite() && joint.force.is_finite()) {
-        joint.forget_impulses();
+        joint.clear_impulses();
     }
 }

@@ -12,8 +12,8 @@ use crate::model::body::RigidBody;
 /// State of the chassis from update to update.
 #[derive(Copy, Clone, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
-pub(super) struct Memory {
-    /// The velocity that the chassis should have after the step, and how long that takes.
+pub(super) struct DisturbanceObserver {
+    /// The expected velocity of the chassis after the step, and the length of the step (s).
     expected: Option<(Vector, Real)>,
     /// The last missing acceleration (length/s²).
     last: Vector,
@@ -21,7 +21,7 @@ pub(super) struct Memory {
     steady: Vector,
 }
 
-impl Memory {
+impl DisturbanceObserver {
     /// Compares the chassis with the prediction. Returns the acceleration that does not come from forces on
     /// the body (length/s²).
     pub fn observe(&mut self, chassis: &RigidBody) -> Vector {
@@ -72,11 +72,11 @@ mod tests {
     use crate::dim::math::Vector;
 
     #[test]
-    fn only_what_comes_twice_counts() {
+    fn only_repeated_loads_count() {
         let gravity = Vector::new(0.0, -9.81, 0.0);
-        let blow = Vector::new(600.0, -9.0, 0.0);
+        let impact = Vector::new(600.0, -9.0, 0.0);
         assert_eq!(agreement(gravity, gravity), gravity);
-        assert_eq!(agreement(gravity, blow), Vector::new(0.0, -9.0, 0.0));
+        assert_eq!(agreement(gravity, impact), Vector::new(0.0, -9.0, 0.0));
         assert_eq!(agreement(gravity, -gravity), Vector::ZERO);
     }
 }

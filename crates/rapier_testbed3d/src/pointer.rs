@@ -1,4 +1,4 @@
-//! The hand: pulls a body by a spring, and throws balls.
+//! Actions of the pointer: it pulls a body by a spring, and throws balls.
 
 use crate::rapier::prelude::*;
 
@@ -13,7 +13,7 @@ const BALL: Real = 0.025;
 /// Density of a thrown ball.
 const BALL_DENSITY: Real = 6.0;
 
-/// A body in the hand.
+/// A body that the pointer pulls.
 #[derive(Copy, Clone, Debug, PartialEq)]
 pub(crate) struct Grip {
     pub body: RigidBodyHandle,
