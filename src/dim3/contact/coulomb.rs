@@ -6,12 +6,23 @@
 //! |λt_k| ≤ μ λ_k        rows, matrix and signs as in `friction`, with the point for the centre
 //! ```
 //!
+//! Friction of a sliding point is opposite to its slip `s` (maximum dissipation). The impulse that would stop
+//! the slip, `-K⁻¹ s`, has another direction, because a body yields more easily to an impulse that rotates it:
+//! a box of 2×1×2 m decelerated with `0.90 µ g` when impulses outside the cone were only shortened. They are
+//! therefore replaced by a step along the slip, whose fixed point is Coulomb's law:
+//!
+//! ```text
+//! λt ← project(λt - ρ s)        ρ the smallest eigenvalue of K⁻¹, so that the step contracts
+//! ```
+//!
+//! (de Saxcé, Feng, "The bipotential method", 1998.)
+//!
 //! Torque about the normal follows from the forces of the points. The points are solved in sequence, coupled
 //! through the bodies: four small solves, about twice the work of the [central rows](super::friction). Kept
 //! out of [`ContactBlock`] so that worlds with the standard model do not carry it through the caches.
 
 use super::block::ContactBlock;
-use super::friction::{self, tangent_mass, to_cone};
+use super::friction::{self, onto_circle, stopping_impulse, tangent_mass};
 use super::pair::Pair;
 use super::rows::{Frame, push};
 use crate::base::wide::{Lane, Wide};
@@ -140,4 +151,23 @@ impl CoulombBlock {
         let moments = [friction::moment(a, [x, y]), friction::moment(b, [x, y])];
         push(block, frame.t1 * x + frame.t2 * y, moments, velocities)
     }
+}
+
+/// The impulse that stops the slip if it is within the cone, or else one of the largest size, opposite to the
+/// slip.
+#[inline(always)]
+fn to_cone<W: Wide>(mass: [W; 3], old: [W; 2], slip: [W; 2], limit: W) -> [W; 2] {
+    let stopping = stopping_impulse(mass, old, slip);
+    let is_inside = (stopping[0] * stopping[0] + stopping[1] * stopping[1]).le(limit * limit);
+    let rho = smallest_eigenvalue(mass);
+    let sliding = onto_circle([old[0] - rho * slip[0], old[1] - rho * slip[1]], limit);
+    [0, 1].map(|along| W::select(is_inside, stopping[along], sliding[along]))
+}
+
+/// The smallest eigenvalue of a positive definite matrix: 11, 12, 22.
+#[inline(always)]
+fn smallest_eigenvalue<W: Wide>([m11, m12, m22]: [W; 3]) -> W {
+    let half = W::splat(0.5);
+    let (mean, difference) = (half * (m11 + m22), half * (m11 - m22));
+    mean - (difference * difference + m12 * m12).sqrt()
 }

@@ -286,15 +286,23 @@ pub(super) fn moment<W: Wide>(rho: WideVector<W>, [x, y]: [W; 2]) -> [W; 3] {
 
 /// The impulse along the tangents that stops the slip, or as much of it as the cone allows.
 #[inline(always)]
-pub(super) fn to_cone<W: Wide>(
+fn to_cone<W: Wide>(mass: [W; 3], old: [W; 2], slip: [W; 2], limit: W) -> [W; 2] {
+    onto_circle(stopping_impulse(mass, old, slip), limit)
+}
+
+/// The impulse along the tangents that stops the slip.
+#[inline(always)]
+pub(super) fn stopping_impulse<W: Wide>(
     [m11, m12, m22]: [W; 3],
     [old_x, old_y]: [W; 2],
     [vx, vy]: [W; 2],
-    limit: W,
 ) -> [W; 2] {
-    let x = old_x - (m11 * vx + m12 * vy);
-    let y = old_y - (m12 * vx + m22 * vy);
-    // Back onto the circle of radius `limit`, if outside.
+    [old_x - (m11 * vx + m12 * vy), old_y - (m12 * vx + m22 * vy)]
+}
+
+/// An impulse, back onto the circle of radius `limit` if outside.
+#[inline(always)]
+pub(super) fn onto_circle<W: Wide>([x, y]: [W; 2], limit: W) -> [W; 2] {
     let length = (x * x + y * y).sqrt().max(W::splat(Real::MIN_POSITIVE));
     let scale = (limit / length).min(W::splat(1.0));
     [x * scale, y * scale]

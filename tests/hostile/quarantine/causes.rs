@@ -30,9 +30,9 @@ fn an_overflowing_force() {
     }
 }
 
-/// The largest speed limits the effect of forces and edited velocities before positions change. The force alone
-/// would move the body beyond the range of positions in one step. Above the heap nothing slows the body down,
-/// so it ends with the largest speed.
+/// The largest speed limits the effect of forces and edited velocities before positions change. The force
+/// alone would move the body beyond the range of positions in one step. Above the heap nothing slows the body
+/// down, so it ends with the largest speed.
 #[test]
 fn the_largest_speed_prevents_an_overflow() {
     let edits: [fn(&mut RigidBody); 2] = [
