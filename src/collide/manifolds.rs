@@ -56,8 +56,8 @@ impl ManifoldScratch {
 /// Computes the manifolds of two shapes.
 ///
 /// `out` is overwritten; manifolds without points are left out, as are those whose numbers are not finite.
-/// Their impulses are zero: see [`inherit_impulses`](super::matching::inherit_impulses). `triangle_cache` is the
-/// triangle cache, which affects the running time only.
+/// Their impulses are zero: see [`inherit_impulses`](super::matching::inherit_impulses). `triangle_cache`
+/// affects the running time only.
 ///
 /// Returns a lower bound of the distance between the shapes: 0 if they touch or nothing is known,
 /// infinity if they can never touch. When no manifold comes out, none can appear before the shapes

@@ -22,8 +22,8 @@
 //! stopped by it. Contacts push a body that penetrates something at the end of a step out to the original
 //! side, as long as its middle is outside. The middle must never pass through. The search therefore uses the
 //! *core* first: the shape without an outer layer nearly as deep as its thickness, half its minimum width
-//! ([`CORE_DEPTH_FRACTION`], [`Widths`]). If the core would hit, the body is stopped where its surface touches, unless
-//! it touched from the beginning. In that case it is stopped where it is a quarter deep
+//! ([`CORE_DEPTH_FRACTION`], [`Widths`]). If the core would hit, the body is stopped where its surface
+//! touches, unless it touched from the beginning. In that case it is stopped where it is a quarter deep
 //! ([`PENETRATION_FRACTION_MAX`]), so that contacts push a deeply penetrating body out on the original side.
 //!
 //! A rod may have an end of its core in the wall already, by its rotation. Then the search uses the middle

@@ -18,7 +18,7 @@ pub(crate) const BODIES_PER_TASK: usize = 64;
 const BODY_PREFETCH_DISTANCE: usize = 3;
 
 /// Data of a removed body for the step: its colliders, which are removed with it, and its place in the step's
-/// lists. With `None`, the step reads them from the colliders.
+/// lists. With `None`, the step finds the colliders by their parent.
 pub(crate) type RemovedBody = (RigidBodyHandle, Option<AttachedColliders>, BodyLink);
 
 /// The rigid bodies of a simulation, accessed by handle.

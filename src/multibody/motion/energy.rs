@@ -44,7 +44,8 @@ impl Motion {
         self.joint_loads.iter().zip(&self.rates).any(is_driven)
     }
 
-    /// The velocity of the centre-of-mass frame of the multibody, at the last velocities of the links.
+    /// The velocity of the centre-of-mass frame of the multibody along the free axes of its root, at the last
+    /// velocities of the links.
     fn frame_velocity(&self) -> Vector {
         if self.root_dofs() == 0 {
             return linear(&self.root);

@@ -122,8 +122,8 @@ impl JacobianPool {
         self.next = self.jacobians.len();
     }
 
-    /// A part whose Jacobian `fill` adds to zeros, with how large its numbers could be. It is immovable
-    /// unless it `is_movable`.
+    /// A part whose Jacobian `fill` adds to zeros, with how large its numbers could be. Impulses move it only
+    /// if it `is_movable`.
     pub fn add_links(
         &mut self,
         multibodies: &mut [Moving],

@@ -14,7 +14,7 @@ use arrayvec::ArrayVec;
 
 /// One side of a manifold at the current pose.
 pub(super) struct Side<'a> {
-    /// Links, except kinematic roots, which are ordinary bodies here.
+    /// A link. [`Self::place`] excludes kinematic roots, which are ordinary bodies here.
     pub link: Option<LinkPlace>,
     /// An ordinary body that can move, with its index in the solver.
     pub body: Option<(&'a RigidBody, u32)>,
