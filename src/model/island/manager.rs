@@ -88,8 +88,9 @@ impl IslandManager {
         self.awake.len()
     }
 
-    /// Wakes a body and its island at once: all bodies that contacts or joints connect to it, directly or
-    /// through other dynamic bodies, are awake when this returns. Nothing happens if the handle is stale.
+    /// Wakes a body and its island at once. The island has all dynamic bodies that contacts or joints connect
+    /// to it, directly or through others. They are awake when this returns. Nothing happens if the handle is
+    /// stale.
     ///
     /// A woken island stays awake for its full time until sleep, independent of `strong`. With the old time
     /// it would fall asleep again in the next step, before any force could move it. If the body is awake,
