@@ -2,8 +2,8 @@
 //!
 //! The documented module paths (`dynamics`, `geometry`, `pipeline`, `control`, `math`, `prelude`) re-export
 //! public names from their modules. The facades [`pipeline::PhysicsPipeline`],
-//! [`pipeline::CollisionPipeline`] and [`pipeline::PhysicsWorld`] unpack the documented parameter lists once,
-//! and have no other function.
+//! [`pipeline::CollisionPipeline`] and [`pipeline::PhysicsWorld`] unpack the documented parameter lists once.
+//! `snapshot/` saves and loads worlds, and `recording/` records their steps.
 
 mod collision_pipeline;
 mod physics_pipeline;

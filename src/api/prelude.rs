@@ -1,6 +1,6 @@
 //! Everything that most programs need: `use rapier3d::prelude::*;`.
 
-// Whole modules: the prelude has no names of its own to decide on.
+// Globs: the prelude re-exports whole modules.
 pub use super::control::*;
 pub use super::dynamics::*;
 pub use super::geometry::*;

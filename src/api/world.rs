@@ -335,8 +335,8 @@ impl PhysicsWorld {
         self.multibody_joints.attached_joints(body)
     }
 
-    /// Wakes a body at once, and its whole island in the next step. `strong` also keeps it awake for its full
-    /// time until sleep. A stale handle has no effect.
+    /// Wakes a body and its island at once. If the body is awake, `strong` restarts its time until sleep. A
+    /// stale handle has no effect.
     pub fn wake_up(&mut self, handle: RigidBodyHandle, strong: bool) {
         self.islands.wake_up(&mut self.bodies, handle, strong);
     }

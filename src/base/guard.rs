@@ -1,4 +1,4 @@
-//! A fence around foreign code whose assertions cannot be foreseen.
+//! Catches panics of parry, whose assertions cannot be predicted.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 

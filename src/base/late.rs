@@ -3,8 +3,8 @@
 use core::cell::UnsafeCell;
 use std::panic::RefUnwindSafe;
 
-/// A value of which a part may be written late: by its exclusive owner, or, under a contract, behind a shared
-/// reference before the first read.
+/// A value with a part that may be written late. Its exclusive owner writes it; under a contract, so does the
+/// holder of a shared reference before the first read.
 #[derive(Debug, Default)]
 #[repr(transparent)]
 pub struct Late<T>(UnsafeCell<T>);

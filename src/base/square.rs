@@ -61,7 +61,7 @@ impl SquareMatrix {
         x
     }
 
-    /// `L`, whose diagonal of ones is left out, and the inverse of `D`: zero for rows that say nothing new.
+    /// `L`, whose diagonal of ones is left out, and the inverse of `D`: zero for redundant rows.
     fn factorize(&self) -> (Self, Vec<Real>) {
         let mut lower = Self::zeros(self.size);
         let mut pivots = vec![0.0; self.size];

@@ -16,9 +16,9 @@
 //! 2. **Hidden.** The rule has four conditions. `X` meets `B` at an edge or a corner (`b` is no normal of a
 //!    face of `B`). This point lies on `A`. `A` rises from there above the plane of the contact. A face of
 //!    `B` with a normal near `a` begins there. The point is then the lowest line of a valley, and `X` touches
-//!    one of its sides already. It reaches the other side before it reaches the line. A ball would feel the
-//!    lowest line of each valley of a terrain as a bump. (The foot of a wall is no such point: the wall has
-//!    no face there with the floor's normal.)
+//!    one of its sides already. It reaches the other side before it reaches the line. Otherwise a ball would
+//!    bounce at the lowest line of each valley of a terrain. (The foot of a wall is no such point: the wall
+//!    has no face there with the floor's normal.)
 //!
 //! In either case `B` may still support `X` with its face whose normal is near `a`. The contact is recomputed
 //! with that face, and removed only if there is none.

@@ -56,8 +56,8 @@ impl ManifoldScratch {
 /// Computes the manifolds of two shapes.
 ///
 /// `out` is overwritten; manifolds without points are left out, as are those whose numbers are not finite.
-/// Their impulses are zero: see [`inherit_impulses`](super::matching::inherit_impulses). `kept` is the
-/// triangle cache, which affects the running time only.
+/// Their impulses are zero: see [`inherit_impulses`](super::matching::inherit_impulses). `triangle_cache`
+/// affects the running time only.
 ///
 /// Returns a lower bound of the distance between the shapes: 0 if they touch or nothing is known,
 /// infinity if they can never touch. When no manifold comes out, none can appear before the shapes
@@ -65,7 +65,7 @@ impl ManifoldScratch {
 pub(crate) fn compute_manifolds(
     pair: &ShapePair<'_>,
     previous: &[ContactManifold],
-    kept: Option<&mut Option<Box<TriangleCache>>>,
+    triangle_cache: Option<&mut Option<Box<TriangleCache>>>,
     scratch: &mut ManifoldScratch,
     out: &mut SmallVec<[ContactManifold; 1]>,
 ) -> Real {
@@ -99,7 +99,7 @@ pub(crate) fn compute_manifolds(
         raw,
         patches,
         culled,
-        kept,
+        triangle_cache,
         passing,
         distance,
         are_parts_culled,

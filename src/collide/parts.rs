@@ -65,7 +65,7 @@ impl<'a> Parts<'a> {
         matches!(self, Self::Convex(_))
     }
 
-    /// Calls `f` with the part of a number, without constraints. Not if there is none.
+    /// Calls `f` with the part of a number, without constraints. No effect if there is no such part.
     pub fn with_part(&self, id: u32, f: &mut dyn FnMut(Part<'_>)) {
         let constraints = None;
         match *self {

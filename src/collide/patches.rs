@@ -1,6 +1,6 @@
 //! Contacts between convex parts of two shapes, before they become manifolds.
 //!
-//! A body on a fine mesh touches a hundred triangles, and all of them say the same. A hundred manifolds would
+//! A body on a fine mesh touches a hundred triangles, all with the same normal. A hundred manifolds would
 //! cost a hundred times as much as one, without better support of the body. Patches with similar normals are
 //! therefore merged, and only the outermost of their points are kept, as for a single face.
 
@@ -280,9 +280,9 @@ impl Patches {
         }
     }
 
-    /// The patch whose parts name a manifold, among those that will be merged with the deepest: the deepest
-    /// that is no rim, if any. The wall of a step touches the body at its top edge, but does not continue
-    /// beneath the body. So it must not name the support.
+    /// The patch whose parts identify a manifold. Of the patches that will be merged with the deepest, it is
+    /// the deepest broad one. If there is none, it is the deepest patch itself. The wall of a step touches
+    /// the body at its top edge, but does not continue beneath the body. So it must not identify the support.
     fn namesake(&self, deepest: usize) -> usize {
         let first = &self.list[deepest];
         if first.is_broad {

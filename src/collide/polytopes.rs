@@ -27,7 +27,7 @@ const AXIS_COSINE_MIN: Real = 0.98;
 pub(super) const OVERLAP_RATIO_MAX: Real = 0.25;
 
 /// Tolerance on the depth of other corners against two edges, as a fraction of the shorter edge.
-const EDGE_DEPTH: Real = 1.0e-3;
+const EDGE_DEPTH_TOLERANCE: Real = 1.0e-3;
 
 /// Two polytopes, and the largest distance of contacts.
 struct Pair<'a> {
@@ -87,7 +87,7 @@ pub(super) fn contacts_on_axis(
     pair.add_along(axis, raw)
 }
 
-/// Computes the contacts of the face of one polytope, the first or the second, whose normal is nearest to
+/// Computes the contacts of one face of a polytope, the first or the second. Its normal is the nearest to
 /// `direction` (from the first to the second, in the first frame). The direction need not be the best
 /// separation. The result is empty if there is no such face.
 pub(super) fn face_contacts(
@@ -253,7 +253,7 @@ impl Pair<'_> {
             return None;
         }
         let (gap, dist) = (self.gap_along(normal), offset.dot(normal));
-        if dist > gap + EDGE_DEPTH * a.min(c).sqrt() {
+        if dist > gap + EDGE_DEPTH_TOLERANCE * a.min(c).sqrt() {
             return None; // other corners are deeper
         }
         raw.local_n1 = normal;

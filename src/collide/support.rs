@@ -28,7 +28,7 @@ pub(super) struct Core<'a> {
 }
 
 impl<'a> Core<'a> {
-    /// The core of a part; `None` if it has no faces and edges to speak of.
+    /// The core of a part; `None` if it has no usable faces and edges.
     pub fn of(part: &Part<'a>) -> Option<Self> {
         let (shape, radius) = part.shape.as_polygonal_feature_map()?;
         Some(Self { part: part.shape, shape, radius })

@@ -49,8 +49,8 @@ fn rotation_by<W: Wide>(rotvec: WideAngVector<W>) -> WideRotation<W> {
 
 /// The rotation vector of a rotation, of at most half a turn.
 ///
-/// A quarter of the angle belongs to the slope `|v| / (1 + w)` of the quaternion, an eighth of it to a slope
-/// below 0.42, the range of [`atan_excess`].
+/// A quarter of the angle belongs to the slope `|v| / (1 + w)` of the quaternion. An eighth of it belongs to
+/// a slope below 0.42, the range of [`atan_excess`].
 #[inline(always)]
 pub(crate) fn rotation_vector<W: Wide>(rotation: WideRotation<W>) -> WideAngVector<W> {
     let WideRotation { x, y, z, w } = rotation;

@@ -15,7 +15,7 @@ use crate::base::hash::FastHashMap;
 use crate::base::unique::unique_number;
 
 /// The number of a note whose own record was removed. No record has it.
-const RETIRED: u64 = u64::MAX;
+const NUMBER_RETIRED: u64 = u64::MAX;
 
 /// The mark of a record. It is meaningless once the step has applied the note.
 #[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
@@ -54,7 +54,7 @@ impl EditMarks {
         if let Some(number) = self.0.get_mut(mark.note as usize)
             && *number == mark.number
         {
-            *number = RETIRED;
+            *number = NUMBER_RETIRED;
         }
     }
 
@@ -62,7 +62,7 @@ impl EditMarks {
     /// Loaded notes have no numbers: their records are compared with the other sets when the world is
     /// checked.
     pub fn was_of(&self, note: usize) -> bool {
-        self.0.get(note).is_none_or(|&number| number == RETIRED || number == 0)
+        self.0.get(note).is_none_or(|&number| number == NUMBER_RETIRED || number == 0)
     }
 
     /// Returns whether a record is the one of the note at a position.

@@ -24,7 +24,7 @@ use crate::base::unique::unique_number;
 use core::hash::Hasher;
 
 /// The stamp of a set that was loaded. No step draws this number.
-const UNVERIFIED: u64 = u64::MAX;
+const STAMP_UNVERIFIED: u64 = u64::MAX;
 
 /// The stamp of the last step, and of the collision detection that followed it.
 #[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
@@ -44,7 +44,7 @@ pub(crate) struct WorldStamp {
 /// A set was loaded.
 impl From<[u64; 2]> for WorldStamp {
     fn from(history: [u64; 2]) -> Self {
-        Self { step: UNVERIFIED, history, ..Self::default() }
+        Self { step: STAMP_UNVERIFIED, history, ..Self::default() }
     }
 }
 
@@ -65,7 +65,7 @@ fn mixed(before: u64, trace: &[u64]) -> u64 {
 impl WorldStamp {
     /// Returns whether the set was loaded, and no step has checked it yet.
     pub const fn is_unverified(self) -> bool {
-        self.step == UNVERIFIED
+        self.step == STAMP_UNVERIFIED
     }
 
     /// The stamp of a new step of a world that leaves this trace. It differs from all stamps before it.

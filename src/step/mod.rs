@@ -1,7 +1,8 @@
 //! # Step: the stages in the order of execution
 //!
-//! `Step::run` is the whole pipeline, and `stages` has one call per stage with the sets that the stage gets.
-//! The first lines of a stage's module are its card. Stages do not import each other: they leave [`notes`].
+//! `Step::run` is the whole pipeline, and `stages` contains the calls of each stage, with the sets that the
+//! stage gets. The first lines of a stage's module are its card. Stages do not import each other: they leave
+//! [`notes`].
 
 mod notes;
 mod scratch;

@@ -21,7 +21,7 @@ use crate::model::stamp::WorldStamp;
 use crate::model::structure::Structure;
 
 impl<'a> Step<'a> {
-    /// A step begins.
+    /// A new step of a world.
     pub(super) fn new(
         world: World<'a>,
         counters: &'a mut Counters,
@@ -76,7 +76,7 @@ impl Step<'_> {
         let Resynced { end_events, stamp, joints_fit } =
             resync_before_detection(&mut self.world, joints);
         let World { structure, broad_phase: tree, joints: none, params, .. } = &mut self.world;
-        // Joints of another world wait for the next step.
+        // Joints of another world are applied in the next step.
         let joints = if joints_fit { joints } else { none };
         let (structure, multibodies) = (structure.reborrow(), MultibodyEdits::default());
         let events = &mut self.scratch.notes.events;

@@ -1,7 +1,7 @@
-//! Comments in the field's language: no person words, no questions, no wide lines, no constants that are bare
-//! adjectives or begin with a quantity.
+//! Comments in the field's language: no person words, no verbs of speech, no questions, no wide lines, no
+//! constants that are bare adjectives or begin with a quantity.
 //!
-//! The rule is in docs/glossary.md.
+//! The rule is in CONTRIBUTING.md.
 
 use crate::Complaint;
 use crate::source::Source;
@@ -13,12 +13,55 @@ const PRONOUNS: [(&[&str], &[&str]); 2] = [
     (&["no", "some", "any", "every"], &["body", "one"]),
     (&["wh"], &["o", "om", "oever", "omever"]),
 ];
+/// Verbs of speech and wish, which data lacks. Other forms of these are ordinary words ("a floor, say").
+const VERBS: [&str; 10] =
+    ["feels", "guesses", "hears", "knows", "said", "says", "tells", "told", "wanted", "wants"];
 /// Names of constants that lack a noun and a quantity (`MASS_RATIO_MAX`).
-const ADJECTIVES: [&str; 39] = [
-    "AHEAD", "BENT", "CALM", "CLOSE", "DEEP", "DEEPER", "EVEN", "FAR", "FAST", "FASTEST", "FLAT",
-    "GENTLE", "HEAVY", "HUGE", "LARGE", "LEAST", "LIGHT", "LONG", "LOOSE", "MOST", "NARROW",
-    "NEAR", "NEARLY", "NEAREST", "NOTICED", "PARALLEL", "QUIET", "ROUGH", "SETTLED", "SHORT",
-    "SLOW", "SMALL", "STILL", "STRONG", "TAUT", "THIN", "TINY", "USUAL", "WILD",
+const ADJECTIVES: [&str; 44] = [
+    "AHEAD",
+    "BENT",
+    "CALM",
+    "CLOSE",
+    "DEEP",
+    "DEEPER",
+    "DUE",
+    "EVEN",
+    "FAR",
+    "FAST",
+    "FASTEST",
+    "FLAT",
+    "GENTLE",
+    "HEAVY",
+    "HUGE",
+    "LARGE",
+    "LEAST",
+    "LIGHT",
+    "LONG",
+    "LOOSE",
+    "MOST",
+    "NARROW",
+    "NEAR",
+    "NEARLY",
+    "NEAREST",
+    "NOTICED",
+    "PARALLEL",
+    "QUIET",
+    "RETIRED",
+    "ROUGH",
+    "SETTLED",
+    "SHORT",
+    "SLOW",
+    "SMALL",
+    "STILL",
+    "STRONG",
+    "TAUT",
+    "THIN",
+    "TINY",
+    "UNBOUNDED",
+    "UNLIMITED",
+    "UNVERIFIED",
+    "USUAL",
+    "WILD",
 ];
 /// Quantities, which stand at the end of a constant's name.
 const QUANTITIES: [&str; 4] = ["LEAST_", "MAX_", "MIN_", "MOST_"];
@@ -75,6 +118,8 @@ fn comment<'a>(line: &'a str, code: &str) -> Option<&'a str> {
 fn faults(line: &str, comment: &str) -> impl Iterator<Item = String> {
     let person = words(comment).find(|word| is_person(&word.to_lowercase()));
     let person = person.map(|word| format!("`{word}` in a comment: data is no person"));
+    let verb = words(comment).find(|word| VERBS.contains(&word.to_lowercase().as_str()));
+    let verb = verb.map(|word| format!("`{word}` in a comment: data neither speaks nor wishes"));
     let is_question = comment.trim_end().ends_with('?') || comment.contains("? ");
     let question =
         is_question.then(|| "a question in a comment: begin with `Returns whether`".to_owned());
@@ -82,7 +127,7 @@ fn faults(line: &str, comment: &str) -> impl Iterator<Item = String> {
     let is_fixed = comment.trim_start().starts_with('|') || comment.contains("](");
     let wide = (width > WIDTH_MAX && !is_fixed)
         .then(|| format!("a comment of {width} characters, more than {WIDTH_MAX}"));
-    [person, question, wide].into_iter().flatten()
+    [person, verb, question, wide].into_iter().flatten()
 }
 
 fn is_person(word: &str) -> bool {
@@ -114,7 +159,7 @@ fn check_constants(source: &Source) -> impl Iterator<Item = Complaint> {
 
 #[cfg(test)]
 mod tests {
-    use super::{PRONOUNS, WIDTH_MAX, check};
+    use super::{PRONOUNS, VERBS, WIDTH_MAX, check};
     use crate::source::Source;
 
     fn complaints(text: &str) -> usize {
@@ -138,6 +183,18 @@ mod tests {
                 0
             );
         }
+    }
+
+    #[test]
+    fn data_does_not_speak() {
+        for verb in VERBS {
+            assert_eq!(complaints(&format!("/// The body that the set {verb}.\n")), 1);
+            assert_eq!(
+                complaints(&format!("/// The body that is `{verb}`.\nlet {verb} = 1;\n")),
+                0
+            );
+        }
+        assert_eq!(complaints("/// A hub body (a dynamic floor, say) that is well known.\n"), 0);
     }
 
     #[test]

@@ -10,7 +10,7 @@ use crate::base::wide::LANES;
 use parry::bounding_volume::{Aabb, BoundingVolume};
 use parry::math::{DIM, Real};
 
-/// Bins per axis.
+/// Bins per axis. The gain over 8 is a few percent at best.
 const BINS: usize = 16;
 
 /// Buffers that are reused from one tree to the next. Copies of a world exclude them.
@@ -127,7 +127,7 @@ fn dissoluble(parts: &[Part]) -> Option<usize> {
     open.min_by_key(|&index| parts[index].len())
 }
 
-/// Sorts boxes so that they are best cut before the one whose number is the answer. At least two boxes.
+/// Sorts the boxes, and returns the index of the first box behind the best cut. At least two boxes.
 fn cut(leaves: &mut [Entry]) -> usize {
     let middle = leaves.len() / 2;
     let Some(plane) = best_plane(leaves) else { return middle };

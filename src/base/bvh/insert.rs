@@ -1,4 +1,4 @@
-//! One box comes, goes or changes.
+//! Insertion, removal and update of one box.
 //!
 //! A box descends to the node whose boxes it enlarges least, and is inserted into a node without child nodes.
 //! A full node is split in two, and its parent gets one more child. New levels therefore begin at the root
@@ -244,8 +244,7 @@ fn cost_of_growth<W: Wide>(planes: &Planes, aabb: &Aabb) -> W {
     after + W::splat(GROWTH_WEIGHT) * (after - before)
 }
 
-/// Sorts the children of an overfull node so that it is best divided before the one whose number is the
-/// answer.
+/// Sorts the children of an overfull node, and returns the index of the first child behind the best cut.
 ///
 /// Tests all axes and all splits that leave two on each side. The sum of the measures times the numbers
 /// decides (the surface area heuristic: Goldsmith, Salmon, "Automatic Creation of Object Hierarchies for Ray

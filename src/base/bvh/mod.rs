@@ -8,7 +8,7 @@
 //! | file | content |
 //! |---|---|
 //! | `node.rs` | a node |
-//! | `insert.rs` | one box comes, goes or changes: the tree grows at its root, as a B-tree does |
+//! | `insert.rs` | insertion, removal and update of one box: the tree grows at its root, as a B-tree does |
 //! | `build.rs` | the whole tree at once, from the surface area heuristic |
 //! | `probe.rs` | tests of all boxes of a node |
 //! | `nearest.rs` | the search for the nearest, near children first |

@@ -72,8 +72,8 @@ impl SlabProbe {
         let (mut front, mut back, mut inv_dir) = (origin, origin, dir);
         let (mut near, mut far) = ([0; DIM], [0; DIM]);
         for axis in 0..DIM {
-            // A direction of no length along an axis takes for ever, and yet not infinitely long: zero times
-            // that is to be zero.
+            // The inverse of a zero component is the largest finite number, so that its product with zero is
+            // zero.
             let length = dir[axis];
             inv_dir[axis] = if length.abs() > 1.0 / Real::MAX { 1.0 / length } else { Real::MAX };
             let forth = inv_dir[axis] > 0.0;

@@ -82,7 +82,7 @@ impl Simd {
     pub fn run<K: Kernel>(self, kernel: K) -> K::Output {
         match self.0 {
             #[cfg(target_arch = "x86_64")]
-            // SAFETY: `Level::Avx2` is made by `detect` alone, after the machine said that it has AVX2.
+            // SAFETY: `Level::Avx2` is made by `detect` alone, after `is_x86_feature_detected`.
             Level::Avx2 => unsafe { run_avx2(kernel) },
             Level::Baseline => run_baseline(kernel),
         }

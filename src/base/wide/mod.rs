@@ -1,8 +1,8 @@
 //! # Wide: SIMD lanes
 //!
 //! A kernel of the solver is written once, over a register type `W: Wide` that holds [`LANES`]
-//! numbers, and compiled once per instruction set. [`Simd::run`] picks the fastest that the
-//! machine has:
+//! numbers, and compiled once per instruction set. [`Simd::detect`] selects the fastest of the machine, and
+//! [`Simd::run`] runs a kernel on it:
 //!
 //! | register | where | for |
 //! |---|---|---|
@@ -89,7 +89,7 @@ impl Lane {
     }
 }
 
-/// A register of `N` numbers of type `S`. Kernels say `W: Wide` and mean [`LANES`] × [`Real`].
+/// A register of `N` numbers of type `S`. Kernels use `W: Wide`, with [`LANES`] numbers of type [`Real`].
 ///
 /// All operations act on each lane independently. Every function is `#[inline(always)]`, for the reason in
 /// [`Kernel`].
@@ -200,7 +200,7 @@ pub fn scatter<W: Wide, const N: usize>(
     components: [W; N],
     mut records: [Option<&mut [Real; N]>; LANES],
 ) {
-    // Lanes without a record write here: cheaper than a branch per lane that guesses wrong.
+    // Lanes without a record write here: cheaper than a mispredicted branch per lane.
     let mut sink = [0.0; LANES];
     for_each_group!(first < N, {
         let mut rows = [sink.as_mut_ptr(); LANES];

@@ -26,8 +26,9 @@ pub(super) struct Search<'a> {
     pub raw: &'a mut RawManifold,
     pub patches: &'a mut Patches,
     pub culled: &'a mut CulledParts,
-    /// Flat parts that are kept from step to step, where there is such a place, and those of the moment.
-    pub kept: Option<&'a mut Option<Box<TriangleCache>>>,
+    /// The triangle cache of the pair, which persists from step to step, if the pair has one.
+    pub triangle_cache: Option<&'a mut Option<Box<TriangleCache>>>,
+    /// The triangle cache of this search, for a pair without one.
     pub passing: &'a mut TriangleCache,
     /// Lower bound of the distance of the parts visited so far.
     pub distance: Real,

@@ -80,8 +80,8 @@ impl Search<'_> {
         let near = Near::of(body.shape(), &poses[0], prediction);
         let Some(bounds) = near.bounds() else { return false };
         let mut passing = core::mem::take(&mut *self.passing);
-        let kept = self.kept.take();
-        let place = kept.map_or(&mut passing, |kept| kept.get_or_insert_default());
+        let pair_cache = self.triangle_cache.take();
+        let place = pair_cache.map_or(&mut passing, |cache| cache.get_or_insert_default());
         look_up(&surface, &bounds, self.pair.motion_of(1 - side), place);
         // Each part of the body scans the whole cache.
         if is_tree_quicker(place, &body) {

@@ -22,8 +22,8 @@
 //! stopped by it. Contacts push a body that penetrates something at the end of a step out to the original
 //! side, as long as its middle is outside. The middle must never pass through. The search therefore uses the
 //! *core* first: the shape without an outer layer nearly as deep as its thickness, half its minimum width
-//! ([`CORE_DEPTH`], [`Widths`]). If the core would hit, the body is stopped where its surface touches, unless
-//! it touched from the beginning. In that case it is stopped where it is a quarter deep
+//! ([`CORE_DEPTH_FRACTION`], [`Widths`]). If the core would hit, the body is stopped where its surface
+//! touches, unless it touched from the beginning. In that case it is stopped where it is a quarter deep
 //! ([`PENETRATION_FRACTION_MAX`]), so that contacts push a deeply penetrating body out on the original side.
 //!
 //! A rod may have an end of its core in the wall already, by its rotation. Then the search uses the middle
@@ -55,7 +55,7 @@ use parry::shape::Shape;
 
 /// Depth of a shape's core below its surface, as a fraction of the shape's thickness. The core of a ball is a
 /// point, of a capsule its axis, of a board a thin one.
-const CORE_DEPTH: Real = 0.98;
+const CORE_DEPTH_FRACTION: Real = 0.98;
 /// Sizes of the searched cores, as fractions of the first. A body with one end in an obstacle must still keep
 /// its middle outside.
 const CORES: [Real; 3] = [1.0, 0.5, 0.0];
@@ -292,7 +292,7 @@ fn impact_of_parts(
     let tolerance = (CORE_TOLERANCE * thickness).max(goal.gap);
     let core_goal = Goal::new(0.0, tolerance, true);
     let latest = CORES.iter().find_map(|&fraction| {
-        let core = Body::core(own_shape, widths, CORE_DEPTH)?.shrunk(fraction);
+        let core = Body::core(own_shape, widths, CORE_DEPTH_FRACTION)?.shrunk(fraction);
         match advance([&core, &other], sweeps, core_goal, until) {
             Meeting::FromTheBeginning => None,
             meeting => Some(meeting.fraction()),
@@ -437,7 +437,7 @@ fn box_of_core(solid: Solid<'_>, pose: &Pose) -> Aabb {
     let whole = || solid.shape.compute_aabb(pose);
     let Parts::Convex(shape) = Parts::of(solid.shape) else { return whole() };
     let widths = solid.widths_of(&Part::whole(shape));
-    let core = Body::core(shape, &widths, CORE_DEPTH);
+    let core = Body::core(shape, &widths, CORE_DEPTH_FRACTION);
     core.filter(|_| widths.thickness > 0.0)
         .map_or_else(whole, |core| core.aabb(pose).loosened(CORE_TOLERANCE * widths.thickness))
 }

@@ -104,7 +104,7 @@ impl<'a> Sweep<'a> {
         Self { stop, ..self }
     }
 
-    /// Stands still.
+    /// A motion without displacement.
     pub fn at_rest(pose: Pose) -> Self {
         let zero = Vector::ZERO;
         Self::new(pose, pose.translation, zero, ANG_ZERO)

@@ -23,7 +23,7 @@ use parry::shape::Shape;
 /// at a tenth of its speed. The remaining relative distance is 10⁻⁵.
 const JUMPS_MAX: usize = 1024;
 /// A full revolution and the rounding error (rad).
-const FULL_TURN: Real = 6.3;
+const TURN_ANGLE_MAX: Real = 6.3;
 
 /// Two shapes that touch during their motion.
 pub(crate) struct Touch<'a> {
@@ -100,8 +100,11 @@ fn window([one, two]: [MovingPart<'_, '_>; 2], tolerance: Real, until: Real) -> 
     let other = two.part.shape.compute_aabb(&two.sweep.at(0.0));
     let probe = SlabProbe::new(segment.center, segment.shift, Vector::splat(reach));
     let [enter, leave] = probe.span(&other);
-    let turned =
-        if segment.shift == Vector::ZERO { FULL_TURN / segment.angle() } else { Real::INFINITY };
+    let turned = if segment.shift == Vector::ZERO {
+        TURN_ANGLE_MAX / segment.angle()
+    } else {
+        Real::INFINITY
+    };
     let until = until.min(leave).min(turned);
     (enter <= until).then_some([enter.max(0.0), until])
 }

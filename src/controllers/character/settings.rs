@@ -103,8 +103,8 @@ pub struct KinematicCharacterController {
     /// The steepest slope that the character can walk up (rad, from level ground). Steeper slopes are walls.
     /// 45° by default.
     pub max_slope_climb_angle: Real,
-    /// The smallest slope angle at which the downward component of the desired translation makes the
-    /// character slide (rad, from level ground): on smaller slopes it stands. 45° by default.
+    /// The smallest slope angle (rad, from level ground) at which the downward component of the desired
+    /// translation makes the character slide. On smaller slopes it stands. 45° by default.
     pub min_slope_slide_angle: Real,
     /// Distance below the feet within which the character moves down to a floor after it has left another;
     /// relative to its height. It keeps the character on the ground on the way down slopes and stairs. A

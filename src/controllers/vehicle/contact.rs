@@ -120,7 +120,7 @@ pub(super) struct WheelContact {
     pub spring: Spring,
     pub drive: Drive,
     pub friction: Real,
-    /// The velocity to the side that grip lets be.
+    /// The admissible lateral slip (length units per second).
     pub side_target: Real,
     pub is_sliding: bool,
 }

@@ -38,10 +38,10 @@ impl Drive {
     /// The friction impulse if `forward` and `side` would stop the tyre, and `limit` is µ N.
     pub fn grip(&self, forward: Real, side: Real, limit: Real) -> Grip {
         let Self { engine, brake } = *self;
-        let wanted = forward.clamp(engine - brake, engine + brake);
-        let length = (wanted * wanted + side * side).sqrt();
+        let target = forward.clamp(engine - brake, engine + brake);
+        let length = (target * target + side * side).sqrt();
         if length <= limit {
-            return Grip { forward: wanted, side, is_sliding: false };
+            return Grip { forward: target, side, is_sliding: false };
         }
         // As a block: against the slip, in the direction of the impulse that would stop it.
         let stop = (forward * forward + side * side).sqrt();

@@ -103,8 +103,8 @@ impl Spring {
     pub fn solve(&self, impulse: Real, velocity: Real, inv_mass: Real) -> Real {
         let Self { bias, softness, limit, .. } = *self;
         let free = velocity - inv_mass * impulse;
-        let wanted = (bias - softness * free) / (1.0 + softness * inv_mass);
-        if wanted.is_finite() { wanted.clamp(0.0, limit) } else { 0.0 }
+        let target = (bias - softness * free) / (1.0 + softness * inv_mass);
+        if target.is_finite() { target.clamp(0.0, limit) } else { 0.0 }
     }
 }
 

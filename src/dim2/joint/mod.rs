@@ -1,8 +1,8 @@
 //! # Joint frames in 2D
 //!
-//! Rotations of joints, lane by lane and for one joint at a time. There is one axis of rotation. If it is
-//! locked, the error is `2 tan(φ/2)` of the angle `φ` between the frames: the angle for small ones, and
-//! continuous up to half a revolution.
+//! Rotations of joints, lane by lane and for one joint at a time. There is one axis of rotation. The error of
+//! the locked axis is `2 tan(φ/2)` of the angle `φ` between the frames. For small angles it is the angle, and
+//! it is continuous up to half a revolution.
 
 mod angle;
 mod frame;

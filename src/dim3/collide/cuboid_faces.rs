@@ -215,8 +215,8 @@ impl Overlap<'_> {
         }
     }
 
-    /// Adds a point of the incident face, given relative to the normal; `sides` are its sides of the
-    /// rectangle, `other_signs` the feature of the other box.
+    /// Adds a point of the incident face, given relative to the normal. `sides` are its sides of the
+    /// rectangle, and `other_signs` is the feature of the other box.
     fn add(&mut self, seen: Vector, sides: [Real; 2], other_signs: Vector) {
         let dist = seen.z;
         if dist > self.prediction {

@@ -70,7 +70,7 @@ impl Corner {
 pub(super) type Corners = ArrayVec<Corner, CORNERS_MAX>;
 
 impl<'a> Polytope<'a> {
-    /// The polytope of a shape, and the thickness (length units) of the layer around it; `None` if it is no
+    /// The polytope of a shape, and the thickness (length units) of the layer around it. `None` if it is no
     /// polytope, or has neither interior nor normal.
     pub fn of(shape: &'a dyn Shape) -> Option<(Self, Real)> {
         let flat = |triangle: &'a Triangle| Some(Self::Triangle(triangle, triangle.normal()?));

@@ -50,8 +50,8 @@ impl<W: Wide> Frame<W> {
         [self.t1.dot(v), self.t2.dot(v)]
     }
 
-    /// `I⁻¹ t1`, `I⁻¹ t2` and `I⁻¹ n` of an inverse inertia in world space: the angular velocities, in world
-    /// space, per moment about the axes of the contact frame.
+    /// `I⁻¹ t1`, `I⁻¹ t2` and `I⁻¹ n` of an inverse inertia in world space. They are the angular velocities
+    /// per moment about the axes of the contact frame.
     #[inline(always)]
     pub fn columns(&self, inv_inertia: WideSymmetric<W>) -> [WideVector<W>; 3] {
         [

@@ -266,7 +266,8 @@ impl RigidBodyBuilder {
     }
 
     /// Sets the number of additional substeps of the solver for the island of this body (at most 1000). The
-    /// island consists of all dynamic bodies that touch it, directly or through others.
+    /// island consists of all dynamic bodies that contacts or joints connect to it, directly or through other
+    /// dynamic bodies.
     pub fn additional_solver_iterations(mut self, iterations: usize) -> Self {
         self.additional_solver_iterations = iterations;
         self

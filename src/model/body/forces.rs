@@ -51,8 +51,8 @@ impl RigidBody {
         self.add_force_and_torque(Vector::ZERO, torque, wake_up);
     }
 
-    /// Adds a world-space force at a point in world space: the force on the centre of mass, and its current
-    /// torque about the centre of mass. Both act in every step until they are reset.
+    /// Adds a world-space force at a point in world space. The force acts on the centre of mass, with its
+    /// current torque about it. Both act in every step until they are reset.
     pub fn add_force_at_point(&mut self, force: Vector, point: Vector, wake_up: bool) {
         if !is_point(point) {
             return refuse("the point where a force acts on a rigid body", point);

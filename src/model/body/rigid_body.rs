@@ -28,8 +28,7 @@ use parry::mass_properties::MassProperties;
 /// finite or outside their range: the old value stays, and `log` gets a warning with the refused value.
 //
 // The order of the fields is fixed (`repr(C)`). The fields that each step reads and writes are at the front,
-// up to and including the first fields of `mprops`, in five cache lines (3D, `f32`). Rarely used fields come
-// last.
+// in five cache lines (3D, `f32`). They end with the first fields of `mprops`. Rarely used fields come last.
 #[derive(Debug)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde-serialize", serde(remote = "Self"))]

@@ -17,8 +17,8 @@ pub(crate) const BODIES_PER_TASK: usize = 64;
 /// Prefetch distance, in bodies: body records are spread over memory.
 const BODY_PREFETCH_DISTANCE: usize = 3;
 
-/// Data of a removed body for the step: its colliders, which are removed with it (`None`: read from the
-/// colliders), and its place in the step's lists.
+/// Data of a removed body for the step: its colliders, which are removed with it, and its place in the step's
+/// lists. With `None`, the step finds the colliders by their parent.
 pub(crate) type RemovedBody = (RigidBodyHandle, Option<AttachedColliders>, BodyLink);
 
 /// The rigid bodies of a simulation, accessed by handle.
@@ -286,8 +286,8 @@ impl RigidBodySet {
     }
 
     /// Checks the notes of a loaded set: the list names exactly the bodies with changes, and holds their
-    /// places. The step takes the changes of all listed bodies, and a change that no step takes would excuse
-    /// a wrong reference forever.
+    /// places. The step takes the changes of all listed bodies. A change that no step takes would hide a
+    /// wrong reference forever.
     pub(crate) fn check_notes(&self) -> Result<(), Fault> {
         let Notes { modified, places, .. } = &self.notes;
         ensure!(modified.len() == places.len(), "{} notes of bodies", places.len());
@@ -410,7 +410,7 @@ impl core::ops::Index<RigidBodyHandle> for RigidBodySet {
 
     /// # Panics
     /// If the handle is stale.
-    #[expect(clippy::panic, reason = "an index has no other way to say no")]
+    #[expect(clippy::panic, reason = "`Index` cannot return an error")]
     fn index(&self, handle: RigidBodyHandle) -> &RigidBody {
         match self.get(handle) {
             Some(body) => body,
@@ -422,7 +422,7 @@ impl core::ops::Index<RigidBodyHandle> for RigidBodySet {
 impl core::ops::IndexMut<RigidBodyHandle> for RigidBodySet {
     /// # Panics
     /// If the handle is stale.
-    #[expect(clippy::panic, reason = "an index has no other way to say no")]
+    #[expect(clippy::panic, reason = "`Index` cannot return an error")]
     fn index_mut(&mut self, handle: RigidBodyHandle) -> &mut RigidBody {
         match self.get_mut(handle) {
             Some(body) => body,

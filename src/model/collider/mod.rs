@@ -2,8 +2,9 @@
 //!
 //! A [`Collider`] is a shape in the world; a [`ColliderSet`] owns them. Shapes come from parry.
 //! [`ColliderBuilder`] and the setters refuse everything that cannot be simulated (a negative radius, an
-//! empty mesh, a coordinate that is not finite). No stage of the step therefore needs a check. Setters record
-//! each change, so that the next step processes changed colliders alone.
+//! empty mesh, a coordinate that is not finite). The step therefore checks only shapes after `shape_mut`, and
+//! boxes against the limits of the trees. Setters record each change, so that the next step processes changed
+//! colliders alone.
 
 mod interact;
 mod journal;

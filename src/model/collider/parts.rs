@@ -92,12 +92,13 @@ impl ColliderChanges {
     /// Edits that affect the set of possible partners.
     pub(crate) const PARTNER_CHANGES: Self = Self::GROUPS.union(Self::INTERACTIONS);
 
-    /// All changes, for a collider that is new to the step.
+    /// All changes of a collider that is new to the step, except its place in the change list and the check
+    /// of its shape.
     pub(crate) const fn everything() -> Self {
         Self::all().difference(Self::IN_MODIFIED_SET.union(Self::UNCHECKED_SHAPE))
     }
 
-    /// All changes except those of the body.
+    /// The same, except the changes of the body and moved vertices.
     pub(crate) const fn of_everything_but_the_body() -> Self {
         Self::everything()
             .difference(Self::PARENT.union(Self::PARENT_EFFECTIVE_DOMINANCE).union(Self::DEFORMED))

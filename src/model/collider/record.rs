@@ -274,8 +274,8 @@ impl Collider {
         ColliderMassProps::Density(1.0).mass_properties(&*self.shape).mass()
     }
 
-    /// Mass per volume (per area in 2D): the density that was set, or the mass that was set divided by the
-    /// volume. 0 for shapes without volume.
+    /// Mass per volume (per area in 2D). It is the density that was set, or the mass that was set divided by
+    /// the volume. 0 for shapes without volume.
     pub fn density(&self) -> Real {
         let mass = match &self.mass_props {
             ColliderMassProps::Density(density) => return *density,

@@ -203,8 +203,8 @@ fn mean(points: &[Vector]) -> Vector {
 }
 
 /// A point inside a convex shape, at the centre of symmetric shapes: the mean of its farthest points along
-/// all diagonals. (Along the axes the farthest points of a box are whole faces, and it may say any of their
-/// corners.)
+/// all diagonals. (Along the axes the farthest points of a box are whole faces, and the result may be any of
+/// their corners.)
 fn inner_point(shape: &dyn SupportMap) -> Vector {
     let corners = 1 << DIM;
     let diagonal = |corner: usize| {

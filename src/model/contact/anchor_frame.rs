@@ -108,8 +108,8 @@ impl WideAnchorFrame {
         near_rest: Lane::ZERO,
     };
 
-    /// Sets one lane: the anchor frame of a pair, a manifold's normal at that time, and the angle (rad) up to
-    /// which it is frozen near rest.
+    /// Sets one lane: the anchor frame of a pair, and a manifold's normal at that time. Up to `frozen_angle`
+    /// (rad), it is frozen near rest.
     pub fn set_lane(
         &mut self,
         lane: usize,

@@ -17,5 +17,5 @@ pub use manifold::{Contact, ContactManifold, ContactManifoldData, ContactPoints,
 pub use narrow_phase::NarrowPhase;
 pub use pair::{ContactPair, IntersectionPair};
 pub(crate) use report::{ContactReport, WideReport};
-pub(crate) use store::{DUE, Pair, PairId, PairState, PairStore, StoreParts};
+pub(crate) use store::{Pair, PairId, PairState, PairStore, SLACK_DUE, StoreParts};
 pub(crate) use triangle_cache::TriangleCache;

@@ -118,9 +118,9 @@ impl ContactPair {
         result
     }
 
-    /// The deepest contact as (normal, point, depth). The unit normal points from the first collider to the
-    /// second, the point is midway between the two surfaces, and the depth is the overlap (negative: the
-    /// distance). All in world space as of the last step. `None` if there is no contact.
+    /// The deepest contact as (normal, point, depth), in world space as of the last step. `None` if there is
+    /// no contact. The unit normal points from the first collider to the second. The point is midway between
+    /// the two surfaces, and the depth is the overlap (negative: the distance).
     pub fn find_deepest_contact(&self) -> Option<(Vector, Vector, Real)> {
         let manifold = self
             .manifolds
@@ -167,11 +167,16 @@ impl Pair for ContactPair {
     }
 
     #[inline]
-    fn prefetch(&self, what_is_there: bool) {
-        match self.triangle_cache.as_deref() {
-            Some(triangle_cache) if what_is_there => triangle_cache.prefetch(),
-            Some(triangle_cache) => prefetch(triangle_cache),
-            None => {}
+    fn prefetch_address(&self) {
+        if let Some(triangle_cache) = self.triangle_cache.as_deref() {
+            prefetch(triangle_cache);
+        }
+    }
+
+    #[inline]
+    fn prefetch_content(&self) {
+        if let Some(triangle_cache) = self.triangle_cache.as_deref() {
+            triangle_cache.prefetch();
         }
     }
 }

@@ -11,7 +11,7 @@ use crate::model::constraint_graph::ConstraintGraph;
 use crate::model::joint::JointLinks;
 use crate::model::stamp::WorldStamp;
 
-/// Bodies that touch, directly or through other dynamic bodies.
+/// Dynamic bodies that contacts or joints connect, directly or through other dynamic bodies.
 ///
 /// Islands persist. They merge at once when two of them touch, and are split lazily, when one with cut links
 /// is ready to sleep. Finding them anew each step would cost all awake contacts.
@@ -88,8 +88,9 @@ impl IslandManager {
         self.awake.len()
     }
 
-    /// Wakes a body and its island at once: all bodies that touch it, directly or through others, are awake
-    /// when this returns. Nothing happens if the handle is stale.
+    /// Wakes a body and its island at once. The island has all dynamic bodies that contacts or joints connect
+    /// to it, directly or through others. They are awake when this returns. Nothing happens if the handle is
+    /// stale.
     ///
     /// A woken island stays awake for its full time until sleep, independent of `strong`. With the old time
     /// it would fall asleep again in the next step, before any force could move it. If the body is awake,

@@ -1,4 +1,5 @@
-//! Islands: bodies that touch, directly or through others, and so sleep and wake as one.
+//! Islands: dynamic bodies that contacts or joints connect, directly or through other dynamic bodies. They
+//! sleep and wake as one.
 
 mod awake;
 mod groups;

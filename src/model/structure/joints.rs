@@ -117,8 +117,8 @@ impl Structure<'_> {
         let Some(link) = self.islands.joints.get(slot).copied() else { return };
         let bodies = link.body_slots();
         let dynamic = self.dynamic_slots(bodies);
-        let wanted = link.attached && dynamic.iter().flatten().any(|&body| self.is_awake(body));
-        let color = match (wanted, link.slot) {
+        let is_solved = link.attached && dynamic.iter().flatten().any(|&body| self.is_awake(body));
+        let color = match (is_solved, link.slot) {
             (true, None) => {
                 self.wake_kinematic_of(bodies);
                 Some(self.islands.joint_graph.add(slot, dynamic))

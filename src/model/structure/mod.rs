@@ -442,8 +442,8 @@ impl Structure<'_> {
         }
     }
 
-    /// Wakes those bodies of a pair that sleep. Sleepers do not lose contacts by themselves: an edit took
-    /// their hold, and they may fall now.
+    /// Wakes those bodies of a pair that sleep. Sleepers do not lose contacts by themselves: an edit removed
+    /// their support, and they may fall now.
     pub fn wake_sleepers_of(&mut self, id: PairId) {
         for slot in self.narrow_phase.contacts.bodies(id) {
             let sleeper = self.bodies.at_slot(slot).filter(|(_, body)| body.link.awake == NONE);
@@ -472,8 +472,8 @@ impl Structure<'_> {
         let pair = &mut self.narrow_phase.contacts[id];
         pair.manifolds.truncate(left);
         pair.has_any_active_contact = left > 0;
-        let wanted = pair.manifolds.iter().any(ContactManifold::is_solved);
-        match (wanted, pair.attached) {
+        let is_solved = pair.manifolds.iter().any(ContactManifold::is_solved);
+        match (is_solved, pair.attached) {
             (true, false) => self.attach(id),
             (false, true) => {
                 self.detach(id);

@@ -39,11 +39,11 @@ impl Structure<'_> {
         let slots = self.narrow_phase.contacts.bodies(id);
         let dynamic = self.dynamic_slots(slots);
         let awake = dynamic.iter().flatten().any(|&slot| self.is_awake(slot));
-        let wanted = awake && self.narrow_phase.contacts[id].attached;
+        let is_active = awake && self.narrow_phase.contacts[id].attached;
         for index in 0..self.narrow_phase.contacts[id].manifolds.len() {
             let manifold = ManifoldRef { pair: id, manifold: index as u32 };
             let state = &self.narrow_phase.contacts[id].manifolds[index];
-            if !(wanted && state.is_solved()) {
+            if !(is_active && state.is_solved()) {
                 self.uncolor(manifold);
             } else if state.slot.is_none() {
                 self.narrow_phase.complete(id);

@@ -21,7 +21,7 @@ const MOTION_MARGIN_FRACTION_MAX: Real = 0.5;
 /// number of leaves, which stay within `f32`. So do the fourth powers in contact generation.
 const COORDINATE_MAX: Real = 1.0e10;
 /// A box this large represents an infinite one, as of a half-space, and is cut at the limit.
-const UNBOUNDED: Real = Real::MAX * 0.25;
+const EXTENT_UNBOUNDED_MIN: Real = Real::MAX * 0.25;
 
 /// Input of the margin.
 #[derive(Copy, Clone, Debug)]
@@ -38,7 +38,7 @@ impl BoxMargin {
     pub fn needed(&self, tight: &Aabb) -> Option<Aabb> {
         let size = tight.mins.abs().max(tight.maxs.abs()).max_element();
         let is_finite = tight.mins.is_finite() && tight.maxs.is_finite() && self.reach.is_finite();
-        if !is_finite || (size > COORDINATE_MAX && size < UNBOUNDED) {
+        if !is_finite || (size > COORDINATE_MAX && size < EXTENT_UNBOUNDED_MIN) {
             return None;
         }
         Some(limited(tight.loosened(self.reach.max(0.0))))

@@ -4,7 +4,7 @@
 //! nothing is done. When it leaves, it gets a new box and is noted as moved, and only moved colliders search
 //! for new neighbours. Fixed colliders have a tree of their own, so that they never find each other. The few
 //! kinematic colliders have a tree, so that the search along paths of fast bodies does not visit all dynamic
-//! ones. A step costs nothing for colliders that rest, however many there are.
+//! ones. Colliders of fixed and sleeping bodies are free: no per-step loop visits them.
 
 mod check;
 mod enlarge;
@@ -123,7 +123,7 @@ impl BroadPhaseBvh {
         self.sizes[slot] = exponent(aabb.extents().max_element());
     }
 
-    /// Size class of each collider's last box, as a power of two relative to a common origin.
+    /// The binary exponent of the longest side of the last box at a slot.
     pub(crate) fn size(&self, slot: u32) -> u16 {
         self.sizes.get(slot as usize).copied().unwrap_or(0)
     }

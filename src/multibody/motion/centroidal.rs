@@ -14,8 +14,8 @@
 //!
 //! * always: none gains energy in 120 steps (3D, single precision), but free trees lose up to 1.8 % of their
 //!   momentum in 1 s;
-//! * with contacts only: momentum is conserved, but one of 1,000 trees gains energy (658, a multiple). In 2D
-//!   and double precision, tree 662 gains 17 % and tree 431 23 %.
+//! * with contacts only: momentum is conserved, but one of 1,000 trees, number 658, gains a multiple of its
+//!   energy. In 2D and double precision, tree 662 gains 17 % and tree 431 23 %.
 //!
 //! The momentum is that about the root's centre of mass, wherever that moves. The moment arm of an impulse
 //! moves along: the contact of a ball is below the ball also when this has rolled on. (With the arm of the

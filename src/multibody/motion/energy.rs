@@ -19,8 +19,8 @@ use crate::model::multibody::Multibody;
 const CONTACT_ANGLE_MAX: Real = 0.1;
 /// The largest angle (rad) that a joint rotates in a substep with a non-converged piece.
 const JOINT_ANGLE_MAX: Real = 0.5;
-/// Joints that rotate by a larger angle (rad) in a substep are not limited: the input is beyond the simulated
-/// range, and a [`QuarantineEvent`](crate::model::event::QuarantineEvent) reports it.
+/// Joints that rotate by a larger angle (rad) in a substep are not limited. Such input is beyond the
+/// simulated range, and a [`QuarantineEvent`](crate::model::event::QuarantineEvent) reports it.
 const ANGLE_MEANINGFUL_MAX: Real = 1.0e6;
 /// If at least this fraction of the energy is kept, the excess is removed from the change of shape.
 const SHAPE_REDUCTION_FRACTION_MIN: Real = 0.9;
@@ -44,8 +44,8 @@ impl Motion {
         self.joint_loads.iter().zip(&self.rates).any(is_driven)
     }
 
-    /// The velocity of the frame in which the multibody as a whole goes nowhere, at the velocities that the
-    /// links had last.
+    /// The velocity of the centre-of-mass frame of the multibody along the free axes of its root, at the last
+    /// velocities of the links.
     fn frame_velocity(&self) -> Vector {
         if self.root_dofs() == 0 {
             return linear(&self.root);

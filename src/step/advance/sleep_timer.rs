@@ -19,9 +19,9 @@ const WINDOW_MAX: Real = 0.25;
 struct Limits {
     /// Duration of the window (s).
     window: Real,
-    /// By any point (length units).
+    /// Largest displacement of a point (length units).
     distance: Real,
-    /// By any direction (rad).
+    /// Largest rotation in any direction (rad).
     angle: Real,
 }
 

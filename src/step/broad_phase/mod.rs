@@ -6,10 +6,10 @@
 //! Never:   searches for a collider that stayed in its fat AABB, unless its groups changed or its number of
 //!     pairs is limited
 //!
-//! One of two colliders *owns* the pair: the smaller one; of equals the one that is no sensor, or else the
-//! later one. The owner finds the pair when both moved. The number of pairs that a collider owns is
-//! limited, with colliders of its size and with larger ones. Pairs with sensors have a separate limit
-//! (`IntegrationParameters::max_neighbors_per_collider`,
+//! One of two colliders *owns* the pair: the smaller one. Between equal sizes it is the solid collider, and
+//! between equal kinds the later one. The owner finds the pair when both moved. The number of pairs that a
+//! collider owns is limited, with colliders of its size and with larger ones. Pairs with sensors have a
+//! separate limit (`IntegrationParameters::max_neighbors_per_collider`,
 //! `IntegrationParameters::max_sensor_neighbors_per_collider`). Without limits, bodies at one point have a
 //! number of pairs quadratic in their number. A platform under thousands of crates owns none of these pairs,
 //! so it misses none. The same holds for a sensor that contains thousands of bodies of at most its size.

@@ -31,7 +31,7 @@ impl OwnedPairs {
         self.limit.is_some_and(|limit| slot_distance >= limit)
     }
 
-    /// Adds a pair. When there are twice as many as may be, the remote half goes.
+    /// Adds a pair. At twice the limit, the half with the larger slot distances is dropped.
     #[inline]
     pub fn push(&mut self, slot_distance: SlotDistance, pair: HandlePair) {
         self.pairs.push((slot_distance, pair));
@@ -45,7 +45,7 @@ impl OwnedPairs {
         self.pairs.len() + usize::from(self.limit.is_some())
     }
 
-    /// The nearest ones, so many as there are places for. No particular order if that is all of them.
+    /// The pairs with the smallest slot distances, at most `places`. They are sorted only if there are more.
     pub fn nearest(&mut self, places: usize) -> impl Iterator<Item = HandlePair> {
         if self.len() > places {
             self.pairs.sort_unstable();

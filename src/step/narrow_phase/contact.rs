@@ -16,7 +16,9 @@ use crate::model::body::{QuarantineCause, RigidBody, RigidBodyHandle};
 use crate::model::collider::{
     ActiveEvents, ActiveHooks, CoefficientCombineRule, Collider, ColliderHandle,
 };
-use crate::model::contact::{ContactManifold, ContactPair, DUE, PairId, PairStore, SolverFlags};
+use crate::model::contact::{
+    ContactManifold, ContactPair, PairId, PairStore, SLACK_DUE, SolverFlags,
+};
 use crate::model::hooks::ContactModificationContext;
 use crate::model::island::rotation_bound;
 use crate::step::notes::PairChange;
@@ -40,7 +42,7 @@ impl Update for ContactPair {
         worker: &mut Worker,
     ) -> Outcome {
         let recycle_distance = view.recycle_distance();
-        if last.slack != DUE
+        if last.slack != SLACK_DUE
             && self.is_touching()
             && let Some(drift) = self.drift_below(recycle_distance, &view.pose12, view.reach())
         {
@@ -81,7 +83,7 @@ impl ContactPair {
         worker.deeply_penetrating.extend(self.penetrating_body(view));
         let hooks = ActiveHooks::FILTER_CONTACT_PAIRS | ActiveHooks::MODIFY_SOLVER_CONTACTS;
         let slack = if view.has_hooks(hooks) {
-            DUE
+            SLACK_DUE
         } else if self.is_touching() {
             view.recycle_distance().min(remaining)
         } else {

@@ -4,7 +4,7 @@ use super::update::{Outcome, Update, Worker};
 use super::view::PairView;
 use crate::collide::shapes_intersect;
 use crate::model::collider::ActiveHooks;
-use crate::model::contact::{DUE, IntersectionPair, PairId};
+use crate::model::contact::{IntersectionPair, PairId, SLACK_DUE};
 use crate::step::notes::PairChange;
 
 impl Update for IntersectionPair {
@@ -22,7 +22,7 @@ impl Update for IntersectionPair {
         let filtered = view.has_hooks(ActiveHooks::FILTER_INTERSECTION_PAIR);
         Outcome {
             change: Some(PairChange::Computed),
-            slack: if filtered { DUE } else { 0.0 },
+            slack: if filtered { SLACK_DUE } else { 0.0 },
             reports_force: false,
             is_renewed: false,
             non_dynamic_side: None,

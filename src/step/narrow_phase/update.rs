@@ -12,8 +12,8 @@ use crate::dim::math::Real;
 use crate::model::body::{QuarantineCause, RigidBodyHandle, RigidBodySet};
 use crate::model::collider::{ColliderHandle, ColliderSet};
 use crate::model::contact::{
-    ContactLanes, ContactManifold, ContactPair, DUE, IntersectionPair, Pair, PairId, PairState,
-    PairStore, StoreParts,
+    ContactLanes, ContactManifold, ContactPair, IntersectionPair, Pair, PairId, PairState,
+    PairStore, SLACK_DUE, StoreParts,
 };
 use crate::model::hooks::PhysicsHooks;
 use crate::model::island::IslandManager;
@@ -122,7 +122,8 @@ impl Outcome {
     }
 
     /// The boxes no longer overlap.
-    pub const APART: Self = Self { change: Some(PairChange::Apart), ..Self::unchanged(DUE, false) };
+    pub const APART: Self =
+        Self { change: Some(PairChange::Apart), ..Self::unchanged(SLACK_DUE, false) };
 }
 
 /// Brings all awake pairs up to date. Returns the number of contact pairs that touch in so many places that
@@ -316,13 +317,13 @@ impl<P: Update> Prefetcher<'_, P> {
             for body in self.states[id as usize].bodies {
                 self.context.bodies.prefetch(body);
             }
-            pair.iter().for_each(|pair| pair.prefetch(false));
+            pair.iter().for_each(Pair::prefetch_address);
         }
         if let Some(&id) = self.due.get(index + 1) {
             // SAFETY: as above.
             let pair = unsafe { self.pairs.get(id as usize) };
             pair.iter().for_each(|pair| pair.prefetch_report(self.context.lanes));
-            pair.iter().for_each(|pair| pair.prefetch(true));
+            pair.iter().for_each(Pair::prefetch_content);
         }
     }
 }

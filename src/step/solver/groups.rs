@@ -11,8 +11,8 @@
 //! Joints that connect light bodies to heavy ones need more substeps for another reason. Under a load `M g`
 //! with moment arm `r`, a link of mass `m` and inertia `I` vibrates with `ω² = M g r / (I + m r²)`. The
 //! solver does not recover from a substep in which the link rotates too far
-//! (`joints/geometric_stiffness.rs`). So `(h ω)²` is kept below [`SWING_SQUARED_MAX`]. A chain under 1000
-//! times the mass of a link gets twice the usual substeps at 30 steps a second. At 60 it gets the usual
+//! (`joints/geometric_stiffness.rs`). So `(h ω)²` is kept below [`GEOMETRIC_STIFFNESS_MAX`]. A chain under
+//! 1000 times the mass of a link gets twice the usual substeps at 30 steps a second. At 60 it gets the usual
 //! number.
 //!
 //! Four cubes under one of 1000 times the mass sink in by 0.8 m with 4 substeps, 34 mm with 16, 10 mm with
@@ -33,7 +33,7 @@ use core::ops::Range;
 
 /// Up to this ratio of masses the usual substeps do: four cubes under one of 30 times the mass sink in by 15
 /// mm.
-const MASS_RATIO_EVEN_MAX: Real = 32.0;
+const MASS_RATIO_MODERATE_MAX: Real = 32.0;
 /// Largest factor on the usual number of substeps of an island.
 const SUBSTEP_FACTOR_MAX: usize = 16;
 /// Largest factor on the usual number of substeps of an island for its joints.
@@ -43,7 +43,7 @@ const JOINT_SUBSTEP_FACTOR_MAX: usize = 32;
 const BODY_SUBSTEPS_MAX: usize = 1024;
 /// The largest `(h ω)²` with which light links swing under a heavy load. A chain of 20 links holds at 0.51,
 /// under any load, and comes apart at 0.8.
-const SWING_SQUARED_MAX: Real = 0.55;
+const GEOMETRIC_STIFFNESS_MAX: Real = 0.55;
 
 /// Bodies that are solved together.
 #[derive(Clone, Debug)]
@@ -61,7 +61,7 @@ struct IslandRequirement {
     /// The same for bodies that joints hold.
     joined: [Real; 2],
     /// The largest `r / (I + m r²)` of these: the angular acceleration by a unit force.
-    agility: Real,
+    acceleration_per_force: Real,
     /// Additional substeps that its bodies request.
     extra: usize,
 }
@@ -69,7 +69,7 @@ struct IslandRequirement {
 impl IslandRequirement {
     const NOTHING: Self = {
         let none = [Real::INFINITY, 0.0];
-        Self { masses: none, joined: none, agility: 0.0, extra: 0 }
+        Self { masses: none, joined: none, acceleration_per_force: 0.0, extra: 0 }
     };
 
     /// Includes a body that touches another.
@@ -82,28 +82,31 @@ impl IslandRequirement {
         let Some(mass) = mass(body) else { return };
         include(&mut self.joined, mass);
         if let Some(inertia) = inertia_about(&body.mprops.inv_inertia) {
-            self.agility = self.agility.max(arm / (inertia + mass * arm * arm));
+            self.acceleration_per_force =
+                self.acceleration_per_force.max(arm / (inertia + mass * arm * arm));
         }
     }
 
-    /// Returns whether the masses of touching bodies are within [`MASS_RATIO_EVEN_MAX`].
-    fn is_even(&self) -> bool {
+    /// Returns whether the masses of touching bodies are within [`MASS_RATIO_MODERATE_MAX`].
+    fn has_moderate_mass_ratio(&self) -> bool {
         let [lightest, heaviest] = self.masses;
-        heaviest <= MASS_RATIO_EVEN_MAX * lightest
+        heaviest <= MASS_RATIO_MODERATE_MAX * lightest
     }
 
     /// The factor on the usual number of substeps for an island of this size with substeps of `h` seconds. It
     /// is a power of two, so there are few groups.
     fn factor(&self, bodies: usize, gravity: Real, h: Real) -> usize {
         let ([lightest, heaviest], [least, most]) = (self.masses, self.joined);
-        let is_uneven = most > MASS_RATIO_EVEN_MAX * least;
-        let swing = if is_uneven { h * h * most * gravity * self.agility } else { 0.0 };
+        let is_ratio_large = most > MASS_RATIO_MODERATE_MAX * least;
+        let stiffness =
+            if is_ratio_large { h * h * most * gravity * self.acceleration_per_force } else { 0.0 };
         let mut factor = 1;
         while 2 * factor * bodies <= BODY_SUBSTEPS_MAX {
             let square = (factor * factor) as Real;
-            let by_contacts =
-                factor < SUBSTEP_FACTOR_MAX && heaviest > MASS_RATIO_EVEN_MAX * lightest * square;
-            let by_joints = factor < JOINT_SUBSTEP_FACTOR_MAX && swing > SWING_SQUARED_MAX * square;
+            let by_contacts = factor < SUBSTEP_FACTOR_MAX
+                && heaviest > MASS_RATIO_MODERATE_MAX * lightest * square;
+            let by_joints =
+                factor < JOINT_SUBSTEP_FACTOR_MAX && stiffness > GEOMETRIC_STIFFNESS_MAX * square;
             if !by_contacts && !by_joints {
                 break;
             }
@@ -226,7 +229,7 @@ impl Groups {
             requirement.extra = requirement.extra.max(body_requirement.extra);
             body_requirement.mass.into_iter().for_each(|mass| requirement.include(mass));
         }
-        requirement.extra == 0 && requirement.is_even()
+        requirement.extra == 0 && requirement.has_moderate_mass_ratio()
     }
 
     /// Finds the requirements of islands from touching bodies.

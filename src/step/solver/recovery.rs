@@ -1,4 +1,4 @@
-//! Undoing overlap must not become motion.
+//! The correction of overlap must not become motion.
 //!
 //! The solve pass pushes overlapping bodies apart, and the relax pass removes that velocity after the bodies
 //! have moved. One Gauss–Seidel iteration removes all of it for a few contacts, but not for thousands of
@@ -110,7 +110,7 @@ impl Recovery {
         }
     }
 
-    /// Notes the overlaps deeper than `deep` in a block of contacts, and the loads of its bodies.
+    /// Counts the contacts deeper than `deep` and their bodies by island, and marks driven islands.
     pub fn note(
         &mut self,
         block: &ContactBlock,

@@ -435,7 +435,7 @@ impl core::ops::Index<ColliderHandle> for ColliderSet {
 
     /// # Panics
     /// If the handle is stale.
-    #[expect(clippy::panic, reason = "an index has no other way to say no")]
+    #[expect(clippy::panic, reason = "`Index` cannot return an error")]
     fn index(&self, handle: ColliderHandle) -> &Collider {
         match self.get(handle) {
             Some(collider) => collider,
@@ -447,7 +447,7 @@ impl core::ops::Index<ColliderHandle> for ColliderSet {
 impl core::ops::IndexMut<ColliderHandle> for ColliderSet {
     /// # Panics
     /// If the handle is stale.
-    #[expect(clippy::panic, reason = "an index has no other way to say no")]
+    #[expect(clippy::panic, reason = "`Index` cannot return an error")]
     fn index_mut(&mut self, handle: ColliderHandle) -> &mut Collider {
         match self.get_mut(handle) {
             Some(collider) => collider,

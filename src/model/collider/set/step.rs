@@ -47,8 +47,7 @@ impl ColliderSet {
     }
 
     /// Checks the notes of a loaded set: the list names exactly the colliders with changes. The step takes
-    /// the changes of all listed colliders, and a change that no step takes would excuse a wrong reference
-    /// forever.
+    /// the changes of all listed colliders. A change that no step takes would hide a wrong reference forever.
     pub(crate) fn check_notes(&self) -> Result<(), Fault> {
         let is_noted =
             |collider: &Collider| collider.changes.contains(ColliderChanges::IN_MODIFIED_SET);
@@ -83,8 +82,8 @@ impl ColliderSet {
         (self.notes.journal.since(bookmark), self.notes.journal.end())
     }
 
-    /// Takes a collider out of the set and leaves a note, without looking at its body: for colliders
-    /// whose body is gone.
+    /// Takes a collider out of the set and leaves a note, without access to its body: for colliders whose
+    /// body is gone.
     pub(crate) fn take(&mut self, handle: ColliderHandle, wake_up: bool) -> Option<Collider> {
         let collider = self.colliders.remove(handle.0)?;
         if collider.changes.contains(ColliderChanges::IN_MODIFIED_SET) {

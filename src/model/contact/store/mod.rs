@@ -4,7 +4,7 @@
 //! pairs are kept in step, each repaired in constant time when a pair goes:
 //!
 //! * `pairs`: id → pair, with holes. Large, so most stages avoid it;
-//! * `states`: id → the data of all awake pairs that each step reads, 16 bytes, contiguous;
+//! * `states`: id → the data that each step reads if the pair is awake, 16 bytes, contiguous;
 //! * `of_collider`: collider slot → ids and partners; and `places`: id → the two colliders, and the positions
 //!   in their lists;
 //! * `awake`: the ids that the narrow phase visits each step, in their order, which is that of memory. Pairs
@@ -37,7 +37,7 @@ const PAGES_PER_TASK: usize = 2;
 pub(crate) type PairId = u32;
 
 /// The slack of a due pair, which must be computed even without motion.
-pub(crate) const DUE: Real = Real::NEG_INFINITY;
+pub(crate) const SLACK_DUE: Real = Real::NEG_INFINITY;
 
 /// The store's data of a pair.
 pub(crate) trait Pair {
@@ -56,8 +56,11 @@ pub(crate) trait Pair {
     /// Prefetches the results of the last step for the pair.
     fn prefetch_report(&self, _lanes: &ContactLanes) {}
 
-    /// Prefetches the pair's data elsewhere in memory: first its address, then its content.
-    fn prefetch(&self, _what_is_there: bool) {}
+    /// Prefetches the head of the pair's data elsewhere in memory, which contains the address of the content.
+    fn prefetch_address(&self) {}
+
+    /// Prefetches that content, after its address has arrived.
+    fn prefetch_content(&self) {}
 }
 
 /// Data of a pair with which the narrow phase decides whether to skip it.
@@ -174,7 +177,7 @@ impl<P: Pair> PairStore<P> {
 
     /// The pair of two collider slots, in either order. When it was made other colliders may have been there.
     ///
-    /// Takes as long as the one of the two has partners that has fewer.
+    /// The cost is linear in the smaller of the two numbers of partners.
     pub fn find(&self, colliders: [ColliderHandle; 2]) -> Option<PairId> {
         let [slot1, slot2] = colliders.map(slot);
         let is_shorter = self.ids_of(slot1).len() <= self.ids_of(slot2).len();
@@ -215,7 +218,7 @@ impl<P: Pair> PairStore<P> {
         self.places.iter().enumerate().filter_map(living)
     }
 
-    /// No pair has this id or a higher one.
+    /// Exclusive upper bound of the ids.
     pub fn id_bound(&self) -> usize {
         self.pairs.len()
     }
@@ -234,7 +237,7 @@ impl<P: Pair> PairStore<P> {
             "colliders {slots:?} already have a pair"
         );
         let place = Place { slots, positions: self.list(slots, id) };
-        let state = PairState { bodies, slack: DUE, touched_non_dynamic: false };
+        let state = PairState { bodies, slack: SLACK_DUE, touched_non_dynamic: false };
         if let Some(free) = self.pairs.get_mut(id as usize) {
             *free.get_mut() = Some(pair);
             self.states[id as usize] = state;
@@ -347,12 +350,12 @@ impl<P: Pair> PairStore<P> {
 
     /// Marks the pair as due in the next step, independent of motion.
     pub fn invalidate(&mut self, id: PairId) {
-        self.states[id as usize].slack = DUE;
+        self.states[id as usize].slack = SLACK_DUE;
     }
 
     /// Marks all pairs as due in the next step.
     pub fn invalidate_all(&mut self) {
-        self.states.iter_mut().for_each(|state| state.slack = DUE);
+        self.states.iter_mut().for_each(|state| state.slack = SLACK_DUE);
     }
 
     /// Returns whether the narrow phase visits the pair.

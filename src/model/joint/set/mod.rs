@@ -362,7 +362,7 @@ impl core::ops::Index<ImpulseJointHandle> for ImpulseJointSet {
 
     /// # Panics
     /// If the handle is stale.
-    #[expect(clippy::panic, reason = "an index has no other way to say no")]
+    #[expect(clippy::panic, reason = "`Index` cannot return an error")]
     fn index(&self, handle: ImpulseJointHandle) -> &ImpulseJoint {
         match self.get(handle) {
             Some(joint) => joint,
@@ -374,7 +374,7 @@ impl core::ops::Index<ImpulseJointHandle> for ImpulseJointSet {
 impl core::ops::IndexMut<ImpulseJointHandle> for ImpulseJointSet {
     /// # Panics
     /// If the handle is stale.
-    #[expect(clippy::panic, reason = "an index has no other way to say no")]
+    #[expect(clippy::panic, reason = "`Index` cannot return an error")]
     fn index_mut(&mut self, handle: ImpulseJointHandle) -> &mut ImpulseJoint {
         match self.get_mut(handle) {
             Some(joint) => joint,

@@ -27,11 +27,14 @@ impl<'a, C: Copy + Debug + PartialEq> Colors<'a, C> {
         &mut self,
         constraint: C,
         place: Option<ColorSlot>,
-        wanted: bool,
+        is_solved: bool,
         bodies: [u32; 2],
         then: &LastStep<'_>,
     ) -> Verdict {
-        ensure!(place.is_some() == wanted, "{constraint:?} is at {place:?}, wanted: {wanted}");
+        ensure!(
+            place.is_some() == is_solved,
+            "{constraint:?} is at {place:?}, solved: {is_solved}"
+        );
         let Some(place) = place else { return Ok(()) };
         let found = self.graph.at(place);
         ensure!(found == Some(constraint), "{found:?} is in the place of {constraint:?}");

@@ -20,8 +20,9 @@ impl Structure<'_> {
                 let islands = [slot1, slot2].map(|slot| then.link(slot).island);
                 ensure!(islands[0] == islands[1], "joint {slot} is of islands {islands:?}");
             }
-            let wanted = link.attached && dynamic.iter().flatten().any(|&body| then.is_awake(body));
-            colors.check(slot, link.slot, wanted, slots, then)?;
+            let is_solved =
+                link.attached && dynamic.iter().flatten().any(|&body| then.is_awake(body));
+            colors.check(slot, link.slot, is_solved, slots, then)?;
         }
         colors.finish()
     }

@@ -29,11 +29,12 @@ impl Structure<'_> {
                 let islands = [slot1, slot2].map(|slot| then.link(slot).island);
                 ensure!(islands[0] == islands[1], "bodies {slots:?} touch, of islands {islands:?}");
             }
-            let wanted = pair.attached && dynamic.iter().flatten().any(|&slot| then.is_awake(slot));
+            let is_active =
+                pair.attached && dynamic.iter().flatten().any(|&slot| then.is_awake(slot));
             for (index, manifold) in pair.manifolds.iter().enumerate() {
                 let here = ManifoldRef { pair: id, manifold: index as u32 };
-                let wanted = wanted && manifold.is_solved();
-                colors.check(here, manifold.slot, wanted, slots, then)?;
+                let is_solved = is_active && manifold.is_solved();
+                colors.check(here, manifold.slot, is_solved, slots, then)?;
             }
         }
         colors.finish()

@@ -99,7 +99,7 @@ impl SolverBodies {
         moved.map_or(NONE, |index| self.islands[index as usize])
     }
 
-    /// No island of a body has this number or a higher one.
+    /// Exclusive upper bound of the numbers of islands.
     pub fn island_bound(&self) -> usize {
         let ids = self.islands.iter().filter(|&&island| island != NONE);
         ids.max().map_or(0, |&island| island as usize + 1)

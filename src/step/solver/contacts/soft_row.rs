@@ -13,7 +13,7 @@ pub(super) struct SoftRow<W> {
     inv_substep: W,
     /// Overlap that is not corrected (length units).
     allowed: W,
-    /// Fastest that overlap is undone, downwards.
+    /// Largest velocity that corrects overlap, downwards.
     push: W,
 }
 

@@ -105,7 +105,7 @@ use touched::Touched;
 use visits::{BlockVisit, ImpactPhase};
 
 /// Largest number of iterations of a round.
-const ROUND_ITERATIONS: usize = 16;
+const ROUND_ITERATIONS_MAX: usize = 16;
 /// Number of blocks per parallel task. An iteration of few blocks ends before
 /// another thread starts.
 const BLOCKS_PER_TASK: usize = 32;
@@ -308,7 +308,7 @@ impl Impacts {
         self.begin_round(bodies, context.multibodies);
         context.joints.invalidate_poses();
         context.joints.begin_impact_impulses();
-        for _ in 0..ROUND_ITERATIONS {
+        for _ in 0..ROUND_ITERATIONS_MAX {
             context.multibodies.iterate_active(&mut bodies.states);
             self.iterate(Phase::Iterate, bodies, context);
             if !self.find_moving(context.multibodies) {

@@ -3,7 +3,7 @@
 use crate::dim::state::{BodyState, READ_ONLY};
 use core::ops::Range;
 
-/// Often a few of all. Their states at the start are stored, and compared for these bodies alone.
+/// The set is usually small. The states at the start are stored, and compared for these bodies alone.
 #[derive(Default)]
 pub(super) struct Touched {
     /// Each once; first those that any round may change, wherever it falls.

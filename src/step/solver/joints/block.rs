@@ -9,7 +9,7 @@ use crate::dim::wide::{
 };
 
 /// Value for "no limit": far beyond every length, and finite.
-pub(super) const UNLIMITED: Real = 1.0e30;
+pub(super) const LIMIT_NONE: Real = 1.0e30;
 
 /// An impulse on the second body at `p`, and the moments that it and the couples give each body about
 /// its centre of mass. The first body gets the opposites.
@@ -190,8 +190,8 @@ impl AxisRow {
                 impulse: zero,
                 stretch: zero,
             },
-            min: Lane::splat(-UNLIMITED),
-            max: Lane::splat(UNLIMITED),
+            min: Lane::splat(-LIMIT_NONE),
+            max: Lane::splat(LIMIT_NONE),
             lower: zero,
             upper: zero,
         }

@@ -140,14 +140,14 @@ impl GeometricStiffness {
         moving: Moving<'_>,
         h: Real,
     ) -> bool {
-        let swings =
-            members.iter().map(|member| self.swing(member, &blocks[member.block as usize]) * h);
-        let swing = swings.fold(0.0, Real::max);
-        if swing <= STIFFNESS_TESTED_MIN {
+        let stiffnesses =
+            members.iter().map(|member| self.stiffness(member, &blocks[member.block as usize]) * h);
+        let stiffness = stiffnesses.fold(0.0, Real::max);
+        if stiffness <= STIFFNESS_TESTED_MIN {
             return false;
         }
         let angle = self.turning(members, moving) * h;
-        let excess = swing - COMMON_ROTATION_FACTOR * angle * angle;
+        let excess = stiffness - COMMON_ROTATION_FACTOR * angle * angle;
         excess > STIFFNESS_MAX
             || angle > COMMON_ANGLE_MAX
             || (angle > GYROSCOPIC_ANGLE_MAX
@@ -155,10 +155,10 @@ impl GeometricStiffness {
     }
 
     /// `ω² h` by the pull of a joint's last substep, summed over its bodies.
-    fn swing(&self, member: &DirectJoint, block: &JointBlock) -> Real {
+    fn stiffness(&self, member: &DirectJoint, block: &JointBlock) -> Real {
         let lane = member.lane as usize;
         let pull = block.applied.linear.lane(lane).length();
-        let swings = member.movable().map(|(side, body)| {
+        let stiffnesses = member.movable().map(|(side, body)| {
             let arm = block.arms[side].lane(lane).length();
             let JointedBody { inv_mass, inv_inertia, .. } = &self.bodies[body as usize];
             match inertia_about(inv_inertia) {
@@ -166,11 +166,11 @@ impl GeometricStiffness {
                 _ => 0.0,
             }
         });
-        swings.sum()
+        stiffnesses.sum()
     }
 
-    /// The common angular velocity of a component about its centre of mass (rad/s): its angular momentum
-    /// divided by its moment of inertia about the axis of that.
+    /// The common angular velocity of a component about its centre of mass (rad/s). It is the angular
+    /// momentum divided by the moment of inertia about the axis of the momentum.
     fn turning(&mut self, members: &[DirectJoint], moving: Moving<'_>) -> Real {
         let Moving { poses, states, before } = moving;
         let (mut mass, mut moved, mut push) = (0.0, Vector::ZERO, Vector::ZERO);

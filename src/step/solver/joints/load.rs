@@ -1,6 +1,6 @@
 //! From joints to constraints: once per step, on several threads.
 
-use super::block::{AxisRow, JointBlock, UNLIMITED};
+use super::block::{AxisRow, JointBlock, LIMIT_NONE};
 use super::direct::{DirectJoint, JacobianBlock};
 use super::{BLOCKS_PER_TASK, LaneSlot, SolverJoints};
 use crate::base::disjoint::DisjointMut;
@@ -281,7 +281,7 @@ fn load_locked(block: &mut JointBlock, lane: usize, joint: &ImpulseJoint, pass: 
         Some(spring) => spring.in_steps_of(pass.substep),
     };
     let is_spring = joint.data.softness.is_some();
-    let compliance = softness.compliance().min(UNLIMITED);
+    let compliance = softness.compliance().min(LIMIT_NONE);
     block.bias_rate.0[lane] = softness.bias_rate;
     block.is_spring.0[lane] = if is_spring { 1.0 } else { 0.0 };
     block.compliance.0[lane] =
@@ -360,7 +360,8 @@ fn load_motor_and_limits(
     axis: JointAxis,
     pass: &JointPass,
 ) {
-    let set = |target: &mut Lane, value: Real| target.0[lane] = value.clamp(-UNLIMITED, UNLIMITED);
+    let set =
+        |target: &mut Lane, value: Real| target.0[lane] = value.clamp(-LIMIT_NONE, LIMIT_NONE);
     if let Some(motor) = joint.motor(axis) {
         let per_mass = motor.model == MotorModel::AccelerationBased;
         set(&mut row.motor.stiffness, motor.stiffness);
@@ -368,14 +369,14 @@ fn load_motor_and_limits(
         set(&mut row.motor.per_mass, if per_mass { 1.0 } else { 0.0 });
         set(&mut row.motor.target_pos, motor.target_pos);
         set(&mut row.motor.target_vel, motor.target_vel);
-        set(&mut row.motor.max_impulse, (motor.max_force * pass.substep).min(UNLIMITED));
+        set(&mut row.motor.max_impulse, (motor.max_force * pass.substep).min(LIMIT_NONE));
         set(&mut row.motor.impulse, motor.impulse);
     }
     if let Some(JointLimits { min, max, impulse }) = joint.limits(axis).copied() {
         // A distance and the angle of a swing are never negative. A limit there would only stop bodies that
         // pass through zero.
         let has_sign = !joint.is_measured_together(axis);
-        let min = if has_sign || min > 0.0 { min } else { -UNLIMITED };
+        let min = if has_sign || min > 0.0 { min } else { -LIMIT_NONE };
         set(&mut row.min, min);
         set(&mut row.max, max);
         set(&mut row.lower, impulse.max(0.0));

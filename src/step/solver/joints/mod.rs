@@ -49,7 +49,7 @@
 //! impulses would only project the old velocity: that is the method with a loss of `ω² h`.)
 //!
 //! ## Direct or iterative
-//! Locked axes of connected joints are solved directly (`direct/`). Nets with too many loops, and loose
+//! Locked axes of connected joints are solved directly (`direct/`). Nets with too many loops, and unattached
 //! components such as ragdolls, are solved iteratively over the colours, with some compliance. The plain ones
 //! among these have passes of their own (`point_to_point/`). Motors and limits are always solved iteratively.
 //!
@@ -136,11 +136,11 @@ pub(super) struct Changes<'a> {
 }
 
 impl Changes<'_> {
-    /// Adds a multiple of the initial velocities to the velocities of `wanted` bodies. The others keep
+    /// Adds a multiple of the initial velocities to the velocities of the `selected` bodies. The others keep
     /// theirs. Subtraction and addition leave rounding errors each time that other islands need another
     /// iteration.
-    fn add_start(&mut self, times: Real, wanted: impl Fn(u32) -> bool) {
-        for &body in self.held.iter().filter(|body| wanted(**body)) {
+    fn add_start(&mut self, times: Real, selected: impl Fn(u32) -> bool) {
+        for &body in self.held.iter().filter(|body| selected(**body)) {
             let state = &mut self.states[body as usize];
             let ((v, w), (start_v, start_w)) =
                 (state.velocity(), self.start[body as usize].velocity());
@@ -241,14 +241,14 @@ impl SolverJoints {
     }
 
     /// Projects the velocity changes since the start of a round on the directly solved joints, in components
-    /// with a `wanted` body. The projection uses the current poses and the inertias of contacts. It serves
+    /// with a `selected` body. The projection uses the current poses and the inertias of contacts. It serves
     /// impacts. The impulses are stored separately until [`Self::commit_impact_impulses`], and the next step
     /// does not start with them. `add_work` receives one body of each joint, and the work of the joint's
     /// impulses at the velocities of the `start`.
     pub fn project(
         &mut self,
         mut changes: Changes<'_>,
-        wanted: impl Fn(u32) -> bool + Sync,
+        selected: impl Fn(u32) -> bool + Sync,
         mut add_work: impl FnMut(u32, Real),
         pass: &SolverPass<'_>,
     ) {
@@ -256,7 +256,7 @@ impl SolverJoints {
         if self.direct.is_empty() {
             return;
         }
-        changes.add_start(-1.0, &wanted);
+        changes.add_start(-1.0, &selected);
         self.direct.begin();
         let (count, states) = (self.blocks.len(), DisjointMut::new(&mut *changes.states));
         let blocks = DisjointMut::new(&mut self.blocks);
@@ -267,10 +267,10 @@ impl SolverJoints {
         for (block, memory) in self.blocks.iter().zip(&mut self.memory) {
             memory.take_inertias(block, changes.poses);
         }
-        let is_wanted = |members: &[DirectJoint]| {
-            members.iter().flat_map(DirectJoint::movable).any(|(_, body)| wanted(body))
+        let is_selected = |members: &[DirectJoint]| {
+            members.iter().flat_map(DirectJoint::movable).any(|(_, body)| selected(body))
         };
-        self.direct.solve(&mut self.memory, states, is_wanted, simd, tasks);
+        self.direct.solve(&mut self.memory, states, is_selected, simd, tasks);
         let (blocks, memory) = (&self.blocks, &self.memory);
         let impact_impulses = DisjointMut::new(&mut self.impact_impulses);
         tasks.par_for(count, BLOCKS_PER_TASK, |range| {
@@ -283,7 +283,7 @@ impl SolverJoints {
                 add_work(block.movable(lane), memory[index].work(lane, velocities));
             }
         }
-        changes.add_start(1.0, &wanted);
+        changes.add_start(1.0, &selected);
     }
 
     /// Begins a round of an impact, in which joints have given nothing yet.

@@ -3,8 +3,8 @@
 //! ## Motors
 //! `force = k (target - C) + c (target velocity - Ċ)`. The damper acts on the velocity `v'` *after* the
 //! substep (implicit Euler), so it never overshoots. A spring on the position after the substep would lose
-//! energy: its damping ratio increases by `h ω / 2`. On the position before the substep (symplectic Euler) it
-//! keeps its energy, but only soft springs do, `h ω < 2`. Softened to
+//! energy: its damping ratio increases by `h ω / 2`. A spring on the position before the substep (symplectic
+//! Euler) keeps its energy, but only if it is soft, `h ω < 2`. Softened to
 //!
 //! ```text
 //! k' = k / (1 + h² k K / 4)          K = J M⁻¹ Jᵀ

@@ -69,13 +69,13 @@ impl<W: Wide> SubstepEnd<W> {
         if !block.has_exact {
             return curvatures;
         }
-        let (exact, zero) = (Self::bent(block), W::zero());
+        let (exact, zero) = (Self::has_curvature(block), W::zero());
         let (errors, then) = (now.errors::<N>(), self.then.errors_seen_from::<N>(now, block));
         for k in 0..N {
             let changes = (then[k] - errors[k]) * W::splat(pass.inv_substep);
             let straight = rows[k].rate(&self.velocities);
-            let bent = zero.lt(exact * W::load(&block.locked[k]));
-            curvatures[k] = W::select(bent, changes - straight, zero);
+            let has_curvature = zero.lt(exact * W::load(&block.locked[k]));
+            curvatures[k] = W::select(has_curvature, changes - straight, zero);
         }
         curvatures
     }
@@ -98,16 +98,16 @@ impl<W: Wide> SubstepEnd<W> {
             (then - position) * W::splat(pass.inv_substep) - along.rate(&self.velocities);
         let is_translation = Self::is_translation(along);
         let bound = W::splat(CURVATURE_FRACTION_MAX) * self.speed(now, is_translation);
-        let bent = W::zero().lt(Self::bent(block));
-        let loose = W::load(&block.is_stiff).lt(W::splat(0.5));
-        let bent = bent | (is_translation & loose);
-        W::select(bent, curvature.min(bound).max(-bound), W::zero())
+        let has_curvature = W::zero().lt(Self::has_curvature(block));
+        let is_not_stiff = W::load(&block.is_stiff).lt(W::splat(0.5));
+        let has_curvature = has_curvature | (is_translation & is_not_stiff);
+        W::select(has_curvature, curvature.min(bound).max(-bound), W::zero())
     }
 
     /// One for locked axes with curvature: directly solved ones, except in stiff components, which are
     /// projected from their free positions.
     #[inline(always)]
-    fn bent(block: &JointBlock) -> W {
+    fn has_curvature(block: &JointBlock) -> W {
         let one = W::splat(1.0);
         (one - W::load(&block.iterated)) * (one - W::load(&block.is_stiff))
     }

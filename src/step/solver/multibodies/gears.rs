@@ -70,7 +70,7 @@ impl Gears {
         self.gears.iter_mut().for_each(|gear| gear.impulse *= factor(&gear.row));
     }
 
-    /// Solves all rows once; with `bias`, errors are undone.
+    /// Solves all rows once; with `bias`, position errors are corrected.
     pub fn solve(
         &mut self,
         jacobians: &JacobianPool,

@@ -99,7 +99,7 @@ impl SolverMultibodies {
         self.contacts.contacts.iter().any(LinkContact::bounces)
     }
 
-    /// No island of a contact that bounces has this number or a higher one.
+    /// Exclusive upper bound of the numbers of islands with a contact that bounces.
     pub fn island_bound(&self) -> usize {
         let islands = self.contacts.contacts.iter().filter(|contact| contact.bounces());
         islands.map(|contact| contact.impact.island as usize + 1).max().unwrap_or(0)
@@ -428,8 +428,8 @@ impl Moving {
     }
 
     /// Changes the energy limit of impulses by the energy change of a round since `before`, at the time of
-    /// the impact. The world gives none. Links that turn far may have another energy there; then the fraction
-    /// counts.
+    /// the impact. Fixed bodies add no energy. Links that turn far may have another energy there; then the
+    /// fraction counts.
     fn note_impulse_energy(&mut self, before: Real) {
         let change = self.motion.kinetic_energy() - before;
         let may_gain = core::mem::take(&mut self.before_impact.may_gain);

@@ -226,7 +226,7 @@ impl JointRows {
             .for_each(|force_row| force_row.impulse *= factor(&force_row.row));
     }
 
-    /// Solves all rows once; with `bias`, limits that were overrun are undone.
+    /// Solves all rows once; with `bias`, position errors are corrected.
     pub fn solve(
         &mut self,
         jacobians: &JacobianPool,

@@ -201,11 +201,11 @@ impl SolverMultibodies {
     pub(super) fn side_now<'a>(
         &self,
         slot: u32,
-        gives_way: bool,
+        is_movable: bool,
         world: &'a RigidBodySet,
         bodies: &SolverBodies,
     ) -> Side<'a> {
-        let mut side = self.side(slot, gives_way, world, bodies);
+        let mut side = self.side(slot, is_movable, world, bodies);
         if let Some((_, index)) = side.body {
             let (shift, rotvec) = bodies.states[(index & !READ_ONLY) as usize].displacement();
             side.center = side.center.map(|center| center + shift);
@@ -340,7 +340,7 @@ impl Loops {
         locked.map(|axis| (&axis.row, axis.impulse))
     }
 
-    /// Solves all rows once; with `bias`, errors are undone.
+    /// Solves all rows once; with `bias`, position errors are corrected.
     pub fn solve(
         &mut self,
         jacobians: &JacobianPool,

@@ -42,7 +42,7 @@ use rows::{ConstrainedStates, JacobianPool};
 /// Number of multibodies per parallel task (some ten microseconds).
 const MULTIBODIES_PER_TASK: usize = 2;
 
-/// While overlap is undone, links may have this multiple of the energy that they may keep.
+/// While overlap is corrected, links may have this multiple of the energy that they may keep.
 const PUSH_ENERGY_MAX: Real = 2.0;
 
 /// A multibody that is awake. It is moved out of its set while the solver runs.
@@ -261,8 +261,8 @@ impl SolverMultibodies {
         }
     }
 
-    /// Limits the energy with which the links move while overlap is undone. The impulses of the last substep,
-    /// which act again in this one, may be wrong by any factor where links have turned far.
+    /// Limits the energy with which the links move while overlap is corrected. The impulses of the last
+    /// substep, which act again in this one, may be wrong by any factor where links have turned far.
     fn limit_push(&mut self, states: &mut [BodyState], speed_max: Real) {
         let most = |moving: &Moving| {
             let push = 0.5 * moving.motion.mass() * speed_max * speed_max;

@@ -7,8 +7,8 @@
 //!
 //! `J` and `W` are lists with one number per degree of freedom, computed once a step in time proportional to
 //! the number of links. (Moment arms and inertias of contacts are frozen during a step; multibodies that
-//! rotate far are updated in each substep.) An iteration of the row is a product of two lists over the span
-//! where `J` is not zero (one number for a limit), and one addition if the impulse changes.
+//! rotate far are updated in each substep.) An iteration is a product of two lists over the span where `J` is
+//! not zero (one number for a limit), and one addition if the impulse changes.
 
 use super::Moving;
 use crate::dim::math::{Real, SPATIAL_DIM, SpatialVector};
@@ -22,7 +22,7 @@ pub enum Part {
     Nothing,
     /// Links of a multibody (its position among the awake ones); its numbers begin at `start`. They are
     /// movable or immovable. Only the numbers of `J` for the degrees of freedom in `span` are not zero.
-    Links { multibody: usize, start: usize, span: [usize; 2], gives_way: bool },
+    Links { multibody: usize, start: usize, span: [usize; 2], is_movable: bool },
     /// An ordinary body, by its index in the solver.
     Body { index: u32, jacobian: SpatialVector, response: SpatialVector },
 }
@@ -122,13 +122,13 @@ impl JacobianPool {
         self.next = self.jacobians.len();
     }
 
-    /// A part whose Jacobian `fill` adds to zeros, with how large its numbers could be. It is immovable
-    /// unless it `gives_way`.
+    /// A part whose Jacobian `fill` adds to zeros, with how large its numbers could be. Impulses move it only
+    /// if it `is_movable`.
     pub fn add_links(
         &mut self,
         multibodies: &mut [Moving],
         multibody: usize,
-        gives_way: bool,
+        is_movable: bool,
         fill: impl FnOnce(&Moving, &mut [Real], &mut [Real]),
     ) -> Part {
         let moving = &mut multibodies[multibody];
@@ -148,12 +148,12 @@ impl JacobianPool {
             *number = if number.abs() < ROUNDING * size { 0.0 } else { *number };
         }
         response.copy_from_slice(jacobian);
-        if gives_way {
+        if is_movable {
             moving.motion.respond(response);
         }
         let first = jacobian.iter().position(|&number| number != 0.0).unwrap_or(0);
         let behind = jacobian.iter().rposition(|&number| number != 0.0).map_or(0, |last| last + 1);
-        Part::Links { multibody, start, span: [first, behind], gives_way }
+        Part::Links { multibody, start, span: [first, behind], is_movable }
     }
 
     /// A row of these parts.
@@ -173,7 +173,7 @@ impl JacobianPool {
         let of = |side: usize| match (&first.parts[side], &second.parts[side]) {
             (
                 Part::Links { start: i, span: [first, behind], .. },
-                Part::Links { start: j, gives_way: true, .. },
+                Part::Links { start: j, is_movable: true, .. },
             ) => product(
                 &self.jacobians[i + first..i + behind],
                 &self.responses[j + first..j + behind],
@@ -206,7 +206,7 @@ impl JacobianPool {
     ) {
         let [first, second] = &row.parts;
         for (link, other) in [(first, second), (second, first)] {
-            let Part::Links { multibody, gives_way: true, .. } = link else { continue };
+            let Part::Links { multibody, is_movable: true, .. } = link else { continue };
             let work = impulse * (surface - self.rate(other, states));
             states.multibodies[*multibody].energy += work.max(0.0);
         }
@@ -251,7 +251,7 @@ impl JacobianPool {
         of(&row.parts[0]) + of(&row.parts[1])
     }
 
-    /// Pushes with an impulse.
+    /// Applies an impulse along the row.
     pub fn push(&self, row: &Row, impulse: Real, states: &mut ConstrainedStates<'_>) {
         self.each_response(row, impulse, states, |moving, jacobian, response| {
             add(&mut moving.motion.rates, response, impulse);
@@ -268,7 +268,7 @@ impl JacobianPool {
         });
     }
 
-    /// Returns whether both sides of a row go back in time to be hit.
+    /// Returns whether both sides of a row are moved to the time of impact.
     pub fn goes_back(&self, row: &Row, states: &ConstrainedStates<'_>) -> bool {
         row.parts.iter().all(|part| match part {
             Part::Links { multibody, .. } => states.multibodies[*multibody].has_rigid_motion(),
@@ -286,7 +286,7 @@ impl JacobianPool {
     ) {
         let [first, second] = &row.parts;
         for (part, other) in [(first, second), (second, first)] {
-            if let Part::Links { multibody, gives_way: true, .. } = part {
+            if let Part::Links { multibody, is_movable: true, .. } = part {
                 let may_gain = gains || !matches!(other, Part::Nothing);
                 states.multibodies[*multibody].before_impact.note(time, may_gain);
             }
@@ -329,7 +329,7 @@ impl JacobianPool {
         for part in &row.parts {
             match part {
                 Part::Nothing => {}
-                Part::Links { gives_way: false, .. } => {}
+                Part::Links { is_movable: false, .. } => {}
                 Part::Links { multibody, start, .. } => {
                     let moving = &mut states.multibodies[*multibody];
                     let end = start + moving.pushed.len();

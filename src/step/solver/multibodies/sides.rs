@@ -14,7 +14,7 @@ use arrayvec::ArrayVec;
 
 /// One side of a manifold at the current pose.
 pub(super) struct Side<'a> {
-    /// Links, and roots that are led, which are ordinary bodies here.
+    /// A link. [`Self::place`] excludes kinematic roots, which are ordinary bodies here.
     pub link: Option<LinkPlace>,
     /// An ordinary body that can move, with its index in the solver.
     pub body: Option<(&'a RigidBody, u32)>,
@@ -22,7 +22,7 @@ pub(super) struct Side<'a> {
     /// The centre of mass; `None` for an immovable body.
     pub center: Option<Vector>,
     /// Whether the other side moves it.
-    pub gives_way: bool,
+    pub is_movable: bool,
 }
 
 /// Current world-space geometry of a manifold.
@@ -37,7 +37,7 @@ impl SolverMultibodies {
     pub(super) fn side<'a>(
         &self,
         slot: u32,
-        gives_way: bool,
+        is_movable: bool,
         world: &'a RigidBodySet,
         bodies: &SolverBodies,
     ) -> Side<'a> {
@@ -48,7 +48,7 @@ impl SolverMultibodies {
             body: None,
             rotation: Rotation::IDENTITY,
             center: None,
-            gives_way,
+            is_movable,
         };
         if let Some(place) = side.place() {
             let frame = &self.moving[place.multibody].motion.kinematics.links[place.link];
@@ -82,14 +82,14 @@ impl SolverMultibodies {
     ) -> Row {
         let parts = match [sides[0].place(), sides[1].place()] {
             [Some(one), Some(two)] if one.multibody == two.multibody => {
-                let gives_way = sides[0].gives_way || sides[1].gives_way;
+                let is_movable = sides[0].is_movable || sides[1].is_movable;
                 let fill = |moving: &super::Moving, jacobian: &mut [Real], sizes: &mut [Real]| {
                     let kinematics = &moving.motion.kinematics;
                     kinematics.add_measured_force(one.link, &wrenches[0], jacobian, sizes);
                     kinematics.add_measured_force(two.link, &wrenches[1], jacobian, sizes);
                 };
                 let part =
-                    self.jacobians.add_links(&mut self.moving, one.multibody, gives_way, fill);
+                    self.jacobians.add_links(&mut self.moving, one.multibody, is_movable, fill);
                 [part, Part::Nothing]
             }
             _ => [self.part(&sides[0], wrenches[0]), self.part(&sides[1], wrenches[1])],
@@ -102,7 +102,7 @@ impl SolverMultibodies {
             return self.jacobians.add_links(
                 &mut self.moving,
                 place.multibody,
-                side.gives_way,
+                side.is_movable,
                 |moving, jacobian, sizes| {
                     moving
                         .motion
@@ -117,7 +117,7 @@ impl SolverMultibodies {
             linear(&wrench) * mprops.inv_mass,
             mul_inertia(&mprops.inv_inertia, angular(&wrench)),
         );
-        let response = if side.gives_way { response } else { [0.0; _] };
+        let response = if side.is_movable { response } else { [0.0; _] };
         Part::Body { index, jacobian: wrench, response }
     }
 }

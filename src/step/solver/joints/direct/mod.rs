@@ -25,8 +25,8 @@
 //! in each round. Components with a large unconstrained displacement are solved once, at the current poses.
 //! Each component ends its rounds on its own convergence, independent of the others.
 //!
-//! Components with little gain are left to the iterative solver, too: free ones with few joints and moderate
-//! mass ratios. A ragdoll carries no load for long.
+//! Components with little gain are left to the iterative solver, too: unattached ones with few joints and
+//! moderate mass ratios. A ragdoll carries no load for long.
 //!
 //! Limits and motors are no equations. They are solved iteratively, before each direct solution.
 
@@ -261,25 +261,26 @@ impl Direct {
         self.factors.iter_mut().for_each(Factor::invalidate);
     }
 
-    /// Solves the components that are `wanted`, by their members. Applies the changes of impulses to the
+    /// Solves the components whose members `is_selected` accepts. Applies the changes of impulses to the
     /// rows, and the resulting velocity changes to the bodies.
     pub fn solve(
         &mut self,
         rows: &mut [JacobianBlock],
         states: DisjointMut<'_, BodyState>,
-        wanted: impl Fn(&[DirectJoint]) -> bool + Sync,
+        is_selected: impl Fn(&[DirectJoint]) -> bool + Sync,
         simd: Simd,
         tasks: Tasks<'_>,
     ) {
         let count = self.pattern.component_count();
         let (pattern, solve_states) = (&self.pattern, &self.solve_states);
-        let is_wanted = |index: &usize| {
-            solve_states[*index].next != Next::Nothing && wanted(pattern.component(*index).members)
+        let is_due = |index: &usize| {
+            solve_states[*index].next != Next::Nothing
+                && is_selected(pattern.component(*index).members)
         };
         let factors = DisjointMut::new(&mut self.factors);
         let read = &*rows;
         tasks.par_for(count, 1, |range| {
-            for index in range.filter(is_wanted) {
+            for index in range.filter(is_due) {
                 // SAFETY: components have no common joints or movable bodies, and each is solved by one task.
                 unsafe {
                     let (factor, component) = (factors.get_mut(index), pattern.component(index));
@@ -303,7 +304,7 @@ impl Direct {
                 }
             }
         });
-        for index in (0..count).filter(is_wanted) {
+        for index in (0..count).filter(is_due) {
             self.factors[index].write_changes(pattern.component(index).members, rows);
         }
     }

@@ -11,19 +11,19 @@ use core::ops::{Range, RangeInclusive};
 /// errors are acceptable. A walking machine of 109 joints on twelve legs needs 113, and 30 hinges between the
 /// same two bodies need 165.
 const BLOCK_PRODUCTS_PER_JOINT_MAX: usize = 200;
-/// The same for nets: loops of joints that hold two points together and nothing else, between bodies of even
-/// masses. Iterations let them sag by little, at a hundredth of the time: 6 by 6 knots are solved directly,
-/// 10 by 10 are not.
+/// The same for nets: loops of joints that hold two points together and nothing else, between bodies of
+/// moderate mass ratios. Iterations let them sag by little, at a hundredth of the time: 6 by 6 knots are
+/// solved directly, 10 by 10 are not.
 const NET_BLOCK_PRODUCTS_PER_JOINT_MAX: usize = 40;
 /// Largest number of joints per body of a net, as of braced cubes. A board on 25 point-to-point joints is no
 /// net.
 const NET_JOINTS_PER_BODY_MAX: usize = 6;
 
-/// Range of joints of free components with moderate mass ratios that are solved iteratively: ragdolls. They
-/// carry no load for long, and a force passes through them in some substeps. Fewer joints cost little, and
-/// keep the energy of rotating components.
-const FREE_JOINTS: RangeInclusive<usize> = 6..=24;
-const MASS_RATIO_MAX: Real = 32.0;
+/// Numbers of joints of unattached components with moderate mass ratios that are solved iteratively:
+/// ragdolls. They carry no load for long, and a force passes through them in some substeps. Fewer joints cost
+/// little, and keep the energy of rotating components.
+const UNATTACHED_JOINT_COUNTS: RangeInclusive<usize> = 6..=24;
+const MASS_RATIO_MODERATE_MAX: Real = 32.0;
 
 /// A joint in the factorisation.
 #[derive(Copy, Clone, Debug, PartialEq)]
@@ -286,8 +286,10 @@ impl Search {
 
     /// Returns whether the iterative solver is as good for this component.
     fn is_easy(&self, members: &[DirectJoint]) -> bool {
-        let is_loose = self.component(members).all(|member| member.movable().count() == 2);
-        FREE_JOINTS.contains(&self.order.len()) && is_loose && self.is_even(members)
+        let is_unattached = self.component(members).all(|member| member.movable().count() == 2);
+        UNATTACHED_JOINT_COUNTS.contains(&self.order.len())
+            && is_unattached
+            && self.has_moderate_mass_ratio(members)
     }
 
     /// Returns whether all joints are point-to-point joints, with few joints and no heavy body.
@@ -295,18 +297,18 @@ impl Search {
         let is_wide = self.order.len() <= NET_JOINTS_PER_BODY_MAX * self.body_count;
         is_wide
             && self.component(members).all(|member| member.form.is_point_to_point)
-            && self.is_even(members)
+            && self.has_moderate_mass_ratio(members)
     }
 
-    /// Returns whether the masses of the component's bodies are within [`MASS_RATIO_MAX`].
-    fn is_even(&self, members: &[DirectJoint]) -> bool {
+    /// Returns whether the masses of the component's bodies are within [`MASS_RATIO_MODERATE_MAX`].
+    fn has_moderate_mass_ratio(&self, members: &[DirectJoint]) -> bool {
         let bodies = self
             .component(members)
             .flat_map(|member| member.movable().map(|(side, _)| member.inv_masses[side]));
         let [least, most] = bodies.fold([Real::INFINITY, 0.0], |[least, most], inv_mass| {
             [inv_mass.min(least), inv_mass.max(most)]
         });
-        most <= MASS_RATIO_MAX * least
+        most <= MASS_RATIO_MODERATE_MAX * least
     }
 
     /// Returns whether the component has loops. All that cannot move is one body here. A connected graph
