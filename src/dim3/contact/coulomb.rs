@@ -6,10 +6,10 @@
 //! |λt_k| ≤ μ λ_k        rows, matrix and signs as in `friction`, with the point for the centre
 //! ```
 //!
-//! Friction of a sliding point is opposite to its slip `s` (maximum dissipation). The impulse that would stop
-//! the slip, `-K⁻¹ s`, has another direction, because a body yields more easily to an impulse that rotates it:
-//! a box of 2×1×2 m decelerated with `0.90 µ g` when impulses outside the cone were only shortened. They are
-//! therefore replaced by a step along the slip, whose fixed point is Coulomb's law:
+//! Friction of a sliding point is opposite to its slip `s` (maximum dissipation). The impulse that would
+//! stop the slip, `-K⁻¹ s`, has another direction, because a body yields more easily to an impulse that
+//! rotates it: a box of 2×1×2 m decelerated with `0.90 µ g` when impulses outside the cone were only
+//! shortened. They are therefore replaced by a step along the slip, whose fixed point is Coulomb's law:
 //!
 //! ```text
 //! λt ← project(λt - ρ s)        ρ the smallest eigenvalue of K⁻¹, so that the step contracts
