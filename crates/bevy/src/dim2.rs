@@ -11,9 +11,7 @@ use bevy::math::{Quat, Vec3};
 use bevy::transform::components::Transform;
 use rapier::math as engine;
 use rapier::parry::shape::{ConvexPolygon, RoundShape, TypedShape};
-use rapier::prelude::{
-    ColliderBuilder, InvalidCollider, PinSlotJoint, RevoluteJoint, SharedShape,
-};
+use rapier::prelude::{ColliderBuilder, InvalidCollider, PinSlotJoint, RevoluteJoint, SharedShape};
 
 /// A vector: `Vec2`, or `DVec2` with the feature `f64`.
 pub type Vector = <Scalar as Precision>::Vec2;

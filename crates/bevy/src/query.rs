@@ -203,7 +203,8 @@ impl SpatialQuery<'_> {
             entity_of(collider.user_data).is_some_and(|entity| !is_excluded(entity))
                 && !body.is_some_and(is_excluded)
         };
-        let filter = QueryFilter { flags: filter.flags, groups: filter.groups, ..QueryFilter::default() };
+        let filter =
+            QueryFilter { flags: filter.flags, groups: filter.groups, ..QueryFilter::default() };
         query(self.world.engine.query_pipeline_with_filter(filter.predicate(&passes)))
     }
 

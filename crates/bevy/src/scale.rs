@@ -78,10 +78,7 @@ fn is_mirrored(scale: engine::Vector) -> bool {
 ///
 /// # Errors
 /// If the factors have several magnitudes.
-fn even_factor(
-    scale: engine::Vector,
-    expected: &'static str,
-) -> Result<Scalar, InvalidCollider> {
+fn even_factor(scale: engine::Vector, expected: &'static str) -> Result<Scalar, InvalidCollider> {
     let [first, rest @ ..] = scale.to_array();
     match rest.into_iter().find(|factor| factor.abs() != first.abs()) {
         Some(factor) => Err(refused(factor, expected)),
