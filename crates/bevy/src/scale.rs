@@ -8,8 +8,8 @@ use rapier::math as engine;
 use rapier::parry::shape::{Capsule, Compound, RoundShape, TypedShape};
 use rapier::prelude::{ColliderBuilder, InvalidCollider, SharedShape};
 
-/// Number of segments that replace a quarter of a circle which becomes an ellipse.
-pub(crate) const SUBDIVISIONS: u32 = 8;
+/// parry's number of subdivisions for a circle which becomes an ellipse.
+const SUBDIVISIONS: u32 = 8;
 
 type Scaled = Result<SharedShape, InvalidCollider>;
 

@@ -52,6 +52,10 @@ pub(super) fn refuse_pose(commands: &mut Commands, entity: Entity, reason: Inval
         let current = state.current;
         if let Some(mut transform) = entity.get_mut::<Transform>() {
             PoseParts::ALL.copy(&current, &mut transform);
+            // In 2D the z coordinate is no part of the pose, and a lost vector has an invalid one.
+            if !transform.translation.is_finite() {
+                transform.translation = current.translation;
+            }
         }
     });
     refuse(commands, entity, reason);
