@@ -1,6 +1,7 @@
 //! Components of a body.
 
 use crate::dim::{ANG_ZERO, AngVector, Vector};
+use crate::hierarchy::Carrier;
 use crate::precision::Scalar;
 use bevy::ecs::component::Component;
 use bevy::ecs::reflect::ReflectComponent;
@@ -31,8 +32,11 @@ pub enum RigidBody {
     Dynamic,
     /// The body never moves.
     Fixed,
-    /// The user sets the `Transform`, best in `FixedUpdate`. The next step moves the body there, and it
-    /// pushes and carries other bodies on the way.
+    /// The user sets the `Transform`. The next step moves the body there, and it pushes and carries other
+    /// bodies on the way.
+    ///
+    /// Edits relative to the old `Transform` belong in `FixedUpdate`: in `Update` it is an interpolated pose,
+    /// which is up to one step old.
     KinematicPosition,
     /// The user sets the [`Velocity`]. Contacts do not slow the body down.
     KinematicVelocity,
@@ -158,7 +162,7 @@ impl Sleeping {
     }
 }
 
-/// Values that the plugin wrote. A component that differs was edited by the user.
+/// The last values that the plugin wrote. A component with another value has an edit of the user.
 #[derive(Component, Copy, Clone, Debug, Default)]
 pub(crate) struct BodyState {
     /// The transform before the last step.
@@ -169,6 +173,8 @@ pub(crate) struct BodyState {
     pub shown: Transform,
     /// World transform of the parent entity at the last step.
     pub parent: Transform,
+    /// The part of `parent` that edits of the user alone change.
+    pub carrier: Carrier,
     /// The velocity after the last step.
     pub velocity: Velocity,
 }

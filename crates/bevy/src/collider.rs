@@ -2,6 +2,7 @@
 
 use crate::dim::{Vector, to_engine};
 use crate::precision::Scalar;
+use crate::scale::scaled;
 use bevy::ecs::component::Component;
 use bevy::ecs::entity::Entity;
 use bevy::ecs::query::{Changed, Has, Or, QueryData};
@@ -218,7 +219,7 @@ pub struct HookedPairs(pub ActiveHooks);
 pub(crate) struct ColliderState {
     /// The entity of its body.
     pub body: Option<Entity>,
-    /// Pose and scale, relative to the body or to the world.
+    /// Pose and scale, relative to the body or to the world. They may be refused ones.
     pub placement: Transform,
 }
 
@@ -273,25 +274,4 @@ impl ColliderDescriptionItem<'_, '_> {
             ColliderMass::Mass(mass) => builder.mass(mass),
         })
     }
-}
-
-/// Number of segments that replace a quarter of a circle which becomes an ellipse.
-const SUBDIVISIONS: u32 = 8;
-
-/// The shape in another size. Uneven scales make polyhedra of round shapes.
-fn scaled(shape: &SharedShape, scale: engine::Vector) -> Result<SharedShape, InvalidCollider> {
-    if scale == engine::Vector::ONE {
-        return Ok(shape.clone());
-    }
-    for factor in scale.to_array() {
-        if !factor.is_finite() || factor == 0.0 {
-            let (parameter, expected) = ("scale", "finite and not 0");
-            return Err(InvalidCollider::Number { parameter, value: factor, expected });
-        }
-    }
-    let scaled = shape.scale_dyn(scale, SUBDIVISIONS).ok_or(InvalidCollider::Degenerate {
-        shape: "scaled shape",
-        reason: "its convex hull has no volume",
-    })?;
-    Ok(SharedShape(scaled.into()))
 }

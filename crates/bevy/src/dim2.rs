@@ -5,11 +5,13 @@
 use crate::collider::Collider;
 use crate::joint::Joint;
 use crate::precision::{Precision, Scalar};
+use crate::scale::by_parry;
 use bevy::ecs::entity::Entity;
 use bevy::math::{Quat, Vec3};
 use bevy::transform::components::Transform;
 use rapier::math as engine;
-use rapier::prelude::{ColliderBuilder, PinSlotJoint, RevoluteJoint};
+use rapier::parry::shape::{ConvexPolygon, RoundShape, TypedShape};
+use rapier::prelude::{ColliderBuilder, InvalidCollider, PinSlotJoint, RevoluteJoint, SharedShape};
 
 /// A vector: `Vec2`, or `DVec2` with the feature `f64`.
 pub type Vector = <Scalar as Precision>::Vec2;
@@ -72,6 +74,57 @@ pub(crate) fn write_pose(pose: &engine::Pose, transform: &mut Transform) {
         (z, 0.5 * sine / z)
     };
     transform.rotation = Quat::from_xyzw(0.0, 0.0, z as f32, w as f32);
+}
+
+/// Returns whether two transforms have equal translations in the plane.
+pub(crate) fn has_translation_of(transform: &Transform, other: &Transform) -> bool {
+    transform.translation.truncate() == other.translation.truncate()
+}
+
+/// Copies the translation in the plane; the z coordinate stays.
+pub(crate) fn set_translation(transform: &mut Transform, translation: Vec3) {
+    transform.translation = translation.with_z(transform.translation.z);
+}
+
+/// The rotation in a space that `scale` mirrors.
+pub(crate) fn mirrored_rotation(
+    rotation: engine::Rotation,
+    scale: engine::Vector,
+) -> engine::Rotation {
+    if scale.x * scale.y < 0.0 { rotation.inverse() } else { rotation }
+}
+
+/// The points of a convex shape that consists of points.
+pub(crate) fn convex_points(shape: &SharedShape) -> Option<&[engine::Vector]> {
+    shape.as_convex_polygon().map(ConvexPolygon::points)
+}
+
+/// The inner shape and the border, for the shapes of this dimension.
+pub(crate) fn without_border(shape: TypedShape<'_>) -> Option<(SharedShape, Scalar)> {
+    match shape {
+        TypedShape::RoundConvexPolygon(round) => {
+            Some((SharedShape::new(round.inner_shape.clone()), round.border_radius))
+        }
+        _ => None,
+    }
+}
+
+/// A shape of this dimension with a border.
+pub(crate) fn with_border(inner: TypedShape<'_>, border_radius: Scalar) -> Option<SharedShape> {
+    match inner {
+        TypedShape::ConvexPolygon(polygon) => {
+            Some(SharedShape::new(RoundShape { inner_shape: polygon.clone(), border_radius }))
+        }
+        _ => None,
+    }
+}
+
+/// Scales a shape of which only one dimension has a mirrored form.
+pub(crate) fn scaled(
+    shape: &SharedShape,
+    scale: engine::Vector,
+) -> Result<SharedShape, InvalidCollider> {
+    by_parry(shape, scale)
 }
 
 /// A point of the engine in the space of gizmos.

@@ -3,13 +3,16 @@
 use crate::collider::Collider;
 use crate::joint::Joint;
 use crate::precision::{Precision, Scalar};
+use crate::scale::by_parry;
 use bevy::ecs::entity::Entity;
 use bevy::math::{Quat, Vec3};
 use bevy::transform::components::Transform;
 use rapier::math as engine;
+use rapier::parry::shape::{ConvexPolyhedron, RoundShape, TypedShape};
 use rapier::parry::utils::Array2;
 use rapier::prelude::{
-    ColliderBuilder, GenericJoint, HeightFieldFlags, RevoluteJoint, SphericalJoint,
+    ColliderBuilder, GenericJoint, HeightFieldFlags, InvalidCollider, RevoluteJoint, SharedShape,
+    SphericalJoint,
 };
 
 /// A vector: `Vec3`, or `DVec3` with the feature `f64`.
@@ -58,6 +61,84 @@ pub(crate) fn pose_of(transform: &Transform) -> engine::Pose {
 pub(crate) fn write_pose(pose: &engine::Pose, transform: &mut Transform) {
     transform.translation = Vec3::from_array(pose.translation.to_array().map(|x| x as f32));
     transform.rotation = Quat::from_array(pose.rotation.to_array().map(|x| x as f32));
+}
+
+/// Returns whether two transforms have equal translations.
+pub(crate) fn has_translation_of(transform: &Transform, other: &Transform) -> bool {
+    transform.translation == other.translation
+}
+
+/// Copies the translation.
+pub(crate) fn set_translation(transform: &mut Transform, translation: Vec3) {
+    transform.translation = translation;
+}
+
+/// The rotation in a space that `scale` mirrors.
+pub(crate) fn mirrored_rotation(
+    rotation: engine::Rotation,
+    scale: engine::Vector,
+) -> engine::Rotation {
+    let signs = scale.signum();
+    let [x, y, z] = (signs * (signs.x * signs.y * signs.z)).to_array();
+    engine::Rotation::from_xyzw(rotation.x * x, rotation.y * y, rotation.z * z, rotation.w)
+}
+
+/// The points of a convex shape that consists of points.
+pub(crate) fn convex_points(shape: &SharedShape) -> Option<&[engine::Vector]> {
+    shape.as_convex_polyhedron().map(ConvexPolyhedron::points)
+}
+
+/// The inner shape and the border, for the shapes of this dimension.
+pub(crate) fn without_border(shape: TypedShape<'_>) -> Option<(SharedShape, Scalar)> {
+    match shape {
+        TypedShape::RoundConvexPolyhedron(round) => {
+            Some((SharedShape::new(round.inner_shape.clone()), round.border_radius))
+        }
+        TypedShape::RoundCylinder(round) => {
+            Some((SharedShape::new(round.inner_shape), round.border_radius))
+        }
+        TypedShape::RoundCone(round) => {
+            Some((SharedShape::new(round.inner_shape), round.border_radius))
+        }
+        _ => None,
+    }
+}
+
+/// A shape of this dimension with a border.
+pub(crate) fn with_border(inner: TypedShape<'_>, border_radius: Scalar) -> Option<SharedShape> {
+    match inner {
+        TypedShape::ConvexPolyhedron(hull) => {
+            Some(SharedShape::new(RoundShape { inner_shape: hull.clone(), border_radius }))
+        }
+        TypedShape::Cylinder(cylinder) => {
+            Some(SharedShape::new(RoundShape { inner_shape: *cylinder, border_radius }))
+        }
+        TypedShape::Cone(cone) => {
+            Some(SharedShape::new(RoundShape { inner_shape: *cone, border_radius }))
+        }
+        _ => None,
+    }
+}
+
+/// Number of segments of the base of a cone whose tip points down. Its mass is 0.6 % too small.
+const CONE_SEGMENTS: u32 = 32;
+
+/// Scales a shape of which only one dimension has a mirrored form.
+pub(crate) fn scaled(
+    shape: &SharedShape,
+    scale: engine::Vector,
+) -> Result<SharedShape, InvalidCollider> {
+    match shape.as_typed_shape() {
+        TypedShape::Cylinder(_) => by_parry(shape, scale.abs()),
+        // A cone is symmetric about its axis. Its tip points down under a negative factor of y.
+        TypedShape::Cone(_) if scale.y > 0.0 => by_parry(shape, scale.abs()),
+        TypedShape::Cone(cone) => {
+            let (points, _) = cone.to_trimesh(CONE_SEGMENTS);
+            let points: Vec<_> = points.iter().map(|point| *point * scale).collect();
+            ColliderBuilder::try_convex_hull(&points)?.try_shape()
+        }
+        _ => by_parry(shape, scale),
+    }
 }
 
 /// A point of the engine in the space of gizmos.

@@ -26,7 +26,8 @@ pub enum Invalid {
 }
 
 /// Event: a body, collider or joint has an invalid value. The simulation continues without it, or with its
-/// last valid state. An edit of the component is the next attempt.
+/// last valid state. Another value of the component, or of the scale, is the next attempt. The guide lists
+/// the exceptions.
 #[derive(EntityEvent, Clone, Debug)]
 pub struct Refused {
     /// The entity with the component.

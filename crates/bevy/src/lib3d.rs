@@ -17,6 +17,7 @@ mod joint;
 mod plugin;
 mod precision;
 mod query;
+mod scale;
 mod stages;
 mod world;
 

@@ -60,7 +60,7 @@ impl<H> PhysicsPlugin<H> {
 /// The stages of a step in `FixedPostUpdate`, in this order.
 #[derive(SystemSet, Copy, Clone, Debug, PartialEq, Eq, Hash)]
 pub enum PhysicsSystems {
-    /// Hands edits of the user to the engine.
+    /// Copies edits of the user into the engine.
     Prepare,
     /// Moves the world forward.
     Step,
@@ -79,7 +79,8 @@ where
         use PhysicsSystems::{Prepare, Report, Step, WriteBack};
         app.insert_resource(PhysicsWorld::new(self.gravity));
         stages::observe_lifecycle(app);
-        stages::adopt_entities(app);
+        stages::observe_required(app);
+        stages::queue_existing_entities(app);
         app.configure_sets(FixedPostUpdate, (Prepare, Step, WriteBack, Report).chain());
         let prepare = (
             stages::edit_bodies,
@@ -104,7 +105,8 @@ where
     }
 }
 
-/// Registers the components for editors and scenes.
+/// Registers the components of plain data for editors and scenes. Those that own an engine type (`Collider`,
+/// `Joint`, `LockedAxes`, `Friction`, `Restitution`, `CollisionGroups`, `HookedPairs`) have no reflection.
 fn register_types(app: &mut App) {
     app.register_type::<RigidBody>()
         .register_type::<Velocity>()

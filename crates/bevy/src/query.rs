@@ -12,7 +12,8 @@ use rapier::prelude::{
     QueryView, Ray, ShapeCastHit, ShapeCastOptions,
 };
 
-/// System parameter for queries of the colliders as of the last step.
+/// System parameter for queries of the colliders as of the last step. Colliders that were inserted through
+/// the engine have no entity, and queries ignore them.
 ///
 /// ```
 /// # use bevy::prelude::*;
@@ -194,18 +195,17 @@ impl SpatialQuery<'_> {
     /// Runs a query with the engine's filter.
     fn run<T>(&self, filter: &SpatialFilter, query: impl FnOnce(QueryView<'_>) -> T) -> T {
         let bodies = &self.world.engine.bodies;
+        // A collider without entity must not hide those behind it.
         let passes = |_: ColliderHandle, collider: &EngineCollider| {
             let body = collider.parent().and_then(|handle| bodies.get(handle));
-            let entities = [Some(collider.user_data), body.map(|body| body.user_data)]
-                .map(|data| entity_of(data?));
-            !entities.into_iter().flatten().any(|entity| filter.excluded.contains(&entity))
+            let body = body.and_then(|body| entity_of(body.user_data));
+            let is_excluded = |entity| filter.excluded.contains(&entity);
+            entity_of(collider.user_data).is_some_and(|entity| !is_excluded(entity))
+                && !body.is_some_and(is_excluded)
         };
-        let mut engine_filter =
+        let filter =
             QueryFilter { flags: filter.flags, groups: filter.groups, ..QueryFilter::default() };
-        if !filter.excluded.is_empty() {
-            engine_filter = engine_filter.predicate(&passes);
-        }
-        query(self.world.engine.query_pipeline_with_filter(engine_filter))
+        query(self.world.engine.query_pipeline_with_filter(filter.predicate(&passes)))
     }
 
     fn entities(&self, handles: impl Iterator<Item = ColliderHandle>) -> Vec<Entity> {

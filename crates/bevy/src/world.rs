@@ -22,8 +22,10 @@ pub struct PhysicsWorld {
     pub(crate) pending: Pending,
     /// Entities of the bodies that were awake in the last step, in the engine's order.
     pub(crate) awake: Vec<Entity>,
-    /// Colliders that were removed since the last step. Its events still name them.
+    /// Colliders that were removed since the last step.
     pub(crate) removed: Vec<(ColliderHandle, Entity)>,
+    /// Colliders that were removed before the last step. Its events still name them.
+    pub(crate) removed_before_step: Vec<(ColliderHandle, Entity)>,
     /// Events of the last step.
     pub(crate) occurrences: Vec<Occurrence>,
 }
@@ -139,9 +141,11 @@ impl PhysicsWorld {
         }
     }
 
-    /// The entity of a collider that exists, or was removed since the last step.
+    /// The entity of a collider that exists, or existed before the last step.
     pub(crate) fn entity_of_any_collider(&self, handle: ColliderHandle) -> Option<Entity> {
-        let removed = || self.removed.iter().find(|(removed, _)| *removed == handle);
-        self.entity_of_collider(handle).or_else(|| removed().map(|&(_, entity)| entity))
+        self.entity_of_collider(handle).or_else(|| {
+            let mut removed = self.removed_before_step.iter().chain(&self.removed);
+            removed.find(|(removed, _)| *removed == handle).map(|&(_, entity)| entity)
+        })
     }
 }

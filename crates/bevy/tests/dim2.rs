@@ -49,3 +49,32 @@ pub const HINGE: JointAxis = JointAxis::AngX;
 
 /// Squared radius of gyration of a disc with radius 1.
 pub const BALL_GYRATION: Scalar = 0.5;
+
+/// A triangle with its slope from (1, 0) to (0, 1).
+pub fn wedge() -> Collider {
+    Collider::convex_hull(&[vector(0.0, 0.0), vector(1.0, 0.0), vector(0.0, 1.0)])
+}
+
+/// The slope of the wedge as a mesh.
+pub fn mesh() -> Collider {
+    let points = [vector(0.0, 0.0), vector(1.0, 0.0), vector(0.0, 1.0)];
+    Collider::trimesh(&points, vec![[0, 1, 2]])
+}
+
+/// A shape of each constructor that has a mirrored form.
+pub fn shapes() -> Vec<(&'static str, Collider)> {
+    let [a, b, c] = [vector(0.0, 0.0), vector(1.0, 0.0), vector(0.0, 1.0)];
+    vec![
+        ("ball", Collider::ball(0.5)),
+        ("cuboid", Collider::cuboid(0.5, 0.25)),
+        ("round cuboid", Collider::round_cuboid(0.4, 0.4, 0.1)),
+        ("capsule x", Collider::capsule_x(0.5, 0.25)),
+        ("capsule y", Collider::capsule_y(0.5, 0.25)),
+        ("tilted capsule", Collider::capsule_from_endpoints(a, vector(1.0, 0.5), 0.25)),
+        ("segment", Collider::segment(a, vector(1.0, 0.5))),
+        ("triangle", Collider::triangle(a, b, c)),
+        ("polyline", Collider::polyline(&[a, b, c], None)),
+        ("mesh", mesh()),
+        ("hull", wedge()),
+    ]
+}

@@ -49,3 +49,42 @@ pub const HINGE: JointAxis = JointAxis::AngX;
 
 /// Squared radius of gyration of a ball with radius 1.
 pub const BALL_GYRATION: Scalar = 0.4;
+
+/// The corners of a prism along z whose slope leads from (1, 0) to (0, 1).
+fn wedge_points() -> Vec<Vector> {
+    let corner = |[x, y, z]: [Scalar; 3]| Vector::new(x, y, z);
+    let near = [[0.0, 0.0, -1.0], [1.0, 0.0, -1.0], [0.0, 1.0, -1.0]].map(corner);
+    let far = [[0.0, 0.0, 1.0], [1.0, 0.0, 1.0], [0.0, 1.0, 1.0]].map(corner);
+    [near, far].concat()
+}
+
+/// The prism.
+pub fn wedge() -> Collider {
+    Collider::convex_hull(&wedge_points())
+}
+
+/// The slope of the wedge as a mesh.
+pub fn mesh() -> Collider {
+    Collider::trimesh(&wedge_points(), vec![[1, 2, 5], [1, 5, 4]])
+}
+
+/// A shape of each constructor that has a mirrored form.
+pub fn shapes() -> Vec<(&'static str, Collider)> {
+    let [a, b, c] = [vector(0.0, 0.0), vector(1.0, 0.0), vector(0.0, 1.0)];
+    vec![
+        ("ball", Collider::ball(0.5)),
+        ("cuboid", Collider::cuboid(0.5, 0.25, 0.25)),
+        ("round cuboid", Collider::round_cuboid(0.4, 0.4, 0.4, 0.1)),
+        ("capsule x", Collider::capsule_x(0.5, 0.25)),
+        ("capsule y", Collider::capsule_y(0.5, 0.25)),
+        ("capsule z", Collider::capsule_z(0.5, 0.25)),
+        ("tilted capsule", Collider::capsule_from_endpoints(a, vector(1.0, 0.5), 0.25)),
+        ("cylinder", Collider::cylinder(0.5, 0.25)),
+        ("cone", Collider::cone(0.5, 0.25)),
+        ("segment", Collider::segment(a, vector(1.0, 0.5))),
+        ("triangle", Collider::triangle(a, b, c)),
+        ("polyline", Collider::polyline(&[a, b, c], None)),
+        ("mesh", mesh()),
+        ("hull", wedge()),
+    ]
+}

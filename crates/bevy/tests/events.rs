@@ -6,42 +6,48 @@ use crate::scene::*;
 use bevy::prelude::*;
 
 #[derive(Resource, Default)]
-struct Heard {
+struct Received {
     started: Vec<CollisionStarted>,
     stopped: Vec<CollisionStopped>,
     forces: Vec<ContactForce>,
 }
 
-fn listening(mut app: App) -> App {
-    app.init_resource::<Heard>()
-        .add_observer(|on: On<CollisionStarted>, mut heard: ResMut<Heard>| heard.started.push(*on))
-        .add_observer(|on: On<CollisionStopped>, mut heard: ResMut<Heard>| heard.stopped.push(*on))
-        .add_observer(|on: On<ContactForce>, mut heard: ResMut<Heard>| heard.forces.push(*on));
+fn recording(mut app: App) -> App {
+    app.init_resource::<Received>()
+        .add_observer(|on: On<CollisionStarted>, mut received: ResMut<Received>| {
+            received.started.push(*on)
+        })
+        .add_observer(|on: On<CollisionStopped>, mut received: ResMut<Received>| {
+            received.stopped.push(*on)
+        })
+        .add_observer(|on: On<ContactForce>, mut received: ResMut<Received>| {
+            received.forces.push(*on)
+        });
     app
 }
 
-fn heard(app: &App) -> &Heard {
+fn received(app: &App) -> &Received {
     app.world().resource()
 }
 
 #[test]
 fn a_contact_starts_and_stops_once_on_each_entity() {
-    let mut app = listening(app());
+    let mut app = recording(app());
     let ground = app.world_mut().spawn((floor(), at(0.0, -1.0))).id();
     let bundle = (RigidBody::Dynamic, cube(0.5), CollisionEvents, at(0.0, 1.0));
     let body = app.world_mut().spawn(bundle).id();
     run(&mut app, 128);
     let started: Vec<_> =
-        heard(&app).started.iter().map(|event| (event.entity, event.other)).collect();
+        received(&app).started.iter().map(|event| (event.entity, event.other)).collect();
     assert_eq!(started.len(), 2);
     assert!(started.contains(&(ground, body)) && started.contains(&(body, ground)));
-    assert!(heard(&app).started.iter().all(|event| !event.is_sensor));
-    assert!(heard(&app).stopped.is_empty());
+    assert!(received(&app).started.iter().all(|event| !event.is_sensor));
+    assert!(received(&app).stopped.is_empty());
     edit::<Transform>(&mut app, body).translation.y = 10.0;
     run(&mut app, 2);
-    assert_eq!(heard(&app).started.len(), 2);
-    assert_eq!(heard(&app).stopped.len(), 2);
-    assert!(heard(&app).stopped.iter().all(|event| !event.is_removed));
+    assert_eq!(received(&app).started.len(), 2);
+    assert_eq!(received(&app).stopped.len(), 2);
+    assert!(received(&app).stopped.iter().all(|event| !event.is_removed));
 }
 
 #[test]
@@ -65,7 +71,7 @@ fn observers_of_one_entity_receive_its_events_only() {
 
 #[test]
 fn a_despawned_collider_ends_its_contacts() {
-    let mut app = listening(app());
+    let mut app = recording(app());
     let ground = app.world_mut().spawn((floor(), at(0.0, -1.0))).id();
     let bundle = (RigidBody::Dynamic, cube(0.5), CollisionEvents, at(0.0, 0.5));
     let body = app.world_mut().spawn(bundle).id();
@@ -73,21 +79,21 @@ fn a_despawned_collider_ends_its_contacts() {
     app.world_mut().entity_mut(body).despawn();
     run(&mut app, 8);
     let stopped: Vec<_> =
-        heard(&app).stopped.iter().map(|event| (event.entity, event.other)).collect();
+        received(&app).stopped.iter().map(|event| (event.entity, event.other)).collect();
     assert_eq!(stopped.len(), 2);
     assert!(stopped.contains(&(ground, body)) && stopped.contains(&(body, ground)));
-    assert!(heard(&app).stopped.iter().all(|event| event.is_removed));
+    assert!(received(&app).stopped.iter().all(|event| event.is_removed));
 }
 
 #[test]
-fn a_sensor_reports_what_passes_and_exerts_no_force() {
-    let mut app = listening(app());
+fn a_sensor_reports_passing_bodies_and_exerts_no_force() {
+    let mut app = recording(app());
     let gate = app.world_mut().spawn((cube(1.0), Sensor, CollisionEvents)).id();
     let ball = app.world_mut().spawn((RigidBody::Dynamic, Collider::ball(0.2), at(0.0, 3.0))).id();
     run(&mut app, 96);
-    assert_eq!(heard(&app).started.len(), 2);
-    assert_eq!(heard(&app).stopped.len(), 2);
-    assert!(heard(&app).started.iter().all(|event| event.is_sensor));
+    assert_eq!(received(&app).started.len(), 2);
+    assert_eq!(received(&app).stopped.len(), 2);
+    assert!(received(&app).started.iter().all(|event| event.is_sensor));
     assert_near(get::<Velocity>(&app, ball).linear.y, -1.5 * G, 1.0e-4);
     // A sensor that becomes solid stops the next ball.
     app.world_mut().entity_mut(gate).remove::<Sensor>();
@@ -99,15 +105,15 @@ fn a_sensor_reports_what_passes_and_exerts_no_force() {
 
 #[test]
 fn the_contact_force_of_a_body_at_rest_is_its_weight() {
-    let mut app = listening(app());
+    let mut app = recording(app());
     let ground = app.world_mut().spawn((floor(), at(0.0, -1.0))).id();
     let events = ContactForceEvents { threshold: 10.0 };
     let bundle = (RigidBody::Dynamic, cube(0.5), ColliderMass::Mass(2.0), events, at(0.0, 0.5));
     let body = app.world_mut().spawn(bundle).id();
     run(&mut app, 32);
-    app.world_mut().resource_mut::<Heard>().forces.clear();
+    app.world_mut().resource_mut::<Received>().forces.clear();
     app.update();
-    let forces = heard(&app).forces.clone();
+    let forces = received(&app).forces.clone();
     assert_eq!(forces.len(), 2);
     for (entity, sign) in [(body, 1.0), (ground, -1.0)] {
         let event = forces.iter().find(|event| event.entity == entity).expect("an event of each");
@@ -116,26 +122,26 @@ fn the_contact_force_of_a_body_at_rest_is_its_weight() {
     }
     // Below the threshold there is no event.
     edit::<ContactForceEvents>(&mut app, body).threshold = 30.0;
-    app.world_mut().resource_mut::<Heard>().forces.clear();
+    app.world_mut().resource_mut::<Received>().forces.clear();
     run(&mut app, 4);
-    assert!(heard(&app).forces.is_empty());
+    assert!(received(&app).forces.is_empty());
 }
 
 #[test]
 fn without_the_marker_no_contact_starts_an_event() {
-    let mut app = listening(app());
+    let mut app = recording(app());
     app.world_mut().spawn((floor(), at(0.0, -1.0)));
     let bundle = (RigidBody::Dynamic, cube(0.5), CollisionEvents, at(0.0, 0.6));
     let body = app.world_mut().spawn(bundle).id();
     run(&mut app, 32);
-    assert_eq!(heard(&app).started.len(), 2);
+    assert_eq!(received(&app).started.len(), 2);
     app.world_mut().entity_mut(body).remove::<CollisionEvents>();
     run(&mut app, 2);
     edit::<Velocity>(&mut app, body).linear = vector(0.0, 2.0);
     run(&mut app, 64);
     // The contact that had started stops; the next one is silent.
     assert_near(position(&app, body).y, 0.5, 0.01);
-    assert_eq!((heard(&app).started.len(), heard(&app).stopped.len()), (2, 2));
+    assert_eq!((received(&app).started.len(), received(&app).stopped.len()), (2, 2));
 }
 
 #[test]
@@ -155,4 +161,19 @@ fn an_event_propagates_to_the_body_on_request() {
     let targets = &app.world().resource::<Targets>().0;
     assert_eq!(targets.len(), 3);
     assert!([ground, body, part].iter().all(|entity| targets.contains(entity)));
+}
+
+#[test]
+fn a_despawn_between_step_and_report_ends_the_contact() {
+    let mut app = recording(app());
+    let ground = app.world_mut().spawn((floor(), at(0.0, -1.0))).id();
+    let bundle = (RigidBody::Dynamic, cube(0.5), CollisionEvents, at(0.0, 0.5));
+    let body = app.world_mut().spawn(bundle).id();
+    run(&mut app, 8);
+    let remove = move |mut commands: Commands| commands.entity(body).try_despawn();
+    let after_step = remove.after(PhysicsSystems::Step).before(PhysicsSystems::Report);
+    app.add_systems(FixedPostUpdate, after_step);
+    run(&mut app, 4);
+    let stopped = &received(&app).stopped;
+    assert_eq!(stopped.iter().filter(|event| event.entity == ground).count(), 1);
 }

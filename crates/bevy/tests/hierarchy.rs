@@ -162,3 +162,21 @@ fn a_body_follows_its_transform_to_another_parent() {
     assert_near(engine_x(&app), 1.0, 1.0e-5);
     assert_near(position(&app, body).x, 1.0, 1.0e-5);
 }
+
+#[test]
+fn a_body_below_a_kinematic_body_moves_by_friction_alone() {
+    let mut app = app();
+    let platform = app.world_mut().spawn((RigidBody::KinematicPosition, floor())).id();
+    let bundle = (RigidBody::Dynamic, cube(0.5), at(0.0, 1.5), ChildOf(platform));
+    let rider = app.world_mut().spawn(bundle).id();
+    run(&mut app, 64);
+    for _ in 0..64 {
+        edit::<Transform>(&mut app, platform).translation.x += 1.0 / 64.0;
+        app.update();
+    }
+    let pose = physics(&app).body(rider).unwrap().position().translation;
+    assert_near(position(&app, platform).x, 1.0, 1.0e-4);
+    // It slides by v² / (2 μ g) = 0.1 until it has the speed of the platform.
+    assert_near(pose.x, 0.9, 0.03);
+    assert_near(position(&app, rider).x, -0.1, 0.03);
+}

@@ -92,3 +92,53 @@ fn a_teleport_between_two_steps_is_not_interpolated() {
     app.update();
     assert_near(position(&app, body).x, 100.5, 1.0e-4);
 }
+
+/// A body with a velocity whose multiples single precision rounds.
+fn locked(app: &mut App) -> Entity {
+    let velocity = Velocity::linear(vector(6.4, 0.0));
+    let bundle = (RigidBody::Dynamic, cube(0.5), velocity, LockedAxes::ROTATION);
+    app.world_mut().spawn(bundle).id()
+}
+
+#[test]
+fn a_rotation_by_the_user_in_each_frame_keeps_the_motion() {
+    let translation = |app: &App, body| physics(app).body(body).unwrap().position().translation;
+    let mut undisturbed = interpolated();
+    let reference = locked(&mut undisturbed);
+    run(&mut undisturbed, 24);
+    for frame in [0.25, 1.0, 1.5] {
+        let mut app = interpolated();
+        app.add_systems(Update, |mut bodies: Query<&mut Transform, With<RigidBody>>| {
+            for mut transform in &mut bodies {
+                transform.rotation *= Quat::from_rotation_z(0.01);
+            }
+        });
+        let body = locked(&mut app);
+        frame_length(&mut app, frame);
+        let frames = (24.0 / frame) as usize;
+        run(&mut app, frames);
+        // The engine keeps its own number: neither interpolated nor rounded to single precision.
+        assert_eq!(translation(&app, body), translation(&undisturbed, reference));
+        assert_near(position(&app, body).x, 2.3, 1.0e-4);
+        let rotation = Quat::from_rotation_z(0.01 * frames as f32);
+        let found = get::<Transform>(&app, body).rotation.normalize();
+        // Half of one frame's angle; `acos` magnifies the rounding of 96 products.
+        assert_near(found.angle_between(rotation), 0.0, 5.0e-3);
+    }
+}
+
+#[test]
+fn a_translation_by_the_user_in_each_frame_keeps_the_rotation() {
+    let mut app = interpolated();
+    app.add_systems(Update, |mut bodies: Query<&mut Transform, With<RigidBody>>| {
+        for mut transform in &mut bodies {
+            transform.translation.y = 3.0;
+        }
+    });
+    let velocity = Velocity::angular(rotation(3.2));
+    let body = app.world_mut().spawn((RigidBody::Dynamic, cube(0.5), velocity)).id();
+    frame_length(&mut app, 0.25);
+    run(&mut app, 4 * 16);
+    let expected = Quat::from_rotation_z(0.05 * 15.0);
+    assert_near(get::<Transform>(&app, body).rotation.angle_between(expected), 0.0, 2.0e-3);
+}

@@ -155,3 +155,33 @@ fn a_joint_with_other_bodies_is_inserted_anew() {
     let handle = physics(&app).joint(joint).expect("a joint").body2();
     assert_eq!(physics(&app).entity_of_body(handle), Some(other));
 }
+
+#[test]
+fn a_joint_that_waits_for_a_body_lets_the_old_ones_go() {
+    let mut app = app();
+    let [post, ball] = bodies(&mut app, 1.0);
+    let joint = app.world_mut().spawn(Joint::rope(post, ball, 1.0)).id();
+    let later = app.world_mut().spawn(at(5.0, 0.0)).id();
+    run(&mut app, 32);
+    edit::<Joint>(&mut app, joint).body2 = later;
+    run(&mut app, 32);
+    assert_eq!(counts(&app)[2], 0);
+    assert!(position(&app, ball).y < -1.5);
+    app.world_mut().entity_mut(later).insert(RigidBody::Dynamic);
+    run(&mut app, 2);
+    assert_eq!(counts(&app)[2], 1);
+}
+
+#[test]
+fn a_refused_edit_of_the_bodies_keeps_the_joint() {
+    let mut app = app();
+    let [post, ball] = bodies(&mut app, 1.0);
+    let other = app.world_mut().spawn((RigidBody::Fixed, at(5.0, 0.0))).id();
+    let joint = app.world_mut().spawn(Joint::rope(post, ball, 1.0)).id();
+    run(&mut app, 2);
+    // The engine refuses joints of two fixed bodies.
+    edit::<Joint>(&mut app, joint).body2 = other;
+    run(&mut app, 32);
+    assert_eq!(counts(&app)[2], 1);
+    assert_near(position(&app, ball).y, -1.0, 0.02);
+}

@@ -1,8 +1,9 @@
 //! Insertion and removal of components and entities.
 
-use crate::dim::{cube, floor};
+use crate::dim::{cube, floor, vector};
 use crate::plugin::prelude::*;
 use crate::scene::*;
+use bevy::ecs::entity_disabling::Disabled;
 use bevy::prelude::*;
 
 #[test]
@@ -122,4 +123,57 @@ fn entities_and_handles_map_both_ways() {
     assert_eq!(world.entity_of_collider(collider), Some(part));
     assert!(world.body_handle(part).is_none() && world.collider_handle(body).is_none());
     assert_eq!(world.collider(part).unwrap().parent(), Some(handle));
+}
+
+#[test]
+fn a_removed_setting_returns_to_its_default() {
+    let mut app = weightless();
+    let force = ExternalForce { force: vector(8.0, 0.0), ..default() };
+    let settings = (force, Damping { linear: 1.0, angular: 0.0 }, Friction::new(0.9));
+    let body = app.world_mut().spawn((RigidBody::Dynamic, cube(0.5), settings)).id();
+    run(&mut app, 8);
+    app.world_mut().entity_mut(body).remove::<(ExternalForce, Damping, Friction, Sleeping)>();
+    run(&mut app, 2);
+    let velocity = *get::<Velocity>(&app, body);
+    assert!(velocity.linear.x > 0.1);
+    run(&mut app, 8);
+    assert_eq!(get::<Velocity>(&app, body).linear, velocity.linear);
+    assert_near(physics(&app).collider(body).unwrap().friction(), 0.5, 1.0e-6);
+    // Later edits take effect, and transforms follow.
+    app.world_mut().entity_mut(body).remove::<Velocity>();
+    edit::<Transform>(&mut app, body).translation.x = 7.0;
+    app.world_mut().entity_mut(body).insert(cube(0.25));
+    run(&mut app, 4);
+    assert_near(position(&app, body).x, 7.0, 1.0e-6);
+    assert_near(physics(&app).collider(body).unwrap().compute_aabb().maxs.x, 7.25, 1.0e-5);
+    // Without its owner, no setting returns.
+    app.world_mut().entity_mut(body).remove_with_requires::<RigidBody>();
+    run(&mut app, 2);
+    assert!(app.world().get::<Damping>(body).is_none());
+}
+
+#[test]
+fn disabled_entities_leave_the_simulation_until_they_return() {
+    let mut app = app();
+    let late = app.world_mut().spawn((RigidBody::Dynamic, cube(0.5), Disabled)).id();
+    let body = app.world_mut().spawn((RigidBody::Dynamic, at(9.0, 0.0))).id();
+    let part = app.world_mut().spawn((cube(0.5), ChildOf(body))).id();
+    let post = app.world_mut().spawn((RigidBody::Fixed, at(9.0, 5.0))).id();
+    app.world_mut().spawn(Joint::rope(post, body, 50.0));
+    run(&mut app, 8);
+    assert_eq!(counts(&app), [2, 1, 1]);
+    app.world_mut().entity_mut(body).insert(Disabled);
+    let height = position(&app, body).y;
+    run(&mut app, 8);
+    // Its collider does not turn into scenery.
+    assert_eq!(counts(&app), [1, 0, 0]);
+    app.world_mut().entity_mut(body).remove::<Disabled>();
+    app.world_mut().entity_mut(late).remove::<Disabled>();
+    app.update();
+    assert_eq!(counts(&app), [3, 2, 1]);
+    assert_near(position(&app, body).y, height, 0.1);
+    assert_eq!(physics(&app).collider(part).unwrap().parent(), physics(&app).body_handle(body));
+    app.world_mut().entity_mut(part).insert(Disabled);
+    app.update();
+    assert_eq!(counts(&app), [3, 1, 1]);
 }

@@ -173,3 +173,54 @@ fn the_time_step_is_that_of_bevy() {
     let fallen = f64::from(-position(&app, ball).y);
     assert_near(fallen, f64::from(0.5 * G), f64::from(0.125 * G * DT));
 }
+
+#[test]
+fn a_fixed_body_has_no_velocity_and_gets_an_old_one_back() {
+    let mut app = weightless();
+    let velocity = Velocity::linear(vector(2.0, 0.0));
+    let body = ball(&mut app, velocity);
+    run(&mut app, 32);
+    *edit::<RigidBody>(&mut app, body) = RigidBody::Fixed;
+    run(&mut app, 32);
+    assert_eq!(*get::<Velocity>(&app, body), Velocity::default());
+    assert_near(position(&app, body).x, 1.0, 1.0e-5);
+    *edit::<RigidBody>(&mut app, body) = RigidBody::Dynamic;
+    *edit::<Velocity>(&mut app, body) = velocity;
+    run(&mut app, 32);
+    assert_near(position(&app, body).x, 2.0, 1.0e-5);
+    // The same for a velocity that is set while the body is fixed.
+    *edit::<RigidBody>(&mut app, body) = RigidBody::Fixed;
+    run(&mut app, 2);
+    *edit::<Velocity>(&mut app, body) = velocity;
+    run(&mut app, 2);
+    *edit::<RigidBody>(&mut app, body) = RigidBody::Dynamic;
+    run(&mut app, 32);
+    assert_near(position(&app, body).x, 3.0, 1.0e-5);
+}
+
+#[test]
+fn the_impulse_of_a_refused_body_waits_for_its_insertion() {
+    let mut app = weightless();
+    let impulse = ExternalImpulse { impulse: vector(3.0, 0.0), ..default() };
+    let body = ball(&mut app, (ColliderMass::Mass(1.0), at(f32::NAN, 0.0), impulse));
+    run(&mut app, 4);
+    assert!(physics(&app).body(body).is_none());
+    *edit::<Transform>(&mut app, body) = at(0.0, 0.0);
+    run(&mut app, 2);
+    assert_near(get::<Velocity>(&app, body).linear.x, 3.0, 1.0e-5);
+    assert_eq!(*get::<ExternalImpulse>(&app, body), ExternalImpulse::default());
+}
+
+#[test]
+fn a_kinematic_body_teleports_by_a_change_of_its_type() {
+    let mut app = app();
+    let platform = app.world_mut().spawn((RigidBody::KinematicPosition, cube(0.5))).id();
+    run(&mut app, 4);
+    *edit::<RigidBody>(&mut app, platform) = RigidBody::KinematicVelocity;
+    edit::<Transform>(&mut app, platform).translation.x = 50.0;
+    app.update();
+    assert_eq!(get::<Velocity>(&app, platform).linear, Vector::ZERO);
+    *edit::<RigidBody>(&mut app, platform) = RigidBody::KinematicPosition;
+    run(&mut app, 4);
+    assert_eq!(position(&app, platform).x, 50.0);
+}

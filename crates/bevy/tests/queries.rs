@@ -132,3 +132,21 @@ fn an_invalid_shape_finds_nothing() {
     assert_eq!(hit, None);
     assert!(touched.is_empty());
 }
+
+#[test]
+fn a_collider_without_entity_hides_nothing() {
+    let (mut app, [cube, ..]) = row();
+    let raw = crate::dim::engine_cube(0.25).translation(crate::dim::engine_vector(1.0, 0.0));
+    app.world_mut().resource_mut::<PhysicsWorld>().engine.insert_collider(raw, None);
+    run(&mut app, 2);
+    let found = result_of(&mut app, |query| {
+        let all = SpatialFilter::default();
+        let ray = query.cast_ray(Vector::ZERO, vector(1.0, 0.0), 9.0, &all).map(|hit| hit.entity);
+        let ball = Collider::ball(0.1);
+        let path = vector(9.0, 0.0);
+        let shape = query.cast_shape(&ball, &Transform::IDENTITY, path, &all);
+        let point = query.project_point(vector(1.0, 0.0), 9.0, &all).map(|hit| hit.entity);
+        [ray, shape.map(|hit| hit.entity), point]
+    });
+    assert_eq!(found, [Some(cube); 3]);
+}

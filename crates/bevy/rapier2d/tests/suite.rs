@@ -28,5 +28,9 @@ mod lifecycle;
 mod lines;
 #[path = "../../tests/motion.rs"]
 mod motion;
+#[path = "../../tests/planar.rs"]
+mod planar;
 #[path = "../../tests/queries.rs"]
 mod queries;
+#[path = "../../tests/scale.rs"]
+mod scale;

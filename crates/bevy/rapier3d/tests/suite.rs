@@ -30,3 +30,5 @@ mod lines;
 mod motion;
 #[path = "../../tests/queries.rs"]
 mod queries;
+#[path = "../../tests/scale.rs"]
+mod scale;

@@ -3,7 +3,7 @@
 use crate::body::RigidBody;
 use crate::collider::{ColliderDescription, ColliderEdits, ColliderState};
 use crate::dim::{from_transform, pose_of};
-use crate::hierarchy::Hierarchy;
+use crate::hierarchy::{Hierarchy, Locals, is_same};
 use crate::invalid::refuse;
 use crate::world::PhysicsWorld;
 use bevy::ecs::change_detection::{DetectChanges, Ref};
@@ -12,7 +12,8 @@ use bevy::ecs::hierarchy::ChildOf;
 use bevy::ecs::query::{Has, With};
 use bevy::ecs::system::{Commands, Query, ResMut};
 use bevy::transform::components::Transform;
-use rapier::prelude::Collider;
+use rapier::math::Pose;
+use rapier::prelude::{Collider, ColliderBuilder, InvalidCollider};
 
 /// Finds colliders that have another body, another size or another place on their body. Those of the first
 /// two kinds are described anew.
@@ -25,28 +26,42 @@ pub(crate) fn place_colliders(
         Has<RigidBody>,
         Has<ChildOf>,
     )>,
-    locals: Query<&Transform>,
+    locals: Locals,
     hierarchy: Hierarchy,
+    mut commands: Commands,
 ) {
+    let mut edited = Vec::new();
     for (entity, transform, mut state, has_body, has_parent) in &mut colliders {
         let has_same_body = state.body == has_body.then_some(entity);
         if !has_parent && has_same_body && !transform.is_changed() {
             continue;
         }
-        let Some(&handle) = world.colliders.get(&entity) else {
-            continue;
-        };
         let body = hierarchy.body_of(entity);
         let placement = hierarchy.placement(entity, body, |entity| locals.get(entity).ok());
-        if body != state.body || placement.scale != state.placement.scale {
-            world.pending.colliders.push(entity);
-        } else if placement != state.placement {
-            state.placement = placement;
-            if let Some(collider) = world.engine.colliders.get_mut(handle) {
-                set_placement(collider, &placement);
+        if body == state.body && is_same(&placement, &state.placement) {
+            continue;
+        }
+        let handle = world.colliders.get(&entity).copied();
+        let collider = handle.and_then(|handle| world.engine.colliders.get_mut(handle));
+        // A collider that the engine refused gets another try.
+        let is_valid = state.placement.is_finite() && collider.is_some();
+        let size = |placement: &Transform| Transform::from_scale(placement.scale);
+        let is_same_size = is_same(&size(&placement), &size(&state.placement));
+        let Some(collider) = collider.filter(|_| is_valid && is_same_size && body == state.body)
+        else {
+            if !is_same_size || !state.placement.is_finite() || body != state.body {
+                edited.push(entity);
             }
+            continue;
+        };
+        state.placement = placement;
+        if let Err(reason) = set_placement(collider, &placement) {
+            refuse(&mut commands, entity, reason);
         }
     }
+    // The order of a query depends on unrelated components.
+    edited.sort();
+    world.pending.colliders.extend(edited);
 }
 
 /// Inserts new colliders, and replaces the description of those with edits.
@@ -54,7 +69,7 @@ pub(crate) fn describe_colliders(
     mut world: ResMut<PhysicsWorld>,
     mut colliders: Query<(ColliderDescription, &mut ColliderState)>,
     edited: Query<Entity, (ColliderEdits, With<ColliderState>)>,
-    locals: Query<&Transform>,
+    locals: Locals,
     hierarchy: Hierarchy,
     mut commands: Commands,
 ) {
@@ -78,20 +93,18 @@ pub(crate) fn describe_colliders(
             .and_then(|builder| builder.position(pose_of(&placement)).try_build());
         match collider {
             Ok(collider) => {
-                *state = ColliderState { body, placement };
-                world.put_collider(entity, collider, &state);
+                world.upsert_collider(entity, collider, &ColliderState { body, placement });
             }
-            Err(reason) => {
-                state.placement.scale = placement.scale;
-                refuse(&mut commands, entity, reason);
-            }
+            Err(reason) => refuse(&mut commands, entity, reason),
         }
+        // Refused values are stored, too: they are reported once, and another value is the next try.
+        *state = ColliderState { body, placement };
     }
 }
 
 impl PhysicsWorld {
     /// Inserts the collider of an entity, or replaces it. A replaced collider keeps its handle.
-    fn put_collider(&mut self, entity: Entity, new: Collider, state: &ColliderState) {
+    fn upsert_collider(&mut self, entity: Entity, new: Collider, state: &ColliderState) {
         let body = state.body.and_then(|body| self.bodies.get(&body)).copied();
         let Some(&handle) = self.colliders.get(&entity) else {
             let handle = self.engine.insert_collider(new, body);
@@ -106,15 +119,23 @@ impl PhysicsWorld {
             self.engine.colliders.set_parent(handle, body, &mut self.engine.bodies);
         }
         if let Some(collider) = self.engine.colliders.get_mut(handle) {
-            set_placement(collider, &state.placement);
+            set_pose(collider, pose_of(&state.placement));
         }
     }
 }
 
-fn set_placement(collider: &mut Collider, placement: &Transform) {
+/// Moves a collider on its body, or in the world.
+fn set_placement(collider: &mut Collider, placement: &Transform) -> Result<(), InvalidCollider> {
+    let pose = pose_of(placement);
+    ColliderBuilder::ball(1.0).position(pose).try_build()?;
+    set_pose(collider, pose);
+    Ok(())
+}
+
+fn set_pose(collider: &mut Collider, pose: Pose) {
     if collider.parent().is_some() {
-        collider.set_position_wrt_parent(pose_of(placement));
+        collider.set_position_wrt_parent(pose);
     } else {
-        collider.set_position(pose_of(placement));
+        collider.set_position(pose);
     }
 }

@@ -3,14 +3,14 @@
 //! A frame lies between two steps. It shows the pose at the same fraction between the last two states, one
 //! step late, so that bodies move evenly at any frame rate.
 
-use super::write_back::{has_pose_of, set_pose};
+use super::pose_parts::PoseParts;
 use crate::body::BodyState;
 use crate::world::PhysicsWorld;
 use bevy::ecs::system::{Query, Res};
 use bevy::time::{Fixed, Time};
 use bevy::transform::components::Transform;
 
-/// Writes transforms between the last two steps. A transform that the user edited stays.
+/// Writes transforms between the last two steps. A translation or rotation that the user edited stays.
 pub(crate) fn interpolate_transforms(
     world: Res<PhysicsWorld>,
     time: Res<Time<Fixed>>,
@@ -21,11 +21,13 @@ pub(crate) fn interpolate_transforms(
         let Ok((mut transform, mut state)) = bodies.get_mut(entity) else {
             continue;
         };
-        let moves = !has_pose_of(&state.previous, &state.current);
-        if moves && has_pose_of(&transform, &state.shown) {
+        let edited = PoseParts::of_difference(&transform, &state.shown);
+        let moved = PoseParts::of_difference(&state.previous, &state.current);
+        let parts = moved.and(edited.complement());
+        if parts.is_any() {
             let between = between(&state.previous, &state.current, fraction);
-            set_pose(&mut transform, &between);
-            state.shown = between;
+            parts.copy(&between, &mut transform);
+            parts.copy(&between, &mut state.shown);
         }
     }
 }

@@ -26,10 +26,11 @@ pub(crate) fn sync_joints(
         let (Some(body1), Some(body2)) =
             (world.body_handle(joint.body1), world.body_handle(joint.body2))
         else {
+            world.remove_joint_of_other_bodies(entity, joint);
             world.pending.joints.push(entity);
             continue;
         };
-        if let Err(reason) = world.put_joint(entity, joint, [body1, body2]) {
+        if let Err(reason) = world.upsert_joint(entity, joint, [body1, body2]) {
             refuse(&mut commands, entity, reason);
         }
     }
@@ -37,7 +38,7 @@ pub(crate) fn sync_joints(
 
 impl PhysicsWorld {
     /// Inserts the joint of an entity, or edits it.
-    fn put_joint(
+    fn upsert_joint(
         &mut self,
         entity: Entity,
         joint: &Joint,
@@ -55,9 +56,21 @@ impl PhysicsWorld {
             }
             return Ok(());
         }
-        self.remove_joint(entity);
+        // A refused joint leaves the old one in place.
         let handle = self.engine.try_insert_impulse_joint(body1, body2, data)?;
+        self.remove_joint(entity);
         self.joints.insert(entity, handle);
         Ok(())
+    }
+
+    /// Removes the joint of an entity if it connects other bodies than its component does.
+    fn remove_joint_of_other_bodies(&mut self, entity: Entity, joint: &Joint) {
+        let Some(old) = self.joint(entity) else {
+            return;
+        };
+        let old = [old.body1(), old.body2()].map(Some);
+        if old != [joint.body1, joint.body2].map(|body| self.body_handle(body)) {
+            self.remove_joint(entity);
+        }
     }
 }

@@ -10,6 +10,7 @@ use crate::world::PhysicsWorld;
 use bevy::app::App;
 use bevy::ecs::component::Component;
 use bevy::ecs::entity::Entity;
+use bevy::ecs::entity_disabling::Disabled;
 use bevy::ecs::hierarchy::ChildOf;
 use bevy::ecs::lifecycle::{Insert, Remove};
 use bevy::ecs::observer::On;
@@ -41,6 +42,17 @@ pub(crate) fn observe_lifecycle(app: &mut App) {
             world.pending.detached.push(on.entity);
         }
     })
+    .add_observer(|on: On<Insert, Disabled>, mut world: ResMut<PhysicsWorld>| {
+        world.remove_joint(on.entity);
+        world.remove_collider(on.entity);
+        world.remove_body(on.entity);
+    })
+    .add_observer(|on: On<Remove, Disabled>, mut world: ResMut<PhysicsWorld>| {
+        // A stage ignores entities without its component.
+        world.pending.bodies.push(on.entity);
+        world.pending.colliders.push(on.entity);
+        world.pending.joints.push(on.entity);
+    })
     // Change detection reports insertions of optional components, and no removals.
     .add_observer(describe_again::<Sensor>)
     .add_observer(describe_again::<CollisionEvents>)
@@ -53,7 +65,7 @@ fn describe_again<C: Component>(on: On<Remove, C>, mut world: ResMut<PhysicsWorl
 }
 
 /// Queues the elements of entities that were spawned before the plugin was added.
-pub(crate) fn adopt_entities(app: &mut App) {
+pub(crate) fn queue_existing_entities(app: &mut App) {
     let world = app.world_mut();
     let bodies = world.query_filtered::<Entity, With<RigidBody>>().iter(world).collect();
     let colliders = world.query_filtered::<Entity, With<Collider>>().iter(world).collect();

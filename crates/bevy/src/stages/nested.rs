@@ -1,43 +1,49 @@
 //! Bodies below other entities: their `Transform` is relative to the parent, the engine's pose is not.
 
-use super::write_back::{Written, has_pose_of, set_pose};
+use super::edits::{checked_pose, refuse_pose};
+use super::pose_parts::PoseParts;
+use super::write_back::Written;
 use crate::body::{BodyState, RigidBody};
-use crate::dim::pose_of;
-use crate::hierarchy::{Hierarchy, local_transform};
+use crate::hierarchy::{Hierarchy, Locals, is_same, local_transform};
 use crate::world::PhysicsWorld;
 use bevy::ecs::entity::Entity;
+use bevy::ecs::entity_disabling::Disabled;
 use bevy::ecs::hierarchy::ChildOf;
-use bevy::ecs::query::With;
-use bevy::ecs::system::{Query, Res, ResMut};
+use bevy::ecs::query::{Allow, With};
+use bevy::ecs::system::{Commands, Query, Res, ResMut};
 use bevy::transform::components::Transform;
 
-/// Moves the bodies whose ancestors the user moved or exchanged. Motion of a parent body by the engine does
-/// not count.
+/// Moves the bodies whose ancestors the user moved or exchanged. Motion by the step is ignored, and so is
+/// that of ancestors which the step is going to move.
 pub(crate) fn carry_nested_bodies(
     mut world: ResMut<PhysicsWorld>,
     nested: Query<Entity, (With<ChildOf>, With<RigidBody>)>,
     mut bodies: Query<(&RigidBody, &mut BodyState)>,
-    locals: Query<&Transform>,
+    locals: Locals,
     hierarchy: Hierarchy,
+    mut commands: Commands,
 ) {
     let local = |entity| locals.get(entity).ok();
     let detached = core::mem::take(&mut world.pending.detached);
     for entity in nested.iter().chain(detached) {
-        let parent = hierarchy.parent_transform(entity, local);
         let (Ok((kind, mut state)), Some(body)) =
             (bodies.get_mut(entity), world.bodies.get(&entity).copied())
         else {
             continue;
         };
-        if parent == state.parent {
+        let carrier = hierarchy.carrier(entity, local);
+        if carrier.is_same(&state.carrier) {
             continue;
         }
-        state.parent = parent;
-        let placed = pose_of(&hierarchy.world_transform(entity, local));
-        match (world.engine.bodies.get_mut(body), kind) {
-            (None, _) => {}
-            (Some(body), RigidBody::KinematicPosition) => body.set_next_kinematic_position(placed),
-            (Some(body), _) => body.set_position(placed, true),
+        state.carrier = carrier;
+        state.parent = hierarchy.parent_transform(entity, local);
+        let Some(body) = world.engine.bodies.get_mut(body) else {
+            continue;
+        };
+        match (checked_pose(&hierarchy.world_transform(entity, local)), kind) {
+            (Err(reason), _) => refuse_pose(&mut commands, entity, reason),
+            (Ok(pose), RigidBody::KinematicPosition) => body.set_next_kinematic_position(pose),
+            (Ok(pose), _) => body.set_position(pose, true),
         }
     }
 }
@@ -46,7 +52,7 @@ pub(crate) fn carry_nested_bodies(
 pub(crate) fn write_nested_transforms(
     world: Res<PhysicsWorld>,
     nested: Query<Entity, (With<ChildOf>, With<RigidBody>)>,
-    mut transforms: Query<&mut Transform>,
+    mut transforms: Query<&mut Transform, Allow<Disabled>>,
     mut bodies: Query<Written>,
     hierarchy: Hierarchy,
 ) {
@@ -54,25 +60,29 @@ pub(crate) fn write_nested_transforms(
     order.sort();
     for (_, entity) in order {
         let parent = hierarchy.parent_transform(entity, |entity| transforms.get(entity).ok());
-        let (Some(body), Ok(mut written), Ok(mut transform)) =
-            (world.body(entity), bodies.get_mut(entity), transforms.get_mut(entity))
-        else {
+        let (Some(body), Ok(mut written)) = (world.body(entity), bodies.get_mut(entity)) else {
             continue;
         };
         let was_sleeping = written.sleeping.is_sleeping();
         written.write_motion(body);
         let rests = body.is_fixed() || was_sleeping && body.is_sleeping();
-        if rests && parent == written.state.parent {
-            written.state.settle();
+        if rests && is_same(&parent, &written.state.parent) {
+            written.state.end_interpolation();
             continue;
         }
         written.state.parent = parent;
-        let mut placed = *transform;
-        crate::dim::write_pose(body.position(), &mut placed);
-        let placed = local_transform(&parent, &placed, transform.scale);
-        if !has_pose_of(&placed, &transform) {
-            set_pose(&mut transform, &placed);
+        let local = |entity| transforms.get(entity).ok();
+        written.state.carrier = hierarchy.carrier(entity, local);
+        let Ok(mut transform) = transforms.get_mut(entity) else {
+            continue;
+        };
+        let mut world_pose = *transform;
+        crate::dim::write_pose(body.position(), &mut world_pose);
+        let placed = local_transform(&parent, &world_pose, &transform);
+        let parts = PoseParts::of_difference(&placed, &transform);
+        if parts.is_any() {
+            parts.copy(&placed, &mut transform);
         }
-        written.state.advance(*transform);
+        written.state.push(*transform);
     }
 }

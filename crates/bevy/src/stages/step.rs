@@ -17,6 +17,9 @@ pub(crate) fn step<H>(
     for<'w, 's> SystemParamItem<'w, 's, H>: CollisionHooks,
 {
     let recorder = Recorder::default();
+    // Colliders that are removed between this step and its events end their pairs in the next step.
+    let removed = core::mem::take(&mut world.removed);
+    world.removed_before_step.extend(removed);
     world.engine.integration_parameters.dt = time.timestep().as_secs_f64() as Scalar;
     world.engine.step_with_events(&EngineHooks(&*hooks), &recorder);
     world.occurrences = recorder.into_events();
@@ -27,5 +30,5 @@ pub(crate) fn send_events(mut world: ResMut<PhysicsWorld>, mut commands: Command
     for occurrence in core::mem::take(&mut world.occurrences) {
         occurrence.trigger(&world, &mut commands);
     }
-    world.removed.clear();
+    world.removed_before_step.clear();
 }

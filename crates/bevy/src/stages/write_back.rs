@@ -32,30 +32,19 @@ impl WrittenItem<'_, '_> {
 }
 
 impl BodyState {
-    /// Notes the transform after a step.
-    pub fn advance(&mut self, transform: Transform) {
+    /// Stores the transform after a step.
+    pub fn push(&mut self, transform: Transform) {
         self.previous = self.current;
         (self.current, self.shown) = (transform, transform);
     }
 
     /// Ends the interpolation of a body without motion.
-    pub fn settle(&mut self) {
+    pub fn end_interpolation(&mut self) {
         self.previous = self.current;
     }
 }
 
-/// Returns whether two transforms differ at most in their scale.
-pub(crate) fn has_pose_of(transform: &Transform, other: &Transform) -> bool {
-    transform.translation == other.translation && transform.rotation == other.rotation
-}
-
-/// Copies a pose. The scale stays.
-pub(crate) fn set_pose(transform: &mut Transform, pose: &Transform) {
-    transform.translation = pose.translation;
-    transform.rotation = pose.rotation;
-}
-
-/// Writes the bodies that are awake, and those that fell asleep in this step.
+/// Writes the bodies that are awake, and those that no longer are: asleep, fixed, or disabled.
 ///
 /// Transforms below a parent follow in a [system](super::write_nested_transforms) of their own.
 pub(crate) fn write_transforms(
@@ -66,11 +55,11 @@ pub(crate) fn write_transforms(
     for entity in core::mem::replace(&mut world.awake, awake) {
         if let (Some(body), Ok((transform, mut written))) =
             (world.body(entity), bodies.get_mut(entity))
-            && body.is_sleeping()
+            && (body.is_sleeping() || body.is_fixed() || !body.is_enabled())
         {
             written.write_motion(body);
             written.write_transform(body, transform);
-            written.state.settle();
+            written.state.end_interpolation();
         }
     }
     for &entity in &world.awake {
@@ -92,7 +81,7 @@ impl WrittenItem<'_, '_> {
         let mut placed = *transform;
         write_pose(body.position(), &mut placed);
         transform.set_if_neq(placed);
-        self.state.advance(placed);
+        self.state.push(placed);
     }
 }
 
