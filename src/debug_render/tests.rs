@@ -239,7 +239,7 @@ fn joints_without_bodies_are_not_drawn_and_disabled_ones_are_dimmed() {
 
 /// An arc goes as far as the limits do, and its pointer shows the angle.
 #[test]
-fn arcs_and_ways_reach_as_far_as_limits() {
+fn arcs_and_slides_reach_as_far_as_limits() {
     let length = DebugRenderStyle::default().joint_axes_length;
     let mode = DebugRenderMode::JOINTS | DebugRenderMode::JOINT_AXES;
     // Lines of a joint without the three to and between the anchors.

@@ -6,8 +6,8 @@
 //! joint's axes and the relative angular velocity `ω_r`:
 //!
 //! ```text
-//! α = α_p + ω_p × ω_r (+ a₁ × a₂ q̇₁ q̇₂ for two free rotations, the second about an axis that the first
-//! takes along) c = c_p + α_p × reach + ω_p × (ω_p × reach) + 2 ω_p × u + α × arm + ω × (ω × arm)
+//! α = α_p + ω_p × ω_r (+ a₁ × a₂ q̇₁ q̇₂ for two free rotations: a₂ rotates with the first)
+//! c = c_p + α_p × reach + ω_p × (ω_p × reach) + 2 ω_p × u + α × arm + ω × (ω × arm)
 //! ```
 //!
 //! That requires the wrench `(m c, I α + ω × I ω)`. The result is its opposite.

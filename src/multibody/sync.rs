@@ -90,9 +90,9 @@ impl Multibody {
             } else {
                 let mut all = [0.0; crate::dim::math::SPATIAL_DIM];
                 spread(own, link.free, &mut all);
-                let displacement = crate::dim::math::rotation_from_angle(angular(&all));
+                let change = crate::dim::math::rotation_from_angle(angular(&all));
                 let center = link.pose * link.mass.local_com + linear(&all);
-                let rotation = (displacement * link.pose.rotation).normalize();
+                let rotation = (change * link.pose.rotation).normalize();
                 link.pose = Pose::from_parts(center - rotation * link.mass.local_com, rotation);
             }
         }

@@ -38,7 +38,7 @@ fn pairs_of_sensors_grow_with_their_number() {
         );
         assert!(world.narrow_phase.intersection_pairs().all(|(.., intersect)| intersect));
         let ((), heard) = listen(|| world.step());
-        assert!(heard.is_empty(), "the log is reported once: {heard:?}");
+        assert!(heard.is_empty(), "the warning is logged once: {heard:?}");
     }
 }
 

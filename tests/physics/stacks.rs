@@ -75,8 +75,7 @@ fn tower() {
 /// A tower of thirty cubes, the topmost slightly off centre, stands for a minute without sleeping.
 ///
 /// With soft contacts alone it would fall: like any elastic column, it buckles under its own weight
-/// from some height on (`AnchorFrame`). A rigid tower stands until the top leans by a
-/// whole width.
+/// from some height on (`AnchorFrame`). A rigid tower stands until the top leans by a whole width.
 #[test]
 fn tower_kept_awake() {
     let mut table =

@@ -42,8 +42,8 @@ function freePictures(tree: Root): void {
 
 /** Pages of the guide whose names are those of the JavaScript package. */
 const JAVASCRIPT = /guide\/(javascript|testbed)\.md$/;
-/** The page of the Python package, which has no reference. */
-const PYTHON = /guide\/python\.md$/;
+/** Pages of packages without a reference. */
+const UNREFERENCED = /guide\/(python|bevy)\.md$/;
 
 /** Addresses in the reference by name, if the reference was generated. */
 function names(language: "rust" | "javascript"): Record<string, string> {
@@ -84,7 +84,7 @@ export default function documents() {
         });
         freePictures(tree);
         showDimensions(tree);
-        if (!document.includes("docs/guide/") || PYTHON.test(document)) return;
+        if (!document.includes("docs/guide/") || UNREFERENCED.test(document)) return;
         linkNames(tree, JAVASCRIPT.test(document) ? addresses.javascript : addresses.rust);
         showScenes(tree, basename(document, ".md"));
     };

@@ -35,7 +35,7 @@ fn check_file(source: &Source, complaints: &mut Vec<Complaint>) {
         complaints.push(Complaint::new(
             &source.path,
             1,
-            "does not begin with `//!`, its content and its reasons",
+            "does not begin with `//!`: state its content and its reasons",
         ));
     }
     let lines = source.text.lines().count();

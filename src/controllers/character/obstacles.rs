@@ -77,7 +77,7 @@ impl<'a> Obstacles<'a> {
                     // Hooks are called for touching obstacles; other obstacles block.
                     let is_touched = manifold.deepest_dist() <= settings.reach();
                     let is_solid =
-                        |a: &HookContext<'_>| a.is_solid(handle, collider, manifold, pose);
+                        |hooks: &HookContext<'_>| hooks.is_solid(handle, collider, manifold, pose);
                     if !is_touched || self.hook_context.as_ref().is_none_or(is_solid) {
                         let touch = Touch { handle, collider, pose, shape: self.shape };
                         out.extend(touch.plane(manifold, reach, settings));

@@ -40,8 +40,23 @@ struct TangentRows {
     z: Lane,
     /// Inverse of the 2×2 effective-mass matrix: 11, 12, 22.
     mass: [Lane; 3],
+    /// Smallest eigenvalue of that inverse: the `ρ` of a sliding point.
+    mass_min: Lane,
     /// Friction impulse of this substep along the two tangents.
     impulse: [Lane; 2],
+}
+
+impl TangentRows {
+    /// The impulse that stops the slip if it is within the cone, or else one of the largest size, opposite to
+    /// the slip.
+    #[inline(always)]
+    fn to_cone<W: Wide>(&self, old: [W; 2], slip: [W; 2], limit: W) -> [W; 2] {
+        let stopping = stopping_impulse(friction::load(&self.mass), old, slip);
+        let is_inside = (stopping[0] * stopping[0] + stopping[1] * stopping[1]).le(limit * limit);
+        let rho = W::load(&self.mass_min);
+        let sliding = onto_circle([old[0] - rho * slip[0], old[1] - rho * slip[1]], limit);
+        [0, 1].map(|along| W::select(is_inside, stopping[along], sliding[along]))
+    }
 }
 
 /// Friction of each point of a [`ContactBlock`].
@@ -51,8 +66,12 @@ pub(crate) struct CoulombBlock([TangentRows; MAX_MANIFOLD_POINTS]);
 impl CoulombBlock {
     /// No friction in any lane.
     pub const EMPTY: Self = Self(
-        [TangentRows { z: Lane::ZERO, mass: [Lane::ZERO; 3], impulse: [Lane::ZERO; 2] };
-            MAX_MANIFOLD_POINTS],
+        [TangentRows {
+            z: Lane::ZERO,
+            mass: [Lane::ZERO; 3],
+            mass_min: Lane::ZERO,
+            impulse: [Lane::ZERO; 2],
+        }; MAX_MANIFOLD_POINTS],
     );
 
     /// Stores the warm-start impulses of the points; impulses that are not finite become zero.
@@ -86,7 +105,9 @@ impl CoulombBlock {
         block.friction.impulse = [Lane::ZERO; 3];
         for (k, rows) in self.0.iter_mut().enumerate() {
             points[k].local.z.store(&mut rows.z);
-            friction::store(tangent_mass(pair, points[k].local), &mut rows.mass);
+            let mass = tangent_mass(pair, points[k].local);
+            friction::store(mass, &mut rows.mass);
+            smallest_eigenvalue(mass).store(&mut rows.mass_min);
             rows.impulse = input.tangent_impulses[k];
         }
     }
@@ -122,7 +143,7 @@ impl CoulombBlock {
             let slip = friction::slip(frame, self.point(k, block), c, velocities);
             let slip = [slip[0] - surface[0], slip[1] - surface[1]];
             let old: [W; 2] = friction::load(&self.0[k].impulse);
-            let new = to_cone(friction::load(&self.0[k].mass), old, slip, limit);
+            let new = self.0[k].to_cone(old, slip, limit);
             friction::store(new, &mut self.0[k].impulse);
             let added = [new[0] - old[0], new[1] - old[1]];
             velocities = self.apply(k, added, block, frame, velocities);
@@ -151,17 +172,6 @@ impl CoulombBlock {
         let moments = [friction::moment(a, [x, y]), friction::moment(b, [x, y])];
         push(block, frame.t1 * x + frame.t2 * y, moments, velocities)
     }
-}
-
-/// The impulse that stops the slip if it is within the cone, or else one of the largest size, opposite to the
-/// slip.
-#[inline(always)]
-fn to_cone<W: Wide>(mass: [W; 3], old: [W; 2], slip: [W; 2], limit: W) -> [W; 2] {
-    let stopping = stopping_impulse(mass, old, slip);
-    let is_inside = (stopping[0] * stopping[0] + stopping[1] * stopping[1]).le(limit * limit);
-    let rho = smallest_eigenvalue(mass);
-    let sliding = onto_circle([old[0] - rho * slip[0], old[1] - rho * slip[1]], limit);
-    [0, 1].map(|along| W::select(is_inside, stopping[along], sliding[along]))
 }
 
 /// The smallest eigenvalue of a positive definite matrix: 11, 12, 22.

@@ -238,7 +238,7 @@ impl<W: Wide> WideFriction<W> {
     #[inline(always)]
     fn solve_tangents(&mut self, slip: [W; 2], limit: W) -> [W; 2] {
         let [old_x, old_y, torsion] = self.impulse;
-        let [x, y] = to_cone(self.tangent_mass, [old_x, old_y], slip, limit);
+        let [x, y] = onto_circle(stopping_impulse(self.tangent_mass, [old_x, old_y], slip), limit);
         self.impulse = [x, y, torsion];
         [x - old_x, y - old_y]
     }
@@ -282,12 +282,6 @@ pub(super) fn slip<W: Wide>(
 #[inline(always)]
 pub(super) fn moment<W: Wide>(rho: WideVector<W>, [x, y]: [W; 2]) -> [W; 3] {
     [-(rho.z * y), rho.z * x, rho.x * y - rho.y * x]
-}
-
-/// The impulse along the tangents that stops the slip, or as much of it as the cone allows.
-#[inline(always)]
-fn to_cone<W: Wide>(mass: [W; 3], old: [W; 2], slip: [W; 2], limit: W) -> [W; 2] {
-    onto_circle(stopping_impulse(mass, old, slip), limit)
 }
 
 /// The impulse along the tangents that stops the slip.

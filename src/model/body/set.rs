@@ -204,10 +204,16 @@ impl RigidBodySet {
     pub fn propagate_modified_body_positions_to_colliders(&self, colliders: &mut ColliderSet) {
         let moved = self.notes.modified.iter().filter_map(|handle| self.get(*handle));
         for body in moved.filter(|body| body.changes.contains(RigidBodyChanges::POSITION)) {
-            for handle in &body.colliders {
-                let Some(collider) = colliders.get_mut(*handle) else { continue };
+            for &handle in &body.colliders {
+                let Some(collider) = colliders.get(handle) else { continue };
                 let Some(parent) = &collider.parent else { continue };
-                collider.pose = body.pose * parent.pos_wrt_parent;
+                let pose = body.pose * parent.pos_wrt_parent;
+                // A write would be a change, which each query until the next step would process again.
+                if collider.pose == pose {
+                    continue;
+                }
+                let Some(collider) = colliders.get_mut(handle) else { continue };
+                collider.pose = pose;
                 collider.changes.insert(ColliderChanges::POSITION);
             }
         }

@@ -137,9 +137,9 @@ pub(crate) struct ContactLanes {
     /// Reports of the last stored step.
     pub reports: Vec<[ContactReport; LANES]>,
     /// Whether each point has its own friction.
-    pub are_rough: bool,
-    /// By colour: its first block, if lanes are in the order of the constraint graph and may be ahead of
-    /// their pairs; else nothing.
+    pub has_friction_per_point: bool,
+    /// By colour: its first block, if lanes are in the order of the constraint graph and write-backs may be
+    /// pending; else nothing.
     starts: Vec<u32>,
     /// Number of blocks per colour, including empty ones.
     pub capacity: LaneCapacity,
@@ -156,7 +156,7 @@ impl Default for ContactLanes {
         Self {
             blocks: Vec::new(),
             reports: Vec::new(),
-            are_rough: false,
+            has_friction_per_point: false,
             starts: Vec::new(),
             capacity: [0; _],
             stores: 0,
@@ -174,12 +174,21 @@ impl Clone for ContactLanes {
     }
 
     fn clone_from(&mut self, source: &Self) {
-        let Self { blocks, reports, are_rough, starts, capacity, stores, written, writing: _ } =
-            source;
+        let Self {
+            blocks,
+            reports,
+            has_friction_per_point,
+            starts,
+            capacity,
+            stores,
+            written,
+            writing: _,
+        } = source;
         self.blocks.clone_from(blocks);
         self.reports.clone_from(reports);
         self.starts.clone_from(starts);
-        (self.are_rough, self.capacity, self.stores) = (*are_rough, *capacity, *stores);
+        (self.has_friction_per_point, self.capacity, self.stores) =
+            (*has_friction_per_point, *capacity, *stores);
         self.written.clear();
         self.written
             .extend(written.iter().map(|stores| AtomicU32::new(stores.load(Ordering::Acquire))));
@@ -203,7 +212,7 @@ impl ContactLanes {
         self.reports.resize(block_count, [ContactReport::EMPTY; LANES]);
     }
 
-    /// Must all be filled again. None of them is ahead of its pair.
+    /// Empties all lanes, which must be filled again. No write-back is pending.
     pub fn invalidate(&mut self) {
         debug_assert!(!self.has_pending_write_backs());
         self.blocks.clear();
@@ -224,7 +233,7 @@ impl ContactLanes {
         self.starts.clear();
     }
 
-    /// Marks the lanes as ahead of their pairs. Those of a colour, in the order of the graph, begin at one of
+    /// Marks the write-backs of the lanes as pending. Those of a colour, in the order of the graph, begin at one of
     /// `starts`; if there are none, all pairs are up to date. `ids` is above the ids of all pairs.
     pub fn go_ahead(&mut self, starts: &[u32], ids: usize) {
         self.starts.clear();
@@ -272,7 +281,7 @@ impl ContactLanes {
     pub fn write_back_manifold(&self, block: usize, lane: usize, manifold: &mut ContactManifold) {
         let data = &mut manifold.data;
         write_back(&self.reports[block][lane], data);
-        if self.are_rough {
+        if self.has_friction_per_point {
             let input = &self.blocks[block].input;
             for (k, point) in data.points.iter_mut().enumerate() {
                 point.warmstart_tangent_impulse = input.tangent_impulse(k, lane);

@@ -19,7 +19,7 @@ const STEPS_AHEAD: Real = 2.0;
 const MOTION_MARGIN_FRACTION_MAX: Real = 0.5;
 /// Largest coordinate of a box (length units). The trees compute products of three such lengths and the
 /// number of leaves, which stay within `f32`. So do the fourth powers in contact generation.
-const COORDINATE_MAX: Real = 1.0e10;
+const BOX_COORDINATE_MAX: Real = 1.0e10;
 /// A box this large represents an infinite one, as of a half-space, and is cut at the limit.
 const EXTENT_UNBOUNDED_MIN: Real = Real::MAX * 0.25;
 
@@ -38,7 +38,7 @@ impl BoxMargin {
     pub fn needed(&self, tight: &Aabb) -> Option<Aabb> {
         let size = tight.mins.abs().max(tight.maxs.abs()).max_element();
         let is_finite = tight.mins.is_finite() && tight.maxs.is_finite() && self.reach.is_finite();
-        if !is_finite || (size > COORDINATE_MAX && size < EXTENT_UNBOUNDED_MIN) {
+        if !is_finite || (size > BOX_COORDINATE_MAX && size < EXTENT_UNBOUNDED_MIN) {
             return None;
         }
         Some(limited(tight.loosened(self.reach.max(0.0))))
@@ -61,6 +61,6 @@ impl BoxMargin {
 
 /// The box within the limits of the world.
 fn limited(aabb: Aabb) -> Aabb {
-    let limit = Vector::splat(COORDINATE_MAX);
+    let limit = Vector::splat(BOX_COORDINATE_MAX);
     Aabb::new(aabb.mins.clamp(-limit, limit), aabb.maxs.clamp(-limit, limit))
 }

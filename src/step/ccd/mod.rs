@@ -243,9 +243,8 @@ pub(crate) fn stop(
             if !body.ccd_active {
                 // The bound of the whole motion of a fast body is noted already.
                 let displacement = body.mprops.world_com - motion.center;
-                let displacement =
-                    BodyMotion::of(displacement, motion.rotvec * fraction, body.extent);
-                islands.set_motion(motion.body.into_raw_parts().0, displacement);
+                let moved = BodyMotion::of(displacement, motion.rotvec * fraction, body.extent);
+                islands.set_motion(motion.body.into_raw_parts().0, moved);
             }
         }
     }

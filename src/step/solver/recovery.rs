@@ -77,7 +77,7 @@ impl IslandEnergy {
     }
 }
 
-/// The islands in which the correction of overlap is watched.
+/// The islands in which the energy of overlap correction is recorded.
 #[derive(Default)]
 pub(super) struct Recovery {
     islands: Vec<IslandEnergy>,
@@ -89,7 +89,7 @@ pub(super) struct Recovery {
 }
 
 impl Recovery {
-    /// Starts a step in which no island is watched.
+    /// Starts a step in which no island is recorded.
     pub fn clear(&mut self) {
         self.is_active = false;
     }
@@ -135,7 +135,7 @@ impl Recovery {
         }
     }
 
-    /// Removes the energy that contacts added to the bodies of watched islands in a substep. Returns whether
+    /// Removes the energy that contacts added to the bodies of recorded islands in a substep. Returns whether
     /// any did.
     pub fn limit(&mut self, bodies: &mut SolverBodies) -> bool {
         if !self.is_active {
@@ -147,7 +147,7 @@ impl Recovery {
         let mut any = false;
         let [_, members] = bodies.moving();
         for index in members {
-            let island = self.watched(bodies.islands[index]);
+            let island = self.recorded(bodies.islands[index]);
             let Some(kept) = island.and_then(|it| it.kept()) else { continue };
             let (before, after) = energies(bodies, index);
             if after > before {
@@ -169,7 +169,7 @@ impl Recovery {
         let [_, members] = bodies.moving();
         for index in members {
             let island = bodies.islands[index];
-            if self.watched(island).is_some() {
+            if self.recorded(island).is_some() {
                 let (before, after) = energies(bodies, index);
                 self.gains.push(island, [after - before, (after - before).max(0.0)]);
             }
@@ -194,7 +194,7 @@ impl Recovery {
         factors.0.iter().any(|&factor| factor < 1.0).then_some(factors)
     }
 
-    fn watched(&self, island: u32) -> Option<&IslandEnergy> {
+    fn recorded(&self, island: u32) -> Option<&IslandEnergy> {
         let energy = self.islands.get(island as usize)?;
         energy.is_recorded().then_some(energy)
     }

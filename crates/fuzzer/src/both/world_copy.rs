@@ -28,13 +28,7 @@ impl WorldCopy {
 
     /// Exchanges this state and the world's.
     pub fn exchange(&mut self, world: &mut PhysicsWorld) {
-        core::mem::swap(&mut self.islands, &mut world.islands);
-        core::mem::swap(&mut self.broad_phase, &mut world.broad_phase);
-        core::mem::swap(&mut self.narrow_phase, &mut world.narrow_phase);
-        core::mem::swap(&mut self.bodies, &mut world.bodies);
-        core::mem::swap(&mut self.colliders, &mut world.colliders);
-        core::mem::swap(&mut self.impulse_joints, &mut world.impulse_joints);
-        core::mem::swap(&mut self.multibody_joints, &mut world.multibody_joints);
+        (0..7).for_each(|position| self.exchange_one(world, position));
     }
 
     /// Exchanges the set at a position and the world's.

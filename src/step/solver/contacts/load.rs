@@ -46,7 +46,7 @@ impl SolverContacts {
         // before. The same holds for manifolds whose impulses are scaled before they act.
         let lanes = &narrow_phase.lanes;
         let stay = is_only_group && lanes.starts() == self.starts;
-        if !stay || lanes.are_rough != per_point || bodies.any_scaled() {
+        if !stay || lanes.has_friction_per_point != per_point || bodies.any_scaled() {
             narrow_phase.write_back_all(tasks);
         }
         // The set of groups may change from step to step, and a group has no data of the others.

@@ -190,7 +190,7 @@ impl SolverContacts {
         tasks.par_for(layout.block_count(), BLOCKS_PER_TASK, |range| {
             simd.run(Store { range, layout, lanes, reports, blocks });
         });
-        self.lanes.are_rough = !self.coulomb.is_empty();
+        self.lanes.has_friction_per_point = !self.coulomb.is_empty();
         for color in self.layout.colors().iter().take_while(|color| self.needs_write_back(color)) {
             self.write_back(color.clone(), narrow_phase, tasks);
         }

@@ -106,8 +106,7 @@ use visits::{BlockVisit, ImpactPhase};
 
 /// Largest number of iterations of a round.
 const ROUND_ITERATIONS_MAX: usize = 16;
-/// Number of blocks per parallel task. An iteration of few blocks ends before
-/// another thread starts.
+/// Number of blocks per parallel task. An iteration of few blocks ends before another thread starts.
 const BLOCKS_PER_TASK: usize = 32;
 
 /// Mean number of blocks per active block.
