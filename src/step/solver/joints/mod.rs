@@ -309,8 +309,8 @@ impl SolverJoints {
     }
 
     /// Bodies that an impact has hit are moved by their motion since then. That must not violate joints.
-    /// Bodies of directly solved joints get the sum of all their `delays` (sums over impacts): they were hit as
-    /// one. Bodies of iterated joints get none, because the impact has moved them apart.
+    /// Bodies of directly solved joints get the sum of all their `delays` (sums over impacts): they were hit
+    /// as one. Bodies of iterated joints get none, because the impact has moved them apart.
     pub fn sum_delays(&self, delays: &mut [BodyState]) {
         self.direct.sum_delays(delays);
         let iterated = self.members.iter().filter(|member| !self.direct.contains(member.slot));
