@@ -234,8 +234,7 @@ impl ContactLanes {
     }
 
     /// Marks the write-backs of the lanes as pending. Those of a colour, in the order of the graph, begin
-    /// at one of
-    /// `starts`; if there are none, all pairs are up to date. `ids` is above the ids of all pairs.
+    /// at one of `starts`; if there are none, all pairs are up to date. `ids` is above the ids of all pairs.
     pub fn go_ahead(&mut self, starts: &[u32], ids: usize) {
         self.starts.clear();
         self.starts.extend_from_slice(starts);
