@@ -50,7 +50,7 @@ impl TangentRows {
     /// The impulse that stops the slip if it is within the cone, or else one of the largest size, opposite to
     /// the slip.
     #[inline(always)]
-    fn to_cone<W: Wide>(&self, old: [W; 2], slip: [W; 2], limit: W) -> [W; 2] {
+    fn impulse_within_cone<W: Wide>(&self, old: [W; 2], slip: [W; 2], limit: W) -> [W; 2] {
         let stopping = stopping_impulse(friction::load(&self.mass), old, slip);
         let is_inside = (stopping[0] * stopping[0] + stopping[1] * stopping[1]).le(limit * limit);
         let rho = W::load(&self.mass_min);
@@ -143,7 +143,7 @@ impl CoulombBlock {
             let slip = friction::slip(frame, self.point(k, block), c, velocities);
             let slip = [slip[0] - surface[0], slip[1] - surface[1]];
             let old: [W; 2] = friction::load(&self.0[k].impulse);
-            let new = self.0[k].to_cone(old, slip, limit);
+            let new = self.0[k].impulse_within_cone(old, slip, limit);
             friction::store(new, &mut self.0[k].impulse);
             let added = [new[0] - old[0], new[1] - old[1]];
             velocities = self.apply(k, added, block, frame, velocities);
