@@ -57,17 +57,21 @@ impl<H> PhysicsPlugin<H> {
     }
 }
 
-/// The stages of a step in `FixedPostUpdate`, in this order.
+/// The stages of a step, in this order. Systems of the program are ordered relative to them.
 #[derive(SystemSet, Copy, Clone, Debug, PartialEq, Eq, Hash)]
 pub enum PhysicsSystems {
-    /// Copies edits of the user into the engine.
+    /// In `FixedFirst`: replaces interpolated transforms by the state of the last step.
+    Restore,
+    /// In `FixedPostUpdate`: copies edits of the user into the engine.
     Prepare,
-    /// Moves the world forward.
+    /// In `FixedPostUpdate`: moves the world forward.
     Step,
-    /// Writes poses, velocities and sleep states.
+    /// In `FixedPostUpdate`: writes poses, velocities and sleep states.
     WriteBack,
-    /// Triggers the events.
+    /// In `FixedPostUpdate`: triggers the events.
     Report,
+    /// In `RunFixedMainLoop`, after the steps of a frame: writes interpolated transforms.
+    Interpolate,
 }
 
 impl<H> Plugin for PhysicsPlugin<H>
@@ -76,12 +80,14 @@ where
     for<'w, 's> SystemParamItem<'w, 's, H>: CollisionHooks,
 {
     fn build(&self, app: &mut App) {
-        use PhysicsSystems::{Prepare, Report, Step, WriteBack};
+        use PhysicsSystems::{Interpolate, Prepare, Report, Restore, Step, WriteBack};
         app.insert_resource(PhysicsWorld::new(self.gravity));
         stages::observe_lifecycle(app);
         stages::observe_required(app);
         stages::queue_existing_entities(app);
-        app.configure_sets(FixedPostUpdate, (Prepare, Step, WriteBack, Report).chain());
+        let after = RunFixedMainLoopSystems::AfterFixedMainLoop;
+        app.configure_sets(FixedPostUpdate, (Prepare, Step, WriteBack, Report).chain())
+            .configure_sets(RunFixedMainLoop, Interpolate.in_set(after));
         let prepare = (
             stages::edit_bodies,
             stages::carry_nested_bodies,
@@ -97,9 +103,9 @@ where
             .add_systems(FixedPostUpdate, write_back.chain().in_set(WriteBack))
             .add_systems(FixedPostUpdate, stages::send_events.in_set(Report));
         if self.interpolates {
-            let after = RunFixedMainLoopSystems::AfterFixedMainLoop;
-            app.add_systems(FixedFirst, stages::restore_transforms)
-                .add_systems(RunFixedMainLoop, stages::interpolate_transforms.in_set(after));
+            let interpolate = stages::interpolate_transforms.in_set(Interpolate);
+            app.add_systems(FixedFirst, stages::restore_transforms.in_set(Restore))
+                .add_systems(RunFixedMainLoop, interpolate);
         }
         register_types(app);
     }
