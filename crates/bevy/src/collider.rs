@@ -1,11 +1,13 @@
 //! Components of a collider.
 
+use crate::body::RigidBody;
 use crate::dim::{Vector, to_engine};
 use crate::precision::Scalar;
 use crate::scale::scaled;
 use bevy::ecs::component::Component;
 use bevy::ecs::entity::Entity;
-use bevy::ecs::query::{Changed, Has, Or, QueryData};
+use bevy::ecs::hierarchy::ChildOf;
+use bevy::ecs::query::{Changed, Has, Or, QueryData, With};
 use bevy::ecs::reflect::ReflectComponent;
 use bevy::reflect::Reflect;
 use bevy::transform::components::Transform;
@@ -33,6 +35,7 @@ impl core::fmt::Debug for Collider {
     }
 }
 
+/// The builder's shape. Its other values are ignored: they have components.
 impl From<ColliderBuilder> for Collider {
     fn from(builder: ColliderBuilder) -> Self {
         Self(builder.try_shape())
@@ -220,8 +223,12 @@ pub(crate) struct ColliderState {
     /// The entity of its body.
     pub body: Option<Entity>,
     /// Pose and scale, relative to the body or to the world. They may be refused ones.
-    pub placement: Transform,
+    pub relative: Transform,
 }
+
+/// Changes after which a collider may have another body, pose or scale. Below a parent, these depend on all
+/// ancestors.
+pub(crate) type ColliderMoves = Or<(Changed<Transform>, Changed<RigidBody>, With<ChildOf>)>;
 
 /// Edits after which the engine's collider is described anew.
 pub(crate) type ColliderEdits = Or<(
@@ -254,7 +261,7 @@ pub(crate) struct ColliderDescription {
 impl ColliderDescriptionItem<'_, '_> {
     /// The engine's description of the collider with a scaled shape.
     pub fn builder(&self, scale: engine::Vector) -> Result<ColliderBuilder, InvalidCollider> {
-        let shape = scaled(self.collider.0.as_ref().map_err(Clone::clone)?, scale)?;
+        let shape = scaled(self.collider.shape()?, scale)?;
         let mut events = ActiveEvents::empty();
         events.set(ActiveEvents::COLLISION_EVENTS, self.has_events);
         events.set(ActiveEvents::CONTACT_FORCE_EVENTS, self.forces.is_some());

@@ -55,7 +55,7 @@ fn draw_lines(
 ) {
     let engine = &world.engine;
     lines.0.render(
-        &mut Pen(&mut gizmos),
+        &mut GizmoBackend(&mut gizmos),
         &engine.bodies,
         &engine.colliders,
         &engine.impulse_joints,
@@ -64,9 +64,9 @@ fn draw_lines(
     );
 }
 
-struct Pen<'a, 'w, 's>(&'a mut Gizmos<'w, 's, PhysicsGizmos>);
+struct GizmoBackend<'a, 'w, 's>(&'a mut Gizmos<'w, 's, PhysicsGizmos>);
 
-impl DebugRenderBackend for Pen<'_, '_, '_> {
+impl DebugRenderBackend for GizmoBackend<'_, '_, '_> {
     fn draw_line(
         &mut self,
         _: DebugRenderObject,

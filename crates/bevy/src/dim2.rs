@@ -5,12 +5,12 @@
 use crate::collider::Collider;
 use crate::joint::Joint;
 use crate::precision::{Precision, Scalar};
-use crate::scale::by_parry;
+use crate::scale::{by_parry, rounded};
 use bevy::ecs::entity::Entity;
 use bevy::math::{Quat, Vec3};
 use bevy::transform::components::Transform;
 use rapier::math as engine;
-use rapier::parry::shape::{ConvexPolygon, RoundShape, TypedShape};
+use rapier::parry::shape::{ConvexPolygon, TypedShape};
 use rapier::prelude::{ColliderBuilder, InvalidCollider, PinSlotJoint, RevoluteJoint, SharedShape};
 
 /// A vector: `Vec2`, or `DVec2` with the feature `f64`.
@@ -112,9 +112,7 @@ pub(crate) fn without_border(shape: TypedShape<'_>) -> Option<(SharedShape, Scal
 /// A shape of this dimension with a border.
 pub(crate) fn with_border(inner: TypedShape<'_>, border_radius: Scalar) -> Option<SharedShape> {
     match inner {
-        TypedShape::ConvexPolygon(polygon) => {
-            Some(SharedShape::new(RoundShape { inner_shape: polygon.clone(), border_radius }))
-        }
+        TypedShape::ConvexPolygon(polygon) => Some(rounded(polygon.clone(), border_radius)),
         _ => None,
     }
 }

@@ -3,12 +3,12 @@
 use crate::collider::Collider;
 use crate::joint::Joint;
 use crate::precision::{Precision, Scalar};
-use crate::scale::by_parry;
+use crate::scale::{by_parry, hull, rounded};
 use bevy::ecs::entity::Entity;
 use bevy::math::{Quat, Vec3};
 use bevy::transform::components::Transform;
 use rapier::math as engine;
-use rapier::parry::shape::{ConvexPolyhedron, RoundShape, TypedShape};
+use rapier::parry::shape::{ConvexPolyhedron, TypedShape};
 use rapier::parry::utils::Array2;
 use rapier::prelude::{
     ColliderBuilder, GenericJoint, HeightFieldFlags, InvalidCollider, RevoluteJoint, SharedShape,
@@ -107,15 +107,9 @@ pub(crate) fn without_border(shape: TypedShape<'_>) -> Option<(SharedShape, Scal
 /// A shape of this dimension with a border.
 pub(crate) fn with_border(inner: TypedShape<'_>, border_radius: Scalar) -> Option<SharedShape> {
     match inner {
-        TypedShape::ConvexPolyhedron(hull) => {
-            Some(SharedShape::new(RoundShape { inner_shape: hull.clone(), border_radius }))
-        }
-        TypedShape::Cylinder(cylinder) => {
-            Some(SharedShape::new(RoundShape { inner_shape: *cylinder, border_radius }))
-        }
-        TypedShape::Cone(cone) => {
-            Some(SharedShape::new(RoundShape { inner_shape: *cone, border_radius }))
-        }
+        TypedShape::ConvexPolyhedron(hull) => Some(rounded(hull.clone(), border_radius)),
+        TypedShape::Cylinder(cylinder) => Some(rounded(*cylinder, border_radius)),
+        TypedShape::Cone(cone) => Some(rounded(*cone, border_radius)),
         _ => None,
     }
 }
@@ -132,11 +126,7 @@ pub(crate) fn scaled(
         TypedShape::Cylinder(_) => by_parry(shape, scale.abs()),
         // A cone is symmetric about its axis. Its tip points down under a negative factor of y.
         TypedShape::Cone(_) if scale.y > 0.0 => by_parry(shape, scale.abs()),
-        TypedShape::Cone(cone) => {
-            let (points, _) = cone.to_trimesh(CONE_SEGMENTS);
-            let points: Vec<_> = points.iter().map(|point| *point * scale).collect();
-            ColliderBuilder::try_convex_hull(&points)?.try_shape()
-        }
+        TypedShape::Cone(cone) => hull(&cone.to_trimesh(CONE_SEGMENTS).0, scale),
         _ => by_parry(shape, scale),
     }
 }

@@ -16,7 +16,7 @@ use std::sync::Mutex;
 /// Event: two colliders began to touch or to intersect, and at least one of them has
 /// [`CollisionEvents`](crate::CollisionEvents). Triggered once on each of the two entities.
 ///
-/// `propagate(true)` in an observer hands the event to the parent entity, for example to the body.
+/// `propagate(true)` in an observer passes the event to the parent entity, for example to the body.
 #[derive(EntityEvent, Copy, Clone, Debug, PartialEq, Eq)]
 #[entity_event(propagate)]
 pub struct CollisionStarted {
@@ -83,7 +83,7 @@ pub struct JointBroken {
 }
 
 /// An event of the engine.
-pub(crate) enum Occurrence {
+pub(crate) enum StepEvent {
     Collision(CollisionEvent),
     Force(ContactForceEvent),
     Break(JointBreakEvent),
@@ -92,15 +92,15 @@ pub(crate) enum Occurrence {
 
 /// Collects the events of a step in the engine's order.
 #[derive(Default)]
-pub(crate) struct Recorder(Mutex<Vec<Occurrence>>);
+pub(crate) struct Recorder(Mutex<Vec<StepEvent>>);
 
 impl Recorder {
-    fn push(&self, occurrence: Occurrence) {
-        self.0.lock().unwrap_or_else(std::sync::PoisonError::into_inner).push(occurrence);
+    fn push(&self, event: StepEvent) {
+        self.0.lock().unwrap_or_else(std::sync::PoisonError::into_inner).push(event);
     }
 
     /// The events.
-    pub fn into_events(self) -> Vec<Occurrence> {
+    pub fn into_events(self) -> Vec<StepEvent> {
         self.0.into_inner().unwrap_or_else(std::sync::PoisonError::into_inner)
     }
 }
@@ -113,7 +113,7 @@ impl EventHandler for Recorder {
         event: &CollisionEvent,
         _: Option<&ContactPair>,
     ) {
-        self.push(Occurrence::Collision(*event));
+        self.push(StepEvent::Collision(*event));
     }
 
     fn handle_contact_force_event(
@@ -123,19 +123,19 @@ impl EventHandler for Recorder {
         _: &RigidBodySet,
         _: &ColliderSet,
     ) {
-        self.push(Occurrence::Force(*event));
+        self.push(StepEvent::Force(*event));
     }
 
     fn handle_joint_break_event(&self, event: &JointBreakEvent, _: &RigidBodySet) {
-        self.push(Occurrence::Break(*event));
+        self.push(StepEvent::Break(*event));
     }
 
     fn handle_quarantine_event(&self, event: &QuarantineEvent, _: &RigidBodySet, _: &ColliderSet) {
-        self.push(Occurrence::Quarantine(*event));
+        self.push(StepEvent::Quarantine(*event));
     }
 }
 
-impl Occurrence {
+impl StepEvent {
     /// Triggers the entity events of this event.
     pub fn trigger(&self, world: &PhysicsWorld, commands: &mut Commands) {
         match self {

@@ -92,8 +92,8 @@ impl Hierarchy<'_, '_> {
         }
     }
 
-    /// Placement of a collider on its body: pose relative to the body, and scale relative to the world.
-    pub fn placement<'a>(
+    /// Pose of a collider relative to its body, and scale relative to the world.
+    pub fn relative_transform<'a>(
         &self,
         entity: Entity,
         body: Option<Entity>,

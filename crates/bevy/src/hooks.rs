@@ -34,7 +34,7 @@ pub trait CollisionHooks: Send + Sync {
     }
 }
 
-/// Admits all pairs unchanged.
+/// All pairs collide, with unchanged contacts.
 impl CollisionHooks for () {}
 
 /// The entities of a pair.

@@ -92,7 +92,7 @@ where
             stages::edit_bodies,
             stages::carry_nested_bodies,
             stages::insert_bodies,
-            stages::place_colliders,
+            stages::move_colliders,
             stages::describe_colliders,
             stages::sync_joints,
             stages::apply_impulses,

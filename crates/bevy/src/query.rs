@@ -142,11 +142,11 @@ impl SpatialQuery<'_> {
     pub fn cast_shape(
         &self,
         shape: &Collider,
-        placed: &Transform,
+        transform: &Transform,
         displacement: Vector,
         filter: &SpatialFilter,
     ) -> Option<ShapeHit> {
-        let (shape, pose) = (shape.shape().ok()?, pose_of(placed));
+        let (shape, pose) = (shape.shape().ok()?, pose_of(transform));
         let options = ShapeCastOptions::with_max_time_of_impact(1.0);
         self.run(filter, |view| {
             let hit = view.cast_shape(&pose, to_engine(displacement), &**shape, options);
@@ -180,14 +180,14 @@ impl SpatialQuery<'_> {
     pub fn intersections_with_shape(
         &self,
         shape: &Collider,
-        placed: &Transform,
+        transform: &Transform,
         filter: &SpatialFilter,
     ) -> Vec<Entity> {
         let Ok(shape) = shape.shape() else {
             return Vec::new();
         };
         self.run(filter, |view| {
-            let found = view.intersect_shape(pose_of(placed), &**shape);
+            let found = view.intersect_shape(pose_of(transform), &**shape);
             self.entities(found.map(|(handle, _)| handle))
         })
     }

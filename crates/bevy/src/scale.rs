@@ -5,7 +5,7 @@
 use crate::dim;
 use crate::precision::Scalar;
 use rapier::math as engine;
-use rapier::parry::shape::{Capsule, Compound, RoundShape, TypedShape};
+use rapier::parry::shape::{Capsule, Compound, RoundShape, Shape, TypedShape};
 use rapier::prelude::{ColliderBuilder, InvalidCollider, SharedShape};
 
 /// parry's number of subdivisions for a circle which becomes an ellipse.
@@ -26,8 +26,7 @@ pub(crate) fn scaled(shape: &SharedShape, scale: engine::Vector) -> Scaled {
         return Err(refused(factor, "finite and not 0"));
     }
     if let Some(points) = dim::convex_points(shape) {
-        let points: Vec<_> = points.iter().map(|point| *point * scale).collect();
-        return ColliderBuilder::try_convex_hull(&points)?.try_shape();
+        return hull(points, scale);
     }
     if let Some((inner, border)) = without_border(shape) {
         let factor = even_factor(scale, "even, for a shape with a border")?;
@@ -98,6 +97,20 @@ pub(crate) fn by_parry(shape: &SharedShape, scale: engine::Vector) -> Scaled {
     Ok(SharedShape(scaled.into()))
 }
 
+/// The convex hull of scaled points.
+pub(crate) fn hull(points: &[engine::Vector], scale: engine::Vector) -> Scaled {
+    let points: Vec<_> = points.iter().map(|point| *point * scale).collect();
+    ColliderBuilder::try_convex_hull(&points)?.try_shape()
+}
+
+/// A shape with a round border.
+pub(crate) fn rounded<S>(inner_shape: S, border_radius: Scalar) -> SharedShape
+where
+    RoundShape<S>: Shape,
+{
+    SharedShape::new(RoundShape { inner_shape, border_radius })
+}
+
 /// The inner shape and the border of a shape with one.
 fn without_border(shape: &SharedShape) -> Option<(SharedShape, Scalar)> {
     match shape.as_typed_shape() {
@@ -111,15 +124,11 @@ fn without_border(shape: &SharedShape) -> Option<(SharedShape, Scalar)> {
     }
 }
 
-/// A shape with a round border.
+/// Adds a border to an inner shape.
 fn with_border(inner: &SharedShape, border_radius: Scalar) -> Scaled {
     let shape = match inner.as_typed_shape() {
-        TypedShape::Cuboid(cuboid) => {
-            SharedShape::new(RoundShape { inner_shape: *cuboid, border_radius })
-        }
-        TypedShape::Triangle(triangle) => {
-            SharedShape::new(RoundShape { inner_shape: *triangle, border_radius })
-        }
+        TypedShape::Cuboid(cuboid) => rounded(*cuboid, border_radius),
+        TypedShape::Triangle(triangle) => rounded(*triangle, border_radius),
         other => dim::with_border(other, border_radius).ok_or(InvalidCollider::Degenerate {
             shape: "scaled shape",
             reason: "its inner shape has no border",

@@ -1,17 +1,18 @@
 //! The engine's world, and the entities of its bodies, colliders and joints.
 
 use crate::dim::{Vector, to_engine};
-use crate::event::Occurrence;
-use bevy::ecs::entity::{Entity, EntityHashMap};
+use crate::event::StepEvent;
+use bevy::ecs::entity::{Entity, EntityHashMap, EntityHashSet};
 use bevy::ecs::resource::Resource;
 use rapier::prelude::{
     Collider, ColliderHandle, ImpulseJoint, ImpulseJointHandle, RigidBody, RigidBodyHandle,
 };
+use std::collections::HashMap;
 
 /// The simulation: the engine's world, and the maps between entities and handles.
 ///
 /// [`Self::engine`] gives access to everything that has no component. The user data of its bodies, colliders
-/// and joints are the bits of their entities.
+/// and joints are the bits of their entities. Elements that the program inserts itself need the user data 0.
 #[derive(Resource, Default)]
 pub struct PhysicsWorld {
     /// The engine's world.
@@ -23,23 +24,48 @@ pub struct PhysicsWorld {
     /// Entities of the bodies that were awake in the last step, in the engine's order.
     pub(crate) awake: Vec<Entity>,
     /// Colliders that were removed since the last step.
-    pub(crate) removed: Vec<(ColliderHandle, Entity)>,
-    /// Colliders that were removed before the last step. Its events still name them.
-    pub(crate) removed_before_step: Vec<(ColliderHandle, Entity)>,
+    pub(crate) removed: HashMap<ColliderHandle, Entity>,
+    /// Colliders that were removed between the last two steps. Events of the last step still name them.
+    pub(crate) removed_before_step: HashMap<ColliderHandle, Entity>,
     /// Events of the last step.
-    pub(crate) occurrences: Vec<Occurrence>,
+    pub(crate) events: Vec<StepEvent>,
 }
 
-/// Entities with components that were inserted since the last step, in the order of insertion.
-///
-/// Queries iterate by archetype, so their order depends on unrelated components.
+/// Entities whose elements the next step inserts or updates.
 #[derive(Default)]
 pub(crate) struct Pending {
-    pub bodies: Vec<Entity>,
-    pub colliders: Vec<Entity>,
-    pub joints: Vec<Entity>,
+    pub bodies: Queue,
+    pub colliders: Queue,
+    pub joints: Queue,
     /// Bodies that lost their parent entity since the last step.
     pub detached: Vec<Entity>,
+}
+
+/// Entities in the order in which the engine receives their elements.
+#[derive(Default)]
+pub(crate) struct Queue(Vec<Entity>);
+
+impl Queue {
+    /// Appends an entity whose component was inserted.
+    pub fn push(&mut self, entity: Entity) {
+        self.0.push(entity);
+    }
+
+    /// Appends entities that a query found, sorted. Queries iterate by archetype, so their order depends on
+    /// unrelated components.
+    pub fn extend_sorted(&mut self, found: impl IntoIterator<Item = Entity>) {
+        let start = self.0.len();
+        self.0.extend(found);
+        self.0[start..].sort_unstable();
+    }
+
+    /// Empties the queue. Each entity is returned once.
+    pub fn take(&mut self) -> Vec<Entity> {
+        let mut seen = EntityHashSet::default();
+        let mut entities = core::mem::take(&mut self.0);
+        entities.retain(|entity| seen.insert(*entity));
+        entities
+    }
 }
 
 /// The entity in an element's user data.
@@ -130,7 +156,7 @@ impl PhysicsWorld {
     pub(crate) fn remove_collider(&mut self, entity: Entity) {
         if let Some(handle) = self.colliders.remove(&entity) {
             self.engine.remove_collider(handle);
-            self.removed.push((handle, entity));
+            self.removed.insert(handle, entity);
         }
     }
 
@@ -144,8 +170,8 @@ impl PhysicsWorld {
     /// The entity of a collider that exists, or existed before the last step.
     pub(crate) fn entity_of_any_collider(&self, handle: ColliderHandle) -> Option<Entity> {
         self.entity_of_collider(handle).or_else(|| {
-            let mut removed = self.removed_before_step.iter().chain(&self.removed);
-            removed.find(|(removed, _)| *removed == handle).map(|&(_, entity)| entity)
+            let removed = self.removed_before_step.get(&handle);
+            removed.or_else(|| self.removed.get(&handle)).copied()
         })
     }
 }

@@ -56,6 +56,27 @@ fn a_collider_moves_with_its_ancestors_until_it_gets_another_body() {
 }
 
 #[test]
+fn a_detached_collider_has_the_pose_and_the_scale_of_its_own_transform() {
+    let mut app = weightless();
+    let group = app.world_mut().spawn(at(2.0, 0.0).with_scale(Vec3::splat(2.0))).id();
+    let wall = app.world_mut().spawn((cube(0.5), at(0.0, 1.0), ChildOf(group))).id();
+    let bundle = (RigidBody::Fixed, cube(0.5), at(3.0, 0.0), ChildOf(group));
+    let body = app.world_mut().spawn(bundle).id();
+    run(&mut app, 2);
+    let right = |app: &App, entity| {
+        physics(app).collider(entity).expect("a collider").compute_aabb().maxs.x
+    };
+    assert_at(collider_at(&app, wall), [2.0, 2.0]);
+    assert_eq!([wall, body].map(|entity| right(&app, entity)), [3.0, 9.0]);
+    for entity in [wall, body] {
+        app.world_mut().entity_mut(entity).remove::<ChildOf>();
+    }
+    run(&mut app, 2);
+    assert_at(collider_at(&app, wall), [0.0, 1.0]);
+    assert_eq!([wall, body].map(|entity| right(&app, entity)), [0.5, 3.5]);
+}
+
+#[test]
 fn scenery_moves_with_its_transform() {
     let mut app = weightless();
     let group = app.world_mut().spawn(at(2.0, 0.0)).id();

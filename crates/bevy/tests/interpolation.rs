@@ -142,3 +142,25 @@ fn a_translation_by_the_user_in_each_frame_keeps_the_rotation() {
     let expected = Quat::from_rotation_z(0.05 * 15.0);
     assert_near(get::<Transform>(&app, body).rotation.angle_between(expected), 0.0, 2.0e-3);
 }
+
+#[derive(Resource, Default)]
+struct Writes(usize);
+
+#[test]
+fn a_frame_without_motion_changes_no_transform() {
+    let mut app = interpolated();
+    moving(&mut app);
+    app.init_resource::<Writes>();
+    app.add_systems(
+        PostUpdate,
+        |changed: Query<(), Changed<Transform>>, mut writes: ResMut<Writes>| {
+            writes.0 += changed.iter().count();
+        },
+    );
+    frame_length(&mut app, 0.75);
+    run(&mut app, 4);
+    assert_eq!(app.world().resource::<Writes>().0, 4);
+    app.world_mut().resource_mut::<Time<Virtual>>().pause();
+    run(&mut app, 4);
+    assert_eq!(app.world().resource::<Writes>().0, 4);
+}

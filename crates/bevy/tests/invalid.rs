@@ -204,7 +204,7 @@ fn invalid_settings_of_a_body_are_reported_and_change_nothing() {
 }
 
 #[test]
-fn refused_placements_are_reported_once() {
+fn refused_poses_and_scales_are_reported_once() {
     let mut app = reporting();
     let [first, second] =
         [0.0, 9.0].map(|x| app.world_mut().spawn((RigidBody::Fixed, at(x, 0.0))).id());

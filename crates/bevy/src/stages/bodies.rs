@@ -1,8 +1,6 @@
 //! User edits of bodies, and new bodies.
 
-use super::edits::{
-    check, check_finite, checked_pose, checked_velocity, refuse_pose, refuse_velocity,
-};
+use super::edits::{check, check_finite, checked_pose, checked_velocity, refuse_pose};
 use super::pose_parts::PoseParts;
 use crate::body::{
     BodyState, Damping, ExternalForce, ExternalImpulse, GravityScale, LockedAxes, RigidBody,
@@ -13,7 +11,7 @@ use crate::hierarchy::{Hierarchy, Locals};
 use crate::invalid::refuse;
 use crate::world::PhysicsWorld;
 use bevy::ecs::change_detection::{DetectChanges, Ref};
-use bevy::ecs::entity::{Entity, EntityHashSet};
+use bevy::ecs::entity::Entity;
 use bevy::ecs::query::{Changed, Or, QueryData};
 use bevy::ecs::system::{Commands, Query, ResMut};
 use bevy::transform::components::Transform;
@@ -26,7 +24,7 @@ pub(crate) struct BodyItem {
     entity: Entity,
     body: Ref<'static, RigidBody>,
     transform: &'static Transform,
-    velocity: &'static Velocity,
+    velocity: &'static mut Velocity,
     gravity_scale: Ref<'static, GravityScale>,
     damping: Ref<'static, Damping>,
     locked_axes: Ref<'static, LockedAxes>,
@@ -68,13 +66,12 @@ pub(crate) fn edit_bodies(
         item.edit_settings(body, &mut commands);
         let parts = item.edited_parts();
         if parts.is_any() {
-            let placed = hierarchy.world_transform(item.entity, |entity| locals.get(entity).ok());
-            item.edit_pose(body, parts, &placed, &mut commands);
+            let world_transform =
+                hierarchy.world_transform(item.entity, |entity| locals.get(entity).ok());
+            item.edit_pose(body, parts, &world_transform, &mut commands);
         }
     }
-    // The order of a query depends on unrelated components.
-    refused.sort();
-    world.pending.bodies.extend(refused);
+    world.pending.bodies.extend_sorted(refused);
 }
 
 /// Inserts the bodies whose component was inserted since the last step.
@@ -85,12 +82,11 @@ pub(crate) fn insert_bodies(
     hierarchy: Hierarchy,
     mut commands: Commands,
 ) {
-    let mut seen = EntityHashSet::default();
-    for entity in core::mem::take(&mut world.pending.bodies) {
+    for entity in world.pending.bodies.take() {
         let Ok(mut item) = bodies.get_mut(entity) else {
             continue;
         };
-        if world.bodies.contains_key(&entity) || !seen.insert(entity) {
+        if world.bodies.contains_key(&entity) {
             continue;
         }
         let local = |entity| locals.get(entity).ok();
@@ -141,9 +137,9 @@ pub(crate) fn apply_impulses(
 
 impl BodyItemItem<'_, '_> {
     /// The engine's description of a new body.
-    fn builder(&self, placed: &Transform) -> RigidBodyBuilder {
+    fn builder(&self, world_transform: &Transform) -> RigidBodyBuilder {
         RigidBodyBuilder::new(self.body.engine_type())
-            .pose(pose_of(placed))
+            .pose(pose_of(world_transform))
             .linvel(to_engine(self.velocity.linear))
             .angvel(ang_to_engine(self.velocity.angular))
             .gravity_scale(self.gravity_scale.0)
@@ -211,12 +207,15 @@ impl BodyItemItem<'_, '_> {
     }
 
     fn edit_velocity(&mut self, body: &mut EngineBody, commands: &mut Commands) {
-        match checked_velocity(self.velocity) {
+        match checked_velocity(&self.velocity) {
             Ok(velocity) => {
                 body.set_vels(velocity, true);
                 self.state.velocity = *self.velocity;
             }
-            Err(reason) => refuse_velocity(commands, self.entity, reason),
+            Err(reason) => {
+                *self.velocity = self.state.velocity;
+                refuse(commands, self.entity, reason);
+            }
         }
     }
 
@@ -236,10 +235,10 @@ impl BodyItemItem<'_, '_> {
         &mut self,
         body: &mut EngineBody,
         parts: PoseParts,
-        placed: &Transform,
+        world_transform: &Transform,
         commands: &mut Commands,
     ) {
-        let mut pose = match checked_pose(placed) {
+        let mut pose = match checked_pose(world_transform) {
             Ok(pose) => pose,
             Err(reason) => return refuse_pose(commands, self.entity, reason),
         };

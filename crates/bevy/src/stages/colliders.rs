@@ -1,67 +1,50 @@
-//! Colliders: description, body, and placement on the body.
+//! Colliders: description, body, and pose on the body.
 
-use crate::body::RigidBody;
-use crate::collider::{ColliderDescription, ColliderEdits, ColliderState};
+use super::edits::checked_pose;
+use crate::collider::{ColliderDescription, ColliderEdits, ColliderMoves, ColliderState};
 use crate::dim::{from_transform, pose_of};
 use crate::hierarchy::{Hierarchy, Locals, is_same};
 use crate::invalid::refuse;
 use crate::world::PhysicsWorld;
-use bevy::ecs::change_detection::{DetectChanges, Ref};
-use bevy::ecs::entity::{Entity, EntityHashSet};
-use bevy::ecs::hierarchy::ChildOf;
-use bevy::ecs::query::{Has, With};
+use bevy::ecs::entity::Entity;
+use bevy::ecs::query::With;
 use bevy::ecs::system::{Commands, Query, ResMut};
 use bevy::transform::components::Transform;
 use rapier::math::Pose;
-use rapier::prelude::{Collider, ColliderBuilder, InvalidCollider};
+use rapier::prelude::Collider;
 
-/// Finds colliders that have another body, another size or another place on their body. Those of the first
-/// two kinds are described anew.
-pub(crate) fn place_colliders(
+/// Moves the colliders that have another pose on their body. Those with another body, another scale or an
+/// invalid pose are described anew.
+pub(crate) fn move_colliders(
     mut world: ResMut<PhysicsWorld>,
-    mut colliders: Query<(
-        Entity,
-        Ref<Transform>,
-        &mut ColliderState,
-        Has<RigidBody>,
-        Has<ChildOf>,
-    )>,
+    mut colliders: Query<(Entity, &mut ColliderState), ColliderMoves>,
     locals: Locals,
     hierarchy: Hierarchy,
-    mut commands: Commands,
 ) {
     let mut edited = Vec::new();
-    for (entity, transform, mut state, has_body, has_parent) in &mut colliders {
-        let has_same_body = state.body == has_body.then_some(entity);
-        if !has_parent && has_same_body && !transform.is_changed() {
-            continue;
-        }
+    for (entity, mut state) in &mut colliders {
         let body = hierarchy.body_of(entity);
-        let placement = hierarchy.placement(entity, body, |entity| locals.get(entity).ok());
-        if body == state.body && is_same(&placement, &state.placement) {
+        let relative = hierarchy.relative_transform(entity, body, |entity| locals.get(entity).ok());
+        if body == state.body && is_same(&relative, &state.relative) {
             continue;
         }
-        let handle = world.colliders.get(&entity).copied();
-        let collider = handle.and_then(|handle| world.engine.colliders.get_mut(handle));
-        // A collider that the engine refused gets another try.
-        let is_valid = state.placement.is_finite() && collider.is_some();
-        let size = |placement: &Transform| Transform::from_scale(placement.scale);
-        let is_same_size = is_same(&size(&placement), &size(&state.placement));
-        let Some(collider) = collider.filter(|_| is_valid && is_same_size && body == state.body)
-        else {
-            if !is_same_size || !state.placement.is_finite() || body != state.body {
-                edited.push(entity);
+        let [scale, old_scale] =
+            [relative, state.relative].map(|transform| Transform::from_scale(transform.scale));
+        let is_moved = body == state.body
+            && is_same(&scale, &old_scale)
+            && checked_pose(&state.relative).is_ok();
+        match checked_pose(&relative) {
+            Ok(pose) if is_moved => {
+                let handle = world.colliders.get(&entity).copied();
+                if let Some(collider) = handle.and_then(|h| world.engine.colliders.get_mut(h)) {
+                    set_pose(collider, pose);
+                    state.relative = relative;
+                }
             }
-            continue;
-        };
-        state.placement = placement;
-        if let Err(reason) = set_placement(collider, &placement) {
-            refuse(&mut commands, entity, reason);
+            _ => edited.push(entity),
         }
     }
-    // The order of a query depends on unrelated components.
-    edited.sort();
-    world.pending.colliders.extend(edited);
+    world.pending.colliders.extend_sorted(edited);
 }
 
 /// Inserts new colliders, and replaces the description of those with edits.
@@ -73,32 +56,27 @@ pub(crate) fn describe_colliders(
     hierarchy: Hierarchy,
     mut commands: Commands,
 ) {
-    let mut seen = EntityHashSet::default();
-    for entity in core::mem::take(&mut world.pending.colliders).into_iter().chain(&edited) {
+    world.pending.colliders.extend_sorted(&edited);
+    for entity in world.pending.colliders.take() {
         let Ok((description, mut state)) = colliders.get_mut(entity) else {
             continue;
         };
-        if !seen.insert(entity) {
-            continue;
-        }
         let body = hierarchy.body_of(entity);
         if body.is_some_and(|body| !world.bodies.contains_key(&body)) {
             // The engine refused the body: the collider follows once there is one.
             world.pending.colliders.push(entity);
             continue;
         }
-        let placement = hierarchy.placement(entity, body, |entity| locals.get(entity).ok());
+        let relative = hierarchy.relative_transform(entity, body, |entity| locals.get(entity).ok());
         let collider = description
-            .builder(from_transform(placement.scale))
-            .and_then(|builder| builder.position(pose_of(&placement)).try_build());
+            .builder(from_transform(relative.scale))
+            .and_then(|builder| builder.position(pose_of(&relative)).try_build());
+        // Refused values are stored, too: they are reported once, and another value is the next attempt.
+        *state = ColliderState { body, relative };
         match collider {
-            Ok(collider) => {
-                world.upsert_collider(entity, collider, &ColliderState { body, placement });
-            }
+            Ok(collider) => world.upsert_collider(entity, collider, &state),
             Err(reason) => refuse(&mut commands, entity, reason),
         }
-        // Refused values are stored, too: they are reported once, and another value is the next try.
-        *state = ColliderState { body, placement };
     }
 }
 
@@ -119,19 +97,12 @@ impl PhysicsWorld {
             self.engine.colliders.set_parent(handle, body, &mut self.engine.bodies);
         }
         if let Some(collider) = self.engine.colliders.get_mut(handle) {
-            set_pose(collider, pose_of(&state.placement));
+            set_pose(collider, pose_of(&state.relative));
         }
     }
 }
 
 /// Moves a collider on its body, or in the world.
-fn set_placement(collider: &mut Collider, placement: &Transform) -> Result<(), InvalidCollider> {
-    let pose = pose_of(placement);
-    ColliderBuilder::ball(1.0).position(pose).try_build()?;
-    set_pose(collider, pose);
-    Ok(())
-}
-
 fn set_pose(collider: &mut Collider, pose: Pose) {
     if collider.parent().is_some() {
         collider.set_position_wrt_parent(pose);

@@ -60,14 +60,3 @@ pub(super) fn refuse_pose(commands: &mut Commands, entity: Entity, reason: Inval
     });
     refuse(commands, entity, reason);
 }
-
-/// Reports an invalid velocity, and restores the last valid one.
-pub(super) fn refuse_velocity(commands: &mut Commands, entity: Entity, reason: InvalidRigidBody) {
-    commands.entity(entity).queue_silenced(|mut entity: EntityWorldMut| {
-        let last = entity.get::<BodyState>().map(|state| state.velocity);
-        if let (Some(last), Some(mut velocity)) = (last, entity.get_mut::<Velocity>()) {
-            *velocity = last;
-        }
-    });
-    refuse(commands, entity, reason);
-}

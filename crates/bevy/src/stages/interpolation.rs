@@ -1,41 +1,66 @@
 //! Between the fixed steps: transforms for the picture.
 //!
 //! A frame lies between two steps. It shows the pose at the same fraction between the last two states, one
-//! step late, so that bodies move evenly at any frame rate.
+//! step late, so that bodies move evenly at any frame rate. Systems in the fixed schedules read exact poses.
 
 use super::pose_parts::PoseParts;
 use crate::body::BodyState;
 use crate::world::PhysicsWorld;
+use bevy::ecs::change_detection::Mut;
 use bevy::ecs::system::{Query, Res};
 use bevy::time::{Fixed, Time};
 use bevy::transform::components::Transform;
 
-/// Writes transforms between the last two steps. A translation or rotation that the user edited stays.
-pub(crate) fn interpolate_transforms(
+/// Before a step: writes the state of the last step.
+pub(crate) fn restore_transforms(
     world: Res<PhysicsWorld>,
-    time: Res<Time<Fixed>>,
-    mut bodies: Query<(&mut Transform, &mut BodyState)>,
+    mut bodies: Query<(Mut<Transform>, &mut BodyState)>,
 ) {
-    let fraction = time.overstep_fraction();
     for &entity in &world.awake {
-        let Ok((mut transform, mut state)) = bodies.get_mut(entity) else {
-            continue;
-        };
-        let edited = PoseParts::of_difference(&transform, &state.shown);
-        let moved = PoseParts::of_difference(&state.previous, &state.current);
-        let parts = moved.and(edited.complement());
-        if parts.is_any() {
-            let between = between(&state.previous, &state.current, fraction);
-            parts.copy(&between, &mut transform);
-            parts.copy(&between, &mut state.shown);
+        if let Ok((transform, mut state)) = bodies.get_mut(entity) {
+            let current = state.current;
+            state.show(&current, transform);
         }
     }
 }
 
-fn between(previous: &Transform, current: &Transform, fraction: f32) -> Transform {
-    Transform {
-        translation: previous.translation.lerp(current.translation, fraction),
-        rotation: previous.rotation.slerp(current.rotation, fraction),
-        scale: current.scale,
+/// After the steps of a frame: writes transforms between the last two states.
+pub(crate) fn interpolate_transforms(
+    world: Res<PhysicsWorld>,
+    time: Res<Time<Fixed>>,
+    mut bodies: Query<(Mut<Transform>, &mut BodyState)>,
+) {
+    let fraction = time.overstep_fraction();
+    for &entity in &world.awake {
+        if let Ok((transform, mut state)) = bodies.get_mut(entity) {
+            let between = state.between(fraction);
+            state.show(&between, transform);
+        }
+    }
+}
+
+impl BodyState {
+    /// Writes a pose to the body's transform. A translation or rotation that the user edited stays.
+    fn show(&mut self, pose: &Transform, mut transform: Mut<Transform>) {
+        let edited = PoseParts::of_difference(&transform, &self.shown);
+        let parts = PoseParts::of_difference(&self.shown, pose).and(edited.complement());
+        if parts.is_any() {
+            parts.copy(pose, &mut transform);
+            parts.copy(pose, &mut self.shown);
+        }
+    }
+
+    /// The pose at a fraction between the last two states. A part without motion keeps its bits.
+    fn between(&self, fraction: f32) -> Transform {
+        let Self { previous, current, .. } = self;
+        let mut between = *current;
+        let moved = PoseParts::of_difference(previous, current);
+        if moved.translation {
+            between.translation = previous.translation.lerp(current.translation, fraction);
+        }
+        if moved.rotation {
+            between.rotation = previous.rotation.slerp(current.rotation, fraction);
+        }
+        between
     }
 }

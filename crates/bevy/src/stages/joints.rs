@@ -3,7 +3,7 @@
 use crate::invalid::refuse;
 use crate::joint::Joint;
 use crate::world::PhysicsWorld;
-use bevy::ecs::entity::{Entity, EntityHashSet};
+use bevy::ecs::entity::Entity;
 use bevy::ecs::query::Changed;
 use bevy::ecs::system::{Commands, Query, ResMut};
 use rapier::prelude::{InvalidJoint, RigidBodyHandle};
@@ -15,18 +15,16 @@ pub(crate) fn sync_joints(
     edited: Query<Entity, Changed<Joint>>,
     mut commands: Commands,
 ) {
-    let mut seen = EntityHashSet::default();
-    for entity in core::mem::take(&mut world.pending.joints).into_iter().chain(&edited) {
+    world.pending.joints.extend_sorted(&edited);
+    for entity in world.pending.joints.take() {
         let Ok(joint) = joints.get(entity) else {
             continue;
         };
-        if !seen.insert(entity) {
-            continue;
-        }
         let (Some(body1), Some(body2)) =
             (world.body_handle(joint.body1), world.body_handle(joint.body2))
         else {
-            world.remove_joint_of_other_bodies(entity, joint);
+            // An old joint connects other bodies than the component.
+            world.remove_joint(entity);
             world.pending.joints.push(entity);
             continue;
         };
@@ -61,16 +59,5 @@ impl PhysicsWorld {
         self.remove_joint(entity);
         self.joints.insert(entity, handle);
         Ok(())
-    }
-
-    /// Removes the joint of an entity if it connects other bodies than its component does.
-    fn remove_joint_of_other_bodies(&mut self, entity: Entity, joint: &Joint) {
-        let Some(old) = self.joint(entity) else {
-            return;
-        };
-        let old = [old.body1(), old.body2()].map(Some);
-        if old != [joint.body1, joint.body2].map(|body| self.body_handle(body)) {
-            self.remove_joint(entity);
-        }
     }
 }

@@ -16,6 +16,7 @@ use bevy::ecs::lifecycle::{Insert, Remove};
 use bevy::ecs::observer::On;
 use bevy::ecs::query::With;
 use bevy::ecs::system::ResMut;
+use bevy::ecs::world::World;
 
 /// Adds the observers.
 pub(crate) fn observe_lifecycle(app: &mut App) {
@@ -53,7 +54,8 @@ pub(crate) fn observe_lifecycle(app: &mut App) {
         world.pending.colliders.push(on.entity);
         world.pending.joints.push(on.entity);
     })
-    // Change detection reports insertions of optional components, and no removals.
+    // Change detection reports insertions, and no removals.
+    .add_observer(describe_again::<ChildOf>)
     .add_observer(describe_again::<Sensor>)
     .add_observer(describe_again::<CollisionEvents>)
     .add_observer(describe_again::<ContactForceEvents>)
@@ -67,9 +69,15 @@ fn describe_again<C: Component>(on: On<Remove, C>, mut world: ResMut<PhysicsWorl
 /// Queues the elements of entities that were spawned before the plugin was added.
 pub(crate) fn queue_existing_entities(app: &mut App) {
     let world = app.world_mut();
-    let bodies = world.query_filtered::<Entity, With<RigidBody>>().iter(world).collect();
-    let colliders = world.query_filtered::<Entity, With<Collider>>().iter(world).collect();
-    let joints = world.query_filtered::<Entity, With<Joint>>().iter(world).collect();
+    let bodies = entities_with::<RigidBody>(world);
+    let colliders = entities_with::<Collider>(world);
+    let joints = entities_with::<Joint>(world);
     let pending = &mut world.resource_mut::<PhysicsWorld>().pending;
-    (pending.bodies, pending.colliders, pending.joints) = (bodies, colliders, joints);
+    pending.bodies.extend_sorted(bodies);
+    pending.colliders.extend_sorted(colliders);
+    pending.joints.extend_sorted(joints);
+}
+
+fn entities_with<C: Component>(world: &mut World) -> Vec<Entity> {
+    world.query_filtered::<Entity, With<C>>().iter(world).collect()
 }

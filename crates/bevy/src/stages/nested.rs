@@ -78,10 +78,10 @@ pub(crate) fn write_nested_transforms(
         };
         let mut world_pose = *transform;
         crate::dim::write_pose(body.position(), &mut world_pose);
-        let placed = local_transform(&parent, &world_pose, &transform);
-        let parts = PoseParts::of_difference(&placed, &transform);
+        let new = local_transform(&parent, &world_pose, &transform);
+        let parts = PoseParts::of_difference(&new, &transform);
         if parts.is_any() {
-            parts.copy(&placed, &mut transform);
+            parts.copy(&new, &mut transform);
         }
         written.state.push(*transform);
     }

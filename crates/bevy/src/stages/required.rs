@@ -7,6 +7,7 @@ use crate::body::{
 use crate::collider::{Collider, ColliderMass, CollisionGroups, Friction, Restitution};
 use crate::world::PhysicsWorld;
 use bevy::app::App;
+use bevy::ecs::bundle::Bundle;
 use bevy::ecs::component::Component;
 use bevy::ecs::lifecycle::Remove;
 use bevy::ecs::observer::On;
@@ -15,24 +16,21 @@ use bevy::ecs::world::EntityWorldMut;
 
 /// Adds the observers.
 pub(crate) fn observe_required(app: &mut App) {
-    app.add_observer(reset::<RigidBody, Velocity>)
-        .add_observer(reset::<RigidBody, GravityScale>)
-        .add_observer(reset::<RigidBody, Damping>)
-        .add_observer(reset::<RigidBody, LockedAxes>)
-        .add_observer(reset::<RigidBody, ExternalForce>)
-        .add_observer(reset::<RigidBody, ExternalImpulse>)
-        .add_observer(reset_sleeping)
-        .add_observer(reset::<Collider, Friction>)
-        .add_observer(reset::<Collider, Restitution>)
-        .add_observer(reset::<Collider, ColliderMass>)
-        .add_observer(reset::<Collider, CollisionGroups>);
+    type OfBody = (Velocity, GravityScale, Damping, LockedAxes, ExternalForce, ExternalImpulse);
+    type OfCollider = (Friction, Restitution, ColliderMass, CollisionGroups);
+    app.add_observer(reset::<RigidBody, OfBody>)
+        .add_observer(reset::<Collider, OfCollider>)
+        .add_observer(reset_sleeping);
 }
 
-/// Inserts the default of a removed component, if its entity still exists and has the owner.
-fn reset<Owner: Component, C: Component + Default>(on: On<Remove, C>, mut commands: Commands) {
+/// Inserts the defaults of removed components, if their entity still exists and has the owner.
+fn reset<Owner: Component, Required: Bundle + Default>(
+    on: On<Remove, Required>,
+    mut commands: Commands,
+) {
     commands.entity(on.entity).queue_silenced(|mut entity: EntityWorldMut| {
-        if entity.contains::<Owner>() && !entity.contains::<C>() {
-            entity.insert(C::default());
+        if entity.contains::<Owner>() {
+            entity.insert_if_new(Required::default());
         }
     });
 }
@@ -41,8 +39,8 @@ fn reset<Owner: Component, C: Component + Default>(on: On<Remove, C>, mut comman
 fn reset_sleeping(on: On<Remove, Sleeping>, world: Res<PhysicsWorld>, mut commands: Commands) {
     let is_sleeping = world.body(on.entity).is_some_and(|body| body.is_sleeping());
     commands.entity(on.entity).queue_silenced(move |mut entity: EntityWorldMut| {
-        if entity.contains::<RigidBody>() && !entity.contains::<Sleeping>() {
-            entity.insert(Sleeping::new(is_sleeping));
+        if entity.contains::<RigidBody>() {
+            entity.insert_if_new(Sleeping::new(is_sleeping));
         }
     });
 }

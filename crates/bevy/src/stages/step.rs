@@ -18,17 +18,15 @@ pub(crate) fn step<H>(
 {
     let recorder = Recorder::default();
     // Colliders that are removed between this step and its events end their pairs in the next step.
-    let removed = core::mem::take(&mut world.removed);
-    world.removed_before_step.extend(removed);
+    world.removed_before_step = core::mem::take(&mut world.removed);
     world.engine.integration_parameters.dt = time.timestep().as_secs_f64() as Scalar;
     world.engine.step_with_events(&EngineHooks(&*hooks), &recorder);
-    world.occurrences = recorder.into_events();
+    world.events = recorder.into_events();
 }
 
 /// Triggers the events of the step, in the engine's order.
 pub(crate) fn send_events(mut world: ResMut<PhysicsWorld>, mut commands: Commands) {
-    for occurrence in core::mem::take(&mut world.occurrences) {
-        occurrence.trigger(&world, &mut commands);
+    for event in core::mem::take(&mut world.events) {
+        event.trigger(&world, &mut commands);
     }
-    world.removed_before_step.clear();
 }

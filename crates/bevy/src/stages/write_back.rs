@@ -3,8 +3,7 @@
 use crate::body::{BodyState, Sleeping, Velocity};
 use crate::dim::{ang_to_bevy, to_bevy, write_pose};
 use crate::world::{PhysicsWorld, entity_of};
-use bevy::ecs::change_detection::DetectChangesMut;
-use bevy::ecs::entity::Entity;
+use bevy::ecs::change_detection::{DetectChangesMut, Mut};
 use bevy::ecs::hierarchy::ChildOf;
 use bevy::ecs::query::{QueryData, Without};
 use bevy::ecs::system::{Query, ResMut};
@@ -21,6 +20,15 @@ pub(crate) struct Written {
 }
 
 impl WrittenItem<'_, '_> {
+    /// Writes velocity, sleep state and pose.
+    fn write(&mut self, body: &RigidBody, mut transform: Mut<Transform>) {
+        self.write_motion(body);
+        let mut new = *transform;
+        write_pose(body.position(), &mut new);
+        transform.set_if_neq(new);
+        self.state.push(new);
+    }
+
     /// Writes velocity and sleep state, and marks them as changed only if they differ.
     pub fn write_motion(&mut self, body: &RigidBody) {
         let velocity =
@@ -49,45 +57,27 @@ impl BodyState {
 /// Transforms below a parent follow in a [system](super::write_nested_transforms) of their own.
 pub(crate) fn write_transforms(
     mut world: ResMut<PhysicsWorld>,
-    mut bodies: Query<(&mut Transform, Written), Without<ChildOf>>,
+    mut bodies: Query<(Mut<Transform>, Written), Without<ChildOf>>,
 ) {
-    let awake = awake_entities(&world);
-    for entity in core::mem::replace(&mut world.awake, awake) {
-        if let (Some(body), Ok((transform, mut written))) =
-            (world.body(entity), bodies.get_mut(entity))
+    let PhysicsWorld { engine, bodies: handles, awake, .. } = &mut *world;
+    for entity in awake.drain(..) {
+        let handle = handles.get(&entity);
+        if let Some(body) = handle.and_then(|&handle| engine.bodies.get(handle))
             && (body.is_sleeping() || body.is_fixed() || !body.is_enabled())
+            && let Ok((transform, mut written)) = bodies.get_mut(entity)
         {
-            written.write_motion(body);
-            written.write_transform(body, transform);
+            written.write(body, transform);
             written.state.end_interpolation();
         }
     }
-    for &entity in &world.awake {
-        if let (Some(body), Ok((transform, mut written))) =
-            (world.body(entity), bodies.get_mut(entity))
-        {
-            written.write_motion(body);
-            written.write_transform(body, transform);
+    let active = engine.active_bodies().iter();
+    for body in active.filter_map(|&handle| engine.bodies.get(handle)) {
+        let Some(entity) = entity_of(body.user_data) else {
+            continue;
+        };
+        awake.push(entity);
+        if let Ok((transform, mut written)) = bodies.get_mut(entity) {
+            written.write(body, transform);
         }
     }
-}
-
-impl WrittenItem<'_, '_> {
-    fn write_transform(
-        &mut self,
-        body: &RigidBody,
-        mut transform: bevy::ecs::world::Mut<Transform>,
-    ) {
-        let mut placed = *transform;
-        write_pose(body.position(), &mut placed);
-        transform.set_if_neq(placed);
-        self.state.push(placed);
-    }
-}
-
-/// The entities of the engine's awake bodies.
-fn awake_entities(world: &PhysicsWorld) -> Vec<Entity> {
-    let handles = world.engine.active_bodies().iter();
-    let bodies = handles.filter_map(|&handle| world.engine.bodies.get(handle));
-    bodies.filter_map(|body| entity_of(body.user_data)).collect()
 }
