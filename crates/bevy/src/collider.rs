@@ -21,7 +21,8 @@ use rapier::prelude::{
 /// such a body it is immovable scenery.
 ///
 /// Constructors have the names of the engine's `ColliderBuilder` and accept any numbers. An invalid shape is
-/// [reported](crate::Refused) and left out. `Collider::from` accepts the engine's builder for all other shapes.
+/// [reported](crate::Refused) and left out. `Collider::from` accepts the engine's builder for all other
+/// shapes.
 #[derive(Component, Clone)]
 #[require(Transform, Friction, Restitution, ColliderMass, CollisionGroups, ColliderState)]
 pub struct Collider(Result<SharedShape, InvalidCollider>);

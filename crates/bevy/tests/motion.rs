@@ -199,7 +199,7 @@ fn a_fixed_body_has_no_velocity_and_gets_an_old_one_back() {
 }
 
 #[test]
-fn the_impulse_of_a_refused_body_waits_for_its_insertion() {
+fn the_impulse_of_a_refused_body_acts_after_its_insertion() {
     let mut app = weightless();
     let impulse = ExternalImpulse { impulse: vector(3.0, 0.0), ..default() };
     let body = ball(&mut app, (ColliderMass::Mass(1.0), at(f32::NAN, 0.0), impulse));

@@ -22,7 +22,7 @@ enum Team {
     Blue,
 }
 
-/// The hooks are a system parameter: they read what a system could read.
+/// The hooks are a system parameter, with the access of a system.
 #[derive(SystemParam)]
 struct Rules<'w, 's> {
     teams: Query<'w, 's, &'static Team>,

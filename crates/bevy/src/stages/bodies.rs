@@ -118,7 +118,7 @@ pub(crate) fn apply_impulses(
         if *impulse == ExternalImpulse::default() {
             continue;
         }
-        // The impulse of a refused body waits for its insertion.
+        // The impulse of a refused body remains until its insertion.
         let Some(&handle) = bodies.get(&entity) else {
             continue;
         };

@@ -1,4 +1,4 @@
-//! Required components that the user removes: the default takes their place, as long as the entity needs one.
+//! Required components that the user removes: observers insert their defaults while the entity needs them.
 
 use crate::body::{
     Damping, ExternalForce, ExternalImpulse, GravityScale, LockedAxes, RigidBody, Sleeping,
