@@ -21,8 +21,8 @@ pub struct PhysicsWorld {
     pub(crate) colliders: EntityHashMap<ColliderHandle>,
     pub(crate) joints: EntityHashMap<ImpulseJointHandle>,
     pub(crate) pending: Pending,
-    /// Entities of the bodies that were awake in the last step, in the engine's order.
-    pub(crate) awake: Vec<Entity>,
+    /// The bodies that were awake in the last step, in the engine's order.
+    pub(crate) awake: Vec<(Entity, RigidBodyHandle)>,
     /// Colliders that were removed since the last step.
     pub(crate) removed: HashMap<ColliderHandle, Entity>,
     /// Colliders that were removed between the last two steps. Events of the last step still name them.

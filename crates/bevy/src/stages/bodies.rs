@@ -52,14 +52,14 @@ pub(crate) fn edit_bodies(
 ) {
     let mut refused = Vec::new();
     for mut item in &mut bodies {
+        // A mutable borrow counts as an edit in the engine.
+        if !item.is_edited() {
+            continue;
+        }
         let Some(&handle) = world.bodies.get(&item.entity) else {
             refused.push(item.entity);
             continue;
         };
-        // The engine looks for edits at every body that was borrowed mutably.
-        if !item.is_edited() {
-            continue;
-        }
         let Some(body) = world.engine.bodies.get_mut(handle) else {
             continue;
         };

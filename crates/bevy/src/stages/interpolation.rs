@@ -16,7 +16,7 @@ pub(crate) fn restore_transforms(
     world: Res<PhysicsWorld>,
     mut bodies: Query<(Mut<Transform>, &mut BodyState)>,
 ) {
-    for &entity in &world.awake {
+    for &(entity, _) in &world.awake {
         if let Ok((transform, mut state)) = bodies.get_mut(entity) {
             let current = state.current;
             state.show(&current, transform);
@@ -31,7 +31,7 @@ pub(crate) fn interpolate_transforms(
     mut bodies: Query<(Mut<Transform>, &mut BodyState)>,
 ) {
     let fraction = time.overstep_fraction();
-    for &entity in &world.awake {
+    for &(entity, _) in &world.awake {
         if let Ok((transform, mut state)) = bodies.get_mut(entity) {
             let between = state.between(fraction);
             state.show(&between, transform);

@@ -59,10 +59,9 @@ pub(crate) fn write_transforms(
     mut world: ResMut<PhysicsWorld>,
     mut bodies: Query<(Mut<Transform>, Written), Without<ChildOf>>,
 ) {
-    let PhysicsWorld { engine, bodies: handles, awake, .. } = &mut *world;
-    for entity in awake.drain(..) {
-        let handle = handles.get(&entity);
-        if let Some(body) = handle.and_then(|&handle| engine.bodies.get(handle))
+    let PhysicsWorld { engine, awake, .. } = &mut *world;
+    for (entity, handle) in awake.drain(..) {
+        if let Some(body) = engine.bodies.get(handle)
             && (body.is_sleeping() || body.is_fixed() || !body.is_enabled())
             && let Ok((transform, mut written)) = bodies.get_mut(entity)
         {
@@ -70,14 +69,14 @@ pub(crate) fn write_transforms(
             written.state.end_interpolation();
         }
     }
-    let active = engine.active_bodies().iter();
-    for body in active.filter_map(|&handle| engine.bodies.get(handle)) {
-        let Some(entity) = entity_of(body.user_data) else {
-            continue;
-        };
-        awake.push(entity);
-        if let Ok((transform, mut written)) = bodies.get_mut(entity) {
-            written.write(body, transform);
+    for &handle in engine.active_bodies() {
+        if let Some(body) = engine.bodies.get(handle)
+            && let Some(entity) = entity_of(body.user_data)
+        {
+            awake.push((entity, handle));
+            if let Ok((transform, mut written)) = bodies.get_mut(entity) {
+                written.write(body, transform);
+            }
         }
     }
 }
