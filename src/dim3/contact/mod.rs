@@ -41,6 +41,7 @@ mod coulomb;
 mod friction;
 mod pair;
 mod rows;
+mod tangents;
 #[cfg(test)]
 mod tests;
 

@@ -211,17 +211,16 @@ fn a_single_point_has_no_torsional_friction() {
     assert!(impulse.length() > 0.0);
 }
 
-/// A friction limit far below the necessary impulse is fully used against the sliding direction. (Of bodies
-/// that do not turn: else a push in one direction also starts the other.)
+/// A friction limit far below the necessary impulse is fully used against the sliding direction, although
+/// the impulse that would stop the slip has another direction. (At one point, so without torsion.)
 #[test]
-fn the_cone_is_round() {
+fn friction_is_opposite_to_the_slip() {
     let mut random = Random(5);
     for _ in 0..100 {
         let mut touch = Touch::random(&mut random);
-        touch.inv_inertia = [crate::dim3::math::zero_inertia(); 2];
         touch.normal_impulse = 0.001;
-        let center = middle(&touch.points);
-        let (sliding, _) = slip(&touch, touch.velocities, center);
+        touch.points.truncate(1);
+        let (sliding, _) = slip(&touch, touch.velocities, touch.points[0]);
         let (impulse, _) = Simd::detect().run(Iterate(&touch));
         let expected = -sliding.normalize() * (touch.coefficient * touch.normal_impulse);
         assert!((impulse - expected).length() < ROUNDING * expected.length());

@@ -321,8 +321,9 @@ impl Point {
         core::iter::once((&self.normal, self.impulse, 0.0)).chain(along)
     }
 
-    /// The impulses of friction that stop the slip, if they need not be larger than `most`; `old` ones have
-    /// been given already.
+    /// The new impulses of friction: those that stop the slip, or opposite to it if they would be larger than
+    /// `most` (Coulomb's law as a fixed point: see `dim3/contact/tangents.rs`). The rows are solved one by one,
+    /// so `K₁₂` is unknown, and the largest eigenvalue of `K` is at most its trace.
     pub fn friction_under(
         &self,
         most: Real,
@@ -330,15 +331,26 @@ impl Point {
         jacobians: &JacobianPool,
         states: &ConstrainedStates<'_>,
     ) -> [Real; DIM - 1] {
-        let mut new = old;
+        let (mut stopping, mut opposite) = (old, old);
+        let movable = self.tangents.iter().filter(|row| row.mass > 0.0);
+        let trace: Real = movable.map(|row| 1.0 / row.mass).sum();
+        let rho = if trace > 0.0 { 1.0 / trace } else { 0.0 };
         for k in 0..DIM - 1 {
             let row = &self.tangents[k];
             let slip = jacobians.velocity(row, states) - self.surface[k];
-            new[k] -= slip * row.mass;
+            stopping[k] -= slip * row.mass;
+            opposite[k] -= slip * rho;
         }
-        let length = new.iter().map(|impulse| impulse * impulse).sum::<Real>().sqrt();
-        if length > most { new.map(|impulse| impulse * (most / length)) } else { new }
+        if length(stopping) <= most {
+            return stopping;
+        }
+        let scale = most / length(opposite).max(Real::MIN_POSITIVE);
+        opposite.map(|impulse| impulse * scale)
     }
+}
+
+fn length(impulses: [Real; DIM - 1]) -> Real {
+    impulses.iter().map(|impulse| impulse * impulse).sum::<Real>().sqrt()
 }
 
 impl LinkContact {
