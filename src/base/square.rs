@@ -125,7 +125,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_open_stays_zero() {
+    fn undetermined_components_stay_zero() {
         let a = matrix(&[[1.0, 1.0, 0.0], [1.0, 1.0, 0.0], [0.0, 0.0, 0.0]]);
         assert_eq!(a.solve_symmetric(&[2.0, 2.0, 7.0]), [2.0, 0.0, 0.0]);
     }

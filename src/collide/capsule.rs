@@ -108,7 +108,7 @@ impl Axes {
         let segments = self.segments();
         let of_first = [0.0, 1.0].map(|end| [end, segments.on_second(end)]);
         let of_second = [0.0, 1.0].map(|end| [segments.on_first(end), end]);
-        let at = |[share1, share2]: [Real; 2]| self.point1(share1).distance(self.point2(share2));
+        let at = |[fraction1, fraction2]: [Real; 2]| self.point1(fraction1).distance(self.point2(fraction2));
         of_first.into_iter().chain(of_second).map(at).fold(length, Real::min)
     }
 

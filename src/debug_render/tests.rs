@@ -175,7 +175,7 @@ fn strips_close_and_bad_indices_are_left_out() {
 }
 
 #[test]
-fn outlines_of_dropped_shapes_are_forgotten() {
+fn outlines_of_dropped_shapes_are_removed() {
     let mut world = World::default();
     let vertices: Vec<Vector> = (0..300).map(|i| Vector::X * i as Real).collect();
     let line = parry::shape::SharedShape::polyline(vertices, None);

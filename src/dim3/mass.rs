@@ -173,7 +173,7 @@ mod tests {
     use parry::shape::{Cuboid, Shape};
 
     #[test]
-    fn three_cubes_in_a_row_weigh_what_one_long_box_does() {
+    fn three_cubes_in_a_row_weigh_as_much_as_one_long_box() {
         let cube = Cuboid::new(Vector::splat(0.5)).mass_properties(2.0);
         let rotvec = Pose::rotation(Vector::new(0.4, 0.1, -1.1));
         let place = |y| cube.transform_by(&(rotvec * Pose::translation(0.0, y, 0.0)));

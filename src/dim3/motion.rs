@@ -52,11 +52,11 @@ const ENERGY_CHANGE_FRACTION_MAX: Real = 0.25;
 /// Numbers in each part of a record.
 const LEN: usize = 16;
 /// Offsets in the first part, besides the damping at 10 and 11: rotation at 0, acceleration at 4.
-const GYROSCOPIC: usize = 12;
+const GYROSCOPIC_FLAG: usize = 12;
 const INV_MOMENTS: usize = 13;
 /// Offsets in the second part.
 const FRAME: usize = 0;
-const MAY_BE_IN_PILE: usize = 14;
+const PILE_FLAG: usize = 14;
 
 /// Data for the integration of a body; no constraint reads it.
 #[derive(Copy, Clone, Debug)]
@@ -90,7 +90,7 @@ impl FreeMotion {
         plain[4..7].copy_from_slice(&linear.to_array());
         plain[7..10].copy_from_slice(&angular.to_array());
         plain[10..12].copy_from_slice(&damping);
-        gyroscopic[MAY_BE_IN_PILE] = if may_be_in_pile { 1.0 } else { 0.0 };
+        gyroscopic[PILE_FLAG] = if may_be_in_pile { 1.0 } else { 0.0 };
         Self { plain, gyroscopic }
     }
 
@@ -100,7 +100,7 @@ impl FreeMotion {
         let (low, high) = (inv_moments.min_element(), inv_moments.max_element());
         let is_round = low <= 0.0 || high - low < MOMENT_DIFFERENCE_MIN * high;
         if !is_round && angvel.length_squared() * h * h >= ROTATION_ANGLE_MIN * ROTATION_ANGLE_MIN {
-            self.plain[GYROSCOPIC] = 1.0;
+            self.plain[GYROSCOPIC_FLAG] = 1.0;
             self.plain[INV_MOMENTS..INV_MOMENTS + 3].copy_from_slice(&inv_moments.to_array());
             let frame = mass.principal_inertia_local_frame.to_array();
             self.gyroscopic[FRAME..FRAME + 4].copy_from_slice(&frame);
@@ -120,12 +120,12 @@ impl FreeMotion {
 
     /// Returns whether the angular velocity changes as the body rotates.
     pub fn is_gyroscopic(&self) -> bool {
-        self.plain[GYROSCOPIC] != 0.0
+        self.plain[GYROSCOPIC_FLAG] != 0.0
     }
 
     /// Returns whether the body may be part or support of a pile.
     pub fn may_be_in_pile(&self) -> bool {
-        self.gyroscopic[MAY_BE_IN_PILE] != 0.0
+        self.gyroscopic[PILE_FLAG] != 0.0
     }
 
     /// Rotates a gyroscopic body by this rotation vector.
@@ -156,7 +156,7 @@ pub(crate) fn accelerated<W: Wide>(
         let rotation = rotation_of(&own);
         let mut gyroscope = Gyroscope::gather(bodies, &own);
         let on_the_way = gyroscope.velocity_on_the_way(rotation, angular, substep);
-        angular = WideVector::select(W::zero().lt(own[GYROSCOPIC]), on_the_way, angular);
+        angular = WideVector::select(W::zero().lt(own[GYROSCOPIC_FLAG]), on_the_way, angular);
         gyroscope.scatter(bodies);
     }
     WideMotion { linear, angular }
@@ -178,7 +178,7 @@ pub(crate) fn gyroscopic<W: Wide>(
     let mut gyroscope = Gyroscope::gather(bodies, &own);
     let (w, end) = (*velocity, turned_frame(rotation_of(&own), *velocity * W::splat(h)));
     let at_end = gyroscope.velocity_at_end(end, w, W::splat(h));
-    let is_gyroscopic = W::zero().lt(own[GYROSCOPIC]);
+    let is_gyroscopic = W::zero().lt(own[GYROSCOPIC_FLAG]);
     *velocity = WideVector::select(is_gyroscopic, at_end, w);
     *before = WideVector::select(is_gyroscopic, at_end - (w - *before), *before);
     let turned = [end.x, end.y, end.z, end.w];

@@ -49,8 +49,8 @@ use crate::model::collider::ColliderSet;
 ///
 /// * A suspension pushes and never pulls. It is integrated implicitly, and stiff springs are stable at any
 ///   rate.
-/// * Drive, brake and grip to the side of a wheel are together at most [`Wheel::friction_slip`] times its
-///   load. No brake stops a car on ice.
+/// * Drive, brake and lateral grip of a wheel are together at most [`Wheel::friction_slip`] times its load.
+///   No brake stops a car on ice.
 /// * Brakes stop a standing car, on a slope as well, within their force and the tyres' grip; it does not
 ///   creep.
 /// * Rays hit neither the chassis nor sensors, with any filter.

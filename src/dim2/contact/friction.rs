@@ -1,7 +1,7 @@
 //! Friction of a whole manifold: one tangential row at the friction centre.
 //!
-//! The friction centre is the mean of the points, weighted by how close they are to touching. At it
-//! acts a tangential impulse `λ`, bounded by the sum `N` of the normal impulses:
+//! The friction centre is the mean of the points, weighted by how close they are to touching. A tangential
+//! impulse `λ` acts there. The sum `N` of the normal impulses bounds it:
 //!
 //! ```text
 //! |λ| ≤ μ N

@@ -232,10 +232,10 @@ mod tests {
     }
 
     /// Different kinds in one tracker measure the same as a direct computation, for any rotation of the
-    /// bodies. Within half a turn the angle is unique. Single precision has 1e-7 of each number, a quotient
-    /// of small ones less.
+    /// bodies. Within half a turn the angle is unique. Single precision has a relative error of 1e-7, and a
+    /// quotient of small numbers has a larger one.
     #[test]
-    fn lanes_measure_what_is_measured_one_by_one() {
+    fn lanes_equal_single_measurements() {
         let mut random = Random(11);
         let all = JointAxesMask::ANG_AXES;
         let kinds = [

@@ -51,7 +51,7 @@ pub fn insert_or_remove(play: &mut Play<'_>) {
 /// Edits one collider, or all colliders.
 pub fn edit(play: &mut Play<'_>) {
     let (handle, other, body) = (play.collider(), play.collider(), play.body());
-    let Play { choices, world, bystanders, .. } = play;
+    let Play { choices, world, isolated_bodies, .. } = play;
     match choose(choices, 24) {
         0 | 1 => {
             let parent = if choices.once_in(3) { None } else { Some(body) };
@@ -78,7 +78,7 @@ pub fn edit(play: &mut Play<'_>) {
             let others = world
                 .colliders
                 .iter_mut()
-                .filter(|(handle, _)| !bystanders.colliders.contains(handle));
+                .filter(|(handle, _)| !isolated_bodies.colliders.contains(handle));
             others.for_each(|(_, collider)| meet_others(collider, choices));
         }
         choice => {

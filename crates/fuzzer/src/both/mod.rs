@@ -7,7 +7,7 @@ use super::thin;
 
 mod acts;
 mod bodies;
-mod bystanders;
+mod isolated_bodies;
 mod colliders;
 mod event_checker;
 mod families;

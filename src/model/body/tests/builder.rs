@@ -5,7 +5,7 @@ use crate::dim::math::{Pose, Real, Vector};
 use crate::model::body::{RigidBody, RigidBodyBuilder};
 
 #[test]
-fn what_is_described_is_built() {
+fn builders_set_all_properties() {
     let body = RigidBodyBuilder::kinematic_velocity_based()
         .translation(Vector::Y)
         .rotation(about_z(0.5))

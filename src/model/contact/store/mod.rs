@@ -457,7 +457,7 @@ impl<P: Pair> core::ops::Index<PairId> for PairStore<P> {
 
     #[expect(
         clippy::expect_used,
-        reason = "ids are ours, and those of pairs that went are forgotten"
+        reason = "the store creates all ids, and drops the ids of removed pairs"
     )]
     #[inline]
     fn index(&self, id: PairId) -> &P {
@@ -468,7 +468,7 @@ impl<P: Pair> core::ops::Index<PairId> for PairStore<P> {
 impl<P: Pair> core::ops::IndexMut<PairId> for PairStore<P> {
     #[expect(
         clippy::expect_used,
-        reason = "ids are ours, and those of pairs that went are forgotten"
+        reason = "the store creates all ids, and drops the ids of removed pairs"
     )]
     #[inline]
     fn index_mut(&mut self, id: PairId) -> &mut P {

@@ -21,7 +21,7 @@ use crate::model::contact::{ContactLanes, ContactReport, LaneBlock, NarrowPhase}
 use crate::model::params::ContactPass;
 use core::ops::Range;
 use core::sync::atomic::{AtomicBool, Ordering};
-pub(super) use load::ContactSources;
+pub(super) use load::ContactLoadContext;
 pub(super) use passes::{solve_friction, values_at};
 pub(super) use prepare::{PrepareContext, prepare};
 pub(super) use store_impulses::store_impulses;

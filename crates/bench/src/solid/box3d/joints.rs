@@ -35,7 +35,7 @@ fn has_cone_or_nothing(joint: &GenericJoint) -> bool {
 }
 
 fn create_hinge(world: b3WorldId, bodies: [b3BodyId; 2], joint: &GenericJoint) {
-    // SAFETY: plain values in, plain values out; the definition outlives the call, world and bodies are live.
+    // SAFETY: the calls take and return plain values; the definition outlives them, world and bodies are live.
     unsafe {
         let mut definition = b3DefaultRevoluteJointDef();
         fill_base(&mut definition.base, bodies, joint);
