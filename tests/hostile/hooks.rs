@@ -65,10 +65,7 @@ fn inconsistent_filters_affect_no_other_body() {
         let mut scene = scene();
         steps(&mut scene, &Hooks { filter: Some(&filter), modify: None }, 40);
         assert!(calls.into_inner() > 40, "the filter was called");
-        assert!(
-            scene.distant_in_the_end() == expected,
-            "period {period} affects distant bodies"
-        );
+        assert!(scene.distant_in_the_end() == expected, "period {period} affects distant bodies");
     }
 }
 

@@ -41,8 +41,7 @@ impl Scene {
         let (below, _) = block(&mut world, vec(0.0, 0.5), 0.0);
         let (body, collider) = block(&mut world, vec(0.0, 1.5), 0.0);
         let (above, _) = block(&mut world, vec(0.0, 2.5), 0.0);
-        let mut scene =
-            Self { world, ground, body, collider, neighbours: [below, above], distant };
+        let mut scene = Self { world, ground, body, collider, neighbours: [below, above], distant };
         scene.steps(BEFORE);
         scene
     }

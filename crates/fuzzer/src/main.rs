@@ -137,7 +137,7 @@ fn replay(options: &Options, file: &str) -> Result<bool, String> {
     let outcomes: Vec<_> = outcomes.collect();
     for (name, outcome) in &outcomes {
         match outcome {
-            Ok(tally) => println!("{name}: in order after {} steps", tally.steps),
+            Ok(tally) => println!("{name}: all invariants hold after {} steps", tally.steps),
             Err(finding) => println!("{name}: {finding}"),
         }
     }

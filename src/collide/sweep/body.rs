@@ -56,7 +56,7 @@ impl SupportMap for Shrunk<'_> {
 }
 
 impl<'a> Body<'a> {
-    /// A part as it is; `None` if nothing is known of where it ends.
+    /// A part without shrinking; `None` if its extent is unknown.
     pub fn whole(part: &'a dyn Shape) -> Option<Self> {
         let center = Vector::ZERO;
         let axes = Rotation::IDENTITY;

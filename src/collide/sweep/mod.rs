@@ -54,7 +54,7 @@ use parry::bounding_volume::{Aabb, BoundingVolume};
 use parry::shape::Shape;
 
 /// Depth of a shape's core below its surface, as a fraction of the shape's thickness. The core of a ball is
-/// nearly a point, that of a capsule is nearly its axis, and that of a board is a thinner board.
+/// nearly a point. The core of a capsule is nearly its axis, and the core of a board is a thinner board.
 const CORE_DEPTH_FRACTION: Real = 0.98;
 /// Sizes of the searched cores, as fractions of the first. A body with one end in a collider must still keep
 /// its middle outside.
@@ -413,7 +413,8 @@ fn advance(
 
 /// Bound on the closing speed of two bodies (length units per step), until a fraction of the step.
 fn closing_max(sweeps: [&Sweep<'_>; 2], reaches: [Real; 2], until: Real) -> Real {
-    let [straight1, straight2] = sweeps.map(|sweep| sweep.straight().filter(|_| sweep.stop >= until));
+    let [straight1, straight2] =
+        sweeps.map(|sweep| sweep.straight().filter(|_| sweep.stop >= until));
     if let Some((segment1, segment2)) = straight1.zip(straight2) {
         let turning = turning([segment1.angle(), segment2.angle()], reaches);
         return (segment1.shift - segment2.shift).length() + turning;

@@ -193,7 +193,7 @@ impl DynamicRayCastVehicleController {
     fn is_awake(&mut self, bodies: &mut RigidBodySet, colliders: &ColliderSet) -> bool {
         let Some(chassis) = bodies.get(self.chassis) else { return false };
         let is_asleep = chassis.is_sleeping();
-        let wants_to_wake = match is_asleep {
+        let must_wake = match is_asleep {
             true => is_disturbed(&self.wheels, &self.seen, bodies, colliders),
             false => is_driven(&self.wheels),
         };
@@ -204,11 +204,11 @@ impl DynamicRayCastVehicleController {
                 chassis.drop_push();
                 self.observer.skip();
             }
-            if wants_to_wake {
+            if must_wake {
                 chassis.wake_up(true);
             }
         }
-        !is_asleep || wants_to_wake
+        !is_asleep || must_wake
     }
 
     /// Applies the impulses, and rotates the wheels.

@@ -1,8 +1,8 @@
 //! The grip of a tyre: drive, brake and lateral grip within one friction circle.
 //!
-//! Friction at a wheel under the load N is at most µ N in all (Coulomb; for tyres the "friction circle",
-//! Milliken and Milliken, "Race Car Vehicle Dynamics", 1995, chapter 2). Its direction depends on the state
-//! of the wheel. The wheel has no mass, so its torques balance. The impulse f of the ground along the
+//! Friction at a wheel under the load N is at most µ N in all. (Coulomb's law is the "friction circle" of
+//! tyres: Milliken and Milliken, "Race Car Vehicle Dynamics", 1995, chapter 2.) Its direction depends on the
+//! state of the wheel. The wheel has no mass, so its torques balance. The impulse f of the ground along the
 //! direction of rolling equals that of engine and brake. Let E be the impulse of the engine, and B the
 //! maximum of the brake:
 //!

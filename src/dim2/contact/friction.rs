@@ -139,8 +139,8 @@ impl<W: Wide> WideFriction<W> {
             - (self.height + c.y) * m2.angular
             - self.surface_velocity;
         let limit = self.coefficient * normal_impulse;
-        let wanted = self.impulse - self.mass * slip;
-        let clamped = wanted.min(limit).max(-limit);
+        let unclamped = self.impulse - self.mass * slip;
+        let clamped = unclamped.min(limit).max(-limit);
         let added = clamped - self.impulse;
         self.impulse = clamped;
         added

@@ -1,8 +1,8 @@
 //! A capsule and a triangle: the part of the axis above the face, or the point where the axis is
 //! nearest to an edge.
 //!
-//! The axis, a segment, is nearest to the triangle at one of its ends, above the face, or at an edge (Ericson
-//! 2005, "Real-Time Collision Detection", section 5.1.10), or it passes through.
+//! The axis is a segment. It passes through the triangle, or is nearest to it at one of its ends, above the
+//! face, or at an edge. (Ericson 2005, "Real-Time Collision Detection", section 5.1.10.)
 
 use super::clip::{FaceContact, clip_faces};
 use super::polytope::Polytope;

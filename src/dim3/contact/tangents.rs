@@ -54,7 +54,7 @@ impl<W: Wide> TangentMass<W> {
         self.eigenvalue_min.store(&mut to.eigenvalue_min);
     }
 
-    /// The new impulse of the rows: the one that stops the slip, or one of the size `limit` if that is smaller.
+    /// The new impulse of the rows. It stops the slip, or has the size `limit` if that is smaller.
     #[inline(always)]
     pub fn friction(self, [old_x, old_y]: [W; 2], [slip_x, slip_y]: [W; 2], limit: W) -> [W; 2] {
         let [m11, m12, m22] = self.matrix;

@@ -140,8 +140,7 @@ impl AngleTracker {
         let (zero, one) = (W::zero(), W::splat(1.0));
         let v = WideVector { x: between.x, y: between.y, z: between.z };
         let follows = zero.lt(W::load(&self.follows));
-        // A quaternion and its negative are the same rotation: of the whole angle, that within half a turn is
-        // meant.
+        // A quaternion and its negative are the same rotation. The whole angle is the one within half a turn.
         let length = v.dot(v).sqrt();
         let sign = W::select(between.w.lt(zero), -one, one);
         let has_axis = W::splat(LENGTH_MIN).lt(length);

@@ -29,7 +29,7 @@ bitflags::bitflags! {
     }
 }
 
-// Rows and columns of the 4 × 4 table of body types that the 16 bits are.
+// Rows and columns of the 4 × 4 table of body types in the 16 bits.
 const ROW_DYNAMIC: u16 = 0;
 const ROW_FIXED: u16 = 1;
 const ROW_POSITION_BASED: u16 = 2;

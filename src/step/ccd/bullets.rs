@@ -100,7 +100,13 @@ impl Bullets {
         }
     }
 
-    fn stop(&mut self, position: u32, fraction: Real, search: Search<'_>, toi_fractions: &mut [Real]) {
+    fn stop(
+        &mut self,
+        position: u32,
+        fraction: Real,
+        search: Search<'_>,
+        toi_fractions: &mut [Real],
+    ) {
         if !search.groups.stop(position as usize, fraction, toi_fractions) {
             return;
         }
@@ -176,7 +182,13 @@ impl Bullets {
         self.pairs_of.sort_unstable();
     }
 
-    fn find_others(&mut self, bullet: u32, region: &Aabb, search: Search<'_>, toi_fractions: &[Real]) {
+    fn find_others(
+        &mut self,
+        bullet: u32,
+        region: &Aabb,
+        search: Search<'_>,
+        toi_fractions: &[Real],
+    ) {
         let Self { boxes, balls, pairs, .. } = self;
         boxes.for_each_leaf(&BoxProbe(*region), |other| {
             // Each of two bullets finds the other.
@@ -199,7 +211,9 @@ impl Bullets {
     /// Returns whether the bounding spheres of two fast bodies meet. For slow bodies the result is unknown.
     fn may_meet(&self, bullet: u32, other: Other, toi_fractions: &[Real]) -> bool {
         let Other::Fast(other) = other else { return true };
-        Ball::may_meet([bullet, other].map(|at| (&self.balls[at as usize], toi_fractions[at as usize])))
+        Ball::may_meet(
+            [bullet, other].map(|at| (&self.balls[at as usize], toi_fractions[at as usize])),
+        )
     }
 }
 

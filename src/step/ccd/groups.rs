@@ -71,7 +71,8 @@ impl Groups {
     /// Stops each group where the first of its members is stopped.
     pub fn stop_together(&self, toi_fractions: &mut [Real]) {
         for &(first, member) in &self.members {
-            toi_fractions[first as usize] = toi_fractions[first as usize].min(toi_fractions[member as usize]);
+            toi_fractions[first as usize] =
+                toi_fractions[first as usize].min(toi_fractions[member as usize]);
         }
         for &(first, member) in &self.members {
             toi_fractions[member as usize] = toi_fractions[first as usize];
@@ -83,7 +84,8 @@ impl Groups {
         if fraction >= toi_fractions[position] {
             return false;
         }
-        self.members(self.first(position)).for_each(|member| toi_fractions[member as usize] = fraction);
+        self.members(self.first(position))
+            .for_each(|member| toi_fractions[member as usize] = fraction);
         true
     }
 

@@ -177,7 +177,10 @@ pub(crate) fn find_impacts(tasks: Tasks<'_>, context: CcdContext<'_>, scratch: &
         tasks.par_fill(crossings, BODIES_PER_TASK, |position| {
             let (path, end) = match rides.of(position) {
                 Some(ride) => (ride.path_of_all(search, position), ride.end),
-                None => (Path::of_all(search, position, toi_fractions[position]), toi_fractions[position]),
+                None => (
+                    Path::of_all(search, position, toi_fractions[position]),
+                    toi_fractions[position],
+                ),
             };
             path.map(|path| sensors::crossings(search, &path, end)).unwrap_or_default()
         });
@@ -217,8 +220,15 @@ pub(crate) fn stop(
 ) {
     scratch.complete();
     let is_fraction = |fraction: Real| (0.0..=1.0).contains(&fraction);
-    debug_assert_eq!(scratch.toi_fractions.len(), context.fast.len(), "every fast body was searched");
-    debug_assert!(scratch.toi_fractions.iter().all(|&stop| is_fraction(stop)), "a body stops in the step");
+    debug_assert_eq!(
+        scratch.toi_fractions.len(),
+        context.fast.len(),
+        "every fast body was searched"
+    );
+    debug_assert!(
+        scratch.toi_fractions.iter().all(|&stop| is_fraction(stop)),
+        "a body stops in the step"
+    );
     debug_assert!(
         scratch
             .rides

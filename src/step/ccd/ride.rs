@@ -88,7 +88,13 @@ impl Rides {
 
     /// Finds the rides from the first stop of each body and the final stops. Final stops are earlier for
     /// joined bodies and bullets.
-    pub fn find(&mut self, tasks: Tasks<'_>, search: Search<'_>, first: &[Stop], toi_fractions: &[Real]) {
+    pub fn find(
+        &mut self,
+        tasks: Tasks<'_>,
+        search: Search<'_>,
+        first: &[Stop],
+        toi_fractions: &[Real],
+    ) {
         if search.movers.is_empty() {
             return;
         }

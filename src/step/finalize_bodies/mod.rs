@@ -92,7 +92,9 @@ unsafe fn update_colliders(
         collider.pose = body.pose * parent.pos_wrt_parent;
         collider.proxy.clearance -= motion;
         if collider.proxy.clearance < 0.0 {
-            left.extend(update_moved_proxy(collider, body, params).map(|moved_proxy| (handle, moved_proxy)));
+            left.extend(
+                update_moved_proxy(collider, body, params).map(|moved_proxy| (handle, moved_proxy)),
+            );
         }
     }
 }

@@ -31,8 +31,8 @@ use crate::model::params::IntegrationParameters;
 use crate::step::solver::context::SolverContext;
 use core::ops::Range;
 
-/// Up to this ratio of masses the usual substeps do: four cubes under one of 30 times the mass sink in by 15
-/// mm.
+/// Up to this ratio of masses the usual substeps are sufficient: four cubes under one of 30 times the mass
+/// sink in by 15 mm.
 const MASS_RATIO_MODERATE_MAX: Real = 32.0;
 /// Largest factor on the usual number of substeps of an island.
 const SUBSTEP_FACTOR_MAX: usize = 16;

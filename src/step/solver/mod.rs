@@ -130,7 +130,8 @@ impl SolverScratch {
         counters.velocity_assembly_time.pause();
 
         counters.velocity_resolution_time.resume();
-        counters.nlimited_bodies += constraints.solve(group.substeps, multibody_context, bodies, &pass);
+        counters.nlimited_bodies +=
+            constraints.solve(group.substeps, multibody_context, bodies, &pass);
         counters.velocity_resolution_time.pause();
 
         counters.velocity_writeback_time.resume();

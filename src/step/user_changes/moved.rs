@@ -38,7 +38,8 @@ impl UserChanges<'_> {
         let partners =
             touching.flat_map(|&id| contacts.bodies(id)).filter(|&partner| partner != slot);
         let mut all_moved = partners.into_iter().all(|partner| self.moved_along(moved, partner));
-        self.structure.for_each_joined(slot, |partner| all_moved &= self.moved_along(moved, partner));
+        self.structure
+            .for_each_joined(slot, |partner| all_moved &= self.moved_along(moved, partner));
         all_moved
     }
 

@@ -248,7 +248,8 @@ fn create_joint(
     }
     let frame =
         |pose: &Pose| b2Transform { p: vector(pose.translation), q: rotation(&pose.rotation) };
-    // SAFETY: the calls take and return plain values; the definition outlives them, world and bodies are live.
+    // SAFETY: the calls take and return plain values. The definition outlives them. The world and the bodies
+    // are live.
     unsafe {
         let mut definition = b2DefaultRevoluteJointDef();
         [definition.base.bodyIdA, definition.base.bodyIdB] = bodies;

@@ -96,8 +96,10 @@ pub fn edit(play: &mut Play<'_>) {
             }
         }
         3 => {
-            let others =
-                world.bodies.iter_mut().filter(|(handle, _)| !isolated_bodies.bodies.contains(handle));
+            let others = world
+                .bodies
+                .iter_mut()
+                .filter(|(handle, _)| !isolated_bodies.bodies.contains(handle));
             others.for_each(|(_, body)| push(body, choices));
         }
         choice => {

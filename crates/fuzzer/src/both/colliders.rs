@@ -79,14 +79,14 @@ pub fn edit(play: &mut Play<'_>) {
                 .colliders
                 .iter_mut()
                 .filter(|(handle, _)| !isolated_bodies.colliders.contains(handle));
-            others.for_each(|(_, collider)| meet_others(collider, choices));
+            others.for_each(|(_, collider)| change_interaction(collider, choices));
         }
         choice => {
             let Some(collider) = world.colliders.get_mut(handle) else { return };
             match choice % 3 {
                 0 => place(collider, choices),
-                1 => meet_others(collider, choices),
-                _ => change_matter(collider, choices),
+                1 => change_interaction(collider, choices),
+                _ => change_material(collider, choices),
             }
         }
     }
@@ -104,7 +104,7 @@ fn place(collider: &mut Collider, choices: &mut Choices<'_>) {
     }
 }
 
-fn meet_others(collider: &mut Collider, choices: &mut Choices<'_>) {
+fn change_interaction(collider: &mut Collider, choices: &mut Choices<'_>) {
     let groups = [
         OTHERS,
         InteractionGroups::none(),
@@ -133,7 +133,7 @@ fn meet_others(collider: &mut Collider, choices: &mut Choices<'_>) {
     }
 }
 
-fn change_matter(collider: &mut Collider, choices: &mut Choices<'_>) {
+fn change_material(collider: &mut Collider, choices: &mut Choices<'_>) {
     let value = some_real(choices);
     match choose(choices, 10) {
         0 => collider.set_friction(value),

@@ -1,9 +1,9 @@
 //! A world with all handles that were ever created in it, for random operations.
 
-use super::isolated_bodies::IsolatedBodies;
 use super::dim::Vehicle;
 use super::event_checker::EventChecker;
 use super::groups::OTHERS;
+use super::isolated_bodies::IsolatedBodies;
 use super::rapier::prelude::*;
 use super::values::{some_real, some_vector};
 use super::world_copy::WorldCopy;
@@ -68,7 +68,11 @@ impl<'a> Play<'a> {
             recent(&self.bodies, &mut self.choices)
         };
         self.choices.print(|| format!("    {handle:?}"));
-        if self.isolated_bodies.bodies.contains(&handle) { RigidBodyHandle::invalid() } else { handle }
+        if self.isolated_bodies.bodies.contains(&handle) {
+            RigidBodyHandle::invalid()
+        } else {
+            handle
+        }
     }
 
     /// Returns any collider handle except an isolated body's.

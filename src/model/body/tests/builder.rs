@@ -49,7 +49,7 @@ fn a_bad_value_becomes_the_default_or_an_error_that_names_it() {
     assert_eq!(error.to_string(), "the gravity_scale of a rigid body is NaN, which is invalid");
 }
 
-/// Or a body of a high group would fall through the ground.
+/// If it did, a body of a high group would fall through the ground.
 #[test]
 fn dominance_does_not_move_fixed_bodies() {
     let body = |group| RigidBodyBuilder::dynamic().dominance_group(group).build();

@@ -34,7 +34,7 @@ impl Structure<'_> {
         ensure!(are_of, "the registered joints differ from the joints of the set");
         for (slot, link) in self.islands.joints.iter() {
             let Some(joint) = joints.get(link.handle) else { continue };
-            ensure!(joint.is_sound(), "joint {slot} has impulses that are none: {joint:?}");
+            ensure!(joint.is_sound(), "joint {slot} has invalid impulses: {joint:?}");
         }
         Ok(())
     }

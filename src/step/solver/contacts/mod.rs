@@ -34,7 +34,7 @@ const BLOCKS_PER_TASK: usize = 8;
 pub(super) struct SolverContacts {
     /// Blocks of one colour are contiguous.
     blocks: Vec<ContactBlock>,
-    /// The lanes of the narrow phase while they are borrowed, else an own set.
+    /// The lanes of the narrow phase while they are borrowed, otherwise a separate set.
     lanes: ContactLanes,
     are_on_loan: bool,
     /// Whether the lanes begin with a reduced fraction of the last impulses.

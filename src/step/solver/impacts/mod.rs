@@ -44,12 +44,12 @@
 //! reports and break limits get `s λ` and `s μ`. An island whose round has the fraction zero is unchanged,
 //! and would stay unchanged: its impact ends.
 //!
-//! All that holds for one mass matrix `M`. The projected changes are the nearest ones in its metric, that of
-//! the kinetic energy (Moreau, "Unilateral contact and dry friction in finite freedom dynamics", 1988). In
-//! this metric they still separate the contacts that hit. Contacts use the inertias of the start of the step.
-//! If joints used the current ones, the contact of a thin board that has rotated by a radian would approach
-//! faster under any impulse. Rounds then added up to a quarter of the energy, without being detected. So in
-//! impacts joints take the inertias that contacts have.
+//! All that holds for one mass matrix `M`. The projected changes are the nearest ones in its metric, which is
+//! that of the kinetic energy. (Moreau, "Unilateral contact and dry friction in finite freedom dynamics",
+//! 1988.) In this metric they still separate the contacts that hit. Contacts use the inertias of the start of
+//! the step. If joints used the current ones, the contact of a thin board that has rotated by a radian would
+//! approach faster under any impulse. Rounds then added up to a quarter of the energy, without being
+//! detected. So in impacts joints take the inertias that contacts have.
 //!
 //! ## Supported loads
 //! A substep starts with the impulses of the last one, which may be outdated. An impulse that stopped an

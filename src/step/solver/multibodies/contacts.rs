@@ -321,9 +321,9 @@ impl Point {
         core::iter::once((&self.normal, self.impulse, 0.0)).chain(along)
     }
 
-    /// The new impulses of friction: those that stop the slip, or opposite to it if they would be larger than
-    /// `most` (Coulomb's law as a fixed point: see `dim3/contact/tangents.rs`). The rows are solved one by one,
-    /// so `K₁₂` is unknown, and the largest eigenvalue of `K` is at most its trace.
+    /// The new impulses of friction. They stop the slip, or are opposite to it if they would be larger than
+    /// `most` (Coulomb's law as a fixed point: see `dim3/contact/tangents.rs`). The rows are solved one by
+    /// one, so `K₁₂` is unknown, and the largest eigenvalue of `K` is at most its trace.
     pub fn friction_under(
         &self,
         most: Real,

@@ -103,10 +103,10 @@ impl Engine for Box3d<'_> {
         let filter = unsafe { b3DefaultQueryFilter() };
         let hits =
             probes.origins.iter().zip(&probes.directions).filter(|&(&origin, &direction)| {
-                let (origin, way) =
+                let (origin, translation) =
                     (vector(vector_of(origin)), vector(vector_of(direction) * probes.reach));
                 // SAFETY: the world is live, all other arguments are values.
-                unsafe { b3World_CastRayClosest(self.world.0, origin, way, filter) }.hit
+                unsafe { b3World_CastRayClosest(self.world.0, origin, translation, filter) }.hit
             });
         Some(hits.count())
     }

@@ -342,7 +342,10 @@ impl<const N: usize> Matrix<N> {
     }
 
     /// Subtracts the effect of the elimination of the column `at` from the block of two of its rows.
-    #[expect(clippy::expect_used, reason = "the pattern is ours, and closed under elimination")]
+    #[expect(
+        clippy::expect_used,
+        reason = "the engine makes the pattern, which is closed under elimination"
+    )]
     #[inline(always)]
     fn update(&mut self, component: Component<'_>, at: usize, first: usize, second: usize) {
         let column = &component.columns[at];

@@ -208,8 +208,8 @@ fn trees_get_no_blocks_but_their_own() {
 }
 
 /// A dozen limbs of four joints, each a loop from a hub to a light wheel. The joints at these two are
-/// coupled, 24 at each. Legs first costs a few blocks for each of their joints; from the hub on, nearly all
-/// would be coupled with all.
+/// coupled, 24 at each. Elimination of the legs first costs a few blocks for each of their joints.
+/// Elimination from the hub on would couple nearly all joints with all.
 #[test]
 fn legs_go_before_their_hubs() {
     const LEGS: u32 = 12;
