@@ -332,14 +332,13 @@ impl Point {
         states: &ConstrainedStates<'_>,
     ) -> [Real; DIM - 1] {
         let (mut stopping, mut opposite) = (old, old);
-        let movable = self.tangents.iter().filter(|row| row.mass > 0.0);
-        let trace: Real = movable.map(|row| 1.0 / row.mass).sum();
-        let rho = if trace > 0.0 { 1.0 / trace } else { 0.0 };
+        let masses = self.tangents.iter().map(|row| row.mass).filter(|&mass| mass > 0.0);
+        let inv_trace = masses.reduce(|one, two| one * two / (one + two)).unwrap_or(0.0);
         for k in 0..DIM - 1 {
             let row = &self.tangents[k];
             let slip = jacobians.velocity(row, states) - self.surface[k];
             stopping[k] -= slip * row.mass;
-            opposite[k] -= slip * rho;
+            opposite[k] -= slip * inv_trace;
         }
         if length(stopping) <= most {
             return stopping;
