@@ -10,8 +10,9 @@ const VARIANTS: [&str; 4] = ["dim2", "dim3", "f32", "f64"];
 const TASKS_FOLDER: &str = "src/base/tasks/";
 
 /// Files that exist in one of `dim2/` and `dim3/` only, with the reason.
-const SINGLES: [(&str, &str); 2] = [
+const SINGLES: [(&str, &str); 3] = [
     ("src/dim3/collide/cuboid_faces.rs", "faces are clipped by faces; in 2D faces are edges"),
+    ("src/dim3/contact/tangents.rs", "contacts have two tangents; in 2D they have one"),
     ("src/dim3/gyroscopic.rs", "gyroscopic motion needs three axes"),
 ];
 
@@ -108,7 +109,7 @@ fn twin(path: &str) -> Option<String> {
 
 #[cfg(test)]
 mod tests {
-    use super::{check_dimensions, check_doors, check_features};
+    use super::{SINGLES, check_dimensions, check_doors, check_features};
     use crate::Complaint;
     use crate::source::Source;
 
@@ -157,7 +158,7 @@ mod tests {
 
     #[test]
     fn dimensions_have_the_same_files() {
-        let singles = [("src/dim3/collide/cuboid_faces.rs", ""), ("src/dim3/gyroscopic.rs", "")];
+        let singles = SINGLES.map(|(path, _)| (path, ""));
         assert!(of(check_dimensions, &singles).is_empty());
         let mut files = singles.to_vec();
         files.push(("src/dim3/motion.rs", ""));

@@ -7,8 +7,8 @@
 //! ```
 //!
 //! Torque about the normal follows from the forces of the points. The points are solved in sequence, coupled
-//! through the bodies: four small solves, about twice the work of the [central rows](super::friction). Kept
-//! out of [`ContactBlock`] so that worlds with the standard model do not carry it through the caches.
+//! through the bodies. The four small solves are about twice the work of the [central rows](super::friction).
+//! [`ContactBlock`] excludes these rows, so worlds with the standard model do not load them into the caches.
 
 use super::block::ContactBlock;
 use super::friction::{moment, slip, tangent_mass};

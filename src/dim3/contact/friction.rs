@@ -209,8 +209,8 @@ impl<W: Wide> WideFriction<W> {
     #[inline(always)]
     fn solve_torsion(&mut self, spin: W, limit: W) -> W {
         let old = self.impulse[2];
-        let wanted = old - self.torsional_mass * spin;
-        self.impulse[2] = wanted.min(limit).max(-limit);
+        let unclamped = old - self.torsional_mass * spin;
+        self.impulse[2] = unclamped.min(limit).max(-limit);
         self.impulse[2] - old
     }
 

@@ -1,8 +1,8 @@
 //! Two tangential rows at one point, solved together within Coulomb's cone.
 //!
 //! The impulse that stops the slip `s` is `λt - K⁻¹ s`. If it is outside the cone, the point slides, and
-//! friction is opposite to the slip (maximum dissipation). `K⁻¹ s` has another direction, because a body
-//! yields more easily to an impulse that rotates it. Therefore the impulse follows the slip itself, and
+//! friction is opposite to the slip (maximum dissipation). `K⁻¹ s` has another direction, because an impulse
+//! that rotates a body meets a smaller effective mass. The impulse therefore follows the slip itself, and
 //! Coulomb's law is the fixed point:
 //!
 //! ```text
@@ -10,8 +10,8 @@
 //! λt ← μ N d/|d|,   d = λt - ρ s                else; ρ the smallest eigenvalue of K⁻¹, so that it contracts
 //! ```
 //!
-//! (de Saxcé, Feng, "The bipotential method", 1998.) An impulse `λt - K⁻¹ s` that is only shortened to the
-//! cone turned a beam of 4×0.5×0.5 m by 11° when it slid at 45° to its axis, and it slid 6 % too far.
+//! (de Saxcé, Feng, "The bipotential method", 1998.) Shortening `λt - K⁻¹ s` to the cone is not sufficient.
+//! With it, a beam of 4×0.5×0.5 m that slid at 45° to its axis turned by 11° and slid 6 % too far.
 
 use crate::base::wide::{Lane, Wide, invert};
 use crate::dim3::math::Real;
@@ -54,7 +54,7 @@ impl<W: Wide> TangentMass<W> {
         self.eigenvalue_min.store(&mut to.eigenvalue_min);
     }
 
-    /// The new impulse of the rows: the one that stops the slip, or one of the size `limit` if that is smaller.
+    /// The new impulse of the rows. It stops the slip, or has the size `limit` if that is smaller.
     #[inline(always)]
     pub fn friction(self, [old_x, old_y]: [W; 2], [slip_x, slip_y]: [W; 2], limit: W) -> [W; 2] {
         let [m11, m12, m22] = self.matrix;
@@ -68,7 +68,7 @@ impl<W: Wide> TangentMass<W> {
     }
 }
 
-/// The inverse of a symmetric 2×2 matrix of no negative eigenvalue.
+/// The inverse of a symmetric 2×2 matrix without negative eigenvalues.
 ///
 /// Bodies with locked axes may be free to slide along one direction alone. Their matrix has one
 /// eigenvalue, which is its trace, and a determinant of rounding errors. One over the trace inverts it

@@ -169,7 +169,7 @@ fn middle(points: &[Vector]) -> Vector {
 }
 
 #[test]
-fn one_visit_stops_the_sliding_of_the_friction_centre() {
+fn one_iteration_stops_the_sliding_of_the_friction_centre() {
     let mut random = Random(2);
     for _ in 0..100 {
         let touch = Touch::random(&mut random);

@@ -7,7 +7,7 @@
 use super::impacts::{LinkImpact, LinkImpactRow};
 use super::rows::{ConstrainedStates, JacobianPool, Row};
 use super::sides::{Geometry, Side, normal_of};
-use super::{MultibodySources, SolverMultibodies, solve_unilateral};
+use super::{MultibodyContext, SolverMultibodies, solve_unilateral};
 use crate::dim::math::{DIM, MAX_MANIFOLD_POINTS, Real, Vector, tangents};
 use crate::model::constraint_graph::ManifoldRef;
 use crate::model::contact::{ContactManifold, NarrowPhase};
@@ -68,10 +68,10 @@ impl SolverMultibodies {
     pub(super) fn prepare_contacts(
         &mut self,
         manifolds: &[ManifoldRef],
-        sources: MultibodySources<'_>,
+        context: MultibodyContext<'_>,
         bodies: &SolverBodies,
     ) {
-        let MultibodySources { narrow_phase, world, .. } = sources;
+        let MultibodyContext { narrow_phase, world, .. } = context;
         self.contacts.contacts.clear();
         self.moving.iter_mut().for_each(|moving| moving.touches = false);
         // The links of one multibody are coupled by each other's contacts, so the order matters. The order of
@@ -148,7 +148,7 @@ impl SolverMultibodies {
     pub(super) fn follow_contact(
         &mut self,
         position: usize,
-        MultibodySources { narrow_phase, world, .. }: MultibodySources<'_>,
+        MultibodyContext { narrow_phase, world, .. }: MultibodyContext<'_>,
         bodies: &mut SolverBodies,
     ) {
         let LinkContact { at, first_number, normal, .. } = self.contacts.contacts[position];
@@ -178,18 +178,18 @@ impl SolverMultibodies {
     }
 
     /// Recomputes the rows of contacts of far-rotating links at the current poses.
-    pub fn follow_contacts(&mut self, sources: MultibodySources<'_>, bodies: &mut SolverBodies) {
+    pub fn follow_contacts(&mut self, context: MultibodyContext<'_>, bodies: &mut SolverBodies) {
         if !self.any_turns_far() {
             return;
         }
         for position in 0..self.contacts.contacts.len() {
-            let contacts = &sources.narrow_phase.contacts;
+            let contacts = &context.narrow_phase.contacts;
             let slots = contacts.bodies(self.contacts.contacts[position].at.pair);
             let turns_far =
                 |slot| self.place(slot).is_some_and(|place| self.moving[place.multibody].turns_far);
             if slots.into_iter().any(turns_far) {
                 self.warm_contact(position, bodies, -1.0);
-                self.follow_contact(position, sources, bodies);
+                self.follow_contact(position, context, bodies);
                 self.warm_contact(position, bodies, 1.0);
             }
         }
@@ -321,9 +321,9 @@ impl Point {
         core::iter::once((&self.normal, self.impulse, 0.0)).chain(along)
     }
 
-    /// The new impulses of friction: those that stop the slip, or opposite to it if they would be larger than
-    /// `most` (Coulomb's law as a fixed point: see `dim3/contact/tangents.rs`). The rows are solved one by one,
-    /// so `K₁₂` is unknown, and the largest eigenvalue of `K` is at most its trace.
+    /// The new impulses of friction. They stop the slip, or are opposite to it if they would be larger than
+    /// `most` (Coulomb's law as a fixed point: see `dim3/contact/tangents.rs`). The rows are solved one by
+    /// one, so `K₁₂` is unknown, and the largest eigenvalue of `K` is at most its trace.
     pub fn friction_under(
         &self,
         most: Real,
