@@ -23,9 +23,9 @@ fn add_beam(world: &mut PhysicsWorld, angle: Real, is_link: bool) -> RigidBodyHa
     beam
 }
 
-/// Friction is opposite to the slip: a beam slides straight on, for the distance `v² / 2µg`, at whatever
-/// angle. An impulse along its width rotates it about its axis, so it yields more easily to it, but the
-/// ground does not let it rotate.
+/// Friction is opposite to the slip: a beam slides straight on, for the distance `v² / 2µg`, at any angle. An
+/// impulse along its width meets a smaller effective mass, because it rotates the beam about its axis. The
+/// ground prevents that rotation.
 #[test]
 fn beams_slide_straight_on() {
     let columns = ["friction", "angle (°)", "direction (°)", "distance", "formula"];
@@ -43,6 +43,7 @@ fn beams_slide_straight_on() {
             let angle = (degrees as Real).to_radians();
             let beam = add_beam(&mut world, angle, is_link);
             run(&mut world, 3.0);
+            table.require(world.bodies[beam].linvel().length() < 1.0e-3, "still slides");
             let end = world.bodies[beam].translation();
             let distance = end.x.hypot(end.z);
             let direction = end.z.atan2(end.x);
@@ -55,7 +56,9 @@ fn beams_slide_straight_on() {
                 format!("{distance:.4}"),
                 format!("{formula:.4}"),
             ]);
-            table.check("the direction", direction, angle, 2.0e-3);
+            // The rotation about the normal that the beam gets by rounding, in radians.
+            table.check("the direction", direction, angle, 1.0e-3);
+            // As in `slide_to_stop`: the beam also loses speed while it settles.
             table.check("the distance", distance, formula, 5.0e-3);
         }
     }

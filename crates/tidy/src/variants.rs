@@ -10,9 +10,8 @@ const VARIANTS: [&str; 4] = ["dim2", "dim3", "f32", "f64"];
 const TASKS_FOLDER: &str = "src/base/tasks/";
 
 /// Files that exist in one of `dim2/` and `dim3/` only, with the reason.
-const SINGLES: [(&str, &str); 3] = [
+const SINGLES: [(&str, &str); 2] = [
     ("src/dim3/collide/cuboid_faces.rs", "faces are clipped by faces; in 2D faces are edges"),
-    ("src/dim3/contact/tangents.rs", "contacts have two tangents; in 2D they have one"),
     ("src/dim3/gyroscopic.rs", "gyroscopic motion needs three axes"),
 ];
 

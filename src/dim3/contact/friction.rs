@@ -5,7 +5,7 @@
 //! the sum `N` of the normal impulses and the mean distance `r` of the points from the centre:
 //!
 //! ```text
-//! |λt| ≤ μ N        |λw| ≤ μ N r        λt opposite to the slip where it is as large: see `tangents`
+//! |λt| ≤ μ N        |λw| ≤ μ N r        at `|λt| = μ N` opposite to the slip: see `tangents`
 //!
 //! Ċt = v2 + ω2 × (ρ + c) - v1 - ω1 × ρ - surface velocity, first two components in the contact frame
 //! K  = M⁻¹ + Σ J I⁻¹ Jᵀ with the angular rows  J₁ = (0, ρ₃, -ρ₂),  J₂ = (-ρ₃, 0, ρ₁)

@@ -8,6 +8,7 @@ use super::impacts::{LinkImpact, LinkImpactRow};
 use super::rows::{ConstrainedStates, JacobianPool, Row};
 use super::sides::{Geometry, Side, normal_of};
 use super::{MultibodyContext, SolverMultibodies, solve_unilateral};
+use crate::dim::contact::PointTangentMass;
 use crate::dim::math::{DIM, MAX_MANIFOLD_POINTS, Real, Vector, tangents};
 use crate::model::constraint_graph::ManifoldRef;
 use crate::model::contact::{ContactManifold, NarrowPhase};
@@ -33,6 +34,7 @@ pub struct Point {
     pub separation: Real,
     pub normal: Row,
     pub tangents: [Row; DIM - 1],
+    tangent_mass: PointTangentMass,
     /// Along each tangent: the velocity that friction brings about (conveyor belts).
     surface: [Real; DIM - 1],
     impulse: Real,
@@ -121,11 +123,14 @@ impl SolverMultibodies {
         let fraction = self.fraction_of(sides);
         let points =
             geometry.points.iter().zip(&data.points).map(|(&(position, separation), known)| {
+                let normal = self.row(sides, [position; 2], geometry.normal);
+                let tangents = along.map(|tangent| self.row(sides, [position; 2], tangent));
                 Point {
                     position,
                     separation,
-                    normal: self.row(sides, [position; 2], geometry.normal),
-                    tangents: along.map(|tangent| self.row(sides, [position; 2], tangent)),
+                    normal,
+                    tangents,
+                    tangent_mass: self.jacobians.tangent_mass(&tangents),
                     surface: along.map(|tangent| tangent.dot(data.tangent_velocity)),
                     impulse: known.warmstart_impulse * fraction,
                     friction: known.warmstart_tangent_impulse.map(|impulse| impulse * fraction),
@@ -169,6 +174,7 @@ impl SolverMultibodies {
             let places = displacements.map(|displacement| point.position + displacement);
             point.normal = self.row(&sides, places, normal);
             point.tangents = along.map(|tangent| self.row(&sides, places, tangent));
+            point.tangent_mass = self.jacobians.tangent_mass(&point.tangents);
             let states =
                 ConstrainedStates { multibodies: &mut self.moving, states: &mut bodies.states };
             point.separation = separation - self.jacobians.displacement(&point.normal, &states);
@@ -274,8 +280,8 @@ impl LinkContacts {
         for contact in &mut self.contacts {
             for point in &mut contact.points {
                 let old = point.friction;
-                let most = contact.friction * point.impulse;
-                let new = point.friction_under(most, old, jacobians, states);
+                let limit = contact.friction * point.impulse;
+                let new = point.friction_within(limit, old, jacobians, states);
                 for k in 0..DIM - 1 {
                     jacobians.push(&point.tangents[k], new[k] - old[k], states);
                 }
@@ -321,35 +327,27 @@ impl Point {
         core::iter::once((&self.normal, self.impulse, 0.0)).chain(along)
     }
 
-    /// The new impulses of friction. They stop the slip, or are opposite to it if they would be larger than
-    /// `most` (Coulomb's law as a fixed point: see `dim3/contact/tangents.rs`). The rows are solved one by
-    /// one, so `K₁₂` is unknown, and the largest eigenvalue of `K` is at most its trace.
-    pub fn friction_under(
+    /// The new impulses of friction, together at most `limit`: see `dim3/contact/tangents.rs`.
+    pub fn friction_within(
         &self,
-        most: Real,
+        limit: Real,
         old: [Real; DIM - 1],
         jacobians: &JacobianPool,
         states: &ConstrainedStates<'_>,
     ) -> [Real; DIM - 1] {
-        let (mut stopping, mut opposite) = (old, old);
-        let masses = self.tangents.iter().map(|row| row.mass).filter(|&mass| mass > 0.0);
-        let inv_trace = masses.reduce(|one, two| one * two / (one + two)).unwrap_or(0.0);
+        let mut slip = [0.0; DIM - 1];
         for k in 0..DIM - 1 {
-            let row = &self.tangents[k];
-            let slip = jacobians.velocity(row, states) - self.surface[k];
-            stopping[k] -= slip * row.mass;
-            opposite[k] -= slip * inv_trace;
+            slip[k] = jacobians.velocity(&self.tangents[k], states) - self.surface[k];
         }
-        if length(stopping) <= most {
-            return stopping;
-        }
-        let scale = most / length(opposite).max(Real::MIN_POSITIVE);
-        opposite.map(|impulse| impulse * scale)
+        self.tangent_mass.friction(old, slip, limit)
     }
 }
 
-fn length(impulses: [Real; DIM - 1]) -> Real {
-    impulses.iter().map(|impulse| impulse * impulse).sum::<Real>().sqrt()
+impl JacobianPool {
+    fn tangent_mass(&self, tangents: &[Row; DIM - 1]) -> PointTangentMass {
+        let coupling = || self.coupling(&tangents[0], &tangents[DIM - 2]);
+        PointTangentMass::of(tangents.map(|row| row.mass), coupling)
+    }
 }
 
 impl LinkContact {

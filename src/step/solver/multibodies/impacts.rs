@@ -292,9 +292,9 @@ impl SolverMultibodies {
         for contact in contacts.bouncing().filter(|contact| contact.impact.was_active) {
             for point in contact.points.iter_mut().filter(|point| point.impact.given > 0.0) {
                 point.total += point.impact.given;
-                let most = contact.friction * point.impact.given;
+                let limit = contact.friction * point.impact.given;
                 let none = [0.0; DIM - 1];
-                let friction_impulses = point.friction_under(most, none, jacobians, &states);
+                let friction_impulses = point.friction_within(limit, none, jacobians, &states);
                 for (row, impulse) in point.tangents.iter().zip(friction_impulses) {
                     jacobians.apply_impact(row, impulse, &mut states);
                 }
