@@ -1,6 +1,7 @@
 //! Recovery from initial overlap.
 //!
-//! After 200 steps no overlap is deeper than 0.05: boxes still roll and fall. No body is below 0.1 or farther out than 36.0.
+//! After 200 steps no overlap is deeper than 0.05: boxes still roll and fall. No body is below 0.1 or
+//! farther out than 36.0.
 
 use crate::common::{Law, Scene, SceneInfo, plays};
 use gallery::{Category, View};
