@@ -22,6 +22,8 @@ mod top;
 mod joints;
 #[path = "multibody/whips.rs"]
 mod whips;
+#[path = "physics/beams.rs"]
+mod beams;
 #[path = "physics/hulls.rs"]
 mod hulls;
 #[path = "physics/rods.rs"]

@@ -30,7 +30,7 @@ const sidebars: SidebarsConfig = {
         { type: "link", label: "Charts", href: "/benchmarks" },
         "benchmarks/latest",
         { type: "doc", id: "benchmarks/native", label: "Beside its peers, native code" },
-        ...["growth", "joints", "ground", "queries", "saving", "javascript"].map((name) => `benchmarks/${name}`),
+        ...["growth", "threads", "joints", "ground", "queries", "saving", "javascript"].map((name) => `benchmarks/${name}`),
         "performance",
     ],
 };

@@ -29,6 +29,30 @@ def test_equal_worlds_give_equal_pictures(engine):
     assert np.array_equal(world.render(96, 64), world.copy().render(96, 64))
 
 
+def test_pictures_and_debug_lines_show_changed_poses_before_a_step(engine):
+    def make(x):
+        world = engine.World()
+        world.add_body(shape=engine.Shape.ball(0.5), position=at(engine, x, 0))
+        return world
+
+    focus = (at(engine, -1, -1, -1), at(engine, 3, 1, 1))
+    expected = make(2)
+    picture, lines = expected.render(64, 48, focus=focus), expected.debug_lines()[0]
+    batch = engine.WorldBatch(make(0), 2)
+    before = batch.render(1, 64, 48, focus=focus)
+    assert not np.array_equal(before, picture)
+    state = batch.state()
+    state[1, 0, 0] = 2.0
+    batch.set_state(state)
+    assert np.array_equal(batch.render(0, 64, 48, focus=focus), before)
+    assert np.array_equal(batch.render(1, 64, 48, focus=focus), picture)
+    assert np.array_equal(batch.world(1).debug_lines()[0], lines)
+    world = make(0)
+    assert np.array_equal(world.render(64, 48, focus=focus), before)
+    world.bodies[0].position = at(engine, 2, 0)
+    assert np.array_equal(world.render(64, 48, focus=focus), picture)
+
+
 def test_single_and_double_precision_look_alike():
     for dimension in ("dim2", "dim3"):
         pictures = []

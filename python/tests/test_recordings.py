@@ -10,7 +10,7 @@ from rapier import dim3
 
 #: The file and the hash of its last step, which `cargo run -p replay --example recording` prints.
 RECORDING = Path(__file__).parent / "data/pile.recording"
-HASH = 0x4900F68EE24D5AAE
+HASH = 0x4564022E6A70A3C6
 
 
 def test_a_replay_of_a_native_recording_has_its_hash():

@@ -230,7 +230,7 @@ fn events_report_begin_end_and_force() {
 /// The triangle cache is discarded with its shape: a body sinks to the new floor, although the boxes of old
 /// and new overlap.
 #[test]
-fn a_new_floor_is_felt_at_once() {
+fn a_new_floor_acts_at_once() {
     fn high(at: Vector) -> Real {
         if at.x.abs() > 2.5 { 1.0 } else { 0.0 }
     }

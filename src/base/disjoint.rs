@@ -42,7 +42,7 @@ impl<'a, T> DisjointMut<'a, T> {
         self.elements.len()
     }
 
-    /// Begins to bring an element near to the processor.
+    /// Prefetches an element.
     #[inline(always)]
     pub fn prefetch(&self, index: usize) {
         if let Some(cell) = self.elements.get(index) {
@@ -50,7 +50,7 @@ impl<'a, T> DisjointMut<'a, T> {
         }
     }
 
-    /// As [`Self::prefetch`], of the element's first bytes alone.
+    /// Prefetches the first bytes of an element.
     #[inline(always)]
     pub fn prefetch_front(&self, index: usize, bytes: usize) {
         if let Some(cell) = self.elements.get(index) {

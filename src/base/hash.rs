@@ -1,7 +1,7 @@
 //! A hash map for keys of a few machine words, equal on every machine and run.
 //!
 //! The standard map's SipHash resists hostile keys at five times the cost, and its random seed would make the
-//! (unused) iteration order differ between runs. Ours are slot numbers that the engine hands out.
+//! (unused) iteration order differ between runs. The keys are slot numbers that the engine assigns.
 
 use core::hash::{BuildHasherDefault, Hasher};
 use std::collections::HashMap;

@@ -41,12 +41,12 @@ impl<'de, T: serde::Deserialize<'de>> serde::Deserialize<'de> for Late<T> {
 }
 
 impl<T> Late<T> {
-    /// A value as far as it is known.
+    /// A value whose late part is not written yet.
     pub fn new(value: T) -> Self {
         Self(UnsafeCell::new(value))
     }
 
-    /// The value as it is.
+    /// The value in its present state.
     #[inline(always)]
     pub fn get(&self) -> &T {
         // SAFETY: the contract of `write` excludes reads meanwhile.

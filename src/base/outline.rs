@@ -1,4 +1,4 @@
-//! Lines that sketch a shape, and how finely.
+//! Lines that sketch a shape, and their level of detail.
 
 use parry::math::{Pose, Real, Vector};
 
@@ -65,8 +65,8 @@ impl Outline {
         self.lines.extend(other.lines.iter().map(|line| line.map(|i| first + i)));
     }
 
-    /// Adds the arc from angle `from` to angle `to` (radians) of the circle about `center` through `center +
-    /// x` at angle 0 and `center + y` at a right angle.
+    /// Adds the arc from angle `from` to angle `to` (radians) of a circle about `center`. `axes` contains its
+    /// radii at angle 0 and at a right angle.
     pub fn arc(&mut self, center: Vector, axes: [Vector; 2], [from, to]: [Real; 2], pieces: u32) {
         let step = (to - from) / pieces as Real;
         let points: Vec<Vector> = (0..=pieces)

@@ -59,8 +59,8 @@ pub fn minimum_width(difference: impl Fn([Real; 2]) -> [Real; 2]) -> PlanarWidth
         if is_on_boundary || polygon.len() >= VERTICES_MAX {
             return best;
         }
-        // The set is symmetric, and so stays the polygon: the vertices in its second half are those of the
-        // first, negated.
+        // The set is symmetric, and the polygon stays symmetric: the vertices in its second half are the
+        // negated vertices of the first.
         let half = polygon.len() / 2;
         polygon.insert(half + at + 1, scaled(found, -1.0));
         polygon.insert(at + 1, found);

@@ -22,15 +22,15 @@ impl Segments {
     }
 
     /// The point on the first that is nearest to one on the second, both as fractions of the lengths.
-    pub fn on_first(&self, share2: Real) -> Real {
+    pub fn on_first(&self, fraction2: Real) -> Real {
         let ([a, b, _], [d, _]) = (self.products, self.offsets);
-        clamped(b * share2 - d, a)
+        clamped(b * fraction2 - d, a)
     }
 
     /// The place on the second that is nearest to one on the first.
-    pub fn on_second(&self, share1: Real) -> Real {
+    pub fn on_second(&self, fraction1: Real) -> Real {
         let ([_, b, c], [_, e]) = (self.products, self.offsets);
-        clamped(b * share1 + e, c)
+        clamped(b * fraction1 + e, c)
     }
 
     /// The point of the first that is nearest to the line of the second, if they are not parallel.
@@ -40,10 +40,10 @@ impl Segments {
     }
 
     /// The nearest places, searched from one on the first.
-    pub fn nearest_from(&self, share1: Real) -> [Real; 2] {
+    pub fn nearest_from(&self, fraction1: Real) -> [Real; 2] {
         // Each fraction in turn is optimal for the other; twice, because the first was not clamped yet.
-        let share1 = self.on_first(self.on_second(share1));
-        [share1, self.on_second(share1)]
+        let fraction1 = self.on_first(self.on_second(fraction1));
+        [fraction1, self.on_second(fraction1)]
     }
 }
 

@@ -28,7 +28,7 @@ impl SquareMatrix {
     /// The product with a vector.
     ///
     /// # Panics
-    /// If the vector has not as many numbers as the matrix has columns.
+    /// If the length of the vector differs from the number of columns.
     pub fn mul(&self, vector: &[Real]) -> Vec<Real> {
         assert_eq!(vector.len(), self.size, "as many numbers as columns");
         let rows = self.entries.chunks(self.size.max(1)).take(self.size);
@@ -39,7 +39,7 @@ impl SquareMatrix {
     /// Undetermined components are zero.
     ///
     /// # Panics
-    /// If the vector has not as many numbers as the matrix has rows.
+    /// If the length of the vector differs from the number of rows.
     pub fn solve_symmetric(&self, vector: &[Real]) -> Vec<Real> {
         assert_eq!(vector.len(), self.size, "as many numbers as rows");
         let (lower, inv_pivots) = self.factorize();
@@ -125,7 +125,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_open_stays_zero() {
+    fn undetermined_components_stay_zero() {
         let a = matrix(&[[1.0, 1.0, 0.0], [1.0, 1.0, 0.0], [0.0, 0.0, 0.0]]);
         assert_eq!(a.solve_symmetric(&[2.0, 2.0, 7.0]), [2.0, 0.0, 0.0]);
     }

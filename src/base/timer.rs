@@ -18,7 +18,7 @@ impl Timer {
         Self { enabled, total: Duration::ZERO, started: None }
     }
 
-    /// Switches the timer on or off. A timer that is off costs nothing and keeps its total.
+    /// Switches the timer on or off. A timer that is off has no cost and keeps its total.
     pub fn set_enabled(&mut self, enabled: bool) {
         if !enabled {
             self.pause();

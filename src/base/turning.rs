@@ -1,14 +1,14 @@
 //! Cosine and sine of the rotation angle in a substep, from the square of that angle. They use no root and no
 //! function of the platform, whose last bits differ between machines.
 //!
-//! An eighth of the angle is so small that its series to sixth order do, and each doubling
+//! For an eighth of the angle, the series to sixth order are sufficient. Each doubling
 //!
 //! ```text
 //! cos 2α = cos² α - sin² α        sin 2α = 2 cos α sin α
 //! ```
 //!
-//! leads to twice that. The sine is given relative to the angle: the rotation vector already contains the
-//! angle as a factor.
+//! leads to twice the angle. The sine is given relative to the angle: the rotation vector already contains
+//! the angle as a factor.
 
 use super::wide::Wide;
 use parry::math::Real;

@@ -11,15 +11,14 @@ pub struct Walk {
     size: Real,
     /// Number of cells.
     pub count: usize,
-    /// The cell in which it is.
+    /// The present cell of the ray.
     pub cell: usize,
     /// The time at which the ray leaves the cell (units of its direction).
     pub leaves: Real,
 }
 
 impl Walk {
-    /// Begins at the cell that is nearest to where the ray is at time `start`. The middle of all cells is the
-    /// origin.
+    /// Begins at the cell nearest to the ray's point at time `start`. The middle of all cells is the origin.
     pub fn new(origin: Real, dir: Real, start: Real, size: Real, count: usize) -> Self {
         let fraction = (origin + dir * start) / size + 0.5;
         // Casts cut off at both ends.

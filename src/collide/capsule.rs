@@ -1,4 +1,4 @@
-//! Two capsules: the closest points of their axes, or both ends of where they lie along each other.
+//! Two capsules: the closest points of their axes, or both ends of the common interval of parallel axes.
 
 use crate::base::feature;
 use crate::base::segments::Segments;
@@ -108,7 +108,9 @@ impl Axes {
         let segments = self.segments();
         let of_first = [0.0, 1.0].map(|end| [end, segments.on_second(end)]);
         let of_second = [0.0, 1.0].map(|end| [segments.on_first(end), end]);
-        let at = |[share1, share2]: [Real; 2]| self.point1(share1).distance(self.point2(share2));
+        let at = |[fraction1, fraction2]: [Real; 2]| {
+            self.point1(fraction1).distance(self.point2(fraction2))
+        };
         of_first.into_iter().chain(of_second).map(at).fold(length, Real::min)
     }
 

@@ -253,14 +253,14 @@ impl Facet<'_> {
         }
     }
 
-    /// First rule: returns whether the collider of `self` is behind the plane of `other`.
+    /// Returns whether the collider of `self` is behind the plane of `other` (first rule).
     fn is_behind(&self, other: &Self, tolerance: Real) -> bool {
         let limit = other.plane.dot(other.place) + tolerance;
         self.piece.height(other.plane).is_some_and(|height| height <= limit)
     }
 
-    /// Second rule, for one point of `self`. Returns whether a collider within the plane of `other` hides the
-    /// point. The point must be on that plane, and a face of its own collider must continue there.
+    /// Returns whether a collider within the plane of `other` hides a point of `self` (second rule). The
+    /// point must be on that plane, and a face of its own collider must continue there.
     fn is_hidden_at<'b>(
         &self,
         point: Vector,
@@ -378,7 +378,8 @@ impl Search<'_> {
         in_plane.all(|(_, facet)| facet.is_behind(other, self.tolerance))
     }
 
-    /// A contact whose pieces hide all points of a facet. They may be different ones; then any.
+    /// Returns a contact whose pieces hide a point of a facet, if contacts hide all its points. Several
+    /// contacts may hide them; the function returns any of these.
     fn hiding(&self, index: usize) -> Option<usize> {
         let facet = &self.facets[index];
         if facet.face != Face::Edge {

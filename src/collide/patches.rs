@@ -199,8 +199,8 @@ impl Patches {
 
     /// Stores the pieces of a coplanar patch for its contacts, if these were not culled.
     pub fn build_patch(&mut self, coplanar_patch: u32, pieces: impl Iterator<Item = FlatShape>) {
-        let on_floor = |patch: &&mut Patch| patch.coplanar_patch == Some(coplanar_patch);
-        let Some(patch) = self.list.iter_mut().find(on_floor) else { return };
+        let is_of_patch = |patch: &&mut Patch| patch.coplanar_patch == Some(coplanar_patch);
+        let Some(patch) = self.list.iter_mut().find(is_of_patch) else { return };
         let start = self.pieces.len();
         self.pieces.extend(pieces);
         patch.pieces = start..self.pieces.len();

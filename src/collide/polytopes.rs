@@ -247,9 +247,9 @@ impl Pair<'_> {
         let offset = start2 - start1;
         let (a, b, c) = (along1.length_squared(), along1.dot(along2), along2.length_squared());
         let (d, e, area) = (along1.dot(offset), along2.dot(offset), a * c - b * b);
-        let (share1, share2) = ((c * d - b * e) / area, (b * d - a * e) / area);
+        let (fraction1, fraction2) = ((c * d - b * e) / area, (b * d - a * e) / area);
         let is_inside = |fraction: Real| (0.0..=1.0).contains(&fraction);
-        if !(is_inside(share1) && is_inside(share2)) {
+        if !(is_inside(fraction1) && is_inside(fraction2)) {
             return None;
         }
         let (gap, dist) = (self.gap_along(normal), offset.dot(normal));
@@ -257,7 +257,7 @@ impl Pair<'_> {
             return None; // other corners are deeper
         }
         raw.local_n1 = normal;
-        let (p1, p2) = (start1 + along1 * share1, self.pos21 * (start2 + along2 * share2));
+        let (p1, p2) = (start1 + along1 * fraction1, self.pos21 * (start2 + along2 * fraction2));
         if dist <= self.prediction {
             raw.points.push(RawPoint::new(p1, p2, edge1.feature, edge2.feature, dist));
         }

@@ -1,9 +1,9 @@
 //! Joints as lines.
 //!
-//! Two lines lead from the bodies to the anchors of the joint, a third one from one anchor to the other. If
-//! the joint locks all translations, the length of the third is the joint's error. The free axes are drawn in
-//! the joint's frame on the first body. A translation is a line with two ends, a rotation an arc, and a
-//! pointer at the second body shows the angle on the arc.
+//! Two lines lead from the bodies to the anchors of the joint. A third line connects the anchors. If the
+//! joint locks all translations, the length of the third is the joint's error. The free axes are drawn in the
+//! joint's frame on the first body. A translation is a line with two ends. A rotation is an arc, and a
+//! pointer at the second body shows the angle on it.
 
 use super::backend::{DebugRenderBackend, DebugRenderObject};
 use super::pipeline::{DebugRenderMode, DebugRenderPipeline};

@@ -123,8 +123,8 @@ impl DebugRenderPipeline {
     ) {
         for (handle, collider) in colliders.iter() {
             let object = DebugRenderObject::Collider(handle, collider);
-            let wanted = DebugRenderMode::COLLIDER_SHAPES | DebugRenderMode::PSEUDO_NORMALS;
-            if self.mode.intersects(wanted) && backend.filter_object(object) {
+            let modes = DebugRenderMode::COLLIDER_SHAPES | DebugRenderMode::PSEUDO_NORMALS;
+            if self.mode.intersects(modes) && backend.filter_object(object) {
                 self.render_shape(backend, object, bodies, collider);
             }
             if self.mode.contains(DebugRenderMode::COLLIDER_AABBS) {

@@ -118,10 +118,10 @@ fn pseudo_normals_have_the_length_of_the_style() {
     world.insert(RigidBodyBuilder::dynamic(), mesh.expect("a tetrahedron or triangle is a mesh"));
     let paper = world.draw(DebugRenderMode::PSEUDO_NORMALS);
     assert_eq!(paper.lines.is_empty(), DIM == 2, "only solids have them");
-    let wanted = DebugRenderStyle::default().pseudo_normal_length;
+    let expected = DebugRenderStyle::default().pseudo_normal_length;
     for (foot, tip, _) in paper.lines {
         let length = (tip - foot).length();
-        assert!((length - wanted).abs() < 1.0e-5, "a normal of {length} instead of {wanted}");
+        assert!((length - expected).abs() < 1.0e-5, "a normal of {length} instead of {expected}");
     }
 }
 
@@ -175,7 +175,7 @@ fn strips_close_and_bad_indices_are_left_out() {
 }
 
 #[test]
-fn outlines_of_dropped_shapes_are_forgotten() {
+fn outlines_of_dropped_shapes_are_removed() {
     let mut world = World::default();
     let vertices: Vec<Vector> = (0..300).map(|i| Vector::X * i as Real).collect();
     let line = parry::shape::SharedShape::polyline(vertices, None);

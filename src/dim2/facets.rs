@@ -28,7 +28,8 @@ impl<'a> Facets<'a> {
         })
     }
 
-    /// Returns whether the shape has no interior, so that it consists of the layer around it. Polygons have.
+    /// Returns whether the shape has no interior, so that it consists of the layer around it. A polygon
+    /// always has an interior.
     pub fn is_flat(&self) -> bool {
         false
     }

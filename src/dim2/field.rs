@@ -29,13 +29,13 @@ pub fn ray_on_field(field: &HeightField, ray: &Ray, limit: Real) -> Option<RayIn
     }
 }
 
-/// Returns whether the ray can meet the segment of a cell between two times. Not if it stays above both ends,
-/// or below.
+/// Returns whether the ray can meet the segment of a cell between two times. It cannot if it stays above or
+/// below both ends.
 fn may_meet(field: &HeightField, cell: usize, ray: &Ray, times: [Real; 2]) -> bool {
     let ends = [cell, cell + 1].map(|at| field.heights()[at] * field.scale().y);
     let [low, high] = range(&ends);
     let [bottom, top] = range(&times.map(|time| ray.origin.y + ray.dir.y * time));
-    // Rounding must not decide: neither of the ray, nor of when it enters and leaves.
+    // The margin covers the rounding of the ray, and of its entry and exit times.
     let size = low.abs().max(high.abs()).max(bottom.abs()).max(top.abs());
     let margin = 16.0 * Real::EPSILON * (size + (ray.dir * times[1]).abs().max_element());
     bottom - margin <= high && low <= top + margin

@@ -10,7 +10,7 @@ use parry::shape::ConvexPolygon;
 pub type ConvexShape = ConvexPolygon;
 
 /// The reason why points have no hull.
-pub const DEGENERATE: &str = "its points lie on a line, or too close to one";
+pub const DEGENERATE_REASON: &str = "its points lie on a line, or too close to one";
 
 /// Least height of a corner above the line through its neighbours, as a fraction of the size.
 const CORNER_HEIGHT_FRACTION_MIN: Real = 1.0e-5;

@@ -56,7 +56,7 @@ pub fn total_mass(parts: &[MassProperties]) -> MassProperties {
 }
 
 /// The inverse inertia of a body that rotates in a step. It is constant in the plane.
-pub(crate) fn inv_inertia_on_the_way(
+pub(crate) fn inv_inertia_during_rotation(
     _mass: &MassProperties,
     _rotation: Rotation,
     _rotvec: AngVector,

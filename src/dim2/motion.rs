@@ -11,7 +11,7 @@ use parry::mass_properties::MassProperties;
 
 /// The rotation at 0, the acceleration at 2, the damping at 5 and 6.
 const RECORD_LEN: usize = 8;
-const MAY_BE_IN_PILE: usize = 7;
+const PILE_FLAG: usize = 7;
 
 /// Data for the integration of a body; no constraint reads it.
 #[derive(Copy, Clone, Debug)]
@@ -61,7 +61,7 @@ impl FreeMotion {
 
     /// Returns whether the body may be part or support of a pile.
     pub fn may_be_in_pile(&self) -> bool {
-        self.0[MAY_BE_IN_PILE] != 0.0
+        self.0[PILE_FLAG] != 0.0
     }
 
     /// Rotates a gyroscopic body by this angle.

@@ -110,8 +110,8 @@ impl<'a> Facets<'a> {
     }
 }
 
-/// parry makes one face of triangles that are nearly in a plane, up to more than a degree. All faces are flat
-/// within rounding.
+/// Returns whether all faces are flat within rounding. parry merges triangles that are nearly in a plane, up
+/// to more than a degree, into one face.
 fn has_flat_faces(hull: &ConvexPolyhedron) -> bool {
     let points = hull.points();
     // By Euler's formula, all faces are triangles if this holds.

@@ -39,8 +39,8 @@ pub fn ray_on_field(field: &HeightField, ray: &Ray, limit: Real) -> Option<RayIn
     }
 }
 
-/// Returns whether the ray can meet a triangle of the cell between two times. Not if it stays above all
-/// corners, or below.
+/// Returns whether the ray can meet a triangle of the cell between two times. It cannot if it stays above or
+/// below all corners.
 fn may_meet(field: &HeightField, (i, j): (usize, usize), ray: &Ray, times: [Real; 2]) -> bool {
     let heights = field.heights();
     let corners = [(i, j), (i + 1, j), (i, j + 1), (i + 1, j + 1)];
@@ -48,7 +48,7 @@ fn may_meet(field: &HeightField, (i, j): (usize, usize), ray: &Ray, times: [Real
     let ends = times.map(|time| ray.origin.y + ray.dir.y * time);
     let [low, high] = range(&corners);
     let [bottom, top] = range(&ends);
-    // Rounding must not decide: neither of the ray, nor of when it enters and leaves.
+    // The margin covers the rounding of the ray, and of its entry and exit times.
     let size = low.abs().max(high.abs()).max(bottom.abs()).max(top.abs());
     let margin = 16.0 * Real::EPSILON * (size + (ray.dir * times[1]).abs().max_element());
     bottom - margin <= high && low <= top + margin

@@ -16,7 +16,7 @@ use parry::utils::remove_unused_points;
 pub type ConvexShape = ConvexPolyhedron;
 
 /// The reason why points have no hull.
-pub const DEGENERATE: &str = "its points lie in a plane, or too close to one";
+pub const DEGENERATE_REASON: &str = "its points lie in a plane, or too close to one";
 
 /// Least thickness of a box of points that span a volume, as a fraction of its length.
 const THICKNESS_FRACTION_MIN: Real = 1.0e-6;

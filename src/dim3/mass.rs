@@ -142,7 +142,7 @@ pub fn angular_momentum(mass: &MassProperties, rotation: Rotation, angvel: AngVe
 ///
 /// Rotating the inertias of contacts in each substep, as joints do, has another error. A contact that removes
 /// an impulse of the last substep would no longer remove its effect.
-pub(crate) fn inv_inertia_on_the_way(
+pub(crate) fn inv_inertia_during_rotation(
     mass: &MassProperties,
     rotation: Rotation,
     rotvec: AngVector,
@@ -173,7 +173,7 @@ mod tests {
     use parry::shape::{Cuboid, Shape};
 
     #[test]
-    fn three_cubes_in_a_row_weigh_what_one_long_box_does() {
+    fn three_cubes_in_a_row_weigh_as_much_as_one_long_box() {
         let cube = Cuboid::new(Vector::splat(0.5)).mass_properties(2.0);
         let rotvec = Pose::rotation(Vector::new(0.4, 0.1, -1.1));
         let place = |y| cube.transform_by(&(rotvec * Pose::translation(0.0, y, 0.0)));
@@ -194,7 +194,8 @@ mod tests {
     fn rotations_couple_the_principal_moments() {
         let rod = Cuboid::new(Vector::new(1.0, 0.03, 0.03)).mass_properties(1.0);
         let [short, long] = [rod.principal_inertia().x, rod.principal_inertia().y];
-        let felt = |rotvec: AngVector| inv_inertia_on_the_way(&rod, Rotation::IDENTITY, rotvec);
+        let felt =
+            |rotvec: AngVector| inv_inertia_during_rotation(&rod, Rotation::IDENTITY, rotvec);
         let about_middle = felt(Vector::Y * 0.3).unwrap();
         let expected = 0.3 * 0.3 * (long - short);
         assert!((about_middle.m11 * expected - 1.0).abs() < 1.0e-4);
@@ -204,7 +205,7 @@ mod tests {
         assert!(felt(Vector::Y * 0.02).is_none());
         let cube = Cuboid::new(Vector::ONE).mass_properties(1.0);
         let moment = cube.principal_inertia().x;
-        let of_cube = inv_inertia_on_the_way(&cube, Rotation::IDENTITY, Vector::Y);
+        let of_cube = inv_inertia_during_rotation(&cube, Rotation::IDENTITY, Vector::Y);
         assert!(of_cube.is_none_or(|felt| (felt.m11 * moment - 1.0).abs() < 1.0e-4));
     }
 

@@ -16,11 +16,11 @@
 //! about `δ² A / C` for a rod with the moments `A` and `C ≪ A`. (Rods 27 times as long as thick landed with
 //! up to 3000 times their energy.) Energy has priority, so the momentum is adjusted:
 //!
-//! * that of thin bodies rotates by `δ`, so that relative to the body it equals that of free motion. A rod
-//!   rotates about its middle and hardly about its axis, so the rotation is invisible.
-//! * that of others is adjusted along the gradient of the energy, `ω`, by the necessary amount. A rotation by
-//!   `δ` for each impulse of their support is wrong for these. A gyroscope at 40 rad/s and 30 steps a second
-//!   would precess by 8 % too slowly.
+//! * The momentum of thin bodies rotates by `δ`, so that relative to the body it equals that of free motion.
+//!   A rod rotates about its middle and hardly about its axis, so the rotation is invisible.
+//! * The momentum of other bodies is adjusted along the gradient of the energy, `ω`, by the necessary amount.
+//!   A rotation by `δ` for each impulse of their support is wrong for these. A gyroscope at 40 rad/s and 30
+//!   steps a second would precess by 8 % too slowly.
 //!
 //! The implicit Euler step of Catto, "Numerical Methods" (GDC 2015), is as stable but dissipates. Explicit
 //! Euler, `ω ← ω - h I⁻¹ (ω × I ω)`, gains energy until it explodes. The velocity at the middle of the
@@ -52,11 +52,11 @@ const ENERGY_CHANGE_FRACTION_MAX: Real = 0.25;
 /// Numbers in each part of a record.
 const LEN: usize = 16;
 /// Offsets in the first part, besides the damping at 10 and 11: rotation at 0, acceleration at 4.
-const GYROSCOPIC: usize = 12;
+const GYROSCOPIC_FLAG: usize = 12;
 const INV_MOMENTS: usize = 13;
 /// Offsets in the second part.
 const FRAME: usize = 0;
-const MAY_BE_IN_PILE: usize = 14;
+const PILE_FLAG: usize = 14;
 
 /// Data for the integration of a body; no constraint reads it.
 #[derive(Copy, Clone, Debug)]
@@ -90,7 +90,7 @@ impl FreeMotion {
         plain[4..7].copy_from_slice(&linear.to_array());
         plain[7..10].copy_from_slice(&angular.to_array());
         plain[10..12].copy_from_slice(&damping);
-        gyroscopic[MAY_BE_IN_PILE] = if may_be_in_pile { 1.0 } else { 0.0 };
+        gyroscopic[PILE_FLAG] = if may_be_in_pile { 1.0 } else { 0.0 };
         Self { plain, gyroscopic }
     }
 
@@ -100,7 +100,7 @@ impl FreeMotion {
         let (low, high) = (inv_moments.min_element(), inv_moments.max_element());
         let is_round = low <= 0.0 || high - low < MOMENT_DIFFERENCE_MIN * high;
         if !is_round && angvel.length_squared() * h * h >= ROTATION_ANGLE_MIN * ROTATION_ANGLE_MIN {
-            self.plain[GYROSCOPIC] = 1.0;
+            self.plain[GYROSCOPIC_FLAG] = 1.0;
             self.plain[INV_MOMENTS..INV_MOMENTS + 3].copy_from_slice(&inv_moments.to_array());
             let frame = mass.principal_inertia_local_frame.to_array();
             self.gyroscopic[FRAME..FRAME + 4].copy_from_slice(&frame);
@@ -120,12 +120,12 @@ impl FreeMotion {
 
     /// Returns whether the angular velocity changes as the body rotates.
     pub fn is_gyroscopic(&self) -> bool {
-        self.plain[GYROSCOPIC] != 0.0
+        self.plain[GYROSCOPIC_FLAG] != 0.0
     }
 
     /// Returns whether the body may be part or support of a pile.
     pub fn may_be_in_pile(&self) -> bool {
-        self.gyroscopic[MAY_BE_IN_PILE] != 0.0
+        self.gyroscopic[PILE_FLAG] != 0.0
     }
 
     /// Rotates a gyroscopic body by this rotation vector.
@@ -155,8 +155,8 @@ pub(crate) fn accelerated<W: Wide>(
     if bodies.iter().any(FreeMotion::is_gyroscopic) {
         let rotation = rotation_of(&own);
         let mut gyroscope = Gyroscope::gather(bodies, &own);
-        let on_the_way = gyroscope.velocity_on_the_way(rotation, angular, substep);
-        angular = WideVector::select(W::zero().lt(own[GYROSCOPIC]), on_the_way, angular);
+        let mean = gyroscope.free_mean_velocity(rotation, angular, substep);
+        angular = WideVector::select(W::zero().lt(own[GYROSCOPIC_FLAG]), mean, angular);
         gyroscope.scatter(bodies);
     }
     WideMotion { linear, angular }
@@ -178,7 +178,7 @@ pub(crate) fn gyroscopic<W: Wide>(
     let mut gyroscope = Gyroscope::gather(bodies, &own);
     let (w, end) = (*velocity, turned_frame(rotation_of(&own), *velocity * W::splat(h)));
     let at_end = gyroscope.velocity_at_end(end, w, W::splat(h));
-    let is_gyroscopic = W::zero().lt(own[GYROSCOPIC]);
+    let is_gyroscopic = W::zero().lt(own[GYROSCOPIC_FLAG]);
     *velocity = WideVector::select(is_gyroscopic, at_end, w);
     *before = WideVector::select(is_gyroscopic, at_end - (w - *before), *before);
     let turned = [end.x, end.y, end.z, end.w];
@@ -311,7 +311,7 @@ impl<W: Wide> Gyroscope<W> {
     /// For small rotations of bodies that are not thin, the velocity of the middle is sufficient. Its
     /// orientation is the one that the initial velocity reaches by then.
     #[inline(always)]
-    fn velocity_on_the_way(
+    fn free_mean_velocity(
         &mut self,
         rotation: WideRotation<W>,
         angvel: WideAngVector<W>,
@@ -329,7 +329,7 @@ impl<W: Wide> Gyroscope<W> {
             let (to_world, momentum) = self.seen_from(rotation);
             let rotvec = rotation_vector(FreeRotation::new(self.inv_moments, momentum, h).rotation);
             let mean = to_world.rotate_unscaled(rotvec) * (W::splat(1.0) / h);
-            let mean = WideVector::select(turns_plainly(angvel, h), mean, angvel);
+            let mean = WideVector::select(is_unambiguous(angvel, h), mean, angvel);
             self.angvel = WideVector::select(needs_mean, mean, self.angvel);
         }
         self.angvel
@@ -344,10 +344,10 @@ impl<W: Wide> Gyroscope<W> {
         angvel: WideAngVector<W>,
         h: W,
     ) -> WideAngVector<W> {
-        let (change, plainly) = (angvel - self.angvel, turns_plainly(angvel, h));
-        let is_free = change.dot(change).le(W::zero()) & plainly;
+        let (change, unambiguous) = (angvel - self.angvel, is_unambiguous(angvel, h));
+        let is_free = change.dot(change).le(W::zero()) & unambiguous;
         self.load(self.start, angvel);
-        let led = self.led_to(end, plainly, h);
+        let led = self.led_to(end, unambiguous, h);
         self.momentum = WideVector::select(is_free, self.momentum, led);
         let (to_world, momentum) = self.seen_from(end);
         self.angvel = to_world.rotate_unscaled(momentum.component_mul(self.inv_moments));
@@ -357,7 +357,7 @@ impl<W: Wide> Gyroscope<W> {
     /// The angular momentum with which a body that was led to the orientation `end` has the energy that it
     /// began with. For an ambiguous or too large rotation, the velocity stays constant relative to the body.
     #[inline(always)]
-    fn led_to(&self, end: WideRotation<W>, plainly: W::Mask, h: W) -> WideVector<W> {
+    fn led_to(&self, end: WideRotation<W>, unambiguous: W::Mask, h: W) -> WideVector<W> {
         let (_, start) = self.seen_from(self.start);
         // Subtracts the excess energy: E(m - s ω) = E(m) - s ω·ω + s² E(ω).
         let (to_world, kept) = self.seen_from(end);
@@ -375,7 +375,7 @@ impl<W: Wide> Gyroscope<W> {
             let free = FreeRotation::new(self.inv_moments, start, h).momentum;
             momentum = WideVector::select(is_thin, free, momentum);
         }
-        to_world.rotate_unscaled(WideVector::select(plainly, momentum, start))
+        to_world.rotate_unscaled(WideVector::select(unambiguous, momentum, start))
     }
 
     #[inline(always)]
@@ -400,7 +400,7 @@ impl<W: Wide> Gyroscope<W> {
 
 /// Returns whether the rotation in `h` seconds is small enough to be unambiguous.
 #[inline(always)]
-fn turns_plainly<W: Wide>(angvel: WideAngVector<W>, h: W) -> W::Mask {
+fn is_unambiguous<W: Wide>(angvel: WideAngVector<W>, h: W) -> W::Mask {
     (angvel.dot(angvel) * (h * h)).le(W::splat(UNAMBIGUOUS_ANGLE_MAX * UNAMBIGUOUS_ANGLE_MAX))
 }
 

@@ -1,4 +1,4 @@
-//! The world stamp: which sets belong together.
+//! The world stamp marks sets that belong together.
 //!
 //! The sets of a world refer to each other by position. A body stores its place in the list of awake bodies.
 //! A manifold stores its place in the constraint graph, and a collider its place in a tree. Replacing one set

@@ -1,8 +1,9 @@
 //! Inverse kinematics by damped least squares: coordinates that bring a link to a pose.
 //!
-//! To first order a displacement `Δq` moves the link by `J Δq`. Of all steps that reduce the error `e`, the
-//! smallest is selected, and it must be bounded where the link cannot go (Buss, "Introduction to Inverse
-//! Kinematics with Jacobian Transpose, Pseudoinverse and Damped Least Squares methods", 2004):
+//! To first order a displacement `Δq` moves the link by `J Δq`. The method selects the smallest of all steps
+//! that reduce the error `e`. The step is bounded even if the link cannot reach the target. (Buss,
+//! "Introduction to Inverse Kinematics with Jacobian Transpose, Pseudoinverse and Damped Least Squares
+//! methods", 2004.)
 //!
 //! ```text
 //! Δq = Jᵀ (J Jᵀ + λ² 1)⁻¹ e        minimises  |J Δq - e|² + λ² |Δq|²

@@ -5,9 +5,9 @@
 //! ```
 //!
 //! The motion of the links is the sum of two motions. The locked body moves with the same linear and angular
-//! momentum, and the change of shape has no momentum. They are orthogonal in the mass matrix, so that the
-//! energy is the sum of theirs (the locked inertia tensor: Marsden, Ratiu, "Introduction to Mechanics and
-//! Symmetry", 1999). From that follow two rules:
+//! momentum, and the change of shape has no momentum. They are orthogonal in the mass matrix, so the energy
+//! is the sum of their energies. (Locked inertia tensor: Marsden, Ratiu, "Introduction to Mechanics and
+//! Symmetry", 1999.) Two rules follow:
 //!
 //! * Among all motions that correct a missing momentum, that of the locked body has the least energy. Applied
 //!   to the root alone, a moment of a few roundings about the axis of a thin limb on a ball joint spins that

@@ -11,7 +11,7 @@ use crate::model::joint::GenericJoint;
 use crate::model::multibody::{Multibody, MultibodyJointSet};
 use parry::mass_properties::MassProperties;
 
-/// Near enough for numbers of about this size.
+/// Returns whether two numbers of about this size are equal within rounding.
 fn near(a: Real, b: Real, size: Real) -> bool {
     (a - b).abs() < 64.0 * Real::EPSILON * size
 }
@@ -97,10 +97,10 @@ fn generalized_forces_are_those_of_the_jacobian() {
     for (force, column) in forces.iter().zip(kinematics.jacobian(3)) {
         assert!(near(*force, dot(&column, &wrench), 10.0));
     }
-    assert_eq!(forces[3], 0.0, "what is beyond the third link is not pushed");
+    assert_eq!(forces[3], 0.0, "joints beyond the third link get no force");
 }
 
-/// Coordinates are read from where the bodies are, and bodies go where the coordinates say.
+/// Coordinates are computed from the poses of the bodies, and poses from the coordinates.
 #[test]
 fn bodies_and_coordinates_follow_each_other() {
     let (mut bodies, mut multibody) = sliders(2);

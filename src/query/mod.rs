@@ -1,13 +1,14 @@
 //! # Query: ray casts, shape casts, projections and overlap tests
 //!
 //! Ray casts, point projections, shape casts and overlap tests. [`QueryView`] borrows the trees of boxes of
-//! their owner: the broad phase ([`as_query_pipeline`](crate::model::tree::BroadPhaseBvh::as_query_pipeline),
-//! as of the last step), or a [`QueryPipeline`] (as of its last `update`, without a step).
+//! their owner. The owner is the broad phase
+//! ([`as_query_pipeline`](crate::model::tree::BroadPhaseBvh::as_query_pipeline), as of the last step), or a
+//! [`QueryPipeline`] (as of its last `update`, without a step).
 //!
 //! Two rules hold for all queries. *The nearest result is that of a search of all colliders*, to the last
 //! bit. Trees only exclude irrelevant ones, and of equally near colliders the one with the lower slot is
-//! returned, independent of the tree. *An invalid query has no result*. Invalid are a ray or a pose that is
-//! not finite, a direction of zero length, and a time of NaN.
+//! returned, independent of the tree. *An invalid query has no result*. A query is invalid if its ray or pose
+//! is not finite, its direction has zero length, or its time is NaN.
 
 mod filter;
 mod hits;

@@ -18,7 +18,7 @@ mod islands;
 mod solver;
 mod quarantine;
 mod ccd;
-mod advance;
+mod finalize_bodies;
 mod events;
 
 use crate::base::held::HeldPanic;
@@ -81,7 +81,7 @@ impl Step<'_> {
             }
             if step.duration > 0.0 {
                 step.ccd();
-                step.advance();
+                step.finalize_bodies();
                 step.sleep();
             }
         });

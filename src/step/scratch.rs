@@ -2,11 +2,11 @@
 
 use super::notes::StepNotes;
 use super::trace::{StageTrace, StepStage};
-use super::{advance, broad_phase, ccd, islands, narrow_phase, quarantine, solver};
+use super::{broad_phase, ccd, finalize_bodies, islands, narrow_phase, quarantine, solver};
 use crate::base::tasks::Threads;
 use crate::base::wide::Simd;
 
-/// Buffers that are reused from step to step, and how steps are to run. They contain no state of the world.
+/// Buffers that are reused from step to step, and settings of steps. They contain no state of the world.
 #[derive(Default)]
 pub(crate) struct StepScratch {
     pub(super) notes: StepNotes,
@@ -15,7 +15,7 @@ pub(crate) struct StepScratch {
     pub(super) solver: solver::SolverScratch,
     pub(super) quarantine: quarantine::Quarantine,
     pub(super) ccd: ccd::CcdScratch,
-    pub(super) advance: advance::AdvanceScratch,
+    pub(super) finalize: finalize_bodies::FinalizeScratch,
     pub(super) sleep: islands::SleepScratch,
     pub(super) trace: StageTrace,
     pub(super) simd: Simd,
@@ -28,7 +28,7 @@ impl StepScratch {
         self.threads = threads;
     }
 
-    /// Hashes the world after each stage, or no longer.
+    /// Enables or disables the hashes of the world after each stage.
     pub fn trace_stages(&mut self, enabled: bool) {
         self.trace.enable(enabled);
     }

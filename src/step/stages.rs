@@ -1,9 +1,9 @@
 //! The calls of the stages: each gets the sets that its signature lists, and its time is measured.
 
-use super::advance::{self, AdvanceContext};
 use super::broad_phase::{self, NeighborLimits};
 use super::ccd::{self, CcdContext, StopContext};
 use super::events::{self, EventContext};
+use super::finalize_bodies::{self, FinalizeContext};
 use super::islands;
 use super::narrow_phase::{self, NarrowPhaseContext};
 use super::notes::StepNotes;
@@ -229,14 +229,14 @@ impl Step<'_> {
     }
 
     /// Updates colliders, boxes and sleep timers.
-    pub(super) fn advance(&mut self) {
+    pub(super) fn finalize_bodies(&mut self) {
         let World { structure, broad_phase: tree, params, .. } = &mut self.world;
         let Structure { bodies, colliders, islands, .. } = structure;
         let context =
-            AdvanceContext { tasks: self.tasks, params, bodies, colliders, islands, tree };
-        let StepScratch { notes, advance: scratch, .. } = self.scratch;
+            FinalizeContext { tasks: self.tasks, params, bodies, colliders, islands, tree };
+        let StepScratch { notes, finalize: scratch, .. } = self.scratch;
         let timer = &mut self.counters.stages.update_time;
-        timer.measure(|| advance::advance(context, scratch, &mut notes.sleepy));
+        timer.measure(|| finalize_bodies::finalize_bodies(context, scratch, &mut notes.sleepy));
         self.trace(StepStage::Finalize);
     }
 

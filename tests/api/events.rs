@@ -229,7 +229,7 @@ impl EventHandler for ArgumentChecker {
 }
 
 #[test]
-fn a_handler_sees_the_hit() {
+fn handlers_get_the_impulse_of_a_hit() {
     let (mut world, _) = world_with_ground();
     let (body, ball) = add_box(&mut world, vec(0.0, 1.5), with_events);
     world.bodies[body].set_linvel(vec(0.0, -6.0), true);

@@ -167,7 +167,7 @@ fn two_worlds_share_a_pipeline() {
 /// Detection alone moves no body and applies no impulses. The next step starts with the impulses of the last
 /// step.
 #[test]
-fn detection_between_steps_forgets_impulses_and_starts_with_them() {
+fn detection_between_steps_clears_impulses_and_keeps_the_warm_start() {
     let (mut plain, mut detected) = (Heap::new(), Heap::new());
     for _ in 0..100 {
         plain.step();

@@ -109,11 +109,11 @@ fn counters_count_and_can_be_switched_off() {
     steps(&mut world, 1);
     let counters = &world.physics_pipeline.counters;
     assert!(!counters.enabled() && counters.step_time_ms() == 0.0);
-    assert_eq!(counters.solver.nconstraints, 1, "what is counted is counted all the same");
+    assert_eq!(counters.solver.nconstraints, 1, "numbers are counted without timers");
     world.physics_pipeline.counters.enable();
     steps(&mut world, 200);
     let counters = &world.physics_pipeline.counters;
-    assert_eq!(counters.solver.nconstraints, 0, "sleepers cost nothing");
+    assert_eq!(counters.solver.nconstraints, 0, "sleeping bodies have no constraints");
     assert!(counters.step_time_ms() > 0.0);
 }
 

@@ -87,7 +87,7 @@ fn bodies_report_active_ccd() {
     world.step();
     assert!(world.bodies[ball].is_ccd_active(), "2.7 cm in a step");
     world.bodies[ball].set_body_type(RigidBodyType::KinematicVelocityBased, true);
-    assert!(!world.bodies[ball].is_ccd_active(), "nothing stops what is kinematic");
+    assert!(!world.bodies[ball].is_ccd_active(), "colliders do not stop kinematic bodies");
 }
 
 /// CCD uses the present thickness of a body, whatever its shape at insertion.

@@ -109,7 +109,10 @@ fn slippery_and_climbable_are_independent() {
     let movement = walker.step(Vector::ZERO);
     assert!(movement.grounded && movement.translation == Vector::ZERO, "{movement:?}");
     walker.steps(30, vec(3.0, 0.0));
-    assert!(walker.place().y - place.y < GAP_TOLERANCE, "climbed what is too steep");
+    assert!(
+        walker.place().y - place.y < GAP_TOLERANCE,
+        "the character climbed a slope that is too steep"
+    );
 }
 
 /// A slope of exactly the largest angle is climbable and holds the character.

@@ -24,6 +24,11 @@ pub const GROUNDS: [Ground; 10] = [
     ("segments", |world, pose, friction| scatter(world, pose, friction, segment(), true)),
 ];
 
+/// Returns whether the ground is below a place.
+pub fn is_over_ground(place: Vector) -> bool {
+    (ALONG[0]..ALONG[1]).contains(&place.x)
+}
+
 fn polyline(size: Real) -> ColliderBuilder {
     let count = ((ALONG[1] - ALONG[0]) / size).ceil() as usize;
     let vertices = (0..=count).map(|i| Vector::new(ALONG[0] + size * i as Real, 0.0)).collect();

@@ -28,6 +28,11 @@ pub const GROUNDS: [Ground; 11] = [
     ("flat meshes", |world, pose, friction| scatter(world, pose, friction, square(), true)),
 ];
 
+/// Returns whether the ground is below a place.
+pub fn is_over_ground(place: Vector) -> bool {
+    (ALONG[0]..ALONG[1]).contains(&place.x) && place.z.abs() < TO_THE_SIDE
+}
+
 fn mesh(size: Real) -> ColliderBuilder {
     let count = |length: Real| (length / size).ceil() as u32;
     let (columns, rows) = (count(ALONG[1] - ALONG[0]), count(2.0 * TO_THE_SIDE));

@@ -35,7 +35,7 @@ const KNOBS: [Knob; 10] = [
 #[test]
 fn numbers_are_accepted_or_refused_by_name() {
     for (name, body_type, set, get) in KNOBS {
-        let bystanders = Scene::with_body_type(body_type).bystanders_in_the_end();
+        let distant = Scene::with_body_type(body_type).distant_in_the_end();
         let untouched = Scene::with_body_type(body_type).all_in_the_end();
         for value in EDGES {
             let mut scene = Scene::with_body_type(body_type);
@@ -44,8 +44,8 @@ fn numbers_are_accepted_or_refused_by_name() {
             let new = get(scene.body());
             if new == value {
                 assert!(heard.is_empty(), "{name} {value}: {heard:?}");
-                let end = scene.bystanders_in_the_end();
-                assert!(end == bystanders, "{name} {value} affects distant bodies");
+                let end = scene.distant_in_the_end();
+                assert!(end == distant, "{name} {value} affects distant bodies");
             } else {
                 assert_eq!(new, old, "{name} {value}");
                 assert!(heard.iter().any(|text| names(text, value)), "{name} {value}: {heard:?}");
@@ -78,7 +78,7 @@ fn names_one_of(text: &str, vector: Vector) -> bool {
 
 #[test]
 fn no_vector_affects_another_pile() {
-    let bystanders = Scene::new().bystanders_in_the_end();
+    let distant = Scene::new().distant_in_the_end();
     for (name, push) in PUSHES {
         for vector in edge_vectors() {
             let mut scene = Scene::new();
@@ -87,8 +87,8 @@ fn no_vector_affects_another_pile() {
             if !vector.is_finite() && (name != "turning impulse" || !vector.y.is_finite()) {
                 assert!(heard.iter().any(|text| names_one_of(text, vector)), "{name}: {heard:?}");
             }
-            let end = scene.bystanders_in_the_end();
-            assert!(end == bystanders, "{name} {vector} affects distant bodies");
+            let end = scene.distant_in_the_end();
+            assert!(end == distant, "{name} {vector} affects distant bodies");
         }
     }
 }
@@ -140,7 +140,7 @@ fn invalid_masses_are_rejected() {
 
 #[test]
 fn thresholds_of_sleep_can_be_anything() {
-    let bystanders = Scene::new().bystanders_in_the_end();
+    let distant = Scene::new().distant_in_the_end();
     for value in EDGES {
         let mut scene = Scene::new();
         let activation = scene.body().activation_mut();
@@ -148,7 +148,7 @@ fn thresholds_of_sleep_can_be_anything() {
         activation.angular_threshold = value;
         activation.time_until_sleep = value;
         activation.time_since_can_sleep = value;
-        assert!(scene.bystanders_in_the_end() == bystanders, "{value} affects distant bodies");
+        assert!(scene.distant_in_the_end() == distant, "{value} affects distant bodies");
     }
 }
 

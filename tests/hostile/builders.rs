@@ -29,7 +29,7 @@ const FIELDS: [Field; 10] = [
 
 #[test]
 fn a_body_is_built_or_rejected_by_name() {
-    let bystanders = Scene::new().bystanders_in_the_end();
+    let distant = Scene::new().distant_in_the_end();
     for (field, set) in FIELDS {
         for value in EDGES {
             let builder = set(RigidBodyBuilder::dynamic(), value);
@@ -48,9 +48,9 @@ fn a_body_is_built_or_rejected_by_name() {
             }
             let mut scene = Scene::new();
             scene.world.insert(body, ColliderBuilder::ball(0.5).density(1.0));
-            let end = scene.bystanders_in_the_end();
+            let end = scene.distant_in_the_end();
             assert!(
-                end == bystanders || value.abs() > 900.0,
+                end == distant || value.abs() > 900.0,
                 "{field} {value} affects distant bodies"
             );
         }

@@ -32,7 +32,7 @@ const COORDINATE: Real = 900.0;
 
 #[test]
 fn numbers_are_accepted_or_refused_by_name() {
-    let bystanders = Scene::new().bystanders_in_the_end();
+    let distant = Scene::new().distant_in_the_end();
     let untouched = Scene::new().all_in_the_end();
     for (name, set, get) in KNOBS {
         for value in EDGES {
@@ -42,9 +42,9 @@ fn numbers_are_accepted_or_refused_by_name() {
             let new = get(scene.collider());
             if new == value {
                 assert!(heard.is_empty(), "{name} {value}: {heard:?}");
-                let end = scene.bystanders_in_the_end();
+                let end = scene.distant_in_the_end();
                 let reaches_them = name == "contact skin" && value > COORDINATE;
-                assert!(end == bystanders || reaches_them, "{name} {value} affects distant bodies");
+                assert!(end == distant || reaches_them, "{name} {value} affects distant bodies");
             } else {
                 assert_eq!(new, old, "{name} {value}");
                 assert!(heard.iter().any(|text| names(text, value)), "{name} {value}: {heard:?}");
@@ -60,7 +60,7 @@ fn numbers_are_accepted_or_refused_by_name() {
 fn a_collider_without_body_stays_at_valid_positions() {
     let mut other = Scene::new();
     other.steps(3);
-    let bystanders = other.bystanders_in_the_end();
+    let distant = other.distant_in_the_end();
     for vector in edge_vectors() {
         let mut scene = Scene::new();
         let wall = ColliderBuilder::ball(0.5).translation(Vector::Y * 2.0);
@@ -70,7 +70,7 @@ fn a_collider_without_body_stays_at_valid_positions() {
         let taken = scene.world.colliders[wall].translation() == vector;
         let named = vector.to_array().iter().any(|v| heard.iter().any(|text| names(text, *v)));
         assert!(taken == heard.is_empty() && (taken || named), "{vector}: {heard:?}");
-        assert!(scene.bystanders_in_the_end() == bystanders, "{vector} affects distant bodies");
+        assert!(scene.distant_in_the_end() == distant, "{vector} affects distant bodies");
     }
 }
 
@@ -102,7 +102,7 @@ fn invalid_rotations_are_rejected() {
 fn a_broken_shape_disables_its_collider_only() {
     let mut other = Scene::new();
     other.steps(4);
-    let bystanders = other.bystanders_in_the_end();
+    let distant = other.distant_in_the_end();
     for value in EDGES {
         let mut scene = Scene::new();
         scene.collider().set_shape(SharedShape::ball(0.5));
@@ -125,9 +125,9 @@ fn a_broken_shape_disables_its_collider_only() {
         if !possible {
             assert!(heard.iter().any(|text| names(text, value)), "{value}: {heard:?}");
         }
-        let end = scene.bystanders_in_the_end();
+        let end = scene.distant_in_the_end();
         assert!(
-            end == bystanders || (possible && value > COORDINATE),
+            end == distant || (possible && value > COORDINATE),
             "{value} affects distant bodies"
         );
     }

@@ -113,11 +113,11 @@ fn edit_between_steps(scene: &mut Scene, edit: fn(&mut Scene, usize), pause: usi
 fn edits_of_touching_bodies_affect_no_other_body() {
     let mut untouched = Scene::new();
     untouched.steps(24);
-    let expected = untouched.bystanders_in_the_end();
+    let expected = untouched.distant_in_the_end();
     for (name, edit) in EDITS {
         let mut scene = Scene::new();
         edit_between_steps(&mut scene, edit, 1);
-        assert!(scene.bystanders_in_the_end() == expected, "{name} affects distant bodies");
+        assert!(scene.distant_in_the_end() == expected, "{name} affects distant bodies");
     }
 }
 
@@ -129,12 +129,12 @@ fn edits_of_sleeping_bodies_affect_no_other_body() {
         assert!(scene.body().is_sleeping() && scene.world.active_bodies().is_empty());
         scene
     };
-    let expected = asleep().bystanders_in_the_end();
+    let expected = asleep().distant_in_the_end();
     for pause in [1, 3, 40] {
         for (name, edit) in EDITS {
             let mut scene = asleep();
             edit_between_steps(&mut scene, edit, pause);
-            assert!(scene.bystanders_in_the_end() == expected, "{name} wakes distant bodies");
+            assert!(scene.distant_in_the_end() == expected, "{name} wakes distant bodies");
         }
     }
 }

@@ -69,7 +69,7 @@ fn masses_from_a_microgram_to_a_mountain_rest_on_the_ground() {
 #[test]
 fn masses_of_any_ratio_may_touch() {
     const MASSES: [Real; 4] = [1.0e-9, 1.0e-3, 1.0e3, 1.0e9];
-    let untouched = Scene::new().bystanders_in_the_end();
+    let untouched = Scene::new().distant_in_the_end();
     for below in MASSES {
         for above in MASSES {
             let mut scene = Scene::new();
@@ -79,7 +79,7 @@ fn masses_of_any_ratio_may_touch() {
                 scene.world.colliders[collider].set_mass(mass);
             }
             assert!(
-                scene.bystanders_in_the_end() == untouched,
+                scene.distant_in_the_end() == untouched,
                 "{above} on {below} affects distant bodies"
             );
             // The centres are at half a metre, a metre and a half, and two and a half.
@@ -135,10 +135,10 @@ fn piles_far_out_leave_the_world_in_order() {
 fn no_body_leaves_the_world() {
     for speed in [1.0e9, 1.0e14, 1.0e15] {
         let mut scene = Scene::new();
-        let bystanders = Scene::new().bystanders_in_the_end();
+        let distant = Scene::new().distant_in_the_end();
         let top = scene.neighbours[1];
         scene.world.bodies[top].set_linvel(Vector::Y * speed, true);
-        assert!(scene.bystanders_in_the_end() == bystanders, "{speed} affects distant bodies");
+        assert!(scene.distant_in_the_end() == distant, "{speed} affects distant bodies");
         scene.steps(100);
         let height = scene.world.bodies[top].translation().y;
         assert!((0.9 * speed..=1.0e15).contains(&height), "{speed} takes it to {height}");

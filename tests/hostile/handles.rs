@@ -99,7 +99,7 @@ fn a_missing_collider_is_never_found() {
 fn no_collider_is_attached_to_a_missing_body() {
     let mut untouched = Scene::new();
     missing_bodies(&mut untouched);
-    let expected = untouched.bystanders_in_the_end();
+    let expected = untouched.distant_in_the_end();
     let mut scene = Scene::new();
     for missing in missing_bodies(&mut scene) {
         let parent = scene.collider().parent();
@@ -120,7 +120,7 @@ fn no_collider_is_attached_to_a_missing_body() {
         assert!(heard.iter().any(|text| text.contains(&format!("{missing:?}"))), "{heard:?}");
         colliders.set_parent(missing, None, bodies);
     }
-    assert!(scene.bystanders_in_the_end() == expected, "missing handles affect distant bodies");
+    assert!(scene.distant_in_the_end() == expected, "missing handles affect distant bodies");
 }
 
 /// The next step removes a joint to a forged body handle. It allocates no memory for the slots in between.

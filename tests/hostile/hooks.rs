@@ -58,17 +58,14 @@ fn steps(scene: &mut Scene, hooks: &Hooks<'_>, count: usize) {
 fn inconsistent_filters_affect_no_other_body() {
     let mut untouched = scene();
     steps(&mut untouched, &Hooks::default(), 40);
-    let expected = untouched.bystanders_in_the_end();
+    let expected = untouched.distant_in_the_end();
     for period in [1, 2, 3, 7] {
         let calls = AtomicUsize::new(0);
         let filter = || (calls.fetch_add(1, Relaxed) / period).is_multiple_of(2);
         let mut scene = scene();
         steps(&mut scene, &Hooks { filter: Some(&filter), modify: None }, 40);
         assert!(calls.into_inner() > 40, "the filter was called");
-        assert!(
-            scene.bystanders_in_the_end() == expected,
-            "period {period} affects distant bodies"
-        );
+        assert!(scene.distant_in_the_end() == expected, "period {period} affects distant bodies");
     }
 }
 
@@ -76,7 +73,7 @@ fn inconsistent_filters_affect_no_other_body() {
 fn randomly_modified_contacts_affect_no_other_body() {
     let mut untouched = scene();
     steps(&mut untouched, &Hooks::default(), 40);
-    let expected = untouched.bystanders_in_the_end();
+    let expected = untouched.distant_in_the_end();
     type Modify = (&'static str, fn(&mut ContactModificationContext, usize));
     let modifications: [Modify; 6] = [
         ("cleared", |c, i| {
@@ -108,7 +105,7 @@ fn randomly_modified_contacts_affect_no_other_body() {
         let mut scene = scene();
         listen(|| steps(&mut scene, &Hooks { filter: None, modify: Some(&modify) }, 40));
         assert!(calls.into_inner() > 40, "{name}: the hook was called");
-        assert!(scene.bystanders_in_the_end() == expected, "{name} affects distant bodies");
+        assert!(scene.distant_in_the_end() == expected, "{name} affects distant bodies");
     }
 }
 
@@ -440,7 +437,7 @@ fn hooks_may_use_threads() {
     let run = |hooks: &Hooks<'_>| {
         let mut scene = scene();
         steps(&mut scene, hooks, 10);
-        scene.bystanders_in_the_end()
+        scene.distant_in_the_end()
     };
     let expected = run(&Hooks::default());
     let pool = rayon::ThreadPoolBuilder::new().num_threads(3).build().expect("a pool");

@@ -212,7 +212,7 @@ fn swapped_multibodies_and_links_are_removed() {
             listen(|| continue_world(&mut world, chains[0][1], then));
             let left = |k: usize| chains[k].iter().filter(|j| world.multibody_joints.contains(**j));
             assert_eq!(left(0).count(), 0, "{name}, {then}: joints of the broken one are left");
-            assert_eq!(left(2).count(), 1, "{name}, {then}: a bystander lost its joint");
+            assert_eq!(left(2).count(), 1, "{name}, {then}: another chain lost its joint");
         }
     }
 }

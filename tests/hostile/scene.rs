@@ -18,7 +18,7 @@ pub struct Scene {
     /// The two neighbours.
     pub neighbours: [RigidBodyHandle; 2],
     /// The second pile, which still falls and tumbles.
-    bystanders: Vec<RigidBodyHandle>,
+    distant: Vec<RigidBodyHandle>,
 }
 
 /// All bits of the state of some bodies.
@@ -33,16 +33,15 @@ impl Scene {
             let body = RigidBodyBuilder::dynamic().translation(place).rotation(about_z(angle));
             world.insert(body, cuboid(0.5, 0.5))
         };
-        let bystanders = (0..4_u8).map(|i| {
+        let distant = (0..4_u8).map(|i| {
             let i = Real::from(i);
             block(&mut world, vec(1000.0 + 0.3 * i, 0.6 + 1.1 * i), 0.3 * i).0
         });
-        let bystanders = bystanders.collect();
+        let distant = distant.collect();
         let (below, _) = block(&mut world, vec(0.0, 0.5), 0.0);
         let (body, collider) = block(&mut world, vec(0.0, 1.5), 0.0);
         let (above, _) = block(&mut world, vec(0.0, 2.5), 0.0);
-        let mut scene =
-            Self { world, ground, body, collider, neighbours: [below, above], bystanders };
+        let mut scene = Self { world, ground, body, collider, neighbours: [below, above], distant };
         scene.steps(BEFORE);
         scene
     }
@@ -81,9 +80,9 @@ impl Scene {
     }
 
     /// Runs the remaining steps and returns the bits of the second pile.
-    pub fn bystanders_in_the_end(&mut self) -> Bits {
+    pub fn distant_in_the_end(&mut self) -> Bits {
         self.steps(AFTER);
-        self.bits_of(&self.bystanders)
+        self.bits_of(&self.distant)
     }
 
     /// Runs the remaining steps and returns the bits of all bodies.

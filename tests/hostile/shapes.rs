@@ -37,7 +37,7 @@ fn degenerate_shapes_are_rejected_with_a_reason() {
 #[test]
 fn degenerate_shapes_affect_no_other_body() {
     let untouched = Scene::new().all_in_the_end();
-    let bystanders = Scene::new().bystanders_in_the_end();
+    let distant = Scene::new().distant_in_the_end();
     for (name, _, make) in degenerate_shapes() {
         let Ok(Some(builder)) = make() else { continue };
         let mut scene = Scene::new();
@@ -49,7 +49,7 @@ fn degenerate_shapes_affect_no_other_body() {
         let mut scene = Scene::new();
         let mass = scene.body().mass();
         scene.world.insert_collider(ghost, Some(scene.body));
-        assert!(scene.bystanders_in_the_end() == bystanders, "{name} affects distant bodies");
+        assert!(scene.distant_in_the_end() == distant, "{name} affects distant bodies");
         assert_eq!(scene.body().mass(), mass, "{name} has a mass");
     }
 }

@@ -50,7 +50,7 @@ fn check_colliders(world: &PhysicsWorld) {
         let Some(parent) = collider.parent() else { continue };
         let body = world.bodies.get(parent);
         let listed = body.is_some_and(|body| body.colliders().contains(&handle));
-        assert!(listed, "{handle:?} says that it is part of {parent:?}");
+        assert!(listed, "{handle:?} has the parent {parent:?}, which does not list it");
     }
 }
 

@@ -96,7 +96,7 @@ fn acceleration_motors_use_their_own_bodies() {
 }
 
 #[test]
-fn sliding_motors_lift_what_their_force_can_lift() {
+fn sliding_motors_lift_loads_up_to_their_force() {
     for (force, lifts) in [(18.0, false), (22.0, true)] {
         let mut world = world(60);
         let post = post(&mut world, Vector::ZERO);

@@ -142,7 +142,7 @@ fn telescopes_stop_at_their_limits_and_do_not_sag() {
 }
 
 #[test]
-fn soft_joints_give_way_like_springs() {
+fn soft_joints_yield_like_springs() {
     let mut world = world(60);
     let post = post(&mut world, Vector::ZERO);
     let load = world.insert_body(bob(3.0, 0.2));

@@ -32,7 +32,7 @@ fn top(world: &mut PhysicsWorld, spin: Real, round: Real, is_multibody: bool) ->
 
 /// `Ω = m g r / (I ω)`, exact for a horizontal axis: the torque `m g r` rotates the angular momentum `I ω`.
 #[test]
-fn tops_go_round_as_fast_as_the_formula_says() {
+fn tops_precess_at_the_rate_of_the_formula() {
     for rate in RATES {
         for spin in [40.0, 30.0] {
             for is_multibody in [false, true] {

@@ -96,7 +96,7 @@ fn an_arm_reaches_a_pose() {
 /// For a target out of reach, the arm stretches towards it, and all numbers stay bounded. Links with locked
 /// coordinates do not move.
 #[test]
-fn an_arm_stretches_for_what_is_too_far() {
+fn an_arm_stretches_towards_targets_out_of_reach() {
     let mut world = weightless(60);
     let joint = arm(&mut world);
     let (multibody, tip) = world.multibody_joints.get_mut(joint).expect("it is there");

@@ -143,7 +143,7 @@ fn stacks_that_are_hit_do_not_gain_energy() {
 /// Impact of two balls with the masses `m1`, `m2` and the coefficient of restitution `e`:
 /// `v1' = (m1 - e m2) v / (m1 + m2)`, `v2' = (1 + e) m1 v / (m1 + m2)`.
 #[test]
-fn unequal_masses_part_as_newton_says() {
+fn unequal_masses_separate_by_newtons_law() {
     let mut table =
         Table::new("ball on ball at 3 m/s", &["ratio", "e", "speed", "first", "second"]);
     for ratio in [0.001, 0.1, 1.0, 10.0, 1000.0] {
@@ -443,7 +443,7 @@ fn a_stop_is_no_impact_on_other_bodies() {
 
 /// A body that a force presses against a wall stays there: it approaches in every substep without an impact.
 #[test]
-fn pressed_bodies_lie_still() {
+fn bodies_under_load_stay_at_rest() {
     for force in [10.0, 1000.0, 10_000.0] {
         let mut world = weightless(60);
         world

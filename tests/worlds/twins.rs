@@ -83,7 +83,7 @@ const LATER: [(&str, Change); 7] = [
         world.remove_collider(collider);
     }),
     ("collisions are detected", |world| world.detect_collisions(&(), &())),
-    ("joints are removed, inserted and taken in by a detection", |world| {
+    ("joints are removed, inserted and registered by a detection", |world| {
         let joint = world.impulse_joints.iter().next().expect("there are two").0;
         let joint = world.impulse_joints.remove(joint, true).expect("it is there");
         world.impulse_joints.insert(second(world), joint.body2(), joint.data, true);

@@ -195,8 +195,9 @@ Usage: bench [OPTIONS]
   --profile         the stages of this engine's step instead
   --queries         rays and shape casts per second instead of steps
   --saving          times of saving and restoring worlds instead of steps
-  --growth          growing worlds instead of scenes; --scene 3d or 2d selects a dimension. All curves run with the
-                    first number of threads, but that over threads with all, or with 1 to all there are if one is given
+  --growth          growing worlds instead of scenes; --scene 3d or 2d selects a dimension. All curves except
+                    `threads` run with the first number of threads. `threads` runs with all given numbers; if only
+                    one is given, with 1 to all threads of the machine
   --curve NAME      awake, static, sleeping, contacts, or threads; may be repeated (default: all)
   --bodies-max N    let worlds grow to N bodies at most (default: 1000000)
   --write           also write the table and its chart to docs/benchmarks/latest.md (native.md if built

@@ -148,8 +148,8 @@ fn draw_bars(picture: &mut String, bars: &[Bar]) -> Drawn {
         root.draw(&Rectangle::new(corners, color.filled()))?;
         write(&root, &bar.label, (LABELS - 10, middle), HPos::Right, TEXT)?;
         let threads = crate::units::counted(bar.threads, "thread");
-        let says = format!("{:.2}  {}, {threads}", bar.ratio, bar.peer);
-        write(&root, &says, (from.max(to) + 6, middle), HPos::Left, TEXT)?;
+        let text = format!("{:.2}  {}, {threads}", bar.ratio, bar.peer);
+        write(&root, &text, (from.max(to) + 6, middle), HPos::Left, TEXT)?;
     }
     root.present()?;
     Ok(())
@@ -190,8 +190,8 @@ const TITLE: u32 = 36;
 const LEGEND: u32 = 32;
 /// Margin of a panel, and space for the labels of its axes (pixels).
 const MARGIN: u32 = 12;
-const LEFT: u32 = 52;
-const BELOW: u32 = 44;
+const Y_LABEL_WIDTH: u32 = 52;
+const X_LABEL_HEIGHT: u32 = 44;
 /// Width of an entry of the legend (pixels).
 const ENTRY: i32 = 165;
 
@@ -208,7 +208,7 @@ fn draw_panels(picture: &mut String, title: &str, panels: &[Panel]) -> Drawn {
     let curves = panels.first().map_or(&[][..], |panel| &panel.curves);
     let height = LEGEND as i32 / 2;
     for (number, curve) in curves.iter().enumerate() {
-        let x = (LEFT + MARGIN) as i32 + ENTRY * number as i32;
+        let x = (Y_LABEL_WIDTH + MARGIN) as i32 + ENTRY * number as i32;
         let style = LINES[curve.place].filled().stroke_width(2);
         foot.draw(&PathElement::new([(x, height), (x + 24, height)], style))?;
         foot.draw(&Circle::new((x + 12, height), 3, style))?;
@@ -232,8 +232,8 @@ fn draw_panel(area: &Area<'_>, panel: &Panel) -> Drawn {
     let mut chart = ChartBuilder::on(area)
         .caption(panel.heading, text.clone())
         .margin(MARGIN)
-        .x_label_area_size(BELOW)
-        .y_label_area_size(LEFT)
+        .x_label_area_size(X_LABEL_HEIGHT)
+        .y_label_area_size(Y_LABEL_WIDTH)
         .build_cartesian_2d(
             x_range.log_scale().with_key_points(x_ticks),
             y_range.log_scale().with_key_points(y_ticks),

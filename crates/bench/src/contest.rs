@@ -33,7 +33,7 @@ pub struct Score {
     /// Times of all steps but the first (ms), for each round.
     pub rounds: Vec<Vec<f64>>,
     /// Time of building the world and of the first step (ms), for each round. Some engines insert bodies at
-    /// once, others in the first step.
+    /// once, and others insert them in the first step.
     pub setups: Vec<f64>,
     /// The world after the last round.
     pub stats: Stats,

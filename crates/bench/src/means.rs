@@ -90,7 +90,7 @@ fn line_of_double(mean: &Mean<'_>) -> Option<String> {
         scenes => format!("; more in {}: {}", scenes.len(), scenes.join(", ")),
     };
     Some(format!(
-        "{}: geometric mean of f64 / f32 {:.2}, wanted at most {DOUBLE_TIME_RATIO_MAX}{more}",
+        "{}: geometric mean of f64 / f32 {:.2}, expected at most {DOUBLE_TIME_RATIO_MAX}{more}",
         mean.title(),
         mean.value()?
     ))
@@ -131,7 +131,7 @@ mod tests {
                  a peer is ahead in 1: b (0.50, Rapier 0.36.1)",
                 "2D, 1 thread, 1 scene: geometric mean of fastest peer / this engine 3.00; \
                  a peer is ahead in none",
-                "3D, 1 thread, 2 scenes: geometric mean of f64 / f32 2.00, wanted at most 2.2; \
+                "3D, 1 thread, 2 scenes: geometric mean of f64 / f32 2.00, expected at most 2.2; \
                  more in 1: b (4.00)",
             ]
         );

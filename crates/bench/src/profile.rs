@@ -32,7 +32,7 @@ fn print(scene: &Scene, threads: usize, options: &Options) -> io::Result<()> {
     progress.clear();
 
     let total = stages.iter().find(|(name, _)| *name == "step").map_or(0.0, |(_, time)| *time);
-    let mut table = Table::new(&[&label, "ms/step", "share"]);
+    let mut table = Table::new(&[&label, "ms/step", "fraction"]);
     for (name, milliseconds) in stages {
         table.push(vec![
             name.to_owned(),

@@ -18,9 +18,9 @@ const HEADINGS: [&str; 8] =
 
 /// Meaning of the columns.
 const LEGEND: &str = "\
-Rays, and balls of a hundredth of the scene's height, from random places in random directions, as long as the scene is wide, one thread:
-the median over the rounds of their number per second of time on the processor. ratio: this engine's number divided by the engine's, so
-above 1 this engine is faster. hits: how many found something.";
+Rays and ball casts start at random points in random directions. They are as long as the scene is wide, and the balls have a hundredth of
+its height. rays/s, ball casts/s: median over the rounds of the number per second of time on the processor, one thread. ratio: this
+engine's number divided by the engine's, so above 1 this engine is faster. hits: number of queries with a result.";
 
 /// Results of one engine in one round: seconds and hits, for rays and for balls; `None` for missing queries.
 type Answers = [Option<(f64, usize)>; 2];
@@ -82,12 +82,12 @@ fn add_rows(scene: &Scene, contestants: &[Contestant<'_>], table: &mut Table) {
     for contestant in contestants {
         let mut row = vec![scene.title(), scene.engine_name(contestant.kind).to_owned()];
         let ours = ours.filter(|_| contestant.kind != Kind::This);
-        for question in 0..2 {
-            let Some((seconds, hits)) = contestant.median(question) else {
+        for kind_of_query in 0..2 {
+            let Some((seconds, hits)) = contestant.median(kind_of_query) else {
                 row.extend(["–"; 3].map(str::to_owned));
                 continue;
             };
-            let ratio = ours.and_then(|ours| Some(seconds / ours.median(question)?.0));
+            let ratio = ours.and_then(|ours| Some(seconds / ours.median(kind_of_query)?.0));
             row.push(grouped((COUNT as f64 / seconds) as usize));
             row.push(ratio.map_or(String::new(), |ratio| format!("{ratio:.2}")));
             row.push(grouped(hits));
@@ -99,8 +99,9 @@ fn add_rows(scene: &Scene, contestants: &[Contestant<'_>], table: &mut Table) {
 impl Contestant<'_> {
     /// Returns the median of the times and the hits of the first round; `None` if the engine has no such
     /// query.
-    fn median(&self, question: usize) -> Option<(f64, usize)> {
-        let answered: Vec<_> = self.answers.iter().filter_map(|round| round[question]).collect();
+    fn median(&self, kind_of_query: usize) -> Option<(f64, usize)> {
+        let answered: Vec<_> =
+            self.answers.iter().filter_map(|round| round[kind_of_query]).collect();
         let mut seconds: Vec<f64> = answered.iter().map(|&(seconds, _)| seconds).collect();
         seconds.sort_by(f64::total_cmp);
         Some((*seconds.get(seconds.len() / 2)?, answered.first()?.1))

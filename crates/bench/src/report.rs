@@ -51,8 +51,8 @@ const BUILDS: &str = if IS_NATIVE {
 const LEGEND: &str = "\
 ms/step: mean over all steps but the first of the step's median over the rounds. best ms: the same with
 the step's fastest round. setup ms: to make the world and take the first step, in the fastest round;
-some engines take in new bodies at once, others in the next step. With one thread it is time on the
-processor, with more it is time on the wall.
+some engines insert new bodies at once, and others insert them in the next step. With one thread it is
+time on the processor, with more it is time on the wall.
 ratio: the engine's time divided by this engine's, so above 1 this engine is faster.
 pairs, points: touching pairs and their contact points at the end, by each engine's own account.
 overlap: deepest overlap of any pair at the end, measured from shapes and poses in the same way for all.

@@ -111,7 +111,7 @@ impl Contestant<'_> {
         let clock = Clock::start(1);
         let is_restored = self.engine.load(&bytes);
         let restore = clock.milliseconds();
-        assert!(is_restored, "what an engine has saved it can restore");
+        assert!(is_restored, "an engine restores its own saved world");
         let rollback = self.engine.save_and_return();
         let clock = Clock::start(1);
         self.engine.step();

@@ -23,7 +23,14 @@ impl Area {
 pub const AREAS: [Area; 6] = [
     Area {
         folder: "physics",
-        filters: &["suite::physics", "dim::hulls", "dim::rods", "dim::tumbling", "dim::turntable"],
+        filters: &[
+            "suite::physics",
+            "dim::beams",
+            "dim::hulls",
+            "dim::rods",
+            "dim::tumbling",
+            "dim::turntable",
+        ],
         page: "mechanics.md",
         title: "Motion, contacts and friction",
     },

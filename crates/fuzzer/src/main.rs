@@ -16,16 +16,16 @@ Usage: fuzzer [OPTIONS]
 
   --crate NAME        rapier2d, rapier3d, rapier2d-f64 or rapier3d-f64 (default: all by turns)
   --operations N      stop after so many operations (default: 1000000)
-  --seed N            where the seeds begin (default: 0)
+  --seed N            first seed (default: 0)
   --bytes N           length of a string of random bytes (default: 2000)
   --family NAME       closed, thin, driven, trees or crowds: worlds of one kind, each with a law (default: some
-                      of all, and mostly worlds to which anything is done)
-  --replay FILE       does what the bytes of a file say, and nothing else
+                      of each, and mostly worlds with arbitrary operations)
+  --replay FILE       runs the operations of a file only
   -h, --help          print this
 
-Each finding is minimised and left in a file of the current folder; a sequence that takes longer than a minute
-is one, too, and ends the search. Checks inside of the engine are on in the
-profile `fuzz`: cargo run --profile fuzz -p fuzzer";
+Each finding is minimised and written to a file in the current folder. A sequence that takes longer than a
+minute is also a finding, and ends the search. The profile `fuzz` enables the engine's own checks:
+cargo run --profile fuzz -p fuzzer";
 
 /// Interval of the progress bar's updates.
 const TICK: Duration = Duration::from_millis(500);
@@ -137,7 +137,7 @@ fn replay(options: &Options, file: &str) -> Result<bool, String> {
     let outcomes: Vec<_> = outcomes.collect();
     for (name, outcome) in &outcomes {
         match outcome {
-            Ok(tally) => println!("{name}: in order after {} steps", tally.steps),
+            Ok(tally) => println!("{name}: all invariants hold after {} steps", tally.steps),
             Err(finding) => println!("{name}: {finding}"),
         }
     }

@@ -50,7 +50,7 @@ impl Watch {
         };
         let file = format!("finding-{}.bin", current.name);
         let written = std::fs::write(&file, &current.bytes);
-        println!("{}{} does not come to an end: {file} {written:?}", crate::wipe(), current.name);
+        println!("{}{} exceeds the time limit: {file} {written:?}", crate::wipe(), current.name);
         std::process::exit(1);
     }
 }

@@ -16,7 +16,7 @@ fn variable(name: &str, default: usize) -> usize {
 
 fn operations_leave_the_world_in_order(name: &str) -> Result<(), String> {
     if !cfg!(debug_assertions) {
-        eprintln!("without its own checks the engine keeps its mistakes to itself");
+        eprintln!("without debug assertions the engine does not detect its errors");
     }
     let (_, run) = CRATES.into_iter().find(|(other, _)| *other == name).expect("one of the crates");
     let (goal, mut seed) =

@@ -120,7 +120,7 @@ impl std::ops::AddAssign for StageTimes {
 
 impl StageTimes {
     /// Returns percentages of the total: broad phase, narrow phase, solver, and the rest.
-    pub(crate) fn shares(&self) -> [f64; 4] {
+    pub(crate) fn percentages(&self) -> [f64; 4] {
         let total = self.total.as_secs_f64();
         if total <= 0.0 {
             return [0.0; 4];

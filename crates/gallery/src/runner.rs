@@ -147,7 +147,7 @@ fn cells(page: &Page) -> Vec<String> {
         grouped(stats.contacts),
         page.outcome.rate(),
     ];
-    cells.extend(times.shares().iter().map(|share| format!("{share:.0}")));
+    cells.extend(times.percentages().iter().map(|percentage| format!("{percentage:.0}")));
     cells.push(format!("{:.4}", stats.penetration));
     cells
 }

@@ -20,7 +20,7 @@ const ALLOWED: [(&str, &str); 22] = [
     ("src/model/joint/views.rs", "a wrapper of a joint is that joint"),
     ("src/model/joint/kind.rs", "declares each wrapper as one"),
     ("src/step/solver/", "constraints of a colour run concurrently"),
-    ("src/step/advance/mod.rs", "bodies move their colliders concurrently"),
+    ("src/step/finalize_bodies/mod.rs", "bodies move their colliders concurrently"),
     ("src/step/narrow_phase/update.rs", "pairs are computed concurrently"),
     ("src/step/narrow_phase/ghost_contacts.rs", "bodies are compared concurrently"),
     ("crates/golden/src/web.rs", "exports functions to JavaScript by name"),

@@ -78,8 +78,8 @@ class _Pool:
 
     def fill(self, count):
         """Starts processes up to a count, as far as cases wait."""
-        busy = sum(worker.case is not None for worker in self.workers)
-        for _ in range(min(count - len(self.workers), len(self.waiting) - (len(self.workers) - busy))):
+        idle = sum(worker.case is None for worker in self.workers)
+        for _ in range(min(count - len(self.workers), len(self.waiting) - idle)):
             self.workers.append(_Worker(self.context, self.pickled))
 
     def next_case(self, worker):

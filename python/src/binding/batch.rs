@@ -15,6 +15,7 @@ use numpy::{PyArray1, PyArrayDyn, PyArrayMethods, PyReadonlyArray1};
 use pyo3::exceptions::PyMemoryError;
 use pyo3::prelude::*;
 use rayon::prelude::*;
+use std::borrow::BorrowMut;
 
 /// Fewer elements of arrays than this are copied by one thread: waking others would take longer.
 pub const SERIAL_MAX: usize = 1 << 12;
@@ -68,9 +69,9 @@ impl WorldBatch {
         self.count
     }
 
-    /// One original for all worlds, or one for each.
-    pub fn originals(&self) -> &[Simulation] {
-        &self.originals
+    /// The original of the first world, whose joints and vehicles select those of all.
+    pub fn original(&self) -> &Simulation {
+        &self.originals[0]
     }
 
     /// Returns an error for an object of another world than the original.
@@ -97,10 +98,10 @@ impl WorldBatch {
         &self,
         py: Python<'_>,
         index: usize,
-        draw: impl FnOnce(&Simulation, &mut Artist) -> R + Send,
+        draw: impl FnOnce(&mut Simulation, &mut Artist) -> R + Send,
     ) -> PyResult<R> {
-        let world = self.one(py, index)?;
-        self.artist.detached(py, |artist| draw(&world, artist))
+        let mut world = self.one(py, index)?;
+        self.artist.detached(py, |artist| draw(&mut world, artist))
     }
 
     /// A copy of one of the worlds.
@@ -119,28 +120,7 @@ impl WorldBatch {
         rows_per_world: usize,
         change: impl Fn(&mut Simulation, &[T]) + Send + Sync,
     ) -> PyResult<()> {
-        self.change_selected(py, &vec![true; self.count], rows, rows_per_world, change)
-    }
-
-    /// Changes the selected worlds on all cores by their rows. Other worlds have no rows.
-    fn change_selected<T: Sync>(
-        &self,
-        py: Python<'_>,
-        mask: &[bool],
-        rows: &[T],
-        rows_per_world: usize,
-        change: impl Fn(&mut Simulation, &[T]) + Send + Sync,
-    ) -> PyResult<()> {
-        self.worlds.detached(py, |worlds| {
-            let size = rows_per_world.max(1);
-            let mut worlds = selected(worlds, mask);
-            let change =
-                |(simulation, rows): (&mut &mut Simulation, &[T])| change(simulation, rows);
-            match rows.len() < SERIAL_MAX {
-                true => worlds.iter_mut().zip(rows.chunks(size)).for_each(change),
-                false => worlds.par_iter_mut().zip(rows.par_chunks(size)).for_each(change),
-            }
-        })
+        self.worlds.detached(py, |worlds| change_each(worlds, rows, rows_per_world, change))
     }
 
     /// The selected worlds: all without a mask.
@@ -185,6 +165,21 @@ impl WorldBatch {
 /// The worlds with a true element of the mask.
 fn selected<'a>(worlds: &'a mut [Simulation], mask: &[bool]) -> Vec<&'a mut Simulation> {
     worlds.iter_mut().zip(mask).filter_map(|(world, &chosen)| chosen.then_some(world)).collect()
+}
+
+/// Changes worlds on all cores by their rows.
+fn change_each<W: BorrowMut<Simulation> + Send, T: Sync>(
+    worlds: &mut [W],
+    rows: &[T],
+    rows_per_world: usize,
+    change: impl Fn(&mut Simulation, &[T]) + Send + Sync,
+) {
+    let size = rows_per_world.max(1);
+    let change = |(world, rows): (&mut W, &[T])| change(world.borrow_mut(), rows);
+    match rows.len() < SERIAL_MAX {
+        true => worlds.iter_mut().zip(rows.chunks(size)).for_each(change),
+        false => worlds.par_iter_mut().zip(rows.par_chunks(size)).for_each(change),
+    }
 }
 
 /// The bodies of a world, in the order of `World.bodies`.
@@ -288,12 +283,15 @@ impl WorldBatch {
         let rows = shaped_array("state", state, &[self.count, self.bodies.len(), STATE])?;
         let mask = self.mask(mask)?;
         let states = self.parse_states(rows.as_slice()?, &mask)?;
-        self.change_selected(py, &mask, &states, self.bodies.len(), |simulation, states| {
+        let change = |simulation: &mut Simulation, states: &[(Pose, RigidBodyVelocity)]| {
             for (&handle, &(pose, velocity)) in self.bodies.iter().zip(states) {
                 let body = &mut simulation.world.bodies[handle];
                 body.set_position(pose, true);
                 body.set_vels(velocity, true);
             }
+        };
+        self.worlds.detached(py, |worlds| {
+            change_each(&mut selected(worlds, &mask), &states, self.bodies.len(), change)
         })
     }
 

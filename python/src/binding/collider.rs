@@ -129,6 +129,14 @@ impl Collider {
             .ok_or_else(|| stale("collider"))
     }
 
+    /// The pose in the world, also if the body was moved since the last step.
+    fn pose_in(&self, world: &PhysicsWorld) -> Option<Pose> {
+        let collider = world.colliders.get(self.handle)?;
+        let body = collider.parent().and_then(|handle| world.bodies.get(handle));
+        let attached = body.zip(collider.position_wrt_parent());
+        Some(attached.map_or(*collider.position(), |(body, local)| body.position() * local))
+    }
+
     fn touching_handles(&self, world: &PhysicsWorld) -> PyResult<Vec<ColliderHandle>> {
         if !world.colliders.contains(self.handle) {
             return Err(stale("collider"));
@@ -154,16 +162,8 @@ impl Collider {
     /// Position of the shape's origin (m, world).
     #[getter]
     fn position<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray1<Real>>> {
-        let position = self
-            .world
-            .get()
-            .lock(py)?
-            .simulation
-            .current()
-            .colliders
-            .get(self.handle)
-            .map(|collider| collider.position().translation);
-        Ok(vector_out(py, position.ok_or_else(|| stale("collider"))?))
+        let pose = self.pose_in(&self.world.get().lock(py)?.simulation.world);
+        Ok(vector_out(py, pose.ok_or_else(|| stale("collider"))?.translation))
     }
 
     /// Largest ratio of the tangential to the normal contact force.

@@ -114,15 +114,29 @@ pub type Structure = (Key, [RigidBodyHandle; 2], JointAxesMask);
 
 /// The structures of all joints of a world.
 pub fn structures(world: &PhysicsWorld) -> Vec<Structure> {
-    let impulse = world.impulse_joints.iter().map(|(handle, joint)| {
-        (Key::Impulse(handle), [joint.body1(), joint.body2()], joint.data.locked_axes)
-    });
-    let multibody = world.multibody_joints.iter().map(|(handle, _, multibody, link)| {
-        let parent = link.parent_id().and_then(|parent| multibody.link(parent)).unwrap_or(link);
-        let bodies = [parent.rigid_body_handle(), link.rigid_body_handle()];
-        (Key::Multibody(handle), bodies, link.joint().data.locked_axes)
-    });
-    impulse.chain(multibody).collect()
+    let impulse = world.impulse_joints.iter().map(|(handle, _)| Key::Impulse(handle));
+    let multibody = world.multibody_joints.iter().map(|(handle, ..)| Key::Multibody(handle));
+    let structure = |key| {
+        let (bodies, data) = parts(world, key)?;
+        Some((key, bodies, data.locked_axes))
+    };
+    impulse.chain(multibody).filter_map(structure).collect()
+}
+
+/// The two bodies of a joint, and its data.
+pub fn parts(world: &PhysicsWorld, key: Key) -> Option<([RigidBodyHandle; 2], &GenericJoint)> {
+    match key {
+        Key::Impulse(handle) => {
+            let joint = world.impulse_joints.get(handle)?;
+            Some(([joint.body1(), joint.body2()], &joint.data))
+        }
+        Key::Multibody(handle) => {
+            let (multibody, id) = world.multibody_joints.get(handle)?;
+            let link = multibody.link(id)?;
+            let parent = multibody.link(link.parent_id()?)?;
+            Some(([parent.rigid_body_handle(), link.rigid_body_handle()], &link.joint().data))
+        }
+    }
 }
 
 /// The data of a joint, to change it.

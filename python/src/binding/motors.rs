@@ -3,7 +3,7 @@
 use super::batch::{SERIAL_MAX, WorldBatch};
 use super::joint::{self, Joint, Key};
 use super::numbers::{self, finite_elements, non_negative, shaped_array};
-use super::rapier::dynamics::{GenericJoint, JointAxis, RigidBodyHandle};
+use super::rapier::dynamics::JointAxis;
 use super::rapier::math::Real;
 use super::rapier::pipeline::PhysicsWorld;
 use super::simulation::Simulation;
@@ -16,25 +16,9 @@ use rayon::prelude::*;
 /// Numbers of the state of a joint: its coordinate (rad or m) and the velocity of it.
 const JOINT_STATE: usize = 2;
 
-/// The two bodies of a joint, and its data.
-fn parts(world: &PhysicsWorld, key: Key) -> Option<([RigidBodyHandle; 2], &GenericJoint)> {
-    match key {
-        Key::Impulse(handle) => {
-            let joint = world.impulse_joints.get(handle)?;
-            Some(([joint.body1(), joint.body2()], &joint.data))
-        }
-        Key::Multibody(handle) => {
-            let (multibody, id) = world.multibody_joints.get(handle)?;
-            let link = multibody.link(id)?;
-            let parent = multibody.link(link.parent_id()?)?;
-            Some(([parent.rigid_body_handle(), link.rigid_body_handle()], &link.joint().data))
-        }
-    }
-}
-
 /// The coordinate of a joint about or along its free axis (rad or m), and its velocity.
 fn joint_state(world: &PhysicsWorld, key: Key, axis: JointAxis) -> Option<[Real; JOINT_STATE]> {
-    let ([handle1, handle2], data) = parts(world, key)?;
+    let ([handle1, handle2], data) = joint::parts(world, key)?;
     let (body1, body2) = (world.bodies.get(handle1)?, world.bodies.get(handle2)?);
     let direction = *body1.rotation() * data.local_axis1();
     if axis == JointAxis::LinX {
@@ -75,7 +59,7 @@ impl WorldBatch {
     fn motors_of(&self, joints: &[PyRef<'_, Joint>]) -> PyResult<Vec<(Key, JointAxis)>> {
         let motor_of = |joint: &PyRef<'_, Joint>| {
             self.check_source(&joint.world, "joint")?;
-            match joint::contains(&self.originals()[0].world, joint.key) {
+            match joint::contains(&self.original().world, joint.key) {
                 true => Ok((joint.key, joint.free_axis()?)),
                 false => Err(stale("joint")),
             }

@@ -54,8 +54,9 @@ impl Shot {
         Ok(Self { view, size, lines })
     }
 
-    /// The picture of a world.
-    fn of(&self, simulation: &Simulation, artist: &mut Artist) -> Image {
+    /// The picture of a world, at the poses of bodies that were moved since the last step.
+    fn of(&self, simulation: &mut Simulation, artist: &mut Artist) -> Image {
+        simulation.current();
         let Simulation { world, vehicles } = simulation;
         let mut drawing = artist.draw_world(world, &BodyColors::new(), self.lines);
         vehicles.draw(world, &mut drawing);
@@ -94,7 +95,7 @@ impl World {
         contacts: bool,
     ) -> PyResult<Bound<'py, PyArray3<u8>>> {
         let shot = Shot::new([width, height], [yaw, pitch], focus, lines(joints, contacts))?;
-        let image = self.detached(py, |state| shot.of(&state.simulation, &mut state.artist))?;
+        let image = self.detached(py, |state| shot.of(&mut state.simulation, &mut state.artist))?;
         pixels_out(py, image)
     }
 
@@ -102,7 +103,7 @@ impl World {
     fn _repr_png_<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyBytes>> {
         let shot =
             Shot { view: space::view(YAW, PITCH), size: NOTEBOOK_SIZE, lines: lines(false, false) };
-        let image = self.detached(py, |state| shot.of(&state.simulation, &mut state.artist))?;
+        let image = self.detached(py, |state| shot.of(&mut state.simulation, &mut state.artist))?;
         Ok(PyBytes::new(py, &py.detach(|| encode(&image))?))
     }
 }

@@ -1,6 +1,6 @@
 //! Shapes.
 
-use super::numbers::{coordinates, finite, numbers, points, pose, vector};
+use super::numbers::{finite, numbers, points, pose, vector};
 use super::rapier::geometry::{ColliderBuilder, InvalidCollider, SharedShape};
 use super::rapier::math::{DIM, Pose};
 use super::space;
@@ -46,20 +46,6 @@ impl Shape {
     fn capsule(half_height: f64, radius: f64) -> PyResult<Self> {
         Self::built(ColliderBuilder::capsule_y(
             finite("half_height", half_height)?,
-            finite("radius", radius)?,
-        ))
-    }
-
-    /// A capsule between two points: all points at most `radius` from the segment between them.
-    #[staticmethod]
-    fn capsule_between(
-        start: &Bound<'_, PyAny>,
-        end: &Bound<'_, PyAny>,
-        radius: f64,
-    ) -> PyResult<Self> {
-        Self::built(ColliderBuilder::capsule_from_endpoints(
-            coordinates("start", start)?,
-            coordinates("end", end)?,
             finite("radius", radius)?,
         ))
     }

@@ -467,7 +467,8 @@ impl World {
     ) -> PyResult<(Bound<'py, PyArray3<Real>>, Bound<'py, PyArray2<f32>>)> {
         let mut lines = Lines::default();
         self.detached(py, |state| {
-            state.simulation.world.debug_render(&mut DebugRenderPipeline::default(), &mut lines)
+            let world = state.simulation.current();
+            world.debug_render(&mut DebugRenderPipeline::default(), &mut lines)
         })?;
         let count = lines.colors.len() / 4;
         let ends = PyArray1::from_vec(py, lines.ends).reshape([count, 2, DIM])?;

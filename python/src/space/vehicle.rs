@@ -76,8 +76,11 @@ impl Vehicles {
 
     /// The vehicles as bytes.
     pub fn to_bytes(&self) -> Result<Vec<u8>, String> {
-        let parts = |vehicle: &Braked| (vehicle.controller.clone(), vehicle.brakes.clone());
-        let vehicles: Vec<_> = self.0.iter().map(|vehicle| vehicle.as_ref().map(parts)).collect();
+        let vehicles = self.0.iter().map(|vehicle| {
+            let Braked { controller, brakes } = vehicle.as_ref()?;
+            Some((controller, brakes))
+        });
+        let vehicles: Vec<_> = vehicles.collect();
         postcard::to_allocvec(&vehicles).map_err(|error| error.to_string())
     }
 
@@ -350,9 +353,8 @@ impl WorldBatch {
         controls: &Bound<'_, PyAny>,
     ) -> PyResult<()> {
         self.check_source(&vehicle.world, "vehicle")?;
-        let counts = self.originals()[0].vehicles.wheel_counts();
-        let wheels = counts.get(vehicle.index).copied().flatten();
-        let wheels = wheels.ok_or_else(|| stale("vehicle"))?;
+        let original = self.original().vehicles.0.get(vehicle.index).and_then(Option::as_ref);
+        let wheels = original.ok_or_else(|| stale("vehicle"))?.brakes.len();
         let rows = shaped_array("controls", controls, &[self.count(), wheels, CONTROLS])?;
         let rows = finite_elements("controls", &rows)?.to_vec();
         check_brakes(&rows)?;

@@ -9,8 +9,8 @@
 //! base and itself have.
 //!
 //! Every run is three numbers in front of the new bytes: their number, the number of copied bytes, and the
-//! change of the shift. General tools (bsdiff, xdelta) find shorter deltas of executables, which move in
-//! pieces; a world moves in few, and these tools take a hundred times longer.
+//! change of the shift. General tools (bsdiff, xdelta) find shorter deltas of executables, which move in many
+//! pieces. A world moves in few pieces, and these tools take a hundred times longer.
 
 use super::codec::{CodecError, read, write};
 use super::error::SnapshotError;

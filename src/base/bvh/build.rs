@@ -17,7 +17,7 @@ const BINS: usize = 16;
 #[derive(Debug, Default)]
 pub struct BuildScratch {
     leaves: Vec<Entry>,
-    /// Nodes whose children are not known yet, and where the boxes below each begin and end.
+    /// Nodes without children yet, each with the range of the boxes below it.
     open: Vec<(usize, usize, usize)>,
 }
 
@@ -141,7 +141,7 @@ fn cut(leaves: &mut [Entry]) -> usize {
     if first == 0 || first == leaves.len() { middle } else { first }
 }
 
-/// Bins along an axis, and where to cut.
+/// Bins along an axis, and the plane of the cut.
 #[derive(Copy, Clone)]
 struct Plane {
     axis: usize,

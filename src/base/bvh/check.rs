@@ -17,7 +17,7 @@ impl Loaded for BoxTree {
         for &node in &self.free {
             let is_first =
                 is_seen.get_mut(node as usize).is_some_and(|seen| !core::mem::replace(seen, true));
-            ensure!(is_first, "node {node} of a tree is free twice, or none");
+            ensure!(is_first, "node {node} of a tree is in the free list twice, or does not exist");
         }
         let mut leaf_count = 0;
         let mut open: Vec<(usize, Option<(Place, Aabb)>)> = Vec::new();
@@ -39,7 +39,7 @@ impl Loaded for BoxTree {
             }
         }
         let lost = is_seen.iter().position(|seen| !seen);
-        ensure!(lost.is_none(), "node {lost:?} of a tree is nowhere");
+        ensure!(lost.is_none(), "node {lost:?} of a tree is neither used nor free");
         let placed = self.places.iter().flatten().count();
         ensure!(
             [leaf_count, placed] == [self.len; 2],

@@ -2,8 +2,8 @@
 //!
 //! A box descends to the node whose boxes it enlarges least, and is inserted into a node without child nodes.
 //! A full node is split in two, and its parent gets one more child. New levels therefore begin at the root
-//! alone, as in a B-tree (and the R-tree: Guttman, "R-Trees: A Dynamic Index Structure for Spatial
-//! Searching", 1984), and no order of insertions makes the tree deep.
+//! alone, as in a B-tree, and no order of insertions makes the tree deep. (The R-tree works likewise:
+//! Guttman, "R-Trees: A Dynamic Index Structure for Spatial Searching", 1984.)
 
 use super::node::{Child, Entry, Node, Place, Planes, Target};
 use super::{BoxTree, measure, measure_of};

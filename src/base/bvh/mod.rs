@@ -51,7 +51,8 @@ pub struct BoxTree {
     /// The place of each slot's box.
     places: Vec<Option<Place>>,
     len: usize,
-    /// Boxes that came since the tree was built as a whole, were put elsewhere, or had those above them grow.
+    /// Number of boxes that were inserted or moved, or whose ancestors grew, since the tree was built as a
+    /// whole.
     wear: usize,
 }
 

@@ -100,8 +100,8 @@ impl SlabProbe {
 }
 
 impl Probe for SlabProbe {
-    /// The exit is late by the rounding errors of both (Ize, "Robust BVH Ray Traversal", JCGT 2013): a ray
-    /// along a face must not miss the box.
+    /// The exit is later by the rounding errors of entry and exit, so a ray along a face does not miss the
+    /// box. (Ize, "Robust BVH Ray Traversal", JCGT 2013.)
     #[inline(always)]
     fn test<W: Wide>(&self, planes: &Planes, reach: Real) -> (W, W::Mask) {
         let (mut start, mut end) = (W::zero(), W::splat(Real::INFINITY));

@@ -144,10 +144,10 @@ impl Search<'_> {
             let flat = Flat::new(&shape)?;
             let Plane { point, normal } = plane.of_piece(&flat);
             let dist = normal.dot(*place - point);
-            let (on_floor, id) = (*place - normal * dist, PackedFeatureId::UNKNOWN);
+            let (on_surface, id) = (*place - normal * dist, PackedFeatureId::UNKNOWN);
             let is_second = flat_parts.side == 1;
             let point =
-                RawPoint::flipped(on_floor, vertex.point, id, vertex.feature, dist, is_second);
+                RawPoint::flipped(on_surface, vertex.point, id, vertex.feature, dist, is_second);
             support.points.push(point);
             if dist < support.dist {
                 (support.piece, support.normal, support.dist) = (piece, normal, dist);

@@ -66,14 +66,14 @@ impl Search<'_> {
         self.visit_pairs(|ids| chosen.binary_search(&ids).is_ok());
     }
 
-    fn visit_pairs(&mut self, is_wanted: impl Fn([u32; 2]) -> bool) {
+    fn visit_pairs(&mut self, is_selected: impl Fn([u32; 2]) -> bool) {
         let ([parts1, parts2], pos21) = (self.parts, self.pair.pos12.inverse());
         let prediction = self.pair.prediction;
         let near1 = Near::of(parts2.shape(), &self.pair.pos12, prediction);
         parts1.for_each_part(&near1, &mut |part1| {
             let near2 = Near::of(part1.shape, &(pos21 * part1.pose()), prediction);
             parts2.for_each_part(&near2, &mut |part2| {
-                if is_wanted([part1.id, part2.id]) {
+                if is_selected([part1.id, part2.id]) {
                     self.search(part1, part2);
                 }
             });

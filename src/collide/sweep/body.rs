@@ -56,7 +56,7 @@ impl SupportMap for Shrunk<'_> {
 }
 
 impl<'a> Body<'a> {
-    /// A part as it is; `None` if nothing is known of where it ends.
+    /// A part without shrinking; `None` if its extent is unknown.
     pub fn whole(part: &'a dyn Shape) -> Option<Self> {
         let center = Vector::ZERO;
         let axes = Rotation::IDENTITY;
@@ -215,7 +215,7 @@ impl<'a> Body<'a> {
 }
 
 /// Relative error of the closest-point search, which ends when an upper and a lower bound differ by at most
-/// this. On a path of 30 m that is 3 cm in `f32`, and a jump by that would pass a thin obstacle.
+/// this. On a path of 30 m that is 3 cm in `f32`, and a jump by that would pass a thin collider.
 fn search_error() -> Real {
     (10.0 * Real::EPSILON).sqrt()
 }

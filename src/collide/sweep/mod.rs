@@ -10,8 +10,8 @@
 //!
 //! because until then a plane across `n` separates them. `r` is the largest distance of a part's points from
 //! its centre of rotation. So the search jumps ahead by that, and ends where the parts are within a tolerance
-//! or cannot meet any more. Shapes of several parts are searched part by part, those that the path comes
-//! near.
+//! or cannot meet any more. Shapes of several parts are searched part by part. Only parts near the path are
+//! searched.
 //!
 //! Root finding on a selected pair of features (Catto, "Continuous Collision", GDC 2013) takes fewer steps
 //! for fast rotations. Conservative advancement needs no features, so every shape with a support function
@@ -53,10 +53,10 @@ use motion::reach_about;
 use parry::bounding_volume::{Aabb, BoundingVolume};
 use parry::shape::Shape;
 
-/// Depth of a shape's core below its surface, as a fraction of the shape's thickness. The core of a ball is a
-/// point, of a capsule its axis, of a board a thin one.
+/// Depth of a shape's core below its surface, as a fraction of the shape's thickness. The core of a ball is
+/// nearly a point. The core of a capsule is nearly its axis, and the core of a board is a thinner board.
 const CORE_DEPTH_FRACTION: Real = 0.98;
-/// Sizes of the searched cores, as fractions of the first. A body with one end in an obstacle must still keep
+/// Sizes of the searched cores, as fractions of the first. A body with one end in a collider must still keep
 /// its middle outside.
 const CORES: [Real; 3] = [1.0, 0.5, 0.0];
 /// Depth of contacts, as a fraction of the shape's thickness, above which CCD limits the motion.
@@ -222,14 +222,15 @@ fn path_of_other(shapes: [&dyn Shape; 2], sweeps: [&Sweep<'_>; 2], side: usize) 
     let (own, other, shape) = (sweeps[side], sweeps[1 - side], shapes[1 - side]);
     let start = own.at(0.0);
     let center = start.inverse_transform_point(other.center());
-    let [way, angle] = own.travel();
-    let region = other.region(shape).loosened(way).transform_by(&start.inverse());
+    let [distance, angle] = own.travel();
+    let region = other.region(shape).loosened(distance).transform_by(&start.inverse());
     if angle == 0.0 {
-        let together = way == 0.0 || own.stop == other.stop;
+        let together = distance == 0.0 || own.stop == other.stop;
         let straight = own.straight().zip(other.straight()).filter(|_| together);
         let line = straight.and_then(|(own, segment)| {
-            let way = start.rotation.inverse() * ((segment.shift - own.shift) * other.stop);
-            Line::new(center, way, reach_about(shape, other.local_center), region)
+            let displacement =
+                start.rotation.inverse() * ((segment.shift - own.shift) * other.stop);
+            Line::new(center, displacement, reach_about(shape, other.local_center), region)
         });
         return line.map_or(Near::Inside(region), Near::Along);
     }
@@ -412,10 +413,11 @@ fn advance(
 
 /// Bound on the closing speed of two bodies (length units per step), until a fraction of the step.
 fn closing_max(sweeps: [&Sweep<'_>; 2], reaches: [Real; 2], until: Real) -> Real {
-    let [legs1, legs2] = sweeps.map(|sweep| sweep.straight().filter(|_| sweep.stop >= until));
-    if let Some((leg1, leg2)) = legs1.zip(legs2) {
-        let turning = turning([leg1.angle(), leg2.angle()], reaches);
-        return (leg1.shift - leg2.shift).length() + turning;
+    let [straight1, straight2] =
+        sweeps.map(|sweep| sweep.straight().filter(|_| sweep.stop >= until));
+    if let Some((segment1, segment2)) = straight1.zip(straight2) {
+        let turning = turning([segment1.angle(), segment2.angle()], reaches);
+        return (segment1.shift - segment2.shift).length() + turning;
     }
     let fastest = |speed: fn(&PathSegment) -> Real| {
         sweeps.map(|sweep| sweep.segments().iter().map(speed).fold(0.0, Real::max))

@@ -13,7 +13,7 @@ fn random_box(random: &mut Random) -> SharedShape {
 }
 
 #[test]
-fn the_deepest_point_is_as_deep_as_parry_says() {
+fn the_deepest_point_is_as_deep_as_in_parry() {
     let mut random = Random(1);
     let (mut compared, mut same) = (0, 0);
     for round in 0..3_000 {

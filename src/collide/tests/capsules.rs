@@ -12,7 +12,7 @@ fn random_shape(kind: usize, random: &mut Random) -> SharedShape {
 }
 
 #[test]
-fn round_shapes_are_as_deep_as_parry_says() {
+fn round_shapes_are_as_deep_as_in_parry() {
     let mut random = Random(1);
     let (mut compared, mut agreed) = (0, 0);
     for round in 0..3_000 {
@@ -116,7 +116,7 @@ fn at_the_corner_of_a_box_no_contact_is_deeper_than_the_shapes() {
 }
 
 #[test]
-fn capsules_are_as_far_from_triangles_as_parry_says() {
+fn capsules_are_as_far_from_triangles_as_in_parry() {
     let mut random = Random(7);
     let mut compared = 0;
     for round in 0..20_000 {

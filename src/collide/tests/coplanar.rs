@@ -196,7 +196,7 @@ fn the_triangle_cache_changes_nothing() {
     }
 }
 
-/// All that the manifolds say, to the last bit.
+/// All numbers of the manifolds, to the last bit.
 fn bits(manifolds: &[ContactManifold]) -> Vec<u64> {
     let vector = |vector: Vector| vector.to_array().map(|x| f64::from(x).to_bits());
     let mut all = Vec::new();

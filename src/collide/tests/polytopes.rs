@@ -70,7 +70,7 @@ fn follow(shapes: [SharedShape; 2], random: &mut Random, what: &str) -> [u32; 2]
 }
 
 #[test]
-fn contacts_that_are_followed_stay_as_deep_as_parry_says() {
+fn contacts_that_are_followed_stay_as_deep_as_in_parry() {
     let mut random = Random(2);
     let (mut compared, mut agreed) = (0, 0);
     for round in 0..300 {

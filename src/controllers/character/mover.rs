@@ -186,7 +186,7 @@ impl<'a> Mover<'a> {
         for index in 0..self.planes.len() {
             let plane = &self.planes[index];
             let into = desired.dot(plane.normal);
-            if into < -self.settings.nothing() && into < plane.slack(&self.settings) {
+            if into < -self.settings.nothing() && into < plane.approach_limit(&self.settings) {
                 let plane = plane.clone();
                 self.report(&plane, desired);
             }

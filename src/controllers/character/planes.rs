@@ -75,9 +75,9 @@ impl Plane {
 
     /// The admissible approach, as a translation along the normal: 0, or less. Gaps about as wide as the
     /// offset leave exactly nothing.
-    pub fn slack(&self, settings: &ResolvedSettings) -> Real {
-        let slack = settings.offset - self.gap;
-        if slack > -settings.tolerance { 0.0 } else { slack }
+    pub fn approach_limit(&self, settings: &ResolvedSettings) -> Real {
+        let approach_limit = settings.offset - self.gap;
+        if approach_limit > -settings.tolerance { 0.0 } else { approach_limit }
     }
 
     /// Missing distance; 0 if the character is far enough.
@@ -88,15 +88,17 @@ impl Plane {
 
     /// The half space of admissible translations.
     pub fn half_space(&self, settings: &ResolvedSettings) -> HalfSpace {
-        HalfSpace { normal: self.normal, at_least: self.slack(settings) }
+        HalfSpace { normal: self.normal, at_least: self.approach_limit(settings) }
     }
 
     /// The half space of admissible translations for an upright plane; `None` for a level one.
     pub fn upright_half_space(&self, settings: &ResolvedSettings) -> Option<HalfSpace> {
         let (_, across) = settings.split(self.normal);
         let length = across.length();
-        (length > WALL_LEAN_MAX)
-            .then(|| HalfSpace { normal: across / length, at_least: self.slack(settings) / length })
+        (length > WALL_LEAN_MAX).then(|| HalfSpace {
+            normal: across / length,
+            at_least: self.approach_limit(settings) / length,
+        })
     }
 
     /// The height of its lowest contact point, as a coordinate along the up direction.

@@ -1,9 +1,9 @@
 //! The point of a polyhedron that is nearest to a target: an exact solver for a handful of planes.
 //!
-//! `min |t - target|²` subject to `nᵢ·t ≥ bᵢ`. The solution lies on some planes, and in space at most three
-//! independent ones determine it: none (the target itself), one (a wall), two (a crease) or three (a corner).
-//! There are few planes, so all combinations are tried, smaller ones first; the nearest candidate that
-//! satisfies all planes is the solution. Without iteration, the solution does not creep towards an acute
+//! `min |t - target|²` subject to `nᵢ·t ≥ bᵢ`. The solution lies on some of the planes. In space, at most
+//! three independent planes determine it: none (the target itself), one (a wall), two (a crease) or three (a
+//! corner). There are few planes, so all combinations are tried, smaller ones first. The nearest candidate
+//! that satisfies all planes is the solution. Without iteration, the solution does not creep towards an acute
 //! corner, and the same input gives the same bits.
 
 use crate::dim::math::{Real, Vector};

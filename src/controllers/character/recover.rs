@@ -41,7 +41,7 @@ impl Mover<'_> {
 fn escape(plane: &Plane, settings: &ResolvedSettings) -> HalfSpace {
     let excess = plane.excess(settings);
     if excess == 0.0 {
-        HalfSpace { normal: plane.normal, at_least: plane.slack(settings) }
+        HalfSpace { normal: plane.normal, at_least: plane.approach_limit(settings) }
     } else if plane.kind == Kind::Floor {
         HalfSpace { normal: settings.up, at_least: excess / plane.rise }
     } else {

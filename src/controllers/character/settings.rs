@@ -86,8 +86,8 @@ pub enum CharacterSlopeSpeed {
 /// [`EffectiveCharacterMovement::ground`](super::EffectiveCharacterMovement::ground) returns the data to
 /// carry the character along.
 ///
-/// With an invalid setting the character does not move, and the log contains a warning. Invalid are a zero up
-/// direction, a negative or infinite length, and an angle that is NaN.
+/// With an invalid setting the character does not move, and the log contains a warning. A zero up direction,
+/// a negative or infinite length, and a NaN angle are invalid.
 #[derive(Copy, Clone, PartialEq, Debug)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub struct KinematicCharacterController {

@@ -72,7 +72,7 @@ impl ResolvedSettings {
         let floors = planes.iter().filter(|plane| plane.holds(self));
         let lifts = floors.map(|plane| Lift {
             plane,
-            height: (plane.slack(self) - ahead.dot(plane.normal)) / plane.rise,
+            height: (plane.approach_limit(self) - ahead.dot(plane.normal)) / plane.rise,
         });
         lifts.max_by(|a, b| a.height.total_cmp(&b.height))
     }
@@ -103,7 +103,7 @@ impl ResolvedSettings {
             _ => CharacterSlopeSpeed::Horizontal,
         };
         let across = ahead.dot(plane.normal);
-        let settle = self.up * (plane.slack(self) / plane.rise);
+        let settle = self.up * (plane.approach_limit(self) / plane.rise);
         let climb = ahead - self.up * (across / plane.rise);
         match speed {
             CharacterSlopeSpeed::Horizontal => climb + settle,

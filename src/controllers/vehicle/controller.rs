@@ -49,8 +49,8 @@ use crate::model::collider::ColliderSet;
 ///
 /// * A suspension pushes and never pulls. It is integrated implicitly, and stiff springs are stable at any
 ///   rate.
-/// * Drive, brake and grip to the side of a wheel are together at most [`Wheel::friction_slip`] times its
-///   load. No brake stops a car on ice.
+/// * Drive, brake and lateral grip of a wheel are together at most [`Wheel::friction_slip`] times its load.
+///   No brake stops a car on ice.
 /// * Brakes stop a standing car, on a slope as well, within their force and the tyres' grip; it does not
 ///   creep.
 /// * Rays hit neither the chassis nor sensors, with any filter.
@@ -193,7 +193,7 @@ impl DynamicRayCastVehicleController {
     fn is_awake(&mut self, bodies: &mut RigidBodySet, colliders: &ColliderSet) -> bool {
         let Some(chassis) = bodies.get(self.chassis) else { return false };
         let is_asleep = chassis.is_sleeping();
-        let wants_to_wake = match is_asleep {
+        let must_wake = match is_asleep {
             true => is_disturbed(&self.wheels, &self.seen, bodies, colliders),
             false => is_driven(&self.wheels),
         };
@@ -204,11 +204,11 @@ impl DynamicRayCastVehicleController {
                 chassis.drop_push();
                 self.observer.skip();
             }
-            if wants_to_wake {
+            if must_wake {
                 chassis.wake_up(true);
             }
         }
-        !is_asleep || wants_to_wake
+        !is_asleep || must_wake
     }
 
     /// Applies the impulses, and rotates the wheels.

@@ -2,9 +2,9 @@
 //!
 //! The controller has no input for gravity. It predicts the velocity of the chassis from its own impulses and
 //! the user's forces. The difference is an external load that will probably persist (a "disturbance
-//! observer": Kouhei Ohnishi, "A new servo method in mechatronics", 1987). Impacts are singular, so an
-//! acceleration counts only as far as the last two updates agree (per axis, the smaller one; zero if the
-//! signs differ).
+//! observer": Kouhei Ohnishi, "A new servo method in mechatronics", 1987). Impacts are singular. Along each
+//! axis, the estimate is therefore the smaller acceleration of the last two updates, or zero if their signs
+//! differ.
 
 use crate::dim::math::{Real, Vector};
 use crate::model::body::RigidBody;

@@ -1,16 +1,17 @@
-//! The grip of a tyre: drive, brake and hold to the side, out of one circle of friction.
+//! The grip of a tyre: drive, brake and lateral grip within one friction circle.
 //!
-//! Friction at a wheel under the load N is at most µ N in all (Coulomb; for tyres the "friction circle",
-//! Milliken and Milliken, "Race Car Vehicle Dynamics", 1995, chapter 2). Its direction depends on the state
-//! of the wheel. The wheel has no mass, so its torques balance. The impulse f of the ground along the
+//! Friction at a wheel under the load N is at most µ N in all. (Coulomb's law is the "friction circle" of
+//! tyres: Milliken and Milliken, "Race Car Vehicle Dynamics", 1995, chapter 2.) Its direction depends on the
+//! state of the wheel. The wheel has no mass, so its torques balance. The impulse f of the ground along the
 //! direction of rolling equals that of engine and brake. Let E be the impulse of the engine, and B the
 //! maximum of the brake:
 //!
 //! * *It stands still, or is locked* while the brake is not at its maximum: |f − E| ≤ B. The tyre is then a
 //!   block on the ground. It sticks if the impulse that stops it is within the circle, and otherwise slides
 //!   with µ N against its velocity.
-//! * *It rolls* otherwise, with f = E ± B. The rest of the circle is available to the side: √((µ N)² − f²).
-//! * *It spins* if E alone is more than the circle, and has no hold to the side at all.
+//! * *It rolls* otherwise, with f = E ± B. The rest of the circle is available for lateral grip: √((µ N)² −
+//!   f²).
+//! * *It spins* if E alone is more than the circle, and then has no lateral grip at all.
 
 use crate::dim::math::Real;
 

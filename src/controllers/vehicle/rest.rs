@@ -54,12 +54,12 @@ pub(super) fn is_disturbed(
     wheels.iter().zip(seen).filter(|(wheel, _)| wheel.is_usable()).any(|(wheel, seen)| {
         let ground = wheel.raycast_info.ground_object.and_then(|handle| colliders.get(handle));
         let body = ground.and_then(|ground| bodies.get(ground.parent()?));
-        let is_restless = |body: &RigidBody| {
+        let is_active = |body: &RigidBody| {
             body.is_moving()
                 || body.next_position() != body.position()
                 || (body.is_dynamic() && !body.is_sleeping())
         };
-        wheel.engine_force != 0.0 || !seen.is_still(wheel) || body.is_some_and(is_restless)
+        wheel.engine_force != 0.0 || !seen.is_still(wheel) || body.is_some_and(is_active)
     })
 }
 

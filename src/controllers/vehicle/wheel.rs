@@ -76,9 +76,9 @@ pub(super) struct Below {
 /// world, vectors that end in `_cs` in the frame of the chassis. Stiffness and damping are *per mass of the
 /// chassis*, so a heavier chassis does not sink deeper.
 ///
-/// A wheel with unusable values (not finite, no radius, an axle of no length, a negative stiffness…) is
-/// inactive, as if it were in the air. `log` contains a warning with the value; the other wheels are
-/// unaffected.
+/// A wheel with an unusable value is inactive, as if it were in the air. Unusable values are, for example,
+/// non-finite numbers, a zero radius, an axle of zero length and a negative stiffness. `log` contains a
+/// warning with the value. The other wheels are unaffected.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub struct Wheel {
@@ -99,9 +99,9 @@ pub struct Wheel {
     /// Force of the spring per compression, per mass of the chassis (1/s²).
     ///
     /// A car of mass m on n such wheels sinks by g / (n · stiffness) and bounces with √(n · stiffness) / 2π
-    /// hertz. A soft family car has 25 to 50 (1.6 to 2.2 Hz on four wheels), a sports car 60 to 100, a racing
-    /// car 200 and more. The default of 5.88 is very soft: it sinks by 0.42 m on earth, which the rest length
-    /// must allow.
+    /// hertz. A soft family car has 25 to 50 (1.6 to 2.2 Hz on four wheels). A sports car has 60 to 100, and
+    /// a racing car has 200 or more. The default of 5.88 is very soft: it sinks by 0.42 m on earth, which the
+    /// rest length must allow.
     pub suspension_stiffness: Real,
     /// Force of the damper per speed during compression, per mass of the chassis (1/s).
     ///

@@ -59,7 +59,7 @@ pub fn clip_faces(
         if is_before || places[index] > range[1] + rim {
             let end = usize::from(!is_before);
             let fraction = (range[end] - places[index]) / (places[1 - index] - places[index]);
-            // The other end may lie on the rim, nearer to the face's end than to be cut off there.
+            // The other end may lie on the rim, where the fraction would be outside of 0 to 1.
             let fraction = fraction.clamp(0.0, 1.0);
             point += (points[1 - index] - point) * fraction;
             (id, other_id) = (ends[end].vertex, contact.other.face_feature(other_face.id));

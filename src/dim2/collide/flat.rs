@@ -10,7 +10,7 @@ use parry::shape::{Polyline, Segment, Shape};
 /// A flat shape.
 pub type FlatShape = Segment;
 
-/// The flat shape that a shape is, if it is one.
+/// Returns the shape as a flat shape, if it is one.
 pub fn as_flat(shape: &dyn Shape) -> Option<&FlatShape> {
     shape.as_segment()
 }
@@ -23,7 +23,7 @@ pub fn flat_corners(flat: &FlatShape) -> [Vector; 2] {
 /// A line of flat shapes.
 pub type FlatMesh = Polyline;
 
-/// The line that a shape is, if it is one whose pieces may be hit from everywhere.
+/// Returns the shape as a line, if its pieces can be hit from both sides.
 pub fn as_flat_mesh(shape: &dyn Shape) -> Option<&FlatMesh> {
     shape.as_polyline().filter(|line| polyline_normals(line).is_none())
 }
@@ -62,7 +62,7 @@ impl Flat {
         Some(Self { segment: *segment, normal: segment.normal()? })
     }
 
-    /// As it is in the frame in which its own is at `pose`.
+    /// Returns the shape in the frame in which its own frame has the pose `pose`.
     pub fn at(&self, pose: &Pose) -> Self {
         Self { segment: self.segment.transformed(pose), normal: pose.rotation * self.normal }
     }

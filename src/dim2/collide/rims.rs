@@ -29,8 +29,8 @@ impl<W: Wide> Rims<W> {
         Self { start, along, length, rim }
     }
 
-    /// Returns whether a point is over the segment. On the rim, as [`clip_faces`](super::clip_faces) has it,
-    /// is inside.
+    /// Returns whether a point is over the segment. A point on the rim is inside, as in
+    /// [`clip_faces`](super::clip_faces).
     #[inline(always)]
     pub fn contain(&self, point: WideVector<W>) -> W::Mask {
         let place = self.along.dot(point - self.start);

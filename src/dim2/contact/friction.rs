@@ -1,7 +1,7 @@
 //! Friction of a whole manifold: one tangential row at the friction centre.
 //!
-//! The friction centre is the mean of the points, weighted by how close they are to touching. At it
-//! acts a tangential impulse `λ`, bounded by the sum `N` of the normal impulses:
+//! The friction centre is the mean of the points, weighted by how close they are to touching. A tangential
+//! impulse `λ` acts there. The sum `N` of the normal impulses bounds it:
 //!
 //! ```text
 //! |λ| ≤ μ N
@@ -139,8 +139,8 @@ impl<W: Wide> WideFriction<W> {
             - (self.height + c.y) * m2.angular
             - self.surface_velocity;
         let limit = self.coefficient * normal_impulse;
-        let wanted = self.impulse - self.mass * slip;
-        let clamped = wanted.min(limit).max(-limit);
+        let unclamped = self.impulse - self.mass * slip;
+        let clamped = unclamped.min(limit).max(-limit);
         let added = clamped - self.impulse;
         self.impulse = clamped;
         added

@@ -41,6 +41,7 @@ mod coulomb;
 mod friction;
 mod pair;
 mod rows;
+mod tangents;
 #[cfg(test)]
 mod tests;
 
@@ -49,3 +50,4 @@ pub(crate) use coulomb::CoulombBlock;
 pub(crate) use friction::{prepare as prepare_friction, solve as solve_friction};
 pub(crate) use pair::Pair;
 pub(crate) use rows::{Frame, NormalImpulse, NormalRow};
+pub(crate) use tangents::PointTangentMass;

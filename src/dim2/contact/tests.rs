@@ -110,7 +110,7 @@ fn random_touch(random: &mut Random) -> Touch {
 
 /// The velocity along the tangent, which is the same at all points of one height.
 #[test]
-fn one_visit_stops_the_sliding_of_all_points_of_a_height() {
+fn one_iteration_stops_the_sliding_of_all_points_of_a_height() {
     let mut random = Random(2);
     for _ in 0..100 {
         let touch = random_touch(&mut random);

@@ -1,8 +1,8 @@
 //! A capsule and a triangle: the part of the axis above the face, or the point where the axis is
 //! nearest to an edge.
 //!
-//! The axis, a segment, is nearest to the triangle at one of its ends, above the face, or at an edge (Ericson
-//! 2005, "Real-Time Collision Detection", section 5.1.10), or it passes through.
+//! The axis is a segment. It passes through the triangle, or is nearest to it at one of its ends, above the
+//! face, or at an edge. (Ericson 2005, "Real-Time Collision Detection", section 5.1.10.)
 
 use super::clip::{FaceContact, clip_faces};
 use super::polytope::Polytope;
@@ -114,8 +114,8 @@ fn nearest_to_edges([start, end]: [Vector; 2], corners: [Vector; 3]) -> Nearest 
 fn nearest_of_segments([p1, q1]: [Vector; 2], [p2, q2]: [Vector; 2]) -> (Vector, Vector) {
     let (along1, along2) = (q1 - p1, q2 - p2);
     let segments = Segments::new([p1, p2], [along1, along2]);
-    let [share1, share2] = segments.nearest_from(segments.crossing());
-    (p1 + along1 * share1, p2 + along2 * share2)
+    let [fraction1, fraction2] = segments.nearest_from(segments.crossing());
+    (p1 + along1 * fraction1, p2 + along2 * fraction2)
 }
 
 /// Adds both ends of the part of the axis that is above the face. `direction` is from the capsule to the

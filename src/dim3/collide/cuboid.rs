@@ -1,7 +1,7 @@
 //! Two boxes: separating axes, then the overlap of the two faces that meet, or the two edges.
 //!
 //! Boxes are apart exactly if they are separated along one of 15 axes: three face normals of each, and nine
-//! products of edges (Gottschalk, Lin, Manocha 1996, "OBBTree", section 5). If they are not, the axis of
+//! products of edges. (Gottschalk, Lin, Manocha 1996, "OBBTree", section 5.) If they are not, the axis of
 //! least overlap is the contact normal. Of nearly equal axes, a face is preferred to a pair of edges, and the
 //! last axis to another. A resting box therefore does not alternate between them.
 

@@ -9,7 +9,7 @@ use parry::shape::{Shape, TriMesh, TriMeshFlags, Triangle};
 /// A flat shape.
 pub type FlatShape = Triangle;
 
-/// The flat shape that a shape is, if it is one.
+/// Returns the shape as a flat shape, if it is one.
 pub fn as_flat(shape: &dyn Shape) -> Option<&FlatShape> {
     shape.as_triangle()
 }
@@ -22,7 +22,7 @@ pub fn flat_corners(flat: &FlatShape) -> [Vector; 3] {
 /// A surface of flat shapes.
 pub type FlatMesh = TriMesh;
 
-/// The surface that a shape is, if it is one whose pieces may be hit from everywhere.
+/// Returns the shape as a surface, if its pieces can be hit from both sides.
 pub fn as_flat_mesh(shape: &dyn Shape) -> Option<&FlatMesh> {
     let is_free = |mesh: &&TriMesh| !mesh.flags().contains(TriMeshFlags::FIX_INTERNAL_EDGES);
     shape.as_trimesh().filter(is_free)
@@ -62,7 +62,7 @@ impl Flat {
         Some(Self { triangle: *triangle, normal: triangle.normal()? })
     }
 
-    /// As it is in the frame in which its own is at `pose`.
+    /// Returns the shape in the frame in which its own frame has the pose `pose`.
     pub fn at(&self, pose: &Pose) -> Self {
         Self { triangle: self.triangle.transformed(pose), normal: pose.rotation * self.normal }
     }

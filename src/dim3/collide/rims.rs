@@ -33,8 +33,8 @@ impl<W: Wide> Rims<W> {
         Self { corners, outward, limits }
     }
 
-    /// Returns whether a point is over the triangle. On the rim, as [`clip_faces`](super::clip_faces) has it,
-    /// is inside.
+    /// Returns whether a point is over the triangle. A point on the rim is inside, as in
+    /// [`clip_faces`](super::clip_faces).
     #[inline(always)]
     pub fn contain(&self, point: WideVector<W>) -> W::Mask {
         self.is_inside(0, point) & self.is_inside(1, point) & self.is_inside(2, point)

@@ -1,5 +1,6 @@
 //! Memory layout of contact constraints.
 
+use super::tangents::TangentMass;
 use crate::base::wide::{LANES, Lane, Wide};
 use crate::dim3::math::MAX_MANIFOLD_POINTS;
 use crate::dim3::state::READ_ONLY;
@@ -67,7 +68,7 @@ pub(crate) struct ContactBlock {
 
 // docs/data-layout.md counts these bytes.
 const _: () =
-    assert!(size_of::<ContactBlock>() == 91 * size_of::<Lane>() + 2 * LANES * size_of::<u32>());
+    assert!(size_of::<ContactBlock>() == 92 * size_of::<Lane>() + 2 * LANES * size_of::<u32>());
 
 /// Friction of each lane: two tangential rows and one about the normal, at the friction centre.
 #[derive(Copy, Clone, Debug, Default)]
@@ -76,8 +77,7 @@ pub(crate) struct FrictionRow {
     /// The friction centre in the contact frame, from the first centre of mass.
     pub center: WideVector<Lane>,
     pub coefficient: Lane,
-    /// Inverse of the 2×2 effective-mass matrix of the tangents: 11, 12, 22.
-    pub tangent_mass: [Lane; 3],
+    pub tangent_mass: TangentMass<Lane>,
     pub torsional_mass: Lane,
     /// Mean distance of the points from the friction centre: the radius of torsional friction.
     pub radius: Lane,
@@ -98,7 +98,7 @@ impl ContactBlock {
         let friction = FrictionRow {
             center: vector,
             coefficient: zero,
-            tangent_mass: [zero; 3],
+            tangent_mass: TangentMass::ZERO,
             torsional_mass: zero,
             radius: zero,
             torsional_coupling: [zero; 2],

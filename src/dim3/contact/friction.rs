@@ -5,7 +5,7 @@
 //! the sum `N` of the normal impulses and the mean distance `r` of the points from the centre:
 //!
 //! ```text
-//! |λt| ≤ μ N        |λw| ≤ μ N r
+//! |λt| ≤ μ N        |λw| ≤ μ N r        at `|λt| = μ N` opposite to the slip: see `tangents`
 //!
 //! Ċt = v2 + ω2 × (ρ + c) - v1 - ω1 × ρ - surface velocity, first two components in the contact frame
 //! K  = M⁻¹ + Σ J I⁻¹ Jᵀ with the angular rows  J₁ = (0, ρ₃, -ρ₂),  J₂ = (-ρ₃, 0, ρ₁)
@@ -21,22 +21,19 @@ use super::block::{ContactBlock, FrictionRow};
 use super::coulomb::CoulombBlock;
 use super::pair::Pair;
 use super::rows::{Frame, push};
-use crate::base::wide::{Lane, Wide, invert};
+use super::tangents::{TangentMass, load, store};
+use crate::base::wide::{Wide, invert};
 use crate::dim3::math::{MAX_MANIFOLD_POINTS, Real};
 use crate::dim3::state::WideMotion;
 use crate::dim3::wide::{WideSymmetric, WideVector};
 use crate::model::contact::{ContactInput, WidePoint};
-
-/// Of two eigenvalues, the smaller one counts if it is at least about this fraction of the larger one. Bodies
-/// that can slide freely stay above a hundredth, whatever their shape.
-const EIGENVALUE_RATIO_MIN: Real = 1.0e-3;
 
 /// A [`FrictionRow`] in registers.
 #[derive(Copy, Clone)]
 pub(crate) struct WideFriction<W> {
     pub center: WideVector<W>,
     pub coefficient: W,
-    pub tangent_mass: [W; 3],
+    pub tangent_mass: TangentMass<W>,
     pub torsional_mass: W,
     pub radius: W,
     pub torsional_coupling: [W; 2],
@@ -59,7 +56,7 @@ pub(crate) fn prepare<W: Wide>(
     WideFriction {
         center,
         coefficient: W::load(&input.friction),
-        tangent_mass: invert_matrix(tangents),
+        tangent_mass: TangentMass::of(tangents),
         torsional_mass: invert(pair.inv_inertia[0].m33 + pair.inv_inertia[1].m33),
         radius,
         torsional_coupling,
@@ -140,31 +137,13 @@ fn angular_part<W: Wide>(i: WideSymmetric<W>, r: WideVector<W>) -> [W; 5] {
     [r.z * i1y - r.y * i1z, r.z * i2y - r.y * i2z, r.x * i2z - r.z * i2x, i1z, i2z]
 }
 
-/// The inverse of a symmetric 2×2 matrix of no negative eigenvalue.
-///
-/// Bodies with locked axes may be free to slide along one direction alone. Their matrix has one
-/// eigenvalue, which is its trace, and a determinant of rounding errors. One over the trace inverts it
-/// along that direction, and leaves the impulse parallel to the sliding.
-#[inline(always)]
-fn invert_matrix<W: Wide>([k11, k12, k22]: [W; 3]) -> [W; 3] {
-    let trace = k11 + k22;
-    let det = k11 * k22 - k12 * k12;
-    let regular = (trace * trace * W::splat(EIGENVALUE_RATIO_MIN)).lt(det);
-    let (inv_det, inv_trace) = (invert(det), invert(trace));
-    [
-        W::select(regular, k22 * inv_det, inv_trace),
-        W::select(regular, -(k12 * inv_det), W::zero()),
-        W::select(regular, k11 * inv_det, inv_trace),
-    ]
-}
-
 impl<W: Wide> WideFriction<W> {
     #[inline(always)]
     fn load(row: &FrictionRow) -> Self {
         Self {
             center: WideVector::load(&row.center),
             coefficient: W::load(&row.coefficient),
-            tangent_mass: load(&row.tangent_mass),
+            tangent_mass: TangentMass::load(&row.tangent_mass),
             torsional_mass: W::load(&row.torsional_mass),
             radius: W::load(&row.radius),
             torsional_coupling: load(&row.torsional_coupling),
@@ -177,7 +156,7 @@ impl<W: Wide> WideFriction<W> {
     fn store(self, row: &mut FrictionRow) {
         self.center.store(&mut row.center);
         self.coefficient.store(&mut row.coefficient);
-        store(self.tangent_mass, &mut row.tangent_mass);
+        self.tangent_mass.store(&mut row.tangent_mass);
         self.torsional_mass.store(&mut row.torsional_mass);
         self.radius.store(&mut row.radius);
         store(self.torsional_coupling, &mut row.torsional_coupling);
@@ -230,15 +209,15 @@ impl<W: Wide> WideFriction<W> {
     #[inline(always)]
     fn solve_torsion(&mut self, spin: W, limit: W) -> W {
         let old = self.impulse[2];
-        let wanted = old - self.torsional_mass * spin;
-        self.impulse[2] = wanted.min(limit).max(-limit);
+        let unclamped = old - self.torsional_mass * spin;
+        self.impulse[2] = unclamped.min(limit).max(-limit);
         self.impulse[2] - old
     }
 
     #[inline(always)]
     fn solve_tangents(&mut self, slip: [W; 2], limit: W) -> [W; 2] {
         let [old_x, old_y, torsion] = self.impulse;
-        let [x, y] = onto_circle(stopping_impulse(self.tangent_mass, [old_x, old_y], slip), limit);
+        let [x, y] = self.tangent_mass.friction([old_x, old_y], slip, limit);
         self.impulse = [x, y, torsion];
         [x - old_x, y - old_y]
     }
@@ -284,42 +263,8 @@ pub(super) fn moment<W: Wide>(rho: WideVector<W>, [x, y]: [W; 2]) -> [W; 3] {
     [-(rho.z * y), rho.z * x, rho.x * y - rho.y * x]
 }
 
-/// The impulse along the tangents that stops the slip.
+/// The effective mass of two tangential rows at a point.
 #[inline(always)]
-pub(super) fn stopping_impulse<W: Wide>(
-    [m11, m12, m22]: [W; 3],
-    [old_x, old_y]: [W; 2],
-    [vx, vy]: [W; 2],
-) -> [W; 2] {
-    [old_x - (m11 * vx + m12 * vy), old_y - (m12 * vx + m22 * vy)]
-}
-
-/// An impulse, back onto the circle of radius `limit` if outside.
-#[inline(always)]
-pub(super) fn onto_circle<W: Wide>([x, y]: [W; 2], limit: W) -> [W; 2] {
-    let length = (x * x + y * y).sqrt().max(W::splat(Real::MIN_POSITIVE));
-    let scale = (limit / length).min(W::splat(1.0));
-    [x * scale, y * scale]
-}
-
-/// The inverse of the matrix `K` of the two tangential rows at a point: 11, 12, 22.
-#[inline(always)]
-pub(super) fn tangent_mass<W: Wide>(pair: &Pair<W>, point: WideVector<W>) -> [W; 3] {
-    invert_matrix(tangent_matrix(pair, point).0)
-}
-
-#[inline(always)]
-pub(super) fn load<W: Wide, const N: usize>(from: &[Lane; N]) -> [W; N] {
-    let mut numbers = [W::zero(); N];
-    for (number, lane) in numbers.iter_mut().zip(from) {
-        *number = W::load(lane);
-    }
-    numbers
-}
-
-#[inline(always)]
-pub(super) fn store<W: Wide, const N: usize>(numbers: [W; N], to: &mut [Lane; N]) {
-    for (number, lane) in numbers.into_iter().zip(to) {
-        number.store(lane);
-    }
+pub(super) fn tangent_mass<W: Wide>(pair: &Pair<W>, point: WideVector<W>) -> TangentMass<W> {
+    TangentMass::of(tangent_matrix(pair, point).0)
 }

@@ -140,8 +140,7 @@ impl AngleTracker {
         let (zero, one) = (W::zero(), W::splat(1.0));
         let v = WideVector { x: between.x, y: between.y, z: between.z };
         let follows = zero.lt(W::load(&self.follows));
-        // A quaternion and its negative are the same rotation: of the whole angle, that within half a turn is
-        // meant.
+        // A quaternion and its negative are the same rotation. The whole angle is the one within half a turn.
         let length = v.dot(v).sqrt();
         let sign = W::select(between.w.lt(zero), -one, one);
         let has_axis = W::splat(LENGTH_MIN).lt(length);
@@ -232,10 +231,10 @@ mod tests {
     }
 
     /// Different kinds in one tracker measure the same as a direct computation, for any rotation of the
-    /// bodies. Within half a turn the angle is unique. Single precision has 1e-7 of each number, a quotient
-    /// of small ones less.
+    /// bodies. Within half a turn the angle is unique. Single precision has a relative error of 1e-7, and a
+    /// quotient of small numbers has a larger one.
     #[test]
-    fn lanes_measure_what_is_measured_one_by_one() {
+    fn lanes_equal_single_measurements() {
         let mut random = Random(11);
         let all = JointAxesMask::ANG_AXES;
         let kinds = [

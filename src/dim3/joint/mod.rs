@@ -20,8 +20,8 @@
 //!
 //! * *Twist* about `e`: `2 atan2(v·e, w)`. The direction is symmetric in both bodies: `(e + f)/(1 + e·f)`.
 //! * *Swing* of `e` in any direction: the angle between `e` and `f`, about `e × f`.
-//! * *Swing about another axis*: where the projection of `f` points in the plane across that axis. For
-//!   `Y`: `s = -f₃`, `c = f₁`, the angle `atan2(s, c)` and the direction its gradient.
+//! * *Swing about another axis*: the direction of the projection of `f` on the plane across that axis. For
+//!   `Y`, with `s = -f₃` and `c = f₁`, the angle is `atan2(s, c)`, and the direction is its gradient.
 //!
 //! Sources: Dobrowolski, "Swing-twist decomposition in Clifford algebra" (2015), for the twist; the rest is
 //! the chain rule.

@@ -138,11 +138,11 @@ mod tests {
         let body = turned.angvel(Vector::new(3.0, 5.0, -2.0)).build();
         let momentum = angular_momentum(&mass, *body.rotation(), body.angvel());
         let inv_inertia = mass.world_inv_inertia(body.rotation());
-        let wanted = inv_inertia.mul_vec(-body.angvel().cross(momentum));
+        let expected = inv_inertia.mul_vec(-body.angvel().cross(momentum));
         let dt = 1.0e-3;
         let rate = (body.angvel_with_gyroscopic_forces(dt) - body.angvel()) / dt;
-        assert!(wanted.length() > 10.0);
-        assert!((rate - wanted).length() < 0.02 * wanted.length(), "{rate} is not {wanted}");
+        assert!(expected.length() > 10.0);
+        assert!((rate - expected).length() < 0.02 * expected.length(), "{rate} is not {expected}");
     }
 
     #[test]

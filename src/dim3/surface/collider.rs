@@ -124,7 +124,7 @@ mod tests {
     #[track_caller]
     fn assert_impossible(builder: &ColliderBuilder, word: &str) {
         let reason = builder.try_build().map(|_| ()).expect_err("nothing was refused");
-        assert!(reason.to_string().contains(word), "{reason:?} says nothing of {word}");
+        assert!(reason.to_string().contains(word), "{reason:?} lacks `{word}`");
         assert!(!builder.build().is_enabled());
     }
 

@@ -1,8 +1,8 @@
 //! # Rigid bodies
 //!
-//! A [`RigidBody`] is the user's record of one body; a [`RigidBodySet`] owns them. Setters refuse values that
-//! no simulation can use (not finite, a negative mass), and note each change, so that the next step visits
-//! changed bodies alone. The step contains the laws of motion.
+//! A [`RigidBody`] is the user's record of one body; a [`RigidBodySet`] owns them. Setters refuse unusable
+//! values (not finite, a negative mass). They record each change, so the next step visits changed bodies
+//! only. The step contains the laws of motion.
 
 mod activation;
 mod body_type;

@@ -12,28 +12,28 @@ bitflags::bitflags! {
     #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
     pub struct ActiveCollisionTypes: u16 {
         /// Two dynamic bodies.
-        const DYNAMIC_DYNAMIC = bit(DYNAMIC, DYNAMIC);
+        const DYNAMIC_DYNAMIC = bit(ROW_DYNAMIC, ROW_DYNAMIC);
         /// A dynamic and a kinematic body.
-        const DYNAMIC_KINEMATIC = bit(DYNAMIC, POSITION_BASED) | bit(DYNAMIC, VELOCITY_BASED);
+        const DYNAMIC_KINEMATIC = bit(ROW_DYNAMIC, ROW_POSITION_BASED) | bit(ROW_DYNAMIC, ROW_VELOCITY_BASED);
         /// A dynamic and a fixed body.
-        const DYNAMIC_FIXED = bit(DYNAMIC, FIXED);
+        const DYNAMIC_FIXED = bit(ROW_DYNAMIC, ROW_FIXED);
         /// Two kinematic bodies.
-        const KINEMATIC_KINEMATIC = bit(POSITION_BASED, POSITION_BASED)
-            | bit(POSITION_BASED, VELOCITY_BASED)
-            | bit(VELOCITY_BASED, POSITION_BASED)
-            | bit(VELOCITY_BASED, VELOCITY_BASED);
+        const KINEMATIC_KINEMATIC = bit(ROW_POSITION_BASED, ROW_POSITION_BASED)
+            | bit(ROW_POSITION_BASED, ROW_VELOCITY_BASED)
+            | bit(ROW_VELOCITY_BASED, ROW_POSITION_BASED)
+            | bit(ROW_VELOCITY_BASED, ROW_VELOCITY_BASED);
         /// A kinematic and a fixed body.
-        const KINEMATIC_FIXED = bit(POSITION_BASED, FIXED) | bit(VELOCITY_BASED, FIXED);
+        const KINEMATIC_FIXED = bit(ROW_POSITION_BASED, ROW_FIXED) | bit(ROW_VELOCITY_BASED, ROW_FIXED);
         /// Two fixed bodies.
-        const FIXED_FIXED = bit(FIXED, FIXED);
+        const FIXED_FIXED = bit(ROW_FIXED, ROW_FIXED);
     }
 }
 
-// Rows and columns of the 4 × 4 table of body types that the 16 bits are.
-const DYNAMIC: u16 = 0;
-const FIXED: u16 = 1;
-const POSITION_BASED: u16 = 2;
-const VELOCITY_BASED: u16 = 3;
+// Rows and columns of the 4 × 4 table of body types in the 16 bits.
+const ROW_DYNAMIC: u16 = 0;
+const ROW_FIXED: u16 = 1;
+const ROW_POSITION_BASED: u16 = 2;
+const ROW_VELOCITY_BASED: u16 = 3;
 
 const fn bit(row: u16, column: u16) -> u16 {
     1 << (4 * row + column)
@@ -41,10 +41,10 @@ const fn bit(row: u16, column: u16) -> u16 {
 
 const fn row(body_type: RigidBodyType) -> u16 {
     match body_type {
-        RigidBodyType::Dynamic => DYNAMIC,
-        RigidBodyType::Fixed => FIXED,
-        RigidBodyType::KinematicPositionBased => POSITION_BASED,
-        RigidBodyType::KinematicVelocityBased => VELOCITY_BASED,
+        RigidBodyType::Dynamic => ROW_DYNAMIC,
+        RigidBodyType::Fixed => ROW_FIXED,
+        RigidBodyType::KinematicPositionBased => ROW_POSITION_BASED,
+        RigidBodyType::KinematicVelocityBased => ROW_VELOCITY_BASED,
     }
 }
 

@@ -78,7 +78,7 @@ mod tests {
     use super::CoefficientCombineRule as Rule;
 
     #[test]
-    fn each_rule_combines_as_its_name_says() {
+    fn each_rule_has_its_named_formula() {
         let cases = [
             (Rule::Average, 0.5),
             (Rule::Min, 0.2),

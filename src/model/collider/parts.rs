@@ -106,20 +106,20 @@ impl ColliderChanges {
 
     /// Returns whether anything changed that affects the broad phase.
     pub const fn needs_broad_phase_update(self) -> bool {
-        const WATCHED: ColliderChanges = ColliderChanges::PARENT
+        const BROAD_PHASE_CHANGES: ColliderChanges = ColliderChanges::PARENT
             .union(ColliderChanges::POSITION)
             .union(ColliderChanges::SHAPE)
             .union(ColliderChanges::TYPE)
             .union(ColliderChanges::ENABLED_OR_DISABLED)
             .union(ColliderChanges::DEFORMED);
-        self.intersects(WATCHED)
+        self.intersects(BROAD_PHASE_CHANGES)
     }
 
     /// Returns whether anything changed that affects the contacts.
     pub const fn needs_narrow_phase_update(self) -> bool {
-        const UNWATCHED: ColliderChanges = ColliderChanges::IN_MODIFIED_SET
+        const IRRELEVANT_CHANGES: ColliderChanges = ColliderChanges::IN_MODIFIED_SET
             .union(ColliderChanges::LOCAL_MASS_PROPERTIES)
             .union(ColliderChanges::UNCHECKED_SHAPE);
-        self.intersects(UNWATCHED.complement())
+        self.intersects(IRRELEVANT_CHANGES.complement())
     }
 }

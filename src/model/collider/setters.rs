@@ -95,13 +95,13 @@ pub(super) fn normalized(pose: Pose) -> Pose {
 impl Collider {
     /// Enables or disables it. A collider of a disabled body stays disabled until its body is enabled.
     pub fn set_enabled(&mut self, enabled: bool) {
-        let wanted = match (enabled, self.flags.enabled) {
+        let new_state = match (enabled, self.flags.enabled) {
             (false, _) => ColliderEnabled::Disabled,
             (true, ColliderEnabled::Disabled) => ColliderEnabled::Enabled,
             (true, current) => current,
         };
-        if self.flags.enabled != wanted {
-            self.flags.enabled = wanted;
+        if self.flags.enabled != new_state {
+            self.flags.enabled = new_state;
             self.changes |=
                 ColliderChanges::ENABLED_OR_DISABLED | ColliderChanges::LOCAL_MASS_PROPERTIES;
         }

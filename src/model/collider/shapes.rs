@@ -209,7 +209,8 @@ pub(super) fn hull_of(points: &[Vector]) -> Result<hull::ConvexShape, InvalidCol
         let count = points.len();
         return Err(InvalidCollider::TooFew { parameter: "points", count, least: DIM + 1 });
     }
-    let degenerate = InvalidCollider::Degenerate { shape: "convex hull", reason: hull::DEGENERATE };
+    let degenerate =
+        InvalidCollider::Degenerate { shape: "convex hull", reason: hull::DEGENERATE_REASON };
     hull::convex_hull(points).ok_or(degenerate)
 }
 

@@ -38,7 +38,7 @@ pub(crate) struct ContactInput {
 }
 
 impl ContactInput {
-    /// No manifold in any lane. A lane that stays empty acts on the world alone, and not on that.
+    /// No manifold in any lane. An empty lane connects the world with itself, and has no effect.
     pub const EMPTY: Self = {
         let vector = WideVector::ZERO;
         Self {
@@ -80,7 +80,7 @@ impl ContactInput {
         self.set_tangent_impulse(point, lane, [0.0; _]);
     }
 
-    /// No manifold in one lane: it acts on the world alone, and not on that.
+    /// Removes the manifold of one lane. The empty lane connects the world with itself, and has no effect.
     pub fn clear(&mut self, lane: usize) {
         for side in 0..2 {
             self.bodies[side][lane] = READ_ONLY;

@@ -5,10 +5,10 @@
 //! therefore stay filled. A lane is filled from its manifold only if it had another one before, or if the
 //! pair was [renewed](super::PairStore::renew).
 //!
-//! For the same reason results are not written back to the manifolds in each step. Lanes are *ahead* of their
-//! pairs until the pair is read, by the user or by the narrow phase, which recomputes it. Then the pair is
-//! written back, once. Code that removes a manifold from its colour, or moves it to another place there,
-//! writes it back before: the lane will be reused.
+//! For the same reason results are not written back to the manifolds in each step. Lanes are *dirty*, newer
+//! than their pairs, until the pair is read, by the user or by the narrow phase, which recomputes it. Then
+//! the pair is written back, once. Code that removes a manifold from its colour, or moves it to another place
+//! there, writes it back before: the lane will be reused.
 //!
 //! The alternative, a write-back of all pairs in each step, cost a seventh of the step of a large pyramid.
 

@@ -7,8 +7,8 @@ use crate::dim::wide::WideVector;
 /// Offsets in a report, after the normal at 0.
 const FRICTION: usize = DIM;
 const TORSION: usize = 2 * DIM;
-const IS_SOUND: usize = TORSION + 1;
-const POINTS: usize = IS_SOUND + 1;
+const SOUND_FLAG: usize = TORSION + 1;
+const POINTS: usize = SOUND_FLAG + 1;
 const POINT_LEN: usize = DIM + 3;
 /// Offsets in the numbers of a point, after its position.
 const SEPARATION: usize = DIM;
@@ -29,7 +29,7 @@ impl ContactReport {
 
     /// Returns whether all numbers are finite.
     pub fn is_sound(&self) -> bool {
-        self.0[IS_SOUND] != 0.0
+        self.0[SOUND_FLAG] != 0.0
     }
 
     /// The normal in world space.
@@ -107,7 +107,7 @@ impl<W: Wide> WideReport<W> {
             probe = probe + zero * number;
         }
         let is_sound = probe.le(zero);
-        self.numbers[IS_SOUND] = W::select(is_sound, W::splat(1.0), zero);
+        self.numbers[SOUND_FLAG] = W::select(is_sound, W::splat(1.0), zero);
         is_sound
     }
 

@@ -1,7 +1,7 @@
 //! Hooks: user-defined filters of pairs, and modification of contacts.
 //!
 //! A hook is called for pairs with at least one collider that requests it by its
-//! [`ActiveHooks`](crate::model::collider::ActiveHooks); all others cost nothing.
+//! [`ActiveHooks`](crate::model::collider::ActiveHooks); all others have no cost.
 
 mod modification;
 

@@ -29,8 +29,8 @@ pub struct ContactModificationContext<'a> {
 /// User data of [`ContactModificationContext::update_as_oneway_platform`]. A new manifold has the value 0:
 /// undecided.
 mod oneway {
-    pub const SOLID: u32 = 1;
-    pub const PASSING: u32 = 2;
+    pub const STATE_SOLID: u32 = 1;
+    pub const STATE_PASSING: u32 = 2;
 }
 
 impl ContactModificationContext<'_> {
@@ -149,12 +149,12 @@ impl ContactModificationContext<'_> {
         let from_solid_side = cos >= allowed_angle.cos();
         let apart = self.contacts().iter().all(|contact| contact.dist > 0.0);
         let state = match self.user_data() {
-            oneway::PASSING if !(from_solid_side && apart) => oneway::PASSING,
-            _ if from_solid_side => oneway::SOLID,
-            _ => oneway::PASSING,
+            oneway::STATE_PASSING if !(from_solid_side && apart) => oneway::STATE_PASSING,
+            _ if from_solid_side => oneway::STATE_SOLID,
+            _ => oneway::STATE_PASSING,
         };
         self.set_user_data(state);
-        if state == oneway::PASSING {
+        if state == oneway::STATE_PASSING {
             self.set_solver_flags(self.solver_flags() - SolverFlags::COMPUTE_RIGID_IMPULSES);
         }
     }

@@ -45,7 +45,10 @@ impl BodyGroups {
         for &id in &self.free {
             let free = is_free.get_mut(id as usize);
             let was_free = free.map(|free| core::mem::replace(free, true));
-            ensure!(was_free == Some(false), "group {id} is free twice, or none");
+            ensure!(
+                was_free == Some(false),
+                "group {id} is in the free list twice, or does not exist"
+            );
         }
         let mut listed = BTreeSet::new();
         for (id, group) in self.groups.iter().enumerate() {

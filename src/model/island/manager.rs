@@ -146,7 +146,10 @@ impl IslandManager {
         for &id in &self.free {
             let free = is_free.get_mut(id as usize);
             let was_free = free.map(|free| core::mem::replace(free, true));
-            ensure!(was_free == Some(false), "island {id} is free twice, or none");
+            ensure!(
+                was_free == Some(false),
+                "island {id} is in the free list twice, or does not exist"
+            );
         }
         let wrong = (0..).zip(&self.islands).find(|(id, island)| {
             let is_plain = !island.sleeping && !island.is_cut;

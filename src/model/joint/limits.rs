@@ -40,8 +40,9 @@ impl From<[Real; 2]> for JointLimits {
 
 impl JointLimits {
     /// The turn count of a first measured angle (in `-π..=π`) brings it between the limits. An angle of 3.25
-    /// rad between 2.5 and 4 is measured as such, and not as -3.03. Of several values the one nearest to zero
-    /// is used, without any the one with the smallest violation.
+    /// rad between 2.5 and 4 is measured as such, and not as -3.03. If several values are between the limits,
+    /// the function returns the one nearest to zero. If none is, it returns the one with the smallest
+    /// violation.
     pub(crate) fn first_reading(&self, angle: Real) -> Real {
         let (min, max) = (self.min - ANGLE_TOLERANCE, self.max + ANGLE_TOLERANCE);
         let turns = if angle < min {

@@ -382,7 +382,7 @@ impl Loaded for Multibody {
         for link in &self.links {
             let unknown = link.free.bits() & !JointAxesMask::all().bits();
             ensure!(unknown == 0, "link {} is free along {:?}", link.id, link.free);
-            ensure!(link.is_sound(), "link {} has numbers that are none: {link:?}", link.id);
+            ensure!(link.is_sound(), "link {} has invalid numbers: {link:?}", link.id);
             let free = JointAxis::ALL.into_iter().filter(|axis| link.free.contains(mask_of(*axis)));
             for axis in free {
                 let (expected, dof) = (Dof { link: link.id, axis }, dofs.next());

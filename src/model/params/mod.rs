@@ -147,11 +147,12 @@ pub struct IntegrationParameters {
     /// Largest number of sensor pairs that a collider owns with others of its size, and with larger ones
     /// (default 256 each; `usize::MAX`: no limit). Sizes are rounded to powers of two.
     ///
-    /// The smaller of a sensor and another collider owns their pair; of two of one size, the collider that is
-    /// not a sensor. So a sensor reports any number of intersecting colliders that are not larger than it.
-    /// The limit applies to the sensors that one collider intersects, and to the sensors within one sensor.
-    /// Pairs with fixed colliders are not limited. 5000 sensors at one point would be 12.5 million pairs, 11
-    /// s a step and 2 GB. The nearest slots are selected; the log warns when the limit is reached, and
+    /// The smaller of a sensor and another collider owns their pair. If their sizes are equal, the collider
+    /// that is not a sensor owns it. So a sensor reports any number of intersecting colliders that are not
+    /// larger than it. The limit applies to the sensors that one collider intersects, and to the sensors
+    /// within one sensor. Pairs with fixed colliders are not limited. 5000 sensors at one point would be 12.5
+    /// million pairs, 11 s a step and 2 GB. The nearest slots are selected; the log warns when the limit is
+    /// reached, and
     /// [`ncrowded_sensors`](crate::model::counters::CollisionDetectionCounters::ncrowded_sensors) counts the
     /// colliders. Put sensors whose mutual intersections are not needed into different [collision
     /// groups](crate::model::collider::InteractionGroups).

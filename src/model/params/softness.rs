@@ -98,8 +98,8 @@ impl Softness {
     /// Hard constraint without position correction. The relax pass uses it.
     pub const RIGID: Self = Self { bias_rate: 0.0, mass_scale: 1.0, impulse_scale: 0.0 };
 
-    /// The softness for a fraction of the error to remove in a substep (0 to 1) and a compliance (0: hard),
-    /// for substeps of `substep` seconds.
+    /// The softness that removes this fraction of the error in a substep (0 to 1), with a compliance (0:
+    /// hard). A substep takes `substep` seconds.
     #[inline]
     pub fn new(fraction: Real, compliance: Real, substep: Real) -> Self {
         let bias_rate = if substep > 0.0 { fraction / substep } else { 0.0 };

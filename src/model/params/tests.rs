@@ -19,7 +19,7 @@ fn correction(softness: Softness, error: Real) -> Real {
 }
 
 #[test]
-fn hard_contact_removes_the_share() {
+fn hard_contact_removes_its_fraction() {
     let h = 1.0 / 240.0;
     let hard = Softness::new(0.25, 0.0, h);
     assert_eq!((hard.mass_scale, hard.impulse_scale), (1.0, 0.0));
@@ -49,7 +49,7 @@ fn nothing_moves_without_time() {
 }
 
 #[test]
-fn frequency_and_damping_are_another_way_to_say_it() {
+fn frequency_and_damping_give_the_same_softness() {
     let h: Real = 1.0 / 240.0;
     for (fraction, compliance) in [(0.1, CONTACT_COMPLIANCE), (0.2, 0.5), (0.5, 0.01)] {
         let fraction: Real = fraction;

@@ -320,7 +320,7 @@ impl Structure<'_> {
         })
     }
 
-    /// Colliders came close.
+    /// Adds the pairs of colliders whose boxes began to overlap.
     pub fn add_pairs(&mut self, pairs: &[(ColliderHandle, ColliderHandle)]) {
         for (turn, &(collider1, collider2)) in pairs.iter().enumerate() {
             self.prefetch_addition(&pairs[turn..]);

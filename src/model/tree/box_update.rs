@@ -44,14 +44,14 @@ impl BroadPhaseBvh {
 pub(crate) enum MovedProxy {
     /// It left its box in this tree, and has a new one, with which the tree must be
     /// [updated](BroadPhaseBvh::put).
-    Leaves(TreeKind, Aabb),
+    LeftBox(TreeKind, Aabb),
     /// Possibly in the wrong tree, or in none: it must [follow](BroadPhaseBvh::follow).
     IsElsewhere,
 }
 
-/// Makes a new box for a collider that its body has carried beyond its box. `None` if it is in its box, or
-/// must have none. Reads no tree, so that many can be carried in parallel.
-pub(crate) fn carry(
+/// Computes a new box for a collider that its body has moved out of its box. Returns `None` if the collider
+/// is in its box, or must have none. The function reads no tree, so it can run in parallel.
+pub(crate) fn update_moved_proxy(
     collider: &mut Collider,
     body: &RigidBody,
     params: &IntegrationParameters,
@@ -65,7 +65,7 @@ pub(crate) fn carry(
     let needed = margin.needed(&tight).filter(|_| collider.proxy.tree == Some(kind));
     let Some(needed) = needed else { return Some(MovedProxy::IsElsewhere) };
     let is_new = collider.proxy.fit(kind, &needed, &margin);
-    is_new.then_some(MovedProxy::Leaves(kind, collider.proxy.fat_aabb))
+    is_new.then_some(MovedProxy::LeftBox(kind, collider.proxy.fat_aabb))
 }
 
 fn kind_of(body: Option<&RigidBody>) -> TreeKind {

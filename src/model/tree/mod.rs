@@ -15,7 +15,7 @@ mod shape_box;
 mod tests;
 mod trees;
 
-pub(crate) use box_update::{MovedProxy, carry};
+pub(crate) use box_update::{MovedProxy, update_moved_proxy};
 pub(crate) use enlarge::BoxMargin;
 pub(crate) use proxy::{ColliderProxy, TreeKind};
 pub(crate) use shape_box::shape_box;

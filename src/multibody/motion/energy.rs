@@ -13,9 +13,10 @@ use crate::dim::math::{ANG_ZERO, Real, SpatialVector, Vector, ang_dot, ang_lengt
 use crate::dim::spatial::{angular, linear};
 use crate::model::multibody::Multibody;
 
-/// The rotation (rad) of a link in a step beyond which its contact rows are made in each substep: rows are
-/// made when the step begins. (Four hundred rods on long arms were thrown on the ground. Eighteen gained
-/// energy, up to a factor of two, when the angle of a substep was compared, and none with that of a step.)
+/// Rotation (rad) of a link per step beyond which its contact rows are rebuilt in each substep. Other rows
+/// are built once, at the beginning of the step. (Four hundred rods on long arms were thrown on the ground.
+/// With a comparison of the angle per substep, eighteen gained energy, up to a factor of two. With the angle
+/// per step, none did.)
 const CONTACT_ANGLE_MAX: Real = 0.1;
 /// The largest angle (rad) that a joint rotates in a substep with a non-converged piece.
 const JOINT_ANGLE_MAX: Real = 0.5;

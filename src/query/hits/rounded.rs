@@ -2,8 +2,8 @@
 //!
 //! The path is `origin + dir * time`, `dir` of any length. The nearest point is computed first, and the entry
 //! relative to it. A quadratic equation about the origin would lose the radius among the digits of a large
-//! distance (Haines, Günther, Akenine-Möller, "Precision Improvements for Ray/Sphere Intersection", Ray
-//! Tracing Gems, 2019).
+//! distance. (Haines, Günther, Akenine-Möller, "Precision Improvements for Ray/Sphere Intersection", Ray
+//! Tracing Gems, 2019.)
 
 use crate::dim::math::{Real, Vector};
 

@@ -90,7 +90,7 @@ fn rays_hit_surfaces_and_nothing_before() {
 }
 
 #[test]
-fn hollow_shapes_are_left_where_parry_says() {
+fn rays_leave_hollow_shapes_as_in_parry() {
     let mut random = Random(4);
     for kind in [0, 1, 3, samples::HULL] {
         for round in 0..300 {
@@ -234,7 +234,7 @@ fn balls_stop_where_they_touch() {
 /// Through meshes and height fields, formulas are used for each triangle. They agree with parry's own search,
 /// except for grazing hits of an edge.
 #[test]
-fn balls_meet_meshes_when_parry_says() {
+fn balls_hit_meshes_as_in_parry() {
     let mut random = Random(7);
     let (mut hits, mut grazes) = (0, 0);
     for round in 0..600 {

@@ -15,7 +15,7 @@ const TOUCH_TOLERANCE: Real = 1.0e-4;
 /// Relative rounding error of the positions.
 const ROUNDING: Real = 32.0 * Real::EPSILON;
 
-/// The first touch of two shapes between two times, and when it is.
+/// The first touch of two shapes between two times, and its time.
 pub fn first_touch(
     motions: [&NonlinearRigidMotion; 2],
     shapes: [&dyn Shape; 2],

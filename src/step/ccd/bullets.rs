@@ -75,17 +75,17 @@ impl Ord for Impact {
 
 impl Bullets {
     /// Finds the stops of bullets, and reduces their motion fractions.
-    pub fn find(&mut self, search: Search<'_>, stops: &mut [Real]) {
+    pub fn find(&mut self, search: Search<'_>, toi_fractions: &mut [Real]) {
         let fast = search.context.fast;
         if !(0..fast.len()).any(|position| is_bullet(search, position)) {
             return;
         }
-        self.find_pairs(search, stops);
+        self.find_pairs(search, toi_fractions);
         self.stopped.clear();
         self.stopped.resize(fast.len(), 0);
         self.queue.clear();
         for pair in 0..self.pairs.len() {
-            self.foresee(pair, search, stops);
+            self.foresee(pair, search, toi_fractions);
         }
         while let Some(Impact { fraction, pair, stopped }) = self.queue.pop() {
             // One of them was stopped since: the queue already contains the later impact.
@@ -93,15 +93,21 @@ impl Bullets {
                 continue;
             }
             let Pair { bullet, other } = self.pairs[pair as usize];
-            self.stop(bullet, fraction, search, stops);
+            self.stop(bullet, fraction, search, toi_fractions);
             if let Other::Fast(other) = other {
-                self.stop(other, fraction, search, stops);
+                self.stop(other, fraction, search, toi_fractions);
             }
         }
     }
 
-    fn stop(&mut self, position: u32, fraction: Real, search: Search<'_>, stops: &mut [Real]) {
-        if !search.groups.stop(position as usize, fraction, stops) {
+    fn stop(
+        &mut self,
+        position: u32,
+        fraction: Real,
+        search: Search<'_>,
+        toi_fractions: &mut [Real],
+    ) {
+        if !search.groups.stop(position as usize, fraction, toi_fractions) {
             return;
         }
         let first = search.groups.first(position as usize);
@@ -110,7 +116,7 @@ impl Bullets {
             let start = self.pairs_of.partition_point(|of| of.0 < member);
             let mut at = start;
             while let Some(&(_, pair)) = self.pairs_of.get(at).filter(|of| of.0 == member) {
-                self.foresee(pair as usize, search, stops);
+                self.foresee(pair as usize, search, toi_fractions);
                 at += 1;
             }
         }
@@ -127,12 +133,12 @@ impl Bullets {
     }
 
     /// Puts the impact of a pair into the queue, if there is one.
-    fn foresee(&mut self, pair: usize, search: Search<'_>, stops: &[Real]) {
+    fn foresee(&mut self, pair: usize, search: Search<'_>, toi_fractions: &[Real]) {
         let Pair { bullet, other } = self.pairs[pair];
-        if !self.may_meet(bullet, other, stops) {
+        if !self.may_meet(bullet, other, toi_fractions) {
             return;
         }
-        let path_of = |at: u32| Path::of(search, at as usize, stops[at as usize]);
+        let path_of = |at: u32| Path::of(search, at as usize, toi_fractions[at as usize]);
         let other = match other {
             Other::Fast(other) => path_of(other),
             Other::Slow(handle) => Path::of_slow(search, handle),
@@ -146,13 +152,13 @@ impl Bullets {
     }
 
     /// Lists the bullets with all that is near their paths.
-    fn find_pairs(&mut self, search: Search<'_>, stops: &[Real]) {
+    fn find_pairs(&mut self, search: Search<'_>, toi_fractions: &[Real]) {
         self.pairs.clear();
         self.boxes.clear();
         self.balls.clear();
         let mut bullets = Vec::new();
         for position in 0..search.context.fast.len() {
-            let path = Path::of(search, position, stops[position]);
+            let path = Path::of(search, position, toi_fractions[position]);
             self.balls.push(Ball::around(search, position));
             let Some(path) = path.filter(|path| !path.movers.is_empty()) else { continue };
             let region = path.region();
@@ -162,7 +168,7 @@ impl Bullets {
             }
         }
         for (bullet, region) in bullets {
-            self.find_others(bullet, &region, search, stops);
+            self.find_others(bullet, &region, search, toi_fractions);
         }
         self.pairs.sort_unstable();
         self.pairs.dedup();
@@ -176,12 +182,18 @@ impl Bullets {
         self.pairs_of.sort_unstable();
     }
 
-    fn find_others(&mut self, bullet: u32, region: &Aabb, search: Search<'_>, stops: &[Real]) {
+    fn find_others(
+        &mut self,
+        bullet: u32,
+        region: &Aabb,
+        search: Search<'_>,
+        toi_fractions: &[Real],
+    ) {
         let Self { boxes, balls, pairs, .. } = self;
         boxes.for_each_leaf(&BoxProbe(*region), |other| {
             // Each of two bullets finds the other.
             let is_first = bullet < other || !is_bullet(search, other as usize);
-            let of = |position: u32| (&balls[position as usize], stops[position as usize]);
+            let of = |position: u32| (&balls[position as usize], toi_fractions[position as usize]);
             if other != bullet && is_first && Ball::ways_meet([of(bullet), of(other)]) {
                 pairs.push(Pair { bullet, other: Other::Fast(other) });
             }
@@ -197,9 +209,11 @@ impl Bullets {
     }
 
     /// Returns whether the bounding spheres of two fast bodies meet. For slow bodies the result is unknown.
-    fn may_meet(&self, bullet: u32, other: Other, stops: &[Real]) -> bool {
+    fn may_meet(&self, bullet: u32, other: Other, toi_fractions: &[Real]) -> bool {
         let Other::Fast(other) = other else { return true };
-        Ball::may_meet([bullet, other].map(|at| (&self.balls[at as usize], stops[at as usize])))
+        Ball::may_meet(
+            [bullet, other].map(|at| (&self.balls[at as usize], toi_fractions[at as usize])),
+        )
     }
 }
 
@@ -236,8 +250,8 @@ impl Ball {
     fn ways_meet([(ball1, stop1), (ball2, stop2)]: [(&Self, Real); 2]) -> bool {
         let along = [ball1.shift * stop1, ball2.shift * stop2];
         let segments = Segments::new([ball1.center, ball2.center], along);
-        let [share1, share2] = segments.nearest_from(segments.crossing());
-        let apart = ball1.center + along[0] * share1 - ball2.center - along[1] * share2;
+        let [fraction1, fraction2] = segments.nearest_from(segments.crossing());
+        let apart = ball1.center + along[0] * fraction1 - ball2.center - along[1] * fraction2;
         // Positions on long paths have this rounding error.
         let rounding = ROUNDING * (along[0].abs() + along[1].abs()).max_element();
         let radius = ball1.radius + ball2.radius + rounding;

@@ -69,21 +69,23 @@ impl Groups {
     }
 
     /// Stops each group where the first of its members is stopped.
-    pub fn stop_together(&self, stops: &mut [Real]) {
+    pub fn stop_together(&self, toi_fractions: &mut [Real]) {
         for &(first, member) in &self.members {
-            stops[first as usize] = stops[first as usize].min(stops[member as usize]);
+            toi_fractions[first as usize] =
+                toi_fractions[first as usize].min(toi_fractions[member as usize]);
         }
         for &(first, member) in &self.members {
-            stops[member as usize] = stops[first as usize];
+            toi_fractions[member as usize] = toi_fractions[first as usize];
         }
     }
 
     /// Stops the group of the body at a position. Returns whether it was not stopped as early before.
-    pub fn stop(&self, position: usize, fraction: Real, stops: &mut [Real]) -> bool {
-        if fraction >= stops[position] {
+    pub fn stop(&self, position: usize, fraction: Real, toi_fractions: &mut [Real]) -> bool {
+        if fraction >= toi_fractions[position] {
             return false;
         }
-        self.members(self.first(position)).for_each(|member| stops[member as usize] = fraction);
+        self.members(self.first(position))
+            .for_each(|member| toi_fractions[member as usize] = fraction);
         true
     }
 

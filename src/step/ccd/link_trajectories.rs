@@ -68,14 +68,14 @@ impl LinkTrajectories {
     }
 
     /// Puts multibodies back to where they were stopped.
-    pub fn stop(&self, context: &mut StopContext<'_>, stops: &[Real]) {
+    pub fn stop(&self, context: &mut StopContext<'_>, toi_fractions: &[Real]) {
         let StopContext { bodies, multibodies, fast, trajectories, dt, .. } = context;
-        if stops.is_empty() {
+        if toi_fractions.is_empty() {
             return;
         }
         for (tree, trajectory) in self.of_tree.iter().zip(*trajectories) {
             let links = &fast[tree.links.clone()];
-            let fraction = stops[tree.links.clone()].first().copied().unwrap_or(1.0);
+            let fraction = toi_fractions[tree.links.clone()].first().copied().unwrap_or(1.0);
             let multibody = multibodies.get_unnoted_mut(trajectory.index);
             let Some(multibody) = multibody.filter(|_| fraction < 1.0) else { continue };
             let acceleration = |id| {

@@ -72,7 +72,7 @@ pub(crate) struct CcdScratch {
     /// By fast body: its stop by a non-dynamic collider.
     first: Vec<Stop>,
     /// By fast body: the executed fraction of its motion.
-    stops: Vec<Real>,
+    toi_fractions: Vec<Real>,
     rides: Rides,
     link_trajectories: LinkTrajectories,
     groups: Groups,
@@ -88,7 +88,7 @@ pub(crate) struct CcdScratch {
 impl CcdScratch {
     fn clear(&mut self) {
         self.first.clear();
-        self.stops.clear();
+        self.toi_fractions.clear();
         self.rides.clear();
         self.deeply_penetrating.clear();
         self.crossings.clear();
@@ -98,9 +98,9 @@ impl CcdScratch {
     /// Stops bodies where their own paths were stopped if a hook panicked before anything else was known.
     /// Bodies whose paths were not searched do not move.
     fn complete(&mut self) {
-        if self.stops.len() < self.first.len() {
-            self.stops.clear();
-            self.stops.extend(self.first.iter().map(|stop| stop.fraction));
+        if self.toi_fractions.len() < self.first.len() {
+            self.toi_fractions.clear();
+            self.toi_fractions.extend(self.first.iter().map(|stop| stop.fraction));
         }
     }
 }
@@ -131,8 +131,7 @@ struct Search<'a> {
     searched: &'a AtomicUsize,
 }
 
-/// Finds out where bodies are stopped that moved fast, and which sensors they pass. `scratch` contains the
-/// executed fractions of their motions.
+/// Finds the times of impact of fast bodies, and the sensors that they cross. The results are in `scratch`.
 pub(crate) fn find_impacts(tasks: Tasks<'_>, context: CcdContext<'_>, scratch: &mut CcdScratch) {
     scratch.clear();
     if context.fast.is_empty() {
@@ -141,7 +140,7 @@ pub(crate) fn find_impacts(tasks: Tasks<'_>, context: CcdContext<'_>, scratch: &
     let CcdScratch {
         movers,
         first,
-        stops,
+        toi_fractions,
         rides,
         link_trajectories,
         groups,
@@ -161,15 +160,15 @@ pub(crate) fn find_impacts(tasks: Tasks<'_>, context: CcdContext<'_>, scratch: &
         let path = Path::of(search, position, 1.0);
         path.map_or(Stop::NONE, |path| path.first_stop(search, NonDynamicFilter::All))
     });
-    stops.extend(first.iter().map(|stop| stop.fraction));
-    groups.stop_together(stops);
-    bullets.find(search, stops);
-    rides.find(tasks, search, first, stops);
+    toi_fractions.extend(first.iter().map(|stop| stop.fraction));
+    groups.stop_together(toi_fractions);
+    bullets.find(search, toi_fractions);
+    rides.find(tasks, search, first, toi_fractions);
     deeply_penetrating.resize(count, true);
     tasks.par_fill(deeply_penetrating, BODIES_PER_TASK, |position| {
         let path = match rides.of(position) {
             Some(ride) => ride.path(search, position),
-            None => Path::of(search, position, stops[position]),
+            None => Path::of(search, position, toi_fractions[position]),
         };
         path.is_some_and(|path| path.ends_deep(search))
     });
@@ -178,7 +177,10 @@ pub(crate) fn find_impacts(tasks: Tasks<'_>, context: CcdContext<'_>, scratch: &
         tasks.par_fill(crossings, BODIES_PER_TASK, |position| {
             let (path, end) = match rides.of(position) {
                 Some(ride) => (ride.path_of_all(search, position), ride.end),
-                None => (Path::of_all(search, position, stops[position]), stops[position]),
+                None => (
+                    Path::of_all(search, position, toi_fractions[position]),
+                    toi_fractions[position],
+                ),
             };
             path.map(|path| sensors::crossings(search, &path, end)).unwrap_or_default()
         });
@@ -218,19 +220,26 @@ pub(crate) fn stop(
 ) {
     scratch.complete();
     let is_fraction = |fraction: Real| (0.0..=1.0).contains(&fraction);
-    debug_assert_eq!(scratch.stops.len(), context.fast.len(), "every fast body was searched");
-    debug_assert!(scratch.stops.iter().all(|&stop| is_fraction(stop)), "a body stops in the step");
+    debug_assert_eq!(
+        scratch.toi_fractions.len(),
+        context.fast.len(),
+        "every fast body was searched"
+    );
+    debug_assert!(
+        scratch.toi_fractions.iter().all(|&stop| is_fraction(stop)),
+        "a body stops in the step"
+    );
     debug_assert!(
         scratch
             .rides
             .iter()
-            .all(|(at, ride)| is_fraction(ride.end) && ride.end >= scratch.stops[at]),
+            .all(|(at, ride)| is_fraction(ride.end) && ride.end >= scratch.toi_fractions[at]),
         "a ride follows a stop"
     );
     let StopContext { bodies, islands, fast, dt, .. } = &mut context;
     counters.num_fast_bodies = fast.len();
     counters.num_searches = scratch.searched.load(Ordering::Relaxed);
-    let stopped = fast.iter().zip(&scratch.stops).filter(|(_, fraction)| **fraction < 1.0);
+    let stopped = fast.iter().zip(&scratch.toi_fractions).filter(|(_, fraction)| **fraction < 1.0);
     for (motion, &fraction) in stopped {
         let Some(body) = bodies.get_unnoted_mut(motion.body) else { continue };
         counters.num_substeps += 1;
@@ -259,7 +268,7 @@ pub(crate) fn stop(
         let body = bodies.get_unnoted_mut(motion.body);
         body.into_iter().for_each(|body| body.deeply_penetrating = deeply_penetrating);
     }
-    scratch.link_trajectories.stop(&mut context, &scratch.stops);
+    scratch.link_trajectories.stop(&mut context, &scratch.toi_fractions);
     for crossing in scratch.crossings.iter().flatten() {
         counters.num_sensors_passed += 1;
         events.extend(crossing.events());

@@ -88,31 +88,37 @@ impl Rides {
 
     /// Finds the rides from the first stop of each body and the final stops. Final stops are earlier for
     /// joined bodies and bullets.
-    pub fn find(&mut self, tasks: Tasks<'_>, search: Search<'_>, first: &[Stop], stops: &[Real]) {
+    pub fn find(
+        &mut self,
+        tasks: Tasks<'_>,
+        search: Search<'_>,
+        first: &[Stop],
+        toi_fractions: &[Real],
+    ) {
         if search.movers.is_empty() {
             return;
         }
-        self.list_stopped(search, first, stops);
+        self.list_stopped(search, first, toi_fractions);
         let Self { stopped, rides, .. } = self;
         rides.resize(stopped.len(), None);
         tasks.par_fill(rides, 1, |at| {
             let (position, by) = stopped[at];
-            Ride::of(search, position as usize, stops[position as usize], by)
+            Ride::of(search, position as usize, toi_fractions[position as usize], by)
         });
-        self.end_together(search, stops.len());
+        self.end_together(search, toi_fractions.len());
     }
 
     /// Lists the bodies that a moving collider stopped, alone or with their groups, and single bodies that
     /// anything else stopped. Linear in the number of fast bodies: a chain is one group.
-    fn list_stopped(&mut self, search: Search<'_>, first: &[Stop], stops: &[Real]) {
+    fn list_stopped(&mut self, search: Search<'_>, first: &[Stop], toi_fractions: &[Real]) {
         self.carriers.clear();
-        self.carriers.resize(stops.len(), None);
-        for (position, (stop, &fraction)) in first.iter().zip(stops).enumerate() {
+        self.carriers.resize(toi_fractions.len(), None);
+        for (position, (stop, &fraction)) in first.iter().zip(toi_fractions).enumerate() {
             let by = stop.by.filter(|_| stop.fraction == fraction && fraction < 1.0);
             let carrier = &mut self.carriers[search.groups.first(position)];
             *carrier = carrier.or(by);
         }
-        for (position, &fraction) in stops.iter().enumerate() {
+        for (position, &fraction) in toi_fractions.iter().enumerate() {
             let by = self.carriers[search.groups.first(position)];
             if by.is_some() || fraction < 1.0 && search.groups.is_alone(position) {
                 self.stopped.push((position as u32, by));

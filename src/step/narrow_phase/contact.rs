@@ -121,17 +121,17 @@ impl ContactPair {
     fn needs_follow_up(&mut self, view: &PairView<'_>) -> bool {
         self.has_any_active_contact = self.is_touching();
         let is_solved = self.manifolds.iter().any(ContactManifold::is_solved);
-        let wants_start = !self.start_event_emitted
+        let must_report_start = !self.start_event_emitted
             && self.has_any_active_contact
             && view.has_events(ActiveEvents::COLLISION_EVENTS);
-        let wants_stop = self.start_event_emitted && !self.has_any_active_contact;
+        let must_report_stop = self.start_event_emitted && !self.has_any_active_contact;
         let as_colored = self.manifolds.iter().all(|manifold| {
             !manifold.contacts().is_empty() && manifold.slot.is_some() == manifold.is_solved()
         });
         is_solved != self.attached
             || !as_colored
-            || wants_start
-            || wants_stop
+            || must_report_start
+            || must_report_stop
             || !view.is_any_body_awake()
     }
 

@@ -43,7 +43,7 @@ pub(super) fn report(workers: &mut Pool<Worker>, events: &mut Vec<QuarantineEven
     // Some pairs are computed twice, and some have several manifolds: one event is enough.
     found.dedup_by_key(|(colliders, _)| *colliders);
     for ([collider1, collider2], cause) in found {
-        log::warn!("a contact of {collider1:?} and {collider2:?} is not as it should: {cause}");
+        log::warn!("a contact of {collider1:?} and {collider2:?} is invalid: {cause}");
         events.push(QuarantineEvent::Contact { collider1, collider2, cause });
     }
 }

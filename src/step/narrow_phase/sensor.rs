@@ -13,11 +13,11 @@ impl Update for IntersectionPair {
             return Outcome::APART;
         }
         let [c1, c2] = view.colliders;
-        let wanted = !view.has_hooks(ActiveHooks::FILTER_INTERSECTION_PAIR) || {
+        let is_selected = !view.has_hooks(ActiveHooks::FILTER_INTERSECTION_PAIR) || {
             let context = view.filter_context([self.collider1, self.collider2]);
             view.context.hooks.filter_intersection_pair(&context)
         };
-        self.intersecting = wanted && shapes_intersect(&view.pose12, c1.shape(), c2.shape());
+        self.intersecting = is_selected && shapes_intersect(&view.pose12, c1.shape(), c2.shape());
         // Any motion may begin or end an intersection; without motion nothing can.
         let filtered = view.has_hooks(ActiveHooks::FILTER_INTERSECTION_PAIR);
         Outcome {

@@ -199,7 +199,7 @@ impl Causes<'_> {
             Some((body.link.island, self.stress_of(diverged), diverged))
         });
         let mut ranked: Vec<_> = ranked.collect();
-        // Stable: of equals the first that the solver had.
+        // The sort is stable, so the solver's order decides between equals.
         ranked.sort_by(|a, b| a.0.cmp(&b.0).then_with(|| b.1.total_cmp(&a.1)));
         ranked.dedup_by_key(|(island, ..)| *island);
         ranked.into_iter().map(|(.., diverged)| diverged).collect()

@@ -5,11 +5,11 @@
 //! Runs:    parallel within a colour; colours in order
 //! Never:   adds or removes anything: the structure is frozen
 //!
-//! The soft step of Catto's "Solver2D" (box2d.org, 2024), after Macklin et al. 2019, "Small Steps in Physics
-//! Simulation". Many small substeps with one iteration are better than one step with many iterations. Each
-//! substep processes restitution, solves the constraints with a soft bias that removes overlap, and
-//! integrates the positions. It then relaxes: a second iteration without bias removes the velocity that the
-//! bias added.
+//! The solver implements the soft step of Catto's "Solver2D" (box2d.org, 2024), after Macklin et al. 2019,
+//! "Small Steps in Physics Simulation". Many small substeps with one iteration are better than one step with
+//! many iterations. Each substep processes restitution, solves the constraints with a soft bias that removes
+//! overlap, and integrates the positions. It then relaxes: a second iteration without bias removes the
+//! velocity that the bias added.
 //!
 //! **Warm starting without passes.** A substep should begin with the impulses of the last one. Moment arms
 //! and inertias of contacts are frozen during a step (joints rotate theirs). Warm-start impulses therefore
@@ -37,14 +37,14 @@ mod tests;
 use crate::model::body::{RigidBodyHandle, RigidBodySet};
 use crate::model::counters::SolverCounters;
 use bodies::SolverBodies;
-use contacts::{ContactSources, SolverContacts};
+use contacts::{ContactLoadContext, SolverContacts};
 pub(crate) use context::SolverContext;
 use context::SolverPass;
 use groups::Groups;
 use impacts::{ImpactContext, Impacts};
-use joints::{JointSources, SolverJoints};
+use joints::{JointLoadContext, SolverJoints};
 use links::Links;
-use multibodies::{MultibodySources, SolverMultibodies};
+use multibodies::{MultibodyContext, SolverMultibodies};
 use recovery::Recovery;
 
 /// Buffers that are reused from step to step.
@@ -119,18 +119,19 @@ impl SolverScratch {
         bodies.enter(group, groups);
         constraints.load_links(members, links, context, &pass);
         constraints.load(is_only_group, bodies, links, context, &pass);
-        let sources = MultibodySources {
+        let multibody_context = MultibodyContext {
             narrow_phase: context.narrow_phase,
             islands: context.islands,
             joints: context.joints,
             world: context.bodies,
         };
-        constraints.prepare(sources, bodies, &pass);
-        constraints.record_energy(members, links, sources.world, bodies, &pass);
+        constraints.prepare(multibody_context, bodies, &pass);
+        constraints.record_energy(members, links, multibody_context.world, bodies, &pass);
         counters.velocity_assembly_time.pause();
 
         counters.velocity_resolution_time.resume();
-        counters.nlimited_bodies += constraints.solve(group.substeps, sources, bodies, &pass);
+        counters.nlimited_bodies +=
+            constraints.solve(group.substeps, multibody_context, bodies, &pass);
         counters.velocity_resolution_time.pause();
 
         counters.velocity_writeback_time.resume();
@@ -189,23 +190,23 @@ impl Constraints {
         pass: &SolverPass<'_>,
     ) {
         let SolverContext { islands, bodies: world, joints, narrow_phase, .. } = context;
-        let sources = JointSources { islands, world, bodies, links };
-        self.joints.load(joints, sources, &pass.joints, pass.tasks);
+        let joint_context = JointLoadContext { islands, world, bodies, links };
+        self.joints.load(joints, joint_context, &pass.joints, pass.tasks);
         let per_point = pass.has_friction_per_point();
-        let sources = ContactSources { bodies, links, is_only_group, per_point };
-        self.contacts.load(sources, &islands.graph, narrow_phase, pass.tasks);
+        let contact_context = ContactLoadContext { bodies, links, is_only_group, per_point };
+        self.contacts.load(contact_context, &islands.graph, narrow_phase, pass.tasks);
         self.impacts.load(&self.contacts, bodies);
     }
 
     /// Computes effective masses, and applies the impulses of the last step.
     fn prepare(
         &mut self,
-        sources: MultibodySources<'_>,
+        multibody_context: MultibodyContext<'_>,
         bodies: &mut SolverBodies,
         pass: &SolverPass<'_>,
     ) {
         let Self { joints, contacts, multibodies, .. } = self;
-        multibodies.prepare(contacts.of_links(), sources, bodies, pass);
+        multibodies.prepare(contacts.of_links(), multibody_context, bodies, pass);
         joints.warm_start(bodies, pass);
         contacts.prepare_and_warm_start(bodies, pass);
         multibodies.warm_start(bodies);
@@ -216,16 +217,16 @@ impl Constraints {
     fn solve(
         &mut self,
         substeps: usize,
-        sources: MultibodySources<'_>,
+        multibody_context: MultibodyContext<'_>,
         bodies: &mut SolverBodies,
         pass: &SolverPass<'_>,
     ) -> usize {
         let mut limited = 0;
         for substep in 0..substeps {
-            let slowed = self.begin_substep(substep == 0, sources, bodies, pass);
+            let slowed = self.begin_substep(substep == 0, multibody_context, bodies, pass);
             limited = limited.max(slowed);
             let Self { joints, contacts, multibodies, impacts, recovery } = self;
-            let context = ImpactContext { joints, multibodies, sources, pass };
+            let context = ImpactContext { joints, multibodies, multibody_context, pass };
             impacts.solve(contacts, bodies, context);
             for _ in 0..pass.params.num_internal_pgs_iterations {
                 joints.solve(bodies, pass);
@@ -233,7 +234,7 @@ impl Constraints {
                 multibodies.solve(bodies, pass);
             }
             bodies.integrate_positions(pass);
-            multibodies.integrate_positions(sources, bodies, pass);
+            multibodies.integrate_positions(multibody_context, bodies, pass);
             for pass in pass.relaxations() {
                 joints.relax(bodies, &pass);
                 contacts.relax(bodies, &pass);
@@ -249,7 +250,7 @@ impl Constraints {
     fn begin_substep(
         &mut self,
         is_first: bool,
-        sources: MultibodySources<'_>,
+        multibody_context: MultibodyContext<'_>,
         bodies: &mut SolverBodies,
         pass: &SolverPass<'_>,
     ) -> usize {
@@ -257,7 +258,7 @@ impl Constraints {
         multibodies.note_velocities(if is_first { &mut bodies.before } else { &mut bodies.states });
         let keep_last = !impacts.is_empty();
         let limited = bodies.integrate_velocities(is_first, keep_last, pass);
-        multibodies.integrate_velocities(is_first, sources, bodies, pass);
+        multibodies.integrate_velocities(is_first, multibody_context, bodies, pass);
         joints.begin_substep(bodies, pass);
         contacts.begin_substep(pass);
         limited

@@ -15,10 +15,10 @@
 //! ΔT = ½ Σ λ_i (Ċ_i + Ċ_i')
 //! ```
 //!
-//! is therefore not positive in the exact solution without bias: the projection of `v` on the admissible
-//! velocities in the metric of the kinetic energy (Moreau, "Unilateral contact and dry friction in finite
-//! freedom dynamics", 1988). An energy gain of an island is an error. Bodies that gained energy return the
-//! island's gain, each in proportion to its own:
+//! is therefore not positive in the exact solution without bias. That solution is the projection of `v` on
+//! the admissible velocities in the metric of the kinetic energy. (Moreau, "Unilateral contact and dry
+//! friction in finite freedom dynamics", 1988.) An energy gain of an island is an error. Bodies that gained
+//! energy return the island's gain, each in proportion to its own:
 //!
 //! ```text
 //! T_b' ← T_b + (1 − G/P) (T_b' − T_b)       G = Σ (T_b' − T_b),   P = the sum of the positive terms

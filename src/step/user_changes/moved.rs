@@ -7,7 +7,7 @@ use crate::dim::math::{Pose, Real, ang_length_squared, rotation_to_angle};
 use crate::model::body::{RigidBody, RigidBodyChanges, RigidBodyHandle};
 use crate::model::island::NONE;
 
-/// A body, and where it was.
+/// The poses of a body before and after the user's edit.
 struct MovedBody {
     before: Pose,
     now: Pose,
@@ -20,14 +20,15 @@ impl UserChanges<'_> {
         let slot = handle.into_raw_parts().0;
         let Some(body) = self.structure.bodies.get(handle) else { return };
         if body.changes.contains(RigidBodyChanges::POSITION) {
-            let stand = self.stand_of(body);
-            if !stand.is_some_and(|stand| self.takes_all_along(slot, body, &stand)) {
+            let moved = self.moved_body(body);
+            if !moved.is_some_and(|moved| self.partners_moved_along(slot, body, &moved)) {
                 self.wake_touching(handle);
             }
         }
     }
 
-    fn takes_all_along(&self, slot: u32, body: &RigidBody, stand: &MovedBody) -> bool {
+    /// Returns whether all bodies that touch or are joined to a body moved along with it.
+    fn partners_moved_along(&self, slot: u32, body: &RigidBody, moved: &MovedBody) -> bool {
         let contacts = &self.structure.narrow_phase.contacts;
         let pairs = body
             .colliders()
@@ -36,23 +37,24 @@ impl UserChanges<'_> {
         let touching = pairs.filter(|&&id| contacts[id].is_touching());
         let partners =
             touching.flat_map(|&id| contacts.bodies(id)).filter(|&partner| partner != slot);
-        let mut takes = partners.into_iter().all(|partner| self.moved_along(stand, partner));
-        self.structure.for_each_joined(slot, |partner| takes &= self.moved_along(stand, partner));
-        takes
+        let mut all_moved = partners.into_iter().all(|partner| self.moved_along(moved, partner));
+        self.structure
+            .for_each_joined(slot, |partner| all_moved &= self.moved_along(moved, partner));
+        all_moved
     }
 
     /// Returns whether a body, or the world, has the same relative pose as before.
-    fn moved_along(&self, stand: &MovedBody, partner: u32) -> bool {
+    fn moved_along(&self, moved: &MovedBody, partner: u32) -> bool {
         let other = match self.structure.bodies.at_slot(partner) {
             _ if partner == NONE => Some(MovedBody { before: Pose::IDENTITY, now: Pose::IDENTITY }),
-            Some((_, body)) => self.stand_of(body),
+            Some((_, body)) => self.moved_body(body),
             None => None,
         };
-        other.is_some_and(|other| stand.keeps_to(&other))
+        other.is_some_and(|other| moved.has_same_relative_pose(&other))
     }
 
-    /// The old pose of a body, known from its colliders alone.
-    fn stand_of(&self, body: &RigidBody) -> Option<MovedBody> {
+    /// The old and the new pose of a body. The old one follows from its colliders.
+    fn moved_body(&self, body: &RigidBody) -> Option<MovedBody> {
         let now = body.pose;
         if !body.changes.contains(RigidBodyChanges::POSITION) {
             return Some(MovedBody { before: now, now });
@@ -65,8 +67,8 @@ impl UserChanges<'_> {
 }
 
 impl MovedBody {
-    /// Returns whether the relative pose is unchanged, within the rounding of far places.
-    fn keeps_to(&self, other: &Self) -> bool {
+    /// Returns whether the relative pose is unchanged, within the rounding of distant positions.
+    fn has_same_relative_pose(&self, other: &Self) -> bool {
         let before = self.before.inv_mul(&other.before);
         let now = self.now.inv_mul(&other.now);
         let places = [&self.before, &self.now, &other.before, &other.now];

@@ -43,7 +43,7 @@ pub(crate) fn resync_before_step(world: &mut World<'_>) -> Resynced {
     let mut end_events = Vec::new();
     if unverified {
         if let Err(fault) = check(world, world.joints, Some(world.multibodies)) {
-            log::warn!("a loaded world is taken in as new: {fault}");
+            log::warn!("a loaded world is registered from scratch: {fault}");
             end_events = begin_anew(world);
             world.joints.begin_anew();
             world.multibodies.begin_anew();
@@ -64,7 +64,7 @@ pub(crate) fn resync_before_detection(world: &mut World<'_>, joints: &ImpulseJoi
     let end_events = if !any_unverified(world) {
         unite(world)
     } else if let Err(fault) = check(world, joints, None) {
-        log::warn!("a loaded world is taken in as new: {fault}");
+        log::warn!("a loaded world is registered from scratch: {fault}");
         begin_anew(world)
     } else {
         Vec::new()
@@ -120,7 +120,7 @@ fn unite(world: &mut World<'_>) -> Vec<CollisionEvent> {
     if are_of_one_world && bodies.stamp == colliders.stamp {
         return Vec::new();
     }
-    log::warn!("a set is not that of the last step: everything is taken in as new");
+    log::warn!("a set is not that of the last step: everything is registered from scratch");
     begin_anew(world)
 }
 

@@ -86,7 +86,7 @@ fn stages(world: &PhysicsWorld) -> [(&'static str, f64); 11] {
         ("    assembly", solver.velocity_assembly_time.time_ms()),
         ("    substeps", solver.velocity_resolution_time.time_ms()),
         ("    write back", solver.velocity_writeback_time.time_ms()),
-        ("  continuous", stages.ccd_time.time_ms()),
-        ("  advance", stages.update_time.time_ms()),
+        ("  ccd", stages.ccd_time.time_ms()),
+        ("  finalize bodies", stages.update_time.time_ms()),
     ]
 }

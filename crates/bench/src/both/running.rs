@@ -72,8 +72,8 @@ impl Engine for Running<'_> {
         let ball = radius.map(|radius| Ball::new(radius.into()));
         let reach = Real::from(probes.reach);
         let options = ShapeCastOptions::with_max_time_of_impact(reach);
-        let ways = probes.origins.iter().zip(&probes.directions);
-        let hits = ways.filter(|&(&origin, &direction)| {
+        let rays = probes.origins.iter().zip(&probes.directions);
+        let hits = rays.filter(|&(&origin, &direction)| {
             let [origin, direction] = [origin, direction].map(|v| numbers::vector(vector_of(v)));
             match &ball {
                 None => queries.cast_ray(&Ray::new(origin, direction), reach, true).is_some(),

@@ -3,8 +3,8 @@
 use super::ours::prelude::*;
 use super::template::Template;
 
-/// Returns the largest distance (length units) between the two anchors of any joint that locks them together,
-/// with the bodies in `poses`; `None` without such a joint.
+/// Returns the largest distance (length units) between the two anchors of any joint that locks them together.
+/// `poses` are the poses of the bodies. Returns `None` if there is no such joint.
 pub fn largest_separation(template: &Template, poses: &[Pose]) -> Option<f64> {
     let holds = |joint: &GenericJoint| joint.locked_axes.contains(JointAxesMask::LIN_AXES);
     let gaps = template.joints.iter().filter(|(_, joint)| holds(joint)).map(|(bodies, joint)| {

@@ -5,7 +5,7 @@ use super::ours::prelude::*;
 use crate::growth::world::{SLEEP_DELAY, World};
 
 /// Half the side of a box.
-const HALF: Real = 0.5;
+const HALF_EXTENT: Real = 0.5;
 
 /// Distance of two boxes in a layer of a heap: boxes touch only the boxes above and below.
 const SPACING_IN_LAYER: Real = 1.1;
@@ -47,11 +47,11 @@ fn blocks(bodies: usize, awake: usize) -> PhysicsWorld {
     let side = side_of(bodies);
     for index in 0..bodies {
         let place = cell(index, side, SPACING);
-        world.insert(RigidBodyBuilder::fixed().translation(place), cube(HALF));
+        world.insert(RigidBodyBuilder::fixed().translation(place), cube(HALF_EXTENT));
         if chosen(index, bodies, awake) {
             // The box is slightly smaller, so that in 2D the block above it is out of reach.
-            let above = place + 1.8 * HALF * Vector::Y;
-            world.insert(RigidBodyBuilder::dynamic().translation(above), cube(0.8 * HALF));
+            let above = place + 1.8 * HALF_EXTENT * Vector::Y;
+            world.insert(RigidBodyBuilder::dynamic().translation(above), cube(0.8 * HALF_EXTENT));
         }
     }
     world
@@ -64,11 +64,11 @@ fn sleepers(bodies: usize, awake: usize) -> PhysicsWorld {
     let side = side_of(cells);
     add_floors(&mut world, side, SPACING);
     for index in 0..cells {
-        let place = cell(index, side, SPACING) + HALF * Vector::Y;
+        let place = cell(index, side, SPACING) + HALF_EXTENT * Vector::Y;
         let may_sleep = !chosen(index, cells, awake);
         let mut body = RigidBodyBuilder::dynamic().translation(place).can_sleep(may_sleep).build();
         body.activation_mut().time_until_sleep = SLEEP_DELAY;
-        world.insert(body, cube(HALF));
+        world.insert(body, cube(HALF_EXTENT));
     }
     world
 }
@@ -99,10 +99,10 @@ fn base_of(boxes: usize) -> usize {
 fn add_heap(world: &mut PhysicsWorld, foot: Vector, base: usize, boxes: usize, distance: Real) {
     let mut left = boxes;
     for (level, side) in (1..=base).rev().enumerate() {
-        let height = HALF * (2 * level + 1) as Real;
+        let height = HALF_EXTENT * (2 * level + 1) as Real;
         for index in 0..layer_size(side).min(left) {
             let place = foot + distance * place_in_layer(index, side) + height * Vector::Y;
-            world.insert(RigidBodyBuilder::dynamic().translation(place), cube(HALF));
+            world.insert(RigidBodyBuilder::dynamic().translation(place), cube(HALF_EXTENT));
         }
         left = left.saturating_sub(layer_size(side));
     }

@@ -90,7 +90,7 @@ impl Engine for Box2d<'_> {
 }
 
 fn create_world(template: &Template, threads: usize) -> World {
-    // SAFETY: plain values in, plain values out; the definition outlives the call.
+    // SAFETY: the calls take and return plain values; the definition outlives them.
     unsafe {
         let mut definition = b2DefaultWorldDef();
         definition.gravity = vector(template.world.gravity);
@@ -106,7 +106,7 @@ fn create_world(template: &Template, threads: usize) -> World {
 fn create_body(world: &World, body: &RigidBody, may_sleep: bool) -> Result<b2BodyId, Unsupported> {
     box_engines::check_body(body)?;
     let axes = body.locked_axes();
-    // SAFETY: plain values in, plain values out; the definition outlives the call.
+    // SAFETY: the calls take and return plain values; the definition outlives them.
     unsafe {
         let mut definition = b2DefaultBodyDef();
         definition.type_ = match body.body_type() {
@@ -223,7 +223,7 @@ unsafe fn create_chain(
 fn shape_definition(collider: &Collider) -> Result<b2ShapeDef, Unsupported> {
     box_engines::check_collider(collider)?;
     let groups = collider.collision_groups();
-    // SAFETY: returns plain values.
+    // SAFETY: the call returns plain values.
     let mut definition = unsafe { b2DefaultShapeDef() };
     definition.density = box_engines::density(collider);
     definition.material.friction = collider.friction();
@@ -248,7 +248,8 @@ fn create_joint(
     }
     let frame =
         |pose: &Pose| b2Transform { p: vector(pose.translation), q: rotation(&pose.rotation) };
-    // SAFETY: plain values in, plain values out; the definition outlives the call, world and bodies are live.
+    // SAFETY: the calls take and return plain values. The definition outlives them. The world and the bodies
+    // are live.
     unsafe {
         let mut definition = b2DefaultRevoluteJointDef();
         [definition.base.bodyIdA, definition.base.bodyIdB] = bodies;
@@ -266,7 +267,7 @@ fn create_joint(
 
 /// Returns whether the body is dynamic and awake.
 fn is_awake(body: b2BodyId) -> bool {
-    // SAFETY: the body is live; plain values out.
+    // SAFETY: the body is live; the calls return plain values.
     unsafe { b2Body_GetType(body) == b2BodyType_b2_dynamicBody && b2Body_IsAwake(body) }
 }
 
@@ -290,14 +291,14 @@ fn count_contacts(body: b2BodyId) -> (usize, usize) {
 }
 
 fn pose(body: b2BodyId) -> Pose {
-    // SAFETY: the body is live; plain values out.
+    // SAFETY: the body is live; the calls return plain values.
     let (p, q) = unsafe { (b2Body_GetPosition(body), b2Body_GetRotation(body)) };
     let rotation = Rotation { re: q.c, im: q.s };
     Pose::from_parts(Vector::new(p.x, p.y), rotation)
 }
 
 fn kinetic_energy(body: b2BodyId) -> f64 {
-    // SAFETY: the body is live; plain values in, plain values out.
+    // SAFETY: the body is live; the calls take and return plain values.
     let (kind, mass, inertia, linear, angular) = unsafe {
         (
             b2Body_GetType(body),

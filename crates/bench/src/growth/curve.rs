@@ -69,18 +69,19 @@ impl Curve {
         match self {
             Curve::Awake => "Boxes in heaps of ten, all awake.".to_owned(),
             Curve::Static => format!(
-                "Fixed blocks, and {MOVING_BODIES} boxes that are awake, spread evenly among them, each on a block."
+                "Fixed blocks, and {MOVING_BODIES} awake boxes, spread evenly among them, each on a block."
             ),
             Curve::Sleeping => format!(
-                "Boxes that lie on the floor and have fallen asleep, and {MOVING_BODIES} among them, spread evenly, that may not. Here bodies sleep \
-                 in all engines, after {SLEEP_DELAY} s of calm; the measurement begins then."
+                "Sleeping boxes on the floor, and {MOVING_BODIES} boxes that may not sleep, spread evenly among them. Bodies sleep here in all \
+                 engines, after {SLEEP_DELAY} s of calm. The measurement begins then."
             ),
             Curve::Contacts => format!(
-                "{CONTACT_CURVE_BODIES} boxes: each by itself on the floor; in heaps of 10, of 100, of all, apart from their neighbours in the \
-                 layer; in one heap in which neighbours touch, too. Contact points by each engine's own account."
+                "{CONTACT_CURVE_BODIES} boxes in five worlds. The first has single boxes on the floor. The next three have heaps of 10, of 100 and \
+                 of all boxes, with gaps between the neighbours of a layer. The last has one heap in which these touch. Each engine counts its \
+                 own contact points."
             ),
             Curve::Threads => format!(
-                "{THREAD_CURVE_BODIES} boxes in heaps of 100, all awake. Time on the wall, with one thread, too."
+                "{THREAD_CURVE_BODIES} boxes in heaps of 100, all awake. All times are wall times, also with one thread."
             ),
         }
     }

@@ -114,7 +114,7 @@ impl Spot {
     fn too_slow(&self, kind: Kind) -> Option<Unsupported> {
         match &self.outcomes.iter().find(|(other, _)| *other == kind)?.1 {
             Ok(score) if score.setup() > SETUP_TIME_MAX => Some(Unsupported::because(format!(
-                "{} took it {:.0} s to make and settle, and larger worlds were not tried",
+                "the setup of {} took {:.0} s, so larger worlds were not tried",
                 self.setting.title(),
                 score.setup() / 1e3
             ))),
@@ -168,8 +168,9 @@ fn difference(counts: &Counts, other: &Counts) -> Option<String> {
         (counts.awake, other.awake, "awake bodies"),
         (counts.substeps, other.substeps, "substeps"),
     ];
-    let (number, wanted, noun) = numbers.into_iter().find(|(number, other, _)| number != other)?;
-    Some(format!("{number} {noun}, not {wanted}"))
+    let (number, expected, noun) =
+        numbers.into_iter().find(|(number, other, _)| number != other)?;
+    Some(format!("{number} {noun}, not {expected}"))
 }
 
 impl Setting {
@@ -205,7 +206,7 @@ mod tests {
         let spot = Spot { setting, outcomes: vec![quick, slow, absent] };
         assert_eq!(spot.too_slow(Kind::This), None);
         let reason = spot.too_slow(Kind::Rapier).unwrap().0;
-        assert!(reason.starts_with("100 bodies, 1 thread took it 20 s"), "{reason}");
+        assert!(reason.starts_with("the setup of 100 bodies, 1 thread took 20 s"), "{reason}");
         assert_eq!(spot.too_slow(Kind::Box), Some(Unsupported::because("absent")));
     }
 

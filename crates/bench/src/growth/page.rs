@@ -20,10 +20,10 @@ const HEADINGS: [&str; 8] =
 
 /// Meaning of the columns.
 const LEGEND: &str = "\
-bodies: those that the curve is about. awake: dynamic bodies that are awake at the end. pairs, points: touching pairs and their contact
-points at the end, by each engine's own account. ms/step: mean over all steps, but for the first and for those in which bodies fall
-asleep, of the step's median over the rounds; with one thread it is time on the processor, with more it is time on the wall. bytes/body:
-memory of the world at the end divided by all its bodies, contacts, floors and all.";
+bodies: number of bodies that the curve varies. awake: dynamic bodies that are awake at the end. pairs, points: touching pairs and their
+contact points at the end, as each engine counts them. ms/step: mean of the step's median over the rounds, without the first step and
+steps in which bodies fall asleep. With one thread it is time on the processor, with more it is time on the wall. bytes/body: memory of
+the world at the end, with its contacts, divided by the number of all its bodies, floors included.";
 
 /// Prints a curve as a table.
 pub fn print(out: &mut dyn Write, growth: &Growth) -> io::Result<()> {

@@ -100,7 +100,7 @@ impl Canvas {
     /// The finished picture.
     pub(super) fn into_image(self) -> Image {
         let fineness = self.fineness;
-        let share = 1.0 / (fineness * fineness) as f32;
+        let scale = 1.0 / (fineness * fineness) as f32;
         let mut pixels = Vec::with_capacity(self.light.len() * 3 / (fineness * fineness));
         for y in (0..self.height).step_by(fineness) {
             for x in (0..self.width).step_by(fineness) {
@@ -113,7 +113,7 @@ impl Canvas {
                 // Half a grey level of noise that repeats every 4 pixels keeps dark gradients from banding.
                 let noise =
                     if fineness > 1 { DITHER[y / fineness % 4][x / fineness % 4] } else { 0.0 };
-                pixels.extend(sum.map(|sum| encode(sum * share + noise * DITHER_LIGHT)));
+                pixels.extend(sum.map(|sum| encode(sum * scale + noise * DITHER_LIGHT)));
             }
         }
         Image { width: self.width / fineness, height: self.height / fineness, pixels }

@@ -75,7 +75,7 @@ pub fn remove(play: &mut Play<'_>) {
 /// Edits one body, or all bodies.
 pub fn edit(play: &mut Play<'_>) {
     let (handle, other) = (play.body(), play.body());
-    let Play { choices, world, bystanders, .. } = play;
+    let Play { choices, world, isolated_bodies, .. } = play;
     match choose(choices, 32) {
         0 => {
             let copy = world.bodies.get(other).cloned();
@@ -96,8 +96,10 @@ pub fn edit(play: &mut Play<'_>) {
             }
         }
         3 => {
-            let others =
-                world.bodies.iter_mut().filter(|(handle, _)| !bystanders.bodies.contains(handle));
+            let others = world
+                .bodies
+                .iter_mut()
+                .filter(|(handle, _)| !isolated_bodies.bodies.contains(handle));
             others.for_each(|(_, body)| push(body, choices));
         }
         choice => {

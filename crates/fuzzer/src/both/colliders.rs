@@ -51,7 +51,7 @@ pub fn insert_or_remove(play: &mut Play<'_>) {
 /// Edits one collider, or all colliders.
 pub fn edit(play: &mut Play<'_>) {
     let (handle, other, body) = (play.collider(), play.collider(), play.body());
-    let Play { choices, world, bystanders, .. } = play;
+    let Play { choices, world, isolated_bodies, .. } = play;
     match choose(choices, 24) {
         0 | 1 => {
             let parent = if choices.once_in(3) { None } else { Some(body) };
@@ -78,15 +78,15 @@ pub fn edit(play: &mut Play<'_>) {
             let others = world
                 .colliders
                 .iter_mut()
-                .filter(|(handle, _)| !bystanders.colliders.contains(handle));
-            others.for_each(|(_, collider)| meet_others(collider, choices));
+                .filter(|(handle, _)| !isolated_bodies.colliders.contains(handle));
+            others.for_each(|(_, collider)| change_interaction(collider, choices));
         }
         choice => {
             let Some(collider) = world.colliders.get_mut(handle) else { return };
             match choice % 3 {
                 0 => place(collider, choices),
-                1 => meet_others(collider, choices),
-                _ => change_matter(collider, choices),
+                1 => change_interaction(collider, choices),
+                _ => change_material(collider, choices),
             }
         }
     }
@@ -104,7 +104,7 @@ fn place(collider: &mut Collider, choices: &mut Choices<'_>) {
     }
 }
 
-fn meet_others(collider: &mut Collider, choices: &mut Choices<'_>) {
+fn change_interaction(collider: &mut Collider, choices: &mut Choices<'_>) {
     let groups = [
         OTHERS,
         InteractionGroups::none(),
@@ -133,7 +133,7 @@ fn meet_others(collider: &mut Collider, choices: &mut Choices<'_>) {
     }
 }
 
-fn change_matter(collider: &mut Collider, choices: &mut Choices<'_>) {
+fn change_material(collider: &mut Collider, choices: &mut Choices<'_>) {
     let value = some_real(choices);
     match choose(choices, 10) {
         0 => collider.set_friction(value),

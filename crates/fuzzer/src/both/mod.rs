@@ -7,11 +7,11 @@ use super::thin;
 
 mod acts;
 mod bodies;
-mod bystanders;
 mod colliders;
 mod event_checker;
 mod families;
 pub mod groups;
+mod isolated_bodies;
 mod joints;
 mod loading;
 mod multibodies;

@@ -1,9 +1,9 @@
 //! A world with all handles that were ever created in it, for random operations.
 
-use super::bystanders::Bystanders;
 use super::dim::Vehicle;
 use super::event_checker::EventChecker;
 use super::groups::OTHERS;
+use super::isolated_bodies::IsolatedBodies;
 use super::rapier::prelude::*;
 use super::values::{some_real, some_vector};
 use super::world_copy::WorldCopy;
@@ -26,7 +26,7 @@ pub struct Play<'a> {
     pub removed: Vec<RigidBody>,
     /// Earlier state of the world.
     pub copy: Option<WorldCopy>,
-    pub bystanders: Bystanders,
+    pub isolated_bodies: IsolatedBodies,
     pub event_checker: EventChecker,
     pub vehicle: Vehicle,
     pub pid: PidController,
@@ -40,7 +40,7 @@ impl<'a> Play<'a> {
             .active_events(ActiveEvents::all())
             .collision_groups(OTHERS);
         let ground = world.insert_collider(ground, None);
-        let bystanders = Bystanders::new(&mut world);
+        let isolated_bodies = IsolatedBodies::new(&mut world);
         Self {
             choices,
             world,
@@ -50,7 +50,7 @@ impl<'a> Play<'a> {
             links: vec![MultibodyJointHandle::invalid()],
             removed: Vec::new(),
             copy: None,
-            bystanders,
+            isolated_bodies,
             event_checker: EventChecker::default(),
             vehicle: Vehicle::default(),
             pid: PidController::default(),
@@ -58,7 +58,7 @@ impl<'a> Play<'a> {
         }
     }
 
-    /// Returns any body handle except a bystander's: usually of an existing body, sometimes a stale or
+    /// Returns any body handle except an isolated body's: usually of an existing body, sometimes a stale or
     /// foreign one.
     pub fn body(&mut self) -> RigidBodyHandle {
         let handle = if self.choices.once_in(30) {
@@ -68,10 +68,14 @@ impl<'a> Play<'a> {
             recent(&self.bodies, &mut self.choices)
         };
         self.choices.print(|| format!("    {handle:?}"));
-        if self.bystanders.bodies.contains(&handle) { RigidBodyHandle::invalid() } else { handle }
+        if self.isolated_bodies.bodies.contains(&handle) {
+            RigidBodyHandle::invalid()
+        } else {
+            handle
+        }
     }
 
-    /// Returns any collider handle except a bystander's.
+    /// Returns any collider handle except an isolated body's.
     pub fn collider(&mut self) -> ColliderHandle {
         let handle = if self.choices.once_in(30) {
             let (slot, generation) = (self.choices.below(70) as u32, self.choices.below(4) as u32);
@@ -80,8 +84,8 @@ impl<'a> Play<'a> {
             recent(&self.colliders, &mut self.choices)
         };
         self.choices.print(|| format!("    {handle:?}"));
-        let is_bystander = self.bystanders.colliders.contains(&handle);
-        if is_bystander { ColliderHandle::invalid() } else { handle }
+        let is_isolated = self.isolated_bodies.colliders.contains(&handle);
+        if is_isolated { ColliderHandle::invalid() } else { handle }
     }
 
     /// Returns any joint handle.

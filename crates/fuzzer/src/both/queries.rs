@@ -11,13 +11,13 @@ use crate::choices::Choices;
 pub fn query(play: &mut Play<'_>) {
     let (collider, body) = (play.collider(), play.body());
     let Play { choices, world, queries, .. } = play;
-    let everyone = |_: ColliderHandle, collider: &Collider| collider.is_enabled();
+    let is_enabled = |_: ColliderHandle, collider: &Collider| collider.is_enabled();
     let mut filter =
         QueryFilter::from(QueryFilterFlags::from_bits_truncate(choices.below(64) as u32));
     match choices.below(6) {
         0 => filter = filter.exclude_collider(collider),
         1 => filter = filter.exclude_rigid_body(body),
-        2 => filter = filter.predicate(&everyone),
+        2 => filter = filter.predicate(&is_enabled),
         3 => filter = filter.groups(InteractionGroups::new(Group::GROUP_1, Group::GROUP_2)),
         _ => {}
     }

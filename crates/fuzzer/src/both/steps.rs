@@ -17,7 +17,7 @@ pub fn step(play: &mut Play<'_>) -> usize {
     play.choices.print(|| format!("step {variant}, hooks {}", hooks.behavior));
     let count = if variant == 0 { STEPS } else { 1 };
     let mut completed = true;
-    play.bystanders.note_attachments(&play.world);
+    play.isolated_bodies.note_attachments(&play.world);
     for _ in 0..count {
         completed &= completes(|| match variant {
             1 | 2 => play.world.detect_collisions(&hooks, &play.event_checker),
@@ -37,8 +37,8 @@ pub fn step(play: &mut Play<'_>) -> usize {
         check(&play.world);
     }
     play.event_checker.check();
-    play.bystanders.note_attachments(&play.world);
-    play.bystanders.check(&play.world);
+    play.isolated_bodies.note_attachments(&play.world);
+    play.isolated_bodies.check(&play.world);
     if refused {
         play.reset_parameters();
     }

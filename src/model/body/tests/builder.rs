@@ -5,7 +5,7 @@ use crate::dim::math::{Pose, Real, Vector};
 use crate::model::body::{RigidBody, RigidBodyBuilder};
 
 #[test]
-fn what_is_described_is_built() {
+fn builders_set_all_properties() {
     let body = RigidBodyBuilder::kinematic_velocity_based()
         .translation(Vector::Y)
         .rotation(about_z(0.5))
@@ -49,7 +49,7 @@ fn a_bad_value_becomes_the_default_or_an_error_that_names_it() {
     assert_eq!(error.to_string(), "the gravity_scale of a rigid body is NaN, which is invalid");
 }
 
-/// Or a body of a high group would fall through the ground.
+/// If it did, a body of a high group would fall through the ground.
 #[test]
 fn dominance_does_not_move_fixed_bodies() {
     let body = |group| RigidBodyBuilder::dynamic().dominance_group(group).build();

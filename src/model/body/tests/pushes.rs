@@ -70,8 +70,8 @@ fn forces_add_up_until_they_are_reset() {
     body.add_force(Vector::Y, true);
     body.add_force_at_point(Vector::Y * 2.0, body.center_of_mass() + Vector::X, true);
     assert_eq!(body.user_force(), Vector::Y * 3.0);
-    let wanted = about_z(2.0);
-    assert!(ang_length_squared(body.user_torque() - wanted) < EPSILON * EPSILON);
+    let expected = about_z(2.0);
+    assert!(ang_length_squared(body.user_torque() - expected) < EPSILON * EPSILON);
     body.reset_forces(true);
     body.reset_torques(true);
     assert_eq!((body.user_force(), body.user_torque()), (Vector::ZERO, ANG_ZERO));

@@ -52,7 +52,7 @@ fn each_change_is_noted_once() {
 }
 
 #[test]
-fn a_removed_body_leaves_word_of_its_colliders() {
+fn removed_bodies_list_their_colliders() {
     let mut bodies = RigidBodySet::new();
     let handle = bodies.insert(off_center_body());
     let collider = ColliderHandle::from_raw_parts(7, 0);

@@ -48,7 +48,10 @@ impl<P: Pair> PairStore<P> {
         for &id in &self.free {
             let free = is_free.get_mut(id as usize);
             let was_free = free.map(|free| core::mem::replace(free, true));
-            ensure!(was_free == Some(false), "pair {id} of {bound} is free twice, or none");
+            ensure!(
+                was_free == Some(false),
+                "pair {id} of {bound} is in the free list twice, or does not exist"
+            );
         }
         for (id, pair) in self.pairs.iter().enumerate() {
             let (is_living, has_place) = (pair.get().is_some(), self.places[id] != Place::NOWHERE);

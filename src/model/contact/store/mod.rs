@@ -409,20 +409,20 @@ impl<P: Pair> PairStore<P> {
         });
     }
 
-    /// Appends the awake pairs for which `is_wanted` to a list, in their order. The callback may change the
+    /// Appends the awake pairs for which `is_selected` to a list, in their order. The callback may change the
     /// narrow phase's data of the pairs.
     pub fn list_awake(
         &mut self,
         tasks: Tasks<'_>,
         gather: &mut Gather<PairId>,
-        is_wanted: impl Fn(&mut PairState) -> bool + Sync,
+        is_selected: impl Fn(&mut PairState) -> bool + Sync,
         list: &mut Vec<PairId>,
     ) {
         let (awake, states) = (&self.awake, DisjointMut::new(&mut self.states));
         let find = |pages: Range<usize>, found: &mut Vec<PairId>| {
             awake.iter_in(pages).for_each(|id| {
                 // SAFETY: the set names each pair once, and the pages of two tasks differ.
-                if is_wanted(unsafe { states.get_mut(id as usize) }) {
+                if is_selected(unsafe { states.get_mut(id as usize) }) {
                     found.push(id);
                 }
             });
@@ -457,7 +457,7 @@ impl<P: Pair> core::ops::Index<PairId> for PairStore<P> {
 
     #[expect(
         clippy::expect_used,
-        reason = "ids are ours, and those of pairs that went are forgotten"
+        reason = "the store creates all ids, and drops the ids of removed pairs"
     )]
     #[inline]
     fn index(&self, id: PairId) -> &P {
@@ -468,7 +468,7 @@ impl<P: Pair> core::ops::Index<PairId> for PairStore<P> {
 impl<P: Pair> core::ops::IndexMut<PairId> for PairStore<P> {
     #[expect(
         clippy::expect_used,
-        reason = "ids are ours, and those of pairs that went are forgotten"
+        reason = "the store creates all ids, and drops the ids of removed pairs"
     )]
     #[inline]
     fn index_mut(&mut self, id: PairId) -> &mut P {

@@ -306,9 +306,7 @@ impl MultibodyJointSet {
 
     /// Removes a multibody, its joints and its entries in all lists.
     fn drop_broken(&mut self, index: MultibodyIndex) {
-        log::warn!(
-            "{index:?} or its links are others than those that were joined: their joints go"
-        );
+        log::warn!("{index:?} or its links were replaced by others: their joints are removed");
         self.multibodies.remove(index.0);
         let is_of_it = |place: &MultibodyLinkId| place.multibody == index;
         let filed = self.of_body.iter().filter(|(_, place)| is_of_it(place));

@@ -93,7 +93,10 @@ impl Loaded for MultibodyJointSet {
         let (mut links, mut joints) = (0, 0);
         for (index, multibody) in self.multibodies.iter() {
             let index = MultibodyIndex(index);
-            ensure!(!self.is_broken(index), "links of {index:?} are not those that are filed");
+            ensure!(
+                !self.is_broken(index),
+                "links of {index:?} differ from those in the lists of the set"
+            );
             links += multibody.num_links();
             joints += multibody.links.iter().filter(|link| link.handle.is_some()).count();
         }

@@ -59,7 +59,10 @@ impl<'a, C: Copy + Debug + PartialEq> Colors<'a, C> {
         let Self { graph, of_body, count, .. } = self;
         ensure!(count == graph.len(), "{count} of {} constraints are there", graph.len());
         let wrong = graph.colors_of_bodies().iter().zip(&of_body).position(|(a, b)| a != b);
-        ensure!(wrong.is_none(), "the colours of body {wrong:?} are others");
+        ensure!(
+            wrong.is_none(),
+            "the colours of body {wrong:?} differ from those of its constraints"
+        );
         Ok(())
     }
 }

@@ -31,10 +31,10 @@ impl Structure<'_> {
     pub(super) fn check_known_joints(&self, joints: &ImpulseJointSet) -> Verdict {
         joints.check_notes()?;
         let are_of = self.islands.joints.are_of(joints, self.bodies);
-        ensure!(are_of, "the joints that were taken in are not those of the set");
+        ensure!(are_of, "the registered joints differ from the joints of the set");
         for (slot, link) in self.islands.joints.iter() {
             let Some(joint) = joints.get(link.handle) else { continue };
-            ensure!(joint.is_sound(), "joint {slot} has impulses that are none: {joint:?}");
+            ensure!(joint.is_sound(), "joint {slot} has invalid impulses: {joint:?}");
         }
         Ok(())
     }

@@ -113,7 +113,7 @@ impl Structure<'_> {
         let pair = &contacts[id];
         let slack = contacts.slack(id);
         ensure!(!slack.is_nan(), "pair {id} has the slack {slack}");
-        ensure!(pair.is_sound(), "pair {id} has numbers that are none: {pair:?}");
+        ensure!(pair.is_sound(), "pair {id} has invalid numbers: {pair:?}");
         let bodies = [pair.collider1, pair.collider2]
             .map(|handle| self.colliders.get(handle).map(|collider| collider.parent()));
         for manifold in &pair.manifolds {

@@ -11,7 +11,7 @@ const SPARE_BLOCKS_MAX: usize = 2;
 
 /// The constraints (as `T` names them) of all blocks.
 pub(in crate::step::solver) struct Layout<T> {
-    /// Block by block, and where those of each block begin.
+    /// Constraints block by block, and the start of each block in that list.
     members: Vec<T>,
     starts: Vec<usize>,
     /// The blocks of each colour in solving order; each block of the overflow is a colour of its own.

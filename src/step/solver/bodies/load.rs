@@ -5,7 +5,7 @@ use super::{NEAR_REST, SolverBodies, WORLD};
 use crate::base::disjoint::DisjointMut;
 use crate::base::measure::COORDINATE_MODERATE_MAX;
 use crate::base::tasks::Tasks;
-use crate::dim::mass::inv_inertia_on_the_way;
+use crate::dim::mass::inv_inertia_during_rotation;
 use crate::dim::math::{AngularInertia, Real, Rotation, Vector, ang_length_squared};
 use crate::dim::motion::FreeMotion;
 use crate::dim::state::{BodyPose, BodyState, READ_ONLY};
@@ -159,7 +159,7 @@ fn contact_inv_inertia(body: &RigidBody, dt: Real) -> Option<AngularInertia> {
     if !body.is_dynamic() || !mprops.rotates_freely() {
         return None;
     }
-    inv_inertia_on_the_way(&mprops.local_mprops, body.pose.rotation, body.angvel * dt)
+    inv_inertia_during_rotation(&mprops.local_mprops, body.pose.rotation, body.angvel * dt)
 }
 
 /// The places of all bodies, to be filled by several threads.

@@ -37,7 +37,7 @@ pub(super) struct BodyChunk<'a> {
 }
 
 impl BodyChunk<'_> {
-    /// A register full of them after another.
+    /// Returns chunks of `LANES` bodies.
     fn chunks(self) -> impl Iterator<Item = Self> {
         let states = self.states.chunks_mut(LANES);
         let others = self.before.chunks_mut(LANES).zip(self.motions.chunks_mut(LANES));

@@ -17,9 +17,9 @@ use core::sync::atomic::{AtomicUsize, Ordering};
 /// Prefetch distance, in blocks.
 const BLOCKS_AHEAD: usize = 2;
 
-/// Input for loading contacts.
+/// Context for loading contacts.
 #[derive(Copy, Clone)]
-pub(in crate::step::solver) struct ContactSources<'a> {
+pub(in crate::step::solver) struct ContactLoadContext<'a> {
     pub bodies: &'a SolverBodies,
     pub links: &'a Links,
     /// Whether all moving bodies are solved together.
@@ -33,15 +33,15 @@ impl SolverContacts {
     /// constraints of the overflow. Manifolds of links are left to their multibodies.
     pub fn load(
         &mut self,
-        sources: ContactSources<'_>,
+        context: ContactLoadContext<'_>,
         graph: &ConstraintGraph,
         narrow_phase: &mut NarrowPhase,
         tasks: Tasks<'_>,
     ) {
-        let ContactSources { bodies, is_only_group, per_point, .. } = sources;
+        let ContactLoadContext { bodies, is_only_group, per_point, .. } = context;
         let NarrowPhase { contacts, lanes, .. } = &mut *narrow_phase;
         let capacity = is_only_group.then_some(&mut lanes.capacity);
-        self.lay_out(sources, graph, contacts, capacity);
+        self.lay_out(context, graph, contacts, capacity);
         // A lane whose manifold changed is filled from the manifold, so the manifold must be written back
         // before. The same holds for manifolds whose impulses are scaled before they act.
         let lanes = &narrow_phase.lanes;
@@ -62,13 +62,13 @@ impl SolverContacts {
         self.lanes.resize(count);
         reserve_blocks(&mut self.blocks, count);
         self.blocks.resize_with(count, || ContactBlock::EMPTY);
-        self.point_count = self.fill_lanes(sources, narrow_phase, tasks);
+        self.point_count = self.fill_lanes(context, narrow_phase, tasks);
     }
 
     /// Assigns manifolds to lanes: all of the graph, or those of the solved bodies.
     fn lay_out(
         &mut self,
-        ContactSources { bodies, links, is_only_group, .. }: ContactSources<'_>,
+        ContactLoadContext { bodies, links, is_only_group, .. }: ContactLoadContext<'_>,
         graph: &ConstraintGraph,
         contacts: &PairStore<ContactPair>,
         mut capacity: Option<&mut LaneCapacity>,
@@ -115,7 +115,7 @@ impl SolverContacts {
     /// Returns the number of points.
     fn fill_lanes(
         &mut self,
-        sources: ContactSources<'_>,
+        context: ContactLoadContext<'_>,
         narrow_phase: &NarrowPhase,
         tasks: Tasks<'_>,
     ) -> usize {
@@ -132,7 +132,7 @@ impl SolverContacts {
                 }
                 // SAFETY: as above.
                 let block = unsafe { lanes.get_mut(index) };
-                fill(block, layout.block(index), narrow_phase, sources);
+                fill(block, layout.block(index), narrow_phase, context);
                 count += block.point_count();
             }
             point_count.fetch_add(count, Ordering::Relaxed);
@@ -155,7 +155,7 @@ fn fill(
     block: &mut LaneBlock,
     chunk: &[ManifoldRef],
     narrow_phase: &NarrowPhase,
-    ContactSources { bodies, per_point, .. }: ContactSources<'_>,
+    ContactLoadContext { bodies, per_point, .. }: ContactLoadContext<'_>,
 ) {
     if chunk.is_empty() && block.is_empty() {
         return;

@@ -21,7 +21,7 @@ use crate::model::contact::{ContactLanes, ContactReport, LaneBlock, NarrowPhase}
 use crate::model::params::ContactPass;
 use core::ops::Range;
 use core::sync::atomic::{AtomicBool, Ordering};
-pub(super) use load::ContactSources;
+pub(super) use load::ContactLoadContext;
 pub(super) use passes::{solve_friction, values_at};
 pub(super) use prepare::{PrepareContext, prepare};
 pub(super) use store_impulses::store_impulses;
@@ -34,7 +34,7 @@ const BLOCKS_PER_TASK: usize = 8;
 pub(super) struct SolverContacts {
     /// Blocks of one colour are contiguous.
     blocks: Vec<ContactBlock>,
-    /// The lanes of the narrow phase while they are borrowed, else an own set.
+    /// The lanes of the narrow phase while they are borrowed, otherwise a separate set.
     lanes: ContactLanes,
     are_on_loan: bool,
     /// Whether the lanes begin with a reduced fraction of the last impulses.

@@ -44,12 +44,12 @@
 //! reports and break limits get `s λ` and `s μ`. An island whose round has the fraction zero is unchanged,
 //! and would stay unchanged: its impact ends.
 //!
-//! All that holds for one mass matrix `M`. The projected changes are the nearest ones in its metric, that of
-//! the kinetic energy (Moreau, "Unilateral contact and dry friction in finite freedom dynamics", 1988). In
-//! this metric they still separate the contacts that hit. Contacts use the inertias of the start of the step.
-//! If joints used the current ones, the contact of a thin board that has rotated by a radian would approach
-//! faster under any impulse. Rounds then added up to a quarter of the energy, without being detected. So in
-//! impacts joints take the inertias that contacts have.
+//! All that holds for one mass matrix `M`. The projected changes are the nearest ones in its metric, which is
+//! that of the kinetic energy. (Moreau, "Unilateral contact and dry friction in finite freedom dynamics",
+//! 1988.) In this metric they still separate the contacts that hit. Contacts use the inertias of the start of
+//! the step. If joints used the current ones, the contact of a thin board that has rotated by a radian would
+//! approach faster under any impulse. Rounds then added up to a quarter of the energy, without being
+//! detected. So in impacts joints take the inertias that contacts have.
 //!
 //! ## Supported loads
 //! A substep starts with the impulses of the last one, which may be outdated. An impulse that stopped an
@@ -72,8 +72,8 @@
 //! only prevent penetration, and would remove its speed before it arrives.
 //!
 //! ## Friction
-//! Acts once at the end, under all normal impulses of the impact. The velocity changes of an impact are also
-//! added to the velocities "before any impulse" of the substep: they are no warm-start load.
+//! Friction acts once at the end, under all normal impulses of the impact. The velocity changes of an impact
+//! are also added to the velocities "before any impulse" of the substep: they are no warm-start load.
 
 mod impact_islands;
 mod points;
@@ -88,7 +88,7 @@ use super::contacts::{Blocks, SolverContacts};
 use super::context::SolverPass;
 use super::island_sums::IslandSums;
 use super::joints::{Changes, SolverJoints};
-use super::multibodies::{MultibodySources, SolverMultibodies};
+use super::multibodies::{MultibodyContext, SolverMultibodies};
 use crate::base::disjoint::DisjointMut;
 use crate::base::wide::{LANES, Lane};
 use crate::dim::math::Real;
@@ -143,7 +143,7 @@ pub(super) struct ImpactContext<'a> {
     pub joints: &'a mut SolverJoints,
     /// The contacts of links, which take part.
     pub multibodies: &'a mut SolverMultibodies,
-    pub sources: MultibodySources<'a>,
+    pub multibody_context: MultibodyContext<'a>,
     pub pass: &'a SolverPass<'a>,
 }
 
@@ -185,10 +185,10 @@ impl Impacts {
             return;
         }
         let (contacts, pass) = (contacts.blocks(), &context.pass.impacts);
-        let sources = context.sources;
+        let multibody_context = context.multibody_context;
         bodies.swap_before();
         context.multibodies.begin_impact(bodies, pass);
-        context.multibodies.mark_active(sources, bodies, |_| true, pass);
+        context.multibodies.mark_active(multibody_context, bodies, |_| true, pass);
         self.visit_blocks(ImpactPhase::Begin, contacts, bodies, &context);
         let hits = self.marks.iter().any(|mark| mark.active != 0);
         let hits = hits || context.multibodies.active().next().is_some();
@@ -199,7 +199,7 @@ impl Impacts {
                 self.solve_round(held, bodies, &mut context);
                 let impact_islands = &self.islands.impact_islands;
                 let has_iterations = |island: u32| impact_islands[island as usize].iterations > 0;
-                context.multibodies.mark_active(sources, bodies, has_iterations, pass);
+                context.multibodies.mark_active(multibody_context, bodies, has_iterations, pass);
                 self.visit_blocks(ImpactPhase::Mark, contacts, bodies, &context);
             }
         }

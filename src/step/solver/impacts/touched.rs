@@ -6,9 +6,9 @@ use core::ops::Range;
 /// The set is usually small. The states at the start are stored, and compared for these bodies alone.
 #[derive(Default)]
 pub(super) struct Touched {
-    /// Each once; first those that any round may change, wherever it falls.
+    /// The list has no duplicates. The bodies that every round may change come first.
     pub bodies: Vec<u32>,
-    /// The number of these.
+    /// The number of bodies that every round may change.
     always: usize,
     /// Number of this round, from two. One marks bodies that are listed before the first round.
     round: u32,

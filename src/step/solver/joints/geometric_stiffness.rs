@@ -4,9 +4,8 @@
 //! direction. A deflected body swings about its anchor with `ω² = F r / (I + m r²)`. A method with a constant
 //! force direction within a substep, such as the symplectic one, is stable only for `h ω < 2`. Near that
 //! limit, its small errors grow to vibrations of light bodies. The links of a chain under a weight a thousand
-//! times as heavy are near that, and those under more are beyond. (Among the modes of a chain, the fastest
-//! one, with opposite rotations of neighbours, has four times the sum of `ω²` over the two bodies of a
-//! joint.)
+//! times as heavy are near that, and those under more are beyond. (In the fastest mode of a chain, neighbours
+//! rotate in opposite directions. Its `ω²` is four times the sum over the two bodies of a joint.)
 //!
 //! If `(h ω)²`, summed over the two bodies of a joint, exceeds [`STIFFNESS_MAX`], a dissipative method solves
 //! its whole component. It is position-based (Müller et al., "Detailed rigid body simulation with extended
@@ -41,8 +40,9 @@
 //!
 //! ## Selection of the method
 //! The forces of the last substep show whether a component is stiff; then it is projected from the beginning.
-//! A component may become stiff by the forces of the symplectic solution (a weight at the end of a slack
-//! chain), or Newton's steps may diverge. These impulses are rolled back, and the component is projected.
+//! The forces of the symplectic solution may also make a component stiff, as when a weight tightens a slack
+//! chain. Newton's steps may diverge. In both cases the impulses are rolled back, and the component is
+//! projected.
 
 use super::block::JointBlock;
 use super::direct::DirectJoint;

@@ -36,7 +36,7 @@ const JOINTS_PER_TASK: usize = 64;
 
 /// Context for loading joints.
 #[derive(Copy, Clone)]
-pub(in crate::step::solver) struct JointSources<'a> {
+pub(in crate::step::solver) struct JointLoadContext<'a> {
     pub islands: &'a IslandManager,
     pub world: &'a RigidBodySet,
     pub bodies: &'a SolverBodies,
@@ -48,23 +48,23 @@ impl SolverJoints {
     pub fn load(
         &mut self,
         joints: &mut ImpulseJointSet,
-        from: JointSources<'_>,
+        context: JointLoadContext<'_>,
         pass: &JointPass,
         tasks: Tasks<'_>,
     ) {
-        self.find_members(from, tasks);
-        self.direct.build(&self.members, from.bodies.states.len());
+        self.find_members(context, tasks);
+        self.direct.build(&self.members, context.bodies.states.len());
         self.assign_lane_slots();
-        self.fill_blocks(joints, from, pass, tasks);
-        self.note_exact_joints(from.bodies.states.len());
-        self.point_to_point.load(joints, from, pass, tasks);
+        self.fill_blocks(joints, context, pass, tasks);
+        self.note_exact_joints(context.bodies.states.len());
+        self.point_to_point.load(joints, context, pass, tasks);
     }
 
     /// Finds the active joints.
-    fn find_members(&mut self, from: JointSources<'_>, tasks: Tasks<'_>) {
+    fn find_members(&mut self, context: JointLoadContext<'_>, tasks: Tasks<'_>) {
         self.slots.clear();
         self.colors.clear();
-        for (color, list) in from.islands.joint_graph.in_solving_order() {
+        for (color, list) in context.islands.joint_graph.in_solving_order() {
             let first = self.slots.len();
             self.slots.extend_from_slice(list);
             if color == OVERFLOW {
@@ -77,7 +77,7 @@ impl SolverJoints {
         let slots = &self.slots;
         self.members.resize(slots.len(), DirectJoint::NONE);
         tasks.par_fill(&mut self.members, JOINTS_PER_TASK, |index| {
-            from.member(slots[index]).unwrap_or(DirectJoint::NONE)
+            context.member(slots[index]).unwrap_or(DirectJoint::NONE)
         });
         let mut rest = self.members.as_slice();
         for (_, count) in &mut self.colors {
@@ -115,7 +115,7 @@ impl SolverJoints {
     fn fill_blocks(
         &mut self,
         joints: &mut ImpulseJointSet,
-        from: JointSources<'_>,
+        context: JointLoadContext<'_>,
         pass: &JointPass,
         tasks: Tasks<'_>,
     ) {
@@ -142,10 +142,10 @@ impl SolverJoints {
                 (block.first_row, block.row_count) = (place.start, place.len());
                 rows.fill(AxisRow::EMPTY);
                 for (lane, lane_slot) in layout.block(index).iter().enumerate() {
-                    let Some(link) = from.islands.joints.get(lane_slot.slot) else { continue };
+                    let Some(link) = context.islands.joints.get(lane_slot.slot) else { continue };
                     // SAFETY: each joint has one lane slot.
                     let Some(entry) = (unsafe { joints.get_mut(link.handle.0) }) else { continue };
-                    load_lane(block, rows, lane, &mut entry.joint, from, pass);
+                    load_lane(block, rows, lane, &mut entry.joint, context, pass);
                     if direct.contains(lane_slot.slot) {
                         block.solve_exactly(lane, pass.softness.compliance());
                     } else {
@@ -181,7 +181,7 @@ impl SolverJoints {
     }
 }
 
-impl JointSources<'_> {
+impl JointLoadContext<'_> {
     /// The joint in a slot, if it is active.
     fn member(&self, slot: u32) -> Option<DirectJoint> {
         let Self { bodies, links, .. } = self;
@@ -245,7 +245,7 @@ fn load_lane(
     rows: &mut [AxisRow],
     lane: usize,
     joint: &mut ImpulseJoint,
-    JointSources { world, bodies, .. }: JointSources<'_>,
+    JointLoadContext { world, bodies, .. }: JointLoadContext<'_>,
     pass: &JointPass,
 ) {
     let (body1, body2) = (joint.body1(), joint.body2());

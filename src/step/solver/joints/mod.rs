@@ -84,7 +84,7 @@ use crate::model::params::JointPass;
 use block::{AxisRow, JointBlock};
 use direct::{Direct, DirectJoint, ImpactImpulse, JacobianBlock, StiffnessTest};
 use geometric_stiffness::{GeometricStiffness, Moving, have_large_displacement};
-pub(super) use load::JointSources;
+pub(super) use load::JointLoadContext;
 use point_to_point::PointToPointJoints;
 
 /// All joint constraints of a step.

@@ -7,7 +7,8 @@
 use super::impacts::{LinkImpact, LinkImpactRow};
 use super::rows::{ConstrainedStates, JacobianPool, Row};
 use super::sides::{Geometry, Side, normal_of};
-use super::{MultibodySources, SolverMultibodies, solve_unilateral};
+use super::{MultibodyContext, SolverMultibodies, solve_unilateral};
+use crate::dim::contact::PointTangentMass;
 use crate::dim::math::{DIM, MAX_MANIFOLD_POINTS, Real, Vector, tangents};
 use crate::model::constraint_graph::ManifoldRef;
 use crate::model::contact::{ContactManifold, NarrowPhase};
@@ -33,6 +34,7 @@ pub struct Point {
     pub separation: Real,
     pub normal: Row,
     pub tangents: [Row; DIM - 1],
+    tangent_mass: PointTangentMass,
     /// Along each tangent: the velocity that friction brings about (conveyor belts).
     surface: [Real; DIM - 1],
     impulse: Real,
@@ -68,10 +70,10 @@ impl SolverMultibodies {
     pub(super) fn prepare_contacts(
         &mut self,
         manifolds: &[ManifoldRef],
-        sources: MultibodySources<'_>,
+        context: MultibodyContext<'_>,
         bodies: &SolverBodies,
     ) {
-        let MultibodySources { narrow_phase, world, .. } = sources;
+        let MultibodyContext { narrow_phase, world, .. } = context;
         self.contacts.contacts.clear();
         self.moving.iter_mut().for_each(|moving| moving.touches = false);
         // The links of one multibody are coupled by each other's contacts, so the order matters. The order of
@@ -121,11 +123,14 @@ impl SolverMultibodies {
         let fraction = self.fraction_of(sides);
         let points =
             geometry.points.iter().zip(&data.points).map(|(&(position, separation), known)| {
+                let normal = self.row(sides, [position; 2], geometry.normal);
+                let tangents = along.map(|tangent| self.row(sides, [position; 2], tangent));
                 Point {
                     position,
                     separation,
-                    normal: self.row(sides, [position; 2], geometry.normal),
-                    tangents: along.map(|tangent| self.row(sides, [position; 2], tangent)),
+                    normal,
+                    tangents,
+                    tangent_mass: self.jacobians.tangent_mass(&tangents),
                     surface: along.map(|tangent| tangent.dot(data.tangent_velocity)),
                     impulse: known.warmstart_impulse * fraction,
                     friction: known.warmstart_tangent_impulse.map(|impulse| impulse * fraction),
@@ -148,7 +153,7 @@ impl SolverMultibodies {
     pub(super) fn follow_contact(
         &mut self,
         position: usize,
-        MultibodySources { narrow_phase, world, .. }: MultibodySources<'_>,
+        MultibodyContext { narrow_phase, world, .. }: MultibodyContext<'_>,
         bodies: &mut SolverBodies,
     ) {
         let LinkContact { at, first_number, normal, .. } = self.contacts.contacts[position];
@@ -169,6 +174,7 @@ impl SolverMultibodies {
             let places = displacements.map(|displacement| point.position + displacement);
             point.normal = self.row(&sides, places, normal);
             point.tangents = along.map(|tangent| self.row(&sides, places, tangent));
+            point.tangent_mass = self.jacobians.tangent_mass(&point.tangents);
             let states =
                 ConstrainedStates { multibodies: &mut self.moving, states: &mut bodies.states };
             point.separation = separation - self.jacobians.displacement(&point.normal, &states);
@@ -178,18 +184,18 @@ impl SolverMultibodies {
     }
 
     /// Recomputes the rows of contacts of far-rotating links at the current poses.
-    pub fn follow_contacts(&mut self, sources: MultibodySources<'_>, bodies: &mut SolverBodies) {
+    pub fn follow_contacts(&mut self, context: MultibodyContext<'_>, bodies: &mut SolverBodies) {
         if !self.any_turns_far() {
             return;
         }
         for position in 0..self.contacts.contacts.len() {
-            let contacts = &sources.narrow_phase.contacts;
+            let contacts = &context.narrow_phase.contacts;
             let slots = contacts.bodies(self.contacts.contacts[position].at.pair);
             let turns_far =
                 |slot| self.place(slot).is_some_and(|place| self.moving[place.multibody].turns_far);
             if slots.into_iter().any(turns_far) {
                 self.warm_contact(position, bodies, -1.0);
-                self.follow_contact(position, sources, bodies);
+                self.follow_contact(position, context, bodies);
                 self.warm_contact(position, bodies, 1.0);
             }
         }
@@ -274,8 +280,8 @@ impl LinkContacts {
         for contact in &mut self.contacts {
             for point in &mut contact.points {
                 let old = point.friction;
-                let most = contact.friction * point.impulse;
-                let new = point.friction_under(most, old, jacobians, states);
+                let limit = contact.friction * point.impulse;
+                let new = point.friction_within(limit, old, jacobians, states);
                 for k in 0..DIM - 1 {
                     jacobians.push(&point.tangents[k], new[k] - old[k], states);
                 }
@@ -321,23 +327,26 @@ impl Point {
         core::iter::once((&self.normal, self.impulse, 0.0)).chain(along)
     }
 
-    /// The impulses of friction that stop the slip, if they need not be larger than `most`; `old` ones have
-    /// been given already.
-    pub fn friction_under(
+    /// The new impulses of friction, together at most `limit`: see `dim3/contact/tangents.rs`.
+    pub fn friction_within(
         &self,
-        most: Real,
+        limit: Real,
         old: [Real; DIM - 1],
         jacobians: &JacobianPool,
         states: &ConstrainedStates<'_>,
     ) -> [Real; DIM - 1] {
-        let mut new = old;
+        let mut slip = [0.0; DIM - 1];
         for k in 0..DIM - 1 {
-            let row = &self.tangents[k];
-            let slip = jacobians.velocity(row, states) - self.surface[k];
-            new[k] -= slip * row.mass;
+            slip[k] = jacobians.velocity(&self.tangents[k], states) - self.surface[k];
         }
-        let length = new.iter().map(|impulse| impulse * impulse).sum::<Real>().sqrt();
-        if length > most { new.map(|impulse| impulse * (most / length)) } else { new }
+        self.tangent_mass.friction(old, slip, limit)
+    }
+}
+
+impl JacobianPool {
+    fn tangent_mass(&self, tangents: &[Row; DIM - 1]) -> PointTangentMass {
+        let coupling = || self.coupling(&tangents[0], &tangents[DIM - 2]);
+        PointTangentMass::of(tangents.map(|row| row.mass), coupling)
     }
 }
 

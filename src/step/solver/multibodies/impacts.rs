@@ -25,7 +25,7 @@
 
 use super::contacts::{LinkContact, LinkContacts, Point};
 use super::rows::{ConstrainedStates, JacobianPool};
-use super::{Moving, MultibodySources, SolverMultibodies};
+use super::{Moving, MultibodyContext, SolverMultibodies};
 use crate::dim::math::{DIM, Real, SpatialVector};
 use crate::dim::state::BodyState;
 use crate::model::island::NONE;
@@ -174,7 +174,7 @@ impl SolverMultibodies {
     /// other islands need another round.
     pub fn mark_active(
         &mut self,
-        sources: MultibodySources<'_>,
+        context: MultibodyContext<'_>,
         bodies: &mut SolverBodies,
         takes_part: impl Fn(u32) -> bool,
         pass: &ImpactPass,
@@ -198,7 +198,7 @@ impl SolverMultibodies {
             }
             contact.impact.was_active |= contact.impact.active;
         }
-        self.move_to_impact(sources, bodies, pass.substep);
+        self.move_to_impact(context, bodies, pass.substep);
         let (jacobians, contacts, states) = self.bouncing(&mut bodies.states);
         for contact in contacts.bouncing().filter(|contact| contact.impact.active) {
             for Point { normal, impact, .. } in &mut contact.points {
@@ -215,7 +215,7 @@ impl SolverMultibodies {
     /// Moves the hit multibodies to the time of their impact, and makes the impact rows there.
     fn move_to_impact(
         &mut self,
-        sources: MultibodySources<'_>,
+        context: MultibodyContext<'_>,
         bodies: &mut SolverBodies,
         h: Real,
     ) {
@@ -227,7 +227,7 @@ impl SolverMultibodies {
         }
         for position in 0..self.contacts.contacts.len() {
             if self.contacts.contacts[position].impact.active {
-                self.follow_contact(position, sources, bodies);
+                self.follow_contact(position, context, bodies);
             }
         }
     }
@@ -292,9 +292,9 @@ impl SolverMultibodies {
         for contact in contacts.bouncing().filter(|contact| contact.impact.was_active) {
             for point in contact.points.iter_mut().filter(|point| point.impact.given > 0.0) {
                 point.total += point.impact.given;
-                let most = contact.friction * point.impact.given;
+                let limit = contact.friction * point.impact.given;
                 let none = [0.0; DIM - 1];
-                let friction_impulses = point.friction_under(most, none, jacobians, &states);
+                let friction_impulses = point.friction_within(limit, none, jacobians, &states);
                 for (row, impulse) in point.tangents.iter().zip(friction_impulses) {
                     jacobians.apply_impact(row, impulse, &mut states);
                 }

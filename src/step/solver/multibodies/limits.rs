@@ -11,10 +11,10 @@
 //! velocity)/(h k + d)` and `γ = 1/(h (h k + d))` it gives `Δλ = -(q̇ - v + γ λ)/(K + γ)`. Motors without a
 //! largest force are no rows: see `load.rs`.
 //!
-//! `q` is a coordinate; of a ball in a socket an angle as `dim3/joint/mod.rs` has it, and the row its
-//! gradient. It rotates with the ball, and a body that moves on a cone would leave it along a tangent. Rows
-//! of angles within [`LIMIT_DISTANCE_MAX`] of a limit are made in each substep, and include the curvature, as
-//! those of impulse joints do (`joints/substep_end.rs`).
+//! `q` is a coordinate. For a ball joint it is an angle as in `dim3/joint/mod.rs`, and the row is its
+//! gradient. The row rotates with the ball, and a body that moves on a cone would leave it along a tangent.
+//! Rows of angles within [`LIMIT_DISTANCE_MAX`] of a limit are therefore built in each substep. They include
+//! the curvature, as rows of impulse joints do (`joints/substep_end.rs`).
 
 use super::rows::{ConstrainedStates, JacobianPool, Part, Row};
 use super::{Moving, solve_unilateral};

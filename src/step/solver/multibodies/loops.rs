@@ -18,7 +18,7 @@ use super::limits::Owner;
 use super::load::scale_impulses;
 use super::rows::{ConstrainedStates, JacobianPool, Row};
 use super::sides::Side;
-use super::{MultibodySources, SolverMultibodies};
+use super::{MultibodyContext, SolverMultibodies};
 use crate::base::square::SquareMatrix;
 use crate::dim::joint::{FreeRotations, angle_about};
 use crate::dim::joint_axes::{JointAxesMask, JointAxis};
@@ -91,11 +91,11 @@ impl SolverMultibodies {
     /// Makes constraints of the joints that were left out of the lanes.
     pub(super) fn prepare_loops(
         &mut self,
-        sources: MultibodySources<'_>,
+        context: MultibodyContext<'_>,
         bodies: &SolverBodies,
         pass: &JointPass,
     ) {
-        let MultibodySources { islands, joints, world, .. } = sources;
+        let MultibodyContext { islands, joints, world, .. } = context;
         self.loops.loops.clear();
         if self.moving.is_empty() {
             return;
@@ -127,7 +127,7 @@ impl SolverMultibodies {
     /// Makes the rows of the locked axes. They must be the last ones.
     pub(super) fn lock_loops(
         &mut self,
-        MultibodySources { joints, world, .. }: MultibodySources<'_>,
+        MultibodyContext { joints, world, .. }: MultibodyContext<'_>,
         bodies: &mut SolverBodies,
     ) {
         self.loops.first_number = self.jacobians.len();

@@ -108,9 +108,9 @@ pub(super) struct SolverMultibodies {
     contacts: LinkContacts,
 }
 
-/// Input for making constraints.
+/// Context of the constraints of links.
 #[derive(Copy, Clone)]
-pub(super) struct MultibodySources<'a> {
+pub(super) struct MultibodyContext<'a> {
     pub narrow_phase: &'a NarrowPhase,
     pub islands: &'a IslandManager,
     pub joints: &'a ImpulseJointSet,
@@ -164,16 +164,16 @@ impl SolverMultibodies {
     pub fn prepare(
         &mut self,
         manifolds: &[ManifoldRef],
-        sources: MultibodySources<'_>,
+        context: MultibodyContext<'_>,
         bodies: &mut SolverBodies,
         pass: &SolverPass<'_>,
     ) {
         self.jacobians.clear();
         self.joints.prepare(&mut self.jacobians, &mut self.moving, pass.substep);
         self.gears.prepare(&mut self.jacobians, &mut self.moving, pass.joints.softness);
-        self.prepare_loops(sources, bodies, &pass.joints);
-        self.prepare_contacts(manifolds, sources, bodies);
-        self.lock_loops(sources, bodies);
+        self.prepare_loops(context, bodies, &pass.joints);
+        self.prepare_contacts(manifolds, context, bodies);
+        self.lock_loops(context, bodies);
     }
 
     /// Applies the last step's impulses to all multibodies.
@@ -190,12 +190,12 @@ impl SolverMultibodies {
     pub fn integrate_velocities(
         &mut self,
         is_first: bool,
-        sources: MultibodySources<'_>,
+        context: MultibodyContext<'_>,
         bodies: &mut SolverBodies,
         pass: &SolverPass<'_>,
     ) {
         if !is_first {
-            self.follow_loops(sources.world, bodies);
+            self.follow_loops(context.world, bodies);
         }
         let &SolverPass { params, substep, .. } = pass;
         let (warm_start_coefficient, speed_max) =
@@ -216,7 +216,7 @@ impl SolverMultibodies {
     /// Moves all links by their velocities, and updates the rows that this changes.
     pub fn integrate_positions(
         &mut self,
-        sources: MultibodySources<'_>,
+        context: MultibodyContext<'_>,
         bodies: &mut SolverBodies,
         pass: &SolverPass<'_>,
     ) {
@@ -225,7 +225,7 @@ impl SolverMultibodies {
         let mut states =
             ConstrainedStates { multibodies: &mut self.moving, states: &mut bodies.states };
         self.joints.follow_balls(&mut self.jacobians, &mut states);
-        self.follow_contacts(sources, bodies);
+        self.follow_contacts(context, bodies);
     }
 
     /// Solves all constraints once, with bias.
@@ -248,8 +248,8 @@ impl SolverMultibodies {
         }
     }
 
-    /// Removes the energy that the impulses of a substep added to multibodies. Excluded is the work of
-    /// motors, of loop joints and of moving bodies and surfaces.
+    /// Removes the energy that the impulses of a substep added to multibodies. The work of motors, loop
+    /// joints, moving bodies and moving surfaces is excluded.
     fn limit_energy(&mut self, states: &mut [BodyState]) {
         for moving in &mut self.moving {
             moving.has_gained = moving.motion.exceeds(moving.energy);

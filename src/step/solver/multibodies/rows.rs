@@ -7,8 +7,8 @@
 //!
 //! `J` and `W` are lists with one number per degree of freedom, computed once a step in time proportional to
 //! the number of links. (Moment arms and inertias of contacts are frozen during a step; multibodies that
-//! rotate far are updated in each substep.) An iteration is a product of two lists over the span where `J` is
-//! not zero (one number for a limit), and one addition if the impulse changes.
+//! rotate far are updated in each substep.) An iteration multiplies two lists over the span where `J` is not
+//! zero, which is one number for a limit. If the impulse changes, it also adds a multiple of `W`.
 
 use super::Moving;
 use crate::dim::math::{Real, SPATIAL_DIM, SpatialVector};

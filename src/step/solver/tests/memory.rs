@@ -137,7 +137,7 @@ fn coarse(vector: Vector) -> Vector {
 /// The same scene at the origin and far away. Centres and points need no rounding in either place. Moment
 /// arms would, if they were computed from points in the world.
 #[test]
-fn levers_keep_their_digits_far_from_the_origin() {
+fn moment_arms_keep_their_digits_far_from_the_origin() {
     let mut random = Random(25);
     let far = Vector::splat(10_000.0);
     for kind in 0..3 {
@@ -269,12 +269,12 @@ fn contacts_that_are_not_frozen_equal_contacts_transformed_now() {
 }
 
 #[test]
-fn held_contacts_keep_their_levers_and_follow_with_their_separations() {
+fn frozen_anchors_keep_their_moment_arms_and_update_their_separations() {
     let mut random = Random(29);
     for _ in 0..50 {
         let moved = Moved::random(&mut random);
-        let held = Contact { frozen_angle: 2.0, ..moved.anchored.clone() };
-        let mut anchored = Scene::new(moved.before, &held);
+        let frozen = Contact { frozen_angle: 2.0, ..moved.anchored.clone() };
+        let mut anchored = Scene::new(moved.before, &frozen);
         anchored.prepare();
         let found = moved.prepared(2.0);
         for (k, &(point, separation)) in moved.anchored.points.iter().enumerate() {

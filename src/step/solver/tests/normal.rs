@@ -299,7 +299,7 @@ fn a_dominant_body_is_not_moved() {
 /// A body on a rail along x touches a slope. Friction and the normal row act on the same coordinate, and each
 /// must include the effect of the other.
 #[test]
-fn rows_of_a_locked_body_see_each_other() {
+fn rows_of_a_locked_body_are_coupled() {
     let normal = (Vector::X + Vector::Y).normalize();
     let rail = Body { inv_mass: Vector::X, linvel: -Vector::X, ..Body::block() };
     let mut scene = Scene::new([None, Some(rail)], &Contact::at(normal, &[-normal]).rough(2.0));

@@ -59,7 +59,7 @@ fn assert_ang_near(found: math::AngVector, expected: math::AngVector) {
 }
 
 #[test]
-fn lanes_compute_what_single_bodies_do() {
+fn lanes_equal_single_bodies() {
     let mut probe = Probe::default();
     for lane in 0..LANES {
         let (a, b, Body { angvel: w, inv_inertia: inertia, rotation, .. }) = inputs(lane);

@@ -35,7 +35,8 @@ fn has_cone_or_nothing(joint: &GenericJoint) -> bool {
 }
 
 fn create_hinge(world: b3WorldId, bodies: [b3BodyId; 2], joint: &GenericJoint) {
-    // SAFETY: plain values in, plain values out; the definition outlives the call, world and bodies are live.
+    // SAFETY: the calls take and return plain values. The definition outlives them. The world and the bodies
+    // are live.
     unsafe {
         let mut definition = b3DefaultRevoluteJointDef();
         fill_base(&mut definition.base, bodies, joint);

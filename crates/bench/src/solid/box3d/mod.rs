@@ -99,14 +99,14 @@ impl Engine for Box3d<'_> {
         if radius.is_some() {
             return None;
         }
-        // SAFETY: returns plain values.
+        // SAFETY: the call returns plain values.
         let filter = unsafe { b3DefaultQueryFilter() };
         let hits =
             probes.origins.iter().zip(&probes.directions).filter(|&(&origin, &direction)| {
-                let (origin, way) =
+                let (origin, translation) =
                     (vector(vector_of(origin)), vector(vector_of(direction) * probes.reach));
                 // SAFETY: the world is live, all other arguments are values.
-                unsafe { b3World_CastRayClosest(self.world.0, origin, way, filter) }.hit
+                unsafe { b3World_CastRayClosest(self.world.0, origin, translation, filter) }.hit
             });
         Some(hits.count())
     }
@@ -121,7 +121,7 @@ impl Engine for Box3d<'_> {
 }
 
 fn create_world(template: &Template, threads: usize) -> World {
-    // SAFETY: plain values in, plain values out; the definition outlives the call.
+    // SAFETY: the calls take and return plain values; the definition outlives them.
     unsafe {
         let mut definition = b3DefaultWorldDef();
         definition.gravity = vector(template.world.gravity);
@@ -137,7 +137,7 @@ fn create_world(template: &Template, threads: usize) -> World {
 fn create_body(world: &World, body: &RigidBody, may_sleep: bool) -> Result<b3BodyId, Unsupported> {
     box_engines::check_body(body)?;
     let axes = body.locked_axes();
-    // SAFETY: plain values in, plain values out; the definition outlives the call.
+    // SAFETY: the calls take and return plain values; the definition outlives them.
     unsafe {
         let mut definition = b3DefaultBodyDef();
         definition.type_ = match body.body_type() {
@@ -285,7 +285,7 @@ fn create_mesh(
 fn shape_definition(collider: &Collider) -> Result<b3ShapeDef, Unsupported> {
     box_engines::check_collider(collider)?;
     let groups = collider.collision_groups();
-    // SAFETY: returns plain values.
+    // SAFETY: the call returns plain values.
     let mut definition = unsafe { b3DefaultShapeDef() };
     definition.density = box_engines::density(collider);
     definition.baseMaterial.friction = collider.friction();
@@ -298,7 +298,7 @@ fn shape_definition(collider: &Collider) -> Result<b3ShapeDef, Unsupported> {
 
 /// Returns whether the body is dynamic and awake.
 fn is_awake(body: b3BodyId) -> bool {
-    // SAFETY: the body is live; plain values out.
+    // SAFETY: the body is live; the calls return plain values.
     unsafe { b3Body_GetType(body) == b3BodyType_b3_dynamicBody && b3Body_IsAwake(body) }
 }
 
@@ -325,14 +325,14 @@ fn count_contacts(body: b3BodyId) -> (usize, usize) {
 }
 
 fn pose(body: b3BodyId) -> Pose {
-    // SAFETY: the body is live; plain values out.
+    // SAFETY: the body is live; the calls return plain values.
     let (p, q) = unsafe { (b3Body_GetPosition(body), b3Body_GetRotation(body)) };
     let rotation = Rotation::from_xyzw(q.v.x, q.v.y, q.v.z, q.s);
     Pose::from_parts(Vector::new(p.x, p.y, p.z), rotation)
 }
 
 fn kinetic_energy(body: b3BodyId) -> f64 {
-    // SAFETY: the body is live; plain values in, plain values out.
+    // SAFETY: the body is live; the calls take and return plain values.
     let (kind, mass, inertia, linear, angular, rotation) = unsafe {
         (
             b3Body_GetType(body),

@@ -118,7 +118,7 @@ fn cage(world: &mut PhysicsWorld, choices: &mut Choices<'_>) -> Tally {
             let at = world.bodies[ball].translation();
             let seen = world.bodies[cage.body].position().inverse_transform_point(at);
             let is_inside = seen.abs().max_element() < CAGE + 2.0 * HALF_THICKNESS;
-            assert!(is_inside, "a ball left the cage: it is at {seen} of it");
+            assert!(is_inside, "a ball left the cage: its position there is {seen}");
         }
     }
     tally

@@ -57,7 +57,7 @@ impl Factor {
         of_matrix!(self, matrix => unsafe { matrix.solve(component, again, memory, states, simd) });
     }
 
-    /// See [`Matrix::has_converged`].
+    /// Returns whether the component has converged: see [`Matrix::has_converged`].
     pub fn has_converged(&mut self, component: Component<'_>, memory: &[JacobianBlock]) -> bool {
         of_matrix!(self, matrix => matrix.has_converged(component, memory))
     }

@@ -28,8 +28,8 @@
 //! goes away. For `a ≫ δ` it is `b/a`: well-determined rows have an error of `δ D λ` in velocity, which is
 //! rounding. (The first solution alone leaves `b/δ` for `a = 0`. With `δ` large enough to make that small,
 //! bridges sag.) The idea is the reverse of the proximal method (Rockafellar, "Monotone operators and the
-//! proximal point algorithm", 1976): its steps lead from the last impulses to the solution, these from the
-//! solution to zero.
+//! proximal point algorithm", 1976). Its steps lead from the last impulses to the solution. The steps here
+//! lead from the solution to zero.
 
 use super::dense::{Block, Column, add, divide_right, dot, factorise, zero};
 use super::jacobians::{Rows, compliance_of, couple, locked_axes};
@@ -342,7 +342,10 @@ impl<const N: usize> Matrix<N> {
     }
 
     /// Subtracts the effect of the elimination of the column `at` from the block of two of its rows.
-    #[expect(clippy::expect_used, reason = "the pattern is ours, and closed under elimination")]
+    #[expect(
+        clippy::expect_used,
+        reason = "the engine makes the pattern, which is closed under elimination"
+    )]
     #[inline(always)]
     fn update(&mut self, component: Component<'_>, at: usize, first: usize, second: usize) {
         let column = &component.columns[at];

@@ -1,10 +1,10 @@
 //! Elimination order of the joints of loops.
 //!
 //! The elimination of a joint couples all its neighbours. The next joint is therefore one with the fewest
-//! remaining couplings: minimum degree (Tinney and Walkup, "Direct solutions of sparse network equations by
-//! optimally ordered triangular factorization", 1967; George and Liu, "The evolution of the minimum degree
-//! ordering algorithm", 1989). The joints of a limb precede the joints that connect a dozen limbs to their
-//! hub. The first one in the given order is taken among equals: the result is independent of hashes and
+//! remaining couplings: the order of minimum degree. (Tinney and Walkup, "Direct solutions of sparse network
+//! equations by optimally ordered triangular factorization", 1967. George and Liu, "The evolution of the
+//! minimum degree ordering algorithm", 1989.) The joints of a limb precede the joints that connect a dozen
+//! limbs to their hub. The given order decides between equals, so the result is independent of hashes and
 //! addresses.
 //!
 //! Components are small, so the remaining graph is stored directly, as a sorted list for each joint.

@@ -345,8 +345,8 @@ impl Search {
 /// Finds the blocks of each column, with those that elimination adds. Returns whether elimination takes at
 /// most `work` products of blocks.
 ///
-/// When a column is eliminated, its blocks are added to the column of the first of them (George and Liu,
-/// "Computer Solution of Large Sparse Positive Definite Systems", 1981).
+/// When a column is eliminated, its blocks are added to the column of the first of them. (George and Liu,
+/// "Computer Solution of Large Sparse Positive Definite Systems", 1981.)
 fn fill(columns: &mut [Vec<u32>], neighbours: impl Fn(usize, &mut Vec<u32>), work: usize) -> bool {
     let mut done = 0;
     for at in 0..columns.len() {

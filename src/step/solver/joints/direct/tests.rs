@@ -122,7 +122,7 @@ fn rows(lane: usize, numbers: &mut Numbers) -> JacobianBlock {
 const ROUNDING: f64 = 1.0e3 * Real::EPSILON as f64;
 
 /// The same for loops, with the error of their damping: 10⁻⁸, times impulses of up to a hundred.
-const DAMPED: f64 = ROUNDING + 1.0e-6;
+const DAMPED_ERROR_MAX: f64 = ROUNDING + 1.0e-6;
 
 /// A chain that hangs on a fixed body and forks in its middle.
 const TREE: [[u32; 2]; 9] =
@@ -142,7 +142,7 @@ fn loops_are_solved() {
         [[FIXED, 1], [1, 2], [2, 3], [3, 4], [5, 6], [6, 7], [7, 8], [1, 5], [2, 6], [4, 8]];
     // Eight bodies have twice as many axes as these joints lock.
     let found = Net::new(&ladder, |slot| if slot % 2 == 0 { 1 } else { 2 }).solve();
-    assert!(found < DAMPED, "{found}");
+    assert!(found < DAMPED_ERROR_MAX, "{found}");
 }
 
 #[test]
@@ -167,7 +167,7 @@ fn redundant_constraints_are_removed() {
         }
     }
     let found = net.solve();
-    assert!(found < DAMPED, "{found}");
+    assert!(found < DAMPED_ERROR_MAX, "{found}");
 }
 
 /// Identical joints carry equal loads.
@@ -183,7 +183,7 @@ fn redundant_constraints_share_the_load() {
             }
         }
     }
-    assert!(net.solve() < DAMPED);
+    assert!(net.solve() < DAMPED_ERROR_MAX);
     for axis in 0..SPATIAL_DIM {
         let changes = [0, 1, 2].map(|copy| net.memory[copy].changes[axis].0[copy]);
         let (most, least) = (changes.map(Real::abs).into_iter().fold(0.0, Real::max), 1.0e-4);
@@ -208,8 +208,8 @@ fn trees_get_no_blocks_but_their_own() {
 }
 
 /// A dozen limbs of four joints, each a loop from a hub to a light wheel. The joints at these two are
-/// coupled, 24 at each. Legs first costs a few blocks for each of their joints; from the hub on, nearly all
-/// would be coupled with all.
+/// coupled, 24 at each. Elimination of the legs first costs a few blocks for each of their joints.
+/// Elimination from the hub on would couple nearly all joints with all.
 #[test]
 fn legs_go_before_their_hubs() {
     const LEGS: u32 = 12;
@@ -222,8 +222,8 @@ fn legs_go_before_their_hubs() {
     let pattern = Net::new(&joints, |_| ALL).pattern();
     assert_eq!(pattern.component_count(), 1);
     let blocks: usize = pattern.component(0).columns.iter().map(Vec::len).sum();
-    // Two hubs with `2 * LEGS + 1` joints each: had all of these to be coupled with all, half the square of
-    // twice that. The joints of the limbs have a handful each.
+    // Each of the two hubs has `2 * LEGS + 1` joints. A full coupling of all of them would take half the
+    // square of their number. The joints of the limbs take a few blocks each.
     let (at_hubs, of_legs) = (2 * (2 * LEGS as usize + 1), 6 * LEGS as usize);
     assert!(blocks < at_hubs * at_hubs / 2 + 4 * of_legs, "{blocks}");
 }

@@ -20,7 +20,7 @@ mod load;
 mod store;
 
 use super::BLOCKS_PER_TASK;
-use super::load::JointSources;
+use super::load::JointLoadContext;
 use crate::base::disjoint::DisjointMut;
 use crate::base::tasks::Tasks;
 use crate::base::wide::Simd;
@@ -70,11 +70,11 @@ impl PointToPointJoints {
     pub fn load(
         &mut self,
         joints: &ImpulseJointSet,
-        from: JointSources<'_>,
+        context: JointLoadContext<'_>,
         pass: &JointPass,
         tasks: Tasks<'_>,
     ) {
-        let JointSources { islands, world, bodies, .. } = from;
+        let JointLoadContext { islands, world, bodies, .. } = context;
         let layout = &self.layout;
         self.blocks.resize(layout.block_count(), PointToPointBlock::EMPTY);
         tasks.par_fill(&mut self.blocks, FILLED_PER_TASK, |index| {

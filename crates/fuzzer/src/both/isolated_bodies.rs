@@ -4,7 +4,7 @@
 //! on them, so the laws of motion keep them at rest in steps of any length.
 
 use super::dim::cuboid;
-use super::groups::BYSTANDERS;
+use super::groups::ISOLATED;
 use super::rapier::prelude::*;
 
 /// Coordinate of the bodies along all axes.
@@ -13,7 +13,7 @@ const PLACE: Real = 64.0;
 const MARK: u128 = 0x0b57;
 
 /// The two bodies and their initial poses.
-pub struct Bystanders {
+pub struct IsolatedBodies {
     pub bodies: [RigidBodyHandle; 2],
     pub colliders: [ColliderHandle; 2],
     poses: [Pose; 2],
@@ -22,16 +22,16 @@ pub struct Bystanders {
     were_attached: bool,
 }
 
-impl Bystanders {
+impl IsolatedBodies {
     pub fn new(world: &mut PhysicsWorld) -> Self {
-        let own = InteractionGroups::new(BYSTANDERS, BYSTANDERS);
-        let mut stand = |height: Real| {
+        let own = InteractionGroups::new(ISOLATED, ISOLATED);
+        let mut insert = |height: Real| {
             let body =
                 RigidBodyBuilder::dynamic().translation(Vector::ONE * PLACE + Vector::Y * height);
             let body = body.gravity_scale(0.0).user_data(MARK);
             world.insert(body, cuboid(0.5).collision_groups(own).user_data(MARK))
         };
-        let ((body1, collider1), (body2, collider2)) = (stand(0.0), stand(1.0));
+        let ((body1, collider1), (body2, collider2)) = (insert(0.0), insert(1.0));
         let bodies = [body1, body2];
         let poses = bodies.map(|body| *world.bodies[body].position());
         Self { bodies, colliders: [collider1, collider2], poses, were_attached: false }
@@ -40,8 +40,8 @@ impl Bystanders {
     /// Records whether another collider or a joint is attached to one of them.
     ///
     /// New worlds reuse the same handles. An exchange of a whole set can attach another world's colliders and
-    /// joints to the bystanders. Callers invoke this before a step, which may break joints, and after it,
-    /// with all sets updated.
+    /// joints to the isolated bodies. Callers invoke this before a step, which may break joints, and after
+    /// it, with all sets updated.
     pub fn note_attachments(&mut self, world: &PhysicsWorld) {
         self.were_attached |= self.bodies.iter().any(|&handle| is_attached(world, handle));
     }
@@ -53,7 +53,7 @@ impl Bystanders {
             return;
         }
         for (handle, pose) in self.bodies.iter().zip(&self.poses) {
-            let Some(body) = bystander(world, *handle) else { continue };
+            let Some(body) = isolated_body(world, *handle) else { continue };
             assert!(
                 body.position() == pose && body.vels().is_zero(),
                 "isolated body {handle:?} moved from {pose:?} to {:?}",
@@ -64,16 +64,16 @@ impl Bystanders {
 }
 
 /// Returns the body with this handle, unless it belongs to another world.
-fn bystander(world: &PhysicsWorld, handle: RigidBodyHandle) -> Option<&RigidBody> {
+fn isolated_body(world: &PhysicsWorld, handle: RigidBodyHandle) -> Option<&RigidBody> {
     world.bodies.get(handle).filter(|body| body.user_data == MARK)
 }
 
-/// Returns whether a joint or another collider is attached to a bystander.
+/// Returns whether a joint or another collider is attached to an isolated body.
 fn is_attached(world: &PhysicsWorld, handle: RigidBodyHandle) -> bool {
     let is_own = |&collider: &_| {
         world.colliders.get(collider).is_some_and(|collider| collider.user_data == MARK)
     };
-    bystander(world, handle).is_some_and(|body| {
+    isolated_body(world, handle).is_some_and(|body| {
         !body.colliders().iter().all(is_own)
             || world.impulse_joints.attached_joints(handle).next().is_some()
             || world.multibody_joints.attached_bodies(handle).next().is_some()

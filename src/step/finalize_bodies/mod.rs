@@ -1,4 +1,4 @@
-//! # Advance: colliders, boxes and sleep timers follow the bodies
+//! # Finalize bodies: colliders, boxes and sleep timers follow the bodies
 //!
 //! Reads:   poses of awake bodies, bounds on their motion
 //! Writes:  poses and boxes of their colliders, sleep timers; notes of bodies that may sleep
@@ -16,12 +16,12 @@ use crate::model::body::{RigidBody, RigidBodySet};
 use crate::model::collider::{Collider, ColliderHandle, ColliderSet};
 use crate::model::island::IslandManager;
 use crate::model::params::IntegrationParameters;
-use crate::model::tree::{BroadPhaseBvh, MovedProxy, carry};
+use crate::model::tree::{BroadPhaseBvh, MovedProxy, update_moved_proxy};
 use sleep_timer::update_sleep_timer;
 
 /// Buffers that are reused from step to step.
 #[derive(Default)]
-pub(crate) struct AdvanceScratch {
+pub(crate) struct FinalizeScratch {
     /// Colliders whose trees must be updated.
     moved: Vec<MovedCollider>,
     gather: Gather<MovedCollider>,
@@ -30,8 +30,8 @@ pub(crate) struct AdvanceScratch {
 /// A collider that is not in its box any more, or has none.
 type MovedCollider = (ColliderHandle, MovedProxy);
 
-/// Context of the advance.
-pub(crate) struct AdvanceContext<'a> {
+/// Context of the stage.
+pub(crate) struct FinalizeContext<'a> {
     pub tasks: Tasks<'a>,
     pub params: &'a IntegrationParameters,
     pub bodies: &'a mut RigidBodySet,
@@ -41,12 +41,12 @@ pub(crate) struct AdvanceContext<'a> {
 }
 
 /// Updates colliders, boxes and sleep timers of the awake bodies, and notes the bodies that may sleep.
-pub(crate) fn advance(
-    context: AdvanceContext<'_>,
-    AdvanceScratch { moved, gather }: &mut AdvanceScratch,
+pub(crate) fn finalize_bodies(
+    context: FinalizeContext<'_>,
+    FinalizeScratch { moved, gather }: &mut FinalizeScratch,
     sleepy: &mut Vec<bool>,
 ) {
-    let AdvanceContext { tasks, params, bodies, colliders, islands, tree } = context;
+    let FinalizeContext { tasks, params, bodies, colliders, islands, tree } = context;
     let awake = &*islands.awake;
     moved.clear();
     sleepy.clear();
@@ -60,17 +60,17 @@ pub(crate) fn advance(
             // SAFETY: each position is one body's.
             unsafe { *sleepy.get_mut(position) = may_sleep };
             if motion > 0.0 {
-                // SAFETY: each collider has one body, and each body a place.
-                unsafe { carry_colliders(body, motion, &all_colliders, params, left) };
+                // SAFETY: each collider has one body, and each body has one position.
+                unsafe { update_colliders(body, motion, &all_colliders, params, left) };
             }
         };
     // SAFETY: the list names each body once.
     unsafe { bodies.visit_gathering(awake, tasks, gather, follow_body, moved) };
-    for (index, (handle, carried)) in moved.iter().enumerate() {
-        if let Some((later, MovedProxy::Leaves(kind, _))) = moved.get(index + PREFETCH_DISTANCE) {
+    for (index, (handle, moved_proxy)) in moved.iter().enumerate() {
+        if let Some((later, MovedProxy::LeftBox(kind, _))) = moved.get(index + PREFETCH_DISTANCE) {
             tree.prefetch(*later, *kind);
         }
-        follow(*handle, carried, bodies, colliders, tree, params);
+        follow(*handle, moved_proxy, bodies, colliders, tree, params);
     }
 }
 
@@ -78,7 +78,7 @@ pub(crate) fn advance(
 ///
 /// # Safety
 /// The caller has exclusive access to the colliders of the body.
-unsafe fn carry_colliders(
+unsafe fn update_colliders(
     body: &RigidBody,
     motion: Real,
     colliders: &SharedArena<'_, Collider>,
@@ -92,7 +92,9 @@ unsafe fn carry_colliders(
         collider.pose = body.pose * parent.pos_wrt_parent;
         collider.proxy.clearance -= motion;
         if collider.proxy.clearance < 0.0 {
-            left.extend(carry(collider, body, params).map(|carried| (handle, carried)));
+            left.extend(
+                update_moved_proxy(collider, body, params).map(|moved_proxy| (handle, moved_proxy)),
+            );
         }
     }
 }
@@ -100,14 +102,14 @@ unsafe fn carry_colliders(
 /// Inserts or updates a collider in the trees.
 fn follow(
     handle: ColliderHandle,
-    carried: &MovedProxy,
+    moved_proxy: &MovedProxy,
     bodies: &RigidBodySet,
     colliders: &mut ColliderSet,
     tree: &mut BroadPhaseBvh,
     params: &IntegrationParameters,
 ) {
-    let is_elsewhere = match carried {
-        MovedProxy::Leaves(kind, aabb) => {
+    let is_elsewhere = match moved_proxy {
+        MovedProxy::LeftBox(kind, aabb) => {
             tree.put(handle, *kind, aabb);
             true
         }
