@@ -56,7 +56,7 @@ pub(crate) fn describe_colliders(
     hierarchy: Hierarchy,
     mut commands: Commands,
 ) {
-    world.pending.colliders.extend_sorted(&edited);
+    world.pending.colliders.extend_sorted(edited);
     for entity in world.pending.colliders.take() {
         let Ok((description, mut state)) = colliders.get_mut(entity) else {
             continue;

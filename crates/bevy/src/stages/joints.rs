@@ -15,7 +15,7 @@ pub(crate) fn sync_joints(
     edited: Query<Entity, Changed<Joint>>,
     mut commands: Commands,
 ) {
-    world.pending.joints.extend_sorted(&edited);
+    world.pending.joints.extend_sorted(edited);
     for entity in world.pending.joints.take() {
         let Ok(joint) = joints.get(entity) else {
             continue;
