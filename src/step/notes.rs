@@ -36,9 +36,16 @@ pub(crate) struct FastMotion {
     pub acceleration: Vector,
     /// For a link: index of the multibody in `trajectories`, and of the link in it.
     pub link: Option<(usize, usize)>,
+    /// Its path was blocked at the beginning: its centre stays in this step, and it rotates only.
+    pub is_blocked: bool,
 }
 
 impl FastMotion {
+    /// Displacement of the centre of mass on the path that CCD searches.
+    pub fn path_shift(&self) -> Vector {
+        if self.is_blocked { Vector::ZERO } else { self.shift }
+    }
+
     /// Returns whether a body is fast that moved by at most `bound`. A body without interior (thickness 0) is
     /// fast if it moved farther than the prediction distance. A deeply penetrating body is fast if it moved
     /// at all. No body is fast if CCD is off.
@@ -154,6 +161,7 @@ mod tests {
             rotvec: ANG_ZERO,
             acceleration: Vector::X * acceleration,
             link: None,
+            is_blocked: false,
         }
     }
 

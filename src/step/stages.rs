@@ -219,7 +219,7 @@ impl Step<'_> {
             counters.toi_computation_time.measure(|| {
                 self.panic.hold(|| {
                     ccd::add_approached(context, approaches, fast);
-                    ccd::find_impacts(self.tasks, CcdContext { fast, ..context }, scratch);
+                    ccd::find_impacts(self.tasks, context, fast, scratch);
                 })
             });
             let dt = params.dt;

@@ -309,9 +309,9 @@ fn impact_of_parts(
                 let shallow = Body::core(own_shape, widths, PENETRATION_FRACTION_MAX)?;
                 let goal = Goal::new(0.0, goal_of_whole.tolerance, true);
                 Some(match advance([&shallow, &other], sweeps, goal, latest) {
-                    Meeting::At(fraction) => fraction,
+                    Meeting::At(fraction) if fraction > 0.0 => fraction,
                     Meeting::Never => latest,
-                    Meeting::FromTheBeginning => REMAINING_FRACTION * latest,
+                    Meeting::At(_) | Meeting::FromTheBeginning => REMAINING_FRACTION * latest,
                 })
             }
         },
@@ -379,6 +379,8 @@ fn advance(
         last_normal = normal;
         let across = poses[0].rotation * normal;
         let nearing = (sweeps[0].velocity(fraction) - sweeps[1].velocity(fraction)).dot(across);
+        let closing =
+            nearing + turning(sweeps.map(|sweep| sweep.segment(fraction).angle()), reaches);
         if dist <= goal.gap + goal.tolerance {
             if fraction > goal.from {
                 return Meeting::At(fraction);
@@ -387,16 +389,18 @@ fn advance(
             if !may_come_nearer {
                 return Meeting::FromTheBeginning;
             }
-            if dist - goal.gap < GAP_FRACTION_MIN * goal.tolerance && nearing > 0.0 {
-                return Meeting::At(goal.from);
+            let half = 0.5 * (dist - goal.gap);
+            if half < 0.5 * GAP_FRACTION_MIN * goal.tolerance && nearing > 0.0 {
+                let soon = (fraction + half / closing).min(until);
+                if comes_nearer(bodies, sweeps, soon, (normal, dist)) {
+                    return Meeting::At(goal.from);
+                }
             }
-            goal.tolerance = 0.5 * (dist - goal.gap);
+            goal.tolerance = half;
         } else if dist > goal.gap + tolerance {
             // It has left the initially near part, and may be stopped early again.
             goal.tolerance = tolerance;
         }
-        let closing =
-            nearing + turning(sweeps.map(|sweep| sweep.segment(fraction).angle()), reaches);
         // The distance is less than contact: closest points of touching shapes are not always found.
         let next = fraction + (dist - goal.gap - 0.5 * goal.tolerance) / closing.max(0.0);
         let change = sweeps[0].next_change(fraction).min(sweeps[1].next_change(fraction));
@@ -409,6 +413,18 @@ fn advance(
         }
     }
     Meeting::At(fraction)
+}
+
+/// Returns whether two bodies are nearer at a time than now. The centre of a rod may approach a wall while
+/// its rotation takes the near end away; such a rod must not be stopped, or it would stop for ever.
+fn comes_nearer(
+    bodies: [&Body<'_>; 2],
+    sweeps: [&Sweep<'_>; 2],
+    soon: Real,
+    (normal, dist): (Vector, Real),
+) -> bool {
+    let poses = sweeps.map(|sweep| sweep.at(soon));
+    bodies[0].distance(bodies[1], &poses, dist, normal).is_some_and(|(_, then)| then < dist)
 }
 
 /// Bound on the closing speed of two bodies (length units per step), until a fraction of the step.

@@ -270,6 +270,7 @@ fn motion_of(
         rotvec: body.angvel * context.params.dt,
         acceleration: Vector::ZERO,
         link: None,
+        is_blocked: false,
     })
 }
 

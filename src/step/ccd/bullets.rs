@@ -243,7 +243,7 @@ impl Ball {
         let skin = skins.map(|collider| collider.contact_skin).fold(0.0, Real::max);
         let margin = search.context.params.prediction_distance() + skin;
         let radius = body.map_or(Real::INFINITY, |body| body.extent + margin);
-        Self { center: motion.center, shift: motion.shift, radius }
+        Self { center: motion.center, shift: motion.path_shift(), radius }
     }
 
     /// Returns whether the paths of these spheres cross at any time.

@@ -39,7 +39,7 @@ mod sensors;
 mod link_trajectories;
 
 use crate::base::tasks::Tasks;
-use crate::dim::math::Real;
+use crate::dim::math::{Real, ang_length_squared};
 use crate::model::body::{RigidBodyHandle, RigidBodySet};
 use crate::model::collider::ColliderSet;
 use crate::model::contact::NarrowPhase;
@@ -132,11 +132,20 @@ struct Search<'a> {
 }
 
 /// Finds the times of impact of fast bodies, and the sensors that they cross. The results are in `scratch`.
-pub(crate) fn find_impacts(tasks: Tasks<'_>, context: CcdContext<'_>, scratch: &mut CcdScratch) {
+/// Notes blocked bodies in `fast`.
+pub(crate) fn find_impacts(
+    tasks: Tasks<'_>,
+    context: CcdContext<'_>,
+    fast: &mut [FastMotion],
+    scratch: &mut CcdScratch,
+) {
     scratch.clear();
-    if context.fast.is_empty() {
+    if fast.is_empty() {
         return;
     }
+    find_first_stops(tasks, CcdContext { fast, ..context }, scratch);
+    unblock(context, fast, scratch);
+    let context = CcdContext { fast, ..context };
     let CcdScratch {
         movers,
         first,
@@ -149,17 +158,8 @@ pub(crate) fn find_impacts(tasks: Tasks<'_>, context: CcdContext<'_>, scratch: &
         ..
     } = scratch;
     let (crossings, searched) = (&mut scratch.crossings, &scratch.searched);
-    movers.find(context);
-    link_trajectories.find(context);
-    groups.find(context);
-    // A body whose path could not be searched because a hook panicked does not move.
     let count = context.fast.len();
-    first.resize(count, Stop::AT_ONCE);
     let search = Search { context, movers, link_trajectories, groups, searched };
-    tasks.par_fill(first, BODIES_PER_TASK, |position| {
-        let path = Path::of(search, position, 1.0);
-        path.map_or(Stop::NONE, |path| path.first_stop(search, NonDynamicFilter::All))
-    });
     toi_fractions.extend(first.iter().map(|stop| stop.fraction));
     groups.stop_together(toi_fractions);
     bullets.find(search, toi_fractions);
@@ -184,6 +184,40 @@ pub(crate) fn find_impacts(tasks: Tasks<'_>, context: CcdContext<'_>, scratch: &
             };
             path.map(|path| sensors::crossings(search, &path, end)).unwrap_or_default()
         });
+    }
+}
+
+/// Finds where non-dynamic colliders stop each fast body.
+fn find_first_stops(tasks: Tasks<'_>, context: CcdContext<'_>, scratch: &mut CcdScratch) {
+    let CcdScratch { movers, first, link_trajectories, groups, searched, .. } = scratch;
+    movers.find(context);
+    link_trajectories.find(context);
+    groups.find(context);
+    // A body whose path could not be searched because a hook panicked does not move.
+    first.resize(context.fast.len(), Stop::AT_ONCE);
+    let search = Search { context, movers, link_trajectories, groups, searched };
+    tasks.par_fill(first, BODIES_PER_TASK, |position| first_stop(search, position));
+}
+
+fn first_stop(search: Search<'_>, position: usize) -> Stop {
+    let path = Path::of(search, position, 1.0);
+    path.map_or(Stop::NONE, |path| path.first_stop(search, NonDynamicFilter::All))
+}
+
+/// Lets bodies rotate whose paths are blocked at the beginning. The near end of a spinning bar may leave the
+/// ground while its middle falls. No contact force acts then, and such a bar would hang in the air for ever.
+/// Joined bodies go on to hang until the joints or other contacts move them.
+fn unblock(context: CcdContext<'_>, fast: &mut [FastMotion], scratch: &mut CcdScratch) {
+    let CcdScratch { movers, first, link_trajectories, groups, searched, .. } = scratch;
+    for position in 0..fast.len() {
+        let is_free = fast[position].link.is_none() && groups.is_alone(position);
+        let rotates = ang_length_squared(fast[position].rotvec) > 0.0;
+        if first[position].fraction == 0.0 && is_free && rotates {
+            fast[position].is_blocked = true;
+            let context = CcdContext { fast, ..context };
+            let search = Search { context, movers, link_trajectories, groups, searched };
+            first[position] = first_stop(search, position);
+        }
     }
 }
 
@@ -239,7 +273,8 @@ pub(crate) fn stop(
     let StopContext { bodies, islands, fast, dt, .. } = &mut context;
     counters.num_fast_bodies = fast.len();
     counters.num_searches = scratch.searched.load(Ordering::Relaxed);
-    let stopped = fast.iter().zip(&scratch.toi_fractions).filter(|(_, fraction)| **fraction < 1.0);
+    let stopped = fast.iter().zip(&scratch.toi_fractions);
+    let stopped = stopped.filter(|(motion, fraction)| **fraction < 1.0 || motion.is_blocked);
     for (motion, &fraction) in stopped {
         let Some(body) = bodies.get_unnoted_mut(motion.body) else { continue };
         counters.num_substeps += 1;
@@ -247,7 +282,8 @@ pub(crate) fn stop(
             let there = sweep_of(motion, motion.start, fraction).at(fraction);
             body.angvel = body.angvel_at(there.rotation, (fraction - 1.0) * *dt);
             body.pose = there;
-            body.linvel = motion.velocity_before(1.0 - fraction, body.linvel);
+            let executed = if motion.is_blocked { 0.0 } else { fraction };
+            body.linvel = motion.velocity_before(1.0 - executed, body.linvel);
             body.update_world_mass_properties();
             if !body.ccd_active {
                 // The bound of the whole motion of a fast body is noted already.

@@ -171,7 +171,7 @@ impl Ride {
             until: fraction,
             rotation: motion.start.rotation,
             center: motion.center,
-            shift: motion.shift,
+            shift: motion.path_shift(),
             rotvec: motion.rotvec,
         };
         let pose = sweep_of(motion, motion.start, fraction).at(fraction);

@@ -47,6 +47,7 @@ impl SolverBodies {
                             rotvec,
                             acceleration,
                             link,
+                            is_blocked: false,
                         });
                         // CCD may stop it.
                         BodyMotion::within(bound)

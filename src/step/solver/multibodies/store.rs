@@ -167,6 +167,7 @@ impl Moving {
                 rotvec,
                 acceleration,
                 link: None,
+                is_blocked: false,
             };
             moved = Some((bound, motion));
             link.pose = pose;
