@@ -86,6 +86,17 @@ pub fn cuboid(half_width: Real, half_height: Real) -> ColliderBuilder {
     ColliderBuilder::cuboid(half_width, half_height)
 }
 
+/// Returns a box as a hull.
+pub fn box_hull(half_width: Real, half_height: Real) -> ColliderBuilder {
+    let corners = [-1.0, 1.0].map(|x| [-1.0, 1.0].map(|y| vec(x * half_width, y * half_height)));
+    ColliderBuilder::convex_hull(&corners.concat()).expect("a box is a hull")
+}
+
+/// Returns a level sheet without thickness at height 0.
+pub fn sheet(half_width: Real) -> ColliderBuilder {
+    ColliderBuilder::polyline(vec![vec(half_width, 0.0), vec(-half_width, 0.0)], None)
+}
+
 /// Does nothing: bodies cannot leave the plane in 2D.
 pub fn close_cage(_: &mut PhysicsWorld, _: Real) {}
 

@@ -138,6 +138,23 @@ pub fn cuboid(half_width: Real, half_height: Real) -> ColliderBuilder {
     ColliderBuilder::cuboid(half_width, half_height, half_width)
 }
 
+/// Returns a box as a hull, as wide as deep.
+pub fn box_hull(half_width: Real, half_height: Real) -> ColliderBuilder {
+    let corner = |signs: [Real; 3]| {
+        Vector::from_array(signs) * Vector::new(half_width, half_height, half_width)
+    };
+    let signs = [-1.0, 1.0];
+    let corners = signs.map(|x| signs.map(|y| signs.map(|z| corner([x, y, z]))));
+    ColliderBuilder::convex_hull(&corners.concat().concat()).expect("a box is a hull")
+}
+
+/// Returns a level square of two triangles at height 0.
+pub fn sheet(half_width: Real) -> ColliderBuilder {
+    let corners = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
+    let corners = corners.map(|[x, z]| Vector::new(x, 0.0, z) * half_width).to_vec();
+    ColliderBuilder::trimesh(corners, vec![[0, 2, 1], [0, 3, 2]]).expect("it has two triangles")
+}
+
 /// Returns the length of a rotation vector, angular velocity or angular momentum.
 pub fn ang_length(w: AngVector) -> Real {
     w.length()

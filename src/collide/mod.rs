@@ -14,6 +14,7 @@ mod ball;
 mod capsule;
 mod convex;
 mod culling;
+mod cut;
 mod support_feature;
 mod form;
 mod manifolds;

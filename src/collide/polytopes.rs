@@ -6,9 +6,10 @@
 //! The same holds for the two edges that are farthest along the last normal, if no corner is deeper. Else the
 //! closest points are searched, which takes several times as long.
 
+use super::cut::closest_of_parts;
 use super::normals::FACE_COSINE_MIN;
 use crate::base::axis::{BestAxis, Side};
-use crate::base::closest::{Closest, closest, extents};
+use crate::base::closest::{Closest, extents};
 use crate::dim::collide::{
     Face, FaceContact, Polytope, RawManifold, RawPoint, best_axis, clip_faces, edge_normal,
 };
@@ -218,7 +219,29 @@ impl Pair<'_> {
         };
         let contact = FaceContact { polytope, face: separation.face, other, pose };
         let deepest = clip_faces(&contact, self.prediction, !separation.is_first, raw)?;
-        (deepest.dist <= separation.gap + deepest.tolerance).then_some(separation.gap)
+        let is_deepest = deepest.dist <= separation.gap + deepest.tolerance
+            || self.add_lowest(separation, &contact, raw);
+        is_deepest.then_some(separation.gap)
+    }
+
+    /// Adds the lowest corner of the other polytope, if it is above the face. A pointed corner may belong to
+    /// none but steep faces, and not to the one that was clipped. Returns whether it is above the face.
+    fn add_lowest(
+        &self,
+        separation: &Separation,
+        contact: &FaceContact<'_>,
+        raw: &mut RawManifold,
+    ) -> bool {
+        let Separation { face, gap, is_first, .. } = separation;
+        let lowest = contact.other.support(contact.pose.rotation.inverse() * -face.normal);
+        let point = *contact.pose * lowest;
+        let is_above = contact.polytope.is_above(face, point);
+        if is_above && *gap <= self.prediction {
+            let (on_face, unknown) = (point - face.normal * *gap, PackedFeatureId::UNKNOWN);
+            let flipped = !is_first;
+            raw.points.push(RawPoint::flipped(on_face, lowest, unknown, unknown, *gap, flipped));
+        }
+        is_above
     }
 
     /// Puts layers of a thickness around the polytopes.
@@ -273,8 +296,10 @@ impl Pair<'_> {
 
     /// Searches the direction of least overlap, and adds the contacts there.
     fn search(&self, hint: Vector, raw: &mut RawManifold) {
-        let (shape1, shape2) = (self.polytope1.as_support(), self.polytope2.as_support());
-        match closest(self.pos12, shape1, shape2, self.prediction, hint) {
+        let polytopes = [self.polytope1, self.polytope2];
+        let shapes = polytopes.map(Polytope::as_support);
+        let polytopes = polytopes.map(Some);
+        match closest_of_parts(self.pos12, shapes, polytopes, self.prediction, hint) {
             Closest::Apart(direction) => raw.local_n1 = direction,
             Closest::Near { point1, point2, normal, dist } => {
                 // Flat shapes have no thickness, but rounding.

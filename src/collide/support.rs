@@ -1,13 +1,14 @@
 //! Two convex parts of any kind: closest points, then the features of the two that meet there.
 
+use super::cut::closest_of_parts;
 use super::part::Part;
-use crate::base::closest::{Closest, closest, extents};
+use crate::base::closest::{Closest, extents};
 use crate::base::facing::FacingParts;
 use crate::base::parry_version::support_feature;
-use crate::dim::collide::{RawManifold, RawPoint, feature_contacts};
+use crate::dim::collide::{Polytope, RawManifold, RawPoint, feature_contacts};
 use crate::dim::math::{DIM, Pose, Real, Vector};
 use parry::query::details::NormalConstraintsPair;
-use parry::shape::{PackedFeatureId, PolygonalFeature, PolygonalFeatureMap, Shape};
+use parry::shape::{PackedFeatureId, PolygonalFeature, PolygonalFeatureMap, Shape, SupportMap};
 
 /// Minimum additional depth, as a fraction of the parts' thickness, of closest points that are a contact of
 /// their own beside those of the features.
@@ -45,7 +46,10 @@ pub(super) fn support_manifold(
 ) {
     let [core1, core2] = cores;
     let radius = core1.radius + core2.radius;
-    let found = closest(pos12, core1.shape, core2.shape, prediction + radius, raw.local_n1);
+    let polytopes = cores.map(|core| Polytope::of(core.part).map(|(polytope, _)| polytope));
+    let polytopes = polytopes.each_ref().map(Option::as_ref);
+    let shapes = cores.map(|core| core.shape as &dyn SupportMap);
+    let found = closest_of_parts(pos12, shapes, polytopes, prediction + radius, raw.local_n1);
     let (point1, point2, normal, dist) = match found {
         Closest::Apart(direction) => {
             raw.local_n1 = direction;

@@ -5,7 +5,7 @@
 //! Crossing edges touch at one point, and only vertices within the prediction distance are contact points.
 //! These tests require statics, whatever the number of points.
 
-use crate::suite::physics::stage::{Dice, G, add_ground, steps, world};
+use crate::suite::physics::stage::{Dice, G, add_ground, penetration, steps, weightless, world};
 use crate::suite::physics::table::Table;
 use rapier::prelude::*;
 
@@ -28,6 +28,24 @@ fn prism(sides: usize) -> ColliderBuilder {
     };
     let corners: Vec<Vector> = (0..2 * sides).map(corner).collect();
     ColliderBuilder::convex_hull(&corners).expect("a prism is a hull")
+}
+
+/// The lowest corner of a rock may belong to none but steep faces. It is a contact point nevertheless.
+#[test]
+fn lowest_corners_touch() {
+    let mut dice = Dice(3);
+    for turn in 0..400 {
+        let mut world = weightless(60);
+        world.insert_collider(ColliderBuilder::cuboid(5.0, 0.5, 5.0), None);
+        let rock = rock(&mut dice);
+        let rotation = Vector::from_array([0; 3].map(|_| dice.within(-3.0, 3.0)));
+        let body = RigidBodyBuilder::dynamic().rotation(rotation);
+        let lowest = rock.shape.compute_aabb(body.clone().build().position()).mins.y;
+        world.insert(body.translation(Vector::Y * (0.49 - lowest)), rock);
+        world.step();
+        let found = penetration(&world);
+        assert!((found - 0.01).abs() < 1.0e-3, "rock {turn}: {found}");
+    }
 }
 
 /// Adds ground at height 0, in four forms.

@@ -14,6 +14,7 @@ mod friction;
 mod impact_energy;
 mod impact_rules;
 mod impacts;
+mod large_floors;
 mod load;
 mod momentum;
 mod pushes;

@@ -4,9 +4,9 @@ use super::polytope::{Face, Polytope};
 use super::{RawManifold, RawPoint};
 use crate::dim::math::{Pose, Real};
 
-/// Points outside a face by up to this fraction of it still count as inside. Faces of equal size meet often,
-/// and rounding must not determine their ends. Points above the deepest by the same fraction count as equally
-/// deep.
+/// Points outside a face by up to this fraction of the shorter face still count as inside. Faces of equal
+/// size meet often, and rounding must not determine their ends. Points above the deepest by the same fraction
+/// count as equally deep.
 pub(super) const RIM_FRACTION_MAX: Real = 5.0e-3;
 
 /// A face, whose normal is the contact normal, and the polytope that it meets.
@@ -43,7 +43,8 @@ pub fn clip_faces(
     let other_ends = contact.other.corners(other_face.id);
     let along = normal.perp(); // counter-clockwise, as the face
     let range = ends.map(|end| along.dot(end.point));
-    let rim = RIM_FRACTION_MAX * (range[1] - range[0]);
+    let other_length = other_ends[0].point.distance(other_ends[1].point);
+    let rim = RIM_FRACTION_MAX * (range[1] - range[0]).min(other_length);
     let points = other_ends.map(|end| *contact.pose * end.point);
     let places = points.map(|point| along.dot(point));
     if places[0].max(places[1]) < range[0] - rim || places[0].min(places[1]) > range[1] + rim {

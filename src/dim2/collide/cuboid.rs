@@ -14,8 +14,8 @@ const TOLERANCE: Real = 0.01;
 const FIRST_FACE_FRACTION: Real = 0.1;
 /// Least cosine of an axis and the last normal at which the axis counts as the last one.
 const AXIS_COSINE_MIN: Real = 0.98;
-/// Corners outside the other face by up to this fraction of its size still count as inside. Boxes of equal
-/// size are stacked often, and rounding must not decide what their corners are.
+/// Corners outside the other face by up to this fraction of the shorter face still count as inside. Boxes of
+/// equal size are stacked often, and rounding must not decide what their corners are.
 const RIM_FRACTION_MAX: Real = 5.0e-3;
 
 /// Computes the contacts of two boxes into `raw`, whose `local_n1` is the normal of last time, or zero.
@@ -111,12 +111,14 @@ impl FacePair {
         middle.y -= self.half[self.axis];
         let edge = self.seen(self.rotation.col(1 - axis) * self.other_half[1 - axis]);
         let size = self.half[1 - self.axis];
+        let rim = (size * (1.0 + RIM_FRACTION_MAX))
+            .min(size + RIM_FRACTION_MAX * self.other_half[1 - axis]);
         let ends = [middle - edge, middle + edge];
         if ends[0].x.min(ends[1].x) > size || ends[0].x.max(ends[1].x) < -size {
             return; // The projections are disjoint.
         }
         for (end, sign) in ends.into_iter().zip([-1.0, 1.0]) {
-            let (point, side, end) = if end.x.abs() <= size * (1.0 + RIM_FRACTION_MAX) {
+            let (point, side, end) = if end.x.abs() <= rim {
                 (end, 0.0, sign) // a corner of the other box
             } else {
                 // The face of the other box passes a corner of this one.

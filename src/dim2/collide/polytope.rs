@@ -76,6 +76,13 @@ impl<'a> Polytope<'a> {
         })
     }
 
+    /// Returns whether a point is between the lines across the ends of a face.
+    pub fn is_above(&self, face: &Face, point: Vector) -> bool {
+        let along = face.normal.perp(); // counter-clockwise, as the face
+        let [start, end] = self.corners(face.id).map(|end| along.dot(end.point));
+        (start..=end).contains(&along.dot(point))
+    }
+
     /// The shape, for searches of closest points.
     pub fn as_support(&self) -> &'a dyn SupportMap {
         match *self {

@@ -11,9 +11,9 @@ use crate::dim::math::{Pose, Real, Vector};
 use arrayvec::ArrayVec;
 use parry::shape::PackedFeatureId;
 
-/// Points outside a face by up to this fraction of its edge still count as inside. Faces of equal size meet
-/// often, and rounding must not determine their corners. Points above the deepest by the same fraction count
-/// as equally deep.
+/// Points outside a face by up to this fraction of its edge, or of the other face's longest if that is
+/// shorter, still count as inside. Faces of equal size meet often, and rounding must not determine their
+/// corners. Points above the deepest by the same fraction count as equally deep.
 pub(super) const RIM_FRACTION_MAX: Real = 5.0e-3;
 /// Maximum number of corners of an overlap.
 const OVERLAP_VERTICES_MAX: usize = 64;
@@ -69,6 +69,7 @@ pub fn clip_faces(
     let other_face = contact.other.face_toward(contact.pose.rotation.inverse() * -normal)?;
     let cutting = contact.polytope.corners(contact.face.id);
     let cut = contact.other.corners(other_face.id);
+    let rim_max = RIM_FRACTION_MAX * longest_edge(&cut);
     let vertex = |(index, corner): (usize, &Corner)| Vertex {
         point: *contact.pose * corner.point,
         edge: Edge::Cut(index as u8),
@@ -78,7 +79,8 @@ pub fn clip_faces(
     from.extend(cut.iter().enumerate().map(vertex));
     for index in 0..cutting.len() {
         let side = [cutting[index].point, cutting[(index + 1) % cutting.len()].point];
-        cut_by(from, index as u8, side[0], (side[1] - side[0]).cross(normal), to);
+        let outward = (side[1] - side[0]).cross(normal);
+        cut_by(from, Side { index: index as u8, corner: side[0], outward, rim_max }, to);
         (from, to) = (to, from);
     }
     let overlap = from;
@@ -102,7 +104,22 @@ pub fn clip_faces(
         }
         last = vertex.edge;
     }
-    Some(Deepest { dist: deepest, tolerance: tolerance(&cutting) })
+    Some(Deepest { dist: deepest, tolerance: tolerance(&cutting).min(rim_max) })
+}
+
+/// The length of the longest edge of a face.
+fn longest_edge(face: &Corners) -> Real {
+    let next = |index: usize| face[(index + 1) % face.len()].point;
+    let edges =
+        face.iter().enumerate().map(|(index, corner)| corner.point.distance_squared(next(index)));
+    edges.fold(0.0, Real::max).sqrt()
+}
+
+/// Height above a side at which points still count as inside. `outward` has the length of the side, and so do
+/// heights.
+fn rim(outward: Vector, rim_max: Real) -> Real {
+    let squared = outward.length_squared();
+    (RIM_FRACTION_MAX * squared).min(rim_max * squared.sqrt())
 }
 
 /// Minimum additional depth of another relevant point of the other polytope.
@@ -127,11 +144,12 @@ fn clip_line(
     let cutting = contact.polytope.corners(contact.face.id);
     let [start, end] = ends.map(|end| *contact.pose * end);
     let face = contact.polytope.face_feature(contact.face.id);
+    let rim_max = RIM_FRACTION_MAX * start.distance(end);
     let mut range = [0.0, 1.0];
     let mut names = [0, 1].map(|end| (face, feature::vertex(end)));
     for (index, corner) in cutting.iter().enumerate() {
         let outward = (cutting[(index + 1) % cutting.len()].point - corner.point).cross(normal);
-        let rim = RIM_FRACTION_MAX * outward.length_squared();
+        let rim = rim(outward, rim_max);
         let [from, to] = [start, end].map(|point| outward.dot(point - corner.point) - rim);
         if from > 0.0 && to > 0.0 {
             return None;
@@ -157,14 +175,25 @@ fn clip_line(
             raw.points.push(RawPoint::flipped(on_face, on_other, id, other_id, dist, flipped));
         }
     }
-    Some(Deepest { dist: deepest, tolerance: tolerance(&cutting) })
+    Some(Deepest { dist: deepest, tolerance: tolerance(&cutting).min(rim_max) })
 }
 
-/// Writes to `result` the part of a polygon below a plane; `outward` is the plane's normal, with the length
-/// of the edge that it contains.
-fn cut_by(polygon: &Overlap, index: u8, on_plane: Vector, outward: Vector, result: &mut Overlap) {
-    let rim = RIM_FRACTION_MAX * outward.length_squared();
-    let height = |vertex: &Vertex| outward.dot(vertex.point - on_plane);
+/// A side of the face that cuts the other one.
+struct Side {
+    index: u8,
+    /// A point of it.
+    corner: Vector,
+    /// Its outward normal, as long as the side.
+    outward: Vector,
+    /// Largest distance outside at which points count as inside.
+    rim_max: Real,
+}
+
+/// Writes to `result` the part of a polygon inside a side.
+fn cut_by(polygon: &Overlap, side: Side, result: &mut Overlap) {
+    let Side { index, corner, outward, rim_max } = side;
+    let rim = rim(outward, rim_max);
+    let height = |vertex: &Vertex| outward.dot(vertex.point - corner);
     result.clear();
     let Some(first) = polygon.first() else { return };
     let height_first = height(first);

@@ -91,6 +91,16 @@ impl<'a> Polytope<'a> {
         })
     }
 
+    /// Returns whether a point is between the planes through the sides of a face.
+    pub fn is_above(&self, face: &Face, point: Vector) -> bool {
+        let corners = self.corners(face.id);
+        let is_inside = |[corner, next]: [Vector; 2]| {
+            (next - corner).cross(face.normal).dot(point - corner) <= 0.0
+        };
+        let next = |index: usize| corners[(index + 1) % corners.len()].point;
+        corners.iter().enumerate().all(|(index, corner)| is_inside([corner.point, next(index)]))
+    }
+
     /// The shape, for searches of closest points.
     pub fn as_support(&self) -> &'a dyn SupportMap {
         match *self {
