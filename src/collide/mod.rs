@@ -7,8 +7,9 @@
 //! [`manifolds`] splits shapes into convex [`parts`], [`search`]es for contacts between these, removes those
 //! at [`internal_edges`], and merges the remaining [`patches`]. [`convex`] selects the algorithm for two
 //! parts: [`ball`], [`capsule`], [`polytopes`] (boxes, hulls, triangles, and their rounded forms), or
-//! [`support`] for all others. Dimension-specific code is in [`crate::dim::collide`]. [`matching`] hands
-//! impulses on from step to step. The modules have no circular imports.
+//! [`support`] for all others. The last two [`cut`] large flat parts for searches. Dimension-specific code is
+//! in [`crate::dim::collide`]. [`matching`] hands impulses on from step to step. The modules have no circular
+//! imports.
 
 mod ball;
 mod capsule;

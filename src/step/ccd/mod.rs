@@ -12,7 +12,8 @@
 //! searches the path from the old collider poses to the solver's pose, and stops the body where it would pass
 //! through something. The next step finds the body there, in contact, with its velocity at the impact. The
 //! rest of its time is lost, including the work of forces. A ball that fell through its last step, and was
-//! moved back up, would otherwise gain energy.
+//! moved back up, would otherwise gain energy. A single body that is stopped at the beginning of its path
+//! still rotates about its centre: see [`unblock`].
 //!
 //! Contacts are compliant: a heavy load can press a body into a wall slowly, so that the body is never fast.
 //! The narrow phase therefore notes bodies that penetrate a non-dynamic collider by a quarter of their
