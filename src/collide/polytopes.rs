@@ -2,7 +2,8 @@
 //!
 //! A persistent contact has hardly changed, so the face of either polytope along the last normal is tested
 //! first. The search ends if the clipped faces have a point as deep as the support point of the other
-//! polytope. No similar direction then separates the two better. For separated polytopes, no direction does.
+//! polytope, or if that point is above the face. No similar direction then separates the two better. For
+//! separated polytopes, no direction does.
 //! The same holds for the two edges that are farthest along the last normal, if no corner is deeper. Else the
 //! closest points are searched, which takes several times as long.
 
@@ -13,7 +14,7 @@ use crate::base::closest::{Closest, extents};
 use crate::dim::collide::{
     Face, FaceContact, Polytope, RawManifold, RawPoint, best_axis, clip_faces, edge_normal,
 };
-use crate::dim::math::{Pose, Real, Vector};
+use crate::dim::math::{DIM, Pose, Real, Vector};
 use parry::shape::PackedFeatureId;
 
 /// Tolerances on the overlap, as a fraction of the polytopes' thickness. Within it, a face is preferred to a
@@ -50,6 +51,8 @@ struct Separation {
     normal: Vector,
     face: Face,
     is_first: bool,
+    /// The lowest point of the other polytope over the face, in that polytope's frame.
+    lowest: Vector,
 }
 
 /// Computes the contacts of two polytopes, each with the thickness of a layer around it, into `raw`, whose
@@ -187,15 +190,15 @@ impl Pair<'_> {
         let face = self.polytope1.face_toward(direction)?;
         let lowest = self.polytope2.support(self.pos21.rotation * -face.normal);
         let gap = face.normal.dot(*self.pos12 * lowest) - face.offset;
-        Some(Separation { gap, normal: face.normal, face, is_first: true })
+        Some(Separation { gap, normal: face.normal, face, is_first: true, lowest })
     }
 
     fn second_face(&self, direction: Vector) -> Option<Separation> {
         let face = self.polytope2.face_toward(self.pos21.rotation * -direction)?;
         let normal = self.pos12.rotation * -face.normal;
-        let highest = self.polytope1.support(normal);
-        let gap = face.normal.dot(self.pos21 * highest) - face.offset;
-        Some(Separation { gap, normal, face, is_first: false })
+        let lowest = self.polytope1.support(normal);
+        let gap = face.normal.dot(self.pos21 * lowest) - face.offset;
+        Some(Separation { gap, normal, face, is_first: false, lowest })
     }
 
     /// Returns whether the overlap is small against the polytopes.
@@ -224,22 +227,25 @@ impl Pair<'_> {
         is_deepest.then_some(separation.gap)
     }
 
-    /// Adds the lowest corner of the other polytope, if it is above the face. A pointed corner may belong to
-    /// none but steep faces, and not to the one that was clipped. Returns whether it is above the face.
+    /// Adds the lowest corner of the other polytope, if it is above the face. All faces at a pointed corner
+    /// may be steep, and the clipped one is another. Returns whether the corner is above the face.
     fn add_lowest(
         &self,
         separation: &Separation,
         contact: &FaceContact<'_>,
         raw: &mut RawManifold,
     ) -> bool {
-        let Separation { face, gap, is_first, .. } = separation;
-        let lowest = contact.other.support(contact.pose.rotation.inverse() * -face.normal);
+        let &Separation { face, gap, is_first, lowest, .. } = separation;
         let point = *contact.pose * lowest;
-        let is_above = contact.polytope.is_above(face, point);
-        if is_above && *gap <= self.prediction {
-            let (on_face, unknown) = (point - face.normal * *gap, PackedFeatureId::UNKNOWN);
-            let flipped = !is_first;
-            raw.points.push(RawPoint::flipped(on_face, lowest, unknown, unknown, *gap, flipped));
+        let is_above = contact.polytope.is_above(&face, point);
+        if is_above && gap <= self.prediction {
+            if DIM == 2 && raw.points.len() == 2 {
+                // Two points are the maximum.
+                let is_first_higher = raw.points[0].dist > raw.points[1].dist;
+                raw.points.swap_remove(usize::from(!is_first_higher));
+            }
+            let (on_face, unknown) = (point - face.normal * gap, PackedFeatureId::UNKNOWN);
+            raw.points.push(RawPoint::flipped(on_face, lowest, unknown, unknown, gap, !is_first));
         }
         is_above
     }

@@ -36,7 +36,7 @@ pub(crate) struct FastMotion {
     pub acceleration: Vector,
     /// For a link: index of the multibody in `trajectories`, and of the link in it.
     pub link: Option<(usize, usize)>,
-    /// Its path was blocked at the beginning: its centre stays in this step, and it rotates only.
+    /// Whether the path is blocked at its beginning. Such a body rotates, and its centre stays.
     pub is_blocked: bool,
 }
 

@@ -280,3 +280,19 @@ pub fn rough_ground(segments: usize, width: Real, rise: Real) -> ColliderBuilder
     });
     ColliderBuilder::polyline(points.collect(), None)
 }
+
+/// The lower side of a tower is dented by 1 cm, as outlines may be. The tower stands on its two lowest corners.
+#[test]
+fn dented_outlines_stand_on_their_lowest_corners() {
+    let corners = [[-1.0, 0.0], [-0.5, 0.01], [0.5, 0.01], [1.0, 0.0], [1.0, 8.0], [-1.0, 8.0]];
+    let tower = ColliderBuilder::convex_polyline(corners.map(Vector::from_array).to_vec());
+    let mut world = PhysicsWorld::new();
+    let floor = ColliderBuilder::cuboid(50.0, 50.0).translation(Vector::Y * -50.0);
+    world.insert_collider(floor, None);
+    let tower = tower.expect("the dent is less than a thousandth of the area");
+    let (tower, _) = world.insert(RigidBodyBuilder::dynamic(), tower);
+    (0..120).for_each(|_| world.step());
+    let body = &world.bodies[tower];
+    assert!(body.translation().length() < 5.0e-3, "it is at {}", body.translation());
+    assert!(body.rotation().angle().abs() < 5.0e-3, "it leans by {}", body.rotation().angle());
+}

@@ -22,7 +22,7 @@ fn all_shapes_touch_large_floors() {
                 let rotation = tumble(0.37 * k as Real, 0.23 * k as Real);
                 let body = RigidBodyBuilder::dynamic().rotation(rotation).build();
                 let lowest = shape.shape.compute_aabb(body.position()).mins.y;
-                let place = vec(3.1 * k as Real - 155.0, -lowest - depth);
+                let place = vec(9.1 * k as Real - 450.0, -lowest - depth);
                 let body = RigidBodyBuilder::dynamic().rotation(rotation).translation(place);
                 world.insert(body, shape.clone());
                 world.step();

@@ -66,7 +66,7 @@ pub(crate) const PENETRATION_FRACTION_MAX: Real = 0.25;
 const REMAINING_FRACTION: Real = 0.5;
 /// Final distance of a core from the other shape, as a fraction of the shape's thickness.
 const CORE_TOLERANCE: Real = 0.05;
-/// A core that is initially nearer than this fraction of it comes no nearer. Repeated halving would be lost
+/// A core that is initially nearer than this fraction of it, and approaches, is stopped at once. Repeated halving would be lost
 /// in rounding, and the core would be inside.
 const GAP_FRACTION_MIN: Real = 0.6;
 /// Largest number of jumps of a search: more than an approach at the tolerance needs that rotates through
@@ -309,9 +309,9 @@ fn impact_of_parts(
                 let shallow = Body::core(own_shape, widths, PENETRATION_FRACTION_MAX)?;
                 let goal = Goal::new(0.0, goal_of_whole.tolerance, true);
                 Some(match advance([&shallow, &other], sweeps, goal, latest) {
-                    Meeting::At(fraction) if fraction > 0.0 => fraction,
+                    Meeting::At(fraction) => fraction,
                     Meeting::Never => latest,
-                    Meeting::At(_) | Meeting::FromTheBeginning => REMAINING_FRACTION * latest,
+                    Meeting::FromTheBeginning => REMAINING_FRACTION * latest,
                 })
             }
         },
@@ -390,9 +390,13 @@ fn advance(
                 return Meeting::FromTheBeginning;
             }
             let half = 0.5 * (dist - goal.gap);
-            if half < 0.5 * GAP_FRACTION_MIN * goal.tolerance && nearing > 0.0 {
+            if half < 0.5 * GAP_FRACTION_MIN * goal.tolerance && closing > 0.0 {
                 let soon = (fraction + half / closing).min(until);
-                if comes_nearer(bodies, sweeps, soon, (normal, dist)) {
+                let poses = sweeps.map(|sweep| sweep.at(soon));
+                let then = bodies[0].distance(bodies[1], &poses, reach, normal);
+                // The centre of a rod may approach a wall while its rotation takes the near end away. Such a
+                // rod must not be stopped.
+                if then.is_some_and(|(_, then)| then < dist) {
                     return Meeting::At(goal.from);
                 }
             }
@@ -413,18 +417,6 @@ fn advance(
         }
     }
     Meeting::At(fraction)
-}
-
-/// Returns whether two bodies are nearer at a time than now. The centre of a rod may approach a wall while
-/// its rotation takes the near end away; such a rod must not be stopped, or it would stop for ever.
-fn comes_nearer(
-    bodies: [&Body<'_>; 2],
-    sweeps: [&Sweep<'_>; 2],
-    soon: Real,
-    (normal, dist): (Vector, Real),
-) -> bool {
-    let poses = sweeps.map(|sweep| sweep.at(soon));
-    bodies[0].distance(bodies[1], &poses, dist, normal).is_some_and(|(_, then)| then < dist)
 }
 
 /// Bound on the closing speed of two bodies (length units per step), until a fraction of the step.

@@ -115,11 +115,12 @@ fn longest_edge(face: &Corners) -> Real {
     edges.fold(0.0, Real::max).sqrt()
 }
 
-/// Height above a side at which points still count as inside. `outward` has the length of the side, and so do
-/// heights.
+/// The distance outside of a side at which points still count as inside, multiplied by the length of the side,
+/// as `outward` is.
 fn rim(outward: Vector, rim_max: Real) -> Real {
     let squared = outward.length_squared();
-    (RIM_FRACTION_MAX * squared).min(rim_max * squared.sqrt())
+    let own = RIM_FRACTION_MAX * squared;
+    if RIM_FRACTION_MAX * own <= rim_max * rim_max { own } else { rim_max * squared.sqrt() }
 }
 
 /// Minimum additional depth of another relevant point of the other polytope.
@@ -181,7 +182,7 @@ fn clip_line(
 /// A side of the face that cuts the other one.
 struct Side {
     index: u8,
-    /// A point of it.
+    /// The corner at which it begins.
     corner: Vector,
     /// Its outward normal, as long as the side.
     outward: Vector,

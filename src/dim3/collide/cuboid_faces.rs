@@ -116,7 +116,11 @@ pub(super) fn face_points(pair: &FacePair, prediction: Real, raw: &mut RawManifo
         pair,
         incident: &incident,
         prediction,
-        size: [u, v].map(|axis| pair.half[axis] * (1.0 + RIM_FRACTION_MAX)),
+        size: [u, v].map(|axis| {
+            let half = pair.half[axis];
+            let other = pair.other_half.max_element();
+            (half * (1.0 + RIM_FRACTION_MAX)).min(half + RIM_FRACTION_MAX * other)
+        }),
         raw,
     };
     let corners =

@@ -205,13 +205,19 @@ fn first_stop(search: Search<'_>, position: usize) -> Stop {
     path.map_or(Stop::NONE, |path| path.first_stop(search, NonDynamicFilter::All))
 }
 
-/// Lets bodies rotate whose paths are blocked at the beginning. The near end of a spinning bar may leave the
-/// ground while its middle falls. No contact force acts then, and such a bar would hang in the air for ever.
-/// Joined bodies go on to hang until the joints or other contacts move them.
+/// Lets single bodies rotate whose paths are blocked at the beginning. The near end of a spinning bar may leave
+/// the ground while its middle falls. No contact force acts then, and the bar would hang in the air for ever.
+///
+/// Joined bodies would tear their joints, and hang until joints or other contacts move them. So do bullets that
+/// a dynamic body blocks.
 fn unblock(context: CcdContext<'_>, fast: &mut [FastMotion], scratch: &mut CcdScratch) {
     let CcdScratch { movers, first, link_trajectories, groups, searched, .. } = scratch;
     for position in 0..fast.len() {
-        let is_free = fast[position].link.is_none() && groups.is_alone(position);
+        let slot = fast[position].body.into_raw_parts().0;
+        let joints = &context.islands.joints;
+        let is_attached = |&joint: &_| joints.get(joint).is_some_and(|joint| joint.attached);
+        let is_joined = joints.of_body(slot).iter().any(is_attached);
+        let is_free = fast[position].link.is_none() && !is_joined;
         let rotates = ang_length_squared(fast[position].rotvec) > 0.0;
         if first[position].fraction == 0.0 && is_free && rotates {
             fast[position].is_blocked = true;
