@@ -7,8 +7,8 @@
 //! of the other part.
 //!
 //! The planes are so far from the other part that no closest points of separated parts are on them. If the
-//! other part is deep in the large one, the direction of least overlap may lead through a plane. The search is
-//! then repeated with the whole parts.
+//! other part is deep in the large one, the direction of least overlap may lead through a plane. The search
+//! is then repeated with the whole parts.
 
 use crate::base::closest::{Closest, closest};
 use crate::dim::collide::Polytope;
@@ -127,8 +127,8 @@ impl SupportMap for Cut {
     }
 }
 
-/// Finds the closest points of two parts, without the layers around them, as [`closest`] does. `polytopes` are
-/// those parts that are polytopes.
+/// Finds the closest points of two parts, without the layers around them, as [`closest`] does. `polytopes`
+/// are those parts that are polytopes.
 pub(super) fn closest_of_parts(
     pos12: &Pose,
     [shape1, shape2]: [&dyn SupportMap; 2],

@@ -281,7 +281,8 @@ pub fn rough_ground(segments: usize, width: Real, rise: Real) -> ColliderBuilder
     ColliderBuilder::polyline(points.collect(), None)
 }
 
-/// The lower side of a tower is dented by 1 cm, as outlines may be. The tower stands on its two lowest corners.
+/// The lower side of a tower is dented by 1 cm, as outlines may be. The tower stands on its two lowest
+/// corners.
 #[test]
 fn dented_outlines_stand_on_their_lowest_corners() {
     let corners = [[-1.0, 0.0], [-0.5, 0.01], [0.5, 0.01], [1.0, 0.0], [1.0, 8.0], [-1.0, 8.0]];

@@ -66,8 +66,8 @@ pub(crate) const PENETRATION_FRACTION_MAX: Real = 0.25;
 const REMAINING_FRACTION: Real = 0.5;
 /// Final distance of a core from the other shape, as a fraction of the shape's thickness.
 const CORE_TOLERANCE: Real = 0.05;
-/// A core that is initially nearer than this fraction of it, and approaches, is stopped at once. Repeated halving would be lost
-/// in rounding, and the core would be inside.
+/// A core that is initially nearer than this fraction of it, and approaches, is stopped at once. Repeated
+/// halving would be lost in rounding, and the core would be inside.
 const GAP_FRACTION_MIN: Real = 0.6;
 /// Largest number of jumps of a search: more than an approach at the tolerance needs that rotates through
 /// hundreds of times the thickness. Each segment allows one more.

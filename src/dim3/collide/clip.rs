@@ -115,8 +115,8 @@ fn longest_edge(face: &Corners) -> Real {
     edges.fold(0.0, Real::max).sqrt()
 }
 
-/// The distance outside of a side at which points still count as inside, multiplied by the length of the side,
-/// as `outward` is.
+/// The distance outside of a side at which points still count as inside, multiplied by the length of the
+/// side, as `outward` is.
 fn rim(outward: Vector, rim_max: Real) -> Real {
     let squared = outward.length_squared();
     let own = RIM_FRACTION_MAX * squared;

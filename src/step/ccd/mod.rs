@@ -205,11 +205,12 @@ fn first_stop(search: Search<'_>, position: usize) -> Stop {
     path.map_or(Stop::NONE, |path| path.first_stop(search, NonDynamicFilter::All))
 }
 
-/// Lets single bodies rotate whose paths are blocked at the beginning. The near end of a spinning bar may leave
-/// the ground while its middle falls. No contact force acts then, and the bar would hang in the air for ever.
+/// Lets single bodies rotate whose paths are blocked at the beginning. The near end of a spinning bar may
+/// leave the ground while its middle falls. No contact force acts then, and the bar would hang in the air for
+/// ever.
 ///
-/// Joined bodies would tear their joints, and hang until joints or other contacts move them. So do bullets that
-/// a dynamic body blocks.
+/// Joined bodies would tear their joints, and hang until joints or other contacts move them. So do bullets
+/// that a dynamic body blocks.
 fn unblock(context: CcdContext<'_>, fast: &mut [FastMotion], scratch: &mut CcdScratch) {
     let CcdScratch { movers, first, link_trajectories, groups, searched, .. } = scratch;
     for position in 0..fast.len() {
