@@ -14,6 +14,7 @@ use crate::base::closest::{Closest, closest};
 use crate::dim::collide::Polytope;
 use crate::dim::math::{DIM, Pose, Real, Vector};
 use parry::shape::SupportMap;
+use parry::utils::point_cloud_support_point;
 use smallvec::{SmallVec, smallvec};
 
 /// Parts are large if they are longer than the reach of the search by this factor: 10 m in a world of metres.
@@ -100,7 +101,11 @@ struct Cut {
 }
 
 enum Part {
-    Box { low: Vector, high: Vector },
+    Box {
+        low: Vector,
+        high: Vector,
+    },
+    /// At least one corner.
     Polygon(Corners),
 }
 
@@ -117,12 +122,7 @@ impl SupportMap for Cut {
     fn local_support_point(&self, direction: Vector) -> Vector {
         match &self.part {
             Part::Box { low, high } => Vector::select(direction.cmpge(Vector::ZERO), *high, *low),
-            Part::Polygon(corners) => {
-                let farther = |a: Vector, b: Vector| {
-                    if b.dot(direction) > a.dot(direction) { b } else { a }
-                };
-                corners.iter().copied().reduce(farther).unwrap_or(Vector::ZERO)
-            }
+            Part::Polygon(corners) => point_cloud_support_point(direction, corners),
         }
     }
 }

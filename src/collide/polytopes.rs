@@ -3,9 +3,8 @@
 //! A persistent contact has hardly changed, so the face of either polytope along the last normal is tested
 //! first. The search ends if the clipped faces have a point as deep as the support point of the other
 //! polytope, or if that point is above the face. No similar direction then separates the two better. For
-//! separated polytopes, no direction does.
-//! The same holds for the two edges that are farthest along the last normal, if no corner is deeper. Else the
-//! closest points are searched, which takes several times as long.
+//! separated polytopes, no direction does. The same holds for the two edges that are farthest along the last
+//! normal, if no corner is deeper. Else the closest points are searched, which takes several times as long.
 
 use super::cut::closest_of_parts;
 use super::normals::FACE_COSINE_MIN;

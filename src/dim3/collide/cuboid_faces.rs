@@ -11,9 +11,9 @@ use super::features::box_feature;
 use super::{RawManifold, RawPoint};
 use crate::dim::math::{Matrix, Real, Vector};
 
-/// Relative enlargement of the rectangle. Boxes of equal size are stacked often: then all corners of the
-/// parallelogram are inside, and rounding does not decide which of them are. Points outside by up to that
-/// fraction are moved to the true rim.
+/// Enlargement of the rectangle, as a fraction of its half edge, or of the other box's longest if that is
+/// shorter. Boxes of equal size are stacked often: then all corners of the parallelogram are inside, and
+/// rounding does not decide which of them are. Points outside by up to that are moved to the true rim.
 const RIM_FRACTION_MAX: Real = 5.0e-3;
 
 /// A reference face and the box that it meets.
@@ -112,14 +112,14 @@ const CORNERS: [[Real; 2]; 4] = [[1.0, 1.0], [-1.0, 1.0], [-1.0, -1.0], [1.0, -1
 pub(super) fn face_points(pair: &FacePair, prediction: Real, raw: &mut RawManifold) {
     let incident = Incident::of(pair);
     let (u, v) = pair.axes();
+    let rim_max = RIM_FRACTION_MAX * pair.other_half.max_element();
     let mut overlap = Overlap {
         pair,
         incident: &incident,
         prediction,
         size: [u, v].map(|axis| {
             let half = pair.half[axis];
-            let other = pair.other_half.max_element();
-            (half * (1.0 + RIM_FRACTION_MAX)).min(half + RIM_FRACTION_MAX * other)
+            (half * (1.0 + RIM_FRACTION_MAX)).min(half + rim_max)
         }),
         raw,
     };

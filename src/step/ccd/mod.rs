@@ -213,14 +213,14 @@ fn first_stop(search: Search<'_>, position: usize) -> Stop {
 /// that a dynamic body blocks.
 fn unblock(context: CcdContext<'_>, fast: &mut [FastMotion], scratch: &mut CcdScratch) {
     let CcdScratch { movers, first, link_trajectories, groups, searched, .. } = scratch;
+    let joints = &context.islands.joints;
+    let is_attached = |&joint: &_| joints.get(joint).is_some_and(|joint| joint.attached);
     for position in 0..fast.len() {
-        let slot = fast[position].body.into_raw_parts().0;
-        let joints = &context.islands.joints;
-        let is_attached = |&joint: &_| joints.get(joint).is_some_and(|joint| joint.attached);
-        let is_joined = joints.of_body(slot).iter().any(is_attached);
-        let is_free = fast[position].link.is_none() && !is_joined;
-        let rotates = ang_length_squared(fast[position].rotvec) > 0.0;
-        if first[position].fraction == 0.0 && is_free && rotates {
+        let FastMotion { body, link, rotvec, .. } = fast[position];
+        if first[position].fraction > 0.0 || link.is_some() || ang_length_squared(rotvec) == 0.0 {
+            continue;
+        }
+        if !joints.of_body(body.into_raw_parts().0).iter().any(is_attached) {
             fast[position].is_blocked = true;
             let context = CcdContext { fast, ..context };
             let search = Search { context, movers, link_trajectories, groups, searched };
