@@ -171,21 +171,23 @@ impl<'a> Body<'a> {
         }
         let (normal, dist) = match (&self.sharp, &other.sharp) {
             (Sharp::Convex(shape1), Sharp::Convex(shape2)) => {
-                let found = match closest(&pos12, shape1, shape2, reach + radius, last_normal) {
+                let found = closest(&pos12, shape1, shape2, reach + radius, last_normal);
+                let flats = [self.flat, other.flat.map(|normal| pos12.rotation * normal)];
+                let across = flats.into_iter().flatten().flat_map(|normal| [normal, -normal]);
+                match found {
                     Closest::Near { normal, dist, .. } if dist <= reach + radius => {
-                        (normal, dist - search_error() * dist.abs())
+                        // The search may report an overlap of separated shapes, or points that are not the
+                        // closest, for a triangle that is much larger than the other shape. A gap is a
+                        // certain lower bound.
+                        let certain = widest(&pos12, shape1, shape2, across.chain([normal]));
+                        let found = (normal, dist - search_error() * dist.abs());
+                        certain.filter(|certain| certain.1 > 0.0).unwrap_or(found)
                     }
                     Closest::Near { normal: direction, .. } | Closest::Apart(direction) => {
                         let directions = [direction, last_normal, pos12.translation];
-                        widest(&pos12, shape1, shape2, directions)?
+                        widest(&pos12, shape1, shape2, across.chain(directions))?
                     }
-                };
-                // For a triangle that is much larger than the other shape, the search may report an overlap
-                // of separated shapes.
-                let flats = [self.flat, other.flat.map(|normal| pos12.rotation * normal)];
-                let across = flats.into_iter().flatten().flat_map(|normal| [normal, -normal]);
-                let apart = widest(&pos12, shape1, shape2, across);
-                apart.filter(|apart| apart.1 > found.1).unwrap_or(found)
+                }
             }
             (Sharp::Convex(shape), Sharp::Plane(normal)) => {
                 let down = -(pos12.rotation * *normal);

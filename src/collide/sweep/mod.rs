@@ -67,7 +67,8 @@ const REMAINING_FRACTION: Real = 0.5;
 /// Final distance of a core from the other shape, as a fraction of the shape's thickness.
 const CORE_TOLERANCE: Real = 0.05;
 /// A core that is initially nearer than this fraction of it, and approaches, is stopped at once. Repeated
-/// halving would be lost in rounding, and the core would be inside.
+/// halving would be lost in rounding, and the core would be inside. A core that only rotates is not: the
+/// body's centre stays outside, and the body must be able to rotate out of the wall.
 const GAP_FRACTION_MIN: Real = 0.6;
 /// Largest number of jumps of a search: more than an approach at the tolerance needs that rotates through
 /// hundreds of times the thickness. Each segment allows one more.
@@ -390,7 +391,10 @@ fn advance(
                 return Meeting::FromTheBeginning;
             }
             let half = 0.5 * (dist - goal.gap);
-            if half < 0.5 * GAP_FRACTION_MIN * goal.tolerance && closing > 0.0 {
+            if half < 0.5 * GAP_FRACTION_MIN * goal.tolerance
+                && closing > 0.0
+                && !only_rotate(sweeps)
+            {
                 let soon = (fraction + half / closing).min(until);
                 let poses = sweeps.map(|sweep| sweep.at(soon));
                 let then = bodies[0].distance(bodies[1], &poses, reach, normal);
@@ -417,6 +421,12 @@ fn advance(
         }
     }
     Meeting::At(fraction)
+}
+
+/// Returns whether two bodies rotate, but their centres of rotation keep their relative position when the
+/// step begins.
+fn only_rotate(sweeps: [&Sweep<'_>; 2]) -> bool {
+    sweeps[0].velocity(0.0) == sweeps[1].velocity(0.0)
 }
 
 /// Bound on the closing speed of two bodies (length units per step), until a fraction of the step.
