@@ -29,8 +29,11 @@ impl Random {
 
 /// Angular velocities (rad/s) of tumbling and of spinning bodies.
 const SPINS: [Real; 2] = [12.0, 150.0];
-/// A body is held if its pose is the same in this many steps, while it is faster than [`HELD_SPEED_MIN`].
+/// A body is held if it moves less than [`HELD_FRACTION_MAX`] of its velocity in this many steps, while it is
+/// faster than [`HELD_SPEED_MIN`].
 const HELD_STEPS_MIN: u32 = 4;
+/// Fraction of its displacement by its velocity that a held body moves at most.
+const HELD_FRACTION_MAX: Real = 0.01;
 /// Speed (m/s) of a body that must move.
 const HELD_SPEED_MIN: Real = 2.0;
 
@@ -72,6 +75,7 @@ fn throw(
         .angvel(random_turn(random.take().map(|rate: Real| spin * rate)));
     let (body, _) = world.insert(body, shape.clone());
     let (mut last, mut held_steps) = (*world.bodies[body].position(), 0);
+    let dt = world.integration_parameters.dt;
     for _ in 0..90 {
         world.step();
         let body = &world.bodies[body];
@@ -82,7 +86,13 @@ fn throw(
         if at.y < -0.03 {
             return Outcome::Passed;
         }
-        let is_held = *body.position() == last && body.linvel().length() > HELD_SPEED_MIN;
+        let stays = |point: Vector| {
+            let (before, now) = (last * point, *body.position() * point);
+            let displacement = body.velocity_at_point(now).length() * dt;
+            (now - before).length() <= HELD_FRACTION_MAX * displacement
+        };
+        let corners = [vec(0.0, 0.0), vec(0.3, 0.0), vec(0.0, 0.3)];
+        let is_held = body.linvel().length() > HELD_SPEED_MIN && corners.into_iter().all(stays);
         held_steps = if is_held { held_steps + 1 } else { 0 };
         if held_steps >= HELD_STEPS_MIN {
             return Outcome::Held;
