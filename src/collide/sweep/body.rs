@@ -171,23 +171,21 @@ impl<'a> Body<'a> {
         }
         let (normal, dist) = match (&self.sharp, &other.sharp) {
             (Sharp::Convex(shape1), Sharp::Convex(shape2)) => {
-                let found = closest(&pos12, shape1, shape2, reach + radius, last_normal);
-                let flats = [self.flat, other.flat.map(|normal| pos12.rotation * normal)];
-                let across = flats.into_iter().flatten().flat_map(|normal| [normal, -normal]);
-                let directions = across.chain([last_normal, pos12.translation]);
-                match found {
+                let found = match closest(&pos12, shape1, shape2, reach + radius, last_normal) {
                     Closest::Near { normal, dist, .. } if dist <= reach + radius => {
-                        // The search may report an overlap of separated shapes, or points that are not the
-                        // closest, for a triangle that is much larger than the other shape. A gap is a
-                        // certain lower bound.
-                        let certain = widest(&pos12, shape1, shape2, directions.chain([normal]));
-                        let uncertain = (normal, dist - search_error() * dist.abs());
-                        certain.filter(|certain| certain.1 > 0.0).unwrap_or(uncertain)
+                        (normal, dist - search_error() * dist.abs())
                     }
                     Closest::Near { normal: direction, .. } | Closest::Apart(direction) => {
-                        widest(&pos12, shape1, shape2, directions.chain([direction]))?
+                        let directions = [direction, last_normal, pos12.translation];
+                        widest(&pos12, shape1, shape2, directions)?
                     }
-                }
+                };
+                // For a triangle that is much larger than the other shape, the search may report an overlap
+                // of separated shapes.
+                let flats = [self.flat, other.flat.map(|normal| pos12.rotation * normal)];
+                let across = flats.into_iter().flatten().flat_map(|normal| [normal, -normal]);
+                let apart = widest(&pos12, shape1, shape2, across);
+                apart.filter(|apart| apart.1 > found.1).unwrap_or(found)
             }
             (Sharp::Convex(shape), Sharp::Plane(normal)) => {
                 let down = -(pos12.rotation * *normal);
@@ -235,7 +233,7 @@ fn widest(
 ) -> Option<(Vector, Real)> {
     let known = directions.into_iter().filter_map(Vector::try_normalize);
     let gaps = known.map(|along| (along, extents(pos12, shape1, shape2, along).gap));
-    gaps.filter(|(_, gap)| !gap.is_nan()).max_by(|(_, gap1), (_, gap2)| gap1.total_cmp(gap2))
+    gaps.max_by(|(_, gap1), (_, gap2)| gap1.total_cmp(gap2))
 }
 
 /// The direction from a point to a part at `pos12`, and its distance, 0 if it is inside. The result is exact

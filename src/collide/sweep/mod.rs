@@ -67,9 +67,7 @@ const REMAINING_FRACTION: Real = 0.5;
 /// Final distance of a core from the other shape, as a fraction of the shape's thickness.
 const CORE_TOLERANCE: Real = 0.05;
 /// A core that is initially nearer than this fraction of it, and approaches, is stopped at once. Repeated
-/// halving would be lost in rounding, and the core would be inside. The exception is a blocked body that
-/// rotates about the middle of the core. The middle stays outside, and the body must be able to rotate out of
-/// the wall.
+/// halving would be lost in rounding, and the core would be inside.
 const GAP_FRACTION_MIN: Real = 0.6;
 /// Largest number of jumps of a search: more than an approach at the tolerance needs that rotates through
 /// hundreds of times the thickness. Each segment allows one more.
@@ -180,7 +178,7 @@ pub(crate) fn passes(
     until: Real,
     tolerance: Real,
 ) -> bool {
-    let goal = Goal::new(0.0, tolerance, InitiallyNear::MeetAtHalfOrAtOnce);
+    let goal = Goal::new(0.0, tolerance, true);
     let (mut meet, mut met) = (false, false);
     for_each_pair(shapes, sweeps, &mut |parts| {
         let bodies = Body::whole(parts[0].part.shape).zip(other_of(parts, tolerance));
@@ -282,7 +280,7 @@ fn impact_of_parts(
     }
     let whole = Body::whole(own_shape)?;
     let other = other_of(parts, goal.gap)?;
-    let goal_of_whole = Goal::new(goal.gap, 0.5 * goal.gap, InitiallyNear::HaveMet);
+    let goal_of_whole = Goal::new(goal.gap, 0.5 * goal.gap, false);
     if thickness == 0.0 {
         return CORES.iter().find_map(|&fraction| {
             let own = Body::middle(own_shape, widths, fraction)?;
@@ -293,14 +291,7 @@ fn impact_of_parts(
         })?;
     }
     let tolerance = (CORE_TOLERANCE * thickness).max(goal.gap);
-    let keeps_middle = sweeps[0].is_blocked
-        && !sweeps[1].moves()
-        && (widths.center - sweeps[0].local_center).length() <= tolerance;
-    let near = match keeps_middle {
-        true => InitiallyNear::MeetAtHalf,
-        false => InitiallyNear::MeetAtHalfOrAtOnce,
-    };
-    let core_goal = Goal::new(0.0, tolerance, near);
+    let core_goal = Goal::new(0.0, tolerance, true);
     let latest = CORES.iter().find_map(|&fraction| {
         let core = Body::core(own_shape, widths, CORE_DEPTH_FRACTION)?.shrunk(fraction);
         match advance([&core, &other], sweeps, core_goal, until) {
@@ -316,7 +307,7 @@ fn impact_of_parts(
             Overlap::StopsMiddle => Some(latest),
             Overlap::StopsEarly => {
                 let shallow = Body::core(own_shape, widths, PENETRATION_FRACTION_MAX)?;
-                let goal = Goal::new(0.0, goal_of_whole.tolerance, near);
+                let goal = Goal::new(0.0, goal_of_whole.tolerance, true);
                 Some(match advance([&shallow, &other], sweeps, goal, latest) {
                     Meeting::At(fraction) => fraction,
                     Meeting::Never => latest,
@@ -332,7 +323,9 @@ fn impact_of_parts(
 struct Goal {
     gap: Real,
     tolerance: Real,
-    near: InitiallyNear,
+    /// Whether initially near parts count as meeting when they come half as near, or nearer than
+    /// [`GAP_FRACTION_MIN`].
+    counts_at_once: bool,
     /// The fraction of the step at which the search begins.
     from: Real,
     jumps_max: usize,
@@ -340,20 +333,9 @@ struct Goal {
 
 impl Goal {
     /// From the beginning of the step.
-    fn new(gap: Real, tolerance: Real, near: InitiallyNear) -> Self {
-        Self { gap, tolerance, near, from: 0.0, jumps_max: JUMPS_MAX }
+    fn new(gap: Real, tolerance: Real, counts_at_once: bool) -> Self {
+        Self { gap, tolerance, counts_at_once, from: 0.0, jumps_max: JUMPS_MAX }
     }
-}
-
-/// Treatment of parts that are within the tolerance when the step begins.
-#[derive(Copy, Clone, Debug, PartialEq)]
-enum InitiallyNear {
-    /// They have met.
-    HaveMet,
-    /// They meet when they come half as near.
-    MeetAtHalf,
-    /// The same, or at once if they approach and are nearer than [`GAP_FRACTION_MIN`].
-    MeetAtHalfOrAtOnce,
 }
 
 /// Closing motion of two parts.
@@ -403,13 +385,12 @@ fn advance(
             if fraction > goal.from {
                 return Meeting::At(fraction);
             }
-            let may_come_nearer = dist > goal.gap;
-            if goal.near == InitiallyNear::HaveMet || !may_come_nearer {
+            let may_come_nearer = goal.counts_at_once && dist > goal.gap;
+            if !may_come_nearer {
                 return Meeting::FromTheBeginning;
             }
             let half = 0.5 * (dist - goal.gap);
-            let stops = goal.near == InitiallyNear::MeetAtHalfOrAtOnce;
-            if stops && half < 0.5 * GAP_FRACTION_MIN * goal.tolerance && closing > 0.0 {
+            if half < 0.5 * GAP_FRACTION_MIN * goal.tolerance && closing > 0.0 {
                 let soon = (fraction + half / closing).min(until);
                 let poses = sweeps.map(|sweep| sweep.at(soon));
                 let then = bodies[0].distance(bodies[1], &poses, reach, normal);

@@ -70,8 +70,6 @@ pub(crate) struct Sweep<'a> {
     pub(super) local_center: Vector,
     /// The executed fraction of the motion.
     pub(super) stop: Real,
-    /// Whether a blocked body rotates about its centre, and nothing else.
-    pub(super) is_blocked: bool,
 }
 
 impl<'a> Sweep<'a> {
@@ -86,7 +84,6 @@ impl<'a> Sweep<'a> {
             rotation: Rotation::IDENTITY,
             local_center,
             stop: 1.0,
-            is_blocked: false,
         }
     }
 
@@ -99,18 +96,12 @@ impl<'a> Sweep<'a> {
             rotation: place.rotation,
             local_center,
             stop: 1.0,
-            is_blocked: false,
         }
     }
 
     /// The same motion, as far as `stop`.
     pub fn until(self, stop: Real) -> Self {
         Self { stop, ..self }
-    }
-
-    /// The same motion of a body that is blocked or not.
-    pub fn blocked(self, is_blocked: bool) -> Self {
-        Self { is_blocked, ..self }
     }
 
     /// A motion without displacement.

@@ -11,8 +11,7 @@
 use super::body::Body;
 use super::motion::reach_about;
 use super::{
-    Goal, InitiallyNear, Meeting, MovingPart, Overlap, Sweep, SweepGoal, advance, impact_of_parts,
-    other_of,
+    Goal, Meeting, MovingPart, Overlap, Sweep, SweepGoal, advance, impact_of_parts, other_of,
 };
 use crate::base::bvh::SlabProbe;
 use crate::collide::part::Part;
@@ -77,8 +76,7 @@ fn touch_of_parts(
     let part1 = pair[0].part;
     let [from, until] = window(pair, tolerance, until)?;
     let (body1, body2) = (Body::whole(part1.shape)?, other_of(pair, tolerance)?);
-    let goal =
-        Goal { gap: 0.0, tolerance, near: InitiallyNear::HaveMet, from, jumps_max: JUMPS_MAX };
+    let goal = Goal { gap: 0.0, tolerance, counts_at_once: false, from, jumps_max: JUMPS_MAX };
     match advance([&body1, &body2], pair.map(|moving| moving.sweep), goal, until) {
         Meeting::At(fraction) => Some(fraction),
         Meeting::Never => None,

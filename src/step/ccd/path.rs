@@ -288,8 +288,7 @@ fn movers<'a>(
 
 /// The motion of something on a fast body that was at `start`, as far as `stop`.
 pub(super) fn sweep_of(motion: &FastMotion, start: Pose, stop: Real) -> Sweep<'static> {
-    let sweep = Sweep::new(start, motion.center, motion.path_shift(), motion.rotvec);
-    sweep.blocked(motion.is_blocked).until(stop)
+    Sweep::new(start, motion.center, motion.path_shift(), motion.rotvec).until(stop)
 }
 
 /// The motion from the old pose of the collider to its body's new pose.
