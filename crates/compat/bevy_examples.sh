@@ -26,6 +26,8 @@ export CARGO_TARGET_DIR="$folder/target"
 
 # Examples that are not run, and the reason.
 skipped='
+custom_system_setup2 panics on both: bevy_rapier lacks its resource TimestepMode without the default systems
+custom_system_setup3 panics on both: bevy_rapier lacks its resource TimestepMode without the default systems
 debugdump2 prints the schedule and simulates nothing
 debugdump3 prints the schedule and simulates nothing
 picking3 needs a pointer and a rendered window
@@ -49,12 +51,18 @@ for package in json.load(sys.stdin)["packages"]:
     if (package["name"], package["version"]) == (name, version): print(os.path.dirname(package["manifest_path"]))' "$1" "$2"
 }
 
+# Writes standard input to a file. An equal file keeps its time, which saves a compilation.
+put() {
+    local text
+    text=$(cat)
+    [[ -e $1 && $text == "$(cat "$1")" ]] || printf '%s\n' "$text" >"$1"
+}
+
 # Writes the package FOLDER/<engine>-<dimension>d, whose examples are those of bevy_rapier: dimension, engine.
 prepare() {
     local dim=$1 engine=$2 package="$folder/$2-$1d" name file
-    rm -rf "$package"
     mkdir -p "$package/src" "$package/examples"
-    cat >"$package/Cargo.toml" <<MANIFEST
+    put "$package/Cargo.toml" <<MANIFEST
 [package]
 name = "headless"
 version = "0.0.0"
@@ -68,13 +76,20 @@ tracing-subscriber = "0.3"
 [workspace]
 [profile.release]
 codegen-units = 1
+[profile.release.package.headless] # The physics is in other packages.
+opt-level = 1
+[patch.crates-io]
+$([[ $engine == upstream ]] || echo "rapier${dim}d = { path = \"$here/rapier${dim}d\" }")
 MANIFEST
-    [[ $engine == facade ]] && printf '[patch.crates-io]\nrapier%sd = { path = "%s/rapier%sd" }\n' "$dim" "$here" "$dim" >>"$package/Cargo.toml"
-    printf 'use bevy_rapier%sd as physics;\n#[path = "%s/bevy/headless.rs"]\nmod headless;\npub use headless::DefaultPlugins;\n' "$dim" "$here" >"$package/src/lib.rs"
+    printf 'use bevy_rapier%sd as physics;\n#[path = "%s/bevy/headless.rs"]\nmod headless;\npub use headless::DefaultPlugins;\n' "$dim" "$here" |
+        put "$package/src/lib.rs"
     for file in "$folder/examples-${dim}d"/*.rs; do
         name=$(basename "$file" .rs)
-        selected "$name" || continue
-        { cat "$file"; printf '\nuse headless::DefaultPlugins;\n'; } >"$package/examples/$name.rs"
+        if selected "$name"; then
+            { cat "$file"; printf '\nuse headless::DefaultPlugins;\n'; } | put "$package/examples/$name.rs"
+        else
+            rm -f "$package/examples/$name.rs"
+        fi
     done
 }
 
@@ -119,7 +134,7 @@ for dim in 2 3; do
     name=bevy_rapier${dim}d
     source=$(fetch "$name" "$library") && [[ -n $source ]] || exit 1
     rm -rf "$folder/library-${dim}d"
-    cp -r "$source" "$folder/library-${dim}d"
+    cp -a "$source" "$folder/library-${dim}d" # The old times of the files save compilations.
     sed -i -E '/^ *"bevy\/bevy_(core_pipeline|pbr|render)",$/d' "$folder/library-${dim}d/Cargo.toml"
     source=$(fetch "$name" "$examples") && [[ -n $source ]] || exit 1
     rm -rf "$folder/examples-${dim}d"

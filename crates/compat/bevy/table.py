@@ -36,7 +36,7 @@ def time(seconds):
     return f"{value:,.0f}" if value >= 99.5 else f"{value:.3g}"
 
 
-print("| example | bodies | step, upstream (µs) | step, facade (µs) | ratio | pairs at the end | pairs, mean | lines |")
+print("| example | bodies | step, upstream (µs) | step, facade (µs) | ratio | touching pairs at the end | touching pairs, mean | lines |")
 print("|---|--:|--:|--:|--:|--:|--:|---|")
 for example, engines in sorted(runs().items()):
     upstream, facade = engines["upstream"], engines["facade"]
@@ -49,5 +49,5 @@ for example, engines in sorted(runs().items()):
     bodies = f"{first['bodies']:.0f}" if first["bodies"] == second["bodies"] else f"{first['bodies']:.0f}, {second['bodies']:.0f}"
     print(
         f"| {example} | {bodies} | {time(times[0])} | {time(times[1])} | {times[1] / times[0]:.2f}"
-        f" | {first['pairs']:.0f}, {second['pairs']:.0f} | {first['pairs_mean']:.0f}, {second['pairs_mean']:.0f} | {lines(example)} |"
+        f" | {first['touching']:.0f}, {second['touching']:.0f} | {first['touching_mean']:.0f}, {second['touching_mean']:.0f} | {lines(example)} |"
     )
