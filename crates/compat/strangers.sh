@@ -21,8 +21,8 @@ export CARGO_TARGET_DIR="$folder/target"
 crates='
 rapier3d-meshloader 0.13.0 test --all-features
 rapier3d-urdf 0.13.0 test --all-features
-bevy_rapier3d 0.34.0 check --no-default-features --features dim3,rapier-debug-render
-bevy_rapier2d 0.34.0 check --no-default-features --features dim2,rapier-debug-render
+bevy_rapier3d 0.34.0 check
+bevy_rapier2d 0.34.0 check
 fyrox-impl 1.0.1 check
 '
 

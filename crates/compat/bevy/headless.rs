@@ -1,0 +1,179 @@
+//! Bevy without a window or renderer, for the examples of bevy_rapier: a fixed number of updates, and one line of measurements.
+//!
+//! Each example gets the line `use headless::DefaultPlugins;`, which shadows the name of Bevy's prelude. The executor has one
+//! thread, and every update advances the clock by 1/60 s, so that two runs of an example differ by the physics only.
+
+use std::time::{Duration, Instant};
+
+use bevy::app::{AppExit, PluginGroupBuilder, PluginsState, TaskPoolPlugin};
+use bevy::asset::AssetPlugin;
+use bevy::diagnostic::FrameCountPlugin;
+use bevy::gizmos::GizmoPlugin;
+use bevy::image::ImagePlugin;
+use bevy::input::InputPlugin;
+use bevy::mesh::MeshPlugin;
+use bevy::prelude::*;
+use bevy::scene::ScenePlugin;
+use bevy::time::{TimePlugin, TimeUpdateStrategy};
+use bevy::window::WindowPlugin;
+use tracing_subscriber::filter::LevelFilter;
+
+use crate::physics::plugin::context::{RapierContextSimulation, RapierRigidBodySet};
+use crate::physics::plugin::PhysicsSet;
+
+/// Number of updates, unless the example exits earlier or the variable `UPDATES` sets another number.
+const UPDATES: usize = 360;
+
+/// Contacts nearer than this touch, in units of length: the prediction distance of Rapier 0.32. The engine's own is ten times
+/// as far, so its numbers of active contacts are not comparable.
+const TOUCHING_DISTANCE_MAX: f32 = 0.002;
+
+/// The plugins of Bevy that the examples need, and the measurement.
+pub struct DefaultPlugins;
+
+impl PluginGroup for DefaultPlugins {
+    fn build(self) -> PluginGroupBuilder {
+        PluginGroupBuilder::start::<Self>()
+            .add(TaskPoolPlugin::default())
+            .add(FrameCountPlugin)
+            .add(TimePlugin)
+            .add(TransformPlugin)
+            .add(InputPlugin)
+            .add(WindowPlugin::default())
+            .add(AssetPlugin::default())
+            .add(ImagePlugin::default())
+            .add(MeshPlugin)
+            .add(ScenePlugin)
+            .add(GizmoPlugin)
+            .add(Measurement)
+    }
+}
+
+/// Runs and measures the app.
+struct Measurement;
+
+impl Plugin for Measurement {
+    fn build(&self, app: &mut App) {
+        // Messages of `info!` and `warn!` are compared between the runs, so they have no time and no colour.
+        tracing_subscriber::fmt()
+            .without_time()
+            .with_ansi(false)
+            .with_max_level(LevelFilter::INFO)
+            .init();
+        app.insert_resource(TimeUpdateStrategy::ManualDuration(Duration::from_secs_f64(
+            1.0 / 60.0,
+        )))
+        .init_resource::<Record>()
+        .add_systems(
+            PostUpdate,
+            (
+                start.after(PhysicsSet::SyncBackend).before(PhysicsSet::StepSimulation),
+                stop.after(PhysicsSet::StepSimulation).before(PhysicsSet::Writeback),
+                count.after(PhysicsSet::Writeback),
+            ),
+        )
+        .set_runner(run);
+    }
+}
+
+/// Times of the steps, and the state of the physics after each.
+#[derive(Resource, Default)]
+struct Record {
+    started: Option<Instant>,
+    /// Time of each step, s.
+    times: Vec<f64>,
+    /// Pairs with active contacts, summed over the steps and after the last one.
+    active: Sum,
+    /// Pairs that touch, likewise.
+    touching: Sum,
+    /// Bodies after the last step.
+    bodies: usize,
+    /// Dynamic bodies that do not sleep after the last step.
+    awake: usize,
+}
+
+/// A number that changes from step to step.
+#[derive(Default)]
+struct Sum {
+    last: usize,
+    total: usize,
+}
+
+impl Sum {
+    fn add(&mut self, value: usize) {
+        self.last = value;
+        self.total += value;
+    }
+}
+
+fn start(mut record: ResMut<Record>) {
+    record.started = Some(Instant::now());
+}
+
+fn stop(mut record: ResMut<Record>) {
+    if let Some(started) = record.started.take() {
+        record.times.push(started.elapsed().as_secs_f64());
+    }
+}
+
+fn count(
+    mut record: ResMut<Record>,
+    contexts: Query<(&RapierContextSimulation, &RapierRigidBodySet)>,
+) {
+    let (mut active, mut touching) = (0, 0);
+    for (simulation, _) in &contexts {
+        let distance = TOUCHING_DISTANCE_MAX * simulation.integration_parameters.length_unit;
+        for pair in simulation.narrow_phase.contact_pairs() {
+            let mut contacts = pair.manifolds.iter().flat_map(|one| &one.data.solver_contacts);
+            active += usize::from(pair.has_any_active_contact());
+            touching += usize::from(contacts.any(|contact| contact.dist < distance));
+        }
+    }
+    record.active.add(active);
+    record.touching.add(touching);
+    record.bodies = contexts.iter().map(|(_, set)| set.bodies.len()).sum();
+    record.awake = contexts
+        .iter()
+        .flat_map(|(_, set)| set.bodies.iter())
+        .filter(|(_, body)| body.is_dynamic() && !body.is_sleeping())
+        .count();
+}
+
+/// Updates the app, and prints the record as the last line.
+fn run(mut app: App) -> AppExit {
+    while app.plugins_state() == PluginsState::Adding {
+        bevy::tasks::tick_global_task_pools_on_main_thread();
+    }
+    app.finish();
+    app.cleanup();
+    let updates =
+        std::env::var("UPDATES").ok().and_then(|text| text.parse().ok()).unwrap_or(UPDATES);
+    let mut exit = None;
+    for _ in 0..updates {
+        app.update();
+        exit = app.should_exit();
+        if exit.is_some() {
+            break;
+        }
+    }
+    print(app.world().resource::<Record>());
+    exit.unwrap_or(AppExit::Success)
+}
+
+fn print(record: &Record) {
+    let mut times = record.times.clone();
+    times.sort_by(f64::total_cmp);
+    let steps = times.len();
+    let median = times.get(steps / 2).copied().unwrap_or(0.0);
+    let mean = |total: f64| total / steps.max(1) as f64;
+    println!(
+        "measured steps={steps} median={median:.9} mean={:.9} active={} active_mean={:.1} touching={} touching_mean={:.1} bodies={} awake={}",
+        mean(times.iter().sum()),
+        record.active.last,
+        mean(record.active.total as f64),
+        record.touching.last,
+        mean(record.touching.total as f64),
+        record.bodies,
+        record.awake
+    );
+}
