@@ -10,7 +10,8 @@
 # The package 0.34.0 of bevy_rapier contains no examples, so those of the package 0.35.0 are compiled with the library 0.34.0.
 # The library loses its renderer: its features enable Bevy's renderer, but its code does not use it.
 #
-# The runs of both engines alternate. FOLDER/runs.txt contains the measurements, FOLDER/lines the printed lines, and
+# The time of a step is the time of its thread on the processor, which other programs on the machine influence little. The
+# runs of both engines alternate. FOLDER/runs.txt contains the measurements, FOLDER/lines the printed lines, and
 # FOLDER/table.md the table. The exit status is 1 if an example was not built, failed, or ended on one engine only.
 set -u
 here=$(cd "$(dirname "$0")" && pwd)
@@ -70,6 +71,7 @@ edition = "2021"
 [dependencies]
 bevy = { version = "=0.18.1", default-features = false, features = ["std", "bevy_camera", "bevy_color", "bevy_gizmos", "bevy_light", "bevy_log", "bevy_scene", "bevy_sprite", "bevy_state", "bevy_window"] }
 bevy_rapier${dim}d = { path = "../library-${dim}d", features = [${FEATURES:+\"${FEATURES//,/\",\"}\"}] }
+cpu-time = "1"
 log = "0.4"
 rapier${dim}d = "0.32"
 tracing-subscriber = "0.3"

@@ -1,9 +1,11 @@
-//! Bevy without a window or renderer, for the examples of bevy_rapier: a fixed number of updates, and one line of measurements.
+//! Bevy without a window or renderer, for the examples of bevy_rapier: a fixed number of updates, and one
+//! line of measurements.
 //!
-//! Each example gets the line `use headless::DefaultPlugins;`, which shadows the name of Bevy's prelude. The executor has one
-//! thread, and every update advances the clock by 1/60 s, so that two runs of an example differ by the physics only.
+//! Each example gets the line `use headless::DefaultPlugins;`, which shadows the name of Bevy's prelude.
+//! The executor has one thread, and every update advances the clock by 1/60 s, so that two runs of an
+//! example differ by the physics only.
 
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use bevy::app::{AppExit, PluginGroupBuilder, PluginsState, TaskPoolPlugin};
 use bevy::asset::AssetPlugin;
@@ -16,6 +18,7 @@ use bevy::prelude::*;
 use bevy::scene::ScenePlugin;
 use bevy::time::{TimePlugin, TimeUpdateStrategy};
 use bevy::window::WindowPlugin;
+use cpu_time::ThreadTime;
 use tracing_subscriber::filter::LevelFilter;
 
 use crate::physics::plugin::context::{RapierContextSimulation, RapierRigidBodySet};
@@ -24,8 +27,8 @@ use crate::physics::plugin::PhysicsSet;
 /// Number of updates, unless the example exits earlier or the variable `UPDATES` sets another number.
 const UPDATES: usize = 360;
 
-/// Contacts nearer than this touch, in units of length: the prediction distance of Rapier 0.32. The engine's own is ten times
-/// as far, so its numbers of active contacts are not comparable.
+/// Contacts nearer than this touch, in units of length: the prediction distance of Rapier 0.32. The
+/// engine's own is ten times as far, so its numbers of active contacts are not comparable.
 const TOUCHING_DISTANCE_MAX: f32 = 0.002;
 
 /// The plugins of Bevy that the examples need, and the measurement.
@@ -54,7 +57,8 @@ struct Measurement;
 
 impl Plugin for Measurement {
     fn build(&self, app: &mut App) {
-        // Messages of `info!` and `warn!` are compared between the runs, so they have no time and no colour.
+        // Messages of `info!` and `warn!` are compared between the runs, so they have no time and no
+        // colour.
         tracing_subscriber::fmt()
             .without_time()
             .with_ansi(false)
@@ -79,8 +83,9 @@ impl Plugin for Measurement {
 /// Times of the steps, and the state of the physics after each.
 #[derive(Resource, Default)]
 struct Record {
-    started: Option<Instant>,
-    /// Time of each step, s.
+    /// Time of the thread on the processor when the step began.
+    started: Option<Duration>,
+    /// Time of each step on the processor, s. Other programs on the machine do not add to it.
     times: Vec<f64>,
     /// Pairs with active contacts, summed over the steps and after the last one.
     active: Sum,
@@ -107,12 +112,13 @@ impl Sum {
 }
 
 fn start(mut record: ResMut<Record>) {
-    record.started = Some(Instant::now());
+    record.started = Some(ThreadTime::now().as_duration());
 }
 
 fn stop(mut record: ResMut<Record>) {
     if let Some(started) = record.started.take() {
-        record.times.push(started.elapsed().as_secs_f64());
+        let time = ThreadTime::now().as_duration().saturating_sub(started);
+        record.times.push(time.as_secs_f64());
     }
 }
 

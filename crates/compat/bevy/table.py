@@ -36,18 +36,18 @@ def time(seconds):
     return f"{value:,.0f}" if value >= 99.5 else f"{value:.3g}"
 
 
-print("| example | bodies | step, upstream (µs) | step, facade (µs) | ratio | touching pairs at the end | touching pairs, mean | lines |")
-print("|---|--:|--:|--:|--:|--:|--:|---|")
+print("| example | bodies | step, upstream (µs) | step, facade (µs) | ratio | ratio of means | touching pairs at the end | touching pairs, mean | lines |")
+print("|---|--:|--:|--:|--:|--:|--:|--:|---|")
 for example, engines in sorted(runs().items()):
     upstream, facade = engines["upstream"], engines["facade"]
     failed = [name for name, runs in engines.items() if any(run["status"] or "steps" not in run for run in runs)]
     if failed:
-        print(f"| {example} | failed on {', '.join(failed)} | | | | | | {lines(example)} |")
+        print(f"| {example} | failed on {', '.join(failed)} | | | | | | | {lines(example)} |")
         continue
-    times = [min(run["median"] for run in runs) for runs in (upstream, facade)]
+    times, means = ([min(run[key] for run in runs) for runs in (upstream, facade)] for key in ("median", "mean"))
     first, second = upstream[0], facade[0]
     bodies = f"{first['bodies']:.0f}" if first["bodies"] == second["bodies"] else f"{first['bodies']:.0f}, {second['bodies']:.0f}"
     print(
-        f"| {example} | {bodies} | {time(times[0])} | {time(times[1])} | {times[1] / times[0]:.2f}"
+        f"| {example} | {bodies} | {time(times[0])} | {time(times[1])} | {times[1] / times[0]:.2f} | {means[1] / means[0]:.2f}"
         f" | {first['touching']:.0f}, {second['touching']:.0f} | {first['touching_mean']:.0f}, {second['touching_mean']:.0f} | {lines(example)} |"
     )
