@@ -21,8 +21,8 @@ use bevy::window::WindowPlugin;
 use cpu_time::ThreadTime;
 use tracing_subscriber::filter::LevelFilter;
 
-use crate::physics::plugin::context::{RapierContextSimulation, RapierRigidBodySet};
 use crate::physics::plugin::PhysicsSet;
+use crate::physics::plugin::context::{RapierContextSimulation, RapierRigidBodySet};
 
 /// Number of updates, unless the example exits earlier or the variable `UPDATES` sets another number.
 const UPDATES: usize = 360;
