@@ -17,7 +17,7 @@ folder=$(cd "$folder" && pwd)
 export CARGO_TARGET_DIR="$folder/target"
 
 # name, version, arguments of cargo. The tests of the crates with `check` need a window: their libraries are checked
-# only. fyrox-impl needs the packages libasound2-dev and libudev-dev of Debian.
+# only. The last three need the packages libasound2-dev and libudev-dev of Debian.
 crates='
 rapier3d-meshloader 0.13.0 test --all-features
 rapier3d-urdf 0.13.0 test --all-features
