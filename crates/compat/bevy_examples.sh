@@ -24,6 +24,7 @@ examples=0.35.0
 mkdir -p "$folder"
 folder=$(cd "$folder" && pwd)
 export CARGO_TARGET_DIR="$folder/target"
+. "$here/registry.sh"
 
 # Examples that are not run, and the reason.
 skipped='
@@ -37,20 +38,6 @@ serialization2 prints the private state of the engine
 testbed2 needs egui; the other examples are its scenes
 testbed3 needs egui; the other examples are its scenes
 '
-
-# Prints the folder of a package of the registry: name, version.
-fetch() {
-    local probe="$folder/probe-$1-$2"
-    mkdir -p "$probe/src"
-    : >"$probe/src/lib.rs"
-    printf '[package]\nname = "probe"\nversion = "0.0.0"\nedition = "2024"\n[dependencies]\n%s = { version = "=%s", default-features = false }\n[workspace]\n' \
-        "$1" "$2" >"$probe/Cargo.toml"
-    (cd "$probe" && cargo fetch --quiet) || return 1
-    (cd "$probe" && cargo metadata --format-version 1) | python3 -c 'import json, os, sys
-name, version = sys.argv[1:]
-for package in json.load(sys.stdin)["packages"]:
-    if (package["name"], package["version"]) == (name, version): print(os.path.dirname(package["manifest_path"]))' "$1" "$2"
-}
 
 # Writes standard input to a file. An equal file keeps its time, which saves a compilation.
 put() {
@@ -119,11 +106,11 @@ build() {
 
 # Runs an example once, appends its measurements to runs.txt and keeps its lines: engine, name.
 run() {
-    local output="$folder/lines/$1-$2.txt" status
+    local output="$folder/lines/$1-$2.txt" status measured
     timeout 1200 "$folder/bin/$1/$2" >"$output" 2>&1
     status=$?
-    grep -E '^measured ' "$output" | sed "s/^measured/$2 $1 status=$status/" >>"$folder/runs.txt"
-    if ! grep -qE '^measured ' "$output"; then echo "$2 $1 status=$status" >>"$folder/runs.txt"; fi
+    measured=$(grep '^measured ' "$output")
+    echo "$2 $1 status=$status${measured#measured}" >>"$folder/runs.txt"
     sed -i '/^measured /d' "$output"
     return "$status"
 }
@@ -134,11 +121,11 @@ mkdir -p "$folder/lines"
 : >"$folder/runs.txt"
 for dim in 2 3; do
     name=bevy_rapier${dim}d
-    source=$(fetch "$name" "$library") && [[ -n $source ]] || exit 1
+    source=$(package_source "$name" "$library") && [[ -n $source ]] || exit 1
     rm -rf "$folder/library-${dim}d"
     cp -a "$source" "$folder/library-${dim}d" # The old times of the files save compilations.
     sed -i -E '/^ *"bevy\/bevy_(core_pipeline|pbr|render)",$/d' "$folder/library-${dim}d/Cargo.toml"
-    source=$(fetch "$name" "$examples") && [[ -n $source ]] || exit 1
+    source=$(package_source "$name" "$examples") && [[ -n $source ]] || exit 1
     rm -rf "$folder/examples-${dim}d"
     cp -r "$source/examples" "$folder/examples-${dim}d"
     for engine in upstream facade; do

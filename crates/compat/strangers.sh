@@ -15,6 +15,7 @@ pattern=${2:-.}
 mkdir -p "$folder"
 folder=$(cd "$folder" && pwd)
 export CARGO_TARGET_DIR="$folder/target"
+. "$here/registry.sh"
 
 # name, version, arguments of cargo. The tests of the crates with `check` need a window: their libraries are checked
 # only. The last three need the packages libasound2-dev and libudev-dev of Debian.
@@ -28,20 +29,10 @@ fyrox-impl 1.0.1 check
 
 # Copies the source of a crate of the registry to FOLDER/<name>, with the patch in its manifest.
 prepare() {
-    local probe="$folder/probe-$1" target="$folder/$1"
-    mkdir -p "$probe/src"
-    : >"$probe/src/lib.rs"
-    printf '[package]\nname = "probe"\nversion = "0.0.0"\nedition = "2024"\n[dependencies]\n%s = "=%s"\n[workspace]\n' \
-        "$1" "$2" >"$probe/Cargo.toml"
-    (cd "$probe" && cargo fetch --quiet) || return 1
-    local manifest package
-    manifest=$(cd "$probe" && cargo metadata --format-version 1 |
-        python3 -c 'import json, sys
-name, version = sys.argv[1:]
-for package in json.load(sys.stdin)["packages"]:
-    if (package["name"], package["version"]) == (name, version): print(package["manifest_path"])' "$1" "$2")
+    local source target="$folder/$1"
+    source=$(package_source "$1" "$2") && [[ -n $source ]] || return 1
     rm -rf "$target"
-    cp -r "$(dirname "$manifest")" "$target"
+    cp -r "$source" "$target"
     rm -f "$target/Cargo.lock" # A lock file refuses the patched versions.
     printf '\n[workspace]\n[patch.crates-io]\n' >>"$target/Cargo.toml"
     for package in rapier2d rapier2d-f64 rapier3d rapier3d-f64; do
