@@ -30,6 +30,8 @@ pub struct Stage<'a> {
     naming: Naming<'a>,
     /// Folders of the packages in the repository, and their names.
     packages: BTreeMap<PathBuf, String>,
+    /// Profiles, which only the manifest of a workspace may have.
+    profiles: Option<Item>,
 }
 
 impl<'a> Stage<'a> {
@@ -40,7 +42,8 @@ impl<'a> Stage<'a> {
         naming: Naming<'a>,
         packages: &[&str],
     ) -> Result<Self, Failure> {
-        let mut stage = Self { repository, folder, naming, packages: BTreeMap::new() };
+        let none = BTreeMap::new();
+        let mut stage = Self { repository, folder, naming, packages: none, profiles: None };
         for package in packages {
             stage.add(Path::new(package))?;
         }
@@ -61,6 +64,7 @@ impl<'a> Stage<'a> {
         let mut manifest = manifest::parse(&source.join("Cargo.toml"))?;
         manifest::inherit(&mut manifest, &manifest::workspace_of(&source)?);
         manifest::remove_tests(&mut manifest);
+        self.profiles = manifest.remove("profile").or(self.profiles.take());
         let name = self.name_of(package, &manifest);
         self.packages.insert(package.into(), name.clone());
         for (key, path) in manifest::path_dependencies(&manifest) {
@@ -157,8 +161,11 @@ impl<'a> Stage<'a> {
 
     fn write_workspace(&self) -> Result<(), Failure> {
         let members: Array = self.names().collect();
-        let text = format!("[workspace]\nresolver = \"3\"\nmembers = {members}\n");
-        write(&self.folder.join("Cargo.toml"), &text)
+        let mut manifest = DocumentMut::new();
+        manifest["workspace"]["resolver"] = toml_edit::value("3");
+        manifest["workspace"]["members"] = toml_edit::value(members);
+        manifest["profile"] = self.profiles.clone().unwrap_or(Item::None);
+        write(&self.folder.join("Cargo.toml"), &manifest.to_string())
     }
 }
 
