@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
 # Runs the golden scenes on every platform that this machine can build for and execute: natively, as WebAssembly with and without SIMD (in Node), and for
-# aarch64 (under qemu). Arguments choose platforms: native wasm-simd wasm-scalar aarch64.
+# other processors under qemu. Arguments choose platforms: native wasm-simd wasm-scalar aarch64 i686 armv7 riscv64 s390x (big-endian).
 #
 # A target comes from `rustup target add` where that works. Elsewhere the standard library is built from source with Debian's toolchain:
-#   apt-get install rustc-web cargo-web rust-web-src             # WebAssembly and aarch64
-#   apt-get install qemu-user gcc-aarch64-linux-gnu              # aarch64
+#   apt-get install rustc-web cargo-web rust-web-src             # all targets
+#   apt-get install qemu-user gcc-aarch64-linux-gnu gcc-i686-linux-gnu gcc-arm-linux-gnueabihf gcc-riscv64-linux-gnu gcc-s390x-linux-gnu
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 
@@ -44,23 +44,30 @@ wasm() {
     node crates/golden/run.mjs "target/golden/wasm32-unknown-unknown${flags:+-flags}/wasm32-unknown-unknown/release/golden.wasm"
 }
 
-aarch64() {
-    command -v qemu-aarch64 >/dev/null || { missing aarch64 'there is no qemu-aarch64'; return; }
-    command -v aarch64-linux-gnu-gcc >/dev/null || { missing aarch64 'there is no linker aarch64-linux-gnu-gcc'; return; }
-    CARGO_TARGET_AARCH64_UNKNOWN_LINUX_GNU_LINKER=aarch64-linux-gnu-gcc build aarch64-unknown-linux-gnu '' --bin golden ||
-        { missing aarch64 'no toolchain builds for aarch64-unknown-linux-gnu'; return; }
-    qemu-aarch64 -L /usr/aarch64-linux-gnu target/golden/aarch64-unknown-linux-gnu/aarch64-unknown-linux-gnu/release/golden
+# emulated NAME TARGET EMULATOR LINKER SYSROOT: builds for a foreign processor, and runs under its emulator.
+emulated() {
+    local name=$1 target=$2 emulator=$3 linker=$4 sysroot=$5 variable
+    command -v "$emulator" >/dev/null || { missing "$name" "there is no $emulator"; return; }
+    command -v "$linker" >/dev/null || { missing "$name" "there is no linker $linker"; return; }
+    variable=CARGO_TARGET_$(printf '%s' "$target" | tr a-z- A-Z_)_LINKER
+    (export "$variable=$linker" && build "$target" '' --bin golden) ||
+        { missing "$name" "no toolchain builds for $target"; return; }
+    "$emulator" -L "$sysroot" "target/golden/$target/$target/release/golden"
 }
 
 left_out=0
-for platform in "${@:-native wasm-simd wasm-scalar aarch64}"; do
+for platform in "${@:-native wasm-simd wasm-scalar aarch64 i686 armv7 riscv64 s390x}"; do
     for name in $platform; do
         printf '=== %s\n' "$name"
         case $name in
         native) native ;;
         wasm-simd) wasm wasm-simd '-C target-feature=+simd128' ;;
         wasm-scalar) wasm wasm-scalar '' ;;
-        aarch64) aarch64 ;;
+        aarch64) emulated aarch64 aarch64-unknown-linux-gnu qemu-aarch64 aarch64-linux-gnu-gcc /usr/aarch64-linux-gnu ;;
+        i686) emulated i686 i686-unknown-linux-gnu qemu-i386 i686-linux-gnu-gcc /usr/i686-linux-gnu ;;
+        armv7) emulated armv7 armv7-unknown-linux-gnueabihf qemu-arm arm-linux-gnueabihf-gcc /usr/arm-linux-gnueabihf ;;
+        riscv64) emulated riscv64 riscv64gc-unknown-linux-gnu qemu-riscv64 riscv64-linux-gnu-gcc /usr/riscv64-linux-gnu ;;
+        s390x) emulated s390x s390x-unknown-linux-gnu qemu-s390x s390x-linux-gnu-gcc /usr/s390x-linux-gnu ;;
         *) printf 'unknown platform %s\n' "$name" >&2 && exit 2 ;;
         esac
     done

@@ -36,7 +36,7 @@ pub fn crates(
 pub fn python(
     repository: &Path,
     artefacts: &Path,
-    settings: &Settings,
+    _settings: &Settings,
 ) -> Result<Vec<(String, u64)>, Failure> {
     let (folder, stage) = (artefacts.join("python"), artefacts.join("stage/python"));
     make_empty_folder(&folder)?;
@@ -48,7 +48,8 @@ pub fn python(
     }
     let sources = |name: &str| name != "__pycache__" && !name.ends_with(".so");
     copy_tree(&repository.join("python/rapier"), &package.join("rapier"), &sources)?;
-    // The source distribution contains the staged packages below one workspace.
+    // The versions of the lock file are those that the tests ran with.
+    copy(&repository.join("python/Cargo.lock"), &stage.join("Cargo.lock"))?;
     let environment = artefacts.join("stage/environment");
     if !environment.exists() {
         call(Command::new("python3").args(["-m", "venv"]).arg(&environment))?;
@@ -62,7 +63,6 @@ pub fn python(
     let files = entries(&folder)?;
     let check = ["-m", "twine", "check", "--strict"];
     call(Command::new(&python).args(check).args(&files).current_dir(&folder))?;
-    let _ = settings;
     sizes(&folder)
 }
 
@@ -91,7 +91,11 @@ fn call(command: &mut Command) -> Result<(), Failure> {
         program: program.clone(),
         status: reason.to_string(),
     })?;
-    if status.success() { Ok(()) } else { Err(Failure::Program { program, status: status.to_string() }) }
+    if status.success() {
+        Ok(())
+    } else {
+        Err(Failure::Program { program, status: status.to_string() })
+    }
 }
 
 fn absolute(place: &Path) -> Result<PathBuf, Failure> {

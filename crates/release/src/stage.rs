@@ -121,7 +121,8 @@ impl<'a> Stage<'a> {
         name: &str,
         manifest: &mut DocumentMut,
     ) -> Result<(), Failure> {
-        let root = match manifest.get("lib").and_then(|lib| lib.get("path")).and_then(Item::as_str) {
+        let root = match manifest.get("lib").and_then(|lib| lib.get("path")).and_then(Item::as_str)
+        {
             Some(path) => package.join(path),
             None => package.join("src/lib.rs"),
         };
