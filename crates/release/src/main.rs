@@ -78,6 +78,7 @@ fn run(options: &Options) -> Result<(), Failure> {
     let repository = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
     let repository = manifest::without_dots(&repository);
     let settings = Settings::load(&repository)?;
+    settings.check_versions(&repository)?;
     if settings.repository.is_empty() {
         println!("{}: no address of the repository: manifests have none", settings::PLACE);
     }

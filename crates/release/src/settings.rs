@@ -8,6 +8,17 @@ use std::path::Path;
 /// Place of the settings in the repository.
 pub const PLACE: &str = "crates/release/release.toml";
 
+/// Manifests that state the version of their package, and the field that does. The facade has the version of the published Rapier
+/// that it replaces.
+const MANIFESTS: [(&str, &str); 6] = [
+    ("Cargo.toml", "version ="),
+    ("crates/bevy/Cargo.toml", "version ="),
+    ("python/Cargo.toml", "version ="),
+    ("python/pyproject.toml", "version ="),
+    ("rapier2d/package.json", "\"version\":"),
+    ("rapier3d/package.json", "\"version\":"),
+];
+
 /// Version and published names of all artefacts.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -37,6 +48,19 @@ impl Settings {
         let place = root.join(PLACE);
         toml_edit::de::from_str(&read(&place)?)
             .map_err(|reason| Failure::Manifest { place, reason: reason.to_string() })
+    }
+
+    /// Checks that the manifests state the version of the settings.
+    pub fn check_versions(&self, root: &Path) -> Result<(), Failure> {
+        for (place, field) in MANIFESTS {
+            let line = format!("{field} \"{}\"", self.version);
+            let place = root.join(place);
+            if !read(&place)?.lines().any(|text| text.trim().trim_end_matches(',') == line) {
+                let reason = format!("has no line `{line}`, the version of {PLACE}");
+                return Err(Failure::Manifest { place, reason });
+            }
+        }
+        Ok(())
     }
 
     /// The published name of the package in a folder of the repository.
