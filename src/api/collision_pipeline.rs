@@ -63,7 +63,6 @@ impl CollisionPipeline {
         events: &dyn EventHandler,
         handle_user_changes: bool,
     ) {
-        let _ = multibody_joints; // Nothing moves: the links have the poses of their bodies.
         if let Err(error) = integration_parameters.validate() {
             log::error!("collision detection refused: {error}");
             return;
@@ -79,6 +78,7 @@ impl CollisionPipeline {
             events,
         };
         let (counters, scratch) = (&mut self.counters, &mut self.scratch);
-        step::detect_collisions(world, impulse_joints, counters, scratch, handle_user_changes);
+        let joints = (impulse_joints, multibody_joints);
+        step::detect_collisions(world, joints, counters, scratch, handle_user_changes);
     }
 }

@@ -26,6 +26,7 @@ use crate::base::tasks::Tasks;
 use crate::dim::math::Real;
 use crate::model::counters::Counters;
 use crate::model::joint::ImpulseJointSet;
+use crate::model::multibody::MultibodyJointSet;
 pub(crate) use scratch::StepScratch;
 pub use trace::StepStage;
 pub(crate) use world::World;
@@ -40,7 +41,7 @@ pub(crate) fn step(world: World<'_>, counters: &mut Counters, scratch: &mut Step
 /// Otherwise it applies removals only, and other edits stay pending.
 pub(crate) fn detect_collisions(
     world: World<'_>,
-    joints: &ImpulseJointSet,
+    joints: (&ImpulseJointSet, &MultibodyJointSet),
     counters: &mut Counters,
     scratch: &mut StepScratch,
     apply_changes: bool,
@@ -91,8 +92,12 @@ impl Step<'_> {
     }
 
     /// The stages that move no body.
-    fn detect(mut self, joints: &ImpulseJointSet, apply_changes: bool) {
-        let stamp = self.detect_user_changes(joints, apply_changes);
+    fn detect(
+        mut self,
+        (joints, multibodies): (&ImpulseJointSet, &MultibodyJointSet),
+        apply_changes: bool,
+    ) {
+        let stamp = self.detect_user_changes(joints, multibodies, apply_changes);
         self.hold_panic(|step| {
             step.broad_phase();
             step.narrow_phase();

@@ -16,7 +16,7 @@ use crate::base::tasks::Tasks;
 use crate::model::contact::NarrowPhase;
 use crate::model::counters::Counters;
 use crate::model::joint::ImpulseJointSet;
-use crate::model::multibody::MultibodyEdits;
+use crate::model::multibody::{MultibodyEdits, MultibodyJointSet};
 use crate::model::stamp::WorldStamp;
 use crate::model::structure::Structure;
 
@@ -71,14 +71,19 @@ impl Step<'_> {
     pub(super) fn detect_user_changes(
         &mut self,
         joints: &ImpulseJointSet,
+        multibodies: &MultibodyJointSet,
         are_applied: bool,
     ) -> WorldStamp {
         let Resynced { end_events, stamp, joints_fit } =
-            resync_before_detection(&mut self.world, joints);
+            resync_before_detection(&mut self.world, joints, multibodies);
         let World { structure, broad_phase: tree, joints: none, params, .. } = &mut self.world;
         // Joints of another world are applied in the next step.
-        let joints = if joints_fit { joints } else { none };
-        let (structure, multibodies) = (structure.reborrow(), MultibodyEdits::default());
+        let joints = if joints_fit[0] { joints } else { none };
+        let multibodies = match joints_fit[1] {
+            true => multibodies.pending_changes(structure.bodies),
+            false => MultibodyEdits::default(),
+        };
+        let structure = structure.reborrow();
         let events = &mut self.scratch.notes.events;
         events.extend(end_events);
         let changes = UserChanges { structure, tree, joints, multibodies, params, events };

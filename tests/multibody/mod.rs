@@ -10,6 +10,7 @@ mod contacts;
 mod drives;
 mod edits;
 mod energy;
+mod excluded;
 mod extremes;
 mod free;
 mod gears;

@@ -159,6 +159,14 @@ impl IslandManager {
         Ok(())
     }
 
+    /// Returns whether a joint or a multibody disables contacts between the colliders of these two bodies.
+    ///
+    /// Contact pairs exist only of bodies for which this is `false`, and no other stage tests the settings of
+    /// joints. The path search covers colliders without pairs, so it calls this, too.
+    pub(crate) fn part(&self, body_slot1: u32, body_slot2: u32) -> bool {
+        self.joints.part(body_slot1, body_slot2) || self.groups.part(body_slot1, body_slot2)
+    }
+
     /// The motion of the body in a slot in the last step.
     #[inline]
     pub(crate) fn motion_of(&self, body_slot: u32) -> &BodyMotion {

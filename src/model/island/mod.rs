@@ -7,7 +7,7 @@ mod link;
 mod manager;
 mod motion;
 
-pub(crate) use groups::BodyGroups;
+pub(crate) use groups::{BodyGroups, GroupExclusions, GroupMember};
 pub(crate) use link::{BodyLink, NONE};
 pub use manager::IslandManager;
 pub(crate) use motion::{BodyMotion, rotation_bound};

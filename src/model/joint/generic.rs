@@ -260,9 +260,12 @@ impl GenericJoint {
         self.contacts_enabled
     }
 
-    /// Sets whether the colliders of the two bodies collide with each other.
+    /// Sets whether the colliders of the two bodies collide with each other (default: yes). Sensors of one
+    /// body detect the other body in both cases.
     ///
-    /// If several joints join the same bodies, one with `false` suffices to disable the contacts.
+    /// If several joints join the same bodies, one with `false` suffices to disable the contacts. A disabled
+    /// joint disables none. Switched off at run time, contacts end in the next step: with a `Stopped` event,
+    /// and bodies that they held wake.
     pub fn set_contacts_enabled(&mut self, enabled: bool) -> &mut Self {
         self.contacts_enabled = enabled;
         self

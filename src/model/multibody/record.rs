@@ -8,6 +8,7 @@ use crate::dim::joint_axes::{JointAxesMask, JointAxis};
 use crate::dim::math::Real;
 use crate::dim::spatial::free_axes;
 use crate::model::body::{RigidBody, RigidBodyHandle};
+use crate::model::island::{GroupExclusions, GroupMember, NONE};
 use crate::model::joint::{GenericJoint, mask_of};
 use core::ops::Range;
 
@@ -234,7 +235,9 @@ impl Multibody {
     }
 
     /// Sets whether the colliders of its links collide with each other (default: yes). Contacts of a link and
-    /// its parent also need their joint's [`contacts_enabled`](GenericJoint::contacts_enabled).
+    /// its parent also need their joint's [`contacts_enabled`](GenericJoint::contacts_enabled). Both settings
+    /// apply from the next step on, also while the multibody does not act. Sensors of links detect other
+    /// links in any case.
     ///
     /// A joint that merges two multibodies keeps the parent's setting for the whole. If the child's setting
     /// is `false`, the child's links still do not collide with each other. A later call applies to all links.
@@ -243,15 +246,17 @@ impl Multibody {
         self.links.iter_mut().for_each(|link| link.exclusion_group = 0);
     }
 
-    /// Returns whether the colliders of two links touch each other.
-    pub(crate) fn may_touch(&self, link1: usize, link2: usize) -> bool {
-        let [group1, group2] = [link1, link2].map(|link| self.links[link].exclusion_group);
-        let is_excluded = group1 != 0 && group1 == group2;
-        let parts = |child: usize, parent: usize| {
-            let link = &self.links[child];
-            link.parent == Some(parent) && !link.joint.data.contacts_enabled
+    /// Its bodies, each with those that do not collide with it.
+    pub(crate) fn members(&self) -> Vec<GroupMember> {
+        let member = |link: &MultibodyLink| {
+            let joint = &link.joint.data;
+            let is_parted = joint.is_enabled() && !joint.contacts_enabled;
+            let parent = link.parent.filter(|_| is_parted).and_then(|id| self.links.get(id));
+            let number = if self.self_contacts_enabled { link.exclusion_group } else { u32::MAX };
+            let other = parent.map_or(NONE, |parent| parent.body.into_raw_parts().0);
+            GroupMember { body: link.body, exclusions: GroupExclusions { number, other } }
         };
-        self.self_contacts_enabled && !is_excluded && !parts(link1, link2) && !parts(link2, link1)
+        self.links.iter().map(member).collect()
     }
 
     // ---- Degrees of freedom ----

@@ -5,6 +5,7 @@ use crate::dim::joint_axes::{JointAxesMask, JointAxis};
 use crate::dim::math::{Pose, Real, Rotation, Vector};
 use crate::dim::spatial::rotation_about;
 use crate::model::body::RigidBodyHandle;
+use crate::model::island::BodyGroups;
 use crate::model::joint::GenericJoint;
 
 /// Handles as a set would give them out.
@@ -75,17 +76,14 @@ fn trees_merge_and_split() {
     assert!(set.is_empty() && set.multibodies().count() == 0);
 }
 
-/// The touching pairs of links, by body.
+/// The pairs of links that collide, by body.
 fn touching(set: &MultibodyJointSet, bodies: &[u32]) -> Vec<[u32; 2]> {
+    let mut groups = BodyGroups::default();
+    set.multibodies().for_each(|multibody| groups.insert(&multibody.members()));
+    let index = |slot| set.rigid_body_link(body(slot)).expect("it is a link").multibody;
     let pairs = bodies.iter().flat_map(|&one| bodies.iter().map(move |&two| [one, two]));
-    let touch = |&[one, two]: &[u32; 2]| {
-        let [place1, place2] =
-            [one, two].map(|slot| set.rigid_body_link(body(slot)).expect("it is a link"));
-        let multibody = set.get_multibody(place1.multibody).expect("it is there");
-        one < two
-            && place1.multibody == place2.multibody
-            && multibody.may_touch(place1.id, place2.id)
-    };
+    let touch =
+        |&[one, two]: &[u32; 2]| one < two && index(one) == index(two) && !groups.part(one, two);
     pairs.filter(touch).collect()
 }
 

@@ -2,17 +2,17 @@
 
 use super::Structure;
 use crate::model::body::RigidBodyHandle;
+use crate::model::island::GroupMember;
 
 impl Structure<'_> {
     /// Makes bodies move and sleep as one from now on. Bodies that are in another group leave it.
-    pub fn group(&mut self, bodies: Vec<RigidBodyHandle>) {
-        for &body in &bodies {
-            self.ungroup(body);
+    pub fn group(&mut self, members: &[GroupMember]) {
+        for member in members {
+            self.ungroup(member.body);
         }
-        let first = bodies.first().copied();
-        self.islands.groups.insert(bodies);
-        if let Some(first) = first {
-            self.link_group_of(first);
+        self.islands.groups.insert(members);
+        if let Some(first) = members.first() {
+            self.link_group_of(first.body);
         }
     }
 

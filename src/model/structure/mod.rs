@@ -6,7 +6,9 @@
 //!
 //! * A contact or intersection pair is awake if one of its bodies is. (Between an edit and the next
 //!   narrow phase, a pair that must be computed once is listed awake too.)
+//! * A contact pair is of two bodies that no joint and no multibody keeps from colliding.
 //! * A contact pair that touches and is to be solved is attached: its two dynamic bodies are in one island.
+//!   When that ends, sleeping bodies of the pair wake.
 //! * The manifolds of an attached pair have colours if one of its dynamic bodies is awake.
 //! * A joint that acts is attached like a touching pair, and has a colour under the same condition.
 //! * A kinematic body with an awake pair, or joined to an awake dynamic body, is awake: the solver needs its
@@ -352,23 +354,21 @@ impl Structure<'_> {
         contacts.bodies(id).into_iter().for_each(|slot| self.bodies.prefetch(slot));
     }
 
-    /// Two colliders came close: one contact pair more, or an intersection pair if one is a sensor. The
-    /// result is empty if a joint disables contacts between their bodies.
+    /// Two colliders came close: one contact pair more, or an intersection pair if one is a sensor. There is
+    /// no contact pair if a joint or a multibody disables contacts between their bodies. Sensors detect such
+    /// bodies nevertheless.
     fn add_pair(&mut self, collider1: ColliderHandle, collider2: ColliderHandle) {
         let slots = self.parent_slots([collider1, collider2]);
-        if self.islands.joints.part(slots[0], slots[1]) {
-            return;
-        }
         let awake = slots.iter().any(|&slot| self.is_awake(slot));
         let is_sensor = |handle| self.colliders.get(handle).is_some_and(|c| c.is_sensor());
         if is_sensor(collider1) || is_sensor(collider2) {
             let pair = IntersectionPair::new(collider1, collider2);
             self.narrow_phase.intersections.insert(pair, slots);
-            return;
-        }
-        self.narrow_phase.contacts.insert(ContactPair::new(collider1, collider2), slots);
-        if awake {
-            self.wake_kinematic_of(slots);
+        } else if !self.islands.part(slots[0], slots[1]) {
+            self.narrow_phase.contacts.insert(ContactPair::new(collider1, collider2), slots);
+            if awake {
+                self.wake_kinematic_of(slots);
+            }
         }
     }
 
@@ -442,9 +442,11 @@ impl Structure<'_> {
         }
     }
 
-    /// Wakes those bodies of a pair that sleep. Sleepers do not lose contacts by themselves: an edit removed
-    /// their support, and they may fall now.
-    pub fn wake_sleepers_of(&mut self, id: PairId) {
+    /// A pair no longer holds its bodies. Those that sleep wake: they may have lost their support.
+    fn release(&mut self, id: PairId) {
+        if !self.detach(id) {
+            return;
+        }
         for slot in self.narrow_phase.contacts.bodies(id) {
             let sleeper = self.bodies.at_slot(slot).filter(|(_, body)| body.link.awake == NONE);
             if let Some((handle, _)) = sleeper {
@@ -453,11 +455,20 @@ impl Structure<'_> {
         }
     }
 
-    /// Removes the pair of two colliders that are too far apart, or of which one is removed.
+    /// Removes the pair of two colliders that are too far apart, may no longer collide, or of which one is
+    /// removed. Bodies that it held wake, unless the user removed a collider without waking anything.
     ///
-    /// Returns them if their begin event was emitted.
-    pub fn remove_contact_pair(&mut self, id: PairId) -> Option<[ColliderHandle; 2]> {
-        self.detach(id);
+    /// Returns the colliders if their begin event was emitted.
+    pub fn remove_contact_pair(
+        &mut self,
+        id: PairId,
+        wake_up: bool,
+    ) -> Option<[ColliderHandle; 2]> {
+        if wake_up {
+            self.release(id);
+        } else {
+            self.detach(id);
+        }
         self.narrow_phase.contacts.remove(id)
     }
 
@@ -475,10 +486,7 @@ impl Structure<'_> {
         let is_solved = pair.manifolds.iter().any(ContactManifold::is_solved);
         match (is_solved, pair.attached) {
             (true, false) => self.attach(id),
-            (false, true) => {
-                self.detach(id);
-                self.wake_sleepers_of(id);
-            }
+            (false, true) => self.release(id),
             (true, true) => self.update_colors(id),
             (false, false) => {}
         }

@@ -17,12 +17,12 @@ impl Structure<'_> {
         self.update_colors(id);
     }
 
-    /// A pair no longer touches, or will be removed.
-    pub fn detach(&mut self, id: PairId) {
+    /// A pair no longer touches, or will be removed. Returns whether it was attached.
+    pub fn detach(&mut self, id: PairId) -> bool {
         let slots = self.narrow_phase.contacts.bodies(id);
         let pair = &mut self.narrow_phase.contacts[id];
         if !core::mem::replace(&mut pair.attached, false) {
-            return;
+            return false;
         }
         for manifold in 0..self.narrow_phase.contacts[id].manifolds.len() {
             self.uncolor(ManifoldRef { pair: id, manifold: manifold as u32 });
@@ -32,6 +32,7 @@ impl Structure<'_> {
         {
             self.islands.island_mut(island).is_cut = true;
         }
+        true
     }
 
     /// Gives colours to those manifolds of a pair that should have one, and takes the others' away.

@@ -269,7 +269,7 @@ impl<'a> Mover<'a> {
     fn is_parted_from(&self, other: &Mover<'_>, search: Search<'_>) -> bool {
         let (own, others) = (self.collider.parent(), other.collider.parent());
         own.zip(others).is_some_and(|(own, others)| {
-            search.context.islands.joints.part(own.into_raw_parts().0, others.into_raw_parts().0)
+            search.context.islands.part(own.into_raw_parts().0, others.into_raw_parts().0)
         })
     }
 }

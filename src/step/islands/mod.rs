@@ -41,7 +41,7 @@ fn follow_contact(
 ) {
     let none = CollisionEventFlags::empty();
     if change == PairChange::Apart {
-        let reported = structure.remove_contact_pair(id);
+        let reported = structure.remove_contact_pair(id, true);
         return events.extend(reported.map(|[one, two]| CollisionEvent::Stopped(one, two, none)));
     }
     structure.follow_contact(id);
@@ -98,11 +98,13 @@ fn report(
     }
 }
 
-/// A kinematic body that moves keeps everything awake that it touches or holds.
+/// A kinematic body that has moved, or moves in this step, keeps everything awake that it touches or holds.
+/// The velocity of a position-based body is that of its last step.
 fn kinematic_motion_wakes_bodies(structure: &mut Structure<'_>) {
+    let moves = |body: &RigidBody| body.is_moving() || body.next_position() != body.position();
     for position in 0..structure.islands.awake.kinematic().len() {
         let handle = structure.islands.awake.kinematic()[position];
-        if structure.bodies.get(handle).is_some_and(RigidBody::is_moving) {
+        if structure.bodies.get(handle).is_some_and(moves) {
             wake_touching(structure, handle);
         }
     }

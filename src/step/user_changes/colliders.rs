@@ -81,10 +81,7 @@ impl UserChanges<'_> {
         for id in contacts {
             let pair = &self.structure.narrow_phase.contacts[id];
             if !self.may_interact(pair.collider1, pair.collider2) {
-                if pair.is_touching() {
-                    self.structure.wake_sleepers_of(id);
-                }
-                let reported = self.structure.remove_contact_pair(id);
+                let reported = self.structure.remove_contact_pair(id, true);
                 self.report_end(reported, CollisionEventFlags::empty());
             }
         }

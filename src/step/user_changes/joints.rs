@@ -4,6 +4,7 @@ use super::UserChanges;
 use crate::model::body::RigidBodyHandle;
 use crate::model::event::CollisionEventFlags;
 use crate::model::joint::{ImpulseJointHandle, JointLink};
+use crate::model::structure::Structure;
 
 impl UserChanges<'_> {
     /// Removes the joints that the user removed.
@@ -52,7 +53,7 @@ impl UserChanges<'_> {
             }
             self.structure.add_joint(link);
             if link.parts_bodies {
-                self.drop_pairs_between(bodies);
+                bodies.into_iter().for_each(|body| self.update_partners(body));
             }
         }
         if wake_up {
@@ -66,35 +67,34 @@ impl UserChanges<'_> {
         let Some(link) = known.filter(|link| link.handle == handle).copied() else { return };
         self.structure.remove_joint(slot, wake_up);
         if link.parts_bodies {
-            // The pair may interact again, so both search for partners.
-            for body in link.bodies {
-                self.each_collider_of(body, |apply, slot| apply.tree.mark_moved(slot));
-            }
+            link.bodies.into_iter().for_each(|body| self.update_partners(body));
         }
     }
 
-    fn each_collider_of(&mut self, body: RigidBodyHandle, visit: impl Fn(&mut Self, u32)) {
+    /// Joints or multibodies changed the bodies that a body collides with. Pairs with others end, and its
+    /// colliders search for partners.
+    pub(super) fn update_partners(&mut self, body: RigidBodyHandle) {
         let mut index = 0;
         while let Some(collider) = self.collider_of(body, index) {
-            visit(self, collider.into_raw_parts().0);
+            let slot = collider.into_raw_parts().0;
+            self.drop_parted_pairs(slot);
+            self.tree.mark_moved(slot);
             index += 1;
         }
     }
 
-    /// Removes the pairs between two bodies' colliders.
-    fn drop_pairs_between(&mut self, [body1, body2]: [RigidBodyHandle; 2]) {
-        let slots = [body1, body2].map(|body| body.into_raw_parts().0);
-        self.each_collider_of(body1, |apply, collider| {
-            let store = &apply.structure.narrow_phase.contacts;
-            let between = |&&id: &&_| {
-                let bodies = store.bodies(id);
-                bodies == slots || bodies == [slots[1], slots[0]]
-            };
-            let ids: Vec<_> = store.ids_of(collider).iter().filter(between).copied().collect();
-            for id in ids {
-                let reported = apply.structure.remove_contact_pair(id);
-                apply.report_end(reported, CollisionEventFlags::empty());
-            }
-        });
+    fn drop_parted_pairs(&mut self, collider_slot: u32) {
+        let Structure { narrow_phase, islands, .. } = &self.structure;
+        let contacts = &narrow_phase.contacts;
+        let is_parted = |&&id: &&_| {
+            let [body1, body2] = contacts.bodies(id);
+            islands.part(body1, body2)
+        };
+        let ids: Vec<_> =
+            contacts.ids_of(collider_slot).iter().filter(is_parted).copied().collect();
+        for id in ids {
+            let reported = self.structure.remove_contact_pair(id, true);
+            self.report_end(reported, CollisionEventFlags::empty());
+        }
     }
 }

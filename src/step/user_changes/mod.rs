@@ -133,7 +133,7 @@ impl UserChanges<'_> {
             self.structure.wake_touching(slot);
         }
         while let Some(&id) = self.structure.narrow_phase.contacts.ids_of(slot).last() {
-            let reported = self.structure.remove_contact_pair(id);
+            let reported = self.structure.remove_contact_pair(id, wake_up);
             self.report_end(reported, flags);
         }
         while let Some(&id) = self.structure.narrow_phase.intersections.ids_of(slot).last() {

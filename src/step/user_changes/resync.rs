@@ -31,8 +31,8 @@ pub(crate) struct Resynced {
     /// The stamp that the islands get when the step has ended. Until then they fit no other set. After a step
     /// that ended by a panic, everything is inserted as new.
     pub stamp: WorldStamp,
-    /// Whether the joints are those of the islands, so that their edits can be applied.
-    pub joints_fit: bool,
+    /// Whether the joints, and the multibodies, are those of the islands, so that their edits can be applied.
+    pub joints_fit: [bool; 2],
 }
 
 /// Before a step.
@@ -56,11 +56,15 @@ pub(crate) fn resync_before_step(world: &mut World<'_>) -> Resynced {
     put(stamp, world);
     (world.joints.stamp, world.multibodies.stamp) = (stamp, stamp);
     world.structure.islands.stamp = WorldStamp::of_unfinished_step();
-    Resynced { end_events, stamp, joints_fit: true }
+    Resynced { end_events, stamp, joints_fit: [true; 2] }
 }
 
 /// Before collisions are detected without a step.
-pub(crate) fn resync_before_detection(world: &mut World<'_>, joints: &ImpulseJointSet) -> Resynced {
+pub(crate) fn resync_before_detection(
+    world: &mut World<'_>,
+    joints: &ImpulseJointSet,
+    multibodies: &MultibodyJointSet,
+) -> Resynced {
     let end_events = if !any_unverified(world) {
         unite(world)
     } else if let Err(fault) = check(world, joints, None) {
@@ -70,7 +74,8 @@ pub(crate) fn resync_before_detection(world: &mut World<'_>, joints: &ImpulseJoi
         Vec::new()
     };
     let Structure { bodies, islands, .. } = &world.structure;
-    let joints_fit = islands.joints.are_of(joints, bodies);
+    let joints_fit =
+        [islands.joints.are_of(joints, bodies), multibodies.check_grouped(&islands.groups).is_ok()];
     let stamp = islands.stamp.after_detection(&trace(&world.structure));
     put(stamp, world);
     world.structure.islands.stamp = WorldStamp::of_unfinished_step();
@@ -130,7 +135,8 @@ fn unite_joints(world: &mut World<'_>) -> Vec<CollisionEvent> {
     let Structure { bodies, islands, .. } = &world.structure;
     let other_joints = !joints.stamp.is_of_same_step(islands.stamp)
         || islands.stamp.has_detected() && !islands.joints.are_of(joints, bodies);
-    let other_multibodies = !multibodies.stamp.is_of_same_step(islands.stamp);
+    let other_multibodies = !multibodies.stamp.is_of_same_step(islands.stamp)
+        || islands.stamp.has_detected() && multibodies.check_grouped(&islands.groups).is_err();
     let known_are_others = other_joints && islands.joints.iter().next().is_some()
         || other_multibodies && islands.groups.bodies().next().is_some();
     let end_events = if known_are_others { begin_anew(world) } else { Vec::new() };

@@ -9,6 +9,7 @@ use crate::base::arena::Arena;
 use crate::base::in_place::clone_in_place;
 use crate::dim::joint_axes::JointAxesMask;
 use crate::model::body::RigidBodyHandle;
+use crate::model::island::GroupMember;
 use crate::model::joint::{GenericJoint, InvalidJoint};
 use crate::model::stamp::WorldStamp;
 use std::collections::BTreeMap;
@@ -19,7 +20,7 @@ pub(crate) struct MultibodyEdits {
     /// Bodies that lost a joint.
     pub cut: Vec<(RigidBodyHandle, bool)>,
     /// The bodies of each multibody that is new or was changed.
-    pub groups: Vec<(Vec<RigidBodyHandle>, bool)>,
+    pub groups: Vec<(Vec<GroupMember>, bool)>,
 }
 
 /// The multibody joints of a simulation, accessed by handle, and their [`Multibody`]s.

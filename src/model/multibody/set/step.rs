@@ -5,7 +5,7 @@ use crate::base::fault::{Fault, ensure};
 use crate::base::loading::{Loaded, check_when_loaded};
 use crate::model::body::{RigidBodyHandle, RigidBodySet};
 use crate::model::island::BodyGroups;
-use crate::model::multibody::{Multibody, MultibodyIndex};
+use crate::model::multibody::{Multibody, MultibodyIndex, MultibodyLink};
 use std::collections::BTreeSet;
 
 impl MultibodyJointSet {
@@ -40,15 +40,24 @@ impl MultibodyJointSet {
             missing.into_iter().for_each(|body| self.remove_joints_attached_to_rigid_body(body));
             next += 1;
         }
-        let modified = core::mem::take(&mut self.modified);
-        let groups = modified.into_iter().filter_map(|(index, wake_up)| {
-            let links = &self.get_multibody(index)?.links;
-            Some((links.iter().map(|link| link.body).collect(), wake_up))
+        let edits = self.pending_changes(bodies);
+        self.modified.clear();
+        self.cut.clear();
+        edits
+    }
+
+    /// The changes since the last step. They stay pending.
+    ///
+    /// Multibodies with replaced links or without one of their bodies are omitted: the next step removes
+    /// them.
+    pub(crate) fn pending_changes(&self, bodies: &RigidBodySet) -> MultibodyEdits {
+        let is_there = |link: &MultibodyLink| bodies.contains(link.body);
+        let groups = self.modified.iter().filter_map(|&(index, wake_up)| {
+            let multibody = self.get_multibody(index).filter(|_| !self.is_broken(index))?;
+            multibody.links.iter().all(is_there).then(|| (multibody.members(), wake_up))
         });
-        let groups = groups.collect();
-        let mut cut = core::mem::take(&mut self.cut);
-        cut.retain(|&(body, _)| bodies.contains(body));
-        MultibodyEdits { cut, groups }
+        let cut = self.cut.iter().copied().filter(|&(body, _)| bodies.contains(body));
+        MultibodyEdits { cut: cut.collect(), groups: groups.collect() }
     }
 
     /// Marks all multibodies as new to the next step.
@@ -58,20 +67,24 @@ impl MultibodyJointSet {
         self.modified = all.collect();
     }
 
-    /// Checks that groups are the bodies of multibodies, unless these were edited since.
+    /// Checks that groups are the bodies of multibodies with their exclusions, unless these were edited
+    /// since.
     pub(crate) fn check_groups(&self, groups: &BodyGroups) -> Result<(), Fault> {
-        let slot = |body: &RigidBodyHandle| body.into_raw_parts().0;
         let edited: BTreeSet<_> = self.modified.iter().map(|(index, _)| *index).collect();
-        let cut: BTreeSet<_> = self.cut.iter().map(|(body, _)| *body).collect();
         for (index, multibody) in self.multibodies.iter() {
             let index = MultibodyIndex(index);
             if edited.contains(&index) {
                 continue;
             }
-            let bodies: Vec<_> = multibody.links.iter().map(|link| link.body).collect();
-            let group = bodies.first().map_or(&[] as &[_], |body| groups.of(slot(body)));
-            ensure!(group == bodies, "the links of {index:?} are {bodies:?}, not {group:?}");
+            let members = multibody.members();
+            ensure!(groups.has(&members), "the links of {index:?} are {members:?}");
         }
+        self.check_grouped(groups)
+    }
+
+    /// Checks that the bodies of groups are links, unless they were cut since.
+    pub(crate) fn check_grouped(&self, groups: &BodyGroups) -> Result<(), Fault> {
+        let cut: BTreeSet<_> = self.cut.iter().map(|(body, _)| *body).collect();
         let is_link =
             |body: &RigidBodyHandle| self.rigid_body_link(*body).is_some() || cut.contains(body);
         let other = groups.bodies().find(|body| !is_link(body));

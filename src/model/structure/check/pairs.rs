@@ -19,6 +19,8 @@ impl Structure<'_> {
         for id in contacts.ids() {
             let (pair, slots) = (&contacts[id], contacts.bodies(id));
             self.check_sides(then, [pair.collider1, pair.collider2], slots)?;
+            let is_parted = self.islands.part(slots[0], slots[1]);
+            ensure!(!is_parted, "pair {id} is of bodies {slots:?}, which do not collide");
             let awake = slots.iter().any(|&slot| then.is_awake(slot));
             ensure!(
                 contacts.is_awake(id) == awake,

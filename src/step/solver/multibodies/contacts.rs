@@ -86,12 +86,6 @@ impl SolverMultibodies {
         solved_now.sort_unstable_by_key(order);
         for &at in &solved_now {
             let slots = narrow_phase.contacts.bodies(at.pair);
-            if let [Some(one), Some(two)] = slots.map(|slot| self.place(slot))
-                && one.multibody == two.multibody
-                && !self.moving[one.multibody].multibody.may_touch(one.link, two.link)
-            {
-                continue;
-            }
             let pair = &narrow_phase.contacts[at.pair];
             let manifold = &pair.manifolds[at.manifold as usize];
             let dominance = manifold.data.relative_dominance;
