@@ -16,6 +16,7 @@ mod impact_rules;
 mod impacts;
 mod large_floors;
 mod load;
+mod lost_support;
 mod momentum;
 mod pushes;
 mod sleeping;
