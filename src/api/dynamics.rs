@@ -26,5 +26,7 @@ pub use crate::model::params::{
     CONTACT_COMPLIANCE, CONTACT_ERP_SCALE, FrictionModel, IntegrationParameters, InvalidParameters,
     JOINT_ERP_SCALE, Softness,
 };
+#[cfg(feature = "upstream-036")]
+pub use crate::model::upstream036::{SoftBodyHandle, SoftMeshId, SoftMeshRef};
 pub use crate::multibody::InverseKinematicsOption;
 pub use parry::mass_properties::MassProperties;

@@ -21,3 +21,5 @@ pub(crate) mod stamp;
 pub(crate) mod state_hash;
 pub(crate) mod structure;
 pub mod tree;
+#[cfg(feature = "upstream-036")]
+pub mod upstream036;

@@ -112,8 +112,8 @@ impl RigidBody {
         let (push_force, push_torque) = self.push;
         StateHasher::default()
             .pose(&self.pose)
-            .vector(self.linvel)
-            .angular(self.angvel)
+            .vector(self.vels.linvel)
+            .angular(self.vels.angvel)
             .vector(self.force + push_force)
             .angular(self.torque + push_torque)
             .vector(self.mprops.local_mprops.local_com)

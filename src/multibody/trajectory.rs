@@ -199,12 +199,12 @@ fn store(multibody: &mut Multibody, motion: &mut Motion, bodies: &mut RigidBodyS
         let link = &mut multibody.links[id];
         let Some(body) = bodies.get_unnoted_mut(link.body) else { continue };
         if body.is_dynamic() {
-            (body.linvel, body.angvel) = (linear(velocity), angular(velocity));
+            (body.vels.linvel, body.vels.angvel) = (linear(velocity), angular(velocity));
             body.pose = pose;
             body.update_world_mass_properties();
             link.pose = pose;
         }
         link.seen_pose = Some(body.pose);
-        link.seen_velocity = Some(RigidBodyVelocity::new(body.linvel, body.angvel));
+        link.seen_velocity = Some(RigidBodyVelocity::new(body.vels.linvel, body.vels.angvel));
     }
 }

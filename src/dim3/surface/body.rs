@@ -101,8 +101,9 @@ impl RigidBody {
     /// The angular velocity (rad/s) of the body after free rotation for `dt` seconds under gyroscopic forces,
     /// also if they are disabled.
     pub fn angvel_with_gyroscopic_forces(&self, dt: Real) -> AngVector {
-        let after = angvel_after(&self.mprops.local_mprops, self.pose.rotation, self.angvel, dt);
-        if ang_is_finite(after) { after } else { self.angvel }
+        let after =
+            angvel_after(&self.mprops.local_mprops, self.pose.rotation, self.vels.angvel, dt);
+        if ang_is_finite(after) { after } else { self.vels.angvel }
     }
 }
 

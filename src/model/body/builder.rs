@@ -358,7 +358,7 @@ impl RigidBodyBuilder {
         body.body_type = self.body_type;
         (body.pose, body.next_pose) = (self.position, self.position);
         if !self.body_type.is_fixed() {
-            (body.linvel, body.angvel) = (self.linvel, self.angvel);
+            body.vels = RigidBodyVelocity::new(self.linvel, self.angvel);
         }
         body.gravity_scale = self.gravity_scale;
         (body.linear_damping, body.angular_damping) = (self.linear_damping, self.angular_damping);

@@ -97,13 +97,13 @@ impl RigidBody {
             return;
         }
         let pushed = RigidBodyVelocity {
-            linvel: self.linvel + impulse * self.mprops.inv_mass,
-            angvel: self.angvel + mul_inertia(&self.mprops.inv_inertia, torque_impulse),
+            linvel: self.vels.linvel + impulse * self.mprops.inv_mass,
+            angvel: self.vels.angvel + mul_inertia(&self.mprops.inv_inertia, torque_impulse),
         };
         if !pushed.is_usable() {
             return refuse("the impulses on a rigid body", (impulse, torque_impulse));
         }
-        (self.linvel, self.angvel) = (pushed.linvel, pushed.angvel);
+        self.vels = pushed;
         self.wake_if(wake_up);
     }
 
@@ -111,9 +111,10 @@ impl RigidBody {
 
     /// The kinetic energy, `½ m v² + ½ ω·I ω` (mass·length²/s²).
     pub fn kinetic_energy(&self) -> Real {
-        let momentum = angular_momentum(&self.mprops.local_mprops, self.pose.rotation, self.angvel);
-        let linear = self.mass() * self.linvel.length_squared();
-        0.5 * (linear + ang_dot(self.angvel, momentum))
+        let momentum =
+            angular_momentum(&self.mprops.local_mprops, self.pose.rotation, self.vels.angvel);
+        let linear = self.mass() * self.vels.linvel.length_squared();
+        0.5 * (linear + ang_dot(self.vels.angvel, momentum))
     }
 
     /// The potential energy (mass·length²/s²) in the given gravity (length/s²), zero at the world's origin.
@@ -124,7 +125,7 @@ impl RigidBody {
     /// [`Self::kinetic_energy`] is then constant in free fall. With 0, the result is the energy at the
     /// current pose.
     pub fn gravitational_potential_energy(&self, dt: Real, gravity: Vector) -> Real {
-        let center_of_mass = self.mprops.world_com - self.linvel * (dt * 0.5);
+        let center_of_mass = self.mprops.world_com - self.vels.linvel * (dt * 0.5);
         -self.mass() * self.gravity_scale * gravity.dot(center_of_mass)
     }
 }

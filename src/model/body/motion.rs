@@ -2,8 +2,7 @@
 
 use super::{RigidBody, RigidBodyChanges, RigidBodyType, RigidBodyVelocity};
 use crate::dim::math::{
-    ANG_ZERO, AngVector, Pose, Real, Rotation, Vector, ang_is_finite, mul_inertia,
-    rotation_to_angle,
+    AngVector, Pose, Real, Rotation, Vector, ang_is_finite, mul_inertia, rotation_to_angle,
 };
 use crate::dim::motion::angvel_at;
 use crate::model::check::{checked_pose, checked_rotation, refuse};
@@ -23,11 +22,11 @@ impl RigidBody {
     /// `there`, if nothing acts on it.
     pub(crate) fn angvel_at(&self, there: Rotation, h: Real) -> AngVector {
         if !self.gyroscopic_forces_enabled || !self.mprops.rotates_freely() {
-            return self.angvel;
+            return self.vels.angvel;
         }
         let angvel =
-            angvel_at(&self.mprops.local_mprops, (self.pose.rotation, there), self.angvel, h);
-        if ang_is_finite(angvel) { angvel } else { self.angvel }
+            angvel_at(&self.mprops.local_mprops, (self.pose.rotation, there), self.vels.angvel, h);
+        if ang_is_finite(angvel) { angvel } else { self.vels.angvel }
     }
 
     /// Rotation of the body's frame in world space.
@@ -125,22 +124,29 @@ impl RigidBody {
 
     /// World-space velocity of the centre of mass (length/s).
     pub fn linvel(&self) -> Vector {
-        self.linvel
+        self.vels.linvel
     }
 
     /// World-space angular velocity (rad/s).
     pub fn angvel(&self) -> AngVector {
-        self.angvel
+        self.vels.angvel
     }
 
     /// Linear and angular velocity together.
+    #[cfg(not(feature = "upstream-signatures"))]
     pub fn vels(&self) -> RigidBodyVelocity {
-        RigidBodyVelocity::new(self.linvel, self.angvel)
+        self.vels
+    }
+
+    /// Linear and angular velocity together.
+    #[cfg(feature = "upstream-signatures")]
+    pub fn vels(&self) -> &RigidBodyVelocity {
+        &self.vels
     }
 
     /// Returns whether the body has a velocity.
     pub fn is_moving(&self) -> bool {
-        !self.vels().is_zero()
+        !self.vels.is_zero()
     }
 
     /// Sets the world-space velocity of the centre of mass (length/s).
@@ -148,13 +154,13 @@ impl RigidBody {
     /// Fixed bodies have no velocity, and the velocity of position-based kinematic bodies follows from their
     /// next position. Both ignore the call.
     pub fn set_linvel(&mut self, linvel: Vector, wake_up: bool) {
-        self.set_vels(RigidBodyVelocity::new(linvel, self.angvel), wake_up);
+        self.set_vels(RigidBodyVelocity::new(linvel, self.vels.angvel), wake_up);
     }
 
     /// Sets the world-space angular velocity (rad/s). Ignored by the same bodies as
     /// [`Self::set_linvel`].
     pub fn set_angvel(&mut self, angvel: AngVector, wake_up: bool) {
-        self.set_vels(RigidBodyVelocity::new(self.linvel, angvel), wake_up);
+        self.set_vels(RigidBodyVelocity::new(self.vels.linvel, angvel), wake_up);
     }
 
     /// Sets linear and angular velocity together. Ignored by the same bodies as [`Self::set_linvel`].
@@ -166,15 +172,15 @@ impl RigidBody {
             self.body_type,
             RigidBodyType::Dynamic | RigidBodyType::KinematicVelocityBased
         );
-        if settable && vels != self.vels() {
-            (self.linvel, self.angvel) = (vels.linvel, vels.angvel);
+        if settable && vels != self.vels {
+            self.vels = vels;
             self.wake_if(wake_up);
         }
     }
 
     /// World-space velocity (length/s) of the body's point that is at `point` in world space.
     pub fn velocity_at_point(&self, point: Vector) -> Vector {
-        self.vels().velocity_at_point(point, self.mprops.world_com)
+        self.vels.velocity_at_point(point, self.mprops.world_com)
     }
 
     // ---- Prediction ----
@@ -184,7 +190,7 @@ impl RigidBody {
     /// The rotation is about the centre of mass. If the result is not finite (a `dt` that is not finite), the
     /// current pose is returned.
     pub fn predict_position_using_velocity(&self, dt: Real) -> Pose {
-        self.predict(&self.vels(), dt)
+        self.predict(&self.vels, dt)
     }
 
     /// The pose in `dt` seconds under constant forces and torques, with damping. Gravity, which the body does
@@ -193,8 +199,8 @@ impl RigidBody {
     /// The result is one step of the symplectic Euler method: first the velocity changes, then the pose.
     pub fn predict_position_using_velocity_and_forces(&self, dt: Real) -> Pose {
         let pushed = RigidBodyVelocity {
-            linvel: self.linvel + self.force * self.mprops.inv_mass * dt,
-            angvel: self.angvel + mul_inertia(&self.mprops.inv_inertia, self.torque) * dt,
+            linvel: self.vels.linvel + self.force * self.mprops.inv_mass * dt,
+            angvel: self.vels.angvel + mul_inertia(&self.mprops.inv_inertia, self.torque) * dt,
         };
         let slowed = pushed.apply_damping(dt, self.linear_damping, self.angular_damping);
         self.predict(&slowed, dt)
@@ -207,6 +213,6 @@ impl RigidBody {
 
     /// Sets the velocity to zero without marking the body as changed.
     pub(super) fn halt(&mut self) {
-        (self.linvel, self.angvel) = (Vector::ZERO, ANG_ZERO);
+        self.vels = RigidBodyVelocity::zero();
     }
 }

@@ -109,7 +109,7 @@ impl RigidBody {
         self.drop_push();
         self.pose = checked_pose(self.pose).unwrap_or(Pose::IDENTITY);
         self.next_pose = checked_pose(self.next_pose).unwrap_or(self.pose);
-        if !self.vels().is_usable() {
+        if !self.vels.is_usable() {
             self.halt();
         }
         if !self.force.is_finite() || !ang_is_finite(self.torque) {

@@ -52,7 +52,7 @@ impl RestPose {
             center: body.mprops.world_com,
             rotation: body.pose.rotation,
             age: 0.0,
-            velocity: body.vels(),
+            velocity: body.vels,
             path: Drift::NONE,
         }
     }
@@ -64,11 +64,11 @@ impl RestPose {
     /// length.
     pub fn extend_path(&mut self, body: &RigidBody, dt: Real) {
         let half = 0.5 * dt;
-        let shift = (body.linvel + self.velocity.linvel).length() * half;
-        let angle = ang_length_squared(body.angvel + self.velocity.angvel).sqrt() * half;
+        let shift = (body.vels.linvel + self.velocity.linvel).length() * half;
+        let angle = ang_length_squared(body.vels.angvel + self.velocity.angvel).sqrt() * half;
         self.path.distance += shift + angle * body.extent;
         self.path.angle += angle;
-        self.velocity = body.vels();
+        self.velocity = body.vels;
     }
 
     /// Returns whether all numbers are usable.

@@ -7,7 +7,7 @@ use super::mass::mass_is_usable;
 use super::{
     AttachedColliders, QuarantineCause, RestPose, RigidBodyActivation,
     RigidBodyAdditionalMassProps, RigidBodyBuilder, RigidBodyChanges, RigidBodyMassProps,
-    RigidBodyType,
+    RigidBodyType, RigidBodyVelocity,
 };
 use crate::base::fault::{Fault, ensure};
 use crate::base::in_place::clone_in_place;
@@ -36,10 +36,8 @@ use parry::mass_properties::MassProperties;
 pub struct RigidBody {
     /// The body's frame in world space.
     pub(crate) pose: Pose,
-    /// World-space velocity of the centre of mass (length/s).
-    pub(crate) linvel: Vector,
-    /// World-space angular velocity (rad/s).
-    pub(crate) angvel: AngVector,
+    /// Its velocity in world space.
+    pub(crate) vels: RigidBodyVelocity,
     /// The user's force on the centre of mass (mass·length/s²); stays until it is reset.
     pub(crate) force: Vector,
     /// The user's torque (mass·length²/s²); stays until it is reset.
@@ -100,8 +98,7 @@ pub struct RigidBody {
 
 clone_in_place!(RigidBody {
     pose,
-    linvel,
-    angvel,
+    vels,
     force,
     torque,
     linear_damping,
@@ -142,7 +139,7 @@ impl Loaded for RigidBody {
         for pose in [self.pose, self.next_pose] {
             ensure!(is_saved_pose(&pose), "a body is at {pose:?}, or goes there");
         }
-        let velocity = self.vels();
+        let velocity = self.vels;
         ensure!(velocity.is_finite(), "a body moves at {velocity:?}");
         let pushes = [(self.force, self.torque), self.push];
         let are_numbers =
@@ -180,8 +177,7 @@ impl RigidBody {
     pub(super) fn new() -> Self {
         Self {
             pose: Pose::IDENTITY,
-            linvel: Vector::ZERO,
-            angvel: ANG_ZERO,
+            vels: RigidBodyVelocity::zero(),
             force: Vector::ZERO,
             torque: ANG_ZERO,
             linear_damping: 0.0,

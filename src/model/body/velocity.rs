@@ -9,6 +9,7 @@ use crate::dim::math::{
 /// Velocity of a body: that of its centre of mass, and its angular velocity.
 #[derive(Copy, Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
+#[repr(C)]
 pub struct RigidBodyVelocity {
     /// World-space velocity of the centre of mass (length/s).
     pub linvel: Vector,

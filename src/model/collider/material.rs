@@ -20,6 +20,7 @@ pub enum CoefficientCombineRule {
     /// The sum, at most 1.
     ClampedSum = 4,
     /// The square root of the product.
+    #[cfg(not(feature = "upstream-032"))]
     GeometricMean = 5,
 }
 
@@ -33,6 +34,7 @@ impl CoefficientCombineRule {
             Self::Multiply => a * b,
             Self::Max => a.max(b),
             Self::ClampedSum => (a + b).min(1.0),
+            #[cfg(not(feature = "upstream-032"))]
             Self::GeometricMean => (a * b).max(0.0).sqrt(),
         }
     }

@@ -1,6 +1,6 @@
 //! The builder of generic joints.
 
-use super::{GenericJoint, MotorModel, SpringCoefficients};
+use super::{GenericJoint, JointSoftness, MotorModel};
 use crate::dim::joint_axes::{JointAxesMask, JointAxis};
 use crate::dim::math::{Pose, Real, Vector};
 
@@ -61,7 +61,7 @@ impl GenericJointBuilder {
         /// Sets whether the colliders of the two bodies collide with each other.
         contacts_enabled => set_contacts_enabled(enabled: bool);
         /// Sets the softness of the locked axes: a spring, or `None` for the stiffest joint.
-        softness => set_softness(softness: Option<SpringCoefficients>);
+        softness => set_softness(softness: impl Into<JointSoftness>);
         /// Sets the force and the torque above which the joint breaks.
         break_thresholds => set_break_thresholds(force: Real, torque: Real);
         /// Sets the range of an axis (length units or radians).

@@ -1,7 +1,10 @@
 //! The general form of every joint: frames, and the constraint of each axis.
 
 use super::motor::check_threshold;
-use super::{InvalidJoint, JointLimits, JointMotor, MotorModel, SpringCoefficients};
+use super::{
+    InvalidJoint, JointLimits, JointMotor, JointSoftness, MotorModel, STIFFEST, SpringCoefficients,
+    spring_of,
+};
 use crate::base::measure::is_point;
 use crate::dim::joint_axes::{JointAxesMask, JointAxis, frame_along};
 use crate::dim::math::{DIM, Pose, Real, Rotation, SPATIAL_DIM, Vector};
@@ -61,7 +64,7 @@ pub struct GenericJoint {
     pub coupled_axes: JointAxesMask,
     /// Softness of the locked axes (default `None`: as stiff as possible, see
     /// [`joint_erp`](crate::model::params::IntegrationParameters::joint_erp)).
-    pub softness: Option<SpringCoefficients>,
+    pub softness: JointSoftness,
     /// Force between the bodies above which the joint breaks (mass·length/s²; default: infinite).
     pub break_force: Real,
     /// Torque between the bodies above which the joint breaks (mass·length²/s²; default: infinite).
@@ -89,7 +92,7 @@ impl Default for GenericJoint {
             coupled_axes: JointAxesMask::empty(),
             limits: [JointLimits::default(); SPATIAL_DIM],
             motors: [JointMotor::default(); SPATIAL_DIM],
-            softness: None,
+            softness: STIFFEST,
             break_force: Real::INFINITY,
             break_torque: Real::INFINITY,
             contacts_enabled: true,
@@ -271,9 +274,15 @@ impl GenericJoint {
         self
     }
 
+    /// The spring of the locked axes; `None` for a joint that is as stiff as the solver allows.
+    pub(crate) fn spring(&self) -> Option<SpringCoefficients> {
+        spring_of(self.softness)
+    }
+
     /// Sets the softness of the locked axes: a spring, or `None` for the stiffest joint of the solver.
-    pub fn set_softness(&mut self, softness: Option<SpringCoefficients>) -> &mut Self {
-        match softness.map_or(Ok(()), |spring| spring.check()) {
+    pub fn set_softness(&mut self, softness: impl Into<JointSoftness>) -> &mut Self {
+        let softness = softness.into();
+        match spring_of(softness).map_or(Ok(()), |spring| spring.check()) {
             Ok(()) => self.softness = softness,
             Err(error) => log_refusal(error),
         }
@@ -423,7 +432,7 @@ impl GenericJoint {
             self.limits(axis).map_or(Ok(()), |limits| limits.check(axis))?;
             self.motor(axis).map_or(Ok(()), JointMotor::check)?;
         }
-        self.softness.map_or(Ok(()), |spring| spring.check())?;
+        self.spring().map_or(Ok(()), |spring| spring.check())?;
         check_threshold("the force at which a joint breaks", self.break_force)?;
         check_threshold("the torque at which a joint breaks", self.break_torque)
     }

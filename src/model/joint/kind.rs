@@ -56,7 +56,7 @@ macro_rules! joint_kind {
             $joint, $builder;
             /// Sets the softness of the locked axes: a spring, or `None` for the stiffest joint of the
             /// solver.
-            softness, set_softness(softness: Option<$crate::model::joint::SpringCoefficients>);
+            softness, set_softness(softness: impl Into<$crate::model::joint::JointSoftness>);
             /// Sets the force (first number) and torque (second number) above which the joint breaks: see
             /// [`GenericJoint::set_break_thresholds`](crate::dynamics::GenericJoint::set_break_thresholds).
             break_thresholds, set_break_thresholds(

@@ -29,7 +29,7 @@ impl JointForm {
         let drives = joint.limit_axes | joint.motor_axes;
         let is_point_to_point = joint.locked_axes == JointAxesMask::LIN_AXES
             && drives.is_empty()
-            && joint.softness.is_none();
+            && joint.spring().is_none();
         let driven = if drives.is_empty() { 0 } else { joint.driven_axes().count() as u8 };
         Self { locked: joint.locked_axes.bits(), driven, is_point_to_point }
     }

@@ -34,5 +34,5 @@ pub use prismatic::{PrismaticJoint, PrismaticJointBuilder};
 pub use revolute::{RevoluteJoint, RevoluteJointBuilder};
 pub use rope::{RopeJoint, RopeJointBuilder};
 pub use set::ImpulseJointSet;
-pub use spring::SpringCoefficients;
+pub use spring::{JointSoftness, STIFFEST, SpringCoefficients, spring_of};
 pub use spring_joint::{SpringJoint, SpringJointBuilder};

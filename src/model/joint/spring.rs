@@ -81,6 +81,36 @@ impl SpringCoefficients {
     }
 }
 
+/// The softness of a joint: a spring, or `None` for a joint that is as stiff as the solver allows.
+#[cfg(not(feature = "upstream-signatures"))]
+mod softness {
+    use super::SpringCoefficients;
+
+    pub type JointSoftness = Option<SpringCoefficients>;
+    pub const STIFFEST: JointSoftness = None;
+
+    /// The spring of a joint that is not as stiff as possible.
+    pub const fn spring_of(softness: JointSoftness) -> Option<SpringCoefficients> {
+        softness
+    }
+}
+
+/// The softness of a joint, as in Rapier: a spring. Rapier's default stands for a joint that is as stiff as
+/// the solver allows.
+#[cfg(feature = "upstream-signatures")]
+mod softness {
+    use super::SpringCoefficients;
+
+    pub type JointSoftness = SpringCoefficients;
+    pub const STIFFEST: JointSoftness = SpringCoefficients::joint_defaults();
+
+    /// The spring of a joint that is not as stiff as possible.
+    pub fn spring_of(softness: JointSoftness) -> Option<SpringCoefficients> {
+        (softness != STIFFEST).then_some(softness)
+    }
+}
+pub use softness::{JointSoftness, STIFFEST, spring_of};
+
 #[cfg(test)]
 mod tests {
     use super::SpringCoefficients;

@@ -277,8 +277,8 @@ impl Structure<'_> {
     fn unlist_sleeper(&mut self, handle: RigidBodyHandle) {
         let Some(body) = self.bodies.get_unnoted_mut(handle) else { return };
         body.activation.sleep();
-        body.linvel = Default::default();
-        body.angvel = Default::default();
+        body.vels.linvel = Default::default();
+        body.vels.angvel = Default::default();
         let position = core::mem::replace(&mut body.link.awake, NONE);
         self.islands.set_motion(handle.into_raw_parts().0, BodyMotion::NONE);
         if position != NONE {

@@ -80,7 +80,7 @@ fn margin_of(
     let soft_ccd = body.map_or(0.0, |body| body.soft_ccd_prediction);
     BoxMargin {
         reach: reach(params, collider.contact_skin, soft_ccd),
-        travel: body.map_or(Vector::ZERO, |body| body.linvel * params.dt),
+        travel: body.map_or(Vector::ZERO, |body| body.vels.linvel * params.dt),
     }
 }
 

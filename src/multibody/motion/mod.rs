@@ -144,9 +144,9 @@ impl Motion {
         let body = |link: &MultibodyLink| bodies.get(link.body);
         self.root = ZERO;
         if let Some(root) = body(&multibody.links[0]).filter(|root| !root.is_dynamic()) {
-            self.root = join(root.linvel, root.angvel);
+            self.root = join(root.vels.linvel, root.vels.angvel);
         }
-        let velocity = |link: &MultibodyLink| Some(body(link)?.vels());
+        let velocity = |link: &MultibodyLink| Some(body(link)?.vels);
         if multibody.links.iter().any(|link| velocity(link) != link.seen_velocity) {
             self.take_momenta(|id, frame| {
                 let link = &multibody.links[id];

@@ -52,7 +52,7 @@ impl KinematicMotion {
             RigidBodyType::KinematicPositionBased => {
                 body.velocity_to_next_position(params.inv_dt())
             }
-            _ => body.vels(),
+            _ => body.vels,
         };
         let RigidBodyVelocity { linvel, angvel } = velocity;
         Self {
@@ -68,7 +68,7 @@ impl KinematicMotion {
 
     /// The motion that a body has made.
     fn made(body: &RigidBody, shift: Vector, dt: Real) -> Self {
-        Self { center: body.mprops.world_com - shift, shift, rotvec: body.angvel * dt }
+        Self { center: body.mprops.world_com - shift, shift, rotvec: body.vels.angvel * dt }
     }
 
     /// Motion of the points within `extent` of a place.
@@ -267,7 +267,7 @@ fn motion_of(
         start,
         center,
         shift: body.mprops.world_com - center,
-        rotvec: body.angvel * context.params.dt,
+        rotvec: body.vels.angvel * context.params.dt,
         acceleration: Vector::ZERO,
         link: None,
         is_blocked: false,

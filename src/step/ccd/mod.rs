@@ -296,10 +296,10 @@ pub(crate) fn stop(
         counters.num_substeps += 1;
         if motion.link.is_none() {
             let there = sweep_of(motion, motion.start, fraction).at(fraction);
-            body.angvel = body.angvel_at(there.rotation, (fraction - 1.0) * *dt);
+            body.vels.angvel = body.angvel_at(there.rotation, (fraction - 1.0) * *dt);
             body.pose = there;
             let executed = if motion.is_blocked { 0.0 } else { fraction };
-            body.linvel = motion.velocity_before(1.0 - executed, body.linvel);
+            body.vels.linvel = motion.velocity_before(1.0 - executed, body.vels.linvel);
             body.update_world_mass_properties();
             if !body.ccd_active {
                 // The bound of the whole motion of a fast body is noted already.

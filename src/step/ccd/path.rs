@@ -304,7 +304,7 @@ pub(super) fn sweep_of_slow(
     let local_center = parent.pos_wrt_parent.inverse_transform_point(body.local_center_of_mass());
     let center = collider.pose * local_center;
     let shift: Vector = body.mprops.world_com - center;
-    Sweep::new(collider.pose, center, shift, body.angvel * context.params.dt)
+    Sweep::new(collider.pose, center, shift, body.vels.angvel * context.params.dt)
 }
 
 fn body_slot(collider: &Collider) -> u32 {

@@ -41,7 +41,7 @@ impl Limits {
     /// The single step is checked first: a body that turns by whole turns from step to step would seem not to
     /// turn.
     fn are_kept(&self, body: &mut RigidBody, motion: Real, dt: Real) -> bool {
-        let step_angle = ang_length_squared(body.angvel) * (dt * dt);
+        let step_angle = ang_length_squared(body.vels.angvel) * (dt * dt);
         if motion > self.distance || step_angle > self.angle * self.angle {
             return false;
         }
@@ -66,8 +66,8 @@ pub(super) fn update_sleep_timer(
 ) -> bool {
     let rests = if body.body_type.is_kinematic() {
         body.activation.normalized_linear_threshold >= 0.0
-            && body.linvel.length_squared() == 0.0
-            && ang_length_squared(body.angvel) == 0.0
+            && body.vels.linvel.length_squared() == 0.0
+            && ang_length_squared(body.vels.angvel) == 0.0
     } else {
         Limits::of(body, params).is_some_and(|limits| {
             let rests = limits.are_kept(body, motion, params.dt);

@@ -113,7 +113,7 @@ impl<'a> Frame<'a> {
 
     fn near_rest(&self) -> bool {
         self.body.is_none_or(|(body, _)| {
-            AnchorFrame::near_rest(ang_length_squared(body.angvel), body.is_dynamic())
+            AnchorFrame::near_rest(ang_length_squared(body.vels.angvel), body.is_dynamic())
         })
     }
 

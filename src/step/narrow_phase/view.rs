@@ -82,7 +82,8 @@ impl<'a> PairView<'a> {
     /// Displacement of the second collider's body relative to the first's in a step, in the frame of the
     /// first collider.
     pub fn motion(&self) -> Vector {
-        let velocity = |body: Option<&RigidBody>| body.map_or(Vector::ZERO, |body| body.linvel);
+        let velocity =
+            |body: Option<&RigidBody>| body.map_or(Vector::ZERO, |body| body.vels.linvel);
         let relative = velocity(self.bodies[1]) - velocity(self.bodies[0]);
         self.colliders[0].pose.rotation.inverse() * relative * self.context.params.dt
     }
@@ -96,7 +97,8 @@ impl<'a> PairView<'a> {
             return prediction;
         }
         // No farther than the two can come together in a step.
-        let velocity = |body: Option<&RigidBody>| body.map_or(Vector::ZERO, |body| body.linvel);
+        let velocity =
+            |body: Option<&RigidBody>| body.map_or(Vector::ZERO, |body| body.vels.linvel);
         let approach = (velocity(self.bodies[1]) - velocity(self.bodies[0])).length();
         prediction.max(soft.min(approach * self.context.params.dt))
     }

@@ -94,7 +94,7 @@ impl Causes<'_> {
         let vectors = [
             body.pose.translation,
             body.mprops.local_mprops.local_com,
-            body.linvel,
+            body.vels.linvel,
             (by_gravity + by_force) * params.dt,
         ];
         params.dt <= 1.0
@@ -102,7 +102,7 @@ impl Causes<'_> {
             && checked_rotation(body.pose.rotation).is_some()
             && body.mprops.inv_mass.is_finite()
             && vectors.into_iter().all(|vector| is_small(vector.length_squared()))
-            && [body.angvel, by_torque * params.dt]
+            && [body.vels.angvel, by_torque * params.dt]
                 .into_iter()
                 .all(|vector| is_small(ang_length_squared(vector)))
     }
@@ -154,13 +154,13 @@ impl Causes<'_> {
             let target = QuarantineCause::KinematicTarget(body.next_pose);
             return (!velocity.is_usable()).then_some(target);
         }
-        if !self.stays_finite(body, body.vels()) {
-            return Some(QuarantineCause::Velocity(body.vels()));
+        if !self.stays_finite(body, body.vels) {
+            return Some(QuarantineCause::Velocity(body.vels));
         }
         let Accelerations { by_gravity, by_force, by_torque } = Accelerations::of(body, gravity);
         let after = |linear: Vector, angular: AngVector| RigidBodyVelocity {
-            linvel: body.linvel + linear * params.dt,
-            angvel: body.angvel + angular * params.dt,
+            linvel: body.vels.linvel + linear * params.dt,
+            angvel: body.vels.angvel + angular * params.dt,
         };
         if !self.stays_finite(body, after(by_gravity, Default::default())) {
             return Some(QuarantineCause::Gravity(gravity * body.gravity_scale));
@@ -221,7 +221,7 @@ impl Causes<'_> {
             Accelerations::of(body, self.world.gravity);
         let by_motors = self.motor_force_max(handle) * body.mprops.local_mprops.inv_mass;
         let length = |angular| ang_length_squared(angular).sqrt() * body.extent;
-        let speeds = [body.linvel.length(), length(body.angvel)];
+        let speeds = [body.vels.linvel.length(), length(body.vels.angvel)];
         let accelerations = [(by_gravity + by_force).length(), length(by_torque), by_motors];
         let displacements = speeds.map(|speed| speed * dt).into_iter();
         let displacements = displacements.chain(accelerations.map(|a| a * dt * dt));

@@ -81,7 +81,7 @@ impl Quarantine {
         for &(handle, cause) in &self.taken {
             let Some(body) = bodies.get(handle) else { continue };
             log::error!("{handle:?} is disabled, because it cannot be simulated: {cause}");
-            let (position, velocity) = (body.pose, body.vels());
+            let (position, velocity) = (body.pose, body.vels);
             notes.quarantined.push(QuarantineEvent::Body {
                 body: handle,
                 cause,

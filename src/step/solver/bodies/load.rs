@@ -133,7 +133,7 @@ impl Place<'_> {
     fn fill(self, body: &mut RigidBody, context: &LoadContext<'_>, h: Real) {
         if body.body_type == RigidBodyType::KinematicPositionBased {
             let velocity = body.velocity_to_next_position(context.params.inv_dt());
-            (body.linvel, body.angvel) = (velocity.linvel, velocity.angvel);
+            (body.vels.linvel, body.vels.angvel) = (velocity.linvel, velocity.angvel);
         }
         *self.impulse_scale = if body.substep > h { h / body.substep } else { 1.0 };
         body.substep = h;
@@ -147,7 +147,7 @@ impl Place<'_> {
         let inv_inertia = of_contacts.as_ref().unwrap_or(&mprops.inv_inertia);
         let center = mprops.world_com;
         *self.pose = BodyPose::new(body.pose.rotation, center, mprops.inv_mass, inv_inertia);
-        *self.state = BodyState::new(body.linvel, body.angvel);
+        *self.state = BodyState::new(body.vels.linvel, body.vels.angvel);
         *self.before = *self.state;
         *self.island = body.link.island;
     }
@@ -159,7 +159,7 @@ fn contact_inv_inertia(body: &RigidBody, dt: Real) -> Option<AngularInertia> {
     if !body.is_dynamic() || !mprops.rotates_freely() {
         return None;
     }
-    inv_inertia_during_rotation(&mprops.local_mprops, body.pose.rotation, body.angvel * dt)
+    inv_inertia_during_rotation(&mprops.local_mprops, body.pose.rotation, body.vels.angvel * dt)
 }
 
 /// The places of all bodies, to be filled by several threads.
@@ -206,7 +206,7 @@ impl Places<'_> {
         unsafe {
             let may_be_in_pile = self.motions.get(index).may_be_in_pile();
             let near_rest = may_be_in_pile
-                && AnchorFrame::near_rest(ang_length_squared(body.angvel), flags == 0);
+                && AnchorFrame::near_rest(ang_length_squared(body.vels.angvel), flags == 0);
             let flags = if near_rest { flags | NEAR_REST } else { flags };
             *self.listed.get_mut(index) = slot;
             *self.indices.get_mut(slot as usize) = index as u32 | flags;

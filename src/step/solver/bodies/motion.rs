@@ -21,7 +21,7 @@ pub(super) fn motion_of(body: &RigidBody, gravity: Vector, substep: Real) -> Fre
     let may_be_in_pile = gravity * body.gravity_scale != Vector::ZERO;
     let motion = FreeMotion::new(body.pose.rotation, linear, angular, damping, may_be_in_pile);
     if body.gyroscopic_forces_enabled && mprops.rotates_freely() {
-        motion.with_gyroscope(&mprops.local_mprops, body.angvel, substep)
+        motion.with_gyroscope(&mprops.local_mprops, body.vels.angvel, substep)
     } else {
         motion
     }

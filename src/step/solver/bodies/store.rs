@@ -91,11 +91,11 @@ fn commit(body: &mut RigidBody, state: &BodyState, motion: &FreeMotion) -> (Vect
         // The divergence check finds fast and far bodies. The remaining case is a rotation about a very
         // distant centre of mass.
         log::error!("a rigid body left the range of numbers at {:?} and was stopped", body.pose);
-        (body.linvel, body.angvel) = (Vector::ZERO, ANG_ZERO);
+        (body.vels.linvel, body.vels.angvel) = (Vector::ZERO, ANG_ZERO);
         return (Vector::ZERO, ANG_ZERO);
     };
     let (center, (shift, rotvec)) = (body.mprops.world_com, state.displacement());
-    (body.linvel, body.angvel) = (velocity.linvel, velocity.angvel);
+    (body.vels.linvel, body.vels.angvel) = (velocity.linvel, velocity.angvel);
     body.pose = pose;
     body.update_world_mass_properties();
     // Far from the origin a position has few digits, and it moves by whole steps of these or not at all.
@@ -109,5 +109,5 @@ fn move_to(body: &mut RigidBody, pose: Pose, dt: Real) -> BodyMotion {
     let old_center = body.mprops.world_com;
     body.pose = pose;
     body.update_world_mass_properties();
-    BodyMotion::of(body.mprops.world_com - old_center, body.angvel * dt, body.extent)
+    BodyMotion::of(body.mprops.world_com - old_center, body.vels.angvel * dt, body.extent)
 }

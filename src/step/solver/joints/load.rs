@@ -232,7 +232,7 @@ impl End {
 
 /// Returns whether a body rotates so far in a substep that its world-space inertia changes noticeably.
 pub(super) fn is_gyroscopic(body: &RigidBody, substep: Real) -> bool {
-    let angle_squared = ang_length_squared(body.angvel) * substep * substep;
+    let angle_squared = ang_length_squared(body.vels.angvel) * substep * substep;
     let mprops = &body.mprops;
     angle_squared >= ROTATION_ANGLE_MIN * ROTATION_ANGLE_MIN
         && mprops.rotates_freely()
@@ -268,7 +268,7 @@ fn load_lane(
     let impulse_fraction = bodies.impulse_fraction([ends[0].index, ends[1].index]);
     joint.scale_impulses(impulse_fraction);
     load_locked(block, lane, joint, pass);
-    if joint.data.softness.is_none() {
+    if joint.data.spring().is_none() {
         block.bias_rate.0[lane] *= pass.bias_scale(separation);
     }
     let between = relative_rotation(&ends[0].frame, &ends[1].frame);
@@ -276,11 +276,11 @@ fn load_lane(
 }
 
 fn load_locked(block: &mut JointBlock, lane: usize, joint: &ImpulseJoint, pass: &JointPass) {
-    let softness = match joint.data.softness {
+    let softness = match joint.data.spring() {
         None => pass.softness,
         Some(spring) => spring.in_steps_of(pass.substep),
     };
-    let is_spring = joint.data.softness.is_some();
+    let is_spring = joint.data.spring().is_some();
     let compliance = softness.compliance().min(LIMIT_NONE);
     block.bias_rate.0[lane] = softness.bias_rate;
     block.is_spring.0[lane] = if is_spring { 1.0 } else { 0.0 };

@@ -115,7 +115,7 @@ impl SolverMultibodies {
             let mut data = joint.data;
             scale_impulses(&mut data, fraction);
             self.add_driven(handle, &data, &sides, &frames, pass.substep);
-            let softness = data.softness.map_or(pass.softness, |spring| {
+            let softness = data.spring().map_or(pass.softness, |spring| {
                 Softness::spring(spring.angular_frequency(), spring.damping_ratio, pass.substep)
             });
             let (locked, inverse) = (ArrayVec::new(), ArrayVec::new());

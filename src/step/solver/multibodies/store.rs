@@ -146,7 +146,7 @@ impl Moving {
         if body.is_dynamic() {
             body.use_up_push();
             let start = body.pose;
-            (body.linvel, body.angvel) = (linear(&velocity), angular(&velocity));
+            (body.vels.linvel, body.vels.angvel) = (linear(&velocity), angular(&velocity));
             body.pose = pose;
             let old_center = body.mprops.world_com;
             body.update_world_mass_properties();
@@ -176,7 +176,7 @@ impl Moving {
             }
         }
         link.seen_pose = Some(body.pose);
-        link.seen_velocity = Some(RigidBodyVelocity::new(body.linvel, body.angvel));
+        link.seen_velocity = Some(RigidBodyVelocity::new(body.vels.linvel, body.vels.angvel));
         moved
     }
 
