@@ -11,6 +11,20 @@ pub type DMatrix = na::DMatrix<Real>;
 
 #[cfg(feature = "dim2")]
 mod dimension {
+    /// Vector over any numbers.
+    pub type SimdVector<N> = na::Vector2<N>;
+    /// Point over any numbers.
+    pub type SimdPoint<N> = na::Point2<N>;
+    /// Pose over any numbers.
+    pub type SimdPose<N> = na::Isometry2<N>;
+    /// Rotation over any numbers.
+    pub type SimdRotation<N> = na::UnitComplex<N>;
+    /// Matrix over any numbers.
+    pub type SimdMatrix<N> = na::Matrix2<N>;
+    /// Angular vector over any numbers.
+    pub type SimdAngVector<N> = N;
+    /// Angular inertia over any numbers.
+    pub type SimdAngularInertia<N> = N;
     /// Number of coordinates.
     pub type Dim = na::U2;
     /// Number of rotational degrees of freedom.
@@ -27,6 +41,20 @@ mod dimension {
 
 #[cfg(feature = "dim3")]
 mod dimension {
+    /// Vector over any numbers.
+    pub type SimdVector<N> = na::Vector3<N>;
+    /// Point over any numbers.
+    pub type SimdPoint<N> = na::Point3<N>;
+    /// Pose over any numbers.
+    pub type SimdPose<N> = na::Isometry3<N>;
+    /// Rotation over any numbers.
+    pub type SimdRotation<N> = na::UnitQuaternion<N>;
+    /// Matrix over any numbers.
+    pub type SimdMatrix<N> = na::Matrix3<N>;
+    /// Angular vector over any numbers.
+    pub type SimdAngVector<N> = na::Vector3<N>;
+    /// Angular inertia over any numbers.
+    pub type SimdAngularInertia<N> = crate::parry::utils::SdpMatrix3<N>;
     /// Number of coordinates.
     pub type Dim = na::U3;
     /// Number of rotational degrees of freedom.

@@ -1,5 +1,8 @@
 //! Filters of pairs, and modification of contacts.
 
+use super::version::{
+    COMPUTE_IMPULSES, contacts, manifolds, point, set_friction, stored_contacts, user_data,
+};
 use super::world::{GRAVITY, World, assert_near, cuboid, rounding};
 use rapier::prelude::*;
 
@@ -32,15 +35,15 @@ fn filtered(answer: Option<SolverFlags>) -> (Real, usize) {
 fn filters_refuse_pairs_or_forces() {
     let (time, h) = (0.5, 1.0 / 240.0);
     let fallen = 0.5 - GRAVITY * time * (time + h) / 2.0;
-    let (height, contacts) = filtered(None);
+    let (height, touching) = filtered(None);
     assert_near(height, fallen, rounding(5_000));
-    assert_eq!(contacts, 0);
-    let (height, contacts) = filtered(Some(SolverFlags::empty()));
+    assert_eq!(touching, 0);
+    let (height, touching) = filtered(Some(SolverFlags::empty()));
     assert_near(height, fallen, rounding(5_000));
-    assert_eq!(contacts, 1);
-    let (height, contacts) = filtered(Some(SolverFlags::COMPUTE_IMPULSES));
+    assert_eq!(touching, 1);
+    let (height, touching) = filtered(Some(COMPUTE_IMPULSES));
     assert_near(height, 0.5, 0.01);
-    assert_eq!(contacts, 1);
+    assert_eq!(touching, 1);
 }
 
 /// A belt with a coefficient of friction.
@@ -52,13 +55,13 @@ struct Belt {
 impl PhysicsHooks for Belt {
     fn modify_solver_contacts(&self, context: &mut ContactModificationContext) {
         // The velocity is that of the second collider relative to the first.
-        assert!(context.manifold.data.solver_contacts.is_empty(), "the context has the contacts");
+        assert_eq!(stored_contacts(context), 0, "the context has the contacts");
         let sign = if context.rigid_body1.is_none() { 1.0 } else { -1.0 };
-        for contact in context.solver_contacts.iter_mut() {
-            contact.friction = self.friction;
+        set_friction(context, self.friction);
+        for contact in contacts(context) {
             contact.tangent_velocity = Vector::X * (self.velocity * sign);
         }
-        *context.user_data += 1;
+        *user_data(context) += 1;
     }
 }
 
@@ -78,7 +81,7 @@ fn belts_drag_bodies() {
     }
     assert_near(world.bodies[body].linvel().x, belt.velocity, 0.02);
     let pair = world.narrow_phase.contact_pair(ground, collider).unwrap();
-    assert_eq!(pair.manifolds[0].data.user_data, 90, "user data persists");
+    assert_eq!(manifolds(pair)[0].data.user_data, 90, "user data persists");
 }
 
 /// Removes all contacts.
@@ -86,7 +89,7 @@ struct Ghost;
 
 impl PhysicsHooks for Ghost {
     fn modify_solver_contacts(&self, context: &mut ContactModificationContext) {
-        context.solver_contacts.clear();
+        contacts(context).clear();
     }
 }
 
@@ -105,7 +108,7 @@ struct HalfContact;
 
 impl PhysicsHooks for HalfContact {
     fn modify_solver_contacts(&self, context: &mut ContactModificationContext) {
-        context.solver_contacts.retain(|contact| contact.point.x < 0.0);
+        contacts(context).retain(|contact| point(contact).x < 0.0);
     }
 }
 

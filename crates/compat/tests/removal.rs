@@ -1,4 +1,4 @@
-//! Removal of bodies with the arguments of version 0.32.
+//! Removal of bodies with the arguments of Rapier.
 
 use super::world::World;
 use rapier::prelude::*;
@@ -10,6 +10,8 @@ fn remove(world: &mut World, body: RigidBodyHandle, with_colliders: bool) -> Opt
         &mut world.colliders,
         &mut world.impulse_joints,
         &mut world.multibody_joints,
+        #[cfg(rapier036)]
+        &mut world.soft_bodies,
         with_colliders,
     )
 }

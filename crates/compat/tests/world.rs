@@ -1,4 +1,4 @@
-//! A world as programs for Rapier 0.32 assemble it.
+//! A world as programs for Rapier assemble it.
 
 use rapier::prelude::*;
 
@@ -17,6 +17,8 @@ pub struct World {
     pub colliders: ColliderSet,
     pub impulse_joints: ImpulseJointSet,
     pub multibody_joints: MultibodyJointSet,
+    #[cfg(rapier036)]
+    pub soft_bodies: SoftBodySet,
     pub ccd_solver: CCDSolver,
 }
 
@@ -33,6 +35,8 @@ impl World {
             &mut self.colliders,
             &mut self.impulse_joints,
             &mut self.multibody_joints,
+            #[cfg(rapier036)]
+            &mut self.soft_bodies,
             &mut self.ccd_solver,
             hooks,
             events,
@@ -125,6 +129,7 @@ fn rotations_are_locked_by_axis() {
     }
 }
 
+#[cfg(not(rapier036))]
 #[test]
 fn parameters_have_the_fields_of_version_032() {
     let mut parameters = IntegrationParameters {
@@ -205,7 +210,7 @@ mod debug_render {
     use rapier::prelude::*;
 
     #[test]
-    fn modes_have_the_bits_of_version_032() {
+    fn modes_have_the_bits_of_rapier() {
         let modes = [
             DebugRenderMode::COLLIDER_SHAPES,
             DebugRenderMode::RIGID_BODY_AXES,
@@ -218,7 +223,8 @@ mod debug_render {
             DebugRenderMode::default(),
             DebugRenderMode::all(),
         ];
-        assert_eq!(modes.map(|mode| mode.bits()), [1, 2, 4, 8, 16, 32, 64, 12, 15, 127]);
+        let all = if cfg!(rapier036) { 2047 } else { 127 };
+        assert_eq!(modes.map(|mode| mode.bits()), [1, 2, 4, 8, 16, 32, 64, 12, 15, all]);
     }
 
     /// Counts lines by the kind of their object.
@@ -253,6 +259,8 @@ mod debug_render {
                 &world.impulse_joints,
                 &world.multibody_joints,
                 &world.narrow_phase,
+                #[cfg(rapier036)]
+                &world.soft_bodies,
             );
             [lines.axes > 0, lines.boxes > 0, lines.others > 0]
         };

@@ -1,8 +1,11 @@
-//! Data structures.
+//! Data structures for programs: lists whose elements have generational indices, and graphs.
 
-pub use engine::data::*;
+pub mod arena;
+mod coarena;
+pub mod graph;
+mod modified_objects;
+pub mod pubsub;
 
-/// Arenas.
-pub mod arena {
-    pub use engine::data::Index;
-}
+pub use arena::{Arena, Index};
+pub use coarena::Coarena;
+pub use modified_objects::{HasModifiedFlag, ModifiedObjects};

@@ -1,9 +1,9 @@
 //! The set of bodies.
 
 use super::{ImpulseJointSet, IslandManager, MultibodyJointSet};
+use crate::geometry::ColliderSet;
 use crate::wrapper::wrapper;
 use engine::dynamics::{RigidBody, RigidBodyHandle};
-use engine::geometry::ColliderSet;
 
 wrapper! {
     /// All bodies of a world.
@@ -25,6 +25,10 @@ impl RigidBodySet {
     /// Removes a body and its joints at once. `None` if the handle is stale.
     ///
     /// Its colliders are removed too, or they are detached and stay where they are.
+    #[cfg_attr(
+        rapier036,
+        expect(clippy::too_many_arguments, reason = "the signature of Rapier 0.36")
+    )]
     pub fn remove(
         &mut self,
         handle: RigidBodyHandle,
@@ -32,11 +36,13 @@ impl RigidBodySet {
         colliders: &mut ColliderSet,
         impulse_joints: &mut ImpulseJointSet,
         multibody_joints: &mut MultibodyJointSet,
+        #[cfg(rapier036)] _soft_bodies: &mut super::SoftBodySet,
         remove_attached_colliders: bool,
     ) -> Option<RigidBody> {
         let attached = self.0.get(handle)?.colliders().to_vec();
         impulse_joints.remove_joints_attached_to_rigid_body(handle);
         multibody_joints.remove_joints_attached_to_rigid_body(handle);
+        let colliders: &mut engine::geometry::ColliderSet = colliders;
         for collider in attached {
             if remove_attached_colliders {
                 colliders.remove(collider, islands, &mut self.0, true);

@@ -1,4 +1,4 @@
-//! Contact pairs in upstream's representation.
+//! Contact pairs in the representation of Rapier 0.32.
 
 use super::{ColliderHandle, TrackedContact};
 use crate::dynamics::RigidBodyHandle;
@@ -151,6 +151,19 @@ impl Default for ContactPair {
 }
 
 impl ContactPair {
+    /// A pair with these manifolds.
+    pub(crate) fn from_manifolds(
+        [collider1, collider2]: [ColliderHandle; 2],
+        manifolds: Vec<ContactManifold>,
+    ) -> Self {
+        Self { collider1, collider2, manifolds }
+    }
+
+    /// One manifold for each pair of convex parts.
+    pub(crate) fn manifolds(&self) -> &[ContactManifold] {
+        &self.manifolds
+    }
+
     /// Returns whether the solver handles any contact.
     pub fn has_any_active_contact(&self) -> bool {
         self.manifolds.iter().any(|manifold| !manifold.data.solver_contacts.is_empty())

@@ -9,11 +9,8 @@ use engine::pipeline::ContactModificationContext;
 
 /// A pair of the engine in upstream's representation.
 pub fn to_pair(pair: &engine::geometry::ContactPair) -> ContactPair {
-    ContactPair {
-        collider1: pair.collider1,
-        collider2: pair.collider2,
-        manifolds: pair.manifolds.iter().map(to_manifold).collect(),
-    }
+    let manifolds = pair.manifolds.iter().map(to_manifold).collect();
+    ContactPair::from_manifolds([pair.collider1, pair.collider2], manifolds)
 }
 
 /// A manifold of the engine in upstream's representation. Its points are in the frames of the colliders, so
@@ -23,9 +20,9 @@ pub fn to_manifold(manifold: &engine::geometry::ContactManifold) -> ContactManif
     let mut converted = ContactManifold::new();
     let mut solver_contacts = Vec::with_capacity(data.points.len());
     for (index, point) in data.points.iter().enumerate() {
-        let friction = tangent_impulse(data.normal, data.friction_impulse(index));
-        converted.points.push(to_contact(point, friction));
-        solver_contacts.push(to_solver_contact(data, index, friction));
+        let friction = data.friction_impulse(index);
+        converted.points.push(to_contact(point, data.normal, friction));
+        solver_contacts.push(to_solver_contact(data, index));
     }
     converted.local_n1 = manifold.local_n1;
     converted.local_n2 = manifold.local_n2;
@@ -37,31 +34,38 @@ pub fn to_manifold(manifold: &engine::geometry::ContactManifold) -> ContactManif
         solver_flags: SolverFlags::from_bits_truncate(data.solver_flags.bits()),
         normal: data.normal,
         solver_contacts,
+        #[cfg(rapier036)]
+        friction: data.friction,
+        #[cfg(rapier036)]
+        restitution: data.restitution,
         relative_dominance: data.relative_dominance,
         user_data: data.user_data,
     };
     converted
 }
 
-fn to_contact(point: &engine::geometry::Contact, tangent_impulse: TangentImpulse<Real>) -> Contact {
+fn to_contact(point: &engine::geometry::Contact, normal: Vector, friction: Vector) -> Contact {
     let mut contact =
         Contact::new(point.local_p1, point.local_p2, point.fid1, point.fid2, point.dist);
     contact.data = ContactData {
         impulse: point.impulse,
-        tangent_impulse,
+        tangent_impulse: tangent_impulse(normal, friction),
         warmstart_impulse: point.warmstart_impulse,
-        warmstart_tangent_impulse: tangent_impulse,
+        warmstart_tangent_impulse: tangent_impulse(normal, friction),
         #[cfg(feature = "dim3")]
         warmstart_twist_impulse: 0.0,
+        #[cfg(all(feature = "dim3", rapier036))]
+        warmstart_tangent_world: friction,
+        #[cfg(rapier036)]
+        solver_dp1: Vector::ZERO,
+        #[cfg(rapier036)]
+        solver_dp2: Vector::ZERO,
     };
     contact
 }
 
-fn to_solver_contact(
-    data: &engine::geometry::ContactManifoldData,
-    index: usize,
-    warmstart_tangent_impulse: TangentImpulse<Real>,
-) -> SolverContact {
+#[cfg(not(rapier036))]
+fn to_solver_contact(data: &engine::geometry::ContactManifoldData, index: usize) -> SolverContact {
     let point = &data.points[index];
     SolverContact {
         point: point.point,
@@ -70,10 +74,24 @@ fn to_solver_contact(
         restitution: data.restitution,
         tangent_velocity: data.tangent_velocity,
         warmstart_impulse: point.warmstart_impulse,
-        warmstart_tangent_impulse,
+        warmstart_tangent_impulse: tangent_impulse(data.normal, data.friction_impulse(index)),
         warmstart_twist_impulse: 0.0,
         is_new: Real::from(u8::from(point.warmstart_impulse == 0.0)),
         contact_id: [index as u32],
+    }
+}
+
+#[cfg(rapier036)]
+fn to_solver_contact(data: &engine::geometry::ContactManifoldData, index: usize) -> SolverContact {
+    let point = &data.points[index];
+    let half = data.normal * (point.dist * 0.5);
+    let is_new = point.warmstart_impulse == 0.0;
+    SolverContact {
+        anchor1: point.point - half,
+        anchor2: point.point + half,
+        dist: point.dist,
+        tangent_velocity: data.tangent_velocity,
+        contact_id: [index as u32 | if is_new { super::NEW_CONTACT_BIT } else { 0 }],
     }
 }
 
@@ -90,30 +108,39 @@ fn tangent_impulse(normal: Vector, impulse: Vector) -> TangentImpulse<Real> {
     TangentImpulse::new(impulse.dot(normal.perp()))
 }
 
-/// Writes the contacts that a hook left back to the engine.
+/// Index of a point in its manifold.
+fn index_of(contact: &SolverContact) -> usize {
+    #[cfg(rapier036)]
+    return contact.contact_indices()[0] as usize;
+    #[cfg(not(rapier036))]
+    return contact.contact_id[0] as usize;
+}
+
+/// Writes the contacts that a hook left, friction and restitution back to the engine.
 ///
-/// The engine has one material per manifold: that of the first remaining contact. A manifold without contacts
-/// exerts no impulse in this step, and its user data persists.
+/// The engine has one material per manifold, and one tangent velocity: that of the first remaining contact. A
+/// manifold without contacts exerts no impulse in this step, and its user data persists.
 pub fn write_back(
     engine: &mut ContactModificationContext<'_>,
     contacts: &[SolverContact],
+    material: Option<(Real, Real)>,
     user_data: u32,
 ) {
     engine.set_user_data(user_data);
-    let Some(first) = contacts.first() else {
+    let (Some(first), Some((friction, restitution))) = (contacts.first(), material) else {
         let flags = engine::geometry::SolverFlags::COMPUTE_RIGID_IMPULSES;
         return engine.set_solver_flags(engine.solver_flags() - flags);
     };
     let mut index = 0;
     engine.retain_contacts(|_| {
         index += 1;
-        contacts.iter().any(|contact| contact.contact_id == [index - 1])
+        contacts.iter().any(|contact| index_of(contact) == index - 1)
     });
-    if first.friction != engine.friction() {
-        engine.set_friction(first.friction);
+    if friction != engine.friction() {
+        engine.set_friction(friction);
     }
-    if first.restitution != engine.restitution() {
-        engine.set_restitution(first.restitution);
+    if restitution != engine.restitution() {
+        engine.set_restitution(restitution);
     }
     if first.tangent_velocity != engine.tangent_velocity() {
         engine.set_tangent_velocity(first.tangent_velocity);

@@ -19,6 +19,9 @@ pub struct ContactForceEvent {
     pub max_force_direction: Vector,
     /// Magnitude of the largest force at a contact point.
     pub max_force_magnitude: Real,
+    /// Whether the force was below the threshold in the step before.
+    #[cfg(rapier036)]
+    pub started: bool,
 }
 
 impl ContactForceEvent {
@@ -27,7 +30,7 @@ impl ContactForceEvent {
     pub fn from_contact_pair(dt: Real, pair: &ContactPair, total_force_magnitude: Real) -> Self {
         let inv_dt = if dt > 0.0 { 1.0 / dt } else { 0.0 };
         let largest = Vector::splat(Real::MAX);
-        let impulses = pair.manifolds.iter().flat_map(|manifold| {
+        let impulses = pair.manifolds().iter().flat_map(|manifold| {
             manifold.points.iter().map(|point| (point.data.impulse, manifold.data.normal))
         });
         let none = (0.0, Vector::ZERO);
@@ -40,6 +43,8 @@ impl ContactForceEvent {
             total_force_magnitude: total_force_magnitude.min(Real::MAX),
             max_force_direction,
             max_force_magnitude: (max_impulse * inv_dt).min(Real::MAX),
+            #[cfg(rapier036)]
+            started: pair.force_started,
         }
     }
 }
@@ -53,6 +58,8 @@ impl From<&engine::geometry::ContactForceEvent> for ContactForceEvent {
             total_force_magnitude: event.total_force_magnitude,
             max_force_direction: event.max_force_direction,
             max_force_magnitude: event.max_force_magnitude,
+            #[cfg(rapier036)]
+            started: event.started,
         }
     }
 }

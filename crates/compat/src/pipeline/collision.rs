@@ -20,7 +20,7 @@ impl CollisionPipeline {
     }
 
     /// Updates all contacts and intersections, and sends the events of their changes.
-    #[expect(clippy::too_many_arguments, reason = "the signature of Rapier 0.32")]
+    #[expect(clippy::too_many_arguments, reason = "the signature of Rapier")]
     pub fn step(
         &mut self,
         prediction_distance: Real,
@@ -46,7 +46,7 @@ impl CollisionPipeline {
             &ImpulseJointSet::new(),
             &MultibodyJointSet::new(),
             &Hooks(hooks),
-            &Events(events),
+            &Events::new(events),
             true,
         );
     }

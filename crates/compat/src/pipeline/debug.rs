@@ -1,5 +1,6 @@
 //! The renderer of a world as lines.
 
+use super::debug_backend::Backend;
 use super::{DebugRenderBackend, DebugRenderStyle};
 use crate::dynamics::{ImpulseJointSet, MultibodyJointSet, RigidBodySet};
 use crate::geometry::{ColliderSet, NarrowPhase};
@@ -25,6 +26,18 @@ bitflags::bitflags! {
         const CONTACTS = 1 << 5;
         /// The boxes of colliders.
         const COLLIDER_AABBS = 1 << 6;
+        /// Soft bodies: the engine has none.
+        #[cfg(rapier036)]
+        const SOFT_BODIES = 1 << 7;
+        /// The pseudo-normals of meshes and polylines.
+        #[cfg(rapier036)]
+        const PSEUDO_NORMALS = 1 << 8;
+        /// Contacts of volumes: the engine has no soft bodies.
+        #[cfg(rapier036)]
+        const SOFT_VOLUME_CONTACTS = 1 << 9;
+        /// Stress of soft bodies: the engine has none.
+        #[cfg(rapier036)]
+        const SOFT_BODY_STRESS = 1 << 10;
     }
 }
 
@@ -64,12 +77,17 @@ impl DebugRenderPipeline {
 
     /// The engine's pipeline with this style and mode.
     fn engine(&mut self) -> &mut engine::pipeline::DebugRenderPipeline {
-        self.engine.style = self.style;
+        let style: &engine::pipeline::DebugRenderStyle = &self.style;
+        self.engine.style = *style;
         self.engine.mode = self.mode.into();
         &mut self.engine
     }
 
     /// Draws everything that the mode selects.
+    #[cfg_attr(
+        rapier036,
+        expect(clippy::too_many_arguments, reason = "the signature of Rapier 0.36")
+    )]
     pub fn render(
         &mut self,
         backend: &mut impl DebugRenderBackend,
@@ -78,6 +96,7 @@ impl DebugRenderPipeline {
         impulse_joints: &ImpulseJointSet,
         multibody_joints: &MultibodyJointSet,
         narrow_phase: &NarrowPhase,
+        #[cfg(rapier036)] _soft_bodies: &crate::dynamics::SoftBodySet,
     ) {
         self.render_rigid_bodies(backend, bodies);
         self.render_colliders(backend, bodies, colliders);
@@ -91,7 +110,7 @@ impl DebugRenderPipeline {
         backend: &mut impl DebugRenderBackend,
         bodies: &RigidBodySet,
     ) {
-        self.engine().render_rigid_bodies(backend, bodies);
+        self.engine().render_rigid_bodies(&mut Backend(backend), bodies);
     }
 
     /// Draws the shapes and the boxes of all colliders.
@@ -101,7 +120,7 @@ impl DebugRenderPipeline {
         bodies: &RigidBodySet,
         colliders: &ColliderSet,
     ) {
-        self.engine().render_colliders(backend, bodies, colliders);
+        self.engine().render_colliders(&mut Backend(backend), bodies, colliders);
     }
 
     /// Draws all joints.
@@ -112,7 +131,12 @@ impl DebugRenderPipeline {
         impulse_joints: &ImpulseJointSet,
         multibody_joints: &MultibodyJointSet,
     ) {
-        self.engine().render_joints(backend, bodies, impulse_joints, multibody_joints);
+        self.engine().render_joints(
+            &mut Backend(backend),
+            bodies,
+            impulse_joints,
+            multibody_joints,
+        );
     }
 
     /// Draws all contacts.
@@ -122,6 +146,24 @@ impl DebugRenderPipeline {
         colliders: &ColliderSet,
         narrow_phase: &NarrowPhase,
     ) {
-        self.engine().render_contacts(backend, colliders, narrow_phase);
+        self.engine().render_contacts(&mut Backend(backend), colliders, narrow_phase);
+    }
+
+    /// Draws nothing: the engine has no soft bodies.
+    #[cfg(rapier036)]
+    pub fn render_soft_bodies<B: DebugRenderBackend>(
+        &mut self,
+        _backend: &mut B,
+        _soft_bodies: &crate::dynamics::SoftBodySet,
+    ) {
+    }
+
+    /// Draws nothing: the engine has no soft bodies.
+    #[cfg(rapier036)]
+    pub fn render_soft_volume_contacts<B: DebugRenderBackend>(
+        &mut self,
+        _backend: &mut B,
+        _soft_bodies: &crate::dynamics::SoftBodySet,
+    ) {
     }
 }

@@ -203,14 +203,15 @@ impl<'a> QueryPipeline<'a> {
         self.view().intersect_ray(ray, max_toi, solid)
     }
 
-    /// The projection of a point onto the nearest collider. As upstream, the distance is unlimited.
+    /// The projection of a point onto the nearest collider. In Rapier 0.32 the distance is unlimited.
     pub fn project_point(
         &self,
         point: Vector,
-        _max_dist: Real,
+        max_dist: Real,
         solid: bool,
     ) -> Option<(ColliderHandle, PointProjection)> {
-        self.view().project_point(point, Real::MAX, solid)
+        let limit = if cfg!(rapier036) { max_dist } else { Real::MAX };
+        self.view().project_point(point, limit, solid)
     }
 
     /// All colliders that contain a point.
@@ -225,8 +226,11 @@ impl<'a> QueryPipeline<'a> {
     pub fn project_point_and_get_feature(
         &self,
         point: Vector,
+        #[cfg(rapier036)] max_dist: Real,
     ) -> Option<(ColliderHandle, PointProjection, FeatureId)> {
-        self.view().project_point_and_get_feature(point, Real::MAX)
+        #[cfg(not(rapier036))]
+        let max_dist = Real::MAX;
+        self.view().project_point_and_get_feature(point, max_dist)
     }
 
     /// All colliders whose stored boxes intersect a box.

@@ -1,0 +1,6 @@
+//! Programs for Rapier 0.36. All four packages share the tests.
+
+extern crate rapier2d as rapier;
+
+#[path = "../../../tests/suite.rs"]
+mod suite;
