@@ -14,6 +14,7 @@ use crate::model::joint::{
 };
 use crate::model::multibody::{
     Multibody, MultibodyJoint, MultibodyJointHandle, MultibodyJointSet, MultibodyLink,
+    MultibodyLinkId,
 };
 use crate::model::params::IntegrationParameters;
 use crate::model::state_hash::{WorldSets, world_hash};
@@ -294,7 +295,9 @@ impl PhysicsWorld {
         body2: RigidBodyHandle,
         joint: impl Into<GenericJoint>,
     ) -> Option<MultibodyJointHandle> {
-        self.multibody_joints.insert(body1, body2, joint, true)
+        let handle = self.multibody_joints.insert(body1, body2, joint, true)?;
+        self.preview_links(body2);
+        Some(handle)
     }
 
     /// The same as [`Self::insert_multibody_joint`].
@@ -309,7 +312,9 @@ impl PhysicsWorld {
         joint: impl Into<GenericJoint>,
     ) -> Result<MultibodyJointHandle, InvalidJoint> {
         self.check_joined(body1, body2)?;
-        self.multibody_joints.try_insert(body1, body2, joint, true)
+        let handle = self.multibody_joints.try_insert(body1, body2, joint, true)?;
+        self.preview_links(body2);
+        Ok(handle)
     }
 
     /// Removes a multibody joint and returns it; its bodies wake. `None` if the handle is stale.
@@ -317,7 +322,20 @@ impl PhysicsWorld {
         &mut self,
         handle: MultibodyJointHandle,
     ) -> Option<MultibodyJoint> {
-        self.multibody_joints.remove(handle, true)
+        let child = self.multibody_joints.get_link(handle)?.rigid_body_handle();
+        let joint = self.multibody_joints.remove(handle, true)?;
+        self.preview_links(child);
+        Some(joint)
+    }
+
+    /// Brings new links up to date with their bodies: that of a body, and later ones of its multibody.
+    fn preview_links(&mut self, body: RigidBodyHandle) {
+        if let Some(&MultibodyLinkId { multibody, id }) =
+            self.multibody_joints.rigid_body_link(body)
+            && let Some(multibody) = self.multibody_joints.get_unnoted_mut(multibody)
+        {
+            multibody.preview(id, &self.bodies);
+        }
     }
 
     /// All multibody joints, in the order of their slots: handle, multibody, link.

@@ -77,8 +77,8 @@ impl Multibody {
         let mut posed = start.clone();
         posed.apply_displacements(displacements);
         let movable: Vec<_> =
-            self.dofs.iter().map(|dof| joint_can_move(&self.links[dof.link])).collect();
-        let mut step = vec![0.0; self.ndofs()];
+            start.dofs.iter().map(|dof| joint_can_move(&start.links[dof.link])).collect();
+        let mut step = vec![0.0; start.ndofs()];
         for _ in 0..options.max_iters {
             let error = error_to(&target, &posed.links[link_id].pose, options.constrained_axes);
             if linear(&error).length() <= options.epsilon_linear
@@ -97,7 +97,7 @@ impl Multibody {
                 options.damping,
                 &mut step,
             );
-            self.shorten(&mut step);
+            start.shorten(&mut step);
             posed.apply_displacements(&step);
             posed.keep_limits();
         }

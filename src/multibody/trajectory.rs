@@ -12,7 +12,7 @@ use super::kinematics::Kinematics;
 use super::{JointLoad, Motion, usable};
 use crate::dim::math::{AngVector, Real, Rotation, Vector};
 use crate::dim::spatial::{angular, linear};
-use crate::model::body::{RigidBodySet, RigidBodyVelocity};
+use crate::model::body::RigidBodySet;
 use crate::model::multibody::{LinkTrajectory, Multibody};
 
 /// The largest number of pieces of a trajectory.
@@ -189,7 +189,7 @@ fn kinetic_energy(multibody: &Multibody, bodies: &RigidBodySet) -> Real {
 
 /// Gives the bodies the poses and velocities of their links.
 fn store(multibody: &mut Multibody, motion: &mut Motion, bodies: &mut RigidBodySet) {
-    multibody.lists.velocities.clone_from(&motion.rates);
+    multibody.lists.store_velocities(&motion.rates);
     let velocities = motion.link_velocities().to_vec();
     for (id, velocity) in velocities.iter().enumerate() {
         let pose = match id {
@@ -204,7 +204,7 @@ fn store(multibody: &mut Multibody, motion: &mut Motion, bodies: &mut RigidBodyS
             body.update_world_mass_properties();
             link.pose = pose;
         }
-        link.seen_pose = Some(body.pose);
-        link.seen_velocity = Some(RigidBodyVelocity::new(body.vels.linvel, body.vels.angvel));
+        link.match_body(body);
+        link.seen_velocity = Some(body.vels);
     }
 }

@@ -8,6 +8,7 @@ pub mod stage;
 mod bounces;
 mod contacts;
 mod drives;
+mod early;
 mod edits;
 mod energy;
 mod excluded;

@@ -26,6 +26,10 @@ struct Spring {
 /// rotation. Three free rotations (3D) are stored as one rotation, which has no singular direction. Of two,
 /// the second rotates about the axis that the first moves, like a universal joint.
 ///
+/// The step reads the coordinates from the poses of the bodies, unless the bodies follow from them. A
+/// displacement of the coordinates by the user is kept until the bodies have followed it, also if a body is
+/// moved meanwhile.
+///
 /// Locked axes are exact, so `softness`, `break_force` and `break_torque` have no effect here. Coupled
 /// rotations have a common limit on the swing of a ball joint; other couplings have no effect.
 #[derive(Clone, Debug, PartialEq)]
@@ -39,6 +43,11 @@ pub struct MultibodyJoint {
     coords: SpatialVector,
     /// The rotation of a ball.
     ball: Rotation,
+    /// The coordinates of the bodies' poses. Other coordinates are displacements by the user, which the
+    /// bodies have not followed yet.
+    body_coords: SpatialVector,
+    /// The same for the rotation of a ball.
+    body_ball: Rotation,
     springs: [Spring; SPATIAL_DIM],
 }
 
@@ -51,7 +60,9 @@ impl MultibodyJoint {
     /// A joint whose coordinates are all zero.
     pub fn new(data: GenericJoint, kinematic: bool) -> Self {
         let (coords, springs) = ([0.0; SPATIAL_DIM], [Spring::default(); SPATIAL_DIM]);
-        Self { data, kinematic, coords, ball: Rotation::IDENTITY, springs }
+        let ball = Rotation::IDENTITY;
+        let (body_coords, body_ball) = (coords, ball);
+        Self { data, kinematic, coords, ball, body_coords, body_ball, springs }
     }
 
     /// The axes that are free.
@@ -93,18 +104,27 @@ impl MultibodyJoint {
 
     /// Rotation of the joint's frame on the link relative to that on the parent.
     pub fn joint_rot(&self) -> Rotation {
-        let q = |axis: usize| self.coords[DIM + axis];
+        self.rotation_at(&self.coords, self.ball)
+    }
+
+    fn rotation_at(&self, coords: &SpatialVector, ball: Rotation) -> Rotation {
+        let q = |axis: usize| coords[DIM + axis];
         match angular_axes(self.free_axes()).as_slice() {
             [] => Rotation::IDENTITY,
             &[a] => rotation_about(a, q(a)),
             &[a, b] => rotation_about(a, q(a)) * rotation_about(b, q(b)),
-            _ => self.ball,
+            _ => ball,
         }
     }
 
     /// Pose of the link's body in the frame of its parent's body.
     pub fn body_to_parent(&self) -> Pose {
-        let joint = Pose::from_parts(self.slide(), self.joint_rot());
+        self.pose_at(&self.coords, self.ball)
+    }
+
+    fn pose_at(&self, coords: &SpatialVector, ball: Rotation) -> Pose {
+        let translation = crate::dim::spatial::linear(coords);
+        let joint = Pose::from_parts(translation, self.rotation_at(coords, ball));
         self.data.local_frame1 * joint * self.data.local_frame2.inverse()
     }
 
@@ -146,9 +166,54 @@ impl MultibodyJoint {
         }
     }
 
+    /// Returns whether the user moved the coordinates, and the bodies have not followed yet.
+    pub(crate) fn is_displaced(&self) -> bool {
+        self.coords != self.body_coords || self.ball != self.body_ball
+    }
+
+    /// The bodies have the poses of the coordinates.
+    pub(crate) fn match_bodies(&mut self) {
+        (self.body_coords, self.body_ball) = (self.coords, self.ball);
+    }
+
+    /// Discards the last reading, with its turns. Displacements by the user stay.
+    pub(crate) fn discard_reading(&mut self) {
+        for (coordinate, read) in self.coords.iter_mut().zip(&mut self.body_coords) {
+            *coordinate -= core::mem::take(read);
+        }
+        let read = core::mem::replace(&mut self.body_ball, Rotation::IDENTITY);
+        self.ball = if self.ball == read { Rotation::IDENTITY } else { self.ball * read.inverse() };
+    }
+
+    /// Pose of the link's body in the frame of its parent's body, without displacements by the user.
+    pub(crate) fn undisplaced_body_to_parent(&self) -> Pose {
+        self.pose_at(&self.body_coords, self.body_ball)
+    }
+
     /// Sets the coordinates with which the link is nearest to `link`, a pose in the frame of the
-    /// parent's body. Among equivalent angles, the closest to the old ones is selected.
+    /// parent's body. Among equivalent angles, the closest to the old ones is selected. Displacements by the
+    /// user are added.
     pub(crate) fn read_pose(&mut self, link: &Pose) {
+        if !self.is_sound() {
+            // Coordinates that are not finite are no displacement.
+            let Self { data, kinematic, springs, .. } = self.clone();
+            *self = Self { springs, ..Self::new(data, kinematic) };
+        }
+        let displaced = self.is_displaced().then_some((self.coords, self.ball));
+        let old = (self.body_coords, self.body_ball);
+        (self.coords, self.ball) = old;
+        self.measure(link);
+        self.match_bodies();
+        if let Some((coords, ball)) = displaced {
+            for axis in 0..SPATIAL_DIM {
+                self.coords[axis] += coords[axis] - old.0[axis];
+            }
+            self.ball = (ball * old.1.inverse() * self.ball).normalize();
+        }
+    }
+
+    /// The same without displacements.
+    fn measure(&mut self, link: &Pose) {
         let (frame1, frame2) = (self.data.local_frame1, self.data.local_frame2);
         let relative = frame1.inverse() * *link * frame2;
         let free = self.free_axes();
@@ -203,8 +268,9 @@ impl MultibodyJoint {
 
     /// Returns whether all coordinates are usable.
     pub(crate) fn is_sound(&self) -> bool {
-        self.coords.iter().all(|&coordinate| is_coordinate(coordinate))
-            && crate::dim::math::rotation_is_valid(&self.ball)
+        let mut coords = self.coords.iter().chain(&self.body_coords);
+        coords.all(|&coordinate| is_coordinate(coordinate))
+            && [self.ball, self.body_ball].iter().all(crate::dim::math::rotation_is_valid)
     }
 
     /// The axis of each rotation that is free, in the joint's frame on the parent.

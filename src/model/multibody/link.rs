@@ -4,7 +4,7 @@ use super::{MultibodyJoint, MultibodyJointHandle};
 use crate::dim::joint_axes::JointAxesMask;
 use crate::dim::mass::{mass_is_valid, no_mass};
 use crate::dim::math::Pose;
-use crate::model::body::{RigidBodyHandle, RigidBodyVelocity};
+use crate::model::body::{RigidBody, RigidBodyHandle, RigidBodyVelocity};
 use crate::model::check::checked_pose;
 use parry::mass_properties::MassProperties;
 
@@ -31,6 +31,9 @@ pub struct MultibodyLink {
     pub(crate) mass: MassProperties,
     /// The body's pose at the last read or write by the multibody; `None` before the first.
     pub(crate) seen_pose: Option<Pose>,
+    /// Whether the pose was read before a step for the user alone: the step reads it again, as if it were the
+    /// first time.
+    pub(crate) is_preview: bool,
     /// The same of its velocity.
     pub(crate) seen_velocity: Option<RigidBodyVelocity>,
 }
@@ -50,8 +53,19 @@ impl MultibodyLink {
             pose: Pose::IDENTITY,
             mass: no_mass(),
             seen_pose: None,
+            is_preview: false,
             seen_velocity: None,
         }
+    }
+
+    /// The coordinates follow from the pose of the body, or the body got the pose of the coordinates.
+    pub(crate) fn match_body(&mut self, body: &RigidBody) {
+        self.joint.match_bodies();
+        if self.parent.is_none() {
+            self.pose = body.pose;
+        }
+        self.seen_pose = Some(body.pose);
+        self.is_preview = false;
     }
 
     /// Returns whether all numbers are usable.
@@ -99,13 +113,14 @@ impl MultibodyLink {
         self.first_dof
     }
 
-    /// Number of degrees of freedom that this link adds to the multibody.
+    /// Number of degrees of freedom that this link adds to the multibody. That of a root depends on its body:
+    /// see [`Multibody::ndofs`](super::Multibody::ndofs).
     pub fn ndofs(&self) -> usize {
         self.free.bits().count_ones() as usize
     }
 
-    /// Pose of the body in world space, as of the last step or [forward
-    /// kinematics](super::Multibody::forward_kinematics).
+    /// Pose of the body in world space, as of the last step, [forward
+    /// kinematics](super::Multibody::forward_kinematics) or insertion by `PhysicsWorld`.
     pub fn local_to_world(&self) -> &Pose {
         &self.pose
     }

@@ -22,6 +22,7 @@ pub use coupling::MultibodyDofCoupling;
 pub use handle::{MultibodyIndex, MultibodyJointHandle, MultibodyLinkId};
 pub use joint::MultibodyJoint;
 pub use link::MultibodyLink;
+pub(crate) use record::DofLists;
 pub use record::Multibody;
 pub(crate) use set::MultibodyEdits;
 pub use set::MultibodyJointSet;

@@ -25,6 +25,8 @@ pub(crate) struct Dof {
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) struct DofLists {
     pub velocities: Vec<Real>,
+    /// The velocities that the bodies got in the last step. Others were set by the user since.
+    pub body_velocities: Vec<Real>,
     pub accelerations: Vec<Real>,
     pub damping: Vec<Real>,
     pub armature: Vec<Real>,
@@ -35,6 +37,7 @@ pub(crate) struct DofLists {
 
 clone_in_place!(DofLists {
     velocities,
+    body_velocities,
     accelerations,
     damping,
     armature,
@@ -131,6 +134,7 @@ impl Multibody {
                     link.free = joint.free_axes();
                     link.joint = joint.clone();
                     (link.seen_pose, link.seen_velocity) = (None, None);
+                    link.is_preview = false;
                     (id, Some(parent))
                 }
             };
@@ -262,16 +266,22 @@ impl Multibody {
     // ---- Degrees of freedom ----
 
     /// Number of degrees of freedom.
+    ///
+    /// Those of the root follow from its body. They are up to date after a step,
+    /// [`forward_kinematics`](Self::forward_kinematics), and insertions and removals by `PhysicsWorld`.
+    /// `MultibodyJointSet::insert` has no access to bodies, so a root has none until then.
     pub fn ndofs(&self) -> usize {
         self.dofs.len()
     }
 
-    /// The velocity of each degree of freedom (length/s, rad/s).
+    /// The velocity of each degree of freedom (length/s, rad/s), as of the last step. The next step adds
+    /// velocities and impulses that the bodies got since.
     pub fn generalized_velocity(&self) -> &[Real] {
         &self.lists.velocities
     }
 
-    /// Mutable access to the velocity of each degree of freedom (length/s, rad/s).
+    /// Mutable access to the velocity of each degree of freedom (length/s, rad/s). Velocities and impulses
+    /// that the bodies get before the next step are added.
     pub fn generalized_velocity_mut(&mut self) -> &mut [Real] {
         &mut self.lists.velocities
     }
@@ -413,16 +423,38 @@ impl MultibodyLink {
 }
 
 impl DofLists {
-    fn all(&mut self) -> [&mut Vec<Real>; 6] {
-        let Self { velocities, accelerations, damping, armature, frictions, friction_impulses } =
-            self;
-        [velocities, accelerations, damping, armature, frictions, friction_impulses]
+    fn all(&mut self) -> [&mut Vec<Real>; 7] {
+        let Self { velocities, body_velocities, .. } = self;
+        let Self { accelerations, damping, armature, frictions, friction_impulses, .. } = self;
+        [
+            velocities,
+            body_velocities,
+            accelerations,
+            damping,
+            armature,
+            frictions,
+            friction_impulses,
+        ]
     }
 
-    fn all_ref(&self) -> [&Vec<Real>; 6] {
-        let Self { velocities, accelerations, damping, armature, frictions, friction_impulses } =
-            self;
-        [velocities, accelerations, damping, armature, frictions, friction_impulses]
+    fn all_ref(&self) -> [&Vec<Real>; 7] {
+        let Self { velocities, body_velocities, .. } = self;
+        let Self { accelerations, damping, armature, frictions, friction_impulses, .. } = self;
+        [
+            velocities,
+            body_velocities,
+            accelerations,
+            damping,
+            armature,
+            frictions,
+            friction_impulses,
+        ]
+    }
+
+    /// Stores the velocities that the bodies get.
+    pub fn store_velocities(&mut self, rates: &Vec<Real>) {
+        self.velocities.clone_from(rates);
+        self.body_velocities.clone_from(rates);
     }
 
     fn extend(&mut self, mut other: Self) {

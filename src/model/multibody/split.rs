@@ -72,5 +72,5 @@ impl Multibody {
 fn make_root(link: &mut MultibodyLink) {
     link.joint = MultibodyJoint::new(GenericJoint::default(), false);
     (link.parent, link.handle, link.seen_pose, link.seen_velocity) = (None, None, None, None);
-    link.free = JointAxesMask::empty();
+    (link.free, link.is_preview) = (JointAxesMask::empty(), false);
 }

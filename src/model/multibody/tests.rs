@@ -193,6 +193,7 @@ fn coordinates_are_read_back() {
 fn turns_are_counted() {
     let mut joint = MultibodyJoint::new(hinge(), false);
     joint.apply_displacement(&[10.0]);
+    joint.match_bodies();
     let pose = joint.body_to_parent();
     joint.read_pose(&pose);
     assert!((joint.coords()[JointAxis::AngX as usize] - 10.0).abs() < 1.0e-5);

@@ -46,7 +46,7 @@ use super::spatial::{ZERO, add_scaled, angular_momentum};
 use crate::dim::math::{Real, SpatialVector};
 use crate::dim::spatial::{angular, join, linear};
 use crate::model::body::RigidBodySet;
-use crate::model::multibody::{Multibody, MultibodyLink};
+use crate::model::multibody::{DofLists, Multibody, MultibodyLink};
 
 /// Constant loads on a link during a step.
 #[derive(Copy, Clone, Debug)]
@@ -133,9 +133,12 @@ impl Motion {
         self.is_limited = false;
         self.corrected = 0.0;
         self.place(multibody);
+        let velocity = |link: &MultibodyLink| Some(bodies.get(link.body)?.vels);
+        let is_pushed = multibody.links.iter().any(|link| velocity(link) != link.seen_velocity);
+        let DofLists { velocities, body_velocities, .. } = &multibody.lists;
         self.rates.clear();
-        let rates = multibody.generalized_velocity().iter();
-        self.rates.extend(rates.map(|rate| if rate.is_finite() { *rate } else { 0.0 }));
+        let rates = if is_pushed { body_velocities } else { velocities };
+        self.rates.extend(rates.iter().map(|&rate| finite(rate)));
         self.armature.clear();
         self.armature.extend(self.joint_loads.iter().map(|load| load.armature));
         self.factor.update(&self.kinematics, Resistance { armature: &self.armature, drag: &[] });
@@ -146,19 +149,28 @@ impl Motion {
         if let Some(root) = body(&multibody.links[0]).filter(|root| !root.is_dynamic()) {
             self.root = join(root.vels.linvel, root.vels.angvel);
         }
-        let velocity = |link: &MultibodyLink| Some(body(link)?.vels);
-        if multibody.links.iter().any(|link| velocity(link) != link.seen_velocity) {
+        if is_pushed {
             self.take_momenta(|id, frame| {
                 let link = &multibody.links[id];
-                // The zero velocity of a body that became a link does not count: the user may have set the
-                // joint's velocity.
+                // The zero velocity of a body that became a link does not count: its parent takes it along.
                 let velocity =
                     velocity(link).filter(|v| link.seen_velocity.is_some() || !v.is_zero());
                 let velocity = velocity.filter(|_| body(link).is_some_and(|b| b.is_dynamic()))?;
                 Some(frame.momentum(&join(velocity.linvel, velocity.angvel)))
             });
+            self.add_set_velocities(&multibody.lists);
         }
         self.follow_momentum();
+    }
+
+    /// Adds the changes of generalised velocities by the user since the last step.
+    fn add_set_velocities(&mut self, lists: &DofLists) {
+        let velocities = lists.velocities.iter().zip(&lists.body_velocities);
+        for (rate, (&set, &before)) in self.rates.iter_mut().zip(velocities) {
+            let (set, before) = (finite(set), finite(before));
+            // Without rounding where no body was pushed, as for prescribed velocities.
+            *rate = if *rate == before { set } else { *rate + (set - before) };
+        }
     }
 
     /// Moves the links to the poses of the coordinates.
@@ -276,6 +288,11 @@ impl Motion {
         self.kinematics.velocities(rates, &ZERO, &mut self.velocities);
         &self.velocities
     }
+}
+
+/// A number, or zero if it is not finite.
+fn finite(number: Real) -> Real {
+    if number.is_finite() { number } else { 0.0 }
 }
 
 /// `target += change · factor`.

@@ -86,7 +86,8 @@ impl MultibodyJointSet {
     /// Makes `body2` a child of `body1`, and wakes both if `wake_up` is `true`. Their multibodies are merged.
     ///
     /// The next step reads the joint's coordinates from the poses of the bodies, and moves `body2` to the
-    /// pose of the coordinates.
+    /// pose of the coordinates. Degrees of freedom of a root, masses and poses are unknown until then, or
+    /// until [`Multibody::forward_kinematics`]. `PhysicsWorld::insert_multibody_joint` reads them at once.
     ///
     /// `None`, with a warning in the log, if `body2` already has a parent, or is `body1` or one of its
     /// ancestors. The same if a number of the joint is unusable. The next step removes joints with stale body

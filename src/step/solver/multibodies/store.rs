@@ -98,7 +98,7 @@ impl Moving {
 
     fn store(&mut self, context: &mut SolverContext<'_>) {
         let SolverContext { islands, bodies, params, fast, trajectories, .. } = context;
-        self.multibody.lists.velocities.clone_from(&self.motion.rates);
+        self.multibody.lists.store_velocities(&self.motion.rates);
         let (first, mut is_fast) = (fast.len(), false);
         for id in 0..self.multibody.links.len() {
             let Some((bound, motion)) = self.store_link(id, islands, bodies) else { continue };
@@ -175,8 +175,8 @@ impl Moving {
                 body.activation.time_since_can_sleep = 0.0;
             }
         }
-        link.seen_pose = Some(body.pose);
-        link.seen_velocity = Some(RigidBodyVelocity::new(body.vels.linvel, body.vels.angvel));
+        link.match_body(body);
+        link.seen_velocity = Some(body.vels);
         moved
     }
 
