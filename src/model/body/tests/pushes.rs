@@ -8,8 +8,8 @@ use crate::model::body::{RigidBody, RigidBodyBuilder, RigidBodyType};
 
 /// Angular momentum about the origin of the world: that of the centre of mass, and the spin about it.
 fn momentum_about_origin(body: &RigidBody) -> AngVector {
-    let spin = angular_momentum(&body.mprops.local_mprops, body.pose.rotation, body.angvel);
-    torque(body.center_of_mass(), body.linvel * body.mass()) + spin
+    let spin = angular_momentum(&body.mprops.local_mprops, body.pose.rotation, body.angvel());
+    torque(body.center_of_mass(), body.linvel() * body.mass()) + spin
 }
 
 #[test]
