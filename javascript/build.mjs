@@ -1,11 +1,12 @@
 // Builds the JavaScript of a package: node build.mjs DIMENSION PKG [64]. The folder holds the WebAssembly
 // modules already.
 
-import { existsSync, readFileSync, readdirSync, writeFileSync, mkdirSync, copyFileSync } from "node:fs";
+import { copyFileSync, cpSync, existsSync, mkdirSync, readFileSync, readdirSync, writeFileSync } from "node:fs";
 import { execFileSync } from "node:child_process";
 import { createRequire } from "node:module";
 import { join, resolve } from "node:path";
 import { pathToFileURL } from "node:url";
+import { deflateSync } from "node:zlib";
 
 const [dimension, pkg, bits = "32"] = process.argv.slice(2);
 const here = import.meta.dirname;
@@ -51,12 +52,12 @@ async function bundle(entry, outfile, options = {}) {
     });
 }
 
-const module = readFileSync(join(pkg, "rapier_simd.wasm")).toString("base64");
-const cjs = { format: "cjs", define: { "import.meta.url": "MODULE_URL" }, banner: { js: 'const MODULE_URL = require("node:url").pathToFileURL(__filename);' } };
-await bundle("entry_node.ts", "rapier.node.mjs", { platform: "node" });
-await bundle("entry_node.ts", "rapier.node.cjs", { platform: "node", ...cjs });
-await bundle("entry_web.ts", "rapier.mjs");
-await bundle("entry_compat.ts", "rapier.compat.mjs", { define: { MODULE: JSON.stringify(module) } });
+const MODULE = JSON.stringify(deflateSync(readFileSync(join(pkg, "rapier_simd.wasm")), { level: 9 }).toString("base64"));
+await bundle("entry_node.ts", "rapier.node.mjs", { platform: "node", define: { MODULE } });
+const cjs = { format: "cjs", banner: { js: 'const MODULE_URL = require("node:url").pathToFileURL(__filename);' } };
+await bundle("entry_node.ts", "rapier.node.cjs", { platform: "node", ...cjs, define: { MODULE, "import.meta.url": "MODULE_URL" } });
+await bundle("entry_web.ts", "rapier.mjs", { define: { MODULE } });
+await bundle("entry_file.ts", "rapier.file.mjs");
 
 // Definitions: one file per source, with the names of the dimension and the precision.
 const types = join(pkg, "types");
@@ -77,12 +78,18 @@ for (const file of readdirSync(types)) {
     writeFileSync(path, text.replace(/"#(\w+)"/g, (_, name) => `"./${own[name] ?? name + dimension}.js"`));
 }
 
-const { name, version, description, license, keywords, exports } = manifest;
+// Programs that are CommonJS modules need definitions of such.
+const typesOfCommonJs = join(pkg, "types-commonjs");
+cpSync(types, typesOfCommonJs, { recursive: true });
+writeFileSync(join(typesOfCommonJs, "package.json"), `${JSON.stringify({ type: "commonjs" })}\n`);
+
+const { name, version, description, license, keywords, engines, sideEffects, exports } = manifest;
 if (!hasThreads) {
     delete exports["./rapier_threads.wasm"];
 }
 writeFileSync(join(pkg, "package.json"), `${JSON.stringify({
-    name, version, description, license, keywords, type: "module",
+    name, version, description, license, keywords, engines, sideEffects, type: "module",
+    files: ["rapier*.mjs", "rapier*.cjs", "rapier*.wasm", "types", "types-commonjs", "docs", "LICENSE-*"],
     main: "./rapier.node.cjs", module: "./rapier.mjs", types: `./types/rapier${dimension}.d.ts`,
     exports,
 }, null, 4)}\n`);

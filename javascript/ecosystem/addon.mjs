@@ -20,6 +20,15 @@ export async function run() {
     for (let index = 0; index < 3; index += 1) {
         physics.setMeshPosition(boxes, new Vector3(3 * index - 8, 2, 4), index);
     }
+    // The addon removes bodies before their colliders.
+    const stones = new InstancedMesh(new BoxGeometry(1, 1, 1), material, 2);
+    for (const gone of [new Mesh(new SphereGeometry(0.5), material), stones]) {
+        gone.position.set(0, 5, 0);
+        physics.addMesh(gone, 1);
+        await new Promise((resolve) => setTimeout(resolve, 100));
+        physics.removeMesh(gone);
+        physics.removeMesh(gone);
+    }
     await new Promise((resolve) => setTimeout(resolve, 2500));
     return { ball: ball.position.y, boxes: [0, 1, 2].map((index) => boxes.instanceMatrix.array[16 * index + 13]) };
 }

@@ -1,6 +1,8 @@
 // A scene as users of @react-three/rapier write it: bodies, colliders, joints, sensors, events and queries.
 
-import { CuboidCollider, InstancedRigidBodies, Physics, type RapierRigidBody, RigidBody, useRapier, useSphericalJoint } from "@react-three/rapier";
+import {
+    BallCollider, CuboidCollider, InstancedRigidBodies, Physics, type RapierRigidBody, RigidBody, useRapier, useRopeJoint, useSphericalJoint,
+} from "@react-three/rapier";
 import { type Renderer, act, advance, createRoot, extend } from "@react-three/fiber";
 import { createRef, type RefObject, useEffect } from "react";
 import * as THREE from "three";
@@ -9,6 +11,8 @@ interface Found {
     ball: RefObject<RapierRigidBody | null>;
     crate: RefObject<RapierRigidBody | null>;
     pendulum: RefObject<RapierRigidBody | null>;
+    anchor: RefObject<RapierRigidBody | null>;
+    weight: RefObject<RapierRigidBody | null>;
     stones: RefObject<RapierRigidBody[] | null>;
     entered: number;
     contacts: number;
@@ -30,10 +34,22 @@ function Pendulum({ body }: { body: RefObject<RapierRigidBody | null> }) {
     );
 }
 
+/** A weight on a rope. The anchor is an empty dynamic body. */
+function Rope({ anchor, weight }: { anchor: RefObject<RapierRigidBody | null>; weight: RefObject<RapierRigidBody | null> }) {
+    useRopeJoint(anchor as RefObject<RapierRigidBody>, weight as RefObject<RapierRigidBody>, [[0, 0, 0], [0, 0, 0], 2]);
+    return (
+        <>
+            <RigidBody ref={anchor} position={[-10, 10, 0]} />
+            <RigidBody ref={weight} position={[-9, 10, 0]} colliders={false}>
+                <BallCollider args={[0.5]} />
+            </RigidBody>
+        </>
+    );
+}
+
 function Query({ found }: { found: Found }) {
     const { rapier, world } = useRapier();
     useEffect(() => {
-        world.step();
         const ray = new rapier.Ray({ x: 20, y: 5, z: 0 }, { x: 0, y: -1, z: 0 });
         found.hit = world.castRay(ray, 100, true)?.timeOfImpact;
     });
@@ -65,6 +81,7 @@ function Scene({ found }: { found: Found }) {
                 </instancedMesh>
             </InstancedRigidBodies>
             <Pendulum body={found.pendulum} />
+            <Rope anchor={found.anchor} weight={found.weight} />
             <Query found={found} />
         </Physics>
     );
@@ -80,7 +97,7 @@ function offscreen() {
 
 /** Runs two seconds of the scene. Returns the heights at its end, and what was seen. */
 export async function run() {
-    const found: Found = { ball: createRef(), crate: createRef(), pendulum: createRef(), stones: createRef(), entered: 0, contacts: 0, hit: undefined };
+    const found: Found = { ball: createRef(), crate: createRef(), pendulum: createRef(), anchor: createRef(), weight: createRef(), stones: createRef(), entered: 0, contacts: 0, hit: undefined };
     extend(THREE as unknown as Parameters<typeof extend>[0]);
     const { canvas, gl } = offscreen();
     const root = createRoot(canvas);
@@ -97,6 +114,8 @@ export async function run() {
         ball: height(found.ball),
         crate: height(found.crate),
         pendulum: height(found.pendulum),
+        anchor: height(found.anchor),
+        weight: height(found.weight),
         stones: found.stones.current!.map((stone) => stone.translation().y),
         entered: found.entered,
         contacts: found.contacts,

@@ -73,6 +73,8 @@ near(react.ball, 0.5, 0.05);
 near(react.crate, 0.5, 0.05);
 react.stones.forEach((height, index) => near(height, 0.5 + index, 0.15));
 assert.ok(react.pendulum < 9.99 && react.pendulum > 7, "the pendulum hangs on its joint");
+assert.equal(react.anchor, 10, "an empty body carries a rope");
+assert.ok(react.weight > 7.9 && react.weight < 10, "the weight hangs on its rope");
 assert.ok(react.entered >= 1 && react.contacts >= 3, "sensors and collisions are reported");
 near(react.hit, 5, 0.01);
 console.log("@react-three/rapier: runs", JSON.stringify(react));

@@ -46,7 +46,8 @@ function orNull(value: number): number | null {
 
 /** Moves a character: it slides along walls, climbs steps and stands on slopes. */
 export class KinematicCharacterController extends Owner {
-    private readonly world: World;
+    /** @internal */
+    readonly world: World;
     private pushes = false;
     private mass: number | null = null;
 
@@ -72,7 +73,7 @@ export class KinematicCharacterController extends Owner {
 
     /** Sets the direction up. */
     setUp(vector: Vector): void {
-        putVector(0, vector);
+        putVector(0, vector, "up");
         raw.character_set_up(this.id);
     }
 
@@ -201,17 +202,18 @@ export class KinematicCharacterController extends Owner {
      * Computes the movement of a collider. The results are read with `computedMovement` and its companions.
      */
     computeColliderMovement(
-        collider: Collider,
+        collider: Collider | ColliderHandle,
         desiredTranslationDelta: Vector,
         filterFlags?: QueryFilterFlags,
         filterGroups?: InteractionGroups,
         filterPredicate?: (collider: Collider) => boolean,
     ): void {
         const { world } = this;
-        const handle = world.handleOf(collider, "collider");
-        const mass = this.pushes ? (this.mass ?? collider.parent()?.mass() ?? collider.mass()) : NaN;
+        const handle = world.handleOf(collider, "collider", "collider");
+        const own = world.colliders.get(handle);
+        const mass = this.pushes ? (this.mass ?? own?.parent()?.mass() ?? own?.mass() ?? NaN) : NaN;
         const accept = filterPredicate && ((other: ColliderHandle) => filterPredicate(world.colliders.get(other)!));
-        putVector(0, desiredTranslationDelta);
+        putVector(0, desiredTranslationDelta, "desiredTranslationDelta");
         run([filterFlags, filterGroups, undefined, undefined, accept], () =>
             raw.character_move(this.id, world.id, handle, mass),
         );

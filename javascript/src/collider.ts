@@ -14,6 +14,7 @@ import {
     putVector,
 } from "#dim";
 import type { RigidBody } from "#rigid_body";
+import { requireClass } from "./arguments.js";
 import type { ActiveCollisionTypes, ActiveEvents, ActiveHooks, CoefficientCombineRule, InteractionGroups } from "./enums.js";
 import { RapierError } from "./error.js";
 import {
@@ -27,7 +28,7 @@ import {
 } from "./geometry_results.js";
 import { getNumber, integersCopy, putIntegers, raw, realsCopy } from "./raw.js";
 import type { RealArray } from "#real";
-import { Code, SIZES, type Shape, putPose, putSizes, read } from "./shape.js";
+import { Code, SIZES, type Shape, putPose, putSizes, read, useShape } from "./shape.js";
 import type { World } from "./world.js";
 
 /** Identifies a collider of a world: slot and generation as the bits of a double. */
@@ -113,25 +114,25 @@ export class Collider {
 
     /** Moves the collider. With a body, the next step moves it back to the body. */
     setTranslation(tra: Vector): void {
-        putVector(0, tra);
+        putVector(0, tra, "translation");
         raw.collider_set_translation(this.world.id, this.handle);
     }
 
     /** Sets the translation in the frame of the body. */
     setTranslationWrtParent(tra: Vector): void {
-        putVector(0, tra);
+        putVector(0, tra, "translation");
         raw.collider_set_local_translation(this.world.id, this.handle);
     }
 
     /** Rotates the collider. With a body, the next step moves it back to the body. */
     setRotation(rot: Rotation): void {
-        putRotation(0, rot);
+        putRotation(0, rot, "rotation");
         raw.collider_set_rotation(this.world.id, this.handle);
     }
 
     /** Sets the rotation in the frame of the body. */
     setRotationWrtParent(rot: Rotation): void {
-        putRotation(0, rot);
+        putRotation(0, rot, "rotation");
         raw.collider_set_local_rotation(this.world.id, this.handle);
     }
 
@@ -304,13 +305,13 @@ export class Collider {
 
     /** Returns whether a point is inside the collider. */
     containsPoint(point: Vector): boolean {
-        putVector(0, point);
+        putVector(0, point, "point");
         return raw.subject_contains_point(this.world.id, this.handle) !== 0;
     }
 
     /** The point of the collider that is nearest to a point. */
     projectPoint(point: Vector, solid: boolean, target?: PointProjection): PointProjection | null {
-        putVector(0, point);
+        putVector(0, point, "point");
         return PointProjection.read(raw.subject_project_point(this.world.id, this.handle, +solid) !== 0, target);
     }
 
@@ -344,10 +345,10 @@ export class Collider {
         stopAtPenetration: boolean,
         target?: ShapeCastHit,
     ): ShapeCastHit | null {
-        return shape2.use((other) => {
-            putPose(10, shape2Pos, shape2Rot);
-            putVector(0, collider1Vel);
-            putVector(1, shape2Vel);
+        return useShape(shape2, "shape2", (other) => {
+            putPose(10, shape2Pos, shape2Rot, ["shape2Pos", "shape2Rot"]);
+            putVector(0, collider1Vel, "collider1Vel");
+            putVector(1, shape2Vel, "shape2Vel");
             const { world, handle } = this;
             const hits = raw.subjects_cast(world.id, handle, 0, other, targetDistance, maxToi, +stopAtPenetration);
             return hits ? ShapeCastHit.read(target) : null;
@@ -364,8 +365,9 @@ export class Collider {
         stopAtPenetration: boolean,
         target?: ColliderShapeCastHit,
     ): ColliderShapeCastHit | null {
-        putVector(0, collider1Vel);
-        putVector(1, collider2Vel);
+        requireClass(collider2, Collider, "collider2", "a Collider");
+        putVector(0, collider1Vel, "collider1Vel");
+        putVector(1, collider2Vel, "collider2Vel");
         const [one, other] = [this.world.id, collider2.world.id];
         const hits = raw.subjects_cast(one, this.handle, other, collider2.handle, targetDistance, maxToi, +stopAtPenetration);
         return hits ? ColliderShapeCastHit.readOf(collider2, target) : null;
@@ -373,8 +375,8 @@ export class Collider {
 
     /** Returns whether the collider and a shape touch. */
     intersectsShape(shape2: Shape, shapePos2: Vector, shapeRot2: Rotation): boolean {
-        return shape2.use((other) => {
-            putPose(10, shapePos2, shapeRot2);
+        return useShape(shape2, "shape2", (other) => {
+            putPose(10, shapePos2, shapeRot2, ["shapePos2", "shapeRot2"]);
             return raw.subjects_intersect(this.world.id, this.handle, 0, other) !== 0;
         });
     }
@@ -387,14 +389,15 @@ export class Collider {
         prediction: number,
         target?: ShapeContact,
     ): ShapeContact | null {
-        return shape2.use((other) => {
-            putPose(10, shape2Pos, shape2Rot);
+        return useShape(shape2, "shape2", (other) => {
+            putPose(10, shape2Pos, shape2Rot, ["shape2Pos", "shape2Rot"]);
             return raw.subjects_contact(this.world.id, this.handle, 0, other, prediction) ? ShapeContact.read(target) : null;
         });
     }
 
     /** The contact of the collider and another one, or null if they are farther apart than the prediction. */
     contactCollider(collider2: Collider, prediction: number, target?: ShapeContact): ShapeContact | null {
+        requireClass(collider2, Collider, "collider2", "a Collider");
         const other = collider2.world.id;
         const near = raw.subjects_contact(this.world.id, this.handle, other, collider2.handle, prediction);
         return near ? ShapeContact.read(target) : null;
@@ -419,7 +422,7 @@ export class Collider {
 
     /** Replaces the shape. */
     setShape(shape: Shape): void {
-        shape.use((number) => raw.collider_set_shape(this.world.id, this.handle, number));
+        useShape(shape, "shape", (number) => raw.collider_set_shape(this.world.id, this.handle, number));
         this.cachedShape = undefined;
     }
 
@@ -474,7 +477,7 @@ export class Collider {
 
     /** Sets half the sides of a box. */
     setHalfExtents(newHalfExtents: Vector): void {
-        this.remake(BOXES, "half extents", () => putVector(0, newHalfExtents));
+        this.remake(BOXES, "half extents", () => putVector(0, newHalfExtents, "halfExtents"));
     }
 
     /** The radius of a ball, capsule, cylinder or cone. */
@@ -555,7 +558,7 @@ export class Collider {
 
     /** Fills or empties a voxel. */
     setVoxel(...voxel: VoxelArguments): void {
-        putIntegers(voxel.map(Number));
+        putIntegers(voxel.map(Number), "the voxel");
         raw.collider_set_voxel(this.world.id, this.handle);
         this.cachedShape = undefined;
     }
@@ -565,14 +568,14 @@ export class Collider {
      * them.
      */
     propagateVoxelChange(voxels2: Collider, ...coordinates: VoxelAndShift): void {
-        putIntegers(coordinates);
-        raw.collider_propagate_voxel(this.world.id, this.handle, voxels2.handle);
+        putIntegers(coordinates, "the coordinates");
+        raw.collider_propagate_voxel(this.world.id, this.handle, this.world.handleOf(voxels2, "collider", "voxels2"));
     }
 
     /** Joins the voxels of two colliders, so that no internal edges are between them. */
     combineVoxelStates(voxels2: Collider, ...shift: VoxelShift): void {
-        putIntegers(shift);
-        raw.collider_combine_voxels(this.world.id, this.handle, voxels2.handle);
+        putIntegers(shift, "the shift");
+        raw.collider_combine_voxels(this.world.id, this.handle, this.world.handleOf(voxels2, "collider", "voxels2"));
     }
 }
 

@@ -18,6 +18,7 @@ import {
     vectorOf,
     zeroAngular,
 } from "#dim";
+import { requireList } from "./arguments.js";
 import {
     ActiveCollisionTypes,
     ActiveEvents,
@@ -27,7 +28,7 @@ import {
     MassPropsMode,
 } from "./enums.js";
 import { putIntegers, putNumber, raw } from "./raw.js";
-import type { Shape } from "./shape.js";
+import { type Shape, useShape } from "./shape.js";
 
 /** Describes a collider. `World.createCollider` makes colliders of it. */
 export class ColliderDescBase {
@@ -63,7 +64,7 @@ export class ColliderDescBase {
     }
 
     setRotation(rot: Rotation): this {
-        this.rotation = copyRotation(rot);
+        this.rotation = copyRotation(rot, "rotation");
         return this;
     }
 
@@ -101,8 +102,8 @@ export class ColliderDescBase {
         this.massPropsMode = MassPropsMode.MassProps;
         const [mass, centerOfMass, inertia] = properties;
         this.mass = mass;
-        this.centerOfMass = copyVector(centerOfMass);
-        this.principalAngularInertia = copyAngular(inertia);
+        this.centerOfMass = copyVector(centerOfMass, "centerOfMass");
+        this.principalAngularInertia = copyAngular(inertia, "principalAngularInertia");
         return this;
     }
 
@@ -163,9 +164,9 @@ export class ColliderDescBase {
 
     /** @internal Creates the collider. Returns its handle. */
     create(world: number, parent: number): number {
-        return this.shape.use((shape) => {
-            putVector(0, this.translation);
-            putRotation(1, this.rotation);
+        return useShape(this.shape, "shape", (shape) => {
+            putVector(0, this.translation, "translation");
+            putRotation(1, this.rotation, "rotation");
             putMassProperties(2, this.massProperties());
             putNumber(5, 0, this.friction);
             putNumber(5, 1, this.restitution);
@@ -181,14 +182,22 @@ export class ColliderDescBase {
                 this.activeEvents,
                 this.activeHooks,
                 this.activeCollisionTypes,
-            ]);
+            ], "the settings");
             return raw.collider_create(world, shape, parent, this.massPropsMode, +this.isSensor, +this.enabled);
         });
     }
 }
 
-/** The result of work, or null if a shape cannot be made. */
-export function orNull<T>(shape: Shape, make: (shape: Shape) => T): T | null {
+/** A shape of points, as descriptions of hulls have it. */
+interface ShapeOfPoints extends Shape {
+    readonly vertices: ArrayLike<number>;
+    readonly indices?: ArrayLike<number> | null;
+}
+
+/** The result of work, or null if a shape cannot be made of the points. */
+export function orNull<T>(shape: ShapeOfPoints, make: (shape: Shape) => T): T | null {
+    requireList(shape.vertices, "points");
+    requireList(shape.indices ?? [], "indices");
     try {
         shape.use(() => undefined);
     } catch {

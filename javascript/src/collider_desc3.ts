@@ -63,7 +63,7 @@ export class ColliderDesc extends ColliderShapes {
 
     override setMassProperties(...properties: MassProperties): this {
         super.setMassProperties(...properties);
-        this.angularInertiaLocalFrame = copyRotation(properties[3]);
+        this.angularInertiaLocalFrame = copyRotation(properties[3], "angularInertiaLocalFrame");
         return this;
     }
 

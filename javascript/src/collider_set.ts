@@ -1,5 +1,6 @@
+import { requireClass } from "./arguments.js";
 import { Collider, type ColliderHandle } from "./collider.js";
-import type { ColliderDescBase } from "./collider_desc.js";
+import { ColliderDescBase } from "./collider_desc.js";
 import { raw } from "./raw.js";
 import type { RigidBodyHandle } from "./rigid_body.js";
 import type { World } from "./world.js";
@@ -17,6 +18,7 @@ export class ColliderSet {
 
     /** Creates a collider. */
     createCollider(_bodies: unknown, desc: ColliderDescBase, parentHandle?: RigidBodyHandle | null): Collider {
+        requireClass(desc, ColliderDescBase, "desc", "a ColliderDesc");
         return this.adopt(desc.create(this.world.id, parentHandle ?? NaN), parentHandle);
     }
 
@@ -28,7 +30,7 @@ export class ColliderSet {
         return collider;
     }
 
-    /** Removes a collider. */
+    /** Removes a collider. A stale handle has no effect. */
     remove(handle: ColliderHandle, _islands?: unknown, _bodies?: unknown, wakeUp = true): void {
         raw.collider_remove(this.world.id, handle, +wakeUp);
         this.map.delete(handle);

@@ -9,6 +9,7 @@ import {
     type TriMeshFlags,
     type Vector,
 } from "#dim";
+import { requireList } from "./arguments.js";
 import { ColliderDescBase } from "./collider_desc.js";
 import {
     Ball,
@@ -106,6 +107,8 @@ export class ColliderShapes extends ColliderDescBase {
         params?: VHACDParameters,
         flags?: CompoundFlags,
     ): ColliderDesc | null {
+        requireList(vertices, "vertices");
+        requireList(indices, "indices");
         try {
             return describe(decompose(vertices, indices, params, flags));
         } catch {

@@ -1,5 +1,6 @@
 // Parts that depend on the dimension: vectors, rotations, and enumerations. dim3.ts has the same names.
 
+import { requireObject, wrong } from "./arguments.js";
 import { scratch } from "./raw.js";
 import type { RealArray } from "#real";
 
@@ -89,18 +90,31 @@ function fill(target: Vector, numbers: ArrayLike<number>, at: number): Vector {
     return target;
 }
 
+function requireNumber(value: unknown, name: string): void {
+    if (typeof value !== "number") {
+        throw wrong(name, value, "a number");
+    }
+}
+
+function requireVector(value: unknown, name: string): void {
+    requireObject(value, name, "an object with x and y");
+}
+
 /** A copy of a vector. Vectors of other libraries may have accessors, which a spread omits. */
-export function copyVector({ x, y }: Vector): Vector {
-    return new Vector2(x, y);
+export function copyVector(vector: Vector, name: string): Vector {
+    requireVector(vector, name);
+    return new Vector2(vector.x, vector.y);
 }
 
 /** A copy of an angular quantity. In 2D it is a number. */
-export function copyAngular(value: AngVector): AngVector {
+export function copyAngular(value: AngVector, name: string): AngVector {
+    requireNumber(value, name);
     return value;
 }
 
 /** A copy of a rotation. In 2D it is a number. */
-export function copyRotation(rotation: Rotation): Rotation {
+export function copyRotation(rotation: Rotation, name: string): Rotation {
+    requireNumber(rotation, name);
     return rotation;
 }
 
@@ -121,17 +135,20 @@ export function blendRotation(out: RealArray, at: number, from: ArrayLike<number
 }
 
 /** Appends the components of a vector. */
-export function pushVector(numbers: number[], vector: Vector): void {
+export function pushVector(numbers: number[], vector: Vector, name: string): void {
+    requireVector(vector, name);
     numbers.push(vector.x, vector.y);
 }
 
 /** Appends the components of a rotation. */
-export function pushRotation(numbers: number[], rotation: Rotation): void {
+export function pushRotation(numbers: number[], rotation: Rotation, name: string): void {
+    requireNumber(rotation, name);
     numbers.push(rotation);
 }
 
-/** Writes a vector into the scratch block. */
-export function putVector(place: number, vector: Vector): void {
+/** Writes a vector into the scratch block. The name is for the error of another value. */
+export function putVector(place: number, vector: Vector, name: string): void {
+    requireVector(vector, name);
     const numbers = scratch();
     numbers[4 * place] = vector.x;
     numbers[4 * place + 1] = vector.y;
@@ -143,7 +160,8 @@ export function getVector(place: number, target?: Vector): Vector {
 }
 
 /** Writes a rotation into the scratch block. */
-export function putRotation(place: number, rotation: Rotation): void {
+export function putRotation(place: number, rotation: Rotation, name: string): void {
+    requireNumber(rotation, name);
     scratch()[4 * place] = rotation;
 }
 
@@ -153,7 +171,7 @@ export function getRotation(place: number, _target?: Rotation): Rotation {
 }
 
 /** Writes an angular quantity into the scratch block. */
-export const putAngular: (place: number, value: AngVector) => void = putRotation;
+export const putAngular: (place: number, value: AngVector, name: string) => void = putRotation;
 
 /** Reads an angular quantity of the scratch block. */
 export const getAngular: (place: number, target?: AngVector) => AngVector = getRotation;
@@ -175,8 +193,8 @@ export function alongRay(origin: Vector, dir: Vector, t: number): Vector {
 
 /** Writes mass properties into the scratch block: three places. */
 export function putMassProperties(place: number, [, centerOfMass, inertia]: MassProperties): void {
-    putVector(place, centerOfMass);
-    putAngular(place + 1, inertia);
+    putVector(place, centerOfMass, "centerOfMass");
+    putAngular(place + 1, inertia, "principalAngularInertia");
 }
 
 /** A vector from arguments. */

@@ -1,5 +1,6 @@
 // Parts that depend on the dimension: vectors, rotations, and enumerations. dim2.ts has the same names.
 
+import { requireObject } from "./arguments.js";
 import { scratch } from "./raw.js";
 import type { RealArray } from "#real";
 
@@ -197,17 +198,27 @@ function fillRotation(target: Rotation, numbers: ArrayLike<number>, at: number):
     return target;
 }
 
+function requireVector(value: unknown, name: string): void {
+    requireObject(value, name, "an object with x, y and z");
+}
+
+function requireRotation(value: unknown, name: string): void {
+    requireObject(value, name, "an object with x, y, z and w");
+}
+
 /** A copy of a vector. Vectors of other libraries may have accessors, which a spread omits. */
-export function copyVector({ x, y, z }: Vector): Vector {
-    return new Vector3(x, y, z);
+export function copyVector(vector: Vector, name: string): Vector {
+    requireVector(vector, name);
+    return new Vector3(vector.x, vector.y, vector.z);
 }
 
 /** A copy of an angular quantity. */
-export const copyAngular: (value: AngVector) => AngVector = copyVector;
+export const copyAngular: (value: AngVector, name: string) => AngVector = copyVector;
 
 /** A copy of a rotation. */
-export function copyRotation({ x, y, z, w }: Rotation): Rotation {
-    return new Quaternion(x, y, z, w);
+export function copyRotation(rotation: Rotation, name: string): Rotation {
+    requireRotation(rotation, name);
+    return new Quaternion(rotation.x, rotation.y, rotation.z, rotation.w);
 }
 
 /** The vector at a position of an array. */
@@ -239,17 +250,20 @@ export function blendRotation(out: RealArray, at: number, from: ArrayLike<number
 }
 
 /** Appends the components of a vector. */
-export function pushVector(numbers: number[], vector: Vector): void {
+export function pushVector(numbers: number[], vector: Vector, name: string): void {
+    requireVector(vector, name);
     numbers.push(vector.x, vector.y, vector.z);
 }
 
 /** Appends the components of a rotation. */
-export function pushRotation(numbers: number[], rotation: Rotation): void {
+export function pushRotation(numbers: number[], rotation: Rotation, name: string): void {
+    requireRotation(rotation, name);
     numbers.push(rotation.x, rotation.y, rotation.z, rotation.w);
 }
 
-/** Writes a vector into the scratch block. */
-export function putVector(place: number, vector: Vector): void {
+/** Writes a vector into the scratch block. The name is for the error of another value. */
+export function putVector(place: number, vector: Vector, name: string): void {
+    requireVector(vector, name);
     const numbers = scratch();
     numbers[4 * place] = vector.x;
     numbers[4 * place + 1] = vector.y;
@@ -262,7 +276,8 @@ export function getVector(place: number, target?: Vector): Vector {
 }
 
 /** Writes a rotation into the scratch block. */
-export function putRotation(place: number, rotation: Rotation): void {
+export function putRotation(place: number, rotation: Rotation, name: string): void {
+    requireRotation(rotation, name);
     const numbers = scratch();
     numbers[4 * place] = rotation.x;
     numbers[4 * place + 1] = rotation.y;
@@ -276,7 +291,7 @@ export function getRotation(place: number, target?: Rotation): Rotation {
 }
 
 /** Writes an angular quantity into the scratch block. */
-export const putAngular: (place: number, value: AngVector) => void = putVector;
+export const putAngular: (place: number, value: AngVector, name: string) => void = putVector;
 
 /** Reads an angular quantity of the scratch block. */
 export const getAngular: (place: number, target?: AngVector) => AngVector = getVector;
@@ -298,9 +313,9 @@ export function alongRay(origin: Vector, dir: Vector, t: number): Vector {
 
 /** Writes mass properties into the scratch block: three places. */
 export function putMassProperties(place: number, [, centerOfMass, inertia, frame]: MassProperties): void {
-    putVector(place, centerOfMass);
-    putAngular(place + 1, inertia);
-    putRotation(place + 2, frame);
+    putVector(place, centerOfMass, "centerOfMass");
+    putAngular(place + 1, inertia, "principalAngularInertia");
+    putRotation(place + 2, frame, "angularInertiaLocalFrame");
 }
 
 /** A vector from arguments. */

@@ -1,12 +1,28 @@
-// The entry for Node.js: the module is a file beside this one.
+// The entry for Node.js: the module is part of the script, so that bundles need no other file. Modules without
+// SIMD or with threads are files beside it.
 
 import { readFileSync } from "node:fs";
 import { availableParallelism } from "node:os";
 import { Worker } from "node:worker_threads";
-import { FILES, type ModuleKind, setSource } from "./raw.js";
+import { inflateSync } from "node:zlib";
+import { RapierError } from "./error.js";
+import { COPY_HINT, FILES, type ModuleKind, setSource } from "./raw.js";
 import type { ThreadWorker } from "./threads.js";
 
-const read = (kind: ModuleKind): Uint8Array<ArrayBuffer> => new Uint8Array(readFileSync(new URL(FILES[kind], import.meta.url)));
+/** The module with SIMD, compressed, in base 64: the build writes it. */
+declare const MODULE: string;
+
+function read(kind: ModuleKind): Uint8Array<ArrayBuffer> {
+    if (kind === "simd") {
+        return new Uint8Array(inflateSync(Buffer.from(MODULE, "base64")));
+    }
+    const file = new URL(FILES[kind], import.meta.url);
+    try {
+        return new Uint8Array(readFileSync(file));
+    } catch (error) {
+        throw new RapierError("NotInitialized", `the module ${kind} cannot be read: ${(error as Error).message}. ${COPY_HINT}`);
+    }
+}
 
 function start(program: string): ThreadWorker {
     // Options of this process, such as `--input-type=module`, would change the meaning of the program.

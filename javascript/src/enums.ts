@@ -19,7 +19,7 @@ export enum ActiveCollisionTypes {
     KINEMATIC_FIXED = 8704,
     FIXED_FIXED = 32,
     DEFAULT = 15,
-    ALL = 60943,
+    ALL = 60975,
 }
 
 /** The events of a collider. */

@@ -15,13 +15,17 @@ const CODES: RapierErrorCode[] = ["Internal", "StaleHandle", "InvalidValue", "Fr
 
 /** An error of the engine. The message names the value, and the world is as it was before the call. */
 export class RapierError extends Error {
+    static {
+        // The head of a stack trace takes the name from the prototype. Bundlers rename the class.
+        Object.defineProperty(this.prototype, "name", { value: "RapierError", writable: true, configurable: true });
+    }
+
     /** The kind of the error. */
     readonly code: RapierErrorCode;
 
     /** Creates an error. */
     constructor(code: RapierErrorCode, message: string) {
         super(message);
-        this.name = "RapierError";
         this.code = code;
     }
 

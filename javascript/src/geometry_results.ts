@@ -1,6 +1,7 @@
 // The results of queries.
 
 import { FEATURE_TYPES, FeatureType, type Vector, VectorOps, alongRay, getVector, putVector } from "#dim";
+import { requireObject } from "./arguments.js";
 import type { Collider } from "./collider.js";
 import { getNumber, raw } from "./raw.js";
 
@@ -24,8 +25,9 @@ export class Ray {
 
 /** Writes a ray into the scratch block. */
 export function putRay(ray: Ray): void {
-    putVector(0, ray.origin);
-    putVector(1, ray.dir);
+    requireObject(ray, "ray", "a Ray");
+    putVector(0, ray.origin, "ray.origin");
+    putVector(1, ray.dir, "ray.dir");
 }
 
 /** The feature that a query wrote into a place. */

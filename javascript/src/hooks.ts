@@ -44,7 +44,7 @@ export class ContactModification {
 
     /** @internal */
     write(): number {
-        putVector(1, this.tangentVelocity);
+        putVector(1, this.tangentVelocity, "tangentVelocity");
         putNumber(2, 0, this.friction);
         putNumber(2, 1, this.restitution);
         putNumber(2, 2, this.userData & 0xffff);

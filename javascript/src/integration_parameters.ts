@@ -13,6 +13,7 @@ const Parameter = {
     predictionDistance: 7,
     contactFrequency: 8,
     contactDampingRatio: 9,
+    additionalFrictionIterations: 10,
 } as const;
 
 /** Length and accuracy of the steps of a world. */
@@ -107,6 +108,15 @@ export class IntegrationParameters {
 
     set numInternalPgsIterations(value: number) {
         this.set(Parameter.pgsIterations, value);
+    }
+
+    /** Iterations of all constraints in a substep without position correction, beyond the usual one. Default: 0. */
+    get numAdditionalFrictionIterations(): number {
+        return this.get(Parameter.additionalFrictionIterations);
+    }
+
+    set numAdditionalFrictionIterations(value: number) {
+        this.set(Parameter.additionalFrictionIterations, value);
     }
 
     /** The largest number of substeps of continuous collision detection. */

@@ -17,6 +17,7 @@ import {
     putVector,
 } from "#dim";
 import type { RigidBody } from "#rigid_body";
+import { requireClass } from "./arguments.js";
 import type { MotorModel } from "./enums.js";
 import { getNumber, listCopy, putNumber, raw } from "./raw.js";
 import type { RigidBodyHandle } from "./rigid_body.js";
@@ -29,6 +30,8 @@ export type MultibodyJointHandle = number;
 
 /** The sets of joints, in the order of crates/wasm/src/joint.rs. */
 const Set = { impulse: 0, multibody: 1 } as const;
+/** Bits of the parts of a frame that a change gives. */
+const Given = { anchor: 1, rotation: 2 } as const;
 /** The number of ball joints, which 2D does not have. */
 const SPHERICAL = 5;
 
@@ -71,14 +74,19 @@ abstract class Joint {
         raw.joint_frame(this.world.id, this.set, this.handle, side);
     }
 
-    private setFrame(side: number, anchor?: Vector, rotation?: Rotation): void {
-        if (anchor) {
-            putVector(0, anchor);
-        }
-        if (rotation !== undefined) {
-            putRotation(1, rotation);
-        }
-        raw.joint_set_frame(this.world.id, this.set, this.handle, side, (anchor ? 1 : 0) | (rotation === undefined ? 0 : 2));
+    private setAnchor(side: number, anchor: Vector, given: number = Given.anchor): void {
+        putVector(0, anchor, "anchor");
+        raw.joint_set_frame(this.world.id, this.set, this.handle, side, given);
+    }
+
+    private setRotation(side: number, rotation: Rotation): void {
+        putRotation(1, rotation, "rotation");
+        raw.joint_set_frame(this.world.id, this.set, this.handle, side, Given.rotation);
+    }
+
+    private setFrame(side: number, anchor: Vector, rotation: Rotation): void {
+        putRotation(1, rotation, "rotation");
+        this.setAnchor(side, anchor, Given.anchor | Given.rotation);
     }
 
     /** The rotation of the joint's frame on the first body. */
@@ -107,22 +115,22 @@ abstract class Joint {
 
     /** Sets the anchor on the first body. */
     setAnchor1(newPos: Vector): void {
-        this.setFrame(0, newPos);
+        this.setAnchor(0, newPos);
     }
 
     /** Sets the anchor on the second body. */
     setAnchor2(newPos: Vector): void {
-        this.setFrame(1, newPos);
+        this.setAnchor(1, newPos);
     }
 
     /** Sets the rotation of the joint's frame on the first body. */
     setFrameX1(rot: Rotation): void {
-        this.setFrame(0, undefined, rot);
+        this.setRotation(0, rot);
     }
 
     /** Sets the rotation of the joint's frame on the second body. */
     setFrameX2(rot: Rotation): void {
-        this.setFrame(1, undefined, rot);
+        this.setRotation(1, rot);
     }
 
     /** Sets the joint's frame on the first body. */
@@ -429,15 +437,15 @@ export class JointData {
 
     /** @internal Creates the joint. Returns its handle. */
     create(world: number, set: number, body1: RigidBodyHandle, body2: RigidBodyHandle, wakeUp: boolean): number {
-        putVector(0, this.anchor1);
-        putVector(1, this.anchor2);
+        putVector(0, this.anchor1, "anchor1");
+        putVector(1, this.anchor2, "anchor2");
         if (this.jointType === JointType.Fixed) {
-            putRotation(2, this.frame1);
-            putRotation(3, this.frame2);
+            putRotation(2, this.frame1, "frame1");
+            putRotation(3, this.frame2, "frame2");
         } else {
             // A program may set the one axis, or both.
-            putVector(2, this.axis1 ?? this.axis);
-            putVector(3, this.axis2 ?? this.axis);
+            putVector(2, this.axis1 ?? this.axis, "axis1");
+            putVector(3, this.axis2 ?? this.axis, "axis2");
         }
         putNumber(4, 0, this.length);
         putNumber(4, 1, this.stiffness);
@@ -490,6 +498,7 @@ abstract class JointSet<T extends Joint> {
 
     /** Joins two bodies. */
     protected insert(desc: JointData, parent1: RigidBodyHandle, parent2: RigidBodyHandle, wakeUp: boolean): T {
+        requireClass(desc, JointData, "params", "a JointData");
         const handle = desc.create(this.world.id, this.set, parent1, parent2, wakeUp);
         const joint = this.make(desc.jointType, handle);
         this.map.set(handle, joint);
@@ -501,7 +510,7 @@ abstract class JointSet<T extends Joint> {
         this.map.set(handle, this.make(raw.joint_kind(this.world.id, this.set, handle), handle));
     }
 
-    /** Removes a joint. */
+    /** Removes a joint. A stale handle has no effect. */
     remove(handle: number, wakeUp = true): void {
         raw.joint_remove(this.world.id, this.set, handle, +wakeUp);
         this.map.delete(handle);

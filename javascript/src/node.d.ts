@@ -5,6 +5,14 @@ declare module "node:fs" {
     export function readFileSync(path: URL): Uint8Array;
 }
 
+declare module "node:zlib" {
+    /** The data of a zlib stream. */
+    export function inflateSync(data: Uint8Array): Uint8Array;
+}
+
+/** Bytes of Node.js. */
+declare const Buffer: { from(text: string, encoding: "base64"): Uint8Array };
+
 declare module "node:worker_threads" {
     /** A thread with a program. */
     export class Worker {

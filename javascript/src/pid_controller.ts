@@ -12,6 +12,7 @@ import {
 import type { RigidBody } from "#rigid_body";
 import { Owner } from "./owner.js";
 import { raw } from "./raw.js";
+import type { RigidBodyHandle } from "./rigid_body.js";
 import type { World } from "./world.js";
 
 /** The gains, in the order of crates/wasm/src/controller.rs. */
@@ -19,7 +20,8 @@ const Gain = { proportional: 0, integral: 1, derivative: 2 } as const;
 
 /** Keeps a body at a pose by corrections of its velocity. */
 export class PidController extends Owner {
-    private readonly world: World;
+    /** @internal */
+    readonly world: World;
 
     /** @internal Worlds make controllers: `World.createPidController`. */
     constructor(world: World, kp: number, ki: number, kd: number, axes: PidAxesMask) {
@@ -52,38 +54,38 @@ export class PidController extends Owner {
         raw.pid_reset(this.id);
     }
 
-    private linear(body: RigidBody, position: Vector, velocity: Vector, apply: number): void {
-        const handle = this.world.handleOf(body, "rigid body");
-        putVector(0, position);
-        putVector(1, velocity);
+    private linear(body: RigidBody | RigidBodyHandle, position: Vector, velocity: Vector, apply: number): void {
+        const handle = this.world.handleOf(body, "rigid body", "body");
+        putVector(0, position, "targetPosition");
+        putVector(1, velocity, "targetLinvel");
         raw.pid_linear(this.id, this.world.id, handle, apply);
     }
 
-    private angular(body: RigidBody, rotation: Rotation, velocity: AngVector, apply: number): void {
-        const handle = this.world.handleOf(body, "rigid body");
-        putRotation(0, rotation);
-        putAngular(1, velocity);
+    private angular(body: RigidBody | RigidBodyHandle, rotation: Rotation, velocity: AngVector, apply: number): void {
+        const handle = this.world.handleOf(body, "rigid body", "body");
+        putRotation(0, rotation, "targetRotation");
+        putAngular(1, velocity, "targetAngVel");
         raw.pid_angular(this.id, this.world.id, handle, apply);
     }
 
     /** Corrects the linear velocity of a body. */
-    applyLinearCorrection(body: RigidBody, targetPosition: Vector, targetLinvel: Vector): void {
+    applyLinearCorrection(body: RigidBody | RigidBodyHandle, targetPosition: Vector, targetLinvel: Vector): void {
         this.linear(body, targetPosition, targetLinvel, 1);
     }
 
     /** Corrects the angular velocity of a body. */
-    applyAngularCorrection(body: RigidBody, targetRotation: Rotation, targetAngVel: AngVector): void {
+    applyAngularCorrection(body: RigidBody | RigidBodyHandle, targetRotation: Rotation, targetAngVel: AngVector): void {
         this.angular(body, targetRotation, targetAngVel, 1);
     }
 
     /** The correction of the linear velocity of a body. */
-    linearCorrection(body: RigidBody, targetPosition: Vector, targetLinvel: Vector, target?: Vector): Vector {
+    linearCorrection(body: RigidBody | RigidBodyHandle, targetPosition: Vector, targetLinvel: Vector, target?: Vector): Vector {
         this.linear(body, targetPosition, targetLinvel, 0);
         return getVector(0, target);
     }
 
     /** The correction of the angular velocity of a body. */
-    angularCorrection(body: RigidBody, targetRotation: Rotation, targetAngVel: AngVector, target?: AngVector): AngVector {
+    angularCorrection(body: RigidBody | RigidBodyHandle, targetRotation: Rotation, targetAngVel: AngVector, target?: AngVector): AngVector {
         this.angular(body, targetRotation, targetAngVel, 0);
         return getAngular(0, target);
     }

@@ -13,7 +13,7 @@ import {
 } from "./geometry_results.js";
 import { getNumber, raw, withCallbacks } from "./raw.js";
 import type { RigidBodyHandle } from "./rigid_body.js";
-import type { Shape } from "./shape.js";
+import { type Shape, useShape } from "./shape.js";
 import type { World } from "./world.js";
 
 /** The filter of a query, as its last arguments: flags, groups, a collider, a body, a predicate. */
@@ -104,9 +104,9 @@ export class BroadPhase {
         shape: Shape,
         ...filter: Filter
     ): ColliderHandle | null {
-        const found = shape.use((number) => {
-            putVector(0, shapePos);
-            putRotation(1, shapeRot);
+        const found = useShape(shape, "shape", (number) => {
+            putVector(0, shapePos, "shapePos");
+            putRotation(1, shapeRot, "shapeRot");
             return run(filter, () => raw.query_intersection_with_shape(this.world.id, number));
         });
         return Number.isNaN(found) ? null : found;
@@ -121,7 +121,7 @@ export class BroadPhase {
         solid: boolean,
         ...rest: [...Filter, target?: PointColliderProjection | undefined]
     ): PointColliderProjection | null {
-        putVector(0, point);
+        putVector(0, point, "point");
         const [filter, target] = splitTarget(rest);
         const found = this.collider(run(filter, () => raw.query_project_point(this.world.id, +solid)));
         return found && PointColliderProjection.read(found, false, target);
@@ -135,7 +135,7 @@ export class BroadPhase {
         point: Vector,
         ...rest: [...Filter, target?: PointColliderProjection | undefined]
     ): PointColliderProjection | null {
-        putVector(0, point);
+        putVector(0, point, "point");
         const [filter, target] = splitTarget(rest);
         const found = this.collider(run(filter, () => raw.query_project_point_and_get_feature(this.world.id)));
         return found && PointColliderProjection.read(found, true, target);
@@ -150,7 +150,7 @@ export class BroadPhase {
         callback: (handle: ColliderHandle) => boolean,
         ...filter: Filter
     ): void {
-        putVector(0, point);
+        putVector(0, point, "point");
         run(filter, () => raw.query_intersections_with_point(this.world.id), callback);
     }
 
@@ -169,10 +169,10 @@ export class BroadPhase {
         ...rest: [...Filter, target?: ColliderShapeCastHit | undefined]
     ): ColliderShapeCastHit | null {
         const [filter, target] = splitTarget(rest);
-        const found = shape.use((number) => {
-            putVector(0, shapePos);
-            putRotation(1, shapeRot);
-            putVector(2, shapeVel);
+        const found = useShape(shape, "shape", (number) => {
+            putVector(0, shapePos, "shapePos");
+            putRotation(1, shapeRot, "shapeRot");
+            putVector(2, shapeVel, "shapeVel");
             return run(filter, () => raw.query_cast_shape(this.world.id, number, targetDistance, maxToi, +stopAtPenetration));
         });
         const collider = this.collider(found);
@@ -190,9 +190,9 @@ export class BroadPhase {
         callback: (handle: ColliderHandle) => boolean,
         ...filter: Filter
     ): void {
-        shape.use((number) => {
-            putVector(0, shapePos);
-            putRotation(1, shapeRot);
+        useShape(shape, "shape", (number) => {
+            putVector(0, shapePos, "shapePos");
+            putRotation(1, shapeRot, "shapeRot");
             run(filter, () => raw.query_intersections_with_shape(this.world.id, number), callback);
         });
     }
@@ -206,8 +206,8 @@ export class BroadPhase {
         aabbHalfExtents: Vector,
         callback: (handle: ColliderHandle) => boolean,
     ): void {
-        putVector(0, aabbCenter);
-        putVector(1, aabbHalfExtents);
+        putVector(0, aabbCenter, "aabbCenter");
+        putVector(1, aabbHalfExtents, "aabbHalfExtents");
         run([], () => raw.query_colliders_in_aabb(this.world.id), callback);
     }
 

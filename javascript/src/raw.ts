@@ -1,5 +1,6 @@
 // The WebAssembly module: loading, imports, and the shared memory.
 
+import { requireList, wrong } from "./arguments.js";
 import { RapierError } from "./error.js";
 import type { Functions } from "./functions.js";
 import { type RealArray, RealArrayType } from "#real";
@@ -37,6 +38,9 @@ export type ModuleKind = "simd" | "scalar" | "threads";
 
 /** Their files, beside the entries. */
 export const FILES = { simd: "./rapier_simd.wasm", scalar: "./rapier.wasm", threads: "./rapier_threads.wasm" } as const;
+
+/** The end of errors about missing files. */
+export const COPY_HINT = "Copy the file from the package, or pass its bytes or address: init({ module }).";
 
 /** Source of an entry's module. */
 export interface Source {
@@ -121,11 +125,16 @@ async function instantiate(options: InitOptions): Promise<void> {
     threadCount = raw.threads_count();
 }
 
+/** The first bytes of a module: a zero, and `asm`. */
+const MAGIC = 0x0061736d;
+
 /** The module that the options or the package supply. */
 async function compile(options: InitOptions, kind: ModuleKind): Promise<WebAssembly.Module> {
     let module = options.module;
     if (typeof module === "string" || module instanceof URL) {
-        module = await fetch(module);
+        module = await fetch(module).catch((error: unknown) => {
+            throw new RapierError("NotInitialized", `the module cannot be fetched: ${String(error)}, ${String(options.module)}. ${COPY_HINT}`);
+        });
     }
     if (module === undefined) {
         if (!source) {
@@ -135,9 +144,14 @@ async function compile(options: InitOptions, kind: ModuleKind): Promise<WebAssem
     }
     if (typeof Response !== "undefined" && module instanceof Response) {
         if (!module.ok) {
-            throw new RapierError("NotInitialized", `the module cannot be fetched: ${module.status} ${module.url}`);
+            throw new RapierError("NotInitialized", `the module cannot be fetched: ${module.status} ${module.url}. ${COPY_HINT}`);
         }
-        module = await module.arrayBuffer();
+        const [{ url }, bytes] = [module, await module.arrayBuffer()];
+        // Development servers answer with a page where a file is missing.
+        if (bytes.byteLength < 4 || new DataView(bytes).getUint32(0) !== MAGIC) {
+            throw new RapierError("NotInitialized", `the file ${url} is no WebAssembly module. ${COPY_HINT}`);
+        }
+        module = bytes;
     }
     return module instanceof WebAssembly.Module ? module : WebAssembly.compile(module as BufferSource);
 }
@@ -229,22 +243,27 @@ export function putList(numbers: ArrayLike<number>): void {
     new Float64Array(raw.memory.buffer, address, numbers.length).set(numbers);
 }
 
-/** Writes real numbers for the next call. */
-export function putReals(numbers: ArrayLike<number>): void {
+/** Writes real numbers for the next call. The name is for the error of another value. */
+export function putReals(numbers: ArrayLike<number>, name: string): void {
+    requireList(numbers, name);
     numbers = apart(numbers);
     const address = raw.reals_reserve(numbers.length);
     new RealArrayType(raw.memory.buffer, address, numbers.length).set(numbers);
 }
 
-/** Writes integers for the next call. */
-export function putIntegers(numbers: ArrayLike<number>): void {
+/** Writes integers for the next call. The name is for the error of another value. */
+export function putIntegers(numbers: ArrayLike<number>, name: string): void {
+    requireList(numbers, name);
     numbers = apart(numbers);
     const address = raw.integers_reserve(numbers.length);
     new Uint32Array(raw.memory.buffer, address, numbers.length).set(numbers);
 }
 
-/** Writes bytes for the next call. */
-export function putBytes(bytes: Uint8Array): void {
+/** Writes bytes for the next call. The name is for the error of another value. */
+export function putBytes(bytes: Uint8Array, name: string): void {
+    if (!ArrayBuffer.isView(bytes)) {
+        throw wrong(name, bytes, "a Uint8Array");
+    }
     bytes = apart(bytes);
     const address = raw.bytes_reserve(bytes.length);
     new Uint8Array(raw.memory.buffer, address, bytes.length).set(bytes);

@@ -27,6 +27,7 @@ import {
     vectorOf,
     zeroAngular,
 } from "#dim";
+import { requireCount } from "./arguments.js";
 import type { Collider } from "./collider.js";
 import { putNumber, raw } from "./raw.js";
 import type { World } from "./world.js";
@@ -68,10 +69,16 @@ export class RigidBody {
     /** Data of the program. The engine does not read it. */
     userData?: unknown;
 
+    private pgsIterations = 0;
+
     /** @internal Worlds make bodies: `World.createRigidBody`. */
-    constructor(world: World, handle: RigidBodyHandle) {
+    constructor(world: World, handle: RigidBodyHandle, desc?: RigidBodyDesc) {
         this.world = world;
         this.handle = handle;
+        if (desc) {
+            this.userData = desc.userData;
+            this.pgsIterations = desc.additionalPgsIterations;
+        }
     }
 
     /** Returns whether the body is still in its world. */
@@ -128,12 +135,27 @@ export class RigidBody {
 
     /** Solver iterations beyond those of the world. */
     additionalSolverIterations(): number {
-        return this.setting(Setting.additionalSolverIterations);
+        return this.setting(Setting.additionalSolverIterations) - this.pgsIterations;
     }
 
     /** Sets the solver iterations beyond those of the world. */
     setAdditionalSolverIterations(iters: number): void {
-        this.setSetting(Setting.additionalSolverIterations, iters);
+        this.setSetting(Setting.additionalSolverIterations, requireCount(iters, "additionalSolverIterations") + this.pgsIterations);
+    }
+
+    /** Iterations in a substep beyond those of the world. */
+    additionalPgsIterations(): number {
+        return this.pgsIterations;
+    }
+
+    /**
+     * Sets the iterations in a substep beyond those of the world. The engine makes an additional solver
+     * iteration of each, which is more accurate. A restored world reports them as such.
+     */
+    setAdditionalPgsIterations(iterations: number): void {
+        const others = this.additionalSolverIterations();
+        this.setSetting(Setting.additionalSolverIterations, others + requireCount(iterations, "additionalPgsIterations"));
+        this.pgsIterations = iterations;
     }
 
     /** Enables or disables continuous collision detection. */
@@ -214,25 +236,25 @@ export class RigidBody {
 
     /** Moves the body at once. */
     setTranslation(tra: Vector, wakeUp: boolean): void {
-        putVector(0, tra);
+        putVector(0, tra, "translation");
         raw.body_set_translation(this.world.id, this.handle, +wakeUp);
     }
 
     /** Rotates the body at once. */
     setRotation(rot: Rotation, wakeUp: boolean): void {
-        putRotation(0, rot);
+        putRotation(0, rot, "rotation");
         raw.body_set_rotation(this.world.id, this.handle, +wakeUp);
     }
 
     /** Sets the translation that a kinematic body has after the next step. */
     setNextKinematicTranslation(t: Vector): void {
-        putVector(0, t);
+        putVector(0, t, "translation");
         raw.body_set_next_translation(this.world.id, this.handle);
     }
 
     /** Sets the rotation that a kinematic body has after the next step. */
     setNextKinematicRotation(rot: Rotation): void {
-        putRotation(0, rot);
+        putRotation(0, rot, "rotation");
         raw.body_set_next_rotation(this.world.id, this.handle);
     }
 
@@ -244,7 +266,7 @@ export class RigidBody {
 
     /** Sets the velocity of the centre of mass. */
     setLinvel(vel: Vector, wakeUp: boolean): void {
-        putVector(0, vel);
+        putVector(0, vel, "linvel");
         raw.body_set_linvel(this.world.id, this.handle, +wakeUp);
     }
 
@@ -256,13 +278,13 @@ export class RigidBody {
 
     /** Sets the angular velocity. */
     setAngvel(vel: AngVector, wakeUp: boolean): void {
-        putAngular(0, vel);
+        putAngular(0, vel, "angvel");
         raw.body_set_angvel(this.world.id, this.handle, +wakeUp);
     }
 
     /** The velocity of a point of the body. The point is in world space. */
     velocityAtPoint(point: Vector, target?: Vector): Vector {
-        putVector(0, point);
+        putVector(0, point, "point");
         raw.body_velocity_at_point(this.world.id, this.handle);
         return getVector(0, target);
     }
@@ -431,39 +453,39 @@ export class RigidBody {
 
     /** Adds a force on the centre of mass. It acts in every step until `resetForces`. */
     addForce(force: Vector, wakeUp: boolean): void {
-        putVector(0, force);
+        putVector(0, force, "force");
         raw.body_add_force(this.world.id, this.handle, +wakeUp);
     }
 
     /** Changes the velocity by an impulse on the centre of mass. */
     applyImpulse(impulse: Vector, wakeUp: boolean): void {
-        putVector(0, impulse);
+        putVector(0, impulse, "impulse");
         raw.body_apply_impulse(this.world.id, this.handle, +wakeUp);
     }
 
     /** Adds a torque. It acts in every step until `resetTorques`. */
     addTorque(torque: AngVector, wakeUp: boolean): void {
-        putAngular(0, torque);
+        putAngular(0, torque, "torque");
         raw.body_add_torque(this.world.id, this.handle, +wakeUp);
     }
 
     /** Changes the angular velocity by an angular impulse. */
     applyTorqueImpulse(torqueImpulse: AngVector, wakeUp: boolean): void {
-        putAngular(0, torqueImpulse);
+        putAngular(0, torqueImpulse, "torqueImpulse");
         raw.body_apply_torque_impulse(this.world.id, this.handle, +wakeUp);
     }
 
     /** Adds a force on a point in world space. */
     addForceAtPoint(force: Vector, point: Vector, wakeUp: boolean): void {
-        putVector(0, force);
-        putVector(1, point);
+        putVector(0, force, "force");
+        putVector(1, point, "point");
         raw.body_add_force_at_point(this.world.id, this.handle, +wakeUp);
     }
 
     /** Changes the velocities by an impulse on a point in world space. */
     applyImpulseAtPoint(impulse: Vector, point: Vector, wakeUp: boolean): void {
-        putVector(0, impulse);
-        putVector(1, point);
+        putVector(0, impulse, "impulse");
+        putVector(1, point, "point");
         raw.body_apply_impulse_at_point(this.world.id, this.handle, +wakeUp);
     }
 
@@ -508,6 +530,7 @@ export class RigidBodyDesc {
     softCcdPrediction = 0;
     dominanceGroup = 0;
     additionalSolverIterations = 0;
+    additionalPgsIterations = 0;
     userData?: unknown;
     /** Whether mass properties are given. */
     protected hasMassProperties = false;
@@ -526,6 +549,12 @@ export class RigidBodyDesc {
         return this;
     }
 
+    /** Sets the iterations in a substep beyond those of the world: see `RigidBody`. */
+    setAdditionalPgsIterations(iters: number): this {
+        this.additionalPgsIterations = iters;
+        return this;
+    }
+
     setEnabled(enabled: boolean): this {
         this.enabled = enabled;
         return this;
@@ -537,7 +566,7 @@ export class RigidBodyDesc {
     }
 
     setRotation(rot: Rotation): this {
-        this.rotation = copyRotation(rot);
+        this.rotation = copyRotation(rot, "rotation");
         return this;
     }
 
@@ -559,7 +588,7 @@ export class RigidBodyDesc {
     }
 
     setAngvel(vel: AngVector): this {
-        this.angvel = copyAngular(vel);
+        this.angvel = copyAngular(vel, "angvel");
         return this;
     }
 
@@ -610,10 +639,10 @@ export class RigidBodyDesc {
 
     /** @internal Creates the body. Returns its handle. */
     create(world: number): RigidBodyHandle {
-        putVector(0, this.translation);
-        putRotation(1, this.rotation);
-        putVector(2, this.linvel);
-        putAngular(3, this.angvel);
+        putVector(0, this.translation, "translation");
+        putRotation(1, this.rotation, "rotation");
+        putVector(2, this.linvel, "linvel");
+        putAngular(3, this.angvel, "angvel");
         putMassProperties(4, this.massProperties());
         putNumber(7, 0, this.gravityScale);
         putNumber(7, 1, this.linearDamping);
@@ -627,6 +656,8 @@ export class RigidBodyDesc {
             (this.ccdEnabled ? DescFlag.ccd : 0) |
             (this.hasMassProperties && !this.massOnly ? DescFlag.massProperties : 0) |
             (this.massOnly ? DescFlag.mass : 0);
-        return raw.body_create(world, this.status, flags, this.lockedAxes(), this.dominanceGroup, this.additionalSolverIterations);
+        const iterations = requireCount(this.additionalSolverIterations, "additionalSolverIterations")
+            + requireCount(this.additionalPgsIterations, "additionalPgsIterations");
+        return raw.body_create(world, this.status, flags, this.lockedAxes(), this.dominanceGroup, iterations);
     }
 }

@@ -53,7 +53,7 @@ export class RigidBodyDesc extends Desc {
     setAdditionalMassProperties(...properties: MassProperties): this {
         const [mass, centerOfMass, inertia] = properties;
         this.mass = mass;
-        this.centerOfMass = copyVector(centerOfMass);
+        this.centerOfMass = copyVector(centerOfMass, "centerOfMass");
         this.principalAngularInertia = inertia;
         this.massOnly = false;
         this.hasMassProperties = true;

@@ -91,9 +91,9 @@ export class RigidBodyDesc extends Desc {
     setAdditionalMassProperties(...properties: MassProperties): this {
         const [mass, centerOfMass, inertia, frame] = properties;
         this.mass = mass;
-        this.centerOfMass = copyVector(centerOfMass);
-        this.principalAngularInertia = copyVector(inertia);
-        this.angularInertiaLocalFrame = copyRotation(frame);
+        this.centerOfMass = copyVector(centerOfMass, "centerOfMass");
+        this.principalAngularInertia = copyVector(inertia, "principalAngularInertia");
+        this.angularInertiaLocalFrame = copyRotation(frame, "angularInertiaLocalFrame");
         this.massOnly = false;
         this.hasMassProperties = true;
         return this;

@@ -1,4 +1,5 @@
-import { RigidBody, type RigidBodyDesc } from "#rigid_body";
+import { RigidBody, RigidBodyDesc } from "#rigid_body";
+import { requireClass } from "./arguments.js";
 import { listCopy, raw } from "./raw.js";
 import type { RigidBodyHandle } from "./rigid_body.js";
 import type { World } from "./world.js";
@@ -16,25 +17,24 @@ export class RigidBodySet {
 
     /** Creates a body. */
     createRigidBody(_colliders: unknown, desc: RigidBodyDesc): RigidBody {
-        const body = this.adopt(desc.create(this.world.id));
-        body.userData = desc.userData;
-        return body;
+        requireClass(desc, RigidBodyDesc, "body", "a RigidBodyDesc");
+        return this.adopt(desc.create(this.world.id), desc);
     }
 
     /** @internal The object of a body that is in the module. */
-    adopt(handle: RigidBodyHandle): RigidBody {
-        const body = new RigidBody(this.world, handle);
+    adopt(handle: RigidBodyHandle, desc?: RigidBodyDesc): RigidBody {
+        const body = new RigidBody(this.world, handle, desc);
         this.map.set(handle, body);
         return body;
     }
 
-    /** Removes a body with its colliders and joints. */
+    /** Removes a body with its colliders and joints. A stale handle has no effect. */
     remove(handle: RigidBodyHandle): void {
         const groups = listCopy(raw.body_remove(this.world.id, handle));
         this.map.delete(handle);
         const sets = [this.world.colliders, this.world.impulseJoints, this.world.multibodyJoints];
         let at = 0;
-        for (const set of sets) {
+        for (const set of groups.length === 0 ? [] : sets) {
             const end = at + 1 + groups[at]!;
             for (at += 1; at < end; at += 1) {
                 set.unmap(groups[at]!);

@@ -18,6 +18,7 @@ import {
     vectorAt,
     vectorOf,
 } from "#dim";
+import { requireClass, requireList, requireObject } from "./arguments.js";
 import { RapierError } from "./error.js";
 import { PointProjection, type Ray, RayIntersection, ShapeCastHit, ShapeContact, putRay } from "./geometry_results.js";
 import { getNumber, integersCopy, putIntegers, putNumber, putReals, raw, realsCopy } from "./raw.js";
@@ -68,9 +69,9 @@ export function putSizes(radius: number, halfHeight = 0, borderRadius = 0): void
 }
 
 /** Writes the pose of a shape. */
-export function putPose(place: number, position: Vector, rotation: Rotation): void {
-    putVector(place, position);
-    putRotation(place + 1, rotation);
+export function putPose(place: number, position: Vector, rotation: Rotation, names: readonly [position: string, rotation: string]): void {
+    putVector(place, position, names[0]);
+    putRotation(place + 1, rotation, names[1]);
 }
 
 /** A geometric shape. */
@@ -96,11 +97,11 @@ export abstract class Shape {
         target?: ShapeCastHit,
     ): ShapeCastHit | null {
         return this.use((one) =>
-            shape2.use((other) => {
-                putPose(8, shapePos1, shapeRot1);
-                putPose(10, shapePos2, shapeRot2);
-                putVector(0, shapeVel1);
-                putVector(1, shapeVel2);
+            useShape(shape2, "shape2", (other) => {
+                putPose(8, shapePos1, shapeRot1, ["shapePos1", "shapeRot1"]);
+                putPose(10, shapePos2, shapeRot2, ["shapePos2", "shapeRot2"]);
+                putVector(0, shapeVel1, "shapeVel1");
+                putVector(1, shapeVel2, "shapeVel2");
                 const hits = raw.subjects_cast(0, one, 0, other, targetDistance, maxToi, +stopAtPenetration);
                 return hits ? ShapeCastHit.read(target) : null;
             }),
@@ -110,9 +111,9 @@ export abstract class Shape {
     /** Returns whether this shape and another one touch. */
     intersectsShape(shapePos1: Vector, shapeRot1: Rotation, shape2: Shape, shapePos2: Vector, shapeRot2: Rotation): boolean {
         return this.use((one) =>
-            shape2.use((other) => {
-                putPose(8, shapePos1, shapeRot1);
-                putPose(10, shapePos2, shapeRot2);
+            useShape(shape2, "shape2", (other) => {
+                putPose(8, shapePos1, shapeRot1, ["shapePos1", "shapeRot1"]);
+                putPose(10, shapePos2, shapeRot2, ["shapePos2", "shapeRot2"]);
                 return raw.subjects_intersect(0, one, 0, other) !== 0;
             }),
         );
@@ -129,9 +130,9 @@ export abstract class Shape {
         target?: ShapeContact,
     ): ShapeContact | null {
         return this.use((one) =>
-            shape2.use((other) => {
-                putPose(8, shapePos1, shapeRot1);
-                putPose(10, shapePos2, shapeRot2);
+            useShape(shape2, "shape2", (other) => {
+                putPose(8, shapePos1, shapeRot1, ["shapePos1", "shapeRot1"]);
+                putPose(10, shapePos2, shapeRot2, ["shapePos2", "shapeRot2"]);
                 return raw.subjects_contact(0, one, 0, other, prediction) ? ShapeContact.read(target) : null;
             }),
         );
@@ -140,8 +141,8 @@ export abstract class Shape {
     /** Returns whether a point is inside the shape. */
     containsPoint(shapePos: Vector, shapeRot: Rotation, point: Vector): boolean {
         return this.use((number) => {
-            putPose(8, shapePos, shapeRot);
-            putVector(0, point);
+            putPose(8, shapePos, shapeRot, ["shapePos", "shapeRot"]);
+            putVector(0, point, "point");
             return raw.subject_contains_point(0, number) !== 0;
         });
     }
@@ -149,8 +150,8 @@ export abstract class Shape {
     /** The point of the shape that is nearest to a point. */
     projectPoint(shapePos: Vector, shapeRot: Rotation, point: Vector, solid: boolean, target?: PointProjection): PointProjection {
         return this.use((number) => {
-            putPose(8, shapePos, shapeRot);
-            putVector(0, point);
+            putPose(8, shapePos, shapeRot, ["shapePos", "shapeRot"]);
+            putVector(0, point, "point");
             return PointProjection.read(raw.subject_project_point(0, number, +solid) !== 0, target);
         });
     }
@@ -158,7 +159,7 @@ export abstract class Shape {
     /** Returns whether a ray hits the shape. */
     intersectsRay(ray: Ray, shapePos: Vector, shapeRot: Rotation, maxToi: number): boolean {
         return this.use((number) => {
-            putPose(8, shapePos, shapeRot);
+            putPose(8, shapePos, shapeRot, ["shapePos", "shapeRot"]);
             putRay(ray);
             return raw.subject_intersects_ray(0, number, maxToi) !== 0;
         });
@@ -167,7 +168,7 @@ export abstract class Shape {
     /** The time at which a ray hits the shape, or -1. */
     castRay(ray: Ray, shapePos: Vector, shapeRot: Rotation, maxToi: number, solid: boolean): number {
         return this.use((number) => {
-            putPose(8, shapePos, shapeRot);
+            putPose(8, shapePos, shapeRot, ["shapePos", "shapeRot"]);
             putRay(ray);
             return raw.subject_cast_ray(0, number, maxToi, +solid);
         });
@@ -183,7 +184,7 @@ export abstract class Shape {
         target?: RayIntersection,
     ): RayIntersection {
         return this.use((number) => {
-            putPose(8, shapePos, shapeRot);
+            putPose(8, shapePos, shapeRot, ["shapePos", "shapeRot"]);
             putRay(ray);
             return raw.subject_cast_ray_and_get_normal(0, number, maxToi, +solid) ? RayIntersection.read(target) : null!;
         });
@@ -198,6 +199,12 @@ export abstract class Shape {
             raw.shape_free(number);
         }
     }
+}
+
+/** Runs work with a shape of the program in the module. */
+export function useShape<R>(shape: Shape, name: string, work: (shape: number) => R): R {
+    requireClass(shape, Shape, name, "a Shape");
+    return shape.use(work);
 }
 
 /** A ball. */
@@ -231,7 +238,7 @@ export class HalfSpace extends Shape {
     /** @internal */
     register(): number {
         putSizes(0);
-        putVector(0, this.normal);
+        putVector(0, this.normal, "normal");
         return raw.shape_new(Code.halfspace, 0, 0);
     }
 }
@@ -249,7 +256,7 @@ export class Cuboid extends Shape {
     /** @internal */
     register(): number {
         putSizes(0);
-        putVector(0, this.halfExtents);
+        putVector(0, this.halfExtents, "halfExtents");
         return raw.shape_new(Code.cuboid, 0, 0);
     }
 }
@@ -269,7 +276,7 @@ export class RoundCuboid extends Shape {
     /** @internal */
     register(): number {
         putSizes(0, 0, this.borderRadius);
-        putVector(0, this.halfExtents);
+        putVector(0, this.halfExtents, "halfExtents");
         return raw.shape_new(Code.roundCuboid, 0, 0);
     }
 }
@@ -308,8 +315,8 @@ export class Segment extends Shape {
     /** @internal */
     register(): number {
         putSizes(0);
-        putVector(0, this.a);
-        putVector(1, this.b);
+        putVector(0, this.a, "a");
+        putVector(1, this.b, "b");
         return raw.shape_new(Code.segment, 0, 0);
     }
 }
@@ -331,9 +338,9 @@ export class Triangle extends Shape {
     /** @internal */
     register(): number {
         putSizes(0);
-        putVector(0, this.a);
-        putVector(1, this.b);
-        putVector(2, this.c);
+        putVector(0, this.a, "a");
+        putVector(1, this.b, "b");
+        putVector(2, this.c, "c");
         return raw.shape_new(Code.triangle, 0, 0);
     }
 }
@@ -357,9 +364,9 @@ export class RoundTriangle extends Shape {
     /** @internal */
     register(): number {
         putSizes(0, 0, this.borderRadius);
-        putVector(0, this.a);
-        putVector(1, this.b);
-        putVector(2, this.c);
+        putVector(0, this.a, "a");
+        putVector(1, this.b, "b");
+        putVector(2, this.c, "c");
         return raw.shape_new(Code.roundTriangle, 0, 0);
     }
 }
@@ -382,8 +389,8 @@ export class Polyline extends Shape {
     /** @internal */
     register(): number {
         putSizes(0);
-        putReals(this.vertices);
-        putIntegers(this.indices);
+        putReals(this.vertices, "vertices");
+        putIntegers(this.indices, "indices");
         return raw.shape_new(Code.polyline, this.flags, +(this.indices.length > 0));
     }
 }
@@ -404,12 +411,12 @@ export class Voxels extends Shape {
     /** @internal */
     register(): number {
         putSizes(0);
-        putVector(0, this.voxelSize);
+        putVector(0, this.voxelSize, "voxelSize");
         const byCoordinates = this.data instanceof Int32Array;
         if (byCoordinates) {
-            putIntegers(this.data);
+            putIntegers(this.data, "data");
         } else {
-            putReals(this.data);
+            putReals(this.data, "data");
         }
         return raw.shape_new(Code.voxels, 0, +byCoordinates);
     }
@@ -434,6 +441,7 @@ export class Compound extends Shape {
     /** @internal */
     register(): number {
         const { shapes, positions, rotations } = this;
+        Object.entries({ shapes, positions, rotations }).forEach(([name, list]) => requireList(list, name));
         if (positions.length !== shapes.length || rotations.length !== shapes.length) {
             const lengths = `${shapes.length}, ${positions.length} and ${rotations.length}`;
             throw new RapierError("InvalidValue", `shapes, positions and rotations of the compound have different lengths: ${lengths}`);
@@ -441,16 +449,17 @@ export class Compound extends Shape {
         const numbers: number[] = [];
         try {
             for (const shape of shapes) {
+                requireClass(shape, Shape, "a shape of the compound", "a Shape");
                 numbers.push(shape.register());
             }
             const poses: number[] = [];
             positions.forEach((position, index) => {
-                pushVector(poses, position);
-                pushRotation(poses, rotations[index]!);
+                pushVector(poses, position, "a position of the compound");
+                pushRotation(poses, rotations[index]!, "a rotation of the compound");
             });
             putSizes(0);
-            putIntegers(numbers);
-            putReals(poses);
+            putIntegers(numbers, "shapes");
+            putReals(poses, "positions");
             return raw.shape_new(Code.compound, this.flags, 0);
         } finally {
             numbers.forEach((number) => raw.shape_free(number));
@@ -475,8 +484,8 @@ export class TriMesh extends Shape {
     /** @internal */
     register(): number {
         putSizes(0);
-        putReals(this.vertices);
-        putIntegers(this.indices);
+        putReals(this.vertices, "vertices");
+        putIntegers(this.indices, "indices");
         return raw.shape_new(Code.trimesh, this.flags, 1);
     }
 }
@@ -495,13 +504,14 @@ export interface VHACDParameters {
 
 /** The compound of convex parts of the volume inside a surface. */
 export function decompose(vertices: ArrayLike<number>, indices: Uint32Array, parameters: VHACDParameters = {}, flags = 0): Shape {
+    requireObject(parameters, "params", "an object of VHACDParameters");
     const { concavity, alpha, beta, resolution, planeDownsampling, convexHullDownsampling, maxConvexHulls } = parameters;
     const numbers = [concavity, alpha, beta, resolution, planeDownsampling, convexHullDownsampling, maxConvexHulls];
     numbers.push(+(parameters.convexHullApproximation ?? true));
     putSizes(0);
     numbers.forEach((number, index) => putNumber(4 + (index >> 2), index & 3, number ?? NaN));
-    putReals(vertices);
-    putIntegers(indices);
+    putReals(vertices, "vertices");
+    putIntegers(indices, "indices");
     const number = raw.shape_new(Code.decomposition, flags, 1);
     try {
         return read(raw.shape_describe(number));

@@ -21,7 +21,7 @@ export class ConvexPolygon extends Shape {
     /** @internal */
     register(): number {
         putSizes(0);
-        putReals(this.vertices);
+        putReals(this.vertices, "vertices");
         return raw.shape_new(Code.convex, +this.skipConvexHullComputation, 0);
     }
 }
@@ -44,7 +44,7 @@ export class RoundConvexPolygon extends Shape {
     /** @internal */
     register(): number {
         putSizes(0, 0, this.borderRadius);
-        putReals(this.vertices);
+        putReals(this.vertices, "vertices");
         return raw.shape_new(Code.roundConvex, +this.skipConvexHullComputation, 0);
     }
 }
@@ -65,8 +65,8 @@ export class Heightfield extends Shape {
     /** @internal */
     register(): number {
         putSizes(0);
-        putVector(0, this.scale);
-        putReals(this.heights);
+        putVector(0, this.scale, "scale");
+        putReals(this.heights, "heights");
         return raw.shape_new(Code.heightfield, 0, 0);
     }
 }

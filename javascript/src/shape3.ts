@@ -21,8 +21,8 @@ export class ConvexPolyhedron extends Shape {
     /** @internal */
     register(): number {
         putSizes(0);
-        putReals(this.vertices);
-        putIntegers(this.indices ?? []);
+        putReals(this.vertices, "vertices");
+        putIntegers(this.indices ?? [], "indices");
         return raw.shape_new(Code.convex, 0, +!!this.indices);
     }
 }
@@ -47,8 +47,8 @@ export class RoundConvexPolyhedron extends Shape {
     /** @internal */
     register(): number {
         putSizes(0, 0, this.borderRadius);
-        putReals(this.vertices);
-        putIntegers(this.indices ?? []);
+        putReals(this.vertices, "vertices");
+        putIntegers(this.indices ?? [], "indices");
         return raw.shape_new(Code.roundConvex, 0, +!!this.indices);
     }
 }
@@ -78,9 +78,9 @@ export class Heightfield extends Shape {
     /** @internal */
     register(): number {
         putSizes(0);
-        putVector(0, this.scale);
-        putReals(this.heights);
-        putIntegers([this.nrows, this.ncols]);
+        putVector(0, this.scale, "scale");
+        putReals(this.heights, "heights");
+        putIntegers([this.nrows, this.ncols], "nrows and ncols");
         return raw.shape_new(Code.heightfield, this.flags, 0);
     }
 }

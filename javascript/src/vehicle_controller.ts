@@ -7,18 +7,21 @@ import type { InteractionGroups, QueryFilterFlags } from "./enums.js";
 import { Owner } from "./owner.js";
 import { putFilter } from "./query.js";
 import { putIntegers, raw } from "./raw.js";
+import type { RigidBodyHandle } from "./rigid_body.js";
 import type { World } from "./world.js";
 
 /** A car whose wheels are rays. */
 export class DynamicRayCastVehicleController extends Owner {
-    private readonly world: World;
+    /** @internal */
+    readonly world: World;
     private readonly body: RigidBody;
 
     /** @internal Worlds make controllers: `World.createVehicleController`. */
-    constructor(world: World, chassis: RigidBody) {
-        super(raw.vehicle_new(world.id, world.handleOf(chassis, "rigid body")), (id) => raw.vehicle_free(id));
+    constructor(world: World, chassis: RigidBody | RigidBodyHandle) {
+        const handle = world.handleOf(chassis, "rigid body", "chassis");
+        super(raw.vehicle_new(world.id, handle), (id) => raw.vehicle_free(id));
         this.world = world;
-        this.body = chassis;
+        this.body = world.bodies.get(handle)!;
     }
 
     /**
@@ -34,7 +37,7 @@ export class DynamicRayCastVehicleController extends Owner {
         // The vehicle changes the world while it searches for the ground, so the predicate is called before.
         const leftOut = filterPredicate ? this.world.colliders.getAll().filter((collider) => filterPredicate(collider) === false) : [];
         const handles = Float64Array.from(leftOut, (collider) => collider.handle);
-        putIntegers(new Uint32Array(handles.buffer));
+        putIntegers(new Uint32Array(handles.buffer), "the colliders");
         putFilter([filterFlags, filterGroups]);
         raw.vehicle_update(this.id, this.world.id, dt);
     }
@@ -74,9 +77,9 @@ export class DynamicRayCastVehicleController extends Owner {
 
     /** Adds a wheel. */
     addWheel(chassisConnectionCs: Vector, directionCs: Vector, axleCs: Vector, suspensionRestLength: number, radius: number): void {
-        putVector(0, chassisConnectionCs);
-        putVector(1, directionCs);
-        putVector(2, axleCs);
+        putVector(0, chassisConnectionCs, "chassisConnectionCs");
+        putVector(1, directionCs, "directionCs");
+        putVector(2, axleCs, "axleCs");
         raw.vehicle_add_wheel(this.id, suspensionRestLength, radius);
     }
 
@@ -95,7 +98,7 @@ export class DynamicRayCastVehicleController extends Owner {
     }
 
     private setVector(i: number, what: number, value: Vector): void {
-        putVector(0, value);
+        putVector(0, value, ["wheelChassisConnectionPointCs", "wheelDirectionCs", "wheelAxleCs"][what]!);
         raw.wheel_set_vector(this.id, i, what);
     }
 

@@ -1,23 +1,24 @@
 import { type PidAxesMask, type Rotation, type Vector, getVector, putVector } from "#dim";
 import type { ColliderDesc } from "#collider_desc";
-import type { RigidBody, RigidBodyDesc } from "#rigid_body";
+import { RigidBody, type RigidBodyDesc } from "#rigid_body";
+import { requireClass, requireList, requireObject } from "./arguments.js";
 import { KinematicCharacterController } from "./character_controller.js";
-import type { Collider, ColliderHandle } from "./collider.js";
+import { Collider, type ColliderHandle } from "./collider.js";
 import { ColliderSet } from "./collider_set.js";
 import { DebugRenderBuffers, DebugRenderPipeline } from "./debug_render.js";
 import type { InteractionGroups, QueryFilterFlags } from "./enums.js";
 import { RapierError } from "./error.js";
-import type { EventQueue } from "./event_queue.js";
+import { EventQueue } from "./event_queue.js";
 import type { ColliderShapeCastHit, PointColliderProjection, Ray, RayColliderHit, RayColliderIntersection } from "./geometry_results.js";
 import { type PhysicsHooks, hookOf, presentHooks } from "./hooks.js";
 import { IntegrationParameters } from "./integration_parameters.js";
 import { IslandManager } from "./island_manager.js";
 import {
-    type ImpulseJoint,
+    ImpulseJoint,
     type ImpulseJointHandle,
     ImpulseJointSet,
     type JointData,
-    type MultibodyJoint,
+    MultibodyJoint,
     type MultibodyJointHandle,
     MultibodyJointSet,
 } from "./joint.js";
@@ -79,12 +80,36 @@ const BODY_CHANGES: readonly BodyChange[] = [
     "applyImpulse",
 ];
 
+/** An object of a world that has a handle. */
+interface PartOfWorld {
+    readonly world: World;
+    readonly handle: number;
+}
+
+/** The classes of these objects, by their names in errors. */
+const PARTS = {
+    "rigid body": RigidBody,
+    collider: Collider,
+    "impulse joint": ImpulseJoint,
+    "multibody joint": MultibodyJoint,
+} as const;
+
+/** A controller that a world frees. */
+interface Controller {
+    readonly world: World;
+    free(): void;
+}
+
+function isAbsent(value: unknown): value is undefined | null {
+    return value === undefined || value === null;
+}
+
 /** The filter of a query, as its last arguments. */
 type ObjectFilter = [
     filterFlags?: QueryFilterFlags,
     filterGroups?: InteractionGroups,
-    filterExcludeCollider?: Collider,
-    filterExcludeRigidBody?: RigidBody,
+    filterExcludeCollider?: Collider | ColliderHandle,
+    filterExcludeRigidBody?: RigidBody | RigidBodyHandle,
     filterPredicate?: (collider: Collider) => boolean,
 ];
 
@@ -112,6 +137,7 @@ export class World extends Owner {
 
     /** A snapshot passes the number of its world as a second argument. */
     constructor(gravity: Vector, restored?: RestoredWorld) {
+        requireObject(gravity, "gravity", "a vector");
         super(restored?.id ?? raw.world_new(), (id) => raw.world_free(id));
         this.gravity = gravity;
         this.integrationParameters = new IntegrationParameters(this);
@@ -145,9 +171,15 @@ export class World extends Owner {
 
     /** Moves the world forward by one time step. */
     step(eventQueue?: EventQueue, hooks?: PhysicsHooks): void {
+        if (eventQueue) {
+            requireClass(eventQueue, EventQueue, "eventQueue", "an EventQueue");
+        }
+        if (hooks) {
+            requireObject(hooks, "hooks", "an object of hooks");
+        }
         const queue = eventQueue ? eventQueue.id || -1 : 0;
         const present = hooks ? presentHooks(hooks) : 0;
-        putVector(0, this.gravity);
+        putVector(0, this.gravity, "gravity");
         withCallbacks(present ? { hook: hookOf(hooks!) } : {}, () => raw.world_step(this.id, queue, present));
     }
 
@@ -160,25 +192,33 @@ export class World extends Owner {
 
     /** The whole world as bytes: for files, networks and other machines. `userData` is not part of it. */
     takeSnapshot(): Uint8Array {
-        putVector(0, this.gravity);
+        putVector(0, this.gravity, "gravity");
         return bytesCopy(raw.world_save(this.id));
     }
 
     /** A world from a snapshot. It continues bit for bit as the original does, with the same handles. */
     static restoreSnapshot<T extends World>(this: WorldClass<T>, data: Uint8Array): T {
-        putBytes(data);
+        putBytes(data, "data");
         return adopt(this, raw.world_restore());
     }
 
     /** A copy of the world in memory: faster than a snapshot, for rollback. */
     clone(): this {
-        putVector(0, this.gravity);
+        putVector(0, this.gravity, "gravity");
         return adopt(this.constructor as WorldClass<this>, raw.world_copy(this.id));
     }
 
-    /** Moves colliders of bodies that were moved since the last step, so that queries find them. */
+    /** Moves colliders of bodies that were moved since the last step. Queries do it, too. */
     propagateModifiedBodyPositionsToColliders(): void {
         raw.colliders_propagate(this.id);
+    }
+
+    /**
+     * Brings the data of queries up to date with insertions, removals and movements since the last step. The
+     * next query does it, too: a call only chooses the time.
+     */
+    updateSceneQueries(): void {
+        raw.world_update_queries(this.id);
     }
 
     // ---- Times ----
@@ -314,6 +354,15 @@ export class World extends Owner {
         this.integrationParameters.numInternalPgsIterations = niter;
     }
 
+    /** Iterations of all constraints in a substep without position correction, beyond the usual one. */
+    get numAdditionalFrictionIterations(): number {
+        return this.integrationParameters.numAdditionalFrictionIterations;
+    }
+
+    set numAdditionalFrictionIterations(niter: number) {
+        this.integrationParameters.numAdditionalFrictionIterations = niter;
+    }
+
     /** The largest number of substeps of continuous collision detection. */
     get maxCcdSubsteps(): number {
         return this.integrationParameters.maxCcdSubsteps;
@@ -335,14 +384,15 @@ export class World extends Owner {
         return this.bodies.get(handle)!;
     }
 
-    /** Removes a body with its colliders and joints. */
-    removeRigidBody(body: RigidBody): void {
-        this.bodies.remove(this.handleOf(body, "rigid body"));
+    /** Removes a body with its colliders and joints. A body that was removed before is ignored. */
+    removeRigidBody(body: RigidBody | RigidBodyHandle): void {
+        this.bodies.remove(this.handleOf(body, "rigid body", "body"));
     }
 
     /** Creates a collider. */
-    createCollider(desc: ColliderDesc, parent?: RigidBody | null): Collider {
-        return this.colliders.createCollider(this.bodies, desc, parent ? this.handleOf(parent, "rigid body") : undefined);
+    createCollider(desc: ColliderDesc, parent?: RigidBody | RigidBodyHandle | null): Collider {
+        const body = isAbsent(parent) ? undefined : this.handleOf(parent, "rigid body", "parent");
+        return this.colliders.createCollider(this.bodies, desc, body);
     }
 
     /** The collider of a handle. Null if the handle finds none. */
@@ -350,9 +400,9 @@ export class World extends Owner {
         return this.colliders.get(handle)!;
     }
 
-    /** Removes a collider. */
-    removeCollider(collider: Collider, wakeUp: boolean): void {
-        this.colliders.remove(this.handleOf(collider, "collider"), this.islands, this.bodies, wakeUp);
+    /** Removes a collider. A collider that was removed before, as by its body, is ignored. */
+    removeCollider(collider: Collider | ColliderHandle, wakeUp: boolean): void {
+        this.colliders.remove(this.handleOf(collider, "collider", "collider"), this.islands, this.bodies, wakeUp);
     }
 
     /** Calls a function with each collider. */
@@ -373,15 +423,29 @@ export class World extends Owner {
     // ---- Joints ----
 
     /** Joins two bodies by an impulse joint. */
-    createImpulseJoint(params: JointData, parent1: RigidBody, parent2: RigidBody, wakeUp: boolean): ImpulseJoint {
-        const [first, second] = [this.handleOf(parent1, "rigid body"), this.handleOf(parent2, "rigid body")];
+    createImpulseJoint(
+        params: JointData,
+        parent1: RigidBody | RigidBodyHandle,
+        parent2: RigidBody | RigidBodyHandle,
+        wakeUp: boolean,
+    ): ImpulseJoint {
+        const [first, second] = this.joined(parent1, parent2);
         return this.impulseJoints.createJoint(this.bodies, params, first, second, wakeUp);
     }
 
     /** Makes the second body a child of the first one, in a multibody. */
-    createMultibodyJoint(params: JointData, parent1: RigidBody, parent2: RigidBody, wakeUp: boolean): MultibodyJoint {
-        const [first, second] = [this.handleOf(parent1, "rigid body"), this.handleOf(parent2, "rigid body")];
+    createMultibodyJoint(
+        params: JointData,
+        parent1: RigidBody | RigidBodyHandle,
+        parent2: RigidBody | RigidBodyHandle,
+        wakeUp: boolean,
+    ): MultibodyJoint {
+        const [first, second] = this.joined(parent1, parent2);
         return this.multibodyJoints.createJoint(params, first, second, wakeUp);
+    }
+
+    private joined(parent1: RigidBody | RigidBodyHandle, parent2: RigidBody | RigidBodyHandle): [RigidBodyHandle, RigidBodyHandle] {
+        return [this.handleOf(parent1, "rigid body", "parent1"), this.handleOf(parent2, "rigid body", "parent2")];
     }
 
     /** The impulse joint of a handle. Null if the handle finds none. */
@@ -394,14 +458,14 @@ export class World extends Owner {
         return this.multibodyJoints.get(handle)!;
     }
 
-    /** Removes an impulse joint. */
-    removeImpulseJoint(joint: ImpulseJoint, wakeUp: boolean): void {
-        this.impulseJoints.remove(this.handleOf(joint, "impulse joint"), wakeUp);
+    /** Removes an impulse joint. A joint that was removed before, as by one of its bodies, is ignored. */
+    removeImpulseJoint(joint: ImpulseJoint | ImpulseJointHandle, wakeUp: boolean): void {
+        this.impulseJoints.remove(this.handleOf(joint, "impulse joint", "joint"), wakeUp);
     }
 
-    /** Removes a multibody joint. */
-    removeMultibodyJoint(joint: MultibodyJoint, wakeUp: boolean): void {
-        this.multibodyJoints.remove(this.handleOf(joint, "multibody joint"), wakeUp);
+    /** Removes a multibody joint. A joint that was removed before, as by one of its bodies, is ignored. */
+    removeMultibodyJoint(joint: MultibodyJoint | MultibodyJointHandle, wakeUp: boolean): void {
+        this.multibodyJoints.remove(this.handleOf(joint, "multibody joint", "joint"), wakeUp);
     }
 
     // ---- Controllers ----
@@ -413,10 +477,9 @@ export class World extends Owner {
         return controller;
     }
 
-    /** Removes a character controller, and frees it. */
+    /** Removes a character controller, and frees it. A controller that was removed before is ignored. */
     removeCharacterController(controller: KinematicCharacterController): void {
-        this.characterControllers.delete(controller);
-        controller.free();
+        this.removeController(this.characterControllers, controller, KinematicCharacterController);
     }
 
     /** Creates a PID controller. It serves one body. */
@@ -426,9 +489,18 @@ export class World extends Owner {
         return controller;
     }
 
-    /** Removes a PID controller, and frees it. */
+    /** Removes a PID controller, and frees it. A controller that was removed before is ignored. */
     removePidController(controller: PidController): void {
-        this.pidControllers.delete(controller);
+        this.removeController(this.pidControllers, controller, PidController);
+    }
+
+    /** @internal Removes a controller of this world, and frees it. */
+    removeController<T extends Controller>(controllers: Set<T>, controller: T, kind: new (...parts: never[]) => T): void {
+        requireClass(controller, kind, "controller", `a ${kind.name}`);
+        if (controller.world.id !== this.id) {
+            throw new RapierError("StaleHandle", `the ${kind.name} belongs to another world`);
+        }
+        controllers.delete(controller);
         controller.free();
     }
 
@@ -448,9 +520,11 @@ export class World extends Owner {
      * in the order of the bodies.
      */
     changeBodies(change: BodyChange, bodies: readonly RigidBody[] | Float64Array, values: ArrayLike<number>, wakeUp = true): void {
+        requireList(bodies, "bodies");
+        requireList(values, "values");
         const own = apart(values);
-        putList(bodies instanceof Float64Array ? bodies : bodies.map((body) => this.handleOf(body, "rigid body")));
-        putReals(own);
+        putList(bodies instanceof Float64Array ? bodies : bodies.map((body) => this.handleOf(body, "rigid body", "a body")));
+        putReals(own, "values");
         raw.bodies_change(this.id, BODY_CHANGES.indexOf(change), +wakeUp);
     }
 
@@ -468,8 +542,11 @@ export class World extends Owner {
     /** The filter of a query, with colliders and bodies as objects. */
     private filter([flags, groups, collider, body, predicate]: ObjectFilter): Filter {
         const accept = predicate && ((handle: ColliderHandle) => predicate(this.colliders.get(handle)!));
-        const left = [collider && this.handleOf(collider, "collider"), body && this.handleOf(body, "rigid body")] as const;
-        return [flags, groups, ...left, accept];
+        const excluded = [
+            isAbsent(collider) ? undefined : this.handleOf(collider, "collider", "filterExcludeCollider"),
+            isAbsent(body) ? undefined : this.handleOf(body, "rigid body", "filterExcludeRigidBody"),
+        ] as const;
+        return [flags, groups, ...excluded, accept];
     }
 
     /** The first collider that a ray hits. */
@@ -575,31 +652,42 @@ export class World extends Owner {
     // ---- Contacts ----
 
     /** Calls a function with each collider that has a contact pair with a collider. */
-    contactPairsWith(collider1: Collider, f: (collider2: Collider) => void): void {
-        this.narrowPhase.contactPairsWith(this.handleOf(collider1, "collider"), (handle) => f(this.colliders.get(handle)!));
+    contactPairsWith(collider1: Collider | ColliderHandle, f: (collider2: Collider) => void): void {
+        this.narrowPhase.contactPairsWith(this.handleOf(collider1, "collider", "collider1"), (handle) => f(this.colliders.get(handle)!));
     }
 
     /** Calls a function with each collider that intersects a collider, one of them a sensor. */
-    intersectionPairsWith(collider1: Collider, f: (collider2: Collider) => void): void {
-        this.narrowPhase.intersectionPairsWith(this.handleOf(collider1, "collider"), (handle) => f(this.colliders.get(handle)!));
+    intersectionPairsWith(collider1: Collider | ColliderHandle, f: (collider2: Collider) => void): void {
+        this.narrowPhase.intersectionPairsWith(this.handleOf(collider1, "collider", "collider1"), (handle) => f(this.colliders.get(handle)!));
     }
 
     /**
      * Calls a function with each manifold of a pair. `flipped` is true if the manifold has the colliders in
      * the other order.
      */
-    contactPair(collider1: Collider, collider2: Collider, f: (manifold: TempContactManifold, flipped: boolean) => void): void {
-        const [first, second] = [this.handleOf(collider1, "collider"), this.handleOf(collider2, "collider")];
+    contactPair(
+        collider1: Collider | ColliderHandle,
+        collider2: Collider | ColliderHandle,
+        f: (manifold: TempContactManifold, flipped: boolean) => void,
+    ): void {
+        const [first, second] = [this.handleOf(collider1, "collider", "collider1"), this.handleOf(collider2, "collider", "collider2")];
         this.narrowPhase.contactPair(first, second, this.bodies, f);
     }
 
     /** Returns whether two colliders, one of them a sensor, intersect. */
-    intersectionPair(collider1: Collider, collider2: Collider): boolean {
-        return this.narrowPhase.intersectionPair(this.handleOf(collider1, "collider"), this.handleOf(collider2, "collider"));
+    intersectionPair(collider1: Collider | ColliderHandle, collider2: Collider | ColliderHandle): boolean {
+        return this.narrowPhase.intersectionPair(this.handleOf(collider1, "collider", "collider1"), this.handleOf(collider2, "collider", "collider2"));
     }
 
-    /** @internal The handle of an object of this world. Objects of other worlds are refused. */
-    handleOf(object: { readonly world: World; readonly handle: number }, what: string): number {
+    /**
+     * @internal The handle of an object of this world, or a handle as it is. Objects of other worlds are
+     * refused. The name is that of the argument.
+     */
+    handleOf(object: PartOfWorld | number, what: keyof typeof PARTS, name: string): number {
+        if (typeof object === "number" && !Number.isNaN(object)) {
+            return object;
+        }
+        requireClass<PartOfWorld>(object, PARTS[what], name, `a ${what} or its handle`);
         // Libraries pass proxies of worlds: the number distinguishes worlds.
         if (object.world.id !== this.id) {
             throw new RapierError("StaleHandle", `the ${what} ${bodyIndex(object.handle)} belongs to another world`);

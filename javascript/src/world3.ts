@@ -1,6 +1,7 @@
 // Worlds in 3D: they have vehicles.
 
 import type { RigidBody } from "#rigid_body";
+import type { RigidBodyHandle } from "./rigid_body.js";
 import { DynamicRayCastVehicleController } from "./vehicle_controller.js";
 import { World as Base } from "./world.js";
 
@@ -10,16 +11,15 @@ export class World extends Base {
     vehicleControllers = new Set<DynamicRayCastVehicleController>();
 
     /** Creates a vehicle of a body. */
-    createVehicleController(chassis: RigidBody): DynamicRayCastVehicleController {
+    createVehicleController(chassis: RigidBody | RigidBodyHandle): DynamicRayCastVehicleController {
         const controller = new DynamicRayCastVehicleController(this, chassis);
         this.vehicleControllers.add(controller);
         return controller;
     }
 
-    /** Removes a vehicle, and frees it. Its body stays. */
+    /** Removes a vehicle, and frees it. Its body stays. A vehicle that was removed before is ignored. */
     removeVehicleController(controller: DynamicRayCastVehicleController): void {
-        this.vehicleControllers.delete(controller);
-        controller.free();
+        this.removeController(this.vehicleControllers, controller, DynamicRayCastVehicleController);
     }
 
     override free(): void {

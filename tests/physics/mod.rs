@@ -17,6 +17,7 @@ mod impacts;
 mod large_floors;
 mod load;
 mod lost_support;
+mod massless;
 mod momentum;
 mod pushes;
 mod sleeping;

@@ -7,7 +7,7 @@ import type { Plugin } from "@docusaurus/types";
 import { ROOT } from "./repository";
 
 const WEBSITE = join(ROOT, "website");
-const PACKAGE = join(ROOT, "rapier3d", "pkg", "rapier.mjs");
+const PACKAGE = join(ROOT, "rapier3d", "pkg", "rapier.file.mjs");
 
 /** Files that decide how documents are rendered. The bundler does not see them. */
 function renderingFiles(): string[] {

@@ -17,6 +17,18 @@ mod change {
     pub const NEXT_ROTATION: u32 = 5;
     pub const FORCE: u32 = 6;
     pub const IMPULSE: u32 = 7;
+
+    /// The names in TypeScript.
+    pub const NAMES: [&str; 8] = [
+        "translation",
+        "rotation",
+        "linvel",
+        "angvel",
+        "nextTranslation",
+        "nextRotation",
+        "addForce",
+        "applyImpulse",
+    ];
 }
 
 /// Numbers of a rotation: an angle or a quaternion.
@@ -73,7 +85,7 @@ exports! {
             body(world, *handle)?;
         }
         for value in &values {
-            finite("a value of the batch", *value)?;
+            finite(change::NAMES[what as usize], *value)?;
         }
         if matches!(what, change::ROTATION | change::NEXT_ROTATION) {
             for numbers in values.chunks_exact(stride) {

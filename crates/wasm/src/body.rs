@@ -104,11 +104,12 @@ exports! {
     }
 
     /// Removes a body with its colliders and joints. The list holds three groups: colliders, impulse joints,
-    /// multibody joints, each after its length.
+    /// multibody joints, each after its length. A stale handle has no effect, and the list is empty.
     fn body_remove(world: u32, handle: f64) -> u32 {
-        let colliders: Vec<ColliderHandle> = body(world, handle)?.colliders().to_vec();
         let world = write(world)?;
         let body = RigidBodyHandle::of_number(handle);
+        let Some(removed) = world.bodies.get(body) else { return Ok(put_list([])) };
+        let colliders: Vec<ColliderHandle> = removed.colliders().to_vec();
         let impulse: Vec<f64> = world.impulse_joints.attached_joints(body).map(|(_, _, joint, _)| joint.to_number()).collect();
         let multibody: Vec<f64> = world.multibody_joints.attached_joints(body).map(|(_, _, joint)| joint.to_number()).collect();
         world.impulse_joints.remove_joints_attached_to_rigid_body(body);

@@ -62,6 +62,26 @@ mod setting {
     pub const DENSITY: u32 = 13;
     pub const MASS: u32 = 14;
     pub const VOLUME: u32 = 15;
+
+    /// The names in TypeScript.
+    pub const NAMES: [&str; 16] = [
+        "friction",
+        "restitution",
+        "frictionCombineRule",
+        "restitutionCombineRule",
+        "collisionGroups",
+        "solverGroups",
+        "activeEvents",
+        "activeHooks",
+        "activeCollisionTypes",
+        "contactForceEventThreshold",
+        "contactSkin",
+        "isSensor",
+        "enabled",
+        "density",
+        "mass",
+        "volume",
+    ];
 }
 
 fn setting_of(collider: &Collider, number: u32) -> f64 {
@@ -172,9 +192,8 @@ exports! {
         world.insert_collider(collider, parent).to_number()
     }
 
-    /// Removes a collider.
+    /// Removes a collider. A stale handle has no effect.
     fn collider_remove(world: u32, handle: f64, wake: u32) {
-        collider(world, handle)?;
         let world = write(world)?;
         let removed = ColliderHandle::of_number(handle);
         world.colliders.remove(removed, &mut world.islands, &mut world.bodies, wake != 0);
@@ -254,7 +273,8 @@ exports! {
     /// Changes a setting of a collider.
     fn collider_set_setting(world: u32, handle: f64, setting: u32, value: f64) {
         let collider = collider_mut(world, handle)?;
-        change_setting(collider, setting, finite("the setting", value)?)?;
+        let name = setting::NAMES.get(setting as usize).copied().unwrap_or("the setting");
+        change_setting(collider, setting, finite(name, value)?)?;
     }
 
     /// Sets the mass properties, whatever the shape.

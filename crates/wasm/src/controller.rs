@@ -12,7 +12,9 @@ use crate::rapier::geometry::ColliderHandle;
 use crate::rapier::math::{Real, Vector};
 use crate::rapier::pipeline::QueryFilter;
 use crate::rapier::prelude::AxesMask;
-use crate::registry::{Registry, body, body_mut, collider, queried, read, write};
+use crate::registry::{
+    Registry, body, body_mut, collider, controlled, queried, read, update_queries,
+};
 
 /// A character, and its last movement.
 #[derive(Default)]
@@ -80,10 +82,10 @@ fn change_character(
         setting::OFFSET => controller.offset = CharacterLength::Absolute(positive("offset")?),
         setting::SLIDE => controller.slide = value != 0.0,
         setting::CLIMB_ANGLE => {
-            controller.max_slope_climb_angle = finite("the angle", value)? as Real
+            controller.max_slope_climb_angle = finite("maxSlopeClimbAngle", value)? as Real
         }
         setting::SLIDE_ANGLE => {
-            controller.min_slope_slide_angle = finite("the angle", value)? as Real
+            controller.min_slope_slide_angle = finite("minSlopeSlideAngle", value)? as Real
         }
         setting::SNAP => {
             controller.snap_to_ground = Some(CharacterLength::Absolute(positive("distance")?))
@@ -162,24 +164,26 @@ exports! {
     /// not NaN pushes dynamic bodies.
     fn character_move(number: u32, world: u32, handle: f64, mass: f64) {
         let desired = vector(0, "desiredTranslationDelta")?;
-        let moved = collider(world, handle)?;
-        let (shape, pose, parent) = (moved.shared_shape().clone(), *moved.position(), moved.parent());
+        update_queries(world)?;
+        let character_collider = collider(world, handle)?;
+        let (shape, pose) = (character_collider.shared_shape().clone(), *character_collider.position());
+        let parent = character_collider.parent();
         let own = ColliderHandle::of_number(handle);
         let controller = character(number)?.controller;
         let mut selection = filter();
         selection.exclude_collider = Some(own);
         selection.exclude_rigid_body = selection.exclude_rigid_body.or(parent);
         let mut collisions = Vec::new();
-        let movement = queried(world, |world| {
+        let movement = queried(world, |world, queries| {
             let dt = world.integration_parameters.dt;
-            let queries = world.query_pipeline_with_filter(selection);
+            let queries = queries.view(&world.colliders, selection);
             controller.move_shape(dt, &queries, &*shape, &pose, desired, |collision| collisions.push(collision))
         })?;
         if mass > 0.0 {
-            let world = write(world)?;
+            let (world, queries) = controlled(world)?;
             let dt = world.integration_parameters.dt;
             let obstacles = QueryFilter { flags: selection.flags, groups: selection.groups, ..QueryFilter::default() };
-            let mut queries = world.query_pipeline_mut(obstacles);
+            let mut queries = queries.view_mut(&mut world.bodies, &world.colliders, obstacles);
             controller.solve_character_collision_impulses(dt, &mut queries, &*shape, mass as Real, &collisions);
         }
         // A predicate may have freed the controller, so it is looked up again.
@@ -262,7 +266,7 @@ exports! {
 
     /// Sets the proportional (0), integral (1) or derivative (2) gain of some axes.
     fn pid_set_gain(number: u32, kind: u32, value: f64, mask: u32) {
-        let value = finite("the gain", value)? as Real;
+        let value = finite(["kp", "ki", "kd"][kind.min(2) as usize], value)? as Real;
         let controller = pid(number)?;
         let gain = match kind {
             0 => (&mut controller.pd.lin_kp, &mut controller.pd.ang_kp),

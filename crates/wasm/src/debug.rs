@@ -58,7 +58,7 @@ exports! {
         let filter = filter();
         let mode = if mode == 0 { DebugRenderMode::default() } else { DebugRenderMode::from_bits_truncate(mode) };
         let mut lines = Lines { filter, points: Vec::new(), colors: Vec::new() };
-        queried(world, |world| {
+        queried(world, |world, _| {
             world.debug_render(&mut DebugRenderPipeline::new(DebugRenderStyle::default(), mode), &mut lines);
         })?;
         put_reals(lines.points);

@@ -233,9 +233,8 @@ exports! {
         }
     }
 
-    /// Removes a joint.
+    /// Removes a joint. A stale handle has no effect.
     fn joint_remove(world: u32, set: u32, handle: f64, wake: u32) {
-        data(world, set, handle)?;
         let world = write(world)?;
         if set == IMPULSE {
             world.impulse_joints.remove(ImpulseJointHandle::of_number(handle), wake != 0);

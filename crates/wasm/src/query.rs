@@ -10,11 +10,11 @@ use crate::host;
 use crate::memory::{self, Single, number, put_number, put_vector, vector};
 use crate::rapier::dynamics::RigidBodyHandle;
 use crate::rapier::geometry::{
-    Aabb, Collider, ColliderHandle, FeatureId, InteractionGroups, Ray, RayIntersection,
-    ShapeCastHit, ShapeCastOptions,
+    Aabb, BoundingVolume, Collider, ColliderHandle, FeatureId, InteractionGroups, Ray,
+    RayIntersection, ShapeCastHit, ShapeCastOptions,
 };
 use crate::rapier::math::Real;
-use crate::rapier::pipeline::{PhysicsWorld, QueryFilter, QueryFilterFlags};
+use crate::rapier::pipeline::{QueryFilter, QueryFilterFlags, QueryView};
 use crate::registry::queried;
 use crate::shape::shape;
 
@@ -118,13 +118,10 @@ fn answer<T>(found: Option<(ColliderHandle, T)>, put: impl FnOnce(&T)) -> f64 {
     optional(found.map(|(handle, _)| handle))
 }
 
-/// Runs a query.
-fn query<R>(
-    world: u32,
-    work: impl FnOnce(&PhysicsWorld, QueryFilter<'static>) -> R,
-) -> Result<R, Fault> {
+/// Runs a query of the colliders that pass the stored filter, at their present poses.
+fn query<R>(world: u32, work: impl FnOnce(QueryView<'_>) -> R) -> Result<R, Fault> {
     let filter = filter();
-    queried(world, |world| work(world, filter))
+    queried(world, |world, queries| work(queries.view(&world.colliders, filter)))
 }
 
 exports! {
@@ -145,22 +142,22 @@ exports! {
     /// The first collider that a ray hits. Writes the time.
     fn query_cast_ray(world: u32, max: f64, solid: u32) -> f64 {
         let (ray, max) = (ray()?, limit("maxToi", max)?);
-        let hit = query(world, |world, filter| world.cast_ray(&ray, max, solid != 0, filter))?;
+        let hit = query(world, |view| view.cast_ray(&ray, max, solid != 0))?;
         answer(hit, |time| put_number(2, 0, *time))
     }
 
     /// The first collider that a ray hits. Writes normal, feature and time.
     fn query_cast_ray_and_get_normal(world: u32, max: f64, solid: u32) -> f64 {
         let (ray, max) = (ray()?, limit("maxToi", max)?);
-        let hit = query(world, |world, filter| world.cast_ray_and_get_normal(&ray, max, solid != 0, filter))?;
+        let hit = query(world, |view| view.cast_ray_and_get_normal(&ray, max, solid != 0))?;
         answer(hit, put_ray_hit)
     }
 
     /// Passes all colliders that a ray hits to the visitor, each with normal, feature and time.
     fn query_intersections_with_ray(world: u32, max: f64, solid: u32) {
         let (ray, max) = (ray()?, limit("maxToi", max)?);
-        query(world, |world, filter| {
-            for (handle, _, hit) in world.intersect_ray(ray, max, solid != 0, filter) {
+        query(world, |view| {
+            for (handle, _, hit) in view.intersect_ray(ray, max, solid != 0) {
                 put_ray_hit(&hit);
                 if host::visit(handle.to_number()) == 0 {
                     break;
@@ -172,7 +169,7 @@ exports! {
     /// The collider nearest to a point. Writes the nearest point and whether the point is inside.
     fn query_project_point(world: u32, solid: u32) -> f64 {
         let point = vector(0, "point")?;
-        let found = query(world, |world, filter| world.project_point(point, Real::MAX, solid != 0, filter))?;
+        let found = query(world, |view| view.project_point(point, Real::MAX, solid != 0))?;
         answer(found, |projection| {
             put_vector(0, projection.point);
             put_number(1, 0, projection.is_inside.into());
@@ -183,8 +180,8 @@ exports! {
     /// inside, and the feature.
     fn query_project_point_and_get_feature(world: u32) -> f64 {
         let point = vector(0, "point")?;
-        let found = query(world, |world, filter| {
-            let found = world.project_point_and_get_feature(point, filter, Real::MAX);
+        let found = query(world, |view| {
+            let found = view.project_point_and_get_feature(point, Real::MAX);
             found.map(|(handle, projection, feature)| (handle, (projection, feature)))
         })?;
         answer(found, |(projection, feature)| {
@@ -197,20 +194,20 @@ exports! {
     /// Passes all colliders that contain a point to the visitor.
     fn query_intersections_with_point(world: u32) {
         let point = vector(0, "point")?;
-        query(world, |world, filter| visit(world.intersect_point(point, filter)))?;
+        query(world, |view| visit(view.intersect_point(point)))?;
     }
 
     /// A collider that a shape touches. The scratch block holds the pose of the shape.
     fn query_intersection_with_shape(world: u32, number: u32) -> f64 {
         let (shape, pose) = (shape(number)?, memory::pose(0)?);
-        let found = query(world, |world, filter| world.intersect_shape(pose, &*shape, filter).next().map(|(handle, _)| handle))?;
+        let found = query(world, |view| view.intersect_shape(pose, &*shape).next().map(|(handle, _)| handle))?;
         optional(found)
     }
 
     /// Passes all colliders that a shape touches to the visitor.
     fn query_intersections_with_shape(world: u32, number: u32) {
         let (shape, pose) = (shape(number)?, memory::pose(0)?);
-        query(world, |world, filter| visit(world.intersect_shape(pose, &*shape, filter)))?;
+        query(world, |view| visit(view.intersect_shape(pose, &*shape)))?;
     }
 
     /// The first collider in the path of a shape: pose in places 0 and 1, velocity in place 2. Writes the
@@ -218,7 +215,7 @@ exports! {
     fn query_cast_shape(world: u32, number: u32, target: f64, max: f64, stop: u32) -> f64 {
         let (shape, pose, velocity) = (shape(number)?, memory::pose(0)?, vector(2, "shapeVel")?);
         let options = cast_options(target, max, stop)?;
-        let hit = query(world, |world, filter| world.cast_shape(&pose, velocity, &*shape, options, filter))?;
+        let hit = query(world, |view| view.cast_shape(&pose, velocity, &*shape, options))?;
         answer(hit, put_shape_hit)
     }
 
@@ -226,7 +223,11 @@ exports! {
     fn query_colliders_in_aabb(world: u32) {
         let (center, extents) = (vector(0, "aabbCenter")?, vector(1, "aabbHalfExtents")?);
         let aabb = Aabb::from_half_extents(center, extents.abs());
-        query(world, |world, filter| visit(world.intersect_aabb_conservative(aabb, filter)))?;
+        query(world, |view| {
+            // The trees hold the boxes of the last step, too.
+            let found = view.intersect_aabb_conservative(aabb);
+            visit(found.filter(|(_, collider)| collider.compute_aabb().intersects(&aabb)));
+        })?;
     }
 
     /// The high half of the number of a feature that is in a place.

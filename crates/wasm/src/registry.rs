@@ -10,7 +10,7 @@ use crate::memory::{self, Single};
 use crate::mirror::Mirror;
 use crate::rapier::dynamics::{RigidBody, RigidBodyHandle, RigidBodySet};
 use crate::rapier::geometry::{Collider, ColliderHandle, ColliderSet};
-use crate::rapier::pipeline::PhysicsWorld;
+use crate::rapier::pipeline::{PhysicsWorld, QueryPipeline};
 use core::cell::Cell;
 use core::hint::black_box;
 use core::ptr::null;
@@ -93,9 +93,17 @@ pub enum Activity {
 /// The sets that a hook may read while it runs.
 pub type LentSets = (*const RigidBodySet, *const ColliderSet);
 
+/// The trees of a world's queries. They contain edits since the last step, too.
+struct Queries {
+    pipeline: QueryPipeline,
+    /// The world may have changed since the last update.
+    is_stale: bool,
+}
+
 /// A world with the boundary's state. It is shared: a call from a hook reads it during the step.
 pub struct Instance {
     world: Single<PhysicsWorld>,
+    queries: Single<Queries>,
     activity: Cell<Activity>,
     sets: Cell<LentSets>,
     mirror: Single<Option<Mirror>>,
@@ -108,6 +116,7 @@ pub fn insert_world(mut world: PhysicsWorld) -> u32 {
     world.physics_pipeline.counters.disable();
     let instance = Instance {
         world: Single::new(world),
+        queries: Single::new(Queries { pipeline: QueryPipeline::new(), is_stale: true }),
         activity: Cell::new(Activity::Idle),
         sets: Cell::new((null(), null())),
         mirror: Single::new(None),
@@ -210,6 +219,8 @@ pub fn stepped(
         let world = unsafe { instance.world.get() };
         work(world, &instance.sets, events);
         // SAFETY: the reference ends with the statement.
+        unsafe { instance.queries.get() }.is_stale = true;
+        // SAFETY: the reference ends with the statement.
         if let Some(mirror) = unsafe { instance.mirror.get() } {
             mirror.update(world);
         }
@@ -218,10 +229,48 @@ pub fn stepped(
     Ok(())
 }
 
-/// Gives a query read access to a world. JavaScript may read it meanwhile.
-pub fn queried<R>(number: u32, work: impl FnOnce(&PhysicsWorld) -> R) -> Result<R, Fault> {
-    let world = read(number)?;
-    Ok(run(number, instance(number)?, Activity::Read, 0, || work(world)))
+/// Returns the world for reading, with the colliders of bodies that were moved at their new poses. A callback
+/// of a query reads what the query has moved.
+pub fn moved(number: u32) -> Result<&'static PhysicsWorld, Fault> {
+    let instance = instance(number)?;
+    if instance.activity.get() == Activity::Idle {
+        // SAFETY: no step or query is running, and the reference ends with the block.
+        let world = unsafe { instance.world.get() };
+        world.bodies.propagate_modified_body_positions_to_colliders(&mut world.colliders);
+    }
+    read(number)
+}
+
+/// Updates the trees of queries after edits and steps. Without any since the last update, it has no effect.
+pub fn update_queries(
+    number: u32,
+) -> Result<(&'static PhysicsWorld, &'static QueryPipeline), Fault> {
+    let instance = instance(number)?;
+    // SAFETY: callbacks of queries change nothing, so only the outermost query updates the trees: it comes
+    // before every use of them.
+    let queries = unsafe { instance.queries.get() };
+    if queries.is_stale && instance.activity.get() == Activity::Idle {
+        queries.pipeline.update(&moved(number)?.colliders);
+        queries.is_stale = false;
+    }
+    Ok((read(number)?, &queries.pipeline))
+}
+
+/// Gives a query read access to a world and to its trees. JavaScript may read the world meanwhile.
+pub fn queried<R>(
+    number: u32,
+    work: impl FnOnce(&PhysicsWorld, &QueryPipeline) -> R,
+) -> Result<R, Fault> {
+    let (world, queries) = update_queries(number)?;
+    Ok(run(number, instance(number)?, Activity::Read, 0, || work(world, queries)))
+}
+
+/// Returns the world for changes by a controller, and the trees of its queries.
+pub fn controlled(
+    number: u32,
+) -> Result<(&'static mut PhysicsWorld, &'static QueryPipeline), Fault> {
+    let (_, queries) = update_queries(number)?;
+    Ok((write(number)?, queries))
 }
 
 /// Returns the mirror of a world, updated on request.
@@ -271,6 +320,8 @@ pub fn write(number: u32) -> Result<&'static mut PhysicsWorld, Fault> {
     if activity != Activity::Idle {
         return Err(busy(activity));
     }
+    // SAFETY: the reference ends with the statement.
+    unsafe { instance.queries.get() }.is_stale = true;
     // SAFETY: the reference ends with the statement.
     if let Some(mirror) = unsafe { instance.mirror.get() } {
         mirror.is_stale = true;

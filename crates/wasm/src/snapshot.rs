@@ -3,7 +3,7 @@
 use crate::fault::{Fault, Kind};
 use crate::memory;
 use crate::rapier::pipeline::PhysicsWorld;
-use crate::registry::{insert_world, read};
+use crate::registry::{insert_world, moved, read};
 
 #[cold]
 fn refused(error: impl core::fmt::Display) -> Fault {
@@ -13,7 +13,7 @@ fn refused(error: impl core::fmt::Display) -> Fault {
 exports! {
     /// Saves a world. The scratch block holds the gravity. The bytes hold the snapshot. Returns their number.
     fn world_save(world: u32) -> u32 {
-        let (gravity, saved) = (memory::vector(0, "gravity")?, read(world)?);
+        let (gravity, saved) = (memory::vector(0, "gravity")?, moved(world)?);
         let snapshot = if saved.gravity == gravity {
             saved.to_snapshot()
         } else {
@@ -33,7 +33,7 @@ exports! {
     /// Copies a world. The scratch block holds the gravity. Returns the number of the copy.
     fn world_copy(world: u32) -> u32 {
         let gravity = memory::vector(0, "gravity")?;
-        let mut copy = read(world)?.clone();
+        let mut copy = moved(world)?.clone();
         copy.gravity = gravity;
         insert_world(copy)
     }

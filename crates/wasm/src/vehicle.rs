@@ -8,7 +8,7 @@ use crate::rapier::control::{DynamicRayCastVehicleController, Wheel, WheelTuning
 use crate::rapier::dynamics::RigidBodyHandle;
 use crate::rapier::geometry::{Collider, ColliderHandle};
 use crate::rapier::math::Real;
-use crate::registry::{Registry, body, write};
+use crate::registry::{Registry, body, controlled};
 
 static VEHICLES: Single<Registry<DynamicRayCastVehicleController>> = Single::new(Registry::new());
 
@@ -42,6 +42,21 @@ fn wheel_number(wheel: &mut Wheel, number: u32) -> Option<&mut Real> {
 
 /// Numbers of a wheel that can be set.
 const SETTABLE: u32 = 12;
+/// The names of these numbers in TypeScript.
+const NAMES: [&str; SETTABLE as usize] = [
+    "wheelSuspensionRestLength",
+    "wheelMaxSuspensionTravel",
+    "wheelRadius",
+    "wheelSuspensionStiffness",
+    "wheelSuspensionCompression",
+    "wheelSuspensionRelaxation",
+    "wheelMaxSuspensionForce",
+    "wheelBrake",
+    "wheelSteering",
+    "wheelEngineForce",
+    "wheelFrictionSlip",
+    "wheelSideFrictionStiffness",
+];
 /// Settings that may be negative: steering and engine force.
 const SIGNED: [u32; 2] = [8, 9];
 
@@ -73,7 +88,8 @@ exports! {
         let is_ground = |handle: ColliderHandle, _: &Collider| left_out.binary_search(&handle.to_number().to_bits()).is_err();
         let mut selection = filter();
         selection.predicate = if left_out.is_empty() { None } else { Some(&is_ground) };
-        vehicle.update_vehicle(dt, write(world)?.query_pipeline_mut(selection));
+        let (world, queries) = controlled(world)?;
+        vehicle.update_vehicle(dt, queries.view_mut(&mut world.bodies, &world.colliders, selection));
     }
 
     /// The speed along the forward axis.
@@ -122,11 +138,12 @@ exports! {
 
     /// Sets a number of a wheel.
     fn wheel_set(vehicle_number: u32, index: usize, what: u32, value: f64) {
-        let value = if SIGNED.contains(&what) { finite("the value", value)? } else { non_negative("the value", value)? };
-        let wheel = wheel(vehicle_number, index)?;
-        match wheel_number(wheel, what) {
-            Some(number) if what < SETTABLE => *number = value as Real,
-            _ => return Err(Fault::number("the number of the wheel", what.into(), "one that can be set")),
+        let Some(&name) = NAMES.get(what as usize) else {
+            return Err(Fault::number("the number of the wheel", what.into(), "one that can be set"));
+        };
+        let value = if SIGNED.contains(&what) { finite(name, value)? } else { non_negative(name, value)? };
+        if let Some(number) = wheel_number(wheel(vehicle_number, index)?, what) {
+            *number = value as Real;
         }
     }
 
@@ -148,7 +165,11 @@ exports! {
 
     /// Sets a vector of a wheel: connection, direction, axle.
     fn wheel_set_vector(vehicle_number: u32, index: usize, what: u32) {
-        let value = if what == 0 { vector(0, "the point")? } else { memory::direction(0, "the direction")? };
+        let value = match what {
+            0 => vector(0, "wheelChassisConnectionPointCs")?,
+            1 => memory::direction(0, "wheelDirectionCs")?,
+            _ => memory::direction(0, "wheelAxleCs")?,
+        };
         let wheel = wheel(vehicle_number, index)?;
         match what {
             0 => wheel.chassis_connection_point_cs = value,

@@ -1,13 +1,13 @@
 //! Worlds: creation, steps, parameters and the hash.
 
 use crate::events::fill;
-use crate::fault::{Fault, finite, non_negative};
+use crate::fault::{Fault, non_negative};
 use crate::hooks::Hooks;
 use crate::memory;
-use crate::rapier::dynamics::{IntegrationParameters, SpringCoefficients};
+use crate::rapier::dynamics::{CONTACT_ERP_SCALE, IntegrationParameters, SpringCoefficients};
 use crate::rapier::math::Real;
 use crate::rapier::pipeline::PhysicsWorld;
-use crate::registry::{free_world, insert_world, read, stepped, write};
+use crate::registry::{free_world, insert_world, moved, read, stepped, update_queries, write};
 use crate::threads;
 
 /// Parameters, in the order of `Parameter` in TypeScript.
@@ -22,7 +22,31 @@ mod parameter {
     pub const PREDICTION_DISTANCE: u32 = 7;
     pub const CONTACT_FREQUENCY: u32 = 8;
     pub const CONTACT_DAMPING_RATIO: u32 = 9;
+    pub const ADDITIONAL_FRICTION_ITERATIONS: u32 = 10;
+
+    /// The names in TypeScript.
+    pub const NAMES: [&str; 11] = [
+        "the timestep dt",
+        "numSolverIterations",
+        "numInternalPgsIterations",
+        "maxCcdSubsteps",
+        "lengthUnit",
+        "contact_erp",
+        "normalizedAllowedLinearError",
+        "normalizedPredictionDistance",
+        "contact_natural_frequency",
+        "contact_damping_ratio",
+        "numAdditionalFrictionIterations",
+    ];
 }
+
+/// The parameters that are whole numbers.
+const COUNTS: [u32; 4] = [
+    parameter::SOLVER_ITERATIONS,
+    parameter::PGS_ITERATIONS,
+    parameter::CCD_SUBSTEPS,
+    parameter::ADDITIONAL_FRICTION_ITERATIONS,
+];
 
 fn parameter_of(parameters: &IntegrationParameters, number: u32) -> f64 {
     match number {
@@ -34,8 +58,23 @@ fn parameter_of(parameters: &IntegrationParameters, number: u32) -> f64 {
         parameter::CONTACT_ERP => parameters.erp.into(),
         parameter::ALLOWED_LINEAR_ERROR => parameters.allowed_linear_error.into(),
         parameter::PREDICTION_DISTANCE => parameters.normalized_prediction_distance.into(),
-        _ => parameters.damping_ratio.into(),
+        parameter::ADDITIONAL_FRICTION_ITERATIONS => {
+            parameters.num_additional_friction_iterations as f64
+        }
+        parameter::CONTACT_DAMPING_RATIO => parameters.damping_ratio.into(),
+        _ => f64::NAN,
     }
+}
+
+/// The fraction of a contact's error that a substep removes, for the frequency of a spring (1/s) with the
+/// damping of the published packages. Their default frequency selects the engine's default.
+fn erp_of_spring(frequency: Real, substep: Real) -> Real {
+    let published = SpringCoefficients::contact_defaults();
+    if frequency == published.natural_frequency {
+        return IntegrationParameters::default().erp;
+    }
+    let fraction = SpringCoefficients::new(frequency, published.damping_ratio).erp(substep);
+    (fraction / CONTACT_ERP_SCALE).min(1.0)
 }
 
 fn change_parameter(
@@ -43,7 +82,13 @@ fn change_parameter(
     number: u32,
     value: f64,
 ) -> Result<(), Fault> {
-    let (real, count) = (non_negative("the parameter", value)? as Real, value as usize);
+    let Some(&name) = parameter::NAMES.get(number as usize) else {
+        return Err(Fault::number("the parameter", number.into(), "a Parameter"));
+    };
+    let (real, count) = (non_negative(name, value)? as Real, value as usize);
+    if COUNTS.contains(&number) && value.fract() != 0.0 {
+        return Err(Fault::number(name, value, "a whole number"));
+    }
     let mut changed = *parameters;
     match number {
         parameter::DT => changed.dt = real,
@@ -55,12 +100,14 @@ fn change_parameter(
         parameter::ALLOWED_LINEAR_ERROR => changed.allowed_linear_error = real,
         parameter::PREDICTION_DISTANCE => changed.normalized_prediction_distance = real,
         parameter::CONTACT_FREQUENCY => {
-            changed.erp = SpringCoefficients::new(real, changed.damping_ratio).erp(changed.dt);
+            changed.erp = erp_of_spring(real, changed.substep());
         }
-        parameter::CONTACT_DAMPING_RATIO => changed.damping_ratio = real,
-        _ => return Err(Fault::number("the parameter", number.into(), "a Parameter")),
+        parameter::ADDITIONAL_FRICTION_ITERATIONS => {
+            changed.num_additional_friction_iterations = count;
+        }
+        _ => changed.damping_ratio = real,
     }
-    changed.validate().map_err(Fault::invalid)?;
+    changed.validate().map_err(|error| Fault::number(name, value, error.expected))?;
     *parameters = changed;
     Ok(())
 }
@@ -116,9 +163,9 @@ exports! {
         })?;
     }
 
-    /// A hash of the simulated state.
+    /// A hash of the simulated state, the same before and after queries.
     fn world_hash(world: u32) -> u64 {
-        read(world)?.hash()
+        moved(world)?.hash()
     }
 
     /// A parameter of the steps.
@@ -128,7 +175,7 @@ exports! {
 
     /// Changes a parameter of the steps.
     fn world_set_parameter(world: u32, number: u32, value: f64) {
-        change_parameter(&mut write(world)?.integration_parameters, number, finite("the parameter", value)?)?;
+        change_parameter(&mut write(world)?.integration_parameters, number, value)?;
     }
 
     /// Returns whether the stages are timed.
@@ -145,6 +192,11 @@ exports! {
     /// Milliseconds of a stage of the last step.
     fn world_timing(world: u32, stage: usize) -> f64 {
         timings(read(world)?).get(stage).copied().unwrap_or(0.0)
+    }
+
+    /// Updates the trees of queries. Queries do it, too.
+    fn world_update_queries(world: u32) {
+        update_queries(world)?;
     }
 
     /// Wakes all bodies.

@@ -106,8 +106,8 @@ impl RigidBody {
         let lacked_mass = core::mem::replace(&mut self.warned_without_mass, lacks_mass);
         if lacks_mass && !lacked_mass {
             log::warn!(
-                "a dynamic body has {} colliders and no mass: contacts cannot stop its fall; a density, a mass or \
-                 additional_mass is needed",
+                "a dynamic body has {} colliders and no mass: no force, gravity or contact moves it; a density, a \
+                 mass or additional_mass is needed",
                 attached.len()
             );
         }

@@ -4,6 +4,7 @@
 
 use super::{RigidBody, RigidBodyVelocity};
 use crate::base::measure::is_point;
+use crate::dim::axes::inv_mass_per_axis;
 use crate::dim::mass::angular_momentum;
 use crate::dim::math::{
     ANG_ZERO, AngVector, Real, Vector, ang_dot, ang_is_finite, mul_inertia, torque,
@@ -127,6 +128,15 @@ impl RigidBody {
     pub fn gravitational_potential_energy(&self, dt: Real, gravity: Vector) -> Real {
         let center_of_mass = self.mprops.world_com - self.vels.linvel * (dt * 0.5);
         -self.mass() * self.gravity_scale * gravity.dot(center_of_mass)
+    }
+
+    /// The acceleration by gravity along the axes that are not locked. Gravity is a force: without mass a
+    /// body has no weight, and no force accelerates it.
+    pub(crate) fn gravitational_acceleration(&self, gravity: Vector) -> Vector {
+        if self.mprops.local_mprops.inv_mass == 0.0 {
+            return Vector::ZERO;
+        }
+        gravity * self.gravity_scale * inv_mass_per_axis(self.mprops.locked_axes, 1.0)
     }
 }
 

@@ -13,7 +13,6 @@
 //! many all awake bodies. Then nothing moves, and the step cannot fail.
 
 use crate::base::measure::MODERATE_MAX;
-use crate::dim::axes::inv_mass_per_axis;
 use crate::dim::math::{AngVector, Real, Vector, ang_length_squared, mul_inertia};
 use crate::model::body::{
     QuarantineCause, RigidBody, RigidBodyHandle, RigidBodyType, RigidBodyVelocity,
@@ -267,7 +266,7 @@ impl Accelerations {
         let mprops = &body.mprops;
         let (force, torque) = body.forces();
         Self {
-            by_gravity: gravity * body.gravity_scale * inv_mass_per_axis(mprops.locked_axes, 1.0),
+            by_gravity: body.gravitational_acceleration(gravity),
             by_force: force * mprops.inv_mass,
             by_torque: mul_inertia(&mprops.inv_inertia, torque),
         }

@@ -1,7 +1,6 @@
 //! Free motion of bodies, [`LANES`] at a time.
 
 use crate::base::wide::{Kernel, LANES, Wide};
-use crate::dim::axes::inv_mass_per_axis;
 use crate::dim::math::{Real, Vector, mul_inertia};
 use crate::dim::motion::{FreeMotion, accelerated, gyroscopic};
 use crate::dim::rotation_vector::turned_further;
@@ -13,9 +12,7 @@ use crate::step::solver::states::{load_states, store_states};
 pub(super) fn motion_of(body: &RigidBody, gravity: Vector, substep: Real) -> FreeMotion {
     let (force, torque) = body.forces();
     let mprops = &body.mprops;
-    // Gravity accelerates all movable bodies, with or without mass.
-    let free = inv_mass_per_axis(mprops.locked_axes, 1.0);
-    let linear = gravity * body.gravity_scale * free + force * mprops.inv_mass;
+    let linear = body.gravitational_acceleration(gravity) + force * mprops.inv_mass;
     let angular = mul_inertia(&mprops.inv_inertia, torque);
     let damping = [body.linear_damping, body.angular_damping];
     let may_be_in_pile = gravity * body.gravity_scale != Vector::ZERO;
