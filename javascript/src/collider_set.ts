@@ -30,8 +30,11 @@ export class ColliderSet {
         return collider;
     }
 
-    /** Removes a collider. A stale handle has no effect. */
+    /** Removes a collider. A stale handle has no effect, as any in a freed world. */
     remove(handle: ColliderHandle, _islands?: unknown, _bodies?: unknown, wakeUp = true): void {
+        if (!this.world.isAlive()) {
+            return;
+        }
         raw.collider_remove(this.world.id, handle, +wakeUp);
         this.map.delete(handle);
     }

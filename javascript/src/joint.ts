@@ -510,8 +510,11 @@ abstract class JointSet<T extends Joint> {
         this.map.set(handle, this.make(raw.joint_kind(this.world.id, this.set, handle), handle));
     }
 
-    /** Removes a joint. A stale handle has no effect. */
+    /** Removes a joint. A stale handle has no effect, as any in a freed world. */
     remove(handle: number, wakeUp = true): void {
+        if (!this.world.isAlive()) {
+            return;
+        }
         raw.joint_remove(this.world.id, this.set, handle, +wakeUp);
         this.map.delete(handle);
     }

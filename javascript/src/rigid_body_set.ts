@@ -28,8 +28,11 @@ export class RigidBodySet {
         return body;
     }
 
-    /** Removes a body with its colliders and joints. A stale handle has no effect. */
+    /** Removes a body with its colliders and joints. A stale handle has no effect, as any in a freed world. */
     remove(handle: RigidBodyHandle): void {
+        if (!this.world.isAlive()) {
+            return;
+        }
         const groups = listCopy(raw.body_remove(this.world.id, handle));
         this.map.delete(handle);
         const sets = [this.world.colliders, this.world.impulseJoints, this.world.multibodyJoints];

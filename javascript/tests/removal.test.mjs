@@ -100,6 +100,22 @@ test("what goes with a body can be removed after it", () => {
     world.free();
 });
 
+test("in a freed world all things are gone", () => {
+    const { world } = makeGround();
+    const things = Object.values(kinds(world));
+    const character = world.createCharacterController(0.1);
+    world.free();
+    for (const [thing, remove, removeFromSet] of things) {
+        remove(thing);
+        remove(thing.handle);
+        removeFromSet(thing.handle);
+    }
+    world.removeCharacterController(character);
+    const other = makeGround().world;
+    things.forEach(([thing], index) => assert.throws(() => Object.values(kinds(other))[index][1](thing), fails("StaleHandle", "another world")));
+    other.free();
+});
+
 test("removals between steps and inside a frame are the same world", () => {
     const hashes = [false, true].map((again) => {
         const { world } = makeGround();
