@@ -50,3 +50,10 @@ export function requireCount(value: number, name: string): number {
     }
     return value;
 }
+
+/** Requires a function. */
+export function requireFunction(value: unknown, name: string): void {
+    if (typeof value !== "function") {
+        throw wrong(name, value, "a function");
+    }
+}

@@ -1,4 +1,5 @@
 import { type Vector, VectorOps, getVector, putVector } from "#dim";
+import { requireFunction } from "./arguments.js";
 import type { Collider, ColliderHandle } from "./collider.js";
 import type { InteractionGroups, QueryFilterFlags } from "./enums.js";
 import { Owner } from "./owner.js";
@@ -212,6 +213,9 @@ export class KinematicCharacterController extends Owner {
         const handle = world.handleOf(collider, "collider", "collider");
         const own = world.colliders.get(handle);
         const mass = this.pushes ? (this.mass ?? own?.parent()?.mass() ?? own?.mass() ?? NaN) : NaN;
+        if (filterPredicate) {
+            requireFunction(filterPredicate, "filterPredicate");
+        }
         const accept = filterPredicate && ((other: ColliderHandle) => filterPredicate(world.colliders.get(other)!));
         putVector(0, desiredTranslationDelta, "desiredTranslationDelta");
         run([filterFlags, filterGroups, undefined, undefined, accept], () =>

@@ -85,6 +85,7 @@ export type AngVector = number;
 export type AngularInertia = number;
 
 function fill(target: Vector, numbers: ArrayLike<number>, at: number): Vector {
+    requireVector(target, "target");
     target.x = numbers[at]!;
     target.y = numbers[at + 1]!;
     return target;

@@ -184,6 +184,7 @@ export class SdpMatrix3Ops {
 export type AngularInertia = SdpMatrix3;
 
 function fill(target: Vector, numbers: ArrayLike<number>, at: number): Vector {
+    requireVector(target, "target");
     target.x = numbers[at]!;
     target.y = numbers[at + 1]!;
     target.z = numbers[at + 2]!;
@@ -191,6 +192,7 @@ function fill(target: Vector, numbers: ArrayLike<number>, at: number): Vector {
 }
 
 function fillRotation(target: Rotation, numbers: ArrayLike<number>, at: number): Rotation {
+    requireRotation(target, "target");
     target.x = numbers[at]!;
     target.y = numbers[at + 1]!;
     target.z = numbers[at + 2]!;

@@ -1,4 +1,5 @@
 import { DIM, type Vector, vectorAt } from "#dim";
+import { requireFunction } from "./arguments.js";
 import type { ColliderHandle } from "./collider.js";
 import { RapierError } from "./error.js";
 import { Owner } from "./owner.js";
@@ -71,6 +72,7 @@ export class EventQueue extends Owner {
 
     /** Calls a function with each collision that started or stopped, and removes them. */
     drainCollisionEvents(f: (handle1: ColliderHandle, handle2: ColliderHandle, started: boolean) => void): void {
+        requireFunction(f, "f");
         const events = this.takeCollisionEvents();
         for (let at = 0; at < events.length; at += 3) {
             f(events[at]!, events[at + 1]!, events[at + 2] !== 0);
@@ -87,6 +89,7 @@ export class EventQueue extends Owner {
 
     /** Calls a function with each strong contact force, and removes them. */
     drainContactForceEvents(f: (event: TempContactForceEvent) => void): void {
+        requireFunction(f, "f");
         const count = raw.queue_take_forces(this.id) / 2;
         if (count === 0) {
             return;

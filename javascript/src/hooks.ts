@@ -1,4 +1,5 @@
 import { type Vector, getVector, putVector } from "#dim";
+import { requireFunction } from "./arguments.js";
 import type { ColliderHandle } from "./collider.js";
 import { SolverFlags } from "./enums.js";
 import { type Hook, getNumber, putNumber } from "./raw.js";
@@ -86,11 +87,17 @@ export interface PhysicsHooks {
 
 /** Returns the bits of the present hooks. */
 export function presentHooks(hooks: PhysicsHooks): number {
-    const present = (hook: unknown, kind: number): number => (hook ? 1 << kind : 0);
+    const present = (name: keyof PhysicsHooks, kind: number): number => {
+        if (!hooks[name]) {
+            return 0;
+        }
+        requireFunction(hooks[name], `hooks.${name}`);
+        return 1 << kind;
+    };
     return (
-        present(hooks.filterContactPair, Kind.contact) |
-        present(hooks.filterIntersectionPair, Kind.intersection) |
-        present(hooks.modifySolverContacts, Kind.modification)
+        present("filterContactPair", Kind.contact) |
+        present("filterIntersectionPair", Kind.intersection) |
+        present("modifySolverContacts", Kind.modification)
     );
 }
 

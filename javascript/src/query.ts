@@ -1,6 +1,7 @@
 // Queries of worlds and of their broad phases.
 
 import { type Rotation, type Vector, putRotation, putVector } from "#dim";
+import { requireFunction } from "./arguments.js";
 import type { Collider, ColliderHandle } from "./collider.js";
 import type { InteractionGroups, QueryFilterFlags } from "./enums.js";
 import {
@@ -34,8 +35,11 @@ const NO_CALLBACKS = {};
 
 /** Runs a query with a filter and a visitor. */
 export function run<R>(filter: Filter, call: () => R, visitor?: (collider: ColliderHandle) => boolean): R {
-    putFilter(filter);
     const predicate = filter[4];
+    if (predicate) {
+        requireFunction(predicate, "filterPredicate");
+    }
+    putFilter(filter);
     if (!predicate && !visitor) {
         return withCallbacks(NO_CALLBACKS, call);
     }
@@ -89,6 +93,7 @@ export class BroadPhase {
         callback: (intersect: RayColliderIntersection) => boolean,
         ...filter: Filter
     ): void {
+        requireFunction(callback, "callback");
         putRay(ray);
         const visitor = (handle: ColliderHandle) => callback(RayColliderIntersection.read(this.collider(handle)!));
         run(filter, () => raw.query_intersections_with_ray(this.world.id, maxToi, +solid), visitor);

@@ -2,6 +2,7 @@
 
 import { type Vector, getVector, putVector } from "#dim";
 import type { RigidBody } from "#rigid_body";
+import { requireFunction } from "./arguments.js";
 import type { Collider } from "./collider.js";
 import type { InteractionGroups, QueryFilterFlags } from "./enums.js";
 import { Owner } from "./owner.js";
@@ -34,6 +35,9 @@ export class DynamicRayCastVehicleController extends Owner {
         filterGroups?: InteractionGroups,
         filterPredicate?: (collider: Collider) => boolean,
     ): void {
+        if (filterPredicate) {
+            requireFunction(filterPredicate, "filterPredicate");
+        }
         // The vehicle changes the world while it searches for the ground, so the predicate is called before.
         const leftOut = filterPredicate ? this.world.colliders.getAll().filter((collider) => filterPredicate(collider) === false) : [];
         const handles = Float64Array.from(leftOut, (collider) => collider.handle);

@@ -1,7 +1,7 @@
 import { type PidAxesMask, type Rotation, type Vector, getVector, putVector } from "#dim";
 import type { ColliderDesc } from "#collider_desc";
 import { RigidBody, type RigidBodyDesc } from "#rigid_body";
-import { requireClass, requireList, requireObject } from "./arguments.js";
+import { requireClass, requireFunction, requireList, requireObject } from "./arguments.js";
 import { KinematicCharacterController } from "./character_controller.js";
 import { Collider, type ColliderHandle } from "./collider.js";
 import { ColliderSet } from "./collider_set.js";
@@ -100,8 +100,9 @@ interface Controller {
     free(): void;
 }
 
-function isAbsent(value: unknown): value is undefined | null {
-    return value === undefined || value === null;
+/** Returns whether an optional argument is left out. Programs write `condition && body`, too. */
+function isAbsent(value: unknown): value is undefined | null | false {
+    return value === undefined || value === null || value === false;
 }
 
 /** The filter of a query, as its last arguments. */
@@ -541,6 +542,9 @@ export class World extends Owner {
 
     /** The filter of a query, with colliders and bodies as objects. */
     private filter([flags, groups, collider, body, predicate]: ObjectFilter): Filter {
+        if (!isAbsent(predicate)) {
+            requireFunction(predicate, "filterPredicate");
+        }
         const accept = predicate && ((handle: ColliderHandle) => predicate(this.colliders.get(handle)!));
         const excluded = [
             isAbsent(collider) ? undefined : this.handleOf(collider, "collider", "filterExcludeCollider"),
@@ -646,6 +650,7 @@ export class World extends Owner {
     }
 
     private visitor(callback: (collider: Collider) => boolean): (handle: ColliderHandle) => boolean {
+        requireFunction(callback, "callback");
         return (handle) => callback(this.colliders.get(handle)!);
     }
 
@@ -653,11 +658,13 @@ export class World extends Owner {
 
     /** Calls a function with each collider that has a contact pair with a collider. */
     contactPairsWith(collider1: Collider | ColliderHandle, f: (collider2: Collider) => void): void {
+        requireFunction(f, "f");
         this.narrowPhase.contactPairsWith(this.handleOf(collider1, "collider", "collider1"), (handle) => f(this.colliders.get(handle)!));
     }
 
     /** Calls a function with each collider that intersects a collider, one of them a sensor. */
     intersectionPairsWith(collider1: Collider | ColliderHandle, f: (collider2: Collider) => void): void {
+        requireFunction(f, "f");
         this.narrowPhase.intersectionPairsWith(this.handleOf(collider1, "collider", "collider1"), (handle) => f(this.colliders.get(handle)!));
     }
 

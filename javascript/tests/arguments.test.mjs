@@ -100,7 +100,8 @@ for (const [name, [argument, call]] of Object.entries(CALLS)) {
 }
 
 test("optional arguments of the wrong kind are named", () => {
-    const { world, ray } = scene();
+    const { world, ray, body, collider } = scene();
+    const queue = new RAPIER.EventQueue(true);
     for (const wrong of ["5", true, {}]) {
         assert.throws(() => world.createCollider(box(1, 1), wrong), fails("InvalidValue", "parent is"));
         assert.throws(() => world.castRay(ray, 10, true, 0, undefined, wrong), fails("InvalidValue", "filterExcludeCollider is"));
@@ -108,6 +109,23 @@ test("optional arguments of the wrong kind are named", () => {
         assert.throws(() => world.step(wrong), fails("InvalidValue", "eventQueue is"));
     }
     assert.throws(() => world.step(undefined, "5"), fails("InvalidValue", "hooks is"));
+    for (const wrong of ["5", true, {}, 5]) {
+        assert.throws(() => world.step(undefined, { filterContactPair: wrong }), fails("InvalidValue", "hooks.filterContactPair is"));
+        assert.throws(() => world.castRay(ray, 10, true, 0, undefined, undefined, undefined, wrong), fails("InvalidValue", "filterPredicate is"));
+        assert.throws(() => world.intersectionsWithRay(ray, 10, true, wrong), fails("InvalidValue", "callback is"));
+        assert.throws(() => world.intersectionsWithPoint(zero, wrong), fails("InvalidValue", "callback is"));
+        assert.throws(() => world.contactPairsWith(collider, wrong), fails("InvalidValue", "f is"));
+        assert.throws(() => queue.drainCollisionEvents(wrong), fails("InvalidValue", "f is"));
+    }
+    for (const wrong of ["5", true, 5]) {
+        assert.throws(() => body.translation(wrong), fails("InvalidValue", "target is"));
+    }
+    for (const absent of [undefined, null, false]) {
+        assert.equal(world.createCollider(box(1, 1), absent).parent(), null);
+        assert.ok(world.castRay(ray, 10, true, 0, undefined, absent, absent, absent));
+        world.step(absent, absent);
+    }
+    queue.free();
     world.free();
 });
 
