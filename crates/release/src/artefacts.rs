@@ -8,8 +8,8 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-/// Assembles the artefacts of one kind, and returns their names and sizes in bytes. The arguments are the repository, the folder
-/// of all artefacts, and the settings.
+/// Assembles the artefacts of one kind, and returns their names and sizes in bytes. The arguments are the
+/// repository, the folder of all artefacts, and the settings.
 pub type Assemble = fn(&Path, &Path, &Settings) -> Result<Vec<(String, u64)>, Failure>;
 
 /// `.crate` files of all published crates.

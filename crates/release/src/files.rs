@@ -42,8 +42,8 @@ pub fn entries(folder: &Path) -> Result<Vec<String>, Failure> {
     Ok(names)
 }
 
-/// Copies the files below a folder for which `wanted` is true. `wanted` gets the name of an entry, whether of a file or a
-/// folder.
+/// Copies the files below a folder for which `wanted` is true. `wanted` gets the name of an entry, whether
+/// of a file or a folder.
 pub fn copy_tree(from: &Path, to: &Path, wanted: &dyn Fn(&str) -> bool) -> Result<(), Failure> {
     for name in entries(from)?.iter().filter(|name| wanted(name)) {
         let (source, target) = (from.join(name), to.join(name));

@@ -1,6 +1,7 @@
 //! Assembles the artefacts of a release into one folder: crates, the Python packages and the npm tarballs.
 //!
-//! `cargo run -p release` publishes nothing. `crates/release/try` then uses the artefacts as a user would, outside the repository.
+//! `cargo run -p release` publishes nothing. `crates/release/try` then uses the artefacts as a user would,
+//! outside the repository.
 
 mod artefacts;
 mod files;

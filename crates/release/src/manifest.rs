@@ -1,7 +1,8 @@
 //! Manifests that stand alone.
 //!
-//! A manifest of the repository inherits from its workspace, names path dependencies, and points to sources outside its folder.
-//! A published manifest can do neither. The functions of this file edit the text with `toml_edit`, so that comments stay.
+//! A manifest of the repository inherits from its workspace, names path dependencies, and points to sources
+//! outside its folder. A published manifest can do neither. The functions of this file edit the text with
+//! `toml_edit`, so that comments stay.
 
 use crate::Failure;
 use crate::files::read;
@@ -76,7 +77,8 @@ fn merged(inherited: Item, own: &dyn TableLike) -> Item {
     Item::Value(Value::InlineTable(merged))
 }
 
-/// The path dependencies of a manifest: the name that the package uses, and the folder, relative to the package's.
+/// The path dependencies of a manifest: the name that the package uses, and the folder, relative to the
+/// package's.
 pub fn path_dependencies(manifest: &DocumentMut) -> Vec<(String, PathBuf)> {
     let table = manifest.get("dependencies").and_then(Item::as_table_like);
     let all = table.into_iter().flat_map(TableLike::iter);

@@ -8,8 +8,8 @@ use std::path::Path;
 /// Place of the settings in the repository.
 pub const PLACE: &str = "crates/release/release.toml";
 
-/// Manifests that state the version of their package, and the field that does. The facade has the version of the published Rapier
-/// that it replaces.
+/// Manifests that state the version of their package, and the field that does. The facade has the version
+/// of the published Rapier that it replaces.
 const MANIFESTS: [(&str, &str); 6] = [
     ("Cargo.toml", "version ="),
     ("crates/bevy/Cargo.toml", "version ="),

@@ -1,7 +1,8 @@
 //! A workspace outside the repository, in which each package contains its own sources.
 //!
-//! All engine crates share one source tree that lies outside their folders, and `cargo package` and `maturin sdist` leave out what
-//! lies there. The stage copies to each package the files of its library, its licences and its README.
+//! All engine crates share one source tree that lies outside their folders, and `cargo package` and
+//! `maturin sdist` leave out what lies there. The stage copies to each package the files of its library,
+//! its licences and its README.
 
 use crate::Failure;
 use crate::files::{copy, copy_tree, read, write};
@@ -35,7 +36,8 @@ pub struct Stage<'a> {
 }
 
 impl<'a> Stage<'a> {
-    /// Copies the packages in the given folders of the repository, with all packages that they depend on by path.
+    /// Copies the packages in the given folders of the repository, with all packages that they depend on by
+    /// path.
     pub fn build(
         repository: &'a Path,
         folder: &'a Path,
@@ -114,7 +116,8 @@ impl<'a> Stage<'a> {
         package["metadata"]["docs"]["rs"]["features"] = toml_edit::value(documented);
     }
 
-    /// Copies the files of the library. The path of a library in a shared source tree becomes one in `src/`.
+    /// Copies the files of the library. The path of a library in a shared source tree becomes one in
+    /// `src/`.
     fn copy_sources(
         &self,
         package: &Path,
@@ -179,7 +182,8 @@ fn files_of_the_other_dimension(root: &str) -> &'static [&'static str] {
     }
 }
 
-/// Points links out of the package's folder into the repository. Without its address, only the text of such a link remains.
+/// Points links out of the package's folder into the repository. Without its address, only the text of such
+/// a link remains.
 fn with_absolute_links(text: &str, repository: &str) -> String {
     let mut result = String::new();
     let mut rest = text;
