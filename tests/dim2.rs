@@ -10,6 +10,8 @@ pub mod thin;
 pub mod floors;
 #[path = "hostile/dim2.rs"]
 pub mod hostile;
+#[path = "queries/dim2.rs"]
+pub mod queries;
 
 /// Heading of tables.
 pub const NAME: &str = "2D";

@@ -12,6 +12,8 @@ pub mod floors;
 mod space;
 #[path = "hostile/dim3.rs"]
 pub mod hostile;
+#[path = "queries/dim3.rs"]
+pub mod queries;
 #[path = "joints/boards.rs"]
 mod boards;
 #[path = "joints/limbs.rs"]

@@ -8,6 +8,22 @@ pub const SIZE_MIN: Real = 1.0e-15;
 /// Largest usable length or coordinate, for the same reason as [`SIZE_MIN`].
 pub const SIZE_MAX: Real = 1.0e15;
 
+/// Whether numbers have single precision.
+const IS_SINGLE: bool = size_of::<Real>() == size_of::<f32>();
+/// Largest coordinate of a shape's bounding box, in its frame. Contact generation computes fourth powers of
+/// lengths, and those of larger numbers leave the range of `f32`.
+pub const SHAPE_MAX: Real = if IS_SINGLE { 1.0e9 } else { SIZE_MAX };
+/// The range of these coordinates, as a part of messages.
+pub const SHAPE_RANGE: &str =
+    if IS_SINGLE { "finite and at most 1e9" } else { "finite and at most 1e15" };
+/// Largest distance, along an axis, of the frames of two shapes that touch: twice the size of a shape.
+pub const FRAME_DISTANCE_MAX: Real = 2.0 * SHAPE_MAX;
+/// Largest coordinate of a box in the trees. They compute products of three such lengths and the number of
+/// leaves, which stay within the range of numbers.
+pub const BOX_COORDINATE_MAX: Real = 10.0 * SHAPE_MAX;
+/// Largest coordinate of a voxel in its grid: cells beyond it coincide with their neighbours.
+pub const GRID_COORDINATE_MAX: Real = 0.5 / Real::EPSILON;
+
 const _: () = assert!(SIZE_MIN * SIZE_MIN > 0.0 && 1.0 / (SIZE_MIN * SIZE_MIN) < Real::MAX);
 const _: () = assert!(SIZE_MAX * SIZE_MAX < Real::MAX);
 

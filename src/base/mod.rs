@@ -4,6 +4,7 @@
 
 pub mod arena;
 pub mod axis;
+pub(crate) mod blocks;
 pub mod bvh;
 pub mod closest;
 pub mod disjoint;

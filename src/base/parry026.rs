@@ -2,7 +2,7 @@
 //! the same names for version 0.31, which the engine's own crates use.
 
 use parry::math::{Pose, Real, Vector};
-use parry::query::{ContactManifold, ShapeCastHit, ShapeCastStatus};
+use parry::query::{Contact, ContactManifold, ShapeCastHit, ShapeCastStatus};
 #[cfg(feature = "serde-serialize")]
 use parry::shape::{Compound, SharedShape};
 use parry::shape::{PackedFeatureId, PolygonalFeature, PolygonalFeatureMap, Polyline};
@@ -49,6 +49,21 @@ pub fn shape_cast_hit(
     _: [u32; 2],
 ) -> ShapeCastHit {
     ShapeCastHit { time_of_impact, witness1, witness2, normal1, normal2, status }
+}
+
+/// The result of an intersection test of two shapes. This version of parry has no place for their parts.
+pub fn shape_intersection(intersecting: bool, _: [u32; 2]) -> ShapeIntersection {
+    intersecting
+}
+
+/// The distance of two shapes. This version of parry has no place for their parts.
+pub fn shape_distance(distance: Real, _: [u32; 2]) -> ShapeDistance {
+    distance
+}
+
+/// A contact. This version of parry has no place for its parts.
+pub fn contact_of_parts(contact: Contact, _: [u32; 2]) -> Contact {
+    contact
 }
 
 /// The part of the shape that a ray hit has no place in this version of parry.

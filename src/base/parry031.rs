@@ -2,7 +2,7 @@
 //! the same names for version 0.26.
 
 use parry::math::{Pose, Real, Vector};
-use parry::query::{ContactManifold, ShapeCastHit, ShapeCastStatus};
+use parry::query::{Contact, ContactManifold, ShapeCastHit, ShapeCastStatus};
 #[cfg(feature = "serde-serialize")]
 use parry::shape::{Compound, SharedShape};
 use parry::shape::{PolygonalFeature, PolygonalFeatureMap, Polyline};
@@ -46,6 +46,21 @@ pub fn shape_cast_hit(
         subshape1,
         subshape2,
     }
+}
+
+/// The result of an intersection test of two shapes, with their parts.
+pub fn shape_intersection(intersecting: bool, [part1, part2]: [u32; 2]) -> ShapeIntersection {
+    ShapeIntersection::new(intersecting).with_subshapes(part1, part2)
+}
+
+/// The distance of two shapes, with their closest parts.
+pub fn shape_distance(distance: Real, [part1, part2]: [u32; 2]) -> ShapeDistance {
+    ShapeDistance::new(distance).with_subshapes(part1, part2)
+}
+
+/// A contact of these parts.
+pub fn contact_of_parts(contact: Contact, [subshape1, subshape2]: [u32; 2]) -> Contact {
+    Contact { subshape1, subshape2, ..contact }
 }
 
 /// Sets the part of the shape that a ray hit.

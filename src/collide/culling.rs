@@ -10,6 +10,7 @@
 //! equals the one with the lower part numbers stays.
 
 use super::pair::ShapePair;
+use crate::base::measure::SHAPE_MAX;
 use crate::dim::math::{DIM, Real, Vector};
 use core::cmp::Ordering;
 use parry::bounding_volume::{Aabb, BoundingVolume};
@@ -17,7 +18,7 @@ use parry::bounding_volume::{Aabb, BoundingVolume};
 /// Number of cells.
 pub(super) const CELLS_MAX: usize = 256;
 /// Regions longer than this (length units) have one cell: half-spaces have no end.
-const EXTENT_MAX: Real = 1.0e9;
+const EXTENT_MAX: Real = 2.0 * SHAPE_MAX;
 
 /// The order in which a cell prefers its items: the deepest first.
 #[derive(Copy, Clone, Debug, PartialEq)]

@@ -12,19 +12,17 @@ use super::pair::ShapePair;
 use super::part::Part;
 use super::parts::Parts;
 use super::patches::{Patches, push_manifold, unit_normal};
+use super::queries::distance;
 use super::search::{CulledParts, Search};
 use crate::base::guard::guarded;
-use crate::base::parry_version::{distance_of, is_intersecting, take_subshape_poses};
+use crate::base::measure::FRAME_DISTANCE_MAX;
+use crate::base::parry_version::take_subshape_poses;
 use crate::dim::collide::{RawManifold, RawPoint, reduce};
 use crate::dim::math::{MAX_MANIFOLD_POINTS, Pose, Real, Vector};
 use crate::model::contact::{ContactManifold, TriangleCache};
-use parry::query::{DefaultQueryDispatcher, PersistentQueryDispatcher, QueryDispatcher};
+use parry::query::{DefaultQueryDispatcher, PersistentQueryDispatcher};
 use parry::shape::Shape;
 use smallvec::SmallVec;
-
-/// Poses farther than this from each other (length units) give no contacts. Geometry works with
-/// fourth powers of lengths, and those of larger numbers leave the range of `f32`.
-const DISTANCE_MAX: Real = 1.0e9;
 
 /// Lengths at which nothing is extreme.
 const LENGTH_RANGE: (Real, Real) = (1.0e-3, 1.0e5);
@@ -177,22 +175,16 @@ fn outermost<'a>(
 
 /// A lower bound of the distance of two convex shapes by their closest points.
 fn distance_bound(pos12: &Pose, shape1: &dyn Shape, shape2: &dyn Shape) -> Real {
-    match guarded(|| DefaultQueryDispatcher.distance(pos12, shape1, shape2)) {
-        Some(Ok(found)) if distance_of(found).is_finite() => distance_of(found) * DISTANCE_FRACTION,
+    match distance(pos12, [shape1, shape2]) {
+        Some(distance) if distance.is_finite() => distance * DISTANCE_FRACTION,
         _ => 0.0,
     }
 }
 
-/// Returns whether the two shapes intersect. `pos12` is the pose of the second in the frame of the first.
-pub(crate) fn shapes_intersect(pos12: &Pose, shape1: &dyn Shape, shape2: &dyn Shape) -> bool {
-    let test = || DefaultQueryDispatcher.intersection_test(pos12, shape1, shape2);
-    pose_is_usable(pos12) && guarded(test).is_some_and(|found| found.is_ok_and(is_intersecting))
-}
-
 /// Returns whether geometry can be computed with the pose.
-fn pose_is_usable(pose: &Pose) -> bool {
+pub(super) fn pose_is_usable(pose: &Pose) -> bool {
     let distance = pose.translation.abs().max_element();
-    pose.is_finite() && distance < DISTANCE_MAX
+    pose.is_finite() && distance <= FRAME_DISTANCE_MAX
 }
 
 /// Returns whether parry has a faster algorithm for voxels against the other shape than a search of all

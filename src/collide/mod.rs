@@ -12,6 +12,7 @@
 //! imports.
 
 mod ball;
+mod best_part;
 mod capsule;
 mod convex;
 mod culling;
@@ -27,6 +28,7 @@ mod part;
 mod parts;
 mod patches;
 mod polytopes;
+mod queries;
 mod search;
 mod internal_edges;
 mod support;
@@ -36,13 +38,12 @@ mod tests;
 mod voxels;
 
 pub(crate) use form::form_of;
-pub(crate) use manifolds::{
-    ManifoldScratch, compute_manifolds, renew_convex_manifold, shapes_intersect,
-};
+pub(crate) use manifolds::{ManifoldScratch, compute_manifolds, renew_convex_manifold};
 pub(crate) use matching::inherit_impulses;
 pub(crate) use neighbor::{Neighbor, ghost_contacts_among};
 pub(crate) use normals::NORMAL_DISTANCE_SQUARED_MAX;
 pub(crate) use pair::ShapePair;
+pub(crate) use queries::{Dispatcher, intersection, shapes_intersect, time_of_impact};
 pub(crate) use sweep::{
     Overlap, PENETRATION_FRACTION_MAX, PathSegment, Solid, Sweep, SweepGoal, Touch, ends_deep,
     find_touches, first_impact, passes, turned,

@@ -1,10 +1,15 @@
 //! Voxels as boxes whose contacts leave through free faces only.
 
 use super::part::Part;
-use crate::dim::math::{DIM, Pose, Vector};
+use crate::base::blocks::Block;
+use crate::dim::math::{DIM, Int, Pose, Vector};
 use parry::bounding_volume::Aabb;
+use parry::math::IVector;
 use parry::query::details::NormalConstraints;
 use parry::shape::{AxisMask, Cuboid, VoxelType, Voxels};
+
+/// Length of the storage's chunks (voxels). In larger blocks, a search for a voxel is cheap.
+const CHUNK_LENGTH: Int = 8;
 
 /// Calls `f` with each voxel in `region` that has a free face.
 ///
@@ -24,6 +29,42 @@ pub(super) fn for_each_voxel(voxels: &Voxels, region: &Aabb, f: &mut dyn FnMut(P
             constraints: Some(&faces),
         });
     }
+}
+
+/// The cells among which all voxels are.
+pub(super) fn all_voxels(voxels: &Voxels) -> Block<DIM> {
+    let [first, end] = voxels.domain().map(|corner| corner.to_array());
+    core::array::from_fn(|axis| [first[axis], end[axis]])
+}
+
+/// A box around some cells.
+pub(super) fn box_of_voxels(voxels: &Voxels, cells: &Block<DIM>) -> Aabb {
+    let [first, end] = corners(cells);
+    voxels.voxel_range_aabb(first, end)
+}
+
+/// Returns whether some cells may contain a voxel. Only large blocks are searched.
+pub(super) fn may_have_voxels(voxels: &Voxels, cells: &Block<DIM>) -> bool {
+    let is_large = cells.iter().any(|[first, end]| end.saturating_sub(*first) > CHUNK_LENGTH);
+    let [first, end] = corners(cells);
+    !is_large || voxels.voxels_in_range(first, end).next().is_some()
+}
+
+fn corners(cells: &Block<DIM>) -> [IVector; 2] {
+    [0, 1].map(|side| IVector::from_array(cells.map(|ends| ends[side])))
+}
+
+/// Calls `f` with the voxel of a cell, as if it stood alone. No effect if the cell is empty.
+pub(super) fn with_voxel_at(voxels: &Voxels, cell: [Int; DIM], f: &mut dyn FnMut(Part<'_>)) {
+    let key = IVector::from_array(cell);
+    let is_filled = voxels.voxel_state(key).is_some_and(|state| !state.is_empty());
+    let Some(index) = voxels.linear_index(key).filter(|_| is_filled) else { return };
+    f(Part {
+        id: index.flat_id() as u32,
+        pose: Some(&Pose::from_translation(voxels.voxel_center(key))),
+        shape: &Cuboid::new(voxels.voxel_size() * 0.5),
+        constraints: None,
+    });
 }
 
 /// Calls `f` with the voxel of a number, as if it stood alone.

@@ -8,15 +8,16 @@
 //! Two rules hold for all queries. *The nearest result is that of a search of all colliders*, to the last
 //! bit. Trees only exclude irrelevant ones, and of equally near colliders the one with the lower slot is
 //! returned, independent of the tree. *An invalid query has no result*. A query is invalid if its ray or pose
-//! is not finite, its direction has zero length, or its time is NaN.
+//! is not finite, or its limit is negative or NaN.
 
 mod filter;
-mod hits;
 mod nearest;
 mod owned;
 mod points;
 mod rays;
 mod shapes;
+#[cfg(test)]
+mod tests;
 mod view;
 
 pub use filter::{QueryFilter, QueryFilterFlags, QueryPredicate};

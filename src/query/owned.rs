@@ -1,9 +1,9 @@
 //! Queries with separate trees: between steps, or without any step.
 
 use super::filter::{QueryFilter, Traits};
-use super::hits::Dispatcher;
 use super::view::QueryView;
 use crate::base::bvh::BoxProbe;
+use crate::collide::Dispatcher;
 use crate::dim::math::{Pose, Real, Vector};
 use crate::model::collider::{Bookmark, Collider, ColliderHandle, ColliderSet};
 use crate::model::tree::{BoxMargin, TreeKind, Trees, shape_box};

@@ -1,10 +1,10 @@
 //! Ray casts.
 
 use super::filter::QueryFilter;
-use super::hits::{intersection, time_of_impact};
 use super::view::QueryView;
 use crate::base::bvh::SlabProbe;
 use crate::base::tasks::Tasks;
+use crate::collide::{intersection, time_of_impact};
 use crate::dim::math::{Real, Vector};
 use crate::model::collider::{Collider, ColliderHandle};
 use parry::query::{Ray, RayIntersection};
@@ -17,10 +17,36 @@ fn slabs(ray: &Ray) -> SlabProbe {
     SlabProbe::new(ray.origin, ray.dir, Vector::ZERO)
 }
 
-/// The limit of a valid query; `None` for an invalid ray or limit.
-fn sound_limit(ray: &Ray, max_time_of_impact: Real) -> Option<Real> {
-    let is_sound = ray.origin.is_finite() && ray.dir.is_finite() && ray.dir.length_squared() > 0.0;
-    (is_sound && max_time_of_impact >= 0.0).then_some(max_time_of_impact.min(Real::MAX))
+/// A ray whose direction can be squared, with the limit of its times.
+#[derive(Copy, Clone)]
+struct SoundRay {
+    ray: Ray,
+    limit: Real,
+    /// The time of the given ray is that of this one divided by this.
+    scale: Real,
+}
+
+impl SoundRay {
+    /// `None` for an invalid ray or limit.
+    fn new(ray: &Ray, max_time_of_impact: Real) -> Option<Self> {
+        let is_sound = ray.origin.is_finite() && ray.dir.is_finite() && max_time_of_impact >= 0.0;
+        let size = ray.dir.abs().max_element();
+        let is_usual = ray.dir.length_squared().is_normal() || size == 0.0;
+        let scale = if is_usual { 1.0 } else { size };
+        let limit = (max_time_of_impact * scale).min(Real::MAX);
+        // Dividing twice keeps the quotient of the smallest numbers finite.
+        let dir = if is_usual { ray.dir } else { ray.dir / scale.sqrt() / scale.sqrt() };
+        is_sound.then_some(Self { ray: Ray::new(ray.origin, dir), limit, scale })
+    }
+
+    /// The time of the given ray, if it is a number.
+    fn time(&self, time: Real) -> Option<Real> {
+        Some(time / self.scale).filter(|time| time.is_finite())
+    }
+
+    fn hit(&self, hit: RayIntersection) -> Option<RayIntersection> {
+        Some(RayIntersection { time_of_impact: self.time(hit.time_of_impact)?, ..hit })
+    }
 }
 
 impl<'a> QueryView<'a> {
@@ -28,16 +54,19 @@ impl<'a> QueryView<'a> {
     ///
     /// The time is in units of the ray's direction: the point is `ray.origin + ray.dir * time`. Hits after
     /// `max_time_of_impact` are ignored. If `solid` is `true`, a ray that starts inside a collider hits it at
-    /// time 0. Otherwise colliders are hollow, and the ray hits the surface from within.
+    /// time 0. Otherwise colliders are hollow, and the ray hits the surface from within. A ray without a
+    /// direction (zero) is a point: with `solid` it hits the collider that contains it, at time 0.
     pub fn cast_ray(
         &self,
         ray: &Ray,
         max_time_of_impact: Real,
         solid: bool,
     ) -> Option<(ColliderHandle, Real)> {
-        self.first_hit(ray, max_time_of_impact, |collider, limit| {
-            let time = time_of_impact(collider.shape(), collider.position(), ray, limit, solid)?;
-            Some((time, time))
+        let sound = SoundRay::new(ray, max_time_of_impact)?;
+        self.first_hit(&sound, |collider| {
+            let (shape, pose) = (collider.shape(), collider.position());
+            let time = time_of_impact(shape, pose, &sound.ray, sound.limit, solid)?;
+            Some((time, sound.time(time)?))
         })
     }
 
@@ -49,21 +78,21 @@ impl<'a> QueryView<'a> {
         max_time_of_impact: Real,
         solid: bool,
     ) -> Option<(ColliderHandle, RayIntersection)> {
-        self.first_hit(ray, max_time_of_impact, |collider, limit| {
-            let hit = intersection(collider.shape(), collider.position(), ray, limit, solid)?;
-            Some((hit.time_of_impact, hit))
+        let sound = SoundRay::new(ray, max_time_of_impact)?;
+        self.first_hit(&sound, |collider| {
+            let (shape, pose) = (collider.shape(), collider.position());
+            let hit = intersection(shape, pose, &sound.ray, sound.limit, solid)?;
+            Some((hit.time_of_impact, sound.hit(hit)?))
         })
     }
 
-    /// The first hit collider, for the times that `time_of_impact` returns for each, up to a limit.
+    /// The first hit collider, for the times that `time_of_impact` returns for each.
     fn first_hit<T>(
         &self,
-        ray: &Ray,
-        max_time_of_impact: Real,
-        time_of_impact: impl Fn(&Collider, Real) -> Option<(Real, T)>,
+        sound: &SoundRay,
+        time_of_impact: impl Fn(&Collider) -> Option<(Real, T)>,
     ) -> Option<(ColliderHandle, T)> {
-        let limit = sound_limit(ray, max_time_of_impact)?;
-        self.nearest([0.0, limit], &slabs(ray), |collider| time_of_impact(collider, limit))
+        self.nearest([0.0, sound.limit], &slabs(&sound.ray), time_of_impact)
     }
 
     /// All colliders that a ray hits, each with its first hit, in no particular order.
@@ -73,10 +102,12 @@ impl<'a> QueryView<'a> {
         max_time_of_impact: Real,
         solid: bool,
     ) -> impl Iterator<Item = (ColliderHandle, &'a Collider, RayIntersection)> {
-        sound_limit(&ray, max_time_of_impact).into_iter().flat_map(move |limit| {
+        SoundRay::new(&ray, max_time_of_impact).into_iter().flat_map(move |sound| {
+            let SoundRay { ray, limit, .. } = sound;
             self.candidates(slabs(&ray), limit).filter_map(move |(handle, collider)| {
                 let (shape, pose) = (collider.shape(), collider.position());
-                Some((handle, collider, intersection(shape, pose, &ray, limit, solid)?))
+                let hit = intersection(shape, pose, &ray, limit, solid)?;
+                Some((handle, collider, sound.hit(hit)?))
             })
         })
     }

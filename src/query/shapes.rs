@@ -2,11 +2,9 @@
 
 use super::view::QueryView;
 use crate::base::bvh::{BoxProbe, SlabProbe};
-use crate::base::guard::guarded;
 use crate::base::parry_version::is_intersecting;
 use crate::dim::math::{Pose, Real, Vector};
 use crate::model::collider::{Collider, ColliderHandle};
-use crate::model::tree::shape_box;
 use parry::bounding_volume::{Aabb, BoundingVolume};
 use parry::query::{NonlinearRigidMotion, ShapeCastHit, ShapeCastOptions};
 use parry::shape::Shape;
@@ -35,8 +33,6 @@ impl<'a> QueryView<'a> {
     }
 
     /// All colliders that a shape intersects, in no particular order.
-    ///
-    /// Pairs of shapes without an algorithm do not intersect.
     pub fn intersect_shape(
         self,
         shape_pos: Pose,
@@ -48,8 +44,9 @@ impl<'a> QueryView<'a> {
             let aabb = shape.compute_aabb(&pose).loosened(16.0 * Real::EPSILON * size);
             self.intersect_aabb_conservative(aabb).filter(move |(_, collider)| {
                 let pose12 = pose.inv_mul(collider.position());
-                let test = || self.dispatcher.intersection_test(&pose12, shape, collider.shape());
-                guarded(test).is_some_and(|found| found.is_ok_and(is_intersecting))
+                let other = collider.shape();
+                self.ask(|dispatcher| dispatcher.intersection_test(&pose12, shape, other))
+                    .is_some_and(is_intersecting)
             })
         })
     }
@@ -82,14 +79,10 @@ impl<'a> QueryView<'a> {
         self.nearest([0.0, limit], &sweep, |collider| {
             let pose12 = shape_pos.inv_mul(collider.position());
             let velocity12 = shape_pos.rotation.inverse() * -shape_vel;
-            let (other, mut options) = (collider.shape(), options);
-            if other.as_support_map().is_none() {
-                // Height fields search all of the path, of any length.
-                let end = 1.01 * sweep.span(&shape_box(other, collider.position()))[1];
-                options.max_time_of_impact = limit.min(end);
-            }
-            let cast = || self.dispatcher.cast_shapes(&pose12, velocity12, shape, other, options);
-            let hit = guarded(cast)?.ok()??;
+            let other = collider.shape();
+            let hit = self.ask(|dispatcher| {
+                dispatcher.cast_shapes(&pose12, velocity12, shape, other, options)
+            })??;
             Some((hit.time_of_impact, collider_first(hit, collider)))
         })
     }
@@ -110,8 +103,8 @@ impl<'a> QueryView<'a> {
         let around = swept_box(shape_motion, shape, start_time, end_time)?;
         self.nearest([start_time, end_time], &BoxProbe(around), |collider| {
             let still = NonlinearRigidMotion::constant_position(*collider.position());
-            let cast = || {
-                self.dispatcher.cast_shapes_nonlinear(
+            let hit = self.ask(|dispatcher| {
+                dispatcher.cast_shapes_nonlinear(
                     shape_motion,
                     shape,
                     &still,
@@ -120,8 +113,7 @@ impl<'a> QueryView<'a> {
                     end_time,
                     stop_at_penetration,
                 )
-            };
-            let hit = guarded(cast)?.ok()??;
+            })??;
             Some((hit.time_of_impact, collider_first(hit, collider)))
         })
     }

@@ -2,11 +2,13 @@
 
 use super::filter::QueryFilter;
 use crate::base::bvh::Probe;
+use crate::base::guard::guarded;
+use crate::collide::Dispatcher;
 use crate::dim::math::Real;
 use crate::model::body::RigidBodySet;
 use crate::model::collider::{Collider, ColliderHandle, ColliderSet};
 use crate::model::tree::{AllBoxes, BroadPhaseBvh};
-use parry::query::QueryDispatcher;
+use parry::query::{QueryDispatcher, Unsupported};
 
 /// Colliders for queries: borrowed trees of boxes, the colliders in them, and a filter.
 ///
@@ -77,6 +79,16 @@ impl<'a> QueryView<'a> {
     #[must_use]
     pub fn with_filter(self, filter: QueryFilter<'a>) -> Self {
         Self { filter, ..self }
+    }
+
+    /// The result of a query of two shapes. The engine's own dispatcher replaces one that does not support
+    /// the two shapes, or panics: no pair is silently apart.
+    pub(super) fn ask<T>(
+        &self,
+        query: impl Fn(&dyn QueryDispatcher) -> Result<T, Unsupported>,
+    ) -> Option<T> {
+        let ask = |dispatcher: &dyn QueryDispatcher| guarded(|| query(dispatcher))?.ok();
+        ask(self.dispatcher).or_else(|| ask(&Dispatcher))
     }
 
     pub(super) fn trees(&self) -> AllBoxes<'a> {

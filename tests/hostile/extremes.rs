@@ -1,7 +1,9 @@
 //! Valid but extreme values: tiny, huge, far away, and combined.
 
 use super::scene::Scene;
+use super::values::SHAPE_MAX;
 use super::world::check;
+use crate::dim::queries::wide_ground;
 use crate::dim::{about_z, cuboid, vec};
 use rapier::prelude::*;
 
@@ -127,6 +129,29 @@ fn piles_far_out_leave_the_world_in_order() {
             );
             steps(&mut world, 30);
         }
+    }
+}
+
+/// Grounds collide up to the size that the precision allows, and larger ones are refused with their size. (In
+/// double precision, ground with corners beyond 10⁹ m let everything fall through.)
+#[test]
+fn grounds_of_any_size_collide_or_are_refused() {
+    for half in [1.0e3, 1.0e6, 1.0e8, 0.9 * SHAPE_MAX, SHAPE_MAX] {
+        for place in [0.0, 0.5, -0.9] {
+            let mut world = PhysicsWorld::new();
+            let mut ground = wide_ground(half).expect("is small enough");
+            ground.set_translation(vec(place * half, 0.0));
+            world.insert_collider(ground, None);
+            let body = RigidBodyBuilder::dynamic().translation(vec(0.0, 0.6));
+            let (ball, _) = world.insert(body, ColliderBuilder::ball(0.5));
+            steps(&mut world, 120);
+            let height = world.bodies[ball].translation().y;
+            assert!((height - 0.5).abs() < 0.01, "{height} above ground of {half} at {place}");
+        }
+    }
+    for half in [1.1 * SHAPE_MAX, 100.0 * SHAPE_MAX] {
+        let message = wide_ground(half).expect_err("is too large").to_string();
+        assert!(message.contains(&format!("{half}")), "{message}");
     }
 }
 

@@ -29,6 +29,9 @@ pub const EDGES: [Real; 16] = [
     1.0e30,
 ];
 
+/// Largest coordinate of a shape.
+pub const SHAPE_MAX: Real = if size_of::<Real>() == 4 { 1.0e9 } else { 1.0e15 };
+
 /// Returns vectors with `value` in all components, or in one of them.
 pub fn vectors_of(value: Real) -> [Vector; 3] {
     [Vector::splat(value), vec(value, 0.0), vec(0.0, value)]

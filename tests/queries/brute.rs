@@ -1,7 +1,7 @@
 //! A hundred thousand queries, each answered twice: by the trees, and by a search of all colliders.
 //!
 //! Points and casts are compared to the last bit. For some shapes, parry's rays use other formulas than the
-//! engine's, so times are compared within its tolerance. A test in `src/query/hits/tests.rs` checks that
+//! engine's, so times are compared within its tolerance. A test in `src/query/tests.rs` checks that
 //! trees change no bit of rays.
 
 use crate::dim::{about_z, assortment, vec};

@@ -1,6 +1,8 @@
 //! Invalid queries have no result, and do no harm.
 
+use crate::dim::queries::every_shape;
 use crate::dim::{cuboid, vec};
+use crate::suite::physics::stage::Dice;
 use rapier::parry::query::NonlinearRigidMotion;
 use rapier::prelude::*;
 
@@ -23,6 +25,7 @@ fn rays() {
     assert!(cast(Ray::new(vec(-5.0, 0.0), Vector::X), Real::INFINITY).is_some());
     assert!(cast(Ray::new(vec(-5.0, 0.0), Vector::X), Real::MAX).is_some());
     assert!(cast(Ray::new(vec(-5.0, 0.0), Vector::ZERO), 10.0).is_none());
+    assert_eq!(cast(Ray::new(vec(0.3, 0.0), Vector::ZERO), 0.0).map(|(_, time)| time), Some(0.0));
     assert!(cast(Ray::new(vec(-5.0, 0.0), Vector::X), -1.0).is_none());
     assert!(cast(Ray::new(vec(-5.0, 0.0), Vector::X), Real::NAN).is_none());
     for bad in BAD {
@@ -31,8 +34,43 @@ fn rays() {
     }
     // Directions have the largest and smallest representable lengths.
     for size in [Real::MAX, 1.0e30, 1.0e-30, Real::MIN_POSITIVE] {
-        cast(Ray::new(vec(-5.0, 0.0), Vector::X * size), Real::MAX);
+        let hit = cast(Ray::new(vec(-5.0, 0.0), Vector::X * size), Real::MAX);
+        let time = hit.map(|(_, time)| time * size);
+        let is_representable = 4.0 / size < Real::MAX && 4.0 / size > Real::MIN_POSITIVE;
+        let is_right = time.is_some_and(|way| (way - 4.0).abs() < 1.0e-3);
+        assert!(is_right || !is_representable, "{time:?} of 4 along {size}");
         cast(Ray::new(vec(-size, 0.0), Vector::X), Real::MAX);
+    }
+}
+
+/// A ray without a direction is a point: solid shapes that contain it are hit at once, in all queries.
+#[test]
+fn rays_without_direction_are_points() {
+    for (name, shape) in every_shape() {
+        let mut colliders = ColliderSet::new();
+        let collider = colliders.insert(ColliderBuilder::new(shape));
+        let mut queries = QueryPipeline::new();
+        queries.update(&colliders);
+        let mut dice = Dice(3);
+        for _ in 0..200 {
+            let mut point = Vector::ZERO;
+            (0..DIM).for_each(|axis| point[axis] = dice.within(-1.0, 1.5));
+            let ray = Ray::new(point, Vector::ZERO);
+            let mut contains = false;
+            queries.intersections_with_point(&colliders, point, QueryFilter::default(), |_| {
+                contains = true;
+                false
+            });
+            for limit in [0.0, 1.0, Real::INFINITY] {
+                let all = QueryFilter::default;
+                let hit = queries.cast_ray(&colliders, &ray, limit, true, all());
+                assert_eq!(hit, contains.then_some((collider, 0.0)), "{name}: {point}");
+                let hit = queries.cast_ray_and_get_normal(&colliders, &ray, limit, true, all());
+                assert_eq!(hit.is_some(), contains, "{name}: {point}");
+                let hollow = queries.cast_ray(&colliders, &ray, limit, false, all());
+                assert_eq!(hollow, None, "{name}: {point}");
+            }
+        }
     }
 }
 

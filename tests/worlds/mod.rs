@@ -7,6 +7,7 @@
 #[cfg(feature = "serde-serialize")]
 use crate::rapier;
 
+pub mod own_shape;
 mod records;
 mod rollback;
 mod scene;
@@ -18,8 +19,6 @@ mod damage;
 mod damaged;
 #[cfg(feature = "serde-serialize")]
 mod forged;
-#[cfg(feature = "serde-serialize")]
-mod own_shape;
 #[cfg(feature = "serde-serialize")]
 mod recordings;
 #[cfg(feature = "serde-serialize")]

@@ -6,9 +6,9 @@
 use crate::fault::{Fault, Kind, non_negative};
 use crate::memory::{self, put_number, put_vector, vector};
 use crate::query::{cast_options, limit, put_ray_hit, put_shape_hit, ray};
-use crate::rapier::geometry::SharedShape;
+use crate::rapier::geometry::{NarrowPhase, SharedShape};
 use crate::rapier::math::{Pose, Real};
-use crate::rapier::parry::query;
+use crate::rapier::parry::query::{QueryDispatcher, Unsupported};
 use crate::registry::collider;
 use crate::shape::shape;
 
@@ -23,9 +23,11 @@ fn subject(world: u32, number: f64, place: usize) -> Result<(SharedShape, Pose),
     Ok((collider.shared_shape().clone(), *collider.position()))
 }
 
-#[cold]
-fn unsupported() -> Fault {
-    Fault::new(Kind::WrongShape, "the query does not support these two shapes".to_string())
+/// The result of a query of two shapes. The engine's dispatcher supports every pair.
+fn ask<T>(query: impl Fn(&dyn QueryDispatcher) -> Result<T, Unsupported>) -> Result<T, Fault> {
+    query(NarrowPhase::new().query_dispatcher()).map_err(|_| {
+        Fault::new(Kind::WrongShape, "the query does not support these two shapes".to_string())
+    })
 }
 
 exports! {
@@ -67,7 +69,8 @@ exports! {
     fn subjects_intersect(world1: u32, number1: f64, world2: u32, number2: f64) -> bool {
         let (shape1, pose1) = subject(world1, number1, POSES[0])?;
         let (shape2, pose2) = subject(world2, number2, POSES[1])?;
-        query::intersection_test(&pose1, &*shape1, &pose2, &*shape2).map_err(|_| unsupported())?.intersecting
+        let pose12 = pose1.inv_mul(&pose2);
+        ask(|query| query.intersection_test(&pose12, &*shape1, &*shape2))?.intersecting
     }
 
     /// Writes the contact of two subjects: two points, two normals, the distance. Returns whether they are
@@ -76,8 +79,10 @@ exports! {
         let (shape1, pose1) = subject(world1, number1, POSES[0])?;
         let (shape2, pose2) = subject(world2, number2, POSES[1])?;
         let prediction = non_negative("prediction", prediction)? as Real;
-        let contact = query::contact(&pose1, &*shape1, &pose2, &*shape2, prediction).map_err(|_| unsupported())?;
-        if let Some(contact) = &contact {
+        let pose12 = pose1.inv_mul(&pose2);
+        let contact = ask(|query| query.contact(&pose12, &*shape1, &*shape2, prediction))?;
+        if let Some(mut contact) = contact {
+            contact.transform_by_mut(&pose1, &pose2);
             put_vector(0, contact.point1);
             put_vector(1, contact.point2);
             put_vector(2, contact.normal1);
@@ -94,7 +99,9 @@ exports! {
         let (shape2, pose2) = subject(world2, number2, POSES[1])?;
         let (velocity1, velocity2) = (vector(0, "the first velocity")?, vector(1, "the second velocity")?);
         let options = cast_options(target, max, stop)?;
-        let hit = query::cast_shapes(&pose1, velocity1, &*shape1, &pose2, velocity2, &*shape2, options);
-        hit.map_err(|_| unsupported())?.inspect(put_shape_hit).is_some()
+        let pose12 = pose1.inv_mul(&pose2);
+        let velocity12 = pose1.rotation.inverse() * (velocity2 - velocity1);
+        let hit = ask(|query| query.cast_shapes(&pose12, velocity12, &*shape1, &*shape2, options))?;
+        hit.inspect(put_shape_hit).is_some()
     }
 }

@@ -43,9 +43,9 @@ mod touch;
 pub(crate) use motion::{PathSegment, Sweep, turned};
 pub(crate) use touch::{Touch, find_touches};
 
-use super::manifolds::shapes_intersect;
 use super::part::Part;
 use super::parts::{Line, Near, Parts};
+use super::queries::shapes_intersect;
 use crate::dim::math::{Pose, Real, Vector};
 use crate::model::collider::{Collider, Widths};
 use body::Body;

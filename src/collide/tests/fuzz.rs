@@ -2,7 +2,7 @@
 
 use super::{Scene, assert_sound, manifolds};
 use crate::base::random::Random;
-use crate::collide::manifolds::shapes_intersect;
+use crate::collide::queries::shapes_intersect;
 use crate::dim::collide::samples::{self, CONVEX_KINDS, KINDS};
 use crate::dim::math::{Pose, Real, Vector};
 

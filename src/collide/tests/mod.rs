@@ -11,9 +11,10 @@ mod polytopes;
 mod small;
 mod timing;
 
-use super::manifolds::{ManifoldScratch, compute_manifolds, shapes_intersect};
+use super::manifolds::{ManifoldScratch, compute_manifolds};
 use super::matching::inherit_impulses;
 use super::pair::ShapePair;
+use super::queries::shapes_intersect;
 use crate::base::random::Random;
 use crate::dim::collide::samples;
 use crate::dim::math::{Pose, Real, Vector};

@@ -1,6 +1,9 @@
 //! The cells of height fields.
 
 use super::flat::FlatShape;
+use crate::base::blocks::Block;
+use crate::base::walk::range;
+use crate::dim::math::{Int, Real, Vector};
 use parry::bounding_volume::Aabb;
 use parry::query::details::NormalConstraints;
 use parry::shape::{HeightField, Shape};
@@ -11,6 +14,31 @@ pub type CellVisitor<'a> = dyn FnMut(u32, &dyn Shape, Option<&dyn NormalConstrai
 /// Number of segments.
 pub fn cell_count(field: &HeightField) -> usize {
     field.num_cells()
+}
+
+/// All cells.
+pub fn all_cells(field: &HeightField) -> Block<1> {
+    [[0, field.num_cells() as Int]]
+}
+
+/// A box around the segments of some cells. The heights are those of the whole field unless it is one cell.
+pub fn box_of_cells(field: &HeightField, [cells]: &Block<1>) -> Aabb {
+    let [first, end] = cells.map(|cell| cell as usize);
+    let (mut low, mut high) = (field.local_aabb().mins.y, field.local_aabb().maxs.y);
+    if end - first == 1 {
+        [low, high] = range(&[first, end].map(|at| field.heights()[at] * field.scale().y));
+    }
+    let width = 1.0 / field.num_cells() as Real;
+    let place = |cell: usize| (-0.5 + width * cell as Real) * field.scale().x;
+    let [left, right] = range(&[place(first), place(end)]);
+    Aabb::new(Vector::new(left, low), Vector::new(right, high))
+}
+
+/// Calls `f` with the number and shape of the segment of a cell.
+pub fn for_each_of_cell(field: &HeightField, [cell]: [Int; 1], f: &mut dyn FnMut(u32, &dyn Shape)) {
+    if let Some(segment) = field.segment_at(cell as usize) {
+        f(cell as u32, &segment);
+    }
 }
 
 /// Calls `f` with the number, shape and normal constraints of each segment near `region`.

@@ -28,6 +28,11 @@ pub fn as_flat_mesh(shape: &dyn Shape) -> Option<&FlatMesh> {
     shape.as_polyline().filter(|line| polyline_normals(line).is_none())
 }
 
+/// Returns whether the shape is a line that encloses a solid inside.
+pub fn has_inside(shape: &dyn Shape) -> bool {
+    shape.as_polyline().is_some_and(|line| polyline_normals(line).is_some())
+}
+
 /// A piece of a line.
 pub fn flat_of(mesh: &FlatMesh, id: u32) -> FlatShape {
     mesh.segment(id)

@@ -28,6 +28,11 @@ pub fn as_flat_mesh(shape: &dyn Shape) -> Option<&FlatMesh> {
     shape.as_trimesh().filter(is_free)
 }
 
+/// Returns whether the shape is a surface that encloses a solid inside.
+pub fn has_inside(shape: &dyn Shape) -> bool {
+    shape.as_trimesh().is_some_and(|mesh| mesh.flags().contains(TriMeshFlags::ORIENTED))
+}
+
 /// A piece of a surface.
 pub fn flat_of(mesh: &FlatMesh, id: u32) -> FlatShape {
     mesh.triangle(id)

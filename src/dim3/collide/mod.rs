@@ -19,14 +19,17 @@ pub mod samples;
 
 pub use axes::{FlatAxes, TriangleCulling, best_axis};
 pub use capsule_triangle::capsule_triangle;
-pub use cells::{cell_count, for_each_cell, for_each_free_cell, has_free_cells, with_cell};
+pub use cells::{
+    all_cells, box_of_cells, cell_count, for_each_cell, for_each_free_cell, for_each_of_cell,
+    has_free_cells, with_cell,
+};
 pub use clip::{FaceContact, clip_faces};
 pub use cuboid::cuboid_cuboid;
 pub use edges::edge_normal;
 pub use features::box_feature;
 pub use flat::{
     Flat, FlatBlock, FlatShape, as_flat, as_flat_mesh, flat_corners, flat_lane, flat_of,
-    set_flat_lane,
+    has_inside, set_flat_lane,
 };
 pub use hull_nearest::nearest_on_hull;
 pub use polytope::{Face, Polytope};

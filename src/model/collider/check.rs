@@ -4,7 +4,9 @@
 //! constructors, or an edit through [`Collider::shape_mut`](super::Collider::shape_mut).
 
 use super::InvalidCollider;
-use crate::base::measure::{Measure, is_coordinate, is_length, is_margin, is_point};
+use crate::base::measure::{
+    Measure, SHAPE_MAX, SHAPE_RANGE, is_coordinate, is_length, is_margin, is_point,
+};
 use crate::dim::math::{Pose, Real, Vector, rotation_is_valid};
 use crate::dim::shapes;
 use parry::shape::{Shape, SharedShape, TypedShape, Voxels};
@@ -22,6 +24,7 @@ pub(crate) fn check_shape(raw: &dyn Shape) -> Verdict {
     for measure in measures(shape) {
         check_measure(measure)?;
     }
+    check_extent(raw)?;
     match shape {
         TypedShape::HalfSpace(h) => check_unit("outward_normal", h.normal),
         TypedShape::Segment(s) if s.a == s.b => degenerate("segment", "its ends coincide"),
@@ -187,6 +190,20 @@ pub(crate) fn check_parts(parts: &[(Pose, SharedShape)]) -> Verdict {
             .map_err(|reason| InvalidCollider::Part { part, reason: Box::new(reason) })?;
     }
     Ok(())
+}
+
+/// Refuses a shape that is too large for the precision. A half-space has no end.
+fn check_extent(shape: &dyn Shape) -> Verdict {
+    let aabb = shape.compute_local_aabb();
+    let coordinates = [aabb.mins.to_array(), aabb.maxs.to_array()];
+    let largest =
+        coordinates.as_flattened().iter().copied().max_by(|a, b| a.abs().total_cmp(&b.abs()));
+    match largest {
+        Some(size) if size.abs() > SHAPE_MAX && shape.as_halfspace().is_none() => {
+            number("a coordinate of the bounding box", size, SHAPE_RANGE)
+        }
+        _ => Ok(()),
+    }
 }
 
 /// Refuses a shape without a valid bounding box. User-defined shapes have no other check.

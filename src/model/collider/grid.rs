@@ -2,13 +2,11 @@
 
 use super::InvalidCollider;
 use super::check::check_length;
+use crate::base::measure::GRID_COORDINATE_MAX;
 use crate::dim::math::{DIM, Real, Vector};
 use parry::math::IVector;
 use parry::shape::Voxels;
 
-/// Grid coordinates beyond this are refused: in single precision, cells this far from the origin coincide
-/// with their neighbours.
-const COORDINATE_MAX: Real = 4_194_304.0;
 /// Cells that a grid over a whole shape may have: some 300 megabytes while it is filled.
 const CELLS_MAX: Real = 67_108_864.0;
 
@@ -42,7 +40,7 @@ pub(super) fn check_cells(
         return Err(InvalidCollider::TooFew { parameter: "voxels", count: 0, least: 1 });
     }
     for (position, cell) in cells.enumerate() {
-        if cell.abs().max_element() > COORDINATE_MAX {
+        if cell.abs().max_element() > GRID_COORDINATE_MAX {
             return Err(InvalidCollider::Point {
                 parameter: "grid coordinates",
                 position,
@@ -60,7 +58,7 @@ pub(super) fn check_fineness(vertices: &[Vector], cell: Real) -> Result<(), Inva
     let counts = ((highest - lowest) / cell).to_array();
     let cells: Real = counts.iter().map(|count| count.ceil().max(2.0) + 1.0).product();
     let reach = lowest.abs().max(highest.abs()).max_element() / cell;
-    if cells <= CELLS_MAX && reach <= COORDINATE_MAX {
+    if cells <= CELLS_MAX && reach <= GRID_COORDINATE_MAX {
         return Ok(());
     }
     Err(InvalidCollider::TooFine { parameter: "voxel_size", cells, most: CELLS_MAX })

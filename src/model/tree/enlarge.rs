@@ -5,6 +5,7 @@
 //! few steps.
 
 use super::TreeKind;
+use crate::base::measure::BOX_COORDINATE_MAX;
 use crate::dim::math::{Real, Vector};
 use parry::bounding_volume::{Aabb, BoundingVolume};
 
@@ -17,9 +18,6 @@ const STEPS_AHEAD: Real = 2.0;
 /// The margin ahead is limited to this many half extents. A faster collider leaves its box in every step
 /// anyway, and a long box would only find more neighbours.
 const MOTION_MARGIN_FRACTION_MAX: Real = 0.5;
-/// Largest coordinate of a box (length units). The trees compute products of three such lengths and the
-/// number of leaves, which stay within `f32`. So do the fourth powers in contact generation.
-const BOX_COORDINATE_MAX: Real = 1.0e10;
 /// A box this large represents an infinite one, as of a half-space, and is cut at the limit.
 const EXTENT_UNBOUNDED_MIN: Real = Real::MAX * 0.25;
 

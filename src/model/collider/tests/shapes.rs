@@ -2,7 +2,7 @@
 
 use super::{NOT_COORDINATES, NOT_LENGTHS};
 use crate::base::random::Random;
-use crate::dim::math::{DIM, Pose, Real, Vector, rotation_from_angle, torque};
+use crate::dim::math::{DIM, Int, Pose, Real, Vector, rotation_from_angle, torque};
 use crate::model::collider::{ColliderBuilder, InvalidCollider, MeshConverter};
 use parry::math::IVector;
 use parry::shape::{PolylineFlags, SharedShape, TriMeshFlags};
@@ -204,10 +204,10 @@ fn grids_that_do_not_fit_into_memory_are_refused() {
     let (vertices, surface) = unit_box_surface();
     let voxels = ColliderBuilder::voxelized_mesh(&vertices, &surface, 1.0e-6, FillMode::default());
     assert_impossible(&voxels, "cells");
-    let cells = [IVector::ONE * 1_000_000_000];
+    let cells = [IVector::ONE * Int::MAX];
     assert_impossible(&ColliderBuilder::voxels(Vector::ONE, &cells), "grid coordinates");
-    let far = [X * 1.0e12];
-    assert_impossible(&ColliderBuilder::voxels_from_points(Vector::ONE, &far), "grid coordinates");
+    let (far, small) = ([X * 1.0e14], Vector::splat(1.0e-3));
+    assert_impossible(&ColliderBuilder::voxels_from_points(small, &far), "grid coordinates");
     let parameters = [
         VHACDParameters { resolution: u32::MAX, ..Default::default() },
         VHACDParameters { resolution: 0, ..Default::default() },

@@ -1,7 +1,7 @@
 //! A moving point against a convex shape with flat faces, and against the layer around one.
 
+use super::layer::{Meeting, Touch, enter_first};
 use super::rounded::nearest_on_segment;
-use super::{Meeting, Touch, enter_first};
 use crate::dim::facets::Facets;
 use crate::dim::math::{Real, Vector};
 

@@ -2,11 +2,18 @@
 
 use super::hull::clip;
 use super::rounded::chord;
+use crate::dim::collide::has_inside;
 use crate::dim::facets::Facets;
 use crate::dim::field::ray_on_field;
 use crate::dim::math::{DIM, Pose, Real, Vector};
 use parry::query::{Ray, RayCast, RayIntersection};
 use parry::shape::{Ball, Cuboid, FeatureId, Shape, TypedShape};
+
+/// Returns whether a ray hits a shape at once: it begins inside the solid that a surface encloses, or it has
+/// no direction and begins inside any shape.
+fn begins_inside(shape: &dyn Shape, pose: &Pose, ray: &Ray) -> bool {
+    (ray.dir == Vector::ZERO || has_inside(shape)) && shape.contains_point(pose, ray.origin)
+}
 
 /// Returns the time at which a ray hits a shape, if it is at most `limit`.
 pub fn time_of_impact(
@@ -17,6 +24,9 @@ pub fn time_of_impact(
     solid: bool,
 ) -> Option<Real> {
     let local = || ray.inverse_transform_by(pose);
+    if ray.dir == Vector::ZERO || (solid && has_inside(shape)) {
+        return intersection(shape, pose, ray, limit, solid).map(|hit| hit.time_of_impact);
+    }
     match shape.as_typed_shape() {
         TypedShape::Ball(ball) => ball_time(ball, pose, ray, limit, solid).map(|(time, _)| time),
         TypedShape::Cuboid(cuboid) if solid => cuboid_time(cuboid, &local(), limit),
@@ -36,6 +46,12 @@ pub fn intersection(
     limit: Real,
     solid: bool,
 ) -> Option<RayIntersection> {
+    if solid && begins_inside(shape, pose, ray) {
+        return Some(RayIntersection::new(0.0, Vector::ZERO, FeatureId::Unknown));
+    }
+    if ray.dir == Vector::ZERO {
+        return None;
+    }
     let typed = shape.as_typed_shape();
     if let TypedShape::Ball(ball) = typed {
         return ball_hit(ball, pose, ray, limit, solid);

@@ -1,6 +1,6 @@
 //! A moving point against the layer around a box.
 
-use super::{Meeting, Touch, enter_first};
+use super::layer::{Meeting, Touch, enter_first};
 use crate::dim::math::{DIM, Real, Vector};
 
 /// Returns the time at which a point meets the layer of thickness `radius` around a box about the origin.

@@ -1,27 +1,11 @@
-//! Hits of one ray, or one moving shape, on one shape.
-//!
-//! The common shapes have special formulas here: rays against balls, hulls and height fields, and casts of
-//! balls against balls, boxes, capsules, triangles and hulls. A moving ball is a moving point against a shape
-//! with a layer around it. parry computes the rest.
+//! Entry of a moving point into a layer around a shape.
 
-mod cuboid;
-mod dispatcher;
-mod hull;
-mod rays;
-mod rounded;
-#[cfg(test)]
-mod tests;
-mod turning;
-
-pub(super) use dispatcher::Dispatcher;
-pub(super) use rays::{intersection, time_of_impact};
-
+use super::rounded::enter_capsule;
 use crate::dim::math::{Real, Vector};
-use rounded::enter_capsule;
 
 /// Whether a moving point meets a layer around a shape.
 #[derive(Copy, Clone, Debug)]
-enum Meeting {
+pub(super) enum Meeting {
     /// The point does not meet the layer.
     Never,
     /// The point meets the layer from outside or at once.
@@ -32,18 +16,18 @@ enum Meeting {
 
 /// The entry of a moving point into a layer, in the frame of the shape.
 #[derive(Copy, Clone, Debug)]
-struct Touch {
+pub(super) struct Touch {
     /// The time of the entry (units of the velocity): zero if the point starts there.
-    time: Real,
+    pub time: Real,
     /// The outward normal there.
-    normal: Vector,
+    pub normal: Vector,
     /// The nearest point of the layer's core.
-    core: Vector,
+    pub core: Vector,
 }
 
 impl Touch {
     /// A touch at a place that is nearest to a point of the core.
-    fn around(place: Vector, core: Vector, time: Real) -> Meeting {
+    pub fn around(place: Vector, core: Vector, time: Real) -> Meeting {
         match (place - core).try_normalize() {
             Some(normal) => Meeting::At(Self { time, normal, core }),
             None => Meeting::Unclear,
@@ -51,13 +35,13 @@ impl Touch {
     }
 
     /// A touch of a point that begins where it is.
-    fn at_once(normal: Vector, core: Vector) -> Meeting {
+    pub fn at_once(normal: Vector, core: Vector) -> Meeting {
         Meeting::At(Self { time: 0.0, normal, core })
     }
 }
 
 /// The first of the capsules around some segments that a point meets from outside of all.
-fn enter_first(
+pub(super) fn enter_first(
     origin: Vector,
     dir: Vector,
     radius: Real,

@@ -1,0 +1,36 @@
+//! # Queries of two shapes, and of a ray and a shape
+//!
+//! Intersection, distance, contact, closest points and casts of any two shapes, and rays. The queries of the
+//! world, sensors and controllers use [`Dispatcher`], which has a result for each pair of shapes.
+//!
+//! | file | content |
+//! |---|---|
+//! | `dispatcher.rs` | parry's interface, with a result for every pair |
+//! | `pair_query.rs` | reduction of composite shapes to pairs of *plain* parts (convex shapes and half-spaces) |
+//! | `surroundings.rs` | lower bounds for boxes around parts |
+//! | `inside.rs` | surfaces with a solid inside |
+//! | `plain.rs` | pairs of plain parts |
+//! | `balls.rs`, `cuboid.rs`, `hull.rs`, `rounded.rs` | formulas for casts of balls: a moving point against a shape with a layer around it |
+//! | `convex_cast.rs` | casts of other convex shapes |
+//! | `turning.rs` | casts of rotating shapes |
+//! | `rays.rs` | rays |
+
+mod balls;
+mod convex_cast;
+mod cuboid;
+mod dispatcher;
+mod hull;
+mod inside;
+mod layer;
+mod pair_query;
+mod plain;
+mod rays;
+mod rounded;
+mod surroundings;
+#[cfg(test)]
+mod tests;
+mod turning;
+
+pub(crate) use dispatcher::{Dispatcher, shapes_intersect};
+pub(super) use plain::distance;
+pub(crate) use rays::{intersection, time_of_impact};
