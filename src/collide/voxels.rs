@@ -34,7 +34,8 @@ pub(super) fn for_each_voxel(voxels: &Voxels, region: &Aabb, f: &mut dyn FnMut(P
 /// The cells among which all voxels are.
 pub(super) fn all_voxels(voxels: &Voxels) -> Block<DIM> {
     let [first, end] = voxels.domain().map(|corner| corner.to_array());
-    core::array::from_fn(|axis| [first[axis], end[axis]])
+    // The domain is computed from coordinates, whose rounding may hide the last cells.
+    core::array::from_fn(|axis| [first[axis].saturating_sub(1), end[axis].saturating_add(1)])
 }
 
 /// A box around some cells.

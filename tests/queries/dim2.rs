@@ -23,7 +23,8 @@ pub fn pieces(field: &SharedShape) -> Vec<SharedShape> {
 pub fn solid_box(half: Real) -> SharedShape {
     let corners = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
     let corners = corners.map(|[x, y]| Vector::new(x, y) * half).to_vec();
-    let line = ColliderBuilder::oriented_polyline(corners, Some(vec![[0, 1], [1, 2], [2, 3], [3, 0]]));
+    let line =
+        ColliderBuilder::oriented_polyline(corners, Some(vec![[0, 1], [1, 2], [2, 3], [3, 0]]));
     line.build().shared_shape().clone()
 }
 
@@ -34,9 +35,8 @@ pub fn wide_ground(half: Real) -> Result<Collider, InvalidCollider> {
 
 /// Returns voxels of size 1 that fill columns of these heights, side by side along x.
 pub fn columns(count: i32, mut height: impl FnMut() -> i32) -> SharedShape {
-    let cells: Vec<_> = (0..count)
-        .flat_map(|x| (0..=height()).map(move |y| [x as Int, y as Int].into()))
-        .collect();
+    let cells: Vec<_> =
+        (0..count).flat_map(|x| (0..=height()).map(move |y| [x as Int, y as Int].into())).collect();
     SharedShape::voxels(Vector::ONE, &cells)
 }
 

@@ -27,8 +27,8 @@ pub use cuboid::cuboid_cuboid;
 pub use edges::edge_normal;
 pub use features::box_feature;
 pub use flat::{
-    Flat, FlatBlock, FlatShape, as_flat, as_flat_mesh, flat_corners, flat_lane, flat_of, has_inside,
-    set_flat_lane,
+    Flat, FlatBlock, FlatShape, as_flat, as_flat_mesh, flat_corners, flat_lane, flat_of,
+    has_inside, set_flat_lane,
 };
 pub use hull_nearest::nearest_on_hull;
 pub use polytope::{Face, Polytope};
