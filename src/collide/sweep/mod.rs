@@ -32,12 +32,16 @@
 //! A triangle or a segment has no inside and no core. It is stopped at its first new contact of the step.
 //! If one of its corners touched before, the search uses its middle half, and then its centre.
 //!
+//! ## Sides
+//! Surfaces with one side stop what comes from their front, which their contacts push back ([`sides`]).
+//!
 //! ## Sensors
 //! Sensors stop nothing, but crossings are reported: [`passes`] returns whether two shapes are apart at both
 //! ends of the motion, and meet in between.
 
 mod body;
 mod motion;
+mod sides;
 mod touch;
 
 pub(crate) use motion::{PathSegment, Sweep, turned};
@@ -52,6 +56,7 @@ use body::Body;
 use motion::reach_about;
 use parry::bounding_volume::{Aabb, BoundingVolume};
 use parry::shape::Shape;
+use sides::is_behind;
 
 /// Depth of a shape's core below its surface, as a fraction of the shape's thickness. The core of a ball is
 /// nearly a point. The core of a capsule is nearly its axis, and the core of a board is a thinner board.
@@ -134,6 +139,9 @@ pub(crate) fn first_impact(
     for_each_pair([solid.shape, other], sweeps, &mut |parts| {
         let until = first.unwrap_or(until);
         let widths = solid.widths_once(parts[0].part, &mut last);
+        if is_behind(parts, widths.center, 0.0) {
+            return;
+        }
         first = impact_of_parts(parts, &widths, goal, until).or(first);
     });
     first
@@ -206,7 +214,8 @@ pub(crate) fn ends_deep(solid: Solid<'_>, other: &dyn Shape, sweeps: [&Sweep<'_>
         let part = parts[0].part;
         let widths = solid.widths_once(part, &mut last);
         let thickness = widths.thickness;
-        if thickness == 0.0 || thickness == Real::INFINITY {
+        let is_surface = thickness == 0.0 || thickness == Real::INFINITY;
+        if is_surface || is_behind(parts, widths.center, 1.0) {
             return;
         }
         let own = Body::core(part.shape, &widths, PENETRATION_FRACTION_MAX);
