@@ -12,6 +12,8 @@ pub mod floors;
 pub mod hostile;
 #[path = "queries/dim2.rs"]
 pub mod queries;
+#[path = "shapes/dim2.rs"]
+pub mod shapes;
 
 /// Heading of tables.
 pub const NAME: &str = "2D";

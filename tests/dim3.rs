@@ -14,6 +14,8 @@ mod space;
 pub mod hostile;
 #[path = "queries/dim3.rs"]
 pub mod queries;
+#[path = "shapes/dim3.rs"]
+pub mod shapes;
 #[path = "joints/boards.rs"]
 mod boards;
 #[path = "joints/limbs.rs"]

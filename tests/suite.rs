@@ -16,4 +16,5 @@ pub mod joints;
 pub mod multibody;
 pub mod physics;
 mod queries;
+pub mod shapes;
 mod worlds;

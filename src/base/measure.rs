@@ -36,11 +36,13 @@ pub const COORDINATE_MODERATE_MAX: Real = 0.5 * SIZE_MAX;
 /// A number or list of numbers that a shape is made of, under the name that its constructor gives it.
 #[derive(Copy, Clone, Debug)]
 pub enum Measure<'a> {
-    /// A length: positive.
-    Length(&'static str, Real),
-    /// A length that may be zero.
+    /// A size: a usable length, or zero. A shape with a size of zero is flat, a line or a point.
+    Size(&'static str, Real),
+    /// The thickness of a layer, which may be zero.
     Margin(&'static str, Real),
-    /// Lengths along the axes: positive.
+    /// Sizes along the axes.
+    Sizes(&'static str, Vector),
+    /// Lengths along the axes of a grid: positive.
     Lengths(&'static str, Vector),
     /// A point.
     Point(&'static str, Vector),
@@ -54,6 +56,12 @@ pub enum Measure<'a> {
 #[inline]
 pub fn is_length(value: Real) -> bool {
     (SIZE_MIN..=SIZE_MAX).contains(&value)
+}
+
+/// Returns whether the value is zero or a usable positive length, far from the smallest numbers.
+#[inline]
+pub fn is_size(value: Real) -> bool {
+    value == 0.0 || is_length(value)
 }
 
 /// Returns whether the value is zero or a usable positive length.

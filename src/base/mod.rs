@@ -21,6 +21,7 @@ pub(crate) mod loading;
 pub(crate) mod marks;
 pub(crate) mod measure;
 pub mod nearest;
+pub(crate) mod planar_hull;
 pub(crate) mod planar_width;
 pub mod segments;
 pub mod square;

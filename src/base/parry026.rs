@@ -3,7 +3,6 @@
 
 use parry::math::{Pose, Real, Vector};
 use parry::query::{Contact, ContactManifold, ShapeCastHit, ShapeCastStatus};
-#[cfg(feature = "serde-serialize")]
 use parry::shape::{Compound, SharedShape};
 use parry::shape::{PackedFeatureId, PolygonalFeature, PolygonalFeatureMap, Polyline};
 
@@ -22,7 +21,6 @@ pub mod names {
         pub struct CompoundFlags: u8 {}
     }
 }
-#[cfg(feature = "serde-serialize")]
 pub use names::CompoundFlags;
 pub use names::PolylineFlags;
 
@@ -125,13 +123,11 @@ pub fn polyline_flags(_: &Polyline) -> PolylineFlags {
 }
 
 /// A compound with options.
-#[cfg(feature = "serde-serialize")]
 pub fn compound(parts: Vec<(Pose, SharedShape)>, _: CompoundFlags) -> Compound {
     Compound::new(parts)
 }
 
 /// Options of a compound.
-#[cfg(feature = "serde-serialize")]
 pub fn compound_flags(_: &Compound) -> CompoundFlags {
     CompoundFlags::empty()
 }

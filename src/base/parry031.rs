@@ -3,7 +3,6 @@
 
 use parry::math::{Pose, Real, Vector};
 use parry::query::{Contact, ContactManifold, ShapeCastHit, ShapeCastStatus};
-#[cfg(feature = "serde-serialize")]
 use parry::shape::{Compound, SharedShape};
 use parry::shape::{PolygonalFeature, PolygonalFeatureMap, Polyline};
 
@@ -13,7 +12,6 @@ pub mod names {
         CompoundFlags, CompoundPseudoNormals, PolylineFlags, SegmentPseudoNormals, SubShapeId,
     };
 }
-#[cfg(feature = "serde-serialize")]
 pub use names::CompoundFlags;
 pub use names::PolylineFlags;
 pub use parry::query::{ShapeDistance, ShapeIntersection};
@@ -100,13 +98,11 @@ pub fn polyline_flags(line: &Polyline) -> PolylineFlags {
 }
 
 /// A compound with options.
-#[cfg(feature = "serde-serialize")]
 pub fn compound(parts: Vec<(Pose, SharedShape)>, flags: CompoundFlags) -> Compound {
     Compound::with_flags(parts, flags, None)
 }
 
 /// Options of a compound.
-#[cfg(feature = "serde-serialize")]
 pub fn compound_flags(compound: &Compound) -> CompoundFlags {
     compound.flags()
 }

@@ -4,6 +4,7 @@ use super::ball::ball_manifold;
 use super::capsule::capsule_capsule;
 use super::part::Part;
 use super::polytopes::{face_contacts, polytope_polytope};
+use super::sides::{is_flat, keep_side};
 use super::support::{Core, contacts_along, support_manifold};
 use crate::dim::collide::{Polytope, RawManifold, RawPoint, capsule_triangle, cuboid_cuboid};
 use crate::dim::math::{Pose, Real, Vector};
@@ -15,6 +16,9 @@ pub(super) const DISTANCE_FRACTION: Real = 0.99;
 /// Boxes that are closer than this fraction of the prediction distance touch with faces and edges only.
 const CORNER_GAP_FRACTION_MAX: Real = 0.25;
 
+/// Least cosine of a normal and the last one at which they count as the same.
+const SAME_NORMAL_COSINE_MIN: Real = 0.9;
+
 /// Computes the usable contacts of two convex parts, `pos12` being the pose of the second in the frame
 /// of the first. Returns a lower bound of the distance, 0 if there are contacts or nothing is known;
 /// `None` if such shapes never touch.
@@ -25,7 +29,9 @@ pub(super) fn part_manifold(
     raw: &mut RawManifold,
 ) -> Option<Real> {
     raw.points.clear();
+    let last_normal = raw.local_n1;
     let gap = convex_manifold(pos12, part1, part2, prediction, raw)?;
+    keep_sides(pos12, [part1, part2], last_normal, prediction, raw);
     raw.points.retain(|point| is_sound(point) && point.dist <= prediction);
     if !raw.points.is_empty() {
         return Some(0.0);
@@ -36,6 +42,37 @@ pub(super) fn part_manifold(
         separation_along(pos12, part1.shape, part2.shape, raw.local_n1)
     };
     Some(gap * DISTANCE_FRACTION)
+}
+
+/// Keeps two parts without thickness on the sides of the last normal, which is zero if there is none.
+///
+/// The direction of least overlap of two plates that meet at an angle is often that in which one of them has
+/// no extent. It changes as soon as one has moved farther along the other than contacts overlap.
+fn keep_sides(
+    pos12: &Pose,
+    parts: [&Part<'_>; 2],
+    last_normal: Vector,
+    prediction: Real,
+    raw: &mut RawManifold,
+) {
+    let overlap = raw.points.iter().any(|point| point.dist < 0.0);
+    let has_turned =
+        last_normal != Vector::ZERO && raw.local_n1.dot(last_normal) < SAME_NORMAL_COSINE_MIN;
+    if !(has_turned && parts.iter().all(|part| is_flat(part.shape))) {
+        return;
+    }
+    let mut along_last = RawManifold::new();
+    for is_first in [true, false].into_iter().filter(|_| overlap) {
+        manifold_along(pos12, parts, is_first, last_normal, prediction, &mut along_last);
+        along_last.points.retain(|point| is_sound(point) && point.dist <= prediction);
+        let is_shallow = along_last.points.iter().all(|point| point.dist > -prediction);
+        if is_shallow && !along_last.points.is_empty() {
+            core::mem::swap(raw, &mut along_last);
+            return;
+        }
+        along_last.points.clear();
+    }
+    keep_side(last_normal, raw);
 }
 
 /// Returns whether all numbers of the point are finite.
@@ -59,7 +96,9 @@ pub(super) fn convex_manifold(
         return general_manifold(pos12, part1, part2, prediction, raw).then_some(0.0);
     }
     match (part1.shape.as_typed_shape(), part2.shape.as_typed_shape()) {
-        (TypedShape::Cuboid(cuboid1), TypedShape::Cuboid(cuboid2)) => {
+        (TypedShape::Cuboid(cuboid1), TypedShape::Cuboid(cuboid2))
+            if !(is_flat(part1.shape) || is_flat(part2.shape)) =>
+        {
             let (half1, half2) = (cuboid1.half_extents, cuboid2.half_extents);
             let hint = raw.local_n1;
             let gap = cuboid_cuboid(pos12, half1, half2, prediction, raw);
@@ -85,16 +124,20 @@ pub(super) fn convex_manifold(
             capsule_capsule(pos12, capsule1, capsule2, prediction, raw)
                 .or_else(|| others(pos12, part1, part2, prediction, raw))
         }
-        (TypedShape::Capsule(capsule1), TypedShape::Segment(segment2)) => {
+        (TypedShape::Capsule(capsule1), TypedShape::Segment(segment2)) if capsule1.radius > 0.0 => {
             let thin = Capsule::new(segment2.a, segment2.b, 0.0);
             capsule_capsule(pos12, capsule1, &thin, prediction, raw)
                 .or_else(|| others(pos12, part1, part2, prediction, raw))
         }
-        (TypedShape::Capsule(capsule1), TypedShape::Triangle(triangle2)) => {
+        (TypedShape::Capsule(capsule1), TypedShape::Triangle(triangle2))
+            if capsule1.radius > 0.0 =>
+        {
             capsule_triangle(pos12, capsule1, triangle2, prediction, raw)
                 .or_else(|| others(pos12, part1, part2, prediction, raw))
         }
-        (TypedShape::Segment(_) | TypedShape::Triangle(_), TypedShape::Capsule(_)) => {
+        (TypedShape::Segment(_) | TypedShape::Triangle(_), TypedShape::Capsule(capsule2))
+            if capsule2.radius > 0.0 =>
+        {
             raw.local_n1 = pos12.rotation.inverse() * -raw.local_n1;
             let gap = convex_manifold(&pos12.inverse(), part2, part1, prediction, raw);
             flip(raw);

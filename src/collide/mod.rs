@@ -30,6 +30,7 @@ mod patches;
 mod polytopes;
 mod queries;
 mod search;
+mod sides;
 mod internal_edges;
 mod support;
 mod sweep;

@@ -26,12 +26,14 @@ impl<'a> Part<'a> {
     }
 
     /// Returns whether the search of this part may start from the normal of a manifold of its plane. Balls,
-    /// boxes and capsules need no such start.
+    /// boxes and capsules need no such start, unless they have no thickness.
     pub fn uses_plane_normal(&self) -> bool {
-        !matches!(
-            self.shape.as_typed_shape(),
-            TypedShape::Ball(_) | TypedShape::Cuboid(_) | TypedShape::Capsule(_)
-        )
+        match self.shape.as_typed_shape() {
+            TypedShape::Ball(ball) => ball.radius == 0.0,
+            TypedShape::Cuboid(cuboid) => cuboid.half_extents.min_element() == 0.0,
+            TypedShape::Capsule(capsule) => capsule.radius == 0.0,
+            _ => true,
+        }
     }
 
     /// Returns whether the part is flat and lies in a plane of its shape's frame.

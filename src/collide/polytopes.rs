@@ -121,7 +121,9 @@ impl Pair<'_> {
     fn add_contacts(&self, raw: &mut RawManifold) -> Real {
         let (hint, prediction) = (raw.local_n1, self.prediction);
         let axis = || best_axis(self.pos12, self.polytope1, self.polytope2, hint);
-        if let Some(axis) = self.is_sharp.then(axis).flatten() {
+        // A box without thickness has no best axis, but sides: those of the last normal.
+        let is_solid = !(self.polytope1.is_flat_box() || self.polytope2.is_flat_box());
+        if let Some(axis) = (self.is_sharp && is_solid).then(axis).flatten() {
             return self.add_along(&axis, raw);
         }
         let is_known = hint != Vector::ZERO;

@@ -4,13 +4,14 @@
 //! alone, which dissolves a finely rounded outline. These measure relative to the size.
 
 use super::math::{Real, Vector};
+use crate::base::planar_hull;
 use parry::shape::ConvexPolygon;
 
 /// The type of convex hulls.
 pub type ConvexShape = ConvexPolygon;
 
 /// The reason why points have no hull.
-pub const DEGENERATE_REASON: &str = "its points lie on a line, or too close to one";
+pub const DEGENERATE_REASON: &str = "its points coincide";
 
 /// Least height of a corner above the line through its neighbours, as a fraction of the size.
 const CORNER_HEIGHT_FRACTION_MIN: Real = 1.0e-5;
@@ -46,32 +47,10 @@ fn polygon(mut corners: Vec<Vector>) -> Option<ConvexPolygon> {
     ConvexPolygon::from_convex_polyline_unmodified(corners)
 }
 
-/// The corners of the convex hull, counter-clockwise: Andrew's monotone chain.
+/// The corners of the convex hull, counter-clockwise.
 fn hull_corners(points: &[Vector]) -> Vec<Vector> {
-    let mut sorted = points.to_vec();
-    sorted.sort_by(|p, q| p.x.total_cmp(&q.x).then(p.y.total_cmp(&q.y)));
-    sorted.dedup();
-    let mut corners = half_hull(sorted.iter().copied());
-    let mut upper = half_hull(sorted.iter().rev().copied());
-    corners.pop(); // Each half ends where the other begins.
-    upper.pop();
-    corners.append(&mut upper);
-    corners
-}
-
-/// Visits sorted points and keeps the left turns.
-fn half_hull(sorted: impl Iterator<Item = Vector>) -> Vec<Vector> {
-    let mut chain: Vec<Vector> = Vec::new();
-    for point in sorted {
-        while let [.., a, b] = chain[..] {
-            if (b - a).perp_dot(point - b) > 0.0 {
-                break;
-            }
-            chain.pop();
-        }
-        chain.push(point);
-    }
-    chain
+    let plain: Vec<_> = points.iter().map(Vector::to_array).collect();
+    planar_hull::hull_corners(&plain).into_iter().map(|i| points[i]).collect()
 }
 
 /// Drops corners that lie within `tolerance` of the line from the corner kept before to the next.

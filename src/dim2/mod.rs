@@ -5,11 +5,14 @@
 
 pub mod collide;
 pub mod axes;
+pub mod decomposition;
 pub mod facets;
 pub mod field;
+pub mod flat_hull;
 pub mod hull;
 pub mod joint_axes;
 pub mod names;
+pub mod repair;
 pub mod mask;
 pub mod mass;
 pub mod math;

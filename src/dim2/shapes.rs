@@ -5,7 +5,7 @@ use super::math::{Real, Rotation, Vector};
 use crate::base::hash::FastHashMap;
 use crate::base::measure::Measure;
 use parry::mass_properties::MassProperties;
-use parry::shape::{ConvexPolygon, Polyline, Triangle, TypedShape};
+use parry::shape::{ConvexPolygon, Polyline, RoundShape, Triangle, TypedShape};
 use parry::transformation::voxelization::VoxelSet;
 use smallvec::{SmallVec, smallvec};
 
@@ -24,7 +24,7 @@ pub fn polyline_normals(_line: &Polyline) -> Option<&[Vector]> {
 /// The numbers that a shape is made of, for the shapes whose type depends on the dimension; nothing
 /// for the others.
 pub fn measures(shape: TypedShape<'_>) -> SmallVec<[Measure<'_>; 4]> {
-    use Measure::{Coordinates, Lengths, Margin, Points};
+    use Measure::{Coordinates, Lengths, Margin, Point, Points};
     match shape {
         TypedShape::ConvexPolygon(c) => smallvec![Points("points", c.points())],
         TypedShape::RoundConvexPolygon(c) => smallvec![
@@ -32,7 +32,12 @@ pub fn measures(shape: TypedShape<'_>) -> SmallVec<[Measure<'_>; 4]> {
             Margin("border_radius", c.border_radius)
         ],
         TypedShape::HeightField(h) => {
-            smallvec![Coordinates("heights", h.heights()), Lengths("scale", h.scale())]
+            // A negative factor mirrors, and the heights may be scaled to zero.
+            smallvec![
+                Coordinates("heights", h.heights()),
+                Point("scale", h.scale()),
+                Lengths("scale", h.scale().abs().with_y(1.0))
+            ]
         }
         _ => SmallVec::new(),
     }
@@ -65,8 +70,17 @@ pub fn convex_defect(shape: TypedShape<'_>) -> Option<(&'static str, &'static st
 
 /// The surface of this dimension's shapes without volume, as elements with the given corners.
 pub fn for_each_element(shape: TypedShape<'_>, mut visit: impl FnMut(&[Vector])) {
-    if let TypedShape::HeightField(field) = shape {
-        field.segments().for_each(|segment| visit(&[segment.a, segment.b]));
+    match shape {
+        TypedShape::HeightField(field) => {
+            field.segments().for_each(|segment| visit(&[segment.a, segment.b]));
+        }
+        TypedShape::Cuboid(c) => visit(&[-c.half_extents, c.half_extents]),
+        TypedShape::RoundCuboid(RoundShape { inner_shape: c, .. }) => {
+            visit(&[-c.half_extents, c.half_extents]);
+        }
+        TypedShape::Triangle(t) => visit(&[t.a, t.b, t.c]),
+        TypedShape::RoundTriangle(RoundShape { inner_shape: t, .. }) => visit(&[t.a, t.b, t.c]),
+        _ => {}
     }
 }
 
@@ -84,6 +98,16 @@ pub fn farthest(shape: TypedShape<'_>, center: Vector) -> Option<Real> {
 
 fn farthest_point(points: &[Vector], center: Vector) -> Real {
     points.iter().map(|p| p.distance_squared(center)).fold(0.0, Real::max).sqrt()
+}
+
+/// Returns whether the shape is one of this dimension's shapes without thickness.
+pub fn is_plate(shape: TypedShape<'_>) -> bool {
+    let border = |round: Real, half: Vector| round == 0.0 && half.min_element() == 0.0;
+    match shape {
+        TypedShape::RoundCuboid(c) => border(c.border_radius, c.inner_shape.half_extents),
+        TypedShape::Triangle(t) => (t.b - t.a).perp_dot(t.c - t.a) == 0.0,
+        _ => false,
+    }
 }
 
 /// Returns whether the shape is one of this dimension's shapes that can roll.

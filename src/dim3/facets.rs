@@ -1,6 +1,7 @@
 //! Convex shapes with flat faces, as a moving point meets them: planes, and the edges between them.
 
 use super::math::{Real, Vector};
+use super::shapes::is_plate;
 use parry::shape::{ConvexPolyhedron, Triangle, TypedShape};
 
 /// Largest distance of corners from the plane of their face, as a fraction of the size of the hull. It is the
@@ -45,7 +46,11 @@ impl<'a> Facets<'a> {
 
     /// Returns whether the shape has no interior, so that it consists of the layer around it.
     pub fn is_flat(&self) -> bool {
-        matches!(self, Self::Triangle(..))
+        match self {
+            Self::Triangle(..) => true,
+            // Its two faces alone enclose an unlimited plane.
+            Self::Hull(hull) => is_plate(TypedShape::ConvexPolyhedron(hull)),
+        }
     }
 
     /// Number of faces.

@@ -5,6 +5,7 @@
 //! points are scaled to the unit box first, and a polyhedron whose faces came out crooked is made again from
 //! fewer points.
 
+use super::flat_hull::flat_hull;
 use super::math::{Real, Vector};
 use crate::base::guard::guarded;
 use crate::base::hash::FastHashMap;
@@ -16,7 +17,7 @@ use parry::utils::remove_unused_points;
 pub type ConvexShape = ConvexPolyhedron;
 
 /// The reason why points have no hull.
-pub const DEGENERATE_REASON: &str = "its points lie in a plane, or too close to one";
+pub const DEGENERATE_REASON: &str = "its points lie on a line, or too close to one";
 
 /// Least thickness of a box of points that span a volume, as a fraction of its length.
 const THICKNESS_FRACTION_MIN: Real = 1.0e-6;
@@ -43,7 +44,8 @@ pub fn convex_hull(points: &[Vector]) -> Option<ConvexPolyhedron> {
 }
 
 /// The polyhedron with the given finite corners and triangles, which must enclose a convex solid, all with
-/// the same winding; `None` if they enclose nothing. The indices must be in range.
+/// the same winding; a plate if they lie in a plane; `None` if they enclose nothing. The indices must be in
+/// range.
 pub fn convex_mesh(mut points: Vec<Vector>, triangles: &[[u32; 3]]) -> Option<ConvexPolyhedron> {
     let in_range = |corner: &u32| (*corner as usize) < points.len();
     if !triangles.iter().flatten().all(in_range) || !is_closed(triangles) {
@@ -51,10 +53,10 @@ pub fn convex_mesh(mut points: Vec<Vector>, triangles: &[[u32; 3]]) -> Option<Co
     }
     let mut triangles = triangles.to_vec();
     remove_unused_points(&mut points, &mut triangles); // They would count as corners of the solid.
-    let frame = UnitBox::around(&points)?;
+    let Some(frame) = UnitBox::around(&points) else { return flat_hull(&points) };
     match solid(&points, &triangles, &frame) {
         Solid::Fine(solid) => Some(*solid),
-        Solid::Empty => None,
+        Solid::Empty => flat_hull(&points),
         Solid::Crooked => convex_hull(&points),
     }
 }

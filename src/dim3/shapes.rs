@@ -4,8 +4,10 @@ use super::hull::signed_volume;
 use super::mass::{mass_from_moments, no_mass, principal_axes, second_moment};
 use super::math::{Matrix, Real, Rotation, Vector};
 use crate::base::measure::Measure;
+use crate::base::trig::sin_cos;
+use arrayvec::ArrayVec;
 use parry::mass_properties::MassProperties;
-use parry::shape::{ConvexPolyhedron, Cylinder, TypedShape};
+use parry::shape::{ConvexPolyhedron, Cylinder, RoundShape, TypedShape};
 use parry::transformation::voxelization::VoxelSet;
 use smallvec::{SmallVec, smallvec};
 
@@ -17,19 +19,19 @@ const INVERSION_MIN: Real = 64.0 * Real::EPSILON;
 /// The numbers that a shape is made of, for the shapes whose type depends on the dimension; nothing
 /// for the others.
 pub fn measures(shape: TypedShape<'_>) -> SmallVec<[Measure<'_>; 4]> {
-    use Measure::{Coordinates, Length, Lengths, Margin, Points};
+    use Measure::{Coordinates, Lengths, Margin, Point, Points, Size};
     let cylinder =
-        |c: &Cylinder| smallvec![Length("half_height", c.half_height), Length("radius", c.radius)];
+        |c: &Cylinder| smallvec![Size("half_height", c.half_height), Size("radius", c.radius)];
     let (mut inner, border): (SmallVec<[Measure<'_>; 4]>, _) = match shape {
         TypedShape::Cylinder(c) => return cylinder(c),
         TypedShape::RoundCylinder(c) => (cylinder(&c.inner_shape), c.border_radius),
         TypedShape::Cone(c) => {
-            return smallvec![Length("half_height", c.half_height), Length("radius", c.radius)];
+            return smallvec![Size("half_height", c.half_height), Size("radius", c.radius)];
         }
         TypedShape::RoundCone(c) => {
             let cone = &c.inner_shape;
             let inner =
-                smallvec![Length("half_height", cone.half_height), Length("radius", cone.radius)];
+                smallvec![Size("half_height", cone.half_height), Size("radius", cone.radius)];
             (inner, c.border_radius)
         }
         TypedShape::ConvexPolyhedron(c) => return smallvec![Points("points", c.points())],
@@ -38,7 +40,9 @@ pub fn measures(shape: TypedShape<'_>) -> SmallVec<[Measure<'_>; 4]> {
         }
         TypedShape::HeightField(h) => {
             let heights = Coordinates("heights", h.heights().data());
-            return smallvec![heights, Lengths("scale", h.scale())];
+            // Negative factors mirror, and the heights may be scaled to zero.
+            let sides = h.scale().abs().with_y(1.0);
+            return smallvec![heights, Point("scale", h.scale()), Lengths("scale", sides)];
         }
         _ => return SmallVec::new(),
     };
@@ -58,13 +62,18 @@ pub fn convex_defect(shape: TypedShape<'_>) -> Option<(&'static str, &'static st
     if solid.faces().len() < 2 {
         return Some(("convex polyhedron", "its corners lie on a line, or its faces have no area"));
     }
-    let (mut corners, triangles) = solid.to_trimesh();
-    let origin = *corners.first()?;
-    corners.iter_mut().for_each(|corner| *corner -= origin);
+    let (corners, triangles) = solid.to_trimesh();
+    is_inside_out(&corners, &triangles)
+        .then_some(("convex polyhedron", "its faces point toward the inside"))
+}
+
+/// Returns whether closed triangles are wound clockwise, seen from outside.
+pub fn is_inside_out(corners: &[Vector], triangles: &[[u32; 3]]) -> bool {
+    let Some(&origin) = corners.first() else { return false };
+    let corners: Vec<Vector> = corners.iter().map(|corner| *corner - origin).collect();
     let size = farthest_point(&corners, Vector::ZERO);
     // The faces of a plate enclose nothing but rounding.
-    let is_inverted = signed_volume(&corners, &triangles) < -INVERSION_MIN * size.powi(3);
-    is_inverted.then_some(("convex polyhedron", "its faces point toward the inside"))
+    signed_volume(&corners, triangles) < -INVERSION_MIN * size.powi(3)
 }
 
 /// The surface of this dimension's shapes without volume, as elements with the given corners.
@@ -80,12 +89,54 @@ pub fn for_each_element(shape: TypedShape<'_>, mut visit: impl FnMut(&[Vector]))
             let t = &t.inner_shape;
             triangle([t.a, t.b, t.c]);
         }
+        TypedShape::Cuboid(c) => for_each_element_of_box(c.half_extents, visit),
+        TypedShape::RoundCuboid(c) => for_each_element_of_box(c.inner_shape.half_extents, visit),
+        TypedShape::Cylinder(c) => for_each_element_of_disc(c.half_height, c.radius, visit),
+        TypedShape::RoundCylinder(RoundShape { inner_shape: c, .. }) => {
+            for_each_element_of_disc(c.half_height, c.radius, visit);
+        }
+        TypedShape::Cone(c) => for_each_element_of_disc(c.half_height, c.radius, visit),
+        TypedShape::RoundCone(RoundShape { inner_shape: c, .. }) => {
+            for_each_element_of_disc(c.half_height, c.radius, visit);
+        }
         TypedShape::ConvexPolyhedron(solid) => for_each_triangle_of_plate(solid, triangle),
         TypedShape::RoundConvexPolyhedron(round) => {
             for_each_triangle_of_plate(&round.inner_shape, triangle);
         }
         _ => {}
     }
+}
+
+/// The two triangles of a box without height, or the segment of one with a length alone.
+fn for_each_element_of_box(half: Vector, mut visit: impl FnMut(&[Vector])) {
+    let edges = Vector::AXES.map(|axis| axis * half).into_iter();
+    let edges: ArrayVec<Vector, 3> = edges.filter(|edge| *edge != Vector::ZERO).collect();
+    match edges[..] {
+        [edge] => visit(&[-edge, edge]),
+        [u, v] => {
+            visit(&[-u - v, u - v, u + v]);
+            visit(&[-u - v, u + v, v - u]);
+        }
+        _ => {}
+    }
+}
+
+/// Number of triangles of a disc.
+const DISC_TRIANGLES: usize = 32;
+
+/// The triangles of a cylinder or cone without height, of the same area, or the segment of one without
+/// radius.
+fn for_each_element_of_disc(half_height: Real, radius: Real, mut visit: impl FnMut(&[Vector])) {
+    if radius == 0.0 {
+        return visit(&[-Vector::Y * half_height, Vector::Y * half_height]);
+    }
+    let angle = core::f64::consts::TAU as Real / DISC_TRIANGLES as Real;
+    let reach = radius * (angle / sin_cos(angle).0).sqrt();
+    let rim = |k: usize| {
+        let (sine, cosine) = sin_cos(k as Real * angle);
+        Vector::new(cosine, 0.0, sine) * reach
+    };
+    (0..DISC_TRIANGLES).for_each(|k| visit(&[Vector::ZERO, rim(k), rim(k + 1)]));
 }
 
 /// The triangles of one side of a hull without volume.
@@ -125,6 +176,23 @@ fn farthest_of_cylinder(cylinder: &Cylinder, center: Vector) -> Real {
 
 fn farthest_point(points: &[Vector], center: Vector) -> Real {
     points.iter().map(|p| p.distance_squared(center)).fold(0.0, Real::max).sqrt()
+}
+
+/// Returns whether the shape is one of this dimension's shapes without thickness.
+pub fn is_plate(shape: TypedShape<'_>) -> bool {
+    match shape {
+        TypedShape::Triangle(_) => true,
+        TypedShape::RoundCuboid(c) => {
+            c.border_radius == 0.0 && c.inner_shape.half_extents.min_element() == 0.0
+        }
+        TypedShape::Cylinder(c) => c.half_height == 0.0 || c.radius == 0.0,
+        TypedShape::Cone(c) => c.half_height == 0.0 || c.radius == 0.0,
+        TypedShape::ConvexPolyhedron(solid) => {
+            let faces = solid.faces();
+            faces.len() == 2 && faces[0].normal == -faces[1].normal
+        }
+        _ => false,
+    }
 }
 
 /// Returns whether the shape is one of this dimension's shapes that can roll.

@@ -126,30 +126,18 @@ fn degenerate_areas() -> Vec<Degenerate> {
         ("hull of nothing", "", || Ok(ColliderBuilder::convex_hull(&[]))),
         ("hull of a point", "", || Ok(ColliderBuilder::convex_hull(&[Vector::X]))),
         ("hull of one point often", "", || Ok(ColliderBuilder::convex_hull(&[Vector::X; 9]))),
-        ("hull of a line", "", || Ok(ColliderBuilder::convex_hull(&line()))),
         ("hull of NaN", "", || Ok(ColliderBuilder::convex_hull(&[Vector::NAN; 4]))),
         ("polygon of nothing", "", || Ok(ColliderBuilder::convex_polyline(vec![]))),
-        ("polygon of a line", "", || Ok(ColliderBuilder::convex_polyline(line()))),
         ("polygon of one point often", "", || {
             Ok(ColliderBuilder::convex_polyline(vec![Vector::X; 5]))
         }),
         ("empty mesh", "triangle", || ColliderBuilder::trimesh(vec![], vec![]).map(Some)),
         ("mesh of no triangles", "triangle", || ColliderBuilder::trimesh(line(), vec![]).map(Some)),
-        ("mesh of a line", "area", || ColliderBuilder::trimesh(line(), vec![[0, 1, 2]]).map(Some)),
-        ("mesh of one corner thrice", "area", || {
-            ColliderBuilder::trimesh(corners(1.0), vec![[1, 1, 1]]).map(Some)
-        }),
         ("mesh beyond its corners", "4", || {
             ColliderBuilder::trimesh(corners(1.0), vec![[0, 1, 4]]).map(Some)
         }),
         ("mesh far beyond its corners", "4294967295", || {
             ColliderBuilder::trimesh(corners(1.0), vec![[0, 1, u32::MAX]]).map(Some)
-        }),
-        ("segment without length", "coincide", || {
-            Ok(Some(ColliderBuilder::segment(Vector::ONE, Vector::ONE)))
-        }),
-        ("triangle without area", "line", || {
-            Ok(Some(ColliderBuilder::triangle(Vector::ZERO, Vector::ONE, Vector::ONE * 2.0)))
         }),
         ("empty compound", "shapes", || Ok(Some(ColliderBuilder::compound(vec![])))),
         ("compound of compounds", "part 0", || {
@@ -188,9 +176,6 @@ fn degenerate_chains() -> Vec<Degenerate> {
         }),
         ("polyline of no segments", "indices", || {
             Ok(Some(ColliderBuilder::polyline(line(), Some(vec![]))))
-        }),
-        ("polyline without length", "length", || {
-            Ok(Some(ColliderBuilder::polyline(vec![Vector::X; 3], None)))
         }),
         ("polyline beyond its corners", "7", || {
             Ok(Some(ColliderBuilder::polyline(line(), Some(vec![[0, 7]]))))
@@ -253,22 +238,12 @@ pub fn weightless_shapes(size: Real, angle: Real) -> Vec<Weightless> {
 
 /// Returns shapes of parry's constructors that cannot collide, and a word of the reason.
 pub fn unsound_shapes() -> Vec<(&'static str, &'static str, Option<SharedShape>)> {
-    let square = [[0.0, 0.0], [0.0, 1.0], [1.0, 1.0], [1.0, 0.0]].map(Vector::from_array);
-    let line: Vec<Vector> = (0..4).map(|i| Vector::ONE * i as Real).collect();
+    let line = Segment::new(Vector::X, Vector::ONE);
+    let triangle =
+        RoundShape { inner_shape: Triangle::new(line.a, line.b, line.a), border_radius: -0.1 };
     vec![
-        (
-            "clockwise polygon",
-            "clockwise",
-            SharedShape::convex_polyline_unmodified(square.to_vec()),
-        ),
-        ("polygon on a line", "line", SharedShape::convex_polyline_unmodified(line.clone())),
-        (
-            "round polygon on a line",
-            "line",
-            ConvexPolygon::from_convex_polyline_unmodified(line).map(|polygon| {
-                SharedShape::new(RoundShape { inner_shape: polygon, border_radius: 0.1 })
-            }),
-        ),
+        ("negative ball", "radius", Some(SharedShape::ball(-1.0))),
+        ("triangle with a negative border", "border_radius", Some(SharedShape::new(triangle))),
     ]
 }
 

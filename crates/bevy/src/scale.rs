@@ -85,16 +85,17 @@ fn even_factor(scale: engine::Vector, expected: &'static str) -> Result<Scalar, 
     }
 }
 
-/// Scales by parry, which is right for positive factors.
+/// Scales by parry, which is right for positive factors. The engine repairs mirrored height fields.
 pub(crate) fn by_parry(shape: &SharedShape, scale: engine::Vector) -> Scaled {
-    if let Some(factor) = scale.to_array().into_iter().find(|factor| *factor < 0.0) {
+    let negative = scale.to_array().into_iter().find(|factor| *factor < 0.0);
+    if let Some(factor) = negative.filter(|_| shape.as_heightfield().is_none()) {
         return Err(refused(factor, "positive, for this shape"));
     }
     let scaled = shape.scale_dyn(scale, SUBDIVISIONS).ok_or(InvalidCollider::Degenerate {
         shape: "scaled shape",
         reason: "its convex hull has no volume",
     })?;
-    Ok(SharedShape(scaled.into()))
+    ColliderBuilder::new(SharedShape(scaled.into())).try_shape()
 }
 
 /// The convex hull of scaled points.

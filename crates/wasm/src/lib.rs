@@ -35,6 +35,7 @@ mod body;
 mod body_motion;
 mod body_mass;
 mod collider;
+mod decomposition;
 mod shape;
 mod voxels;
 mod query;

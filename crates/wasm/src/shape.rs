@@ -3,6 +3,7 @@
 //! The scratch block holds vectors in places 0 to 2 (half extents, corners, normal, scale), and in place 3
 //! radius, half height and border radius.
 
+use crate::decomposition;
 use crate::fault::{Fault, finite};
 use crate::memory::{
     self, Single, number, put_integers, put_number, put_reals, put_vector, vector,
@@ -11,7 +12,6 @@ use crate::rapier::geometry::{ColliderBuilder, SharedShape, TriMeshFlags, TypedS
 use crate::rapier::math::{DIM, Pose, Real, Vector};
 use crate::rapier::parry::math::IVector;
 use crate::rapier::parry::shape::{Compound, CompoundFlags, PolylineFlags};
-use crate::rapier::parry::transformation::vhacd::VHACDParameters;
 use crate::registry::Registry;
 
 /// The kinds of shapes: the numbers of `Code` in TypeScript.
@@ -113,14 +113,7 @@ fn builder(kind: u32, flags: u32, indexed: bool) -> Result<ColliderBuilder, Faul
         }
         kind::COMPOUND => ColliderBuilder::compound(parts()?),
         kind::VOXELS => voxels(indexed)?,
-        kind::DECOMPOSITION => {
-            let indices = memory::groups::<DIM>("indices")?;
-            ColliderBuilder::convex_decomposition_with_params(
-                &memory::vectors("vertices")?,
-                &indices,
-                &decomposition(),
-            )
-        }
+        kind::DECOMPOSITION => decomposition::builder()?,
         _ => dimension::builder(kind, flags, indexed)?,
     })
 }
@@ -166,27 +159,6 @@ fn voxels(by_coordinates: bool) -> Result<ColliderBuilder, Fault> {
         .into_iter()
         .map(|cell| IVector::from_array(cell.map(|c| c as i32 as _)));
     Ok(ColliderBuilder::voxels(size, &cells.collect::<Vec<_>>()))
-}
-
-/// The parameters of a decomposition: places 4 and 5 of the scratch block. NaN keeps the default.
-fn decomposition() -> VHACDParameters {
-    let default = VHACDParameters::default();
-    let real = |place, component, default| {
-        let value = number(place, component);
-        if value.is_nan() { default } else { value }
-    };
-    let integer = |place, component, default: u32| real(place, component, default as Real) as u32;
-    VHACDParameters {
-        concavity: real(4, 0, default.concavity),
-        alpha: real(4, 1, default.alpha),
-        beta: real(4, 2, default.beta),
-        resolution: integer(4, 3, default.resolution),
-        plane_downsampling: integer(5, 0, default.plane_downsampling),
-        convex_hull_downsampling: integer(5, 1, default.convex_hull_downsampling),
-        max_convex_hulls: integer(5, 2, default.max_convex_hulls),
-        convex_hull_approximation: real(5, 3, 1.0) != 0.0,
-        ..default
-    }
 }
 
 /// The shapes of 2D.
@@ -321,12 +293,10 @@ mod dimension {
         ))
     }
 
-    /// Writes points and triangles. A plate has its points alone: their hull is the plate again.
     fn put_polyhedron(polyhedron: &ConvexPolyhedron) {
         let (points, indices) = polyhedron.to_trimesh();
-        let is_plate = polyhedron.faces().len() <= 2;
         put_reals(points.iter().flat_map(|point| point.to_array()));
-        put_integers(indices.into_iter().flatten().filter(|_| !is_plate));
+        put_integers(indices.into_iter().flatten());
     }
 
     fn put_sizes(half_height: Real, radius: Real, border: Real) {
@@ -480,8 +450,8 @@ fn describe_compound(compound: &Compound) -> u32 {
 exports! {
     /// Makes a shape from the scratch block and the lists. Returns its number.
     fn shape_new(kind: u32, flags: u32, indexed: u32) -> u32 {
-        for (component, name) in [(RADIUS, "radius"), (HALF_HEIGHT, "halfHeight"), (BORDER, "borderRadius")] {
-            finite(name, number(SIZES, component))?;
+        for component in [RADIUS, HALF_HEIGHT, BORDER] {
+            finite("a size of the shape", number(SIZES, component))?;
         }
         let shape = builder(kind, flags, indexed != 0)?.try_shape().map_err(Fault::invalid)?;
         register(with_compound_flags(shape, flags))

@@ -142,7 +142,9 @@ impl Search<'_> {
             &flat_parts.poses[1],
             CULLING_REACH * self.pair.prediction,
         );
+        // A box without thickness keeps its side as other parts do.
         let cuboid = flat_parts.body.shape.as_cuboid();
+        let cuboid = cuboid.filter(|cuboid| cuboid.half_extents.min_element() > 0.0);
         for (index, block) in flat_parts.triangle_cache.blocks().iter().enumerate() {
             let CulledParts { left, axes, .. } = &mut *self.culled;
             if left[index] == 0 {

@@ -83,6 +83,11 @@ impl<'a> Polytope<'a> {
         (start..=end).contains(&along.dot(point))
     }
 
+    /// Returns whether it is a box without thickness.
+    pub fn is_flat_box(&self) -> bool {
+        matches!(self, Self::Cuboid(cuboid) if cuboid.half_extents.min_element() == 0.0)
+    }
+
     /// The shape, for searches of closest points.
     pub fn as_support(&self) -> &'a dyn SupportMap {
         match *self {

@@ -1,9 +1,10 @@
 //! Shapes whose constructors have a parameter per axis of 2D space, and shapes that exist in 2D only.
 
 use crate::base::parry_version::PolylineFlags;
+use crate::dim::flat_hull::{FlatHull, flat_hull, rounded_flat_hull};
 use crate::dim::hull;
 use crate::dim::math::{Real, Vector};
-use crate::model::collider::check::check_points;
+use crate::model::collider::check::{check_margin, check_points};
 use crate::model::collider::{ColliderBuilder, InvalidCollider};
 use parry::shape::{ConvexPolygon, Cuboid, HeightField, RoundShape, SharedShape};
 
@@ -21,9 +22,10 @@ impl ColliderBuilder {
 }
 
 impl ColliderBuilder {
-    /// A convex polygon from its corners in order, in either orientation, without a hull computation.
+    /// A convex polygon from its corners in order, in either orientation, without a hull computation. Corners
+    /// on a line make a segment.
     ///
-    /// `None` if a coordinate is not finite, or if the polygon is not convex or has no area.
+    /// `None` if a coordinate is not finite, or if the polygon is not convex, or if its corners coincide.
     pub fn convex_polyline(points: Vec<Vector>) -> Option<Self> {
         Self::try_convex_polyline(points).ok()
     }
@@ -31,15 +33,17 @@ impl ColliderBuilder {
     /// A convex polygon as [`Self::convex_polyline`], or the reason why there is none.
     ///
     /// # Errors
-    /// If a coordinate is not finite, or if the polygon is not convex or has no area.
+    /// If a coordinate is not finite, or if the polygon is not convex, or if its corners coincide.
     pub fn try_convex_polyline(points: Vec<Vector>) -> Result<Self, InvalidCollider> {
-        convex_outline(points).map(|polygon| Self::new(SharedShape::new(polygon)))
+        outline_with(points, SharedShape::new, SharedShape::new)
     }
 
     /// A convex polygon as [`Self::convex_polyline`], enlarged and rounded by `border_radius` on all
-    /// sides. `None` also if the border is negative or not finite.
+    /// sides: a capsule if the corners lie on a line. `None` also if the border is negative or not finite.
     pub fn round_convex_polyline(points: Vec<Vector>, border_radius: Real) -> Option<Self> {
-        Self::round(convex_outline(points).ok(), border_radius)
+        check_margin("border_radius", border_radius).ok()?;
+        let solid = |inner_shape| SharedShape::new(RoundShape { inner_shape, border_radius });
+        outline_with(points, solid, |flat| rounded_flat_hull(flat, border_radius)).ok()
     }
 
     /// A one-sided chain of segments: solid on the left of each segment, seen along its direction. A closed
@@ -56,11 +60,18 @@ impl ColliderBuilder {
     }
 }
 
-fn convex_outline(points: Vec<Vector>) -> Result<ConvexPolygon, InvalidCollider> {
+/// A convex outline, finished by `solid` or, if its corners lie on a line, by `flat`.
+fn outline_with(
+    points: Vec<Vector>,
+    solid: impl Fn(ConvexPolygon) -> SharedShape,
+    flat: impl Fn(FlatHull) -> SharedShape,
+) -> Result<ColliderBuilder, InvalidCollider> {
     check_points("points", &points)?;
-    hull::convex_outline(points).ok_or(InvalidCollider::Degenerate {
+    let line = flat_hull(&points).map(flat);
+    let outline = hull::convex_outline(points).map(solid).or(line);
+    outline.map(ColliderBuilder::new).ok_or(InvalidCollider::Degenerate {
         shape: "convex polygon",
-        reason: "its corners are not those of a convex outline with an area",
+        reason: "its corners are not those of a convex outline",
     })
 }
 
@@ -69,7 +80,7 @@ mod tests {
     use crate::dim::math::{Real, Vector};
     use crate::model::collider::ColliderBuilder;
 
-    const LENGTHS: [Real; 4] = [0.0, -1.0, Real::NAN, Real::INFINITY];
+    const NOT_SIZES: [Real; 3] = [-1.0, Real::NAN, Real::INFINITY];
 
     #[track_caller]
     fn assert_impossible(builder: &ColliderBuilder, word: &str) {
@@ -102,17 +113,17 @@ mod tests {
 
     #[test]
     fn bad_lengths_are_refused_by_name() {
-        for bad in LENGTHS {
+        for bad in NOT_SIZES {
             assert_impossible(&ColliderBuilder::cuboid(bad, 1.0), "half_extents");
             assert_impossible(&ColliderBuilder::cuboid(1.0, bad), "half_extents");
             assert_impossible(&ColliderBuilder::round_cuboid(1.0, bad, 0.1), "half_extents");
+            assert_impossible(&ColliderBuilder::round_cuboid(1.0, 1.0, bad), "border_radius");
+            let square = points(&[[0.0, 0.0], [1.0, 0.0], [1.0, 1.0]]);
+            assert!(ColliderBuilder::round_convex_polyline(square, bad).is_none());
+        }
+        for bad in [0.0, Real::NAN, Real::INFINITY] {
             let field = ColliderBuilder::heightfield(vec![0.0, 1.0], Vector::new(bad, 1.0));
             assert_impossible(&field, "scale");
-            if bad != 0.0 {
-                assert_impossible(&ColliderBuilder::round_cuboid(1.0, 1.0, bad), "border_radius");
-                let square = points(&[[0.0, 0.0], [1.0, 0.0], [1.0, 1.0]]);
-                assert!(ColliderBuilder::round_convex_polyline(square, bad).is_none());
-            }
         }
     }
 

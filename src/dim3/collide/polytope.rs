@@ -91,6 +91,11 @@ impl<'a> Polytope<'a> {
         })
     }
 
+    /// Returns whether it is a box without thickness.
+    pub fn is_flat_box(&self) -> bool {
+        matches!(self, Self::Cuboid(cuboid) if cuboid.half_extents.min_element() == 0.0)
+    }
+
     /// Returns whether a point is between the planes through the sides of a face.
     pub fn is_above(&self, face: &Face, point: Vector) -> bool {
         let corners = self.corners(face.id);

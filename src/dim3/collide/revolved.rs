@@ -48,7 +48,8 @@ impl Outline {
             }
             _ => return None,
         };
-        Some(Self { radius, half_height, is_cone })
+        // A cone without height is a disc.
+        Some(Self { radius, half_height, is_cone: is_cone && half_height > 0.0 })
     }
 
     /// The feature that a unit vector shows; a single vertex for a rim or an apex. `hint` is a point of the

@@ -22,6 +22,12 @@ fn mass_in_body(collider: &Collider) -> MassProperties {
     }
 }
 
+/// Returns whether the mass properties have neither mass nor inertia.
+fn is_massless(mass: &MassProperties) -> bool {
+    let nothing = no_mass();
+    mass.inv_mass == 0.0 && mass.inv_principal_inertia == nothing.inv_principal_inertia
+}
+
 impl RigidBody {
     /// The colliders attached to this body.
     pub fn colliders(&self) -> &[ColliderHandle] {
@@ -49,7 +55,7 @@ impl RigidBody {
     /// masses.
     pub(crate) fn add_collider_mass(&mut self, collider: &Collider) {
         let part = mass_in_body(collider);
-        if part.inv_mass == 0.0 && part == no_mass() {
+        if is_massless(&part) {
             self.spread_over(core::iter::once(collider));
             return self.update_extent(core::iter::once(collider));
         }
@@ -74,7 +80,9 @@ impl RigidBody {
         let parts: SmallVec<[MassProperties; 4]> =
             attached.iter().map(|c| mass_in_body(c)).filter(|part| *part != no_mass()).collect();
         self.mprops.spread = None;
-        self.set_collider_mass(total_mass(&parts));
+        let total = total_mass(&parts);
+        // The centre of a collider without mass may be anywhere.
+        self.set_collider_mass(if is_massless(&total) { no_mass() } else { total });
         self.spread_over(attached.iter().copied());
         self.warn_without_mass(&attached);
         (self.extent, self.thickness) = (0.0, Real::INFINITY);

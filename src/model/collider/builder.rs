@@ -1,6 +1,7 @@
 //! The builder of colliders: a description that is validated when the collider is built.
 
-use super::check::{check_margin, check_pose, check_shape};
+use super::accept::accept_shape;
+use super::check::{check_margin, check_pose};
 use super::form::ShapeForm;
 use super::setters::normalized;
 use super::{
@@ -136,12 +137,12 @@ impl ColliderBuilder {
     /// Makes the collider, or returns the reason why it is invalid.
     ///
     /// # Errors
-    /// If the shape has sizes that are not positive, coordinates that are not finite, indices out of range or
-    /// no elements. If a convex shape cannot collide. If the position is not finite. If friction,
+    /// If the shape has sizes that are negative or not finite, coordinates that are not finite, indices out
+    /// of range or no elements. If a convex shape cannot collide. If the position is not finite. If friction,
     /// restitution, contact skin, density, mass or the force threshold is negative or not finite; the
     /// threshold may be infinite.
     pub fn try_build(&self) -> Result<Collider, InvalidCollider> {
-        self.try_shape()?;
+        let shape = self.try_shape()?;
         check_pose(&self.position)?;
         check_margin("friction", self.friction)?;
         check_margin("restitution", self.restitution)?;
@@ -155,24 +156,25 @@ impl ColliderBuilder {
                 expected: "at least 0",
             });
         }
-        Ok(self.to_collider())
+        Ok(Collider { shape, ..self.to_collider() })
     }
 
     /// The shape, checked as by [`Self::try_build`]: for compounds and for queries.
+    ///
+    /// A mirrored or unevenly scaled hull, mesh or height field is replaced by a consistent copy.
     ///
     /// The constructors of [`SharedShape`] belong to parry. Some of them panic on sizes that are not
     /// positive, on indices out of range and on empty lists. `ColliderBuilder::cylinder(h, r).try_shape()` is
     /// `SharedShape::cylinder(h, r)` without the panic.
     ///
     /// # Errors
-    /// If the shape has sizes that are not positive, coordinates that are not finite, indices out of range or
-    /// no elements.
+    /// If the shape has sizes that are negative or not finite, coordinates that are not finite, indices out
+    /// of range or no elements.
     pub fn try_shape(&self) -> Result<SharedShape, InvalidCollider> {
         if let Some(reason) = &self.impossible {
             return Err(reason.clone());
         }
-        check_shape(&*self.shape)?;
-        Ok(self.shape.clone())
+        accept_shape(&self.shape)
     }
 
     fn check_mass(&self) -> Result<(), InvalidCollider> {

@@ -5,44 +5,22 @@
 
 use super::InvalidCollider;
 use crate::base::measure::{
-    Measure, SHAPE_MAX, SHAPE_RANGE, is_coordinate, is_length, is_margin, is_point,
+    Measure, SHAPE_MAX, SHAPE_RANGE, is_coordinate, is_length, is_margin, is_point, is_size,
 };
 use crate::dim::math::{Pose, Real, Vector, rotation_is_valid};
 use crate::dim::shapes;
 use parry::shape::{Shape, SharedShape, TypedShape, Voxels};
 use smallvec::{SmallVec, smallvec};
 
-/// A triangle less high than this, in parts of its longest side, is taken for a line.
-const HEIGHT_MIN: Real = 1.0e-6;
-
 type Verdict = Result<(), InvalidCollider>;
 
-/// Refuses shapes with sizes that are not positive, coordinates that are not finite, indices out of
+/// Refuses shapes with sizes that are negative or not finite, coordinates that are not finite, indices out of
 /// range, no elements, or convex faces that cannot collide.
 pub(crate) fn check_shape(raw: &dyn Shape) -> Verdict {
-    let shape = raw.as_typed_shape();
-    for measure in measures(shape) {
-        check_measure(measure)?;
-    }
+    check_numbers(raw)?;
     check_extent(raw)?;
-    match shape {
+    match raw.as_typed_shape() {
         TypedShape::HalfSpace(h) => check_unit("outward_normal", h.normal),
-        TypedShape::Segment(s) if s.a == s.b => degenerate("segment", "its ends coincide"),
-        TypedShape::Triangle(t) => check_triangle([t.a, t.b, t.c]),
-        TypedShape::RoundTriangle(t) => {
-            let t = &t.inner_shape;
-            check_triangle([t.a, t.b, t.c])
-        }
-        TypedShape::Polyline(p) => {
-            check_elements("indices", p.indices(), p.vertices().len())?;
-            let any = p.segments().any(|s| s.a != s.b);
-            if any { Ok(()) } else { degenerate("polyline", "all segments have length 0") }
-        }
-        TypedShape::TriMesh(m) => {
-            check_elements("indices", m.indices(), m.vertices().len())?;
-            let any = m.triangles().any(|t| has_area([t.a, t.b, t.c]));
-            if any { Ok(()) } else { degenerate("triangle mesh", "no triangle has an area") }
-        }
         TypedShape::HeightField(_) => check_box(raw),
         TypedShape::Voxels(v) => check_voxels(v),
         TypedShape::Compound(c) => check_parts(c.shapes()),
@@ -54,18 +32,31 @@ pub(crate) fn check_shape(raw: &dyn Shape) -> Verdict {
     }
 }
 
+/// Refuses shapes with sizes or coordinates that are no usable numbers, and indices out of range.
+pub(crate) fn check_numbers(raw: &dyn Shape) -> Verdict {
+    let shape = raw.as_typed_shape();
+    for measure in measures(shape) {
+        check_measure(measure)?;
+    }
+    match shape {
+        TypedShape::Polyline(p) => check_elements("indices", p.indices(), p.vertices().len()),
+        TypedShape::TriMesh(m) => check_elements("indices", m.indices(), m.vertices().len()),
+        _ => Ok(()),
+    }
+}
+
 /// The defining numbers of a shape.
 fn measures(shape: TypedShape<'_>) -> SmallVec<[Measure<'_>; 4]> {
-    use Measure::{Length, Lengths, Margin, Point, Points};
+    use Measure::{Lengths, Margin, Point, Points, Size, Sizes};
     match shape {
-        TypedShape::Ball(b) => smallvec![Length("radius", b.radius)],
-        TypedShape::Cuboid(c) => smallvec![Lengths("half_extents", c.half_extents)],
+        TypedShape::Ball(b) => smallvec![Size("radius", b.radius)],
+        TypedShape::Cuboid(c) => smallvec![Sizes("half_extents", c.half_extents)],
         TypedShape::RoundCuboid(c) => smallvec![
-            Lengths("half_extents", c.inner_shape.half_extents),
+            Sizes("half_extents", c.inner_shape.half_extents),
             Margin("border_radius", c.border_radius)
         ],
         TypedShape::Capsule(c) => {
-            smallvec![Point("a", c.segment.a), Point("b", c.segment.b), Length("radius", c.radius)]
+            smallvec![Point("a", c.segment.a), Point("b", c.segment.b), Size("radius", c.radius)]
         }
         TypedShape::Segment(s) => smallvec![Point("a", s.a), Point("b", s.b)],
         TypedShape::Triangle(t) => smallvec![Point("a", t.a), Point("b", t.b), Point("c", t.c)],
@@ -84,8 +75,11 @@ fn measures(shape: TypedShape<'_>) -> SmallVec<[Measure<'_>; 4]> {
 
 fn check_measure(measure: Measure<'_>) -> Verdict {
     match measure {
-        Measure::Length(name, value) => check_length(name, value),
+        Measure::Size(name, value) => check_size(name, value),
         Measure::Margin(name, value) => check_margin(name, value),
+        Measure::Sizes(name, values) => {
+            values.to_array().into_iter().try_for_each(|value| check_size(name, value))
+        }
         Measure::Lengths(name, values) => {
             values.to_array().into_iter().try_for_each(|value| check_length(name, value))
         }
@@ -100,6 +94,10 @@ fn check_measure(measure: Measure<'_>) -> Verdict {
 
 pub(crate) fn check_length(parameter: &'static str, value: Real) -> Verdict {
     if is_length(value) { Ok(()) } else { number(parameter, value, "between 1e-15 and 1e15") }
+}
+
+fn check_size(parameter: &'static str, value: Real) -> Verdict {
+    if is_size(value) { Ok(()) } else { number(parameter, value, "0, or between 1e-15 and 1e15") }
 }
 
 pub(crate) fn check_margin(parameter: &'static str, value: Real) -> Verdict {
@@ -139,17 +137,6 @@ pub(crate) fn check_pose(pose: &Pose) -> Verdict {
     }
 }
 
-fn check_triangle(corners: [Vector; 3]) -> Verdict {
-    if has_area(corners) { Ok(()) } else { degenerate("triangle", "its corners are in line") }
-}
-
-/// Returns whether the triangle has an area.
-fn has_area([a, b, c]: [Vector; 3]) -> bool {
-    let (along, other) = ((b - a).normalize_or_zero(), c - a);
-    let height = (other - along * other.dot(along)).length();
-    height > HEIGHT_MIN * other.length().max((c - b).length())
-}
-
 /// Refuses an empty list of elements, and indices out of range.
 pub(crate) fn check_elements<const N: usize>(
     parameter: &'static str,
@@ -176,15 +163,24 @@ fn check_voxels(voxels: &Voxels) -> Verdict {
     }
 }
 
-/// Refuses compounds without parts, with invalid ones, and with parts that are themselves composite.
-pub(crate) fn check_parts(parts: &[(Pose, SharedShape)]) -> Verdict {
+/// Refuses compounds without parts, and with parts that are themselves composite.
+pub(super) fn check_kinds(parts: &[(Pose, SharedShape)]) -> Verdict {
     if parts.is_empty() {
         return Err(InvalidCollider::TooFew { parameter: "shapes", count: 0, least: 1 });
     }
+    let is_composite = |(_, shape): &(Pose, SharedShape)| {
+        shape.as_composite_shape().is_some() || shape.as_heightfield().is_some()
+    };
+    match parts.iter().position(is_composite) {
+        Some(part) => Err(InvalidCollider::NestedCompound { part }),
+        None => Ok(()),
+    }
+}
+
+/// Refuses compounds without parts, with invalid ones, and with parts that are themselves composite.
+pub(crate) fn check_parts(parts: &[(Pose, SharedShape)]) -> Verdict {
+    check_kinds(parts)?;
     for (part, (pose, shape)) in parts.iter().enumerate() {
-        if shape.as_composite_shape().is_some() || shape.as_heightfield().is_some() {
-            return Err(InvalidCollider::NestedCompound { part });
-        }
         check_pose(pose)
             .and_then(|()| check_shape(&**shape))
             .map_err(|reason| InvalidCollider::Part { part, reason: Box::new(reason) })?;

@@ -1,6 +1,6 @@
 //! Conversions of a triangle mesh into one collider.
 
-use super::decomposition::decompose;
+use super::decomposition::{decompose, decompose_closely};
 use super::shapes::{hull_of, trimesh_shape};
 use super::{ColliderBuilder, InvalidCollider};
 use crate::dim::math::{Pose, Rotation, Vector};
@@ -23,7 +23,7 @@ pub enum MeshConverter {
     Aabb,
     /// Its convex hull.
     ConvexHull,
-    /// A compound of convex parts.
+    /// A compound of convex parts, approximately: as `ColliderBuilder::convex_decomposition`.
     ConvexDecomposition,
     /// A compound of convex parts, computed with the given parameters.
     ConvexDecompositionWithParams(VHACDParameters),
@@ -48,10 +48,9 @@ impl MeshConverter {
             Self::TriMesh | Self::TriMeshWithFlags(_) => mesh,
             Self::Obb => return box_around(&vertices, shapes::spread_directions(&vertices)),
             Self::Aabb => return box_around(&vertices, Rotation::IDENTITY),
-            Self::ConvexHull => SharedShape::new(hull_of(&vertices)?),
+            Self::ConvexHull => hull_of(&vertices)?,
             Self::ConvexDecomposition => {
-                return Self::ConvexDecompositionWithParams(VHACDParameters::default())
-                    .convert(vertices, indices);
+                decompose_closely(&vertices, &shapes::surface_of(&indices), SharedShape::new)?
             }
             Self::ConvexDecompositionWithParams(params) => {
                 decompose(&vertices, &shapes::surface_of(&indices), params, SharedShape::new)?

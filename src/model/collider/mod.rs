@@ -8,6 +8,7 @@
 
 mod interact;
 mod journal;
+mod accept;
 mod active;
 mod builder;
 pub(crate) mod check;

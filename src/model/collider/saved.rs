@@ -8,7 +8,8 @@
 //! default.) The saved form is not recursive, so damaged data cannot exhaust the stack. Loaded shapes are
 //! [checked](super::check) like shapes of the user.
 
-use super::check::{check_elements, check_parts, check_points, check_shape};
+use super::accept::accept_shape;
+use super::check::{check_elements, check_parts, check_points};
 use super::grid::filled_cells;
 use super::shape_table::{self, OpenTable};
 use super::{ColliderBuilder, ColliderSet, InvalidCollider};
@@ -141,7 +142,7 @@ impl SavedShape {
                 return shape_table::shape_at(number).ok_or_else(missing);
             }
         };
-        check_shape(&*shape)?;
+        let shape = accept_shape(&shape)?;
         shape_table::enter(&shape);
         Ok(shape)
     }

@@ -3,7 +3,8 @@
 //! Each setter sets the bit of its change in [`ColliderChanges`] for the next step. A setter refuses an
 //! unusable value: it keeps the old value and logs a warning with the refused one.
 
-use super::check::{check_margin, check_pose, check_shape};
+use super::accept::accept_shape;
+use super::check::{check_margin, check_pose};
 use super::form::ShapeForm;
 use super::{
     ActiveCollisionTypes, ActiveEvents, ActiveHooks, CoefficientCombineRule, Collider,
@@ -211,10 +212,13 @@ impl Collider {
 impl Collider {
     /// Replaces the shape. Its mass follows from the new shape and the density or mass that was set.
     pub fn set_shape(&mut self, shape: SharedShape) {
-        if accepts("set_shape", check_shape(&*shape)) {
-            (self.shape, self.form, self.widths) = (shape, ShapeForm::UNKNOWN, None);
-            self.changes.remove(ColliderChanges::UNCHECKED_SHAPE);
-            self.changes |= ColliderChanges::SHAPE | ColliderChanges::LOCAL_MASS_PROPERTIES;
+        match accept_shape(&shape) {
+            Ok(shape) => {
+                (self.shape, self.form, self.widths) = (shape, ShapeForm::UNKNOWN, None);
+                self.changes.remove(ColliderChanges::UNCHECKED_SHAPE);
+                self.changes |= ColliderChanges::SHAPE | ColliderChanges::LOCAL_MASS_PROPERTIES;
+            }
+            Err(reason) => refuse("set_shape", &reason),
         }
     }
 
@@ -237,12 +241,15 @@ impl Collider {
             return;
         }
         self.changes.remove(ColliderChanges::UNCHECKED_SHAPE);
-        if let Err(reason) = check_shape(&*self.shape) {
-            log::warn!(
-                "the shape of a collider became invalid, and the collider is disabled: {reason}"
-            );
-            self.shape = super::builder::stand_in_shape();
-            self.set_enabled(false);
+        match accept_shape(&self.shape) {
+            Ok(shape) => self.shape = shape,
+            Err(reason) => {
+                log::warn!(
+                    "the shape of a collider became invalid, and the collider is disabled: {reason}"
+                );
+                self.shape = super::builder::stand_in_shape();
+                self.set_enabled(false);
+            }
         }
     }
 

@@ -4,10 +4,12 @@
 //! `dim3/surface`. Values on which parry's constructor panics are checked before the call. The numbers of a
 //! shape without parts are checked when the collider is built.
 
-use super::check::{check_elements, check_length, check_margin, check_parts, check_points};
+use super::accept::{accept_parts, accept_shape};
+use super::check::{check_elements, check_length, check_margin, check_points};
 use super::{ColliderBuilder, InvalidCollider, grid};
 use crate::base::guard::guarded;
 use crate::base::parry_version::{PolylineFlags, polyline};
+use crate::dim::flat_hull::{FlatHull, flat_hull, rounded_flat_hull};
 use crate::dim::hull;
 use crate::dim::math::{DIM, Pose, Real, Vector};
 use parry::math::{IVector, ivect_to_vect};
@@ -75,8 +77,8 @@ impl ColliderBuilder {
     /// Several shapes as one rigid shape, each with its pose in the frame of the compound. The parts cannot
     /// be composite themselves (compounds, meshes, polylines, height fields).
     pub fn compound(shapes: Vec<(Pose, SharedShape)>) -> Self {
-        let checked = check_parts(&shapes);
-        Self::of(checked.map(|()| SharedShape::new(Compound::new(shapes))))
+        let accepted = accept_parts(&shapes);
+        Self::of(accepted.map(|copies| SharedShape::new(Compound::new(copies.unwrap_or(shapes)))))
     }
 
     /// A chain of segments. Without indices, each vertex is joined to the next one.
@@ -150,68 +152,70 @@ pub(super) fn trimesh_shape(
     if mesh.indices().is_empty() {
         return Err(TriMeshBuilderError::EmptyIndices.into());
     }
-    super::check::check_shape(&mesh)?;
-    Ok(SharedShape::new(mesh))
+    accept_shape(&SharedShape::new(mesh))
 }
 
 /// Convex shapes from points.
 impl ColliderBuilder {
-    /// The smallest convex shape around some points.
+    /// The smallest convex shape around some points. Points in a plane make a flat plate in 3D, points on a
+    /// line make a segment in 2D.
     ///
-    /// `None` if a coordinate is not finite, or if the points span no volume (no area in 2D).
+    /// `None` if a coordinate is not finite, or if the points lie on a line (in 2D: coincide).
     pub fn convex_hull(points: &[Vector]) -> Option<Self> {
         Self::try_convex_hull(points).ok()
     }
 
-    /// The smallest convex shape around some points, or the reason why there is none.
+    /// A shape as [`Self::convex_hull`], or the reason why there is none.
     ///
     /// # Errors
-    /// If a coordinate is not finite, or if the points span no volume (no area in 2D).
+    /// If a coordinate is not finite, or if the points lie on a line (in 2D: coincide).
     pub fn try_convex_hull(points: &[Vector]) -> Result<Self, InvalidCollider> {
-        Ok(Self::new(SharedShape::new(hull_of(points)?)))
+        hull_of(points).map(Self::new)
     }
 
     /// The smallest convex shape around some points, enlarged and rounded by `border_radius` on all
-    /// sides.
+    /// sides. In 2D, points on a line make a capsule.
     ///
-    /// `None` if a number is not finite, the border negative, or if the points span no volume (no area
-    /// in 2D).
+    /// `None` if a number is not finite, the border negative, or if the points lie on a line (in 2D:
+    /// coincide).
     pub fn round_convex_hull(points: &[Vector], border_radius: Real) -> Option<Self> {
         Self::try_round_convex_hull(points, border_radius).ok()
     }
 
-    /// The smallest convex shape around some points, enlarged and rounded by `border_radius` on all sides, or
-    /// the reason why there is none.
+    /// A shape as [`Self::round_convex_hull`], or the reason why there is none.
     ///
     /// # Errors
-    /// If a number is not finite, the border negative, or if the points span no volume (no area in 2D).
+    /// If a number is not finite, the border negative, or if the points lie on a line (in 2D: coincide).
     pub fn try_round_convex_hull(
         points: &[Vector],
         border_radius: Real,
     ) -> Result<Self, InvalidCollider> {
         check_margin("border_radius", border_radius)?;
-        let round = RoundShape { inner_shape: hull_of(points)?, border_radius };
-        Ok(Self::new(SharedShape::new(round)))
-    }
-
-    /// A convex shape with a round border.
-    pub(crate) fn round(shape: Option<hull::ConvexShape>, border_radius: Real) -> Option<Self> {
-        check_margin("border_radius", border_radius).ok()?;
-        let round = RoundShape { inner_shape: shape?, border_radius };
-        Some(Self::new(SharedShape::new(round)))
+        let solid = |inner_shape| SharedShape::new(RoundShape { inner_shape, border_radius });
+        hull_with(points, solid, |flat| rounded_flat_hull(flat, border_radius)).map(Self::new)
     }
 }
 
 /// The convex hull of some points.
-pub(super) fn hull_of(points: &[Vector]) -> Result<hull::ConvexShape, InvalidCollider> {
+pub(super) fn hull_of(points: &[Vector]) -> Result<SharedShape, InvalidCollider> {
+    hull_with(points, SharedShape::new, SharedShape::new)
+}
+
+/// The convex hull of some points, finished by `solid` or, if it is flat, by `flat`.
+fn hull_with(
+    points: &[Vector],
+    solid: impl Fn(hull::ConvexShape) -> SharedShape,
+    flat: impl Fn(FlatHull) -> SharedShape,
+) -> Result<SharedShape, InvalidCollider> {
     check_points("points", points)?;
-    if points.len() <= DIM {
+    if points.len() < DIM {
         let count = points.len();
-        return Err(InvalidCollider::TooFew { parameter: "points", count, least: DIM + 1 });
+        return Err(InvalidCollider::TooFew { parameter: "points", count, least: DIM });
     }
     let degenerate =
         InvalidCollider::Degenerate { shape: "convex hull", reason: hull::DEGENERATE_REASON };
-    hull::convex_hull(points).ok_or(degenerate)
+    let hull = hull::convex_hull(points).map(solid);
+    hull.or_else(|| flat_hull(points).map(flat)).ok_or(degenerate)
 }
 
 /// Shapes made of equal boxes.

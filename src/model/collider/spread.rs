@@ -18,6 +18,9 @@ use parry::shape::{Shape, SharedShape, TypedShape};
 /// inertia of zero about itself would be ill-conditioned once it is rotated and summed.
 const ROD_FRACTION: Real = 1.0e-3;
 
+/// A triangle with a smaller height than this fraction of its longest side counts as a line.
+const TRIANGLE_HEIGHT_FRACTION_MIN: Real = 1.0e-6;
+
 /// The geometry over which a mass is distributed, in rising order. Only the elements of the highest rank
 /// carry mass.
 #[derive(Copy, Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -121,14 +124,28 @@ fn over_elements(shape: TypedShape<'_>) -> Option<(Rank, MassProperties)> {
     let mut length = Moments::default();
     match shape {
         TypedShape::Segment(segment) => length.add(&[segment.a, segment.b]),
+        TypedShape::Capsule(capsule) => length.add(&[capsule.segment.a, capsule.segment.b]),
         TypedShape::Polyline(line) => line.segments().for_each(|s| length.add(&[s.a, s.b])),
-        other => shapes::for_each_element(other, |corners| match corners {
-            [_, _] => length.add(corners),
-            _ => surface.add(corners),
+        other => shapes::for_each_element(other, |corners| match *corners {
+            [a, b, c] => match line_of([a, b, c]) {
+                Some(line) => length.add(&line),
+                None => surface.add(corners),
+            },
+            _ => length.add(corners),
         }),
     }
     let surface = surface.properties(0.0).map(|properties| (Rank::Surface, properties));
     surface.or_else(|| Some((Rank::Length, length.properties(ROD_FRACTION)?)))
+}
+
+/// The longest side of a triangle that is so flat that it counts as a line.
+fn line_of([a, b, c]: [Vector; 3]) -> Option<[Vector; 2]> {
+    let sides = [[a, b], [b, c], [c, a]];
+    let [from, to] =
+        sides.into_iter().max_by(|p, q| measure(p).total_cmp(&measure(q))).unwrap_or([a, b]);
+    let length = measure(&[from, to]);
+    (measure(&[a, b, c]) <= 0.5 * TRIANGLE_HEIGHT_FRACTION_MIN * length * length)
+        .then_some([from, to])
 }
 
 /// The moments of a mass distribution of unit density over segments or triangles.

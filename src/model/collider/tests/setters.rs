@@ -78,8 +78,8 @@ fn setting_the_same_again_notes_nothing() {
 fn values_out_of_range_change_nothing() {
     let mut collider = settled();
     for bad in NOT_LENGTHS {
-        collider.set_shape(SharedShape::ball(bad));
         if bad != 0.0 {
+            collider.set_shape(SharedShape::ball(bad));
             collider.set_friction(bad);
             collider.set_restitution(bad);
             collider.set_contact_skin(bad);

@@ -1,0 +1,6 @@
+//! Shapes at the border of what collides: without thickness, mirrored, with one side, and with notches.
+
+mod decomposition;
+mod flat;
+mod mirrored;
+mod sides;
