@@ -15,6 +15,8 @@ const DELIBERATE = [
     /^(PointColliderProjection|PointProjection|Ray\w*Intersection|Shape\w+|ColliderShapeCastHit)\.fromBuffer$/,
     // Soft bodies, and the settings and shapes that only they have.
     /[sS]oftBod/, /^Soft/, /SoftFrame/, /softCluster/, /Deformable/, /^SpringCoefficients/,
+    // A field of bodies that descriptions of colliders have by mistake.
+    /^ColliderDesc\.rotationsEnabled$/,
 ];
 
 /** The exported names of a file of definitions, with the members of classes, interfaces and enumerations. */

@@ -329,6 +329,7 @@ export enum TriMeshFlags {
     DELETE_DUPLICATE_TRIANGLES = 64,
     FIX_INTERNAL_EDGES = 144,
     DEFORMABLE = 256,
+    FIX_INTERNAL_EDGES_TWO_SIDED = 656,
 }
 
 /** The coordinates of a voxel, and whether it is filled, as arguments. */

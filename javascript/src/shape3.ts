@@ -157,6 +157,12 @@ export class RoundCone extends RoundRevolved {
     }
 }
 
+/** The triangles of a described polyhedron. A plate has none: it is the hull of its points. */
+function indicesOrNull(): Uint32Array | null {
+    const indices = integersCopy();
+    return indices.length === 0 ? null : indices;
+}
+
 setReader((code) => {
     const [radius, halfHeight, border] = [0, 1, 2].map((component) => getNumber(SIZES, component)) as [number, number, number];
     switch (code) {
@@ -169,9 +175,9 @@ setReader((code) => {
         case Code.roundCone:
             return new RoundCone(halfHeight, radius, border);
         case Code.convex:
-            return new ConvexPolyhedron(realsCopy(), integersCopy());
+            return new ConvexPolyhedron(realsCopy(), indicesOrNull());
         case Code.roundConvex:
-            return new RoundConvexPolyhedron(realsCopy(), integersCopy(), border);
+            return new RoundConvexPolyhedron(realsCopy(), indicesOrNull(), border);
         case Code.heightfield: {
             const [rows, columns, flags] = integersCopy();
             return new Heightfield(rows!, columns!, realsCopy(), getVector(0), flags);

@@ -293,10 +293,12 @@ mod dimension {
         ))
     }
 
+    /// Writes points and triangles. A plate has its points alone: their hull is the plate again.
     fn put_polyhedron(polyhedron: &ConvexPolyhedron) {
         let (points, indices) = polyhedron.to_trimesh();
+        let is_plate = polyhedron.faces().len() <= 2;
         put_reals(points.iter().flat_map(|point| point.to_array()));
-        put_integers(indices.into_iter().flatten());
+        put_integers(indices.into_iter().flatten().filter(|_| !is_plate));
     }
 
     fn put_sizes(half_height: Real, radius: Real, border: Real) {
@@ -450,8 +452,8 @@ fn describe_compound(compound: &Compound) -> u32 {
 exports! {
     /// Makes a shape from the scratch block and the lists. Returns its number.
     fn shape_new(kind: u32, flags: u32, indexed: u32) -> u32 {
-        for component in [RADIUS, HALF_HEIGHT, BORDER] {
-            finite("a size of the shape", number(SIZES, component))?;
+        for (component, name) in [(RADIUS, "radius"), (HALF_HEIGHT, "halfHeight"), (BORDER, "borderRadius")] {
+            finite(name, number(SIZES, component))?;
         }
         let shape = builder(kind, flags, indexed != 0)?.try_shape().map_err(Fault::invalid)?;
         register(with_compound_flags(shape, flags))
