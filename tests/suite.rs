@@ -11,6 +11,7 @@ pub mod ghosts;
 pub mod characters;
 mod complaints;
 mod ccd;
+mod edits;
 pub mod hostile;
 pub mod joints;
 pub mod multibody;

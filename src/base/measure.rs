@@ -34,7 +34,7 @@ pub const MODERATE_MAX: Real = 1.0e6;
 pub const COORDINATE_MODERATE_MAX: Real = 0.5 * SIZE_MAX;
 
 /// A number or list of numbers that a shape is made of, under the name that its constructor gives it.
-#[derive(Copy, Clone, Debug)]
+#[derive(Copy, Clone, Debug, PartialEq)]
 pub enum Measure<'a> {
     /// A size: a usable length, or zero. A shape with a size of zero is flat, a line or a point.
     Size(&'static str, Real),

@@ -1,12 +1,13 @@
 //! Lockable axes of a body, and their effect on its inverse mass and inertia.
 
-use crate::dim::math::{AngularInertia, Real, Vector};
+use crate::dim::math::{AngVector, AngularInertia, Real, Vector};
 
 bitflags::bitflags! {
-    /// World axes along and about which forces and impulses do not move a body.
+    /// World axes along and about which a dynamic body does not move.
     ///
     /// The inverse mass (or inertia) of a locked axis is zero: forces, gravity, impulses and contacts do not
-    /// change the velocity along it. A velocity that the user set stays.
+    /// act along it. Velocities along it, set by the user or from before the lock, become zero. The user
+    /// alone moves kinematic bodies, so locks have no effect on them.
     ///
     /// The bits are those of the 3D engine, so that saved flags have the same meaning in both. The flags of
     /// axes out of the plane have no effect here.
@@ -38,6 +39,22 @@ bitflags::bitflags! {
 pub fn inv_mass_per_axis(locked: LockedAxes, inv_mass: Real) -> Vector {
     let along = |axis| if locked.contains(axis) { 0.0 } else { inv_mass };
     Vector::new(along(LockedAxes::TRANSLATION_LOCKED_X), along(LockedAxes::TRANSLATION_LOCKED_Y))
+}
+
+/// The linear and angular velocity without the components along and about locked axes.
+#[inline]
+pub fn unlocked_velocity(
+    locked: LockedAxes,
+    linvel: Vector,
+    angvel: AngVector,
+) -> (Vector, AngVector) {
+    let along = |axis, speed| if locked.contains(axis) { 0.0 } else { speed };
+    let linear = Vector::new(
+        along(LockedAxes::TRANSLATION_LOCKED_X, linvel.x),
+        along(LockedAxes::TRANSLATION_LOCKED_Y, linvel.y),
+    );
+    let angular = along(LockedAxes::ROTATION_LOCKED_Z, angvel);
+    (linear, angular)
 }
 
 /// The inverse inertia of a body that no torque can rotate about the locked axis.

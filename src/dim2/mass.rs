@@ -40,6 +40,11 @@ pub fn mass_is_valid(mass: &MassProperties) -> bool {
         && mass.principal_inertia().is_finite()
 }
 
+/// The inverse of the smallest principal moment of inertia; zero without one.
+pub fn largest_inverse_moment(mass: &MassProperties) -> Real {
+    mass.inv_principal_inertia
+}
+
 /// The mass properties of all parts together. All of them in one frame.
 pub fn total_mass(parts: &[MassProperties]) -> MassProperties {
     if let [only] = parts {

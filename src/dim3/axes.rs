@@ -1,12 +1,13 @@
 //! Lockable axes of a body, and their effect on its inverse mass and inertia.
 
-use crate::dim::math::{AngularInertia, Real, Vector};
+use crate::dim::math::{AngVector, AngularInertia, Real, Vector};
 
 bitflags::bitflags! {
-    /// World axes along and about which forces and impulses do not move a body.
+    /// World axes along and about which a dynamic body does not move.
     ///
     /// The inverse mass (or inertia) of a locked axis is zero: forces, gravity, impulses and contacts do not
-    /// change the velocity along it. A velocity that the user set stays.
+    /// act along it. Velocities along it, set by the user or from before the lock, become zero. The user
+    /// alone moves kinematic bodies, so locks have no effect on them.
     #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
     #[derive(Copy, Clone, PartialEq, Eq, Debug, Default, Hash)]
     pub struct LockedAxes: u8 {
@@ -40,6 +41,27 @@ pub fn inv_mass_per_axis(locked: LockedAxes, inv_mass: Real) -> Vector {
         along(LockedAxes::TRANSLATION_LOCKED_Y),
         along(LockedAxes::TRANSLATION_LOCKED_Z),
     )
+}
+
+/// The linear and angular velocity without the components along and about locked axes.
+#[inline]
+pub fn unlocked_velocity(
+    locked: LockedAxes,
+    linvel: Vector,
+    angvel: AngVector,
+) -> (Vector, AngVector) {
+    let along = |axis, speed| if locked.contains(axis) { 0.0 } else { speed };
+    let linear = Vector::new(
+        along(LockedAxes::TRANSLATION_LOCKED_X, linvel.x),
+        along(LockedAxes::TRANSLATION_LOCKED_Y, linvel.y),
+        along(LockedAxes::TRANSLATION_LOCKED_Z, linvel.z),
+    );
+    let angular = AngVector::new(
+        along(LockedAxes::ROTATION_LOCKED_X, angvel.x),
+        along(LockedAxes::ROTATION_LOCKED_Y, angvel.y),
+        along(LockedAxes::ROTATION_LOCKED_Z, angvel.z),
+    );
+    (linear, angular)
 }
 
 /// The inverse inertia of a body that no torque can rotate about the locked world axes.
@@ -78,7 +100,7 @@ pub fn lock_rotations(locked: LockedAxes, mut k: AngularInertia) -> AngularInert
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::dim::math::{AngVector, Matrix, Rotation};
+    use crate::dim::math::{Matrix, Rotation};
     use parry::mass_properties::MassProperties;
 
     /// The world-space inverse inertia of a body whose principal axes are oblique.

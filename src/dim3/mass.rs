@@ -60,6 +60,11 @@ pub fn mass_is_valid(mass: &MassProperties) -> bool {
         && rotation_is_valid(&mass.principal_inertia_local_frame)
 }
 
+/// The inverse of the smallest principal moment of inertia; zero without one.
+pub fn largest_inverse_moment(mass: &MassProperties) -> Real {
+    mass.inv_principal_inertia.max_element()
+}
+
 /// The mass properties of all parts together. All of them in one frame.
 pub fn total_mass(parts: &[MassProperties]) -> MassProperties {
     if let [only] = parts {

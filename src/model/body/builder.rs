@@ -44,7 +44,7 @@ pub struct RigidBodyBuilder {
     pub angular_damping: Real,
     /// Type of the body: the cause of its motion.
     pub body_type: RigidBodyType,
-    /// The world axes along and about which forces and impulses have no effect. Default: none.
+    /// The world axes along and about which a dynamic body does not move. Default: none.
     pub locked_axes: LockedAxes,
     /// Mass beyond that of the colliders. Default: none.
     pub additional_mass_properties: Option<RigidBodyAdditionalMassProps>,
@@ -162,7 +162,8 @@ impl RigidBodyBuilder {
         self
     }
 
-    /// Sets the world-space velocity of the centre of mass (length/s).
+    /// Sets the world-space velocity of the centre of mass (length/s). The centre is that of all colliders
+    /// that are attached before the first step, or the origin of a velocity-based kinematic body.
     pub fn linvel(mut self, linvel: Vector) -> Self {
         self.linvel = linvel;
         self
@@ -212,7 +213,8 @@ impl RigidBodyBuilder {
         self
     }
 
-    /// Sets the world axes along and about which forces and impulses have no effect.
+    /// Sets the world axes along and about which a dynamic body does not move. Its velocity along and about
+    /// them is zero.
     pub fn locked_axes(mut self, locked_axes: LockedAxes) -> Self {
         self.locked_axes = locked_axes;
         self
@@ -357,12 +359,12 @@ impl RigidBodyBuilder {
         let mut body = RigidBody::new();
         body.body_type = self.body_type;
         (body.pose, body.next_pose) = (self.position, self.position);
+        body.mprops.locked_axes = self.locked_axes;
         if !self.body_type.is_fixed() {
-            body.vels = RigidBodyVelocity::new(self.linvel, self.angvel);
+            body.set_velocity(RigidBodyVelocity::new(self.linvel, self.angvel));
         }
         body.gravity_scale = self.gravity_scale;
         (body.linear_damping, body.angular_damping) = (self.linear_damping, self.angular_damping);
-        body.mprops.locked_axes = self.locked_axes;
         body.mprops.additional = self.additional_mass_properties.map(Box::new);
         body.ccd_enabled = self.ccd_enabled;
         body.soft_ccd_prediction = self.soft_ccd_prediction;

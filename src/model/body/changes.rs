@@ -21,6 +21,8 @@ bitflags::bitflags! {
         const LOCAL_MASS_PROPERTIES = 1 << 6;
         /// Whether the body takes part in the simulation.
         const ENABLED_OR_DISABLED = 1 << 7;
+        /// No step has seen the body yet, and colliders were attached at most: the body is being assembled.
+        const ASSEMBLY = 1 << 8;
     }
 }
 
@@ -31,5 +33,15 @@ impl RigidBodyChanges {
     /// All changes, for a body that is new to the step.
     pub(crate) fn everything() -> Self {
         Self::all() - Self::IN_MODIFIED_SET
+    }
+
+    /// The changes of a body that is enabled or disabled.
+    ///
+    /// The step skips changes of a disabled body, so it must process all of them afterwards.
+    pub(crate) fn of_switch(enabled: bool) -> Self {
+        match enabled {
+            true => Self::everything() - Self::ASSEMBLY,
+            false => Self::ENABLED_OR_DISABLED,
+        }
     }
 }

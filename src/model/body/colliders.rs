@@ -45,6 +45,7 @@ impl RigidBody {
 
     /// Records that a collider is no longer attached. The next step subtracts its mass.
     pub(crate) fn detach_collider(&mut self, handle: ColliderHandle) {
+        self.end_assembly();
         if let Some(position) = self.colliders.iter().position(|attached| *attached == handle) {
             self.colliders.remove(position);
             self.changes |= RigidBodyChanges::COLLIDERS | RigidBodyChanges::LOCAL_MASS_PROPERTIES;
@@ -52,8 +53,15 @@ impl RigidBody {
     }
 
     /// Adds the mass of an attached collider, so that impulses act on it before the next step sums up all
-    /// masses.
+    /// masses. A known body wakes if that changes its mass.
     pub(crate) fn add_collider_mass(&mut self, collider: &Collider) {
+        let before = self.mprops.local_mprops;
+        self.add_mass_of(collider);
+        let is_known = !self.changes.contains(RigidBodyChanges::ASSEMBLY);
+        self.wake_if(is_known && self.mprops.local_mprops != before);
+    }
+
+    fn add_mass_of(&mut self, collider: &Collider) {
         let part = mass_in_body(collider);
         if is_massless(&part) {
             self.spread_over(core::iter::once(collider));
@@ -73,8 +81,21 @@ impl RigidBody {
     }
 
     /// Recomputes mass, centre of mass, inertia and size from the current colliders and the additional mass.
+    /// Every point of the body keeps its velocity. The body wakes if its mass properties change.
+    ///
     /// The step does this automatically for bodies whose colliders changed.
     pub fn recompute_mass_properties_from_colliders(&mut self, colliders: &ColliderSet) {
+        // The masses of a body in assembly were added up already: another sum is an edit.
+        let assembly = self.changes & RigidBodyChanges::ASSEMBLY;
+        self.end_assembly();
+        let has_changed = self.sum_up_colliders(colliders);
+        self.changes |= assembly;
+        self.wake_if(has_changed && assembly.is_empty());
+    }
+
+    /// Sums up the colliders. Returns whether the mass properties changed.
+    pub(crate) fn sum_up_colliders(&mut self, colliders: &ColliderSet) -> bool {
+        let before = self.mprops.local_mprops;
         let attached: SmallVec<[&Collider; 4]> =
             self.colliders.iter().filter_map(|handle| colliders.get(*handle)).collect();
         let parts: SmallVec<[MassProperties; 4]> =
@@ -87,6 +108,7 @@ impl RigidBody {
         self.warn_without_mass(&attached);
         (self.extent, self.thickness) = (0.0, Real::INFINITY);
         self.update_extent(attached.into_iter());
+        self.mprops.local_mprops != before
     }
 
     /// Adds colliders without mass to those over which a mass is spread. Only dynamic bodies whose colliders

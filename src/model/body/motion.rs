@@ -1,6 +1,7 @@
 //! Pose and velocity of a body, and their prediction.
 
 use super::{RigidBody, RigidBodyChanges, RigidBodyType, RigidBodyVelocity};
+use crate::dim::axes::unlocked_velocity;
 use crate::dim::math::{
     AngVector, Pose, Real, Rotation, Vector, ang_is_finite, mul_inertia, rotation_to_angle,
 };
@@ -152,13 +153,15 @@ impl RigidBody {
     /// Sets the world-space velocity of the centre of mass (length/s).
     ///
     /// Fixed bodies have no velocity, and the velocity of position-based kinematic bodies follows from their
-    /// next position. Both ignore the call.
+    /// next position. Both ignore the call. A dynamic body has no velocity along locked axes: these
+    /// components become zero. The reference point of a velocity-based kinematic body is its origin instead
+    /// of the centre of mass.
     pub fn set_linvel(&mut self, linvel: Vector, wake_up: bool) {
         self.set_vels(RigidBodyVelocity::new(linvel, self.vels.angvel), wake_up);
     }
 
-    /// Sets the world-space angular velocity (rad/s). Ignored by the same bodies as
-    /// [`Self::set_linvel`].
+    /// Sets the world-space angular velocity (rad/s). Ignored by the same bodies as [`Self::set_linvel`], and
+    /// without effect about locked axes of a dynamic body.
     pub fn set_angvel(&mut self, angvel: AngVector, wake_up: bool) {
         self.set_vels(RigidBodyVelocity::new(self.vels.linvel, angvel), wake_up);
     }
@@ -172,9 +175,20 @@ impl RigidBody {
             self.body_type,
             RigidBodyType::Dynamic | RigidBodyType::KinematicVelocityBased
         );
-        if settable && vels != self.vels {
-            self.vels = vels;
-            self.wake_if(wake_up);
+        let old = self.vels;
+        if settable && vels != old {
+            self.set_velocity(vels);
+            self.wake_if(wake_up && self.vels != old);
+        }
+    }
+
+    /// Stores a velocity. A dynamic body has none along and about locked axes.
+    pub(super) fn set_velocity(&mut self, vels: RigidBodyVelocity) {
+        self.vels = vels;
+        if self.is_dynamic() {
+            let locked = self.mprops.locked_axes;
+            (self.vels.linvel, self.vels.angvel) =
+                unlocked_velocity(locked, vels.linvel, vels.angvel);
         }
     }
 

@@ -12,8 +12,8 @@ use super::{
 use crate::base::fault::{Fault, ensure};
 use crate::base::in_place::clone_in_place;
 use crate::base::loading::{Loaded, check_when_loaded};
-use crate::dim::mass::{mass_is_valid, no_mass};
-use crate::dim::math::{ANG_ZERO, AngVector, Pose, Real, Vector, ang_is_finite};
+use crate::dim::mass::{largest_inverse_moment, mass_is_valid, no_mass};
+use crate::dim::math::{ANG_ZERO, AngVector, Pose, Real, Vector, ang_is_finite, cross};
 use crate::model::check::{is_non_negative, is_saved_pose, refuse};
 use crate::model::edit_mark::EditMark;
 use crate::model::island::BodyLink;
@@ -217,12 +217,35 @@ impl RigidBody {
         let (from_colliders, extent) = (self.mprops.from_colliders, self.extent);
         let spread = self.mprops.spread.take();
         let thickness = self.thickness;
+        let differences = self.differences(other);
         let (link, changes, edit) = (self.link, self.changes, self.edit);
         *self = Self { colliders, link, extent, thickness, edit, ..other.clone() };
         self.mprops.from_colliders = from_colliders;
         self.mprops.spread = spread;
-        self.changes = changes | RigidBodyChanges::everything();
-        self.update_mass();
+        self.changes = changes | differences;
+        self.sum_up_mass();
+    }
+
+    /// The changes that would give this body the state of another.
+    fn differences(&self, other: &RigidBody) -> RigidBodyChanges {
+        let (mass, others_mass) = (&self.mprops, &other.mprops);
+        let has_other_mass = self.body_type != other.body_type
+            || mass.additional != others_mass.additional
+            || mass.locked_axes != others_mass.locked_axes;
+        let is_elsewhere = self.pose != other.pose || self.next_position() != other.next_position();
+        let mut changes = RigidBodyChanges::empty();
+        if self.enabled != other.enabled {
+            changes = RigidBodyChanges::of_switch(other.enabled);
+        }
+        let mut mark = |differs: bool, change| {
+            changes.insert(if differs { change } else { RigidBodyChanges::empty() })
+        };
+        mark(self.body_type != other.body_type, RigidBodyChanges::TYPE);
+        mark(self.dominance != other.dominance, RigidBodyChanges::DOMINANCE);
+        mark(self.is_sleeping() != other.is_sleeping(), RigidBodyChanges::SLEEP);
+        mark(has_other_mass, RigidBodyChanges::LOCAL_MASS_PROPERTIES);
+        mark(is_elsewhere, RigidBodyChanges::POSITION);
+        changes
     }
 
     /// Resets all references to the set that contained the body.
@@ -233,7 +256,7 @@ impl RigidBody {
             self.mprops.from_colliders = no_mass();
             self.mprops.spread = None;
             (self.extent, self.thickness) = (0.0, Real::INFINITY);
-            self.update_mass();
+            self.sum_up_mass();
         }
         (colliders, core::mem::take(&mut self.link))
     }
@@ -243,7 +266,8 @@ impl RigidBody {
         self.body_type
     }
 
-    /// Sets the type of the body. A body that becomes fixed loses its velocity.
+    /// Sets the type of the body. A body that becomes fixed loses its velocity. Otherwise every point of the
+    /// body keeps its velocity, except along axes that are locked for a body that becomes dynamic.
     pub fn set_body_type(&mut self, body_type: RigidBodyType, wake_up: bool) {
         if body_type == self.body_type {
             return;
@@ -255,7 +279,9 @@ impl RigidBody {
         }
         // Colliders without mass are measured only where that mass matters.
         self.changes.insert(RigidBodyChanges::TYPE | RigidBodyChanges::LOCAL_MASS_PROPERTIES);
-        self.update_world_mass_properties();
+        self.end_assembly();
+        self.update_mass();
+        self.set_velocity(self.vels);
         self.wake_if(wake_up);
     }
 
@@ -284,17 +310,14 @@ impl RigidBody {
         self.enabled
     }
 
-    /// Sets whether the body and its colliders take part in the simulation. A change keeps all other state,
-    /// but clears the cause of the [quarantine](Self::quarantine).
+    /// Sets whether the body and its colliders take part in the simulation. A body that is enabled wakes. All
+    /// other state stays, but the cause of the [quarantine](Self::quarantine) is cleared.
     pub fn set_enabled(&mut self, enabled: bool) {
         if enabled != self.enabled {
             self.enabled = enabled;
             self.quarantine = None;
-            // The step skips changes of a disabled body, so it must process all of them afterwards.
-            self.changes |= match enabled {
-                true => RigidBodyChanges::everything(),
-                false => RigidBodyChanges::ENABLED_OR_DISABLED,
-            };
+            self.changes |= RigidBodyChanges::of_switch(enabled);
+            self.wake_if(enabled);
         }
     }
 
@@ -393,6 +416,7 @@ impl RigidBody {
 
     fn set_additional(&mut self, additional: Option<RigidBodyAdditionalMassProps>, wake_up: bool) {
         if self.mprops.additional.as_deref() != additional.as_ref() {
+            self.end_assembly();
             self.mprops.additional = additional.map(Box::new);
             self.changes.insert(RigidBodyChanges::LOCAL_MASS_PROPERTIES);
             self.update_mass();
@@ -400,10 +424,48 @@ impl RigidBody {
         }
     }
 
-    /// Sums up the masses again, after one of them changed.
+    /// Sums up the masses again, after one of them changed. The centre of mass may move, but every point of
+    /// the body keeps its velocity, so that its momentum and its joints do.
+    ///
+    /// A body in assembly is the exception. Its velocity is that of the final centre of mass, as described by
+    /// the builder.
     pub(super) fn update_mass(&mut self) {
-        self.mprops.update_local();
+        let before = self.mprops.local_mprops;
+        self.sum_up_mass();
+        self.lower_impulses(&before);
+        let shift = self.pose.rotation * (self.local_center_of_mass() - before.local_com);
+        if shift == Vector::ZERO || self.changes.contains(RigidBodyChanges::ASSEMBLY) {
+            return;
+        }
+        let RigidBodyVelocity { linvel, angvel } = self.vels;
+        let moved = RigidBodyVelocity::new(linvel + cross(angvel, shift), angvel);
+        if moved.is_usable() {
+            self.set_velocity(moved);
+        }
+    }
+
+    /// Sums up the masses again. The new centre of mass gets the velocity of the old one.
+    pub(super) fn sum_up_mass(&mut self) {
+        self.mprops.update_local(self.body_type);
         self.update_world_mass_properties();
+    }
+
+    /// Lowers the impulses with which the next step starts, in the same proportion as the mass or the
+    /// inertia. With those of a heavier body, a resting one would jump. The solver scales impulses by the
+    /// length of the substeps that computed them.
+    fn lower_impulses(&mut self, before: &MassProperties) {
+        let ratio = |now: Real, before: Real| if before > 0.0 { now / before } else { 1.0 };
+        let now = &self.mprops.local_mprops;
+        let linear = ratio(now.inv_mass, before.inv_mass);
+        let angular = ratio(largest_inverse_moment(now), largest_inverse_moment(before));
+        self.substep = (self.substep * linear.max(angular).max(1.0)).min(Real::MAX);
+    }
+
+    /// Ends the assembly of a body that has a mass, at its first edit other than an attachment.
+    pub(crate) fn end_assembly(&mut self) {
+        if self.mprops.mass() > 0.0 {
+            self.changes.remove(RigidBodyChanges::ASSEMBLY);
+        }
     }
 
     /// Transforms the mass properties to world space, after the pose, the type or the locks changed.

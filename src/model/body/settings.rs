@@ -55,11 +55,12 @@ impl RigidBody {
     }
 
     /// Sets the dominance group. In a contact of two dynamic bodies, the body of the higher group acts as if
-    /// its mass were infinite.
+    /// its mass were infinite. A change wakes the body.
     pub fn set_dominance_group(&mut self, dominance: i8) {
         if dominance != self.dominance {
             self.dominance = dominance;
             self.changes.insert(RigidBodyChanges::DOMINANCE);
+            self.wake_if(true);
         }
     }
 
@@ -75,17 +76,19 @@ impl RigidBody {
         body.map_or(i16::from(i8::MAX) + 1, Self::effective_dominance_group)
     }
 
-    /// The world axes along and about which forces and impulses have no effect.
+    /// The world axes along and about which a dynamic body does not move.
     pub fn locked_axes(&self) -> LockedAxes {
         self.mprops.locked_axes
     }
 
-    /// Sets the world axes along and about which forces and impulses have no effect.
+    /// Sets the world axes along and about which a dynamic body does not move. It loses its velocity along
+    /// and about them. Kinematic bodies ignore locks.
     pub fn set_locked_axes(&mut self, locked_axes: LockedAxes, wake_up: bool) {
         if locked_axes != self.mprops.locked_axes {
             self.mprops.locked_axes = locked_axes;
             self.changes.insert(RigidBodyChanges::LOCAL_MASS_PROPERTIES);
             self.update_world_mass_properties();
+            self.set_velocity(self.vels);
             self.wake_if(wake_up);
         }
     }

@@ -11,6 +11,7 @@ use crate::dim::math::{Pose, Real, Vector, rotation_is_valid};
 use crate::dim::shapes;
 use parry::shape::{Shape, SharedShape, TypedShape, Voxels};
 use smallvec::{SmallVec, smallvec};
+use std::sync::Arc;
 
 type Verdict = Result<(), InvalidCollider>;
 
@@ -71,6 +72,22 @@ fn measures(shape: TypedShape<'_>) -> SmallVec<[Measure<'_>; 4]> {
         TypedShape::Voxels(v) => smallvec![Lengths("voxel_size", v.voxel_size())],
         other => shapes::measures(other),
     }
+}
+
+/// Returns whether two shapes are known to be the same: they share their data, or have the same type and the
+/// same few numbers. Meshes, hulls and other shapes with lists are compared by their address.
+pub(super) fn is_same_shape(one: &SharedShape, other: &SharedShape) -> bool {
+    let is_list =
+        |measure: &Measure<'_>| matches!(measure, Measure::Points(..) | Measure::Coordinates(..));
+    if Arc::ptr_eq(&one.0, &other.0) {
+        return true;
+    }
+    let is_primitive = |shape: &[Measure<'_>]| !shape.is_empty() && !shape.iter().any(is_list);
+    let numbers = [one, other].map(|shape| measures(shape.as_typed_shape()));
+    one.shape_type() == other.shape_type()
+        && one.as_voxels().is_none()
+        && is_primitive(&numbers[0])
+        && numbers[0] == numbers[1]
 }
 
 fn check_measure(measure: Measure<'_>) -> Verdict {

@@ -72,10 +72,14 @@ bitflags::bitflags! {
         const DEFORMED = 1 << 9;
         /// Its friction, restitution, or combination rules.
         const MATERIAL = 1 << 10;
-        /// Its hooks, events, or the kinds of bodies it collides with.
+        /// The kinds of bodies it collides with.
         const INTERACTIONS = 1 << 11;
         /// Its shape was borrowed mutably, and must be checked.
         const UNCHECKED_SHAPE = 1 << 12;
+        /// Its hooks.
+        const HOOKS = 1 << 13;
+        /// Its events.
+        const EVENTS = 1 << 14;
     }
 }
 
@@ -86,22 +90,24 @@ impl Default for ColliderChanges {
 }
 
 impl ColliderChanges {
-    /// Edits that replace the pairs of the same two colliders: another body, or another kind.
-    pub(crate) const IDENTITY: Self =
-        Self::PARENT.union(Self::TYPE).union(Self::ENABLED_OR_DISABLED);
-    /// Edits that affect the set of possible partners.
-    pub(crate) const PARTNER_CHANGES: Self = Self::GROUPS.union(Self::INTERACTIONS);
+    /// Edits that affect the set of possible partners, or the kind of the pairs.
+    pub(crate) const PARTNER_CHANGES: Self = Self::PARENT
+        .union(Self::TYPE)
+        .union(Self::ENABLED_OR_DISABLED)
+        .union(Self::GROUPS)
+        .union(Self::INTERACTIONS);
+    /// Edits that may change the forces of contacts that persist.
+    pub(crate) const CONTACT_CHANGES: Self = Self::POSITION
+        .union(Self::SHAPE)
+        .union(Self::DEFORMED)
+        .union(Self::MATERIAL)
+        .union(Self::GROUPS)
+        .union(Self::HOOKS);
 
     /// All changes of a collider that is new to the step, except its place in the change list and the check
     /// of its shape.
     pub(crate) const fn everything() -> Self {
         Self::all().difference(Self::IN_MODIFIED_SET.union(Self::UNCHECKED_SHAPE))
-    }
-
-    /// The same, except the changes of the body and moved vertices.
-    pub(crate) const fn of_everything_but_the_body() -> Self {
-        Self::everything()
-            .difference(Self::PARENT.union(Self::PARENT_EFFECTIVE_DOMINANCE).union(Self::DEFORMED))
     }
 
     /// Returns whether anything changed that affects the broad phase.

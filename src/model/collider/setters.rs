@@ -1,15 +1,15 @@
 //! Setters of a collider.
 //!
-//! Each setter sets the bit of its change in [`ColliderChanges`] for the next step. A setter refuses an
+//! Each setter stores its value by [`Collider::store`], which sets the bit of the change in
+//! [`ColliderChanges`] for the next step. A value that is there already is no change. A setter refuses an
 //! unusable value: it keeps the old value and logs a warning with the refused one.
 
 use super::accept::accept_shape;
-use super::check::{check_margin, check_pose};
+use super::check::{check_margin, check_pose, is_same_shape};
 use super::form::ShapeForm;
 use super::{
     ActiveCollisionTypes, ActiveEvents, ActiveHooks, CoefficientCombineRule, Collider,
-    ColliderChanges, ColliderEnabled, ColliderFlags, ColliderMassProps, InteractionGroups,
-    InvalidCollider,
+    ColliderChanges, ColliderEnabled, ColliderMassProps, InteractionGroups, InvalidCollider,
 };
 use crate::dim::mass::mass_is_valid;
 use crate::dim::math::{AngVector, Pose, Real, Rotation, Vector, rotation_from_angle};
@@ -32,14 +32,29 @@ fn accepts(setter: &str, verdict: Result<(), InvalidCollider>) -> bool {
     }
 }
 
+impl Collider {
+    /// Stores a value in a field. Marks the change for the next step if the value differs from the old one.
+    fn store<T: PartialEq>(
+        &mut self,
+        field: impl FnOnce(&mut Self) -> &mut T,
+        value: T,
+        change: ColliderChanges,
+    ) {
+        let stored = field(self);
+        if *stored != value {
+            *stored = value;
+            self.changes |= change;
+        }
+    }
+}
+
 /// Pose of the collider.
 impl Collider {
     /// Sets the pose (collider frame → world) of a collider without a body. An attached collider follows its
     /// body: use [`Self::set_position_wrt_parent`].
     pub fn set_position(&mut self, position: Pose) {
-        if accepts("set_position", check_pose(&position)) {
-            self.pose = normalized(position);
-            self.changes |= ColliderChanges::POSITION;
+        if accepts("set_position", check_pose(&position)) && position != self.pose {
+            self.store(|it| &mut it.pose, normalized(position), ColliderChanges::POSITION);
         }
     }
 
@@ -55,19 +70,20 @@ impl Collider {
         self.set_position(pose);
     }
 
-    /// Sets the pose relative to its body (collider frame → body frame). No effect on a collider without a
-    /// body.
+    /// Sets the pose relative to its body (collider frame → body frame). The collider keeps its contacts. No
+    /// effect on a collider without a body.
     pub fn set_position_wrt_parent(&mut self, position: Pose) {
         if !accepts("set_position_wrt_parent", check_pose(&position)) {
             return;
         }
         let Some(parent) = &mut self.parent else { return };
-        let body_pose = self.pose * parent.pos_wrt_parent.inverse();
-        parent.pos_wrt_parent = normalized(position);
-        self.pose = body_pose * parent.pos_wrt_parent;
-        self.changes |= ColliderChanges::POSITION
-            | ColliderChanges::PARENT
-            | ColliderChanges::LOCAL_MASS_PROPERTIES;
+        let (old, new) = (parent.pos_wrt_parent, normalized(position));
+        if [position, new].contains(&old) {
+            return;
+        }
+        parent.pos_wrt_parent = new;
+        self.pose = self.pose * old.inverse() * new;
+        self.changes |= ColliderChanges::POSITION | ColliderChanges::LOCAL_MASS_PROPERTIES;
     }
 
     /// Sets the translation relative to its body. Its rotation stays. No effect on a collider without a body.
@@ -101,59 +117,39 @@ impl Collider {
             (true, ColliderEnabled::Disabled) => ColliderEnabled::Enabled,
             (true, current) => current,
         };
-        if self.flags.enabled != new_state {
-            self.flags.enabled = new_state;
-            self.changes |=
-                ColliderChanges::ENABLED_OR_DISABLED | ColliderChanges::LOCAL_MASS_PROPERTIES;
-        }
+        let change = ColliderChanges::ENABLED_OR_DISABLED | ColliderChanges::LOCAL_MASS_PROPERTIES;
+        self.store(|it| &mut it.flags.enabled, new_state, change);
     }
 
     /// Sets whether it is a sensor, which reports intersections and exerts no forces.
     pub fn set_sensor(&mut self, is_sensor: bool) {
-        if self.sensor != is_sensor {
-            self.sensor = is_sensor;
-            self.changes |= ColliderChanges::TYPE;
-        }
+        self.store(|it| &mut it.sensor, is_sensor, ColliderChanges::TYPE);
     }
 
     /// Sets the groups for contacts.
     pub fn set_collision_groups(&mut self, groups: InteractionGroups) {
-        if self.flags.collision_groups != groups {
-            self.flags.collision_groups = groups;
-            self.changes |= ColliderChanges::GROUPS;
-        }
+        self.store(|it| &mut it.flags.collision_groups, groups, ColliderChanges::GROUPS);
     }
 
     /// Sets the groups for contact forces.
     pub fn set_solver_groups(&mut self, groups: InteractionGroups) {
-        if self.flags.solver_groups != groups {
-            self.flags.solver_groups = groups;
-            self.changes |= ColliderChanges::GROUPS;
-        }
+        self.store(|it| &mut it.flags.solver_groups, groups, ColliderChanges::GROUPS);
     }
 
     /// Sets the pairs of body types with which it collides.
     pub fn set_active_collision_types(&mut self, types: ActiveCollisionTypes) {
-        if self.flags.active_collision_types != types {
-            self.flags.active_collision_types = types;
-            self.changes |= ColliderChanges::INTERACTIONS;
-        }
+        let change = ColliderChanges::INTERACTIONS;
+        self.store(|it| &mut it.flags.active_collision_types, types, change);
     }
 
     /// Sets the hooks that are called for its pairs.
     pub fn set_active_hooks(&mut self, hooks: ActiveHooks) {
-        if self.flags.active_hooks != hooks {
-            self.flags.active_hooks = hooks;
-            self.changes |= ColliderChanges::INTERACTIONS;
-        }
+        self.store(|it| &mut it.flags.active_hooks, hooks, ColliderChanges::HOOKS);
     }
 
     /// Sets the events that are sent for its pairs.
     pub fn set_active_events(&mut self, events: ActiveEvents) {
-        if self.flags.active_events != events {
-            self.flags.active_events = events;
-            self.changes |= ColliderChanges::INTERACTIONS;
-        }
+        self.store(|it| &mut it.flags.active_events, events, ColliderChanges::EVENTS);
     }
 
     /// Sets the least total contact force magnitude of a pair (force units) with an event. A force of zero
@@ -174,36 +170,31 @@ impl Collider {
     /// Sets the largest ratio of the tangential to the normal contact force, 0 or more.
     pub fn set_friction(&mut self, friction: Real) {
         if accepts("set_friction", check_margin("friction", friction)) {
-            self.material.friction = friction;
-            self.changes |= ColliderChanges::MATERIAL;
+            self.store(|it| &mut it.material.friction, friction, ColliderChanges::MATERIAL);
         }
     }
 
     /// Sets the rule that combines its friction with that of another collider.
     pub fn set_friction_combine_rule(&mut self, rule: CoefficientCombineRule) {
-        self.material.friction_combine_rule = rule;
-        self.changes |= ColliderChanges::MATERIAL;
+        self.store(|it| &mut it.material.friction_combine_rule, rule, ColliderChanges::MATERIAL);
     }
 
     /// Sets the ratio of the speeds of separation and approach, 0 or more.
     pub fn set_restitution(&mut self, restitution: Real) {
         if accepts("set_restitution", check_margin("restitution", restitution)) {
-            self.material.restitution = restitution;
-            self.changes |= ColliderChanges::MATERIAL;
+            self.store(|it| &mut it.material.restitution, restitution, ColliderChanges::MATERIAL);
         }
     }
 
     /// Sets the rule that combines its restitution with that of another collider.
     pub fn set_restitution_combine_rule(&mut self, rule: CoefficientCombineRule) {
-        self.material.restitution_combine_rule = rule;
-        self.changes |= ColliderChanges::MATERIAL;
+        self.store(|it| &mut it.material.restitution_combine_rule, rule, ColliderChanges::MATERIAL);
     }
 
     /// Sets the thickness (length units) of the invisible layer around the shape, 0 or more.
     pub fn set_contact_skin(&mut self, skin: Real) {
         if accepts("set_contact_skin", check_margin("contact_skin", skin)) {
-            self.contact_skin = skin;
-            self.changes |= ColliderChanges::SHAPE;
+            self.store(|it| &mut it.contact_skin, skin, ColliderChanges::SHAPE);
         }
     }
 }
@@ -211,14 +202,23 @@ impl Collider {
 /// Its shape and mass.
 impl Collider {
     /// Replaces the shape. Its mass follows from the new shape and the density or mass that was set.
+    ///
+    /// The same shared shape, or a primitive with the same numbers, changes nothing. Meshes, hulls and other
+    /// shapes with lists of points are new shapes unless they are shared.
     pub fn set_shape(&mut self, shape: SharedShape) {
         match accept_shape(&shape) {
             Ok(shape) => {
-                (self.shape, self.form, self.widths) = (shape, ShapeForm::UNKNOWN, None);
+                self.store_shape(shape);
                 self.changes.remove(ColliderChanges::UNCHECKED_SHAPE);
-                self.changes |= ColliderChanges::SHAPE | ColliderChanges::LOCAL_MASS_PROPERTIES;
             }
             Err(reason) => refuse("set_shape", &reason),
+        }
+    }
+
+    fn store_shape(&mut self, shape: SharedShape) {
+        if !is_same_shape(&self.shape, &shape) {
+            (self.shape, self.form, self.widths) = (shape, ShapeForm::UNKNOWN, None);
+            self.changes |= ColliderChanges::SHAPE | ColliderChanges::LOCAL_MASS_PROPERTIES;
         }
     }
 
@@ -279,31 +279,29 @@ impl Collider {
     }
 
     fn set_mass_props(&mut self, mass_props: ColliderMassProps) {
-        if self.mass_props != mass_props {
-            self.mass_props = mass_props;
-            self.changes |= ColliderChanges::LOCAL_MASS_PROPERTIES;
-        }
+        let change = ColliderChanges::LOCAL_MASS_PROPERTIES;
+        self.store(|it| &mut it.mass_props, mass_props, change);
     }
 
     /// Copies everything from `other`, including shape and user data, except the body and the pose relative
-    /// to it.
+    /// to it. Only differences count as changes.
     pub fn copy_from(&mut self, other: &Collider) {
-        let by_parent = self.flags.enabled == ColliderEnabled::DisabledByParent;
-        let enabled = match other.flags.enabled {
-            ColliderEnabled::Disabled => ColliderEnabled::Disabled,
-            _ if by_parent => ColliderEnabled::DisabledByParent,
-            _ => ColliderEnabled::Enabled,
-        };
-        *self = Collider {
-            pose: if self.parent.is_some() { self.pose } else { other.pose },
-            parent: self.parent,
-            parent_type: self.parent_type,
-            proxy: self.proxy,
-            flags: ColliderFlags { enabled, ..other.flags },
-            changes: self.changes
-                | ColliderChanges::of_everything_but_the_body()
-                | (other.changes & ColliderChanges::UNCHECKED_SHAPE),
-            ..other.clone()
-        };
+        self.store_shape(other.shape.clone());
+        self.changes |= other.changes & ColliderChanges::UNCHECKED_SHAPE;
+        self.store(|it| &mut it.contact_skin, other.contact_skin, ColliderChanges::SHAPE);
+        self.store(|it| &mut it.material, other.material, ColliderChanges::MATERIAL);
+        self.set_mass_props(other.mass_props.clone());
+        if self.parent.is_none() {
+            self.store(|it| &mut it.pose, other.pose, ColliderChanges::POSITION);
+        }
+        self.set_enabled(other.flags.enabled != ColliderEnabled::Disabled);
+        self.set_sensor(other.sensor);
+        self.set_collision_groups(other.flags.collision_groups);
+        self.set_solver_groups(other.flags.solver_groups);
+        self.set_active_collision_types(other.flags.active_collision_types);
+        self.set_active_hooks(other.flags.active_hooks);
+        self.set_active_events(other.flags.active_events);
+        self.contact_force_event_threshold = other.contact_force_event_threshold;
+        self.user_data = other.user_data;
     }
 }

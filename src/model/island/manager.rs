@@ -5,6 +5,7 @@ use super::groups::BodyGroups;
 use super::link::NONE;
 use super::motion::BodyMotion;
 use crate::base::fault::{Fault, ensure};
+use crate::base::id_set::IdSet;
 use crate::base::in_place::clone_in_place;
 use crate::model::body::{RigidBodyHandle, RigidBodySet};
 use crate::model::constraint_graph::ConstraintGraph;
@@ -56,6 +57,9 @@ pub struct IslandManager {
     pub(crate) step: u32,
     /// By body slot: the motion of the body in the last step.
     pub(crate) motion: Vec<BodyMotion>,
+    /// Slots of the sleeping bodies that the user inserted or moved since the last step.
+    #[cfg_attr(feature = "serde-serialize", serde(skip))]
+    pub(crate) placed_asleep: IdSet,
     pub(crate) stamp: WorldStamp,
 }
 
@@ -69,6 +73,7 @@ clone_in_place!(IslandManager {
     groups,
     step,
     motion,
+    placed_asleep,
     stamp
 });
 

@@ -9,7 +9,7 @@ use crate::model::check::checked_pose;
 use parry::mass_properties::MassProperties;
 
 /// One body of a multibody, and the joint to its parent.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub struct MultibodyLink {
     /// The joint to the parent. The joint of a root has no effect.

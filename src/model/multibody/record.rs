@@ -21,7 +21,7 @@ pub(crate) struct Dof {
 }
 
 /// Data of a degree of freedom.
-#[derive(Debug, Default)]
+#[derive(Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) struct DofLists {
     pub velocities: Vec<Real>,
@@ -62,7 +62,7 @@ clone_in_place!(DofLists {
 ///
 /// A multibody acts while all its links except the root are dynamic and enabled bodies, and all its joints
 /// are valid and enabled. Otherwise the bodies move as if they had no joints.
-#[derive(Debug)]
+#[derive(Debug, PartialEq)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde-serialize", serde(remote = "Self"))]
 pub struct Multibody {

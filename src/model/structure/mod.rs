@@ -315,7 +315,8 @@ impl Structure<'_> {
 
     // --- pairs ------------------------------------------------------------------------------------
 
-    fn parent_slots(&self, pair: [ColliderHandle; 2]) -> [u32; 2] {
+    /// The slots of the bodies of two colliders.
+    pub fn parent_slots(&self, pair: [ColliderHandle; 2]) -> [u32; 2] {
         pair.map(|handle| {
             let parent = self.colliders.get(handle).and_then(|collider| collider.parent());
             parent.map_or(NONE, |parent| parent.into_raw_parts().0)
@@ -433,11 +434,16 @@ impl Structure<'_> {
         for i in 0..self.narrow_phase.contacts.ids_of(collider_slot).len() {
             let id = self.narrow_phase.contacts.ids_of(collider_slot)[i];
             if self.narrow_phase.contacts[id].is_touching() {
-                for slot in self.narrow_phase.contacts.bodies(id) {
-                    if let Some((handle, _)) = self.bodies.at_slot(slot) {
-                        self.wake_body(handle);
-                    }
-                }
+                self.wake_bodies_of(id);
+            }
+        }
+    }
+
+    /// Wakes the bodies of a pair; awake ones stay so for a while longer.
+    pub fn wake_bodies_of(&mut self, id: PairId) {
+        for slot in self.narrow_phase.contacts.bodies(id) {
+            if let Some((handle, _)) = self.bodies.at_slot(slot) {
+                self.wake_body(handle);
             }
         }
     }

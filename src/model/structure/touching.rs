@@ -11,10 +11,28 @@ impl Structure<'_> {
     pub fn attach(&mut self, id: PairId) {
         let slots = self.narrow_phase.contacts.bodies(id);
         self.narrow_phase.contacts[id].attached = true;
-        if let [Some(slot1), Some(slot2)] = self.dynamic_slots(slots) {
+        let dynamic = self.dynamic_slots(slots);
+        if let [Some(slot1), Some(slot2)] = dynamic {
             self.link(slot1, slot2);
         }
+        self.wake_touched(dynamic);
         self.update_colors(id);
+    }
+
+    /// Wakes sleeping bodies at a new contact. An edit caused it, as of a fixed collider that appeared inside
+    /// one of them. Bodies that the user put there asleep stay asleep.
+    fn wake_touched(&mut self, dynamic: [Option<u32>; 2]) {
+        let slots = || dynamic.into_iter().flatten();
+        if slots().all(|slot| self.is_awake(slot))
+            || slots().any(|slot| self.islands.placed_asleep.contains(slot))
+        {
+            return;
+        }
+        for slot in slots() {
+            if let Some((handle, _)) = self.bodies.at_slot(slot) {
+                self.wake_body(handle);
+            }
+        }
     }
 
     /// A pair no longer touches, or will be removed. Returns whether it was attached.

@@ -1,7 +1,7 @@
 //! Bodies that are new or were edited.
 
-use super::UserChanges;
-use crate::model::body::{RestPose, RigidBodyChanges, RigidBodyHandle};
+use super::{MassNote, UserChanges};
+use crate::model::body::{RestPose, RigidBody, RigidBodyChanges, RigidBodyHandle};
 use crate::model::collider::{ColliderEnabled, ColliderHandle};
 use crate::model::island::NONE;
 
@@ -42,7 +42,7 @@ impl UserChanges<'_> {
                 (ColliderEnabled::Enabled, false) => ColliderEnabled::DisabledByParent,
                 (unchanged, _) => unchanged,
             };
-            self.drop_forbidden_pairs(collider_handle);
+            self.drop_unfit_pairs(collider_handle);
             self.place(collider_handle);
             self.tree.mark_moved(collider_handle.into_raw_parts().0);
         }
@@ -75,13 +75,11 @@ impl UserChanges<'_> {
     }
 
     /// Follows a body's other changes.
-    pub(super) fn apply_body(
-        &mut self,
-        handle: RigidBodyHandle,
-        reweighed: &mut Vec<RigidBodyHandle>,
-    ) {
+    pub(super) fn apply_body(&mut self, handle: RigidBodyHandle, reweighed: &mut Vec<MassNote>) {
         let Some(body) = self.structure.bodies.get_unnoted_mut(handle) else { return };
-        let changes = core::mem::replace(&mut body.changes, RigidBodyChanges::empty());
+        let changes = body.changes;
+        // The sum of the masses ends the assembly.
+        body.changes &= RigidBodyChanges::ASSEMBLY;
         if changes.contains(RigidBodyChanges::POSITION) {
             body.update_world_mass_properties();
             self.place_colliders(handle);
@@ -91,10 +89,13 @@ impl UserChanges<'_> {
         }
         let mass = RigidBodyChanges::LOCAL_MASS_PROPERTIES | RigidBodyChanges::COLLIDERS;
         if changes.intersects(mass) {
-            self.note_mass(handle, reweighed);
+            self.note_mass(handle, false, reweighed);
         }
-        let asleep = self.structure.bodies.get(handle).is_some_and(|body| body.activation.sleeping);
-        if changes.contains(RigidBodyChanges::SLEEP) && !asleep {
+        // Access to the thresholds of an awake body must not restart its time until it sleeps.
+        let is_woken = |body: &RigidBody| !body.is_sleeping() && body.link.awake == NONE;
+        if changes.contains(RigidBodyChanges::SLEEP)
+            && self.structure.bodies.get(handle).is_some_and(is_woken)
+        {
             self.structure.wake_body(handle);
         }
     }

@@ -1,6 +1,6 @@
 //! Colliders that are new or were edited.
 
-use super::UserChanges;
+use super::{MassNote, UserChanges};
 use crate::collide::form_of;
 use crate::model::body::RigidBodyHandle;
 use crate::model::collider::{ColliderChanges, ColliderHandle, Widths, may_interact};
@@ -32,7 +32,7 @@ impl UserChanges<'_> {
     pub(super) fn apply_collider(
         &mut self,
         handle: ColliderHandle,
-        reweighed: &mut Vec<RigidBodyHandle>,
+        reweighed: &mut Vec<MassNote>,
         measured: &mut Measured,
     ) {
         let Some(collider) = self.structure.colliders.get_unnoted_mut(handle) else { return };
@@ -46,49 +46,67 @@ impl UserChanges<'_> {
         let body = parent.and_then(|parent| self.structure.bodies.get(parent));
         self.tree.note_filters(collider, body);
 
-        // A pair of another kind, or of other bodies, cannot be kept.
-        let (identity, partner_changes) =
-            (ColliderChanges::IDENTITY, ColliderChanges::PARTNER_CHANGES);
-        if changes.intersects(identity) {
-            self.remove_pairs_of(handle, true, CollisionEventFlags::empty());
+        if changes.intersects(ColliderChanges::CONTACT_CHANGES) {
+            self.structure.wake_touching(slot);
         }
         if changes.needs_broad_phase_update() {
-            self.structure.wake_touching(slot);
             self.place(handle);
         }
-        if changes.intersects(partner_changes) {
-            self.drop_forbidden_pairs(handle);
-        }
-        if changes.intersects(partner_changes | identity) {
+        if changes.intersects(ColliderChanges::PARTNER_CHANGES) {
+            self.drop_unfit_pairs(handle);
             self.tree.mark_moved(slot);
         }
         if changes.needs_narrow_phase_update() {
             self.structure.refresh_pairs(slot);
         }
-        let weight = identity
-            | ColliderChanges::LOCAL_MASS_PROPERTIES
-            | ColliderChanges::SHAPE
-            | ColliderChanges::POSITION;
-        if let (Some(parent), true) = (parent, changes.intersects(weight)) {
-            self.note_mass(parent, reweighed);
+        if let Some(parent) = parent {
+            self.follow_mass(parent, changes, reweighed);
         }
     }
 
-    /// Removes the pairs that may no longer interact.
-    pub(super) fn drop_forbidden_pairs(&mut self, handle: ColliderHandle) {
+    /// Notes that the mass, the size or the warnings of a collider's body may have changed. The mass of a new
+    /// collider is already part of the body's.
+    fn follow_mass(
+        &mut self,
+        parent: RigidBodyHandle,
+        changes: ColliderChanges,
+        reweighed: &mut Vec<MassNote>,
+    ) {
+        let has_other_mass = changes.contains(ColliderChanges::LOCAL_MASS_PROPERTIES);
+        if has_other_mass && let Some(body) = self.structure.bodies.get_unnoted_mut(parent) {
+            body.end_assembly();
+        }
+        let others = ColliderChanges::PARENT
+            | ColliderChanges::TYPE
+            | ColliderChanges::ENABLED_OR_DISABLED
+            | ColliderChanges::SHAPE
+            | ColliderChanges::POSITION;
+        if has_other_mass || changes.intersects(others) {
+            self.note_mass(parent, has_other_mass, reweighed);
+        }
+    }
+
+    /// Removes the pairs that may no longer interact, or that are of another kind or of other bodies now.
+    ///
+    /// Pairs are compared with the current state instead of the list of edits. An edit that was taken back
+    /// before the step thus keeps the pairs, and sends no events.
+    pub(super) fn drop_unfit_pairs(&mut self, handle: ColliderHandle) {
         let slot = handle.into_raw_parts().0;
-        let contacts = self.structure.narrow_phase.contacts.ids_of(slot).to_vec();
-        for id in contacts {
+        for id in self.structure.narrow_phase.contacts.ids_of(slot).to_vec() {
             let pair = &self.structure.narrow_phase.contacts[id];
-            if !self.may_interact(pair.collider1, pair.collider2) {
+            let bodies = self.structure.narrow_phase.contacts.bodies(id);
+            if !self.fits([pair.collider1, pair.collider2], bodies, false) {
+                if pair.is_touching() {
+                    self.structure.wake_bodies_of(id);
+                }
                 let reported = self.structure.remove_contact_pair(id, true);
                 self.report_end(reported, CollisionEventFlags::empty());
             }
         }
-        let intersections = self.structure.narrow_phase.intersections.ids_of(slot).to_vec();
-        for id in intersections {
+        for id in self.structure.narrow_phase.intersections.ids_of(slot).to_vec() {
             let pair = &self.structure.narrow_phase.intersections[id];
-            if !self.may_interact(pair.collider1, pair.collider2) {
+            let bodies = self.structure.narrow_phase.intersections.bodies(id);
+            if !self.fits([pair.collider1, pair.collider2], bodies, true) {
                 let reported = self.structure.narrow_phase.intersections.remove(id);
                 self.report_end(reported, CollisionEventFlags::SENSOR);
             }
@@ -104,10 +122,15 @@ impl UserChanges<'_> {
         self.events.extend(reported.map(|[one, two]| CollisionEvent::Stopped(one, two, flags)));
     }
 
-    fn may_interact(&self, collider1: ColliderHandle, collider2: ColliderHandle) -> bool {
+    /// Returns whether two colliders still have a pair of this kind, between these bodies.
+    fn fits(&self, pair: [ColliderHandle; 2], bodies: [u32; 2], is_sensed: bool) -> bool {
         let colliders = &self.structure.colliders;
-        match (colliders.get(collider1), colliders.get(collider2)) {
-            (Some(collider1), Some(collider2)) => may_interact(collider1, collider2),
+        match pair.map(|handle| colliders.get(handle)) {
+            [Some(collider1), Some(collider2)] => {
+                may_interact(collider1, collider2)
+                    && (collider1.is_sensor() || collider2.is_sensor()) == is_sensed
+                    && self.structure.parent_slots(pair) == bodies
+            }
             _ => false,
         }
     }

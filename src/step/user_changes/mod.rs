@@ -29,6 +29,9 @@ use crate::model::structure::Structure;
 use crate::model::tree::BroadPhaseBvh;
 use colliders::Measured;
 
+/// A body whose masses are summed up again, and whether a change of the sum wakes it.
+type MassNote = (RigidBodyHandle, bool);
+
 /// All that an edit can affect.
 pub(crate) struct UserChanges<'a> {
     pub structure: Structure<'a>,
@@ -45,6 +48,7 @@ impl UserChanges<'_> {
         self.apply_replacements();
         self.apply_removals();
         let bodies = self.structure.bodies.take_modified();
+        self.note_placed(&bodies);
         let colliders = self.structure.colliders.take_modified();
         let mut reweighed = Vec::new();
         for &handle in &bodies {
@@ -60,8 +64,8 @@ impl UserChanges<'_> {
         for &handle in &bodies {
             self.apply_body(handle, &mut reweighed);
         }
-        for handle in reweighed {
-            self.reweigh(handle);
+        for note in reweighed {
+            self.reweigh(note);
         }
         self.apply_joints();
         self.apply_multibodies();
@@ -70,8 +74,22 @@ impl UserChanges<'_> {
 
     /// Applies removals only. The next [`Self::run`] applies all other edits.
     pub fn run_removals(mut self) {
+        self.note_placed(&[]);
         self.apply_replacements();
         self.apply_removals();
+    }
+
+    /// Notes the sleeping bodies that are new or were moved: their new contacts do not wake them.
+    fn note_placed(&mut self, modified: &[RigidBodyHandle]) {
+        let Structure { bodies, islands, .. } = &mut self.structure;
+        islands.placed_asleep.clear();
+        let placed = RigidBodyChanges::KIND | RigidBodyChanges::POSITION;
+        for &handle in modified {
+            let body = bodies.get(handle).filter(|body| body.is_sleeping());
+            if body.is_some_and(|body| body.changes.intersects(placed)) {
+                islands.placed_asleep.insert(handle.into_raw_parts().0);
+            }
+        }
     }
 
     /// Replaced colliders become colliders of the bodies that they name, and replaced bodies get the
@@ -88,23 +106,26 @@ impl UserChanges<'_> {
         }
     }
 
-    /// Notes, once, that a body's mass must be summed up again.
-    fn note_mass(&mut self, handle: RigidBodyHandle, reweighed: &mut Vec<RigidBodyHandle>) {
+    /// Notes, once, that a body's mass must be summed up again, and whether a change of it wakes the body.
+    fn note_mass(&mut self, handle: RigidBodyHandle, wakes: bool, reweighed: &mut Vec<MassNote>) {
         let Some(body) = self.structure.bodies.get_unnoted_mut(handle) else { return };
         let noted = RigidBodyChanges::LOCAL_MASS_PROPERTIES | RigidBodyChanges::IN_MODIFIED_SET;
         if !body.changes.contains(noted) {
             body.changes.insert(noted);
-            reweighed.push(handle);
+            reweighed.push((handle, wakes));
         }
     }
 
-    fn reweigh(&mut self, handle: RigidBodyHandle) {
+    fn reweigh(&mut self, (handle, wakes): MassNote) {
         let Structure { bodies, colliders, .. } = &mut self.structure;
-        if let Some(body) = bodies.get_unnoted_mut(handle) {
-            body.recompute_mass_properties_from_colliders(colliders);
-            body.changes = RigidBodyChanges::empty();
-            // Contact points are kept relative to the centre of mass.
-            self.structure.refresh_pairs_of(handle);
+        let Some(body) = bodies.get_unnoted_mut(handle) else { return };
+        let has_changed = body.sum_up_colliders(colliders);
+        let is_new = body.changes.contains(RigidBodyChanges::ASSEMBLY);
+        body.changes = RigidBodyChanges::empty();
+        // Contact points are kept relative to the centre of mass.
+        self.structure.refresh_pairs_of(handle);
+        if wakes && has_changed && !is_new {
+            self.structure.wake_body(handle);
         }
     }
 

@@ -107,6 +107,9 @@ impl ColliderSet {
     /// Inserts a collider, or the collider that a builder describes, attached to a body. Its position is
     /// relative to the body, and its mass is added to the body's.
     ///
+    /// Before the first step with the body, its velocity becomes that of the new centre of mass. Later, every
+    /// point of the body keeps its velocity, and the body wakes if its mass properties change.
+    ///
     /// If the body's handle is stale, the log contains a warning, and the collider is inserted disabled and
     /// without a body. To repair it, call [`Self::set_parent`] and [`Collider::set_enabled`].
     pub fn insert_with_parent(
@@ -139,8 +142,10 @@ impl ColliderSet {
         WorldStamp::note_attachment([&mut self.stamp, &mut bodies.stamp]);
     }
 
+    /// Inserts a collider whose body, if it has one, already has its mass.
     fn insert_new(&mut self, mut collider: Collider) -> ColliderHandle {
-        collider.changes = ColliderChanges::everything() | ColliderChanges::IN_MODIFIED_SET;
+        let new = ColliderChanges::everything() - ColliderChanges::LOCAL_MASS_PROPERTIES;
+        collider.changes = new | ColliderChanges::IN_MODIFIED_SET;
         let handle = ColliderHandle(self.colliders.insert(collider));
         if let Some(collider) = self.colliders.get_mut(handle.0) {
             // It may be the copy of one that is in a set.
@@ -424,9 +429,7 @@ impl Collider {
             self.flags.enabled = ColliderEnabled::DisabledByParent;
             self.changes |= ColliderChanges::ENABLED_OR_DISABLED;
         }
-        self.changes |= ColliderChanges::PARENT
-            | ColliderChanges::POSITION
-            | ColliderChanges::LOCAL_MASS_PROPERTIES;
+        self.changes |= ColliderChanges::PARENT | ColliderChanges::POSITION;
     }
 }
 

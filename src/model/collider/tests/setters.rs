@@ -37,14 +37,14 @@ fn each_setter_notes_what_it_changed() {
     let table: [(Setter, Changes); 17] = [
         (|c| c.set_position(Pose::from_translation(Vector::X)), Changes::POSITION),
         (|c| c.set_translation(Vector::X), Changes::POSITION),
-        (|c| c.set_rotation(Rotation::IDENTITY), Changes::POSITION),
+        (|c| c.set_rotation(quarter_turn()), Changes::POSITION),
         (|c| c.set_enabled(false), Changes::ENABLED_OR_DISABLED | Changes::LOCAL_MASS_PROPERTIES),
         (|c| c.set_sensor(true), Changes::TYPE),
         (|c| c.set_collision_groups(InteractionGroups::none()), Changes::GROUPS),
         (|c| c.set_solver_groups(InteractionGroups::none()), Changes::GROUPS),
         (|c| c.set_active_collision_types(ActiveCollisionTypes::all()), Changes::INTERACTIONS),
-        (|c| c.set_active_hooks(ActiveHooks::FILTER_CONTACT_PAIRS), Changes::INTERACTIONS),
-        (|c| c.set_active_events(ActiveEvents::COLLISION_EVENTS), Changes::INTERACTIONS),
+        (|c| c.set_active_hooks(ActiveHooks::FILTER_CONTACT_PAIRS), Changes::HOOKS),
+        (|c| c.set_active_events(ActiveEvents::COLLISION_EVENTS), Changes::EVENTS),
         (|c| c.set_friction(0.1), Changes::MATERIAL),
         (|c| c.set_restitution(0.1), Changes::MATERIAL),
         (|c| c.set_friction_combine_rule(CoefficientCombineRule::Max), Changes::MATERIAL),
@@ -71,7 +71,47 @@ fn setting_the_same_again_notes_nothing() {
     collider.set_active_events(collider.active_events());
     collider.set_active_collision_types(collider.active_collision_types());
     collider.set_density(1.0);
+    collider.set_friction(0.5);
+    collider.set_restitution(0.0);
+    collider.set_contact_skin(0.0);
+    collider.set_shape(SharedShape::ball(0.5));
+    let rotations =
+        [quarter_turn(), crate::dim::shapes::tests::scaled_rotation(quarter_turn(), 1.002)];
+    for rotation in rotations {
+        collider.set_rotation(rotation);
+        collider.changes = Changes::empty();
+        collider.set_rotation(rotation);
+        collider.set_rotation(collider.rotation());
+    }
+    collider.copy_from(&collider.clone());
     assert_eq!(collider.changes, Changes::empty());
+}
+
+/// A rotation by about a quarter turn.
+fn quarter_turn() -> Rotation {
+    crate::dim::math::rotation_from_angle(torque(Vector::X, Vector::Y))
+}
+
+/// Shapes with lists of points are the same only if they are shared, and primitives by their numbers.
+#[test]
+fn shapes_of_other_numbers_or_lists_are_other_shapes() {
+    let corners = [Vector::ZERO, Vector::X, Vector::Y, Vector::ONE];
+    let line = || SharedShape::polyline(corners.to_vec(), None);
+    let shared = line();
+    for (old, new, is_same) in [
+        (SharedShape::ball(0.5), SharedShape::ball(0.5), true),
+        (SharedShape::ball(0.5), SharedShape::ball(0.6), false),
+        (SharedShape::capsule_x(0.5, 0.2), SharedShape::capsule_x(0.5, 0.2), true),
+        (SharedShape::capsule_x(0.5, 0.2), SharedShape::capsule_y(0.5, 0.2), false),
+        (SharedShape::ball(0.5), SharedShape::capsule_y(0.5, 0.2), false),
+        (shared.clone(), shared, true),
+        (line(), line(), false),
+    ] {
+        let mut collider = ColliderBuilder::new(old).build();
+        collider.changes = Changes::empty();
+        collider.set_shape(new);
+        assert_eq!(collider.changes.is_empty(), is_same, "{:?}", collider.shape().shape_type());
+    }
 }
 
 #[test]

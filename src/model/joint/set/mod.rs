@@ -46,12 +46,16 @@ pub struct ImpulseJointSet {
     of_body: BTreeMap<u32, Vec<ImpulseJointHandle>>,
     /// Joints that the user may have changed since the last step, each once.
     modified: Vec<ImpulseJointHandle>,
+    /// Their states before the first change, in the same order; `None` for new joints. Loaded notes have
+    /// none: these joints count as changed.
+    #[cfg_attr(feature = "serde-serialize", serde(skip))]
+    seen: Vec<Option<ImpulseJoint>>,
     /// Joints that were removed since the last step, and whether their bodies wake.
     removed: Vec<(ImpulseJointHandle, bool)>,
     pub(crate) stamp: WorldStamp,
 }
 
-clone_in_place!(ImpulseJointSet { joints, modified, removed, stamp } unless_equal { of_body });
+clone_in_place!(ImpulseJointSet { joints, modified, seen, removed, stamp } unless_equal { of_body });
 
 impl ImpulseJointSet {
     /// An empty set.
@@ -128,6 +132,13 @@ impl ImpulseJointSet {
         handle
     }
 
+    /// Mutable access to a joint. Notes it as edited, and whether a change of it wakes its bodies.
+    fn edit(&mut self, handle: ImpulseJointHandle, wakes: bool) -> Option<&mut ImpulseJoint> {
+        let entry = self.joints.get_mut(handle.0)?;
+        note(&mut self.modified, &mut self.seen, (handle, wakes), entry);
+        Some(&mut entry.joint)
+    }
+
     /// Removes a joint and returns it; `None` if the handle is stale. Its bodies wake if `wake_up` is `true`.
     pub fn remove(&mut self, handle: ImpulseJointHandle, wake_up: bool) -> Option<ImpulseJoint> {
         let Entry { joint, filed, .. } = self.joints.remove(handle.0)?;
@@ -155,11 +166,10 @@ impl ImpulseJointSet {
         self.joints.get(handle.0).map(|entry| &entry.joint)
     }
 
-    /// Mutable access to the joint of a handle; `None` if the handle is stale. Its bodies wake.
+    /// Mutable access to the joint of a handle; `None` if the handle is stale. Its bodies wake in the next
+    /// step if the joint changed.
     pub fn get_mut(&mut self, handle: ImpulseJointHandle) -> Option<&mut ImpulseJoint> {
-        let entry = self.joints.get_mut(handle.0)?;
-        note(&mut self.modified, handle, entry, true);
-        Some(&mut entry.joint)
+        self.edit(handle, true)
     }
 
     /// [`Self::get_mut`], except that the bodies wake only if an earlier edit since the last step wakes them.
@@ -167,9 +177,7 @@ impl ImpulseJointSet {
         &mut self,
         handle: ImpulseJointHandle,
     ) -> Option<&mut ImpulseJoint> {
-        let entry = self.joints.get_mut(handle.0)?;
-        note(&mut self.modified, handle, entry, false);
-        Some(&mut entry.joint)
+        self.edit(handle, false)
     }
 
     /// The joint in a slot (the first number of a handle), with its handle.
@@ -178,16 +186,14 @@ impl ImpulseJointSet {
         Some((&entry.joint, ImpulseJointHandle(index)))
     }
 
-    /// Mutable access to the joint in a slot (the first number of a handle), with its handle. Its bodies
-    /// wake.
+    /// Mutable access to the joint in a slot (the first number of a handle), with its handle. Its bodies wake
+    /// in the next step if the joint changed.
     pub fn get_unknown_gen_mut(
         &mut self,
         slot: u32,
     ) -> Option<(&mut ImpulseJoint, ImpulseJointHandle)> {
-        let (index, entry) = self.joints.at_slot_mut(slot)?;
-        let handle = ImpulseJointHandle(index);
-        note(&mut self.modified, handle, entry, true);
-        Some((&mut entry.joint, handle))
+        let (_, handle) = self.get_unknown_gen(slot)?;
+        Some((self.edit(handle, true)?, handle))
     }
 
     /// Changes the bodies of a joint. The old bodies and the new ones wake. A stale handle, or two equal
@@ -213,8 +219,8 @@ impl ImpulseJointSet {
         self.joints.iter().map(|(index, entry)| (ImpulseJointHandle(index), &entry.joint))
     }
 
-    /// Mutable access to all joints with their handles, in the order of their slots. The bodies of every
-    /// visited joint wake.
+    /// Mutable access to all joints with their handles, in the order of their slots. The bodies of changed
+    /// joints wake in the next step.
     pub fn iter_mut(
         &mut self,
     ) -> impl DoubleEndedIterator<Item = (ImpulseJointHandle, &mut ImpulseJoint)> {
@@ -234,10 +240,10 @@ impl ImpulseJointSet {
         &mut self,
         wakes: bool,
     ) -> impl DoubleEndedIterator<Item = (ImpulseJointHandle, &mut ImpulseJoint)> {
-        let modified = &mut self.modified;
+        let (modified, seen) = (&mut self.modified, &mut self.seen);
         self.joints.iter_mut().map(move |(index, entry)| {
             let handle = ImpulseJointHandle(index);
-            note(modified, handle, entry, wakes);
+            note(modified, seen, (handle, wakes), entry);
             (handle, &mut entry.joint)
         })
     }
@@ -264,8 +270,8 @@ impl ImpulseJointSet {
         self.attached_joints(body).filter(|(.., joint)| joint.data.is_enabled())
     }
 
-    /// Calls a function with mutable access to each joint of a body, in the order of insertion. The joined
-    /// bodies wake.
+    /// Calls a function with mutable access to each joint of a body, in the order of insertion. The bodies of
+    /// changed joints wake in the next step.
     pub fn map_attached_joints_mut(
         &mut self,
         body: RigidBodyHandle,
@@ -343,16 +349,18 @@ fn check(
     data.validate()
 }
 
-/// Notes a joint as edited, and whether the edit wakes its bodies.
+/// Notes a joint as edited, and whether a change of it wakes its bodies.
 fn note(
     modified: &mut Vec<ImpulseJointHandle>,
-    handle: ImpulseJointHandle,
+    seen: &mut Vec<Option<ImpulseJoint>>,
+    (handle, wakes): (ImpulseJointHandle, bool),
     entry: &mut Entry,
-    wakes: bool,
 ) {
     entry.note.wakes = wakes || entry.note.listed && entry.note.wakes;
     if !entry.note.listed {
         entry.note.listed = true;
+        seen.resize(modified.len(), None);
+        seen.push(Some(entry.joint.clone()));
         modified.push(handle);
     }
 }

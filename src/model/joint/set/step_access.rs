@@ -9,11 +9,12 @@ use std::collections::BTreeSet;
 
 impl ImpulseJointSet {
     /// The joints that the user may have changed, in the order of the first change, and whether their
-    /// bodies are to wake.
+    /// bodies are to wake. A joint that is as before wakes none.
     pub(crate) fn modified(&self) -> impl Iterator<Item = (ImpulseJointHandle, bool)> {
-        self.modified.iter().filter_map(|&handle| {
+        self.modified.iter().enumerate().filter_map(|(note, &handle)| {
             let entry = self.joints.get(handle.0)?;
-            Some((handle, entry.note.wakes))
+            let seen = self.seen.get(note).and_then(Option::as_ref);
+            Some((handle, entry.note.wakes && seen != Some(&entry.joint)))
         })
     }
 
@@ -39,7 +40,7 @@ impl ImpulseJointSet {
 
     /// Marks all joints as new to the next step.
     pub(crate) fn begin_anew(&mut self) {
-        (self.modified, self.removed) = (Vec::new(), Vec::new());
+        (self.modified, self.removed, self.seen) = (Vec::new(), Vec::new(), Vec::new());
         for (index, entry) in self.joints.iter_mut() {
             entry.note = Note { listed: true, wakes: true };
             self.modified.push(ImpulseJointHandle(index));
@@ -70,6 +71,7 @@ impl ImpulseJointSet {
             }
         }
         self.removed.clear();
+        self.seen.clear();
         for handle in core::mem::take(&mut self.modified) {
             self.refile(handle);
             if let Some(entry) = self.joints.get_mut(handle.0) {
@@ -80,7 +82,10 @@ impl ImpulseJointSet {
 
     /// Records a broken joint for the next step.
     pub(crate) fn note_broken(&mut self, handle: ImpulseJointHandle) {
-        let _ = self.get_mut(handle);
+        if self.get_mut(handle).is_some() && self.modified.last() == Some(&handle) {
+            // It is disabled already.
+            self.seen.pop();
+        }
     }
 
     /// Prefetches the front of the joint in a slot.

@@ -53,12 +53,16 @@ pub struct MultibodyJointSet {
     link_counts: Vec<usize>,
     /// Multibodies whose links changed since the last step, and whether they wake.
     modified: Vec<(MultibodyIndex, bool)>,
+    /// Their states before the first change, for those that were borrowed since the last step and neither new
+    /// nor extended. If they are as before, they do not wake. Loaded notes have none.
+    #[cfg_attr(feature = "serde-serialize", serde(skip))]
+    seen: BTreeMap<MultibodyIndex, Option<Multibody>>,
     /// Bodies that lost a joint since the last step, and whether they wake.
     cut: Vec<(RigidBodyHandle, bool)>,
     pub(crate) stamp: WorldStamp,
 }
 
-clone_in_place!(MultibodyJointSet { multibodies, joints, link_counts, modified, cut, stamp } unless_equal { of_body });
+clone_in_place!(MultibodyJointSet { multibodies, joints, link_counts, modified, seen, cut, stamp } unless_equal { of_body });
 
 impl MultibodyJointSet {
     /// An empty set.
@@ -165,6 +169,7 @@ impl MultibodyJointSet {
         multibody.links[id].handle = Some(handle);
         self.file(parent.multibody, id);
         self.modified.push((parent.multibody, wake_up));
+        self.seen.insert(parent.multibody, None);
         Ok(handle)
     }
 
@@ -278,6 +283,7 @@ impl MultibodyJointSet {
                 let part = MultibodyIndex(self.multibodies.insert(part));
                 self.file(part, 0);
                 self.modified.push((part, wake_up));
+                self.seen.insert(part, None);
             }
         }
     }
@@ -331,7 +337,7 @@ impl MultibodyJointSet {
     }
 
     /// Mutable access to the multibody of a joint, and the index of the joint's link in it; `None` if the
-    /// handle is stale. Its bodies wake.
+    /// handle is stale. Its bodies wake in the next step if anything changed.
     pub fn get_mut(&mut self, handle: MultibodyJointHandle) -> Option<(&mut Multibody, usize)> {
         let place = *self.joints.get(handle.0)?;
         Some((self.get_multibody_mut(place.multibody)?, place.id))
@@ -360,9 +366,11 @@ impl MultibodyJointSet {
         self.multibodies.get(index.0)
     }
 
-    /// Mutable access to the multibody at an index; `None` if the index is stale. Its bodies wake.
+    /// Mutable access to the multibody at an index; `None` if the index is stale. Its bodies wake in the next
+    /// step if anything changed.
     pub fn get_multibody_mut(&mut self, index: MultibodyIndex) -> Option<&mut Multibody> {
         let multibody = self.multibodies.get_mut(index.0)?;
+        self.seen.entry(index).or_insert_with(|| Some(multibody.clone()));
         if self.modified.last() != Some(&(index, true)) {
             self.modified.push((index, true));
         }

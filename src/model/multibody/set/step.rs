@@ -43,6 +43,7 @@ impl MultibodyJointSet {
         let edits = self.pending_changes(bodies);
         self.modified.clear();
         self.cut.clear();
+        self.seen.clear();
         edits
     }
 
@@ -54,7 +55,9 @@ impl MultibodyJointSet {
         let is_there = |link: &MultibodyLink| bodies.contains(link.body);
         let groups = self.modified.iter().filter_map(|&(index, wake_up)| {
             let multibody = self.get_multibody(index).filter(|_| !self.is_broken(index))?;
-            multibody.links.iter().all(is_there).then(|| (multibody.members(), wake_up))
+            let has_changed = self.seen.get(&index).and_then(Option::as_ref) != Some(multibody);
+            let wakes = wake_up && has_changed;
+            multibody.links.iter().all(is_there).then(|| (multibody.members(), wakes))
         });
         let cut = self.cut.iter().copied().filter(|&(body, _)| bodies.contains(body));
         MultibodyEdits { cut: cut.collect(), groups: groups.collect() }
@@ -63,6 +66,7 @@ impl MultibodyJointSet {
     /// Marks all multibodies as new to the next step.
     pub(crate) fn begin_anew(&mut self) {
         self.cut.clear();
+        self.seen.clear();
         let all = self.multibodies.iter().map(|(index, _)| (MultibodyIndex(index), true));
         self.modified = all.collect();
     }

@@ -100,7 +100,7 @@ impl Structure<'_> {
     /// Returns whether a pending edit affects the possible partners of a collider.
     fn may_change_partners(&self, collider: &Collider) -> bool {
         let body = collider.parent().and_then(|parent| self.bodies.get(parent));
-        collider.changes.intersects(ColliderChanges::IDENTITY | ColliderChanges::PARTNER_CHANGES)
+        collider.changes.intersects(ColliderChanges::PARTNER_CHANGES)
             || body.is_some_and(|body| body.changes.intersects(RigidBodyChanges::KIND))
     }
 
