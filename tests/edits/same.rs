@@ -8,7 +8,7 @@ use rapier::prelude::*;
 /// An edit of a resting box or its ground that leaves all values as they are.
 type Edit = (&'static str, fn(&mut Resting));
 
-const EDITS: [Edit; 43] = [
+const EDITS: [Edit; 45] = [
     ("set_position_wrt_parent", |s| {
         let pose = *s.box_collider().position_wrt_parent().expect("it has a body");
         s.box_collider().set_position_wrt_parent(pose);
@@ -102,6 +102,14 @@ const EDITS: [Edit; 43] = [
     ("set_additional_mass", |s| s.body().set_additional_mass(0.0, true)),
     ("set_body_type", |s| s.body().set_body_type(RigidBodyType::Dynamic, true)),
     ("RigidBody::set_enabled", |s| s.body().set_enabled(true)),
+    ("RigidBody::set_enabled to and fro", |s| {
+        s.body().set_enabled(false);
+        s.body().set_enabled(true);
+    }),
+    ("set_body_type to and fro", |s| {
+        s.body().set_body_type(RigidBodyType::KinematicVelocityBased, false);
+        s.body().set_body_type(RigidBodyType::Dynamic, false);
+    }),
     ("reset_forces, add_force(0), apply_impulse(0)", |s| {
         s.body().reset_forces(true);
         s.body().reset_torques(true);

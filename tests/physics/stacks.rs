@@ -182,13 +182,21 @@ fn heavy_top() {
 }
 
 /// A separate stack moves as if it were alone, to the last bit, for any number of substeps of another island.
-/// A lift under both carries both.
+/// A lift under both carries both, wherever its origin is.
 #[test]
 fn substeps_of_an_island_are_its_own() {
+    for origin in [0.0, -0.5, -1.0] {
+        check_two_stacks(origin);
+    }
+}
+
+/// Compares two stacks on a lift whose top is at height 0, and whose origin is at another height.
+fn check_two_stacks(origin: Real) {
     let stacks = |is_heavy: bool| {
         let mut world = world(60);
         let lift = RigidBodyBuilder::kinematic_velocity_based().linvel(vec(0.0, 0.5));
-        world.insert(lift, cuboid(20.0, 0.5).translation(vec(0.0, -0.5)));
+        let lift = lift.translation(vec(0.0, origin));
+        world.insert(lift, cuboid(20.0, 0.5).translation(vec(0.0, -0.5 - origin)));
         let light: Vec<_> = (0..3).map(|k| add_cube(&mut world, -3.0, 1.001 * k as Real)).collect();
         let other: Vec<_> = (0..3).map(|k| add_cube(&mut world, 3.0, 1.001 * k as Real)).collect();
         let top = world.bodies[other[2]].colliders()[0];

@@ -104,8 +104,9 @@ impl RigidBody {
         if !pushed.is_usable() {
             return refuse("the impulses on a rigid body", (impulse, torque_impulse));
         }
-        self.vels = pushed;
-        self.wake_if(wake_up);
+        let wakes = wake_up && pushed != self.vels;
+        self.set_velocity(pushed);
+        self.wake_if(wakes);
     }
 
     // ---- Energy ----

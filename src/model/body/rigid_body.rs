@@ -310,14 +310,14 @@ impl RigidBody {
         self.enabled
     }
 
-    /// Sets whether the body and its colliders take part in the simulation. A body that is enabled wakes. All
-    /// other state stays, but the cause of the [quarantine](Self::quarantine) is cleared.
+    /// Sets whether the body and its colliders take part in the simulation. The next step wakes a body that
+    /// was disabled before. All other state stays, but the cause of the [quarantine](Self::quarantine) is
+    /// cleared.
     pub fn set_enabled(&mut self, enabled: bool) {
         if enabled != self.enabled {
             self.enabled = enabled;
             self.quarantine = None;
             self.changes |= RigidBodyChanges::of_switch(enabled);
-            self.wake_if(enabled);
         }
     }
 

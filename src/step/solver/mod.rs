@@ -82,6 +82,8 @@ pub(crate) fn solve(
     for index in 0..scratch.groups.len() {
         scratch.solve_group(index, &mut context, counters);
     }
+    let pass = context.pass(context.params.num_solver_iterations);
+    scratch.bodies.move_ungrouped(&scratch.groups, &pass);
     counters.velocity_writeback_time.resume();
     if context.diverged.is_empty() {
         scratch.store(&mut context, counters);

@@ -7,11 +7,18 @@ use crate::model::island::NONE;
 
 impl UserChanges<'_> {
     /// Gives a body that is new, or changed its type, or was enabled or disabled, its place in the
-    /// lists.
+    /// lists. A dynamic body that is one again after edits to and fro keeps its place.
     pub(super) fn reclassify(&mut self, handle: RigidBodyHandle) {
         let Some(body) = self.structure.bodies.get(handle) else { return };
+        let is_new = body.changes.contains(RigidBodyChanges::ASSEMBLY);
+        let is_listed = body.link.island != NONE;
+        let is_as_before = is_listed && body.is_dynamic() && body.is_enabled() && !is_new;
         if !body.changes.intersects(RigidBodyChanges::KIND) {
             return;
+        }
+        if is_as_before {
+            // A collider that was attached between the edits has the old state.
+            return self.inform_colliders(handle);
         }
         self.wake_touching(handle);
         self.structure.detach_pairs_of(handle);
@@ -19,6 +26,10 @@ impl UserChanges<'_> {
         self.structure.unlist_body(handle);
         if let Some(body) = self.structure.bodies.get_unnoted_mut(handle) {
             body.update_world_mass_properties();
+            let is_switched = body.changes.contains(RigidBodyChanges::ENABLED_OR_DISABLED);
+            if is_switched && body.is_enabled() && !is_new {
+                body.activation.wake_up(true);
+            }
         }
         self.structure.add_body(handle);
         self.inform_colliders(handle);

@@ -57,12 +57,27 @@ const NEAR_REST: u32 = READ_ONLY >> 1;
 impl SolverBodies {
     /// Selects the group that is solved; the others do not move.
     pub fn enter(&mut self, group: &Group, groups: &Groups) {
+        let ungrouped = self.begin_ungrouped(groups);
+        self.moving = [ungrouped, 1 + group.members.start..1 + group.members.end];
+    }
+
+    /// Puts ungrouped bodies back to the poses at the beginning of the step. Returns their indices.
+    fn begin_ungrouped(&mut self, groups: &Groups) -> Range<usize> {
         let ungrouped = 1..1 + groups.ungrouped();
         for index in ungrouped.clone() {
             let (v, w) = self.states[index].velocity();
             self.states[index] = BodyState::new(v, w);
         }
-        self.moving = [ungrouped, 1 + group.members.start..1 + group.members.end];
+        ungrouped
+    }
+
+    /// Moves ungrouped bodies through the step, in the usual number of substeps. The sum over those of the
+    /// last group would have other last bits, and one island would change the motion of another.
+    pub fn move_ungrouped(&mut self, groups: &Groups, pass: &SolverPass<'_>) {
+        self.moving = [self.begin_ungrouped(groups), 0..0];
+        for _ in 0..pass.params.num_solver_iterations {
+            self.integrate_positions(pass);
+        }
     }
 
     /// The bodies that may move.
