@@ -2,9 +2,11 @@
 //! so no body or collider belongs to one.
 
 use crate::base::arena::Index;
+use crate::dim::math::Real;
 use crate::model::body::{RigidBody, RigidBodyBuilder, RigidBodyHandle, RigidBodyType};
-use crate::model::collider::Collider;
+use crate::model::collider::{CoefficientCombineRule, Collider};
 use crate::model::joint::SpringCoefficients;
+use crate::model::multibody::MultibodyJoint;
 
 /// Handle of a soft body.
 #[derive(Copy, Clone, Debug, Default, PartialEq, Eq, Hash)]
@@ -119,6 +121,31 @@ impl Collider {
     /// The surface of a soft body that the collider represents: none.
     pub const fn deformable_mesh_ref(&self) -> Option<SoftMeshRef> {
         None
+    }
+}
+
+impl CoefficientCombineRule {
+    /// The combined coefficient of two surfaces.
+    pub fn combine(coeff1: Real, coeff2: Real, rule1: Self, rule2: Self) -> Real {
+        Self::combined(coeff1, rule1, coeff2, rule2)
+    }
+}
+
+impl MultibodyJoint {
+    /// The spring along the axis with this number: its stiffness and its rest coordinate.
+    ///
+    /// # Panics
+    /// If there is no such axis.
+    pub fn spring(&self, axis: usize) -> (Real, Real) {
+        self.spring_at(axis)
+    }
+
+    /// Sets the spring along the axis with this number.
+    ///
+    /// # Panics
+    /// If there is no such axis.
+    pub fn set_spring(&mut self, axis: usize, stiffness: Real, rest: Real) {
+        self.set_spring_at(axis, stiffness, rest);
     }
 }
 

@@ -1,6 +1,6 @@
-//! # The API of Rapier 0.32 over this engine
+//! # The API of Rapier over this engine
 //!
-//! Most programs for Rapier 0.32 compile against this crate without edits. The table in
+//! Most programs for Rapier 0.32 and 0.36 compile against the crates of these versions without edits. The table in
 //! `docs/guide/migration.md` lists the differences. The crate is a facade: it stores no simulation state of
 //! its own, and it forwards to the engine.
 //!
@@ -19,6 +19,7 @@ pub use rayon;
 /// The version of Rapier whose API the crate has.
 pub const VERSION: &str = env!("CARGO_PKG_VERSION");
 
+mod components;
 mod wrapper;
 
 pub mod control;

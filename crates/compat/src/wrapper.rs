@@ -24,17 +24,20 @@ macro_rules! wrapper {
 /// Dereferences a wrapper to the engine type in its field.
 macro_rules! forward {
     ($name:ident, $engine:ty) => {
+        $crate::wrapper::forward!($name, 0, $engine);
+    };
+    ($name:ident, $field:tt, $engine:ty) => {
         impl core::ops::Deref for $name {
             type Target = $engine;
 
             fn deref(&self) -> &$engine {
-                &self.0
+                &self.$field
             }
         }
 
         impl core::ops::DerefMut for $name {
             fn deref_mut(&mut self) -> &mut $engine {
-                &mut self.0
+                &mut self.$field
             }
         }
     };

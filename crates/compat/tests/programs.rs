@@ -282,6 +282,67 @@ mod version036 {
         assert_eq!(parameters.soft_bodies, SoftBodiesSettings::default());
     }
 
+    /// The graph of contacts and the tree of boxes contain the same colliders as the world.
+    #[test]
+    fn graphs_and_trees_are_readable() {
+        let mut world = PhysicsWorld::new();
+        world.insert_collider(ColliderBuilder::new(SharedShape::halfspace(Vector::Y)), None);
+        let body = RigidBodyBuilder::dynamic().translation(Vector::Y * 0.5);
+        let (_, ball) = world.insert(body, ColliderBuilder::ball(0.5));
+        (0..3).for_each(|_| world.step());
+        let graph: &InteractionGraph<ColliderHandle, ContactPair> =
+            world.narrow_phase.contact_graph();
+        assert_eq!(graph.interactions().count(), 1);
+        let (one, other, pair) = graph.interactions_with_endpoints().next().expect("a pair");
+        assert!([one, other].contains(&ball) && pair.has_any_active_contact());
+        let queries = world.query_pipeline();
+        let leaves: Vec<_> = queries.bvh.leaves(|_| true).collect();
+        assert_eq!(leaves.len(), 2);
+        assert!(leaves.iter().all(|leaf| world.colliders.get_unknown_gen(*leaf).is_some()));
+    }
+
+    /// A coupling with the ratio 2 rotates the second wheel twice as fast. Its Jacobian is that of the present
+    /// pose: about its own axis, and without a translation of its centre.
+    #[test]
+    fn couplings_are_gears() {
+        let mut world = PhysicsWorld::new();
+        let frame = world.insert_body(RigidBodyBuilder::fixed());
+        let mut wheel = |x: Real| {
+            let wheel = RigidBodyBuilder::dynamic().translation(Vector::X * x).gravity_scale(0.0);
+            let (wheel, _) = world.insert(wheel, ColliderBuilder::ball(0.3));
+            let locked = JointAxesMask::LIN_AXES;
+            #[cfg(feature = "dim3")]
+            let locked = locked | JointAxesMask::ANG_Y | JointAxesMask::ANG_Z;
+            let axle = GenericJointBuilder::new(locked).local_anchor1(Vector::X * x);
+            world.insert_multibody_joint(frame, wheel, axle).expect("a joint")
+        };
+        let (first, second) = (wheel(0.0), wheel(2.0));
+        let axis = JointAxis::AngX as usize;
+        let (_, link2) = world.multibody_joints.get(second).expect("a link");
+        let (multibody, link1) = world.multibody_joints.get_mut(first).expect("a link");
+        let coupling = MultibodyDofCoupling {
+            link1,
+            dof1: 0,
+            axis1: axis,
+            link2,
+            dof2: 0,
+            axis2: axis,
+            coeff: 2.0,
+            offset: 0.0,
+        };
+        multibody.add_dof_coupling(coupling);
+        assert_eq!(multibody.couplings(), [coupling]);
+        multibody.generalized_velocity_mut()[0] = 1.0;
+        (0..60).for_each(|_| world.step());
+        let (multibody, _) = world.multibody_joints.get(first).expect("a link");
+        let speeds = multibody.generalized_velocity();
+        assert!(speeds[0] > 0.05, "the first wheel rotates at {} rad/s", speeds[0]);
+        assert_near(speeds[1], 2.0 * speeds[0], 0.02 * speeds[0].abs());
+        let jacobian: &Jacobian<Real> = multibody.body_jacobian(link2);
+        assert_near(jacobian.column(1).norm(), 1.0, 1.0e-5);
+        assert_near(jacobian.column(0).norm(), 0.0, 1.0e-5);
+    }
+
     /// The engine has no soft bodies: an insertion leaves the set empty, and the world goes on.
     #[test]
     fn soft_bodies_are_ignored() {

@@ -181,7 +181,7 @@ impl<'a> HookContext<'a> {
         }
         let own = self.character.unwrap_or(obstacle);
         let (m1, m2) = (obstacle.material(), own.material());
-        let combine = CoefficientCombineRule::combine;
+        let combine = CoefficientCombineRule::combined;
         data.friction =
             combine(m1.friction, m1.friction_combine_rule, m2.friction, m2.friction_combine_rule);
         data.restitution = combine(

@@ -41,7 +41,7 @@ pub enum RigidBodyAdditionalMassProps {
 #[repr(C)]
 pub struct RigidBodyMassProps {
     /// The centre of mass in world space.
-    pub(crate) world_com: Vector,
+    pub world_com: Vector,
     /// Inverse mass along each world axis; zero where locked, and unless the body is dynamic.
     pub(crate) inv_mass: Vector,
     /// World-space inverse inertia about the centre of mass; zero where locked, and unless dynamic.
@@ -57,6 +57,12 @@ pub struct RigidBodyMassProps {
     pub(crate) spread: Option<Box<MassSpread>>,
     /// Boxed because few bodies have it.
     pub(crate) additional: Option<Box<RigidBodyAdditionalMassProps>>,
+    /// Inverse mass along each world axis: a field in Rapier.
+    #[cfg(feature = "upstream-signatures")]
+    pub effective_inv_mass: Vector,
+    /// World-space inverse inertia about the centre of mass: a field in Rapier.
+    #[cfg(feature = "upstream-signatures")]
+    pub effective_world_inv_inertia: AngularInertia,
 }
 
 impl Default for RigidBodyMassProps {
@@ -70,6 +76,10 @@ impl Default for RigidBodyMassProps {
             from_colliders: no_mass(),
             spread: None,
             additional: None,
+            #[cfg(feature = "upstream-signatures")]
+            effective_inv_mass: Vector::ZERO,
+            #[cfg(feature = "upstream-signatures")]
+            effective_world_inv_inertia: zero_inertia(),
         }
     }
 }
@@ -189,6 +199,11 @@ impl RigidBodyMassProps {
         } else {
             self.inv_mass = Vector::ZERO;
             self.inv_inertia = zero_inertia();
+        }
+        #[cfg(feature = "upstream-signatures")]
+        {
+            (self.effective_inv_mass, self.effective_world_inv_inertia) =
+                (self.inv_mass, self.inv_inertia);
         }
     }
 }

@@ -7,6 +7,7 @@ use crate::dim::math::{
 };
 
 /// Velocity of a body: that of its centre of mass, and its angular velocity.
+#[cfg(not(feature = "upstream-signatures"))]
 #[derive(Copy, Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 #[repr(C)]
@@ -15,6 +16,33 @@ pub struct RigidBodyVelocity {
     pub linvel: Vector,
     /// World-space angular velocity (rad/s).
     pub angvel: AngVector,
+}
+
+/// Velocity of a body over a kind of numbers, as in Rapier. The engine has one kind.
+#[cfg(feature = "upstream-signatures")]
+#[derive(Copy, Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
+#[repr(C)]
+pub struct RigidBodyVelocity<N: Number = Real> {
+    /// World-space velocity of the centre of mass (length/s).
+    pub linvel: N::Vector,
+    /// World-space angular velocity (rad/s).
+    pub angvel: N::AngVector,
+}
+
+/// Numbers with vectors over them.
+#[cfg(feature = "upstream-signatures")]
+pub trait Number {
+    /// Type of vectors.
+    type Vector;
+    /// Type of angular vectors.
+    type AngVector;
+}
+
+#[cfg(feature = "upstream-signatures")]
+impl Number for Real {
+    type Vector = Vector;
+    type AngVector = AngVector;
 }
 
 impl Default for RigidBodyVelocity {

@@ -26,7 +26,17 @@ pub enum CoefficientCombineRule {
 
 impl CoefficientCombineRule {
     /// The combined coefficient of two surfaces. It is symmetric in the surfaces.
+    #[cfg(not(feature = "upstream-036"))]
     pub fn combine(coefficient1: Real, rule1: Self, coefficient2: Real, rule2: Self) -> Real {
+        Self::combined(coefficient1, rule1, coefficient2, rule2)
+    }
+
+    pub(crate) fn combined(
+        coefficient1: Real,
+        rule1: Self,
+        coefficient2: Real,
+        rule2: Self,
+    ) -> Real {
         let (a, b) = (coefficient1, coefficient2);
         match rule1.max(rule2) {
             Self::Average => 0.5 * (a + b),

@@ -274,6 +274,11 @@ impl GenericJoint {
         self
     }
 
+    /// Softness of the locked axes.
+    pub fn softness(&self) -> JointSoftness {
+        self.softness
+    }
+
     /// The spring of the locked axes; `None` for a joint that is as stiff as the solver allows.
     pub(crate) fn spring(&self) -> Option<SpringCoefficients> {
         spring_of(self.softness)

@@ -54,6 +54,8 @@ macro_rules! joint_kind {
         }
         $crate::model::joint::kind::joint_methods! {
             $joint, $builder;
+            /// Softness of the locked axes.
+            softness() -> $crate::model::joint::JointSoftness;
             /// Sets the softness of the locked axes: a spring, or `None` for the stiffest joint of the
             /// solver.
             softness, set_softness(softness: impl Into<$crate::model::joint::JointSoftness>);

@@ -288,8 +288,14 @@ impl MultibodyJoint {
     }
 
     /// The spring along an axis: its stiffness (force per length, torque per radian) and its rest coordinate.
+    #[cfg(not(feature = "upstream-036"))]
     pub fn spring(&self, axis: JointAxis) -> (Real, Real) {
-        let Spring { stiffness, rest } = self.springs[axis as usize];
+        self.spring_at(axis as usize)
+    }
+
+    /// The spring along the axis with this number.
+    pub(crate) fn spring_at(&self, axis: usize) -> (Real, Real) {
+        let Spring { stiffness, rest } = self.springs[axis];
         (stiffness, rest)
     }
 
@@ -298,11 +304,17 @@ impl MultibodyJoint {
     /// [`Multibody::damping_mut`](super::Multibody::damping_mut).
     ///
     /// It is integrated implicitly, and stable at any stiffness.
+    #[cfg(not(feature = "upstream-036"))]
     pub fn set_spring(&mut self, axis: JointAxis, stiffness: Real, rest: Real) {
+        self.set_spring_at(axis as usize, stiffness, rest);
+    }
+
+    /// Sets the spring along the axis with this number.
+    pub(crate) fn set_spring_at(&mut self, axis: usize, stiffness: Real, rest: Real) {
         if !is_non_negative(stiffness) || !rest.is_finite() {
             return refuse("the spring of a multibody joint", (stiffness, rest));
         }
-        self.springs[axis as usize] = Spring { stiffness, rest };
+        self.springs[axis] = Spring { stiffness, rest };
     }
 
     /// Angular velocity of the link relative to its parent (rad/s) at these velocities of the degrees of

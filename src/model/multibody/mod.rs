@@ -7,6 +7,7 @@
 //!
 //! [`crate::multibody`] contains the laws of motion, and the solver of the step applies them.
 
+mod attachment;
 mod coupling;
 mod trajectory;
 mod handle;

@@ -1,5 +1,6 @@
 //! The record of one multibody: its links, and a number of each kind per degree of freedom.
 
+use super::attachment::Attachment;
 use super::{MultibodyDofCoupling, MultibodyJoint, MultibodyLink};
 use crate::base::fault::{Fault, ensure};
 use crate::base::in_place::clone_in_place;
@@ -75,6 +76,8 @@ pub struct Multibody {
     pub(crate) free_motion_error: Real,
     /// The excess energy of impulses (J), which is bounded as well.
     pub(crate) impulse_error: Real,
+    #[cfg_attr(feature = "serde-serialize", serde(skip))]
+    pub(super) attachment: Attachment,
 }
 
 clone_in_place!(Multibody {
@@ -84,7 +87,8 @@ clone_in_place!(Multibody {
     couplings,
     self_contacts_enabled,
     free_motion_error,
-    impulse_error
+    impulse_error,
+    attachment
 });
 
 impl Default for Multibody {
@@ -104,7 +108,20 @@ impl Multibody {
             self_contacts_enabled: true,
             free_motion_error: 0.0,
             impulse_error: 0.0,
+            attachment: Attachment::default(),
         }
+    }
+
+    /// The value that a facade keeps with the multibody.
+    #[cfg(feature = "upstream-signatures")]
+    pub fn attachment(&self) -> &std::sync::OnceLock<Box<dyn core::any::Any + Send + Sync>> {
+        &self.attachment.0
+    }
+
+    /// Removes the value that a facade keeps with the multibody.
+    #[cfg(feature = "upstream-signatures")]
+    pub fn remove_attachment(&mut self) {
+        self.attachment = Attachment::default();
     }
 
     /// A multibody of one body alone.

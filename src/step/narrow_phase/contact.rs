@@ -327,13 +327,13 @@ fn finish(manifold: &mut ContactManifold, view: &PairView<'_>) {
     data.rigid_body2 = c2.parent();
     data.tangent_velocity = Vector::ZERO;
     let (m1, m2) = (c1.material(), c2.material());
-    data.friction = CoefficientCombineRule::combine(
+    data.friction = CoefficientCombineRule::combined(
         m1.friction,
         m1.friction_combine_rule,
         m2.friction,
         m2.friction_combine_rule,
     );
-    data.restitution = CoefficientCombineRule::combine(
+    data.restitution = CoefficientCombineRule::combined(
         m1.restitution,
         m1.restitution_combine_rule,
         m2.restitution,

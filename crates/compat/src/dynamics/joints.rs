@@ -18,6 +18,28 @@ impl ImpulseJointSet {
         if wake_up { self.0.get_mut(handle) } else { self.0.get_mut_without_waking(handle) }
     }
 
+    /// Changes the bodies of a joint, and returns it. `None` if the handle is stale or both bodies are equal.
+    /// The bodies wake if `wake_up` is `true`.
+    #[cfg(rapier036)]
+    pub fn set_bodies(
+        &mut self,
+        handle: ImpulseJointHandle,
+        new_body1: RigidBodyHandle,
+        new_body2: RigidBodyHandle,
+        wake_up: bool,
+    ) -> Option<&mut ImpulseJoint> {
+        if new_body1 == new_body2 {
+            return None;
+        }
+        if wake_up {
+            self.0.set_bodies(handle, new_body1, new_body2);
+            return self.0.get_mut(handle);
+        }
+        let joint = self.0.get_mut_without_waking(handle)?;
+        (joint.body1, joint.body2) = (new_body1, new_body2);
+        Some(joint)
+    }
+
     /// Mutable access to all joints with their handles, in the order of their slots. No body wakes.
     pub fn iter_mut(&mut self) -> impl Iterator<Item = (ImpulseJointHandle, &mut ImpulseJoint)> {
         self.0.iter_mut_without_waking()

@@ -1,6 +1,8 @@
 //! Bodies, joints and the parameters of a step.
 
 mod ccd;
+#[cfg(rapier036)]
+mod couplings;
 mod islands;
 mod joints;
 mod multibody;
@@ -11,7 +13,13 @@ mod sets;
 mod soft;
 mod spring;
 
+pub use crate::components::{
+    BodyStatus, RigidBodyCcd, RigidBodyColliders, RigidBodyDamping, RigidBodyDominance,
+    RigidBodyForces, RigidBodyPosition,
+};
 pub use ccd::CCDSolver;
+#[cfg(rapier036)]
+pub use couplings::MultibodyDofCoupling;
 pub use engine::control::AxesMask;
 pub use engine::dynamics::*;
 pub use islands::IslandManager;

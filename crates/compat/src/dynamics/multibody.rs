@@ -7,10 +7,32 @@ use engine::dynamics::{
     RigidBodyHandle, RigidBodySet,
 };
 use na::{DVectorView, DVectorViewMut, SVector};
+use std::sync::OnceLock;
 
-wrapper! {
-    /// Bodies that are joined by reduced coordinates.
-    Multibody, engine::dynamics::Multibody
+/// Jacobians of the links that were read.
+type Jacobians = Vec<OnceLock<Jacobian<Real>>>;
+
+/// Bodies that are joined by reduced coordinates.
+#[derive(Clone, Debug, Default)]
+#[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde-serialize", serde(transparent))]
+#[repr(transparent)]
+pub struct Multibody(pub(super) engine::dynamics::Multibody);
+
+impl core::ops::Deref for Multibody {
+    type Target = engine::dynamics::Multibody;
+
+    fn deref(&self) -> &engine::dynamics::Multibody {
+        &self.0
+    }
+}
+
+/// A change removes the Jacobians that were computed before.
+impl core::ops::DerefMut for Multibody {
+    fn deref_mut(&mut self) -> &mut engine::dynamics::Multibody {
+        self.0.remove_attachment();
+        &mut self.0
+    }
 }
 
 /// A borrowed list of numbers as a vector.
@@ -25,6 +47,11 @@ fn view_mut(numbers: &mut [Real]) -> DVectorViewMut<'_, Real> {
 }
 
 impl Multibody {
+    /// A multibody without links.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
     /// A borrowed multibody of the engine as this type.
     pub(crate) fn wrap(own: &engine::dynamics::Multibody) -> &Self {
         // SAFETY: the wrapper is transparent, so both types have the same layout and validity.
@@ -33,6 +60,7 @@ impl Multibody {
 
     /// A mutable multibody of the engine as this type.
     pub(crate) fn wrap_mut(own: &mut engine::dynamics::Multibody) -> &mut Self {
+        own.remove_attachment();
         // SAFETY: the wrapper is transparent, so both types have the same layout and validity.
         unsafe { &mut *core::ptr::from_mut(own).cast() }
     }
@@ -103,10 +131,25 @@ impl Multibody {
         view_mut(self.0.frictions_mut())
     }
 
-    /// The Jacobian of a link: a column for each degree of freedom.
-    pub fn body_jacobian(&self, link_id: usize) -> Jacobian<Real> {
-        let columns = self.0.body_jacobian(link_id);
-        Jacobian::from_fn(columns.len(), |row, column| columns[column][row])
+    /// The Jacobian of a link: a column for each degree of freedom. The first read after a step or a change
+    /// computes it.
+    ///
+    /// # Panics
+    /// If there is no such link.
+    pub fn body_jacobian(&self, link_id: usize) -> &Jacobian<Real> {
+        let links: &Jacobians = self
+            .0
+            .attachment()
+            .get_or_init(|| {
+                let empty: Jacobians = (0..self.0.num_links()).map(|_| OnceLock::new()).collect();
+                Box::new(empty)
+            })
+            .downcast_ref()
+            .expect("the Jacobians of the links");
+        links[link_id].get_or_init(|| {
+            let columns = self.0.body_jacobian(link_id);
+            Jacobian::from_fn(columns.len(), |row, column| columns[column][row])
+        })
     }
 
     /// Searches displacements that move a link to a pose, from the values in `displacements`.
@@ -170,6 +213,12 @@ wrapper! {
 }
 
 impl MultibodyJointSet {
+    /// Mutable access for a step.
+    pub(crate) fn begin_step(&mut self) -> &mut engine::dynamics::MultibodyJointSet {
+        self.0.remove_attachments();
+        &mut self.0
+    }
+
     /// The multibody of a joint, and the number of its link. `None` if the handle is stale.
     pub fn get(&self, handle: MultibodyJointHandle) -> Option<(&Multibody, usize)> {
         self.0.get(handle).map(|(own, link)| (Multibody::wrap(own), link))

@@ -4,12 +4,23 @@ use super::ColliderSet;
 use crate::dynamics::RigidBodySet;
 use crate::parry::query::QueryDispatcher;
 use crate::pipeline::{QueryFilter, QueryPipeline, QueryPipelineMut};
-use crate::wrapper::wrapper;
+use crate::wrapper::forward;
 
-wrapper! {
-    /// The trees of the colliders' boxes.
-    BroadPhaseBvh, engine::geometry::BroadPhaseBvh
+/// The trees of the colliders' boxes.
+#[derive(Clone, Debug, Default)]
+#[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
+pub struct BroadPhaseBvh {
+    engine: engine::geometry::BroadPhaseBvh,
+    /// The boxes of all colliders as one tree, from the first access after a step on.
+    #[cfg(rapier036)]
+    #[cfg_attr(feature = "serde-serialize", serde(skip))]
+    tree: std::sync::OnceLock<crate::parry::partitioning::Bvh>,
+    /// No effect: the engine finds the changes itself.
+    #[cfg(rapier036)]
+    pub adaptive_change_detection_margin: bool,
 }
+
+forward!(BroadPhaseBvh, engine, engine::geometry::BroadPhaseBvh);
 
 /// The broad phase of a world.
 pub type DefaultBroadPhase = BroadPhaseBvh;
@@ -26,6 +37,30 @@ pub enum BvhOptimizationStrategy {
 }
 
 impl BroadPhaseBvh {
+    /// Empty trees.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Mutable access for a step.
+    pub(crate) fn begin_step(&mut self) -> &mut engine::geometry::BroadPhaseBvh {
+        #[cfg(rapier036)]
+        self.tree.take();
+        &mut self.engine
+    }
+
+    /// The boxes of all colliders as one tree. The number of a leaf is the slot of its collider.
+    #[cfg(rapier036)]
+    fn tree(&self, colliders: &ColliderSet) -> &crate::parry::partitioning::Bvh {
+        use crate::parry::partitioning::{Bvh, BvhBuildStrategy};
+        self.tree.get_or_init(|| {
+            let boxes = colliders.iter_enabled().map(|(handle, collider)| {
+                (handle.into_raw_parts().0 as usize, collider.compute_aabb())
+            });
+            Bvh::from_iter(BvhBuildStrategy::Binned, boxes)
+        })
+    }
+
     /// Empty trees. The engine selects the maintenance.
     pub fn with_optimization_strategy(_: BvhOptimizationStrategy) -> Self {
         Self::default()
@@ -39,7 +74,15 @@ impl BroadPhaseBvh {
         colliders: &'a ColliderSet,
         filter: QueryFilter<'a>,
     ) -> QueryPipeline<'a> {
-        QueryPipeline::new(&self.0, dispatcher, bodies, colliders, filter)
+        QueryPipeline {
+            tree: &self.engine,
+            #[cfg(rapier036)]
+            bvh: self.tree(colliders),
+            dispatcher,
+            bodies,
+            colliders,
+            filter,
+        }
     }
 
     /// Query access to the colliders, with mutable bodies and colliders.
@@ -50,6 +93,14 @@ impl BroadPhaseBvh {
         colliders: &'a mut ColliderSet,
         filter: QueryFilter<'a>,
     ) -> QueryPipelineMut<'a> {
-        QueryPipelineMut { tree: &self.0, dispatcher, bodies, colliders, filter }
+        QueryPipelineMut {
+            tree: &self.engine,
+            #[cfg(rapier036)]
+            bvh: self.tree(colliders),
+            dispatcher,
+            bodies,
+            colliders,
+            filter,
+        }
     }
 }

@@ -7,13 +7,21 @@ mod colliders;
 mod contact;
 mod convert;
 mod force;
+mod interaction_graph;
 mod narrow_phase;
 
+pub use crate::components::{
+    BroadPhasePairEvent, ColliderPair, ColliderPosition, ColliderShape, ColliderType,
+};
 #[cfg(rapier036)]
 pub use crate::dynamics::{
     SoftContactImpulse, SoftEdgeCandidate, SoftEdgePass, SoftPairContacts, SoftVertexCandidate,
     SoftVertexHits, SoftVertexPass, SoftVolumePatch, VolumeBin,
 };
+/// Index of a collider in a graph.
+pub type ColliderGraphIndex = crate::data::graph::NodeIndex;
+/// Index of a body in a graph.
+pub type RigidBodyGraphIndex = crate::data::graph::NodeIndex;
 pub use crate::parry::bounding_volume::BoundingVolume;
 pub use crate::parry::partitioning::{Bvh, BvhBuildStrategy};
 pub use crate::parry::query::{PointQuery, PointQueryWithLocation, RayCast, TrackedContact};
@@ -37,7 +45,7 @@ pub use engine::geometry::{
     Aabb, ActiveCollisionTypes, Collider, ColliderBuilder, ColliderChanges, ColliderEnabled,
     ColliderFlags, ColliderHandle, ColliderMassProps, ColliderMaterial, ColliderParent,
     CollisionEvent, CollisionEventFlags, Group, InteractionGroups, InteractionTestMode,
-    IntersectionPair, MeshConverter, PointProjection, Ray, RayIntersection, ShapeCastHit,
+    MeshConverter, PointProjection, Ray, RayIntersection, ShapeCastHit,
 };
 
 /// A borrowed set of the engine as the set of this version.
@@ -55,4 +63,5 @@ pub(crate) const fn wrap_colliders(colliders: &ColliderSet) -> &ColliderSet {
 /// Error of a mesh that makes no collider.
 pub type MeshConverterError = engine::geometry::InvalidCollider;
 pub use force::ContactForceEvent;
+pub use interaction_graph::{InteractionGraph, IntersectionPair, TemporaryInteractionIndex};
 pub use narrow_phase::NarrowPhase;

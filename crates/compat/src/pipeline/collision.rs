@@ -39,7 +39,7 @@ impl CollisionPipeline {
         self.0.step(
             &parameters,
             islands,
-            broad_phase,
+            broad_phase.begin_step(),
             narrow_phase.begin_step(),
             bodies,
             colliders,

@@ -77,8 +77,7 @@ impl DebugRenderPipeline {
 
     /// The engine's pipeline with this style and mode.
     fn engine(&mut self) -> &mut engine::pipeline::DebugRenderPipeline {
-        let style: &engine::pipeline::DebugRenderStyle = &self.style;
-        self.engine.style = *style;
+        self.engine.style = self.style.into();
         self.engine.mode = self.mode.into();
         &mut self.engine
     }

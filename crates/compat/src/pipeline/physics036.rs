@@ -15,6 +15,11 @@ impl Quarantine {
         &self.bodies
     }
 
+    /// Returns whether the step disabled nothing.
+    pub fn is_empty(&self) -> bool {
+        self.bodies.is_empty()
+    }
+
     /// Colliders without a body: none, the engine refuses such values when they are set.
     pub fn colliders(&self) -> &[ColliderHandle] {
         &[]

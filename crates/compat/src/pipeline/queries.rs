@@ -139,7 +139,10 @@ impl<'a> QueryFilter<'a> {
 /// The colliders of a world for queries, as of the last step.
 #[derive(Copy, Clone)]
 pub struct QueryPipeline<'a> {
-    tree: &'a BroadPhaseBvh,
+    pub(crate) tree: &'a BroadPhaseBvh,
+    /// The boxes of all colliders. The number of a leaf is the slot of its collider.
+    #[cfg(rapier036)]
+    pub bvh: &'a crate::parry::partitioning::Bvh,
     /// Algorithms for pairs of shapes.
     pub dispatcher: &'a dyn QueryDispatcher,
     /// The bodies.
@@ -151,19 +154,9 @@ pub struct QueryPipeline<'a> {
 }
 
 impl<'a> QueryPipeline<'a> {
-    pub(crate) fn new(
-        tree: &'a BroadPhaseBvh,
-        dispatcher: &'a dyn QueryDispatcher,
-        bodies: &'a RigidBodySet,
-        colliders: &'a ColliderSet,
-        filter: QueryFilter<'a>,
-    ) -> Self {
-        Self { tree, dispatcher, bodies, colliders, filter }
-    }
-
     /// The engine's view of the same colliders.
     pub(crate) fn view(&self) -> QueryView<'a> {
-        let Self { tree, dispatcher, bodies, colliders, filter } = *self;
+        let Self { tree, dispatcher, bodies, colliders, filter, .. } = *self;
         tree.as_query_pipeline(dispatcher, bodies, colliders, filter.into())
     }
 
@@ -283,6 +276,9 @@ impl<'a> QueryPipeline<'a> {
 /// The colliders of a world for queries, with mutable bodies and colliders.
 pub struct QueryPipelineMut<'a> {
     pub(crate) tree: &'a BroadPhaseBvh,
+    /// The boxes of all colliders. The number of a leaf is the slot of its collider.
+    #[cfg(rapier036)]
+    pub bvh: &'a crate::parry::partitioning::Bvh,
     /// Algorithms for pairs of shapes.
     pub dispatcher: &'a dyn QueryDispatcher,
     /// The bodies.
@@ -296,13 +292,77 @@ pub struct QueryPipelineMut<'a> {
 impl QueryPipelineMut<'_> {
     /// The same colliders for queries only.
     pub fn as_ref(&self) -> QueryPipeline<'_> {
-        let Self { tree, dispatcher, bodies, colliders, filter } = self;
-        QueryPipeline::new(tree, *dispatcher, bodies, colliders, *filter)
+        QueryPipeline {
+            tree: self.tree,
+            #[cfg(rapier036)]
+            bvh: self.bvh,
+            dispatcher: self.dispatcher,
+            bodies: self.bodies,
+            colliders: self.colliders,
+            filter: self.filter,
+        }
     }
 
     /// The engine's form of the same borrow.
     pub(crate) fn as_engine(&mut self) -> engine::pipeline::QueryPipelineMut<'_> {
-        let Self { tree, dispatcher, bodies, colliders, filter } = self;
+        let Self { tree, dispatcher, bodies, colliders, filter, .. } = self;
         tree.as_query_pipeline_mut(*dispatcher, bodies, colliders, (*filter).into())
+    }
+}
+
+/// The colliders that pass the filter are the parts of a composite shape.
+#[cfg(rapier036)]
+mod composite {
+    use super::QueryPipeline;
+    use crate::math::Pose;
+    use crate::parry::partitioning::Bvh;
+    use crate::parry::query::details::NormalConstraints;
+    use crate::parry::shape::{CompositeShape, Shape, TypedCompositeShape};
+
+    type Part<'a> = (Option<&'a Pose>, &'a dyn Shape);
+
+    impl QueryPipeline<'_> {
+        fn part(&self, shape_id: u32) -> Option<Part<'_>> {
+            let (collider, handle) = self.colliders.get_unknown_gen(shape_id)?;
+            let passes = self.filter.test(self.bodies, handle, collider);
+            passes.then(|| (Some(collider.position()), collider.shape()))
+        }
+    }
+
+    impl CompositeShape for QueryPipeline<'_> {
+        fn map_part_at(
+            &self,
+            shape_id: u32,
+            f: &mut dyn FnMut(Option<&Pose>, &dyn Shape, Option<&dyn NormalConstraints>),
+        ) {
+            if let Some((pose, shape)) = self.part(shape_id) {
+                f(pose, shape, None);
+            }
+        }
+
+        fn bvh(&self) -> &Bvh {
+            self.bvh
+        }
+    }
+
+    impl TypedCompositeShape for QueryPipeline<'_> {
+        type PartShape = dyn Shape;
+        type PartNormalConstraints = ();
+
+        fn map_typed_part_at<T>(
+            &self,
+            shape_id: u32,
+            mut f: impl FnMut(Option<&Pose>, &dyn Shape, Option<&()>) -> T,
+        ) -> Option<T> {
+            self.part(shape_id).map(|(pose, shape)| f(pose, shape, None))
+        }
+
+        fn map_untyped_part_at<T>(
+            &self,
+            shape_id: u32,
+            mut f: impl FnMut(Option<&Pose>, &dyn Shape, Option<&dyn NormalConstraints>) -> T,
+        ) -> Option<T> {
+            self.part(shape_id).map(|(pose, shape)| f(pose, shape, None))
+        }
     }
 }

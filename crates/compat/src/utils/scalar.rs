@@ -99,7 +99,7 @@ pub trait RotationOps<N: ScalarType>: Copy {
 impl RotationOps<Real> for Rotation {
     fn to_mat(self) -> Matrix {
         #[cfg(feature = "dim2")]
-        return self.to_mat();
+        return Matrix::from_cols(self * Vector::X, self * Vector::Y);
         #[cfg(feature = "dim3")]
         return Matrix::from_quat(self);
     }

@@ -377,6 +377,12 @@ impl MultibodyJointSet {
         Some(multibody)
     }
 
+    /// Removes the values that a facade keeps with the multibodies.
+    #[cfg(feature = "upstream-signatures")]
+    pub fn remove_attachments(&mut self) {
+        self.multibodies.iter_mut().for_each(|(_, multibody)| multibody.remove_attachment());
+    }
+
     /// All multibodies, in the order of their slots.
     pub fn multibodies(&self) -> impl DoubleEndedIterator<Item = &Multibody> {
         self.multibodies.iter().map(|(_, multibody)| multibody)

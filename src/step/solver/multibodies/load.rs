@@ -133,7 +133,8 @@ impl Moving {
         self.motion.joint_loads.clear();
         for (position, dof) in dofs.iter().enumerate() {
             let joint = &links[dof.link].joint;
-            let (stiffness, rest) = if dof.link == 0 { (0.0, 0.0) } else { joint.spring(dof.axis) };
+            let (stiffness, rest) =
+                if dof.link == 0 { (0.0, 0.0) } else { joint.spring_at(dof.axis as usize) };
             self.motion.joint_loads.push(JointLoad {
                 armature: if joint.kinematic {
                     Real::INFINITY
