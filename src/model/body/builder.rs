@@ -163,7 +163,7 @@ impl RigidBodyBuilder {
     }
 
     /// Sets the world-space velocity of the centre of mass (length/s). The centre is that of all colliders
-    /// that are attached before the first step, or the origin of a velocity-based kinematic body.
+    /// that are attached before the first step.
     pub fn linvel(mut self, linvel: Vector) -> Self {
         self.linvel = linvel;
         self

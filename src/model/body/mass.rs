@@ -153,12 +153,9 @@ impl RigidBodyMassProps {
     }
 
     /// Sums up the colliders and the additional mass. [`Self::update_world`] must follow.
-    ///
-    /// A velocity-based kinematic body rotates about its origin, whatever is attached to it. Its centre of
-    /// mass counts as that point.
-    pub(crate) fn update_local(&mut self, body_type: RigidBodyType) {
+    pub(crate) fn update_local(&mut self) {
         let from_colliders = self.mass_of_colliders();
-        let mut total = match self.additional.as_deref() {
+        let total = match self.additional.as_deref() {
             None => from_colliders,
             Some(RigidBodyAdditionalMassProps::Mass(mass)) => match self.spread.as_deref() {
                 Some(spread) => spread.scaled_to(from_colliders.mass() + mass),
@@ -173,9 +170,6 @@ impl RigidBodyMassProps {
                 colliders => total_mass(&[colliders, *part]),
             },
         };
-        if body_type == RigidBodyType::KinematicVelocityBased {
-            total.local_com = Vector::ZERO;
-        }
         if mass_is_valid(&total) {
             self.local_mprops = total;
         } else {

@@ -154,8 +154,7 @@ impl RigidBody {
     ///
     /// Fixed bodies have no velocity, and the velocity of position-based kinematic bodies follows from their
     /// next position. Both ignore the call. A dynamic body has no velocity along locked axes: these
-    /// components become zero. The reference point of a velocity-based kinematic body is its origin instead
-    /// of the centre of mass.
+    /// components become zero.
     pub fn set_linvel(&mut self, linvel: Vector, wake_up: bool) {
         self.set_vels(RigidBodyVelocity::new(linvel, self.vels.angvel), wake_up);
     }

@@ -446,7 +446,7 @@ impl RigidBody {
 
     /// Sums up the masses again. The new centre of mass gets the velocity of the old one.
     pub(super) fn sum_up_mass(&mut self) {
-        self.mprops.update_local(self.body_type);
+        self.mprops.update_local();
         self.update_world_mass_properties();
     }
 
