@@ -11,6 +11,9 @@ pub type FlatHull = ConvexPolyhedron;
 /// Largest distance of the points from their plane, as a fraction of their extent. Points this near to a
 /// plane span so small a volume that no solid is made of them.
 const DISTANCE_FRACTION_MAX: Real = 1.0e-3;
+/// Least distance of a corner from the line through its neighbours, as a fraction of the extent: more than
+/// rounding.
+const CORNER_HEIGHT_FRACTION_MIN: Real = 1.0e-5;
 /// Least distance of the points from their longest line, as a fraction of its length.
 const WIDTH_FRACTION_MIN: Real = 1.0e-6;
 
@@ -27,9 +30,31 @@ pub fn flat_hull(points: &[Vector]) -> Option<FlatHull> {
     let in_plane = |point: &Vector| [along, across].map(|axis| (*point - start).dot(axis));
     let seen: Vec<[Real; 2]> = points.iter().map(in_plane).collect();
     let corners: Vec<Vector> = hull_corners(&seen).into_iter().map(|i| points[i]).collect();
+    let corners = without_straight(corners, start, CORNER_HEIGHT_FRACTION_MIN * extent);
     let triangles = both_sides(corners.len() as u32);
     let plate = guarded(|| ConvexPolyhedron::from_convex_mesh(corners, &triangles)).flatten();
     plate.filter(|plate| plate.faces().len() == 2)
+}
+
+/// The corners of a convex polygon without those near the line through their neighbours. Rounding makes such
+/// corners of points on the sides, as of a grid. `start` is a corner in any case.
+fn without_straight(mut corners: Vec<Vector>, start: Vector, height_min: Real) -> Vec<Vector> {
+    let first = corners.iter().position(|corner| *corner == start).unwrap_or(0);
+    corners.rotate_left(first);
+    let mut kept: Vec<Vector> = Vec::with_capacity(corners.len() + 1);
+    for &corner in corners.iter().chain(corners.first()) {
+        while let [.., a, b] = kept[..] {
+            let along = (corner - a).normalize_or_zero();
+            let height = (b - a) - along * (b - a).dot(along);
+            if height.length() > height_min {
+                break;
+            }
+            kept.pop();
+        }
+        kept.push(corner);
+    }
+    kept.pop(); // The first corner closes the polygon.
+    kept
 }
 
 /// A flat hull with a layer around it.

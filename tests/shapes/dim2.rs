@@ -63,6 +63,18 @@ pub fn flat_bodies() -> Vec<(&'static str, ColliderBuilder, Real, Real)> {
     ]
 }
 
+/// Returns points on lines of many slopes.
+pub fn flat_clouds() -> Vec<(String, Vec<Vector>)> {
+    let cases = (2..8_usize).flat_map(|count| (0..8).map(move |turn| (count, turn)));
+    let cloud = |(count, turn): (usize, usize)| {
+        let angle = 0.37 * turn as Real;
+        let along = Vector::new(angle.cos(), angle.sin()) * 0.37;
+        let points = (0..count).map(|i| along * i as Real + Vector::Y * angle).collect();
+        (format!("{count} points at {angle:.2}"), points)
+    };
+    cases.map(cloud).collect()
+}
+
 /// Returns shapes that are points.
 pub fn points_without_size() -> Vec<(&'static str, ColliderBuilder)> {
     let zero = Vector::ZERO;

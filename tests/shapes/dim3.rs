@@ -97,6 +97,20 @@ pub fn flat_bodies() -> Vec<(&'static str, ColliderBuilder, Real, Real)> {
     ]
 }
 
+/// Returns points of grids, in planes of many rotations.
+pub fn flat_clouds() -> Vec<(String, Vec<Vector>)> {
+    let cases = (2..8_usize).flat_map(|count| (0..8).map(move |turn| (count, turn)));
+    let cloud = |(count, turn): (usize, usize)| {
+        let angle = 0.37 * turn as Real;
+        let tilt = Rotation::from_scaled_axis(Vector::new(angle, 0.4 * angle, -0.7 * angle));
+        let at =
+            |i: usize| Vector::new((i % count) as Real * 0.37, 0.0, (i / count) as Real * 0.21);
+        let points = (0..count * count).map(|i| tilt * at(i) + Vector::Y * angle).collect();
+        (format!("{count} by {count}, tilted by {angle:.2}"), points)
+    };
+    cases.map(cloud).collect()
+}
+
 /// Returns shapes that are points.
 pub fn points_without_size() -> Vec<(&'static str, ColliderBuilder)> {
     let zero = Vector::ZERO;

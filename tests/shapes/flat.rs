@@ -3,7 +3,7 @@
 //! A page whose floor is a plane was blank, because a box without height was refused. Such shapes collide
 //! with no thickness of their own.
 
-use crate::dim::shapes::{bodies, flat_bodies, flat_floors, points_without_size};
+use crate::dim::shapes::{bodies, flat_bodies, flat_clouds, flat_floors, points_without_size};
 use crate::dim::{cuboid, vec};
 use crate::suite::physics::stage::{add_ground, run, world};
 use crate::suite::physics::table::Table;
@@ -141,6 +141,21 @@ fn negative_sizes_are_refused_by_name() {
     }
     for (name, builder) in crate::dim::shapes::of_size(0.0) {
         assert!(builder.try_build().is_ok(), "{name}");
+    }
+}
+
+/// Points of a grid in a plane make a plate with their extent: rounding makes no corners of points on its
+/// sides, from which no plate was made.
+#[test]
+fn grids_of_points_in_a_plane_have_a_hull() {
+    for (name, points) in flat_clouds() {
+        let hull = ColliderBuilder::try_convex_hull(&points);
+        let aabb = hull.unwrap_or_else(|error| panic!("{name}: {error}")).build().compute_aabb();
+        let lowest = points.iter().copied().reduce(Vector::min).expect("points");
+        let highest = points.iter().copied().reduce(Vector::max).expect("points");
+        let error = (aabb.mins - lowest).length().max((aabb.maxs - highest).length());
+        // A corner that is dropped is nearer to its side than 1e-5 of the extent.
+        assert!(error < 1.0e-4 * (highest - lowest).length(), "{name}: {error} m");
     }
 }
 
