@@ -12,7 +12,7 @@ export class ColliderDesc extends ColliderShapes {
         return new ColliderDesc(new Heightfield(heights, scale));
     }
 
-    /** The convex hull of points. Null if they span no area. */
+    /** The convex hull of points. Points on a line make a segment. Null if they coincide. */
     static convexHull(points: ArrayLike<number>): ColliderDesc | null {
         return orNull(new ConvexPolygon(points, false), (shape) => new ColliderDesc(shape));
     }
@@ -22,7 +22,7 @@ export class ColliderDesc extends ColliderShapes {
         return orNull(new ConvexPolygon(vertices, true), (shape) => new ColliderDesc(shape));
     }
 
-    /** The convex hull of points with a round border. Null if they span no area. */
+    /** The convex hull of points with a round border. Points on a line make a capsule. Null if they coincide. */
     static roundConvexHull(points: ArrayLike<number>, borderRadius: number): ColliderDesc | null {
         return orNull(new RoundConvexPolygon(points, borderRadius, false), (shape) => new ColliderDesc(shape));
     }

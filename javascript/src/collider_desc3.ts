@@ -41,7 +41,7 @@ export class ColliderDesc extends ColliderShapes {
         return new ColliderDesc(new RoundCone(halfHeight, radius, borderRadius));
     }
 
-    /** The convex hull of points. Null if they span no volume. */
+    /** The convex hull of points. Points in a plane make a plate. Null if they lie on a line. */
     static convexHull(points: ArrayLike<number>): ColliderDesc | null {
         return orNull(new ConvexPolyhedron(points), (shape) => new ColliderDesc(shape));
     }
@@ -51,7 +51,7 @@ export class ColliderDesc extends ColliderShapes {
         return orNull(new ConvexPolyhedron(vertices, indices), (shape) => new ColliderDesc(shape));
     }
 
-    /** The convex hull of points with a round border. Null if they span no volume. */
+    /** The convex hull of points with a round border. Points in a plane make a plate. Null if they lie on a line. */
     static roundConvexHull(points: ArrayLike<number>, borderRadius: number): ColliderDesc | null {
         return orNull(new RoundConvexPolyhedron(points, null, borderRadius), (shape) => new ColliderDesc(shape));
     }
