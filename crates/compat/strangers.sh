@@ -19,7 +19,7 @@ export CARGO_TARGET_DIR="$folder/target"
 
 # name, version, facade (folder of this one), arguments of cargo. The crates with `check` need a window or long builds: their
 # libraries are checked only. fyrox-impl and bevy_rapier 0.34 need the packages libasound2-dev and libudev-dev of Debian.
-# Dependencies of rapier_testbed and bevy_rapier for 0.36 state a newer Rust than they need.
+# Dependencies of rapier_testbed and bevy_rapier for 0.36 state Rust 1.97.1: RUSTUP_TOOLCHAIN selects a newer compiler.
 crates='
 rapier3d-meshloader 0.13.0 . test --all-features
 rapier3d-urdf 0.13.0 . test --all-features

@@ -1,8 +1,8 @@
 //! # The API of Rapier over this engine
 //!
-//! Most programs for Rapier 0.32 and 0.36 compile against the crates of these versions without edits. The table in
-//! `docs/guide/migration.md` lists the differences. The crate is a facade: it stores no simulation state of
-//! its own, and it forwards to the engine.
+//! Most programs for Rapier 0.32 and 0.36 compile against the crates of these versions without edits. The
+//! table in `docs/guide/migration.md` lists the differences. The crates are facades: they store no simulation
+//! state of their own, and they forward to the engine.
 //!
 //! Types with equal signatures are the engine's own types. Types with other signatures are transparent
 //! wrappers that dereference to the engine's type. A contact pair is converted to upstream's representation

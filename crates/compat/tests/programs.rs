@@ -301,8 +301,8 @@ mod version036 {
         assert!(leaves.iter().all(|leaf| world.colliders.get_unknown_gen(*leaf).is_some()));
     }
 
-    /// A coupling with the ratio 2 rotates the second wheel twice as fast. Its Jacobian is that of the present
-    /// pose: about its own axis, and without a translation of its centre.
+    /// A coupling with the ratio 2 rotates the second wheel twice as fast. The Jacobian of that wheel is
+    /// a unit rotation about its own axis.
     #[test]
     fn couplings_are_gears() {
         let mut world = PhysicsWorld::new();

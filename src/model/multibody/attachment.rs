@@ -1,5 +1,8 @@
 //! A value that a facade keeps with a multibody.
 
+#[cfg(feature = "upstream-signatures")]
+use super::Multibody;
+
 /// Nothing: the engine's own crates keep no such value.
 #[cfg(not(feature = "upstream-signatures"))]
 #[derive(Copy, Clone, Debug, Default, PartialEq)]
@@ -29,5 +32,18 @@ impl core::fmt::Debug for Attachment {
 impl PartialEq for Attachment {
     fn eq(&self, _: &Self) -> bool {
         true
+    }
+}
+
+#[cfg(feature = "upstream-signatures")]
+impl Multibody {
+    /// The value that a facade keeps with the multibody.
+    pub fn attachment(&self) -> &std::sync::OnceLock<Box<dyn core::any::Any + Send + Sync>> {
+        &self.attachment.0
+    }
+
+    /// Removes the value that a facade keeps with the multibody.
+    pub fn remove_attachment(&mut self) {
+        self.attachment = Attachment::default();
     }
 }

@@ -112,18 +112,6 @@ impl Multibody {
         }
     }
 
-    /// The value that a facade keeps with the multibody.
-    #[cfg(feature = "upstream-signatures")]
-    pub fn attachment(&self) -> &std::sync::OnceLock<Box<dyn core::any::Any + Send + Sync>> {
-        &self.attachment.0
-    }
-
-    /// Removes the value that a facade keeps with the multibody.
-    #[cfg(feature = "upstream-signatures")]
-    pub fn remove_attachment(&mut self) {
-        self.attachment = Attachment::default();
-    }
-
     /// A multibody of one body alone.
     pub(super) fn with_root(body: RigidBodyHandle) -> Self {
         let joint = MultibodyJoint::new(GenericJoint::default(), false);

@@ -32,7 +32,7 @@ fn axis_of(number: usize) -> Option<JointAxis> {
 }
 
 impl Multibody {
-    /// A coupling of the engine with the numbers of its degrees of freedom: those of the free axes before them.
+    /// A coupling of the engine with the numbers of its degrees of freedom: the count of earlier free axes.
     fn to_coupling(&self, own: &engine::dynamics::MultibodyDofCoupling) -> MultibodyDofCoupling {
         let dof = |link: usize, axis: JointAxis| {
             let locked = self.0.link(link).map_or(0, |it| it.joint().data.locked_axes.bits());

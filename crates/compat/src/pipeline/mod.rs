@@ -19,6 +19,8 @@ mod physics036;
 mod queries;
 #[cfg(rapier036)]
 mod world;
+#[cfg(rapier036)]
+mod world_queries;
 
 pub use collision::CollisionPipeline;
 #[cfg(feature = "debug-render")]

@@ -30,6 +30,7 @@ macro_rules! absent {
         #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
         pub struct $name {
             $(#[doc = "A part of a soft body: no value exists."] pub $field: $type,)*
+            #[allow(dead_code, reason = "it makes the type uninhabited")]
             absent: Absent,
         }
 
