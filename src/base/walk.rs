@@ -2,6 +2,9 @@
 
 use parry::math::Real;
 
+/// Rounding error of a place on a wall between cells, as a fraction of the involved lengths.
+const ROUNDING: Real = 8.0 * Real::EPSILON;
+
 /// The path of a ray along one axis, from cell to cell.
 #[derive(Debug)]
 pub struct Walk {
@@ -35,6 +38,20 @@ impl Walk {
         }
         let wall = self.cell + usize::from(self.inv_dir > 0.0);
         ((wall as Real / self.count as Real - 0.5) * self.size - self.origin) * self.inv_dir
+    }
+
+    /// The cell on the other side of a wall, if the ray stays at that wall between two times. `dir` is the
+    /// ray's direction along this axis. By rounding, such a ray is in either cell, or in none.
+    pub fn beside(&self, dir: Real, times: [Real; 2]) -> Option<usize> {
+        let tolerance = ROUNDING * (self.size + self.origin.abs());
+        let is_at = |wall: usize| {
+            let place = (wall as Real / self.count as Real - 0.5) * self.size;
+            times.iter().all(|time| (self.origin + dir * time - place).abs() <= tolerance)
+        };
+        if is_at(self.cell) {
+            return self.cell.checked_sub(1);
+        }
+        (is_at(self.cell + 1) && self.cell + 1 < self.count).then_some(self.cell + 1)
     }
 
     /// Moves to the next cell. Returns whether there is one.

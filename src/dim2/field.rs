@@ -14,13 +14,19 @@ pub fn ray_on_field(field: &HeightField, ray: &Ray, limit: Real) -> Option<RayIn
     let (mut start, end) = (start.max(0.0), end.min(limit));
     let scale = field.scale();
     let mut walk = Walk::new(ray.origin.x, ray.dir.x, start, scale.x.abs(), field.num_cells());
+    // A scale below zero turns the order of the cells around.
+    let oriented =
+        |walk: &Walk, cell: usize| if scale.x < 0.0 { walk.count - 1 - cell } else { cell };
     loop {
-        // A scale below zero turns the order of the cells around.
-        let cell = if scale.x < 0.0 { walk.count - 1 - walk.cell } else { walk.cell };
-        if may_meet(field, cell, ray, [start, walk.leaves.min(end)])
-            && let Some(hit) = ray_on_cell(field, cell, ray, limit)
-        {
-            return Some(hit);
+        let cell = oriented(&walk, walk.cell);
+        let times = [start, walk.leaves.min(end)];
+        if may_meet(field, cell, ray, times) {
+            // A ray along a border may miss the segment on its own side by rounding.
+            let beside = walk.beside(ray.dir.x, times).map(|cell| oriented(&walk, cell));
+            let hit = ray_on_cell(field, cell, ray, limit);
+            if let Some(hit) = hit.or_else(|| ray_on_cell(field, beside?, ray, limit)) {
+                return Some(hit);
+            }
         }
         start = walk.leaves;
         if start > end || !walk.advance() {

@@ -20,16 +20,23 @@ pub fn ray_on_field(field: &HeightField, ray: &Ray, limit: Real) -> Option<RayIn
         Walk::new(ray.origin.z, ray.dir.z, start, size.z, rows),
     ];
     // A scale below zero turns the order of the cells around.
-    let cell = |walk: &Walk, scale: Real| {
-        if scale < 0.0 { walk.count - 1 - walk.cell } else { walk.cell }
+    let oriented = |walk: &Walk, cell: usize, scale: Real| {
+        if scale < 0.0 { walk.count - 1 - cell } else { cell }
     };
+    let row = |walks: &[Walk; 2], cell| oriented(&walks[1], cell, field.scale().z);
+    let column = |walks: &[Walk; 2], cell| oriented(&walks[0], cell, field.scale().x);
     loop {
-        let (i, j) = (cell(&walks[1], field.scale().z), cell(&walks[0], field.scale().x));
+        let (i, j) = (row(&walks, walks[1].cell), column(&walks, walks[0].cell));
         let next = walks[0].leaves.min(walks[1].leaves);
-        if may_meet(field, (i, j), ray, [start, next.min(end)])
-            && let Some(hit) = ray_on_cell(field, (i, j), ray, limit)
-        {
-            return Some(hit);
+        let times = [start, next.min(end)];
+        if may_meet(field, (i, j), ray, times) {
+            // A ray along a border may miss the triangles on its own side by rounding.
+            let i2 = walks[1].beside(ray.dir.z, times).map_or(i, |cell| row(&walks, cell));
+            let j2 = walks[0].beside(ray.dir.x, times).map_or(j, |cell| column(&walks, cell));
+            let cells = [(i, j), (i2, j), (i, j2), (i2, j2)];
+            if let Some(hit) = cells.iter().find_map(|&at| ray_on_cell(field, at, ray, limit)) {
+                return Some(hit);
+            }
         }
         let first = usize::from(walks[1].leaves < walks[0].leaves);
         if next > end || !walks[first].advance() {
@@ -85,6 +92,33 @@ mod tests {
     use parry::query::{Ray, RayCast};
     use parry::shape::HeightField;
     use parry::utils::Array2;
+
+    /// Rays down at the borders between cells, and within rounding of them, pass no field.
+    #[test]
+    fn no_ray_passes_between_two_cells() {
+        let mut random = Random(5);
+        for cells in [3, 7, 40, 400] {
+            let heights = Array2::new(cells + 1, cells + 1, vec![0.25; (cells + 1) * (cells + 1)]);
+            let field = HeightField::new(heights, Vector::new(16.0, 1.0, 5.0));
+            for round in 0..2000 {
+                let mut place = |size: Real, is_border: bool| {
+                    let border = random.within(1.0, cells as f64).floor();
+                    let by_rounding = random.within(-4.0, 4.0).round() * Real::EPSILON;
+                    let beside = if is_border { 0.0 } else { random.within(0.0, 0.9) };
+                    ((border + beside) / cells as Real - 0.5) * size * (1.0 + by_rounding)
+                        + by_rounding
+                };
+                let x = place(16.0, round % 3 != 0);
+                let origin = Vector::new(x, 1.0, place(5.0, round % 3 != 1));
+                let hit = ray_on_field(&field, &Ray::new(origin, -Vector::Y), 2.0);
+                let time = hit.map(|hit| hit.time_of_impact);
+                assert!(
+                    time.is_some_and(|time| (time - 0.75).abs() < 1.0e-5),
+                    "{cells} cells at {origin}: {time:?}"
+                );
+            }
+        }
+    }
 
     /// All triangles in turn find nothing nearer, and nothing where the walk finds nothing. Along borders
     /// between triangles either of two answers is right, so times are compared, to the rounding of
