@@ -2,6 +2,15 @@
 
 use rapier::prelude::*;
 
+/// Part of a velocity that leads along stairs: there is none in 2D.
+pub const DIAGONAL: Vector = Vector::ZERO;
+
+/// Returns a surface along a line from left to right.
+pub fn surface(line: &[(Real, Real)]) -> ColliderBuilder {
+    let points = line.iter().map(|&(x, y)| Vector::new(x, y)).collect();
+    ColliderBuilder::polyline(points, None)
+}
+
 fn sample(half_side: Real, cells: usize, i: usize) -> Real {
     half_side * (2.0 * i as Real / cells as Real - 1.0)
 }

@@ -3,6 +3,18 @@
 use rapier::parry::utils::Array2;
 use rapier::prelude::*;
 
+/// Part of a velocity that leads along stairs.
+pub const DIAGONAL: Vector = Vector::new(0.0, 0.0, 1.5);
+
+/// Returns a surface along a line from left to right, of quads across.
+pub fn surface(line: &[(Real, Real)]) -> ColliderBuilder {
+    let across = |&(x, y): &(Real, Real)| [-30.0, 30.0].map(|z| Vector::new(x, y, z));
+    let points = line.iter().flat_map(across).collect();
+    let quads = (0..line.len() as u32 - 1).map(|k| 2 * k);
+    let triangles = quads.flat_map(|k| [[k, k + 1, k + 2], [k + 1, k + 3, k + 2]]).collect();
+    ColliderBuilder::trimesh(points, triangles).expect("a sound mesh")
+}
+
 fn sample(half_side: Real, cells: usize, i: usize) -> Real {
     half_side * (2.0 * i as Real / cells as Real - 1.0)
 }

@@ -4,6 +4,7 @@
 //! tolerance. `table` prints the figures together
 //! (`cargo test -p rapier3d --test suite characters::table -- --nocapture`).
 
+mod descents;
 mod feedback;
 mod floors;
 mod hooks;

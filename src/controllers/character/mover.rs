@@ -74,7 +74,7 @@ impl<'a> Mover<'a> {
         }
     }
 
-    fn is_supported(&self) -> bool {
+    pub fn is_supported(&self) -> bool {
         self.planes.iter().any(|plane| plane.holds(&self.settings))
     }
 
@@ -82,6 +82,7 @@ impl<'a> Mover<'a> {
     /// it slid down a slope.
     fn go(&mut self, desired: Vector, stood: bool) -> bool {
         let sticks = stood && self.settings.snap > 0.0;
+        let deepest = self.deepest_foothold();
         let (mut left, mut slides, mut turned) = (desired, false, false);
         for _ in 0..TURNS_MAX {
             if stood && let Some(fraction) = self.step_up(left) {
@@ -118,12 +119,12 @@ impl<'a> Mover<'a> {
             self.find_steps(Vector::ZERO);
         }
         if sticks && !self.is_supported() {
-            self.snap();
+            self.snap(deepest);
         }
         slides
     }
 
-    fn update_planes_for(&mut self, desired: Vector) {
+    pub fn update_planes_for(&mut self, desired: Vector) {
         self.update_planes(self.settings.reach());
         self.find_steps(desired);
     }
@@ -136,22 +137,6 @@ impl<'a> Mover<'a> {
         };
         if !self.planes.iter().any(is_known) {
             self.planes.push(Plane { gap: self.settings.offset, ..plane });
-        }
-    }
-
-    /// Moves down to a floor that is not far below.
-    fn snap(&mut self) {
-        let (pose, down) = (self.pose(), -self.settings.up * self.settings.snap);
-        let swept = self.sweep_from(&pose, down);
-        if swept.hit.is_none() {
-            return;
-        }
-        let before = self.moved;
-        self.moved += down * swept.fraction;
-        self.update_planes_for(Vector::ZERO);
-        if !self.is_supported() {
-            self.moved = before;
-            self.update_planes_for(Vector::ZERO);
         }
     }
 

@@ -28,6 +28,15 @@ pub(super) struct Obstacles<'a> {
     manifolds: Manifolds,
 }
 
+/// A surface below a point.
+pub(super) struct Surface {
+    /// Unit normal, upwards.
+    pub normal: Vector,
+    /// Distance from the point.
+    pub depth: Real,
+    pub is_dynamic: bool,
+}
+
 impl<'a> Obstacles<'a> {
     pub fn new(
         queries: QueryView<'a>,
@@ -87,8 +96,8 @@ impl<'a> Obstacles<'a> {
         }
     }
 
-    /// The surface below a point, no deeper than `depth`: its unit normal, and whether its body is dynamic.
-    pub fn surface_below(&self, point: Vector, up: Vector, depth: Real) -> Option<(Vector, bool)> {
+    /// The surface below a point, no deeper than `depth`.
+    pub fn surface_below(&self, point: Vector, up: Vector, depth: Real) -> Option<Surface> {
         let filter = self.queries.filter;
         let predicate = |handle, collider: &_| {
             filter.predicate.is_none_or(|passes| passes(handle, collider))
@@ -101,7 +110,8 @@ impl<'a> Obstacles<'a> {
         let is_dynamic = |collider: &Collider| collider.parent_type == Some(RigidBodyType::Dynamic);
         // Surfaces have two sides.
         let normal = if hit.normal.dot(up) < 0.0 { -hit.normal } else { hit.normal };
-        Some((normal, self.queries.colliders.get(handle).is_some_and(is_dynamic)))
+        let is_dynamic = self.queries.colliders.get(handle).is_some_and(is_dynamic);
+        Some(Surface { normal, depth: hit.time_of_impact, is_dynamic })
     }
 
     fn compute(

@@ -16,7 +16,8 @@ pub(super) const WALL_LEAN_MAX: Real = 0.05;
 pub(super) enum Kind {
     /// Not too steep to walk up.
     Floor,
-    /// The edge of a low step: it supports the character, and blocks until the step is taken.
+    /// The edge or riser of a low step, up or down: it supports the character, and blocks the way up until
+    /// the step is taken.
     Step,
     /// Too steep to walk up.
     Wall,
@@ -66,6 +67,11 @@ impl Plane {
             Kind::Wall => self.rise > WALL_LEAN_MAX && self.rise >= settings.slide_cos,
             Kind::Ceiling => false,
         }
+    }
+
+    /// Returns whether it is a floor that holds without sliding.
+    pub fn is_firm(&self, settings: &ResolvedSettings) -> bool {
+        self.kind == Kind::Floor && !self.is_slippery(settings)
     }
 
     /// Returns whether gravity makes the character slide on it.

@@ -107,8 +107,9 @@ pub struct KinematicCharacterController {
     /// translation makes the character slide. On smaller slopes it stands. 45° by default.
     pub min_slope_slide_angle: Real,
     /// Distance below the feet within which the character moves down to a floor after it has left another;
-    /// relative to its height. It keeps the character on the ground on the way down slopes and stairs. A
-    /// fifth by default. Disabled while the desired translation is upwards.
+    /// relative to its height. It keeps the character on the ground on the way down slopes and stairs: the
+    /// edges and risers of steps up to this height support shapes with a round bottom. A fifth by default.
+    /// Disabled while the desired translation is upwards.
     pub snap_to_ground: Option<CharacterLength>,
     /// Tolerance of a gap around [`Self::offset`] (length units). Smaller corrections are skipped, so that
     /// the character does not tremble. The effective tolerance is at least the rounding error and at most a

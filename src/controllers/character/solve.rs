@@ -48,7 +48,8 @@ impl ResolvedSettings {
         // Down a slope that is too steep to stand on, because nothing else is below.
         let is_steep = |p: &Plane| p.kind == Kind::Wall && p.rise > WALL_LEAN_MAX && !p.holds(self);
         let is_down = fall < 0.0 && solved.dot(self.up) < -self.nothing();
-        let slides = slides || (is_down && planes.iter().any(is_steep));
+        let is_held = planes.iter().any(|plane| plane.holds(self));
+        let slides = slides || (is_down && !is_held && planes.iter().any(is_steep));
         SolvedMove { translation: solved, slides }
     }
 

@@ -6,6 +6,7 @@
 //! into it ends where the shape rests on it. A capsule rolls over the edge, a box is placed on top.
 
 use super::mover::Mover;
+use super::obstacles::Surface;
 use super::planes::{Kind, Plane, WALL_LEAN_MAX};
 use super::polyhedron::nearest;
 use super::resolved::StepUp;
@@ -16,29 +17,38 @@ impl Mover<'_> {
     ///
     /// Only walls that the desired translation leads into matter, or walls that are the only support.
     pub fn find_steps(&mut self, desired: Vector) {
-        let Some(step_up) = self.settings.step_up else { return };
         let (_, ahead) = self.settings.split(desired);
         let on_floor = self.planes.iter().any(|plane| plane.holds(&self.settings));
+        let mut floor_below = None;
         for index in 0..self.planes.len() {
             let plane = &self.planes[index];
             let blocks = on_floor && ahead.dot(plane.normal) < -self.settings.nothing();
             let may_support = !on_floor && plane.rise > WALL_LEAN_MAX;
-            if (blocks || may_support) && self.is_low(plane, step_up) {
-                let (_, across) = self.settings.split(plane.normal);
-                let direction = -across.normalize_or_zero();
-                let edge = plane.points[0];
-                if direction != Vector::ZERO && self.has_room(direction, edge, step_up) {
-                    self.planes[index].kind = Kind::Step;
-                }
+            let (_, across) = self.settings.split(plane.normal);
+            let away = across.normalize_or_zero();
+            if plane.kind != Kind::Wall || away == Vector::ZERO || !(blocks || may_support) {
+                continue;
+            }
+            let is_step = self.is_step_up(index, -away)
+                || (may_support && self.is_step_down(index, away, &mut floor_below));
+            if is_step {
+                self.planes[index].kind = Kind::Step;
             }
         }
+    }
+
+    /// Returns whether a wall is the edge of a step that the character climbs in this direction.
+    fn is_step_up(&mut self, index: usize, direction: Vector) -> bool {
+        let Some(step_up) = self.settings.step_up else { return false };
+        let plane = &self.planes[index];
+        let edge = plane.points[0];
+        self.is_low(plane, step_up) && self.has_room(direction, edge, step_up)
     }
 
     /// Returns whether the obstacle could be a step, by its contact alone.
     fn is_low(&self, plane: &Plane, step_up: StepUp) -> bool {
         let foot = self.pose().translation.dot(self.settings.up) - self.settings.foot;
-        plane.kind == Kind::Wall
-            && (step_up.include_dynamic_bodies || !plane.is_dynamic)
+        (step_up.include_dynamic_bodies || !plane.is_dynamic)
             && plane.lowest(&self.settings) < foot + step_up.max_height
     }
 
@@ -65,9 +75,7 @@ impl Mover<'_> {
         let reach = self.settings.reach();
         self.obstacles.planes(&landing, reach, &self.settings, &mut planes);
         let holds = |plane: &Plane| {
-            plane.kind == Kind::Floor
-                && !plane.is_slippery(&self.settings)
-                && (step_up.include_dynamic_bodies || !plane.is_dynamic)
+            plane.is_firm(&self.settings) && (step_up.include_dynamic_bodies || !plane.is_dynamic)
         };
         let found = planes.iter().any(holds);
         self.scratch = planes;
@@ -82,11 +90,16 @@ impl Mover<'_> {
         let height = step_up.max_height + settings.offset;
         let behind = edge + direction * (2.0 * settings.offset);
         let origin = behind + settings.up * (foot + height - behind.dot(settings.up));
-        let found = self.obstacles.surface_below(origin, settings.up, height + settings.offset);
-        found.is_some_and(|(normal, is_dynamic)| {
-            normal.dot(settings.up) >= settings.climb_cos.max(settings.slide_cos)
-                && (step_up.include_dynamic_bodies || !is_dynamic)
-        })
+        let found = self.walkable_below(origin, height + settings.offset);
+        found.is_some_and(|surface| step_up.include_dynamic_bodies || !surface.is_dynamic)
+    }
+
+    /// The surface below a point, no deeper than `depth`, if it is level or gently sloped.
+    pub fn walkable_below(&self, point: Vector, depth: Real) -> Option<Surface> {
+        let settings = &self.settings;
+        let surface = self.obstacles.surface_below(point, settings.up, depth)?;
+        let rise = surface.normal.dot(settings.up);
+        (rise >= settings.climb_cos.max(settings.slide_cos)).then_some(surface)
     }
 
     /// Takes the step in the path of the desired translation, if there is one. Returns the fraction of the
