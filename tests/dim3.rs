@@ -16,6 +16,8 @@ pub mod hostile;
 pub mod queries;
 #[path = "shapes/dim3.rs"]
 pub mod shapes;
+#[path = "joints/angles.rs"]
+mod angles;
 #[path = "joints/boards.rs"]
 mod boards;
 #[path = "joints/limbs.rs"]

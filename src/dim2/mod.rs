@@ -10,6 +10,7 @@ pub mod facets;
 pub mod field;
 pub mod flat_hull;
 pub mod hull;
+pub(crate) mod joint_angle;
 pub mod joint_axes;
 pub mod names;
 pub mod repair;

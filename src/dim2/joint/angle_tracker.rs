@@ -1,7 +1,7 @@
 //! The angle of a free axis while the bodies move, lane by lane.
 
-use super::angle::FreeRotations;
 use crate::base::wide::{Lane, Wide};
+use crate::dim2::joint_angle::FreeRotations;
 use crate::dim2::joint_axes::JointAxis;
 use crate::dim2::math::Real;
 use crate::dim2::wide::{WideAngVector, WideRotation};

@@ -4,13 +4,12 @@
 //! the locked axis is `2 tan(φ/2)` of the angle `φ` between the frames. For small angles it is the angle, and
 //! it is continuous up to half a revolution.
 
-mod angle;
 mod frame;
 mod angle_tracker;
 mod inertia;
 mod point;
 
-pub(crate) use angle::{FreeRotations, angle_about, couple_of, set_couple};
+pub(crate) use crate::dim2::joint_angle::{FreeRotations, angle_about, couple_of, set_couple};
 pub(crate) use angle_tracker::AngleTracker;
 pub(crate) use frame::{
     angular_to_frame, angular_to_world, axes, components, frame_between, from_components,

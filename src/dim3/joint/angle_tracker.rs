@@ -16,9 +16,9 @@
 //! one free rotation and counted turns, this estimate selects among these values. It needs an error of less
 //! than half a turn only, so a rotation of the axis itself does no harm.
 
-use super::angle::{Angle, FreeRotations};
 use crate::base::trig::sin_cos;
 use crate::base::wide::{Lane, Wide};
+use crate::dim3::joint_angle::{Angle, FreeRotations};
 use crate::dim3::joint_axes::JointAxis;
 use crate::dim3::math::{Real, Vector};
 use crate::dim3::rotation_vector::{atan_excess, nearest_whole};

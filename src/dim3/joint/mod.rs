@@ -26,13 +26,12 @@
 //! Sources: Dobrowolski, "Swing-twist decomposition in Clifford algebra" (2015), for the twist; the rest is
 //! the chain rule.
 
-mod angle;
 mod frame;
 mod angle_tracker;
 mod inertia;
 mod point;
 
-pub(crate) use angle::{FreeRotations, angle_about, couple_of, set_couple};
+pub(crate) use crate::dim3::joint_angle::{FreeRotations, angle_about, couple_of, set_couple};
 pub(crate) use angle_tracker::AngleTracker;
 pub(crate) use frame::{
     angular_to_frame, angular_to_world, axes, components, frame_between, from_components,

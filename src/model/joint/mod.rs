@@ -3,6 +3,7 @@
 //! Every joint wraps a [`GenericJoint`]. Named joints lock a fixed set of axes and have methods for the free
 //! axes. An [`ImpulseJoint`] is a joint between two bodies of a world.
 
+mod angle;
 mod builder;
 mod error;
 mod fixed;

@@ -23,9 +23,9 @@ impl FreeRotations {
     }
 }
 
-/// The definition of the angle of an axis: see the head of this folder.
+/// The definition of the angle of an axis: see the head of `joint/`.
 #[derive(Copy, Clone, Debug)]
-pub(super) enum Angle {
+pub(crate) enum Angle {
     /// The angle of the whole rotation.
     Whole,
     /// Twist of the second frame about this axis.
@@ -38,7 +38,7 @@ pub(super) enum Angle {
 
 impl Angle {
     /// The angle of an axis of a joint.
-    pub(super) fn of(axis: JointAxis, rotations: FreeRotations) -> Self {
+    pub(crate) fn of(axis: JointAxis, rotations: FreeRotations) -> Self {
         let coupled = rotations.coupled & rotations.free & JointAxesMask::ANG_AXES;
         let own = JointAxesMask::from_bits_truncate(1 << axis as u8);
         let alone = JointAxesMask::ANG_AXES - coupled;
