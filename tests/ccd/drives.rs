@@ -103,7 +103,7 @@ fn count_passed_by_door(rate: Real, radius: Real, asleep: bool) -> usize {
 /// Number of balls at rest that pass through a turning door: zero.
 #[test]
 fn doors_sweep_balls_along() {
-    let columns = ["rad/s", "radius", "awake", "asleep"];
+    let columns = ["spin (rad/s)", "radius (m)", "awake", "asleep"];
     let mut table = Table::new("balls at rest that a door passes, of 9", &columns);
     for rate in [1.0, 3.0, 10.0, 20.0] {
         for radius in [0.05, 0.2, 0.4] {
@@ -170,7 +170,7 @@ fn detection_alone_wakes_nothing() {
 /// outside: zero.
 #[test]
 fn turning_cages_hold_balls() {
-    let columns = ["rad/s", "0 m/s", "5 m/s", "30 m/s", "200 m/s"];
+    let columns = ["spin (rad/s)", "0 m/s", "5 m/s", "30 m/s", "200 m/s"];
     let mut table = Table::new("balls that leave a turning cage, of 10", &columns);
     for rate in [0.5, 1.2, 5.0, 12.0] {
         let counts = [0.0, 5.0, 30.0, 200.0]

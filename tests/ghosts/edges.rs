@@ -58,7 +58,7 @@ fn steps_stop_a_box() {
 /// A box glides over a gap that is narrower than itself, and falls into a wide one.
 #[test]
 fn gaps_are_glided_over_or_fallen_into() {
-    let columns = ["ground", "gap (m)", "speed before", "speed", "height (mm)"];
+    let columns = ["ground", "gap (m)", "speed before (m/s)", "speed (m/s)", "height (mm)"];
     let mut table = Table::new("a box of 1 m, a gap in its way", &columns);
     for ground in GROUNDS {
         for (gap, speed) in [(0.05, 10.0), (0.3, 10.0), (1.5, 1.0)] {

@@ -11,7 +11,7 @@ use rapier::prelude::*;
 /// speed.
 #[test]
 fn valleys_are_no_bumps() {
-    let columns = ["slope", "radius", "speed before", "behind", "formula"];
+    let columns = ["slope", "radius (m)", "speed before (m/s)", "behind (m/s)", "formula"];
     let mut table = Table::new("a ball through a valley", &columns);
     for slope in [0.01, 0.03, 0.1] {
         for radius in [0.5, 0.2] {

@@ -33,7 +33,7 @@ fn spin(world: &mut PhysicsWorld, count: usize, rate: Real, joint: &GenericJoint
 /// A row of joined bodies spins freely. The joints dissipate nothing: the difference is rounding.
 #[test]
 fn spinning_joined_bodies_conserve_momentum_and_energy() {
-    let columns = ["rate", "joint", "bodies", "rad/s", "momentum left", "energy left"];
+    let columns = ["rate", "joint", "bodies", "spin (rad/s)", "momentum left", "energy left"];
     let mut table = Table::new("bodies in a row that turn for 5 s", &columns);
     let (ahead, behind) = (vec(HALF, 0.0), vec(-HALF, 0.0));
     let joints: [(&str, GenericJoint); 2] = [
@@ -69,7 +69,7 @@ fn spinning_joined_bodies_conserve_momentum_and_energy() {
 fn motors_accelerate_rotors_by_their_torque() {
     const ARM: Real = 0.5;
     let mut table =
-        Table::new("hub with two blades under 20 N·m", &["rate", "s", "rad/s", "τ t/I"]);
+        Table::new("hub with two blades under 20 N·m", &["rate", "time (s)", "spin (rad/s)", "τ t/I"]);
     for (rate, fastest) in [(60, 200.0), (120, 230.0)] {
         let (mut world, torque) = (weightless(rate), 20.0);
         let post = post(&mut world, Vector::ZERO);
@@ -107,7 +107,7 @@ fn motors_accelerate_rotors_by_their_torque() {
 /// lowest point.
 #[test]
 fn short_pendulums_keep_their_swing() {
-    let mut table = Table::new("pendulums after 30 s", &["rate", "m", "degrees", "degrees left"]);
+    let mut table = Table::new("pendulums after 30 s", &["rate", "length (m)", "swing (°)", "swing left (°)"]);
     for rate in RATES {
         for length in [0.1, 0.3, 1.0] {
             for degrees in [30.0, 90.0] {

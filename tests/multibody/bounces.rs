@@ -80,7 +80,7 @@ fn apex(mut world: PhysicsWorld, body: RigidBodyHandle) -> Real {
 /// A link that falls from the height `H` rises to `e² H`, like a single body.
 #[test]
 fn links_rise_as_high_as_bodies() {
-    let columns = ["rate", "link", "restitution", "apex", "formula", "error"];
+    let columns = ["rate", "link", "restitution", "apex (m)", "formula", "error"];
     let mut table = Table::new("links that fall by 1 m", &columns);
     for rate in RATES {
         for belongs in [Belongs::Bob, Belongs::Root, Belongs::Weld] {
@@ -268,7 +268,7 @@ fn energy_lost_in_an_impact_does_not_return() {
 /// a link. The last ball leaves at the speed of the striker.
 #[test]
 fn links_transmit_an_impact() {
-    let columns = ["rate", "link in the row", "last", "others", "energy"];
+    let columns = ["rate", "link in the row", "last (m/s)", "others (m/s)", "energy"];
     let mut table = Table::new("row of balls hit by a link at 3 m/s", &columns);
     for rate in RATES {
         for link in [None, Some(2), Some(4)] {

@@ -12,7 +12,7 @@ use rapier::prelude::*;
 /// cos(θ₀/2))`.
 #[test]
 fn pendulums_have_the_period_of_the_formula() {
-    let columns = ["rate", "angle", "period (s)", "formula", "error (%)"];
+    let columns = ["rate", "angle (°)", "period (s)", "formula", "error (%)"];
     let mut table = Table::new("period of a pendulum of 1 m", &columns);
     for rate in RATES {
         for degrees in [10.0, 90.0] {

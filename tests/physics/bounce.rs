@@ -8,7 +8,7 @@ use rapier::prelude::*;
 /// A ball that falls from the height `H` rises to `e² H` after the bounce.
 #[test]
 fn bounce_height() {
-    let columns = ["rate", "restitution", "apex", "formula", "error"];
+    let columns = ["rate", "restitution", "apex (m)", "formula", "error"];
     let mut table = Table::new("bounce from 2 m", &columns);
     for rate in RATES {
         for restitution in [0.3, 0.5, 0.8, 1.0] {

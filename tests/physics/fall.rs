@@ -10,7 +10,7 @@ use rapier::prelude::*;
 #[test]
 fn free_fall() {
     let time = 2.0;
-    let columns = ["rate", "drop", "formula", "exact", "error"];
+    let columns = ["rate", "drop (m)", "formula", "exact", "error (m)"];
     let mut table = Table::new("free fall for 2 s", &columns);
     for rate in RATES {
         let mut world = world(rate);

@@ -12,7 +12,7 @@ const TILTING: Real = 0.02;
 /// at the end of each substep, which subtracts `v h / 2`.
 #[test]
 fn slide_to_stop() {
-    let columns = ["rate", "friction", "distance", "formula", "exact", "error", "turn (rad)"];
+    let columns = ["rate", "friction", "distance (m)", "formula", "exact", "error (m)", "turn (rad)"];
     let mut table = Table::new("slide to stop from 8 m/s", &columns);
     let speed: Real = 8.0;
     for rate in RATES {
@@ -71,7 +71,7 @@ fn on_slope(
 #[test]
 fn slope_holds_or_slips() {
     let friction: Real = 0.5;
-    let columns = ["rate", "tan θ / µ", "10 s of creep (mm)", "acceleration", "formula"];
+    let columns = ["rate", "tan θ / µ", "10 s of creep (mm)", "acceleration (m/s²)", "formula"];
     let mut table = Table::new("box on a slope, µ = 0.5", &columns);
     for rate in RATES {
         for ratio in [0.5, 0.9, 0.98] {
@@ -149,7 +149,7 @@ fn tilted_table() {
 /// surfaces. Half of the overlap is therefore missing from `r`: about 0.1 % of `a`.
 #[test]
 fn ball_rolls() {
-    let columns = ["rate", "acceleration", "formula", "error (%)", "slip (m/s)"];
+    let columns = ["rate", "acceleration (m/s²)", "formula", "error (%)", "slip (m/s)"];
     let mut table = Table::new("ball on a slope of 20°", &columns);
     for rate in RATES {
         let angle: Real = 20.0 * (std::f64::consts::PI / 180.0) as Real;

@@ -139,7 +139,7 @@ fn row(rate: u32, masses: &[Real], on_ground: bool) -> (PhysicsWorld, Vec<RigidB
 /// pair: `v' = 2 m v / (m + m')`. Momentum and energy are constant.
 #[test]
 fn rows_transmit_an_impact() {
-    let columns = ["rate", "masses", "ground", "last", "formula", "momentum", "energy"];
+    let columns = ["rate", "masses", "ground", "last (m/s)", "formula", "momentum", "energy"];
     let mut table = Table::new("row of balls hit at 3 m/s", &columns);
     let rows: [&[Real]; 4] =
         [&[1.0; 5], &[1.0; 12], &[1.0, 1.0, 1.0, 3.0], &[8.0, 4.0, 2.0, 1.0, 0.5]];
@@ -268,7 +268,7 @@ fn gases_do_not_gain_energy() {
 /// A box that lands on a face rises without rotation at `e` times its speed, on every ground.
 #[test]
 fn flat_landings_rise_flat() {
-    let columns = ["rate", "e", "ground", "apex", "formula", "turning (rad/s)"];
+    let columns = ["rate", "e", "ground", "apex (m)", "formula", "turning (rad/s)"];
     let mut table = Table::new("box that falls by 1 m", &columns);
     for rate in RATES {
         for restitution in [0.5, 1.0] {

@@ -48,7 +48,7 @@ fn force_beside_the_centre() {
 /// Damping at the rate `c` gives `v = v₀ exp(-c t)`. Each substep divides the velocity by `1 + h c`.
 #[test]
 fn damping() {
-    let columns = ["rate", "damping", "speed", "formula", "exact", "error (%)"];
+    let columns = ["rate", "damping (1/s)", "speed (m/s)", "formula", "exact", "error (%)"];
     let mut table = Table::new("speed after 2 s of damping, from 10 m/s", &columns);
     for rate in RATES {
         for damping in [0.1, 1.0, 20.0] {

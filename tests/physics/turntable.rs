@@ -7,7 +7,7 @@ use rapier::prelude::*;
 /// A box on a heavy dynamic disc turns with it. Friction keeps its distance from the axis.
 #[test]
 fn dynamic_turntable() {
-    let columns = ["rate", "rad/s", "creep outwards (m)"];
+    let columns = ["rate", "spin (rad/s)", "creep outwards (m)"];
     let mut table = Table::new("box 5 m from the middle of a disc, one turn", &columns);
     for rate in RATES {
         for speed in [0.1, 0.3] {
