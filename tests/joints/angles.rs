@@ -29,7 +29,7 @@ fn close(found: Option<Real>, expected: Real) -> bool {
     found.is_some_and(|found| (found - expected).abs() < 2.0e-5)
 }
 
-/// The twist is that of `swing · twist`, and each swing is the angle of the direction of the X axis in a plane.
+/// The twist is that of `swing · twist`. Each swing is the angle of the direction of the X axis in a plane.
 #[test]
 fn twist_and_swing_have_their_formulas() {
     for (frame1, frame2, body1) in frames() {

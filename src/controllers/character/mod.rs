@@ -13,8 +13,8 @@
 //! 3. **Solve** ([`solve`]). Direct the desired translation along the floor, remove its components into
 //!    walls, and project it onto the polyhedron of all planes ([`polyhedron`], exactly).
 //! 4. **Sweep** ([`sweep`]). Move until a new obstacle, and repeat with the rest of the desired translation.
-//! 5. **Step up** ([`stairs`]) at low obstacles, and **step down** ([`descent`]) to a floor a little below one
-//!    that was just lost.
+//! 5. **Step up** ([`stairs`]) at low obstacles, and **step down** ([`descent`]) to a floor a little below
+//!    the one just left.
 //!
 //! This has three consequences. *A resting character does not move*: planes at the offset, within a
 //! tolerance, count as exactly there. A standing character therefore moves by zero and not by a rounding
