@@ -6,8 +6,11 @@
 use super::math::Real;
 use crate::base::parry_version::set_subshape;
 use crate::base::walk::{Walk, range};
-use parry::query::{Ray, RayCast, RayIntersection};
-use parry::shape::HeightField;
+use parry::query::{PointQuery, Ray, RayCast, RayIntersection};
+use parry::shape::{FeatureId, HeightField};
+
+/// Largest distance between a triangle and a ray at its border, as a fraction of the involved lengths.
+const BORDER: Real = 16.0 * Real::EPSILON;
 
 /// The hit of a ray on a height field, in the field's frame.
 pub fn ray_on_field(field: &HeightField, ray: &Ray, limit: Real) -> Option<RayIntersection> {
@@ -30,11 +33,10 @@ pub fn ray_on_field(field: &HeightField, ray: &Ray, limit: Real) -> Option<RayIn
         let next = walks[0].leaves.min(walks[1].leaves);
         let times = [start, next.min(end)];
         if may_meet(field, (i, j), ray, times) {
-            // A ray along a border may miss the triangles on its own side by rounding.
+            let here = ray_on_cell(field, (i, j), ray, limit);
             let i2 = walks[1].beside(ray.dir.z, times).map_or(i, |cell| row(&walks, cell));
             let j2 = walks[0].beside(ray.dir.x, times).map_or(j, |cell| column(&walks, cell));
-            let cells = [(i, j), (i2, j), (i, j2), (i2, j2)];
-            if let Some(hit) = cells.iter().find_map(|&at| ray_on_cell(field, at, ray, limit)) {
+            if let Some(hit) = here.or_else(|| ray_at_border(field, [i, i2], [j, j2], ray, limit)) {
                 return Some(hit);
             }
         }
@@ -61,6 +63,47 @@ fn may_meet(field: &HeightField, (i, j): (usize, usize), ray: &Ray, times: [Real
     bottom - margin <= high && low <= top + margin
 }
 
+/// The hit of a ray that stays at a border between cells, in these rows and columns. By rounding, such a ray
+/// may pass between the triangles on both sides: the nearest one that the ray misses by less is hit.
+fn ray_at_border(
+    field: &HeightField,
+    rows: [usize; 2],
+    columns: [usize; 2],
+    ray: &Ray,
+    limit: Real,
+) -> Option<RayIntersection> {
+    if rows[0] == rows[1] && columns[0] == columns[1] {
+        return None;
+    }
+    let tolerance = BORDER * (field.scale().abs().max_element() + ray.origin.abs().max_element());
+    let cells = rows.into_iter().flat_map(|i| columns.map(|j| (i, j)));
+    let hits = cells.flat_map(|(i, j)| {
+        let (left, right) = field.triangles_at(i, j);
+        [(left, true), (right, false)].into_iter().filter_map(move |(triangle, is_left)| {
+            let triangle = triangle?;
+            let normal = triangle.normal()?;
+            let time = (triangle.a - ray.origin).dot(normal) / ray.dir.dot(normal);
+            let point = ray.point_at(time);
+            let miss = triangle.project_local_point(point, true).point - point;
+            if !(0.0..=limit).contains(&time) || miss.length() > tolerance {
+                return None;
+            }
+            let normal = if ray.dir.dot(normal) > 0.0 { -normal } else { normal };
+            let mut hit = RayIntersection::new(time, normal, FeatureId::Face(0));
+            set_subshape(&mut hit, subshape(field, (i, j), is_left));
+            Some(hit)
+        })
+    });
+    hits.min_by(|a, b| a.time_of_impact.total_cmp(&b.time_of_impact))
+}
+
+/// The index of a triangle. Left triangles are numbered first, column by column.
+fn subshape(field: &HeightField, (i, j): (usize, usize), is_left: bool) -> u32 {
+    let (rows, columns) = field.num_cells_ij();
+    let first = if is_left { 0 } else { rows * columns };
+    (first + j * rows + i) as u32
+}
+
 fn ray_on_cell(
     field: &HeightField,
     (i, j): (usize, usize),
@@ -70,10 +113,7 @@ fn ray_on_cell(
     let (left, right) = field.triangles_at(i, j);
     let hit = |triangle: Option<parry::shape::Triangle>, is_left| {
         let mut hit = triangle?.cast_local_ray_and_get_normal(ray, limit, true)?;
-        // Left triangles are numbered first, column by column.
-        let (rows, columns) = field.num_cells_ij();
-        let first = if is_left { 0 } else { rows * columns };
-        set_subshape(&mut hit, (first + j * rows + i) as u32);
+        set_subshape(&mut hit, subshape(field, (i, j), is_left));
         Some(hit)
     };
     match (hit(left, true), hit(right, false)) {
