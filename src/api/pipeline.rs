@@ -28,5 +28,7 @@ pub use crate::model::event::{
 pub use crate::model::hooks::{
     ContactModificationContext, DefaultHooks, PairFilterContext, PhysicsHooks,
 };
-pub use crate::query::{QueryFilter, QueryFilterFlags, QueryPipeline, QueryPredicate, QueryView};
+pub use crate::query::{
+    QueryFilter, QueryFilterFlags, QueryPipeline, QueryPredicate, QueryView, cast_ray_on_shape,
+};
 pub use crate::step::StepStage;

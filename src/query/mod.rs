@@ -22,4 +22,5 @@ mod view;
 
 pub use filter::{QueryFilter, QueryFilterFlags, QueryPredicate};
 pub use owned::QueryPipeline;
+pub use rays::cast_ray_on_shape;
 pub use view::QueryView;

@@ -5,9 +5,10 @@ use super::view::QueryView;
 use crate::base::bvh::SlabProbe;
 use crate::base::tasks::Tasks;
 use crate::collide::{intersection, time_of_impact};
-use crate::dim::math::{Real, Vector};
+use crate::dim::math::{Pose, Real, Vector};
 use crate::model::collider::{Collider, ColliderHandle};
 use parry::query::{Ray, RayIntersection};
+use parry::shape::Shape;
 
 /// Smallest number of rays that justifies a transfer to another thread.
 const RAYS_PER_TASK: usize = 64;
@@ -47,6 +48,29 @@ impl SoundRay {
     fn hit(&self, hit: RayIntersection) -> Option<RayIntersection> {
         Some(RayIntersection { time_of_impact: self.time(hit.time_of_impact)?, ..hit })
     }
+}
+
+/// The hit of a ray on one shape at a pose, without a collider.
+///
+/// The parameters and the result are those of [`QueryView::cast_ray_and_get_normal`]. `None` also if the ray
+/// or the limit is invalid. The methods of the shape itself are the geometry library's, which miss the inside
+/// of oriented meshes and rays without direction.
+///
+/// ```
+/// # use rapier3d::prelude::*;
+/// let ray = Ray::new(Vector::new(0.0, 5.0, 0.0), -Vector::Y);
+/// let hit = cast_ray_on_shape(&Ball::new(1.0), &Pose::IDENTITY, &ray, 100.0, true);
+/// assert_eq!(hit.map(|hit| hit.time_of_impact), Some(4.0));
+/// ```
+pub fn cast_ray_on_shape(
+    shape: &dyn Shape,
+    pose: &Pose,
+    ray: &Ray,
+    max_time_of_impact: Real,
+    solid: bool,
+) -> Option<RayIntersection> {
+    let sound = SoundRay::new(ray, max_time_of_impact)?;
+    sound.hit(intersection(shape, pose, &sound.ray, sound.limit, solid)?)
 }
 
 impl<'a> QueryView<'a> {

@@ -4,7 +4,7 @@ use super::plain::alone;
 use crate::dim::queries::{columns, field, pieces, rough_field, solid_box};
 use crate::dim::{about_z, assortment, cuboid, vec};
 use crate::suite::physics::stage::Dice;
-use rapier::parry::query::QueryDispatcher;
+use rapier::parry::query::{NonlinearRigidMotion, QueryDispatcher};
 use rapier::parry::shape::Ball;
 use rapier::prelude::*;
 
@@ -159,6 +159,23 @@ fn casts_at_voxels_hit_the_first_box() {
     }
     println!("{hits} hits on voxels: at most {worst} from the first box");
     assert!(hits > 200 && worst < 1.0e-3);
+}
+
+/// Shapes deep inside voxels hit them at once, with and without rotation.
+#[test]
+fn the_inside_of_voxels_is_solid() {
+    let ground = columns(5, || 5);
+    let middle = Pose::from_translation(Vector::splat(2.6));
+    for shape in [Ball::new(0.1), Ball::new(0.3)] {
+        let (colliders, handle, queries) = alone(ColliderBuilder::new(ground.clone()));
+        let motion = NonlinearRigidMotion::new(middle, Vector::ZERO, Vector::X, about_z(1.0));
+        let view = queries.view(&colliders, QueryFilter::default());
+        let hit = view.cast_shape_nonlinear(&motion, &shape, 0.0, 2.0, true);
+        assert_eq!(hit.map(|(found, hit)| (found, hit.time_of_impact)), Some((handle, 0.0)));
+        let hit = view.cast_shape(&middle, Vector::X, &shape, ShapeCastOptions::default());
+        assert_eq!(hit.map(|(found, hit)| (found, hit.time_of_impact)), Some((handle, 0.0)));
+        assert_eq!(view.intersect_shape(middle, &shape).count(), 1);
+    }
 }
 
 /// A surface with a solid inside is as solid as a box of the same size, for all queries.

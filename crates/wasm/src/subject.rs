@@ -8,6 +8,7 @@ use crate::memory::{self, put_number, put_vector, vector};
 use crate::query::{cast_options, limit, put_ray_hit, put_shape_hit, ray};
 use crate::rapier::geometry::{NarrowPhase, SharedShape};
 use crate::rapier::math::{Pose, Real};
+use crate::rapier::pipeline::cast_ray_on_shape;
 use crate::rapier::parry::query::{QueryDispatcher, Unsupported};
 use crate::registry::collider;
 use crate::shape::shape;
@@ -48,20 +49,20 @@ exports! {
     /// Returns whether a ray hits.
     fn subject_intersects_ray(world: u32, number: f64, max: f64) -> bool {
         let (shape, pose) = subject(world, number, POSES[0])?;
-        shape.intersects_ray(&pose, &ray()?, limit("maxToi", max)?)
+        cast_ray_on_shape(&*shape, &pose, &ray()?, limit("maxToi", max)?, true).is_some()
     }
 
     /// The time until a ray hits, or -1.
     fn subject_cast_ray(world: u32, number: f64, max: f64, solid: u32) -> f64 {
         let (shape, pose) = subject(world, number, POSES[0])?;
-        let time = shape.cast_ray(&pose, &ray()?, limit("maxToi", max)?, solid != 0);
-        time.map_or(-1.0, f64::from)
+        let hit = cast_ray_on_shape(&*shape, &pose, &ray()?, limit("maxToi", max)?, solid != 0);
+        hit.map_or(-1.0, |hit| f64::from(hit.time_of_impact))
     }
 
     /// Writes normal, feature and time of the hit of a ray. Returns whether it hits.
     fn subject_cast_ray_and_get_normal(world: u32, number: f64, max: f64, solid: u32) -> bool {
         let (shape, pose) = subject(world, number, POSES[0])?;
-        let hit = shape.cast_ray_and_get_normal(&pose, &ray()?, limit("maxToi", max)?, solid != 0);
+        let hit = cast_ray_on_shape(&*shape, &pose, &ray()?, limit("maxToi", max)?, solid != 0);
         hit.inspect(put_ray_hit).is_some()
     }
 

@@ -11,11 +11,12 @@ use parry::shape::Shape;
 
 /// The way out of a solid for a convex shape that is inside: the cost is the negative depth.
 ///
-/// It leads through the nearest point of the surface from any point of the shape. `None` if the shape `solid`
-/// has no inside, or if that point is outside.
+/// It leads through the nearest point of the surface from a point in the middle of the shape. `None` if the
+/// shape `solid` has no inside, or if that point is outside.
 pub(super) fn way_out(pose12: &Pose, solid: &dyn Shape, other: &dyn Shape) -> Option<Found> {
     let support = other.as_support_map().filter(|_| has_inside(solid))?;
-    let inner = pose12 * support.local_support_point(Vector::X);
+    let ends = [Vector::X, -Vector::X].map(|along| support.local_support_point(along));
+    let inner = pose12 * ends[0].midpoint(ends[1]);
     let is_near = inner.is_finite() && solid.compute_local_aabb().contains_local_point(inner);
     if !is_near || !solid.contains_local_point(inner) {
         return None;

@@ -52,9 +52,10 @@ pub fn first_touch(
     first
 }
 
-/// Returns whether one of the shapes is in the solid that the surface of the other encloses.
+/// Returns whether one of the shapes is in the solid that the surface of the other encloses. The search
+/// visits neither that inside nor voxels without a free face.
 fn is_inside(pose12: &Pose, shapes: [&dyn Shape; 2]) -> bool {
-    shapes.iter().any(|shape| has_inside(*shape))
+    shapes.iter().any(|shape| has_inside(*shape) || shape.as_voxels().is_some())
         && PairQuery::Intersection.least(pose12, shapes, 0.0).is_some()
 }
 
