@@ -6,6 +6,7 @@
 //! `t + d / (-v · n)`.
 
 use super::pair_query::Found;
+use super::plain::distance;
 use crate::base::bvh::SlabProbe;
 use crate::base::guard::guarded;
 use crate::dim::math::{Pose, Real, Vector};
@@ -32,7 +33,7 @@ pub(super) fn cast_of_convex(
     let cast = Cast { pose12: *pose12, velocity, shapes, options };
     let start = cast.start()?;
     let found = cast.search(start)?;
-    let is_exact = found.cost == 0.0 || shapes.iter().any(|shape| shape.as_halfspace().is_some());
+    let is_exact = shapes.iter().any(|shape| shape.as_halfspace().is_some());
     if is_exact { Some(found) } else { cast.approach(found) }
 }
 
@@ -90,20 +91,23 @@ impl Cast<'_> {
             GAP_FRACTION_MAX * sizes[0].min(sizes[1]) + ROUNDING * (sizes[0].max(sizes[1]) + place);
         for _ in 0..STEPS_MAX {
             let pose12 = self.pose_at(found.cost);
-            let contact = || DefaultQueryDispatcher.contact(&pose12, shape1, shape2, Real::MAX);
-            let Some(contact) = guarded(contact)?.ok()? else { break };
-            let gap = contact.dist - self.options.target_distance;
-            let closing = -self.velocity.dot(contact.normal1);
+            let gap = distance(&pose12, self.shapes)? - self.options.target_distance;
             if gap.is_nan() || gap <= tolerance {
                 break;
             }
+            let contact = || DefaultQueryDispatcher.contact(&pose12, shape1, shape2, Real::MAX);
+            let contact = guarded(contact).and_then(|contact| contact.ok().flatten());
+            // Without a normal, no point is faster than the whole shape.
+            let closing = contact
+                .map_or(self.velocity.length(), |contact| -self.velocity.dot(contact.normal1));
+            let gap = contact.map_or(gap, |contact| contact.dist - self.options.target_distance);
             // A plane separates shapes that do not approach each other.
-            let time = found.cost + gap / closing;
+            let time = found.cost + gap.max(0.0) / closing;
             if closing <= 0.0 || time > self.options.max_time_of_impact {
                 return None;
             }
-            let status = ShapeCastStatus::Converged;
-            found = Found { cost: time, status, ..Found::from(contact) };
+            let (was, status) = (found, ShapeCastStatus::Converged);
+            found = Found { cost: time, status, ..contact.map_or(was, Found::from) };
         }
         Some(found)
     }
