@@ -4,7 +4,7 @@ use super::plain::alone;
 use crate::dim::queries::{columns, field, pieces, rough_field, solid_box};
 use crate::dim::{about_z, assortment, cuboid, vec};
 use crate::suite::physics::stage::Dice;
-use rapier::parry::query::{NonlinearRigidMotion, QueryDispatcher};
+use rapier::parry::query::NonlinearRigidMotion;
 use rapier::parry::shape::Ball;
 use rapier::prelude::*;
 
