@@ -121,10 +121,10 @@ fn largest_change(mut scene: Spinning, edit: fn(&mut Spinning)) -> Real {
 }
 
 /// A mass that is moved, added or removed changes the velocity of no point: ω is constant, and the new centre
-/// of mass has the velocity that its point had. Rounding: the velocities are up to 15 m/s.
+/// of mass has the velocity that its point had. Points accelerate by up to 70 m/s², in a step of 1e-6 s.
 #[test]
 fn edits_of_masses_change_the_velocity_of_no_point() {
-    let limit = 6.0e-5 + 1.0e3 * Real::EPSILON;
+    let limit = 1.0e-4 + 1.0e3 * Real::EPSILON;
     let types: [(&str, fn() -> RigidBodyBuilder); 2] = [
         ("dynamic", RigidBodyBuilder::dynamic),
         ("velocity-based", RigidBodyBuilder::kinematic_velocity_based),
@@ -136,7 +136,7 @@ fn edits_of_masses_change_the_velocity_of_no_point() {
             for steps in [10, 0] {
                 // An attachment before the first step belongs to the description of the body.
                 let attaches = ["insertion", "set_parent(this)", "two at once"].contains(&name);
-                let is_assembly = steps == 0 && attaches && kind == "dynamic";
+                let is_assembly = steps == 0 && attaches;
                 let change = largest_change(Spinning::new(body(), steps), edit);
                 println!("| {name} | {kind} | {steps} | {change:.1e} |");
                 if change > limit && !is_assembly {
