@@ -158,6 +158,8 @@ fn soft_contacts_sink_in() {
     let frequency = 5.0;
     world.parameters.contact_softness =
         SpringCoefficients { natural_frequency: frequency, damping_ratio: 1.0 };
+    // The defaults select those of the engine.
+    world.parameters.normalized_allowed_linear_error = 0.002;
     world.steps(600);
     let omega = core::f64::consts::TAU as Real * frequency;
     let depth = GRAVITY / (omega * omega) + world.parameters.allowed_linear_error();

@@ -54,10 +54,17 @@ impl BroadPhaseBvh {
     fn tree(&self, colliders: &ColliderSet) -> &crate::parry::partitioning::Bvh {
         use crate::parry::partitioning::{Bvh, BvhBuildStrategy};
         self.tree.get_or_init(|| {
-            let boxes = colliders.iter_enabled().map(|(handle, collider)| {
-                (handle.into_raw_parts().0 as usize, collider.compute_aabb())
-            });
-            Bvh::from_iter(BvhBuildStrategy::Binned, boxes)
+            let slot = |handle: crate::geometry::ColliderHandle| handle.into_raw_parts().0;
+            let enabled = colliders.iter_enabled();
+            let boxes: Vec<_> = enabled.map(|(at, it)| (slot(at), it.compute_aabb())).collect();
+            // The construction from a list numbers the leaves of the smallest trees itself.
+            if boxes.len() > 2 {
+                let leaves = boxes.into_iter().map(|(slot, aabb)| (slot as usize, aabb));
+                return Bvh::from_iter(BvhBuildStrategy::Binned, leaves);
+            }
+            let mut tree = Bvh::new();
+            boxes.into_iter().for_each(|(slot, aabb)| tree.insert(aabb, slot));
+            tree
         })
     }
 
