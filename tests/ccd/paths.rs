@@ -11,7 +11,8 @@ use rapier::prelude::*;
 /// other. Its height and speed are constant.
 #[test]
 fn fast_sliding_bodies_keep_their_speed() {
-    let mut table = Table::new("a box that slides at 100 m/s", &["ground", "bump (mm)", "slowest (m/s)"]);
+    let mut table =
+        Table::new("a box that slides at 100 m/s", &["ground", "bump (mm)", "slowest (m/s)"]);
     // Closed meshes are excluded: the box is half a metre deep in their sides, which accelerate it at this
     // speed.
     for (name, lay) in GROUNDS.into_iter().filter(|(name, _)| *name != "closed meshes") {

@@ -15,7 +15,14 @@ const TIME: Real = 3.0;
 fn balls_roll_down() {
     let mut table = Table::new(
         "a ball rolls down 20°, 3 s",
-        &["ground", "radius (m)", "acceleration (m/s²)", "formula", "off (%)", "turn × radius / way"],
+        &[
+            "ground",
+            "radius (m)",
+            "acceleration (m/s²)",
+            "formula",
+            "off (%)",
+            "turn × radius / way",
+        ],
     );
     let (sin, cos) = (20.0 as Real).to_radians().sin_cos();
     for (ground, lay) in GROUNDS {

@@ -68,8 +68,10 @@ fn spinning_joined_bodies_conserve_momentum_and_energy() {
 #[test]
 fn motors_accelerate_rotors_by_their_torque() {
     const ARM: Real = 0.5;
-    let mut table =
-        Table::new("hub with two blades under 20 N·m", &["rate", "time (s)", "spin (rad/s)", "τ t/I"]);
+    let mut table = Table::new(
+        "hub with two blades under 20 N·m",
+        &["rate", "time (s)", "spin (rad/s)", "τ t/I"],
+    );
     for (rate, fastest) in [(60, 200.0), (120, 230.0)] {
         let (mut world, torque) = (weightless(rate), 20.0);
         let post = post(&mut world, Vector::ZERO);
@@ -107,7 +109,8 @@ fn motors_accelerate_rotors_by_their_torque() {
 /// lowest point.
 #[test]
 fn short_pendulums_keep_their_swing() {
-    let mut table = Table::new("pendulums after 30 s", &["rate", "length (m)", "swing (°)", "swing left (°)"]);
+    let mut table =
+        Table::new("pendulums after 30 s", &["rate", "length (m)", "swing (°)", "swing left (°)"]);
     for rate in RATES {
         for length in [0.1, 0.3, 1.0] {
             for degrees in [30.0, 90.0] {

@@ -177,8 +177,10 @@ fn wheels_of_a_multibody_roll() {
 /// A frictionless bounce changes neither the spin nor the apex.
 #[test]
 fn spin_does_not_change_the_bounce() {
-    let mut table =
-        Table::new("two balls that spin about the upright axis and bounce", &["spin (rad/s)", "apex (m)"]);
+    let mut table = Table::new(
+        "two balls that spin about the upright axis and bounce",
+        &["spin (rad/s)", "apex (m)"],
+    );
     for spin in [0.0, 20.0, 40.0] {
         for slide in [0.0, 5.0] {
             let mut world = world(60);

@@ -12,7 +12,8 @@ const TILTING: Real = 0.02;
 /// at the end of each substep, which subtracts `v h / 2`.
 #[test]
 fn slide_to_stop() {
-    let columns = ["rate", "friction", "distance (m)", "formula", "exact", "error (m)", "turn (rad)"];
+    let columns =
+        ["rate", "friction", "distance (m)", "formula", "exact", "error (m)", "turn (rad)"];
     let mut table = Table::new("slide to stop from 8 m/s", &columns);
     let speed: Real = 8.0;
     for rate in RATES {

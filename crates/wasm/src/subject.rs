@@ -8,8 +8,8 @@ use crate::memory::{self, put_number, put_vector, vector};
 use crate::query::{cast_options, limit, put_ray_hit, put_shape_hit, ray};
 use crate::rapier::geometry::{NarrowPhase, SharedShape};
 use crate::rapier::math::{Pose, Real};
-use crate::rapier::pipeline::cast_ray_on_shape;
 use crate::rapier::parry::query::{QueryDispatcher, Unsupported};
+use crate::rapier::pipeline::cast_ray_on_shape;
 use crate::registry::collider;
 use crate::shape::shape;
 
