@@ -16,6 +16,9 @@ struct Spinning {
 /// An edit of a mass, with its name.
 type Edit = (&'static str, fn(&mut Spinning));
 
+/// A type of bodies, with its name.
+type Kind = (&'static str, fn() -> RigidBodyBuilder);
+
 impl Spinning {
     fn new(body: RigidBodyBuilder, steps: usize) -> Self {
         let mut world = PhysicsWorld::new();
@@ -125,7 +128,7 @@ fn largest_change(mut scene: Spinning, edit: fn(&mut Spinning)) -> Real {
 #[test]
 fn edits_of_masses_change_the_velocity_of_no_point() {
     let limit = 1.0e-4 + 1.0e3 * Real::EPSILON;
-    let types: [(&str, fn() -> RigidBodyBuilder); 2] = [
+    let types: [Kind; 2] = [
         ("dynamic", RigidBodyBuilder::dynamic),
         ("velocity-based", RigidBodyBuilder::kinematic_velocity_based),
     ];

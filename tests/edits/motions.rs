@@ -6,6 +6,8 @@ use rapier::prelude::*;
 
 /// An edit of a sleeping box, and whether the box has moved as expected two seconds later.
 type Case = (&'static str, fn(&mut Resting), fn(&RigidBody) -> bool);
+/// An edit, with its name.
+type Edit = (&'static str, fn(&mut Resting));
 
 fn tips(body: &RigidBody) -> bool {
     angle(body.rotation()).abs() > 0.3
@@ -155,7 +157,7 @@ fn edits_restart_the_time_until_sleep() {
         scene.world.step();
         steps += 1;
     }
-    let edits: [(&str, fn(&mut Resting)); 3] = [
+    let edits: [Edit; 3] = [
         ("ground disabled", |s| s.ground().set_enabled(false)),
         ("ground without solver groups", |s| {
             s.ground().set_solver_groups(InteractionGroups::none())

@@ -7,6 +7,8 @@ use rapier::prelude::*;
 
 /// A setter: its name, an edit of a sleeping box on the ground, and whether the box wakes.
 type Row = (&'static str, fn(&mut Resting), bool);
+/// An edit of a joint, with its name, and whether it wakes the bodies.
+type JointRow = (&'static str, fn(&mut Joined), bool);
 
 /// The edits of the collider of the ground.
 const OF_THE_GROUND: [Row; 22] = [
@@ -321,7 +323,7 @@ impl Joined {
 }
 
 /// Edits of joints, with whether they wake.
-const OF_JOINTS: [(&str, fn(&mut Joined), bool); 9] = [
+const OF_JOINTS: [JointRow; 9] = [
     (
         "motor",
         |s| {

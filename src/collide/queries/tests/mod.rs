@@ -230,28 +230,3 @@ fn balls_stop_where_they_touch() {
     }
     assert!(hits > 1500, "{hits} hits");
 }
-
-/// Through meshes and height fields, formulas are used for each triangle. They agree with parry's own search,
-/// except for grazing hits of an edge.
-#[test]
-fn balls_hit_meshes_as_in_parry() {
-    let mut random = Random(7);
-    let (mut hits, mut grazes) = (0, 0);
-    for round in 0..600 {
-        let shape = samples::shape(samples::MESH + round % 4, &mut random, 1.0);
-        let ball = Ball::new(random.within(0.05, 0.3));
-        let (origin, velocity) = random_path(&mut random);
-        let pose12 = Pose::from_parts(origin, samples::rotation(&mut random));
-        let options = ShapeCastOptions::with_max_time_of_impact(8.0);
-        let cast = |dispatcher: &dyn QueryDispatcher| {
-            let hit = dispatcher.cast_shapes(&pose12, velocity, &ball, &*shape, options);
-            hit.expect("such casts exist").map(|hit| hit.time_of_impact)
-        };
-        match (cast(&Dispatcher), cast(&DefaultQueryDispatcher)) {
-            (Some(ours), Some(theirs)) if (ours - theirs).abs() <= 5.0 * TOLERANCE => hits += 1,
-            (None, None) => {}
-            _ => grazes += 1,
-        }
-    }
-    assert!(hits > 100 && grazes <= 12, "{hits} hits, {grazes} that differ");
-}
