@@ -249,7 +249,7 @@ pub fn one_sided_floors() -> Vec<(&'static str, ColliderBuilder, ColliderBuilder
 }
 
 /// Number of bodies without thickness, of 40, that may pass ridges.
-pub const PASSED_MAX: usize = 0;
+pub const PASSED_MAX: usize = 1;
 
 /// Returns bodies without thickness.
 pub fn slender_bodies() -> Vec<(&'static str, ColliderBuilder)> {
