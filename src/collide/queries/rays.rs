@@ -58,14 +58,11 @@ pub fn intersection(
     }
     let local = ray.inverse_transform_by(pose);
     let plain = || shape.cast_local_ray_and_get_normal(&local, limit, solid);
-    // parry has an exact formula for triangles.
-    let is_triangle = matches!(typed, TypedShape::Triangle(_));
     let hit = match typed {
         TypedShape::Cuboid(_) | TypedShape::Capsule(_) => plain(),
         TypedShape::HeightField(field) => ray_on_field(field, &local, limit),
         _ => match Facets::of(typed) {
             Some((facets, 0.0)) if !facets.is_flat() => hull_hit(&facets, &local, limit, solid),
-            Some((facets, 0.0)) if !is_triangle => plate_hit(&facets, &local, limit),
             _ if shape.as_support_map().is_some() => searched_hit(shape, &local, limit, solid),
             _ => plain(),
         },
@@ -134,18 +131,6 @@ fn hull_hit(facets: &Facets<'_>, ray: &Ray, limit: Real, solid: bool) -> Option<
     };
     let feature = FeatureId::Face(face as u32);
     (time <= limit).then(|| RayIntersection::new(time, normal, feature))
-}
-
-/// Returns the hit of a ray on a flat hull: that on the plane of its faces, within their outline.
-/// A ray in the plane hits nothing.
-fn plate_hit(facets: &Facets<'_>, ray: &Ray, limit: Real) -> Option<RayIntersection> {
-    let front = facets.facet(0);
-    let speed = front.normal.dot(ray.dir);
-    let time = (front.offset - front.normal.dot(ray.origin)) / speed;
-    let face = usize::from(speed > 0.0);
-    let is_hit = time >= 0.0 && time <= limit && facets.is_over(0, ray.point_at(time));
-    let feature = FeatureId::Face(face as u32);
-    is_hit.then(|| RayIntersection::new(time, facets.facet(face).normal, feature))
 }
 
 /// Returns the hit of a ray on a shape for which parry searches, in the frame of the shape.
