@@ -24,7 +24,7 @@ pub fn flat_hull(points: &[Vector]) -> Option<FlatHull> {
     points.iter().all(is_near).then_some(Segment::new(start, end))
 }
 
-/// A flat hull with a layer around it.
+/// A flat hull, enlarged by a layer.
 pub fn rounded_flat_hull(flat: FlatHull, border_radius: Real) -> SharedShape {
     SharedShape::new(Capsule::new(flat.a, flat.b, border_radius))
 }

@@ -57,7 +57,7 @@ fn without_straight(mut corners: Vec<Vector>, start: Vector, height_min: Real) -
     kept
 }
 
-/// A flat hull with a layer around it.
+/// A flat hull, enlarged by a layer.
 pub fn rounded_flat_hull(inner_shape: FlatHull, border_radius: Real) -> SharedShape {
     SharedShape::new(RoundShape { inner_shape, border_radius })
 }

@@ -31,7 +31,7 @@ fn height_after(
     body.translation().y - rest
 }
 
-/// Bodies that fall on floors without thickness rest on them.
+/// Bodies that fall on floors without thickness rest there.
 #[test]
 fn bodies_rest_on_flat_floors() {
     let mut table =
@@ -159,7 +159,7 @@ fn grids_of_points_in_a_plane_have_a_hull() {
     }
 }
 
-/// Rays hit flat floors at their height, and pass beside them.
+/// Rays hit flat floors at their height, and pass beside the floors.
 #[test]
 fn rays_hit_flat_floors() {
     // A known limit: in double precision a ray passes the hull whose plane is oblique in its own frame.

@@ -148,7 +148,7 @@ fn five_rules_are_all_rules() {
     assert_eq!(combine(CoefficientCombineRule::default(), 0.2, 0.4), 0.3);
 }
 
-/// The counters have upstream's fields and functions, and a step fills them.
+/// The counters have upstream's fields and functions, and a step fills the fields.
 #[test]
 fn counters_have_the_names_of_upstream() {
     let mut world = World::default();

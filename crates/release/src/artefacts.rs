@@ -1,4 +1,4 @@
-//! The artefacts of each kind, and the programs that pack them.
+//! The artefacts of each kind, and the programs that pack the files.
 
 use crate::Failure;
 use crate::files::{copy, copy_tree, entries, make_empty_folder};
@@ -32,7 +32,7 @@ pub fn crates(
     sizes(&folder)
 }
 
-/// The source distribution, which contains the engines' sources, and a wheel that is built from it.
+/// The source distribution, which contains the engines' sources, and a wheel built from this archive.
 pub fn python(
     repository: &Path,
     artefacts: &Path,

@@ -1,6 +1,6 @@
 //! Casts of balls.
 //!
-//! A moving ball is a moving point against a shape with a layer around it.
+//! A moving ball is a moving point against a shape that is enlarged by a layer.
 
 use super::layer::{Meeting, Touch};
 use super::rounded::{enter_capsule, nearest_on_segment};

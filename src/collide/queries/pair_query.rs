@@ -1,7 +1,7 @@
 //! Queries of two shapes, reduced to their parts.
 //!
 //! A query has a *cost*: a distance, or a time. Its result is the pair of plain parts of least cost. The
-//! parts are visited best-first, with lower bounds for boxes around them.
+//! parts are visited best-first, with lower bounds for the boxes of parts.
 
 use super::inside::way_out;
 use super::plain;

@@ -444,7 +444,7 @@ impl RigidBody {
         }
     }
 
-    /// Sums up the masses again. The new centre of mass gets the velocity of the old one.
+    /// Sums up the masses again. The velocity stays, so the new centre of mass has that of the old centre.
     pub(super) fn sum_up_mass(&mut self) {
         self.mprops.update_local();
         self.update_world_mass_properties();

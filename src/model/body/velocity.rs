@@ -30,7 +30,7 @@ pub struct RigidBodyVelocity<N: Number = Real> {
     pub angvel: N::AngVector,
 }
 
-/// Numbers with vectors over them.
+/// Numbers, with the vectors that they make.
 #[cfg(feature = "upstream-signatures")]
 pub trait Number {
     /// Type of vectors.

@@ -11,7 +11,7 @@ use crate::dim::math::Pose;
 use crate::dim::repair::{repaired, repaired_mesh};
 use parry::shape::{SharedShape, TypedShape};
 
-/// Returns the shape, or a consistent copy of it.
+/// Returns the shape, or a consistent copy.
 ///
 /// # Errors
 /// If the shape has sizes that are negative or not finite, coordinates that are not finite, indices out of
