@@ -108,7 +108,7 @@ impl Multibody {
             self_contacts_enabled: true,
             free_motion_error: 0.0,
             impulse_error: 0.0,
-            attachment: Attachment,
+            attachment: Default::default(),
         }
     }
 
