@@ -4,5 +4,4 @@
 fn main() {
     println!("cargo::rustc-check-cfg=cfg(rapier036)");
     println!("cargo::rustc-cfg=rapier036");
-    println!("cargo::rerun-if-changed=../build.rs");
 }

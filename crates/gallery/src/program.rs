@@ -70,6 +70,11 @@ impl Program<'_> {
     /// Opens the window, or runs the chosen scenes headless.
     fn run(&self, out: &mut dyn Write, options: &Options) -> std::io::Result<()> {
         if !options.headless && has_display() {
+            writeln!(
+                out,
+                "A window with {} opens. `-- --help` lists what else is there.",
+                self.title
+            )?;
             let request = WindowRequest { chosen: &options.chosen, folder: &options.folder };
             match (self.window)(&request) {
                 Ok(()) => return Ok(()),
@@ -77,7 +82,13 @@ impl Program<'_> {
             }
         }
         let mut painter = self.painter(options.renderer)?;
-        writeln!(out, "Painted by {}.", painter.device())?;
+        writeln!(
+            out,
+            "Scenes to run without a window: {}. A table and pictures in {} follow. Painter: {}.",
+            options.chosen.len(),
+            options.folder.display(),
+            painter.device()
+        )?;
         runner::run(out, self.title, self.entries, options, painter.as_mut())
     }
 

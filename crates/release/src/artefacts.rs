@@ -25,8 +25,8 @@ pub fn crates(
     let staged = Stage::build(repository, &stage, Naming::Published(settings), &packages)?;
     let pack = ["package", "--workspace", "--no-verify", "--allow-dirty", "--quiet"];
     call(Command::new("cargo").args(pack).args(["--target-dir", "target"]).current_dir(&stage))?;
-    for name in staged.names() {
-        let file = format!("{name}-{}.crate", settings.version);
+    for package in staged.packages() {
+        let file = format!("{}-{}.crate", package.name, package.version);
         copy(&stage.join("target/package").join(&file), &folder.join(&file))?;
     }
     sizes(&folder)

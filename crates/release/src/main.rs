@@ -4,11 +4,13 @@
 //! outside the repository.
 
 mod artefacts;
+mod budgets;
 mod files;
 mod manifest;
 mod settings;
 mod stage;
 
+use budgets::Budgets;
 use clap::{Parser, ValueEnum};
 use settings::Settings;
 use std::path::{Path, PathBuf};
@@ -41,6 +43,18 @@ pub enum Failure {
         program: String,
         /// Its exit status.
         status: String,
+    },
+    /// An artefact is too large, or has no budget.
+    #[error("{name} has {size:.1} kB; its budget is {budget} kB ({place})")]
+    Size {
+        /// The file of the budgets.
+        place: &'static str,
+        /// The artefact.
+        name: String,
+        /// Its size (kB).
+        size: f64,
+        /// Its largest size (kB); 0 if there is none.
+        budget: f64,
     },
 }
 
@@ -80,6 +94,7 @@ fn run(options: &Options) -> Result<(), Failure> {
     let repository = manifest::without_dots(&repository);
     let settings = Settings::load(&repository)?;
     settings.check_versions(&repository)?;
+    let budgets = Budgets::load(&repository)?;
     if settings.repository.is_empty() {
         println!("{}: no address of the repository: manifests have none", settings::PLACE);
     }
@@ -90,10 +105,12 @@ fn run(options: &Options) -> Result<(), Failure> {
     ] {
         if options.kinds.is_empty() || options.kinds.contains(&kind) {
             let start = Instant::now();
-            for (name, bytes) in assemble(&repository, &options.folder, &settings)? {
-                println!("{:>10.1} kB  {name}", bytes as f64 / 1e3);
+            let artefacts = assemble(&repository, &options.folder, &settings)?;
+            for (name, bytes) in &artefacts {
+                println!("{:>10.1} kB  {name}", *bytes as f64 / 1e3);
             }
             println!("{:>10.0} s", start.elapsed().as_secs_f64());
+            budgets.check(&artefacts)?;
         }
     }
     Ok(())

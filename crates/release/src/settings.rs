@@ -23,7 +23,7 @@ const MANIFESTS: [(&str, &str); 6] = [
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Settings {
-    /// The version of every artefact.
+    /// The version of every artefact but the facades.
     pub version: String,
     /// Address of the public repository, or nothing.
     pub repository: String,
@@ -40,6 +40,9 @@ pub struct PublishedCrate {
     pub folder: String,
     /// Name on the registry.
     pub name: String,
+    /// Its version, where it is not that of the release: a facade has the version of the Rapier that it
+    /// replaces.
+    pub version: Option<String>,
 }
 
 impl Settings {
@@ -63,9 +66,9 @@ impl Settings {
         Ok(())
     }
 
-    /// The published name of the package in a folder of the repository.
-    pub fn name_of(&self, folder: &str) -> Option<&str> {
-        let found = self.crates.iter().find(|one| one.folder == folder);
-        found.map(|one| one.name.as_str())
+    /// The published name and version of the package in a folder of the repository.
+    pub fn published(&self, folder: &str) -> Option<(&str, &str)> {
+        let found = self.crates.iter().find(|one| one.folder == folder)?;
+        Some((&found.name, found.version.as_ref().unwrap_or(&self.version)))
     }
 }

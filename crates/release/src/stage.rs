@@ -24,13 +24,22 @@ pub enum Naming<'a> {
     OfTheRepository,
 }
 
+/// Name and version of a package in the stage.
+#[derive(Clone)]
+pub struct Package {
+    /// Its name, which is its folder, too.
+    pub name: String,
+    /// Its version.
+    pub version: String,
+}
+
 /// A workspace outside the repository.
 pub struct Stage<'a> {
     repository: &'a Path,
     folder: &'a Path,
     naming: Naming<'a>,
-    /// Folders of the packages in the repository, and their names.
-    packages: BTreeMap<PathBuf, String>,
+    /// Folders of the packages in the repository.
+    packages: BTreeMap<PathBuf, Package>,
     /// Profiles, which only the manifest of a workspace may have.
     profiles: Option<Item>,
 }
@@ -53,62 +62,67 @@ impl<'a> Stage<'a> {
         Ok(stage)
     }
 
-    /// Names of all packages of the stage. Each is a folder, too.
-    pub fn names(&self) -> impl Iterator<Item = &str> {
-        self.packages.values().map(String::as_str)
+    /// All packages of the stage.
+    pub fn packages(&self) -> impl Iterator<Item = &Package> {
+        self.packages.values()
     }
 
-    fn add(&mut self, package: &Path) -> Result<String, Failure> {
-        if let Some(name) = self.packages.get(package) {
-            return Ok(name.clone());
+    fn add(&mut self, package: &Path) -> Result<Package, Failure> {
+        if let Some(known) = self.packages.get(package) {
+            return Ok(known.clone());
         }
         let source = self.repository.join(package);
         let mut manifest = manifest::parse(&source.join("Cargo.toml"))?;
         manifest::inherit(&mut manifest, &manifest::workspace_of(&source)?);
         manifest::remove_tests(&mut manifest);
         self.profiles = manifest.remove("profile").or(self.profiles.take());
-        let name = self.name_of(package, &manifest);
-        self.packages.insert(package.into(), name.clone());
+        let named = self.named(package, &manifest);
+        self.packages.insert(package.into(), named.clone());
         for (key, path) in manifest::path_dependencies(&manifest) {
             let dependency = self.add(&manifest::without_dots(&package.join(path)))?;
             self.set_dependency(&mut manifest, &key, &dependency);
         }
-        self.describe(&mut manifest, &name);
-        self.copy_sources(package, &name, &mut manifest)?;
-        self.copy_documents(package, &name, &mut manifest)?;
-        write(&self.folder.join(&name).join("Cargo.toml"), &manifest.to_string())?;
-        Ok(name)
+        self.describe(&mut manifest, &named);
+        self.copy_sources(package, &named.name, &mut manifest)?;
+        self.copy_build_script(package, &named.name, &mut manifest)?;
+        self.copy_documents(package, &named.name, &mut manifest)?;
+        write(&self.folder.join(&named.name).join("Cargo.toml"), &manifest.to_string())?;
+        Ok(named)
     }
 
-    fn name_of(&self, package: &Path, manifest: &DocumentMut) -> String {
-        let own = manifest["package"]["name"].as_str().unwrap_or_default();
-        match &self.naming {
-            Naming::OfTheRepository => own.to_owned(),
-            Naming::Published(settings) => {
-                settings.name_of(&package.to_string_lossy()).unwrap_or(own).to_owned()
-            }
-        }
+    fn named(&self, package: &Path, manifest: &DocumentMut) -> Package {
+        let field = |name: &str| manifest["package"][name].as_str().unwrap_or_default();
+        let (own, published) = (
+            (field("name"), field("version")),
+            match &self.naming {
+                Naming::OfTheRepository => None,
+                Naming::Published(settings) => settings.published(&package.to_string_lossy()),
+            },
+        );
+        let (name, version) = published.unwrap_or(own);
+        Package { name: name.to_owned(), version: version.to_owned() }
     }
 
-    fn set_dependency(&self, manifest: &mut DocumentMut, key: &str, name: &str) {
-        let path = format!("../{name}");
-        let mut fields = vec![("path", path.as_str()), ("package", name)];
-        if let Naming::Published(settings) = &self.naming {
-            fields.push(("version", &settings.version));
+    fn set_dependency(&self, manifest: &mut DocumentMut, key: &str, package: &Package) {
+        let path = format!("../{}", package.name);
+        let mut fields = vec![("path", path.as_str()), ("package", &package.name)];
+        if let Naming::Published(_) = &self.naming {
+            fields.push(("version", &package.version));
         }
         manifest::set_dependency(manifest, key, &fields);
     }
 
     /// Fields that only a published manifest has.
-    fn describe(&self, manifest: &mut DocumentMut, name: &str) {
+    fn describe(&self, manifest: &mut DocumentMut, named: &Package) {
         let Naming::Published(settings) = &self.naming else { return };
         let documented: Array = manifest["features"].as_table_like().map_or(Array::new(), |all| {
             DOCUMENTED_FEATURES.into_iter().filter(|feature| all.contains_key(feature)).collect()
         });
         let package = &mut manifest["package"];
-        package["name"] = toml_edit::value(name);
-        package["version"] = toml_edit::value(&settings.version);
-        package["documentation"] = toml_edit::value(format!("https://docs.rs/{name}"));
+        package["name"] = toml_edit::value(&named.name);
+        package["version"] = toml_edit::value(&named.version);
+        package["documentation"] =
+            toml_edit::value(format!("https://docs.rs/{}/{}", named.name, named.version));
         if !settings.repository.is_empty() {
             package["repository"] = toml_edit::value(&settings.repository);
         }
@@ -140,6 +154,22 @@ impl<'a> Stage<'a> {
         copy_tree(from, &self.folder.join(name).join("src"), &wanted)
     }
 
+    /// Copies the build script, if the manifest names one.
+    fn copy_build_script(
+        &self,
+        package: &Path,
+        name: &str,
+        manifest: &mut DocumentMut,
+    ) -> Result<(), Failure> {
+        let Some(script) = manifest["package"].get("build").and_then(Item::as_str) else {
+            return Ok(());
+        };
+        let script = manifest::without_dots(&package.join(script));
+        copy(&self.repository.join(script), &self.folder.join(name).join("build.rs"))?;
+        manifest["package"]["build"] = toml_edit::value("build.rs");
+        Ok(())
+    }
+
     fn copy_documents(
         &self,
         package: &Path,
@@ -164,7 +194,7 @@ impl<'a> Stage<'a> {
     }
 
     fn write_workspace(&self) -> Result<(), Failure> {
-        let members: Array = self.names().collect();
+        let members: Array = self.packages().map(|package| package.name.as_str()).collect();
         let mut manifest = DocumentMut::new();
         manifest["workspace"]["resolver"] = toml_edit::value("3");
         manifest["workspace"]["members"] = toml_edit::value(members);

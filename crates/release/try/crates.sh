@@ -2,8 +2,8 @@
 # Uses the packed crates as a user would: crates.sh [--all]
 #
 # A folder outside the repository gets the unpacked `.crate` files and one program per crate, the first of the crate's own README.
-# The programs of the four engines run with default features. `--all` adds the facade, the Bevy plugin, all features, the flags of
-# docs.rs, and the oldest Rust that the manifest states, where its toolchain can be had.
+# The programs of rapier2d and rapier3d run with default features. `--all` adds the other engines, the facades, the Bevy plugins, all
+# features, the flags of docs.rs, and the oldest Rust that the manifest states, where its toolchain can be had.
 set -euo pipefail
 cd "$(dirname "$0")/../../.."
 
@@ -85,15 +85,16 @@ with_oldest_rust() {
     rustup toolchain install --profile minimal "$oldest" && cargo "+$oldest" check --quiet --manifest-path "$package/Cargo.toml"
 }
 
-engines=(rapier2d-engine rapier3d-engine rapier2d-engine-f64 rapier3d-engine-f64)
+programs=(rapier2d-engine rapier3d-engine)
+engines=("${programs[@]}" rapier2d-engine-f64 rapier3d-engine-f64)
+if [ "${1:-}" = --all ]; then
+    programs=("${engines[@]}" rapier{2d,3d}-facade{,-f64,-v036,-f64-v036} rapier{2d,3d}-engine-bevy)
+fi
 printf '| what | result | time |\n|---|---|--:|\n'
-for crate in "${engines[@]}"; do
+for crate in "${programs[@]}"; do
     row "program of the README with \`$crate\`" program "$crate"
 done
 if [ "${1:-}" = --all ]; then
-    for crate in rapier3d-facade rapier2d-facade rapier3d-engine-bevy rapier2d-engine-bevy; do
-        row "program of the README with \`$crate\`" program "$crate"
-    done
     for crate in "${engines[@]}"; do
         row "all features of \`$crate\`" with_all_features "$crate"
         row "documentation of \`$crate\` with the flags of docs.rs" documented "$crate"
