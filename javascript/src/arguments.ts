@@ -43,12 +43,44 @@ export function requireClass<T>(value: unknown, kind: { readonly prototype: T },
     }
 }
 
+/**
+ * The number. Other values would be converted: null to 0, and a text to its number. NaN and infinite numbers
+ * pass, because the module states the range of each number.
+ */
+export function real(value: number, name: string): number {
+    if (typeof value !== "number") {
+        throw wrong(name, value, "a number");
+    }
+    return value;
+}
+
+/** A whole number: an enumerator, bits or an index. */
+export function integer(value: number, name: string): number {
+    if (!Number.isInteger(value)) {
+        throw wrong(name, value, "a whole number");
+    }
+    return value;
+}
+
+/** Requires finite numbers as the components of a vector or a rotation. */
+export function requireComponents(components: readonly unknown[], name: string): void {
+    if (!components.every(Number.isFinite)) {
+        throw new RapierError("InvalidValue", `${name} is [${components.map(shown).join(", ")}], but its components must be finite numbers`);
+    }
+}
+
 /** A whole number that is not negative. */
 export function requireCount(value: number, name: string): number {
     if (!(Number.isInteger(value) && value >= 0)) {
         throw wrong(name, value, "a whole number that is not negative");
     }
     return value;
+}
+
+/** Requires the limits of a cast as numbers. */
+export function requireLimits(targetDistance: number, maxToi: number): void {
+    real(targetDistance, "targetDistance");
+    real(maxToi, "maxToi");
 }
 
 /** Requires a function. */

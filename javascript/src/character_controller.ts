@@ -1,5 +1,5 @@
 import { type Vector, VectorOps, getVector, putVector } from "#dim";
-import { requireFunction } from "./arguments.js";
+import { integer, real, requireFunction } from "./arguments.js";
 import type { Collider, ColliderHandle } from "./collider.js";
 import type { InteractionGroups, QueryFilterFlags } from "./enums.js";
 import { Owner } from "./owner.js";
@@ -54,7 +54,7 @@ export class KinematicCharacterController extends Owner {
 
     /** @internal Worlds make controllers: `World.createCharacterController`. */
     constructor(world: World, offset: number) {
-        super(raw.character_new(offset), (id) => raw.character_free(id));
+        super(raw.character_new(real(offset, "offset")), (id) => raw.character_free(id));
         this.world = world;
     }
 
@@ -62,8 +62,8 @@ export class KinematicCharacterController extends Owner {
         return raw.character_setting(this.id, setting);
     }
 
-    private set(setting: number, value: number): void {
-        raw.character_set_setting(this.id, setting, value);
+    private set(setting: number, name: string, value: number): void {
+        raw.character_set_setting(this.id, setting, real(value, name));
     }
 
     /** The direction up. */
@@ -95,7 +95,7 @@ export class KinematicCharacterController extends Owner {
 
     /** Sets the mass with which the character pushes. Null: the mass of its body. */
     setCharacterMass(mass: number | null): void {
-        this.mass = mass;
+        this.mass = mass === null || mass === undefined ? null : real(mass, "mass");
     }
 
     /** The gap between the character and obstacles. */
@@ -105,7 +105,7 @@ export class KinematicCharacterController extends Owner {
 
     /** Sets the gap between the character and obstacles. */
     setOffset(value: number): void {
-        this.set(Setting.offset, value);
+        this.set(Setting.offset, "offset", value);
     }
 
     /** The largest difference between a gap and the offset. */
@@ -115,7 +115,7 @@ export class KinematicCharacterController extends Owner {
 
     /** Sets the largest difference between a gap and the offset. */
     setNormalNudgeFactor(value: number): void {
-        this.set(Setting.nudge, value);
+        this.set(Setting.nudge, "normalNudgeFactor", value);
     }
 
     /** Returns whether the character slides along obstacles. */
@@ -125,7 +125,7 @@ export class KinematicCharacterController extends Owner {
 
     /** Sets whether the character slides along obstacles. */
     setSlideEnabled(enabled: boolean): void {
-        this.set(Setting.slide, +enabled);
+        this.set(Setting.slide, "slideEnabled", +enabled);
     }
 
     /** The highest step that the character climbs, or null. */
@@ -151,7 +151,7 @@ export class KinematicCharacterController extends Owner {
 
     /** Enables the climbing of steps. */
     enableAutostep(maxHeight: number, minWidth: number, includeDynamicBodies: boolean): void {
-        raw.character_set_autostep(this.id, maxHeight, minWidth, +includeDynamicBodies);
+        raw.character_set_autostep(this.id, real(maxHeight, "maxHeight"), real(minWidth, "minWidth"), +includeDynamicBodies);
     }
 
     /** Disables the climbing of steps. */
@@ -166,7 +166,7 @@ export class KinematicCharacterController extends Owner {
 
     /** Sets the steepest slope that the character climbs, in radians. */
     setMaxSlopeClimbAngle(angle: number): void {
-        this.set(Setting.climbAngle, angle);
+        this.set(Setting.climbAngle, "maxSlopeClimbAngle", angle);
     }
 
     /** The least steep slope on which the character slides down, in radians. */
@@ -176,7 +176,7 @@ export class KinematicCharacterController extends Owner {
 
     /** Sets the least steep slope on which the character slides down, in radians. */
     setMinSlopeSlideAngle(angle: number): void {
-        this.set(Setting.slideAngle, angle);
+        this.set(Setting.slideAngle, "minSlopeSlideAngle", angle);
     }
 
     /** The distance below the feet within which the character snaps to the ground, or null. */
@@ -186,7 +186,7 @@ export class KinematicCharacterController extends Owner {
 
     /** Enables snapping to the ground. */
     enableSnapToGround(distance: number): void {
-        this.set(Setting.snap, distance);
+        this.set(Setting.snap, "distance", distance);
     }
 
     /** Disables snapping to the ground. */
@@ -241,7 +241,7 @@ export class KinematicCharacterController extends Owner {
 
     /** A collision of the computed movement, by its index. */
     computedCollision(i: number, out?: CharacterCollision): CharacterCollision | null {
-        const handle = raw.character_collision(this.id, i);
+        const handle = raw.character_collision(this.id, integer(i, "i"));
         if (Number.isNaN(handle)) {
             return null;
         }

@@ -12,9 +12,10 @@ import {
     putMassProperties,
     putRotation,
     putVector,
+    splitLast,
 } from "#dim";
 import type { RigidBody } from "#rigid_body";
-import { requireClass } from "./arguments.js";
+import { integer, real, requireClass, requireLimits } from "./arguments.js";
 import type { ActiveCollisionTypes, ActiveEvents, ActiveHooks, CoefficientCombineRule, InteractionGroups } from "./enums.js";
 import { RapierError } from "./error.js";
 import {
@@ -165,7 +166,7 @@ export class Collider {
 
     /** Sets the coefficient of restitution. */
     setRestitution(restitution: number): void {
-        this.setSetting(Setting.restitution, restitution);
+        this.setSetting(Setting.restitution, real(restitution, "restitution"));
     }
 
     /** The coefficient of friction. */
@@ -175,7 +176,7 @@ export class Collider {
 
     /** Sets the coefficient of friction. */
     setFriction(friction: number): void {
-        this.setSetting(Setting.friction, friction);
+        this.setSetting(Setting.friction, real(friction, "friction"));
     }
 
     /** The combine rule of friction. */
@@ -185,7 +186,7 @@ export class Collider {
 
     /** Sets the combine rule of friction. */
     setFrictionCombineRule(rule: CoefficientCombineRule): void {
-        this.setSetting(Setting.frictionRule, rule);
+        this.setSetting(Setting.frictionRule, integer(rule, "frictionCombineRule"));
     }
 
     /** The combine rule of restitution. */
@@ -195,7 +196,7 @@ export class Collider {
 
     /** Sets the combine rule of restitution. */
     setRestitutionCombineRule(rule: CoefficientCombineRule): void {
-        this.setSetting(Setting.restitutionRule, rule);
+        this.setSetting(Setting.restitutionRule, integer(rule, "restitutionCombineRule"));
     }
 
     /** The interaction groups that filter collision pairs. */
@@ -205,7 +206,7 @@ export class Collider {
 
     /** Sets the interaction groups that filter collision pairs. */
     setCollisionGroups(groups: InteractionGroups): void {
-        this.setSetting(Setting.collisionGroups, groups >>> 0);
+        this.setSetting(Setting.collisionGroups, integer(groups, "collisionGroups") >>> 0);
     }
 
     /** The interaction groups that filter contact forces. */
@@ -215,7 +216,7 @@ export class Collider {
 
     /** Sets the interaction groups that filter contact forces. */
     setSolverGroups(groups: InteractionGroups): void {
-        this.setSetting(Setting.solverGroups, groups >>> 0);
+        this.setSetting(Setting.solverGroups, integer(groups, "solverGroups") >>> 0);
     }
 
     /** The distance that the collider keeps from others. */
@@ -225,7 +226,7 @@ export class Collider {
 
     /** Sets the distance that the collider keeps from others. */
     setContactSkin(thickness: number): void {
-        this.setSetting(Setting.contactSkin, thickness);
+        this.setSetting(Setting.contactSkin, real(thickness, "contactSkin"));
     }
 
     /** The hooks of the collider. */
@@ -235,7 +236,7 @@ export class Collider {
 
     /** Sets the hooks of the collider. */
     setActiveHooks(activeHooks: ActiveHooks): void {
-        this.setSetting(Setting.activeHooks, activeHooks);
+        this.setSetting(Setting.activeHooks, integer(activeHooks, "activeHooks"));
     }
 
     /** The events of the collider. */
@@ -245,7 +246,7 @@ export class Collider {
 
     /** Sets the events of the collider. */
     setActiveEvents(activeEvents: ActiveEvents): void {
-        this.setSetting(Setting.activeEvents, activeEvents);
+        this.setSetting(Setting.activeEvents, integer(activeEvents, "activeEvents"));
     }
 
     /** Pairs of body types that collide. */
@@ -255,7 +256,7 @@ export class Collider {
 
     /** Sets the pairs of body types that collide. */
     setActiveCollisionTypes(activeCollisionTypes: ActiveCollisionTypes): void {
-        this.setSetting(Setting.activeCollisionTypes, activeCollisionTypes);
+        this.setSetting(Setting.activeCollisionTypes, integer(activeCollisionTypes, "activeCollisionTypes"));
     }
 
     /** The total force from which contact force events are sent. */
@@ -265,7 +266,7 @@ export class Collider {
 
     /** Sets the total force from which contact force events are sent. */
     setContactForceEventThreshold(threshold: number): void {
-        this.setSetting(Setting.forceThreshold, threshold);
+        this.setSetting(Setting.forceThreshold, real(threshold, "contactForceEventThreshold"));
     }
 
     // ---- Mass ----
@@ -277,7 +278,7 @@ export class Collider {
 
     /** Sets the density, from which mass and inertia follow. */
     setDensity(density: number): void {
-        this.setSetting(Setting.density, density);
+        this.setSetting(Setting.density, real(density, "density"));
     }
 
     /** The mass. */
@@ -287,7 +288,7 @@ export class Collider {
 
     /** Sets the mass, from which the inertia follows. */
     setMass(mass: number): void {
-        this.setSetting(Setting.mass, mass);
+        this.setSetting(Setting.mass, real(mass, "mass"));
     }
 
     /** The volume (the area in 2D). */
@@ -318,19 +319,19 @@ export class Collider {
     /** Returns whether a ray hits the collider. */
     intersectsRay(ray: Ray, maxToi: number): boolean {
         putRay(ray);
-        return raw.subject_intersects_ray(this.world.id, this.handle, maxToi) !== 0;
+        return raw.subject_intersects_ray(this.world.id, this.handle, real(maxToi, "maxToi")) !== 0;
     }
 
     /** The time at which a ray hits the collider, or -1. */
     castRay(ray: Ray, maxToi: number, solid: boolean): number {
         putRay(ray);
-        return raw.subject_cast_ray(this.world.id, this.handle, maxToi, +solid);
+        return raw.subject_cast_ray(this.world.id, this.handle, real(maxToi, "maxToi"), +solid);
     }
 
     /** The hit of a ray on the collider, or null. */
     castRayAndGetNormal(ray: Ray, maxToi: number, solid: boolean, target?: RayIntersection): RayIntersection | null {
         putRay(ray);
-        return raw.subject_cast_ray_and_get_normal(this.world.id, this.handle, maxToi, +solid) ? RayIntersection.read(target) : null;
+        return raw.subject_cast_ray_and_get_normal(this.world.id, this.handle, real(maxToi, "maxToi"), +solid) ? RayIntersection.read(target) : null;
     }
 
     /** The hit of the collider and a shape, both moving, or null. */
@@ -345,6 +346,7 @@ export class Collider {
         stopAtPenetration: boolean,
         target?: ShapeCastHit,
     ): ShapeCastHit | null {
+        requireLimits(targetDistance, maxToi);
         return useShape(shape2, "shape2", (other) => {
             putPose(10, shape2Pos, shape2Rot, ["shape2Pos", "shape2Rot"]);
             putVector(0, collider1Vel, "collider1Vel");
@@ -365,6 +367,7 @@ export class Collider {
         stopAtPenetration: boolean,
         target?: ColliderShapeCastHit,
     ): ColliderShapeCastHit | null {
+        requireLimits(targetDistance, maxToi);
         requireClass(collider2, Collider, "collider2", "a Collider");
         putVector(0, collider1Vel, "collider1Vel");
         putVector(1, collider2Vel, "collider2Vel");
@@ -391,7 +394,7 @@ export class Collider {
     ): ShapeContact | null {
         return useShape(shape2, "shape2", (other) => {
             putPose(10, shape2Pos, shape2Rot, ["shape2Pos", "shape2Rot"]);
-            return raw.subjects_contact(this.world.id, this.handle, 0, other, prediction) ? ShapeContact.read(target) : null;
+            return raw.subjects_contact(this.world.id, this.handle, 0, other, real(prediction, "prediction")) ? ShapeContact.read(target) : null;
         });
     }
 
@@ -399,7 +402,7 @@ export class Collider {
     contactCollider(collider2: Collider, prediction: number, target?: ShapeContact): ShapeContact | null {
         requireClass(collider2, Collider, "collider2", "a Collider");
         const other = collider2.world.id;
-        const near = raw.subjects_contact(this.world.id, this.handle, other, collider2.handle, prediction);
+        const near = raw.subjects_contact(this.world.id, this.handle, other, collider2.handle, real(prediction, "prediction"));
         return near ? ShapeContact.read(target) : null;
     }
 
@@ -487,7 +490,7 @@ export class Collider {
 
     /** Sets the radius of a ball, capsule, cylinder or cone. */
     setRadius(newRadius: number): void {
-        this.remake(ROUND, "radius", () => putSizes(newRadius, getNumber(SIZES, 1), getNumber(SIZES, 2)));
+        this.remake(ROUND, "radius", () => putSizes(real(newRadius, "radius"), getNumber(SIZES, 1), getNumber(SIZES, 2)));
     }
 
     /** The radius of a round border. */
@@ -503,7 +506,7 @@ export class Collider {
             this.setShape(shape);
             return;
         }
-        this.remake(BORDERED, "round border", () => putSizes(getNumber(SIZES, 0), getNumber(SIZES, 1), newBorderRadius));
+        this.remake(BORDERED, "round border", () => putSizes(getNumber(SIZES, 0), getNumber(SIZES, 1), real(newBorderRadius, "borderRadius")));
     }
 
     /** Half the height of a capsule, cylinder or cone. */
@@ -513,7 +516,7 @@ export class Collider {
 
     /** Sets half the height of a capsule, cylinder or cone. */
     setHalfHeight(newHalfheight: number): void {
-        this.remake(TALL, "half height", () => putSizes(getNumber(SIZES, 0), newHalfheight, getNumber(SIZES, 2)));
+        this.remake(TALL, "half height", () => putSizes(getNumber(SIZES, 0), real(newHalfheight, "halfHeight"), getNumber(SIZES, 2)));
     }
 
     /** The vertices of a mesh, polyline, convex shape, triangle or segment. */
@@ -558,7 +561,8 @@ export class Collider {
 
     /** Fills or empties a voxel. */
     setVoxel(...voxel: VoxelArguments): void {
-        putIntegers(voxel.map(Number), "the voxel");
+        const [cell, filled] = splitLast<number, boolean>(voxel as readonly [...number[], boolean]);
+        putIntegers([...cell.map((coordinate) => integer(coordinate, "a coordinate")), +filled], "the voxel");
         raw.collider_set_voxel(this.world.id, this.handle);
         this.cachedShape = undefined;
     }
@@ -568,13 +572,13 @@ export class Collider {
      * them.
      */
     propagateVoxelChange(voxels2: Collider, ...coordinates: VoxelAndShift): void {
-        putIntegers(coordinates, "the coordinates");
+        putIntegers(coordinates.map((part) => integer(part, "a coordinate")), "the coordinates");
         raw.collider_propagate_voxel(this.world.id, this.handle, this.world.handleOf(voxels2, "collider", "voxels2"));
     }
 
     /** Joins the voxels of two colliders, so that no internal edges are between them. */
     combineVoxelStates(voxels2: Collider, ...shift: VoxelShift): void {
-        putIntegers(shift, "the shift");
+        putIntegers(shift.map((part) => integer(part, "the shift")), "the shift");
         raw.collider_combine_voxels(this.world.id, this.handle, this.world.handleOf(voxels2, "collider", "voxels2"));
     }
 }

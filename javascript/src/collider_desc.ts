@@ -18,7 +18,7 @@ import {
     vectorOf,
     zeroAngular,
 } from "#dim";
-import { requireList } from "./arguments.js";
+import { integer, real, requireList } from "./arguments.js";
 import {
     ActiveCollisionTypes,
     ActiveEvents,
@@ -29,6 +29,17 @@ import {
 } from "./enums.js";
 import { putIntegers, putNumber, raw } from "./raw.js";
 import { type Shape, useShape } from "./shape.js";
+
+/** The settings that are whole numbers, in the order of crates/wasm/src/collider.rs. */
+const SETTINGS = [
+    "frictionCombineRule",
+    "restitutionCombineRule",
+    "collisionGroups",
+    "solverGroups",
+    "activeEvents",
+    "activeHooks",
+    "activeCollisionTypes",
+] as const;
 
 /** Describes a collider. `World.createCollider` makes colliders of it. */
 export class ColliderDescBase {
@@ -168,22 +179,14 @@ export class ColliderDescBase {
             putVector(0, this.translation, "translation");
             putRotation(1, this.rotation, "rotation");
             putMassProperties(2, this.massProperties());
-            putNumber(5, 0, this.friction);
-            putNumber(5, 1, this.restitution);
-            putNumber(5, 2, this.contactForceEventThreshold);
-            putNumber(5, 3, this.contactSkin);
-            putNumber(6, 0, this.density);
+            putNumber(5, 0, real(this.friction, "friction"));
+            putNumber(5, 1, real(this.restitution, "restitution"));
+            putNumber(5, 2, real(this.contactForceEventThreshold, "contactForceEventThreshold"));
+            putNumber(5, 3, real(this.contactSkin, "contactSkin"));
+            putNumber(6, 0, real(this.density, "density"));
             putNumber(6, 1, this.mass);
-            putIntegers([
-                this.frictionCombineRule,
-                this.restitutionCombineRule,
-                this.collisionGroups,
-                this.solverGroups,
-                this.activeEvents,
-                this.activeHooks,
-                this.activeCollisionTypes,
-            ], "the settings");
-            return raw.collider_create(world, shape, parent, this.massPropsMode, +this.isSensor, +this.enabled);
+            putIntegers(SETTINGS.map((name) => integer(this[name], name)), "the settings");
+            return raw.collider_create(world, shape, parent, integer(this.massPropsMode, "massPropsMode"), +this.isSensor, +this.enabled);
         });
     }
 }
@@ -198,6 +201,9 @@ interface ShapeOfPoints extends Shape {
 export function orNull<T>(shape: ShapeOfPoints, make: (shape: Shape) => T): T | null {
     requireList(shape.vertices, "points");
     requireList(shape.indices ?? [], "indices");
+    if ("borderRadius" in shape) {
+        real(shape.borderRadius as number, "borderRadius");
+    }
     try {
         shape.use(() => undefined);
     } catch {

@@ -1,4 +1,4 @@
-import { requireClass } from "./arguments.js";
+import { requireClass, requireFunction } from "./arguments.js";
 import { Collider, type ColliderHandle } from "./collider.js";
 import { ColliderDescBase } from "./collider_desc.js";
 import { raw } from "./raw.js";
@@ -61,6 +61,7 @@ export class ColliderSet {
 
     /** Calls a function with each collider. */
     forEach(f: (collider: Collider) => void): void {
+        requireFunction(f, "f");
         this.map.forEach((collider) => f(collider));
     }
 

@@ -1,3 +1,4 @@
+import { integer, requireFunction } from "./arguments.js";
 import type { Collider, ColliderHandle } from "./collider.js";
 import type { QueryFilterFlags } from "./enums.js";
 import { run } from "./query.js";
@@ -42,10 +43,13 @@ export class DebugRenderPipeline {
         filterFlags?: QueryFilterFlags,
         filterPredicate?: (collider: Collider) => boolean,
     ): void {
+        if (filterPredicate) {
+            requireFunction(filterPredicate, "filterPredicate");
+        }
         const { colliders } = this.world;
         const accept = filterPredicate && ((handle: ColliderHandle) => filterPredicate(colliders.get(handle)!));
         const filter = [filterFlags, undefined, undefined, undefined, accept] as const;
-        const count = run([...filter], () => raw.debug_render(this.world.id, this.mode));
+        const count = run([...filter], () => raw.debug_render(this.world.id, integer(this.mode, "mode")));
         this.vertices = realsCopy();
         this.colors = new Float32Array(raw.memory.buffer, raw.debug_colors_address(), count).slice();
     }

@@ -1,6 +1,6 @@
 // Parts that depend on the dimension: vectors, rotations, and enumerations. dim3.ts has the same names.
 
-import { requireObject, wrong } from "./arguments.js";
+import { real, requireComponents, requireList, requireObject, wrong } from "./arguments.js";
 import { scratch } from "./raw.js";
 import type { RealArray } from "#real";
 
@@ -57,11 +57,14 @@ export class VectorOps {
 
     /** The vector at the beginning of an array. */
     static fromBuffer(buffer: ArrayLike<number>, target?: Vector): Vector {
+        requireList(buffer, "buffer");
         return fill(target ?? VectorOps.zeros(), buffer, 0);
     }
 
     /** Copies a vector into another one. */
     static copy(out: Vector, input: Vector): void {
+        requireVector(out, "out");
+        requireVector(input, "input");
         out.x = input.x;
         out.y = input.y;
     }
@@ -91,14 +94,19 @@ function fill(target: Vector, numbers: ArrayLike<number>, at: number): Vector {
     return target;
 }
 
-function requireNumber(value: unknown, name: string): void {
-    if (typeof value !== "number") {
-        throw wrong(name, value, "a number");
-    }
-}
-
 function requireVector(value: unknown, name: string): void {
     requireObject(value, name, "an object with x and y");
+}
+
+/** Copies the components of a vector argument to a position of an array. */
+function store(numbers: { [index: number]: number }, at: number, vector: Vector, name: string): void {
+    requireVector(vector, name);
+    const { x, y } = vector;
+    if (!(Number.isFinite(x) && Number.isFinite(y))) {
+        requireComponents([x, y], name);
+    }
+    numbers[at] = x;
+    numbers[at + 1] = y;
 }
 
 /** A copy of a vector. Vectors of other libraries may have accessors, which a spread omits. */
@@ -107,16 +115,22 @@ export function copyVector(vector: Vector, name: string): Vector {
     return new Vector2(vector.x, vector.y);
 }
 
+/** An angle, angular velocity or inertia argument. */
+function finite(value: number, name: string): number {
+    if (!Number.isFinite(real(value, name))) {
+        throw wrong(name, value, "a finite number");
+    }
+    return value;
+}
+
 /** A copy of an angular quantity. In 2D it is a number. */
 export function copyAngular(value: AngVector, name: string): AngVector {
-    requireNumber(value, name);
-    return value;
+    return real(value, name);
 }
 
 /** A copy of a rotation. In 2D it is a number. */
 export function copyRotation(rotation: Rotation, name: string): Rotation {
-    requireNumber(rotation, name);
-    return rotation;
+    return real(rotation, name);
 }
 
 /** The vector at a position of an array. */
@@ -137,22 +151,17 @@ export function blendRotation(out: RealArray, at: number, from: ArrayLike<number
 
 /** Appends the components of a vector. */
 export function pushVector(numbers: number[], vector: Vector, name: string): void {
-    requireVector(vector, name);
-    numbers.push(vector.x, vector.y);
+    store(numbers, numbers.length, vector, name);
 }
 
 /** Appends the components of a rotation. */
 export function pushRotation(numbers: number[], rotation: Rotation, name: string): void {
-    requireNumber(rotation, name);
-    numbers.push(rotation);
+    numbers.push(finite(rotation, name));
 }
 
 /** Writes a vector into the scratch block. The name is for the error of another value. */
 export function putVector(place: number, vector: Vector, name: string): void {
-    requireVector(vector, name);
-    const numbers = scratch();
-    numbers[4 * place] = vector.x;
-    numbers[4 * place + 1] = vector.y;
+    store(scratch(), 4 * place, vector, name);
 }
 
 /** Reads a vector of the scratch block. */
@@ -162,8 +171,7 @@ export function getVector(place: number, target?: Vector): Vector {
 
 /** Writes a rotation into the scratch block. */
 export function putRotation(place: number, rotation: Rotation, name: string): void {
-    requireNumber(rotation, name);
-    scratch()[4 * place] = rotation;
+    scratch()[4 * place] = finite(rotation, name);
 }
 
 /** Reads a rotation of the scratch block. */
@@ -193,7 +201,8 @@ export function alongRay(origin: Vector, dir: Vector, t: number): Vector {
 }
 
 /** Writes mass properties into the scratch block: three places. */
-export function putMassProperties(place: number, [, centerOfMass, inertia]: MassProperties): void {
+export function putMassProperties(place: number, [mass, centerOfMass, inertia]: MassProperties): void {
+    real(mass, "mass");
     putVector(place, centerOfMass, "centerOfMass");
     putAngular(place + 1, inertia, "principalAngularInertia");
 }

@@ -1,6 +1,6 @@
 // Parts that depend on the dimension: vectors, rotations, and enumerations. dim2.ts has the same names.
 
-import { requireObject } from "./arguments.js";
+import { real, requireClass, requireComponents, requireList, requireObject } from "./arguments.js";
 import { scratch } from "./raw.js";
 import type { RealArray } from "#real";
 
@@ -66,11 +66,14 @@ export class VectorOps {
 
     /** The vector at the beginning of an array. */
     static fromBuffer(buffer: ArrayLike<number>, target?: Vector): Vector {
+        requireList(buffer, "buffer");
         return fill(target ?? VectorOps.zeros(), buffer, 0);
     }
 
     /** Copies a vector into another one. */
     static copy(out: Vector, input: Vector): void {
+        requireVector(out, "out");
+        requireVector(input, "input");
         out.x = input.x;
         out.y = input.y;
         out.z = input.z;
@@ -109,11 +112,14 @@ export class RotationOps {
 
     /** The rotation at the beginning of an array. */
     static fromBuffer(buffer: ArrayLike<number>, target?: Rotation): Rotation {
+        requireList(buffer, "buffer");
         return fillRotation(target ?? RotationOps.identity(), buffer, 0);
     }
 
     /** Copies a rotation into another one. */
     static copy(out: Rotation, input: Rotation): void {
+        requireRotation(out, "out");
+        requireRotation(input, "input");
         out.x = input.x;
         out.y = input.y;
         out.z = input.z;
@@ -174,7 +180,9 @@ export class SdpMatrix3 {
 export class SdpMatrix3Ops {
     /** The matrix at the beginning of an array. */
     static fromBuffer(buffer: Float32Array | Float64Array, target?: SdpMatrix3): SdpMatrix3 {
+        requireList(buffer, "buffer");
         const matrix = target ?? new SdpMatrix3(buffer.slice(0, 6));
+        requireClass(matrix, SdpMatrix3, "target", "an SdpMatrix3");
         matrix.elements.set(buffer.subarray(0, 6));
         return matrix;
     }
@@ -206,6 +214,31 @@ function requireVector(value: unknown, name: string): void {
 
 function requireRotation(value: unknown, name: string): void {
     requireObject(value, name, "an object with x, y, z and w");
+}
+
+/** Copies the components of a vector argument to a position of an array. */
+function store(numbers: { [index: number]: number }, at: number, vector: Vector, name: string): void {
+    requireVector(vector, name);
+    const { x, y, z } = vector;
+    if (!(Number.isFinite(x) && Number.isFinite(y) && Number.isFinite(z))) {
+        requireComponents([x, y, z], name);
+    }
+    numbers[at] = x;
+    numbers[at + 1] = y;
+    numbers[at + 2] = z;
+}
+
+/** Copies the components of a rotation argument to a position of an array. */
+function storeRotation(numbers: { [index: number]: number }, at: number, rotation: Rotation, name: string): void {
+    requireRotation(rotation, name);
+    const { x, y, z, w } = rotation;
+    if (!(Number.isFinite(x) && Number.isFinite(y) && Number.isFinite(z) && Number.isFinite(w))) {
+        requireComponents([x, y, z, w], name);
+    }
+    numbers[at] = x;
+    numbers[at + 1] = y;
+    numbers[at + 2] = z;
+    numbers[at + 3] = w;
 }
 
 /** A copy of a vector. Vectors of other libraries may have accessors, which a spread omits. */
@@ -253,23 +286,17 @@ export function blendRotation(out: RealArray, at: number, from: ArrayLike<number
 
 /** Appends the components of a vector. */
 export function pushVector(numbers: number[], vector: Vector, name: string): void {
-    requireVector(vector, name);
-    numbers.push(vector.x, vector.y, vector.z);
+    store(numbers, numbers.length, vector, name);
 }
 
 /** Appends the components of a rotation. */
 export function pushRotation(numbers: number[], rotation: Rotation, name: string): void {
-    requireRotation(rotation, name);
-    numbers.push(rotation.x, rotation.y, rotation.z, rotation.w);
+    storeRotation(numbers, numbers.length, rotation, name);
 }
 
 /** Writes a vector into the scratch block. The name is for the error of another value. */
 export function putVector(place: number, vector: Vector, name: string): void {
-    requireVector(vector, name);
-    const numbers = scratch();
-    numbers[4 * place] = vector.x;
-    numbers[4 * place + 1] = vector.y;
-    numbers[4 * place + 2] = vector.z;
+    store(scratch(), 4 * place, vector, name);
 }
 
 /** Reads a vector of the scratch block. */
@@ -279,12 +306,7 @@ export function getVector(place: number, target?: Vector): Vector {
 
 /** Writes a rotation into the scratch block. */
 export function putRotation(place: number, rotation: Rotation, name: string): void {
-    requireRotation(rotation, name);
-    const numbers = scratch();
-    numbers[4 * place] = rotation.x;
-    numbers[4 * place + 1] = rotation.y;
-    numbers[4 * place + 2] = rotation.z;
-    numbers[4 * place + 3] = rotation.w;
+    storeRotation(scratch(), 4 * place, rotation, name);
 }
 
 /** Reads a rotation of the scratch block. */
@@ -314,7 +336,8 @@ export function alongRay(origin: Vector, dir: Vector, t: number): Vector {
 }
 
 /** Writes mass properties into the scratch block: three places. */
-export function putMassProperties(place: number, [, centerOfMass, inertia, frame]: MassProperties): void {
+export function putMassProperties(place: number, [mass, centerOfMass, inertia, frame]: MassProperties): void {
+    real(mass, "mass");
     putVector(place, centerOfMass, "centerOfMass");
     putAngular(place + 1, inertia, "principalAngularInertia");
     putRotation(place + 2, frame, "angularInertiaLocalFrame");

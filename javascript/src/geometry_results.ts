@@ -30,6 +30,15 @@ export function putRay(ray: Ray): void {
     putVector(1, ray.dir, "ray.dir");
 }
 
+/** The object that a program gives for a result, if it gives one. */
+function reused<T extends object>(target: T | null | undefined): T | undefined {
+    if (target === undefined || target === null) {
+        return undefined;
+    }
+    requireObject(target, "target", "an object of results");
+    return target;
+}
+
 /** The feature that a query wrote into a place. */
 function feature(place: number): [FeatureType, number | undefined] {
     const type = FEATURE_TYPES[getNumber(place, 0)] ?? FeatureType.Unknown;
@@ -54,13 +63,13 @@ export class RayIntersection {
 
     /** @internal */
     static read(target?: RayIntersection): RayIntersection {
-        const hit = target ?? new RayIntersection(0, VectorOps.zeros());
+        const hit = reused(target) ?? new RayIntersection(0, VectorOps.zeros());
         return readRay(hit);
     }
 }
 
 function readRay<T extends RayIntersection | RayColliderIntersection>(hit: T): T {
-    getVector(0, hit.normal);
+    hit.normal = getVector(0, hit.normal);
     hit.timeOfImpact = getNumber(2, 0);
     [hit.featureType, hit.featureId] = feature(1);
     return hit;
@@ -92,7 +101,7 @@ export class RayColliderIntersection {
 
     /** @internal */
     static read(collider: Collider, target?: RayColliderIntersection): RayColliderIntersection {
-        const hit = target ?? new RayColliderIntersection(collider, 0, VectorOps.zeros());
+        const hit = reused(target) ?? new RayColliderIntersection(collider, 0, VectorOps.zeros());
         hit.collider = collider;
         return readRay(hit);
     }
@@ -123,8 +132,8 @@ export class PointProjection {
 
     /** @internal */
     static read(isInside: boolean, target?: PointProjection): PointProjection {
-        const projection = target ?? new PointProjection(VectorOps.zeros(), isInside);
-        getVector(0, projection.point);
+        const projection = reused(target) ?? new PointProjection(VectorOps.zeros(), isInside);
+        projection.point = getVector(0, projection.point);
         projection.isInside = isInside;
         return projection;
     }
@@ -155,9 +164,9 @@ export class PointColliderProjection {
 
     /** @internal */
     static read(collider: Collider, hasFeature: boolean, target?: PointColliderProjection): PointColliderProjection {
-        const projection = target ?? new PointColliderProjection(collider, VectorOps.zeros(), false);
+        const projection = reused(target) ?? new PointColliderProjection(collider, VectorOps.zeros(), false);
         projection.collider = collider;
-        getVector(0, projection.point);
+        projection.point = getVector(0, projection.point);
         projection.isInside = getNumber(1, 0) !== 0;
         [projection.featureType, projection.featureId] = hasFeature ? feature(2) : [FeatureType.Unknown, undefined];
         return projection;
@@ -188,7 +197,7 @@ export class ShapeCastHit {
     /** @internal */
     static read(target?: ShapeCastHit): ShapeCastHit {
         const zero = VectorOps.zeros;
-        return readCast(target ?? new ShapeCastHit(0, zero(), zero(), zero(), zero()));
+        return readCast(reused(target) ?? new ShapeCastHit(0, zero(), zero(), zero(), zero()));
     }
 }
 
@@ -204,17 +213,17 @@ export class ColliderShapeCastHit extends ShapeCastHit {
     /** @internal */
     static readOf(collider: Collider, target?: ColliderShapeCastHit): ColliderShapeCastHit {
         const zero = VectorOps.zeros;
-        const hit = target ?? new ColliderShapeCastHit(collider, 0, zero(), zero(), zero(), zero());
+        const hit = reused(target) ?? new ColliderShapeCastHit(collider, 0, zero(), zero(), zero(), zero());
         hit.collider = collider;
         return readCast(hit);
     }
 }
 
 function readCast<T extends ShapeCastHit>(hit: T): T {
-    getVector(0, hit.witness1);
-    getVector(1, hit.witness2);
-    getVector(2, hit.normal1);
-    getVector(3, hit.normal2);
+    hit.witness1 = getVector(0, hit.witness1);
+    hit.witness2 = getVector(1, hit.witness2);
+    hit.normal1 = getVector(2, hit.normal1);
+    hit.normal2 = getVector(3, hit.normal2);
     hit.time_of_impact = getNumber(4, 0);
     return hit;
 }
@@ -243,11 +252,11 @@ export class ShapeContact {
     /** @internal */
     static read(target?: ShapeContact): ShapeContact {
         const zero = VectorOps.zeros;
-        const contact = target ?? new ShapeContact(0, zero(), zero(), zero(), zero());
-        getVector(0, contact.point1);
-        getVector(1, contact.point2);
-        getVector(2, contact.normal1);
-        getVector(3, contact.normal2);
+        const contact = reused(target) ?? new ShapeContact(0, zero(), zero(), zero(), zero());
+        contact.point1 = getVector(0, contact.point1);
+        contact.point2 = getVector(1, contact.point2);
+        contact.normal1 = getVector(2, contact.normal1);
+        contact.normal2 = getVector(3, contact.normal2);
         contact.distance = getNumber(4, 0);
         return contact;
     }

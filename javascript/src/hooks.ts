@@ -1,5 +1,5 @@
 import { type Vector, getVector, putVector } from "#dim";
-import { requireFunction } from "./arguments.js";
+import { real, requireFunction } from "./arguments.js";
 import type { ColliderHandle } from "./collider.js";
 import { SolverFlags } from "./enums.js";
 import { type Hook, getNumber, putNumber } from "./raw.js";
@@ -46,8 +46,8 @@ export class ContactModification {
     /** @internal */
     write(): number {
         putVector(1, this.tangentVelocity, "tangentVelocity");
-        putNumber(2, 0, this.friction);
-        putNumber(2, 1, this.restitution);
+        putNumber(2, 0, real(this.friction, "friction"));
+        putNumber(2, 1, real(this.restitution, "restitution"));
         putNumber(2, 2, this.userData & 0xffff);
         putNumber(2, 3, this.userData >>> 16);
         return Answer.written | (this.keep ? Answer.keepContacts : 0) | computeBit(this.solverFlags);

@@ -1,3 +1,4 @@
+import { requireCount } from "./arguments.js";
 import { type InitOptions, load, raw } from "./raw.js";
 
 /** Loads the engine. No other function works before its end. */
@@ -12,7 +13,7 @@ export function version(): string {
 
 /** Grows the memory once, so that later allocations of this many bytes do not. */
 export function reserveMemory(extraBytesCount: number): void {
-    raw.memory_reserve(extraBytesCount);
+    raw.memory_reserve(requireCount(extraBytesCount, "extraBytesCount"));
 }
 
 /** The package's version: the bundler writes it. */

@@ -1,3 +1,4 @@
+import { real } from "./arguments.js";
 import { raw } from "./raw.js";
 import type { World } from "./world.js";
 
@@ -29,8 +30,8 @@ export class IntegrationParameters {
         return raw.world_parameter(this.world.id, parameter);
     }
 
-    private set(parameter: number, value: number): void {
-        raw.world_set_parameter(this.world.id, parameter, value);
+    private set(parameter: number, name: string, value: number): void {
+        raw.world_set_parameter(this.world.id, parameter, real(value, name));
     }
 
     /** The length of a step in seconds. Default: 1/60. */
@@ -39,7 +40,7 @@ export class IntegrationParameters {
     }
 
     set dt(value: number) {
-        this.set(Parameter.dt, value);
+        this.set(Parameter.dt, "dt", value);
     }
 
     /** The fraction of a penetration that a step removes. */
@@ -48,12 +49,12 @@ export class IntegrationParameters {
     }
 
     set contact_erp(value: number) {
-        this.set(Parameter.contactErp, value);
+        this.set(Parameter.contactErp, "contact_erp", value);
     }
 
     /** Sets the fraction of a penetration that a step removes as the frequency of a spring (1/s). */
     set contact_natural_frequency(value: number) {
-        this.set(Parameter.contactFrequency, value);
+        this.set(Parameter.contactFrequency, "contact_natural_frequency", value);
     }
 
     /** The damping ratio of contacts. */
@@ -62,7 +63,7 @@ export class IntegrationParameters {
     }
 
     set contact_damping_ratio(value: number) {
-        this.set(Parameter.contactDampingRatio, value);
+        this.set(Parameter.contactDampingRatio, "contact_damping_ratio", value);
     }
 
     /** The size of a typical body. Default: 1. */
@@ -71,7 +72,7 @@ export class IntegrationParameters {
     }
 
     set lengthUnit(value: number) {
-        this.set(Parameter.lengthUnit, value);
+        this.set(Parameter.lengthUnit, "lengthUnit", value);
     }
 
     /** The allowed penetration, in length units. */
@@ -80,7 +81,7 @@ export class IntegrationParameters {
     }
 
     set normalizedAllowedLinearError(value: number) {
-        this.set(Parameter.allowedLinearError, value);
+        this.set(Parameter.allowedLinearError, "normalizedAllowedLinearError", value);
     }
 
     /** The distance below which contacts are computed, in length units. */
@@ -89,7 +90,7 @@ export class IntegrationParameters {
     }
 
     set normalizedPredictionDistance(value: number) {
-        this.set(Parameter.predictionDistance, value);
+        this.set(Parameter.predictionDistance, "normalizedPredictionDistance", value);
     }
 
     /** Substeps of the solver in a step. */
@@ -98,7 +99,7 @@ export class IntegrationParameters {
     }
 
     set numSolverIterations(value: number) {
-        this.set(Parameter.solverIterations, value);
+        this.set(Parameter.solverIterations, "numSolverIterations", value);
     }
 
     /** Iterations of the solver in a substep. */
@@ -107,7 +108,7 @@ export class IntegrationParameters {
     }
 
     set numInternalPgsIterations(value: number) {
-        this.set(Parameter.pgsIterations, value);
+        this.set(Parameter.pgsIterations, "numInternalPgsIterations", value);
     }
 
     /** Iterations of all constraints in a substep without position correction, beyond the usual one. Default: 0. */
@@ -116,7 +117,7 @@ export class IntegrationParameters {
     }
 
     set numAdditionalFrictionIterations(value: number) {
-        this.set(Parameter.additionalFrictionIterations, value);
+        this.set(Parameter.additionalFrictionIterations, "numAdditionalFrictionIterations", value);
     }
 
     /** The largest number of substeps of continuous collision detection. */
@@ -125,7 +126,7 @@ export class IntegrationParameters {
     }
 
     set maxCcdSubsteps(value: number) {
-        this.set(Parameter.ccdSubsteps, value);
+        this.set(Parameter.ccdSubsteps, "maxCcdSubsteps", value);
     }
 
     /** Does nothing: the world owns the memory. */

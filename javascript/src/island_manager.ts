@@ -1,3 +1,4 @@
+import { requireFunction } from "./arguments.js";
 import { listCopy, raw } from "./raw.js";
 import type { RigidBodyHandle } from "./rigid_body.js";
 import type { World } from "./world.js";
@@ -13,6 +14,7 @@ export class IslandManager {
 
     /** Calls a function with the handle of each body that is awake and not fixed. */
     forEachActiveRigidBodyHandle(f: (handle: RigidBodyHandle) => void): void {
+        requireFunction(f, "f");
         listCopy(raw.bodies_list_active(this.world.id)).forEach((handle) => f(handle));
     }
 

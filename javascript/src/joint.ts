@@ -17,7 +17,7 @@ import {
     putVector,
 } from "#dim";
 import type { RigidBody } from "#rigid_body";
-import { requireClass } from "./arguments.js";
+import { integer, real, requireClass, requireFunction, requireObject } from "./arguments.js";
 import type { MotorModel } from "./enums.js";
 import { getNumber, listCopy, putNumber, raw } from "./raw.js";
 import type { RigidBodyHandle } from "./rigid_body.js";
@@ -155,7 +155,7 @@ abstract class Joint {
 
     /** Returns whether an axis has limits. */
     axisLimitsEnabled(axis: JointAxis): boolean {
-        return raw.joint_limits(this.world.id, this.set, this.handle, axis) !== 0;
+        return raw.joint_limits(this.world.id, this.set, this.handle, integer(axis, "axis")) !== 0;
     }
 
     /** The limits of an axis, or null. */
@@ -165,32 +165,32 @@ abstract class Joint {
 
     /** Sets the limits of an axis. */
     setAxisLimits(axis: JointAxis, min: number, max: number): void {
-        raw.joint_set_limits(this.world.id, this.set, this.handle, axis, min, max);
+        raw.joint_set_limits(this.world.id, this.set, this.handle, integer(axis, "axis"), real(min, "min"), real(max, "max"));
     }
 
     /** Sets the model of an axis's motor. */
     setAxisMotorModel(axis: JointAxis, model: MotorModel): void {
-        raw.joint_set_motor_model(this.world.id, this.set, this.handle, axis, model);
+        raw.joint_set_motor_model(this.world.id, this.set, this.handle, integer(axis, "axis"), integer(model, "model"));
     }
 
     /** Sets the largest force of an axis's motor. */
     setAxisMotorMaxForce(axis: JointAxis, maxForce: number): void {
-        raw.joint_set_motor_max_force(this.world.id, this.set, this.handle, axis, maxForce);
+        raw.joint_set_motor_max_force(this.world.id, this.set, this.handle, integer(axis, "axis"), real(maxForce, "maxForce"));
     }
 
     /** Drives an axis at a velocity. */
     setAxisMotorVelocity(axis: JointAxis, targetVel: number, factor: number): void {
-        raw.joint_set_motor_velocity(this.world.id, this.set, this.handle, axis, targetVel, factor);
+        raw.joint_set_motor_velocity(this.world.id, this.set, this.handle, integer(axis, "axis"), real(targetVel, "targetVel"), real(factor, "factor"));
     }
 
     /** Drives an axis to a position. */
     setAxisMotorPosition(axis: JointAxis, targetPos: number, stiffness: number, damping: number): void {
-        raw.joint_set_motor_position(this.world.id, this.set, this.handle, axis, targetPos, stiffness, damping);
+        raw.joint_set_motor_position(this.world.id, this.set, this.handle, integer(axis, "axis"), real(targetPos, "targetPos"), real(stiffness, "stiffness"), real(damping, "damping"));
     }
 
     /** Drives an axis to a position at a velocity. */
     setAxisMotor(axis: JointAxis, targetPos: number, targetVel: number, stiffness: number, damping: number): void {
-        raw.joint_set_motor(this.world.id, this.set, this.handle, axis, targetPos, targetVel, stiffness, damping);
+        raw.joint_set_motor(this.world.id, this.set, this.handle, integer(axis, "axis"), real(targetPos, "targetPos"), real(targetVel, "targetVel"), real(stiffness, "stiffness"), real(damping, "damping"));
     }
 }
 
@@ -432,6 +432,8 @@ export class JointData {
 
     /** A hinge about an axis in the frame of each body. */
     static revoluteWithAxes(anchor1: Vector, anchor2: Vector, axis1: Vector, axis2: Vector): JointData {
+        requireObject(axis1, "axis1", "a vector");
+        requireObject(axis2, "axis2", "a vector");
         return new JointData(JointType.Revolute, anchor1, anchor2).withAxes(axis1, axis2);
     }
 
@@ -447,12 +449,12 @@ export class JointData {
             putVector(2, this.axis1 ?? this.axis, "axis1");
             putVector(3, this.axis2 ?? this.axis, "axis2");
         }
-        putNumber(4, 0, this.length);
-        putNumber(4, 1, this.stiffness);
-        putNumber(4, 2, this.damping);
+        putNumber(4, 0, real(this.length, "length"));
+        putNumber(4, 1, real(this.stiffness, "stiffness"));
+        putNumber(4, 2, real(this.damping, "damping"));
         putNumber(5, 0, this.limits[0] ?? NaN);
         putNumber(5, 1, this.limits[1] ?? NaN);
-        return raw.joint_create(world, set, this.jointType, this.axesMask, +this.limitsEnabled, body1, body2, +wakeUp);
+        return raw.joint_create(world, set, integer(this.jointType, "jointType"), integer(this.axesMask, "axesMask"), +this.limitsEnabled, body1, body2, +wakeUp);
     }
 }
 
@@ -521,6 +523,7 @@ abstract class JointSet<T extends Joint> {
 
     /** Calls a function with the handle of each joint of a body. */
     forEachJointHandleAttachedToRigidBody(handle: RigidBodyHandle, f: (handle: number) => void): void {
+        requireFunction(f, "f");
         listCopy(raw.joints_of_body(this.world.id, this.set, handle)).forEach((joint) => f(joint));
     }
 
@@ -546,6 +549,7 @@ abstract class JointSet<T extends Joint> {
 
     /** Calls a function with each joint. */
     forEach(f: (joint: T) => void): void {
+        requireFunction(f, "f");
         this.map.forEach((joint) => f(joint));
     }
 

@@ -1,4 +1,5 @@
 import { type Vector, getVector } from "#dim";
+import { integer, requireFunction } from "./arguments.js";
 import type { ColliderHandle } from "./collider.js";
 import { getNumber, integersCopy, listCopy, raw } from "./raw.js";
 import type { World } from "./world.js";
@@ -21,7 +22,7 @@ export class TempContactManifold {
     }
 
     private contact(i: number): boolean {
-        return raw.manifold_contact(this.world.id, this.handles[0], this.handles[1], this.index, i) !== 0;
+        return raw.manifold_contact(this.world.id, this.handles[0], this.handles[1], this.index, integer(i, "i")) !== 0;
     }
 
     /** The normal in world space, from the first collider to the second one. */
@@ -154,11 +155,13 @@ export class NarrowPhase {
 
     /** Calls a function with each collider that has a contact pair with a collider. */
     contactPairsWith(collider1: ColliderHandle, f: (collider2: ColliderHandle) => void): void {
+        requireFunction(f, "f");
         listCopy(raw.contacts_with(this.world.id, collider1)).forEach((handle) => f(handle));
     }
 
     /** Calls a function with each collider that intersects a collider, one of them a sensor. */
     intersectionPairsWith(collider1: ColliderHandle, f: (collider2: ColliderHandle) => void): void {
+        requireFunction(f, "f");
         listCopy(raw.intersections_with(this.world.id, collider1)).forEach((handle) => f(handle));
     }
 
@@ -172,6 +175,7 @@ export class NarrowPhase {
         _bodies: unknown,
         f: (manifold: TempContactManifold, flipped: boolean) => void,
     ): void {
+        requireFunction(f, "f");
         const count = raw.manifold_count(this.world.id, collider1, collider2);
         const flipped = integersCopy()[0] !== 0;
         for (let index = 0; index < count; index += 1) {

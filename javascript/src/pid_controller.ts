@@ -10,6 +10,7 @@ import {
     putVector,
 } from "#dim";
 import type { RigidBody } from "#rigid_body";
+import { integer, real } from "./arguments.js";
 import { Owner } from "./owner.js";
 import { raw } from "./raw.js";
 import type { RigidBodyHandle } from "./rigid_body.js";
@@ -25,28 +26,28 @@ export class PidController extends Owner {
 
     /** @internal Worlds make controllers: `World.createPidController`. */
     constructor(world: World, kp: number, ki: number, kd: number, axes: PidAxesMask) {
-        super(raw.pid_new(kp, ki, kd, axes), (id) => raw.pid_free(id));
+        super(raw.pid_new(real(kp, "kp"), real(ki, "ki"), real(kd, "kd"), integer(axes, "axes")), (id) => raw.pid_free(id));
         this.world = world;
     }
 
     /** Sets the proportional gain of some axes. */
     setKp(kp: number, axes: PidAxesMask): void {
-        raw.pid_set_gain(this.id, Gain.proportional, kp, axes);
+        raw.pid_set_gain(this.id, Gain.proportional, real(kp, "kp"), integer(axes, "axes"));
     }
 
     /** Sets the integral gain of some axes. */
     setKi(ki: number, axes: PidAxesMask): void {
-        raw.pid_set_gain(this.id, Gain.integral, ki, axes);
+        raw.pid_set_gain(this.id, Gain.integral, real(ki, "ki"), integer(axes, "axes"));
     }
 
     /** Sets the derivative gain of some axes. */
     setKd(kd: number, axes: PidAxesMask): void {
-        raw.pid_set_gain(this.id, Gain.derivative, kd, axes);
+        raw.pid_set_gain(this.id, Gain.derivative, real(kd, "kd"), integer(axes, "axes"));
     }
 
     /** Sets the axes that are corrected. */
     setAxes(axes: PidAxesMask): void {
-        raw.pid_set_axes(this.id, axes);
+        raw.pid_set_axes(this.id, integer(axes, "axes"));
     }
 
     /** Resets the integrals. */

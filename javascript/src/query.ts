@@ -1,7 +1,7 @@
 // Queries of worlds and of their broad phases.
 
 import { type Rotation, type Vector, putRotation, putVector } from "#dim";
-import { requireFunction } from "./arguments.js";
+import { integer, real, requireFunction, requireLimits } from "./arguments.js";
 import type { Collider, ColliderHandle } from "./collider.js";
 import type { InteractionGroups, QueryFilterFlags } from "./enums.js";
 import {
@@ -28,14 +28,18 @@ export type Filter = [
 
 /** Stores the filter of the next query. */
 export function putFilter([flags, groups, collider, body, predicate]: Filter): void {
-    raw.query_filter(flags ?? 0, groups == null ? -1 : groups >>> 0, collider ?? NaN, body ?? NaN, +!!predicate);
+    const [own, mask] = [integer(flags ?? 0, "filterFlags"), groups == null ? -1 : integer(groups, "filterGroups") >>> 0];
+    raw.query_filter(own, mask, real(collider ?? NaN, "filterExcludeCollider"), real(body ?? NaN, "filterExcludeRigidBody"), +!!predicate);
 }
 
 const NO_CALLBACKS = {};
 
 /** Runs a query with a filter and a visitor. */
-export function run<R>(filter: Filter, call: () => R, visitor?: (collider: ColliderHandle) => boolean): R {
-    const predicate = filter[4];
+export function run<R>(filter: Filter, call: () => R, ...visitors: [visitor?: (collider: ColliderHandle) => boolean]): R {
+    const [predicate, visitor] = [filter[4], visitors[0]];
+    if (visitors.length > 0) {
+        requireFunction(visitor, "callback");
+    }
     if (predicate) {
         requireFunction(predicate, "filterPredicate");
     }
@@ -62,7 +66,7 @@ export class BroadPhase {
     /** The first collider that a ray hits. */
     castRay(_n: unknown, _b: unknown, _c: unknown, ray: Ray, maxToi: number, solid: boolean, ...filter: Filter): RayColliderHit | null {
         putRay(ray);
-        const found = this.collider(run(filter, () => raw.query_cast_ray(this.world.id, maxToi, +solid)));
+        const found = this.collider(run(filter, () => raw.query_cast_ray(this.world.id, real(maxToi, "maxToi"), +solid)));
         return found && new RayColliderHit(found, getNumber(2, 0));
     }
 
@@ -78,7 +82,7 @@ export class BroadPhase {
     ): RayColliderIntersection | null {
         putRay(ray);
         const [filter, target] = splitTarget(rest);
-        const found = this.collider(run(filter, () => raw.query_cast_ray_and_get_normal(this.world.id, maxToi, +solid)));
+        const found = this.collider(run(filter, () => raw.query_cast_ray_and_get_normal(this.world.id, real(maxToi, "maxToi"), +solid)));
         return found && RayColliderIntersection.read(found, target);
     }
 
@@ -96,7 +100,7 @@ export class BroadPhase {
         requireFunction(callback, "callback");
         putRay(ray);
         const visitor = (handle: ColliderHandle) => callback(RayColliderIntersection.read(this.collider(handle)!));
-        run(filter, () => raw.query_intersections_with_ray(this.world.id, maxToi, +solid), visitor);
+        run(filter, () => raw.query_intersections_with_ray(this.world.id, real(maxToi, "maxToi"), +solid), visitor);
     }
 
     /** A collider that a shape touches. */
@@ -173,6 +177,7 @@ export class BroadPhase {
         stopAtPenetration: boolean,
         ...rest: [...Filter, target?: ColliderShapeCastHit | undefined]
     ): ColliderShapeCastHit | null {
+        requireLimits(targetDistance, maxToi);
         const [filter, target] = splitTarget(rest);
         const found = useShape(shape, "shape", (number) => {
             putVector(0, shapePos, "shapePos");

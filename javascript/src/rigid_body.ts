@@ -27,7 +27,7 @@ import {
     vectorOf,
     zeroAngular,
 } from "#dim";
-import { requireCount } from "./arguments.js";
+import { integer, real, requireCount } from "./arguments.js";
 import type { Collider } from "./collider.js";
 import { putNumber, raw } from "./raw.js";
 import type { World } from "./world.js";
@@ -119,8 +119,8 @@ export class RigidBody {
         return raw.body_setting(this.world.id, this.handle, setting);
     }
 
-    private setSetting(setting: number, value: number, wakeUp = false): void {
-        raw.body_set_setting(this.world.id, this.handle, setting, value, +wakeUp);
+    private setSetting(name: keyof typeof Setting, value: number, wakeUp = false): void {
+        raw.body_set_setting(this.world.id, this.handle, Setting[name], real(value, name), +wakeUp);
     }
 
     /** The dominance group: contacts do not push bodies of higher groups. */
@@ -130,7 +130,7 @@ export class RigidBody {
 
     /** Sets the dominance group, from -128 to 127. */
     setDominanceGroup(group: number): void {
-        this.setSetting(Setting.dominanceGroup, group);
+        this.setSetting("dominanceGroup", integer(group, "dominanceGroup"));
     }
 
     /** Solver iterations beyond those of the world. */
@@ -140,7 +140,7 @@ export class RigidBody {
 
     /** Sets the solver iterations beyond those of the world. */
     setAdditionalSolverIterations(iters: number): void {
-        this.setSetting(Setting.additionalSolverIterations, requireCount(iters, "additionalSolverIterations") + this.pgsIterations);
+        this.setSetting("additionalSolverIterations", requireCount(iters, "additionalSolverIterations") + this.pgsIterations);
     }
 
     /** Iterations in a substep beyond those of the world. */
@@ -154,7 +154,7 @@ export class RigidBody {
      */
     setAdditionalPgsIterations(iterations: number): void {
         const others = this.additionalSolverIterations();
-        this.setSetting(Setting.additionalSolverIterations, others + requireCount(iterations, "additionalPgsIterations"));
+        this.setSetting("additionalSolverIterations", others + requireCount(iterations, "additionalPgsIterations"));
         this.pgsIterations = iterations;
     }
 
@@ -170,7 +170,7 @@ export class RigidBody {
 
     /** Sets the prediction distance of contacts ahead of the body. 0 disables the prediction. */
     setSoftCcdPrediction(distance: number): void {
-        this.setSetting(Setting.softCcdPrediction, distance);
+        this.setSetting("softCcdPrediction", distance);
     }
 
     /** The prediction distance of contacts ahead of the body. */
@@ -185,7 +185,7 @@ export class RigidBody {
 
     /** Sets the factor of gravity. */
     setGravityScale(factor: number, wakeUp: boolean): void {
-        this.setSetting(Setting.gravityScale, factor, wakeUp);
+        this.setSetting("gravityScale", factor, wakeUp);
     }
 
     /** The fraction of the linear velocity that is lost per second. */
@@ -195,7 +195,7 @@ export class RigidBody {
 
     /** Sets the fraction of the linear velocity that is lost per second. */
     setLinearDamping(factor: number): void {
-        this.setSetting(Setting.linearDamping, factor);
+        this.setSetting("linearDamping", factor);
     }
 
     /** The fraction of the angular velocity that is lost per second. */
@@ -205,7 +205,7 @@ export class RigidBody {
 
     /** Sets the fraction of the angular velocity that is lost per second. */
     setAngularDamping(factor: number): void {
-        this.setSetting(Setting.angularDamping, factor);
+        this.setSetting("angularDamping", factor);
     }
 
     // ---- Motion ----
@@ -355,7 +355,7 @@ export class RigidBody {
 
     /** Sets the mass that is added to that of the colliders. */
     setAdditionalMass(mass: number, wakeUp: boolean): void {
-        raw.body_set_additional_mass(this.world.id, this.handle, mass, +wakeUp);
+        raw.body_set_additional_mass(this.world.id, this.handle, real(mass, "mass"), +wakeUp);
     }
 
     /** Sets the mass properties that are added to those of the colliders. */
@@ -410,7 +410,7 @@ export class RigidBody {
 
     /** Changes the type of the body. */
     setBodyType(type: RigidBodyType, wakeUp: boolean): void {
-        raw.body_set_type(this.world.id, this.handle, type, +wakeUp);
+        raw.body_set_type(this.world.id, this.handle, integer(type, "type"), +wakeUp);
     }
 
     /** Returns whether the body is fixed. */
@@ -436,7 +436,7 @@ export class RigidBody {
 
     /** A collider of the body, by its index. */
     collider(i: number): Collider {
-        return this.world.colliders.get(raw.body_collider(this.world.id, this.handle, i))!;
+        return this.world.colliders.get(raw.body_collider(this.world.id, this.handle, integer(i, "i")))!;
     }
 
     // ---- Forces ----
@@ -644,10 +644,10 @@ export class RigidBodyDesc {
         putVector(2, this.linvel, "linvel");
         putAngular(3, this.angvel, "angvel");
         putMassProperties(4, this.massProperties());
-        putNumber(7, 0, this.gravityScale);
-        putNumber(7, 1, this.linearDamping);
-        putNumber(7, 2, this.angularDamping);
-        putNumber(7, 3, this.softCcdPrediction);
+        putNumber(7, 0, real(this.gravityScale, "gravityScale"));
+        putNumber(7, 1, real(this.linearDamping, "linearDamping"));
+        putNumber(7, 2, real(this.angularDamping, "angularDamping"));
+        putNumber(7, 3, real(this.softCcdPrediction, "softCcdPrediction"));
         putNumber(8, 0, this.mass);
         const flags =
             (this.enabled ? DescFlag.enabled : 0) |
@@ -658,6 +658,7 @@ export class RigidBodyDesc {
             (this.massOnly ? DescFlag.mass : 0);
         const iterations = requireCount(this.additionalSolverIterations, "additionalSolverIterations")
             + requireCount(this.additionalPgsIterations, "additionalPgsIterations");
-        return raw.body_create(world, this.status, flags, this.lockedAxes(), this.dominanceGroup, iterations);
+        const [status, dominance] = [integer(this.status, "status"), integer(this.dominanceGroup, "dominanceGroup")];
+        return raw.body_create(world, status, flags, this.lockedAxes(), dominance, iterations);
     }
 }

@@ -1,5 +1,5 @@
 import { RigidBody, RigidBodyDesc } from "#rigid_body";
-import { requireClass } from "./arguments.js";
+import { requireClass, requireFunction } from "./arguments.js";
 import { listCopy, raw } from "./raw.js";
 import type { RigidBodyHandle } from "./rigid_body.js";
 import type { World } from "./world.js";
@@ -62,12 +62,20 @@ export class RigidBodySet {
 
     /** Calls a function with each body. */
     forEach(f: (body: RigidBody) => void): void {
+        requireFunction(f, "f");
         this.map.forEach((body) => f(body));
     }
 
     /** Calls a function with each body that is awake and not fixed. */
     forEachActiveRigidBody(_islands: unknown, f: (body: RigidBody) => void): void {
-        this.world.islands.forEachActiveRigidBodyHandle((handle) => f(this.get(handle)!));
+        requireFunction(f, "f");
+        this.world.islands.forEachActiveRigidBodyHandle((handle) => {
+            // The function may remove bodies.
+            const body = this.get(handle);
+            if (body) {
+                f(body);
+            }
+        });
     }
 
     /** All bodies. */

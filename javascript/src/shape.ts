@@ -18,7 +18,7 @@ import {
     vectorAt,
     vectorOf,
 } from "#dim";
-import { requireClass, requireList, requireObject } from "./arguments.js";
+import { integer, real, requireClass, requireLimits, requireList, requireObject } from "./arguments.js";
 import { RapierError } from "./error.js";
 import { PointProjection, type Ray, RayIntersection, ShapeCastHit, ShapeContact, putRay } from "./geometry_results.js";
 import { getNumber, integersCopy, putIntegers, putNumber, putReals, raw, realsCopy } from "./raw.js";
@@ -96,6 +96,7 @@ export abstract class Shape {
         stopAtPenetration: boolean,
         target?: ShapeCastHit,
     ): ShapeCastHit | null {
+        requireLimits(targetDistance, maxToi);
         return this.use((one) =>
             useShape(shape2, "shape2", (other) => {
                 putPose(8, shapePos1, shapeRot1, ["shapePos1", "shapeRot1"]);
@@ -133,7 +134,7 @@ export abstract class Shape {
             useShape(shape2, "shape2", (other) => {
                 putPose(8, shapePos1, shapeRot1, ["shapePos1", "shapeRot1"]);
                 putPose(10, shapePos2, shapeRot2, ["shapePos2", "shapeRot2"]);
-                return raw.subjects_contact(0, one, 0, other, prediction) ? ShapeContact.read(target) : null;
+                return raw.subjects_contact(0, one, 0, other, real(prediction, "prediction")) ? ShapeContact.read(target) : null;
             }),
         );
     }
@@ -161,7 +162,7 @@ export abstract class Shape {
         return this.use((number) => {
             putPose(8, shapePos, shapeRot, ["shapePos", "shapeRot"]);
             putRay(ray);
-            return raw.subject_intersects_ray(0, number, maxToi) !== 0;
+            return raw.subject_intersects_ray(0, number, real(maxToi, "maxToi")) !== 0;
         });
     }
 
@@ -170,7 +171,7 @@ export abstract class Shape {
         return this.use((number) => {
             putPose(8, shapePos, shapeRot, ["shapePos", "shapeRot"]);
             putRay(ray);
-            return raw.subject_cast_ray(0, number, maxToi, +solid);
+            return raw.subject_cast_ray(0, number, real(maxToi, "maxToi"), +solid);
         });
     }
 
@@ -186,7 +187,7 @@ export abstract class Shape {
         return this.use((number) => {
             putPose(8, shapePos, shapeRot, ["shapePos", "shapeRot"]);
             putRay(ray);
-            return raw.subject_cast_ray_and_get_normal(0, number, maxToi, +solid) ? RayIntersection.read(target) : null!;
+            return raw.subject_cast_ray_and_get_normal(0, number, real(maxToi, "maxToi"), +solid) ? RayIntersection.read(target) : null!;
         });
     }
 
@@ -219,7 +220,7 @@ export class Ball extends Shape {
 
     /** @internal */
     register(): number {
-        putSizes(this.radius);
+        putSizes(real(this.radius, "radius"));
         return raw.shape_new(Code.ball, 0, 0);
     }
 }
@@ -275,7 +276,7 @@ export class RoundCuboid extends Shape {
 
     /** @internal */
     register(): number {
-        putSizes(0, 0, this.borderRadius);
+        putSizes(0, 0, real(this.borderRadius, "borderRadius"));
         putVector(0, this.halfExtents, "halfExtents");
         return raw.shape_new(Code.roundCuboid, 0, 0);
     }
@@ -295,7 +296,7 @@ export class Capsule extends Shape {
 
     /** @internal */
     register(): number {
-        putSizes(this.radius, this.halfHeight);
+        putSizes(real(this.radius, "radius"), real(this.halfHeight, "halfHeight"));
         return raw.shape_new(Code.capsule, 0, 0);
     }
 }
@@ -363,7 +364,7 @@ export class RoundTriangle extends Shape {
 
     /** @internal */
     register(): number {
-        putSizes(0, 0, this.borderRadius);
+        putSizes(0, 0, real(this.borderRadius, "borderRadius"));
         putVector(0, this.a, "a");
         putVector(1, this.b, "b");
         putVector(2, this.c, "c");
@@ -391,7 +392,7 @@ export class Polyline extends Shape {
         putSizes(0);
         putReals(this.vertices, "vertices");
         putIntegers(this.indices, "indices");
-        return raw.shape_new(Code.polyline, this.flags, +(this.indices.length > 0));
+        return raw.shape_new(Code.polyline, integer(this.flags, "flags"), +(this.indices.length > 0));
     }
 }
 
@@ -460,7 +461,7 @@ export class Compound extends Shape {
             putSizes(0);
             putIntegers(numbers, "shapes");
             putReals(poses, "positions");
-            return raw.shape_new(Code.compound, this.flags, 0);
+            return raw.shape_new(Code.compound, integer(this.flags, "flags"), 0);
         } finally {
             numbers.forEach((number) => raw.shape_free(number));
         }
@@ -486,7 +487,7 @@ export class TriMesh extends Shape {
         putSizes(0);
         putReals(this.vertices, "vertices");
         putIntegers(this.indices, "indices");
-        return raw.shape_new(Code.trimesh, this.flags, 1);
+        return raw.shape_new(Code.trimesh, integer(this.flags, "flags"), 1);
     }
 }
 
@@ -509,10 +510,10 @@ export function decompose(vertices: ArrayLike<number>, indices: Uint32Array, par
     const numbers = [concavity, alpha, beta, resolution, planeDownsampling, convexHullDownsampling, maxConvexHulls];
     numbers.push(+(parameters.convexHullApproximation ?? true));
     putSizes(0);
-    numbers.forEach((number, index) => putNumber(4 + (index >> 2), index & 3, number ?? NaN));
+    numbers.forEach((number, index) => putNumber(4 + (index >> 2), index & 3, number === undefined ? NaN : real(number, "a parameter of the decomposition")));
     putReals(vertices, "vertices");
     putIntegers(indices, "indices");
-    const number = raw.shape_new(Code.decomposition, flags, 1);
+    const number = raw.shape_new(Code.decomposition, integer(flags, "flags"), 1);
     try {
         return read(raw.shape_describe(number));
     } finally {

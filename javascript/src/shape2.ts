@@ -1,6 +1,7 @@
 // Shapes that only 2D has.
 
 import { ShapeType, type Vector, getVector, putVector } from "#dim";
+import { real } from "./arguments.js";
 import { getNumber, putReals, raw, realsCopy } from "./raw.js";
 import type { RealArray } from "#real";
 import { Code, SIZES, Shape, putSizes, setReader } from "./shape.js";
@@ -43,7 +44,7 @@ export class RoundConvexPolygon extends Shape {
 
     /** @internal */
     register(): number {
-        putSizes(0, 0, this.borderRadius);
+        putSizes(0, 0, real(this.borderRadius, "borderRadius"));
         putReals(this.vertices, "vertices");
         return raw.shape_new(Code.roundConvex, +this.skipConvexHullComputation, 0);
     }

@@ -1,6 +1,7 @@
 // Shapes that only 3D has.
 
 import { ShapeType, type Vector, getVector, putVector } from "#dim";
+import { integer, real, requireCount } from "./arguments.js";
 import { getNumber, integersCopy, putIntegers, putReals, raw, realsCopy } from "./raw.js";
 import type { RealArray } from "#real";
 import { Code, type HeightFieldFlags, SIZES, Shape, putSizes, setReader } from "./shape.js";
@@ -46,7 +47,7 @@ export class RoundConvexPolyhedron extends Shape {
 
     /** @internal */
     register(): number {
-        putSizes(0, 0, this.borderRadius);
+        putSizes(0, 0, real(this.borderRadius, "borderRadius"));
         putReals(this.vertices, "vertices");
         putIntegers(this.indices ?? [], "indices");
         return raw.shape_new(Code.roundConvex, 0, +!!this.indices);
@@ -80,8 +81,8 @@ export class Heightfield extends Shape {
         putSizes(0);
         putVector(0, this.scale, "scale");
         putReals(this.heights, "heights");
-        putIntegers([this.nrows, this.ncols], "nrows and ncols");
-        return raw.shape_new(Code.heightfield, this.flags, 0);
+        putIntegers([requireCount(this.nrows, "nrows"), requireCount(this.ncols, "ncols")], "the cells");
+        return raw.shape_new(Code.heightfield, integer(this.flags, "flags"), 0);
     }
 }
 
@@ -100,7 +101,7 @@ abstract class Revolved extends Shape {
 
     /** @internal */
     register(): number {
-        putSizes(this.radius, this.halfHeight);
+        putSizes(real(this.radius, "radius"), real(this.halfHeight, "halfHeight"));
         return raw.shape_new(this.code, 0, 0);
     }
 }
@@ -116,7 +117,7 @@ abstract class RoundRevolved extends Revolved {
 
     /** @internal */
     override register(): number {
-        putSizes(this.radius, this.halfHeight, this.borderRadius);
+        putSizes(real(this.radius, "radius"), real(this.halfHeight, "halfHeight"), real(this.borderRadius, "borderRadius"));
         return raw.shape_new(this.code, 0, 0);
     }
 }

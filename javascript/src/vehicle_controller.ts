@@ -2,7 +2,7 @@
 
 import { type Vector, getVector, putVector } from "#dim";
 import type { RigidBody } from "#rigid_body";
-import { requireFunction } from "./arguments.js";
+import { integer, real, requireFunction } from "./arguments.js";
 import type { Collider } from "./collider.js";
 import type { InteractionGroups, QueryFilterFlags } from "./enums.js";
 import { Owner } from "./owner.js";
@@ -43,7 +43,7 @@ export class DynamicRayCastVehicleController extends Owner {
         const handles = Float64Array.from(leftOut, (collider) => collider.handle);
         putIntegers(new Uint32Array(handles.buffer), "the colliders");
         putFilter([filterFlags, filterGroups]);
-        raw.vehicle_update(this.id, this.world.id, dt);
+        raw.vehicle_update(this.id, this.world.id, real(dt, "dt"));
     }
 
     /** The speed along the forward axis. */
@@ -62,7 +62,7 @@ export class DynamicRayCastVehicleController extends Owner {
     }
 
     set indexUpAxis(axis: number) {
-        raw.vehicle_set_axis(this.id, 0, axis);
+        raw.vehicle_set_axis(this.id, 0, integer(axis, "indexUpAxis"));
     }
 
     /** The axis of the chassis that points forward: 0, 1 or 2. */
@@ -71,7 +71,7 @@ export class DynamicRayCastVehicleController extends Owner {
     }
 
     set indexForwardAxis(axis: number) {
-        raw.vehicle_set_axis(this.id, 1, axis);
+        raw.vehicle_set_axis(this.id, 1, integer(axis, "indexForwardAxis"));
     }
 
     /** Sets the axis of the chassis that points forward: the name of the published packages. */
@@ -84,7 +84,7 @@ export class DynamicRayCastVehicleController extends Owner {
         putVector(0, chassisConnectionCs, "chassisConnectionCs");
         putVector(1, directionCs, "directionCs");
         putVector(2, axleCs, "axleCs");
-        raw.vehicle_add_wheel(this.id, suspensionRestLength, radius);
+        raw.vehicle_add_wheel(this.id, real(suspensionRestLength, "suspensionRestLength"), real(radius, "radius"));
     }
 
     /** The number of wheels. */
@@ -93,17 +93,17 @@ export class DynamicRayCastVehicleController extends Owner {
     }
 
     private get(i: number, what: number): number | null {
-        const value = raw.wheel_get(this.id, i, what);
+        const value = raw.wheel_get(this.id, integer(i, "i"), what);
         return Number.isNaN(value) ? null : value;
     }
 
     private vector(i: number, what: number, target?: Vector): Vector | null {
-        return raw.wheel_vector(this.id, i, what) ? getVector(0, target) : null;
+        return raw.wheel_vector(this.id, integer(i, "i"), what) ? getVector(0, target) : null;
     }
 
     private setVector(i: number, what: number, value: Vector): void {
         putVector(0, value, ["wheelChassisConnectionPointCs", "wheelDirectionCs", "wheelAxleCs"][what]!);
-        raw.wheel_set_vector(this.id, i, what);
+        raw.wheel_set_vector(this.id, integer(i, "i"), what);
     }
 
     /**
@@ -160,7 +160,7 @@ export class DynamicRayCastVehicleController extends Owner {
 
     /** Sets the length of the suspension without load. */
     setWheelSuspensionRestLength(i: number, value: number): void {
-        raw.wheel_set(this.id, i, 0, value);
+        raw.wheel_set(this.id, integer(i, "i"), 0, real(value, "wheelSuspensionRestLength"));
     }
 
     /** The largest travel of the suspension from its length without load. Null if there is no such wheel. */
@@ -170,7 +170,7 @@ export class DynamicRayCastVehicleController extends Owner {
 
     /** Sets the largest travel of the suspension from its length without load. */
     setWheelMaxSuspensionTravel(i: number, value: number): void {
-        raw.wheel_set(this.id, i, 1, value);
+        raw.wheel_set(this.id, integer(i, "i"), 1, real(value, "wheelMaxSuspensionTravel"));
     }
 
     /** The radius. Null if there is no such wheel. */
@@ -180,7 +180,7 @@ export class DynamicRayCastVehicleController extends Owner {
 
     /** Sets the radius. */
     setWheelRadius(i: number, value: number): void {
-        raw.wheel_set(this.id, i, 2, value);
+        raw.wheel_set(this.id, integer(i, "i"), 2, real(value, "wheelRadius"));
     }
 
     /** The stiffness of the suspension. Null if there is no such wheel. */
@@ -190,7 +190,7 @@ export class DynamicRayCastVehicleController extends Owner {
 
     /** Sets the stiffness of the suspension. */
     setWheelSuspensionStiffness(i: number, value: number): void {
-        raw.wheel_set(this.id, i, 3, value);
+        raw.wheel_set(this.id, integer(i, "i"), 3, real(value, "wheelSuspensionStiffness"));
     }
 
     /** The damping of the suspension while it is compressed. Null if there is no such wheel. */
@@ -200,7 +200,7 @@ export class DynamicRayCastVehicleController extends Owner {
 
     /** Sets the damping of the suspension while it is compressed. */
     setWheelSuspensionCompression(i: number, value: number): void {
-        raw.wheel_set(this.id, i, 4, value);
+        raw.wheel_set(this.id, integer(i, "i"), 4, real(value, "wheelSuspensionCompression"));
     }
 
     /** The damping of the suspension while it relaxes. Null if there is no such wheel. */
@@ -210,7 +210,7 @@ export class DynamicRayCastVehicleController extends Owner {
 
     /** Sets the damping of the suspension while it relaxes. */
     setWheelSuspensionRelaxation(i: number, value: number): void {
-        raw.wheel_set(this.id, i, 5, value);
+        raw.wheel_set(this.id, integer(i, "i"), 5, real(value, "wheelSuspensionRelaxation"));
     }
 
     /** The largest force of the suspension. Null if there is no such wheel. */
@@ -220,7 +220,7 @@ export class DynamicRayCastVehicleController extends Owner {
 
     /** Sets the largest force of the suspension. */
     setWheelMaxSuspensionForce(i: number, value: number): void {
-        raw.wheel_set(this.id, i, 6, value);
+        raw.wheel_set(this.id, integer(i, "i"), 6, real(value, "wheelMaxSuspensionForce"));
     }
 
     /** The impulse of the brake. Null if there is no such wheel. */
@@ -230,7 +230,7 @@ export class DynamicRayCastVehicleController extends Owner {
 
     /** Sets the impulse of the brake. */
     setWheelBrake(i: number, value: number): void {
-        raw.wheel_set(this.id, i, 7, value);
+        raw.wheel_set(this.id, integer(i, "i"), 7, real(value, "wheelBrake"));
     }
 
     /** The steering angle in radians. Null if there is no such wheel. */
@@ -240,7 +240,7 @@ export class DynamicRayCastVehicleController extends Owner {
 
     /** Sets the steering angle in radians. */
     setWheelSteering(i: number, value: number): void {
-        raw.wheel_set(this.id, i, 8, value);
+        raw.wheel_set(this.id, integer(i, "i"), 8, real(value, "wheelSteering"));
     }
 
     /** The force of the engine. Null if there is no such wheel. */
@@ -250,7 +250,7 @@ export class DynamicRayCastVehicleController extends Owner {
 
     /** Sets the force of the engine. */
     setWheelEngineForce(i: number, value: number): void {
-        raw.wheel_set(this.id, i, 9, value);
+        raw.wheel_set(this.id, integer(i, "i"), 9, real(value, "wheelEngineForce"));
     }
 
     /** The friction of the tyre. Null if there is no such wheel. */
@@ -260,7 +260,7 @@ export class DynamicRayCastVehicleController extends Owner {
 
     /** Sets the friction of the tyre. */
     setWheelFrictionSlip(i: number, value: number): void {
-        raw.wheel_set(this.id, i, 10, value);
+        raw.wheel_set(this.id, integer(i, "i"), 10, real(value, "wheelFrictionSlip"));
     }
 
     /** The fraction of the sideways velocity that the tyre removes. Null if there is no such wheel. */
@@ -270,7 +270,7 @@ export class DynamicRayCastVehicleController extends Owner {
 
     /** Sets the fraction of the sideways velocity that the tyre removes. */
     setWheelSideFrictionStiffness(i: number, value: number): void {
-        raw.wheel_set(this.id, i, 11, value);
+        raw.wheel_set(this.id, integer(i, "i"), 11, real(value, "wheelSideFrictionStiffness"));
     }
 
     /** The angle by which the wheel has turned. Null if there is no such wheel. */
@@ -300,11 +300,11 @@ export class DynamicRayCastVehicleController extends Owner {
 
     /** Returns whether the wheel is on the ground. */
     wheelIsInContact(i: number): boolean {
-        return raw.wheel_is_in_contact(this.id, i) !== 0;
+        return raw.wheel_is_in_contact(this.id, integer(i, "i")) !== 0;
     }
 
     /** The collider under the wheel, or null. */
     wheelGroundObject(i: number): Collider | null {
-        return this.world.colliders.get(raw.wheel_ground(this.id, i));
+        return this.world.colliders.get(raw.wheel_ground(this.id, integer(i, "i")));
     }
 }

@@ -471,8 +471,16 @@ export class World extends Owner {
 
     // ---- Controllers ----
 
+    /** Controllers exist outside the world in the module, which therefore cannot refuse them. */
+    private requireAlive(): void {
+        if (!this.isAlive()) {
+            throw new RapierError("Freed", "the world was freed");
+        }
+    }
+
     /** Creates a character controller. The offset is its gap to obstacles. */
     createCharacterController(offset: number): KinematicCharacterController {
+        this.requireAlive();
         const controller = new KinematicCharacterController(this, offset);
         this.characterControllers.add(controller);
         return controller;
@@ -485,6 +493,7 @@ export class World extends Owner {
 
     /** Creates a PID controller. It serves one body. */
     createPidController(kp: number, ki: number, kd: number, axes: PidAxesMask): PidController {
+        this.requireAlive();
         const controller = new PidController(this, kp, ki, kd, axes);
         this.pidControllers.add(controller);
         return controller;
@@ -656,16 +665,26 @@ export class World extends Owner {
 
     // ---- Contacts ----
 
+    /** A function of handles. It leaves out colliders that the given function has removed. */
+    private present(f: (collider: Collider) => void): (handle: ColliderHandle) => void {
+        return (handle) => {
+            const collider = this.colliders.get(handle);
+            if (collider) {
+                f(collider);
+            }
+        };
+    }
+
     /** Calls a function with each collider that has a contact pair with a collider. */
     contactPairsWith(collider1: Collider | ColliderHandle, f: (collider2: Collider) => void): void {
         requireFunction(f, "f");
-        this.narrowPhase.contactPairsWith(this.handleOf(collider1, "collider", "collider1"), (handle) => f(this.colliders.get(handle)!));
+        this.narrowPhase.contactPairsWith(this.handleOf(collider1, "collider", "collider1"), this.present(f));
     }
 
     /** Calls a function with each collider that intersects a collider, one of them a sensor. */
     intersectionPairsWith(collider1: Collider | ColliderHandle, f: (collider2: Collider) => void): void {
         requireFunction(f, "f");
-        this.narrowPhase.intersectionPairsWith(this.handleOf(collider1, "collider", "collider1"), (handle) => f(this.colliders.get(handle)!));
+        this.narrowPhase.intersectionPairsWith(this.handleOf(collider1, "collider", "collider1"), this.present(f));
     }
 
     /**

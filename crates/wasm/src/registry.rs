@@ -1,7 +1,8 @@
 //! Objects that JavaScript owns: worlds, shapes, event queues and controllers. A number identifies each.
 //!
-//! A number combines slot and generation. The number of a freed object finds nothing, even if the slot is
-//! reused.
+//! A number combines slot and generation. The number of a freed object finds nothing after the slot is
+//! reused, until the generations of the slot have wrapped around. JavaScript keeps no number of a freed
+//! object: an owner clears its number, and a shape exists for one call.
 
 use crate::events::{Events, give_back, lend};
 use crate::fault::{Fault, Kind};
@@ -17,6 +18,11 @@ use core::ptr::null;
 
 /// Bits of a number that are the slot.
 const SLOT_BITS: u32 = 20;
+/// The mask of the slot.
+const SLOT_MASK: u32 = (1 << SLOT_BITS) - 1;
+/// The last generation of a slot. The highest bit of a number stays 0, because results of WebAssembly are
+/// signed in JavaScript: a number that comes back as a double would be negative.
+const GENERATION_MAX: u32 = (1 << (31 - SLOT_BITS)) - 1;
 
 /// A list of objects of one kind.
 pub struct Registry<T> {
@@ -46,8 +52,7 @@ impl<T> Registry<T> {
 
     /// The object of a number.
     pub fn get(&mut self, number: u32) -> Option<&mut T> {
-        let (generation, object) =
-            self.slots.get_mut((number & ((1 << SLOT_BITS) - 1)) as usize)?;
+        let (generation, object) = self.slots.get_mut((number & SLOT_MASK) as usize)?;
         if *generation != number >> SLOT_BITS {
             return None;
         }
@@ -56,24 +61,21 @@ impl<T> Registry<T> {
 
     /// The object of a number, to be shared.
     pub fn get_shared(&self, number: u32) -> Option<&T> {
-        let (generation, object) = self.slots.get((number & ((1 << SLOT_BITS) - 1)) as usize)?;
+        let (generation, object) = self.slots.get((number & SLOT_MASK) as usize)?;
         if *generation != number >> SLOT_BITS {
             return None;
         }
         object.as_deref()
     }
 
-    /// Removes an object. The slot is reused until its generations are exhausted.
+    /// Removes an object. The slot is reused with the next generation, so slots never run out.
     pub fn remove(&mut self, number: u32) -> Option<Box<T>> {
         self.get(number)?;
-        let slot = number & ((1 << SLOT_BITS) - 1);
+        let slot = number & SLOT_MASK;
         let (generation, object) = &mut self.slots[slot as usize];
-        let removed = object.take();
-        *generation += 1;
-        if *generation < 1 << (32 - SLOT_BITS) {
-            self.free.push(slot);
-        }
-        removed
+        *generation = *generation % GENERATION_MAX + 1;
+        self.free.push(slot);
+        object.take()
     }
 }
 

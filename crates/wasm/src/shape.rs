@@ -13,6 +13,7 @@ use crate::rapier::math::{DIM, Pose, Real, Vector};
 use crate::rapier::parry::math::IVector;
 use crate::rapier::parry::shape::{Compound, CompoundFlags, PolylineFlags};
 use crate::registry::Registry;
+use core::fmt::Display;
 
 /// The kinds of shapes: the numbers of `Code` in TypeScript.
 #[allow(dead_code, reason = "two dimensions have fewer shapes")]
@@ -276,7 +277,8 @@ mod dimension {
     /// Heights by columns: the integers are the numbers of cells along z and x.
     fn heightfield(flags: u32) -> Result<ColliderBuilder, Fault> {
         let (cells, heights) = (memory::integers(), memory::reals());
-        let [rows, columns] = [0, 1].map(|at| cells.get(at).map_or(0, |count| *count as usize) + 1);
+        let [rows, columns] =
+            [0, 1].map(|at| cells.get(at).map_or(0, |count| *count as usize).saturating_add(1));
         if rows.checked_mul(columns) != Some(heights.len()) {
             let text = format_args!(
                 "heights holds {} numbers, but {rows} times {columns} are needed",
@@ -449,13 +451,21 @@ fn describe_compound(compound: &Compound) -> u32 {
     kind::COMPOUND
 }
 
+/// An error of the engine with the names that sizes have in JavaScript.
+fn in_javascript(error: impl Display) -> Fault {
+    let text = error.to_string();
+    Fault::invalid(
+        text.replace("half_height", "halfHeight").replace("border_radius", "borderRadius"),
+    )
+}
+
 exports! {
     /// Makes a shape from the scratch block and the lists. Returns its number.
     fn shape_new(kind: u32, flags: u32, indexed: u32) -> u32 {
         for (component, name) in [(RADIUS, "radius"), (HALF_HEIGHT, "halfHeight"), (BORDER, "borderRadius")] {
             finite(name, number(SIZES, component))?;
         }
-        let shape = builder(kind, flags, indexed != 0)?.try_shape().map_err(Fault::invalid)?;
+        let shape = builder(kind, flags, indexed != 0)?.try_shape().map_err(in_javascript)?;
         register(with_compound_flags(shape, flags))
     }
 
