@@ -6,7 +6,7 @@ use crate::settings::Settings;
 use crate::stage::{Naming, Stage};
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::Command;
+use std::process::{Command, Stdio};
 
 /// Assembles the artefacts of one kind, and returns their names and sizes in bytes. The arguments are the
 /// repository, the folder of all artefacts, and the settings.
@@ -66,23 +66,51 @@ pub fn python(
     sizes(&folder)
 }
 
-/// The tarballs of both npm packages.
+/// The tarballs of both npm packages. The sizes of their downloads follow: raw, by gzip, by brotli.
 pub fn npm(
     repository: &Path,
     artefacts: &Path,
-    _settings: &Settings,
+    settings: &Settings,
 ) -> Result<Vec<(String, u64)>, Failure> {
     let folder = artefacts.join("npm");
     make_empty_folder(&folder)?;
     let target = absolute(&folder)?;
-    for package in ["rapier2d", "rapier3d"] {
-        let package = repository.join(package);
-        call(Command::new("npm").args(["ci", "--no-fund", "--no-audit"]).current_dir(&package))?;
-        call(Command::new("./build_all.sh").current_dir(&package))?;
-        let pack = ["pack", "--silent", "--pack-destination"];
-        call(Command::new("npm").args(pack).arg(&target).current_dir(package.join("pkg")))?;
+    let mut downloads = Vec::new();
+    for package in &settings.packages {
+        let home = repository.join(&package.folder);
+        call(Command::new("npm").args(["ci", "--no-fund", "--no-audit"]).current_dir(&home))?;
+        let fast = settings.is_fast.then_some("--fast");
+        call(Command::new("./build_all.sh").args(fast).current_dir(&home))?;
+        let dimension = package.folder.trim_start_matches("rapier").trim_end_matches('d');
+        let mut pack = Command::new("node");
+        pack.arg(repository.join("javascript/pack.mjs")).arg(dimension).arg(&target);
+        pack.args([&package.name, &settings.repository]).args(fast);
+        downloads.extend(output(&mut pack)?.lines().filter_map(size_and_name));
     }
-    sizes(&folder)
+    if settings.is_fast {
+        return Ok(Vec::new());
+    }
+    let mut all = sizes(&folder)?;
+    all.extend(downloads);
+    Ok(all)
+}
+
+/// Reads a line of `javascript/pack.mjs`: bytes and name.
+fn size_and_name(line: &str) -> Option<(String, u64)> {
+    let (bytes, name) = line.split_once(' ')?;
+    Some((name.to_owned(), bytes.parse().ok()?))
+}
+
+/// The output of a program that ends well. Its messages stay visible.
+fn output(command: &mut Command) -> Result<String, Failure> {
+    let program = format!("{command:?}");
+    let failed = |status| Failure::Program { program: program.clone(), status };
+    let result = command.stderr(Stdio::inherit()).output();
+    let result = result.map_err(|reason| failed(reason.to_string()))?;
+    match result.status.success() {
+        true => Ok(String::from_utf8_lossy(&result.stdout).into_owned()),
+        false => Err(failed(result.status.to_string())),
+    }
 }
 
 fn call(command: &mut Command) -> Result<(), Failure> {
@@ -110,4 +138,16 @@ fn sizes(folder: &Path) -> Result<Vec<(String, u64)>, Failure> {
         sizes.push((name, data.len()));
     }
     Ok(sizes)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::size_and_name;
+
+    #[test]
+    fn lines_of_sizes_are_read() {
+        let read = size_and_name("123 rapier3d/rapier.wasm.br");
+        assert_eq!(read, Some(("rapier3d/rapier.wasm.br".to_owned(), 123)));
+        assert_eq!(size_and_name("npm notice"), None);
+    }
 }

@@ -77,6 +77,9 @@ struct Options {
     /// The folder of the artefacts.
     #[arg(long, default_value = "target/artefacts")]
     folder: PathBuf,
+    /// Builds the npm packages without full optimisation, documentation and threads: for tries of the script.
+    #[arg(long)]
+    fast: bool,
 }
 
 fn main() -> ExitCode {
@@ -92,7 +95,8 @@ fn main() -> ExitCode {
 fn run(options: &Options) -> Result<(), Failure> {
     let repository = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
     let repository = manifest::without_dots(&repository);
-    let settings = Settings::load(&repository)?;
+    let mut settings = Settings::load(&repository)?;
+    settings.is_fast = options.fast;
     settings.check_versions(&repository)?;
     let budgets = Budgets::load(&repository)?;
     if settings.repository.is_empty() {

@@ -30,6 +30,23 @@ pub struct Settings {
     /// The published crates.
     #[serde(rename = "crate")]
     pub crates: Vec<PublishedCrate>,
+    /// The published npm packages.
+    #[serde(rename = "package")]
+    pub packages: Vec<PublishedPackage>,
+    /// Whether the npm packages are built without full optimisation, documentation and threads. Their sizes
+    /// have no budgets then.
+    #[serde(skip)]
+    pub is_fast: bool,
+}
+
+/// A package of the repository and its name on the registry of npm.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct PublishedPackage {
+    /// Its folder in the repository.
+    pub folder: String,
+    /// Name on the registry.
+    pub name: String,
 }
 
 /// A crate of the repository and its name on the registry.
