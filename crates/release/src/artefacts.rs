@@ -1,7 +1,8 @@
 //! The artefacts of each kind, and the programs that pack the files.
 
 use crate::Failure;
-use crate::files::{copy, copy_tree, entries, make_empty_folder};
+use crate::files::{copy, copy_tree, entries, make_empty_folder, write};
+use crate::manifest;
 use crate::settings::Settings;
 use crate::stage::{Naming, Stage};
 use std::fs;
@@ -36,16 +37,17 @@ pub fn crates(
 pub fn python(
     repository: &Path,
     artefacts: &Path,
-    _settings: &Settings,
+    settings: &Settings,
 ) -> Result<Vec<(String, u64)>, Failure> {
     let (folder, stage) = (artefacts.join("python"), artefacts.join("stage/python"));
     make_empty_folder(&folder)?;
     make_empty_folder(&stage)?;
     Stage::build(repository, &stage, Naming::OfTheRepository, &["python"])?;
     let package = stage.join("rapier-python");
-    for file in ["pyproject.toml", "README.md"] {
-        copy(&repository.join("python").join(file), &package.join(file))?;
-    }
+    copy(&repository.join("python/README.md"), &package.join("README.md"))?;
+    let mut project = manifest::parse(&repository.join("python/pyproject.toml"))?;
+    project["project"]["name"] = toml_edit::value(&settings.python);
+    write(&package.join("pyproject.toml"), &project.to_string())?;
     let sources = |name: &str| name != "__pycache__" && !name.ends_with(".so");
     copy_tree(&repository.join("python/rapier"), &package.join("rapier"), &sources)?;
     // The versions of the lock file are those that the tests ran with.

@@ -27,6 +27,8 @@ pub struct Settings {
     pub version: String,
     /// Address of the public repository, or nothing.
     pub repository: String,
+    /// Published name of the Python package.
+    pub python: String,
     /// The published crates.
     #[serde(rename = "crate")]
     pub crates: Vec<PublishedCrate>,
@@ -87,5 +89,32 @@ impl Settings {
     pub fn published(&self, folder: &str) -> Option<(&str, &str)> {
         let found = self.crates.iter().find(|one| one.folder == folder)?;
         Some((&found.name, found.version.as_ref().unwrap_or(&self.version)))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Settings;
+    use std::path::Path;
+
+    /// The lines that the README gives for the time after publication.
+    #[test]
+    fn the_readme_names_what_is_published() {
+        let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+        let readme =
+            std::fs::read_to_string(root.join("README.md")).expect("README.md is readable");
+        let settings = Settings::load(&root).expect("the settings are valid");
+        let (minor, _) = settings.version.rsplit_once('.').expect("a version has three parts");
+        let mut lines = vec![format!("pip install {}", settings.python)];
+        for (library, folder) in
+            [("rapier3d", "crates/rapier3d"), ("rapier3d-bevy", "crates/bevy/rapier3d")]
+        {
+            let (name, _) = settings.published(folder).expect("the crate is published");
+            lines.push(format!("{library} = {{ package = \"{name}\", version = \"{minor}\" }}"));
+            lines.push(format!("{library} = {{ path = \"../rapier/{folder}\" }}"));
+        }
+        for line in lines {
+            assert!(readme.contains(&line), "README.md has no `{line}`");
+        }
     }
 }
