@@ -145,7 +145,7 @@ fn five_rules_are_all_rules() {
         CoefficientCombineRule::Max => a.max(b),
         CoefficientCombineRule::ClampedSum => (a + b).min(1.0),
     };
-    assert_eq!(combine(CoefficientCombineRule::default(), 0.2, 0.4), 0.3);
+    assert_eq!(combine(CoefficientCombineRule::default(), 0.25, 0.75), 0.5);
 }
 
 /// The counters have upstream's fields and functions, and a step fills the fields.
