@@ -14,7 +14,7 @@
 use crate::base::hash::FastHashMap;
 use crate::base::unique::unique_number;
 
-/// The number of a note whose own record was removed. No record has it.
+/// The number of a note whose own record was removed. No record has this number.
 const NUMBER_RETIRED: u64 = u64::MAX;
 
 /// The mark of a record. It is meaningless once the step has applied the note.

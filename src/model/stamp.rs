@@ -68,7 +68,7 @@ impl WorldStamp {
         self.step == STAMP_UNVERIFIED
     }
 
-    /// The stamp of a new step of a world that leaves this trace. It differs from all stamps before it.
+    /// The stamp of a new step of a world that leaves this trace. It differs from all earlier stamps.
     pub fn after_step(self, trace: &[u64]) -> Self {
         let history = [mixed(self.history[0], trace), 0];
         Self { step: unique_number(), history, ..Self::default() }

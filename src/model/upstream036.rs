@@ -1,5 +1,5 @@
 //! Names of Rapier 0.36 on the engine's types, for the facade of that version. The engine has no soft bodies,
-//! so no body or collider belongs to one.
+//! so no body or collider belongs to a world.
 
 use crate::base::arena::Index;
 use crate::dim::math::Real;

@@ -35,7 +35,7 @@ const INERTIA_MIN: Real = 64.0 * Real::EPSILON;
 #[derive(Copy, Clone, Debug)]
 struct Pivot {
     u: SpatialVector,
-    /// `1 / D`; zero if nothing can move it.
+    /// `1 / D`; zero for an immovable degree of freedom.
     inv_inertia: Real,
 }
 

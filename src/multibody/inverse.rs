@@ -169,7 +169,7 @@ impl Multibody {
         self.place_links();
     }
 
-    /// The displacements that lead from this configuration to another one.
+    /// The displacements that lead from this configuration to another configuration.
     fn displacements_to(&self, other: &Self) -> Vec<Real> {
         self.dofs
             .iter()

@@ -61,7 +61,7 @@ pub fn usable(value: Real) -> Real {
     if value.is_finite() && value > 0.0 { value } else { 0.0 }
 }
 
-/// All entries of one degree of freedom and those before it.
+/// All entries of one degree of freedom and of earlier degrees of freedom.
 fn fill_column(
     matrix: &mut SquareMatrix,
     kinematics: &Kinematics,

@@ -90,7 +90,7 @@ impl SpatialMatrix {
         product
     }
 
-    /// Adds another one.
+    /// Adds another matrix.
     #[inline]
     pub fn add(&mut self, other: &Self) {
         for (column, more) in self.0.iter_mut().zip(&other.0) {

@@ -19,6 +19,7 @@ mod inverse;
 mod laws;
 mod locked_inertia;
 mod loops;
+mod momentum;
 mod nonsense;
 mod pendulum;
 mod repeat;

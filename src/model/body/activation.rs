@@ -2,7 +2,7 @@
 //!
 //! A body is a candidate for sleep while it does not drift. In each window of time, the displacement of every
 //! point and the length of its path must stay below the threshold. Once every body of an island has been a
-//! candidate for long enough, the whole island falls asleep, and no per-step loop visits it.
+//! candidate for long enough, the whole island falls asleep, and no per-step loop visits its bodies.
 
 use crate::dim::math::Real;
 

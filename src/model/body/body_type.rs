@@ -4,7 +4,7 @@
 #[derive(Copy, Clone, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub enum RigidBodyType {
-    /// Forces, gravity, contacts and joints move it.
+    /// Forces, gravity, contacts and joints move the body.
     #[default]
     Dynamic,
     /// It never moves: the ground, a wall.

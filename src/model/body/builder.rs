@@ -296,7 +296,7 @@ impl RigidBodyBuilder {
     /// Makes the body.
     ///
     /// # Errors
-    /// If a value is not finite or not possible; the error names the first one.
+    /// If a value is not finite or not possible; the error names the first such value.
     pub fn try_build(&self) -> Result<RigidBody, InvalidRigidBody> {
         let mut mended = self.clone();
         match mended.mend().into_iter().next() {

@@ -12,7 +12,7 @@ use smallvec::SmallVec;
 /// reads them together with the body, and a separate list would cost another cache miss per moving body.
 pub(crate) type AttachedColliders = SmallVec<[ColliderHandle; 2]>;
 
-/// Contribution of a collider to its body's mass, in the body's frame. Zero if the user disabled it.
+/// Contribution of a collider to its body's mass, in the body's frame. Zero for a disabled collider.
 fn mass_in_body(collider: &Collider) -> MassProperties {
     match &collider.parent {
         Some(parent) if collider.flags.enabled != ColliderEnabled::Disabled => {
@@ -75,7 +75,7 @@ impl RigidBody {
         let center_before = self.local_center_of_mass();
         self.set_collider_mass(total);
         let shift = self.local_center_of_mass().distance(center_before);
-        // An upper bound for the colliders that were there before; the next step measures them.
+        // An upper bound for the colliders that were there before; the next step measures all colliders.
         self.extent += shift;
         self.update_extent([collider].into_iter());
     }

@@ -1,4 +1,4 @@
-//! Mass of a body: its record, and the solver's view of it.
+//! Mass of a body: its record, and the solver's view.
 
 use super::RigidBodyType;
 use crate::base::measure::is_point;
@@ -55,7 +55,7 @@ pub struct RigidBodyMassProps {
     /// Distribution of a mass over colliders without mass. `None` if [`Self::from_colliders`] has one. Boxed
     /// because few bodies have it.
     pub(crate) spread: Option<Box<MassSpread>>,
-    /// Boxed because few bodies have it.
+    /// Boxed because few bodies have an additional mass.
     pub(crate) additional: Option<Box<RigidBodyAdditionalMassProps>>,
     /// Inverse mass along each world axis: a field in Rapier.
     #[cfg(feature = "upstream-signatures")]

@@ -82,7 +82,7 @@ pub struct RigidBody {
     pub(crate) additional_solver_iterations: usize,
     /// Force and torque on the centre of mass in the next step alone.
     pub(crate) push: (Vector, AngVector),
-    /// Mark of a pending edit, if there is one.
+    /// Mark of a pending edit.
     #[cfg_attr(feature = "serde-serialize", serde(skip))]
     pub(super) edit: EditMark,
     /// The cause for which a step disabled the body. Not saved: it may contain NaN.
@@ -281,7 +281,6 @@ impl RigidBody {
         self.changes.insert(RigidBodyChanges::TYPE | RigidBodyChanges::LOCAL_MASS_PROPERTIES);
         self.end_assembly();
         self.update_mass();
-        self.set_velocity(self.vels);
         self.wake_if(wake_up);
     }
 
@@ -434,14 +433,12 @@ impl RigidBody {
         self.sum_up_mass();
         self.lower_impulses(&before);
         let shift = self.pose.rotation * (self.local_center_of_mass() - before.local_com);
-        if shift == Vector::ZERO || self.changes.contains(RigidBodyChanges::ASSEMBLY) {
-            return;
-        }
         let RigidBodyVelocity { linvel, angvel } = self.vels;
         let moved = RigidBodyVelocity::new(linvel + cross(angvel, shift), angvel);
-        if moved.is_usable() {
-            self.set_velocity(moved);
-        }
+        let is_kept = shift == Vector::ZERO
+            || self.changes.contains(RigidBodyChanges::ASSEMBLY)
+            || !moved.is_usable();
+        self.set_velocity(if is_kept { self.vels } else { moved });
     }
 
     /// Sums up the masses again. The velocity stays, so the new centre of mass has that of the old centre.

@@ -229,7 +229,7 @@ impl RigidBodySet {
         core::mem::take(&mut self.notes.modified)
     }
 
-    /// The same list, without taking it.
+    /// The same list, which stays in place.
     pub(crate) fn modified(&self) -> &[RigidBodyHandle] {
         &self.notes.modified
     }
@@ -311,7 +311,7 @@ impl RigidBodySet {
 
     /// The bodies that the user removed, in that order.
     ///
-    /// A body that replaced another one before it was removed gets the place of that one. Its own list of
+    /// A body that replaced another one before it was removed gets the place of that body. Its own list of
     /// colliders is discarded: it may be older than the last attachment.
     pub(crate) fn take_removed(&mut self) -> Vec<RemovedBody> {
         let mut removed = core::mem::take(&mut self.notes.removed);
@@ -386,7 +386,7 @@ impl RigidBodySet {
         Some((RigidBodyHandle(index), body))
     }
 
-    /// Number of slots: every slot number is below it.
+    /// Number of slots, and upper bound of slot numbers.
     pub(crate) fn slot_count(&self) -> usize {
         self.bodies.slot_count()
     }

@@ -4,7 +4,7 @@ use super::{ActiveCollisionTypes, ActiveEvents, ActiveHooks, InteractionGroups};
 use crate::dim::math::Pose;
 use crate::model::body::RigidBodyHandle;
 
-/// The body of a collider, and the collider's pose relative to it.
+/// The body of a collider, and the collider's pose relative to the body.
 #[derive(Copy, Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub struct ColliderParent {
@@ -23,7 +23,7 @@ pub enum ColliderEnabled {
     Enabled,
     /// The collider does not take part, because its body is disabled.
     DisabledByParent,
-    /// The collider does not take part: the user disabled it.
+    /// The collider does not take part: disabled by the user.
     Disabled,
 }
 
@@ -60,7 +60,7 @@ bitflags::bitflags! {
         const GROUPS = 1 << 3;
         /// Its shape or its contact skin.
         const SHAPE = 1 << 4;
-        /// It became a sensor or stopped being one.
+        /// Whether it is a sensor.
         const TYPE = 1 << 5;
         /// Its body's dominance group.
         const PARENT_EFFECTIVE_DOMINANCE = 1 << 6;

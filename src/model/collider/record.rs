@@ -51,7 +51,7 @@ pub struct Collider {
     pub(crate) mass_props: ColliderMassProps,
     pub(crate) contact_force_event_threshold: Real,
     pub(crate) changes: ColliderChanges,
-    /// Mark of a pending edit, if there is one.
+    /// Mark of a pending edit.
     #[cfg_attr(feature = "serde-serialize", serde(skip))]
     pub(crate) edit: EditMark,
     /// The widths of the shape's parts, if looking them up is cheaper than computing them. They are not

@@ -2,7 +2,7 @@
 //!
 //! Each setter stores its value by [`Collider::store`], which sets the bit of the change in
 //! [`ColliderChanges`] for the next step. A value that is there already is no change. A setter refuses an
-//! unusable value: it keeps the old value and logs a warning with the refused one.
+//! unusable value: it keeps the old value and logs a warning with the refused value.
 
 use super::accept::accept_shape;
 use super::check::{check_margin, check_pose, is_same_shape};
@@ -33,7 +33,7 @@ fn accepts(setter: &str, verdict: Result<(), InvalidCollider>) -> bool {
 }
 
 impl Collider {
-    /// Stores a value in a field. Marks the change for the next step if the value differs from the old one.
+    /// Stores a value in a field. Marks the change for the next step if the value differs from the old value.
     fn store<T: PartialEq>(
         &mut self,
         field: impl FnOnce(&mut Self) -> &mut T,

@@ -81,7 +81,7 @@ impl ColliderBuilder {
         Self::of(accepted.map(|copies| SharedShape::new(Compound::new(copies.unwrap_or(shapes)))))
     }
 
-    /// A chain of segments. Without indices, each vertex is joined to the next one.
+    /// A chain of segments. Without indices, each vertex is joined to the next vertex.
     pub fn polyline(vertices: Vec<Vector>, indices: Option<Vec<[u32; 2]>>) -> Self {
         Self::polyline_with_flags(vertices, indices, PolylineFlags::empty())
     }

@@ -104,9 +104,9 @@ pub type ContactPoints = ArrayVec<Contact, MAX_MANIFOLD_POINTS>;
 #[derive(Clone, Debug)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub struct ContactManifoldData {
-    /// Body of the first collider, if it has one.
+    /// Body of the first collider; `None` without a body.
     pub rigid_body1: Option<RigidBodyHandle>,
-    /// Body of the second collider, if it has one.
+    /// Body of the second collider; `None` without a body.
     pub rigid_body2: Option<RigidBodyHandle>,
     /// Flags that select the constraints of a manifold.
     pub solver_flags: SolverFlags,
@@ -231,7 +231,7 @@ pub struct ContactManifold {
     pub subshape2: u32,
     /// The points, materials and impulses.
     pub data: ContactManifoldData,
-    /// Position in the constraint graph; `None` while the solver does not handle it.
+    /// Position in the constraint graph; `None` for a manifold that the solver does not handle.
     pub(crate) slot: Option<ColorSlot>,
 }
 
@@ -263,7 +263,7 @@ impl ContactManifold {
             && self.data.solver_flags.contains(SolverFlags::COMPUTE_RIGID_IMPULSES)
     }
 
-    /// Returns whether the solver can use the manifold, or does not read it.
+    /// Returns whether the manifold is usable for the solver, or unread.
     pub(crate) fn is_solvable(&self) -> bool {
         let are_finite = self.data.points.iter().all(|point| point.dist.is_finite());
         !self.is_solved() || is_point(self.data.normal) && are_finite

@@ -9,7 +9,7 @@ use crate::model::joint::ImpulseJointHandle;
 #[derive(Copy, Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub struct JointBreakEvent {
-    /// The joint. It stays in its set until the user removes it.
+    /// The joint. It stays in its set until its removal by the user.
     pub joint: ImpulseJointHandle,
     /// Its first body.
     pub body1: RigidBodyHandle,

@@ -137,7 +137,7 @@ pub trait EventHandler: Send + Sync {
     }
 
     /// [`Self::handle_contact_force_event`] with the contacts of the pair. The engine calls this method only.
-    /// The default implementation calls that one.
+    /// The default implementation calls that function.
     fn handle_contact_force_event_of_pair(
         &self,
         dt: Real,

@@ -25,9 +25,9 @@ pub struct PairFilterContext<'a> {
     pub collider1: ColliderHandle,
     /// The second collider.
     pub collider2: ColliderHandle,
-    /// Body of the first collider, if it has one.
+    /// Body of the first collider; `None` without a body.
     pub rigid_body1: Option<RigidBodyHandle>,
-    /// Body of the second collider, if it has one.
+    /// Body of the second collider; `None` without a body.
     pub rigid_body2: Option<RigidBodyHandle>,
 }
 

@@ -15,9 +15,9 @@ pub struct ContactModificationContext<'a> {
     pub bodies: &'a RigidBodySet,
     /// All colliders.
     pub colliders: &'a ColliderSet,
-    /// Body of the first collider, if it has one.
+    /// Body of the first collider; `None` without a body.
     pub rigid_body1: Option<RigidBodyHandle>,
-    /// Body of the second collider, if it has one.
+    /// Body of the second collider; `None` without a body.
     pub rigid_body2: Option<RigidBodyHandle>,
     /// The first collider.
     pub collider1: ColliderHandle,

@@ -136,7 +136,7 @@ impl IslandManager {
         id
     }
 
-    /// Gives an empty island's id back; its buffer is kept for the next one.
+    /// Gives an empty island's id back; its buffer is kept for the next island.
     pub(crate) fn destroy_island(&mut self, id: u32) {
         let island = self.island_mut(id);
         debug_assert!(island.bodies.is_empty());

@@ -102,7 +102,7 @@ impl Default for GenericJoint {
     }
 }
 
-/// The axis as a set of one.
+/// The axis as a set of axes.
 pub(crate) fn mask_of(axis: JointAxis) -> JointAxesMask {
     JointAxesMask::from_bits_truncate(1 << axis as u8)
 }

@@ -72,7 +72,7 @@ impl core::ops::Deref for ImpulseJoint {
     }
 }
 
-/// The bodies are writable, as in Rapier 0.32. The next step files the joint under the new ones.
+/// The bodies are writable, as in Rapier 0.32. The next step files the joint under the new bodies.
 #[cfg(feature = "upstream-signatures")]
 impl core::ops::DerefMut for ImpulseJoint {
     fn deref_mut(&mut self) -> &mut BodyPair {

@@ -22,7 +22,7 @@ pub struct JointLimits<N = Real> {
     /// The upper end of the range.
     pub max: N,
     /// The impulse of the limit in the last substep (mass·length/s or mass·length²/s): positive at the lower
-    /// end, negative at the upper end. The next step starts with it.
+    /// end, negative at the upper end. The next step starts with this impulse.
     pub impulse: N,
 }
 

@@ -25,7 +25,7 @@ pub struct MultibodyDofCoupling {
     pub coeff: Real,
     /// The second coordinate where the first one is 0.
     pub offset: Real,
-    /// The impulse of the last substep. The next step starts with it.
+    /// The impulse of the last substep. The next step starts with this impulse.
     pub(crate) impulse: Real,
 }
 

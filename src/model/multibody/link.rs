@@ -34,7 +34,8 @@ pub struct MultibodyLink {
     /// Whether the pose was read before a step for the user alone: the step reads it again, as if it were the
     /// first time.
     pub(crate) is_preview: bool,
-    /// The same of its velocity.
+    /// The body's velocity at the last write by the multibody; `None` before the first. A body with another
+    /// velocity was pushed. Zero after a change of the degrees of freedom: moving bodies count as pushed.
     pub(crate) seen_velocity: Option<RigidBodyVelocity>,
 }
 

@@ -8,7 +8,7 @@ use crate::base::loading::{Loaded, check_when_loaded};
 use crate::dim::joint_axes::{JointAxesMask, JointAxis};
 use crate::dim::math::Real;
 use crate::dim::spatial::free_axes;
-use crate::model::body::{RigidBody, RigidBodyHandle};
+use crate::model::body::{RigidBody, RigidBodyHandle, RigidBodyVelocity};
 use crate::model::island::{GroupExclusions, GroupMember, NONE};
 use crate::model::joint::{GenericJoint, mask_of};
 use core::ops::Range;
@@ -32,7 +32,7 @@ pub(crate) struct DofLists {
     pub damping: Vec<Real>,
     pub armature: Vec<Real>,
     pub frictions: Vec<Real>,
-    /// Impulses of the frictions in the last substep. The next step starts with them.
+    /// Impulses of the frictions in the last substep. The next step starts with these impulses.
     pub friction_impulses: Vec<Real>,
 }
 
@@ -362,7 +362,9 @@ impl Multibody {
     }
 
     /// Makes the free axes of the joints, and of the root's body, the degrees of freedom. Numbers of those
-    /// that stay are kept.
+    /// that stay are kept. If there are others, the next step derives all velocities from the bodies, so that
+    /// their momentum is kept: a kinematic root that becomes dynamic moves on, and a joint that is locked in
+    /// motion stops no free tree.
     pub(crate) fn follow_axes(&mut self, root: &RigidBody) {
         let mut changed = false;
         for link in &mut self.links {
@@ -376,10 +378,12 @@ impl Multibody {
         }
         if changed {
             self.renumber();
+            let known = self.links.iter_mut().filter_map(|link| link.seen_velocity.as_mut());
+            known.for_each(|velocity| *velocity = RigidBodyVelocity::zero());
         }
     }
 
-    /// Renumbers the degrees of freedom, and moves the data of the remaining ones.
+    /// Renumbers the degrees of freedom. The remaining degrees of freedom keep their data.
     pub(super) fn renumber(&mut self) {
         let old = core::mem::take(&mut self.dofs);
         for link in &mut self.links {
@@ -409,8 +413,9 @@ impl Loaded for Multibody {
                 ensure!(dof == Some(&expected), "{dof:?} is in the place of {expected:?}");
             }
         }
-        let lists = self.lists.all_ref();
-        let lengths = lists.map(Vec::len);
+        let mut lists = self.lists.clone();
+        let lists = lists.all();
+        let lengths = lists.each_ref().map(|list| list.len());
         ensure!(lengths == [self.ndofs(); _], "{} degrees of freedom: {lengths:?}", self.ndofs());
         let wrong = lists.into_iter().flatten().find(|number| !number.is_finite());
         ensure!(wrong.is_none(), "a number of a degree of freedom is {wrong:?}");
@@ -429,20 +434,6 @@ impl MultibodyLink {
 
 impl DofLists {
     fn all(&mut self) -> [&mut Vec<Real>; 7] {
-        let Self { velocities, body_velocities, .. } = self;
-        let Self { accelerations, damping, armature, frictions, friction_impulses, .. } = self;
-        [
-            velocities,
-            body_velocities,
-            accelerations,
-            damping,
-            armature,
-            frictions,
-            friction_impulses,
-        ]
-    }
-
-    fn all_ref(&self) -> [&Vec<Real>; 7] {
         let Self { velocities, body_velocities, .. } = self;
         let Self { accelerations, damping, armature, frictions, friction_impulses, .. } = self;
         [

@@ -137,7 +137,7 @@ fn single_bodies_take_the_setting_of_their_multibody() {
     assert_eq!(touching(&set, &[0, 1, 2, 3]).len(), 6, "a later setting decides for all");
 }
 
-/// Numbers of degrees of freedom stay with them.
+/// Degrees of freedom keep their numbers.
 #[test]
 fn numbers_follow_their_degrees_of_freedom() {
     let (mut set, handles) = tree(&[None, Some(0), Some(1), Some(2), Some(3)]);

@@ -84,7 +84,7 @@ impl IntegrationParameters {
         InvalidParameters::unless(valid, "dt", self.dt, "0, or from 1e-15 to 1e15")
     }
 
-    /// The length unit, and the fields that are multiples of it.
+    /// The length unit, and the fields that are its multiples.
     fn validate_scales(&self) -> Result<(), InvalidParameters> {
         let unit = self.length_unit;
         let valid = is_length(unit);

@@ -5,7 +5,7 @@ use crate::model::body::RigidBodyHandle;
 use crate::model::island::GroupMember;
 
 impl Structure<'_> {
-    /// Makes bodies move and sleep as one from now on. Bodies that are in another group leave it.
+    /// Makes bodies move and sleep as one from now on. Bodies leave other groups.
     pub fn group(&mut self, members: &[GroupMember]) {
         for member in members {
             self.ungroup(member.body);
@@ -16,7 +16,7 @@ impl Structure<'_> {
         }
     }
 
-    /// Takes a body out of its group, if it is in one.
+    /// Takes a body out of its group, if it has a group.
     pub fn ungroup(&mut self, body: RigidBodyHandle) {
         let slot = body.into_raw_parts().0;
         if !self.islands.groups.leave(slot) {

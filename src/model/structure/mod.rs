@@ -101,7 +101,7 @@ impl Structure<'_> {
             self.islands.set_motion(handle.into_raw_parts().0, BodyMotion::NONE);
             self.verify_link(*handle, link);
         }
-        // Highest position first: the element that swap-removal moves into a gap is then never one of these.
+        // Highest position first: the element that swap-removal moves into a gap is never removed itself.
         removed.sort_unstable_by_key(|(_, link)| core::cmp::Reverse(link.awake));
         for (_, link) in removed.iter() {
             if link.awake != NONE {
@@ -406,7 +406,7 @@ impl Structure<'_> {
             self.update_colors(id);
             self.narrow_phase.contacts.wake(id);
             self.narrow_phase.contacts.invalidate(id);
-            // The shape may be another one.
+            // The shape may have changed.
             self.narrow_phase.contacts[id].triangle_cache = None;
             if bodies.iter().any(|&body| self.is_awake(body)) {
                 self.wake_kinematic_of(bodies);

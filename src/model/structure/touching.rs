@@ -72,7 +72,7 @@ impl Structure<'_> {
         }
     }
 
-    /// Removes a manifold from the constraint graph, if it is in it.
+    /// Removes a manifold from the constraint graph, if the graph contains the manifold.
     pub fn uncolor(&mut self, manifold: ManifoldRef) {
         let bodies = self.narrow_phase.contacts.bodies(manifold.pair);
         let manifolds = &self.narrow_phase.contacts[manifold.pair].manifolds;

@@ -38,7 +38,7 @@ pub struct BroadPhaseBvh {
     trees: Trees,
     /// Slots of the colliders that have a new box since the last search for pairs.
     moved: Vec<u32>,
-    /// One bit per slot: set if `moved` contains it.
+    /// One bit per slot: set if `moved` contains the slot.
     moved_bits: Vec<u64>,
     /// By slot: the binary exponent of the longest side of its fat AABB.
     sizes: Vec<u16>,

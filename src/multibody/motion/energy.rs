@@ -39,7 +39,7 @@ impl Motion {
         Some(self.energy_seen_from(self.frame_velocity()))
     }
 
-    /// Returns whether a joint moves at a velocity that the user gave it.
+    /// Returns whether a joint moves at a velocity set by the user.
     fn is_driven(&self) -> bool {
         let is_driven = |(load, rate): (&JointLoad, &Real)| load.is_prescribed() && *rate != 0.0;
         self.joint_loads.iter().zip(&self.rates).any(is_driven)
@@ -134,7 +134,7 @@ impl Motion {
         self.kinematics.links.iter().map(|link| link.mass).sum()
     }
 
-    /// Scales all velocities by this fraction, except prescribed ones.
+    /// Scales all velocities except prescribed velocities by this fraction.
     fn slow_down(&mut self, fraction: Real) {
         for (rate, load) in self.rates.iter_mut().zip(&self.joint_loads) {
             *rate *= if load.is_prescribed() { 1.0 } else { fraction };

@@ -283,7 +283,7 @@ impl Motion {
         self.kinematics.velocities(&self.rates, &self.root, &mut self.velocities);
     }
 
-    /// The velocities of all links if these rates alone move them.
+    /// The velocities of all links at these rates, without the motion of the root.
     pub fn link_velocities_at(&mut self, rates: &[Real]) -> &[SpatialVector] {
         self.kinematics.velocities(rates, &ZERO, &mut self.velocities);
         &self.velocities

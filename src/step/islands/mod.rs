@@ -72,7 +72,7 @@ fn follow_intersection(
     structure.rest_intersection(id);
 }
 
-/// Notes an event if the pair began or stopped touching since the last one.
+/// Notes an event if the pair began or stopped touching since its last event.
 fn report(
     set: &ColliderSet,
     [collider1, collider2]: [ColliderHandle; 2],

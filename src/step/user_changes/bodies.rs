@@ -38,7 +38,7 @@ impl UserChanges<'_> {
         self.structure.link_group_of(handle);
     }
 
-    /// Colliders store the type of their body, and are inactive without it.
+    /// Colliders store the type of their body, and are inactive without a body.
     fn inform_colliders(&mut self, handle: RigidBodyHandle) {
         let Some(body) = self.structure.bodies.get(handle) else { return };
         let (body_type, enabled) = (body.body_type, body.enabled);
@@ -120,7 +120,7 @@ impl UserChanges<'_> {
                 continue;
             }
             match body.link.island {
-                // The solver needs the pose of a body that touches an awake one.
+                // The solver needs the pose of a body that touches an awake body.
                 NONE if self.structure.has_awake_partner(handle) => self.stay_awake(handle),
                 NONE => self.structure.sleep_kinematic(handle),
                 island if self.are_all_put_to_sleep(island) => self.structure.sleep_island(island),

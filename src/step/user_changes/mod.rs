@@ -29,7 +29,7 @@ use crate::model::structure::Structure;
 use crate::model::tree::BroadPhaseBvh;
 use colliders::Measured;
 
-/// A body whose masses are summed up again, and whether a change of the sum wakes it.
+/// A body whose masses are summed up again, and whether a change of the sum wakes the body.
 type MassNote = (RigidBodyHandle, bool);
 
 /// All that an edit can affect.
@@ -79,7 +79,7 @@ impl UserChanges<'_> {
         self.apply_removals();
     }
 
-    /// Notes the sleeping bodies that are new or were moved: their new contacts do not wake them.
+    /// Notes the sleeping bodies that are new or were moved: their new contacts wake no body.
     fn note_placed(&mut self, modified: &[RigidBodyHandle]) {
         let Structure { bodies, islands, .. } = &mut self.structure;
         islands.placed_asleep.clear();

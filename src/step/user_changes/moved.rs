@@ -27,7 +27,7 @@ impl UserChanges<'_> {
         }
     }
 
-    /// Returns whether all bodies that touch or are joined to a body moved along with it.
+    /// Returns whether all bodies that touch or are joined to a body moved along.
     fn partners_moved_along(&self, slot: u32, body: &RigidBody, moved: &MovedBody) -> bool {
         let contacts = &self.structure.narrow_phase.contacts;
         let pairs = body

@@ -100,7 +100,7 @@ fn check(
     let stamp = islands.stamp;
     let fit = stamps(world).iter().all(|other| other.has_same_history(stamp));
     ensure!(fit, "the sets are of different times");
-    // A set without joints may be replaced by another one.
+    // A set without joints may be replaced by another set.
     let has_none = joints.is_empty() && islands.joints.iter().next().is_none();
     let fit = has_none || joints.stamp.has_same_steps(stamp);
     ensure!(fit, "the joints are of another time than the bodies");

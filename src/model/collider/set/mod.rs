@@ -315,7 +315,7 @@ impl ColliderSet {
 /// A `&mut` to a collider lets the user replace it (assign a copy, swap two colliders), including its record
 /// of its *own* position.
 impl ColliderSet {
-    /// Returns whether the collider of a handle replaced another one.
+    /// Returns whether the collider of a handle replaced another collider.
     fn is_replaced(&self, handle: ColliderHandle) -> bool {
         let slot = handle.into_raw_parts().0;
         self.get(handle).is_some_and(|collider| {

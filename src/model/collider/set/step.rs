@@ -36,7 +36,7 @@ impl ColliderSet {
         core::mem::take(&mut self.notes.modified)
     }
 
-    /// The same list, without taking it.
+    /// The same list, which stays in place.
     pub(crate) fn modified(&self) -> &[ColliderHandle] {
         &self.notes.modified
     }

@@ -10,7 +10,7 @@
 //! * `awake`: the ids that the narrow phase visits each step, in their order, which is that of memory. Pairs
 //!   of sleeping bodies are not in it;
 //! * `reporting`: the awake pairs whose strong forces are reported as events. Most worlds have none;
-//! * `renewed`: the ids of pairs that changed since the solver last read them.
+//! * `renewed`: the ids of pairs that changed since the solver's last reading.
 //!
 //! The rejected alternative is a hash map from two colliders to their pair. The broad phase finds the same
 //! neighbours step after step, and would need a map access for each. Instead it marks the few partners of a
@@ -63,7 +63,7 @@ pub(crate) trait Pair {
     fn prefetch_content(&self) {}
 }
 
-/// Data of a pair with which the narrow phase decides whether to skip it.
+/// Data with which the narrow phase decides whether to skip a pair.
 #[derive(Copy, Clone, Debug)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) struct PairState {
@@ -212,7 +212,7 @@ impl<P: Pair> PairStore<P> {
         self.pairs.iter().filter_map(|pair| pair.get().as_ref())
     }
 
-    /// The ids of all pairs, in their order. Reads none of them.
+    /// The ids of all pairs, in their order. Reads no pair.
     pub fn ids(&self) -> impl Iterator<Item = PairId> {
         let living = |(id, place): (usize, &Place)| (*place != Place::NOWHERE).then_some(id as u32);
         self.places.iter().enumerate().filter_map(living)
@@ -337,7 +337,7 @@ impl<P: Pair> PairStore<P> {
         self.renewed = self.awake.clone();
     }
 
-    /// Returns whether a pair changed since the solver last read it.
+    /// Returns whether a pair changed since the solver's last reading.
     #[inline]
     pub fn is_renewed(&self, id: PairId) -> bool {
         self.renewed.contains(id)

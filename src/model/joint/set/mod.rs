@@ -149,7 +149,7 @@ impl ImpulseJointSet {
 
     /// Removes all joints of a body, wakes their bodies, and returns their handles.
     ///
-    /// This need not be called for bodies that are removed: the next step does it.
+    /// The next step removes the joints of removed bodies without this call.
     pub fn remove_joints_attached_to_rigid_body(
         &mut self,
         body: RigidBodyHandle,

@@ -251,7 +251,7 @@ impl MultibodyJointSet {
 
     /// Removes all joints of a body, and wakes their bodies.
     ///
-    /// This need not be called for bodies that are removed: the next step does it.
+    /// The next step removes the joints of removed bodies without this call.
     pub fn remove_joints_attached_to_rigid_body(&mut self, body: RigidBodyHandle) {
         if let Some(place) = self.rigid_body_link(body).copied() {
             let is_cut =

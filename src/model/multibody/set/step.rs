@@ -14,12 +14,12 @@ impl MultibodyJointSet {
         self.multibodies.get_mut(index.0)
     }
 
-    /// Bound of the positions: every multibody has a smaller one.
+    /// Upper bound of the positions of multibodies.
     pub(crate) fn index_bound(&self) -> u32 {
         self.multibodies.slot_count() as u32
     }
 
-    /// The index of the multibody at a position, if there is one.
+    /// The index of the multibody at a position; `None` at a vacant position.
     pub(crate) fn index_at(&self, position: u32) -> Option<MultibodyIndex> {
         self.multibodies.at_slot(position).map(|(index, _)| MultibodyIndex(index))
     }

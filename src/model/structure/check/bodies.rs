@@ -52,7 +52,7 @@ impl Structure<'_> {
         Ok(())
     }
 
-    /// Bodies are in the lists for their type, unless the user changed it.
+    /// Bodies are in the lists for their type, unless the user changed the type.
     pub(super) fn check_body_types(&self) -> Verdict {
         for (handle, body) in self.bodies.iter().filter(|(_, body)| is_as_before(body)) {
             let link = body.link;
