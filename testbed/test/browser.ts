@@ -155,6 +155,20 @@ async function testPhone(session: Session, { testbed, scenes }: BrowserTest): Pr
     console.log("ok: a phone's viewport");
 }
 
+/** An engine whose script does not arrive: the page states the reason, and the other engine runs. */
+async function testMissing(session: Session): Promise<void> {
+    const page = await (await session.browser.newContext()).newPage();
+    await page.route(/own-engine/, (route) => route.abort());
+    await page.goto(`${session.address}?detail=low&paused=1`);
+    await page.waitForFunction("window.testbed !== undefined", undefined, { timeout: 60_000 });
+    assert.deepEqual(await engines(page), ["published"]);
+    const [reason, title] = [await page.locator(".about.missing").textContent(), await page.locator('button[data-value="own"]').getAttribute("title")];
+    assert.match(reason ?? "", /package of this repository did not load.*own-engine/);
+    assert.equal(title, reason);
+    await page.context().close();
+    console.log("ok: the reason of a missing engine");
+}
+
 export async function testPage(test: BrowserTest): Promise<void> {
     mkdirSync(join(test.testbed, "shots"), { recursive: true });
     const session = await openSession(test.testbed, test.tools);
@@ -164,6 +178,7 @@ export async function testPage(test: BrowserTest): Promise<void> {
         await testControls(session, test);
         await testMemory(session, test);
         await testPhone(session, test);
+        await testMissing(session);
     } finally {
         await session.close();
     }

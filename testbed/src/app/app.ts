@@ -25,6 +25,8 @@ export interface AppOptions<R extends EngineModule, W extends WorldLike> {
     readonly dimension: Dimension<R, W>;
     readonly scenes: readonly SceneDefinition<R, W>[];
     readonly engines: ReadonlyMap<EngineId, Engine<R>>;
+    /** Why the other engines are not there. */
+    readonly missing: ReadonlyMap<EngineId, string>;
     readonly link: Link;
     readonly root: HTMLElement;
 }
@@ -87,7 +89,7 @@ export class App<R extends EngineModule, W extends WorldLike> {
             side: [this.plot.element, this.panel.element],
             over: [this.labels.element, this.joystick.element, this.toast.element, this.transport.element],
             help: this.help,
-            engines: new Set(options.engines.keys()),
+            missing: options.missing,
             chooseEngine: (mode) => this.setMode(mode),
             toggleTheme: () => this.toggleTheme(),
         });

@@ -16,17 +16,23 @@ export interface StartOptions<R extends EngineModule, W extends WorldLike> {
     readonly modules: Record<EngineId, (() => Promise<R | null>)>;
 }
 
-async function loadAll<R extends EngineModule>(modules: StartOptions<R, WorldLike>["modules"]): Promise<Map<EngineId, Engine<R>>> {
+const NAMES: Record<EngineId, string> = { own: "The package of this repository", published: "The published package" };
+
+/** Loads the engines. Of others, the page shows the reason. */
+async function loadAll<R extends EngineModule>(modules: StartOptions<R, WorldLike>["modules"]): Promise<[Map<EngineId, Engine<R>>, Map<EngineId, string>]> {
     const engines = new Map<EngineId, Engine<R>>();
+    const missing = new Map<EngineId, string>();
     for (const id of ["own", "published"] as const) {
         try {
             const module = await modules[id]();
             if (module) engines.set(id, await loadEngine(id, module));
+            else missing.set(id, `${NAMES[id]} was not built. Build it with ./build_all.sh, then restart the server.`);
         } catch (error) {
             console.warn(`the engine "${id}" did not load`, error);
+            missing.set(id, `${NAMES[id]} did not load. ${String(error)}`);
         }
     }
-    return engines;
+    return [engines, missing];
 }
 
 declare global {
@@ -39,13 +45,13 @@ declare global {
 export async function start<R extends EngineModule, W extends WorldLike>(options: StartOptions<R, W>): Promise<void> {
     const root = document.getElementById("app");
     if (!root) throw new Error("the page has no element #app");
-    const engines = await loadAll<R>(options.modules);
+    const [engines, missing] = await loadAll<R>(options.modules);
     if (engines.size === 0) {
-        root.append(el("p", { class: "about" }, "No engine loaded. Build one with `./build_all.sh`, then link it."));
+        root.append(...[...missing.values()].map((reason) => el("p", { class: "about missing" }, reason)));
         return;
     }
     const { dimension, scenes } = options;
-    const app = new App({ dimension, scenes, engines, link: readLink(location.search), root });
+    const app = new App({ dimension, scenes, engines, missing, link: readLink(location.search), root });
     window.testbed = app;
     app.start();
 }

@@ -12,7 +12,8 @@ export interface LayoutParts {
     readonly side: readonly HTMLElement[];
     readonly over: readonly HTMLElement[];
     readonly help: HTMLDialogElement;
-    readonly engines: ReadonlySet<EngineId>;
+    /** The engines that are not there, and the reasons. */
+    readonly missing: ReadonlyMap<EngineId, string>;
     chooseEngine(mode: EngineMode): void;
     toggleTheme(): void;
 }
@@ -34,7 +35,8 @@ export class Layout {
     constructor(private readonly parts: LayoutParts) {
         this.choice = new Choice("Engine", MODES, (mode) => parts.chooseEngine(mode));
         for (const button of this.choice.element.querySelectorAll("button")) this.disable(button);
-        this.side = el("aside", { class: "right", label: "Settings" }, this.about, ...parts.side);
+        const reasons = [...parts.missing.values()].map((reason) => el("p", { class: "about missing" }, reason));
+        this.side = el("aside", { class: "right", label: "Settings" }, this.about, ...reasons, ...parts.side);
         const stage = el("main", { class: "stage" }, this.canvas, ...parts.over);
         stage.addEventListener("pointerdown", (event) => {
             if (event.target === this.canvas) this.closeSheets();
@@ -45,9 +47,10 @@ export class Layout {
     /** An engine that is not there cannot be chosen. */
     private disable(button: HTMLButtonElement): void {
         const mode = button.dataset["value"];
-        const { engines } = this.parts;
-        button.disabled = mode === "both" ? engines.size < 2 : !engines.has(mode as EngineId);
-        if (button.disabled) button.title = "Build the package with ./build_all.sh, then link it, to choose this";
+        const { missing } = this.parts;
+        const reason = mode === "both" ? [...missing.values()][0] : missing.get(mode as EngineId);
+        button.disabled = reason !== undefined;
+        if (reason !== undefined) button.title = reason;
     }
 
     private bar(): HTMLElement {
