@@ -98,9 +98,10 @@ impl Step<'_> {
         let (limits, scratch) = (NeighborLimits::of(params), &mut self.scratch.broad_phase);
         let Counters { stages, cd, .. } = self.counters;
         let find = || {
-            let (colliders, known) = (&*structure.colliders, &*structure.narrow_phase);
-            let crowded =
-                broad_phase::find_pairs(self.tasks, tree, limits, colliders, known, scratch);
+            let Structure { colliders, narrow_phase: known, islands, .. } = structure.reborrow();
+            let crowded = broad_phase::find_pairs(
+                self.tasks, tree, limits, colliders, known, islands, scratch,
+            );
             (cd.ncrowded, cd.ncrowded_sensors) = (crowded.solids, crowded.sensors);
             structure.add_pairs(&scratch.pairs);
         };

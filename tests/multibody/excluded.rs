@@ -274,6 +274,32 @@ fn sensors_detect_excluded_bodies() {
     }
 }
 
+/// Links that do not collide with each other take no places of other partners
+/// (`max_neighbors_per_collider`): a box lies on the highest of 300 links at one place. Before, the link
+/// had its 128 neighbours among the links, and the box sank in by half a metre.
+#[test]
+fn excluded_bodies_are_no_neighbors() {
+    let mut world = world(60);
+    let (load, _) =
+        world.insert(RigidBodyBuilder::dynamic().translation(vec(0.0, 2.01)), cuboid(1.0, 1.0));
+    let post = world.insert_body(RigidBodyBuilder::fixed());
+    let (count, mut joint) = (300, None);
+    for k in 1..=count {
+        let at = vec(0.0, 0.9 * (k as Real / count as Real - 1.0));
+        let (link, _) = world.insert(RigidBodyBuilder::dynamic().translation(at), cuboid(1.0, 1.0));
+        let weld = FixedJointBuilder::new().local_anchor1(at);
+        joint = world.insert_multibody_joint(post, link, weld);
+    }
+    let (multibody, _) =
+        world.multibody_joints.get_mut(joint.expect("a tree")).expect("a multibody");
+    multibody.set_self_contacts_enabled(false);
+    run(&mut world, 1.0);
+    let crowded = world.physics_pipeline.counters.cd.ncrowded;
+    let height = world.bodies[load].translation().y;
+    println!("{crowded} of {count} links are crowded, the box is at {height:.4}");
+    assert!(crowded == 0 && (height - 2.0).abs() < 0.005, "{crowded} links, {height}");
+}
+
 /// A loaded world has the same exclusions.
 #[cfg(feature = "serde-serialize")]
 #[test]

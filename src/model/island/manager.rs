@@ -8,6 +8,7 @@ use crate::base::fault::{Fault, ensure};
 use crate::base::id_set::IdSet;
 use crate::base::in_place::clone_in_place;
 use crate::model::body::{RigidBodyHandle, RigidBodySet};
+use crate::model::collider::Collider;
 use crate::model::constraint_graph::ConstraintGraph;
 use crate::model::joint::JointLinks;
 use crate::model::stamp::WorldStamp;
@@ -166,10 +167,18 @@ impl IslandManager {
 
     /// Returns whether a joint or a multibody disables contacts between the colliders of these two bodies.
     ///
-    /// Contact pairs exist only of bodies for which this is `false`, and no other stage tests the settings of
-    /// joints. The path search covers colliders without pairs, so it calls this, too.
+    /// Contact pairs exist only of bodies for which this is `false`.
     pub(crate) fn part(&self, body_slot1: u32, body_slot2: u32) -> bool {
         self.joints.part(body_slot1, body_slot2) || self.groups.part(body_slot1, body_slot2)
+    }
+
+    /// Returns whether a joint or a multibody disables contacts between two colliders. The two searches for
+    /// colliders that meet call this, the broad phase and the path search; no other stage tests the settings
+    /// of joints.
+    pub(crate) fn part_colliders(&self, collider1: &Collider, collider2: &Collider) -> bool {
+        collider1.parent().zip(collider2.parent()).is_some_and(|(body1, body2)| {
+            self.part(body1.into_raw_parts().0, body2.into_raw_parts().0)
+        })
     }
 
     /// The motion of the body in a slot in the last step.

@@ -137,10 +137,11 @@ pub struct IntegrationParameters {
     ///
     /// The limit applies to movable partners whose fat AABBs overlap its own. Fixed bodies, sensors (which
     /// have a separate limit), and smaller colliders are excluded: a moving floor may carry any number of
-    /// crates. A compact body has room for less than half as many, unless bodies overlap. The limit is for
-    /// worlds that create thousands of bodies at one point. The number of their pairs would be the square of
-    /// their number. With the limit it is their number times this, with about 1.5 kB for each. The nearest
-    /// slots are selected; the rest are deferred. The log warns when the limit is met, and
+    /// crates. Bodies with which a joint or a multibody disables contacts are excluded, too. A compact body
+    /// has room for less than half as many, unless bodies overlap. The limit is for worlds that create
+    /// thousands of bodies at one point. The number of their pairs would be the square of their number. With
+    /// the limit it is their number times this, with about 1.5 kB for each. The nearest slots are selected;
+    /// the rest are deferred. The log warns when the limit is met, and
     /// [`ncrowded`](crate::model::counters::CollisionDetectionCounters::ncrowded) counts the affected
     /// colliders. Raise the limit for heaps of hundreds of long sticks, all of whose boxes overlap.
     pub max_neighbors_per_collider: usize,

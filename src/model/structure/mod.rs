@@ -355,9 +355,7 @@ impl Structure<'_> {
         contacts.bodies(id).into_iter().for_each(|slot| self.bodies.prefetch(slot));
     }
 
-    /// Two colliders came close: one contact pair more, or an intersection pair if one is a sensor. There is
-    /// no contact pair if a joint or a multibody disables contacts between their bodies. Sensors detect such
-    /// bodies nevertheless.
+    /// Two colliders came close: one contact pair more, or an intersection pair if one is a sensor.
     fn add_pair(&mut self, collider1: ColliderHandle, collider2: ColliderHandle) {
         let slots = self.parent_slots([collider1, collider2]);
         let awake = slots.iter().any(|&slot| self.is_awake(slot));
@@ -365,7 +363,8 @@ impl Structure<'_> {
         if is_sensor(collider1) || is_sensor(collider2) {
             let pair = IntersectionPair::new(collider1, collider2);
             self.narrow_phase.intersections.insert(pair, slots);
-        } else if !self.islands.part(slots[0], slots[1]) {
+        } else {
+            debug_assert!(!self.islands.part(slots[0], slots[1]), "the two bodies collide");
             self.narrow_phase.contacts.insert(ContactPair::new(collider1, collider2), slots);
             if awake {
                 self.wake_kinematic_of(slots);

@@ -1,6 +1,6 @@
 //! # Broad phase: overlapping pairs of fat AABBs
 //!
-//! Reads:   fat AABBs, collider flags, the pairs already known
+//! Reads:   fat AABBs, collider flags, the pairs already known, disabled contacts of joints and multibodies
 //! Writes:  the list of new pairs; rebuilt trees; the trees' list of moved colliders
 //! Runs:    parallel over moved colliders; the list is sorted by slots
 //! Never:   searches for a collider that stayed in its fat AABB, unless its groups changed or its number of
@@ -23,6 +23,7 @@ use crate::base::pool::Pool;
 use crate::base::tasks::Tasks;
 use crate::model::collider::{ColliderHandle, ColliderSet};
 use crate::model::contact::NarrowPhase;
+use crate::model::island::IslandManager;
 use crate::model::tree::BroadPhaseBvh;
 pub(crate) use search::NeighborLimits;
 use search::{Search, SearchResult};
@@ -76,8 +77,9 @@ impl KnownPairs for NarrowPhase {
 ///
 /// Colliders with a new box search for partners. Colliders at rest near them with the maximum number of
 /// partners search in a second pass. The result excludes `known` pairs, and pairs that cannot interact:
-/// colliders of one body, and pairs that their groups or body types exclude. `scratch.pairs` contains the
-/// result: the collider with the lower slot first, in the order of the slots.
+/// colliders of one body, and pairs that their groups or body types exclude. It also excludes solid colliders
+/// of bodies between which a joint or a multibody disables contacts; sensors detect such bodies nevertheless.
+/// `scratch.pairs` contains the result: the collider with the lower slot first, in the order of the slots.
 ///
 /// Colliders with more candidates than they may own (`most`) search again in the next step. Returns their
 /// number.
@@ -87,13 +89,14 @@ pub(crate) fn find_pairs(
     most: NeighborLimits,
     colliders: &ColliderSet,
     known: &impl KnownPairs,
+    islands: &IslandManager,
     scratch: &mut BroadPhaseScratch,
 ) -> Crowded {
     let BroadPhaseScratch { pairs, results, unmoved, refused } = scratch;
     pairs.clear();
     unmoved.clear();
     tree.tidy();
-    let search = Search { tree, colliders, known, most, only_owned: false };
+    let search = Search { tree, colliders, known, islands, most, only_owned: false };
     search.run(tasks, tree.moved(), results);
     results.for_each(|found| unmoved.append(&mut found.unmoved));
     unmoved.sort_unstable();

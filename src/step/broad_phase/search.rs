@@ -7,6 +7,7 @@ use crate::base::pool::Pool;
 use crate::base::tasks::Tasks;
 use crate::base::wide::{PREFETCH_DISTANCE, prefetch};
 use crate::model::collider::{Collider, ColliderHandle, ColliderSet, may_interact};
+use crate::model::island::IslandManager;
 use crate::model::params::IntegrationParameters;
 use crate::model::tree::{BroadPhaseBvh, TreeKind};
 
@@ -74,6 +75,7 @@ pub(super) struct Search<'a, K> {
     pub tree: &'a BroadPhaseBvh,
     pub colliders: &'a ColliderSet,
     pub known: &'a K,
+    pub islands: &'a IslandManager,
     pub most: NeighborLimits,
     /// Restricts the search to pairs that the searching collider would own.
     pub only_owned: bool,
@@ -187,7 +189,8 @@ impl<K: KnownPairs> Search<'_, K> {
             return;
         }
         let Some((other_handle, other)) = self.colliders.at_slot(other_slot) else { return };
-        if !may_interact(collider, other) {
+        let is_parted = || !kind.is_sensed && self.islands.part_colliders(collider, other);
+        if !may_interact(collider, other) || is_parted() {
             return;
         }
         let pair = if slot < other_slot { (handle, other_handle) } else { (other_handle, handle) };

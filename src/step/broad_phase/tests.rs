@@ -10,6 +10,7 @@ use crate::model::collider::{
     ActiveCollisionTypes, ColliderBuilder, ColliderHandle, ColliderSet, InteractionGroups,
     may_interact,
 };
+use crate::model::island::IslandManager;
 use crate::model::params::IntegrationParameters;
 use crate::model::tree::BroadPhaseBvh;
 use parry::bounding_volume::BoundingVolume;
@@ -96,8 +97,9 @@ impl Boxes {
     fn find(&mut self) -> Vec<Pair> {
         let (known, mut scratch) = (&Partners::of(&self.known), BroadPhaseScratch::default());
         let (tree, limits) = (&mut self.tree, NeighborLimits::of(&self.params));
+        let islands = IslandManager::new();
         self.crowded = Tasks::open(|tasks| {
-            find_pairs(tasks, tree, limits, &self.colliders, known, &mut scratch)
+            find_pairs(tasks, tree, limits, &self.colliders, known, &islands, &mut scratch)
         });
         let found = scratch.pairs;
         self.known.extend(found.iter().map(|&(a, b)| (a.into_raw_parts().0, b.into_raw_parts().0)));

@@ -238,7 +238,7 @@ impl<'a> Mover<'a> {
             && may_interact(own, others)
             && own.solver_groups().test(others.solver_groups())
             && !hooks.contains(ActiveHooks::MODIFY_SOLVER_CONTACTS)
-            && !self.is_parted_from(other, search)
+            && !search.context.islands.part_colliders(own, others)
             && (!hooks.contains(ActiveHooks::FILTER_CONTACT_PAIRS)
                 || lets_solver_push(search.context.hooks, &self.filter_context(other, search)))
     }
@@ -264,13 +264,6 @@ impl<'a> Mover<'a> {
     pub fn in_order<'b>(&'b self, other: &'b Mover<'a>) -> [&'b Mover<'a>; 2] {
         let is_first = self.handle.into_raw_parts() < other.handle.into_raw_parts();
         if is_first { [self, other] } else { [other, self] }
-    }
-
-    fn is_parted_from(&self, other: &Mover<'_>, search: Search<'_>) -> bool {
-        let (own, others) = (self.collider.parent(), other.collider.parent());
-        own.zip(others).is_some_and(|(own, others)| {
-            search.context.islands.part(own.into_raw_parts().0, others.into_raw_parts().0)
-        })
     }
 }
 
