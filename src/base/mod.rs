@@ -9,6 +9,7 @@ pub mod bvh;
 pub mod closest;
 pub mod disjoint;
 pub(crate) mod facing;
+pub(crate) mod farthest;
 pub(crate) mod fault;
 pub(crate) mod feature;
 pub(crate) mod guard;

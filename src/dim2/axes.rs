@@ -7,7 +7,7 @@ bitflags::bitflags! {
     ///
     /// The inverse mass (or inertia) of a locked axis is zero: forces, gravity, impulses and contacts do not
     /// act along it. Velocities along it, set by the user or from before the lock, become zero. The user
-    /// alone moves kinematic bodies, so locks have no effect on them.
+    /// alone moves kinematic bodies: locks have no effect there.
     ///
     /// The bits are those of the 3D engine, so that saved flags have the same meaning in both. The flags of
     /// axes out of the plane have no effect here.

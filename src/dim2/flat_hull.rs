@@ -1,23 +1,19 @@
 //! Hulls of points on a line: segments, which have no area.
 
 use super::math::{Real, Vector};
+use crate::base::farthest::farthest_pair;
 use parry::shape::{Capsule, Segment, SharedShape};
 
 /// The type of flat hulls.
 pub type FlatHull = Segment;
 
 /// Largest distance of the points from their line, as a fraction of its length. Points this near to a line
-/// span so small an area that no polygon is made of them.
+/// span so small an area that they make no polygon.
 const DISTANCE_FRACTION_MAX: Real = 1.0e-3;
 
 /// The hull of finite points on a line; `None` if they coincide, or do not lie on a line.
 pub fn flat_hull(points: &[Vector]) -> Option<FlatHull> {
-    let farthest = |from: Vector| {
-        let distance = |point: &Vector| (*point - from).length_squared();
-        points.iter().copied().max_by(|p, q| distance(p).total_cmp(&distance(q)))
-    };
-    let start = farthest(*points.first()?)?;
-    let end = farthest(start)?;
+    let [start, end] = farthest_pair(points)?;
     let along = (end - start).try_normalize()?;
     let tolerance = DISTANCE_FRACTION_MAX * (end - start).length();
     let is_near = |point: &Vector| along.perp_dot(*point - start).abs() <= tolerance;

@@ -69,7 +69,7 @@ fn drop_flat_corners(corners: &mut Vec<Vector>, tolerance: Real) {
 
 /// Area of a polygon, negative if its corners go round clockwise. Measured from one of its corners,
 /// so that far from the origin no digits are lost.
-fn signed_area(corners: &[Vector]) -> Real {
+pub fn signed_area(corners: &[Vector]) -> Real {
     let Some(&origin) = corners.first() else { return 0.0 };
     let fan = corners.windows(2).map(|side| (side[0] - origin).perp_dot(side[1] - origin));
     0.5 * fan.sum::<Real>()

@@ -4,7 +4,7 @@
 //! negative factors, which is then clockwise. Height fields with a negative scale find none of their cells.
 
 use super::flat_hull::{flat_hull, rounded_flat_hull};
-use super::hull::convex_outline;
+use super::hull::{convex_outline, signed_area};
 use super::math::{Real, Vector};
 use super::shapes::convex_defect;
 use parry::shape::{
@@ -12,7 +12,7 @@ use parry::shape::{
 };
 
 /// Largest sine of the angle between a side and the line that its normal belongs to. parry leaves out corners
-/// between sides up to 1.5°, and keeps the normal of one of them.
+/// between sides up to 1.5°, and keeps the normal of one side.
 const SINE_MAX: Real = 0.1;
 
 /// A copy of a convex shape or a height field that is consistent; `None` if the shape is.
@@ -49,7 +49,8 @@ fn repaired_polygon(polygon: &ConvexPolygon) -> Option<ConvexPolygon> {
         let outward = Vector::new(along.y, -along.x).dot(*normal);
         along.dot(*normal).abs() <= SINE_MAX * along.length() && outward >= 0.0
     });
-    if is_own { None } else { convex_outline(points.to_vec()) }
+    let is_clockwise = signed_area(points) < 0.0;
+    if is_own && !is_clockwise { None } else { convex_outline(points.to_vec()) }
 }
 
 /// The same line with a positive scale.

@@ -7,7 +7,7 @@ bitflags::bitflags! {
     ///
     /// The inverse mass (or inertia) of a locked axis is zero: forces, gravity, impulses and contacts do not
     /// act along it. Velocities along it, set by the user or from before the lock, become zero. The user
-    /// alone moves kinematic bodies, so locks have no effect on them.
+    /// alone moves kinematic bodies: locks have no effect there.
     #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
     #[derive(Copy, Clone, PartialEq, Eq, Debug, Default, Hash)]
     pub struct LockedAxes: u8 {

@@ -26,7 +26,7 @@ pub fn enclosed(points: &[Vector], triangles: &[[u32; 3]]) -> Real {
 }
 
 /// Calls `visit` with the sides of a triangle in rising order, and whether they rise (1) or fall (-1) along
-/// it.
+/// the triangle.
 pub fn for_each_end([a, b, c]: [u32; 3], mut visit: impl FnMut([u32; 2], i32)) {
     for [from, to] in [[a, b], [b, c], [c, a]] {
         visit([from.min(to), from.max(to)], if from < to { 1 } else { -1 });

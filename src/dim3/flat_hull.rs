@@ -1,6 +1,7 @@
 //! Hulls of points in a plane: plates, which have two faces and no volume.
 
 use super::math::{Real, Vector};
+use crate::base::farthest::farthest_pair;
 use crate::base::guard::guarded;
 use crate::base::planar_hull::hull_corners;
 use parry::shape::{ConvexPolyhedron, RoundShape, SharedShape};
@@ -9,7 +10,7 @@ use parry::shape::{ConvexPolyhedron, RoundShape, SharedShape};
 pub type FlatHull = ConvexPolyhedron;
 
 /// Largest distance of the points from their plane, as a fraction of their extent. Points this near to a
-/// plane span so small a volume that no solid is made of them.
+/// plane span so small a volume that they make no solid.
 const DISTANCE_FRACTION_MAX: Real = 1.0e-3;
 /// Least distance of a corner from the line through its neighbours, as a fraction of the extent: more than
 /// rounding.
@@ -64,12 +65,8 @@ pub fn rounded_flat_hull(inner_shape: FlatHull, border_radius: Real) -> SharedSh
 
 /// A point, and two orthogonal unit vectors along the longest extent of points in a plane and across it.
 fn plane_frame(points: &[Vector]) -> Option<[Vector; 3]> {
-    let farthest = |from: Vector| {
-        let distance = |point: &Vector| (*point - from).length_squared();
-        points.iter().copied().max_by(|p, q| distance(p).total_cmp(&distance(q)))
-    };
-    let start = farthest(*points.first()?)?;
-    let (along, length) = (farthest(start)? - start).normalize_and_length();
+    let [start, end] = farthest_pair(points)?;
+    let (along, length) = (end - start).normalize_and_length();
     let aside = |point: Vector| {
         let offset = point - start;
         offset - along * offset.dot(along)

@@ -3,7 +3,7 @@
 //! # Gyroscopic motion
 //! Between impulses a body keeps its angular momentum `L`, not its angular velocity: its inertia rotates with
 //! it, and `ω = I⁻¹ L` changes. Its free orientation after a substep is known ([`FreeRotation`]), and so is
-//! the mean angular velocity that leads there. The solver uses the latter, and rotates the body by it.
+//! the mean angular velocity that leads there, by which the solver rotates the body.
 //!
 //! An impulse acts at the start of the substep: joints take their moment arms and inertias from there. A
 //! change `Δω` of the mean velocity is therefore one of `L` by `I Δω` with the inertia of the beginning. With

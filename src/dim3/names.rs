@@ -6,5 +6,5 @@ pub use parry::shape::{
     Cone, ConvexPolyhedron, Cylinder, HeightFieldFlags, HeightFieldRadialTriangles, RoundCone,
     RoundConvexPolyhedron, RoundCylinder, Tetrahedron, TetrahedronPointLocation,
 };
-// Height fields take their heights in it.
+// Height fields take their heights in an `Array2`.
 pub use parry::utils::Array2;

@@ -187,10 +187,8 @@ pub fn is_plate(shape: TypedShape<'_>) -> bool {
         }
         TypedShape::Cylinder(c) => c.half_height == 0.0 || c.radius == 0.0,
         TypedShape::Cone(c) => c.half_height == 0.0 || c.radius == 0.0,
-        TypedShape::ConvexPolyhedron(solid) => {
-            let faces = solid.faces();
-            faces.len() == 2 && faces[0].normal == -faces[1].normal
-        }
+        // Two faces enclose a volume nowhere. Their normals are opposite but for rounding.
+        TypedShape::ConvexPolyhedron(solid) => solid.faces().len() == 2,
         _ => false,
     }
 }

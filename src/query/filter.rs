@@ -152,7 +152,7 @@ impl<'a> QueryFilter<'a> {
         self.excluding(QueryFilterFlags::EXCLUDE_SOLIDS)
     }
 
-    /// Excludes colliders whose collision groups do not interact with these.
+    /// Excludes colliders whose collision groups do not interact with the given groups.
     #[must_use]
     pub fn groups(self, groups: InteractionGroups) -> Self {
         Self { groups: Some(groups), ..self }

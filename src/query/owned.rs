@@ -234,7 +234,7 @@ impl QueryPipeline {
     ///
     /// The stored boxes are larger than the colliders: after a step, by a tenth of their size and ahead of
     /// their motion. The filter's predicate is not called, because it requires access to the colliders;
-    /// [`QueryView::intersect_aabb_conservative`] calls it.
+    /// [`QueryView::intersect_aabb_conservative`] calls the predicate.
     pub fn colliders_with_aabb_intersecting_aabb(
         &self,
         aabb: &Aabb,

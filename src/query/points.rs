@@ -8,8 +8,7 @@ use parry::query::PointProjection;
 use parry::shape::FeatureId;
 
 impl<'a> QueryView<'a> {
-    /// The collider that is nearest to a point, no farther away than `max_distance`, and the nearest point on
-    /// it.
+    /// The collider that is nearest to a point, no farther away than `max_distance`, and its nearest point.
     ///
     /// A point inside a collider is its own projection if `solid` is `true`; otherwise the projection is the
     /// nearest point on the surface. The distance is in length units, points are in world space.

@@ -23,7 +23,7 @@ fn slabs(ray: &Ray) -> SlabProbe {
 struct SoundRay {
     ray: Ray,
     limit: Real,
-    /// The time of the given ray is that of this one divided by this.
+    /// The time of the given ray is that of this one divided by `scale`.
     scale: Real,
 }
 

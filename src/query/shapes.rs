@@ -55,7 +55,7 @@ impl<'a> QueryView<'a> {
     ///
     /// A shape without velocity hits nothing: use [`Self::intersect_shape`] for the colliders that it
     /// touches. Times are in units of `shape_vel`. `options` contains the largest time, the distance at which
-    /// the shape stops, and whether a shape that starts inside a collider hits it.
+    /// the shape stops, and whether a shape hits a collider in which it starts.
     ///
     /// Side 1 of the hit is the collider, in world space: `witness1` is the point on it, `normal1` its
     /// outward normal. Side 2 is the cast shape, in its own frame.
@@ -127,7 +127,7 @@ fn collider_first(hit: ShapeCastHit, collider: &Collider) -> ShapeCastHit {
 
 /// A box that contains the shape between the two times; `None` for an invalid motion.
 ///
-/// The centre moves straight, and rotation does not change the distance of any point from it.
+/// The centre moves straight, and rotation does not change the distance of any point from the centre.
 fn swept_box(
     motion: &NonlinearRigidMotion,
     shape: &dyn Shape,

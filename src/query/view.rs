@@ -95,7 +95,7 @@ impl<'a> QueryView<'a> {
         self.trees
     }
 
-    /// The collider at a slot; `None` if the filter excludes it.
+    /// The collider at a slot; `None` if the filter excludes the collider.
     pub(super) fn candidate(&self, slot: u32) -> Option<(ColliderHandle, &'a Collider)> {
         let (handle, collider) = self.colliders.at_slot(slot)?;
         (collider.is_enabled() && self.filter.test(handle, collider)).then_some((handle, collider))

@@ -1,5 +1,6 @@
 //! Shapes of the shared tests of this folder, in 3D.
 
+use crate::suite::shapes::outlines::{area, outlines};
 use core::f64::consts::{FRAC_PI_2, TAU};
 use parry::shape::{
     ConvexPolyhedron, Cuboid, HeightField, HeightFieldFlags, RoundShape, TriMesh, TriMeshFlags,
@@ -273,42 +274,6 @@ pub fn ridges() -> ColliderBuilder {
     let triangles = (0..count - 1).map(|k| 2 * k);
     let triangles = triangles.flat_map(|a| [[a, a + 1, a + 2], [a + 2, a + 1, a + 3]]).collect();
     ColliderBuilder::trimesh(corners.collect(), triangles).expect("a mesh")
-}
-
-/// Outlines with notches: a comb of 12 m² with its notches from 0.5 m up, an L, a U and a star.
-fn outlines() -> Vec<(&'static str, Vec<[Real; 2]>)> {
-    let mut comb = vec![[0.0, 0.0], [9.0, 0.0]];
-    for k in (0..5_u8).rev() {
-        let x = 2.0 * Real::from(k);
-        comb.extend([[x + 1.0, 2.0], [x, 2.0]]);
-        if k > 0 {
-            comb.extend([[x, 0.5], [x - 1.0, 0.5]]);
-        }
-    }
-    let star = (0..10_u8).map(|k| {
-        let reach = if k % 2 == 0 { 2.0 } else { 0.8 };
-        let (sine, cosine) = (0.1 * core::f64::consts::TAU as Real * Real::from(k)).sin_cos();
-        [reach * cosine, reach * sine]
-    });
-    let l = [[0.0, 0.0], [3.0, 0.0], [3.0, 1.0], [1.0, 1.0], [1.0, 3.0], [0.0, 3.0]];
-    let u = [
-        [2.0, 3.0],
-        [2.0, 1.0],
-        [1.0, 1.0],
-        [1.0, 3.0],
-        [0.0, 3.0],
-        [0.0, 0.0],
-        [3.0, 0.0],
-        [3.0, 3.0],
-    ];
-    vec![("comb", comb), ("L", l.to_vec()), ("U", u.to_vec()), ("star", star.collect())]
-}
-
-/// Area of an outline.
-fn area(outline: &[[Real; 2]]) -> Real {
-    let next = |k: usize| outline[(k + 1) % outline.len()];
-    let parts = outline.iter().enumerate().map(|(k, p)| p[0] * next(k)[1] - p[1] * next(k)[0]);
-    0.5 * parts.sum::<Real>()
 }
 
 /// A shape's name, the points and elements of its surface, and its volume.

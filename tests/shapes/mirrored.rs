@@ -9,6 +9,7 @@ use crate::dim::shapes::{Scaled, scaled_shapes, scales};
 use crate::dim::vec;
 use crate::suite::physics::stage::{add_ground, run, world};
 use crate::suite::physics::table::Table;
+use rapier::parry::shape::{Ball, Capsule};
 use rapier::prelude::*;
 
 /// Returns the height of a box above a floor with its top at this height.
@@ -77,6 +78,27 @@ fn setters_and_compounds_repair_mirrored_shapes() {
                 let height = height_on(&part, top);
                 assert!(height.abs() < 2.0e-3, "{name} {scale} in a compound: {height} m");
             }
+        }
+    }
+}
+
+/// Balls and capsules under an uneven or a mirroring scale are hulls, as large whichever way they are
+/// mirrored. In 2D, parry's corners of a mirrored ball run clockwise, and such polygons were refused.
+#[test]
+fn mirrored_round_shapes_are_as_large_as_others() {
+    let end = Vector::Y * 0.5;
+    let shapes: [(&str, &dyn Shape); 2] =
+        [("ball", &Ball::new(0.5)), ("capsule", &Capsule::new(-end, end, 0.3))];
+    for scale in scales() {
+        for (name, shape) in shapes {
+            let mass = |scale: Vector| {
+                let scaled = SharedShape(shape.scale_dyn(scale, 16).expect("a shape").into());
+                let built = ColliderBuilder::new(scaled).try_build();
+                built.unwrap_or_else(|error| panic!("{name} {scale}: {error}")).mass()
+            };
+            let [found, expected] = [scale, scale.abs()].map(mass);
+            let is_same = found > 0.0 && (found - expected).abs() < 0.05 * expected;
+            assert!(is_same, "{name} {scale}: {found} kg, not {expected}");
         }
     }
 }

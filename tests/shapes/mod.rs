@@ -3,4 +3,5 @@
 mod decomposition;
 mod flat;
 mod mirrored;
+pub mod outlines;
 mod sides;

@@ -39,7 +39,7 @@ pub fn enter_layer(half: Vector, origin: Vector, dir: Vector, radius: Real) -> M
 }
 
 /// The time at which a path enters a box, and the axis. The time is negative if the path begins inside;
-/// `None` if the box is not in the path, or behind it.
+/// `None` if the box is not in the path, or behind the start.
 fn enter_slabs(half: Vector, origin: Vector, dir: Vector) -> Option<(Real, usize)> {
     let (mut enter, mut leave) = ((Real::NEG_INFINITY, 0), Real::INFINITY);
     for axis in 0..DIM {

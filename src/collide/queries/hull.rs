@@ -43,8 +43,8 @@ pub fn clip(facets: &Facets<'_>, origin: Vector, dir: Vector, margin: Real) -> O
 /// Returns the time at which a point meets the layer of thickness `radius` around the shape.
 ///
 /// The faces, moved outward, enclose the layer. If the path enters right above a face, it enters the layer.
-/// If it enters between faces, it is in a gap of rounded edges, and can leave the gap to the inside only
-/// through these.
+/// If it enters between faces, it is in a gap of rounded edges, and leaves the gap to the inside only
+/// through these edges.
 pub fn enter_layer(facets: &Facets<'_>, origin: Vector, dir: Vector, radius: Real) -> Meeting {
     let Some(span) = clip(facets, origin, dir, radius) else { return Meeting::Never };
     let (time, face) = span.enter;

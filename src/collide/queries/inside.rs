@@ -1,7 +1,7 @@
 //! Surfaces with a solid inside: oriented meshes and polylines.
 //!
 //! The parts of such a surface are one-dimensional or two-dimensional, so a shape that is entirely inside
-//! touches none of them. It is inside if any point of it is.
+//! touches no part. A shape without contact is inside if any of its points is.
 
 use super::pair_query::Found;
 use crate::dim::collide::has_inside;

@@ -59,10 +59,12 @@ pub fn intersection(
     let local = ray.inverse_transform_by(pose);
     let plain = || shape.cast_local_ray_and_get_normal(&local, limit, solid);
     let hit = match typed {
-        TypedShape::Cuboid(_) | TypedShape::Capsule(_) => plain(),
+        TypedShape::Cuboid(_) => plain().map(|hit| against(hit, &local)),
+        TypedShape::Capsule(_) => plain(),
         TypedShape::HeightField(field) => ray_on_field(field, &local, limit),
         _ => match Facets::of(typed) {
-            Some((facets, 0.0)) if !facets.is_flat() => hull_hit(&facets, &local, limit, solid),
+            Some((facets, 0.0)) if facets.is_flat() => plate_hit(&facets, &local, limit),
+            Some((facets, 0.0)) => hull_hit(&facets, &local, limit, solid),
             _ if shape.as_support_map().is_some() => searched_hit(shape, &local, limit, solid),
             _ => plain(),
         },
@@ -131,6 +133,26 @@ fn hull_hit(facets: &Facets<'_>, ray: &Ray, limit: Real, solid: bool) -> Option<
     };
     let feature = FeatureId::Face(face as u32);
     (time <= limit).then(|| RayIntersection::new(time, normal, feature))
+}
+
+/// Returns a hit with the normal against the ray. That of a box without thickness may be along the ray.
+fn against(mut hit: RayIntersection, ray: &Ray) -> RayIntersection {
+    if hit.normal.dot(ray.dir) > 0.0 {
+        hit.normal = -hit.normal;
+    }
+    hit
+}
+
+/// Returns the hit of a ray on a flat hull or triangle, in its frame. A ray in its plane hits
+/// nothing.
+fn plate_hit(facets: &Facets<'_>, ray: &Ray, limit: Real) -> Option<RayIntersection> {
+    let front = facets.facet(0);
+    let speed = front.normal.dot(ray.dir);
+    let time = (front.offset - front.normal.dot(ray.origin)) / speed;
+    let is_hit = (0.0..=limit).contains(&time) && facets.is_over(0, ray.point_at(time));
+    let face = usize::from(speed > 0.0);
+    let normal = if speed > 0.0 { -front.normal } else { front.normal };
+    is_hit.then(|| RayIntersection::new(time, normal, FeatureId::Face(face as u32)))
 }
 
 /// Returns the hit of a ray on a shape for which parry searches, in the frame of the shape.
