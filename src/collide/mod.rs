@@ -44,7 +44,9 @@ pub(crate) use matching::inherit_impulses;
 pub(crate) use neighbor::{Neighbor, ghost_contacts_among};
 pub(crate) use normals::NORMAL_DISTANCE_SQUARED_MAX;
 pub(crate) use pair::ShapePair;
-pub(crate) use queries::{Dispatcher, intersection, shapes_intersect, time_of_impact};
+pub(crate) use queries::{
+    Dispatcher, intersection, nearest_point, shapes_intersect, time_of_impact,
+};
 pub(crate) use sweep::{
     Overlap, PENETRATION_FRACTION_MAX, PathSegment, Solid, Sweep, SweepGoal, Touch, ends_deep,
     find_touches, first_impact, passes, turned,

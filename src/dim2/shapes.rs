@@ -5,7 +5,7 @@ use super::math::{Real, Rotation, Vector};
 use crate::base::hash::FastHashMap;
 use crate::base::measure::Measure;
 use parry::mass_properties::MassProperties;
-use parry::shape::{ConvexPolygon, Polyline, RoundShape, Triangle, TypedShape};
+use parry::shape::{ConvexPolygon, Polyline, RoundShape, Shape, Triangle, TypedShape};
 use parry::transformation::voxelization::VoxelSet;
 use smallvec::{SmallVec, smallvec};
 
@@ -45,6 +45,16 @@ pub fn measures(shape: TypedShape<'_>) -> SmallVec<[Measure<'_>; 4]> {
 
 /// A polygon with a smaller area than this, as a fraction of its squared size, has none.
 const AREA_MIN: Real = 1.0e-6;
+
+/// The sharp shape inside a round one, and the thickness of the layer around it; `None` for other shapes.
+pub fn core_of_round(shape: TypedShape<'_>) -> Option<(&dyn Shape, Real)> {
+    match shape {
+        TypedShape::RoundCuboid(s) => Some((&s.inner_shape, s.border_radius)),
+        TypedShape::RoundTriangle(s) => Some((&s.inner_shape, s.border_radius)),
+        TypedShape::RoundConvexPolygon(s) => Some((&s.inner_shape, s.border_radius)),
+        _ => None,
+    }
+}
 
 /// Returns the reason why a convex shape cannot collide, if there is one: its kind and its defect.
 pub fn convex_defect(shape: TypedShape<'_>) -> Option<(&'static str, &'static str)> {

@@ -7,7 +7,7 @@ use crate::base::measure::Measure;
 use crate::base::trig::sin_cos;
 use arrayvec::ArrayVec;
 use parry::mass_properties::MassProperties;
-use parry::shape::{ConvexPolyhedron, Cylinder, RoundShape, TypedShape};
+use parry::shape::{ConvexPolyhedron, Cylinder, RoundShape, Shape, TypedShape};
 use parry::transformation::voxelization::VoxelSet;
 use smallvec::{SmallVec, smallvec};
 
@@ -48,6 +48,18 @@ pub fn measures(shape: TypedShape<'_>) -> SmallVec<[Measure<'_>; 4]> {
     };
     inner.push(Margin("border_radius", border));
     inner
+}
+
+/// The sharp shape inside a round one, and the thickness of the layer around it; `None` for other shapes.
+pub fn core_of_round(shape: TypedShape<'_>) -> Option<(&dyn Shape, Real)> {
+    match shape {
+        TypedShape::RoundCuboid(s) => Some((&s.inner_shape, s.border_radius)),
+        TypedShape::RoundTriangle(s) => Some((&s.inner_shape, s.border_radius)),
+        TypedShape::RoundCylinder(s) => Some((&s.inner_shape, s.border_radius)),
+        TypedShape::RoundCone(s) => Some((&s.inner_shape, s.border_radius)),
+        TypedShape::RoundConvexPolyhedron(s) => Some((&s.inner_shape, s.border_radius)),
+        _ => None,
+    }
 }
 
 /// Returns the reason why a convex shape cannot collide, if there is one: its kind and its defect.

@@ -1,7 +1,7 @@
 //! "My round character is in the air on the way downstairs", "it sticks to cliffs".
 
 use super::stage::{DT, Walker};
-use crate::dim::floors::{DIAGONAL, heights, surface};
+use crate::dim::floors::{DIAGONAL, bottoms, heights, surface};
 use crate::dim::{cuboid, vec};
 use crate::suite::physics::table::Table;
 use rapier::control::{CharacterAutostep, CharacterLength};
@@ -96,6 +96,8 @@ struct Walk {
     steps: usize,
     off_the_ground: usize,
     sliding: usize,
+    /// Steps at whose end it overlaps the stairs.
+    overlapping: usize,
     /// Fraction of the desired horizontal way.
     progress: Real,
 }
@@ -107,6 +109,7 @@ fn walk(mut walker: Walker, foot: Real, bottom: Real, velocity: Vector) -> Walk 
         walk.steps += 1;
         walk.off_the_ground += usize::from(!movement.grounded);
         walk.sliding += usize::from(movement.is_sliding_down_slope);
+        walk.overlapping += usize::from(walker.overlaps());
     }
     let way = (walker.place() - start).dot(velocity.normalize());
     walk.progress = way / (velocity.length() * walk.steps as Real * DT);
@@ -133,6 +136,7 @@ fn descends(
     ]);
     let is_grounded = walk.off_the_ground == 0 && walk.sliding == 0;
     table.require(is_grounded, "leaves the ground or slides");
+    table.require(walk.overlapping == 0, "overlaps the stairs");
     // A round bottom that rolls over the edges has a longer path than the stairs: by r (π/2 - 1) per edge.
     table.require(
         (0.8..1.06).contains(&walk.progress) && walk.steps < 1000,
@@ -174,6 +178,27 @@ fn round_characters_walk_down_stairs_of_all_kinds() {
                 for speed in [0.7, 3.0] {
                     let stairs = Stairs { kind, rise, run };
                     descends(&mut table, &character, stairs, RELATIVE, vec(speed, 0.0));
+                }
+            }
+        }
+    }
+}
+
+/// Characters with flat bottoms and round edges stay on the ground on the way downstairs, too. Searched
+/// nearest points of round surfaces are off by millimetres. Such characters left stairs, or stood still at
+/// edges.
+#[test]
+fn characters_with_flat_bottoms_walk_downstairs_on_the_ground() {
+    let mut table = table("walks down stairs on flat bottoms");
+    for (name, shape) in bottoms() {
+        let character = (name.into(), shape, 0.9);
+        for kind in ["boxes", "mesh"] {
+            for (rise, run) in [(0.2, 0.3), (0.2, 0.6), (0.3, 0.5), (0.4, 0.8)] {
+                for speed in [0.5, 2.0, 6.0] {
+                    let stairs = Stairs { kind, rise, run };
+                    descends(&mut table, &character, stairs, RELATIVE, vec(speed, 0.0));
+                    let velocity = vec(speed, 0.0) + DIAGONAL;
+                    descends(&mut table, &character, stairs, RELATIVE, velocity);
                 }
             }
         }

@@ -5,6 +5,16 @@ use rapier::prelude::*;
 /// Part of a velocity that leads along stairs: there is none in 2D.
 pub const DIAGONAL: Vector = Vector::ZERO;
 
+/// Returns shapes with flat bottoms and round edges, and other flat bottoms, 1.8 m high.
+pub fn bottoms() -> Vec<(&'static str, ColliderBuilder)> {
+    vec![
+        ("round box, border 0.2", ColliderBuilder::round_cuboid(0.1, 0.7, 0.2)),
+        ("round box, border 0.1", ColliderBuilder::round_cuboid(0.2, 0.8, 0.1)),
+        ("round box, border 0.05", ColliderBuilder::round_cuboid(0.3, 0.85, 0.05)),
+        ("box", ColliderBuilder::cuboid(0.3, 0.9)),
+    ]
+}
+
 /// Returns a surface along a line from left to right.
 pub fn surface(line: &[(Real, Real)]) -> ColliderBuilder {
     let points = line.iter().map(|&(x, y)| Vector::new(x, y)).collect();

@@ -6,6 +6,20 @@ use rapier::prelude::*;
 /// Part of a velocity that leads along stairs.
 pub const DIAGONAL: Vector = Vector::new(0.0, 0.0, 1.5);
 
+/// Returns shapes with flat bottoms and round edges, and other flat bottoms, 1.8 m high.
+pub fn bottoms() -> Vec<(&'static str, ColliderBuilder)> {
+    vec![
+        ("round box, border 0.2", ColliderBuilder::round_cuboid(0.1, 0.7, 0.1, 0.2)),
+        ("round box, border 0.1", ColliderBuilder::round_cuboid(0.2, 0.8, 0.2, 0.1)),
+        ("round box, border 0.05", ColliderBuilder::round_cuboid(0.3, 0.85, 0.3, 0.05)),
+        ("round cylinder, border 0.1", ColliderBuilder::round_cylinder(0.8, 0.2, 0.1)),
+        ("round cylinder, border 0.02", ColliderBuilder::round_cylinder(0.88, 0.3, 0.02)),
+        ("cylinder", ColliderBuilder::cylinder(0.9, 0.3)),
+        ("cone", ColliderBuilder::cone(0.9, 0.3)),
+        ("box", ColliderBuilder::cuboid(0.3, 0.9, 0.3)),
+    ]
+}
+
 /// Returns a surface along a line from left to right, of quads across.
 pub fn surface(line: &[(Real, Real)]) -> ColliderBuilder {
     let across = |&(x, y): &(Real, Real)| [-30.0, 30.0].map(|z| Vector::new(x, y, z));

@@ -9,6 +9,7 @@
 //! | `pair_query.rs` | reduction of composite shapes to pairs of *plain* parts (convex shapes and half-spaces) |
 //! | `surroundings.rs` | lower bounds for boxes around parts |
 //! | `inside.rs` | surfaces with a solid inside |
+//! | `nearest.rs` | the nearest point of a shape |
 //! | `plain.rs` | pairs of plain parts |
 //! | `balls.rs`, `cuboid.rs`, `hull.rs`, `rounded.rs` | formulas for casts of balls: a moving point against a shape with a layer around it |
 //! | `convex_cast.rs` | casts of other convex shapes |
@@ -22,6 +23,7 @@ mod dispatcher;
 mod hull;
 mod inside;
 mod layer;
+mod nearest;
 mod pair_query;
 mod plain;
 mod rays;
@@ -32,5 +34,6 @@ mod tests;
 mod turning;
 
 pub(crate) use dispatcher::{Dispatcher, shapes_intersect};
+pub(crate) use nearest::nearest_point;
 pub(super) use plain::distance;
 pub(crate) use rays::{intersection, time_of_impact};

@@ -8,6 +8,7 @@
 use super::planes::Plane;
 use super::resolved::ResolvedSettings;
 use crate::base::guard::guarded;
+use crate::collide::nearest_point;
 use crate::dim::math::{Pose, Real, Vector};
 use crate::model::body::RigidBodyType;
 use crate::model::collider::{Collider, ColliderHandle};
@@ -89,7 +90,7 @@ impl Touch<'_> {
     /// Returns whether the two points of a contact lie on the obstacle and on the character.
     fn is_genuine(&self, contact: &Contact, settings: &ResolvedSettings) -> bool {
         let is_on = |shape: &dyn Shape, point: Vector| {
-            guarded(|| shape.distance_to_local_point(point, true))
+            guarded(|| nearest_point(shape, point).distance(point))
                 .is_none_or(|distance| distance <= settings.tolerance)
         };
         is_on(self.collider.shape(), contact.local_p1) && is_on(self.shape, contact.local_p2)
@@ -102,11 +103,11 @@ impl Touch<'_> {
     /// Cheney, A. Goldstein 1959, "Proximity maps for convex sets").
     fn closest(&self, near: Vector, settings: &ResolvedSettings) -> Option<(Vector, Vector)> {
         let obstacle = self.collider.shape();
-        let on_obstacle = |point: Vector| {
-            guarded(|| obstacle.project_point(self.collider.position(), point, true).point)
+        let nearest = |shape: &dyn Shape, pose: &Pose, point: Vector| {
+            guarded(|| *pose * nearest_point(shape, pose.inverse_transform_point(point)))
         };
-        let on_character =
-            |point: Vector| guarded(|| self.shape.project_point(self.pose, point, true).point);
+        let on_obstacle = |point: Vector| nearest(obstacle, self.collider.position(), point);
+        let on_character = |point: Vector| nearest(self.shape, self.pose, point);
         let (mut from, mut away) = (on_obstacle(near)?, Vector::ZERO);
         for _ in 0..ROUNDS_MAX {
             let to = on_character(from)?;
