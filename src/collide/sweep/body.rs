@@ -96,6 +96,11 @@ impl<'a> Body<'a> {
         }
     }
 
+    /// The point of the sharp body that is farthest along a direction; `None` if there is none.
+    pub fn support_point(&self, direction: Vector) -> Option<Vector> {
+        self.convex().map(|shape| shape.local_support_point(direction))
+    }
+
     /// The point that is left of a ball, or of the core of one.
     fn as_point(&self) -> Option<Vector> {
         match &self.sharp {

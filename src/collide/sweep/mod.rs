@@ -56,7 +56,7 @@ use body::Body;
 use motion::reach_about;
 use parry::bounding_volume::{Aabb, BoundingVolume};
 use parry::shape::Shape;
-use sides::is_behind;
+use sides::{is_behind, moves_to_front};
 
 /// Depth of a shape's core below its surface, as a fraction of the shape's thickness. The core of a ball is
 /// nearly a point. The core of a capsule is nearly its axis, and the core of a board is a thinner board.
@@ -295,6 +295,7 @@ fn impact_of_parts(
             let own = Body::middle(own_shape, widths, fraction)?;
             match advance([&own, &other], sweeps, goal_of_whole, until) {
                 Meeting::FromTheBeginning => None,
+                Meeting::At(fraction) if moves_to_front(parts, &own, fraction) => None,
                 meeting => Some(meeting.fraction()),
             }
         })?;
@@ -305,10 +306,12 @@ fn impact_of_parts(
         let core = Body::core(own_shape, widths, CORE_DEPTH_FRACTION)?.shrunk(fraction);
         match advance([&core, &other], sweeps, core_goal, until) {
             Meeting::FromTheBeginning => None,
+            Meeting::At(fraction) if moves_to_front(parts, &core, fraction) => None,
             meeting => Some(meeting.fraction()),
         }
     })??;
     match advance([&whole, &other], sweeps, goal_of_whole, latest) {
+        Meeting::At(fraction) if moves_to_front(parts, &whole, fraction) => Some(latest),
         Meeting::At(fraction) => Some(fraction),
         Meeting::Never => Some(latest),
         Meeting::FromTheBeginning => match goal.overlap {

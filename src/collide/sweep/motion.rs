@@ -2,7 +2,8 @@
 
 use super::{Solid, box_of_core};
 use crate::dim::math::{
-    ANG_ZERO, AngVector, Pose, Real, Rotation, Vector, ang_length_squared, integrate_rotation,
+    ANG_ZERO, AngVector, Pose, Real, Rotation, Vector, ang_length_squared, cross,
+    integrate_rotation,
 };
 use core::slice;
 use parry::bounding_volume::{Aabb, BoundingVolume};
@@ -136,6 +137,15 @@ impl<'a> Sweep<'a> {
     /// The speed of the centre (length units per step) at a fraction of the step.
     pub(super) fn velocity(&self, fraction: Real) -> Vector {
         if fraction < self.stop { self.segment(fraction).shift } else { Vector::ZERO }
+    }
+
+    /// The velocity (length units per step), at a fraction of the step, of the point that is at a place then.
+    pub(super) fn velocity_at(&self, place: Vector, fraction: Real) -> Vector {
+        if fraction >= self.stop {
+            return Vector::ZERO;
+        }
+        let segment = self.segment(fraction);
+        segment.shift + cross(segment.rotvec, place - segment.center_at(fraction))
     }
 
     /// The fraction of the step at which the velocity changes next; infinity after the last change.
