@@ -50,14 +50,6 @@ impl Walker {
         self.world.bodies[self.body].translation()
     }
 
-    /// Returns whether the character overlaps anything.
-    pub fn overlaps(&self) -> bool {
-        let filter = QueryFilter::default().exclude_rigid_body(self.body);
-        let collider = &self.world.colliders[self.collider];
-        let queries = self.world.query_pipeline_with_filter(filter);
-        queries.intersect_shape(*collider.position(), collider.shape()).next().is_some()
-    }
-
     /// Returns the height of the capsule's lowest point.
     pub fn feet(&self) -> Real {
         self.place().y - FOOT
