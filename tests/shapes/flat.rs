@@ -196,8 +196,11 @@ fn rays_hit_flat_hulls_at_any_slope() {
             (0..DIM).for_each(|axis| path[axis] = dice.within(-3.0, 3.0));
             let ray = Ray::new(middle - path, path);
             let hit = world.cast_ray(&ray, 2.0, true, QueryFilter::default());
-            let time = hit.map_or(Real::NAN, |(_, time)| time);
-            assert!((time - 1.0).abs() < 1.0e-3, "{name} along {path}: {time}");
+            let place = ray.point_at(hit.map_or(Real::NAN, |(_, time)| time));
+            // On a ray that grazes the hull, rounding moves the place along the hull, not off it.
+            let nearest = world.project_point(place, 1.0, true, QueryFilter::default());
+            let error = nearest.map_or(Real::NAN, |(_, near)| (near.point - place).length());
+            assert!(error < 1.0e-3, "{name} along {path}: {error} m off");
             hits += 1;
         }
     }
