@@ -6,6 +6,7 @@
 # features, the flags of docs.rs, and the oldest Rust that the manifest states, where its toolchain can be had.
 set -euo pipefail
 cd "$(dirname "$0")/../../.."
+. crates/release/try/lib.sh
 
 artefacts=$PWD/target/artefacts/crates
 user=$(mktemp -d)
@@ -17,16 +18,6 @@ for crate in "$artefacts"/*.crate; do
     tar -xzf "$crate" -C "$user"
 done
 cd "$user"
-
-# row NAME COMMAND…: runs a command, and prints a row of the table. The output of a failure follows.
-failures=0
-row() {
-    local name=$1 start=$SECONDS result=passed
-    shift
-    "$@" >"$user/output" 2>&1 || { result=FAILED; failures=$((failures + 1)); }
-    printf '| %s | %s | %d s |\n' "$name" "$result" $((SECONDS - start))
-    [ "$result" = passed ] || sed 's/^/    /' "$user/output"
-}
 
 # package_of NAME: the unpacked folder of a published crate.
 package_of() { printf '%s\n' "$user/$1"-[0-9]*; }
@@ -90,7 +81,7 @@ engines=("${programs[@]}" rapier2d-engine-f64 rapier3d-engine-f64)
 if [ "${1:-}" = --all ]; then
     programs=("${engines[@]}" rapier{2d,3d}-facade{,-f64,-v036,-f64-v036} rapier{2d,3d}-engine-bevy)
 fi
-printf '| what | result | time |\n|---|---|--:|\n'
+heading
 for crate in "${programs[@]}"; do
     row "program of the README with \`$crate\`" program "$crate"
 done

@@ -6,20 +6,11 @@
 # build. Without Chromium (CHROMIUM names another one) the rows of pages say so.
 set -euo pipefail
 cd "$(dirname "$0")/../../.."
+. crates/release/try/lib.sh
 artefacts=$PWD/target/artefacts/npm
 chromium=${CHROMIUM:-$(command -v chromium || command -v chromium-browser || command -v google-chrome || true)}
 user=$(mktemp -d)
 trap 'rm -rf "$user"' EXIT
-
-# row NAME COMMAND…: runs a command, and prints a row of the table. The output of a failure follows.
-failures=0
-row() {
-    local name=$1 start=$SECONDS result=passed
-    shift
-    "$@" >"$user/output" 2>&1 || { result=FAILED; failures=$((failures + 1)); }
-    printf '| %s | %s | %d s |\n' "$name" "$result" $((SECONDS - start))
-    [ "$result" = passed ] || sed 's/^/    /' "$user/output"
-}
 
 # project DIMENSION TARBALL: a project whose only dependency is the tarball.
 project() {
@@ -136,7 +127,7 @@ build_and_visit() { node_modules/.bin/vite build --logLevel warn && visit previe
 
 readme() { awk '/^```js/ { inside = 1; next } /^```/ { if (inside) exit } inside' "node_modules/$1/README.md" >readme.mjs && [ -s readme.mjs ] && node readme.mjs; }
 
-printf '| what | result | time |\n|---|---|--:|\n'
+heading
 for dimension in ${*:-2 3}; do
     name=rapier${dimension}d
     tarball=$(echo "$artefacts/$name"-*.tgz)
