@@ -11,6 +11,8 @@ use std::str::FromStr;
 pub enum Request {
     /// The command line requests the usage text.
     Help,
+    /// Draw the charts again from the tables of the pages.
+    Redraw,
     /// Run the benchmark.
     Run(Options),
 }
@@ -121,6 +123,7 @@ pub fn parse(arguments: &[String], scenes: &[Scene]) -> Result<Request, UsageErr
         let mut value = || rest.next().ok_or_else(|| UsageError::MissingValue(argument.clone()));
         match argument.as_str() {
             "-h" | "--help" => return Ok(Request::Help),
+            "--redraw" => return Ok(Request::Redraw),
             "--write" => options.write = true,
             "--profile" => options.profile = true,
             "--queries" => options.queries = true,
@@ -202,6 +205,7 @@ Usage: bench [OPTIONS]
   --bodies-max N    let worlds grow to N bodies at most (default: 1000000)
   --write           also write the table and its chart to docs/benchmarks/latest.md (native.md if built
                     with -C target-cpu=native), or to growth.md
+  --redraw          only draw the charts again, from the tables of these pages
   -h, --help        print this
 
 Box3D and Box2D take part when they are built in (they need cmake, libclang and a C compiler):
@@ -226,7 +230,7 @@ mod tests {
         let arguments: Vec<String> = words.split_whitespace().map(str::to_owned).collect();
         match parse(&arguments, &crate::scenes::all())? {
             Request::Run(options) => Ok(options),
-            Request::Help => panic!("`{words}` should not request help"),
+            _ => panic!("`{words}` should run"),
         }
     }
 

@@ -57,6 +57,7 @@ fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     let outcome = match args::parse(&arguments, &scenes) {
         Ok(Request::Help) => args::print_help(&scenes),
+        Ok(Request::Redraw) => report::redraw(),
         Ok(Request::Run(options)) if options.profile => profile::run(&scenes, &options),
         Ok(Request::Run(options)) if options.queries => queries::run(&scenes, &options),
         Ok(Request::Run(options)) if options.saving => saving::run(&scenes, &options),

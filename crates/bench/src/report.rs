@@ -78,20 +78,34 @@ pub fn print(out: &mut dyn Write, contests: &[Contest]) -> io::Result<()> {
 
 /// Writes the table as a page of the documentation, with a chart.
 pub fn write(contests: &[Contest], options: &Options) -> io::Result<()> {
+    publish(PAGE, &page(contests, options))
+}
+
+/// Writes a page of the documentation, and draws its charts.
+pub fn publish(name: &str, page: &str) -> io::Result<()> {
     let folder = folder()?;
-    let has_chart = chart::ratios(&folder.join(CHART), contests)?;
-    std::fs::write(folder.join(PAGE), page(contests, options, has_chart))
+    chart::draw(&folder, page)?;
+    std::fs::write(folder.join(name), page)
+}
+
+/// Draws the charts of all pages from their tables.
+pub fn redraw() -> io::Result<()> {
+    let folder = folder()?;
+    for page in ["latest.md", "native.md", "growth.md"] {
+        chart::draw(&folder, &std::fs::read_to_string(folder.join(page))?)?;
+    }
+    Ok(())
 }
 
 /// Creates the folder of pages and charts if necessary, and returns its path.
-pub fn folder() -> io::Result<PathBuf> {
+fn folder() -> io::Result<PathBuf> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").join(FOLDER);
     std::fs::create_dir_all(&folder)?;
     Ok(folder)
 }
 
 /// Formats the page in Markdown.
-fn page(contests: &[Contest], options: &Options, has_chart: bool) -> String {
+fn page(contests: &[Contest], options: &Options) -> String {
     let mut page = format!(
         "# Beside its peers\n\n\
          {}, {}.\n\
@@ -104,9 +118,10 @@ fn page(contests: &[Contest], options: &Options, has_chart: bool) -> String {
     );
     let points = |lines: Vec<String>| lines.into_iter().map(|line| format!("* {line}.\n"));
     page.extend(points(means::lines(contests)));
-    if has_chart {
+    // Without a peer there is no bar.
+    if contests.iter().any(|contest| means::ratio_to_fastest(contest).is_some()) {
         page += &format!(
-            "\n![The fastest peer's time divided by this engine's, for each scene]({CHART})\n"
+            "\n![How many times as fast as the fastest peer this engine is, for each scene]({CHART})\n"
         );
     }
     page += "\n## Figures\n\n";

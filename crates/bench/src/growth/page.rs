@@ -1,13 +1,12 @@
 //! Tables of the curves, for the terminal and for the documentation, and their charts.
 
 use super::Growth;
-use super::curve::{Curve, Setting};
+use super::curve::Setting;
 use crate::args::Options;
 use crate::catalog::engine_name;
-use crate::chart::{self, Panel};
 use crate::contest::Score;
 use crate::engine::Kind;
-use crate::report::{folder, machine, markdown, written_by};
+use crate::report::{machine, markdown, publish, written_by};
 use crate::units::counted;
 use gallery::{Table, grouped};
 use std::io::{self, Write};
@@ -61,7 +60,6 @@ fn rows(growth: &Growth) -> Vec<Vec<String>> {
 
 /// Writes the page and its charts.
 pub fn write(growths: &[Growth], options: &Options) -> io::Result<()> {
-    let folder = folder()?;
     let mut page = format!(
         "# How costs grow\n\n\
          {}, {}.\n\
@@ -77,13 +75,12 @@ pub fn write(growths: &[Growth], options: &Options) -> io::Result<()> {
             page += &format!("\n## {}\n\n{}\n", growth.curve.heading(), growth.curve.description());
         }
         let picture = format!("growth-{}-{}.svg", growth.curve.name(), growth.dimension);
-        chart::panels(&folder.join(&picture), &title(growth), &panels(growth))?;
         page += &format!("\n![{}]({picture})\n\n", title(growth));
         page += &markdown(&HEADINGS, &["engine"], &rows(growth));
         let remarks = growth.remarks();
         page.extend(remarks.iter().map(|remark| format!("\n* {remark}\n")));
     }
-    std::fs::write(folder.join(PAGE), page)
+    publish(PAGE, &page)
 }
 
 /// Formats the number of rounds: `3 rounds (1 with a million bodies)`.
@@ -95,32 +92,4 @@ fn rounds(options: &Options) -> String {
 /// Returns the bytes per body of any type.
 fn bytes_per_body(score: &Score) -> f64 {
     score.bytes as f64 / score.stats.counts.bodies.max(1) as f64
-}
-
-/// Returns the panels of time and of memory.
-fn panels(growth: &Growth) -> [Panel; 2] {
-    let panel = |heading, value: fn(&Score) -> f64| {
-        let curves = Kind::ALL.into_iter().enumerate();
-        let curves = curves.filter_map(|(place, kind)| {
-            let points = points(growth, kind, value);
-            let name = engine_name(kind, growth.dimension);
-            (!points.is_empty()).then_some(chart::Curve { name, place, points })
-        });
-        Panel { heading, below: growth.curve.x_axis(), curves: curves.collect() }
-    };
-    [panel("ms per step", Score::median), panel("bytes per body", bytes_per_body)]
-}
-
-/// Returns the curve of one engine. Values at or below zero have no place on a logarithmic axis and are left
-/// out.
-fn points(growth: &Growth, kind: Kind, value: fn(&Score) -> f64) -> Vec<(f64, f64)> {
-    let scores = growth.scores().filter(|(_, other, _)| *other == kind);
-    let points = scores.map(|(setting, _, score)| {
-        let x = match growth.curve {
-            Curve::Contacts => score.stats.counts.points,
-            _ => setting.grows.unwrap_or_default(),
-        };
-        (x as f64, value(score))
-    });
-    points.filter(|&(x, y)| x > 0.0 && y > 0.0).collect()
 }
