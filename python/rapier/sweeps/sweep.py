@@ -1,10 +1,18 @@
 """The function `rapier.sweep`."""
 
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping
+from typing import TYPE_CHECKING, Any, Optional, Union
+
 from .._rapier import InvalidValueError
 from .case import Job, cases_of
 from .cluster import run_cluster
 from .local import run_local
 from .table import SweepError, SweepResult, check_columns
+
+if TYPE_CHECKING:
+    from .._engine import World
 
 
 def _progress(count, wanted):
@@ -18,7 +26,10 @@ def _progress(count, wanted):
     return tqdm(total=count, unit="case")
 
 
-def sweep(scene, grid, metrics, address=None, *, steps=600, workers=None, attempts=3, progress=True, strict=True):
+def sweep(
+    scene: Union[Callable[..., Any], World], grid: Union[dict[str, Any], Iterable[dict[str, Any]]], metrics: Mapping[str, Callable[..., Any]],
+    address: Optional[str] = None, *, steps: int = 600, workers: Optional[int] = None, attempts: int = 3, progress: bool = True, strict: bool = True,
+) -> SweepResult:
     """Runs a scene with all parameters of a grid, and measures each world after its steps. Returns a `SweepResult`.
 
     scene: a function of the parameters that returns a world, or a pair (world, object for the metrics). A world instead of a function is copied for each case, and the

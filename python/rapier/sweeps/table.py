@@ -1,5 +1,10 @@
 """The table of a sweep: Arrow, Parquet, plots."""
 
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable
+from typing import Any, Optional, Union
 
 from .._rapier import InvalidValueError, RapierError
 
@@ -20,7 +25,7 @@ def check_columns(parameters, metrics):
 class SweepError(RapierError):
     """Cases of a sweep failed. `result` contains the others."""
 
-    def __init__(self, message, result):
+    def __init__(self, message: str, result: SweepResult) -> None:
         super().__init__(message)
         self.result = result
 
@@ -31,16 +36,18 @@ class SweepResult:
     parameters, metrics: names of the columns. rows: dictionaries. failures: texts of exceptions by the number of the case. lost_workers: processes that ended.
     """
 
-    def __init__(self, parameters, metrics, rows, failures, lost_workers):
+    def __init__(
+        self, parameters: Iterable[str], metrics: Iterable[str], rows: list[dict[str, Any]], failures: dict[int, str], lost_workers: int,
+    ) -> None:
         self.parameters, self.metrics, self.rows = list(parameters), list(metrics), rows
         self.failures, self.lost_workers = failures, lost_workers
 
-    def __len__(self):
+    def __len__(self) -> int:
         """The number of cases."""
         return len(self.rows)
 
     @property
-    def table(self):
+    def table(self) -> Any:
         """The rows as a `pyarrow.Table`. Failed cases have null metrics. The column "hash" is that of the world after the steps."""
         import pyarrow
 
@@ -50,13 +57,13 @@ class SweepResult:
         table = pyarrow.table(arrays)
         return table.append_column("hash", hashes)
 
-    def to_parquet(self, path):
+    def to_parquet(self, path: Union[str, os.PathLike[str]]) -> None:
         """Writes the table as a Parquet file."""
         import pyarrow.parquet
 
         pyarrow.parquet.write_table(self.table, path)
 
-    def plot(self, x=None, y=None, by=None, ax=None):
+    def plot(self, x: Optional[str] = None, y: Optional[str] = None, by: Optional[str] = None, ax: Any = None) -> Any:
         """Plots a metric against a parameter, one line for each value of another parameter. Returns the axes of matplotlib.
 
         x: by default the first parameter. y: by default the first metric. by: by default the second parameter, if there is one.
@@ -80,5 +87,5 @@ class SweepResult:
             ax.legend()
         return ax
 
-    def __repr__(self):
+    def __repr__(self) -> str:
         return f"<SweepResult: {len(self.rows)} cases of {', '.join(self.parameters)}, {len(self.failures)} failed>"
