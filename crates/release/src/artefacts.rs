@@ -1,7 +1,7 @@
 //! The artefacts of each kind, and the programs that pack the files.
 
 use crate::Failure;
-use crate::files::{copy, copy_tree, entries, make_empty_folder, write};
+use crate::files::{copy, copy_tree, entries, make_empty_folder, read, write};
 use crate::manifest;
 use crate::settings::Settings;
 use crate::stage::{Naming, Stage};
@@ -44,7 +44,8 @@ pub fn python(
     make_empty_folder(&stage)?;
     Stage::build(repository, &stage, Naming::OfTheRepository, &["python"])?;
     let package = stage.join("rapier-python");
-    copy(&repository.join("python/README.md"), &package.join("README.md"))?;
+    let readme = published_readme(&read(&repository.join("python/README.md"))?, &settings.python);
+    write(&package.join("README.md"), &readme)?;
     let mut project = manifest::parse(&repository.join("python/pyproject.toml"))?;
     project["project"]["name"] = toml_edit::value(&settings.python);
     write(&package.join("pyproject.toml"), &project.to_string())?;
@@ -66,6 +67,15 @@ pub fn python(
     let check = ["-m", "twine", "check", "--strict"];
     call(Command::new(&python).args(check).args(&files).current_dir(&folder))?;
     sizes(&folder)
+}
+
+/// The description of the published Python package, which is installed by its name.
+fn published_readme(text: &str, name: &str) -> String {
+    let published = |line: &str| match line.starts_with("pip install ./python") {
+        true => format!("pip install {name}\n"),
+        false => format!("{line}\n"),
+    };
+    text.lines().map(published).collect()
 }
 
 /// The tarballs of both npm packages. The sizes of their downloads follow: raw, by gzip, by brotli.
@@ -144,7 +154,13 @@ fn sizes(folder: &Path) -> Result<Vec<(String, u64)>, Failure> {
 
 #[cfg(test)]
 mod tests {
-    use super::size_and_name;
+    use super::{published_readme, size_and_name};
+
+    #[test]
+    fn a_published_readme_names_the_package() {
+        let text = "# rapier\npip install ./python    # needs Rust\n";
+        assert_eq!(published_readme(text, "other"), "# rapier\npip install other\n");
+    }
 
     #[test]
     fn lines_of_sizes_are_read() {

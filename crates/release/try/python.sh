@@ -40,6 +40,7 @@ import sys
 description = importlib.metadata.metadata(sys.argv[1]).get_payload()
 programs = re.findall(r"^```python\n(.*?)^```$", description, re.DOTALL | re.MULTILINE)
 assert programs, "the description has no program"
+assert f"pip install {sys.argv[1]}\n" in description, "the description does not name the package"
 for program in programs:
     subprocess.run([sys.executable, "-c", program], check=True)
 TEXT
