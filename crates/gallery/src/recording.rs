@@ -4,8 +4,8 @@ use crate::catalog::SceneRun;
 use crate::painter::Painter;
 use drawing::{Animation, Camera, Drawing, Point, View};
 
-/// Size of an animation in pixels: a quarter of a picture's area, for small files.
-const SIZE: [usize; 2] = [640, 360];
+/// Size of an animation in pixels: wide enough for a third of a page, for small files.
+const SIZE: [usize; 2] = [480, 270];
 /// Steps from one frame to the next.
 const STRIDE: usize = 2;
 

@@ -213,20 +213,17 @@ impl Window {
                 self.help = !self.help;
             }
         });
-        if let Some(message) = self.recorder.message() {
-            ui.small(message);
-        }
         egui::ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
             let session = &mut self.session;
             let section =
                 |title: &str, open: bool| egui::CollapsingHeader::new(title).default_open(open);
-            section("Time of a frame", true).show(ui, |ui| session.plot.show(ui));
+            section("Drawing", true).show(ui, |ui| {
+                shown::show(ui, &mut session.artist.overlays);
+                ui.collapsing("Quality", |ui| shown::quality(ui, &mut self.viewport));
+            });
             section("Selection", true).show(ui, |ui| inspect::show(ui, session));
             section("Parameters", true).show(ui, |ui| parameters::show(ui, session));
-            section("Drawing", false).show(ui, |ui| {
-                shown::show(ui, &mut session.artist.overlays);
-                shown::quality(ui, &mut self.viewport);
-            });
+            section("Time of a frame", true).show(ui, |ui| session.plot.show(ui));
         });
     }
 
@@ -247,14 +244,40 @@ impl Window {
             .show(ui, |ui| transport::show(ui, &mut self.session, self.frame_time));
         egui::CentralPanel::default().frame(egui::Frame::NONE).show(ui, |ui| {
             self.viewport.show(ui, &mut self.session);
-            let title = title_of(self.name());
-            let corner = ui.max_rect().left_bottom() + egui::vec2(12.0, -10.0);
-            let font = egui::FontId::proportional(16.0);
-            let color = egui::Color32::from_white_alpha(150);
-            ui.painter().text(corner, egui::Align2::LEFT_BOTTOM, title, font, color);
+            let demo = &self.demos[self.current];
+            caption(ui, &title_of(&demo.name), &demo.description);
+            if let Some(message) = self.recorder.message() {
+                toast(ui, message);
+            }
         });
         help::show(ui.ctx(), &mut self.help);
     }
+}
+
+/// Writes a title and a sentence into the lower left corner of the picture.
+fn caption(ui: &Ui, title: &str, sentence: &str) {
+    let area = ui.max_rect().shrink2(egui::vec2(12.0, 10.0));
+    let write = |text: &str, size: f32, alpha: u8| {
+        let font = egui::FontId::proportional(size);
+        let color = egui::Color32::from_white_alpha(alpha);
+        ui.painter().layout(text.to_owned(), font, color, area.width())
+    };
+    let (title, sentence) = (write(title, 17.0, 220), write(sentence, 13.0, 170));
+    let bottom = area.bottom() - sentence.size().y;
+    ui.painter().galley(egui::pos2(area.left(), bottom), sentence, egui::Color32::WHITE);
+    let top = bottom - title.size().y - 2.0;
+    ui.painter().galley(egui::pos2(area.left(), top), title, egui::Color32::WHITE);
+}
+
+/// Shows a message over the top of the picture.
+fn toast(ui: &Ui, message: &str) {
+    let font = egui::FontId::proportional(14.0);
+    let text = ui.painter().layout_no_wrap(message.to_owned(), font, egui::Color32::WHITE);
+    let middle = ui.max_rect().center_top() + egui::vec2(0.0, 28.0);
+    let area = egui::Rect::from_center_size(middle, text.size());
+    let back = egui::Color32::from_black_alpha(190);
+    ui.painter().rect_filled(area.expand2(egui::vec2(12.0, 6.0)), 6.0, back);
+    ui.painter().galley(area.min, text, egui::Color32::WHITE);
 }
 
 impl eframe::App for Window {

@@ -3,11 +3,14 @@
 use drawing::{Animation, Image};
 use std::path::{Path, PathBuf};
 use std::sync::mpsc::{Receiver, channel};
+use std::time::{Duration, Instant};
 
 /// Largest number of frames of a recording.
 const FRAMES_MAX: usize = 900;
 /// Frames per second of a recording.
 const RATE: u16 = 20;
+/// Time for which a message is shown.
+const MESSAGE_TIME: Duration = Duration::from_secs(4);
 
 /// Takes pictures of the window.
 pub(crate) struct Recorder {
@@ -15,8 +18,8 @@ pub(crate) struct Recorder {
     recording: Option<Animation>,
     /// Seconds since the last frame of the recording.
     since_frame: f64,
-    /// Messages of files that were written.
-    message: Option<String>,
+    /// Message about the last file, and its time.
+    message: Option<(String, Instant)>,
     written: Option<Receiver<String>>,
 }
 
@@ -73,7 +76,7 @@ impl Recorder {
     ) {
         let (send, receive) = channel();
         self.written = Some(receive);
-        self.message = Some(format!("writing {}", path.display()));
+        self.message = Some((format!("writing {}", path.display()), Instant::now()));
         let folder = self.folder.clone();
         std::thread::spawn(move || {
             let result = std::fs::create_dir_all(folder).and_then(|()| write(&path));
@@ -86,12 +89,13 @@ impl Recorder {
         });
     }
 
-    /// The message about the last file.
+    /// Returns the message about the last file for some seconds.
     pub(crate) fn message(&mut self) -> Option<&str> {
         if let Some(message) = self.written.as_ref().and_then(|written| written.try_recv().ok()) {
-            self.message = Some(message);
+            self.message = Some((message, Instant::now()));
         }
-        self.message.as_deref()
+        let recent = self.message.as_ref().filter(|(_, since)| since.elapsed() < MESSAGE_TIME);
+        recent.map(|(message, _)| message.as_str())
     }
 }
 

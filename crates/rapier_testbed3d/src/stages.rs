@@ -95,14 +95,21 @@ impl StagePlot {
         sums.map(|sum| sum / count)
     }
 
+    /// Returns the time that one frame of fifty exceeds: a single slow frame does not flatten the others.
+    fn usual_peak(&self) -> f64 {
+        let mut totals: Vec<f64> = self.frames.iter().map(|frame| frame.iter().sum()).collect();
+        totals.sort_by(f64::total_cmp);
+        let place = totals.len().saturating_sub(1 + totals.len() / 50);
+        totals.get(place).map_or(1.0, |&total| total.max(1.0))
+    }
+
     /// Draws the plot and its legend.
     pub(crate) fn show(&self, ui: &mut Ui) {
         let size = Vec2::new(ui.available_width(), HEIGHT);
         let (response, painter) = ui.allocate_painter(size, Sense::hover());
         let rect = response.rect;
         painter.rect_filled(rect, 4.0, Color32::from_rgb(16, 19, 25));
-        let totals = self.frames.iter().map(|frame| frame.iter().sum::<f64>());
-        let top = round_up(totals.fold(1.0, f64::max));
+        let top = round_up(self.usual_peak());
         let mut below = vec![0.0; self.frames.len()];
         for part in 0..PARTS {
             let above: Vec<f64> =
@@ -111,7 +118,8 @@ impl StagePlot {
             below = above;
         }
         let line = |ms: f64| pos2(rect.left(), height_of(rect, ms / top));
-        for ms in [16.7, 33.3].into_iter().filter(|&ms| ms < top) {
+        for ms in [1.0, 4.0, 16.7, 33.3, 100.0].into_iter().filter(|&ms| ms < top && 5.0 * ms > top)
+        {
             let from = line(ms);
             let stroke = Stroke::new(1.0, Color32::from_white_alpha(60));
             painter.line_segment([from, pos2(rect.right(), from.y)], stroke);

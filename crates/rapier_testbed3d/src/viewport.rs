@@ -1,5 +1,6 @@
 //! The part of the window that shows the scene, and the mouse in it.
 
+use crate::panels::parameters::changes;
 use crate::rapier::math::DIM;
 use crate::session::Session;
 use crate::stages::Part;
@@ -140,11 +141,15 @@ impl Viewport {
         for label in &drawing.labels {
             write(ui, rect, &camera, label);
         }
-        if session.other.is_some() {
-            let name = if index == 0 { "A" } else { "B" };
+        if let Some(other) = &session.other {
+            let [a, b] = [&session.player, other].map(|p| p.scene.world.integration_parameters);
+            let (name, changes) =
+                if index == 0 { ("A", changes(&b, &a)) } else { ("B", changes(&a, &b)) };
+            let values = changes.iter().map(|(name, value)| format!("\n{name} {value}"));
             let corner = rect.left_top() + Vec2::splat(12.0);
-            let font = egui::FontId::proportional(20.0);
-            ui.painter().text(corner, egui::Align2::LEFT_TOP, name, font, Color32::WHITE);
+            let font = egui::FontId::proportional(16.0);
+            let text = values.fold(name.to_owned(), |all, value| all + &value);
+            ui.painter().text(corner, egui::Align2::LEFT_TOP, text, font, Color32::WHITE);
         }
     }
 

@@ -43,6 +43,12 @@ fn fact(ui: &mut Ui, name: &str, value: String) {
     ui.end_row();
 }
 
+/// Formats an angular velocity: a number in 2D.
+fn angular(v: AngVector) -> String {
+    let text = format!("{v:.3}");
+    text.trim_matches(['[', ']']).replace(", ", "  ")
+}
+
 fn vector(v: Vector) -> String {
     let parts: Vec<String> =
         Vector::AXES.iter().map(|axis| format!("{:.3}", v.dot(*axis))).collect();
@@ -57,7 +63,7 @@ fn show_body(ui: &mut Ui, player: &mut Player, handle: RigidBodyHandle) {
     Grid::new("body").num_columns(2).show(ui, |ui| {
         fact(ui, "position", vector(body.translation()));
         fact(ui, "velocity", vector(body.linvel()));
-        fact(ui, "angular", format!("{:.3?}", body.angvel()));
+        fact(ui, "angular", angular(body.angvel()));
         fact(ui, "mass", format!("{:.4}", body.mass()));
         fact(ui, "kinetic energy", format!("{:.3}", body.kinetic_energy()));
         let sleep = if body.is_sleeping() { "asleep" } else { "awake" };

@@ -47,9 +47,8 @@ fn time(ui: &mut Ui, session: &mut Session) {
         session.pace.running = false;
         player.rewound = (position < last).then_some(position);
     }
-    let world = &player.shown().world;
-    let seconds = player.shown().steps_taken as f64 * f64::from(world.integration_parameters.dt);
-    ui.monospace(format!("{seconds:7.2} s  step {}", player.shown().steps_taken));
+    let shown = player.shown();
+    ui.monospace(format!("{:7.2} s  step {}", shown.time, shown.steps_taken));
 }
 
 fn counts(ui: &mut Ui, session: &Session, frame_time: f64) {

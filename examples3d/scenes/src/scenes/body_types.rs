@@ -1,6 +1,4 @@
 //! Bodies that change their type while the world runs.
-//!
-//! After 200 steps no overlap is deeper than 0.11. No body is below 0.0 or farther out than 11.0.
 
 use crate::common::{Law, Scene, SceneInfo};
 use crate::kit::{add, cube, world_with_floor};
@@ -13,7 +11,7 @@ pub const INFO: SceneInfo = SceneInfo {
     description: "A plank becomes kinematic, fixed and dynamic in turn, under a heap of balls.",
     category: Category::Basics,
     steps: 300,
-    law: Law { overlap_max: 0.11, height_min: 0.0, reach_max: 11.0, ..Law::after(200) },
+    law: Law { overlap_max: 0.05, height_min: 0.0, ..Law::NONE },
     build,
 };
 

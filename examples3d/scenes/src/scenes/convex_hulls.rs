@@ -1,6 +1,4 @@
 //! Rocks of random shape.
-//!
-//! After 200 steps no overlap is deeper than 0.015. No body is below -0.8 or farther out than 12.0.
 
 use crate::common::{Dice, Law, Scene, SceneInfo};
 use crate::kit::{add, add_walls, rock, world_with_floor};
@@ -13,7 +11,7 @@ pub const INFO: SceneInfo = SceneInfo {
     description: "Rocks of 5 to 16 corners and all sizes fall into a box.",
     category: Category::Shapes,
     steps: 360,
-    law: Law { overlap_max: 0.015, height_min: -0.8, reach_max: 12.0, ..Law::after(200) },
+    law: Law { overlap_max: 0.02, height_min: -1.0, reach_max: 10.0, speed_max: 0.1, ..Law::NONE },
     build,
 };
 

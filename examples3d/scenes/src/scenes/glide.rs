@@ -1,7 +1,5 @@
 //! A thousand boxes glide over level ground, of one box or of two hundred thousand triangles. Both grounds
 //! must give the same motion.
-//!
-//! After 200 steps no overlap is deeper than 0.01. No body is below -0.1 or farther out than 43.0.
 
 use crate::common::{Law, Scene, SceneInfo};
 use crate::kit::surface;
@@ -14,7 +12,7 @@ pub const ON_MESH: SceneInfo = SceneInfo {
     description: "1,000 boxes glide without friction over a level mesh of 200,000 triangles.",
     category: Category::PastBugs,
     steps: 300,
-    law: Law { overlap_max: 0.01, height_min: -0.1, reach_max: 43.0, ..Law::after(200) },
+    law: Law { overlap_max: 0.01, ..Law::NONE },
     build: || build(triangles()),
 };
 
@@ -24,7 +22,7 @@ pub const ON_BOX: SceneInfo = SceneInfo {
     description: "1,000 boxes glide without friction over one box: the cost of level ground.",
     category: Category::PastBugs,
     steps: 300,
-    law: Law { overlap_max: 0.01, height_min: -0.1, reach_max: 43.0, ..Law::after(200) },
+    law: Law { overlap_max: 0.01, ..Law::NONE },
     build: || build(slab()),
 };
 

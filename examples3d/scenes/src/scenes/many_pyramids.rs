@@ -1,7 +1,4 @@
 //! Many small pyramids: many islands that could fall asleep independently.
-//!
-//! After 20 steps no overlap is deeper than 0.01. No body is below 0.1, farther out than 98.0 or faster than
-//! 0.1. The top is above 9.2.
 
 use crate::common::{Law, Scene, SceneInfo};
 use crate::kit::{add_pyramid, cube, world_with_floor};
@@ -16,11 +13,11 @@ pub const INFO: SceneInfo = SceneInfo {
     steps: 120,
     law: Law {
         overlap_max: 0.01,
-        height_min: 0.1,
-        reach_max: 98.0,
+        height_min: 0.0,
+        top_loss_max: 0.1,
+        reach_max: 93.0,
         speed_max: 0.1,
-        top_min: 9.2,
-        ..Law::after(20)
+        ..Law::NONE
     },
     build,
 };

