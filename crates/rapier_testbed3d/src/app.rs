@@ -269,12 +269,12 @@ fn caption(ui: &Ui, title: &str, sentence: &str) {
     ui.painter().galley(egui::pos2(area.left(), top), title, egui::Color32::WHITE);
 }
 
-/// Shows a message over the top of the picture.
+/// Shows a message over the upper right corner of the picture.
 fn toast(ui: &Ui, message: &str) {
     let font = egui::FontId::proportional(14.0);
     let text = ui.painter().layout_no_wrap(message.to_owned(), font, egui::Color32::WHITE);
-    let middle = ui.max_rect().center_top() + egui::vec2(0.0, 28.0);
-    let area = egui::Rect::from_center_size(middle, text.size());
+    let corner = ui.max_rect().right_top() + egui::vec2(-24.0 - text.size().x, 18.0);
+    let area = egui::Rect::from_min_size(corner, text.size());
     let back = egui::Color32::from_black_alpha(190);
     ui.painter().rect_filled(area.expand2(egui::vec2(12.0, 6.0)), 6.0, back);
     ui.painter().galley(area.min, text, egui::Color32::WHITE);
