@@ -2,6 +2,7 @@
 
 use crate::panels::gallery::{GalleryPanel, title_of};
 use crate::panels::{help, inspect, parameters, shown, transport};
+use crate::rapier::math::Real;
 use crate::recorder::Recorder;
 use crate::scene::SceneInfo;
 use crate::session::{Demo, Session};
@@ -147,7 +148,10 @@ impl Window {
         if pressed(Key::Space) {
             session.pace.running = !session.pace.running;
         }
-        if pressed(Key::S) || pressed(Key::ArrowRight) {
+        if let Some((controls, _)) = &session.player.scene.controls {
+            controls.set(arrows(ui));
+        }
+        if pressed(Key::S) {
             session.pace.running = false;
             session.pace.single_steps += 1;
         }
@@ -245,13 +249,22 @@ impl Window {
         egui::CentralPanel::default().frame(egui::Frame::NONE).show(ui, |ui| {
             self.viewport.show(ui, &mut self.session);
             let demo = &self.demos[self.current];
-            caption(ui, &title_of(&demo.name), &demo.description);
+            let controls = self.session.player.scene.controls.as_ref();
+            let hint = controls.map_or(String::new(), |(_, sentence)| format!("\n{sentence}"));
+            caption(ui, &title_of(&demo.name), &(demo.description.clone() + &hint));
             if let Some(message) = self.recorder.message() {
                 toast(ui, message);
             }
         });
         help::show(ui.ctx(), &mut self.help);
     }
+}
+
+/// Returns the direction of the arrow keys that are down: right and up.
+fn arrows(ui: &Ui) -> [Real; 2] {
+    let down = |key| ui.input(|input| Real::from(u8::from(input.key_down(key))));
+    let between = |low, high| down(high) - down(low);
+    [between(Key::ArrowLeft, Key::ArrowRight), between(Key::ArrowDown, Key::ArrowUp)]
 }
 
 /// Writes a title and a sentence into the lower left corner of the picture.

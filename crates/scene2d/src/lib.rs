@@ -10,6 +10,6 @@ mod common;
 mod shapes;
 
 pub use common::{
-    Artist, BodyColors, Law, Overlays, Scene, SceneInfo, Script, StepEvents, entries, gap,
+    Artist, BodyColors, Controls, Law, Overlays, Scene, SceneInfo, Script, StepEvents, entries, gap,
 };
 pub use shapes::point;

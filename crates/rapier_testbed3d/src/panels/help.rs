@@ -4,9 +4,10 @@ use crate::rapier::math::DIM;
 use eframe::egui::{Align2, Context, Grid, Key, RichText, Window};
 
 /// Keys and their effects.
-const KEYS: [(&str, &str); 13] = [
+const KEYS: [(&str, &str); 14] = [
     ("Space", "run, pause"),
-    ("S  or  Right", "one step"),
+    ("S", "one step"),
+    ("arrows", "drive, where the scene says so"),
     ("R", "restart"),
     ("Page Down, Page Up", "next scene, previous scene"),
     ("B", "throw a ball at the pointer"),

@@ -1,6 +1,7 @@
 //! The part of a scene that 2D and 3D share. Both crates compile these files, each against its own engine,
 //! which their roots import under the name `rapier`.
 
+mod controls;
 mod draw;
 mod events;
 mod islands;
@@ -11,6 +12,7 @@ mod run;
 mod scene;
 mod surfaces;
 
+pub use controls::Controls;
 pub use draw::Artist;
 pub(crate) use draw::Look;
 pub use events::StepEvents;

@@ -1,5 +1,6 @@
 //! A scene: a world, and its events beside physics.
 
+use super::controls::Controls;
 use super::draw::Artist;
 use super::events::StepEvents;
 use super::law::Law;
@@ -74,6 +75,8 @@ pub struct Scene {
     pub joint_axes: Option<Real>,
     /// Texts and their positions.
     pub labels: Vec<(Vector, &'static str)>,
+    /// Keys that control the scene, and a sentence that says how.
+    pub controls: Option<(Controls, &'static str)>,
     /// Colours of bodies that are not those of the palette.
     pub body_colors: BodyColors,
     /// Keeps the meshes of shapes from picture to picture.
@@ -110,6 +113,7 @@ impl Scene {
             time: self.time,
             joint_axes: self.joint_axes,
             labels: self.labels.clone(),
+            controls: self.controls.clone(),
             body_colors: self.body_colors.clone(),
             artist: Artist::default(),
             observer: self.observer.clone(),
@@ -128,6 +132,7 @@ impl Scene {
             time: 0.0,
             joint_axes: None,
             labels: Vec::new(),
+            controls: None,
             body_colors: BodyColors::new(),
             artist: Artist::default(),
             observer: None,
@@ -170,6 +175,12 @@ impl Scene {
         observer: impl FnMut(&mut PhysicsWorld, &mut BodyColors, &StepEvents, Moment) + 'static,
     ) -> Self {
         self.observer = Some(Rc::new(RefCell::new(observer)));
+        self
+    }
+
+    /// Lets keys control the scene, whose script reads them. Copies of the scene share them.
+    pub fn controlled(mut self, controls: Controls, sentence: &'static str) -> Self {
+        self.controls = Some((controls, sentence));
         self
     }
 

@@ -1,6 +1,6 @@
 //! Characters: they climb stairs and a slope, ride a lift and a raft, and push crates.
 
-use crate::common::{Law, Scene, SceneInfo, Walker};
+use crate::common::{Controls, Law, Scene, SceneInfo, Walker};
 use crate::kit::{add, add_fixed, square, world_with_floor};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
@@ -59,15 +59,22 @@ pub fn build() -> Scene {
     .into();
     let scene =
         Scene::new(world, View::flat()).focusing(Vector::new(-17.5, -0.5), Vector::new(18.5, 4.0));
-    scene.script(move |world, step| {
-        let time = step as Real * world.integration_parameters.dt;
-        if let Some(lift) = world.bodies.get_mut(lift) {
-            lift.set_linvel(Vector::Y * (1.2 * time).sin() * 1.2, true);
-        }
-        if let Some(raft) = world.bodies.get_mut(raft) {
-            raft.set_linvel(Vector::X * (0.8 * time).cos(), true);
-            raft.set_angvel(0.2 * (1.5 * time).cos(), true);
-        }
-        walkers.iter_mut().for_each(|walker| walker.walk(world));
-    })
+    let controls = Controls::default();
+    let keys = controls.clone();
+    scene.controlled(controls, "Left and right keys move a character.").script(
+        move |world, step| {
+            let time = step as Real * world.integration_parameters.dt;
+            if let Some(lift) = world.bodies.get_mut(lift) {
+                lift.set_linvel(Vector::Y * (1.2 * time).sin() * 1.2, true);
+            }
+            if let Some(raft) = world.bodies.get_mut(raft) {
+                raft.set_linvel(Vector::X * (0.8 * time).cos(), true);
+                raft.set_angvel(0.2 * (1.5 * time).cos(), true);
+            }
+            if let Some([right, _]) = keys.direction() {
+                walkers[0].steer(Vector::X * (2.5 * right));
+            }
+            walkers.iter_mut().for_each(|walker| walker.walk(world));
+        },
+    )
 }

@@ -14,7 +14,7 @@ mod framing;
 #[cfg(test)]
 mod tests;
 
-pub use crate::scene::{Law, Scene, SceneInfo};
+pub use crate::scene::{Controls, Law, Scene, SceneInfo};
 pub use dice::Dice;
 pub(crate) use kit::{add, add_fixed};
 pub use strider::{Strider, turns};

@@ -9,8 +9,8 @@ pub struct Walker {
     body: RigidBodyHandle,
     collider: ColliderHandle,
     controller: KinematicCharacterController,
-    /// Desired velocity along x (length/s).
-    velocity: Real,
+    /// Desired level velocity (length/s).
+    velocity: Vector,
     /// Range of x. The character reverses at its ends.
     range: [Real; 2],
     /// Vertical velocity of the fall (length/s).
@@ -31,20 +31,25 @@ impl Walker {
             }),
             ..KinematicCharacterController::default()
         };
-        Self { body, collider, controller, velocity: speed, range, fall: 0.0 }
+        Self { body, collider, controller, velocity: Vector::X * speed, range, fall: 0.0 }
+    }
+
+    /// Sets the level velocity of a character that no longer reverses.
+    pub fn steer(&mut self, velocity: Vector) {
+        (self.velocity, self.range) = (velocity, [-Real::INFINITY, Real::INFINITY]);
     }
 
     /// Sets the next position. To be called before the step of the world.
     pub fn walk(&mut self, world: &mut PhysicsWorld) {
         let dt = world.integration_parameters.dt;
         let place = world.bodies[self.body].translation();
-        if (self.velocity < 0.0 && place.x < self.range[0])
-            || (self.velocity > 0.0 && place.x > self.range[1])
+        if (self.velocity.x < 0.0 && place.x < self.range[0])
+            || (self.velocity.x > 0.0 && place.x > self.range[1])
         {
             self.velocity = -self.velocity;
         }
         self.fall += world.gravity.y * dt;
-        let desired = (Vector::X * self.velocity + Vector::Y * self.fall) * dt;
+        let desired = (self.velocity + Vector::Y * self.fall) * dt;
         let shape = world.colliders[self.collider].shared_shape().clone();
         let filter = QueryFilter::default().exclude_rigid_body(self.body);
         let mut met = Vec::new();

@@ -1,6 +1,6 @@
 //! Characters: they climb stairs and a slope, ride a lift and a turntable, and push crates.
 
-use crate::common::{Law, Scene, SceneInfo, Walker};
+use crate::common::{Controls, Law, Scene, SceneInfo, Walker};
 use crate::kit::{add, add_fixed, cube, world_with_floor};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
@@ -75,11 +75,18 @@ pub fn build() -> Scene {
     let view = View::orbit(32.0, 32.0);
     let scene =
         Scene::new(world, view).focusing(Vector::new(-5.0, 0.0, -7.0), Vector::new(5.0, 2.5, 7.0));
-    scene.script(move |world, step| {
-        let time = step as Real * world.integration_parameters.dt;
-        if let Some(lift) = world.bodies.get_mut(lift) {
-            lift.set_linvel(Vector::Y * (1.2 * time).sin() * 1.2, true);
-        }
-        walkers.iter_mut().for_each(|walker| walker.walk(world));
-    })
+    let controls = Controls::default();
+    let keys = controls.clone();
+    scene.controlled(controls, "Arrow keys move a character on the stairs.").script(
+        move |world, step| {
+            let time = step as Real * world.integration_parameters.dt;
+            if let Some(lift) = world.bodies.get_mut(lift) {
+                lift.set_linvel(Vector::Y * (1.2 * time).sin() * 1.2, true);
+            }
+            if let Some([right, up]) = keys.direction() {
+                walkers[0].steer(Vector::new(2.5 * right, 0.0, -2.5 * up));
+            }
+            walkers.iter_mut().for_each(|walker| walker.walk(world));
+        },
+    )
 }

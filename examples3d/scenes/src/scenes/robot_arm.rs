@@ -1,6 +1,6 @@
 //! Inverse kinematics: an arm whose tip follows a target.
 
-use crate::common::{Law, Scene, SceneInfo};
+use crate::common::{Controls, Law, Scene, SceneInfo};
 use crate::kit::{HALF_TURN, world_with_floor};
 use crate::rapier::prelude::*;
 use gallery::{Category, View};
@@ -39,14 +39,27 @@ pub fn build() -> Scene {
     let mark = ColliderBuilder::ball(0.12).sensor(true);
     let target = RigidBodyBuilder::kinematic_position_based().translation(place_of_target(0));
     let (target, _) = world.insert(target, mark);
+    let controls = Controls::default();
+    let (keys, mut place) = (controls.clone(), place_of_target(0));
     Scene::new(world, View::orbit(62.0, 12.0))
         .focusing(Vector::new(0.0, 0.2, -1.9), Vector::new(0.6, 2.7, 0.9))
         .showing_joints(0.5)
+        .controlled(controls, "Arrow keys move the target.")
         .script(move |world, step| {
-            let place = place_of_target(step);
+            match keys.direction() {
+                Some(direction) => {
+                    place += velocity_by_keys(direction) * world.integration_parameters.dt
+                }
+                None => place = place_of_target(step),
+            }
             world.bodies[target].set_next_kinematic_translation(place);
             reach(world, tip, place);
         })
+}
+
+/// Returns the velocity of the target: right and up, as the viewer sees the arm.
+fn velocity_by_keys([right, up]: [Real; 2]) -> Vector {
+    Vector::new(0.0, 1.5 * up, -1.5 * right)
 }
 
 /// Returns a point on a figure of eight around the arm.

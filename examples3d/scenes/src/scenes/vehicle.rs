@@ -1,6 +1,6 @@
 //! Cars on a landscape with ramps.
 
-use crate::common::{Law, Scene, SceneInfo};
+use crate::common::{Controls, Law, Scene, SceneInfo};
 use crate::kit::{HALF_TURN, add_fixed, add_pyramid, cube};
 use crate::rapier::parry::utils::Array2;
 use crate::rapier::prelude::*;
@@ -48,12 +48,21 @@ pub fn build() -> Scene {
     let mut parker = add_car(&mut world, Vector::new(6.0, 3.0, -13.0), uphill);
     world.step(); // The rays hit the ground of the last step.
 
+    let controls = Controls::default();
+    let keys = controls.clone();
     Scene::new(world, View::orbit(60.0, 24.0))
+        .controlled(controls, "Arrow keys drive the yellow car.")
         .focusing(Vector::new(-3.0, 0.0, -10.0), Vector::new(18.0, 4.0, 9.0))
         .script(move |world, step| {
-            // The first car has full throttle over the ramp, and brakes at the wall.
-            let flies = step < 220;
-            jumper.drive(if flies { 1500.0 } else { 0.0 }, 0.0, if flies { 0.0 } else { 60.0 });
+            match keys.direction() {
+                Some([right, up]) => {
+                    let brake = if up == 0.0 { 20.0 } else { 0.0 };
+                    jumper.drive(1500.0 * up, -0.5 * right, brake);
+                }
+                // Full throttle over the ramp; the brake at the wall.
+                None if step < 220 => jumper.drive(1500.0, 0.0, 0.0),
+                None => jumper.drive(0.0, 0.0, 60.0),
+            }
             // The second car circles in the hills, no faster than its tyres hold.
             let throttle = if circler.speed(world) < CIRCLING_SPEED { 700.0 } else { 0.0 };
             circler.drive(throttle, -0.35, 0.0);
