@@ -75,7 +75,7 @@ pub struct Scene {
     pub joint_axes: Option<Real>,
     /// Texts and their positions.
     pub labels: Vec<(Vector, &'static str)>,
-    /// Keys that control the scene, and a sentence that says how.
+    /// Keys that control the scene, and a sentence about their effect.
     pub controls: Option<(Controls, &'static str)>,
     /// Colours of bodies that are not those of the palette.
     pub body_colors: BodyColors,
