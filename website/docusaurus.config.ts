@@ -3,6 +3,7 @@ import type { Options, ThemeConfig } from "@docusaurus/preset-classic";
 import { DARK, LIGHT } from "./plugins/code-themes";
 import documents from "./plugins/documents";
 import bundler from "./plugins/bundler";
+import gallery from "./plugins/gallery";
 import { REPOSITORY, VERSION, fileView } from "./plugins/repository";
 
 const presets: Options = {
@@ -27,6 +28,18 @@ const reference = {
     numberPrefixParser: false,
 };
 
+/** Documents of the repository's root, which `scripts/prepare.mjs` copies. */
+const root = { id: "root", path: "generated/pages", routeBasePath: "/" };
+
+/** Addresses that visitors try. */
+const redirects = {
+    redirects: [
+        { from: "/docs", to: "/docs/guide" },
+        { from: "/api", to: "/api/rust" },
+        { from: "/docs/benchmarks", to: "/benchmarks" },
+    ],
+};
+
 const search = {
     hashed: "filename",
     indexBlog: false,
@@ -38,7 +51,39 @@ const search = {
     ignoreFiles: [/docs\/(benchmarks\/(latest|native|growth)|fidelity\/)/, /api\/rust-2d/],
 };
 
+const footer: ThemeConfig["footer"] = {
+    style: "light",
+    links: [
+        {
+            title: "Learn",
+            items: [
+                { label: "Guide", to: "/docs/guide" },
+                { label: "Rust reference", to: "/api/rust" },
+                { label: "JavaScript reference", to: "/api/javascript" },
+            ],
+        },
+        {
+            title: "Compare",
+            items: [
+                { label: "Benchmarks", to: "/benchmarks" },
+                { label: "Fidelity", to: "/fidelity" },
+                { label: "Coming from another engine", to: "/docs/guide/coming-from" },
+            ],
+        },
+        {
+            title: "Project",
+            items: [
+                ...(REPOSITORY === undefined ? [] : [{ label: "Source", href: REPOSITORY }]),
+                { label: "Changelog", to: "/changelog" },
+                { label: "Licence: MIT", href: "pathname:///LICENSE-MIT.txt" },
+                { label: "or Apache 2.0", href: "pathname:///LICENSE-APACHE.txt" },
+            ],
+        },
+    ],
+};
+
 const themeConfig: ThemeConfig = {
+    image: "img/social.jpg",
     colorMode: { respectPrefersColorScheme: true },
     navbar: {
         title: "Rapier",
@@ -65,6 +110,7 @@ const themeConfig: ThemeConfig = {
         ],
     },
     docs: { sidebar: { hideable: true } },
+    footer,
     prism: { theme: LIGHT, darkTheme: DARK, additionalLanguages: ["rust", "toml", "bash"] },
 };
 
@@ -74,7 +120,7 @@ const config: Config = {
     favicon: "img/logo.svg",
     url: process.env.SITE_URL ?? "http://localhost:3000",
     baseUrl: process.env.BASE_URL ?? "/",
-    staticDirectories: ["static", "../testbed3d/public"],
+    staticDirectories: ["static", "generated/static"],
     onBrokenLinks: "throw",
     onBrokenAnchors: "throw",
     onDuplicateRoutes: "throw",
@@ -83,7 +129,13 @@ const config: Config = {
         hooks: { onBrokenMarkdownLinks: "throw", onBrokenMarkdownImages: "throw" },
     },
     presets: [["classic", presets]],
-    plugins: [bundler, ["@docusaurus/plugin-content-docs", reference]],
+    plugins: [
+        bundler,
+        gallery,
+        ["@docusaurus/plugin-content-docs", reference],
+        ["@docusaurus/plugin-content-pages", root],
+        ["@docusaurus/plugin-client-redirects", redirects],
+    ],
     themes: [["@easyops-cn/docusaurus-search-local", search]],
     themeConfig,
 };

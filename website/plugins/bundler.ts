@@ -7,7 +7,12 @@ import type { Plugin } from "@docusaurus/types";
 import { ROOT } from "./repository";
 
 const WEBSITE = join(ROOT, "website");
-const PACKAGE = join(ROOT, "rapier3d", "pkg", "rapier.file.mjs");
+
+/** The package of a dimension, or the empty module: the server draws no scenes, and without a package pages say how to build it. */
+function engine(name: string, isServer: boolean): string | false {
+    const path = join(ROOT, name, "pkg", "rapier.file.mjs");
+    return !isServer && existsSync(path) && path;
+}
 
 /** Files that decide how documents are rendered. The bundler does not see them. */
 function renderingFiles(): string[] {
@@ -36,8 +41,8 @@ export default function bundler(): Plugin {
                     : config.cache,
             resolve: {
                 alias: {
-                    // The empty module: the server draws no scenes, and without a package pages say how to build it.
-                    rapier3d$: isServer || !existsSync(PACKAGE) ? false : PACKAGE,
+                    rapier2d$: engine("rapier2d", isServer),
+                    rapier3d$: engine("rapier3d", isServer),
                     "@repository": ROOT,
                 },
             },

@@ -2,10 +2,13 @@
 //
 // With `--strict`, a missing part ends the build. Without it the site starts, and a message names the part.
 
-import { existsSync, mkdirSync, readFileSync, readdirSync, writeFileSync } from "node:fs";
+import { cpSync, existsSync, mkdirSync, readFileSync, readdirSync, writeFileSync } from "node:fs";
 import { basename, dirname, join } from "node:path";
 import { contests, growth, packages } from "./benchmarks.mjs";
+import { changelog } from "./changelog.mjs";
 import { laws } from "./fidelity.mjs";
+import { gallery, weights } from "./gallery.mjs";
+import { installation } from "./install.mjs";
 import { writeJavaScriptReference } from "./javascript.mjs";
 import { document } from "./rust/crate.mjs";
 import { writeRustReferences } from "./rust/write.mjs";
@@ -56,11 +59,20 @@ const scenes = readdirSync(join(ROOT, SCENES)).map((file) => [
 ]);
 writeData("descriptions.json", Object.fromEntries(scenes.filter(([, text]) => text !== undefined)));
 
-/** Titles and descriptions of the scenes of the browser testbed, by name. */
-const TESTBED = "testbed3d/src/scenes";
-const SCENE = /id: "([^"]*)",\s*title: "([^"]*)",\s*description:\s*"([^"]*)"/g;
-const described = readdirSync(join(ROOT, TESTBED)).flatMap((file) => [...read(`${TESTBED}/${file}`).matchAll(SCENE)]);
-writeData("scenes.json", Object.fromEntries(described.map(([, id, title, description]) => [id, { title, description }])));
+/** The scenes of the browser testbeds. Pages without a source viewer do without the sources. */
+const shown = gallery(ROOT);
+writeData("sources.json", shown);
+writeData(
+    "scenes.json",
+    shown.map(({ source, file, ...scene }) => scene),
+);
+for (const dimension of ["3d", "2d"])
+    cpSync(join(ROOT, `testbed${dimension}/public/thumbnails`), join(GENERATED, "static/thumbnails", dimension), { recursive: true });
+
+writeData("installation.json", installation(read("README.md")));
+mkdirSync(join(GENERATED, "pages"), { recursive: true });
+writeFileSync(join(GENERATED, "pages/changelog.md"), changelog(read("CHANGELOG.md")));
+for (const name of ["LICENSE-MIT", "LICENSE-APACHE"]) cpSync(join(ROOT, name), join(GENERATED, "static", `${name}.txt`));
 
 const golden = read("crates/golden/src/hashes.txt")
     .trim()
@@ -77,12 +89,14 @@ if (platforms === undefined) throw new Error("crates/golden/everywhere.sh has no
 writeData("platforms.json", platforms.split(" "));
 
 const engine = join(ROOT, "rapier3d/pkg/rapier.node.mjs");
+const built = ["3d", "2d"].every((dimension) => existsSync(join(ROOT, `rapier${dimension}/pkg/rapier_simd.wasm`)));
+writeData("weights.json", built ? weights(ROOT) : null);
 const pile = { platform: `${process.platform} ${process.arch}`, hashes: [] };
-if (existsSync(engine)) {
+if (built) {
     const RAPIER = await import(engine);
     await RAPIER.init();
     pile.hashes = hashes(RAPIER);
-} else missing("scenes in pages need the npm package: cd rapier3d; npm install; ./build_all.sh");
+} else missing("scenes in pages need the npm packages: npm install; ./build_all.sh in rapier3d and in rapier2d");
 writeData("pile.json", pile);
 
 /** The crates with a reference, and the folders of their pages. Names in guides lead to the first one. */

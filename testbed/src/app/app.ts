@@ -142,7 +142,7 @@ export class App<R extends EngineModule, W extends WorldLike> {
         this.picture.frame(scene.camera);
         this.layout.describe(scene.title, scene.description);
         this.gallery.select(scene.id);
-        this.joystick.show(scene.steered === true);
+        this.joystick.show(scene);
         this.restart();
     }
 

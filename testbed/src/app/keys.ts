@@ -13,8 +13,8 @@ const STEERING: Readonly<Record<string, { axis: "x" | "y"; sign: 1 | -1 }>> = {
 };
 const ACTION = "KeyJ";
 
-/** Listens to keys. `shortcuts` maps the key's character or code to an action. */
-export function listenToKeys(input: Input, shortcuts: ReadonlyMap<string, () => void>): void {
+/** Listens to keys of the page, or of an element in focus. `shortcuts` maps the key's character or code to an action. */
+export function listenToKeys(input: Input, shortcuts: ReadonlyMap<string, () => void>, target: GlobalEventHandlers = window): void {
     const down = new Set<string>();
     const steer = (): void => {
         input.x = 0;
@@ -25,7 +25,7 @@ export function listenToKeys(input: Input, shortcuts: ReadonlyMap<string, () => 
         }
         input.action = down.has(ACTION);
     };
-    window.addEventListener("keydown", (event) => {
+    target.addEventListener("keydown", (event) => {
         const typing =
             event.target instanceof HTMLInputElement ||
             event.target instanceof HTMLSelectElement ||
@@ -44,7 +44,7 @@ export function listenToKeys(input: Input, shortcuts: ReadonlyMap<string, () => 
         event.preventDefault();
         if (!event.repeat || event.key.toLowerCase() === "n") action();
     });
-    window.addEventListener("keyup", (event) => {
+    target.addEventListener("keyup", (event) => {
         if (down.delete(event.code)) steer();
     });
     window.addEventListener("blur", () => {

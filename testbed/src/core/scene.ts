@@ -120,6 +120,8 @@ export interface SceneDefinition<R, W> {
     readonly gravity?: number;
     /** Whether arrow keys steer something. */
     readonly steered?: boolean;
+    /** What the action button of a steered scene does. Without this word the scene has no such button. */
+    readonly action?: string;
     /** Steps before the thumbnail is drawn. */
     readonly poster?: number;
     setup(context: SceneContext<R, W>): SceneRun | void;

@@ -3,15 +3,22 @@
 import type { Input } from "../core/scene.ts";
 import { el } from "./dom.ts";
 
+/** A scene, as far as the joystick is concerned. */
+export interface Steered {
+    readonly steered?: boolean;
+    readonly action?: string;
+}
+
 const REACH = 42;
 
 export class Joystick {
     readonly element: HTMLElement;
+    private readonly action = el("button", { class: "action", type: "button" });
 
     constructor(input: Input) {
         const knob = el("div", { class: "knob" });
         const stick = el("div", { class: "stick", label: "Joystick" }, knob);
-        const action = el("button", { class: "action", type: "button", label: "Action" }, "J");
+        const { action } = this;
         this.element = el("div", { class: "joystick", hidden: "" }, stick, action);
         const move = (event: PointerEvent): void => {
             const box = stick.getBoundingClientRect();
@@ -48,7 +55,10 @@ export class Joystick {
         }
     }
 
-    show(steered: boolean): void {
+    /** Shows the joystick on touch screens, and the button with the word for its action. */
+    show({ steered = false, action }: Steered): void {
+        this.action.textContent = action ?? "";
+        this.action.hidden = action === undefined;
         this.element.hidden = !(steered && matchMedia("(pointer: coarse)").matches);
     }
 }

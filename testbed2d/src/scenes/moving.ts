@@ -159,6 +159,7 @@ const character: Scene = {
     group: "Vehicles and characters",
     camera: { target: [0, 2, 0], height: 9 },
     steered: true,
+    action: "Jump",
     poster: 150,
     setup(context) {
         addFloor(context);

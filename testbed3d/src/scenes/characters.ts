@@ -28,6 +28,7 @@ const character: Scene = {
     group,
     camera: { eye: [1, 6.5, 11], target: [2, 0.8, 0] },
     steered: true,
+    action: "Jump",
     poster: 160,
     setup(context) {
         addCourse(context);

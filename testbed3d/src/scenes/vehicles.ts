@@ -34,6 +34,7 @@ const car: Scene = {
     group,
     camera: { eye: [-9, 6, 10], target: [0, 0.5, 0] },
     steered: true,
+    action: "Brake",
     poster: 150,
     setup(context) {
         addHills(context, 0.12);

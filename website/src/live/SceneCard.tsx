@@ -6,13 +6,13 @@ import scenes from "@site/generated/data/scenes.json";
 import LiveInPlace from "./LiveInPlace";
 import styles from "./SceneCard.module.css";
 
-const SCENES: Readonly<Record<string, { title: string; description: string }>> = scenes;
 
 export default function SceneCard({ scene }: { readonly scene: string }): ReactNode {
     const [live, setLive] = useState(false);
-    const thumbnail = useBaseUrl(`/thumbnails/${scene}.webp`);
-    const { title, description } = SCENES[scene] ?? {};
-    if (title === undefined) throw new RangeError(`the testbed has no scene "${scene}"`);
+    const thumbnail = useBaseUrl(`/thumbnails/3d/${scene}.webp`);
+    const found = scenes.find(({ dimension, id }) => dimension === "3d" && id === scene);
+    if (found === undefined) throw new RangeError(`the testbed has no scene "${scene}"`);
+    const { title, description } = found;
     if (live) return <LiveInPlace scene={scene} label={`${title}: ${description}`} />;
     return (
         <div className={styles.card}>

@@ -1,5 +1,6 @@
 // A picture of a document. Where the testbed has the scene, a button runs it in place of the picture.
 
+import MDXImg from "@theme/MDXComponents/Img";
 import { type ComponentProps, type ReactNode, useState } from "react";
 import LiveInPlace from "./LiveInPlace";
 import styles from "./ScenePicture.module.css";
@@ -24,7 +25,7 @@ function sceneOf(address = ""): string | undefined {
 export default function ScenePicture(props: ComponentProps<"img">): ReactNode {
     const [live, setLive] = useState(false);
     const scene = sceneOf(props.src);
-    const picture = <img loading="lazy" decoding="async" {...props} alt={props.alt ?? ""} />;
+    const picture = <MDXImg {...props} alt={props.alt ?? ""} />;
     if (scene === undefined) return picture;
     if (live) return <LiveInPlace scene={scene} label={props.alt ?? scene} />;
     return (

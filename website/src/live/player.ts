@@ -2,13 +2,12 @@
 
 import { Pointer } from "@repository/testbed/src/app/pointer";
 import { Clock } from "@repository/testbed/src/core/clock";
-import type { Engine } from "@repository/testbed/src/core/engine";
+import type { Dimension } from "@repository/testbed/src/core/dimension";
+import type { Engine, EngineModule, WorldLike } from "@repository/testbed/src/core/engine";
+import type { Input, SceneDefinition } from "@repository/testbed/src/core/scene";
 import { Stage } from "@repository/testbed/src/core/stage";
 import { Picture } from "@repository/testbed/src/view/picture";
 import { THEMES, type ThemeName } from "@repository/testbed/src/view/theme";
-import { DIMENSION_3 } from "@repository/testbed3d/src/dimension";
-import type { Rapier, World } from "@repository/testbed3d/src/rapier";
-import { SCENES } from "@repository/testbed3d/src/scenes/index";
 
 /** Seconds between two updates of the figures. */
 const REPORT_INTERVAL = 0.5;
@@ -28,34 +27,43 @@ export interface PlayerOptions {
     readonly fail: (error: unknown) => void;
 }
 
-export class Player {
+/** A player of any dimension. */
+export type AnyPlayer = Pick<Player<never, never>, "clock" | "visible" | "input" | "open" | "setTheme" | "throwBall" | "dispose">;
+
+export class Player<R extends EngineModule, W extends WorldLike> {
+    readonly input: Input = { x: 0, y: 0, action: false, used: false };
     readonly clock = new Clock();
     /** Whether the canvas is in view. */
     visible = true;
-    private readonly picture: Picture<Rapier, World>;
-    private readonly pointer: Pointer<Rapier, World>;
-    private stage: Stage<Rapier, World> | null = null;
+    private readonly picture: Picture<R, W>;
+    private readonly pointer: Pointer<R, W>;
+    private stage: Stage<R, W> | null = null;
     private theme: ThemeName;
     private last = performance.now();
     private reported = 0;
     private request = 0;
 
     constructor(
-        private readonly engine: Engine<Rapier>,
+        private readonly dimension: Dimension<R, W>,
+        private readonly engine: Engine<R>,
+        private readonly scenes: readonly SceneDefinition<R, W>[],
         private readonly options: PlayerOptions,
     ) {
         this.theme = options.theme;
-        this.picture = new Picture(options.canvas, false, THEMES[this.theme], "high");
+        this.picture = new Picture(options.canvas, dimension.flat, THEMES[this.theme], "high");
         this.pointer = new Pointer(this.picture, () => (this.stage === null ? [] : [this.stage]));
         this.leaveScrollingToThePage(options.canvas);
         this.request = requestAnimationFrame((now) => this.frame(now));
     }
 
-    /** A wheel or a vertical swipe scrolls the page, unless the swipe holds a body. */
+    /** A wheel or a vertical swipe scrolls the page, unless the swipe holds a body. Two fingers zoom and pan. */
     private leaveScrollingToThePage(canvas: HTMLCanvasElement): void {
         const { controls } = this.picture.rig;
-        controls.enableZoom = false;
-        controls.enablePan = false;
+        const allow = ({ pointerType }: PointerEvent): void => {
+            controls.enableZoom = controls.enablePan = pointerType === "touch";
+        };
+        for (const name of ["pointerenter", "pointerdown"] as const) canvas.addEventListener(name, allow, { capture: true });
+        controls.enableZoom = controls.enablePan = false;
         canvas.style.touchAction = "pan-y";
         const hold = (event: TouchEvent): void => {
             if (!controls.enabled) event.preventDefault();
@@ -65,13 +73,14 @@ export class Player {
     }
 
     open(id: string): void {
-        const scene = SCENES.find((candidate) => candidate.id === id);
+        const scene = this.scenes.find((candidate) => candidate.id === id);
         if (scene === undefined) throw new RangeError(`there is no scene ${id}`);
         this.pointer.forget();
         this.stage?.dispose();
         // A scene that throws leaves no disposed stage behind.
         this.stage = null;
-        this.stage = new Stage(DIMENSION_3, this.engine, scene);
+        this.stage = new Stage(this.dimension, this.engine, scene, { input: this.input });
+        this.input.used = false;
         this.picture.frame(scene.camera);
         this.clock.reset();
         this.draw();
@@ -102,7 +111,7 @@ export class Player {
         this.request = requestAnimationFrame((next) => this.frame(next));
     }
 
-    private advance(stage: Stage<Rapier, World>, seconds: number, now: number): void {
+    private advance(stage: Stage<R, W>, seconds: number, now: number): void {
         const { timestep } = stage.world;
         const steps = this.clock.take(seconds, timestep);
         for (let step = 0; step < steps; step += 1) {

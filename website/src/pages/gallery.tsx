@@ -1,30 +1,43 @@
-// The scenes of the browser testbed: a picture each, and the chosen one live.
+// The scenes of the browser testbeds: a picture each, and one live.
 
+import Link from "@docusaurus/Link";
+import { useHistory, useLocation } from "@docusaurus/router";
 import Heading from "@theme/Heading";
 import Layout from "@theme/Layout";
-import useBaseUrl from "@docusaurus/useBaseUrl";
 import { type ReactNode, useEffect, useState } from "react";
-import { SCENES } from "@repository/testbed3d/src/scenes/index";
+import Choice from "@site/src/charts/Choice";
 import MovingPicture from "@site/src/components/MovingPicture";
 import { MOVING } from "@site/src/components/moving";
-import LiveScene from "@site/src/live/LiveScene";
+import LiveScene, { engineSize } from "@site/src/live/LiveScene";
+import type { DimensionName } from "@site/src/live/package";
+import SceneGrid, { type SceneEntry } from "@site/src/live/SceneGrid";
 import bullets from "@repository/docs/images/bullets.png";
 import characters from "@repository/docs/images/characters.png";
 import internalEdges from "@repository/docs/images/ghost-contacts.png";
 import junkyard from "@repository/docs/images/junkyard.png";
 import motors from "@repository/docs/images/motors.png";
 import robotArm from "@repository/docs/images/robot_arm.png";
-import vehicle from "@repository/docs/images/vehicle.png";
+import scenes from "@site/generated/data/scenes.json";
 import descriptions from "@site/generated/data/descriptions.json";
 import styles from "./gallery.module.css";
 
-type Scene = (typeof SCENES)[number];
+const SCENES = scenes as readonly SceneEntry[];
+const DIMENSIONS = [
+    ["3d", "3D"],
+    ["2d", "2D"],
+] as const;
 
-const GROUPS = [...new Set(SCENES.map(({ group }) => group))];
-const FIRST = SCENES.find(({ id }) => id === "ziggurat") ?? SCENES[0];
+/** The scene that runs above the thumbnails: one that keeps moving. */
+function first(dimension: DimensionName): SceneEntry {
+    const found = SCENES.find((scene) => scene.dimension === dimension && scene.id === "washer");
+    if (found === undefined) throw new RangeError("the testbed has no scene washer");
+    return found;
+}
+
+const FIRST = { "3d": first("3d"), "2d": first("2d") };
 
 /** Still pictures of the native gallery by name of the scene's file. */
-const STILL = { junkyard, vehicle, characters, robot_arm: robotArm, motors, bullets, internal_edges: internalEdges };
+const STILL = { junkyard, characters, robot_arm: robotArm, motors, bullets, internal_edges: internalEdges };
 
 function keys<T extends object>(record: T): (keyof T)[] {
     return Object.keys(record) as (keyof T)[];
@@ -64,60 +77,53 @@ function Pictures(): ReactNode {
     );
 }
 
-function Thumbnail({
-    scene,
-    chosen,
-    choose,
-}: {
-    readonly scene: Scene;
-    readonly chosen: boolean;
-    readonly choose: () => void;
-}): ReactNode {
-    return (
-        <button type="button" className={styles.thumbnail} aria-pressed={chosen} onClick={choose}>
-            <img src={useBaseUrl(`/thumbnails/${scene.id}.webp`)} alt="" loading="lazy" />
-            <span>{scene.title}</span>
-        </button>
-    );
+function Groups({ dimension }: { readonly dimension: DimensionName }): ReactNode {
+    const shown = SCENES.filter((scene) => scene.dimension === dimension);
+    return [...new Set(shown.map(({ group }) => group))].map((group) => (
+        <section key={group}>
+            <Heading as="h2" id={group.toLowerCase().replace(/\W+/g, "-")}>
+                {group}
+            </Heading>
+            <SceneGrid scenes={shown.filter((scene) => scene.group === group)} />
+        </section>
+    ));
+}
+
+/** Earlier addresses name scenes behind the number sign. */
+function useEarlierAddress(): void {
+    const history = useHistory();
+    const { hash } = useLocation();
+    useEffect(() => {
+        const named = SCENES.find(({ dimension, id }) => dimension === "3d" && `#${id}` === hash);
+        if (named !== undefined) history.replace(`/gallery/3d/${named.id}`);
+    }, [hash]);
 }
 
 export default function Gallery(): ReactNode {
-    const [scene, setScene] = useState<Scene>(FIRST);
-    useEffect(() => {
-        const named = SCENES.find(({ id }) => `#${id}` === location.hash);
-        if (named !== undefined) setScene(named);
-    }, []);
-    const choose = (next: Scene): void => {
-        setScene(next);
-        history.replaceState(null, "", `#${next.id}`);
-        scrollTo({ top: 0, behavior: "smooth" });
-    };
+    const [dimension, setDimension] = useState<DimensionName>("3d");
+    useEarlierAddress();
+    const { id, title, description } = FIRST[dimension];
+    const count = (name: DimensionName): number => SCENES.filter((scene) => scene.dimension === name).length;
     return (
-        <Layout title="Gallery" description="Scenes that run in the page.">
+        <Layout title="Gallery" description="Scenes in 3D and 2D that run in the page.">
             <main className="container margin-vert--lg">
                 <h1>Gallery</h1>
-                <p>{SCENES.length} scenes in 3D run in this page. Drag bodies with the mouse or a finger.</p>
-                <LiveScene scene={scene.id} label={`${scene.title}: ${scene.description}`} className={styles.stage} />
-                <p className={styles.caption}>
-                    <strong>{scene.title}.</strong> {scene.description}
+                <p>
+                    {count("3d")} scenes in 3D and {count("2d")} in 2D run in the page. Drag bodies with the mouse or a finger. The
+                    engine is loaded once: {engineSize("3d")} in 3D, {engineSize("2d")} in 2D.
                 </p>
-                {GROUPS.map((group) => (
-                    <section key={group}>
-                        <Heading as="h2" id={group.toLowerCase().replace(/\W+/g, "-")}>
-                            {group}
-                        </Heading>
-                        <div className={styles.grid}>
-                            {SCENES.filter((candidate) => candidate.group === group).map((candidate) => (
-                                <Thumbnail
-                                    key={candidate.id}
-                                    scene={candidate}
-                                    chosen={candidate === scene}
-                                    choose={() => choose(candidate)}
-                                />
-                            ))}
-                        </div>
-                    </section>
-                ))}
+                <Choice label="Dimension" options={DIMENSIONS} value={dimension} choose={setDimension} />
+                <LiveScene
+                    key={dimension}
+                    scene={id}
+                    dimension={dimension}
+                    label={`${title}: ${description}`}
+                    className={styles.stage}
+                />
+                <p className={styles.caption}>
+                    <Link to={`/gallery/${dimension}/${id}`}>{title}</Link>. {description}
+                </p>
+                <Groups dimension={dimension} />
                 <Pictures />
             </main>
         </Layout>

@@ -1,14 +1,12 @@
 // The first page: the engine at work, how fast it is, how to get it.
 
 import Link from "@docusaurus/Link";
-import CodeBlock from "@theme/CodeBlock";
 import Layout from "@theme/Layout";
-import TabItem from "@theme/TabItem";
-import Tabs from "@theme/Tabs";
 import { type ReactNode, useState } from "react";
 import Choice from "@site/src/charts/Choice";
 import LeadChart from "@site/src/charts/LeadChart";
 import { CONDITIONS, MACHINE, PEERS } from "@site/src/charts/contests";
+import Install from "@site/src/components/Install";
 import MovingPicture from "@site/src/components/MovingPicture";
 import { MOVING } from "@site/src/components/moving";
 import LiveScene from "@site/src/live/LiveScene";
@@ -23,7 +21,7 @@ const SCENES = [
     ["cards", "Card house"],
 ] as const;
 
-const PICTURES = ["washer", "strider", "dominoes"] as const;
+const PICTURES = ["vehicle", "wrecking_ball", "ragdoll_stairs"] as const;
 
 const PROMISES = [
     {
@@ -58,15 +56,6 @@ const PROMISES = [
     },
 ];
 
-const RUST = `[dependencies]
-rapier3d = { path = "../rapier/crates/rapier3d" }`;
-
-const JAVASCRIPT = `cd rapier3d
-npm install
-./build_all.sh
-cd ../my-program
-npm install ../rapier/rapier3d/pkg`;
-
 function Hero(): ReactNode {
     const [scene, setScene] = useState<(typeof SCENES)[number][0]>("pile");
     return (
@@ -93,32 +82,15 @@ function Hero(): ReactNode {
     );
 }
 
-function Install(): ReactNode {
-    return (
-        <section className={styles.section}>
-            <h2>Install</h2>
-            <p>The packages are not published yet. A program uses a checkout of the repository.</p>
-            <Tabs>
-                <TabItem value="rust" label="Rust">
-                    <CodeBlock language="toml" title="Cargo.toml">
-                        {RUST}
-                    </CodeBlock>
-                    <Link to="/docs/guide/getting-started">A first program in Rust</Link>
-                </TabItem>
-                <TabItem value="javascript" label="JavaScript">
-                    <CodeBlock language="bash">{JAVASCRIPT}</CodeBlock>
-                    <Link to="/docs/guide/javascript">A first program in JavaScript</Link>
-                </TabItem>
-            </Tabs>
-        </section>
-    );
-}
-
 export default function Home(): ReactNode {
     return (
         <Layout description="Rigid-body physics for games, tools and robots, written in Rust.">
             <main className={styles.page}>
                 <Hero />
+                <section className={styles.install}>
+                    <h2>Install</h2>
+                    <Install />
+                </section>
                 <section className={styles.promises}>
                     {PROMISES.map(({ title, text, link }) => (
                         <Link key={title} to={link}>
@@ -146,7 +118,6 @@ export default function Home(): ReactNode {
                         <LeadChart dimension="2d" />
                     </div>
                 </section>
-                <Install />
             </main>
         </Layout>
     );
