@@ -47,6 +47,8 @@ const search = {
     docsDir: ["../docs", "generated/api"],
     highlightSearchTermsOnTargetPage: true,
     explicitSearchResultPath: true,
+    // Declarations double the index, and repeat the names of their headings.
+    ignoreCssSelectors: ["html.plugin-id-api .theme-code-block"],
     // Figures are no terms of a search, and the reference of 2D has the names of 3D.
     ignoreFiles: [/docs\/(benchmarks\/(latest|native|growth)|fidelity\/)/, /api\/rust-2d/],
 };

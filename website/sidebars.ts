@@ -23,6 +23,8 @@ const sidebars: SidebarsConfig = {
         { type: "category", label: "Decisions", items: decisions, link: { type: "generated-index", slug: "/decisions" } },
         "panics",
         "papers",
+        "platforms",
+        "versioning",
         "dependencies",
     ],
     fidelity: [{ type: "link", label: "Charts", href: "/fidelity" }, "fidelity/README", ...inFolder("fidelity", tabled(read("docs/fidelity/README.md")))],

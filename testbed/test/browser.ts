@@ -155,16 +155,34 @@ async function testPhone(session: Session, { testbed, scenes }: BrowserTest): Pr
     console.log("ok: a phone's viewport");
 }
 
-/** An engine whose script does not arrive: the page states the reason, and the other engine runs. */
+/** Addresses keep parameters and settings, an unknown scene is named, and the source can be read. */
+async function testSharing(session: Session): Promise<void> {
+    const { page, errors } = await openPage(session, "scene=pyramid&detail=low&paused=1&set.base=5&gravity=2&set.none=1");
+    assert.equal(await page.evaluate("testbed.stages[0].counts().bodies"), await page.evaluate("15 + testbed.stages[0].world.bodies.getAll().filter((body) => body.isFixed()).length"), "five rows of boxes");
+    assert.equal(await page.evaluate("testbed.stages[0].settings.gravity"), 2);
+    const query = new URL(page.url()).searchParams;
+    assert.deepEqual([query.get("set.base"), query.get("gravity"), query.get("set.none"), query.get("rate")], ["5", "2", null, null]);
+    await page.getByRole("button", { name: "View source" }).click();
+    await page.getByText('id: "pyramid"').waitFor({ timeout: 10_000 });
+    assert.deepEqual(errors, []);
+    await page.context().close();
+    const { page: other } = await openPage(session, "scene=nowhere&detail=low&paused=1");
+    assert.match((await other.locator(".toast").textContent()) ?? "", /no scene "nowhere"/);
+    await other.context().close();
+    console.log("ok: parameters in the address, source, unknown scenes");
+}
+
+/** An engine whose script does not arrive: the page states the reason, and offers the other engine. */
 async function testMissing(session: Session): Promise<void> {
     const page = await (await session.browser.newContext()).newPage();
     await page.route(/own-engine/, (route) => route.abort());
     await page.goto(`${session.address}?detail=low&paused=1`);
+    const reason = await page.locator(".about.missing").textContent({ timeout: 60_000 });
+    assert.match(reason ?? "", /package of this repository did not load.*own-engine/);
+    await page.getByRole("link", { name: /published package/ }).click();
     await page.waitForFunction("window.testbed !== undefined", undefined, { timeout: 60_000 });
     assert.deepEqual(await engines(page), ["published"]);
-    const [reason, title] = [await page.locator(".about.missing").textContent(), await page.locator('button[data-value="own"]').getAttribute("title")];
-    assert.match(reason ?? "", /package of this repository did not load.*own-engine/);
-    assert.equal(title, reason);
+    assert.equal(await page.locator('button[data-value="own"]').getAttribute("title"), reason);
     await page.context().close();
     console.log("ok: the reason of a missing engine");
 }
@@ -178,6 +196,7 @@ export async function testPage(test: BrowserTest): Promise<void> {
         await testControls(session, test);
         await testMemory(session, test);
         await testPhone(session, test);
+        await testSharing(session);
         await testMissing(session);
     } finally {
         await session.close();

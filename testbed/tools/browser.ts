@@ -3,6 +3,7 @@
 import type { Browser, BrowserType, Page } from "playwright-core";
 import type { InlineConfig, ViteDevServer } from "vite";
 import { FLAGS, RENDERING, requireChromium } from "./chromium.mjs";
+import { findOwnEngine } from "./own-engine.ts";
 
 /** The packages that the testbed brings: shared source has no dependencies of its own. */
 export interface Tools {
@@ -14,6 +15,8 @@ export interface Session {
     readonly browser: Browser;
     readonly server: ViteDevServer;
     readonly address: string;
+    /** Whether the package of this repository was built. */
+    readonly own: boolean;
     close(): Promise<void>;
 }
 
@@ -35,6 +38,7 @@ export async function openSession(testbed: string, { chromium, createServer }: T
         browser,
         server,
         address,
+        own: findOwnEngine(testbed, testbed.endsWith("2d") ? 2 : 3, "browser") !== null,
         close: async () => {
             await browser.close();
             await server.close();
@@ -59,7 +63,9 @@ export async function openPage(
         if (message.type() === "error") errors.push(message.text());
     });
     page.on("pageerror", (error) => errors.push(String(error)));
-    await page.goto(`${session.address}?${query}`);
+    // Without this repository's package, the page starts on request only.
+    const engine = session.own || query.includes("engine=") ? "" : "&engine=published";
+    await page.goto(`${session.address}?${query}${engine}`);
     await page.waitForFunction("window.testbed !== undefined", undefined, { timeout: 60_000 });
     return { page, errors };
 }

@@ -4,3 +4,8 @@ declare module "virtual:own-engine" {
 }
 
 declare module "*.css" {}
+
+/** Vite's import of many files. */
+interface ImportMeta {
+    glob(pattern: string, options: { query: "?raw"; import: "default" }): Record<string, () => Promise<string>>;
+}

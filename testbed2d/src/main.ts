@@ -12,4 +12,5 @@ await start({
         own: async () => (await import("virtual:own-engine")).default as Rapier | null,
         published: async () => await import("@dimforge/rapier2d-compat"),
     },
+    sources: import.meta.glob("./scenes/*.ts", { query: "?raw", import: "default" }),
 });

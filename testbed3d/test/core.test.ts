@@ -2,7 +2,7 @@
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { readLink } from "../../testbed/src/app/link.ts";
+import { applyParameters, changedValues, readLink } from "../../testbed/src/app/link.ts";
 import { Clock } from "../../testbed/src/core/clock.ts";
 import { enumNames, stepHash } from "../../testbed/src/core/engine.ts";
 import { Random } from "../../testbed/src/core/random.ts";
@@ -70,11 +70,36 @@ test("random numbers repeat with their seed and stay in their range", () => {
 
 test("links with bad values fall back to the defaults", () => {
     const link = readLink("?scene=tower&engine=both&theme=light&steps=120&debug=1");
-    assert.deepEqual(link, { scene: "tower", engine: "both", theme: "light", debug: true, paused: false, steps: 120, detail: "high" });
-    const bad = readLink("?engine=none&theme=pink&steps=-4&detail=ultra");
-    assert.deepEqual(bad, { scene: null, engine: null, theme: null, debug: false, paused: false, steps: 0, detail: "high" });
+    assert.deepEqual(link, { scene: "tower", engine: "both", theme: "light", debug: true, paused: false, steps: 120, detail: "high", parameters: {}, settings: {} });
+    const bad = readLink("?engine=none&theme=pink&steps=-4&detail=ultra&rate=7&gravity=heavy");
+    assert.deepEqual(bad, { scene: null, engine: null, theme: null, debug: false, paused: false, steps: 0, detail: "high", parameters: {}, settings: {} });
     assert.equal(readLink("?steps=1e9").steps, 10_000);
     assert.equal(readLink("?steps=many").steps, 0);
+});
+
+test("links carry values of parameters and settings, and others are ignored", () => {
+    const link = readLink("?set.count=12&set.kind=ball&gravity=2.5&rate=120&iterations=99");
+    assert.deepEqual(link.settings, { gravity: 2.5, rate: 120 });
+    const values = { count: 3, kind: "box", open: true };
+    const definitions = {
+        count: { label: "Count", value: 3, min: 1, max: 20, step: 1 },
+        kind: { label: "Kind", value: "box", options: ["box", "ball"] },
+        open: { label: "Open", value: true },
+    };
+    applyParameters({ ...link.parameters, open: "perhaps" }, definitions, values);
+    assert.deepEqual(values, { count: 12, kind: "ball", open: true });
+    applyParameters({ count: "1000", open: "false" }, definitions, values);
+    assert.deepEqual(values, { count: 12, kind: "ball", open: false });
+    const settings = { gravity: 2.5, iterations: 4, rate: 60 };
+    const changed = changedValues(settings, { ...settings, gravity: 9.81 }, values, { ...values, kind: "box" });
+    assert.deepEqual(changed, { "set.kind": "ball", gravity: 2.5 });
+});
+
+test("one long step does not raise the percentiles of a plot", () => {
+    const series = new Series(240);
+    for (const value of [50, ...Array<number>(40).fill(1)]) series.push(value);
+    assert.equal(series.percentile(0.95), 1);
+    assert.equal(series.percentile(1), 50);
 });
 
 test("hashes are methods or values, of each type, or missing", () => {

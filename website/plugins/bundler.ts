@@ -8,6 +8,9 @@ import { ROOT } from "./repository";
 
 const WEBSITE = join(ROOT, "website");
 
+/** The search of the bar: the plugin lists methods of one name before the guide. */
+const SEARCH = join(WEBSITE, "src/search/ranked.js");
+
 /** The package of a dimension, or the empty module: the server draws no scenes, and without a package pages say how to build it. */
 function engine(name: string, isServer: boolean): string | false {
     const path = join(ROOT, name, "pkg", "rapier.file.mjs");
@@ -33,7 +36,12 @@ function cacheVersion(): string {
 export default function bundler(): Plugin {
     return {
         name: "bundler",
-        configureWebpack: (config, isServer) => ({
+        configureWebpack: (config, isServer, { currentBundler }) => ({
+            plugins: [
+                new currentBundler.instance.NormalModuleReplacementPlugin(/^\.\.\/searchByWorker$/, (request) => {
+                    if (/SearchBar$/.test(request.context)) request.request = SEARCH;
+                }),
+            ],
             // Development has a cache in memory, without a version.
             cache:
                 typeof config.cache === "object" && config.cache.type === "filesystem"

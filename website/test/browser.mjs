@@ -1,5 +1,5 @@
 // Visits every page of the build in headless Chromium. Fails at an error of the console, a request without an answer, or a page
-// that is too heavy or wider than a phone, and at a serious finding of axe. Sample pages are also checked and photographed in
+// that is too heavy or wider than a phone, at a squashed, cut or empty picture, and at a serious finding of axe. Sample pages are also checked and photographed in
 // all sizes and colours: the pictures go to `shots/`. With `--shots`, only the sample pages are visited.
 
 import { existsSync, mkdirSync, readFileSync } from "node:fs";
@@ -7,7 +7,8 @@ import { createRequire } from "node:module";
 import { dirname, join } from "node:path";
 import { chromium } from "playwright-core";
 import { FLAGS, RENDERING, requireChromium } from "../../testbed/tools/chromium.mjs";
-import { LIVE, SAMPLES, allPages } from "./pages.mjs";
+import { LIVE, SAMPLES, visitedPages } from "./pages.mjs";
+import { checkPictures } from "./pictures.mjs";
 import { serve } from "./server.mjs";
 
 const WEBSITE = dirname(import.meta.dirname);
@@ -17,7 +18,7 @@ const SHOTS = join(WEBSITE, "shots");
 /** Bytes of a page of text before compression. */
 const WEIGHT_MAX = 2_000_000;
 /** Bytes of pages with a scene, whose engine has 3.3 MB alone, of the page that loads the whole index of the search, and of the longest tables. */
-const WEIGHTS_MAX = { "/": 9_000_000, "/gallery": 9_000_000, "/search": 6_000_000, "/docs/fidelity/mechanics": 2_500_000 };
+const WEIGHTS_MAX = { "/": 9_000_000, "/gallery": 9_000_000, "/gallery/3d/car": 9_000_000, "/gallery/2d/washer": 9_000_000, "/search": 6_000_000, "/docs/fidelity/mechanics": 2_500_000 };
 /** Time for the page to measure its tables (ms): wide ones become stops of the Tab key. */
 const MEASURING_TIME = 10_000;
 
@@ -75,6 +76,7 @@ async function visit(context, address, left) {
         else if (weight > heaviest.weight) heaviest = { path, weight };
         await checkWidth(page, path);
         await checkAccess(page, path);
+        await checkPictures(page, (message) => fail(path, message));
         await page.close();
     }
     return heaviest;
@@ -83,7 +85,7 @@ async function visit(context, address, left) {
 /** Visits all pages in a window as wide as a phone. */
 async function visitAll(browser, address) {
     const context = await browser.newContext({ viewport: SIZES.phone.viewport });
-    const left = allPages(BUILD);
+    const left = visitedPages(BUILD);
     const count = left.length;
     const found = await Promise.all(Array.from({ length: VISITORS }, () => visit(context, address, left)));
     await context.close();
@@ -119,6 +121,7 @@ async function photograph(browser, address) {
                 const { page } = await open(context, address, path);
                 if (LIVE.has(path)) await page.waitForTimeout(2500);
                 await checkAccess(page, `${path} (${size}, ${scheme})`);
+                await checkPictures(page, (message) => fail(`${path} (${size}, ${scheme})`, message));
                 await checkWidth(page, `${path} (${size})`);
                 await page.screenshot({ path: join(SHOTS, `${name}-${size}-${scheme}.png`) });
                 await page.close();
@@ -166,15 +169,56 @@ async function checkDeterminism(browser, address) {
     await context.close();
 }
 
-/** The search finds a name of the reference, and suggests it first. */
+/** The search suggests a type of the reference first, and the guide before methods. Its index is loaded on use. */
 async function checkSearch(browser, address) {
-    const wanted = "RevoluteJointBuilder";
+    for (const [words, wanted] of [
+        ["RevoluteJointBuilder", /^RevoluteJointBuilder/],
+        ["sleeping", /Guide/],
+        ["rotation", /Guide/],
+    ]) {
+        const context = await browser.newContext(SIZES.desktop);
+        let loaded = false;
+        context.on("request", (request) => (loaded ||= request.url().includes("search-index")));
+        const { page } = await open(context, address, "/docs/guide");
+        if (loaded) fail("/docs/guide", "the index of the search is loaded before its use");
+        await page.getByRole("combobox", { name: "Search" }).or(page.getByPlaceholder("Search")).first().fill(words);
+        const found = page.locator("[class*=suggestion]").first();
+        const text = await found.textContent({ timeout: 20_000 }).catch(() => "nothing");
+        console.log(`search for ${words}: ${text}`);
+        if (!wanted.test(text)) fail("/docs/guide", `the search for ${words} finds ${text}`);
+        await context.close();
+    }
+}
+
+/** Unknown addresses have a page with ways out, and three short addresses lead to pages. */
+async function checkAddresses(browser, address) {
     const context = await browser.newContext(SIZES.desktop);
-    const { page } = await open(context, address, "/docs/guide");
-    await page.getByRole("combobox", { name: "Search" }).or(page.getByPlaceholder("Search")).first().fill(wanted);
-    const found = page.locator("[class*=suggestion]").first();
-    const text = await found.textContent({ timeout: 20_000 }).catch(() => "nothing");
-    if (!text.includes(wanted)) fail("/docs/guide", `the search for ${wanted} finds ${text}`);
+    const page = await context.newPage();
+    await page.goto(`${address}/nowhere`, { waitUntil: "networkidle" });
+    await page.getByRole("heading", { name: "No page has this address" }).waitFor({ timeout: 20_000 });
+    for (const [from, to] of [
+        ["/docs", "/docs/guide"],
+        ["/api", "/api/rust"],
+        ["/docs/benchmarks", "/benchmarks"],
+        ["/gallery#washer", "/gallery/3d/washer"],
+    ]) {
+        await page.goto(address + from, { waitUntil: "networkidle" });
+        const arrives = ({ pathname }) => pathname.replace(/\/$/, "") === to;
+        await page.waitForURL(arrives, { timeout: 20_000 }).catch(() => fail(from, `leads to ${page.url()}`));
+    }
+    await context.close();
+}
+
+/** The filter of a long page of the reference hides the other names. */
+async function checkFilter(browser, address) {
+    const path = "/api/rust/rigid-body/RigidBody";
+    const context = await browser.newContext(SIZES.desktop);
+    const { page } = await open(context, address, path);
+    const visible = () => page.locator("article h2:visible").count();
+    const before = await visible();
+    await page.getByPlaceholder("Filter the names of this page").fill("linvel");
+    const after = await visible();
+    if (after === 0 || after > before / 4) fail(path, `the filter shows ${after} of ${before} names`);
     await context.close();
 }
 
@@ -230,6 +274,8 @@ try {
     await checkScene(browser, server.address);
     await checkDeterminism(browser, server.address);
     await checkSearch(browser, server.address);
+    await checkAddresses(browser, server.address);
+    await checkFilter(browser, server.address);
     await checkFailure(browser, server.address);
     await checkCard(browser, server.address);
     await checkMotion(browser, server.address);

@@ -11,6 +11,14 @@ export function allPages(build) {
         .sort();
 }
 
+/** Scenes whose pages stand for those of all scenes: each loads an engine and draws. */
+const SCENES = new Set(["/gallery/3d/car", "/gallery/2d/washer"]);
+
+/** The pages that the check visits. */
+export function visitedPages(build) {
+    return allPages(build).filter((path) => SCENES.has(path) || !/^\/gallery\/[23]d\//.test(path));
+}
+
 /** One page of each kind, by name of its picture. */
 export const SAMPLES = {
     home: "/",
@@ -22,11 +30,15 @@ export const SAMPLES = {
     benchmarks: "/benchmarks",
     tables: "/docs/benchmarks/latest",
     gallery: "/gallery",
-    "rust-reference": "/api/rust/rigid-body",
+    scene: "/gallery/3d/car",
+    "scene-2d": "/gallery/2d/washer",
+    changelog: "/changelog",
+    "rust-topic": "/api/rust/joints",
+    "rust-reference": "/api/rust/rigid-body/RigidBody",
     "javascript-reference": "/api/javascript/classes/World",
     determinism: "/determinism",
     questions: "/docs/complaints",
 };
 
 /** Pages with a scene that starts at once. */
-export const LIVE = new Set(["/", "/gallery"]);
+export const LIVE = new Set(["/", "/gallery", "/gallery/3d/car", "/gallery/2d/washer"]);

@@ -13,12 +13,13 @@ import { Labels } from "../ui/labels.ts";
 import { Layout } from "../ui/layout.ts";
 import { Panel } from "../ui/panel.ts";
 import { Plot } from "../ui/plot.ts";
+import { SourceSheet } from "../ui/source.ts";
 import { Toast } from "../ui/toast.ts";
 import { Transport } from "../ui/transport.ts";
 import { Picture } from "../view/picture.ts";
 import { THEMES, type ThemeName } from "../view/theme.ts";
 import { listenToKeys } from "./keys.ts";
-import { writeLink, type EngineMode, type Link } from "./link.ts";
+import { applyParameters, changedValues, writeLink, type EngineMode, type Link } from "./link.ts";
 import { Pointer } from "./pointer.ts";
 
 export interface AppOptions<R extends EngineModule, W extends WorldLike> {
@@ -29,7 +30,12 @@ export interface AppOptions<R extends EngineModule, W extends WorldLike> {
     readonly missing: ReadonlyMap<EngineId, string>;
     readonly link: Link;
     readonly root: HTMLElement;
+    /** Returns the file of a scene and its source. */
+    readonly findSource: (id: string) => Promise<{ file: string; source: string }>;
 }
+
+/** The scene of an address without one: it keeps moving. */
+const FIRST = "washer";
 
 const ENGINE_MODES: readonly EngineMode[] = ["own", "published", "both"];
 
@@ -55,6 +61,7 @@ export class App<R extends EngineModule, W extends WorldLike> {
     private readonly joystick: Joystick;
     private readonly toast = new Toast();
     private readonly help = helpSheet();
+    private readonly source = new SourceSheet();
     private last = performance.now();
 
     constructor(private readonly options: AppOptions<R, W>) {
@@ -76,7 +83,8 @@ export class App<R extends EngineModule, W extends WorldLike> {
         });
         this.panel = new Panel({
             changed: (live) => {
-                if (!live) this.restart();
+                if (live) this.writeLink();
+                else this.restart();
             },
             takeSnapshot: () => this.takeSnapshot(),
             restoreSnapshot: () => this.restoreSnapshot(),
@@ -92,19 +100,23 @@ export class App<R extends EngineModule, W extends WorldLike> {
             missing: options.missing,
             chooseEngine: (mode) => this.setMode(mode),
             toggleTheme: () => this.toggleTheme(),
+            share: () => void this.share(),
+            viewSource: () => void this.viewSource(),
         });
-        options.root.append(...this.layout.elements);
+        options.root.append(...this.layout.elements, this.source.element);
         document.documentElement.dataset["theme"] = this.themeName;
         this.picture = new Picture(this.layout.canvas, dimension.flat, THEMES[this.themeName], link.detail);
         this.pointer = new Pointer(this.picture, () => this.stages);
         listenToKeys(this.input, this.shortcuts());
         this.clock.running = !link.paused;
-        this.open(this.scene);
+        this.open(this.scene, link);
         this.run(link.steps);
+        const { title } = this.scene;
+        if (link.scene !== null && link.scene !== this.scene.id) this.toast.show(`There is no scene "${link.scene}". This is ${title}.`);
     }
 
     private first(): SceneDefinition<R, W> {
-        const first = this.options.scenes[0];
+        const first = this.find(FIRST) ?? this.options.scenes[0];
         if (!first) throw new Error("the testbed has no scenes");
         return first;
     }
@@ -134,10 +146,11 @@ export class App<R extends EngineModule, W extends WorldLike> {
         this.layout.closeSheets();
     }
 
-    private open(scene: SceneDefinition<R, W>): void {
+    private open(scene: SceneDefinition<R, W>, link?: Link): void {
         this.scene = scene;
-        this.settings = defaultSettings(scene.gravity);
+        this.settings = { ...defaultSettings(scene.gravity), ...link?.settings };
         this.parameters = defaultParameters(scene);
+        if (link !== undefined) applyParameters(link.parameters, scene.parameters ?? {}, this.parameters);
         this.panel.show(this.settings, scene.parameters ?? {}, this.parameters);
         this.picture.frame(scene.camera);
         this.layout.describe(scene.title, scene.description);
@@ -154,7 +167,38 @@ export class App<R extends EngineModule, W extends WorldLike> {
         this.stages = this.chosen.flatMap((engine) => this.build(engine) ?? []);
         this.clock.reset();
         this.refresh();
-        writeLink(this.scene.id, this.mode);
+        this.writeLink();
+    }
+
+    private writeLink(): void {
+        const { scene, settings, parameters } = this;
+        const changed = changedValues(settings, defaultSettings(scene.gravity), parameters, defaultParameters(scene));
+        writeLink(scene.id, this.mode, changed);
+    }
+
+    /** Hands the address to the system's dialog on a phone, and copies it elsewhere. */
+    private async share(): Promise<void> {
+        this.writeLink();
+        const url = location.href;
+        try {
+            if (matchMedia("(pointer: coarse)").matches && "share" in navigator) {
+                await navigator.share({ title: document.title, url });
+                return;
+            }
+            await navigator.clipboard.writeText(url);
+            this.toast.show("Copied: the address of this scene with its parameters");
+        } catch (error) {
+            if (!(error instanceof DOMException && error.name === "AbortError")) this.toast.show("The address above has the scene and its parameters");
+        }
+    }
+
+    private async viewSource(): Promise<void> {
+        try {
+            const { file, source } = await this.options.findSource(this.scene.id);
+            this.source.show(file, source);
+        } catch (error) {
+            this.toast.show(`No source: ${String(error)}`);
+        }
     }
 
     /** Builds the scene in an engine. A failure is shown, and other engines run. */

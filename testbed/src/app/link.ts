@@ -1,6 +1,8 @@
-// The page's address: `?scene=tower&engine=both&theme=light&debug=1&paused=1&steps=120`.
+// The page's address: `?scene=tower&engine=both&set.count=20&gravity=3&theme=light&debug=1&paused=1&steps=120`.
 
 import type { EngineId } from "../core/engine.ts";
+import type { Parameter, ParameterValue } from "../core/scene.ts";
+import type { Settings } from "../core/settings.ts";
 import type { ThemeName } from "../view/theme.ts";
 
 /** The choice of engines: one of them, or both side by side. */
@@ -16,9 +18,15 @@ export interface Link {
     steps: number;
     /** Low detail for slow machines. */
     detail: "high" | "low";
+    /** Values of the scene's parameters, and of the engine's settings. */
+    parameters: Record<string, string>;
+    settings: Partial<Settings>;
 }
 
 const STEPS_MAX = 10_000;
+/** Begins the names of a scene's parameters. */
+const PARAMETER = "set.";
+const SETTINGS = ["gravity", "iterations", "rate"] as const;
 
 function oneOf<T extends string>(value: string | null, options: readonly T[]): T | null {
     return options.find((option) => option === value) ?? null;
@@ -35,14 +43,68 @@ export function readLink(search: string): Link {
         paused: query.get("paused") === "1",
         steps: Number.isFinite(steps) ? Math.min(STEPS_MAX, Math.max(0, Math.floor(steps))) : 0,
         detail: query.get("detail") === "low" ? "low" : "high",
+        parameters: Object.fromEntries(
+            [...query].flatMap(([name, value]) => (name.startsWith(PARAMETER) ? [[name.slice(PARAMETER.length), value]] : [])),
+        ),
+        settings: readSettings(query),
     };
 }
 
-/** Writes scene and engine into the address, so that it can be shared. */
-export function writeLink(scene: string, engine: EngineMode): void {
+const RANGES: Record<keyof Settings, readonly [number, number]> = { gravity: [-100, 100], iterations: [1, 32], rate: [20, 480] };
+
+function readSettings(query: URLSearchParams): Partial<Settings> {
+    const found: Partial<Settings> = {};
+    for (const name of SETTINGS) {
+        const text = query.get(name);
+        const [min, max] = RANGES[name];
+        if (text !== null && Number(text) >= min && Number(text) <= max) found[name] = Number(text);
+    }
+    return found;
+}
+
+/** The value of a parameter in an address, or undefined if the parameter has no such value. */
+function parse(definition: Parameter, text: string): ParameterValue | undefined {
+    if ("options" in definition) return definition.options.find((option) => option === text);
+    if (!("min" in definition)) return text === "true" || text === "false" ? text === "true" : undefined;
+    const number = Number(text);
+    return number >= definition.min && number <= definition.max ? number : undefined;
+}
+
+/** Writes the values of an address into a scene's parameters. Others keep their defaults. */
+export function applyParameters(
+    texts: Readonly<Record<string, string>>,
+    definitions: Readonly<Record<string, Parameter>>,
+    values: Record<string, ParameterValue>,
+): void {
+    for (const [name, definition] of Object.entries(definitions)) {
+        const text = texts[name];
+        const value = text === undefined ? undefined : parse(definition, text);
+        if (value !== undefined) values[name] = value;
+    }
+}
+
+/** Writes scene, engine and changed values into the address, so that it can be shared. */
+export function writeLink(scene: string, engine: EngineMode, changed: Readonly<Record<string, ParameterValue>>): void {
     const address = new URL(location.href);
-    address.searchParams.set("scene", scene);
-    address.searchParams.set("engine", engine);
-    address.searchParams.delete("steps");
+    const query = address.searchParams;
+    for (const name of [...query.keys()]) {
+        if (name === "steps" || name.startsWith(PARAMETER) || SETTINGS.some((setting) => setting === name)) query.delete(name);
+    }
+    query.set("scene", scene);
+    query.set("engine", engine);
+    for (const [name, value] of Object.entries(changed)) query.set(name, String(value));
     history.replaceState(null, "", address);
+}
+
+/** The values that differ from their defaults, by name in the address. */
+export function changedValues(
+    settings: Settings,
+    usual: Settings,
+    parameters: Readonly<Record<string, ParameterValue>>,
+    defaults: Readonly<Record<string, ParameterValue>>,
+): Record<string, ParameterValue> {
+    const changed: Record<string, ParameterValue> = {};
+    for (const [name, value] of Object.entries(parameters)) if (value !== defaults[name]) changed[PARAMETER + name] = value;
+    for (const name of SETTINGS) if (settings[name] !== usual[name]) changed[name] = settings[name];
+    return changed;
 }

@@ -46,6 +46,18 @@ export interface DebugBuffers {
     colors: Float32Array;
 }
 
+/** Contacts of two colliders. Points of 2D engines have no `z`. */
+export interface ManifoldLike {
+    numSolverContacts(): number;
+    solverContactPoint(index: number): { x: number; y: number; z?: number } | null;
+}
+
+/** The contacts of a world. It is no part of `WorldLike`: one package accepts handles in place of colliders. */
+export interface Touching {
+    contactPairsWith(collider: ColliderLike, visit: (other: ColliderLike) => void): void;
+    contactPair(first: ColliderLike, second: ColliderLike, visit: (manifold: ManifoldLike) => void): void;
+}
+
 export interface WorldLike {
     gravity: { x: number; y: number };
     timestep: number;

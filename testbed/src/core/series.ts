@@ -32,6 +32,12 @@ export class Series {
         return used > 0 ? sum / used : 0;
     }
 
+    /** The value that a fraction of all values does not exceed, or 0 without values. */
+    percentile(fraction: number): number {
+        const sorted = Array.from({ length: this.filled }, (_, index) => this.at(index)).sort((a, b) => a - b);
+        return sorted[Math.floor(fraction * (this.filled - 1))] ?? 0;
+    }
+
     /** The value at an index; 0 is the oldest. */
     at(index: number): number {
         const first = this.filled < this.capacity ? 0 : this.next;

@@ -10,6 +10,16 @@ interface Card {
     readonly words: string;
 }
 
+/** Shows a strip of pictures, one after the other, while the pointer is on a card. */
+function moveOnHover(picture: HTMLElement, strip: string): void {
+    const moving = el("span", { class: "moving" });
+    picture.addEventListener("pointerenter", () => {
+        moving.style.backgroundImage = `url("${strip}")`;
+        picture.append(moving);
+    });
+    picture.addEventListener("pointerleave", () => moving.remove());
+}
+
 export class Gallery<R extends EngineModule, W> {
     readonly element: HTMLElement;
     readonly search: HTMLInputElement;
@@ -45,8 +55,10 @@ export class Gallery<R extends EngineModule, W> {
     private card(scene: SceneDefinition<R, W>, group: HTMLElement, thumbnails: string): HTMLElement {
         const image = el("img", { src: `${thumbnails}/${scene.id}.webp`, alt: "", loading: "lazy", width: "96", height: "60" });
         image.addEventListener("error", () => image.classList.add("missing"));
+        const picture = el("span", { class: "picture" }, image);
+        moveOnHover(picture, `${thumbnails}/moving/${scene.id}.webp`);
         const text = el("span", { class: "text" }, el("strong", {}, scene.title), el("small", {}, scene.description));
-        const element = el("button", { class: "card", type: "button", "data-scene": scene.id }, image, text);
+        const element = el("button", { class: "card", type: "button", "data-scene": scene.id }, picture, text);
         element.addEventListener("click", () => this.open(scene.id));
         const words = `${scene.title} ${scene.description} ${scene.group} ${scene.id}`.toLowerCase();
         this.cards.set(scene.id, { element, group, words });

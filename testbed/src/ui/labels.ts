@@ -1,4 +1,4 @@
-// Text over each viewport: engine, step, time, counts, hash, caption.
+// Text over each viewport: engine, step, time, counts, caption, and the hash on request.
 
 import type { EngineModule, WorldLike } from "../core/engine.ts";
 import type { Stage } from "../core/stage.ts";
@@ -20,12 +20,19 @@ export class Labels<R extends EngineModule, W extends WorldLike> {
     private labels: Label[] = [];
     private stages: readonly Stage<R, W>[] = [];
     private written = 0;
+    /** Whether the hash is shown: it visits the whole world. */
+    private hashed = false;
 
     show(stages: readonly Stage<R, W>[]): void {
         this.stages = stages;
         this.labels = stages.map((stage) => {
             const numbers = el("span", { class: "numbers" });
-            const hash = el("code", { class: "hash" });
+            const hash = el("button", { class: "hash", type: "button", title: "The hash of the world's state" }, "hash");
+            hash.hidden = stage.hash() === null;
+            hash.addEventListener("click", () => {
+                this.hashed = !this.hashed;
+                this.written = 0;
+            });
             const caption = el("span", { class: "caption" });
             const box = el("div", { class: "label" }, el("strong", {}, stage.engine.label), numbers, hash, caption);
             return { box, numbers, hash, caption };
@@ -47,8 +54,8 @@ export class Labels<R extends EngineModule, W extends WorldLike> {
             const parts = [`step ${stage.steps}`, `${stage.stepTimes.mean(30).toFixed(2)} ms`, `${bodies} bodies`];
             if (joints > 0) parts.push(`${joints} ${joints === 1 ? "joint" : "joints"}`);
             numbers.textContent = parts.join(" · ");
-            const text = stage.hash();
-            hash.textContent = text === null ? "" : `hash ${text}`;
+            hash.textContent = this.hashed ? `hash ${stage.hash()}` : "hash";
+            hash.setAttribute("aria-pressed", String(this.hashed));
             caption.textContent = stage.run.caption?.() ?? "";
         });
     }

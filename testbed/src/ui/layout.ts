@@ -16,6 +16,8 @@ export interface LayoutParts {
     readonly missing: ReadonlyMap<EngineId, string>;
     chooseEngine(mode: EngineMode): void;
     toggleTheme(): void;
+    share(): void;
+    viewSource(): void;
 }
 
 const MODES = [
@@ -36,7 +38,7 @@ export class Layout {
         this.choice = new Choice("Engine", MODES, (mode) => parts.chooseEngine(mode));
         for (const button of this.choice.element.querySelectorAll("button")) this.disable(button);
         const reasons = [...parts.missing.values()].map((reason) => el("p", { class: "about missing" }, reason));
-        this.side = el("aside", { class: "right", label: "Settings" }, this.about, ...reasons, ...parts.side);
+        this.side = el("aside", { class: "right", label: "Settings" }, this.about, this.links(), ...reasons, ...parts.side);
         const stage = el("main", { class: "stage" }, this.canvas, ...parts.over);
         stage.addEventListener("pointerdown", (event) => {
             if (event.target === this.canvas) this.closeSheets();
@@ -72,10 +74,18 @@ export class Layout {
         this.choice.value = mode;
     }
 
+    private links(): HTMLElement {
+        const share = el("button", { type: "button" }, "Share");
+        share.addEventListener("click", () => this.parts.share());
+        const source = el("button", { type: "button" }, "View source");
+        source.addEventListener("click", () => this.parts.viewSource());
+        return el("div", { class: "links" }, share, source);
+    }
+
     describe(title: string, description: string): void {
         document.title = `${title} – Rapier ${this.parts.brand}`;
-        this.now.replaceChildren(el("strong", {}, title), el("span", {}, description));
-        this.about.replaceChildren(el("strong", {}, title), description);
+        this.now.replaceChildren(title);
+        this.about.replaceChildren(description);
     }
 
     private toggle(sheet: HTMLElement): void {

@@ -30,6 +30,7 @@ export class Panel {
         engine.add(settings, "gravity", -GRAVITY, 3 * GRAVITY, 0.01).name("Gravity (m/s²)");
         engine.add(settings, "iterations", 1, 32, 1).name("Solver iterations");
         engine.add(settings, "rate", 20, 480, 10).name("Steps per second");
+        engine.onFinishChange(() => this.actions.changed(true));
         const snapshots = this.gui.addFolder("Snapshot");
         snapshots.add({ take: () => this.actions.takeSnapshot() }, "take").name("Take");
         snapshots.add({ restore: () => this.actions.restoreSnapshot() }, "restore").name("Restore");

@@ -3,6 +3,7 @@
 import uPlot from "uplot";
 import type { EngineModule, WorldLike } from "../core/engine.ts";
 import { HISTORY, TIMINGS, type Stage } from "../core/stage.ts";
+import type { Series } from "../core/series.ts";
 import { Choice, el } from "./dom.ts";
 
 type Mode = "time" | "stages" | "awake";
@@ -17,6 +18,8 @@ const COLOURS = ["#5b9bf0", "#f0954c", "#7cc36e", "#a184ec", "#e5616a"] as const
 /** Milliseconds between two drawings of the plot. */
 const INTERVAL = 150;
 const HEIGHT = 150;
+/** The plot shows this fraction of the values of a line. The first step of a scene, which is long, lies above it. */
+const SHOWN = 0.95;
 
 export class Plot<R extends EngineModule, W extends WorldLike> {
     readonly element: HTMLElement;
@@ -43,6 +46,17 @@ export class Plot<R extends EngineModule, W extends WorldLike> {
         this.rebuild();
     }
 
+    /** The series of the lines. */
+    private rows(): Series[] {
+        const first = this.stages[0];
+        if (this.mode === "stages" && first) return TIMINGS.map((name) => first.timings[name]);
+        return this.stages.map((stage) => (this.mode === "time" ? stage.stepTimes : stage.awake));
+    }
+
+    private top(): number {
+        return Math.max(0.1, ...this.rows().map((row) => row.percentile(this.mode === "awake" ? 1 : SHOWN)));
+    }
+
     private names(): string[] {
         if (this.mode === "stages") return [...TIMINGS];
         return this.stages.map((stage) => stage.engine.label);
@@ -55,6 +69,7 @@ export class Plot<R extends EngineModule, W extends WorldLike> {
         const names = this.names();
         const ink = getComputedStyle(document.documentElement).getPropertyValue("--muted").trim();
         const lines = getComputedStyle(document.documentElement).getPropertyValue("--line").trim();
+        const unit = this.mode === "awake" ? "" : " ms";
         const axis = { stroke: ink, grid: { stroke: lines, width: 1 }, ticks: { show: false }, font: "11px system-ui" };
         this.chart = new uPlot(
             {
@@ -62,10 +77,10 @@ export class Plot<R extends EngineModule, W extends WorldLike> {
                 height: HEIGHT,
                 legend: { show: false },
                 cursor: { show: false },
-                scales: { x: { time: false }, y: { range: (_chart, _min, max) => [0, Math.max(0.1, max * 1.15)] } },
+                scales: { x: { time: false }, y: { range: () => [0, 1.2 * this.top()] } },
                 axes: [
                     { ...axis, show: false },
-                    { ...axis, size: 40 },
+                    { ...axis, size: 58, values: (_chart, ticks) => ticks.map((tick) => `${tick}${unit}`) },
                 ],
                 series: [
                     {},
@@ -88,22 +103,12 @@ export class Plot<R extends EngineModule, W extends WorldLike> {
     }
 
     private data(): uPlot.AlignedData {
-        const first = this.stages[0];
-        if (this.mode === "stages" && first) {
-            return [this.steps, ...TIMINGS.map((name) => first.timings[name].padded())] as uPlot.AlignedData;
-        }
-        const rows = this.stages.map((stage) => (this.mode === "time" ? stage.stepTimes : stage.awake).padded());
-        return [this.steps, ...rows] as uPlot.AlignedData;
+        return [this.steps, ...this.rows().map((row) => row.padded())] as uPlot.AlignedData;
     }
 
     private values(): string[] {
-        const first = this.stages[0];
-        if (this.mode === "stages" && first) {
-            return TIMINGS.map((name) => `${first.timings[name].mean(60).toFixed(2)} ms`);
-        }
-        return this.stages.map((stage) =>
-            this.mode === "time" ? `${stage.stepTimes.mean(60).toFixed(2)} ms` : `${Math.round(stage.awake.mean(1))}`,
-        );
+        if (this.mode === "awake") return this.rows().map((row) => `${Math.round(row.mean(1))} bodies`);
+        return this.rows().map((row) => `median ${row.percentile(0.5).toFixed(2)} ms, 99 % below ${row.percentile(0.99).toFixed(2)} ms`);
     }
 
     private writeLegend(): void {

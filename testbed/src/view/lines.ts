@@ -1,16 +1,31 @@
-// Coloured line segments that change each frame.
+// Coloured line segments, or dots, that change each frame.
 
-import { BufferAttribute, BufferGeometry, DynamicDrawUsage, LineBasicMaterial, LineSegments, type Color, type Object3D } from "three";
+import {
+    BufferAttribute,
+    BufferGeometry,
+    DynamicDrawUsage,
+    LineBasicMaterial,
+    LineSegments,
+    Points,
+    PointsMaterial,
+    type Color,
+    type Object3D,
+} from "three";
+
+/** Pixels of a dot. */
+const DOT_SIZE = 7;
 
 export class Lines {
-    private readonly object: LineSegments<BufferGeometry, LineBasicMaterial>;
+    private readonly object: LineSegments<BufferGeometry, LineBasicMaterial> | Points<BufferGeometry, PointsMaterial>;
     private positions = new Float32Array(3 * 1024);
     private colors = new Float32Array(3 * 1024);
     private count = 0;
 
-    constructor(parent: Object3D, overlay: boolean) {
-        const material = new LineBasicMaterial({ vertexColors: true, depthTest: !overlay, transparent: overlay, fog: false });
-        this.object = new LineSegments(new BufferGeometry(), material);
+    constructor(parent: Object3D, overlay: boolean, dots = false) {
+        const look = { vertexColors: true, depthTest: !overlay, transparent: overlay, fog: false };
+        this.object = dots
+            ? new Points(new BufferGeometry(), new PointsMaterial({ ...look, size: DOT_SIZE, sizeAttenuation: false }))
+            : new LineSegments(new BufferGeometry(), new LineBasicMaterial(look));
         this.object.frustumCulled = false;
         this.object.renderOrder = 10;
         parent.add(this.object);

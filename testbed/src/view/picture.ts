@@ -11,8 +11,10 @@ import {
     Float32BufferAttribute,
     NoToneMapping,
     PCFShadowMap,
+    Vector3,
     WebGLRenderer,
 } from "three";
+import { POSE_SIZE } from "../core/dimension.ts";
 import type { EngineModule, WorldLike } from "../core/engine.ts";
 import type { Camera } from "../core/scene.ts";
 import type { Stage } from "../core/stage.ts";
@@ -41,6 +43,11 @@ interface Shown<R extends EngineModule, W extends WorldLike> {
 }
 
 const SHADOW_MAP = 2048;
+/** Fraction of bodies at each side that photographs may leave out. */
+const OUTLIERS = 0.03;
+/** Half of the smallest part that photographs show, and its margin around the centres of bodies, in halves of the viewport. */
+const HALF_MIN = 0.3;
+const MARGIN = 0.16;
 /** Pixels between two viewports. */
 const GAP = 2;
 
@@ -196,19 +203,48 @@ export class Picture<R extends EngineModule, W extends WorldLike> {
         this.renderer.forceContextLoss();
     }
 
-    /** The current picture as a data URL. */
-    photograph(type: string, quality: number, width: number, height: number): string {
-        this.render(1);
-        const { clientWidth, clientHeight } = this.canvas;
-        const scale = Math.max(width / clientWidth, height / clientHeight);
+    /** The part of the first viewport with nearly all moving bodies, in the range -1 to 1, or null without bodies. */
+    private busyPart(): { x: number; y: number; half: number } | null {
+        const stage = this.shown[0]?.view.stage;
+        const places: Vector3[] = [];
+        const pose = new Float32Array(POSE_SIZE);
+        stage?.world.forEachRigidBody((body) => {
+            if (body.isFixed() || body.numColliders() === 0) return;
+            stage.dimension.readPose(body.collider(0), pose);
+            const place = new Vector3(pose[0], pose[1], pose[2]).project(this.rig.camera);
+            if (Math.abs(place.x) < 1 && Math.abs(place.y) < 1) places.push(place);
+        });
+        if (places.length === 0) return null;
+        const range = (values: number[]): [number, number] => {
+            values.sort((a, b) => a - b);
+            const at = (fraction: number): number => values[Math.round(fraction * (values.length - 1))] ?? 0;
+            return [at(OUTLIERS), at(1 - OUTLIERS)];
+        };
+        const [left, right] = range(places.map(({ x }) => x));
+        const [bottom, top] = range(places.map(({ y }) => y));
+        const half = Math.min(1, Math.max(HALF_MIN, MARGIN + Math.max(right - left, top - bottom) / 2));
+        return { x: (left + right) / 2, y: (bottom + top) / 2, half };
+    }
+
+    /** Draws pictures of the busy part side by side. `next` runs between two of them. Returns a data URL. */
+    photograph(type: string, quality: number, width: number, height: number, count = 1, next = (): void => {}): string {
         const target = document.createElement("canvas");
-        target.width = width;
+        target.width = width * count;
         target.height = height;
         const context = target.getContext("2d");
         if (!context) throw new Error("no 2D canvas for the photograph");
         context.imageSmoothingQuality = "high";
-        const [w, h] = [clientWidth * scale, clientHeight * scale];
-        context.drawImage(this.canvas, (width - w) / 2, (height - h) / 2, w, h);
+        this.render(1);
+        const { x, y, half } = this.busyPart() ?? { x: 0, y: 0, half: 1 };
+        for (let index = 0; index < count; index++) {
+            if (index > 0) next();
+            this.render(1);
+            const { width: w, height: h } = this.canvas;
+            const scale = Math.min(w / width, h / height) * half;
+            const [sw, sh] = [width * scale, height * scale];
+            const [sx, sy] = [((1 + x) * w - sw) / 2, ((1 - y) * h - sh) / 2];
+            context.drawImage(this.canvas, Math.max(0, Math.min(w - sw, sx)), Math.max(0, Math.min(h - sh, sy)), sw, sh, index * width, 0, width, height);
+        }
         return target.toDataURL(type, quality);
     }
 }

@@ -2,7 +2,7 @@
 
 import { Color, Fog, Matrix4, Quaternion, Scene, Vector3, type Material } from "three";
 import { POSE_SIZE } from "../core/dimension.ts";
-import { enumNames, type BodyLike, type ColliderLike, type EngineModule, type WorldLike } from "../core/engine.ts";
+import { enumNames, type BodyLike, type ColliderLike, type EngineModule, type Touching, type WorldLike } from "../core/engine.ts";
 import type { Paint, Pen, Point } from "../core/scene.ts";
 import type { Stage } from "../core/stage.ts";
 import { Batch } from "./batch.ts";
@@ -53,6 +53,7 @@ export class StageView<R extends EngineModule, W extends WorldLike> {
     private readonly order = new Map<number, number>();
     private readonly pen: Lines;
     private readonly overlay: Lines;
+    private readonly contacts: Lines;
     private generation: number;
     private captures = 0;
     private readonly matrix = new Matrix4();
@@ -71,6 +72,7 @@ export class StageView<R extends EngineModule, W extends WorldLike> {
         this.generation = stage.generation;
         this.pen = new Lines(this.scene, false);
         this.overlay = new Lines(this.scene, true);
+        this.contacts = new Lines(this.scene, true, true);
         this.scene.background = theme.sky;
         if (!stage.dimension.flat) this.scene.fog = new Fog(theme.sky, 60, 160);
         this.capture();
@@ -255,8 +257,13 @@ export class StageView<R extends EngineModule, W extends WorldLike> {
         if (spring) this.pen.line(spaced(spring.anchor(), this.flat), spaced(spring.target(), this.flat), this.theme.paints.orange);
         this.pen.flush();
         this.overlay.clear();
-        if (this.debug) this.drawDebug();
+        this.contacts.clear();
+        if (this.debug) {
+            this.drawDebug();
+            this.drawContacts();
+        }
         this.overlay.flush();
+        this.contacts.flush();
     }
 
     private scenePen(): Pen {
@@ -281,8 +288,28 @@ export class StageView<R extends EngineModule, W extends WorldLike> {
         for (let index = 0; index < count; index++) {
             const [at, tone] = [index * width, index * 4];
             const z = this.flat ? POINT_DEPTH : vertices[at + 2]!;
-            this.overlay.point(vertices[at]!, vertices[at + 1]!, z, colors[tone]!, colors[tone + 1]!, colors[tone + 2]!);
+            const [r, g, b] = [colors[tone]! * this.theme.debug, colors[tone + 1]! * this.theme.debug, colors[tone + 2]! * this.theme.debug];
+            this.overlay.point(vertices[at]!, vertices[at + 1]!, z, r, g, b);
         }
+    }
+
+    /** A dot at each contact of the last step. */
+    private drawContacts(): void {
+        const { world } = this.stage;
+        const { r, g, b } = this.theme.paints.red;
+        const touching = world as unknown as Touching;
+        world.forEachCollider((collider) => {
+            touching.contactPairsWith(collider, (other) => {
+                // Each pair has two sides.
+                if (other.handle < collider.handle) return;
+                touching.contactPair(collider, other, (manifold) => {
+                    for (let index = 0; index < manifold.numSolverContacts(); index++) {
+                        const point = manifold.solverContactPoint(index);
+                        if (point) this.contacts.point(...spaced(point, this.flat), r, g, b);
+                    }
+                });
+            });
+        });
     }
 
     private clear(): void {
@@ -297,6 +324,7 @@ export class StageView<R extends EngineModule, W extends WorldLike> {
         for (const material of this.materials.values()) material.dispose();
         this.pen.dispose();
         this.overlay.dispose();
+        this.contacts.dispose();
     }
 }
 

@@ -15,6 +15,8 @@ export interface Theme {
     readonly shadow: number;
     /** Colour towards which sleeping bodies fade. */
     readonly asleep: Color;
+    /** Factor of the engine's colours of debug lines, which are bright: a bright floor hides them. */
+    readonly debug: number;
     /** Factor of fill colours at outlines (2D) and edges of boxes (3D). */
     readonly edge: number;
     readonly paints: Readonly<Record<Paint, Color>>;
@@ -79,6 +81,7 @@ function theme(name: ThemeName): Theme {
         sun: { color: new Color(dark ? "#fff3e0" : "#fff7ea"), intensity: dark ? 2.6 : 2.5 },
         shadow: dark ? 0.75 : 0.55,
         asleep: new Color(dark ? "#5a6473" : "#c3cad4"),
+        debug: dark ? 1 : 0.3,
         edge: dark ? 0.62 : 0.72,
         paints,
         cycle: CYCLE.map((paint) => paints[paint]),

@@ -1,4 +1,4 @@
-// The Rust reference of each dimension: a page per topic, and a list of all public names.
+// The Rust reference of each dimension: a page per topic, pages of their own for long types, and a list of all public names.
 
 import { mkdirSync, rmSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
@@ -13,6 +13,9 @@ const FLAGS =
 
 /** Traits behind operators, formats and macros: no reader looks for them. */
 const OPERATORS = /^(Structural|Bit|Binary|Octal|.*Hex|Not$|Sub|Extend|FromIterator|Flags$|PublicFlags$)/;
+
+/** Parts of a type that gets a page of its own, at least: its topic's page would be too long to read. */
+const PARTS_MIN = 8;
 
 function anchor(...names) {
     return names.map((name) => name.toLowerCase()).join("-");
@@ -36,6 +39,7 @@ class Reference {
         this.prelude = new Set(prelude?.entries.map(({ name }) => name));
         this.addresses = new Map();
         this.pages = this.distribute();
+        this.alone = new Set();
         for (const page of this.pages) for (const entry of page.entries) this.register(page, entry);
         this.address = (id) => this.addresses.get(id);
     }
@@ -66,9 +70,17 @@ class Reference {
     }
 
     register(page, { name, id, item }) {
-        const own = `${this.base}/${page.id}#${anchor(name)}`;
-        this.addresses.set(id, own);
-        for (const { section, id: child } of this.sections(item)) this.addresses.set(child, `${own}-${section}`);
+        const sections = this.sections(item);
+        if (sections.length >= PARTS_MIN && page.entries.length > 1) this.alone.add(name);
+        const path = `${this.base}/${page.id}`;
+        this.addresses.set(id, this.alone.has(name) ? `${path}/${name}` : `${path}#${anchor(name)}`);
+        for (const { section, id: child } of sections)
+            this.addresses.set(child, `${path}${this.alone.has(name) ? `/${name}` : ""}#${this.anchor(name, section)}`);
+    }
+
+    /** The anchor of a part. Names of types distinguish the parts on pages of topics. */
+    anchor(owner, section) {
+        return this.alone.has(owner) ? section : `${anchor(owner)}-${section}`;
     }
 
     children(ids) {
@@ -168,14 +180,15 @@ class Reference {
 
     /** The text of an item or of one of its parts. */
     text(item, owner = item) {
-        const fragments = new Map(this.sections(owner).map((part) => [part.item.name, `#${anchor(owner.name)}-${part.section}`]));
+        const fragments = new Map(this.sections(owner).map((part) => [part.item.name, `#${this.anchor(owner.name, part.section)}`]));
         return markdown(item, this.address, (name) => fragments.get(name));
     }
 
     section(owner, { item, section }) {
         const title = item.name.replace(/_/g, "\\_");
         const code = fenced(this.declaration(item, owner.inner.trait !== undefined));
-        return [`### ${title} {#${anchor(owner.name)}-${section}}`, code, this.text(item, owner)].join("\n\n");
+        const level = this.alone.has(owner.name) ? "##" : "###";
+        return [`${level} ${title} {#${this.anchor(owner.name, section)}}`, code, this.text(item, owner)].join("\n\n");
     }
 
     entry({ name, item, module }) {
@@ -183,7 +196,7 @@ class Reference {
         const place = `From \`${this.crate}::${module}\`.`;
         const flags = this.impls(item).some(({ trait }) => trait?.path.endsWith("BitOr")) ? FLAGS : "";
         return [
-            `## ${name} {#${anchor(name)}}`,
+            this.alone.has(name) ? `# ${name}` : `## ${name} {#${anchor(name)}}`,
             fenced(this.declaration(item)),
             this.text(item),
             `${place} ${this.traits(item)} ${flags}`,
@@ -191,14 +204,15 @@ class Reference {
         ].join("\n\n");
     }
 
-    page({ title, intro, guides, entries }, position) {
-        const head = [`---\nsidebar_position: ${position}\ntoc_max_heading_level: 3\n---`, `# ${title}`, intro];
+    page({ id, title, intro, guides, entries }, position) {
+        const head = [`---\nsidebar_position: ${position}\nslug: /${this.folder}/${id}\ntoc_max_heading_level: 3\n---`, `# ${title}`, intro];
         const list = entries
-            .map(({ name, item }) => `* [\`${name}\`](#${anchor(name)}): ${summary(item, this.address)}`)
+            .map(({ name, id, item }) => `* [\`${name}\`](${this.addresses.get(id)}): ${summary(item, this.address)}`)
             .join("\n");
         const texts = guides.map((guide) => `[${guide.replace(/-/g, " ")}](/docs/guide/${guide})`).join(", ");
         const guide = guides.length === 0 ? "" : `Guide: ${texts}. The programs there and below run as tests.`;
-        return [...head, guide, list, ...entries.map((entry) => this.entry(entry))].join("\n\n");
+        const here = entries.filter(({ name }) => !this.alone.has(name));
+        return [...head, guide, list, ...here.map((entry) => this.entry(entry))].join("\n\n");
     }
 
     /** The path of a name that the prelude does not have, in brackets. */
@@ -248,9 +262,16 @@ function writePages(website, reference) {
     const target = join(website, "generated/api", reference.folder);
     rmSync(target, { recursive: true, force: true });
     mkdirSync(target, { recursive: true });
-    reference.pages.forEach((page, index) =>
-        writeFileSync(join(target, `${page.id}.md`), `${reference.page(page, index + 1)}\n`),
-    );
+    reference.pages.forEach((page, index) => {
+        const long = page.entries.filter(({ name }) => reference.alone.has(name));
+        const folder = long.length === 0 ? target : join(target, page.id);
+        mkdirSync(folder, { recursive: true });
+        const file = long.length === 0 ? `${page.id}.md` : "index.md";
+        writeFileSync(join(folder, file), `${reference.page(page, index + 1)}\n`);
+        for (const entry of long) writeFileSync(join(folder, `${entry.name}.md`), `${reference.entry(entry)}\n`);
+        const category = { label: page.title, position: index + 1 };
+        if (long.length > 0) writeFileSync(join(folder, "_category_.json"), JSON.stringify(category));
+    });
     writeFileSync(join(target, "index.md"), `${reference.overview()}\n`);
 }
 

@@ -2,7 +2,7 @@
 
 import Link from "@docusaurus/Link";
 import useBaseUrl from "@docusaurus/useBaseUrl";
-import type { ReactNode } from "react";
+import { type ReactNode, useState } from "react";
 import type { DimensionName } from "./package";
 import styles from "./SceneGrid.module.css";
 
@@ -15,10 +15,21 @@ export interface SceneEntry {
 }
 
 function Thumbnail({ dimension, id, title, description }: SceneEntry): ReactNode {
+    const [moves, setMoves] = useState(false);
+    const strip = useBaseUrl(`/thumbnails/${dimension}/moving/${id}.webp`);
     return (
-        <Link className={styles.thumbnail} to={`/gallery/${dimension}/${id}`} title={description}>
-            <img src={useBaseUrl(`/thumbnails/${dimension}/${id}.webp`)} alt="" width={240} height={150} loading="lazy" />
-            <span>{title}</span>
+        <Link
+            className={styles.thumbnail}
+            to={`/gallery/${dimension}/${id}`}
+            title={description}
+            onMouseEnter={() => setMoves(true)}
+            onMouseLeave={() => setMoves(false)}
+        >
+            <span className={styles.picture}>
+                <img src={useBaseUrl(`/thumbnails/${dimension}/${id}.webp`)} alt="" width={240} height={150} loading="lazy" />
+                {moves && <span className={styles.moving} style={{ backgroundImage: `url("${strip}")` }} />}
+            </span>
+            <span className={styles.title}>{title}</span>
         </Link>
     );
 }

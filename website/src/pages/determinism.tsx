@@ -17,6 +17,10 @@ const RUNS: Readonly<Record<string, readonly [platform: string, runs: string]>> 
     "wasm-simd": ["WebAssembly with SIMD", "1 thread, in Node.js"],
     "wasm-scalar": ["WebAssembly without SIMD", "1 thread, in Node.js"],
     aarch64: ["aarch64 Linux", "1 thread, under qemu"],
+    i686: ["i686 Linux", "1 thread, under qemu"],
+    armv7: ["armv7 Linux", "1 thread, under qemu"],
+    riscv64: ["riscv64 Linux", "1 thread, under qemu"],
+    s390x: ["s390x Linux, big-endian", "1 thread, under qemu"],
 };
 
 const CRATES = [...new Set(golden.map(({ crate }) => crate))];
@@ -142,7 +146,7 @@ export default function Determinism(): ReactNode {
                 <p>
                     The repository has the hashes of {golden.length} recorded scenes: {SCENES.length} for each of {CRATES.length}{" "}
                     crates. <code>crates/golden/everywhere.sh</code> runs them on these platforms, prints the scenes whose hashes
-                    differ, and names the platforms that a machine cannot run.
+                    differ, and names the platforms that a machine cannot run. <Link to="/docs/platforms">Platforms</Link> has the last runs.
                 </p>
                 <Platforms />
                 <Heading as="h2" id="hashes">
