@@ -17,7 +17,7 @@ export class Joystick {
 
     constructor(input: Input) {
         const knob = el("div", { class: "knob" });
-        const stick = el("div", { class: "stick", label: "Joystick" }, knob);
+        const stick = el("div", { class: "stick", role: "group", label: "Joystick" }, knob);
         const { action } = this;
         this.element = el("div", { class: "joystick", hidden: "" }, stick, action);
         const move = (event: PointerEvent): void => {

@@ -268,8 +268,13 @@ function writePages(website, reference) {
         mkdirSync(folder, { recursive: true });
         const file = long.length === 0 ? `${page.id}.md` : "index.md";
         writeFileSync(join(folder, file), `${reference.page(page, index + 1)}\n`);
-        for (const entry of long) writeFileSync(join(folder, `${entry.name}.md`), `${reference.entry(entry)}\n`);
-        const category = { label: page.title, position: index + 1 };
+        for (const entry of long) {
+            // Without its own address, `collider/Collider` would be the page of the folder.
+            const head = `---\nslug: /${reference.folder}/${page.id}/${entry.name}\n---`;
+            writeFileSync(join(folder, `${entry.name}.md`), `${head}\n\n${reference.entry(entry)}\n`);
+        }
+        const link = { type: "doc", id: `${reference.folder}/${page.id}/index` };
+        const category = { label: page.title, position: index + 1, link };
         if (long.length > 0) writeFileSync(join(folder, "_category_.json"), JSON.stringify(category));
     });
     writeFileSync(join(target, "index.md"), `${reference.overview()}\n`);
