@@ -124,7 +124,8 @@ async function testMemory(session: Session, { scenes }: BrowserTest): Promise<vo
     const visit = async (): Promise<number> => {
         for (const scene of scenes.slice(0, 4)) {
             await page.evaluate(`testbed.openScene("${scene}")`);
-            await page.waitForTimeout(150);
+            // A slow machine draws the scene later: geometries count from their first picture on.
+            await page.evaluate("new Promise((drawn) => requestAnimationFrame(() => requestAnimationFrame(() => requestAnimationFrame(drawn))))");
         }
         return (await page.evaluate("testbed.picture.renderer.info.memory.geometries")) as number;
     };

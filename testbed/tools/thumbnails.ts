@@ -13,7 +13,7 @@ const STEPS = 90;
 const FRAMES = 8;
 const STRIDE = 5;
 const STRIP_SIZE = { width: 192, height: 120 };
-const STRIP_BYTES_MAX = 30_000;
+const STRIP_BYTES_MAX = 50_000;
 
 interface Named {
     readonly id: string;
