@@ -48,7 +48,7 @@ impl<'a> Facets<'a> {
     pub fn is_flat(&self) -> bool {
         match self {
             Self::Triangle(..) => true,
-            // Its two faces alone enclose an unlimited plane.
+            // Its two planes alone enclose an unlimited plane.
             Self::Hull(hull) => is_plate(TypedShape::ConvexPolyhedron(hull)),
         }
     }
@@ -65,6 +65,11 @@ impl<'a> Facets<'a> {
     #[inline]
     pub fn facet(&self, index: usize) -> Facet {
         let (normal, point) = match self {
+            // The two normals differ by rounding, and a path between two planes would pass the plate.
+            Self::Hull(_) if index == 1 && self.is_flat() => {
+                let Facet { normal, offset } = self.facet(0);
+                return Facet { normal: -normal, offset: -offset };
+            }
             Self::Hull(hull) => {
                 let face = &hull.faces()[index];
                 let vertex = hull.vertices_adj_to_face()[face.first_vertex_or_edge as usize];

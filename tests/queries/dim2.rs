@@ -69,3 +69,25 @@ pub fn every_shape() -> Vec<(&'static str, SharedShape)> {
         ),
     ]
 }
+
+/// Returns the directions normal to some edges.
+pub fn axes(edges: &[[f64; 2]]) -> Vec<[f64; 2]> {
+    let axis = |&[x, y]: &[f64; 2]| (x != 0.0 || y != 0.0).then(|| [-y, x].map(|v| v / x.hypot(y)));
+    edges.iter().filter_map(axis).collect()
+}
+
+/// Returns shapes with straight sides and their corners.
+pub fn corner_shapes() -> Vec<(&'static str, SharedShape, Vec<Vector>)> {
+    let corners = vec![Vector::X, Vector::Y, Vector::new(-0.6, -0.4), -Vector::Y];
+    let rectangle = |x: Real, y: Real| {
+        [[x, y], [-x, y], [x, -y], [-x, -y]].map(|[x, y]| Vector::new(x, y)).to_vec()
+    };
+    let [a, b, c] = [Vector::X, Vector::Y * 0.8, -Vector::Y];
+    vec![
+        ("box", SharedShape::cuboid(0.5, 0.3), rectangle(0.5, 0.3)),
+        ("plate", SharedShape::cuboid(0.5, 0.0), rectangle(0.5, 0.0)),
+        ("hull", SharedShape::convex_hull(&corners).expect("a hull"), corners),
+        ("triangle", SharedShape::triangle(a, b, c), vec![a, b, c]),
+        ("segment", SharedShape::segment(a, c), vec![a, c]),
+    ]
+}

@@ -79,3 +79,37 @@ pub fn every_shape() -> Vec<(&'static str, SharedShape)> {
         ),
     ]
 }
+
+/// Returns the directions normal to any two of some edges.
+pub fn axes(edges: &[[f64; 3]]) -> Vec<[f64; 3]> {
+    let mut axes: Vec<[f64; 3]> = Vec::new();
+    for (k, [a, b, c]) in edges.iter().enumerate() {
+        for [x, y, z] in &edges[k + 1..] {
+            let axis = [b * z - c * y, c * x - a * z, a * y - b * x];
+            let length = axis.iter().map(|x| x * x).sum::<f64>().sqrt();
+            if length > 1.0e-6 {
+                axes.push(axis.map(|x| x / length));
+            }
+        }
+    }
+    axes
+}
+
+/// Returns shapes with flat faces and their corners.
+pub fn corner_shapes() -> Vec<(&'static str, SharedShape, Vec<Vector>)> {
+    let corners = vec![Vector::X, Vector::Y, Vector::Z, -Vector::ONE * 0.4];
+    let cuboid = |x: Real, y: Real, z: Real| -> Vec<Vector> {
+        let signs = [-1.0, 1.0];
+        let all =
+            signs.iter().flat_map(|a| signs.iter().flat_map(move |b| signs.map(|c| [*a, *b, c])));
+        all.map(|[a, b, c]| Vector::new(a * x, b * y, c * z)).collect()
+    };
+    let [a, b, c] = [Vector::X, Vector::new(0.1, 0.8, 0.3), -Vector::Y];
+    vec![
+        ("box", SharedShape::cuboid(0.5, 0.3, 0.4), cuboid(0.5, 0.3, 0.4)),
+        ("plate", SharedShape::cuboid(0.5, 0.0, 0.4), cuboid(0.5, 0.0, 0.4)),
+        ("hull", SharedShape::convex_hull(&corners).expect("a hull"), corners),
+        ("triangle", SharedShape::triangle(a, b, c), vec![a, b, c]),
+        ("segment", SharedShape::segment(a, c), vec![a, c]),
+    ]
+}

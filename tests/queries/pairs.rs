@@ -14,7 +14,7 @@ use rapier::prelude::*;
 /// Relative poses of each pair of shapes.
 const POSES: usize = 24;
 /// Precision of parry's search for closest points (length units), for shapes of a metre.
-const TOLERANCE: Real = 4.0e-3;
+pub(super) const TOLERANCE: Real = 4.0e-3;
 /// Relative precision of that search between curved shapes.
 const CURVED_FRACTION: Real = 0.02;
 /// Places on the path of a cast.
@@ -26,14 +26,14 @@ fn shapes() -> Vec<(&'static str, SharedShape)> {
     shapes
 }
 
-fn pose(dice: &mut Dice, reach: Real) -> Pose {
+pub(super) fn pose(dice: &mut Dice, reach: Real) -> Pose {
     let mut place = Vector::ZERO;
     (0..DIM).for_each(|axis| place[axis] = dice.within(-reach, reach));
     let body = RigidBodyBuilder::fixed().translation(place);
     *body.rotation(about_z(dice.within(-3.0, 3.0))).build().position()
 }
 
-fn for_each_pair(mut f: impl FnMut([&str; 2], [&SharedShape; 2], &mut Dice)) {
+pub(super) fn for_each_pair(mut f: impl FnMut([&str; 2], [&SharedShape; 2], &mut Dice)) {
     let shapes = shapes();
     for (i, (name1, shape1)) in shapes.iter().enumerate() {
         for (j, (name2, shape2)) in shapes.iter().enumerate() {
@@ -42,7 +42,11 @@ fn for_each_pair(mut f: impl FnMut([&str; 2], [&SharedShape; 2], &mut Dice)) {
     }
 }
 
-fn distance(query: &dyn QueryDispatcher, pose: &Pose, shapes: [&SharedShape; 2]) -> Real {
+pub(super) fn distance(
+    query: &dyn QueryDispatcher,
+    pose: &Pose,
+    shapes: [&SharedShape; 2],
+) -> Real {
     query.distance(pose, &**shapes[0], &**shapes[1]).expect("supports every pair").distance
 }
 

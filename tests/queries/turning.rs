@@ -3,6 +3,7 @@
 use super::plain::{ALL, alone};
 use crate::dim::{about_z, cuboid, vec};
 use rapier::parry::query::{NonlinearRigidMotion, ShapeCastHit, ShapeCastStatus};
+use rapier::parry::shape::HalfSpace;
 use rapier::prelude::*;
 
 /// Returns a motion from a place, with a rotation about the shape's own middle.
@@ -53,6 +54,61 @@ fn a_tumbling_bar_lands_with_its_lowest_point() {
             let (point, normal) = (landed * hit.witness2, landed.rotation * hit.normal2);
             assert!(point.y.abs() < 1.0e-2, "it touches the floor at {point}");
             assert!((normal + Vector::Y).length() < 1.0e-2, "it touches the floor along {normal}");
+        }
+    }
+}
+
+/// A half-space that rotates about a point touches a bar, a ball or a mesh with the lowest point above its
+/// plane. The same motion, seen from the half-space, has the same time.
+#[test]
+fn a_rotating_half_space_touches_the_lowest_point() {
+    let [a, b] = BAR;
+    let corners = [[a, b], [-a, b], [a, -b], [-a, -b]].map(|[x, y]| vec(x, y));
+    let corner_mesh = crate::dim::queries::solid_box(0.5);
+    let flat = |shape: &ColliderBuilder| shape.build().shared_shape().clone();
+    let reach = |corners: &[Vector], down: Vector| {
+        corners.iter().map(|corner| corner.dot(down)).fold(Real::MIN, Real::max)
+    };
+    let bar = |down: Vector| reach(&corners, down);
+    let square = [[0.5, 0.5], [-0.5, 0.5], [0.5, -0.5], [-0.5, -0.5]].map(|[x, y]| vec(x, y));
+    let cube = |down: Vector| reach(&square, down);
+    let ball = |_: Vector| 0.4;
+    let shapes: [(SharedShape, &dyn Fn(Vector) -> Real); 3] =
+        [(flat(&cuboid(a, b)), &bar), (corner_mesh, &cube), (SharedShape::ball(0.4), &ball)];
+    let world = PhysicsWorld::new();
+    let query = world.narrow_phase.query_dispatcher();
+    let plane = HalfSpace::new(Vector::Y);
+    for (shape, lowest) in shapes {
+        for turn in [0.3, -1.0, 5.0, 60.0] {
+            for (x, rise, fall) in
+                [(0.0, 0.0, -1.0), (3.0, 0.2, 0.0), (-20.0, 0.0, 0.5), (2.0, 1.0, -3.0)]
+            {
+                let still = motion(vec(x, 4.0), Vector::Y * fall, 0.0);
+                let turning = motion(Vector::ZERO, Vector::Y * rise, turn);
+                let gap = |time: Real| {
+                    let (sin, cos) = (turn * time).sin_cos();
+                    let normal = vec(-sin, cos);
+                    normal.dot(vec(x, 4.0 + (fall - rise) * time)) - lowest(-normal)
+                };
+                let mut expected = 0.0;
+                while gap(expected) > 0.0 && expected < 10.0 {
+                    expected += 2.0e-5;
+                }
+                let hits = [
+                    query.cast_shapes_nonlinear(&turning, &plane, &still, &*shape, 0.0, 10.0, true),
+                    query.cast_shapes_nonlinear(&still, &*shape, &turning, &plane, 0.0, 10.0, true),
+                ];
+                for hit in hits {
+                    let hit = hit.expect("supports every pair");
+                    let time = hit.map_or(10.0, |hit| hit.time_of_impact);
+                    assert!(
+                        (time - expected).abs() < 1.0e-3,
+                        "{turn}, {x}: {hit:?}, not {expected}"
+                    );
+                    let is_touch = hit.is_none_or(|hit| hit.status == ShapeCastStatus::Converged);
+                    assert!(is_touch, "{hit:?}");
+                }
+            }
         }
     }
 }

@@ -133,6 +133,9 @@ fn enter_layer(origin: Vector, dir: Vector, distance: Real, shape: &dyn Shape) -
 
 /// Returns the time at which a point meets the layer around a segment. A point is a segment without length.
 fn enter_round(origin: Vector, dir: Vector, ends: [Vector; 2], radius: Real) -> Meeting {
+    if radius == 0.0 {
+        return Meeting::Unclear; // The nearest point has no direction.
+    }
     match enter_capsule(origin, dir, ends, radius) {
         None => Meeting::Never,
         Some((time, core)) if time > 0.0 => Touch::around(origin + dir * time, core, time),

@@ -1,27 +1,27 @@
-//! Casts of two plain parts without a formula.
+//! Casts of two plain parts without a formula of their own.
 //!
-//! parry computes the first time by a ray against the difference of the two shapes. That search ends when its
-//! bounds stop to improve, which may be centimetres early for shapes with curved edges. Conservative
-//! advancement then continues: at the distance `d` along the normal `n`, shapes cannot touch before
-//! `t + d / (-v · n)`.
+//! A half-space is touched by the lowest point of the other shape. Two shapes with support functions touch
+//! where a line enters their difference ([`Line`]). parry's own search, a ray against that difference, misses
+//! some shapes from a distance of a hundred sizes. Conservative advancement depends on a search for closest
+//! points, which fails for shapes that just touch.
 
+use super::entry::{Entry, Line};
 use super::pair_query::Found;
-use super::plain::distance;
+use super::plain::{contact, time_until_touch};
 use crate::base::bvh::SlabProbe;
-use crate::base::guard::guarded;
 use crate::dim::math::{Pose, Real, Vector};
 use parry::bounding_volume::BoundingVolume;
-use parry::query::{DefaultQueryDispatcher, QueryDispatcher, ShapeCastOptions, ShapeCastStatus};
-use parry::shape::Shape;
+use parry::query::{ShapeCastOptions, ShapeCastStatus};
+use parry::shape::{HalfSpace, Shape, SupportMap};
 
-/// Largest distance at a hit, as a fraction of the smaller shape's size.
-const GAP_FRACTION_MAX: Real = 5.0e-4;
-/// Relative rounding error of coordinates.
-const ROUNDING: Real = 32.0 * Real::EPSILON;
-/// A cast over more than this number of sizes begins near the other shape.
-const LONG_RATIO_MIN: Real = 64.0;
-/// Largest number of steps after the search. Each halves the distance at least, or ends the cast.
-const STEPS_MAX: usize = 32;
+/// Relative rounding error of positions.
+const ROUNDING: Real = 8.0 * Real::EPSILON;
+/// Precision of the path, as a fraction of the size of the smaller shape. The angle of the normal between
+/// round shapes has the square root of that.
+const PRECISION: Real = 1.0e-6;
+/// The direction of least overlap of shapes that overlap by less than some rounding errors is the one in
+/// which they met.
+const SHALLOW_RATIO_MAX: Real = 16.0;
 
 /// The cast of the second shape, which moves at a velocity relative to the first.
 pub(super) fn cast_of_convex(
@@ -30,85 +30,119 @@ pub(super) fn cast_of_convex(
     shapes: [&dyn Shape; 2],
     options: ShapeCastOptions,
 ) -> Option<Found> {
-    let cast = Cast { pose12: *pose12, velocity, shapes, options };
-    let start = cast.start()?;
-    let found = cast.search(start)?;
-    let is_exact = shapes.iter().any(|shape| shape.as_halfspace().is_some());
-    if is_exact { Some(found) } else { cast.approach(found) }
+    let [shape1, shape2] = shapes;
+    if let Some(plane) = shape1.as_halfspace() {
+        return cast_at_plane(pose12, velocity, plane, shape2.as_support_map()?, options);
+    }
+    if let Some(plane) = shape2.as_halfspace() {
+        let velocity = pose12.rotation.inverse() * -velocity;
+        let other = shape1.as_support_map()?;
+        return cast_at_plane(&pose12.inverse(), velocity, plane, other, options)
+            .map(Found::swapped);
+    }
+    let supports = [shape1.as_support_map()?, shape2.as_support_map()?];
+    let cast = Cast { pose12: *pose12, velocity, shapes, supports, options };
+    cast.first_touch()
+}
+
+/// The cast of a shape at a half-space.
+fn cast_at_plane(
+    pose12: &Pose,
+    velocity: Vector,
+    plane: &HalfSpace,
+    shape: &dyn SupportMap,
+    options: ShapeCastOptions,
+) -> Option<Found> {
+    let normals = [plane.normal, pose12.rotation.inverse() * -plane.normal];
+    let lowest = shape.local_support_point(normals[1]);
+    let place = *pose12 * lowest;
+    let gap = plane.normal.dot(place) - options.target_distance;
+    let time = time_until_touch(gap, -velocity.dot(plane.normal), &options)?;
+    let touched = place + velocity * time;
+    let points = [touched - plane.normal * plane.normal.dot(touched), lowest];
+    Some(Found { points, normals, status: status(gap), ..Found::at(time) })
+}
+
+fn status(gap: Real) -> ShapeCastStatus {
+    if gap > 0.0 {
+        ShapeCastStatus::Converged
+    } else {
+        ShapeCastStatus::PenetratingOrWithinTargetDist
+    }
 }
 
 struct Cast<'a> {
     pose12: Pose,
     velocity: Vector,
     shapes: [&'a dyn Shape; 2],
+    supports: [&'a dyn SupportMap; 2],
     options: ShapeCastOptions,
 }
 
 impl Cast<'_> {
-    fn pose_at(&self, time: Real) -> Pose {
-        let place = self.pose12.translation + self.velocity * time;
-        Pose::from_parts(place, self.pose12.rotation)
+    fn first_touch(&self) -> Option<Found> {
+        let boxes = self.shapes.map(Shape::compute_local_aabb);
+        let extents = boxes.map(|aabb| (aabb.center().abs() + aabb.half_extents()).max_element());
+        let place = self.pose12.translation.abs().max_element();
+        let size = extents[0] + extents[1] + self.options.target_distance;
+        let rounding = ROUNDING * (size + place);
+        let start = self.start(rounding)?;
+        let at_start = self.pose12.translation + self.velocity * start;
+        // The squares of very small and very large velocities are no numbers.
+        let fastest = self.velocity.abs().max_element();
+        let (direction, speed) = (self.velocity / fastest).normalize_and_length();
+        let line = Line {
+            shapes: self.supports,
+            pose12: Pose::from_parts(at_start, self.pose12.rotation),
+            direction,
+            distance: self.options.target_distance,
+            rounding,
+            precision: PRECISION * smaller(boxes.map(|aabb| aabb.half_extents().max_element())),
+            size,
+        };
+        let entry = line.enter()?;
+        if entry.path > 0.0 || start > 0.0 {
+            let cost = start + entry.path.max(0.0) / speed / fastest;
+            return Some(Found { cost, ..self.found(&entry) });
+        }
+        self.touch_at_start(&entry, entry.path * direction.dot(entry.normal), rounding)
     }
 
-    /// The time at which the search begins: zero, or the time at which the boxes of distant shapes meet.
-    /// `None` if these never do.
-    fn start(&self) -> Option<Real> {
-        let [own, other] =
-            [self.shapes[0].compute_local_aabb(), self.shapes[1].compute_aabb(&self.pose12)];
-        let coordinates = self.pose12.translation.abs().max_element();
-        let size = own.half_extents().max_element() + other.half_extents().max_element();
-        let is_distant = coordinates > LONG_RATIO_MIN * size;
-        if !is_distant || !size.is_finite() {
-            return Some(0.0);
-        }
-        let margin = self.options.target_distance + ROUNDING * coordinates;
-        let half_extents = other.loosened(margin).half_extents();
+    /// The time right before the boxes of the shapes meet; `None` if these never do.
+    fn start(&self, rounding: Real) -> Option<Real> {
+        let own = self.shapes[0].compute_local_aabb();
+        let other = self.shapes[1].compute_aabb(&self.pose12);
+        let half_extents = other.loosened(self.options.target_distance + rounding).half_extents();
         let path = SlabProbe::new(other.center(), self.velocity, half_extents);
         let [start, end] = path.span(&own);
         (start <= end && start <= self.options.max_time_of_impact).then_some(start)
     }
 
-    /// parry's search from a time on.
-    fn search(&self, start: Real) -> Option<Found> {
-        let [shape1, shape2] = self.shapes;
-        let max_time_of_impact = self.options.max_time_of_impact - start;
-        let options = ShapeCastOptions { max_time_of_impact, ..self.options };
-        let pose12 = self.pose_at(start);
-        let cast =
-            || DefaultQueryDispatcher.cast_shapes(&pose12, self.velocity, shape1, shape2, options);
-        let mut found = Found::from(guarded(cast)?.ok()??);
-        found.cost += start;
-        Some(found)
+    /// The result for shapes that begin where they touch, or have touched before. The line enters the
+    /// difference behind the start, and the overlap along the normal there has a depth.
+    fn touch_at_start(&self, entry: &Entry, depth: Real, rounding: Real) -> Option<Found> {
+        let distance = self.options.target_distance;
+        let entered = Found { cost: distance - depth, ..self.found(entry) };
+        let deepest = || contact(&self.pose12, self.shapes, Real::MAX).map(Found::from);
+        // parry's search fails for shapes that just touch.
+        let is_shallow = depth <= SHALLOW_RATIO_MAX * rounding;
+        let near = if is_shallow { entered } else { deepest().unwrap_or(entered) };
+        let gap = near.cost - distance;
+        let closing = -self.velocity.dot(near.normals[0]);
+        if gap > SHALLOW_RATIO_MAX * rounding {
+            return None; // The shapes touched before the start.
+        }
+        let cost = time_until_touch(gap, closing, &self.options)?;
+        Some(Found { cost, status: status(gap), ..near })
     }
 
-    /// Advances from a hit that may be early until the shapes touch. `None` if they do not.
-    fn approach(&self, mut found: Found) -> Option<Found> {
-        let [shape1, shape2] = self.shapes;
-        let sizes =
-            self.shapes.map(|shape| shape.compute_local_aabb().half_extents().max_element());
-        let place = self.pose_at(found.cost).translation.abs().max_element();
-        let tolerance =
-            GAP_FRACTION_MAX * sizes[0].min(sizes[1]) + ROUNDING * (sizes[0].max(sizes[1]) + place);
-        for _ in 0..STEPS_MAX {
-            let pose12 = self.pose_at(found.cost);
-            let gap = distance(&pose12, self.shapes)? - self.options.target_distance;
-            if gap.is_nan() || gap <= tolerance {
-                break;
-            }
-            let contact = || DefaultQueryDispatcher.contact(&pose12, shape1, shape2, Real::MAX);
-            let contact = guarded(contact).and_then(|contact| contact.ok().flatten());
-            // Without a normal, no point is faster than the whole shape.
-            let closing = contact
-                .map_or(self.velocity.length(), |contact| -self.velocity.dot(contact.normal1));
-            let gap = contact.map_or(gap, |contact| contact.dist - self.options.target_distance);
-            // A plane separates shapes that do not approach each other.
-            let time = found.cost + gap.max(0.0) / closing;
-            if closing <= 0.0 || time > self.options.max_time_of_impact {
-                return None;
-            }
-            let (was, status) = (found, ShapeCastStatus::Converged);
-            found = Found { cost: time, status, ..contact.map_or(was, Found::from) };
-        }
-        Some(found)
+    fn found(&self, entry: &Entry) -> Found {
+        let normals = [entry.normal, self.pose12.rotation.inverse() * -entry.normal];
+        Found { points: entry.points, normals, ..Found::at(0.0) }
     }
+}
+
+/// The smaller of two sizes, or the larger if the other one is zero.
+fn smaller([size1, size2]: [Real; 2]) -> Real {
+    if size1.min(size2) > 0.0 { size1.min(size2) } else { size1.max(size2) }
 }

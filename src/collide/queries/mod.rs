@@ -13,6 +13,7 @@
 //! | `plain.rs` | pairs of plain parts |
 //! | `balls.rs`, `cuboid.rs`, `hull.rs`, `rounded.rs` | formulas for casts of balls: a moving point against a shape with a layer around it |
 //! | `convex_cast.rs` | casts of other convex shapes |
+//! | `entry.rs` | the first touch of two convex shapes on a line |
 //! | `turning.rs` | casts of rotating shapes |
 //! | `rays.rs` | rays |
 
@@ -20,6 +21,7 @@ mod balls;
 mod convex_cast;
 mod cuboid;
 mod dispatcher;
+mod entry;
 mod hull;
 mod inside;
 mod layer;

@@ -74,7 +74,11 @@ pub(crate) fn distance(pose12: &Pose, [shape1, shape2]: [&dyn Shape; 2]) -> Opti
     Some(distance_of(guarded(distance)?.ok()?))
 }
 
-fn contact(pose12: &Pose, [shape1, shape2]: [&dyn Shape; 2], limit: Real) -> Option<Contact> {
+pub(super) fn contact(
+    pose12: &Pose,
+    [shape1, shape2]: [&dyn Shape; 2],
+    limit: Real,
+) -> Option<Contact> {
     if shape2.as_halfspace().is_some() {
         // parry exchanges the two shapes without inverting the pose.
         let pose21 = pose12.inverse();
@@ -96,6 +100,17 @@ fn cast(
     }
 }
 
+/// The time after which a gap closes; `None` if it does not. Shapes that overlap touch at once. Those that
+/// move apart do so only if the cast stops at penetration.
+pub(super) fn time_until_touch(
+    gap: Real,
+    closing: Real,
+    options: &ShapeCastOptions,
+) -> Option<Real> {
+    let touches = closing > 0.0 || (gap <= 0.0 && options.stop_at_penetration);
+    touches.then(|| if gap > 0.0 { gap / closing } else { 0.0 })
+}
+
 /// The result for two half-spaces. They are apart only if their normals are opposite.
 fn least_of_planes(
     query: PairQuery,
@@ -113,18 +128,12 @@ fn least_of_planes(
         PairQuery::Intersection => (gap <= 0.0).then_some(found(0.0, touching)),
         PairQuery::Distance => Some(found(gap.max(0.0), touching)),
         PairQuery::Contact => Some(found(gap, touching)),
+        // Half-spaces that are not parallel overlap without end in any direction.
+        PairQuery::Cast { .. } if !are_parallel => Some(found(0.0, touching)),
         PairQuery::Cast { velocity, options } => {
-            let closing = -velocity.dot(plane1.normal);
             let way = gap - options.target_distance;
-            match way > 0.0 {
-                true if closing > 0.0 => Some(found(way / closing, ShapeCastStatus::Converged)),
-                true => None,
-                // Half-spaces that are not parallel overlap without end in any direction.
-                false if options.stop_at_penetration || closing > 0.0 || !are_parallel => {
-                    Some(found(0.0, touching))
-                }
-                false => None,
-            }
+            let time = time_until_touch(way, -velocity.dot(plane1.normal), &options)?;
+            Some(found(time, if way > 0.0 { ShapeCastStatus::Converged } else { touching }))
         }
     }
 }

@@ -41,6 +41,7 @@
 
 mod body;
 mod motion;
+mod plane;
 mod sides;
 mod touch;
 
@@ -160,12 +161,22 @@ fn for_each_pair(
     sweeps: [&Sweep<'_>; 2],
     visit: &mut dyn FnMut([MovingPart<'_, '_>; 2]),
 ) {
-    let parts = shapes.map(Parts::of);
     // The parts of one shape that the whole of the other may meet.
-    let near = [0, 1].map(|side| match parts[side] {
+    let near = [0, 1].map(|side| match Parts::of(shapes[side]) {
         Parts::Convex(_) => Near::Inside(Aabb::new_invalid()), // The only part is always in.
         _ => path_of_other(shapes, sweeps, side),
     });
+    for_each_pair_near(shapes, sweeps, near, visit);
+}
+
+/// Calls `visit` with the parts of two shapes in a region of each, and their motions.
+fn for_each_pair_near(
+    shapes: [&dyn Shape; 2],
+    sweeps: [&Sweep<'_>; 2],
+    near: [Near; 2],
+    visit: &mut dyn FnMut([MovingPart<'_, '_>; 2]),
+) {
+    let parts = shapes.map(Parts::of);
     parts[0].for_each_part(&near[0], &mut |part1| {
         let sweep1 = sweeps[0].of_part(&part1.pose());
         parts[1].for_each_part(&near[1], &mut |part2| {

@@ -10,18 +10,21 @@
 
 use super::body::Body;
 use super::motion::reach_about;
+use super::plane::RotatingPlane;
 use super::{
     Goal, Meeting, MovingPart, Overlap, Sweep, SweepGoal, advance, impact_of_parts, other_of,
 };
 use crate::base::bvh::SlabProbe;
 use crate::collide::part::Part;
+use crate::collide::parts::Near;
 use crate::dim::math::{Pose, Real, Vector};
 use crate::model::collider::Widths;
+use parry::bounding_volume::BoundingVolume;
 use parry::shape::Shape;
 
 /// Maximum number of jumps. It is sufficient for a rotation of one radian about a shape of the same length,
 /// at a tenth of its speed. The remaining relative distance is 10⁻⁵.
-const JUMPS_MAX: usize = 1024;
+pub(super) const JUMPS_MAX: usize = 1024;
 /// A full revolution and the rounding error (rad).
 const TURN_ANGLE_MAX: Real = 6.3;
 
@@ -57,13 +60,24 @@ pub(crate) fn find_touches(
     found: &mut dyn FnMut(Touch<'_>),
 ) {
     let mut until = 1.0;
-    super::for_each_pair(shapes, sweeps, &mut |pair| {
+    let mut visit = |pair: [MovingPart<'_, '_>; 2]| {
         if let Some(fraction) = touch_of_parts(pair, tolerance, at_once, until) {
             until = fraction;
             let sides = pair.map(|moving| TouchedPart::new(moving.part));
             found(Touch { fraction, sides });
         }
-    });
+    };
+    let rotates = |side: usize| sweeps[side].travel()[1] > 0.0;
+    if [0, 1].into_iter().any(|side| shapes[side].as_halfspace().is_some() && rotates(side)) {
+        // The half-space may touch any part.
+        let all = shapes.map(|shape| {
+            let aabb = shape.compute_local_aabb();
+            Near::Inside(aabb.loosened(aabb.half_extents().max_element()))
+        });
+        super::for_each_pair_near(shapes, sweeps, all, &mut visit);
+    } else {
+        super::for_each_pair(shapes, sweeps, &mut visit);
+    }
 }
 
 /// Returns the fraction of the step at which two parts touch, if it is at most `until`.
@@ -73,6 +87,9 @@ fn touch_of_parts(
     at_once: bool,
     until: Real,
 ) -> Option<Real> {
+    if let Some(plane) = RotatingPlane::of(pair) {
+        return plane.first_touch(tolerance, at_once, until);
+    }
     let part1 = pair[0].part;
     let [from, until] = window(pair, tolerance, until)?;
     let (body1, body2) = (Body::whole(part1.shape)?, other_of(pair, tolerance)?);
