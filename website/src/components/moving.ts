@@ -2,15 +2,11 @@
 
 import dominoes from "@repository/docs/images/dominoes-moving.png";
 import ragdollStairs from "@repository/docs/images/ragdoll_stairs-moving.png";
-import strider from "@repository/docs/images/strider-moving.png";
 import vehicle from "@repository/docs/images/vehicle-moving.png";
-import washer from "@repository/docs/images/washer-moving.png";
 import wreckingBall from "@repository/docs/images/wrecking_ball-moving.png";
 import dominoesStill from "@site/generated/images/dominoes-moving.png";
 import ragdollStairsStill from "@site/generated/images/ragdoll_stairs-moving.png";
-import striderStill from "@site/generated/images/strider-moving.png";
 import vehicleStill from "@site/generated/images/vehicle-moving.png";
-import washerStill from "@site/generated/images/washer-moving.png";
 import wreckingBallStill from "@site/generated/images/wrecking_ball-moving.png";
 
 export interface Moving {
@@ -25,7 +21,5 @@ export const MOVING = {
     vehicle: { moving: vehicle, still: vehicleStill },
     wrecking_ball: { moving: wreckingBall, still: wreckingBallStill },
     ragdoll_stairs: { moving: ragdollStairs, still: ragdollStairsStill },
-    washer: { moving: washer, still: washerStill },
-    strider: { moving: strider, still: striderStill },
     dominoes: { moving: dominoes, still: dominoesStill },
 } satisfies Record<string, Moving>;

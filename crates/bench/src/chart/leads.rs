@@ -83,7 +83,7 @@ fn draw_panel(area: &Area<'_>, dimension: &str, leads: &[Lead<'_>], longest: f64
     let ratios: Vec<f64> = leads.iter().map(|lead| lead.ratio).collect();
     let mean = geometric_mean(&ratios).unwrap_or(1.0);
     let heading =
-        format!("{}: {mean:.2} times as fast as the fastest peer", dimension.to_uppercase());
+        format!("{}: {mean:.2} times as fast as the fastest other engine", dimension.to_uppercase());
     let bold = ("sans-serif", HEADING).into_font().style(FontStyle::Bold).color(&INK);
     write_in(area, &heading, (12, 18), HPos::Left, bold)?;
     let note = format!(
@@ -104,7 +104,7 @@ fn draw_panel(area: &Area<'_>, dimension: &str, leads: &[Lead<'_>], longest: f64
     }
     write_in(
         area,
-        "times as fast as the peer beside the bar; longer is better",
+        "times as fast as the engine beside the bar; longer is better",
         (LABELS, foot + 32),
         HPos::Left,
         faint,
