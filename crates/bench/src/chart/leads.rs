@@ -82,8 +82,10 @@ fn leads<'t>(rows: &[[&'t str; 4]], dimension: &str) -> Result<Vec<Lead<'t>>, St
 fn draw_panel(area: &Area<'_>, dimension: &str, leads: &[Lead<'_>], longest: f64) -> Drawn {
     let ratios: Vec<f64> = leads.iter().map(|lead| lead.ratio).collect();
     let mean = geometric_mean(&ratios).unwrap_or(1.0);
-    let heading =
-        format!("{}: {mean:.2} times as fast as the fastest other engine", dimension.to_uppercase());
+    let heading = format!(
+        "{}: {mean:.2} times as fast as the fastest other engine",
+        dimension.to_uppercase()
+    );
     let bold = ("sans-serif", HEADING).into_font().style(FontStyle::Bold).color(&INK);
     write_in(area, &heading, (12, 18), HPos::Left, bold)?;
     let note = format!(
