@@ -1,6 +1,7 @@
 //! Definitions of the tests of queries in 3D.
 
-use rapier::parry::shape::{HeightField, TriMeshFlags};
+use rapier::parry::query::NonlinearRigidMotion;
+use rapier::parry::shape::{HalfSpace, HeightField, TriMeshFlags};
 use rapier::parry::utils::Array2;
 use rapier::prelude::*;
 
@@ -105,11 +106,31 @@ pub fn corner_shapes() -> Vec<(&'static str, SharedShape, Vec<Vector>)> {
         all.map(|[a, b, c]| Vector::new(a * x, b * y, c * z)).collect()
     };
     let [a, b, c] = [Vector::X, Vector::new(0.1, 0.8, 0.3), -Vector::Y];
+    let tips = [Vector::X * 0.4, Vector::Y * 0.6, Vector::Z * 0.4];
+    let tips: Vec<Vector> = tips.into_iter().flat_map(|tip| [tip, -tip]).collect();
     vec![
+        ("octahedron", SharedShape::convex_hull(&tips).expect("a hull"), tips),
         ("box", SharedShape::cuboid(0.5, 0.3, 0.4), cuboid(0.5, 0.3, 0.4)),
         ("plate", SharedShape::cuboid(0.5, 0.0, 0.4), cuboid(0.5, 0.0, 0.4)),
         ("hull", SharedShape::convex_hull(&corners).expect("a hull"), corners),
         ("triangle", SharedShape::triangle(a, b, c), vec![a, b, c]),
         ("segment", SharedShape::segment(a, c), vec![a, c]),
     ]
+}
+
+/// A rotation about its normal leaves a half-space where it is.
+#[test]
+fn a_half_space_that_spins_about_its_normal_touches_nothing() {
+    let world = PhysicsWorld::new();
+    let query = world.narrow_phase.query_dispatcher();
+    let motion = |at: Vector, angvel| {
+        NonlinearRigidMotion::new(Pose::from_translation(at), Vector::ZERO, Vector::ZERO, angvel)
+    };
+    let (plane, ball) = (HalfSpace::new(Vector::Y), SharedShape::ball(0.4));
+    for (x, spin) in [(5.0, 6.28), (20.0, 6.28), (100.0, 6.28), (3.0, 60.0)] {
+        let turning = motion(Vector::ZERO, Vector::Y * spin);
+        let still = motion(Vector::new(x, 1.5, 0.0), Vector::ZERO);
+        let hit = query.cast_shapes_nonlinear(&turning, &plane, &still, &*ball, 0.0, 10.0, true);
+        assert_eq!(hit.expect("supports every pair").map(|hit| hit.time_of_impact), None, "{x}");
+    }
 }

@@ -105,6 +105,11 @@ impl Cast<'_> {
             let cost = start + entry.path.max(0.0) / speed / fastest;
             return Some(Found { cost, ..self.found(&entry) });
         }
+        // Along the opposite direction the line enters where it leaves otherwise.
+        let exit = Line { direction: -direction, ..line }.enter();
+        if exit.is_some_and(|exit| exit.path > SHALLOW_RATIO_MAX * rounding) {
+            return None; // The shapes have passed each other before the start.
+        }
         self.touch_at_start(&entry, entry.path * direction.dot(entry.normal), rounding)
     }
 
@@ -112,10 +117,12 @@ impl Cast<'_> {
     fn start(&self, rounding: Real) -> Option<Real> {
         let own = self.shapes[0].compute_local_aabb();
         let other = self.shapes[1].compute_aabb(&self.pose12);
-        let half_extents = other.loosened(self.options.target_distance + rounding).half_extents();
-        let path = SlabProbe::new(other.center(), self.velocity, half_extents);
+        let other = other.loosened(self.options.target_distance + rounding);
+        let path = SlabProbe::new(other.center(), self.velocity, other.half_extents());
         let [start, end] = path.span(&own);
-        (start <= end && start <= self.options.max_time_of_impact).then_some(start)
+        // The span of boxes that have passed each other ends at zero, too.
+        let meet = start <= end && (start > 0.0 || own.intersects(&other));
+        (meet && start <= self.options.max_time_of_impact).then_some(start)
     }
 
     /// The result for shapes that begin where they touch, or have touched before. The line enters the

@@ -21,6 +21,11 @@ use parry::shape::SupportMap;
 const STEPS_MAX: usize = 96;
 /// Relative rounding error of a point of the difference.
 const ROUNDING: Real = 4.0 * Real::EPSILON;
+/// Smallest weight of a new point with regard to a point of the difference that it replaces. Smaller ones are
+/// rounding errors of zero, where the line meets an edge of the basis; the next basis would be flat. (The
+/// weights have the sum one, so one of them is large.) Points of the first basis are replaced in any case: the
+/// difference may be as flat as rounding errors.
+const PIVOT_MIN: Real = 1024.0 * Real::EPSILON;
 /// The last axis.
 const LAST: usize = DIM - 1;
 
@@ -140,9 +145,10 @@ impl Basis {
     /// The basis with a vertex in place of the one that would get the first negative weight.
     fn replaced(&self, vertex: Vertex) -> Self {
         let (mean, weights) = (self.mean(), self.weights(vertex.across));
-        let ratio = |k: usize| match weights[k] > 0.0 {
-            true => mean[k].max(0.0) / weights[k],
-            false => Real::INFINITY,
+        let ratio = |k: usize| {
+            let pivot_min = if self.vertices[k].is_real { PIVOT_MIN } else { 0.0 };
+            let may_leave = weights[k] > pivot_min;
+            if may_leave { mean[k].max(0.0) / weights[k] } else { Real::INFINITY }
         };
         let order = |a: &usize, b: &usize| {
             ratio(*a).total_cmp(&ratio(*b)).then(weights[*b].total_cmp(&weights[*a]))

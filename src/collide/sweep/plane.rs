@@ -2,13 +2,13 @@
 //!
 //! A half-space reaches everywhere, so no speed bounds its rotation. But the part has a largest distance `D`
 //! from the centre of that rotation. The height of the part above the plane decreases at a rate of at most
-//! `ω D`, beside the motion of the part itself. `D` increases with the relative velocity, so the bound is
-//! quadratic in time.
+//! `ω D`, beside the motion of the part itself, where `ω` is the speed of the tip of the normal. `D` increases
+//! with the relative velocity, so the bound is quadratic in time.
 
 use super::MovingPart;
 use super::motion::{PathSegment, reach_about};
 use super::touch::JUMPS_MAX;
-use crate::dim::math::{Real, Vector};
+use crate::dim::math::{Real, Vector, cross};
 use parry::shape::{HalfSpace, SupportMap};
 
 /// A half-space that rotates, and the other part.
@@ -42,7 +42,7 @@ impl<'a, 'b> RotatingPlane<'a, 'b> {
         if self.height_min(reach) > tolerance {
             return None;
         }
-        let [angle, other_angle] = self.segments.map(PathSegment::angle);
+        let (angle, other_angle) = (self.tilt(), self.segments[1].angle());
         let speed = (self.segments[1].shift - self.segments[0].shift).length();
         let growth = angle * speed;
         let mut fraction = 0.0;
@@ -60,6 +60,12 @@ impl<'a, 'b> RotatingPlane<'a, 'b> {
             }
         }
         Some(fraction)
+    }
+
+    /// Path of the tip of the normal. (A rotation about the normal itself leaves the plane where it is.)
+    fn tilt(&self) -> Real {
+        let normal = self.own.sweep.at(0.0).rotation * self.plane.normal;
+        cross(self.segments[0].rotvec, normal).length()
     }
 
     /// Height of the lowest point of the part, or of its middle, above the plane.
