@@ -21,10 +21,10 @@ use parry::shape::SupportMap;
 const STEPS_MAX: usize = 96;
 /// Relative rounding error of a point of the difference.
 const ROUNDING: Real = 4.0 * Real::EPSILON;
-/// Smallest weight of a new point with regard to a point of the difference that it replaces. Smaller ones are
-/// rounding errors of zero, where the line meets an edge of the basis; the next basis would be flat. (The
-/// weights have the sum one, so one of them is large.) Points of the first basis are replaced in any case: the
-/// difference may be as flat as rounding errors.
+/// Smallest weight of a new point with regard to a point of the difference that it replaces. Smaller ones
+/// are rounding errors of zero, where the line meets an edge of the basis; the next basis would be flat.
+/// (The weights have the sum one, so one of them is large.) Points of the first basis are replaced in any
+/// case: the difference may be as flat as rounding errors.
 const PIVOT_MIN: Real = 1024.0 * Real::EPSILON;
 /// The last axis.
 const LAST: usize = DIM - 1;

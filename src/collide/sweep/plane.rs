@@ -2,8 +2,8 @@
 //!
 //! A half-space reaches everywhere, so no speed bounds its rotation. But the part has a largest distance `D`
 //! from the centre of that rotation. The height of the part above the plane decreases at a rate of at most
-//! `ω D`, beside the motion of the part itself, where `ω` is the speed of the tip of the normal. `D` increases
-//! with the relative velocity, so the bound is quadratic in time.
+//! `ω D`, beside the motion of the part itself, where `ω` is the speed of the tip of the normal. `D`
+//! increases with the relative velocity, so the bound is quadratic in time.
 
 use super::MovingPart;
 use super::motion::{PathSegment, reach_about};
