@@ -127,7 +127,7 @@ fn a_half_space_that_spins_about_its_normal_touches_nothing() {
         NonlinearRigidMotion::new(Pose::from_translation(at), Vector::ZERO, Vector::ZERO, angvel)
     };
     let (plane, ball) = (HalfSpace::new(Vector::Y), SharedShape::ball(0.4));
-    for (x, spin) in [(5.0, 6.28), (20.0, 6.28), (100.0, 6.28), (3.0, 60.0)] {
+    for (x, spin) in [(5.0, 6.0), (20.0, 6.0), (100.0, 6.0), (3.0, 60.0)] {
         let turning = motion(Vector::ZERO, Vector::Y * spin);
         let still = motion(Vector::new(x, 1.5, 0.0), Vector::ZERO);
         let hit = query.cast_shapes_nonlinear(&turning, &plane, &still, &*ball, 0.0, 10.0, true);
