@@ -11,7 +11,7 @@ use rapier::prelude::*;
 
 /// Paths of each pair of shapes.
 const PATHS: usize = 8;
-/// Distances of the start from the target, and speeds. The first are compared with the others.
+/// Distances of the start from the target, and speeds. The cast of the first pair is compared with all casts.
 const STARTS: [(Real, Real); 8] = [
     (6.0, 1.0),
     (6.0, 1.0e6),

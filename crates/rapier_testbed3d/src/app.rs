@@ -148,7 +148,7 @@ impl Window {
         if pressed(Key::Space) {
             session.pace.running = !session.pace.running;
         }
-        if let Some((controls, _)) = &session.player.scene.controls {
+        if let Some(controls) = &session.player.scene.controls {
             controls.set(arrows(ui));
         }
         if pressed(Key::S) {
@@ -250,7 +250,8 @@ impl Window {
             self.viewport.show(ui, &mut self.session);
             let demo = &self.demos[self.current];
             let controls = self.session.player.scene.controls.as_ref();
-            let hint = controls.map_or(String::new(), |(_, sentence)| format!("\n{sentence}"));
+            let hint =
+                controls.map_or(String::new(), |controls| format!("\n{}", controls.sentence));
             caption(ui, &title_of(&demo.name), &(demo.description.clone() + &hint));
             if let Some(message) = self.recorder.message() {
                 toast(ui, message);

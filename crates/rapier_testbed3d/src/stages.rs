@@ -95,7 +95,7 @@ impl StagePlot {
         sums.map(|sum| sum / count)
     }
 
-    /// Returns the time that one frame of fifty exceeds: a single slow frame does not flatten the others.
+    /// Returns the time that one frame of fifty exceeds: a single slow frame does not flatten the plot.
     fn usual_peak(&self) -> f64 {
         let mut totals: Vec<f64> = self.frames.iter().map(|frame| frame.iter().sum()).collect();
         totals.sort_by(f64::total_cmp);

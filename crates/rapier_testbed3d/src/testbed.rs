@@ -135,21 +135,20 @@ impl Testbed {
         let (send_collision, collision_events) = channel();
         let (send_force, contact_force_events) = channel();
         let events = PhysicsEvents { collision_events, contact_force_events };
-        let mut scene =
-            Scene::new(world, view).observe(move |world, colors, step, (steps, time)| {
-                let state = RunState { timestep_id: steps, time: time as f32 };
-                let mut graphics = TestbedGraphics { colors: std::mem::take(colors) };
-                // The closure owns both ends of each channel, so no event is lost.
-                step.collisions.iter().for_each(|event| _ = send_collision.send(*event));
-                step.contact_forces.iter().for_each(|event| _ = send_force.send(*event));
-                for callback in &mut callbacks {
-                    callback(Some(&mut graphics), world, &events, &state);
-                }
-                // Events that no callback read must not pile up.
-                events.collision_events.try_iter().for_each(drop);
-                events.contact_force_events.try_iter().for_each(drop);
-                *colors = graphics.colors;
-            });
+        let mut scene = Scene::new(world, view).observe(move |world, colors, step, steps, time| {
+            let state = RunState { timestep_id: steps, time: time as f32 };
+            let mut graphics = TestbedGraphics { colors: std::mem::take(colors) };
+            // The closure owns both ends of each channel, so no event is lost.
+            step.collisions.iter().for_each(|event| _ = send_collision.send(*event));
+            step.contact_forces.iter().for_each(|event| _ = send_force.send(*event));
+            for callback in &mut callbacks {
+                callback(Some(&mut graphics), world, &events, &state);
+            }
+            // Events that no callback read must not pile up.
+            events.collision_events.try_iter().for_each(drop);
+            events.contact_force_events.try_iter().for_each(drop);
+            *colors = graphics.colors;
+        });
         scene.body_colors = graphics.colors;
         if let Some(hooks) = hooks {
             scene = scene.shared_hooks(hooks);

@@ -7,18 +7,18 @@
 
 use super::entry::{Entry, Line};
 use super::pair_query::Found;
-use super::plain::{contact, time_until_touch};
+use super::plain::{contact, status_of, time_until_touch};
 use crate::base::bvh::SlabProbe;
 use crate::dim::math::{Pose, Real, Vector};
 use parry::bounding_volume::BoundingVolume;
-use parry::query::{ShapeCastOptions, ShapeCastStatus};
+use parry::query::ShapeCastOptions;
 use parry::shape::{HalfSpace, Shape, SupportMap};
 
 /// Relative rounding error of positions.
 const ROUNDING: Real = 8.0 * Real::EPSILON;
-/// Precision of the path, as a fraction of the size of the smaller shape. The angle of the normal between
+/// Largest error of the path, as a fraction of the size of the smaller shape. The angle of the normal between
 /// round shapes has the square root of that.
-const PRECISION: Real = 1.0e-6;
+const PATH_ERROR_FRACTION_MAX: Real = 1.0e-6;
 /// The direction of least overlap of shapes that overlap by less than some rounding errors is the one in
 /// which they met.
 const SHALLOW_RATIO_MAX: Real = 16.0;
@@ -60,15 +60,7 @@ fn cast_at_plane(
     let time = time_until_touch(gap, -velocity.dot(plane.normal), &options)?;
     let touched = place + velocity * time;
     let points = [touched - plane.normal * plane.normal.dot(touched), lowest];
-    Some(Found { points, normals, status: status(gap), ..Found::at(time) })
-}
-
-fn status(gap: Real) -> ShapeCastStatus {
-    if gap > 0.0 {
-        ShapeCastStatus::Converged
-    } else {
-        ShapeCastStatus::PenetratingOrWithinTargetDist
-    }
+    Some(Found { points, normals, status: status_of(gap), ..Found::at(time) })
 }
 
 struct Cast<'a> {
@@ -97,7 +89,8 @@ impl Cast<'_> {
             direction,
             distance: self.options.target_distance,
             rounding,
-            precision: PRECISION * smaller(boxes.map(|aabb| aabb.half_extents().max_element())),
+            precision: PATH_ERROR_FRACTION_MAX
+                * smaller(boxes.map(|aabb| aabb.half_extents().max_element())),
             size,
         };
         let entry = line.enter()?;
@@ -125,22 +118,22 @@ impl Cast<'_> {
         (meet && start <= self.options.max_time_of_impact).then_some(start)
     }
 
-    /// The result for shapes that begin where they touch, or have touched before. The line enters the
-    /// difference behind the start, and the overlap along the normal there has a depth.
+    /// The result for shapes that touch at the start, or have touched before. The line enters the difference
+    /// before the start, and the overlap along the normal there has a depth.
     fn touch_at_start(&self, entry: &Entry, depth: Real, rounding: Real) -> Option<Found> {
         let distance = self.options.target_distance;
         let entered = Found { cost: distance - depth, ..self.found(entry) };
         let deepest = || contact(&self.pose12, self.shapes, Real::MAX).map(Found::from);
         // parry's search fails for shapes that just touch.
         let is_shallow = depth <= SHALLOW_RATIO_MAX * rounding;
-        let near = if is_shallow { entered } else { deepest().unwrap_or(entered) };
-        let gap = near.cost - distance;
-        let closing = -self.velocity.dot(near.normals[0]);
+        let touch = if is_shallow { entered } else { deepest().unwrap_or(entered) };
+        let gap = touch.cost - distance;
+        let closing = -self.velocity.dot(touch.normals[0]);
         if gap > SHALLOW_RATIO_MAX * rounding {
             return None; // The shapes touched before the start.
         }
         let cost = time_until_touch(gap, closing, &self.options)?;
-        Some(Found { cost, status: status(gap), ..near })
+        Some(Found { cost, status: status_of(gap), ..touch })
     }
 
     fn found(&self, entry: &Entry) -> Found {

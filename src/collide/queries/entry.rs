@@ -2,17 +2,17 @@
 //!
 //! The second shape touches the first after a path `s` along the unit vector `d` as soon as `s d` is in
 //! `D = {a - b}`, for points `a` and `b` of the shapes. The smallest `s` is a linear program. Its variables
-//! are the weights of the points of `D`. Their mean must lie on the line, and the cost is its place on it.
-//! The simplex method needs one point of `D` in each step, which the support functions of the shapes return:
-//! the farthest along the normal of the plane through the points of the basis (Dantzig and Wolfe,
-//! "Decomposition Principle for Linear Programs", 1960).
+//! are the weights of the points of `D`. Their mean must lie on the line, and the cost is the place of the
+//! mean on that line. The simplex method needs one point of `D` in each step, which the support functions of
+//! the shapes return: the farthest along the normal of the plane through the points of the basis (Dantzig and
+//! Wolfe, "Decomposition Principle for Linear Programs", 1960).
 //!
 //! Each step has two certain bounds. The mean of the basis is in `D`, so the touch is not later. The plane
 //! through the new point separates the shapes, so the touch is not earlier. A search for closest points has
 //! no such bounds, and fails for shapes that just touch.
 //!
 //! A small ball is added to `D`. Without it, the difference of a point and a segment had no inside, and
-//! rounding decided whether a line meets it.
+//! rounding decided whether a line meets that difference.
 
 use crate::dim::math::{DIM, Matrix, Pose, Real, Vector};
 use parry::shape::SupportMap;
@@ -21,7 +21,7 @@ use parry::shape::SupportMap;
 const STEPS_MAX: usize = 96;
 /// Relative rounding error of a point of the difference.
 const ROUNDING: Real = 4.0 * Real::EPSILON;
-/// Smallest weight of a new point with regard to a point of the difference that it replaces. Smaller ones
+/// Smallest weight of a new point with regard to a point of the difference that it replaces. Smaller weights
 /// are rounding errors of zero, where the line meets an edge of the basis; the next basis would be flat.
 /// (The weights have the sum one, so one of them is large.) Points of the first basis are replaced in any
 /// case: the difference may be as flat as rounding errors.
@@ -67,11 +67,11 @@ struct Vertex {
     along: Real,
     /// The two points of which it is the difference.
     points: [Vector; 2],
-    /// Whether it is in the difference. The first basis is not.
+    /// Whether the point is in the difference. Those of the first basis are artificial.
     is_real: bool,
 }
 
-/// A reflection that maps the last axis to the direction of the line or against it.
+/// A reflection that maps the last axis to the direction of the line or to the opposite direction.
 struct Frame {
     mirror: Vector,
     /// The sign of the direction on the last axis.
@@ -125,7 +125,8 @@ impl Basis {
         self.weights(Vector::AXES[LAST])
     }
 
-    fn is_real(&self) -> bool {
+    /// Returns whether no vertex is artificial: the second phase of the simplex method.
+    fn is_complete(&self) -> bool {
         self.vertices.iter().all(|vertex| vertex.is_real)
     }
 
@@ -133,11 +134,11 @@ impl Basis {
     /// is the place on the line. Until all vertices are points of the difference, it counts those that are
     /// not.
     fn costs(&self) -> Vector {
-        let is_real = self.is_real();
-        let cost = |vertex: &Vertex| match (is_real, vertex.is_real) {
-            (true, _) => vertex.along,
-            (false, true) => 0.0,
-            (false, false) => 1.0,
+        let is_complete = self.is_complete();
+        let cost = |vertex: &Vertex| match vertex.is_real {
+            _ if is_complete => vertex.along,
+            true => 0.0,
+            false => 1.0,
         };
         self.inverse.transpose() * Vector::from_array(self.vertices.each_ref().map(cost))
     }
@@ -173,19 +174,19 @@ impl Line<'_> {
         let mut basis = Basis::around_line();
         let mut best: Option<(Real, Vector)> = None;
         for _ in 0..STEPS_MAX {
-            let (is_real, costs) = (basis.is_real(), basis.costs());
+            let (is_complete, costs) = (basis.is_complete(), basis.costs());
             let mut normal = costs;
-            normal[LAST] = if is_real { frame.sign } else { 0.0 };
+            normal[LAST] = if is_complete { frame.sign } else { 0.0 };
             let (normal, slope) = frame.reflect(normal).normalize_and_length();
             if !normal.is_finite() {
                 break; // The basis is flat within rounding.
             }
             let vertex = self.farthest(&frame, normal);
-            let gain = costs.dot(vertex.across) - if is_real { vertex.along } else { 0.0 };
-            if !is_real && gain <= 0.0 {
+            let gain = costs.dot(vertex.across) - if is_complete { vertex.along } else { 0.0 };
+            if !is_complete && gain <= 0.0 {
                 return None; // The whole difference is on one side of the line.
             }
-            if is_real {
+            if is_complete {
                 // A plane that separates the shapes without the ball is reached that much later.
                 let path = (costs[LAST] - gain) * self.size + self.rounding * slope;
                 if best.is_none_or(|(last, _)| path > last) {

@@ -111,6 +111,15 @@ pub(super) fn time_until_touch(
     touches.then(|| if gap > 0.0 { gap / closing } else { 0.0 })
 }
 
+/// The status of a hit that begins with a gap.
+pub(super) fn status_of(gap: Real) -> ShapeCastStatus {
+    if gap > 0.0 {
+        ShapeCastStatus::Converged
+    } else {
+        ShapeCastStatus::PenetratingOrWithinTargetDist
+    }
+}
+
 /// The result for two half-spaces. They are apart only if their normals are opposite.
 fn least_of_planes(
     query: PairQuery,
@@ -131,9 +140,9 @@ fn least_of_planes(
         // Half-spaces that are not parallel overlap without end in any direction.
         PairQuery::Cast { .. } if !are_parallel => Some(found(0.0, touching)),
         PairQuery::Cast { velocity, options } => {
-            let way = gap - options.target_distance;
-            let time = time_until_touch(way, -velocity.dot(plane1.normal), &options)?;
-            Some(found(time, if way > 0.0 { ShapeCastStatus::Converged } else { touching }))
+            let gap = gap - options.target_distance;
+            let time = time_until_touch(gap, -velocity.dot(plane1.normal), &options)?;
+            Some(found(time, status_of(gap)))
         }
     }
 }

@@ -51,9 +51,10 @@ impl<'a, 'b> RotatingPlane<'a, 'b> {
             if height <= tolerance {
                 return (is_whole || fraction > 0.0).then_some(fraction);
             }
-            let closing = speed + angle * (self.away(fraction) + reach) + other_angle * reach;
-            let way = height - 0.5 * tolerance;
-            fraction += 2.0 * way / (closing + (closing * closing + 4.0 * growth * way).sqrt());
+            let closing =
+                speed + angle * (self.center_distance(fraction) + reach) + other_angle * reach;
+            let drop = height - 0.5 * tolerance;
+            fraction += 2.0 * drop / (closing + (closing * closing + 4.0 * growth * drop).sqrt());
             let may_touch = fraction <= until;
             if !may_touch {
                 return None;
@@ -81,7 +82,7 @@ impl<'a, 'b> RotatingPlane<'a, 'b> {
     }
 
     /// Distance of the centres of rotation.
-    fn away(&self, fraction: Real) -> Real {
+    fn center_distance(&self, fraction: Real) -> Real {
         let center = |segment: &PathSegment| segment.center + segment.shift * fraction;
         center(self.segments[1]).distance(center(self.segments[0]))
     }
@@ -92,6 +93,6 @@ impl<'a, 'b> RotatingPlane<'a, 'b> {
         let pose = self.own.sweep.at(0.0);
         let to_center: Vector = self.segments[0].center - pose.translation;
         let of_center = (pose.rotation * self.plane.normal).dot(to_center);
-        of_center - self.away(0.0).max(self.away(1.0)) - reach
+        of_center - self.center_distance(0.0).max(self.center_distance(1.0)) - reach
     }
 }

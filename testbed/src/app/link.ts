@@ -2,7 +2,7 @@
 
 import type { EngineId } from "../core/engine.ts";
 import type { Parameter, ParameterValue } from "../core/scene.ts";
-import type { Settings } from "../core/settings.ts";
+import { RANGES, type Settings } from "../core/settings.ts";
 import type { ThemeName } from "../view/theme.ts";
 
 /** The choice of engines: one of them, or both side by side. */
@@ -49,8 +49,6 @@ export function readLink(search: string): Link {
         settings: readSettings(query),
     };
 }
-
-const RANGES: Record<keyof Settings, readonly [number, number]> = { gravity: [-100, 100], iterations: [1, 32], rate: [20, 480] };
 
 function readSettings(query: URLSearchParams): Partial<Settings> {
     const found: Partial<Settings> = {};

@@ -3,6 +3,7 @@
 import "uplot/dist/uPlot.min.css";
 import "../ui/style.css";
 import "../ui/joystick.css";
+import "../ui/moving.css";
 import type { Dimension } from "../core/dimension.ts";
 import { loadEngine, type Engine, type EngineId, type EngineModule, type WorldLike } from "../core/engine.ts";
 import type { SceneDefinition } from "../core/scene.ts";

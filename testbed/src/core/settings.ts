@@ -13,6 +13,13 @@ export interface Settings {
 
 export const GRAVITY = 9.81;
 
+/** The smallest and the largest value of each setting. */
+export const RANGES: Readonly<Record<keyof Settings, readonly [number, number]>> = {
+    gravity: [-GRAVITY, 3 * GRAVITY],
+    iterations: [1, 32],
+    rate: [20, 480],
+};
+
 export function defaultSettings(gravity = GRAVITY): Settings {
     return { gravity, iterations: 4, rate: 60 };
 }

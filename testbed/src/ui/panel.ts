@@ -2,7 +2,7 @@
 
 import GUI from "lil-gui";
 import type { Parameter, ParameterValue } from "../core/scene.ts";
-import { GRAVITY, type Settings } from "../core/settings.ts";
+import { RANGES, type Settings } from "../core/settings.ts";
 import { el } from "./dom.ts";
 
 export interface PanelActions {
@@ -27,9 +27,9 @@ export class Panel {
         this.gui.domElement.style.width = "100%";
         if (Object.keys(definitions).length > 0) this.addScene(this.gui, definitions, values);
         const engine = this.gui.addFolder("Engine");
-        engine.add(settings, "gravity", -GRAVITY, 3 * GRAVITY, 0.01).name("Gravity (m/s²)");
-        engine.add(settings, "iterations", 1, 32, 1).name("Solver iterations");
-        engine.add(settings, "rate", 20, 480, 10).name("Steps per second");
+        engine.add(settings, "gravity", ...RANGES.gravity, 0.01).name("Gravity (m/s²)");
+        engine.add(settings, "iterations", ...RANGES.iterations, 1).name("Solver iterations");
+        engine.add(settings, "rate", ...RANGES.rate, 10).name("Steps per second");
         engine.onFinishChange(() => this.actions.changed(true));
         const snapshots = this.gui.addFolder("Snapshot");
         snapshots.add({ take: () => this.actions.takeSnapshot() }, "take").name("Take");

@@ -3,6 +3,7 @@
 import Link from "@docusaurus/Link";
 import useBaseUrl from "@docusaurus/useBaseUrl";
 import { type ReactNode, useState } from "react";
+import "@repository/testbed/src/ui/moving.css";
 import type { DimensionName } from "./package";
 import styles from "./SceneGrid.module.css";
 
@@ -27,7 +28,7 @@ function Thumbnail({ dimension, id, title, description }: SceneEntry): ReactNode
         >
             <span className={styles.picture}>
                 <img src={useBaseUrl(`/thumbnails/${dimension}/${id}.webp`)} alt="" width={240} height={150} loading="lazy" />
-                {moves && <span className={styles.moving} style={{ backgroundImage: `url("${strip}")` }} />}
+                {moves && <span className="moving" style={{ backgroundImage: `url("${strip}")` }} />}
             </span>
             <span className={styles.title}>{title}</span>
         </Link>

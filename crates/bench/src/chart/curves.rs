@@ -168,7 +168,7 @@ fn ticks(low: f64, high: f64) -> Vec<f64> {
 fn around(numbers: impl Iterator<Item = f64>) -> Range<f64> {
     let (low, high) = numbers
         .fold((f64::INFINITY, 0.0_f64), |(low, high), number| (low.min(number), high.max(number)));
-    // A single number gets a range around it.
+    // A single number is the middle of its range.
     let margin = if high > 1.01 * low { (high / low).powf(0.05) } else { 2.0 };
     low / margin..high * margin
 }

@@ -21,7 +21,7 @@ struct Lead<'t> {
 
 /// Dimensions, each with a panel.
 const DIMENSIONS: [&str; 2] = ["3d", "2d"];
-/// Number of threads of the bars. The table below the chart has the others.
+/// Number of threads of the bars. The table below the chart has the other numbers.
 const THREADS: &str = "1";
 
 /// Height of a bar; widths of a panel, its labels, and the text after its longest bar (pixels).

@@ -111,15 +111,9 @@ impl Rows<'_> {
         ui.end_row();
     }
 
-    fn count(
-        &mut self,
-        name: &str,
-        hint: &str,
-        value: &mut usize,
-        range: std::ops::RangeInclusive<usize>,
-    ) {
+    fn slider(&mut self, name: &str, hint: &str, slider: Slider<'_>) {
         self.row(name, hint, |ui| {
-            ui.add(Slider::new(value, range));
+            ui.add(slider);
         });
     }
 
@@ -130,10 +124,8 @@ impl Rows<'_> {
         value: &mut Real,
         range: std::ops::RangeInclusive<Real>,
     ) {
-        self.row(name, hint, |ui| {
-            let slider = Slider::new(value, range).clamping(SliderClamping::Never);
-            ui.add(slider.max_decimals(4));
-        });
+        let slider = Slider::new(value, range).clamping(SliderClamping::Never);
+        self.slider(name, hint, slider.max_decimals(4));
     }
 }
 
@@ -145,7 +137,11 @@ fn everyday(rows: &mut Rows<'_>, p: &mut IntegrationParameters, gravity: &mut Ve
             p.dt = 1.0 / rate;
         }
     });
-    rows.count("num_solver_iterations", "Substeps of a step", &mut p.num_solver_iterations, 1..=32);
+    rows.slider(
+        "num_solver_iterations",
+        "Substeps of a step",
+        Slider::new(&mut p.num_solver_iterations, 1..=32),
+    );
     rows.row("gravity", "Along each axis (length/s²)", |ui| {
         // The sum with zero shows -0 as 0.
         let mut values: Vec<Real> =
@@ -166,14 +162,13 @@ fn everyday(rows: &mut Rows<'_>, p: &mut IntegrationParameters, gravity: &mut Ve
 
 fn iterations(rows: &mut Rows<'_>, p: &mut IntegrationParameters) {
     let extra = &mut p.num_additional_friction_iterations;
-    rows.count(
+    rows.slider(
         "num_additional_friction_iterations",
         "More iterations, with friction",
-        extra,
-        0..=16,
+        Slider::new(extra, 0..=16),
     );
     let pgs = &mut p.num_internal_pgs_iterations;
-    rows.count("num_internal_pgs_iterations", "Iterations of a substep", pgs, 1..=8);
+    rows.slider("num_internal_pgs_iterations", "Iterations of a substep", Slider::new(pgs, 1..=8));
     let warm = &mut p.warmstart_coefficient;
     rows.number(
         "warmstart_coefficient",

@@ -55,11 +55,8 @@ pub type BodyColors = HashMap<RigidBodyHandle, Color>;
 /// Reacts to the events of each step.
 type Reaction = Rc<dyn Fn(&mut PhysicsWorld, &StepEvents)>;
 
-/// Number of steps taken, and simulated time (s).
-pub type Moment = (usize, f64);
-
 /// Reads the world after each step.
-type Observer = Rc<RefCell<dyn FnMut(&mut PhysicsWorld, &mut BodyColors, &StepEvents, Moment)>>;
+type Observer = Rc<RefCell<dyn FnMut(&mut PhysicsWorld, &mut BodyColors, &StepEvents, usize, f64)>>;
 
 /// A world with all that belongs to it.
 pub struct Scene {
@@ -75,8 +72,8 @@ pub struct Scene {
     pub joint_axes: Option<Real>,
     /// Texts and their positions.
     pub labels: Vec<(Vector, &'static str)>,
-    /// Keys that control the scene, and a sentence about their effect.
-    pub controls: Option<(Controls, &'static str)>,
+    /// Keys that control the scene.
+    pub controls: Option<Controls>,
     /// Colours of bodies that are not those of the palette.
     pub body_colors: BodyColors,
     /// Keeps the meshes of shapes from picture to picture.
@@ -169,18 +166,19 @@ impl Scene {
         self
     }
 
-    /// Runs a function after each step, with its events and the moment. Copies of the scene share it.
+    /// Runs a function after each step, with its events, the number of steps taken and the simulated
+    /// time (s). Copies of the scene share the function.
     pub fn observe(
         mut self,
-        observer: impl FnMut(&mut PhysicsWorld, &mut BodyColors, &StepEvents, Moment) + 'static,
+        observer: impl FnMut(&mut PhysicsWorld, &mut BodyColors, &StepEvents, usize, f64) + 'static,
     ) -> Self {
         self.observer = Some(Rc::new(RefCell::new(observer)));
         self
     }
 
-    /// Lets keys control the scene, whose script reads them. Copies of the scene share them.
-    pub fn controlled(mut self, controls: Controls, sentence: &'static str) -> Self {
-        self.controls = Some((controls, sentence));
+    /// Lets keys control the scene, whose script reads the direction.
+    pub fn controlled(mut self, controls: Controls) -> Self {
+        self.controls = Some(controls);
         self
     }
 
@@ -224,7 +222,7 @@ impl Scene {
         }
         if let Some(observer) = &self.observer {
             let mut observe = observer.borrow_mut();
-            observe(&mut self.world, &mut self.body_colors, &events, (self.steps_taken, self.time));
+            observe(&mut self.world, &mut self.body_colors, &events, self.steps_taken, self.time);
         }
         result
     }

@@ -59,22 +59,20 @@ pub fn build() -> Scene {
     .into();
     let scene =
         Scene::new(world, View::flat()).focusing(Vector::new(-17.5, -0.5), Vector::new(18.5, 4.0));
-    let controls = Controls::default();
+    let controls = Controls::new("Left and right keys move a character.");
     let keys = controls.clone();
-    scene.controlled(controls, "Left and right keys move a character.").script(
-        move |world, step| {
-            let time = step as Real * world.integration_parameters.dt;
-            if let Some(lift) = world.bodies.get_mut(lift) {
-                lift.set_linvel(Vector::Y * (1.2 * time).sin() * 1.2, true);
-            }
-            if let Some(raft) = world.bodies.get_mut(raft) {
-                raft.set_linvel(Vector::X * (0.8 * time).cos(), true);
-                raft.set_angvel(0.2 * (1.5 * time).cos(), true);
-            }
-            if let Some([right, _]) = keys.direction() {
-                walkers[0].steer(Vector::X * (2.5 * right));
-            }
-            walkers.iter_mut().for_each(|walker| walker.walk(world));
-        },
-    )
+    scene.controlled(controls).script(move |world, step| {
+        let time = step as Real * world.integration_parameters.dt;
+        if let Some(lift) = world.bodies.get_mut(lift) {
+            lift.set_linvel(Vector::Y * (1.2 * time).sin() * 1.2, true);
+        }
+        if let Some(raft) = world.bodies.get_mut(raft) {
+            raft.set_linvel(Vector::X * (0.8 * time).cos(), true);
+            raft.set_angvel(0.2 * (1.5 * time).cos(), true);
+        }
+        if let Some([right, _]) = keys.direction() {
+            walkers[0].steer(Vector::X * (2.5 * right));
+        }
+        walkers.iter_mut().for_each(|walker| walker.walk(world));
+    })
 }

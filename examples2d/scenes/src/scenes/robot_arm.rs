@@ -32,12 +32,12 @@ pub fn build() -> Scene {
     let mark = ColliderBuilder::ball(0.1).sensor(true);
     let target = RigidBodyBuilder::kinematic_position_based().translation(place_of_target(0));
     let (target, _) = world.insert(target, mark);
-    let controls = Controls::default();
+    let controls = Controls::new("Arrow keys move the target.");
     let (keys, mut place) = (controls.clone(), place_of_target(0));
     Scene::new(world, View::flat())
         .focusing(Vector::new(-4.0, -0.3), Vector::new(4.0, 4.5))
         .showing_joints(0.3)
-        .controlled(controls, "Arrow keys move the target.")
+        .controlled(controls)
         .script(move |world, step| {
             match keys.direction() {
                 Some(direction) => {

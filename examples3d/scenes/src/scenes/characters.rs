@@ -75,18 +75,16 @@ pub fn build() -> Scene {
     let view = View::orbit(32.0, 32.0);
     let scene =
         Scene::new(world, view).focusing(Vector::new(-5.0, 0.0, -7.0), Vector::new(5.0, 2.5, 7.0));
-    let controls = Controls::default();
+    let controls = Controls::new("Arrow keys move a character on the stairs.");
     let keys = controls.clone();
-    scene.controlled(controls, "Arrow keys move a character on the stairs.").script(
-        move |world, step| {
-            let time = step as Real * world.integration_parameters.dt;
-            if let Some(lift) = world.bodies.get_mut(lift) {
-                lift.set_linvel(Vector::Y * (1.2 * time).sin() * 1.2, true);
-            }
-            if let Some([right, up]) = keys.direction() {
-                walkers[0].steer(Vector::new(2.5 * right, 0.0, -2.5 * up));
-            }
-            walkers.iter_mut().for_each(|walker| walker.walk(world));
-        },
-    )
+    scene.controlled(controls).script(move |world, step| {
+        let time = step as Real * world.integration_parameters.dt;
+        if let Some(lift) = world.bodies.get_mut(lift) {
+            lift.set_linvel(Vector::Y * (1.2 * time).sin() * 1.2, true);
+        }
+        if let Some([right, up]) = keys.direction() {
+            walkers[0].steer(Vector::new(2.5 * right, 0.0, -2.5 * up));
+        }
+        walkers.iter_mut().for_each(|walker| walker.walk(world));
+    })
 }

@@ -39,12 +39,12 @@ pub fn build() -> Scene {
     let mark = ColliderBuilder::ball(0.12).sensor(true);
     let target = RigidBodyBuilder::kinematic_position_based().translation(place_of_target(0));
     let (target, _) = world.insert(target, mark);
-    let controls = Controls::default();
+    let controls = Controls::new("Arrow keys move the target.");
     let (keys, mut place) = (controls.clone(), place_of_target(0));
     Scene::new(world, View::orbit(62.0, 12.0))
         .focusing(Vector::new(0.0, 0.2, -1.9), Vector::new(0.6, 2.7, 0.9))
         .showing_joints(0.5)
-        .controlled(controls, "Arrow keys move the target.")
+        .controlled(controls)
         .script(move |world, step| {
             match keys.direction() {
                 Some(direction) => {

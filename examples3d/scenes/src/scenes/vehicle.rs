@@ -48,10 +48,10 @@ pub fn build() -> Scene {
     let mut parker = add_car(&mut world, Vector::new(6.0, 3.0, -13.0), uphill);
     world.step(); // The rays hit the ground of the last step.
 
-    let controls = Controls::default();
+    let controls = Controls::new("Arrow keys drive the yellow car.");
     let keys = controls.clone();
     Scene::new(world, View::orbit(60.0, 24.0))
-        .controlled(controls, "Arrow keys drive the yellow car.")
+        .controlled(controls)
         .focusing(Vector::new(-3.0, 0.0, -10.0), Vector::new(18.0, 4.0, 9.0))
         .script(move |world, step| {
             match keys.direction() {
