@@ -10,7 +10,7 @@ export class Batch {
 
     constructor(
         private readonly parent: Object3D,
-        private readonly geometry: BufferGeometry,
+        readonly geometry: BufferGeometry,
         private readonly material: Material,
         private readonly casts: boolean,
         private readonly layer: number,

@@ -2,9 +2,7 @@
 
 import {
     Color,
-    DirectionalLight,
     Fog,
-    HemisphereLight,
     LineBasicMaterial,
     LineSegments,
     BufferGeometry,
@@ -18,6 +16,7 @@ import { POSE_SIZE } from "../core/dimension.ts";
 import type { EngineModule, WorldLike } from "../core/engine.ts";
 import type { Camera } from "../core/scene.ts";
 import type { Stage } from "../core/stage.ts";
+import { Sky, Sun } from "./light.ts";
 import { Rig } from "./rig.ts";
 import { StageView } from "./stage-view.ts";
 import type { Theme } from "./theme.ts";
@@ -39,10 +38,9 @@ export interface Place {
 
 interface Shown<R extends EngineModule, W extends WorldLike> {
     view: StageView<R, W>;
-    sun: DirectionalLight | null;
+    sun: Sun | null;
 }
 
-const SHADOW_MAP = 2048;
 /** Fraction of bodies at each side that photographs may leave out. */
 const OUTLIERS = 0.03;
 /** Half of the smallest part that photographs show, and its margin around the centres of bodies, in halves of the viewport. */
@@ -57,6 +55,7 @@ export class Picture<R extends EngineModule, W extends WorldLike> {
     private shown: Shown<R, W>[] = [];
     private debugging = false;
     private readonly papers = new Map<Theme, LineSegments>();
+    private readonly skies = new Map<Theme, Sky>();
 
     constructor(
         readonly canvas: HTMLCanvasElement,
@@ -109,18 +108,11 @@ export class Picture<R extends EngineModule, W extends WorldLike> {
         return known ? paper.clone() : paper;
     }
 
-    private light(view: StageView<R, W>): DirectionalLight {
-        const { hemisphere, sun: tone, shadow } = this.theme;
-        view.scene.add(new HemisphereLight(hemisphere.sky, hemisphere.ground, hemisphere.intensity));
-        const sun = new DirectionalLight(tone.color, tone.intensity);
-        sun.castShadow = true;
-        sun.shadow.mapSize.set(SHADOW_MAP, SHADOW_MAP);
-        sun.shadow.radius = 3;
-        sun.shadow.intensity = shadow;
-        // A bias along normals would fail for meshes whose triangles face away from the light.
-        sun.shadow.bias = -0.0016;
-        view.scene.add(sun, sun.target);
-        return sun;
+    private light(view: StageView<R, W>): Sun {
+        const sky = this.skies.get(this.theme) ?? new Sky(this.theme);
+        this.skies.set(this.theme, sky);
+        sky.light(view.scene);
+        return new Sun(view.scene, this.theme);
     }
 
     /** The viewports of all views: side by side, or on top of each other where the page is narrow. */
@@ -176,18 +168,9 @@ export class Picture<R extends EngineModule, W extends WorldLike> {
     }
 
     /** Shadows and fog follow the camera: they are as large as the visible part of the scene. */
-    private aim(view: StageView<R, W>, sun: DirectionalLight): void {
-        const { reach } = this.rig;
-        const { target } = this.rig.controls;
-        sun.target.position.copy(target);
-        sun.position.set(target.x - 0.55 * reach, target.y + 1.15 * reach, target.z + 0.6 * reach);
-        const { camera } = sun.shadow;
-        const side = 1.1 * reach;
-        camera.left = camera.bottom = -side;
-        camera.right = camera.top = side;
-        camera.near = 0.3 * reach;
-        camera.far = 2.7 * reach;
-        camera.updateProjectionMatrix();
+    private aim(view: StageView<R, W>, sun: Sun): void {
+        const { reach, around, controls } = this.rig;
+        sun.aim(controls.target, reach, around, view.casters(reach));
         const { fog } = view.scene;
         if (fog instanceof Fog) {
             fog.near = 2.2 * reach;
@@ -198,6 +181,7 @@ export class Picture<R extends EngineModule, W extends WorldLike> {
     /** Frees the canvas: pages that show several pictures have few WebGL contexts. */
     dispose(): void {
         this.show([], this.theme);
+        for (const sky of this.skies.values()) sky.dispose();
         this.rig.controls.dispose();
         this.renderer.dispose();
         this.renderer.forceContextLoss();

@@ -20,6 +20,8 @@ export class Rig {
     private readonly caster = new Raycaster();
     private height = HEIGHT;
     private followed: Vector3 | null = null;
+    /** Angle of the scene's eye about the vertical, from the z axis to the x axis. */
+    around = 0;
 
     constructor(
         canvas: HTMLCanvasElement,
@@ -49,6 +51,7 @@ export class Rig {
         this.height = view.height ?? HEIGHT;
         if (this.flat) this.camera.position.set(x, y, 50);
         else this.camera.position.set(...(view.eye ?? EYE));
+        this.around = Math.atan2(this.camera.position.x - x, this.camera.position.z - z);
         this.camera.zoom = 1;
         this.controls.update();
     }

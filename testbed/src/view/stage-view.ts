@@ -6,6 +6,7 @@ import { enumNames, type BodyLike, type ColliderLike, type EngineModule, type To
 import type { Paint, Pen, Point } from "../core/scene.ts";
 import type { Stage } from "../core/stage.ts";
 import { Batch } from "./batch.ts";
+import type { Sphere } from "./light.ts";
 import { Lines } from "./lines.ts";
 import { flatMaterial, solidMaterial, type Surface } from "./materials.ts";
 import type { Part } from "./parts.ts";
@@ -29,6 +30,8 @@ interface Visual {
     /** The shape's size at the time of the instances: scripts can change it. */
     size: number;
     surface: Surface | null;
+    /** Radius of a sphere around the collider's origin that contains the instances. */
+    radius: number;
     asleep: boolean;
     enabled: boolean;
     /** Whether the instances have the settled pose. */
@@ -131,6 +134,7 @@ export class StageView<R extends EngineModule, W extends WorldLike> {
             instances: [],
             size: NaN,
             surface: null,
+            radius: 0,
             asleep: false,
             enabled: collider.isEnabled(),
             placed: false,
@@ -151,6 +155,7 @@ export class StageView<R extends EngineModule, W extends WorldLike> {
         visual.surface = surface;
         visual.placed = false;
         visual.instances = surface === null ? [] : parts.map((part) => this.instance(part, surface));
+        visual.radius = Math.max(0, ...visual.instances.map(({ part, batch }) => radiusOf(part, batch)));
         this.colour(visual);
     }
 
@@ -250,6 +255,20 @@ export class StageView<R extends EngineModule, W extends WorldLike> {
         }
     }
 
+    /**
+     * Spheres around all that casts shadows in a view of this reach, or null where large meshes do. Larger floors and walls
+     * are left out.
+     */
+    casters(reach: number): Sphere[] | null {
+        const spheres: Sphere[] = [];
+        for (const { surface, enabled, radius, current, collider } of this.visuals.values()) {
+            if (surface === null || surface === "glass" || !enabled) continue;
+            if (radius < reach) spheres.push([current[0]!, current[1]!, current[2]!, radius]);
+            else if (this.names.get(collider.shape.type) !== "HalfSpace" && OPEN.has(this.names.get(collider.shape.type) ?? "")) return null;
+        }
+        return spheres;
+    }
+
     private drawLines(): void {
         this.pen.clear();
         this.stage.run.draw?.(this.scenePen());
@@ -330,6 +349,14 @@ export class StageView<R extends EngineModule, W extends WorldLike> {
 
 function spaced(point: Point, flat: boolean): [number, number, number] {
     return [point.x, point.y, flat ? POINT_DEPTH : (point.z ?? 0)];
+}
+
+/** The radius of a part about its collider's origin. */
+function radiusOf({ scale, offset }: Part, { geometry }: Batch): number {
+    if (geometry.boundingSphere === null) geometry.computeBoundingSphere();
+    const { center, radius } = geometry.boundingSphere!;
+    const away = offset ? new Vector3().setFromMatrixPosition(offset).length() : 0;
+    return away + (center.length() + radius) * Math.max(...scale);
 }
 
 /** A number that differs when setters of a collider changed its size. */

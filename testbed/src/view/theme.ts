@@ -10,7 +10,10 @@ export interface Theme {
     readonly sky: Color;
     readonly ground: Color;
     readonly grid: Color;
-    readonly hemisphere: { sky: Color; ground: Color; intensity: number };
+    /** The backdrop's colour overhead; `sky` is the one at the horizon. */
+    readonly zenith: Color;
+    /** Colours of the light from above and from below. */
+    readonly room: { sky: Color; ground: Color; intensity: number };
     readonly sun: { color: Color; intensity: number };
     readonly shadow: number;
     /** Colour towards which sleeping bodies fade. */
@@ -73,13 +76,14 @@ function theme(name: ThemeName): Theme {
         sky: new Color(dark ? "#171d27" : "#eaf0f6"),
         ground: paints.ground,
         grid: new Color(dark ? "#66758c" : "#a9b5c4"),
-        hemisphere: {
+        zenith: new Color(dark ? "#0b0f16" : "#bdd3ec"),
+        room: {
             sky: new Color(dark ? "#c3d4f0" : "#ffffff"),
-            ground: new Color(dark ? "#39404d" : "#b9c1cc"),
-            intensity: dark ? 2.2 : 2.4,
+            ground: new Color(dark ? "#59606d" : "#b9c1cc"),
+            intensity: dark ? 0.55 : 0.42,
         },
-        sun: { color: new Color(dark ? "#fff3e0" : "#fff7ea"), intensity: dark ? 2.6 : 2.5 },
-        shadow: dark ? 0.75 : 0.55,
+        sun: { color: new Color(dark ? "#fff3e0" : "#fff7ea"), intensity: dark ? 3 : 2.6 },
+        shadow: dark ? 0.9 : 0.85,
         asleep: new Color(dark ? "#5a6473" : "#c3cad4"),
         debug: dark ? 1 : 0.3,
         edge: dark ? 0.62 : 0.72,
