@@ -13,6 +13,7 @@ mod color;
 mod image;
 pub mod light;
 mod mesh;
+mod outline;
 pub mod raster;
 mod sheet;
 pub mod vector;

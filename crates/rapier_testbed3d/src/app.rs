@@ -44,6 +44,7 @@ impl TestbedApp {
             Demo {
                 name: name.to_owned(),
                 description: String::new(),
+                source: "",
                 category: Category::Basics,
                 build: Arc::new(build),
             }
@@ -58,6 +59,7 @@ impl TestbedApp {
             Demo {
                 name: info.name.to_owned(),
                 description: info.description.to_owned(),
+                source: info.source,
                 category: info.category,
                 build: Arc::new(move || (build(), None)),
             }
@@ -252,7 +254,7 @@ impl Window {
             let controls = self.session.player.scene.controls.as_ref();
             let hint =
                 controls.map_or(String::new(), |controls| format!("\n{}", controls.sentence));
-            caption(ui, &title_of(&demo.name), &(demo.description.clone() + &hint));
+            caption(ui, &title_of(&demo.name), &(demo.description.clone() + &hint), demo.source);
             if let Some(message) = self.recorder.message() {
                 toast(ui, message);
             }
@@ -268,19 +270,22 @@ fn arrows(ui: &Ui) -> [Real; 2] {
     [between(Key::ArrowLeft, Key::ArrowRight), between(Key::ArrowDown, Key::ArrowUp)]
 }
 
-/// Writes a title and a sentence into the lower left corner of the picture.
-fn caption(ui: &Ui, title: &str, sentence: &str) {
+/// Writes a title, a sentence and the path of the source into the lower left corner of the picture.
+fn caption(ui: &Ui, title: &str, sentence: &str, source: &str) {
     let area = ui.max_rect().shrink2(egui::vec2(12.0, 10.0));
-    let write = |text: &str, size: f32, alpha: u8| {
-        let font = egui::FontId::proportional(size);
+    let mut bottom = area.bottom();
+    let lines = [
+        (source, egui::FontId::monospace(11.5), 130),
+        (sentence, egui::FontId::proportional(13.0), 170),
+        (title, egui::FontId::proportional(17.0), 220),
+    ];
+    for (text, font, alpha) in lines.into_iter().filter(|(text, ..)| !text.is_empty()) {
         let color = egui::Color32::from_white_alpha(alpha);
-        ui.painter().layout(text.to_owned(), font, color, area.width())
-    };
-    let (title, sentence) = (write(title, 17.0, 220), write(sentence, 13.0, 170));
-    let bottom = area.bottom() - sentence.size().y;
-    ui.painter().galley(egui::pos2(area.left(), bottom), sentence, egui::Color32::WHITE);
-    let top = bottom - title.size().y - 2.0;
-    ui.painter().galley(egui::pos2(area.left(), top), title, egui::Color32::WHITE);
+        let text = ui.painter().layout(text.to_owned(), font, color, area.width());
+        bottom -= text.size().y;
+        ui.painter().galley(egui::pos2(area.left(), bottom), text, egui::Color32::WHITE);
+        bottom -= 2.0;
+    }
 }
 
 /// Shows a message over the upper right corner of the picture.

@@ -14,6 +14,8 @@ use std::time::Instant;
 pub(crate) struct Demo {
     pub name: String,
     pub description: String,
+    /// File with its source, as a path in the repository. Empty for demos from functions.
+    pub source: &'static str,
     pub category: Category,
     pub build: Build,
 }
@@ -234,6 +236,7 @@ mod tests {
         let mut session = Session::new(&Demo {
             name: String::new(),
             description: String::new(),
+            source: "",
             category: Category::Basics,
             build: std::sync::Arc::new(build),
         });

@@ -4,7 +4,7 @@ use crate::panels::parameters::changes;
 use crate::rapier::math::DIM;
 use crate::session::Session;
 use crate::stages::Part;
-use drawing::{Camera, Label};
+use drawing::{Camera, Color, Label};
 use eframe::egui::{self, Color32, PointerButton, Rect, Sense, Ui, Vec2, pos2};
 use eframe::egui_wgpu::{Callback, CallbackResources, CallbackTrait, RenderState};
 use render::wgpu::{FilterMode, RenderPass};
@@ -129,8 +129,9 @@ impl Viewport {
         if index == 0 {
             mouse(ui, &response, session, &camera, rect);
         }
-        let drawing = session.draw(index == 1);
+        let mut drawing = session.draw(index == 1);
         let camera = framed(session, aspect, &drawing);
+        drawing.outline_highlighted(&camera, Color::from_hsl(48.0, 1.0, 0.65, 1.0));
         if session.other.is_some() {
             self.renderer.renew_shadows();
         }

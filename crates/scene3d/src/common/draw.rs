@@ -20,7 +20,7 @@ const WIRE: [f32; 4] = [215.0, 0.25, 0.70, 1.0];
 pub struct Artist {
     /// The content besides the surfaces.
     pub overlays: Overlays,
-    /// The collider that is highlighted.
+    /// The selected collider: the surfaces of its body are highlighted.
     pub selected: Option<ColliderHandle>,
     surfaces: Surfaces,
     lines: DebugRenderPipeline,
@@ -49,6 +49,8 @@ impl Artist {
     ) -> Drawing {
         let mut drawing = Drawing::default();
         let moving = extent_of_moving(world);
+        let body_of = |handle| world.colliders.get(handle).and_then(Collider::parent);
+        let chosen = self.selected.and_then(body_of);
         let mut islands = self.overlays.islands.then(|| Islands::of(world));
         for (handle, collider) in world.colliders.iter().filter(|(_, c)| !c.is_sensor()) {
             let body = collider.parent().and_then(|parent| world.bodies.get(parent));
@@ -66,7 +68,8 @@ impl Artist {
                 color,
                 role,
                 id: handle.into_raw_parts().0,
-                highlighted: self.selected == Some(handle),
+                highlighted: self.selected == Some(handle)
+                    || (chosen.is_some() && collider.parent() == chosen),
             };
             self.surfaces.add(&mut drawing, collider, &look);
         }

@@ -25,6 +25,8 @@ pub struct SceneInfo {
     pub steps: usize,
     /// Bounds of its bodies.
     pub law: Law,
+    /// File with its source, as a path in the repository.
+    pub source: &'static str,
     /// Builds the scene in its usual size.
     pub build: fn() -> Scene,
 }

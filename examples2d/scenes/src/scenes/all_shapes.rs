@@ -12,6 +12,7 @@ pub const INFO: SceneInfo = SceneInfo {
     category: Category::Shapes,
     steps: 240,
     law: Law { overlap_max: 0.01, height_min: -1.0, reach_max: 13.0, speed_max: 0.1, ..Law::NONE },
+    source: file!(),
     build,
 };
 

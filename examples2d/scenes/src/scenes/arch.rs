@@ -19,6 +19,7 @@ pub const INFO: SceneInfo = SceneInfo {
         speed_max: 0.1,
         ..Law::NONE
     },
+    source: file!(),
     build,
 };
 

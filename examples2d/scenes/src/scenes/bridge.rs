@@ -12,6 +12,7 @@ pub const INFO: SceneInfo = SceneInfo {
     category: Category::Joints,
     steps: 130,
     law: Law { overlap_max: 0.05, height_min: -7.0, gap_max: 0.02, ..Law::NONE },
+    source: file!(),
     build,
 };
 

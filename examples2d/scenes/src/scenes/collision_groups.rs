@@ -12,6 +12,7 @@ pub const INFO: SceneInfo = SceneInfo {
     category: Category::Events,
     steps: 240,
     law: Law { overlap_max: 0.01, height_min: 0.0, reach_max: 8.0, speed_max: 0.1, ..Law::NONE },
+    source: file!(),
     build,
 };
 

@@ -10,6 +10,7 @@ pub const INFO: SceneInfo = SceneInfo {
     category: Category::Robustness,
     steps: 240,
     law: Law { overlap_max: 0.05, height_min: 0.0, reach_max: 37.0, ..Law::NONE },
+    source: file!(),
     build,
 };
 

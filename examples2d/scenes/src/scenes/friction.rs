@@ -12,6 +12,7 @@ pub const INFO: SceneInfo = SceneInfo {
     category: Category::Basics,
     steps: 150,
     law: Law { overlap_max: 0.02, height_min: -16.0, ..Law::NONE },
+    source: file!(),
     build,
 };
 

@@ -12,6 +12,7 @@ pub const INFO: SceneInfo = SceneInfo {
     category: Category::Basics,
     steps: 55,
     law: Law { overlap_max: 0.1, height_min: 0.0, reach_max: 10.0, ..Law::NONE },
+    source: file!(),
     build,
 };
 

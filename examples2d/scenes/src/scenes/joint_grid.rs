@@ -12,6 +12,7 @@ pub const INFO: SceneInfo = SceneInfo {
     category: Category::Stress,
     steps: 200,
     law: Law { overlap_max: 0.01, height_min: -101.0, reach_max: 57.0, gap_max: 0.2, ..Law::NONE },
+    source: file!(),
     build,
 };
 

@@ -12,6 +12,7 @@ pub const INFO: SceneInfo = SceneInfo {
     category: Category::Controllers,
     steps: 260,
     law: Law { overlap_max: 0.01, height_min: 0.0, gap_max: 0.005, ..Law::NONE },
+    source: file!(),
     build,
 };
 

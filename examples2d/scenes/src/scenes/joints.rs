@@ -11,6 +11,7 @@ pub const INFO: SceneInfo = SceneInfo {
     category: Category::Joints,
     steps: 150,
     law: Law { overlap_max: 0.01, height_min: -7.0, reach_max: 15.0, gap_max: 2.0, ..Law::NONE },
+    source: file!(),
     build,
 };
 

@@ -12,6 +12,7 @@ pub const INFO: SceneInfo = SceneInfo {
     category: Category::Stress,
     steps: 240,
     law: Law { overlap_max: 0.5, height_min: 0.0, reach_max: 54.0, ..Law::NONE },
+    source: file!(),
     build,
 };
 

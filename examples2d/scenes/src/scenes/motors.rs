@@ -12,6 +12,7 @@ pub const INFO: SceneInfo = SceneInfo {
     category: Category::Joints,
     steps: 200,
     law: Law { overlap_max: 0.02, height_min: -7.0, reach_max: 11.0, gap_max: 0.005, ..Law::NONE },
+    source: file!(),
     build,
 };
 

@@ -12,6 +12,7 @@ pub const INFO: SceneInfo = SceneInfo {
     category: Category::Joints,
     steps: 112,
     law: Law { overlap_max: 0.01, height_min: -5.0, reach_max: 48.0, gap_max: 0.005, ..Law::NONE },
+    source: file!(),
     build,
 };
 

@@ -12,6 +12,7 @@ pub const INFO: SceneInfo = SceneInfo {
     category: Category::Stress,
     steps: 110,
     law: Law { overlap_max: 0.1, height_min: 0.0, gap_max: 0.1, ..Law::NONE },
+    source: file!(),
     build,
 };
 

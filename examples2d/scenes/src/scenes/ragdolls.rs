@@ -13,6 +13,7 @@ pub const INFO: SceneInfo = SceneInfo {
     category: Category::Joints,
     steps: 300,
     law: Law { overlap_max: 0.2, height_min: 0.0, reach_max: 46.0, gap_max: 0.5, ..Law::NONE },
+    source: file!(),
     build,
 };
 

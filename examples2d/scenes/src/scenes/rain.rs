@@ -13,6 +13,7 @@ pub const INFO: SceneInfo = SceneInfo {
     category: Category::Basics,
     steps: 400,
     law: Law { overlap_max: 0.2, height_min: 0.0, reach_max: 31.0, ..Law::NONE },
+    source: file!(),
     build,
 };
 

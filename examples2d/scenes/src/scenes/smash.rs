@@ -12,6 +12,7 @@ pub const INFO: SceneInfo = SceneInfo {
     category: Category::Stress,
     steps: 180,
     law: Law { overlap_max: 0.01, ..Law::NONE },
+    source: file!(),
     build,
 };
 

@@ -12,6 +12,7 @@ pub const INFO: SceneInfo = SceneInfo {
     category: Category::Basics,
     steps: 300,
     law: Law { overlap_max: 1.0, height_min: -40.0, reach_max: 44.0, ..Law::NONE },
+    source: file!(),
     build,
 };
 

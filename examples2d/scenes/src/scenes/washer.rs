@@ -12,6 +12,7 @@ pub const INFO: SceneInfo = SceneInfo {
     category: Category::Stress,
     steps: 300,
     law: Law { overlap_max: 0.2, height_min: -33.0, reach_max: 36.0, ..Law::NONE },
+    source: file!(),
     build,
 };
 

@@ -12,6 +12,7 @@ pub const INFO: SceneInfo = SceneInfo {
     category: Category::Joints,
     steps: 130,
     law: Law { overlap_max: 0.05, height_min: -8.0, reach_max: 14.0, gap_max: 0.01, ..Law::NONE },
+    source: file!(),
     build,
 };
 

@@ -12,6 +12,7 @@ pub const INFO: SceneInfo = SceneInfo {
     category: Category::Robustness,
     steps: 300,
     law: Law { overlap_max: 0.02, ..Law::NONE },
+    source: file!(),
     build,
 };
 

@@ -19,6 +19,7 @@ pub const INFO: SceneInfo = SceneInfo {
         open_fault: Some("the cards creep apart: contacts at rest slide"),
         ..Law::NONE
     },
+    source: file!(),
     build,
 };
 

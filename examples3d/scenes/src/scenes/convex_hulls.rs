@@ -12,6 +12,7 @@ pub const INFO: SceneInfo = SceneInfo {
     category: Category::Shapes,
     steps: 360,
     law: Law { overlap_max: 0.02, height_min: -1.0, reach_max: 10.0, speed_max: 0.1, ..Law::NONE },
+    source: file!(),
     build,
 };
 

@@ -12,6 +12,7 @@ pub const INFO: SceneInfo = SceneInfo {
     category: Category::Stress,
     steps: 200,
     law: Law { overlap_max: 0.1, height_min: -1.0, ..Law::NONE },
+    source: file!(),
     build,
 };
 

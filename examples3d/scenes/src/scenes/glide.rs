@@ -13,6 +13,7 @@ pub const ON_MESH: SceneInfo = SceneInfo {
     category: Category::PastBugs,
     steps: 300,
     law: Law { overlap_max: 0.01, ..Law::NONE },
+    source: file!(),
     build: || build(triangles()),
 };
 
@@ -23,6 +24,7 @@ pub const ON_BOX: SceneInfo = SceneInfo {
     category: Category::PastBugs,
     steps: 300,
     law: Law { overlap_max: 0.01, ..Law::NONE },
+    source: file!(),
     build: || build(slab()),
 };
 

@@ -11,6 +11,7 @@ pub const INFO: SceneInfo = SceneInfo {
     category: Category::Basics,
     steps: 400,
     law: Law { overlap_max: 0.01, height_min: -1.0, reach_max: 5.0, speed_max: 0.1, ..Law::NONE },
+    source: file!(),
     build,
 };
 

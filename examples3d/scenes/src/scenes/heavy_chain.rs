@@ -10,6 +10,7 @@ pub const INFO: SceneInfo = SceneInfo {
     category: Category::Robustness,
     steps: 240,
     law: Law { overlap_max: 0.01, height_min: -6.0, gap_max: 0.005, ..Law::NONE },
+    source: file!(),
     build,
 };
 

@@ -18,6 +18,7 @@ pub const INFO: SceneInfo = SceneInfo {
         reach_max: 55.0,
         ..Law::NONE
     },
+    source: file!(),
     build,
 };
 

@@ -12,6 +12,7 @@ pub const INFO: SceneInfo = SceneInfo {
     category: Category::Joints,
     steps: 200,
     law: Law { overlap_max: 0.01, height_min: -6.0, reach_max: 10.0, gap_max: 0.005, ..Law::NONE },
+    source: file!(),
     build,
 };
 

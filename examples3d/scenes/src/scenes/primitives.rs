@@ -12,6 +12,7 @@ pub const INFO: SceneInfo = SceneInfo {
     category: Category::Basics,
     steps: 300,
     law: Law { overlap_max: 0.01, height_min: 0.0, ..Law::NONE },
+    source: file!(),
     build,
 };
 

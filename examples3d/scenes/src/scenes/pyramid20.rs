@@ -18,6 +18,7 @@ pub const INFO: SceneInfo = SceneInfo {
         speed_max: 0.1,
         ..Law::NONE
     },
+    source: file!(),
     build,
 };
 

@@ -13,6 +13,7 @@ pub const INFO: SceneInfo = SceneInfo {
     category: Category::Stress,
     steps: 300,
     law: Law { overlap_max: 0.02, height_min: -2.0, reach_max: 25.0, gap_max: 0.02, ..Law::NONE },
+    source: file!(),
     build,
 };
 

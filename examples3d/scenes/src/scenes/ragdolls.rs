@@ -12,6 +12,7 @@ pub const INFO: SceneInfo = SceneInfo {
     category: Category::Joints,
     steps: 300,
     law: Law { overlap_max: 0.1, height_min: 0.0, reach_max: 8.0, gap_max: 0.05, ..Law::NONE },
+    source: file!(),
     build,
 };
 

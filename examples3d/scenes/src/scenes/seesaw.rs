@@ -10,6 +10,7 @@ pub const INFO: SceneInfo = SceneInfo {
     category: Category::Joints,
     steps: 200,
     law: Law { overlap_max: 0.01, height_min: 0.0, reach_max: 12.0, gap_max: 0.005, ..Law::NONE },
+    source: file!(),
     build,
 };
 

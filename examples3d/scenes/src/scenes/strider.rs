@@ -12,6 +12,7 @@ pub const INFO: SceneInfo = SceneInfo {
     category: Category::Joints,
     steps: 240,
     law: Law { overlap_max: 0.02, height_min: 0.0, gap_max: 0.01, ..Law::NONE },
+    source: file!(),
     build,
 };
 

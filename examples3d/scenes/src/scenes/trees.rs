@@ -23,7 +23,8 @@ const TREES: usize = 51;
 const LAW: Law = Law { overlap_max: 0.02, height_min: -1.0, reach_max: 38.0, ..Law::NONE };
 
 const fn info(name: &'static str, description: &'static str, build: fn() -> Scene) -> SceneInfo {
-    SceneInfo { name, description, category: Category::Stress, steps: 300, law: LAW, build }
+    let (category, source) = (Category::Stress, file!());
+    SceneInfo { name, description, category, steps: 300, law: LAW, source, build }
 }
 
 /// Builds the scene with squares of two triangles of this size.

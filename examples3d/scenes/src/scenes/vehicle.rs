@@ -13,6 +13,7 @@ pub const INFO: SceneInfo = SceneInfo {
     category: Category::Controllers,
     steps: 270,
     law: Law { overlap_max: 0.05, height_min: 0.0, ..Law::NONE },
+    source: file!(),
     build,
 };
 
