@@ -4,7 +4,8 @@
 const RATIO_TOLERANCE = 0.03;
 /** Pixels by which a picture may leave its frame: rounding. */
 const CUT_TOLERANCE = 2;
-const LOADING_TIME = 10_000;
+/** Time for lazy pictures (ms): the gallery has 120, and other pages load beside it. */
+const LOADING_TIME = 60_000;
 
 /** Runs in the page. Returns a message for each faulty picture. */
 async function faults({ ratioTolerance, cutTolerance, loadingTime }) {

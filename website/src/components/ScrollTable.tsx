@@ -3,13 +3,15 @@
 import { type ComponentProps, type ReactNode, useEffect, useRef, useState } from "react";
 
 interface ScrollTableProps extends ComponentProps<"table"> {
-    /** Name of the table for screen readers; the caption or the names of the columns replace a missing one. */
+    /** Name of the table for screen readers; the caption, or the number in the page and the names of the columns, replace a missing one. */
     readonly label?: string;
 }
 
 function nameOf(table: HTMLTableElement): string {
     const columns = Array.from(table.rows[0]?.cells ?? [], (cell) => cell.textContent ?? "");
-    return table.caption?.textContent ?? `Table: ${columns.filter((name) => name !== "").join(", ")}`;
+    // Two tables may have equal columns, and names of regions differ.
+    const number = Array.from(document.querySelectorAll(".scroll-table > table")).indexOf(table) + 1;
+    return table.caption?.textContent ?? `Table ${number}: ${columns.filter((name) => name !== "").join(", ")}`;
 }
 
 /** Returns the name of the table while it is wider than its frame, and null otherwise. */
