@@ -2,7 +2,7 @@
 
 use crate::vector::{cross, dot, sub};
 use crate::{Camera, Color, Drawing, Instance, Line, Mesh, Point};
-use std::collections::HashMap;
+use std::collections::BTreeMap;
 
 /// Triangles of a mesh above which its instances get no outline: the edges are searched in each frame.
 const TRIANGLES_MAX: usize = 20_000;
@@ -42,34 +42,27 @@ fn outline(mesh: &Mesh, instance: &Instance, camera: &Camera) -> Vec<[Point; 2]>
     let corner_of = |at: Point| -> Corner {
         std::array::from_fn(|axis| ((at[axis] - min[axis]) / extent * STEPS).round() as i32)
     };
-    let mut edges: HashMap<[Corner; 2], Edge> = HashMap::new();
-    let mut order = Vec::new();
+    let mut edges: BTreeMap<[Corner; 2], Edge> = BTreeMap::new();
     for triangle in &mesh.triangles {
         let Some(local) = points(mesh, triangle) else { continue };
         let corners = local.map(corner_of);
-        let places = local.map(|at| instance.place(at));
-        let [a, b, c] = places;
-        let faces = dot(cross(sub(b, a), sub(c, a)), camera.toward_eye(a)) > 0.0;
         // Borders of flat shapes have triangles without an area.
         if corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0] {
             continue;
         }
+        let places = local.map(|at| instance.place(at));
+        let [a, b, c] = places;
+        let faces = dot(cross(sub(b, a), sub(c, a)), camera.toward_eye(a)) > 0.0;
         for (i, j) in [(0, 1), (1, 2), (2, 0)] {
-            let key = if corners[i] < corners[j] {
-                [corners[i], corners[j]]
-            } else {
-                [corners[j], corners[i]]
-            };
-            let edge = edges.entry(key).or_insert_with(|| {
-                order.push(key);
-                Edge { ends: [places[i], places[j]], triangles: 0, facing: 0 }
-            });
+            let key = [corners[i].min(corners[j]), corners[i].max(corners[j])];
+            let ends = [places[i], places[j]];
+            let edge = edges.entry(key).or_insert(Edge { ends, triangles: 0, facing: 0 });
             edge.triangles += 1;
             edge.facing += u32::from(faces);
         }
     }
-    let edges = order.iter().filter_map(|key| edges.get(key));
     edges
+        .into_values()
         .filter(|edge| edge.triangles == 1 || (edge.facing > 0 && edge.facing < edge.triangles))
         .map(|edge| edge.ends)
         .collect()

@@ -3,12 +3,13 @@
 //! A moving ball is a moving point against a shape that is enlarged by a layer.
 
 use super::layer::{Meeting, Touch};
+use super::plain::status_of;
 use super::rounded::{enter_capsule, nearest_on_segment};
 use super::{cuboid, hull};
 use crate::base::parry_version::shape_cast_hit;
 use crate::dim::facets::Facets;
 use crate::dim::math::{Pose, Real, Vector};
-use parry::query::{ShapeCastHit, ShapeCastOptions, ShapeCastStatus};
+use parry::query::{ShapeCastHit, ShapeCastOptions};
 use parry::shape::{Ball, Shape, TypedShape};
 
 /// The result of the formulas of a cast.
@@ -64,12 +65,7 @@ fn ball_second(
 }
 
 fn hit(time: Real, normals: [Vector; 2], witnesses: [Vector; 2]) -> ShapeCastHit {
-    let status = if time == 0.0 {
-        ShapeCastStatus::PenetratingOrWithinTargetDist
-    } else {
-        ShapeCastStatus::Converged
-    };
-    shape_cast_hit(time, witnesses, normals, status, [0; 2])
+    shape_cast_hit(time, witnesses, normals, status_of(time), [0; 2])
 }
 
 /// A ball that moves along `dir`, in the frame of the shape. The touch that `to_hit` gets has the point of

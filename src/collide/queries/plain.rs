@@ -111,7 +111,7 @@ pub(super) fn time_until_touch(
     touches.then(|| if gap > 0.0 { gap / closing } else { 0.0 })
 }
 
-/// The status of a hit that begins with a gap.
+/// The status of a hit after a gap or a time, which are 0 or less for shapes that touch from the start.
 pub(super) fn status_of(gap: Real) -> ShapeCastStatus {
     if gap > 0.0 {
         ShapeCastStatus::Converged

@@ -263,8 +263,12 @@ export class StageView<R extends EngineModule, W extends WorldLike> {
         const spheres: Sphere[] = [];
         for (const { surface, enabled, radius, current, collider } of this.visuals.values()) {
             if (surface === null || surface === "glass" || !enabled) continue;
-            if (radius < reach) spheres.push([current[0]!, current[1]!, current[2]!, radius]);
-            else if (this.names.get(collider.shape.type) !== "HalfSpace" && OPEN.has(this.names.get(collider.shape.type) ?? "")) return null;
+            if (radius < reach) {
+                spheres.push([current[0]!, current[1]!, current[2]!, radius]);
+                continue;
+            }
+            const name = this.names.get(collider.shape.type) ?? "";
+            if (name !== "HalfSpace" && OPEN.has(name)) return null;
         }
         return spheres;
     }

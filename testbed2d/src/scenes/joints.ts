@@ -1,5 +1,6 @@
 // Joints and motors.
 
+import { hangingArc } from "../../../testbed/src/core/arc.ts";
 import { add, addFixed, addFloor, addHook, drawJoints, ORIGIN, vec } from "../kit.ts";
 import type { Paint, PrismaticImpulseJoint, RevoluteImpulseJoint, RigidBody, Scene } from "../rapier.ts";
 
@@ -15,19 +16,15 @@ const bridge: Scene = {
     setup(context) {
         addFloor(context);
         const { RAPIER, world, paint, random } = context;
-        // The planks hang on an arc: straight ones would need infinite tension to carry a load.
-        const [planks, pitch, radius, height] = [20, 0.7, 15, 3.9];
-        const step = 2 * Math.asin(pitch / 2 / radius);
-        const side = (planks / 2) * step;
-        const [bank, middle] = [radius * Math.sin(side), radius * Math.cos(step / 2)];
-        const ends = [-1, 1].map((sign) => addFixed(context, vec((bank + 1) * sign, 2), RAPIER.ColliderDesc.cuboid(1, 2)));
+        const [planks, pitch, height] = [20, 0.7, 3.9];
+        const arc = hangingArc(planks, pitch, 15);
+        const ends = [-1, 1].map((sign) => addFixed(context, vec((arc.bank + 1) * sign, 2), RAPIER.ColliderDesc.cuboid(1, 2)));
         let previous = ends[0]!;
         let anchor = vec(1, height - 2);
         let lowest = previous;
         for (let index = 0; index < planks; index++) {
-            const angle = (index + 0.5) * step - side;
-            const at = vec(middle * Math.sin(angle), height + radius * Math.cos(side) - middle * Math.cos(angle));
-            const plank = add(context, at, RAPIER.ColliderDesc.cuboid(0.34, 0.09).setDensity(3), angle);
+            const { angle, x, y } = arc.place(index);
+            const plank = add(context, vec(x, height + y), RAPIER.ColliderDesc.cuboid(0.34, 0.09).setDensity(3), angle);
             paint(plank, index % 2 === 0 ? "orange" : "yellow");
             world.createImpulseJoint(RAPIER.JointData.revolute(anchor, vec(-pitch / 2, 0)), previous, plank, true);
             if (index === planks / 2) lowest = plank;

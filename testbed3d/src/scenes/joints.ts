@@ -1,5 +1,6 @@
 // Joints.
 
+import { hangingArc } from "../../../testbed/src/core/arc.ts";
 import { add, addFloor, addHook, distance, ORIGIN, turn, UPRIGHT, vec, Y, Z } from "../kit.ts";
 import type { Context, ImpulseJoint, Paint, RigidBody, Scene, Vector } from "../rapier.ts";
 
@@ -15,14 +16,11 @@ const bridge: Scene = {
     setup(context) {
         addFloor(context);
         const { RAPIER, world } = context;
-        // The planks hang on an arc: straight ones would need infinite tension to carry a load.
-        const [planks, pitch, radius, height] = [20, 0.6, 12, 3.9];
-        const step = 2 * Math.asin(pitch / 2 / radius);
-        const side = (planks / 2) * step;
-        const [bank, middle] = [radius * Math.sin(side), radius * Math.cos(step / 2)];
+        const [planks, pitch, height] = [20, 0.6, 3.9];
+        const arc = hangingArc(planks, pitch, 12);
         const towers = [-1, 1].map((sign) => {
             const shape = RAPIER.ColliderDesc.cuboid(0.4, 2, 1.4);
-            const tower = world.createRigidBody(RAPIER.RigidBodyDesc.fixed().setTranslation(sign * (bank + 0.4), 2, 0));
+            const tower = world.createRigidBody(RAPIER.RigidBodyDesc.fixed().setTranslation(sign * (arc.bank + 0.4), 2, 0));
             world.createCollider(shape, tower);
             return tower;
         });
@@ -30,9 +28,8 @@ const bridge: Scene = {
         let anchor = vec(0.4, height - 2, 0);
         let lowest = previous;
         for (let plank = 0; plank < planks; plank++) {
-            const angle = (plank + 0.5) * step - side;
-            const at = vec(middle * Math.sin(angle), height + radius * Math.cos(side) - middle * Math.cos(angle), 0);
-            const body = add(context, at, RAPIER.ColliderDesc.cuboid(0.28, 0.08, 1.2).setDensity(2), turn(Z, angle));
+            const { angle, x, y } = arc.place(plank);
+            const body = add(context, vec(x, height + y, 0), RAPIER.ColliderDesc.cuboid(0.28, 0.08, 1.2).setDensity(2), turn(Z, angle));
             context.paint(body, plank % 2 === 0 ? "orange" : "yellow");
             world.createImpulseJoint(RAPIER.JointData.revolute(anchor, vec(-pitch / 2, 0, 0), Z), previous, body, true);
             if (plank === planks / 2) lowest = body;
