@@ -39,6 +39,20 @@ impl Multibody {
         matrix
     }
 
+    /// The diagonal of `M⁻¹`: the acceleration of each degree of freedom by a force of 1 on it, while the
+    /// others are free. A spring of the stiffness `k` there has the angular frequency `√(k M⁻¹ᵢᵢ)`.
+    pub fn dof_inverse_inertia(&self) -> Vec<Real> {
+        let matrix = self.mass_matrix();
+        let mut force = vec![0.0; matrix.size()];
+        let mut inverse = Vec::with_capacity(matrix.size());
+        for dof in 0..matrix.size() {
+            force[dof] = 1.0;
+            inverse.push(matrix.solve_symmetric(&force)[dof]);
+            force[dof] = 0.0;
+        }
+        inverse
+    }
+
     /// `M⁻¹ τ`: the accelerations of the degrees of freedom by these forces on them (or velocities by
     /// impulses), in time proportional to their number. Missing forces are 0.
     pub fn accelerations_of(&self, forces: &[Real]) -> Vec<Real> {

@@ -51,6 +51,17 @@ fn the_mass_matrix_of_sliders_adds_up_masses() {
     }
 }
 
+/// A slider among others accelerates as if those before and after it were held by nothing: it carries its own
+/// body, and pushes back the one before it.
+#[test]
+fn sliders_push_back_the_one_before() {
+    let (_, multibody) = sliders(3);
+    let expected = [1.0, 1.0 + 1.0 / 2.0, 1.0 / 2.0 + 1.0 / 3.0];
+    for (inverse, expected) in multibody.dof_inverse_inertia().into_iter().zip(expected) {
+        assert!(near(inverse, expected, 10.0), "{inverse} instead of {expected}");
+    }
+}
+
 /// A force on the last slider moves it alone, one on the first all of them together; wrenches act like
 /// forces.
 #[test]

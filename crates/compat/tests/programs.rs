@@ -101,6 +101,20 @@ fn inverse_kinematics_reaches_a_target() {
     assert_eq!(multibody.generalized_velocity().len(), multibody.ndofs());
     multibody.damping_mut().fill(0.5);
     assert_eq!(multibody.damping()[0], 0.5);
+
+    // Loaders of robots write to the numbers of single degrees of freedom, and weigh these.
+    let armature = multibody.armature_mut();
+    armature[0] = 1.0;
+    let inverse = multibody.dof_inverse_inertia(&world.bodies);
+    assert!(inverse[0] > 0.0 && inverse[0] < 1.0, "armature of 1: {inverse}");
+}
+
+/// The frame that loaders of robots give both bodies has the joint's axis as its first one.
+#[test]
+fn frames_have_their_axis_first() {
+    let axis = Vector::Y * -2.0;
+    let frame = GenericJoint::complete_ang_frame(axis);
+    assert!((frame * Vector::X + Vector::Y).length() < 1.0e-6, "{frame:?}");
 }
 
 fn unit_mass() -> MassProperties {

@@ -199,6 +199,12 @@ impl GenericJoint {
         Ok(())
     }
 
+    /// The rotation of a joint frame whose first axis is this one, as [`Self::set_local_axis1`] sets it. An
+    /// axis without direction gives no rotation.
+    pub fn complete_ang_frame(axis: Vector) -> Rotation {
+        direction(axis).map_or(Rotation::IDENTITY, frame_along)
+    }
+
     /// The anchor on the first body, in that body's frame.
     pub fn local_anchor1(&self) -> Vector {
         self.local_frame1.translation

@@ -107,8 +107,8 @@ impl Multibody {
     }
 
     /// Mutable access to the damping of the degrees of freedom.
-    pub fn damping_mut(&mut self) -> DVectorViewMut<'_, Real> {
-        view_mut(self.0.damping_mut())
+    pub fn damping_mut(&mut self) -> &mut [Real] {
+        self.0.damping_mut()
     }
 
     /// Inertia that is added to the degrees of freedom.
@@ -117,8 +117,8 @@ impl Multibody {
     }
 
     /// Mutable access to the inertia that is added to the degrees of freedom.
-    pub fn armature_mut(&mut self) -> DVectorViewMut<'_, Real> {
-        view_mut(self.0.armature_mut())
+    pub fn armature_mut(&mut self) -> &mut [Real] {
+        self.0.armature_mut()
     }
 
     /// Friction of the degrees of freedom.
@@ -127,8 +127,14 @@ impl Multibody {
     }
 
     /// Mutable access to the friction of the degrees of freedom.
-    pub fn frictions_mut(&mut self) -> DVectorViewMut<'_, Real> {
-        view_mut(self.0.frictions_mut())
+    pub fn frictions_mut(&mut self) -> &mut [Real] {
+        self.0.frictions_mut()
+    }
+
+    /// The diagonal of the inverse mass matrix, as the links are now.
+    pub fn dof_inverse_inertia(&mut self, bodies: &RigidBodySet) -> DVector {
+        self.0.forward_kinematics(bodies, false);
+        DVector::from_vec(self.0.dof_inverse_inertia())
     }
 
     /// The Jacobian of a link: a column for each degree of freedom. The first read after a step or a change
