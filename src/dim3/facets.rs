@@ -128,18 +128,20 @@ fn has_flat_faces(hull: &ConvexPolyhedron) -> bool {
     if hull.faces().len() + 4 == 2 * points.len() {
         return true;
     }
-    !has_hidden_corners(hull)
-        && hull.faces().iter().filter(|face| face.num_vertices_or_edges > 3).all(|face| {
-            let first = face.first_vertex_or_edge as usize;
-            let count = face.num_vertices_or_edges as usize;
-            let corners = &hull.vertices_adj_to_face()[first..first + count];
-            let origin = points[corners[0] as usize];
-            corners[1..].iter().all(|&corner| {
-                let along = points[corner as usize] - origin;
-                let size = along.abs().max_element() + origin.abs().max_element();
-                face.normal.dot(along).abs() <= PLANE_DISTANCE_FRACTION_MAX * size
-            })
+    if has_hidden_corners(hull) {
+        return false;
+    }
+    hull.faces().iter().filter(|face| face.num_vertices_or_edges > 3).all(|face| {
+        let first = face.first_vertex_or_edge as usize;
+        let count = face.num_vertices_or_edges as usize;
+        let corners = &hull.vertices_adj_to_face()[first..first + count];
+        let origin = points[corners[0] as usize];
+        corners[1..].iter().all(|&corner| {
+            let along = points[corner as usize] - origin;
+            let size = along.abs().max_element() + origin.abs().max_element();
+            face.normal.dot(along).abs() <= PLANE_DISTANCE_FRACTION_MAX * size
         })
+    })
 }
 
 /// Returns whether corners of a hull belong to no face, by Euler's formula. A corner all of whose triangles

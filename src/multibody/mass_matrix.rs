@@ -42,15 +42,12 @@ impl Multibody {
     /// The diagonal of `M⁻¹`: the acceleration of each degree of freedom by a force of 1 on it, while the
     /// others are free. A spring of the stiffness `k` there has the angular frequency `√(k M⁻¹ᵢᵢ)`.
     pub fn dof_inverse_inertia(&self) -> Vec<Real> {
-        let matrix = self.mass_matrix();
-        let mut force = vec![0.0; matrix.size()];
-        let mut inverse = Vec::with_capacity(matrix.size());
-        for dof in 0..matrix.size() {
-            force[dof] = 1.0;
-            inverse.push(matrix.solve_symmetric(&force)[dof]);
-            force[dof] = 0.0;
-        }
-        inverse
+        let inverse = |dof: usize| {
+            let mut forces = vec![0.0; dof + 1];
+            forces[dof] = 1.0;
+            self.accelerations_of(&forces)[dof]
+        };
+        (0..self.ndofs()).map(inverse).collect()
     }
 
     /// `M⁻¹ τ`: the accelerations of the degrees of freedom by these forces on them (or velocities by

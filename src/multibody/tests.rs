@@ -51,8 +51,7 @@ fn the_mass_matrix_of_sliders_adds_up_masses() {
     }
 }
 
-/// A slider among others accelerates as if those before and after it were held by nothing: it carries its own
-/// body, and pushes back the one before it.
+/// A force on a slider among free ones moves its own body, and pushes back the one before it: `1/m₁ + 1/m₀`.
 #[test]
 fn sliders_push_back_the_one_before() {
     let (_, multibody) = sliders(3);

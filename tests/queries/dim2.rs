@@ -8,6 +8,11 @@ pub fn field(heights: &[Real], length: Real) -> SharedShape {
     SharedShape::new(HeightField::new(heights.to_vec(), Vector::new(length, 1.0)))
 }
 
+/// Returns the corners of a convex hull.
+pub fn hull_corners(hull: &SharedShape) -> Option<&[Vector]> {
+    hull.as_convex_polygon().map(|hull| hull.points())
+}
+
 /// Returns a height field of this length with `count` cells and random heights.
 pub fn rough_field(count: usize, length: Real, mut height: impl FnMut() -> Real) -> SharedShape {
     field(&(0..=count).map(|_| height()).collect::<Vec<_>>(), length)

@@ -12,6 +12,11 @@ pub fn field(heights: &[Real], length: Real) -> SharedShape {
     SharedShape::new(HeightField::new(heights, Vector::new(length, 1.0, length)))
 }
 
+/// Returns the corners of a convex hull.
+pub fn hull_corners(hull: &SharedShape) -> Option<&[Vector]> {
+    hull.as_convex_polyhedron().map(|hull| hull.points())
+}
+
 /// Returns a height field of this length with `count` cells along x and z, and random heights.
 pub fn rough_field(count: usize, length: Real, mut height: impl FnMut() -> Real) -> SharedShape {
     let heights = (0..(count + 1) * (count + 1)).map(|_| height()).collect();

@@ -75,8 +75,7 @@ impl Multibody {
 
     /// Keeps the couplings for which the function returns `true`.
     pub fn retain_dof_couplings(&mut self, f: impl FnMut(&MultibodyDofCoupling) -> bool) {
-        let mut kept =
-            self.couplings().iter().map(f).collect::<Vec<_>>().into_iter();
+        let mut kept = self.couplings().iter().map(f).collect::<Vec<_>>().into_iter();
         self.0.retain_dof_couplings(|_| kept.next().unwrap_or(true));
     }
 }

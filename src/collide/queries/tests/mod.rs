@@ -1,8 +1,6 @@
 //! Tests of formulas: the shapes touch at the computed time, and not before.
 
-mod exact;
 mod parts;
-mod thin_hulls;
 
 use super::{Dispatcher, intersection, time_of_impact};
 use crate::base::random::Random;
