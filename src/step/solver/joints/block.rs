@@ -33,8 +33,6 @@ pub(super) struct JointBlock {
     pub frames: [WideRotation<Lane>; 2],
     /// One for locked axes, zero for free ones.
     pub locked: [Lane; SPATIAL_DIM],
-    /// One where the locked axes are solved iteratively, zero where they are solved directly.
-    pub iterated: Lane,
     /// Velocity per unit of error (1/s).
     pub bias_rate: Lane,
     /// One for joints with a softness of their own: springs, which the relax pass must not make rigid.
@@ -59,9 +57,8 @@ pub(super) struct JointBlock {
     /// Range of the block's rows of free axes.
     pub first_row: usize,
     pub row_count: usize,
-    /// Whether any lane is solved directly, and whether any is solved iteratively.
-    pub has_exact: bool,
-    pub has_iterated: bool,
+    /// Whether the joints are solved directly; otherwise iteratively.
+    pub is_exact: bool,
     /// Whether any lane is a spring, and whether any locks a rotation.
     pub has_springs: bool,
     pub locks_rotations: bool,
@@ -81,7 +78,6 @@ impl JointBlock {
             separation: vector,
             frames: [WideRotation::IDENTITY; 2],
             locked: [zero; SPATIAL_DIM],
-            iterated: zero,
             bias_rate: zero,
             is_spring: zero,
             compliance: zero,
@@ -95,32 +91,17 @@ impl JointBlock {
             total_moment: ANG_ZERO_LANES,
             first_row: 0,
             row_count: 0,
-            has_exact: false,
-            has_iterated: false,
+            is_exact: false,
             has_springs: false,
             locks_rotations: false,
             has_distances: false,
         }
     };
 
-    /// Leaves the locked axes of a lane to the direct solver, with this compliance unless they are springs.
-    pub fn solve_exactly(&mut self, lane: usize, compliance: Real) {
-        self.iterated.0[lane] = 0.0;
-        self.has_exact = true;
-        if self.is_spring.0[lane] == 0.0 {
-            self.compliance.0[lane] = compliance;
-        }
-    }
-
     /// A body of the joint in a lane that can move, by its index: if both can, the first one.
     pub fn movable(&self, lane: usize) -> u32 {
         let [first, second] = self.bodies.map(|bodies| bodies[lane]);
         if first & READ_ONLY == 0 { first } else { second & !READ_ONLY }
-    }
-
-    /// Returns whether any lane includes the curvature of its free axes.
-    pub fn includes_curvature(&self) -> bool {
-        self.row_count > 0 && (self.has_exact || self.has_distances)
     }
 
     /// Scales the impulses with which the next substep starts.
@@ -169,6 +150,10 @@ pub(super) struct MotorRow {
     pub impulse: Lane,
     /// Distance of the spring from its target when the substep began.
     pub stretch: Lane,
+    /// Rate of the axis when the substep began, before any force.
+    pub rate: Lane,
+    /// One if no other joint of its component has a driven axis, and no other joint a row.
+    pub is_alone: Lane,
 }
 
 impl AxisRow {
@@ -189,6 +174,8 @@ impl AxisRow {
                 max_impulse: zero,
                 impulse: zero,
                 stretch: zero,
+                rate: zero,
+                is_alone: zero,
             },
             min: Lane::splat(-LIMIT_NONE),
             max: Lane::splat(LIMIT_NONE),

@@ -1,7 +1,7 @@
 //! From joints to constraints: once per step, on several threads.
 
 use super::block::{AxisRow, JointBlock, LIMIT_NONE};
-use super::direct::{DirectJoint, JacobianBlock};
+use super::direct::DirectJoint;
 use super::{BLOCKS_PER_TASK, LaneSlot, SolverJoints};
 use crate::base::disjoint::DisjointMut;
 use crate::base::tasks::Tasks;
@@ -102,11 +102,15 @@ impl SolverJoints {
             let lane_slot =
                 |member: &DirectJoint| LaneSlot { slot: member.slot, driven: member.form.driven };
             self.point_to_point.add(color, members.iter().filter(is_point_to_point).map(slots));
-            // Blocks that lock no rotation have half of the rows.
-            let turning = members.iter().filter(|member| !member.form.locks_rotations());
-            let turning = turning.filter(|member| !is_point_to_point(member));
-            let others = members.iter().filter(|member| member.form.locks_rotations());
-            self.layout.add(color, turning.chain(others).map(lane_slot));
+            for is_exact in [true, false] {
+                let of_method = members.iter().filter(|member| {
+                    self.direct.contains(member.slot) == is_exact && !is_point_to_point(member)
+                });
+                // Blocks that lock no rotation have half of the rows.
+                let turning = of_method.clone().filter(|member| !member.form.locks_rotations());
+                let others = of_method.filter(|member| member.form.locks_rotations());
+                self.layout.add(color, turning.chain(others).map(lane_slot));
+            }
             rest = later;
         }
     }
@@ -145,11 +149,10 @@ impl SolverJoints {
                     let Some(link) = context.islands.joints.get(lane_slot.slot) else { continue };
                     // SAFETY: each joint has one lane slot.
                     let Some(entry) = (unsafe { joints.get_mut(link.handle.0) }) else { continue };
+                    block.is_exact = direct.contains(lane_slot.slot);
                     load_lane(block, rows, lane, &mut entry.joint, context, pass);
-                    if direct.contains(lane_slot.slot) {
-                        block.solve_exactly(lane, pass.softness.compliance());
-                    } else {
-                        block.has_iterated = true;
+                    if direct.is_alone(lane_slot.slot) {
+                        rows.iter_mut().for_each(|row| row.motor.is_alone.0[lane] = 1.0);
                     }
                 }
             }
@@ -159,11 +162,11 @@ impl SolverJoints {
     /// Stores the positions of their rows in the joints that are solved directly.
     fn note_exact_joints(&mut self, body_count: usize) {
         if self.direct.is_empty() {
-            return self.memory.clear();
+            return self.jacobians.clear();
         }
-        self.memory.resize(self.blocks.len(), JacobianBlock::EMPTY);
+        self.jacobians.resize(self.blocks.len(), self.rows.len());
         self.geometric_stiffness.clear(body_count);
-        for (index, block) in self.blocks.iter().enumerate().filter(|(_, block)| block.has_exact) {
+        for (index, block) in self.blocks.iter().enumerate().filter(|(_, block)| block.is_exact) {
             for (lane, lane_slot) in self.layout.block(index).iter().enumerate() {
                 if !self.direct.place(lane_slot.slot, [index, lane]) {
                     continue;
@@ -284,9 +287,9 @@ fn load_locked(block: &mut JointBlock, lane: usize, joint: &ImpulseJoint, pass: 
     let compliance = softness.compliance().min(LIMIT_NONE);
     block.bias_rate.0[lane] = softness.bias_rate;
     block.is_spring.0[lane] = if is_spring { 1.0 } else { 0.0 };
+    let is_rigid = is_spring || block.is_exact;
     block.compliance.0[lane] =
-        if is_spring { compliance } else { compliance.max(ITERATED_COMPLIANCE) };
-    block.iterated.0[lane] = 1.0;
+        if is_rigid { compliance } else { compliance.max(ITERATED_COMPLIANCE) };
     block.has_distances |= joint.data.driven_axes().any(|axis| (axis as usize) < DIM);
     block.has_springs |= is_spring;
     block.locks_rotations |= joint.data.locked_axes.intersects(JointAxesMask::ANG_AXES);

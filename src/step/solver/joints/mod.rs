@@ -82,7 +82,7 @@ use crate::dim::math::Real;
 use crate::dim::state::{BodyPose, BodyState, READ_ONLY};
 use crate::model::params::JointPass;
 use block::{AxisRow, JointBlock};
-use direct::{Direct, DirectJoint, ImpactImpulse, JacobianBlock, StiffnessTest};
+use direct::{Direct, DirectJoint, ImpactImpulse, JacobianBlock, Jacobians, Rows, SharedJacobians, StiffnessTest};
 use geometric_stiffness::{GeometricStiffness, Moving, have_large_displacement};
 pub(super) use load::JointLoadContext;
 use point_to_point::PointToPointJoints;
@@ -98,7 +98,7 @@ pub(super) struct SolverJoints {
     layout: Layout<LaneSlot>,
     /// Joints that are solved exactly, and their rows by block.
     direct: Direct,
-    memory: Vec<JacobianBlock>,
+    jacobians: Jacobians,
     /// By block, while a round of an impact lasts.
     impact_impulses: Vec<ImpactImpulse>,
     /// The point-to-point joints, which have their own blocks.
@@ -160,6 +160,9 @@ impl SolverJoints {
         let (simd, tasks) = (pass.simd, pass.tasks);
         let (_, states) = bodies.shared();
         let parts = Parts::new(&mut self.blocks, &mut self.rows);
+        tasks.par_for(self.layout.block_count(), BLOCKS_PER_TASK, |range| {
+            simd.run(NoteRates { range, parts, states });
+        });
         for_each_color(self.layout.colors(), tasks, BLOCKS_PER_TASK, |range| {
             simd.run(WarmStart { range, parts, states });
         });
@@ -209,9 +212,9 @@ impl SolverJoints {
         }
         self.direct.begin();
         if BIASED {
-            let Self { memory, direct, geometric_stiffness, blocks, .. } = self;
+            let Self { jacobians, direct, geometric_stiffness, blocks, .. } = self;
             let test = stiffness_tests(geometric_stiffness, blocks, bodies, pass);
-            direct.find_large_displacements(memory, test);
+            direct.find_large_displacements(&mut jacobians.blocks, test);
         }
         self.solve_exactly::<BIASED>(bodies, pass, simd, tasks);
         while BIASED && self.needs_another_round(bodies, pass) {
@@ -221,9 +224,9 @@ impl SolverJoints {
 
     /// Returns whether the direct solver needs another round.
     fn needs_another_round(&mut self, bodies: &SolverBodies, pass: &JointPass) -> bool {
-        let Self { blocks, memory, direct, geometric_stiffness, .. } = self;
+        let Self { blocks, jacobians, direct, geometric_stiffness, .. } = self;
         direct.needs_another_round(
-            memory,
+            jacobians,
             pass.inv_substep,
             stiffness_tests(geometric_stiffness, blocks, bodies, pass),
         )
@@ -259,28 +262,28 @@ impl SolverJoints {
         changes.add_start(-1.0, &selected);
         self.direct.begin();
         let (count, states) = (self.blocks.len(), DisjointMut::new(&mut *changes.states));
-        let blocks = DisjointMut::new(&mut self.blocks);
-        let memory = DisjointMut::new(&mut self.memory);
+        let parts = Parts::new(&mut self.blocks, &mut self.rows);
+        let jacobians = self.jacobians.share();
         tasks.par_for(count, BLOCKS_PER_TASK, |range| {
-            simd.run(WriteRows::<false> { range, blocks, memory, states, pass });
+            simd.run(WriteRows::<false> { range, parts, jacobians, states, pass });
         });
-        for (block, memory) in self.blocks.iter().zip(&mut self.memory) {
-            memory.take_inertias(block, changes.poses);
+        for (block, jacobians) in self.blocks.iter().zip(&mut self.jacobians.blocks) {
+            jacobians.take_inertias(block, changes.poses);
         }
         let is_selected = |members: &[DirectJoint]| {
             members.iter().flat_map(DirectJoint::movable).any(|(_, body)| selected(body))
         };
-        self.direct.solve(&mut self.memory, states, is_selected, simd, tasks);
-        let (blocks, memory) = (&self.blocks, &self.memory);
+        self.direct.solve(Rows::Locked, &mut self.jacobians, states, is_selected, simd, tasks);
+        let (blocks, memory) = (&self.blocks, self.jacobians.blocks.as_slice());
         let impact_impulses = DisjointMut::new(&mut self.impact_impulses);
         tasks.par_for(count, BLOCKS_PER_TASK, |range| {
             simd.run(Count { range, blocks, memory, impact_impulses });
         });
-        for (index, block) in self.blocks.iter().enumerate().filter(|(_, block)| block.has_exact) {
+        for (index, block) in self.blocks.iter().enumerate().filter(|(_, block)| block.is_exact) {
             for lane in 0..self.layout.block(index).len() {
                 let bodies = block.bodies.map(|bodies| bodies[lane] & !READ_ONLY);
                 let velocities = bodies.map(|body| changes.start[body as usize].velocity());
-                add_work(block.movable(lane), memory[index].work(lane, velocities));
+                add_work(block.movable(lane), self.jacobians.blocks[index].work(lane, velocities));
             }
         }
         changes.add_start(1.0, &selected);
@@ -300,7 +303,7 @@ impl SolverJoints {
         for (index, (block, impact_impulse)) in
             self.blocks.iter_mut().zip(&self.impact_impulses).enumerate()
         {
-            if block.has_exact {
+            if block.is_exact {
                 for lane in 0..self.layout.block(index).len() {
                     impact_impulse.commit(block, lane, fraction(block.movable(lane)));
                 }
@@ -334,16 +337,16 @@ impl SolverJoints {
     ) {
         let (_, states) = bodies.shared();
         let count = self.blocks.len();
-        let blocks = DisjointMut::new(&mut self.blocks);
-        let memory = DisjointMut::new(&mut self.memory);
+        let parts = Parts::new(&mut self.blocks, &mut self.rows);
+        let jacobians = self.jacobians.share();
         tasks.par_for(count, BLOCKS_PER_TASK, |range| {
-            simd.run(WriteRows::<BIASED> { range, blocks, memory, states, pass });
+            simd.run(WriteRows::<BIASED> { range, parts, jacobians, states, pass });
         });
-        self.direct.solve(&mut self.memory, states, |_| true, simd, tasks);
-        let memory = &self.memory;
+        self.direct.solve(Rows::All, &mut self.jacobians, states, |_| true, simd, tasks);
+        let jacobians = &self.jacobians;
         let is_last = !BIASED && pass.is_last_iteration;
         tasks.par_for(count, BLOCKS_PER_TASK, |range| {
-            simd.run(Finish { range, blocks, memory, is_last });
+            simd.run(Finish { range, parts, jacobians, is_last });
         });
     }
 }
@@ -393,6 +396,15 @@ impl<'a> Parts<'a> {
 }
 
 block_kernel! {
+    /// See [`passes::note_rates`].
+    struct NoteRates<'a> {
+        parts: Parts<'a>,
+        states: DisjointMut<'a, BodyState>,
+    }
+    |index| passes::note_rates::<W>(parts.blocks.get_mut(index), &parts.rows, &states)
+}
+
+block_kernel! {
     /// See [`passes::warm_start`].
     struct WarmStart<'a> {
         parts: Parts<'a>,
@@ -416,15 +428,19 @@ block_kernel! {
 block_kernel! {
     /// See [`direct::write_rows`].
     struct WriteRows<'a, const BIASED: bool> {
-        blocks: DisjointMut<'a, JointBlock>,
-        memory: DisjointMut<'a, JacobianBlock>,
+        parts: Parts<'a>,
+        jacobians: SharedJacobians<'a>,
         states: DisjointMut<'a, BodyState>,
         pass: &'a JointPass,
     }
     |index| {
-        let block = blocks.get_mut(index);
-        if block.has_exact {
-            direct::write_rows::<W, BIASED>(block, memory.get_mut(index), &states, pass);
+        let block = parts.blocks.get_mut(index);
+        if block.is_exact {
+            let rows = block.first_row..block.first_row + block.row_count;
+            let (rows, driven) =
+                (parts.rows.range_mut(rows.clone()), jacobians.driven.range_mut(rows));
+            let to = jacobians.blocks.get_mut(index);
+            direct::write_rows::<W, BIASED>(block, rows, to, driven, &states, pass);
         }
     }
 }
@@ -432,14 +448,16 @@ block_kernel! {
 block_kernel! {
     /// See [`direct::finish`].
     struct Finish<'a> {
-        blocks: DisjointMut<'a, JointBlock>,
-        memory: &'a [JacobianBlock],
+        parts: Parts<'a>,
+        jacobians: &'a Jacobians,
         is_last: bool,
     }
     |index| {
-        let block = blocks.get_mut(index);
-        if block.has_exact {
-            direct::finish::<W>(block, &memory[index], is_last);
+        let block = parts.blocks.get_mut(index);
+        if block.is_exact {
+            let rows = block.first_row..block.first_row + block.row_count;
+            let (from, driven) = (&jacobians.blocks[index], &jacobians.driven[rows.clone()]);
+            direct::finish::<W>(block, parts.rows.range_mut(rows), from, driven, is_last);
         }
     }
 }
@@ -451,7 +469,7 @@ block_kernel! {
         memory: &'a [JacobianBlock],
         impact_impulses: DisjointMut<'a, ImpactImpulse>,
     }
-    |index| if blocks[index].has_exact {
+    |index| if blocks[index].is_exact {
         let impact_impulse = impact_impulses.get_mut(index);
         direct::count::<W>(impact_impulse, &memory[index], blocks[index].locks_rotations);
     }

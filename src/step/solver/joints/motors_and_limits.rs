@@ -46,7 +46,9 @@
 //! times too slowly. (The matrix of the direct solver contains that inertia, but without motors and limits,
 //! whose neighbours may be active or not.)
 
-use super::block::{AxisRow, MotorRow};
+use super::block::{AxisRow, LIMIT_NONE, MotorRow};
+use super::rows::Row;
+use super::substep_end::SubstepEnd;
 use crate::base::wide::Wide;
 use crate::dim::math::Real;
 use crate::model::params::JointPass;
@@ -54,6 +56,11 @@ use crate::model::params::JointPass;
 /// The fraction of a limit's error that a substep removes: see the module's head. Five sections under ten
 /// times their mass come to rest with 0.02, with 0.05 they nearly do not.
 const LIMIT_ERROR_FRACTION: Real = 0.02;
+
+/// The `h² k K` from which on a spring beside others is implicit.
+const SYMPLECTIC_SQUARE_MAX: Real = 1.0;
+/// The same for a spring that moves its bodies alone.
+const MIDPOINT_SQUARE_MAX: Real = 4.0;
 
 /// A free axis at the moment when it is solved.
 pub(super) struct FreeAxis<W> {
@@ -63,28 +70,90 @@ pub(super) struct FreeAxis<W> {
     pub inverse: W,
 }
 
+/// The law of a motor in a pass: its impulse is `-(damping · rate + pull)`, within the bound.
+pub(super) struct MotorLaw<W> {
+    pub damping: W,
+    pub pull: W,
+    pub bound: W,
+}
+
+impl<W: Wide> MotorLaw<W> {
+    /// Of a motor on an axis with this curvature (the rate that its velocities do not have yet).
+    #[inline(always)]
+    pub fn new<const BIASED: bool>(
+        motor: &mut MotorRow,
+        axis: &FreeAxis<W>,
+        curvature: W,
+        pass: &JointPass,
+    ) -> Self {
+        let (h, one) = (W::splat(pass.substep), W::splat(1.0));
+        if BIASED {
+            (axis.position - W::load(&motor.target_pos)).store(&mut motor.stretch);
+        }
+        let per_mass = W::load(&motor.per_mass);
+        let unit = per_mass * axis.inverse + (one - per_mass);
+        let spring = h * (W::load(&motor.stiffness) * unit);
+        let damper = h * (W::load(&motor.damping) * unit);
+        let square = h * spring * axis.effective;
+        let (stretch, last) = (W::load(&motor.stretch), W::load(&motor.rate));
+        let target_vel = damper * W::load(&motor.target_vel);
+
+        let implicit = fade_in(square, SYMPLECTIC_SQUARE_MAX);
+        let ahead = h * (W::splat(0.25) + W::splat(0.75) * implicit);
+        let behind = h * W::splat(0.25) * (one - implicit);
+        let among_others = (
+            damper + spring * ahead,
+            spring * (stretch + ahead * curvature - behind * last) - target_vel,
+        );
+
+        let has_spring = W::zero().lt(spring);
+        let implicit = W::select(has_spring, fade_in(square, MIDPOINT_SQUARE_MAX), one);
+        let (mean, half) = (one - implicit, W::splat(0.5));
+        let ahead = half + half * implicit;
+        let alone = if BIASED {
+            let retimed = damper + axis.inverse;
+            (
+                damper + spring * ahead * h + mean * retimed,
+                spring * (stretch + ahead * h * curvature) - mean * retimed * last - target_vel,
+            )
+        } else {
+            let moved = (axis.position - W::load(&motor.target_pos)) - stretch;
+            (
+                damper + spring * h * implicit,
+                spring * (stretch + half * mean * moved) - target_vel,
+            )
+        };
+        let is_alone = W::zero().lt(W::load(&motor.is_alone));
+        Self {
+            damping: W::select(is_alone, alone.0, among_others.0),
+            pull: W::select(is_alone, alone.1, among_others.1),
+            bound: W::load(&motor.max_impulse),
+        }
+    }
+}
+
+/// 0 for small values, 1 for values much above the given one.
+#[inline(always)]
+fn fade_in<W: Wide>(value: W, at: Real) -> W {
+    let square = value * value * W::splat(1.0 / (at * at));
+    let fourth = (square * square).min(W::splat(LIMIT_NONE));
+    fourth / (W::splat(1.0) + fourth)
+}
+
 /// The change of a motor's impulse.
 #[inline(always)]
 pub(super) fn solve_motor<W: Wide, const BIASED: bool>(
     motor: &mut MotorRow,
     axis: &FreeAxis<W>,
     rate: W,
+    curvature: W,
     pass: &JointPass,
 ) -> W {
-    let (h, one) = (W::splat(pass.substep), W::splat(1.0));
-    if BIASED {
-        (axis.position - W::load(&motor.target_pos)).store(&mut motor.stretch);
-    }
-    let per_mass = W::load(&motor.per_mass);
-    let unit = per_mass * axis.inverse + (one - per_mass);
-    let stiffness = W::load(&motor.stiffness) * unit;
-    let g = h * (W::load(&motor.damping) * unit);
-    let softened = h * stiffness / (one + W::splat(0.25) * h * h * stiffness * axis.effective);
-    let p = softened * W::load(&motor.stretch) - g * W::load(&motor.target_vel);
+    let law = MotorLaw::new::<BIASED>(motor, axis, curvature, pass);
     let old = W::load(&motor.impulse);
-    let bound = W::load(&motor.max_impulse);
-    let wanted = old - (g * rate + old + p) / (one + g * axis.effective);
-    let new = wanted.min(bound).max(-bound);
+    let wanted = old
+        - (law.damping * rate + old + law.pull) / (W::splat(1.0) + law.damping * axis.effective);
+    let new = wanted.min(law.bound).max(-law.bound);
     new.store(&mut motor.impulse);
     new - old
 }
@@ -109,6 +178,34 @@ pub(super) fn solve_limits<W: Wide, const BIASED: bool>(
     let new_upper = limited::<W, BIASED>(upper, below, rate, axis, pass);
     new_upper.store(&mut row.upper);
     added - (new_upper - upper)
+}
+
+/// The lowest and the highest rate of a directly solved axis that its limits allow.
+#[inline(always)]
+pub(super) fn rate_limits<W: Wide, const BIASED: bool>(
+    row: &AxisRow,
+    position: W,
+    along: &Row<W>,
+    pass: &JointPass,
+) -> [W; 2] {
+    let (zero, min, max) = (W::zero(), W::load(&row.min), W::load(&row.max));
+    let is_locked = max.le(min);
+    let correction = |distance: W| {
+        let rate = distance * W::splat(if BIASED { pass.softness.bias_rate } else { 0.0 });
+        let most = W::select(
+            SubstepEnd::is_translation(along),
+            W::splat(pass.correction_max),
+            W::splat(LIMIT_NONE),
+        );
+        rate.min(most).max(-most)
+    };
+    let [below, above] = [position - min, max - position].map(|distance| {
+        let is_apart = zero.lt(distance);
+        let closing = distance * W::splat(pass.inv_substep);
+        let correction = correction(distance);
+        W::select(is_locked, correction, W::select(is_apart, closing, correction))
+    });
+    [-below, above]
 }
 
 /// The impulse of a limit that is `distance` away, and nears by `-rate`.

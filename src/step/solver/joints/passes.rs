@@ -17,19 +17,40 @@ use crate::model::params::JointPass;
 use crate::step::solver::states::Bodies;
 
 /// The locked axes of a block at the moment when it is solved: as many as may be, or the translations alone.
-struct Locked<W, const N: usize> {
+pub(super) struct Locked<W, const N: usize> {
     rows: [Row<W>; N],
     locked: [W; N],
 }
 
 impl<W: Wide, const N: usize> Locked<W, N> {
     #[inline(always)]
-    fn new(block: &JointBlock, geometry: &Geometry<W>) -> Self {
+    pub fn new(block: &JointBlock, geometry: &Geometry<W>) -> Self {
         let mut locked = [W::zero(); N];
         for (locked, lane) in locked.iter_mut().zip(&block.locked) {
             *locked = W::load(lane);
         }
         Self { rows: geometry.rows(), locked }
+    }
+
+    /// The matrix `K_ll` of the locked axes.
+    #[inline(always)]
+    pub fn coupling(&self, masses: &Masses<W>) -> [[W; N]; N] {
+        masses.coupling(&self.rows, &self.locked)
+    }
+
+    /// `J M⁻¹ Jᵀ` of a row whose impulses the locked axes react to.
+    #[inline(always)]
+    pub fn effective_with_reactions(
+        &self,
+        mut row: Row<W>,
+        masses: &Masses<W>,
+        matrix: &Factored<W, N>,
+    ) -> W {
+        let fractions = self.reactions_of(&row, masses, matrix);
+        for (locked, fraction) in self.rows.iter().zip(fractions) {
+            row = row.minus(locked, fraction);
+        }
+        masses.effective(&row)
     }
 
     /// The reaction of the locked axes to an impulse along a row: `K_ll⁻¹ K_lf`.
@@ -50,6 +71,27 @@ impl<W: Wide, const N: usize> Locked<W, N> {
             wrench.add(row, W::load(impulse));
         }
         wrench
+    }
+}
+
+/// Notes the rates of the free axes when the step begins.
+///
+/// # Safety
+/// The caller has exclusive access to the block's rows. No other thread writes the states of its bodies.
+#[inline(always)]
+pub(super) unsafe fn note_rates<W: Wide>(
+    block: &JointBlock,
+    rows: &DisjointMut<AxisRow>,
+    states: &DisjointMut<BodyState>,
+) {
+    // SAFETY: the caller's promise; the block's rows are in range.
+    unsafe {
+        let bodies = Bodies::<W>::gather(states, &block.bodies);
+        let geometry = Geometry::new(block, &bodies.displacements);
+        for index in block.first_row..block.first_row + block.row_count {
+            let row = rows.get_mut(index);
+            geometry.free_row(row).0.rate(&bodies.velocities).store(&mut row.motor.rate);
+        }
     }
 }
 
@@ -182,15 +224,10 @@ unsafe fn iterate_rows<W: Wide, const BIASED: bool, const N: usize>(
         wrench = turned;
     }
     let before = wrench;
-    if block.row_count > 0 || block.has_iterated {
-        let coupling = masses.coupling(&locked.rows, &locked.locked);
-        let substep_end = if BIASED && block.includes_curvature() {
-            let substep_end = SubstepEnd::new(block, &bodies, pass);
-            let curvatures = substep_end.locked_curvatures(block, &geometry, &locked.rows, pass);
-            Some((substep_end, curvatures))
-        } else {
-            None
-        };
+    if !block.is_exact {
+        let coupling = locked.coupling(&masses);
+        let has_curvature = BIASED && block.has_distances;
+        let substep_end = has_curvature.then(|| SubstepEnd::new(block, &bodies, pass));
         let (masses, locked, substep_end) = (&masses, &locked, substep_end.as_ref());
         let joint = JointNow { geometry: &geometry, substep_end, masses, locked, coupling };
         // SAFETY: the caller's promise.
@@ -248,8 +285,8 @@ pub(super) fn note_angvel_change<W: Wide>(
 /// Common data of the axes of a block during a pass.
 struct JointNow<'a, W, const N: usize> {
     geometry: &'a Geometry<W>,
-    /// Joint positions at the end of the substep, if required, and the curvatures of the locked axes.
-    substep_end: Option<&'a (SubstepEnd<W>, [W; N])>,
+    /// Joint positions at the end of the substep, if required.
+    substep_end: Option<&'a SubstepEnd<W>>,
     masses: &'a Masses<W>,
     locked: &'a Locked<W, N>,
     /// `K_ll`, the matrix of the locked axes.
@@ -280,12 +317,9 @@ unsafe fn solve_axes<W: Wide, const BIASED: bool, const N: usize>(
         }
         matrix = Some(factored);
     }
-    if block.has_iterated {
-        let added = solve_locked::<W, BIASED, N>(block, joint, matrix.as_ref(), bodies);
-        bodies.velocities = joint.masses.push(&added, bodies.velocities);
-        wrench = wrench.plus(&added);
-    }
-    wrench
+    let added = solve_locked::<W, BIASED, N>(block, joint, matrix.as_ref(), bodies);
+    bodies.velocities = joint.masses.push(&added, bodies.velocities);
+    wrench.plus(&added)
 }
 
 /// Solves motor and limits of a free axis; returns the changes.
@@ -305,11 +339,11 @@ fn solve_free<W: Wide, const BIASED: bool, const N: usize>(
     let (mut along, position) = joint.geometry.free_row(row);
     let fractions = joint.locked.reactions_of(&along, joint.masses, matrix);
     let mut curvature = W::zero();
-    if let Some((substep_end, curvatures)) = joint.substep_end {
-        curvature = substep_end.curvature(block, row, joint.geometry, &along, position, pass);
-        for k in 0..N {
-            curvature = curvature - curvatures[k] * fractions[k];
-        }
+    if let Some(substep_end) = joint.substep_end {
+        // Angles are excluded: most of these are limbs of ragdolls, where the curvature is invisible.
+        let of_distance = substep_end.curvature(row, joint.geometry, &along, position, pass);
+        let is_translation = SubstepEnd::is_translation(&along);
+        curvature = W::select(is_translation, of_distance, curvature);
     }
     if !BIASED {
         position.store(&mut row.position);
@@ -323,10 +357,13 @@ fn solve_free<W: Wide, const BIASED: bool, const N: usize>(
     let inverse = W::select(movable, one / W::select(movable, effective, one), zero);
     let axis = FreeAxis { position, effective, inverse };
     let rate = along.rate(&bodies.velocities);
-    let driven = solve_motor::<W, BIASED>(&mut row.motor, &axis, rate, pass);
+    let driven = solve_motor::<W, BIASED>(&mut row.motor, &axis, rate, curvature, pass);
     let limited =
         solve_limits::<W, BIASED>(row, &axis, rate + curvature + effective * driven, pass);
     let added = driven + limited;
+    if !BIASED && pass.is_last_iteration {
+        (rate + effective * added).store(&mut row.motor.rate);
+    }
     for (impulse, fraction) in block.impulses.iter_mut().zip(fractions) {
         (W::load(impulse) - fraction * added).store(impulse);
     }
@@ -350,21 +387,17 @@ fn solve_locked<W: Wide, const BIASED: bool, const N: usize>(
     } else {
         rates_here(block, rows, bodies)
     };
-    let (iterated, one) = (W::load(&block.iterated), W::splat(1.0));
     for k in 0..N {
-        wanted[k] = wanted[k] * (locked[k] * iterated);
+        wanted[k] = wanted[k] * locked[k];
     }
-    let is_rigid = !(BIASED || block.has_springs || block.has_exact);
+    let is_rigid = !(BIASED || block.has_springs);
     let change = if let (true, Some(matrix)) = (is_rigid, matrix) {
         matrix.solve(wanted)
     } else {
         let compliance = compliance_of::<W, BIASED>(block);
         for k in 0..N {
-            for m in 0..k {
-                coupling[k][m] = coupling[k][m] * iterated;
-            }
-            let soft = coupling[k][k] * compliance * (locked[k] * iterated);
-            coupling[k][k] = (coupling[k][k] * iterated + (one - iterated)) + soft;
+            let soft = coupling[k][k] * compliance * locked[k];
+            coupling[k][k] = coupling[k][k] + soft;
             wanted[k] = wanted[k] + soft * W::load(&block.impulses[k]);
         }
         Factored::new(coupling).solve(wanted)

@@ -6,7 +6,7 @@ use crate::dim::math::Real;
 use crate::dim::state::WideMotion;
 use crate::dim::wide::{
     ANG_ZERO_LANES, WideAngVector, WideSymmetric, WideVector, ang_dot, load_ang, mul_inertia,
-    store_ang,
+    select_ang, store_ang,
 };
 
 /// A pivot smaller than this fraction of the diagonal is rounding: the row is redundant.
@@ -23,6 +23,18 @@ impl<W: Wide> Row<W> {
     #[inline(always)]
     pub fn zero() -> Self {
         Self { linear: WideVector::zero(), angular: [zero_ang(); 2] }
+    }
+
+    /// This row where the mask is set, and another one elsewhere.
+    #[inline(always)]
+    pub fn select(&self, mask: W::Mask, other: Self) -> Self {
+        Self {
+            linear: WideVector::select(mask, self.linear, other.linear),
+            angular: [
+                select_ang(mask, self.angular[0], other.angular[0]),
+                select_ang(mask, self.angular[1], other.angular[1]),
+            ],
+        }
     }
 
     /// This row minus a multiple of another.

@@ -55,38 +55,11 @@ impl<W: Wide> SubstepEnd<W> {
         rates
     }
 
-    /// Curvature of locked axes over the substep, from the `now` positions, for directly solved joints.
-    /// Constraints that are solved before them in the substep must include their reaction.
-    #[cfg_attr(not(target_arch = "wasm32"), inline(always))]
-    pub fn locked_curvatures<const N: usize>(
-        &self,
-        block: &JointBlock,
-        now: &Geometry<W>,
-        rows: &[Row<W>; N],
-        pass: &JointPass,
-    ) -> [W; N] {
-        let mut curvatures = [W::zero(); N];
-        if !block.has_exact {
-            return curvatures;
-        }
-        let (exact, zero) = (Self::has_curvature(block), W::zero());
-        let (errors, then) = (now.errors::<N>(), self.then.errors_seen_from::<N>(now, block));
-        for k in 0..N {
-            let changes = (then[k] - errors[k]) * W::splat(pass.inv_substep);
-            let straight = rows[k].rate(&self.velocities);
-            let has_curvature = zero.lt(exact * W::load(&block.locked[k]));
-            curvatures[k] = W::select(has_curvature, changes - straight, zero);
-        }
-        curvatures
-    }
-
     /// Curvature of a free axis over the substep, from its `now` position: a body on a rope, or on a cone,
-    /// leaves along a tangent. No more than [`CURVATURE_FRACTION_MAX`]. Angles of iterated joints are
-    /// excluded: most of these are limbs of ragdolls, where the curvature is invisible.
+    /// leaves along a tangent. No more than [`CURVATURE_FRACTION_MAX`].
     #[cfg_attr(not(target_arch = "wasm32"), inline(always))]
     pub fn curvature(
         &self,
-        block: &JointBlock,
         row: &AxisRow,
         now: &Geometry<W>,
         along: &Row<W>,
@@ -98,22 +71,12 @@ impl<W: Wide> SubstepEnd<W> {
             (then - position) * W::splat(pass.inv_substep) - along.rate(&self.velocities);
         let is_translation = Self::is_translation(along);
         let bound = W::splat(CURVATURE_FRACTION_MAX) * self.speed(now, is_translation);
-        let has_curvature = W::zero().lt(Self::has_curvature(block));
-        let is_not_stiff = W::load(&block.is_stiff).lt(W::splat(0.5));
-        let has_curvature = has_curvature | (is_translation & is_not_stiff);
-        W::select(has_curvature, curvature.min(bound).max(-bound), W::zero())
+        curvature.min(bound).max(-bound)
     }
 
-    /// One for locked axes with curvature: directly solved ones, except in stiff components, which are
-    /// projected from their free positions.
+    /// Returns where a row is that of a translation.
     #[inline(always)]
-    fn has_curvature(block: &JointBlock) -> W {
-        let one = W::splat(1.0);
-        (one - W::load(&block.iterated)) * (one - W::load(&block.is_stiff))
-    }
-
-    #[inline(always)]
-    fn is_translation(along: &Row<W>) -> W::Mask {
+    pub fn is_translation(along: &Row<W>) -> W::Mask {
         W::splat(0.5).lt(along.linear.dot(along.linear))
     }
 

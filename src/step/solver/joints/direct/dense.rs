@@ -7,7 +7,7 @@ use crate::dim::math::Real;
 
 /// A pivot below this fraction of its value before elimination is rounding: the row is redundant. A row that
 /// differs from the others by the rounding of its numbers alone has a pivot of the square of that.
-const PIVOT_MIN: f64 = 64.0 * (Real::EPSILON as f64) * (Real::EPSILON as f64) + 16.0 * f64::EPSILON;
+pub(super) const PIVOT_MIN: f64 = 64.0 * (Real::EPSILON as f64) * (Real::EPSILON as f64) + 16.0 * f64::EPSILON;
 
 /// A number for each row of a joint.
 pub(super) type Column<const N: usize> = [f64; N];
@@ -19,18 +19,18 @@ pub(super) const fn zero<const N: usize>() -> Block<N> {
     [[0.0; N]; N]
 }
 
-/// Factorises a diagonal block in place, and returns the inverse pivots. `own` is the diagonal
-/// before any elimination.
+/// Factorises a diagonal block in place, and returns the inverse pivots. Rows with a pivot of no more than
+/// `least` are left out.
 #[inline(always)]
 pub(super) fn factorise<const N: usize>(
     d: &mut Block<N>,
-    own: &Column<N>,
+    least: &Column<N>,
     size: usize,
 ) -> Column<N> {
     let mut inverses = [0.0; N];
     for j in 0..size {
         let pivot = d[j][j];
-        let inverse = if pivot > PIVOT_MIN * own[j] { 1.0 / pivot } else { 0.0 };
+        let inverse = if pivot > least[j] { 1.0 / pivot } else { 0.0 };
         inverses[j] = inverse;
         let unscaled = d[j];
         d[j].iter_mut().for_each(|value| *value *= inverse);

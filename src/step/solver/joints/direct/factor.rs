@@ -1,7 +1,7 @@
 //! The matrix of one component, with blocks of the size of its joints' rows.
 
-use super::matrix::{Matrix, Progress};
-use super::memory::JacobianBlock;
+use super::matrix::{Matrix, Progress, Rows};
+use super::memory::Jacobians;
 use super::pattern::{Component, DirectJoint};
 use crate::base::disjoint::DisjointMut;
 use crate::base::wide::Simd;
@@ -34,7 +34,10 @@ macro_rules! of_matrix {
 impl Factor {
     /// Resizes the blocks for a component, and clears the last matrix.
     pub fn resize(&mut self, component: Component<'_>) {
-        let turns = component.members.iter().any(|member| member.form.locks_rotations());
+        let turns = component
+            .members
+            .iter()
+            .any(|member| member.form.locks_rotations() || member.row_count() > DIM);
         if turns != matches!(self, Self::All(_)) {
             *self = if turns { Self::All(Matrix::default()) } else { Self::default() };
         }
@@ -48,17 +51,20 @@ impl Factor {
     pub unsafe fn solve(
         &mut self,
         component: Component<'_>,
+        rows: Rows,
         again: bool,
-        memory: &[JacobianBlock],
+        memory: &Jacobians,
         states: &DisjointMut<'_, BodyState>,
         simd: Simd,
     ) {
         // SAFETY: the caller's promise.
-        of_matrix!(self, matrix => unsafe { matrix.solve(component, again, memory, states, simd) });
+        of_matrix!(self, matrix => unsafe {
+            matrix.solve(component, rows, again, memory, states, simd);
+        });
     }
 
     /// Returns whether the component has converged: see [`Matrix::has_converged`].
-    pub fn has_converged(&mut self, component: Component<'_>, memory: &[JacobianBlock]) -> bool {
+    pub fn has_converged(&mut self, component: Component<'_>, memory: &Jacobians) -> bool {
         of_matrix!(self, matrix => matrix.has_converged(component, memory))
     }
 
@@ -69,7 +75,7 @@ impl Factor {
     pub unsafe fn roll_back(
         &mut self,
         component: Component<'_>,
-        memory: &[JacobianBlock],
+        memory: &Jacobians,
         states: &DisjointMut<'_, BodyState>,
     ) {
         // SAFETY: the caller's promise.
@@ -80,7 +86,7 @@ impl Factor {
     pub fn progress(
         &self,
         component: Component<'_>,
-        memory: &[JacobianBlock],
+        memory: &Jacobians,
         inv_h: Real,
     ) -> Progress {
         of_matrix!(self, matrix => matrix.progress(component, memory, inv_h))
@@ -92,7 +98,7 @@ impl Factor {
     }
 
     /// See [`Matrix::write_changes`].
-    pub fn write_changes(&self, members: &[DirectJoint], memory: &mut [JacobianBlock]) {
+    pub fn write_changes(&self, members: &[DirectJoint], memory: &mut Jacobians) {
         of_matrix!(self, matrix => matrix.write_changes(members, memory));
     }
 }

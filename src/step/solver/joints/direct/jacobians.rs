@@ -1,34 +1,36 @@
 //! The rows of joints in double precision, and the coupling of the rows of two joints.
 
 use super::dense::{Block, add};
-use super::memory::JacobianBlock;
+use super::memory::Jacobians;
 use super::pattern::DirectJoint;
 use crate::dim::math::{DIM, SPATIAL_DIM};
 
 /// The velocity of a body.
-type Motion = [f64; SPATIAL_DIM];
+pub(super) type Motion = [f64; SPATIAL_DIM];
 
 /// Up to `N` rows of one joint, for both of its bodies.
 #[derive(Copy, Clone)]
-pub(super) struct Rows<const N: usize> {
+pub(super) struct JointRows<const N: usize> {
     /// By body: `J`, a column for each component of a velocity.
     jacobians: [[[f64; N]; SPATIAL_DIM]; 2],
     /// By body: `M⁻¹ Jᵀ`, a velocity for each row.
     responses: [[Motion; N]; 2],
 }
 
-impl<const N: usize> Rows<N> {
+impl<const N: usize> JointRows<N> {
     pub const EMPTY: Self =
         Self { jacobians: [[[0.0; N]; SPATIAL_DIM]; 2], responses: [[[0.0; SPATIAL_DIM]; N]; 2] };
 
     /// Reads the rows of a joint into an empty place.
     #[inline(always)]
-    pub fn read(&mut self, member: &DirectJoint, memory: &[JacobianBlock]) {
-        let (from, lane) = (&memory[member.block as usize], member.lane as usize);
+    pub fn read(&mut self, member: &DirectJoint, memory: &Jacobians) {
+        let (from, lane) = (&memory.blocks[member.block as usize], member.lane as usize);
         for (side, _) in member.movable() {
             let masses = from.inverse_mass(side, lane);
-            for (row, axis) in locked_axes::<N>(member).enumerate() {
-                let jacobian = from.rows[axis][side].map(|number| f64::from(number.0[lane]));
+            let locked = locked_axes::<N>(member).map(|axis| &from.rows[axis]);
+            let driven = memory.driven_of(member).iter().map(|driven| &driven.row);
+            for (row, numbers) in locked.chain(driven).enumerate() {
+                let jacobian = numbers[side].map(|number| f64::from(number.0[lane]));
                 for (column, number) in self.jacobians[side].iter_mut().zip(jacobian) {
                     column[row] = number;
                 }
@@ -58,6 +60,12 @@ impl<const N: usize> Rows<N> {
         change
     }
 
+    /// The part of a row's rate that the velocity of a body gives.
+    pub fn rate(&self, side: usize, row: usize, velocity: &Motion) -> f64 {
+        let columns = self.jacobians[side].iter().zip(velocity);
+        columns.map(|(column, velocity)| column[row] * velocity).sum()
+    }
+
     /// Diagonal element of a translation row without its moment arms; of a rotation row, the whole element.
     pub fn without_arms(&self, row: usize) -> f64 {
         let fraction = |components: core::ops::Range<usize>| {
@@ -75,7 +83,7 @@ impl<const N: usize> Rows<N> {
 #[inline(always)]
 pub(super) fn couple<const N: usize>(
     members: &[DirectJoint],
-    rows: &[Rows<N>],
+    rows: &[JointRows<N>],
     [row, column]: [usize; 2],
     block: &mut Block<N>,
     columns: usize,
@@ -95,8 +103,8 @@ pub(super) fn couple<const N: usize>(
 
 /// Compliance of the rows of a joint.
 #[inline(always)]
-pub(super) fn compliance_of(member: &DirectJoint, memory: &[JacobianBlock]) -> f64 {
-    f64::from(memory[member.block as usize].compliance.0[member.lane as usize])
+pub(super) fn compliance_of(member: &DirectJoint, memory: &Jacobians) -> f64 {
+    f64::from(memory.blocks[member.block as usize].compliance.0[member.lane as usize])
 }
 
 /// The locked axes of a joint that locks none but the first `N`.

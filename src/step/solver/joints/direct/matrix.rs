@@ -31,13 +31,14 @@
 //! proximal point algorithm", 1976). Its steps lead from the last impulses to the solution. The steps here
 //! lead from the solution to zero.
 
-use super::dense::{Block, Column, add, divide_right, dot, factorise, zero};
-use super::jacobians::{Rows, compliance_of, couple, locked_axes};
-use super::memory::JacobianBlock;
+use super::dense::{Block, Column, PIVOT_MIN, add, divide_right, dot, factorise, zero};
+use super::jacobians::{JointRows, Motion, compliance_of, couple, locked_axes};
+use super::law::{AxisLaw, Piece};
+use super::memory::{DrivenRow, Jacobians};
 use super::pattern::{Component, DirectJoint};
 use crate::base::disjoint::DisjointMut;
 use crate::base::wide::{Kernel, Simd, Wide};
-use crate::dim::math::{DIM, Real};
+use crate::dim::math::{DIM, Real, SPATIAL_DIM};
 use crate::dim::state::BodyState;
 
 /// Relative increase of each diagonal element (Levenberg and Marquardt's damping). Without it, long chains
@@ -68,6 +69,19 @@ const RESIDUAL_FRACTION_MAX: f64 = 1.0e-3;
 /// factor.
 const RESIDUAL_GROWTH_MAX: f64 = 100.0;
 
+/// Largest number of times that axes move to another piece of their laws in one solution.
+const PIECE_CHANGES_MAX: usize = 24;
+/// From this time on, one axis moves at a time.
+const JOINT_PIECE_CHANGES_MAX: usize = 8;
+
+/// Rows of a solution.
+#[derive(Copy, Clone, Debug, PartialEq)]
+pub(in super::super) enum Rows {
+    All,
+    /// The impulses of driven axes do not change.
+    Locked,
+}
+
 /// Progress of the rounds of a solution.
 #[derive(Copy, Clone, Debug, PartialEq)]
 pub(super) enum Progress {
@@ -84,13 +98,18 @@ pub(super) enum Progress {
 #[derive(Default)]
 pub(super) struct Matrix<const N: usize> {
     /// By direct joint.
-    rows: Vec<Rows<N>>,
+    rows: Vec<JointRows<N>>,
     /// By direct joint: its diagonal block; factorised, `L` below the diagonal.
     diagonal: Vec<Block<N>>,
     /// By direct joint: the inverse pivots.
     inverses: Vec<Column<N>>,
     /// By direct joint: the diagonal of `J M⁻¹ Jᵀ`.
     own: Vec<Column<N>>,
+    /// By direct joint: the smallest pivot that is not rounding; infinite for rows with a constant impulse.
+    least: Vec<Column<N>>,
+    driven: Vec<DrivenAxis>,
+    /// By body of the component: the velocity changes of the solution.
+    changes: Vec<Motion>,
     /// The blocks below the diagonal, those of one column together; factorised, they are `L D`.
     below: Vec<Block<N>>,
     /// By direct joint: where the blocks of its column begin.
@@ -104,8 +123,77 @@ pub(super) struct Matrix<const N: usize> {
     /// Input of the first solution of a substep, of the one before the last, and of the last one.
     first_size: f64,
     sizes: [f64; 2],
-    /// The sum of the compliances with which the matrix was made; `None` if the bodies have moved since.
-    made_with: Option<f64>,
+    /// The sums of the compliances of locked axes and of the damping of driven ones with which the matrix was
+    /// made; `None` if the bodies have moved since.
+    made_with: Option<[f64; 2]>,
+}
+
+/// A driven axis in the solution.
+struct DrivenAxis {
+    /// Its joint's position in the component, and its row.
+    at: [usize; 2],
+    law: AxisLaw,
+    piece: Piece,
+    /// Before the solution.
+    impulse: f64,
+    rate: f64,
+    /// By the solution.
+    solved_rate: f64,
+}
+
+impl DrivenAxis {
+    fn new(at: [usize; 2], from: &DrivenRow, lane: usize, rows: Rows) -> Self {
+        let number = |lanes: &crate::base::wide::Lane| f64::from(lanes.0[lane]);
+        let [motor, lower, upper] = [&from.motor, &from.lower, &from.upper].map(number);
+        let law = AxisLaw {
+            damping: number(&from.damping),
+            pull: number(&from.pull),
+            bound: number(&from.bound),
+            low: number(&from.low),
+            high: number(&from.high),
+        };
+        let (impulse, rate) = (motor + lower - upper, number(&from.rate));
+        let piece = match rows {
+            Rows::All => law.piece_of(motor, lower, upper),
+            Rows::Locked => Piece::Constant(impulse),
+        };
+        Self { at, law, piece, impulse, rate, solved_rate: rate }
+    }
+
+    /// The compliance of its row; `None` if its impulse is constant.
+    fn compliance(&self) -> Option<f64> {
+        match self.piece {
+            Piece::Lower | Piece::Upper => Some(0.0),
+            Piece::Motor => Some(1.0 / self.law.damping),
+            Piece::Constant(_) => None,
+        }
+    }
+
+    /// Writes its impulses and its rate, after this change.
+    fn write(&self, to: &mut DrivenRow, lane: usize, change: f64) {
+        let total = self.impulse + change;
+        let motor = match self.piece {
+            Piece::Lower => self.law.motor(self.law.low),
+            Piece::Upper => self.law.motor(self.law.high),
+            Piece::Motor | Piece::Constant(_) => total.clamp(-self.law.bound, self.law.bound),
+        };
+        let of_limits = total - motor;
+        to.motor.0[lane] = motor as Real;
+        to.lower.0[lane] = of_limits.max(0.0) as Real;
+        to.upper.0[lane] = (-of_limits).max(0.0) as Real;
+        to.rate.0[lane] = self.solved_rate as Real;
+        to.change.0[lane] = change as Real;
+    }
+
+    /// The right-hand side of its row.
+    fn rhs(&self) -> f64 {
+        match self.piece {
+            Piece::Lower => self.law.low - self.rate,
+            Piece::Upper => self.law.high - self.rate,
+            Piece::Motor => -self.rate - (self.law.pull + self.impulse) / self.law.damping,
+            Piece::Constant(_) => 0.0,
+        }
+    }
 }
 
 impl<const N: usize> Matrix<N> {
@@ -113,7 +201,7 @@ impl<const N: usize> Matrix<N> {
     /// are not locked stay zero, and the number is a compile-time constant.
     #[inline(always)]
     fn row_count(member: &DirectJoint) -> usize {
-        if N == DIM { N } else { member.form.row_count() }
+        if N == DIM { N } else { member.row_count() }
     }
 
     /// Solves a component for the changes of its impulses, and applies them to its bodies. `again`: another
@@ -124,12 +212,13 @@ impl<const N: usize> Matrix<N> {
     pub unsafe fn solve(
         &mut self,
         component: Component<'_>,
+        rows: Rows,
         again: bool,
-        memory: &[JacobianBlock],
+        memory: &Jacobians,
         states: &DisjointMut<'_, BodyState>,
         simd: Simd,
     ) {
-        simd.run(Solve { matrix: self, component, memory });
+        simd.run(Solve { matrix: self, component, rows, memory });
         let size = self.size_of_rates(component, memory);
         if !again {
             self.first_size = size;
@@ -141,26 +230,125 @@ impl<const N: usize> Matrix<N> {
 
     /// Finds the changes of the impulses.
     #[inline(always)]
-    fn find_changes(&mut self, component: Component<'_>, memory: &[JacobianBlock]) {
+    fn find_changes(&mut self, component: Component<'_>, rows: Rows, memory: &Jacobians) {
+        self.load_laws(component, rows, memory);
+        for change in 0..PIECE_CHANGES_MAX {
+            self.update_matrix(component, memory);
+            self.load_rates(component, memory);
+            self.add_constant_impulses(component);
+            if component.has_loops {
+                self.again.clone_from(&self.x);
+                self.substitute(component);
+                self.load_second_rhs(component, memory);
+            }
+            self.substitute(component);
+            if rows == Rows::Locked || self.driven.is_empty() {
+                return;
+            }
+            self.find_rates(component);
+            if !self.choose_pieces(change >= JOINT_PIECE_CHANGES_MAX) {
+                return;
+            }
+            self.invalidate();
+        }
+        self.clamp_impulses();
+    }
+
+    /// Makes the matrix and its factors unless they are up to date.
+    #[inline(always)]
+    fn update_matrix(&mut self, component: Component<'_>, memory: &Jacobians) {
         let compliance = component.members.iter().map(|member| compliance_of(member, memory)).sum();
-        if self.made_with != Some(compliance) {
+        let damping = self.driven.iter().map(|driven| driven.compliance().unwrap_or(-1.0)).sum();
+        if self.made_with != Some([compliance, damping]) {
             self.load(component, memory);
             self.assemble(component, memory);
             self.eliminate(component);
-            self.made_with = Some(compliance);
+            self.made_with = Some([compliance, damping]);
         }
-        self.load_rates(component, memory);
-        if component.has_loops {
-            self.again.clone_from(&self.x);
-            self.substitute(component);
-            self.load_second_rhs(component, memory);
+    }
+
+    /// Reads the laws of the driven axes.
+    fn load_laws(&mut self, component: Component<'_>, rows: Rows, memory: &Jacobians) {
+        self.driven.clear();
+        for (at, member) in component.members.iter().enumerate() {
+            let (first, lane) = (member.form.row_count(), member.lane as usize);
+            let axes = memory.driven_of(member).iter().enumerate();
+            let axes = axes.map(|(k, from)| DrivenAxis::new([at, first + k], from, lane, rows));
+            self.driven.extend(axes);
         }
-        self.substitute(component);
+    }
+
+    /// Takes the changes of constant impulses to the right-hand sides of the other rows.
+    fn add_constant_impulses(&mut self, component: Component<'_>) {
+        self.changes.clear();
+        if self.driven.is_empty() {
+            return;
+        }
+        self.changes.resize(component.body_count, [0.0; SPATIAL_DIM]);
+        let mut any = false;
+        for driven in &self.driven {
+            let Piece::Constant(impulse) = driven.piece else { continue };
+            let ([at, row], mut x) = (driven.at, [0.0; N]);
+            x[row] = impulse - driven.impulse;
+            any |= x[row] != 0.0;
+            add_changes(component, &self.rows[at], at, &x, &mut self.changes);
+        }
+        if !any {
+            return;
+        }
+        for (at, member) in component.members.iter().enumerate() {
+            for row in 0..member.row_count() {
+                self.x[at][row] -= rate_of(component, &self.rows[at], [at, row], &self.changes);
+            }
+        }
+    }
+
+    /// Finds the rates of the driven axes, and takes constant impulses into the solution.
+    fn find_rates(&mut self, component: Component<'_>) {
+        for (at, x) in self.x.iter().enumerate() {
+            add_changes(component, &self.rows[at], at, x, &mut self.changes);
+        }
+        for driven in &mut self.driven {
+            let [at, row] = driven.at;
+            if let Piece::Constant(impulse) = driven.piece {
+                self.x[at][row] = impulse - driven.impulse;
+            }
+            driven.solved_rate =
+                driven.rate + rate_of(component, &self.rows[at], driven.at, &self.changes);
+        }
+    }
+
+    /// Moves axes to the pieces of their laws on which the solution is: all, or the first one only. Returns
+    /// whether any axis has moved.
+    fn choose_pieces(&mut self, only_first: bool) -> bool {
+        let mut any = false;
+        for driven in &mut self.driven {
+            let [at, row] = driven.at;
+            let impulse = driven.impulse + self.x[at][row];
+            let next = driven.law.next(driven.piece, impulse, driven.solved_rate);
+            if next != driven.piece {
+                driven.piece = next;
+                any = true;
+                if only_first {
+                    break;
+                }
+            }
+        }
+        any
+    }
+
+    /// Reduces the impulses of driven axes to what their laws allow.
+    fn clamp_impulses(&mut self) {
+        for driven in &self.driven {
+            let [at, row] = driven.at;
+            let impulse = driven.impulse + self.x[at][row];
+            self.x[at][row] = driven.law.admissible(impulse, driven.solved_rate) - driven.impulse;
+        }
     }
 
     /// Returns whether the residual of the last stiff solution is negligible against the first one. Then no
     /// impulses change.
-    pub fn has_converged(&mut self, component: Component<'_>, memory: &[JacobianBlock]) -> bool {
+    pub fn has_converged(&mut self, component: Component<'_>, memory: &Jacobians) -> bool {
         let is_done =
             self.size_of_rates(component, memory) <= STIFF_RESIDUAL_FRACTION_MAX * self.first_size;
         if is_done {
@@ -176,14 +364,20 @@ impl<const N: usize> Matrix<N> {
     pub unsafe fn roll_back(
         &mut self,
         component: Component<'_>,
-        memory: &[JacobianBlock],
+        memory: &Jacobians,
         states: &DisjointMut<'_, BodyState>,
     ) {
         for (member, x) in component.members.iter().zip(&mut self.x) {
-            let (from, lane) = (&memory[member.block as usize], member.lane as usize);
+            let (from, lane) = (&memory.blocks[member.block as usize], member.lane as usize);
             for (x, axis) in x.iter_mut().zip(locked_axes::<N>(member)) {
                 *x = -f64::from(from.impulses[axis].0[lane]);
             }
+        }
+        self.load_laws(component, Rows::All, memory);
+        for driven in &mut self.driven {
+            let [at, row] = driven.at;
+            self.x[at][row] = -driven.impulse;
+            driven.piece = Piece::Constant(0.0);
         }
         // SAFETY: the caller's promise.
         unsafe { self.push_bodies(component, states) };
@@ -194,7 +388,7 @@ impl<const N: usize> Matrix<N> {
     pub fn progress(
         &self,
         component: Component<'_>,
-        memory: &[JacobianBlock],
+        memory: &Jacobians,
         inv_h: Real,
     ) -> Progress {
         let [before, last] = self.sizes;
@@ -215,12 +409,12 @@ impl<const N: usize> Matrix<N> {
     fn size_of_load(
         &self,
         component: Component<'_>,
-        memory: &[JacobianBlock],
+        memory: &Jacobians,
         inv_h: f64,
     ) -> (f64, f64) {
         let (mut load, mut noise) = (0.0, 0.0);
         for ((member, own), rows) in component.members.iter().zip(&self.own).zip(&self.rows) {
-            let (from, lane) = (&memory[member.block as usize], member.lane as usize);
+            let (from, lane) = (&memory.blocks[member.block as usize], member.lane as usize);
             for (row, axis) in
                 locked_axes::<N>(member).enumerate().filter(|(row, _)| own[*row] > 0.0)
             {
@@ -234,10 +428,10 @@ impl<const N: usize> Matrix<N> {
     }
 
     /// The sum of `b²/a` over all rows, with the right-hand sides `b` and the diagonal `a`: an energy.
-    fn size_of_rates(&self, component: Component<'_>, memory: &[JacobianBlock]) -> f64 {
+    fn size_of_rates(&self, component: Component<'_>, memory: &Jacobians) -> f64 {
         let mut sum = 0.0;
         for (member, own) in component.members.iter().zip(&self.own) {
-            let (from, lane) = (&memory[member.block as usize], member.lane as usize);
+            let (from, lane) = (&memory.blocks[member.block as usize], member.lane as usize);
             for (own, axis) in own.iter().zip(locked_axes::<N>(member)) {
                 let rate = f64::from(from.rates[axis].0[lane]);
                 sum += if *own > 0.0 { rate * rate / own } else { 0.0 };
@@ -253,19 +447,19 @@ impl<const N: usize> Matrix<N> {
 
     /// Reads the rows.
     #[inline(always)]
-    fn load(&mut self, component: Component<'_>, memory: &[JacobianBlock]) {
+    fn load(&mut self, component: Component<'_>, memory: &Jacobians) {
         self.rows.clear();
-        self.rows.resize(component.members.len(), Rows::EMPTY);
+        self.rows.resize(component.members.len(), JointRows::EMPTY);
         for (member, rows) in component.members.iter().zip(&mut self.rows) {
             rows.read(member, memory);
         }
     }
 
     /// Reads the right-hand side.
-    fn load_rates(&mut self, component: Component<'_>, memory: &[JacobianBlock]) {
+    fn load_rates(&mut self, component: Component<'_>, memory: &Jacobians) {
         self.x.clear();
         for (member, own) in component.members.iter().zip(&self.own) {
-            let (from, lane) = (&memory[member.block as usize], member.lane as usize);
+            let (from, lane) = (&memory.blocks[member.block as usize], member.lane as usize);
             let compliance = compliance_of(member, memory);
             let mut x = [0.0; N];
             for (row, axis) in locked_axes::<N>(member).enumerate() {
@@ -274,25 +468,35 @@ impl<const N: usize> Matrix<N> {
             }
             self.x.push(x);
         }
+        for driven in &self.driven {
+            let [at, row] = driven.at;
+            self.x[at][row] = driven.rhs();
+        }
     }
 
     /// Replaces the first solution by the right-hand side of the second one.
-    fn load_second_rhs(&mut self, component: Component<'_>, memory: &[JacobianBlock]) {
+    fn load_second_rhs(&mut self, component: Component<'_>, memory: &Jacobians) {
         for (at, member) in component.members.iter().enumerate() {
-            let (from, lane) = (&memory[member.block as usize], member.lane as usize);
+            let (from, lane) = (&memory.blocks[member.block as usize], member.lane as usize);
             for (row, axis) in locked_axes::<N>(member).enumerate() {
                 let impulse = f64::from(from.impulses[axis].0[lane]) + self.x[at][row];
                 self.x[at][row] = self.again[at][row] - self.damping[at][row] * impulse;
             }
         }
+        for driven in &self.driven {
+            let [at, row] = driven.at;
+            let impulse = driven.impulse + self.x[at][row];
+            self.x[at][row] = self.again[at][row] - self.damping[at][row] * impulse;
+        }
     }
 
     /// Fills the blocks: `J_j M⁻¹ J_iᵀ` over the common bodies of two joints.
     #[inline(always)]
-    fn assemble(&mut self, component: Component<'_>, memory: &[JacobianBlock]) {
+    fn assemble(&mut self, component: Component<'_>, memory: &Jacobians) {
         self.diagonal.clear();
         self.below.clear();
         self.own.clear();
+        self.least.clear();
         self.damping.clear();
         self.first_below.clear();
         for (at, member) in component.members.iter().enumerate() {
@@ -307,16 +511,26 @@ impl<const N: usize> Matrix<N> {
                 } else {
                     DAMPING * own[row]
                 };
+                let is_locked = row < member.form.row_count();
+                let compliance = if is_locked { compliance } else { 0.0 };
                 block[row][row] += compliance * own[row] + damping[row];
             }
             self.diagonal.push(block);
             self.own.push(own);
+            self.least.push(own.map(|own| PIVOT_MIN * own));
             self.damping.push(damping);
             self.first_below.push(self.below.len());
             for &row in &component.columns[at] {
                 let mut block = zero();
                 couple(component.members, &self.rows, [row as usize, at], &mut block, size);
                 self.below.push(block);
+            }
+        }
+        for driven in &self.driven {
+            let [at, row] = driven.at;
+            match driven.compliance() {
+                Some(compliance) => self.diagonal[at][row][row] += compliance,
+                None => self.least[at][row] = f64::INFINITY,
             }
         }
     }
@@ -327,7 +541,7 @@ impl<const N: usize> Matrix<N> {
         self.inverses.clear();
         for (at, column) in component.columns.iter().enumerate() {
             let size = Self::row_count(&component.members[at]);
-            let inverses = factorise(&mut self.diagonal[at], &self.own[at], size);
+            let inverses = factorise(&mut self.diagonal[at], &self.least[at], size);
             self.inverses.push(inverses);
             let first = self.first_below[at];
             for block in &mut self.below[first..first + column.len()] {
@@ -426,21 +640,56 @@ impl<const N: usize> Matrix<N> {
     }
 
     /// Writes the changes of the impulses to the rows.
-    pub fn write_changes(&self, members: &[DirectJoint], memory: &mut [JacobianBlock]) {
+    pub fn write_changes(&self, members: &[DirectJoint], memory: &mut Jacobians) {
         for (member, x) in members.iter().zip(&self.x) {
-            let to = &mut memory[member.block as usize];
+            let to = &mut memory.blocks[member.block as usize];
             for (row, axis) in locked_axes::<N>(member).enumerate() {
                 to.changes[axis].0[member.lane as usize] = x[row] as Real;
             }
         }
+        for driven in &self.driven {
+            let [at, row] = driven.at;
+            let (member, change) = (&members[at], self.x[at][row]);
+            let lane = member.lane as usize;
+            let index = memory.blocks[member.block as usize].first_row + row - member.form.row_count();
+            driven.write(&mut memory.driven[index], lane, change);
+        }
     }
+}
+
+/// Adds the velocity changes by impulses on the rows of the joint `at` a position to those of its bodies.
+fn add_changes<const N: usize>(
+    component: Component<'_>,
+    rows: &JointRows<N>,
+    at: usize,
+    impulses: &Column<N>,
+    changes: &mut [Motion],
+) {
+    for (side, _) in component.members[at].movable() {
+        let change = rows.push(side, impulses);
+        add(&mut changes[component.bodies[at][side] as usize], &change, 1.0);
+    }
+}
+
+/// The rate of a row (its joint's position, and its place there) at these velocities of the bodies.
+fn rate_of<const N: usize>(
+    component: Component<'_>,
+    rows: &JointRows<N>,
+    [at, row]: [usize; 2],
+    velocities: &[Motion],
+) -> f64 {
+    let sides = component.members[at].movable();
+    sides
+        .map(|(side, _)| rows.rate(side, row, &velocities[component.bodies[at][side] as usize]))
+        .sum()
 }
 
 /// See [`Matrix::find_changes`]: in the widest registers that the machine has.
 struct Solve<'a, const N: usize> {
     matrix: &'a mut Matrix<N>,
     component: Component<'a>,
-    memory: &'a [JacobianBlock],
+    rows: Rows,
+    memory: &'a Jacobians,
 }
 
 impl<const N: usize> Kernel for Solve<'_, N> {
@@ -448,6 +697,6 @@ impl<const N: usize> Kernel for Solve<'_, N> {
 
     #[inline(always)]
     fn run<W: Wide>(self) {
-        self.matrix.find_changes(self.component, self.memory);
+        self.matrix.find_changes(self.component, self.rows, self.memory);
     }
 }

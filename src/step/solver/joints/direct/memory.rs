@@ -1,11 +1,13 @@
 //! The rows of a block of joints, between the lanes that make them and the factorisation that reads them.
 
-use super::super::block::{JointBlock, Wrench};
+use super::super::block::{AxisRow, JointBlock, Wrench};
 use super::super::geometry::Geometry;
-use super::super::passes::{compliance_of, note_angvel_change, rates_here, store_couple};
-use super::super::rows::{Masses, Row};
+use super::super::motors_and_limits::{FreeAxis, MotorLaw, rate_limits};
+use super::super::passes::{Locked, compliance_of, note_angvel_change, rates_here, store_couple};
+use super::super::rows::{Factored, Masses, Row};
 use super::super::substep_end::SubstepEnd;
 use super::masses::InverseMass;
+use super::pattern::DirectJoint;
 use crate::base::disjoint::DisjointMut;
 use crate::base::wide::{Lane, Wide};
 use crate::dim::joint::{components, from_components};
@@ -14,10 +16,89 @@ use crate::dim::spatial::join;
 use crate::dim::state::{BodyPose, BodyState, READ_ONLY};
 use crate::dim::wide::{
     ANG_ZERO_LANES, WideAngVector, WideSymmetric, WideVector, ZERO_INERTIA, ang_lane, load_ang,
-    select_ang, set_ang_lane, set_symmetric_lane, store_ang, symmetric_lane,
+    set_ang_lane, set_symmetric_lane, store_ang, symmetric_lane,
 };
 use crate::model::params::JointPass;
 use crate::step::solver::states::Bodies;
+
+/// The rows of all directly solved joints at one moment.
+#[derive(Default)]
+pub(in super::super) struct Jacobians {
+    /// The locked axes, by block.
+    pub blocks: Vec<JacobianBlock>,
+    /// The driven axes, by [`AxisRow`].
+    pub driven: Vec<DrivenRow>,
+}
+
+/// [`Jacobians`] to be shared out.
+#[derive(Copy, Clone)]
+pub(in super::super) struct SharedJacobians<'a> {
+    pub blocks: DisjointMut<'a, JacobianBlock>,
+    pub driven: DisjointMut<'a, DrivenRow>,
+}
+
+impl Jacobians {
+    pub fn clear(&mut self) {
+        self.blocks.clear();
+        self.driven.clear();
+    }
+
+    /// Makes room for blocks with this number of driven axes.
+    pub fn resize(&mut self, block_count: usize, row_count: usize) {
+        self.blocks.resize(block_count, JacobianBlock::EMPTY);
+        self.driven.resize(row_count, DrivenRow::EMPTY);
+    }
+
+    /// The driven rows of the block of a joint that belong to the joint.
+    pub(super) fn driven_of(&self, member: &DirectJoint) -> &[DrivenRow] {
+        let first = self.blocks[member.block as usize].first_row;
+        self.driven.get(first..first + usize::from(member.form.driven)).unwrap_or_default()
+    }
+
+    pub fn share(&mut self) -> SharedJacobians<'_> {
+        let Self { blocks, driven } = self;
+        SharedJacobians { blocks: DisjointMut::new(blocks), driven: DisjointMut::new(driven) }
+    }
+}
+
+/// One driven axis of each lane's joint: see `law.rs`.
+#[derive(Clone, Debug)]
+pub(in super::super) struct DrivenRow {
+    /// By body: the row `J`, with the sign of that body.
+    pub row: [[Lane; SPATIAL_DIM]; 2],
+    /// `J v`: in before the solution, out after.
+    pub rate: Lane,
+    pub damping: Lane,
+    pub pull: Lane,
+    pub bound: Lane,
+    pub low: Lane,
+    pub high: Lane,
+    /// Impulses of the motor and at both limits: in, and out.
+    pub motor: Lane,
+    pub lower: Lane,
+    pub upper: Lane,
+    /// Out: the change of the total impulse.
+    pub change: Lane,
+}
+
+impl DrivenRow {
+    pub const EMPTY: Self = {
+        let zero = Lane::ZERO;
+        Self {
+            row: [[zero; SPATIAL_DIM]; 2],
+            rate: zero,
+            damping: zero,
+            pull: zero,
+            bound: zero,
+            low: zero,
+            high: zero,
+            motor: zero,
+            lower: zero,
+            upper: zero,
+            change: zero,
+        }
+    };
+}
 
 /// The locked axes of a block's joints at one moment.
 #[derive(Clone, Debug)]
@@ -28,6 +109,8 @@ pub(in super::super) struct JacobianBlock {
     pub rates: [Lane; SPATIAL_DIM],
     pub impulses: [Lane; SPATIAL_DIM],
     pub compliance: Lane,
+    /// The first of the block's driven rows.
+    pub first_row: usize,
     /// One where the solve pass uses the rows of the predicted poses, zero for those of the current poses.
     pub at_predicted_pose: Lane,
     /// One where the solve pass includes the curvature.
@@ -47,6 +130,7 @@ impl JacobianBlock {
             rates: [zero; SPATIAL_DIM],
             impulses: [zero; SPATIAL_DIM],
             compliance: zero,
+            first_row: 0,
             at_predicted_pose: zero,
             includes_curvature: zero,
             inv_mass: [WideVector::ZERO; 2],
@@ -118,50 +202,105 @@ impl ImpactImpulse {
 #[inline(always)]
 pub(in super::super) unsafe fn write_rows<W: Wide, const BIASED: bool>(
     block: &mut JointBlock,
-    memory: &mut JacobianBlock,
-    states: &DisjointMut<BodyState>,
-    pass: &JointPass,
-) {
-    // SAFETY: the caller's promise.
-    unsafe {
-        match block.locks_rotations {
-            true => write_first_rows::<W, BIASED, SPATIAL_DIM>(block, memory, states, pass),
-            false => write_first_rows::<W, BIASED, DIM>(block, memory, states, pass),
-        }
-    }
-}
-
-/// As [`write_rows`], for a block whose first `N` axes alone may be locked.
-///
-/// # Safety
-/// As [`write_rows`].
-#[inline(always)]
-unsafe fn write_first_rows<W: Wide, const BIASED: bool, const N: usize>(
-    block: &mut JointBlock,
-    memory: &mut JacobianBlock,
+    axis_rows: &mut [AxisRow],
+    to: &mut JacobianBlock,
+    driven: &mut [DrivenRow],
     states: &DisjointMut<BodyState>,
     pass: &JointPass,
 ) {
     // SAFETY: the caller's promise.
     let bodies = unsafe { Bodies::<W>::gather(states, &block.bodies) };
+    match block.locks_rotations {
+        true => write_locked::<W, BIASED, SPATIAL_DIM>(block, to, &bodies, pass),
+        false => write_locked::<W, BIASED, DIM>(block, to, &bodies, pass),
+    }
+    to.first_row = block.first_row;
+    if block.row_count > 0 {
+        let rows = axis_rows.iter_mut().zip(driven);
+        match block.locks_rotations {
+            true => write_driven::<W, BIASED, SPATIAL_DIM>(block, to, rows, &bodies, pass),
+            false => write_driven::<W, BIASED, DIM>(block, to, rows, &bodies, pass),
+        }
+    }
+}
+
+/// Computes the locked rows of a block whose first `N` axes alone may be locked.
+#[inline(always)]
+fn write_locked<W: Wide, const BIASED: bool, const N: usize>(
+    block: &mut JointBlock,
+    memory: &mut JacobianBlock,
+    bodies: &Bodies<W>,
+    pass: &JointPass,
+) {
     let (rows, rates) = if BIASED {
-        rows_biased::<W, N>(block, memory, &bodies, pass)
+        rows_biased::<W, N>(block, memory, bodies, pass)
     } else {
         let rows = Geometry::new(block, &bodies.displacements).rows::<N>();
-        (rows, rates_here(block, &rows, &bodies))
+        (rows, rates_here(block, &rows, bodies))
     };
     memory.changes = [Lane::ZERO; SPATIAL_DIM];
     for k in 0..N {
         rates[k].store(&mut memory.rates[k]);
         W::load(&block.impulses[k]).store(&mut memory.impulses[k]);
-        for side in 0..2 {
-            let linear = if side == 0 { -rows[k].linear } else { rows[k].linear };
-            let angular = if side == 0 { -rows[k].angular[0] } else { rows[k].angular[1] };
-            store_all(components(linear, angular), &mut memory.rows[k][side]);
-        }
+        store_row(&rows[k], &mut memory.rows[k]);
     }
     compliance_of::<W, BIASED>(block).store(&mut memory.compliance);
     (memory.inv_mass, memory.inv_inertia) = (block.inv_mass, *block.inertias.lanes());
+}
+
+/// Computes the driven rows of a block, and their laws.
+#[inline(always)]
+fn write_driven<'a, W: Wide, const BIASED: bool, const N: usize>(
+    block: &JointBlock,
+    memory: &JacobianBlock,
+    rows: impl Iterator<Item = (&'a mut AxisRow, &'a mut DrivenRow)>,
+    bodies: &Bodies<W>,
+    pass: &JointPass,
+) {
+    let now = Geometry::new(block, &bodies.displacements);
+    let substep_end = BIASED.then(|| SubstepEnd::new(block, bodies, pass));
+    let masses = Masses::load(block);
+    let locked = Locked::<W, N>::new(block, &now);
+    let matrix = Factored::new(locked.coupling(&masses));
+    let (zero, one) = (W::zero(), W::splat(1.0));
+    for (row, to) in rows {
+        let (mut along, position) = now.free_row(row);
+        let effective = locked.effective_with_reactions(along, &masses, &matrix);
+        let movable = zero.lt(effective);
+        let inverse = W::select(movable, one / W::select(movable, effective, one), zero);
+        let mut curvature = zero;
+        if let Some(end) = &substep_end {
+            let bent = end.curvature(row, &now, &along, position, pass);
+            let includes_curvature = zero.lt(W::load(&memory.includes_curvature));
+            curvature = W::select(includes_curvature, bent, zero);
+            let at_predicted_pose = zero.lt(W::load(&memory.at_predicted_pose));
+            let (then, _) = end.then.free_row(row);
+            let straight = along.rate(&bodies.velocities);
+            along = then.select(at_predicted_pose, along);
+            // The rate at the end of the substep is the same with either row.
+            curvature = curvature + (straight - along.rate(&bodies.velocities));
+        } else {
+            position.store(&mut row.position);
+        }
+        let axis = FreeAxis { position, effective, inverse };
+        let law = MotorLaw::new::<BIASED>(&mut row.motor, &axis, curvature, pass);
+        let [low, high] = rate_limits::<W, BIASED>(row, position, &along, pass);
+        store_row(&along, &mut to.row);
+        along.rate(&bodies.velocities).store(&mut to.rate);
+        law.damping.store(&mut to.damping);
+        law.pull.store(&mut to.pull);
+        law.bound.store(&mut to.bound);
+        (low - curvature).store(&mut to.low);
+        (high - curvature).store(&mut to.high);
+        (to.motor, to.lower, to.upper) = (row.motor.impulse, row.lower, row.upper);
+        to.change = Lane::ZERO;
+    }
+}
+
+#[inline(always)]
+fn store_row<W: Wide>(row: &Row<W>, to: &mut [[Lane; SPATIAL_DIM]; 2]) {
+    store_all(components(-row.linear, -row.angular[0]), &mut to[0]);
+    store_all(components(row.linear, row.angular[1]), &mut to[1]);
 }
 
 /// Rows and velocity errors of the solve pass, with the curvature of the present velocities. Stiff joints use
@@ -180,11 +319,7 @@ fn rows_biased<W: Wide, const N: usize>(
     let substep_end = SubstepEnd::new(block, bodies, pass);
     let (mut rows, then) = (now.rows::<N>(), substep_end.then.rows::<N>());
     for (row, then) in rows.iter_mut().zip(&then) {
-        row.linear = WideVector::select(at_predicted_pose, then.linear, row.linear);
-        for side in 0..2 {
-            row.angular[side] =
-                select_ang(at_predicted_pose, then.angular[side], row.angular[side]);
-        }
+        *row = then.select(at_predicted_pose, *row);
     }
     let mut rates = substep_end.rates::<N>(block, &now, pass);
     for (k, rate) in rates.iter_mut().enumerate() {
@@ -210,22 +345,50 @@ fn load_all<W: Wide>(from: &[Lane; SPATIAL_DIM]) -> [W; SPATIAL_DIM] {
     values
 }
 
-/// Takes the changes of the impulses into the block. The bodies have them already.
+/// Takes the changes of the impulses into the block and its driven rows. The bodies have them already.
 #[inline(always)]
 pub(in super::super) fn finish<W: Wide>(
     block: &mut JointBlock,
-    memory: &JacobianBlock,
+    axis_rows: &mut [AxisRow],
+    from: &JacobianBlock,
+    driven: &[DrivenRow],
     is_last_of_substep: bool,
 ) {
     match block.locks_rotations {
-        true => finish_first_rows::<W, SPATIAL_DIM>(block, memory, is_last_of_substep),
-        false => finish_first_rows::<W, DIM>(block, memory, is_last_of_substep),
+        true => finish_locked::<W, SPATIAL_DIM>(block, from, is_last_of_substep),
+        false => finish_locked::<W, DIM>(block, from, is_last_of_substep),
+    }
+    let mut added = Wrench::<W>::zero();
+    let mut moment = load_ang::<W>(&block.total_moment);
+    for (row, from) in axis_rows.iter_mut().zip(driven) {
+        (row.motor.impulse, row.lower, row.upper) = (from.motor, from.lower, from.upper);
+        let (along, change) = (load_row::<W>(&from.row), W::load(&from.change));
+        added.add(&along, change);
+        if is_last_of_substep {
+            row.motor.rate = from.rate;
+            let is_rotation = along.linear.dot(along.linear).lt(W::splat(0.5));
+            moment = moment + along.angular[1] * W::select(is_rotation, change, W::zero());
+        }
+    }
+    if !driven.is_empty() {
+        note_added(block, &added);
+        if is_last_of_substep {
+            store_ang(moment, &mut block.total_moment);
+            let total = WideVector::load(&block.total_impulse) + added.linear;
+            total.store(&mut block.total_impulse);
+        }
     }
 }
 
-/// As [`finish`], for a block whose first `N` axes alone may be locked.
 #[inline(always)]
-fn finish_first_rows<W: Wide, const N: usize>(
+fn note_added<W: Wide>(block: &mut JointBlock, added: &Wrench<W>) {
+    Wrench::load(&block.applied).plus(added).store(&mut block.applied);
+    note_angvel_change(block, Masses::load(block).angvel_change(added));
+}
+
+/// Takes the changes of the locked rows of a block whose first `N` axes alone may be locked.
+#[inline(always)]
+fn finish_locked<W: Wide, const N: usize>(
     block: &mut JointBlock,
     memory: &JacobianBlock,
     is_last_of_substep: bool,
@@ -235,8 +398,7 @@ fn finish_first_rows<W: Wide, const N: usize>(
         (W::load(impulse) + W::load(change)).store(impulse);
     }
     let added = added(memory, &rows);
-    Wrench::load(&block.applied).plus(&added).store(&mut block.applied);
-    note_angvel_change(block, Masses::load(block).angvel_change(&added));
+    note_added(block, &added);
     if is_last_of_substep {
         let JointBlock { total_impulse, total_moment, .. } = block;
         add_to_totals(total_impulse, total_moment, memory, &rows, &added);
@@ -272,12 +434,17 @@ fn count_first_rows<W: Wide, const N: usize>(
 #[inline(always)]
 fn rows_of<W: Wide, const N: usize>(memory: &JacobianBlock) -> [Row<W>; N] {
     let mut rows = [Row::zero(); N];
-    for (row, [first, second]) in rows.iter_mut().zip(&memory.rows) {
-        let (_, first) = from_components::<W>(load_all(first));
-        let (linear, second) = from_components::<W>(load_all(second));
-        *row = Row { linear, angular: [-first, second] };
+    for (row, numbers) in rows.iter_mut().zip(&memory.rows) {
+        *row = load_row(numbers);
     }
     rows
+}
+
+#[inline(always)]
+fn load_row<W: Wide>([first, second]: &[[Lane; SPATIAL_DIM]; 2]) -> Row<W> {
+    let (_, first) = from_components::<W>(load_all(first));
+    let (linear, second) = from_components::<W>(load_all(second));
+    Row { linear, angular: [-first, second] }
 }
 
 /// Velocity changes of the bodies by the changes of the impulses.

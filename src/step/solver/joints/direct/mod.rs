@@ -33,6 +33,7 @@
 mod dense;
 mod factor;
 mod jacobians;
+mod law;
 mod masses;
 mod matrix;
 mod memory;
@@ -41,7 +42,10 @@ mod pattern;
 #[cfg(test)]
 mod tests;
 
-pub(super) use memory::{ImpactImpulse, JacobianBlock, count, finish, write_rows};
+pub(super) use matrix::Rows;
+pub(super) use memory::{
+    ImpactImpulse, JacobianBlock, Jacobians, SharedJacobians, count, finish, write_rows,
+};
 pub(super) use pattern::DirectJoint;
 
 use crate::base::disjoint::DisjointMut;
@@ -146,6 +150,11 @@ impl Direct {
         self.pattern.contains(slot)
     }
 
+    /// Returns whether the joint is connected with no other one, and drives a single axis.
+    pub fn is_alone(&self, slot: u32) -> bool {
+        self.pattern.is_alone(slot)
+    }
+
     /// Notes the block and the lane of a joint's rows. Returns whether the joint is solved directly.
     pub fn place(&mut self, slot: u32, at: [usize; 2]) -> bool {
         self.pattern.place(slot, at)
@@ -212,7 +221,7 @@ impl Direct {
     /// component is stiff.
     pub fn needs_another_round(
         &mut self,
-        rows: &mut [JacobianBlock],
+        rows: &mut Jacobians,
         inv_h: Real,
         mut test: impl FnMut(&[DirectJoint], StiffnessTest) -> bool,
     ) -> bool {
@@ -229,7 +238,11 @@ impl Direct {
                         component.members,
                         StiffnessTest::HasLargeDisplacement,
                     ));
-                    note_linearization(component.members, rows, solve_state.linearization);
+                    note_linearization(
+                        component.members,
+                        &mut rows.blocks,
+                        solve_state.linearization,
+                    );
                     Next::Solve
                 }
                 Next::Solve if solve_state.linearization != Linearization::SubstepEnd => {
@@ -261,11 +274,12 @@ impl Direct {
         self.factors.iter_mut().for_each(Factor::invalidate);
     }
 
-    /// Solves the components whose members `is_selected` accepts. Applies the changes of impulses to the
+    /// Solves `selected` rows of the components whose members `is_selected` accepts. Applies the changes of impulses to the
     /// rows, and the resulting velocity changes to the bodies.
     pub fn solve(
         &mut self,
-        rows: &mut [JacobianBlock],
+        selected: Rows,
+        rows: &mut Jacobians,
         states: DisjointMut<'_, BodyState>,
         is_selected: impl Fn(&[DirectJoint]) -> bool + Sync,
         simd: Simd,
@@ -296,7 +310,7 @@ impl Direct {
                     if again && at_predicted_pose && factor.has_converged(component, read) {
                         continue;
                     }
-                    factor.solve(component, again, read, &states, simd);
+                    factor.solve(component, selected, again, read, &states, simd);
                     // The rows were those of predicted poses.
                     if at_predicted_pose {
                         factor.invalidate();

@@ -61,6 +61,11 @@ impl DirectJoint {
         self.slot != NONE
     }
 
+    /// Number of its rows: of its locked axes, then of its driven ones.
+    pub fn row_count(&self) -> usize {
+        self.form.row_count() + usize::from(self.form.driven)
+    }
+
     /// The bodies that can move, with their sides.
     pub fn movable(&self) -> impl Iterator<Item = (usize, u32)> + use<> {
         self.bodies.into_iter().enumerate().filter(|(_, body)| body & READ_ONLY == 0)
@@ -75,11 +80,15 @@ pub(super) struct Pattern {
     sorted: Vec<DirectJoint>,
     /// By slot: the position of a joint that is in a component, [`NONE`] of others.
     position_of_slot: Vec<u32>,
+    /// By slot: whether the joint is connected with no other one, and drives a single axis.
+    is_alone: Vec<bool>,
     /// In the order of elimination; those of one component together.
     members: Vec<DirectJoint>,
     components: Vec<Part>,
     /// By direct joint: the later members of its component in whose rows its column has a block, ascending.
     columns: Vec<Vec<u32>>,
+    /// By direct joint: its bodies, numbered within the component.
+    bodies: Vec<[u32; 2]>,
     search: Search,
     ordering: Ordering,
 }
@@ -87,6 +96,7 @@ pub(super) struct Pattern {
 /// Range of a component's joints, and data of the component.
 struct Part {
     members: Range<usize>,
+    body_count: usize,
     has_loops: bool,
 }
 
@@ -96,6 +106,9 @@ pub(super) struct Component<'a> {
     pub members: &'a [DirectJoint],
     /// Positions within the component.
     pub columns: &'a [Vec<u32>],
+    /// By member: its bodies, numbered within the component.
+    pub bodies: &'a [[u32; 2]],
+    pub body_count: usize,
     /// Whether the component contains a loop, including loops through immovable bodies.
     pub has_loops: bool,
 }
@@ -112,6 +125,8 @@ struct Search {
     body_count: usize,
     /// By body: whether it has been counted.
     seen: Vec<bool>,
+    /// By body: its number in its component.
+    number: Vec<u32>,
     /// By direct joint: its position in its component.
     position: Vec<u32>,
 }
@@ -126,6 +141,11 @@ impl Pattern {
         self.position_of_slot.get(slot as usize).is_some_and(|&position| position != NONE)
     }
 
+    /// Returns whether the joint is connected with no other one, and drives a single axis.
+    pub fn is_alone(&self, slot: u32) -> bool {
+        self.is_alone.get(slot as usize).is_some_and(|is_alone| *is_alone)
+    }
+
     /// Notes the block and the lane of a joint's rows. Returns whether the joint is in a component.
     pub fn place(&mut self, slot: u32, [block, lane]: [usize; 2]) -> bool {
         let contains = self.contains(slot);
@@ -138,10 +158,12 @@ impl Pattern {
     }
 
     pub fn component(&self, index: usize) -> Component<'_> {
-        let Part { members: range, has_loops } = &self.components[index];
+        let Part { members: range, body_count, has_loops } = &self.components[index];
         Component {
             members: &self.members[range.clone()],
             columns: &self.columns[range.clone()],
+            bodies: &self.bodies[range.clone()],
+            body_count: *body_count,
             has_loops: *has_loops,
         }
     }
@@ -155,15 +177,18 @@ impl Pattern {
         self.given.extend_from_slice(given);
         let mut members = core::mem::take(&mut self.sorted);
         members.clear();
-        members.extend(given.iter().filter(|member| member.form.locked != 0));
+        members.extend(given.iter().filter(|member| member.row_count() > 0));
         members.sort_unstable_by_key(|member| member.slot);
         self.members.clear();
+        self.bodies.clear();
         self.components.clear();
+        let slots = given.iter().map(|member| member.slot as usize + 1).max().unwrap_or(0);
+        self.is_alone.clear();
+        self.is_alone.resize(slots, false);
         self.search.start(&members, body_count);
         self.find_components(&members);
         self.sorted = members;
         self.position_of_slot.clear();
-        let slots = given.iter().map(|member| member.slot as usize + 1).max().unwrap_or(0);
         self.position_of_slot.resize(slots, NONE);
         for (position, member) in self.members.iter().enumerate() {
             self.position_of_slot[member.slot as usize] = position as u32;
@@ -176,7 +201,11 @@ impl Pattern {
                 continue;
             }
             self.search.collect(root, members);
-            if !self.search.is_easy(members) {
+            if self.search.order.len() == 1 {
+                let member = &members[root];
+                self.is_alone[member.slot as usize] = member.form.driven == 1;
+            }
+            if !self.search.is_easy(members) && !self.search.is_single_row(members) {
                 self.add_component(members);
             }
         }
@@ -210,7 +239,8 @@ impl Pattern {
             search.add_neighbours(&members_here[at], column);
         };
         if fill(columns, neighbours, work) {
-            self.components.push(Part { members: start..start + count, has_loops });
+            let body_count = self.search.number_bodies(&self.members[start..], &mut self.bodies);
+            self.components.push(Part { members: start..start + count, body_count, has_loops });
         } else {
             self.members.truncate(start);
         }
@@ -259,6 +289,8 @@ impl Search {
         self.visited.resize(members.len(), false);
         self.seen.clear();
         self.seen.resize(body_count, false);
+        self.number.clear();
+        self.number.resize(body_count, NONE);
         self.position.clear();
         self.position.resize(members.len(), 0);
     }
@@ -290,6 +322,31 @@ impl Search {
         UNATTACHED_JOINT_COUNTS.contains(&self.order.len())
             && is_unattached
             && self.has_moderate_mass_ratio(members)
+    }
+
+    /// Returns whether there is one joint with one driven axis: the iterative solver is exact.
+    fn is_single_row(&self, members: &[DirectJoint]) -> bool {
+        let mut all = self.component(members);
+        let first = all.next().map(|member| (member.form.locked, member.form.driven));
+        all.next().is_none() && first == Some((0, 1))
+    }
+
+    /// Numbers the bodies of a component from 0 on, in the order of its members. Returns their number.
+    fn number_bodies(&mut self, members: &[DirectJoint], to: &mut Vec<[u32; 2]>) -> usize {
+        let mut count = 0;
+        for member in members {
+            let mut numbers = [NONE; 2];
+            for (side, body) in member.movable() {
+                let number = &mut self.number[body as usize];
+                if *number == NONE {
+                    *number = count;
+                    count += 1;
+                }
+                numbers[side] = *number;
+            }
+            to.push(numbers);
+        }
+        count as usize
     }
 
     /// Returns whether all joints are point-to-point joints, with few joints and no heavy body.

@@ -1,0 +1,104 @@
+//! The law of a driven axis: the impulse of its motor and its limits as a function of its rate.
+//!
+//! A free axis has a motor, limits or both along one row of the Jacobian. Their impulses decrease with the
+//! rate `v` at the end of the pass, so the sum is a polygon of linear pieces:
+//!
+//! ```text
+//! motor     λ = -(g v + p), between -B and B
+//! limits    low ≤ v ≤ high
+//!
+//!        λ
+//!        │Lower
+//!    B   └────────┐      Constant(B)
+//!                  ╲     Motor
+//!   -B              └───────┐      Constant(-B)
+//!                           │Upper
+//!        low              high      v
+//! ```
+//!
+//! Each piece is a linear equation. A motor is a row with the compliance `1/g`, a limit that holds is a row
+//! like those of locked axes, and a constant impulse is no row. The law is monotone, so the component has one
+//! solution (Cottle, Pang and Stone, "The Linear Complementarity Problem", 1992, sections 3.3 and 4.2). The
+//! solver selects the pieces with Newton's method: it solves the equations of the present pieces, moves each
+//! axis to the piece on which its solution is, and repeats (Hintermüller, Ito and Kunisch, "The primal-dual
+//! active set strategy as a semismooth Newton method", 2002). The pieces of the last substep are nearly always
+//! right. Newton's method may cycle, so late changes move one axis at a time, the first one (Murty's rule).
+
+/// A linear piece of the law.
+#[derive(Copy, Clone, Debug, PartialEq)]
+pub(super) enum Piece {
+    /// The lower limit holds.
+    Lower,
+    /// The upper limit holds.
+    Upper,
+    /// The motor follows its spring and damper.
+    Motor,
+    /// The motor gives its largest impulse, or there is no motor.
+    Constant(f64),
+}
+
+/// The law of one axis.
+#[derive(Copy, Clone, Debug, PartialEq)]
+pub(super) struct AxisLaw {
+    /// `g`: impulse per unit of rate.
+    pub damping: f64,
+    /// `p`: the opposite of the impulse at rest.
+    pub pull: f64,
+    /// `B`: largest impulse of the motor.
+    pub bound: f64,
+    pub low: f64,
+    pub high: f64,
+}
+
+impl AxisLaw {
+    /// The motor's impulse at a rate.
+    pub fn motor(&self, rate: f64) -> f64 {
+        (-(self.damping * rate + self.pull)).clamp(-self.bound, self.bound)
+    }
+
+    /// The piece of these impulses of the motor, of the lower and of the upper limit.
+    pub fn piece_of(&self, motor: f64, lower: f64, upper: f64) -> Piece {
+        if lower > 0.0 {
+            Piece::Lower
+        } else if upper > 0.0 {
+            Piece::Upper
+        } else if self.damping > 0.0 && motor.abs() < self.bound {
+            Piece::Motor
+        } else {
+            Piece::Constant(motor.clamp(-self.bound, self.bound))
+        }
+    }
+
+    /// The piece on which a solution is, if a solution of the equation of this `piece` has this impulse and
+    /// this rate.
+    pub fn next(&self, piece: Piece, impulse: f64, rate: f64) -> Piece {
+        match piece {
+            Piece::Lower if impulse >= self.motor(self.low) => piece,
+            Piece::Lower => self.piece_of_motor(self.low),
+            Piece::Upper if impulse <= self.motor(self.high) => piece,
+            Piece::Upper => self.piece_of_motor(self.high),
+            Piece::Motor | Piece::Constant(_) if rate < self.low => Piece::Lower,
+            Piece::Motor | Piece::Constant(_) if rate > self.high => Piece::Upper,
+            Piece::Motor | Piece::Constant(_) => self.piece_of_motor(rate),
+        }
+    }
+
+    fn piece_of_motor(&self, rate: f64) -> Piece {
+        let impulse = -(self.damping * rate + self.pull);
+        if self.damping > 0.0 && impulse.abs() <= self.bound {
+            Piece::Motor
+        } else {
+            Piece::Constant(impulse.clamp(-self.bound, self.bound))
+        }
+    }
+
+    /// The impulse on the law that is nearest to this one at a rate.
+    pub fn admissible(&self, impulse: f64, rate: f64) -> f64 {
+        let motor = self.motor(rate);
+        let (least, most) = (
+            if rate >= self.high { f64::NEG_INFINITY } else { motor },
+            if rate <= self.low { f64::INFINITY } else { motor },
+        );
+        impulse.clamp(least, most)
+    }
+}
