@@ -114,6 +114,12 @@ impl BodyPose {
     pub fn inv_inertia(&self) -> AngularInertia {
         self.0[6]
     }
+
+    /// Returns whether one translation of the body is locked, and the other one is free.
+    pub fn has_locked_axis(&self) -> bool {
+        let [x, y] = self.inv_mass().to_array();
+        (x > 0.0) != (y > 0.0)
+    }
 }
 
 /// Velocities, or displacements, of one body per lane.

@@ -122,6 +122,16 @@ impl BodyPose {
         let [m11, m12, m13, m22, m23, m33] = [10, 11, 12, 13, 14, 15].map(|k| self.0[k]);
         AngularInertia { m11, m12, m13, m22, m23, m33 }
     }
+
+    /// Returns whether some translations or some rotations of the body are locked, and others are free.
+    pub fn has_locked_axis(&self) -> bool {
+        let is_mixed = |numbers: [Real; 3]| {
+            numbers.contains(&0.0) && numbers.into_iter().any(|number| number > 0.0)
+        };
+        let inv_inertia = self.inv_inertia();
+        is_mixed(self.inv_mass().to_array())
+            || is_mixed([inv_inertia.m11, inv_inertia.m22, inv_inertia.m33])
+    }
 }
 
 /// Velocities, or displacements, of one body per lane.

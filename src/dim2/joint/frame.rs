@@ -1,8 +1,11 @@
 //! Frames of rotating bodies, lane by lane.
 
 use crate::base::wide::Wide;
-use crate::dim2::math::{ANG_DIM, DIM, SPATIAL_DIM};
+use crate::dim2::math::{ANG_DIM, DIM, Real, SPATIAL_DIM};
 use crate::dim2::wide::{WideAngVector, WideRotation, WideVector};
+
+/// Least cosine of half the angle that a locked axis is off.
+const COS_MIN: Real = 1.0e-3;
 
 /// The axes of a frame in world space.
 #[inline(always)]
@@ -28,17 +31,23 @@ pub(crate) fn frame_between<W: Wide>(
     frame2.since(frame1)
 }
 
-/// The error about the axis if it were locked, and the direction along which the relative angular velocity
-/// changes it. `between` is the second frame as seen from the first.
+/// The error about the axis if it were locked, and its change per relative angular velocity: see the head of
+/// this folder. `between` is the second frame as seen from the first.
 #[inline(always)]
 pub(crate) fn locked_rotations<W: Wide>(
     between: WideRotation<W>,
+    _locked: &[W; ANG_DIM],
     _axes: &[WideVector<W>; DIM],
 ) -> ([W; ANG_DIM], [WideAngVector<W>; ANG_DIM]) {
-    let one = W::splat(1.0);
-    // At half a turn both directions are as good, and the error is large in either.
-    let sum = (one + between.re).max(W::splat(1.0e-3));
-    ([(between.im + between.im) / sum], [one])
+    let (zero, one, half) = (W::zero(), W::splat(1.0), W::splat(0.5));
+    let cos = ((one + between.re) * half).max(W::splat(COS_MIN * COS_MIN)).sqrt();
+    // Half a turn off, the sine of the half angle is 1 or -1.
+    let is_small = zero.lt(between.re);
+    let size = ((one - between.re) * half).max(zero).sqrt();
+    let large = W::select(between.im.lt(zero), -size, size);
+    let sin = W::select(is_small, between.im * half / cos, large);
+    let scale = one / (one + cos);
+    ([W::splat(4.0) * sin * scale], [scale + scale])
 }
 
 /// A vector out of the frame with these axes, in world space.

@@ -1,8 +1,11 @@
 //! Frames of rotating bodies, lane by lane.
 
 use crate::base::wide::Wide;
-use crate::dim3::math::{ANG_DIM, DIM, SPATIAL_DIM};
+use crate::dim3::math::{ANG_DIM, DIM, Real, SPATIAL_DIM};
 use crate::dim3::wide::{WideAngVector, WideRotation, WideVector};
+
+/// Least cosine of half the angle that locked axes are off.
+const COS_MIN: Real = 1.0e-3;
 
 /// The axes of a frame in world space.
 #[inline(always)]
@@ -44,19 +47,36 @@ pub(crate) fn frame_between<W: Wide>(
 }
 
 /// The error about each axis if it were locked, and the direction (world space) along which the relative
-/// angular velocity changes it. `between` is the second frame as seen from the first, which has these `axes`.
+/// angular velocity changes it: see the head of this folder. `between` is the second frame as seen from the
+/// first, which has these `axes`. `locked` is one for locked axes, zero for others.
 #[inline(always)]
 pub(crate) fn locked_rotations<W: Wide>(
     between: WideRotation<W>,
+    locked: &[W; ANG_DIM],
     axes: &[WideVector<W>; DIM],
 ) -> ([W; ANG_DIM], [WideAngVector<W>; ANG_DIM]) {
-    let (WideRotation { x, y, z, w }, two) = (between, W::splat(2.0));
-    let rows = [
+    let (WideRotation { x, y, z, w }, one) = (between, W::splat(1.0));
+    let mut rows = [
         axes[0] * w + axes[1] * z - axes[2] * y,
         axes[1] * w + axes[2] * x - axes[0] * z,
         axes[2] * w + axes[0] * y - axes[1] * x,
     ];
-    ([x * two, y * two, z * two], rows)
+    let mut errors = [x, y, z];
+    let (mut sin_squared, mut towards) = (W::zero(), WideVector::zero());
+    for k in 0..ANG_DIM {
+        let error = errors[k] * locked[k];
+        sin_squared = sin_squared + error * error;
+        towards = towards + rows[k] * error;
+    }
+    let cos = (one - sin_squared).max(W::splat(COS_MIN * COS_MIN)).sqrt();
+    let scale = one / (one + cos);
+    towards = towards * (scale * scale / cos);
+    for (row, error) in rows.iter_mut().zip(&mut errors) {
+        let twice = *error + *error;
+        *row = *row * (scale + scale) + towards * twice;
+        *error = (twice + twice) * scale;
+    }
+    (errors, rows)
 }
 
 /// A vector out of the frame with these axes, in world space.

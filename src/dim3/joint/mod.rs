@@ -4,15 +4,25 @@
 //! joint's frames on its bodies, and `q = q1* q2 = (v, w)` the second one relative to the first.
 //!
 //! ## Locked rotations
-//! The error about axis `k` is `C_k = 2 v_k`: the angle, for small ones. With the relative angular
+//! The error about a locked axis `k` is twice the component `v_k`, for small angles. With the relative angular
 //! velocity `ω` in the first frame, `2 q̇ = ω q`, so
 //!
 //! ```text
-//! Ċ = w ω + ω × v,        rows   (w, v₃, -v₂)   (-v₃, w, v₁)   (v₂, -v₁, w)
+//! 2 v̇ = w ω + ω × v,      rows   r₁ = (w, v₃, -v₂)   r₂ = (-v₃, w, v₁)   r₃ = (v₂, -v₁, w)
 //! ```
 //!
 //! If two rotations are locked, `q` is a rotation about the third axis, `w² + v₃² = 1`. The two rows are
-//! perpendicular unit vectors for any angle, without a singularity at half a turn.
+//! perpendicular unit vectors for any angle, without a singularity at half a turn. But all rows shrink with
+//! the angle `φ` by which the locked axes are off, and vanish for half a turn. With the sine and the cosine of
+//! `φ/2`, `s² = Σ v_k²` over the locked axes and `c² = 1 - s²`, the error is therefore
+//!
+//! ```text
+//! C_k = 4 v_k / (1 + c)          Ċ_k = 2/(1 + c) r_k·ω + 2 v_k/(c (1 + c)²) Σ v_l r_l·ω
+//! ```
+//!
+//! Its size is `4 tan(φ/4)`, and its rate along the axis of the error is `(1 + tan²(φ/4)) φ̇`. (These are the
+//! modified Rodrigues parameters, Schaub and Junkins, "Stereographic orientation parameters", 1996, of the
+//! part of the rotation that is locked.)
 //!
 //! ## Free rotations
 //! A free axis has an angle, and a direction along which the relative angular velocity changes it. Let

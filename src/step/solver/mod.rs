@@ -235,7 +235,9 @@ impl Constraints {
                 contacts.solve(bodies, pass);
                 multibodies.solve(bodies, pass);
             }
+            joints.add_corrections(bodies);
             bodies.integrate_positions(pass);
+            joints.remove_corrections(bodies);
             multibodies.integrate_positions(multibody_context, bodies, pass);
             for pass in pass.relaxations() {
                 joints.relax(bodies, &pass);

@@ -133,12 +133,6 @@ impl SolverBodies {
         (index & !NEAR_REST, index & NEAR_REST != 0)
     }
 
-    /// The inverse mass of the body with an index, along the axis where it is largest; 0 if constraints must
-    /// not move it.
-    pub fn inv_mass_of(&self, index: u32) -> Real {
-        self.poses.get(index as usize).map_or(0.0, |pose| pose.inv_mass().max_element())
-    }
-
     /// The poses and states, these to be shared among constraints of one colour.
     pub fn shared(&mut self) -> (&[BodyPose], DisjointMut<'_, BodyState>) {
         (&self.poses, DisjointMut::new(&mut self.states))

@@ -16,6 +16,9 @@
 //! It removes vibrations completely, and hardly affects a heavy weight that swings slowly. A fast rotor loses
 //! its spin within a second.
 //!
+//! The force of a rope or a spring between two points has no arm, but its direction rotates with the distance
+//! `L` of the points: `ω² = F / (m L)`.
+//!
 //! ## Common rotation
 //! A centripetal force causes no stiffness: it rotates with the bodies, and the symplectic method follows it
 //! exactly. If the bodies rotate as a whole at the rate `Ω`, each centripetal force has about `ω² = Ω²`. That
@@ -46,6 +49,7 @@
 
 use super::block::JointBlock;
 use super::direct::DirectJoint;
+use crate::dim::joint_axes::JointAxesMask;
 use crate::dim::joint::inertia_about;
 use crate::dim::math::{
     ANG_DIM, ANG_ZERO, AngularInertia, DIM, Real, Vector, ang_length_squared, cross, torque,
@@ -158,13 +162,17 @@ impl GeometricStiffness {
     fn stiffness(&self, member: &DirectJoint, block: &JointBlock) -> Real {
         let lane = member.lane as usize;
         let pull = block.applied.linear.lane(lane).length();
+        let length = block.separation.lane(lane).length();
+        let is_distance = member.form.locked & JointAxesMask::LIN_AXES.bits() == 0;
+        let of_distance = if is_distance && length > 0.0 { pull / length } else { 0.0 };
         let stiffnesses = member.movable().map(|(side, body)| {
             let arm = block.arms[side].lane(lane).length();
             let JointedBody { inv_mass, inv_inertia, .. } = &self.bodies[body as usize];
-            match inertia_about(inv_inertia) {
+            let of_arm = match inertia_about(inv_inertia) {
                 Some(inertia) if *inv_mass > 0.0 => pull * arm / (inertia + arm * arm / inv_mass),
                 _ => 0.0,
-            }
+            };
+            of_arm + of_distance * *inv_mass
         });
         stiffnesses.sum()
     }

@@ -23,6 +23,8 @@ pub(super) struct Geometry<W> {
     frames: [WideRotation<W>; 2],
     /// Relative rotation of the second body since the step began.
     rotvec: WideAngVector<W>,
+    /// One for locked rotations, zero for free ones.
+    locks: [W; ANG_DIM],
 }
 
 impl<W: Wide> Geometry<W> {
@@ -44,12 +46,17 @@ impl<W: Wide> Geometry<W> {
         for (along, axis) in along.iter_mut().zip(&axes) {
             *along = axis.dot(separation);
         }
+        let mut locks = [W::zero(); ANG_DIM];
+        for (lock, lane) in locks.iter_mut().zip(&block.locked[DIM..]) {
+            *lock = W::load(lane);
+        }
         Self {
             axes,
             arms: [arm1 + separation, arm2],
             separation: along,
             frames: [frame1, frame2],
             rotvec: d2.angular - d1.angular,
+            locks,
         }
     }
 
@@ -63,7 +70,7 @@ impl<W: Wide> Geometry<W> {
     /// Errors about the axes if they were locked, and the directions that change them.
     #[inline(always)]
     pub fn rotations(&self) -> ([W; ANG_DIM], [WideAngVector<W>; ANG_DIM]) {
-        locked_rotations(self.between(), &self.axes)
+        locked_rotations(self.between(), &self.locks, &self.axes)
     }
 
     /// The errors of the first axes if they were locked: of all, or of the translations alone.

@@ -11,6 +11,7 @@ use crate::dim::joint_axes::{JointAxesMask, JointAxis};
 use crate::dim::math::{
     ANG_DIM, AngularInertia, DIM, Pose, Real, Rotation, Vector, ang_length_squared, zero_inertia,
 };
+use crate::dim::spatial::locked_angles;
 use crate::dim::state::READ_ONLY;
 use crate::dim::wide::set_ang_lane;
 use crate::model::body::{RigidBody, RigidBodySet};
@@ -30,6 +31,10 @@ const ITERATED_COMPLIANCE: Real = 1.0 / 8.0;
 
 /// A body that rotates by less than this angle (rad) in a substep keeps its inertia for the step.
 const ROTATION_ANGLE_MIN: Real = 1.0e-4;
+
+/// Joints whose errors would be corrected by larger velocities (length units or radians per second) than this
+/// correct them apart from the velocities: see [`Direct::add_corrections`](super::direct::Direct).
+const CORRECTION_RATE_MAX: Real = 1.0;
 
 /// Number of joints per parallel task.
 const JOINTS_PER_TASK: usize = 64;
@@ -162,6 +167,7 @@ impl SolverJoints {
     /// Stores the positions of their rows in the joints that are solved directly.
     fn note_exact_joints(&mut self, body_count: usize) {
         if self.direct.is_empty() {
+            self.direct.note_displaced(&mut [], |_| false);
             return self.jacobians.clear();
         }
         self.jacobians.resize(self.blocks.len(), self.rows.len());
@@ -181,6 +187,10 @@ impl SolverJoints {
                 }
             }
         }
+        let blocks = &self.blocks;
+        self.direct.note_displaced(&mut self.jacobians.blocks, |member| {
+            blocks[member.block as usize].is_displaced.0[member.lane as usize] != 0.0
+        });
     }
 }
 
@@ -194,8 +204,7 @@ impl JointLoadContext<'_> {
             return None;
         }
         let ends = slots.map(|slot| bodies.index_of(slot));
-        let inv_masses = ends.map(|body| bodies.inv_mass_of(body));
-        Some(DirectJoint::new(slot, ends, inv_masses, link.form))
+        Some(DirectJoint::new(slot, ends, link.form, &bodies.poses))
     }
 }
 
@@ -276,6 +285,39 @@ fn load_lane(
     }
     let between = relative_rotation(&ends[0].frame, &ends[1].frame);
     load_rows(rows, lane, joint, &between, pass);
+    if block.is_exact {
+        let seen_from_first = ends[0].frame.inverse() * separation;
+        let error = largest_error(joint, seen_from_first, &between);
+        let is_displaced = error * pass.softness.bias_rate > CORRECTION_RATE_MAX;
+        block.is_displaced.0[lane] = if is_displaced { 1.0 } else { 0.0 };
+    }
+}
+
+/// The largest error of a locked axis, or excess over a limit (length units or radians).
+fn largest_error(joint: &ImpulseJoint, separation: Vector, between: &Rotation) -> Real {
+    let (data, is_rigid) = (&joint.data, joint.data.spring().is_none());
+    let (distances, angles) = (separation.to_array(), locked_angles(*between));
+    let mut largest: Real = 0.0;
+    for axis in JointAxis::ALL.into_iter().filter(|axis| data.locked_axes.contains(mask_of(*axis))) {
+        let k = axis as usize;
+        let error = if k < DIM { distances[k] } else { angles[k - DIM].0 };
+        largest = largest.max(if is_rigid { error.abs() } else { 0.0 });
+    }
+    for axis in data.driven_axes() {
+        let Some(limits) = data.limits(axis) else { continue };
+        let together = data.coupled_axes & !data.locked_axes & JointAxesMask::LIN_AXES;
+        let position = match (axis as usize).checked_sub(DIM) {
+            Some(k) => joint.angles.map_or(0.0, |angles| angles[k]),
+            None if together.contains(mask_of(axis)) => {
+                let coupled = JointAxis::ALL[..DIM].iter().zip(distances);
+                let coupled = coupled.filter(|(axis, _)| together.contains(mask_of(**axis)));
+                coupled.map(|(_, distance)| distance * distance).sum::<Real>().sqrt()
+            }
+            None => distances[axis as usize],
+        };
+        largest = largest.max(position - limits.max).max(limits.min - position);
+    }
+    largest
 }
 
 fn load_locked(block: &mut JointBlock, lane: usize, joint: &ImpulseJoint, pass: &JointPass) {

@@ -222,6 +222,16 @@ impl SolverJoints {
         }
     }
 
+    /// Adds velocities that correct large errors: see [`Direct::add_corrections`].
+    pub fn add_corrections(&mut self, bodies: &mut SolverBodies) {
+        self.direct.add_corrections(&self.jacobians, bodies.shared().1);
+    }
+
+    /// Takes the velocities of [`Self::add_corrections`] from the bodies, which have moved.
+    pub fn remove_corrections(&mut self, bodies: &mut SolverBodies) {
+        self.direct.remove_corrections(bodies.shared().1);
+    }
+
     /// Returns whether the direct solver needs another round.
     fn needs_another_round(&mut self, bodies: &SolverBodies, pass: &JointPass) -> bool {
         let Self { blocks, jacobians, direct, geometric_stiffness, .. } = self;
@@ -343,8 +353,13 @@ impl SolverJoints {
             simd.run(WriteRows::<BIASED> { range, parts, jacobians, states, pass });
         });
         self.direct.solve(Rows::All, &mut self.jacobians, states, |_| true, simd, tasks);
-        let jacobians = &self.jacobians;
-        let is_last = !BIASED && pass.is_last_iteration;
+        self.finish_exactly(!BIASED && pass.is_last_iteration, simd, tasks);
+    }
+
+    /// Takes the changes of impulses by the direct solver into the blocks.
+    fn finish_exactly(&mut self, is_last: bool, simd: Simd, tasks: Tasks<'_>) {
+        let (count, jacobians) = (self.blocks.len(), &self.jacobians);
+        let parts = Parts::new(&mut self.blocks, &mut self.rows);
         tasks.par_for(count, BLOCKS_PER_TASK, |range| {
             simd.run(Finish { range, parts, jacobians, is_last });
         });

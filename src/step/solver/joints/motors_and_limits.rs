@@ -180,14 +180,15 @@ pub(super) fn solve_limits<W: Wide, const BIASED: bool>(
     added - (new_upper - upper)
 }
 
-/// The lowest and the highest rate of a directly solved axis that its limits allow.
+/// The lowest and the highest rate of a directly solved axis that its limits allow, and the parts of these
+/// that correct an exceeded limit.
 #[inline(always)]
 pub(super) fn rate_limits<W: Wide, const BIASED: bool>(
     row: &AxisRow,
     position: W,
     along: &Row<W>,
     pass: &JointPass,
-) -> [W; 2] {
+) -> ([W; 2], [W; 2]) {
     let (zero, min, max) = (W::zero(), W::load(&row.min), W::load(&row.max));
     let is_locked = max.le(min);
     let correction = |distance: W| {
@@ -203,9 +204,11 @@ pub(super) fn rate_limits<W: Wide, const BIASED: bool>(
         let is_apart = zero.lt(distance);
         let closing = distance * W::splat(pass.inv_substep);
         let correction = correction(distance);
-        W::select(is_locked, correction, W::select(is_apart, closing, correction))
+        let is_apart = W::select(is_locked, zero, W::select(is_apart, W::splat(1.0), zero));
+        let is_apart = zero.lt(is_apart);
+        (W::select(is_apart, closing, correction), W::select(is_apart, zero, correction))
     });
-    [-below, above]
+    ([-below.0, above.0], [-below.1, above.1])
 }
 
 /// The impulse of a limit that is `distance` away, and nears by `-rate`.

@@ -82,6 +82,33 @@ impl Factor {
         of_matrix!(self, matrix => unsafe { matrix.roll_back(component, memory, states) });
     }
 
+    /// See [`Matrix::add_corrections`].
+    ///
+    /// # Safety
+    /// As [`Matrix::solve`].
+    pub unsafe fn add_corrections(
+        &mut self,
+        component: Component<'_>,
+        memory: &Jacobians,
+        states: &DisjointMut<'_, BodyState>,
+    ) {
+        // SAFETY: the caller's promise.
+        of_matrix!(self, matrix => unsafe { matrix.add_corrections(component, memory, states) });
+    }
+
+    /// See [`Matrix::remove_corrections`].
+    ///
+    /// # Safety
+    /// As [`Matrix::solve`].
+    pub unsafe fn remove_corrections(
+        &mut self,
+        component: Component<'_>,
+        states: &DisjointMut<'_, BodyState>,
+    ) {
+        // SAFETY: the caller's promise.
+        of_matrix!(self, matrix => unsafe { matrix.remove_corrections(component, states) });
+    }
+
     /// See [`Matrix::progress`].
     pub fn progress(
         &self,

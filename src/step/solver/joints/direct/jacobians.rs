@@ -1,9 +1,10 @@
 //! The rows of joints in double precision, and the coupling of the rows of two joints.
 
-use super::dense::{Block, add};
+use super::dense::{Block, PIVOT_MIN, add};
 use super::memory::Jacobians;
 use super::pattern::DirectJoint;
 use crate::dim::math::{DIM, SPATIAL_DIM};
+use core::ops::Range;
 
 /// The velocity of a body.
 pub(super) type Motion = [f64; SPATIAL_DIM];
@@ -68,14 +69,29 @@ impl<const N: usize> JointRows<N> {
 
     /// Diagonal element of a translation row without its moment arms; of a rotation row, the whole element.
     pub fn without_arms(&self, row: usize) -> f64 {
-        let fraction = |components: core::ops::Range<usize>| {
-            let products = self.jacobians.iter().zip(&self.responses).flat_map(|(j, response)| {
-                components.clone().map(move |k| j[k][row] * response[row][k])
-            });
-            products.sum::<f64>()
+        let linear = self.fraction(row, 0..DIM);
+        if linear > 0.0 { linear } else { self.fraction(row, DIM..SPATIAL_DIM) }
+    }
+
+    /// The part of a row's diagonal element that these components of the velocities give.
+    fn fraction(&self, row: usize, components: Range<usize>) -> f64 {
+        let products = self.jacobians.iter().zip(&self.responses).flat_map(|(j, response)| {
+            components.clone().map(move |k| j[k][row] * response[row][k])
+        });
+        products.sum()
+    }
+
+    /// The smallest pivots that are not rounding, for these diagonal elements: see [`PIVOT_MIN`].
+    pub fn pivots_min(&self, own: &[f64; N]) -> [f64; N] {
+        let is_rotation = |row: usize| {
+            self.jacobians.iter().all(|columns| columns[..DIM].iter().all(|column| column[row] == 0.0))
         };
-        let linear = fraction(0..DIM);
-        if linear > 0.0 { linear } else { fraction(DIM..SPATIAL_DIM) }
+        let mut largest = [0.0; 2];
+        for (row, &own) in own.iter().enumerate() {
+            let largest: &mut f64 = &mut largest[usize::from(is_rotation(row))];
+            *largest = largest.max(own);
+        }
+        core::array::from_fn(|row| PIVOT_MIN * largest[usize::from(is_rotation(row))])
     }
 }
 

@@ -53,7 +53,12 @@ pub(super) struct AxisLaw {
 impl AxisLaw {
     /// The motor's impulse at a rate.
     pub fn motor(&self, rate: f64) -> f64 {
-        (-(self.damping * rate + self.pull)).clamp(-self.bound, self.bound)
+        self.bounded(-(self.damping * rate + self.pull))
+    }
+
+    /// The nearest impulse that the motor can give. (`clamp` panics if the bound is NaN.)
+    pub fn bounded(&self, impulse: f64) -> f64 {
+        impulse.min(self.bound).max(-self.bound)
     }
 
     /// The piece of these impulses of the motor, of the lower and of the upper limit.
@@ -65,7 +70,7 @@ impl AxisLaw {
         } else if self.damping > 0.0 && motor.abs() < self.bound {
             Piece::Motor
         } else {
-            Piece::Constant(motor.clamp(-self.bound, self.bound))
+            Piece::Constant(self.bounded(motor))
         }
     }
 
@@ -88,7 +93,7 @@ impl AxisLaw {
         if self.damping > 0.0 && impulse.abs() <= self.bound {
             Piece::Motor
         } else {
-            Piece::Constant(impulse.clamp(-self.bound, self.bound))
+            Piece::Constant(self.bounded(impulse))
         }
     }
 
@@ -99,6 +104,6 @@ impl AxisLaw {
             if rate >= self.high { f64::NEG_INFINITY } else { motor },
             if rate <= self.low { f64::INFINITY } else { motor },
         );
-        impulse.clamp(least, most)
+        impulse.min(most).max(least)
     }
 }

@@ -31,7 +31,7 @@
 //! proximal point algorithm", 1976). Its steps lead from the last impulses to the solution. The steps here
 //! lead from the solution to zero.
 
-use super::dense::{Block, Column, PIVOT_MIN, add, divide_right, dot, factorise, zero};
+use super::dense::{Block, Column, add, divide_right, dot, factorise, zero};
 use super::jacobians::{JointRows, Motion, compliance_of, couple, locked_axes};
 use super::law::{AxisLaw, Piece};
 use super::memory::{DrivenRow, Jacobians};
@@ -134,6 +134,8 @@ struct DrivenAxis {
     at: [usize; 2],
     law: AxisLaw,
     piece: Piece,
+    /// The parts of the law's `low` and `high` that correct an exceeded limit.
+    corrections: [f64; 2],
     /// Before the solution.
     impulse: f64,
     rate: f64,
@@ -152,12 +154,22 @@ impl DrivenAxis {
             low: number(&from.low),
             high: number(&from.high),
         };
-        let (impulse, rate) = (motor + lower - upper, number(&from.rate));
+        let (impulse, rate) = (from.impulse(lane), number(&from.rate));
         let piece = match rows {
             Rows::All => law.piece_of(motor, lower, upper),
             Rows::Locked => Piece::Constant(impulse),
         };
-        Self { at, law, piece, impulse, rate, solved_rate: rate }
+        let corrections = [0, 1].map(|side| number(&from.corrections[side]));
+        Self { at, law, piece, corrections, impulse, rate, solved_rate: rate }
+    }
+
+    /// The part of its rate that corrects an exceeded limit.
+    fn correction(&self) -> f64 {
+        match self.piece {
+            Piece::Lower => self.corrections[0],
+            Piece::Upper => self.corrections[1],
+            Piece::Motor | Piece::Constant(_) => 0.0,
+        }
     }
 
     /// The compliance of its row; `None` if its impulse is constant.
@@ -175,7 +187,7 @@ impl DrivenAxis {
         let motor = match self.piece {
             Piece::Lower => self.law.motor(self.law.low),
             Piece::Upper => self.law.motor(self.law.high),
-            Piece::Motor | Piece::Constant(_) => total.clamp(-self.law.bound, self.law.bound),
+            Piece::Motor | Piece::Constant(_) => self.law.bounded(total),
         };
         let of_limits = total - motor;
         to.motor.0[lane] = motor as Real;
@@ -183,6 +195,16 @@ impl DrivenAxis {
         to.upper.0[lane] = (-of_limits).max(0.0) as Real;
         to.rate.0[lane] = self.solved_rate as Real;
         to.change.0[lane] = change as Real;
+    }
+
+    /// The rate by which it violates its law.
+    fn violation(&self) -> f64 {
+        match self.piece {
+            Piece::Constant(_) => {
+                self.rate - self.rate.min(self.law.high).max(self.law.low)
+            }
+            _ => self.rhs(),
+        }
     }
 
     /// The right-hand side of its row.
@@ -236,7 +258,7 @@ impl<const N: usize> Matrix<N> {
             self.update_matrix(component, memory);
             self.load_rates(component, memory);
             self.add_constant_impulses(component);
-            if component.has_loops {
+            if component.is_redundant {
                 self.again.clone_from(&self.x);
                 self.substitute(component);
                 self.load_second_rhs(component, memory);
@@ -346,6 +368,47 @@ impl<const N: usize> Matrix<N> {
         }
     }
 
+    /// Finds the velocities that correct the errors of the joints in a substep, and adds them to the bodies: see
+    /// [`Direct::add_corrections`](super::Direct::add_corrections).
+    ///
+    /// # Safety
+    /// As [`Self::solve`].
+    pub unsafe fn add_corrections(
+        &mut self,
+        component: Component<'_>,
+        memory: &Jacobians,
+        states: &DisjointMut<'_, BodyState>,
+    ) {
+        for (member, x) in component.members.iter().zip(&mut self.x) {
+            let (from, lane) = (&memory.blocks[member.block as usize], member.lane as usize);
+            *x = [0.0; N];
+            for (x, axis) in x.iter_mut().zip(locked_axes::<N>(member)) {
+                *x = -f64::from(from.corrections[axis].0[lane]);
+            }
+        }
+        for driven in &self.driven {
+            let [at, row] = driven.at;
+            self.x[at][row] = driven.correction();
+        }
+        self.substitute(component);
+        // SAFETY: the caller's promise.
+        unsafe { self.push_bodies(component, states) };
+    }
+
+    /// Takes the velocities of [`Self::add_corrections`] from the bodies.
+    ///
+    /// # Safety
+    /// As [`Self::solve`].
+    pub unsafe fn remove_corrections(
+        &mut self,
+        component: Component<'_>,
+        states: &DisjointMut<'_, BodyState>,
+    ) {
+        self.x.iter_mut().flatten().for_each(|change| *change = -*change);
+        // SAFETY: the caller's promise.
+        unsafe { self.push_bodies(component, states) };
+    }
+
     /// Returns whether the residual of the last stiff solution is negligible against the first one. Then no
     /// impulses change.
     pub fn has_converged(&mut self, component: Component<'_>, memory: &Jacobians) -> bool {
@@ -423,6 +486,13 @@ impl<const N: usize> Matrix<N> {
                 let rounding = ANCHOR_ROUNDING * rows.size_of(row) * inv_h;
                 noise += rounding * rounding / own[row];
             }
+            let first = member.form.row_count();
+            for (row, from) in (first..).zip(memory.driven_of(member)) {
+                let impulse = from.impulse(lane);
+                load += own[row] * impulse * impulse;
+                let rounding = ANCHOR_ROUNDING * rows.size_of(row) * inv_h;
+                noise += if own[row] > 0.0 { rounding * rounding / own[row] } else { 0.0 };
+            }
         }
         (load, noise)
     }
@@ -435,6 +505,11 @@ impl<const N: usize> Matrix<N> {
             for (own, axis) in own.iter().zip(locked_axes::<N>(member)) {
                 let rate = f64::from(from.rates[axis].0[lane]);
                 sum += if *own > 0.0 { rate * rate / own } else { 0.0 };
+            }
+            let axes = memory.driven_of(member).iter().zip(&own[member.form.row_count()..]);
+            for (from, own) in axes.filter(|(_, own)| **own > 0.0) {
+                let violation = DrivenAxis::new([0; 2], from, lane, Rows::All).violation();
+                sum += violation * violation / own;
             }
         }
         sum
@@ -506,7 +581,7 @@ impl<const N: usize> Matrix<N> {
             let (mut own, mut damping) = ([0.0; N], [0.0; N]);
             for row in 0..size {
                 own[row] = block[row][row];
-                damping[row] = if component.has_loops {
+                damping[row] = if component.is_redundant {
                     LOOP_DAMPING * self.rows[at].without_arms(row).max(FRACTION_MIN * own[row])
                 } else {
                     DAMPING * own[row]
@@ -517,7 +592,7 @@ impl<const N: usize> Matrix<N> {
             }
             self.diagonal.push(block);
             self.own.push(own);
-            self.least.push(own.map(|own| PIVOT_MIN * own));
+            self.least.push(self.rows[at].pivots_min(&own));
             self.damping.push(damping);
             self.first_below.push(self.below.len());
             for &row in &component.columns[at] {

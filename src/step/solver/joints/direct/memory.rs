@@ -73,6 +73,8 @@ pub(in super::super) struct DrivenRow {
     pub bound: Lane,
     pub low: Lane,
     pub high: Lane,
+    /// The parts of `low` and `high` that correct an exceeded limit.
+    pub corrections: [Lane; 2],
     /// Impulses of the motor and at both limits: in, and out.
     pub motor: Lane,
     pub lower: Lane,
@@ -92,12 +94,20 @@ impl DrivenRow {
             bound: zero,
             low: zero,
             high: zero,
+            corrections: [zero; 2],
             motor: zero,
             lower: zero,
             upper: zero,
             change: zero,
         }
     };
+
+    /// The total impulse of a lane.
+    pub(super) fn impulse(&self, lane: usize) -> f64 {
+        let [motor, lower, upper] =
+            [&self.motor, &self.lower, &self.upper].map(|lanes| f64::from(lanes.0[lane]));
+        motor + lower - upper
+    }
 }
 
 /// The locked axes of a block's joints at one moment.
@@ -108,6 +118,8 @@ pub(in super::super) struct JacobianBlock {
     /// `J v + bias + Γ λ`, where `Γ` is the compliance times the diagonal.
     pub rates: [Lane; SPATIAL_DIM],
     pub impulses: [Lane; SPATIAL_DIM],
+    /// The parts of the rates that correct an error.
+    pub corrections: [Lane; SPATIAL_DIM],
     pub compliance: Lane,
     /// The first of the block's driven rows.
     pub first_row: usize,
@@ -115,6 +127,8 @@ pub(in super::super) struct JacobianBlock {
     pub at_predicted_pose: Lane,
     /// One where the solve pass includes the curvature.
     pub includes_curvature: Lane,
+    /// One where errors are corrected apart.
+    pub is_displaced: Lane,
     /// Masses of its bodies at the current poses.
     pub inv_mass: [WideVector<Lane>; 2],
     pub inv_inertia: [WideSymmetric<Lane>; 2],
@@ -129,10 +143,12 @@ impl JacobianBlock {
             rows: [[[zero; SPATIAL_DIM]; 2]; SPATIAL_DIM],
             rates: [zero; SPATIAL_DIM],
             impulses: [zero; SPATIAL_DIM],
+            corrections: [zero; SPATIAL_DIM],
             compliance: zero,
             first_row: 0,
             at_predicted_pose: zero,
             includes_curvature: zero,
+            is_displaced: zero,
             inv_mass: [WideVector::ZERO; 2],
             inv_inertia: [ZERO_INERTIA; 2],
             changes: [zero; SPATIAL_DIM],
@@ -242,6 +258,7 @@ fn write_locked<W: Wide, const BIASED: bool, const N: usize>(
     for k in 0..N {
         rates[k].store(&mut memory.rates[k]);
         W::load(&block.impulses[k]).store(&mut memory.impulses[k]);
+        W::load(&block.held_bias[k]).store(&mut memory.corrections[k]);
         store_row(&rows[k], &mut memory.rows[k]);
     }
     compliance_of::<W, BIASED>(block).store(&mut memory.compliance);
@@ -284,7 +301,13 @@ fn write_driven<'a, W: Wide, const BIASED: bool, const N: usize>(
         }
         let axis = FreeAxis { position, effective, inverse };
         let law = MotorLaw::new::<BIASED>(&mut row.motor, &axis, curvature, pass);
-        let [low, high] = rate_limits::<W, BIASED>(row, position, &along, pass);
+        let ([low, high], corrections) =
+            rate_limits::<W, BIASED>(row, position, &along, pass);
+        let kept = one - W::load(&memory.is_displaced);
+        let [low, high] = [
+            low - (corrections[0] - corrections[0] * kept),
+            high - (corrections[1] - corrections[1] * kept),
+        ];
         store_row(&along, &mut to.row);
         along.rate(&bodies.velocities).store(&mut to.rate);
         law.damping.store(&mut to.damping);
@@ -292,6 +315,9 @@ fn write_driven<'a, W: Wide, const BIASED: bool, const N: usize>(
         law.bound.store(&mut to.bound);
         (low - curvature).store(&mut to.low);
         (high - curvature).store(&mut to.high);
+        for (correction, to) in corrections.into_iter().zip(&mut to.corrections) {
+            correction.store(to);
+        }
         (to.motor, to.lower, to.upper) = (row.motor.impulse, row.lower, row.upper);
         to.change = Lane::ZERO;
     }
@@ -315,6 +341,7 @@ fn rows_biased<W: Wide, const N: usize>(
 ) -> ([Row<W>; N], [W; N]) {
     let at_predicted_pose = W::zero().lt(W::load(&memory.at_predicted_pose));
     let includes_curvature = W::zero().lt(W::load(&memory.includes_curvature));
+    let is_displaced = W::zero().lt(W::load(&memory.is_displaced));
     let now = Geometry::new(block, &bodies.displacements);
     let substep_end = SubstepEnd::new(block, bodies, pass);
     let (mut rows, then) = (now.rows::<N>(), substep_end.then.rows::<N>());
@@ -323,8 +350,9 @@ fn rows_biased<W: Wide, const N: usize>(
     }
     let mut rates = substep_end.rates::<N>(block, &now, pass);
     for (k, rate) in rates.iter_mut().enumerate() {
-        let here = rows[k].rate(&bodies.velocities) + W::load(&block.held_bias[k]);
-        *rate = W::select(includes_curvature, *rate, here);
+        let bias = W::load(&block.held_bias[k]);
+        let here = rows[k].rate(&bodies.velocities) + bias;
+        *rate = W::select(includes_curvature, *rate, here) - W::select(is_displaced, bias, W::zero());
     }
     (rows, rates)
 }

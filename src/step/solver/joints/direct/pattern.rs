@@ -2,7 +2,7 @@
 
 use super::order::{Ordering, products};
 use crate::dim::math::Real;
-use crate::dim::state::READ_ONLY;
+use crate::dim::state::{BodyPose, READ_ONLY};
 use crate::model::island::NONE;
 use crate::model::joint::JointForm;
 use core::ops::{Range, RangeInclusive};
@@ -37,6 +37,8 @@ pub(in super::super) struct DirectJoint {
     pub bodies: [u32; 2],
     /// Inverse masses of its bodies; zero for immovable ones.
     pub inv_masses: [Real; 2],
+    /// Whether a body has both locked and free axes of its own.
+    pub has_locked_body: bool,
     pub form: JointForm,
 }
 
@@ -48,12 +50,16 @@ impl DirectJoint {
         lane: 0,
         bodies: [READ_ONLY; 2],
         inv_masses: [0.0; 2],
+        has_locked_body: false,
         form: JointForm { locked: 0, driven: 0, is_point_to_point: false },
     };
 
     /// The joint in a slot between two bodies; where its rows will be is not known yet.
-    pub fn new(slot: u32, bodies: [u32; 2], inv_masses: [Real; 2], form: JointForm) -> Self {
-        Self { slot, block: 0, lane: 0, bodies, inv_masses, form }
+    pub fn new(slot: u32, bodies: [u32; 2], form: JointForm, poses: &[BodyPose]) -> Self {
+        let ends = bodies.map(|body| (body & READ_ONLY == 0).then(|| &poses[body as usize]));
+        let inv_masses = ends.map(|end| end.map_or(0.0, |pose| pose.inv_mass().max_element()));
+        let has_locked_body = ends.into_iter().flatten().any(BodyPose::has_locked_axis);
+        Self { slot, block: 0, lane: 0, bodies, inv_masses, has_locked_body, form }
     }
 
     /// Returns whether there is a joint.
@@ -97,7 +103,7 @@ pub(super) struct Pattern {
 struct Part {
     members: Range<usize>,
     body_count: usize,
-    has_loops: bool,
+    is_redundant: bool,
 }
 
 /// One component.
@@ -109,8 +115,9 @@ pub(super) struct Component<'a> {
     /// By member: its bodies, numbered within the component.
     pub bodies: &'a [[u32; 2]],
     pub body_count: usize,
-    /// Whether the component contains a loop, including loops through immovable bodies.
-    pub has_loops: bool,
+    /// Whether rows may be redundant: in a loop, including loops through immovable bodies, or at bodies that
+    /// have locked axes of their own.
+    pub is_redundant: bool,
 }
 
 /// Buffers of the search.
@@ -158,13 +165,13 @@ impl Pattern {
     }
 
     pub fn component(&self, index: usize) -> Component<'_> {
-        let Part { members: range, body_count, has_loops } = &self.components[index];
+        let Part { members: range, body_count, is_redundant } = &self.components[index];
         Component {
             members: &self.members[range.clone()],
             columns: &self.columns[range.clone()],
             bodies: &self.bodies[range.clone()],
             body_count: *body_count,
-            has_loops: *has_loops,
+            is_redundant: *is_redundant,
         }
     }
 
@@ -240,7 +247,9 @@ impl Pattern {
         };
         if fill(columns, neighbours, work) {
             let body_count = self.search.number_bodies(&self.members[start..], &mut self.bodies);
-            self.components.push(Part { members: start..start + count, body_count, has_loops });
+            let is_redundant =
+                has_loops || self.members[start..].iter().any(|member| member.has_locked_body);
+            self.components.push(Part { members: start..start + count, body_count, is_redundant });
         } else {
             self.members.truncate(start);
         }
