@@ -82,7 +82,7 @@ enum Linearization {
     SubstepEnd,
     /// Stiff: projected at the predicted poses of free motion, along the rows there.
     PredictedPose,
-    /// Stiff, with a large unconstrained displacement: projected at the current poses.
+    /// Stiff with a large unconstrained displacement, or with a large error: projected at the current poses.
     CurrentPose,
 }
 
@@ -197,7 +197,10 @@ impl Direct {
     ) {
         for (index, solve_state) in self.solve_states.iter_mut().enumerate() {
             let members = self.pattern.component(index).members;
-            if solve_state.linearization == Linearization::PredictedPose {
+            if self.is_displaced[index] {
+                // The anchors are arms of the length of their distance, and rotate far with the bodies.
+                solve_state.linearization = Linearization::CurrentPose;
+            } else if solve_state.linearization == Linearization::PredictedPose {
                 solve_state.linearize_stiff(test(members, StiffnessTest::HasLargeDisplacement));
             }
             note_linearization(members, rows, solve_state.linearization);
