@@ -18,5 +18,6 @@ mod nonsense;
 pub mod pendulum;
 mod sliding;
 mod springs;
+mod stiff;
 mod turning;
 mod twice;

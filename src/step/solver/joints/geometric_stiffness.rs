@@ -49,8 +49,8 @@
 
 use super::block::JointBlock;
 use super::direct::DirectJoint;
-use crate::dim::joint_axes::JointAxesMask;
 use crate::dim::joint::inertia_about;
+use crate::dim::joint_axes::JointAxesMask;
 use crate::dim::math::{
     ANG_DIM, ANG_ZERO, AngularInertia, DIM, Real, Vector, ang_length_squared, cross, torque,
     zero_inertia,

@@ -298,7 +298,8 @@ fn largest_error(joint: &ImpulseJoint, separation: Vector, between: &Rotation) -
     let (data, is_rigid) = (&joint.data, joint.data.spring().is_none());
     let (distances, angles) = (separation.to_array(), locked_angles(*between));
     let mut largest: Real = 0.0;
-    for axis in JointAxis::ALL.into_iter().filter(|axis| data.locked_axes.contains(mask_of(*axis))) {
+    for axis in JointAxis::ALL.into_iter().filter(|axis| data.locked_axes.contains(mask_of(*axis)))
+    {
         let k = axis as usize;
         let error = if k < DIM { distances[k] } else { angles[k - DIM].0 };
         largest = largest.max(if is_rigid { error.abs() } else { 0.0 });

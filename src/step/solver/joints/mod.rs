@@ -25,7 +25,7 @@
 //!
 //! The relax pass then projects the velocity where the bodies are by now. Both together are the RATTLE method
 //! (Andersen, "Rattle: a velocity version of the Shake algorithm", 1983): symplectic, so a pendulum keeps its
-//! energy. Only directly solved joints include the curvature, and they repeat the solution from the new
+//! energy. Directly solved joints include the curvature, and they repeat the solution from the new
 //! velocity until it converges. A second round suffices for rotations of a tenth of a radian in a substep,
 //! and half a radian needs five. (Half-solved ones would feed their errors back.) Components for which this
 //! is unstable are treated differently: see `geometric_stiffness.rs`. Limits include the curvature, too, with
@@ -49,14 +49,14 @@
 //! impulses would only project the old velocity: that is the method with a loss of `ω² h`.)
 //!
 //! ## Direct or iterative
-//! Locked axes of connected joints are solved directly (`direct/`). Nets with too many loops, and unattached
-//! components such as ragdolls, are solved iteratively over the colours, with some compliance. The plain ones
-//! among these have passes of their own (`point_to_point/`). Motors and limits are always solved iteratively.
+//! All axes of connected joints are solved directly (`direct/`): locked ones, motors and limits. Nets with too
+//! many loops, unattached components such as ragdolls, and single ropes and springs are solved iteratively over
+//! the colours, with some compliance. The plain ones among these have passes of their own (`point_to_point/`).
 //!
 //! ## Order
 //! All joints are solved before all contacts, colour by colour. The constraint that is solved last has the
 //! smallest error. Overlaps are worse than joint errors, because a violated contact may vanish, and a joint
-//! recovers. Within a joint, limits have priority over motors, and locked axes over limits.
+//! recovers. Within an iterated joint, limits have priority over motors, and locked axes over limits.
 //!
 //! Sources: Catto, "Solver2D" (box2d.org, 2024) for the soft step; Catto, "Soft Constraints" (GDC 2011).
 
@@ -82,7 +82,10 @@ use crate::dim::math::Real;
 use crate::dim::state::{BodyPose, BodyState, READ_ONLY};
 use crate::model::params::JointPass;
 use block::{AxisRow, JointBlock};
-use direct::{Direct, DirectJoint, ImpactImpulse, JacobianBlock, Jacobians, Rows, SharedJacobians, StiffnessTest};
+use direct::{
+    Direct, DirectJoint, ImpactImpulse, JacobianBlock, Jacobians, Rows, SharedJacobians,
+    StiffnessTest,
+};
 use geometric_stiffness::{GeometricStiffness, Moving, have_large_displacement};
 pub(super) use load::JointLoadContext;
 use point_to_point::PointToPointJoints;

@@ -1,32 +1,46 @@
 //! Motors and limits of a free axis.
 //!
+//! Their forces are a law of the rate `v = Ċ` at the end of a pass. Directly solved joints solve the laws of all
+//! axes together with the locked axes (`direct/law.rs`). Iterated joints solve one axis after the other.
+//!
 //! ## Motors
-//! `force = k (target - C) + c (target velocity - Ċ)`. The damper acts on the velocity `v'` *after* the
-//! substep (implicit Euler), so it never overshoots. A spring on the position after the substep would lose
-//! energy: its damping ratio increases by `h ω / 2`. A spring on the position before the substep (symplectic
-//! Euler) keeps its energy, but only if it is soft, `h ω < 2`. Softened to
+//! `force = k (target - C) + c (target velocity - v)`. Both forces are implicit, so each pass has a linear law for
+//! the impulse, `λ = -(g v + p)`, which is stable at any stiffness. With the stretch `x = C - target` and the rate
+//! `v₀` when the substep began, and with `K = J M⁻¹ Jᵀ` of the axis,
 //!
 //! ```text
-//! k' = k / (1 + h² k K / 4)          K = J M⁻¹ Jᵀ
+//! λ = -h k (x + a h v + b h v₀) - h c (v - target velocity)
 //! ```
 //!
-//! it keeps it at any stiffness: the solution then turns by `2 atan(h ω / 2)` per substep, as that of the
-//! trapezoidal rule does. With `g = h c` and `p = h k' (C - target) - h c · target velocity` the impulse
-//! satisfies `λ = -(g v' + p)`, or as a step towards it
+//! `a = 1`, `b = 0` is the implicit Euler method, which damps a spring by the ratio `h ω / 2`. `a = 1/4`, `b = -1/4`
+//! keeps the area of the phase plane at any stiffness: a spring among others uses these while `(h ω)² = h² k K` is
+//! below [`SYMPLECTIC_SQUARE_MAX`]. The velocities of that method belong to the middle of the substep and not to
+//! its end. The energy that a program reads oscillates by `h ω / 2`, and a spring that starts from rest gets half an
+//! impulse too much, an amplitude of `√(1 + (h ω)²/4)`.
+//!
+//! A spring that moves its bodies alone follows the midpoint rule, which keeps the energy exactly: the axis moves
+//! by the mean of the rates at both ends of the substep, and the spring has its mean stretch. The solve pass moves
+//! the bodies. Its rate `v*` is to be that mean, and the rest of the impulse follows in the relax pass:
 //!
 //! ```text
-//! Δλ = -(g Ċ + λ + p) / (1 + g K)
+//! λ = -h k (x + h v*/2)             of the whole substep
+//! v' = v* + K (λ - λ*)              after the relax pass
+//! v* = (v₀ + v')/2        ⇒        λ* = λ - (v* - v₀)/K
 //! ```
 //!
-//! Both passes use the stretch `C - target` of the beginning of the substep.
+//! At rest `v* = v₀ = 0`, so that `λ* = λ` carries the load and the relax pass has nothing to do. `K` must be exact.
+//! One that is too small would add energy, and beside other springs the mean is no law of a single axis.
+//!
+//! Springs beyond [`MIDPOINT_SQUARE_MAX`] oscillate faster than substeps can follow, and fade into the implicit
+//! method: a rigid motor reaches its target in one substep, and stays there.
 //!
 //! ## Limits
 //! A limit is a contact along the axis. It pushes only, and at a distance it lets the axis approach by that
 //! distance in one substep. The condition applies at the end of the substep. It includes the curvature
-//! (`substep_end.rs`), and the corrections of the locked axes, which are solved afterwards. A rope thus
-//! guides a body on a circle of its length, and a pendulum on it keeps its energy, as on a locked joint.
+//! (`substep_end.rs`), and the corrections of the locked axes. A rope thus guides a body on a circle of its
+//! length, and a pendulum on it keeps its energy, as on a locked joint.
 //!
-//! Limits in series, as in a telescope, are solved iteratively. A limit between bodies of the mass `m` under
+//! Iterated limits in series have less stiffness than a load needs. A limit between bodies of the mass `m` under
 //! a load `M` responds to the load's velocity as if the load were as light. In each of the two passes of a
 //! substep its impulse is `m (v + β C)`, and the load moves by
 //!
@@ -34,17 +48,15 @@
 //! v‴ + a v″ + a/h (v′ + β v) = 0          a = 2 m / (M h)
 //! ```
 //!
-//! That is stable only for `β < a` (Routh and Hurwitz), `β h < 2 m / M`. With the bias of locked axes, a
-//! telescope under ten times the mass of its sections vibrates by a fifth of a metre. With
-//! [`LIMIT_ERROR_FRACTION`] it comes to rest. A small fraction suffices: a limit acts before the axis exceeds
+//! That is stable only for `β < a` (Routh and Hurwitz), `β h < 2 m / M`. [`LIMIT_ERROR_FRACTION`] keeps it below
+//! that for loads of a hundred times the mass. A small fraction suffices: a limit acts before the axis exceeds
 //! it, so little error remains.
 //!
 //! ## Acceleration-based motors
 //! An acceleration-based motor multiplies by the mass that it moves in its own joint: that of the two bodies,
 //! with the joint's locked axes. Bodies behind other joints are excluded. Consider the root of an arm whose
 //! inertia is `n` times that of the first link. There the motor is `n` times too weak, and oscillates `√n`
-//! times too slowly. (The matrix of the direct solver contains that inertia, but without motors and limits,
-//! whose neighbours may be active or not.)
+//! times too slowly.
 
 use super::block::{AxisRow, LIMIT_NONE, MotorRow};
 use super::rows::Row;
@@ -53,8 +65,7 @@ use crate::base::wide::Wide;
 use crate::dim::math::Real;
 use crate::model::params::JointPass;
 
-/// The fraction of a limit's error that a substep removes: see the module's head. Five sections under ten
-/// times their mass come to rest with 0.02, with 0.05 they nearly do not.
+/// The fraction of an iterated limit's error that a substep removes: see the module's head.
 const LIMIT_ERROR_FRACTION: Real = 0.02;
 
 /// The `h² k K` from which on a spring beside others is implicit.
@@ -87,49 +98,73 @@ impl<W: Wide> MotorLaw<W> {
         pass: &JointPass,
     ) -> Self {
         let (h, one) = (W::splat(pass.substep), W::splat(1.0));
+        let elongation = axis.position - W::load(&motor.target_pos);
         if BIASED {
-            (axis.position - W::load(&motor.target_pos)).store(&mut motor.stretch);
+            elongation.store(&mut motor.stretch);
         }
         let per_mass = W::load(&motor.per_mass);
         let unit = per_mass * axis.inverse + (one - per_mass);
         let spring = h * (W::load(&motor.stiffness) * unit);
         let damper = h * (W::load(&motor.damping) * unit);
-        let square = h * spring * axis.effective;
-        let (stretch, last) = (W::load(&motor.stretch), W::load(&motor.rate));
-        let target_vel = damper * W::load(&motor.target_vel);
-
-        let implicit = fade_in(square, SYMPLECTIC_SQUARE_MAX);
-        let ahead = h * (W::splat(0.25) + W::splat(0.75) * implicit);
-        let behind = h * W::splat(0.25) * (one - implicit);
-        let among_others = (
-            damper + spring * ahead,
-            spring * (stretch + ahead * curvature - behind * last) - target_vel,
-        );
-
-        let has_spring = W::zero().lt(spring);
-        let implicit = W::select(has_spring, fade_in(square, MIDPOINT_SQUARE_MAX), one);
-        let (mean, half) = (one - implicit, W::splat(0.5));
-        let ahead = half + half * implicit;
-        let alone = if BIASED {
-            let retimed = damper + axis.inverse;
-            (
-                damper + spring * ahead * h + mean * retimed,
-                spring * (stretch + ahead * h * curvature) - mean * retimed * last - target_vel,
-            )
-        } else {
-            let moved = (axis.position - W::load(&motor.target_pos)) - stretch;
-            (
-                damper + spring * h * implicit,
-                spring * (stretch + half * mean * moved) - target_vel,
-            )
+        let stretch = Stretch {
+            start: W::load(&motor.stretch),
+            now: elongation,
+            ahead: curvature * h,
+            rate: W::load(&motor.rate),
         };
+        let square = h * spring * axis.effective;
+        let others = Self::among_others([spring, damper, h, square], &stretch);
+        let alone = Self::alone::<BIASED>([spring, damper, h, square], axis.inverse, &stretch);
         let is_alone = W::zero().lt(W::load(&motor.is_alone));
+        let driven = damper * W::load(&motor.target_vel);
         Self {
-            damping: W::select(is_alone, alone.0, among_others.0),
-            pull: W::select(is_alone, alone.1, among_others.1),
+            damping: W::select(is_alone, alone[0], others[0]),
+            pull: W::select(is_alone, alone[1], others[1]) - driven,
             bound: W::load(&motor.max_impulse),
         }
     }
+
+    /// `g` and `p` of a spring beside others: symplectic, or implicit if it is fast.
+    #[inline(always)]
+    fn among_others([spring, damper, h, square]: [W; 4], x: &Stretch<W>) -> [W; 2] {
+        let (one, quarter) = (W::splat(1.0), W::splat(0.25));
+        let implicit = fade_in(square, SYMPLECTIC_SQUARE_MAX);
+        let ahead = quarter + (one - quarter) * implicit;
+        let behind = quarter * (one - implicit);
+        let stretch = x.start + (ahead * x.ahead - behind * h * x.rate);
+        [damper + spring * ahead * h, spring * stretch]
+    }
+
+    /// `g` and `p` of a spring that moves its bodies alone: the midpoint rule, or implicit if it is fast.
+    #[inline(always)]
+    fn alone<const BIASED: bool>(
+        [spring, damper, h, square]: [W; 4],
+        mass: W,
+        x: &Stretch<W>,
+    ) -> [W; 2] {
+        let (one, half) = (W::splat(1.0), W::splat(0.5));
+        let has_spring = W::zero().lt(spring);
+        let implicit = W::select(has_spring, fade_in(square, MIDPOINT_SQUARE_MAX), one);
+        let mean = one - implicit;
+        if BIASED {
+            let (ahead, late) = (half + half * implicit, mean * (damper + mass));
+            let stretch = x.start + ahead * x.ahead;
+            [damper + spring * ahead * h + late, spring * stretch - late * x.rate]
+        } else {
+            let stretch = x.start + half * mean * (x.now - x.start);
+            [damper + spring * h * implicit, spring * stretch]
+        }
+    }
+}
+
+/// The stretch of a spring.
+struct Stretch<W> {
+    /// When the substep began, and its rate then.
+    start: W,
+    rate: W,
+    now: W,
+    /// Increase by the curvature until the end of the substep.
+    ahead: W,
 }
 
 /// 0 for small values, 1 for values much above the given one.

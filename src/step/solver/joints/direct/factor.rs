@@ -110,12 +110,7 @@ impl Factor {
     }
 
     /// See [`Matrix::progress`].
-    pub fn progress(
-        &self,
-        component: Component<'_>,
-        memory: &Jacobians,
-        inv_h: Real,
-    ) -> Progress {
+    pub fn progress(&self, component: Component<'_>, memory: &Jacobians, inv_h: Real) -> Progress {
         of_matrix!(self, matrix => matrix.progress(component, memory, inv_h))
     }
 

@@ -84,7 +84,9 @@ impl<const N: usize> JointRows<N> {
     /// The smallest pivots that are not rounding, for these diagonal elements: see [`PIVOT_MIN`].
     pub fn pivots_min(&self, own: &[f64; N]) -> [f64; N] {
         let is_rotation = |row: usize| {
-            self.jacobians.iter().all(|columns| columns[..DIM].iter().all(|column| column[row] == 0.0))
+            self.jacobians
+                .iter()
+                .all(|columns| columns[..DIM].iter().all(|column| column[row] == 0.0))
         };
         let mut largest = [0.0; 2];
         for (row, &own) in own.iter().enumerate() {

@@ -79,8 +79,11 @@ impl AxisLaw {
     pub fn next(&self, piece: Piece, impulse: f64, rate: f64) -> Piece {
         match piece {
             Piece::Lower if impulse >= self.motor(self.low) => piece,
+            // Equal limits are one equation.
+            Piece::Lower if self.low >= self.high => Piece::Upper,
             Piece::Lower => self.piece_of_motor(self.low),
             Piece::Upper if impulse <= self.motor(self.high) => piece,
+            Piece::Upper if self.low >= self.high => Piece::Lower,
             Piece::Upper => self.piece_of_motor(self.high),
             Piece::Motor | Piece::Constant(_) if rate < self.low => Piece::Lower,
             Piece::Motor | Piece::Constant(_) if rate > self.high => Piece::Upper,

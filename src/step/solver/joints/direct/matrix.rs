@@ -70,7 +70,7 @@ const RESIDUAL_FRACTION_MAX: f64 = 1.0e-3;
 const RESIDUAL_GROWTH_MAX: f64 = 100.0;
 
 /// Largest number of times that axes move to another piece of their laws in one solution.
-const PIECE_CHANGES_MAX: usize = 24;
+const PIECE_CHANGES_MAX: usize = 64;
 /// From this time on, one axis moves at a time.
 const JOINT_PIECE_CHANGES_MAX: usize = 8;
 
@@ -200,9 +200,7 @@ impl DrivenAxis {
     /// The rate by which it violates its law.
     fn violation(&self) -> f64 {
         match self.piece {
-            Piece::Constant(_) => {
-                self.rate - self.rate.min(self.law.high).max(self.law.low)
-            }
+            Piece::Constant(_) => self.rate - self.rate.min(self.law.high).max(self.law.low),
             _ => self.rhs(),
         }
     }
@@ -255,15 +253,7 @@ impl<const N: usize> Matrix<N> {
     fn find_changes(&mut self, component: Component<'_>, rows: Rows, memory: &Jacobians) {
         self.load_laws(component, rows, memory);
         for change in 0..PIECE_CHANGES_MAX {
-            self.update_matrix(component, memory);
-            self.load_rates(component, memory);
-            self.add_constant_impulses(component);
-            if component.is_redundant {
-                self.again.clone_from(&self.x);
-                self.substitute(component);
-                self.load_second_rhs(component, memory);
-            }
-            self.substitute(component);
+            self.solve_pieces(component, memory);
             if rows == Rows::Locked || self.driven.is_empty() {
                 return;
             }
@@ -273,7 +263,23 @@ impl<const N: usize> Matrix<N> {
             }
             self.invalidate();
         }
-        self.clamp_impulses();
+        self.fix_impulses();
+        self.solve_pieces(component, memory);
+        self.find_rates(component);
+    }
+
+    /// Solves the equations of the present pieces.
+    #[inline(always)]
+    fn solve_pieces(&mut self, component: Component<'_>, memory: &Jacobians) {
+        self.update_matrix(component, memory);
+        self.load_rates(component, memory);
+        self.add_constant_impulses(component);
+        if component.is_redundant {
+            self.again.clone_from(&self.x);
+            self.substitute(component);
+            self.load_second_rhs(component, memory);
+        }
+        self.substitute(component);
     }
 
     /// Makes the matrix and its factors unless they are up to date.
@@ -359,13 +365,15 @@ impl<const N: usize> Matrix<N> {
         any
     }
 
-    /// Reduces the impulses of driven axes to what their laws allow.
-    fn clamp_impulses(&mut self) {
-        for driven in &self.driven {
+    /// Keeps the impulses of driven axes at what their laws allow, if no pieces were found: the locked axes must
+    /// hold in any case.
+    fn fix_impulses(&mut self) {
+        for driven in &mut self.driven {
             let [at, row] = driven.at;
             let impulse = driven.impulse + self.x[at][row];
-            self.x[at][row] = driven.law.admissible(impulse, driven.solved_rate) - driven.impulse;
+            driven.piece = Piece::Constant(driven.law.admissible(impulse, driven.solved_rate));
         }
+        self.invalidate();
     }
 
     /// Finds the velocities that correct the errors of the joints in a substep, and adds them to the bodies: see
@@ -448,12 +456,7 @@ impl<const N: usize> Matrix<N> {
 
     /// The progress of the rounds, after at least two. The ratio of its residual to its input equals the
     /// ratio of that input to the previous one.
-    pub fn progress(
-        &self,
-        component: Component<'_>,
-        memory: &Jacobians,
-        inv_h: Real,
-    ) -> Progress {
+    pub fn progress(&self, component: Component<'_>, memory: &Jacobians, inv_h: Real) -> Progress {
         let [before, last] = self.sizes;
         let rest = if last < before { last * (last / before) } else { last };
         let (load, noise) = self.size_of_load(component, memory, f64::from(inv_h));
@@ -469,12 +472,7 @@ impl<const N: usize> Matrix<N> {
     }
 
     /// As [`Self::size_of_rates`], for the total effect of the impulses and for the rounding errors of rates.
-    fn size_of_load(
-        &self,
-        component: Component<'_>,
-        memory: &Jacobians,
-        inv_h: f64,
-    ) -> (f64, f64) {
+    fn size_of_load(&self, component: Component<'_>, memory: &Jacobians, inv_h: f64) -> (f64, f64) {
         let (mut load, mut noise) = (0.0, 0.0);
         for ((member, own), rows) in component.members.iter().zip(&self.own).zip(&self.rows) {
             let (from, lane) = (&memory.blocks[member.block as usize], member.lane as usize);
@@ -726,7 +724,8 @@ impl<const N: usize> Matrix<N> {
             let [at, row] = driven.at;
             let (member, change) = (&members[at], self.x[at][row]);
             let lane = member.lane as usize;
-            let index = memory.blocks[member.block as usize].first_row + row - member.form.row_count();
+            let index =
+                memory.blocks[member.block as usize].first_row + row - member.form.row_count();
             driven.write(&mut memory.driven[index], lane, change);
         }
     }

@@ -301,8 +301,7 @@ fn write_driven<'a, W: Wide, const BIASED: bool, const N: usize>(
         }
         let axis = FreeAxis { position, effective, inverse };
         let law = MotorLaw::new::<BIASED>(&mut row.motor, &axis, curvature, pass);
-        let ([low, high], corrections) =
-            rate_limits::<W, BIASED>(row, position, &along, pass);
+        let ([low, high], corrections) = rate_limits::<W, BIASED>(row, position, &along, pass);
         let kept = one - W::load(&memory.is_displaced);
         let [low, high] = [
             low - (corrections[0] - corrections[0] * kept),
@@ -352,7 +351,8 @@ fn rows_biased<W: Wide, const N: usize>(
     for (k, rate) in rates.iter_mut().enumerate() {
         let bias = W::load(&block.held_bias[k]);
         let here = rows[k].rate(&bodies.velocities) + bias;
-        *rate = W::select(includes_curvature, *rate, here) - W::select(is_displaced, bias, W::zero());
+        *rate =
+            W::select(includes_curvature, *rate, here) - W::select(is_displaced, bias, W::zero());
     }
     (rows, rates)
 }

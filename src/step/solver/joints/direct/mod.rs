@@ -1,8 +1,8 @@
-//! Direct solution of the locked axes of connected joints.
+//! Direct solution of connected joints.
 //!
 //! An iteration over the joints of a chain carries a force by one or two links. A long chain, or a light one
-//! with a heavy body at its end, has not converged at the end of the substep. So the locked axes of all
-//! joints that are connected through bodies are one system of linear equations,
+//! with a heavy body at its end, has not converged at the end of the substep. So the axes of all joints
+//! that are connected through bodies are one system of equations, for locked axes
 //!
 //! ```text
 //! (J M⁻¹ Jᵀ + Γ) Δλ = -(J v + bias + Γ λ)
@@ -28,7 +28,7 @@
 //! Components with little gain are left to the iterative solver, too: unattached ones with few joints and
 //! moderate mass ratios. A ragdoll carries no load for long.
 //!
-//! Limits and motors are no equations. They are solved iteratively, before each direct solution.
+//! Limits and motors are rows of the same system, with a law in place of an equation: see `law.rs`.
 
 mod dense;
 mod factor;

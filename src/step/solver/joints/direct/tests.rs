@@ -1,7 +1,9 @@
 //! The sparse solution in its dense equations, and the selection of sparse components.
 
 use super::factor::Factor;
-use super::memory::JacobianBlock;
+use super::law::AxisLaw;
+use super::matrix::Rows;
+use super::memory::{DrivenRow, JacobianBlock, Jacobians};
 use super::pattern::{DirectJoint, Pattern};
 use crate::base::disjoint::DisjointMut;
 use crate::base::wide::{LANES, Lane, Simd};
@@ -28,7 +30,7 @@ impl Numbers {
 /// Joints of bodies whose mass and moments of inertia are 1, so that `M⁻¹ Jᵀ` is `Jᵀ`.
 struct Net {
     members: Vec<DirectJoint>,
-    memory: Vec<JacobianBlock>,
+    memory: Jacobians,
     body_count: usize,
 }
 
@@ -43,12 +45,14 @@ impl Net {
             let inv_masses = bodies.map(|body| if body & READ_ONLY == 0 { 1.0 } else { 0.0 });
             let (slot, locked) = (slot as u32, locked(slot));
             let form = JointForm { locked, driven: 0, is_point_to_point: false };
-            DirectJoint { slot, block, lane, bodies, inv_masses, form }
+            let has_locked_body = false;
+            DirectJoint { slot, block, lane, bodies, inv_masses, has_locked_body, form }
         });
-        let memory = (0..joints.len()).map(|slot| rows(slot % LANES, &mut numbers));
+        let blocks = (0..joints.len()).map(|slot| rows(slot % LANES, &mut numbers)).collect();
+        let memory = Jacobians { blocks, driven: Vec::new() };
         let bodies = joints.iter().flatten().map(|body| (body & !READ_ONLY) as usize + 1);
         let body_count = bodies.max().unwrap_or(0);
-        Self { members: members.collect(), memory: memory.collect(), body_count }
+        Self { members: members.collect(), memory, body_count }
     }
 
     fn pattern(&self) -> Pattern {
@@ -72,7 +76,8 @@ impl Net {
         // SAFETY: this thread owns the states exclusively.
         unsafe {
             let shared = DisjointMut::new(&mut states);
-            factor.solve(pattern.component(0), false, &self.memory, &shared, Simd::detect());
+            let component = pattern.component(0);
+            factor.solve(component, Rows::All, false, &self.memory, &shared, Simd::detect());
         }
         factor.write_changes(pattern.component(0).members, &mut self.memory);
         let errors = self.members.iter().map(|member| self.worst_error(member, &states));
@@ -80,7 +85,7 @@ impl Net {
     }
 
     fn worst_error(&self, member: &DirectJoint, states: &[BodyState]) -> f64 {
-        let (memory, lane) = (&self.memory[member.block as usize], member.lane as usize);
+        let (memory, lane) = (&self.memory.blocks[member.block as usize], member.lane as usize);
         let number = |from: &Lane| f64::from(from.0[lane]);
         let mut worst: f64 = 0.0;
         for axis in (0..SPATIAL_DIM).filter(|axis| member.form.locked >> axis & 1 == 1) {
@@ -148,7 +153,7 @@ fn loops_are_solved() {
 #[test]
 fn softened_joints_yield() {
     let mut net = Net::new(&TREE, |_| ALL);
-    for (slot, memory) in net.memory.iter_mut().enumerate() {
+    for (slot, memory) in net.memory.blocks.iter_mut().enumerate() {
         memory.compliance.0[slot % LANES] = 0.25;
     }
     let found = net.solve();
@@ -160,7 +165,7 @@ fn redundant_constraints_are_removed() {
     let mut net = Net::new(&[[FIXED, 1], [1, 2], [1, 2], [2, 3]], |_| ALL);
     // The third joint is the second once more, in another lane.
     for axis in 0..SPATIAL_DIM {
-        let (from, to) = (net.memory[1].clone(), &mut net.memory[2]);
+        let (from, to) = (net.memory.blocks[1].clone(), &mut net.memory.blocks[2]);
         to.rates[axis].0[2 % LANES] = from.rates[axis].0[1];
         for (side, k) in (0..2).flat_map(|side| (0..SPATIAL_DIM).map(move |k| (side, k))) {
             to.rows[axis][side][k].0[2 % LANES] = from.rows[axis][side][k].0[1];
@@ -170,13 +175,82 @@ fn redundant_constraints_are_removed() {
     assert!(found < DAMPED_ERROR_MAX, "{found}");
 }
 
+/// Each driven axis ends on its law, whatever the pieces on which its neighbours end: motors from weak to rigid,
+/// with and without a bound, between limits that are wide, narrow, equal and exceeded.
+#[test]
+fn driven_axes_end_on_their_laws() {
+    let mut numbers = Numbers(3);
+    let mut pieces = [0; 3];
+    for round in 0..300 {
+        let mut net = Net::new(&TREE, |_| ALL - (1 << (SPATIAL_DIM - 1)));
+        for (slot, member) in net.members.iter_mut().enumerate() {
+            member.form.driven = 1;
+            net.memory.blocks[slot].first_row = slot;
+            net.memory.driven.push(driven_row(slot % LANES, round + slot, &mut numbers));
+        }
+        let error = net.solve();
+        assert!(error < 10.0 * ROUNDING, "round {round}: {error}");
+        for (slot, driven) in net.memory.driven.iter().enumerate() {
+            let number = |lanes: &Lane| f64::from(lanes.0[slot % LANES]);
+            let law = AxisLaw {
+                damping: number(&driven.damping),
+                pull: number(&driven.pull),
+                bound: number(&driven.bound),
+                low: number(&driven.low),
+                high: number(&driven.high),
+            };
+            let (impulse, rate) = (driven.impulse(slot % LANES), number(&driven.rate));
+            let room = 1.0e-4 * (1.0 + impulse.abs());
+            assert!(rate > law.low - room && rate < law.high + room, "round {round}: {rate}");
+            // A limit pushes only while it holds, and away from the limit the motor gives its own impulse.
+            let (motor, slope) = (law.motor(rate), law.damping * room);
+            let may_exceed = rate < law.low + room;
+            let may_be_less = rate > law.high - room;
+            assert!(
+                may_exceed || impulse < motor + slope + room,
+                "round {round}: {impulse}, {motor}"
+            );
+            assert!(
+                may_be_less || impulse > motor - slope - room,
+                "round {round}: {impulse}, {motor}"
+            );
+            pieces[if may_exceed || may_be_less {
+                0
+            } else {
+                1 + usize::from(motor.abs() < law.bound)
+            }] += 1;
+        }
+    }
+    // At limits, at the bound of the motor, and on its law.
+    assert!(pieces.into_iter().all(|count| count > 100), "{pieces:?}");
+}
+
+fn driven_row(lane: usize, kind: usize, numbers: &mut Numbers) -> DrivenRow {
+    let mut driven = DrivenRow::EMPTY;
+    for (side, sign) in [-1.0, 1.0].into_iter().enumerate() {
+        for k in 0..SPATIAL_DIM {
+            let straight = if k == SPATIAL_DIM - 1 { sign } else { 0.0 };
+            driven.row[side][k].0[lane] = straight + 0.2 * numbers.next();
+        }
+    }
+    let (low, width) = (numbers.next(), [100.0, 1.0, 0.05, 0.0][kind % 4]);
+    let damping = [0.0, 1.0e-3, 1.0, 1.0e6][kind / 4 % 4];
+    driven.rate.0[lane] = 0.0;
+    driven.damping.0[lane] = damping;
+    driven.pull.0[lane] = damping * numbers.next();
+    driven.bound.0[lane] = if damping > 0.0 { [0.1, 1.0e9][kind / 16 % 2] } else { 0.0 };
+    driven.low.0[lane] = low - width;
+    driven.high.0[lane] = low + width;
+    driven
+}
+
 /// Identical joints carry equal loads.
 #[test]
 fn redundant_constraints_share_the_load() {
     let mut net = Net::new(&[[FIXED, 1], [FIXED, 1], [FIXED, 1]], |_| ALL);
     for copy in 1..3 {
         for axis in 0..SPATIAL_DIM {
-            let (from, to) = (net.memory[0].clone(), &mut net.memory[copy]);
+            let (from, to) = (net.memory.blocks[0].clone(), &mut net.memory.blocks[copy]);
             to.rates[axis].0[copy] = from.rates[axis].0[0];
             for (side, k) in (0..2).flat_map(|side| (0..SPATIAL_DIM).map(move |k| (side, k))) {
                 to.rows[axis][side][k].0[copy] = from.rows[axis][side][k].0[0];
@@ -185,7 +259,7 @@ fn redundant_constraints_share_the_load() {
     }
     assert!(net.solve() < DAMPED_ERROR_MAX);
     for axis in 0..SPATIAL_DIM {
-        let changes = [0, 1, 2].map(|copy| net.memory[copy].changes[axis].0[copy]);
+        let changes = [0, 1, 2].map(|copy| net.memory.blocks[copy].changes[axis].0[copy]);
         let (most, least) = (changes.map(Real::abs).into_iter().fold(0.0, Real::max), 1.0e-4);
         assert!((changes[1] - changes[0]).abs() < least * most, "{changes:?}");
         assert!((changes[2] - changes[0]).abs() < least * most, "{changes:?}");
