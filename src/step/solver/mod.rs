@@ -17,6 +17,7 @@
 //! at the end of that substep and before any impulse. The solver stores the latter per body and adds the
 //! difference, instead of visiting all constraints.
 
+mod axis_law;
 mod blocks;
 mod bodies;
 mod contacts;

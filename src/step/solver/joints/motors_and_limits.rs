@@ -1,7 +1,7 @@
 //! Motors and limits of a free axis.
 //!
 //! Their forces are a law of the rate `v = Ċ` at the end of a pass. Directly solved joints solve the laws of all
-//! axes together with the locked axes (`direct/law.rs`). Iterated joints solve one axis after the other.
+//! axes together with the locked axes (`../axis_law.rs`). Iterated joints solve one axis after the other.
 //!
 //! ## Motors
 //! `force = k (target - C) + c (target velocity - v)`. Both forces are implicit, so each pass has a linear law for

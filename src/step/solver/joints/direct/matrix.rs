@@ -33,13 +33,13 @@
 
 use super::dense::{Block, Column, add, divide_right, dot, factorise, zero};
 use super::jacobians::{JointRows, Motion, compliance_of, couple, locked_axes};
-use super::law::{AxisLaw, Piece};
 use super::memory::{DrivenRow, Jacobians};
 use super::pattern::{Component, DirectJoint};
 use crate::base::disjoint::DisjointMut;
 use crate::base::wide::{Kernel, Simd, Wide};
 use crate::dim::math::{DIM, Real, SPATIAL_DIM};
 use crate::dim::state::BodyState;
+use crate::step::solver::axis_law::{AxisLaw, Equation, Piece};
 
 /// Relative increase of each diagonal element (Levenberg and Marquardt's damping). Without it, long chains
 /// under 10⁵ times the mass of a link answer to the rounding of velocities with impulses that throw their
@@ -172,47 +172,24 @@ impl DrivenAxis {
         }
     }
 
-    /// The compliance of its row; `None` if its impulse is constant.
-    fn compliance(&self) -> Option<f64> {
-        match self.piece {
-            Piece::Lower | Piece::Upper => Some(0.0),
-            Piece::Motor => Some(1.0 / self.law.damping),
-            Piece::Constant(_) => None,
-        }
-    }
-
-    /// Writes its impulses and its rate, after this change.
-    fn write(&self, to: &mut DrivenRow, lane: usize, change: f64) {
-        let total = self.impulse + change;
-        let motor = match self.piece {
-            Piece::Lower => self.law.motor(self.law.low),
-            Piece::Upper => self.law.motor(self.law.high),
-            Piece::Motor | Piece::Constant(_) => self.law.bounded(total),
-        };
-        let of_limits = total - motor;
-        to.motor.0[lane] = motor as Real;
-        to.lower.0[lane] = of_limits.max(0.0) as Real;
-        to.upper.0[lane] = (-of_limits).max(0.0) as Real;
-        to.rate.0[lane] = self.solved_rate as Real;
-        to.change.0[lane] = change as Real;
+    fn equation(&self) -> Option<Equation> {
+        self.law.equation(self.piece, self.impulse, self.rate)
     }
 
     /// The rate by which it violates its law.
     fn violation(&self) -> f64 {
-        match self.piece {
-            Piece::Constant(_) => self.rate - self.rate.min(self.law.high).max(self.law.low),
-            _ => self.rhs(),
-        }
+        let beyond = || self.rate - self.rate.min(self.law.high).max(self.law.low);
+        self.equation().map_or_else(beyond, |equation| equation.missing)
     }
 
-    /// The right-hand side of its row.
-    fn rhs(&self) -> f64 {
-        match self.piece {
-            Piece::Lower => self.law.low - self.rate,
-            Piece::Upper => self.law.high - self.rate,
-            Piece::Motor => -self.rate - (self.law.pull + self.impulse) / self.law.damping,
-            Piece::Constant(_) => 0.0,
+    /// Writes its impulses and its rate, after this change.
+    fn write(&self, to: &mut DrivenRow, lane: usize, change: f64) {
+        let parts = self.law.parts(self.piece, self.impulse + change);
+        for (to, part) in [&mut to.motor, &mut to.lower, &mut to.upper].into_iter().zip(parts) {
+            to.0[lane] = part as Real;
         }
+        to.rate.0[lane] = self.solved_rate as Real;
+        to.change.0[lane] = change as Real;
     }
 }
 
@@ -286,7 +263,11 @@ impl<const N: usize> Matrix<N> {
     #[inline(always)]
     fn update_matrix(&mut self, component: Component<'_>, memory: &Jacobians) {
         let compliance = component.members.iter().map(|member| compliance_of(member, memory)).sum();
-        let damping = self.driven.iter().map(|driven| driven.compliance().unwrap_or(-1.0)).sum();
+        let damping = self
+            .driven
+            .iter()
+            .map(|driven| driven.equation().map_or(-1.0, |equation| equation.compliance))
+            .sum();
         if self.made_with != Some([compliance, damping]) {
             self.load(component, memory);
             self.assemble(component, memory);
@@ -543,7 +524,7 @@ impl<const N: usize> Matrix<N> {
         }
         for driven in &self.driven {
             let [at, row] = driven.at;
-            self.x[at][row] = driven.rhs();
+            self.x[at][row] = driven.equation().map_or(0.0, |equation| equation.missing);
         }
     }
 
@@ -601,8 +582,8 @@ impl<const N: usize> Matrix<N> {
         }
         for driven in &self.driven {
             let [at, row] = driven.at;
-            match driven.compliance() {
-                Some(compliance) => self.diagonal[at][row][row] += compliance,
+            match driven.equation() {
+                Some(Equation { compliance, .. }) => self.diagonal[at][row][row] += compliance,
                 None => self.least[at][row] = f64::INFINITY,
             }
         }

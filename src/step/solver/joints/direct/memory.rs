@@ -61,7 +61,7 @@ impl Jacobians {
     }
 }
 
-/// One driven axis of each lane's joint: see `law.rs`.
+/// One driven axis of each lane's joint: see `axis_law.rs`.
 #[derive(Clone, Debug)]
 pub(in super::super) struct DrivenRow {
     /// By body: the row `J`, with the sign of that body.

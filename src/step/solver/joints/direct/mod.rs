@@ -28,12 +28,11 @@
 //! Components with little gain are left to the iterative solver, too: unattached ones with few joints and
 //! moderate mass ratios. A ragdoll carries no load for long.
 //!
-//! Limits and motors are rows of the same system, with a law in place of an equation: see `law.rs`.
+//! Limits and motors are rows of the same system, with a law in place of an equation: see `axis_law.rs`.
 
 mod dense;
 mod factor;
 mod jacobians;
-mod law;
 mod masses;
 mod matrix;
 mod memory;

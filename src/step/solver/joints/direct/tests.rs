@@ -1,7 +1,6 @@
 //! The sparse solution in its dense equations, and the selection of sparse components.
 
 use super::factor::Factor;
-use super::law::AxisLaw;
 use super::matrix::Rows;
 use super::memory::{DrivenRow, JacobianBlock, Jacobians};
 use super::pattern::{DirectJoint, Pattern};
@@ -13,6 +12,7 @@ use crate::dim::spatial::join;
 use crate::dim::state::{BodyState, READ_ONLY};
 use crate::dim::wide::set_symmetric_lane;
 use crate::model::joint::JointForm;
+use crate::step::solver::axis_law::AxisLaw;
 
 const ALL: u8 = (1 << SPATIAL_DIM) - 1;
 const FIXED: u32 = READ_ONLY;
@@ -208,7 +208,7 @@ fn driven_axes_end_on_their_laws() {
             let may_be_less = rate > law.high - room;
             assert!(
                 may_exceed || impulse < motor + slope + room,
-                "round {round}: {impulse}, {motor}"
+                "round {round}: {impulse} at {rate} on {law:?}"
             );
             assert!(
                 may_be_less || impulse > motor - slope - room,

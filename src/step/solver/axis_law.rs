@@ -17,7 +17,7 @@
 //! ```
 //!
 //! Each piece is a linear equation. A motor is a row with the compliance `1/g`, a limit that holds is a row
-//! like those of locked axes, and a constant impulse is no row. The law is monotone, so the component has one
+//! like those of locked axes, and a constant impulse is no row. The law is monotone, so connected joints have one
 //! solution (Cottle, Pang and Stone, "The Linear Complementarity Problem", 1992, sections 3.3 and 4.2). The
 //! solver selects the pieces with Newton's method: it solves the equations of the present pieces, moves each
 //! axis to the piece on which its solution is, and repeats (Hintermüller, Ito and Kunisch, "The primal-dual
@@ -87,7 +87,13 @@ impl AxisLaw {
             Piece::Upper => self.piece_of_motor(self.high),
             Piece::Motor | Piece::Constant(_) if rate < self.low => Piece::Lower,
             Piece::Motor | Piece::Constant(_) if rate > self.high => Piece::Upper,
-            Piece::Motor | Piece::Constant(_) => self.piece_of_motor(rate),
+            // Only to the next piece: an axis that skipped the one between would come back for ever.
+            Piece::Constant(of_piece) if self.motor(rate) == of_piece => piece,
+            Piece::Constant(_) if self.damping > 0.0 => Piece::Motor,
+            Piece::Constant(_) => piece,
+            // The impulse decides, because a stiff motor multiplies the rounding of the rate.
+            Piece::Motor if impulse.abs() <= self.bound => piece,
+            Piece::Motor => Piece::Constant(self.bounded(impulse)),
         }
     }
 
@@ -108,5 +114,45 @@ impl AxisLaw {
             if rate <= self.low { f64::INFINITY } else { motor },
         );
         impulse.min(most).max(least)
+    }
+}
+
+impl AxisLaw {
+    /// The law of an axis without limits and without a motor.
+    pub const FREE: Self =
+        Self { damping: 0.0, pull: 0.0, bound: 0.0, low: f64::NEG_INFINITY, high: f64::INFINITY };
+}
+
+/// The equation of a row on its law, when it has this impulse and this rate.
+pub(super) struct Equation {
+    /// Compliance of the row.
+    pub compliance: f64,
+    /// The change of the rate that is missing, with the compliance of the impulse.
+    pub missing: f64,
+}
+
+impl AxisLaw {
+    /// The equation of a piece; `None` if its impulse is constant.
+    pub fn equation(&self, piece: Piece, impulse: f64, rate: f64) -> Option<Equation> {
+        match piece {
+            Piece::Lower => Some(Equation { compliance: 0.0, missing: self.low - rate }),
+            Piece::Upper => Some(Equation { compliance: 0.0, missing: self.high - rate }),
+            Piece::Motor => {
+                let missing = -rate - (self.pull + impulse) / self.damping;
+                Some(Equation { compliance: 1.0 / self.damping, missing })
+            }
+            Piece::Constant(_) => None,
+        }
+    }
+
+    /// The parts of an impulse on a piece that the motor, the lower and the upper limit give.
+    pub fn parts(&self, piece: Piece, impulse: f64) -> [f64; 3] {
+        let motor = match piece {
+            Piece::Lower => self.motor(self.low),
+            Piece::Upper => self.motor(self.high),
+            Piece::Motor | Piece::Constant(_) => self.bounded(impulse),
+        };
+        let of_limits = impulse - motor;
+        [motor, of_limits.max(0.0), (-of_limits).max(0.0)]
     }
 }
