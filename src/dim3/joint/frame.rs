@@ -5,7 +5,7 @@ use crate::dim3::math::{ANG_DIM, DIM, Real, SPATIAL_DIM};
 use crate::dim3::wide::{WideAngVector, WideRotation, WideVector};
 
 /// Least cosine of half the angle that locked axes are off.
-const COS_MIN: Real = 1.0e-3;
+const COS_MIN: Real = 1.0e-6;
 
 /// The axes of a frame in world space.
 #[inline(always)]
@@ -56,19 +56,21 @@ pub(crate) fn locked_rotations<W: Wide>(
     axes: &[WideVector<W>; DIM],
 ) -> ([W; ANG_DIM], [WideAngVector<W>; ANG_DIM]) {
     let (WideRotation { x, y, z, w }, one) = (between, W::splat(1.0));
+    // Half a turn off, either direction leads back.
+    let w = W::select(w.abs().lt(W::splat(COS_MIN)), W::splat(COS_MIN), w);
     let mut rows = [
         axes[0] * w + axes[1] * z - axes[2] * y,
         axes[1] * w + axes[2] * x - axes[0] * z,
         axes[2] * w + axes[0] * y - axes[1] * x,
     ];
     let mut errors = [x, y, z];
-    let (mut sin_squared, mut towards) = (W::zero(), WideVector::zero());
+    let (mut cos_squared, mut towards) = (w * w, WideVector::zero());
     for k in 0..ANG_DIM {
-        let error = errors[k] * locked[k];
-        sin_squared = sin_squared + error * error;
-        towards = towards + rows[k] * error;
+        let free = errors[k] * (one - locked[k]);
+        cos_squared = cos_squared + free * free;
+        towards = towards + rows[k] * (errors[k] * locked[k]);
     }
-    let cos = (one - sin_squared).max(W::splat(COS_MIN * COS_MIN)).sqrt();
+    let cos = cos_squared.sqrt();
     let scale = one / (one + cos);
     towards = towards * (scale * scale / cos);
     for (row, error) in rows.iter_mut().zip(&mut errors) {

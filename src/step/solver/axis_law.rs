@@ -24,6 +24,13 @@
 //! active set strategy as a semismooth Newton method", 2002). The pieces of the last substep are nearly always
 //! right. Newton's method may cycle, so late changes move one axis at a time, the first one (Murty's rule).
 
+use crate::dim::math::Real;
+
+/// Largest rate by which a motor and a limit that oppose each other would each change the rate of their axis. A
+/// rigid motor against a limit has an impulse of any size. Those of both are stored in the engine's precision, and
+/// their sum must keep its digits.
+pub(super) const OPPOSED_RATE_MAX: Real = 1.0e3;
+
 /// A linear piece of the law.
 #[derive(Copy, Clone, Debug, PartialEq)]
 pub(super) enum Piece {
@@ -145,13 +152,16 @@ impl AxisLaw {
         }
     }
 
-    /// The parts of an impulse on a piece that the motor, the lower and the upper limit give.
-    pub fn parts(&self, piece: Piece, impulse: f64) -> [f64; 3] {
+    /// The parts of an impulse on a piece that the motor, the lower and the upper limit give. An impulse of 1
+    /// changes the rate by `response`.
+    pub fn parts(&self, piece: Piece, impulse: f64, response: f64) -> [f64; 3] {
+        let room = f64::from(OPPOSED_RATE_MAX) / response.max(f64::MIN_POSITIVE);
         let motor = match piece {
             Piece::Lower => self.motor(self.low),
             Piece::Upper => self.motor(self.high),
             Piece::Motor | Piece::Constant(_) => self.bounded(impulse),
         };
+        let motor = motor.min(impulse + room).max(impulse - room);
         let of_limits = impulse - motor;
         [motor, of_limits.max(0.0), (-of_limits).max(0.0)]
     }

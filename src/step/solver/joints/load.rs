@@ -32,9 +32,9 @@ const ITERATED_COMPLIANCE: Real = 1.0 / 8.0;
 /// A body that rotates by less than this angle (rad) in a substep keeps its inertia for the step.
 const ROTATION_ANGLE_MIN: Real = 1.0e-4;
 
-/// Joints whose errors would be corrected by larger velocities (length units or radians per second) than this
-/// correct them apart from the velocities: see [`Direct::add_corrections`](super::direct::Direct).
-const CORRECTION_RATE_MAX: Real = 1.0;
+/// Largest angle (rad) of an error that a substep corrects. A correction is linear, and would throw bodies about
+/// that have to rotate by more.
+const CORRECTION_ANGLE_MAX: Real = 0.5;
 
 /// Number of joints per parallel task.
 const JOINTS_PER_TASK: usize = 64;
@@ -167,7 +167,7 @@ impl SolverJoints {
     /// Stores the positions of their rows in the joints that are solved directly.
     fn note_exact_joints(&mut self, body_count: usize) {
         if self.direct.is_empty() {
-            self.direct.note_displaced(&mut [], |_| false);
+            self.direct.begin_step(|_| 0.0);
             return self.jacobians.clear();
         }
         self.jacobians.resize(self.blocks.len(), self.rows.len());
@@ -188,9 +188,8 @@ impl SolverJoints {
             }
         }
         let blocks = &self.blocks;
-        self.direct.note_displaced(&mut self.jacobians.blocks, |member| {
-            blocks[member.block as usize].is_displaced.0[member.lane as usize] != 0.0
-        });
+        self.direct
+            .begin_step(|member| blocks[member.block as usize].error_rate.0[member.lane as usize]);
     }
 }
 
@@ -288,22 +287,26 @@ fn load_lane(
     if block.is_exact {
         let seen_from_first = ends[0].frame.inverse() * separation;
         let error = largest_error(joint, seen_from_first, &between);
-        let is_displaced = error * pass.softness.bias_rate > CORRECTION_RATE_MAX;
-        block.is_displaced.0[lane] = if is_displaced { 1.0 } else { 0.0 };
+        block.error_rate.0[lane] = error * pass.inv_substep;
+        block.bias_rate.0[lane] *= (CORRECTION_ANGLE_MAX / largest_angle(joint, &between)).min(1.0);
     }
+}
+
+/// The largest angle by which a locked rotation is off, and at least a small one.
+fn largest_angle(joint: &ImpulseJoint, between: &Rotation) -> Real {
+    let angles = JointAxis::ALL[DIM..].iter().zip(locked_angles(*between));
+    let locked = angles.filter(|(axis, _)| joint.data.locked_axes.contains(mask_of(**axis)));
+    locked.map(|(_, (angle, _))| angle.abs()).fold(Real::EPSILON, Real::max)
 }
 
 /// The largest error of a locked axis, or excess over a limit (length units or radians).
 fn largest_error(joint: &ImpulseJoint, separation: Vector, between: &Rotation) -> Real {
     let (data, is_rigid) = (&joint.data, joint.data.spring().is_none());
-    let (distances, angles) = (separation.to_array(), locked_angles(*between));
-    let mut largest: Real = 0.0;
-    for axis in JointAxis::ALL.into_iter().filter(|axis| data.locked_axes.contains(mask_of(*axis)))
-    {
-        let k = axis as usize;
-        let error = if k < DIM { distances[k] } else { angles[k - DIM].0 };
-        largest = largest.max(if is_rigid { error.abs() } else { 0.0 });
-    }
+    let distances = separation.to_array();
+    let locked = JointAxis::ALL[..DIM].iter().zip(distances);
+    let locked = locked.filter(|(axis, _)| data.locked_axes.contains(mask_of(**axis)));
+    let mut largest = locked.map(|(_, distance)| distance.abs()).fold(0.0, Real::max);
+    largest = if is_rigid { largest.max(largest_angle(joint, between)) } else { 0.0 };
     for axis in data.driven_axes() {
         let Some(limits) = data.limits(axis) else { continue };
         let together = data.coupled_axes & !data.locked_axes & JointAxesMask::LIN_AXES;

@@ -217,6 +217,7 @@ impl SolverJoints {
         if BIASED {
             let Self { jacobians, direct, geometric_stiffness, blocks, .. } = self;
             let test = stiffness_tests(geometric_stiffness, blocks, bodies, pass);
+            direct.find_displaced(jacobians);
             direct.find_large_displacements(&mut jacobians.blocks, test);
         }
         self.solve_exactly::<BIASED>(bodies, pass, simd, tasks);
@@ -349,10 +350,9 @@ impl SolverJoints {
         tasks: Tasks<'_>,
     ) {
         let (_, states) = bodies.shared();
-        let count = self.blocks.len();
         let parts = Parts::new(&mut self.blocks, &mut self.rows);
         let jacobians = self.jacobians.share();
-        tasks.par_for(count, BLOCKS_PER_TASK, |range| {
+        tasks.par_for(parts.blocks.len(), BLOCKS_PER_TASK, |range| {
             simd.run(WriteRows::<BIASED> { range, parts, jacobians, states, pass });
         });
         self.direct.solve(Rows::All, &mut self.jacobians, states, |_| true, simd, tasks);

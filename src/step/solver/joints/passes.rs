@@ -2,7 +2,7 @@
 
 use super::block::{AxisRow, JointBlock, Wrench};
 use super::geometry::Geometry;
-use super::motors_and_limits::{FreeAxis, solve_limits, solve_motor};
+use super::motors_and_limits::{FreeAxis, impulse_of, solve_axis};
 use super::rows::{Factored, Masses, Row};
 use super::substep_end::SubstepEnd;
 use crate::base::disjoint::DisjointMut;
@@ -163,12 +163,6 @@ unsafe fn wrench_of<W: Wide, const N: usize>(
         wrench.add(&geometry.free_row(row).0, impulse_of(row));
     }
     wrench
-}
-
-/// The impulse of a free axis: motor and limits together.
-#[inline(always)]
-fn impulse_of<W: Wide>(row: &AxisRow) -> W {
-    W::load(&row.motor.impulse) + (W::load(&row.lower) - W::load(&row.upper))
 }
 
 /// Solves all rows once: free axes, then locked ones. `BIASED`: with bias (free axes of direct joints include
@@ -357,10 +351,7 @@ fn solve_free<W: Wide, const BIASED: bool, const N: usize>(
     let inverse = W::select(movable, one / W::select(movable, effective, one), zero);
     let axis = FreeAxis { position, effective, inverse };
     let rate = along.rate(&bodies.velocities);
-    let driven = solve_motor::<W, BIASED>(&mut row.motor, &axis, rate, curvature, pass);
-    let limited =
-        solve_limits::<W, BIASED>(row, &axis, rate + curvature + effective * driven, pass);
-    let added = driven + limited;
+    let added = solve_axis::<W, BIASED>(row, &axis, [rate, curvature], &along, pass);
     if !BIASED && pass.is_last_iteration {
         (rate + effective * added).store(&mut row.motor.rate);
     }

@@ -5,14 +5,15 @@
 //! ```
 //!
 //! with the ratio `r` and the offset `c`. `C` is linear in the coordinates, so the row is exact all through a
-//! step, unlike those that follow links round curves. An impulse of either sign holds it, softened like the
-//! locked axes of joints (`model/params/softness.rs`). `M⁻¹` excludes gears. A train of gears converges
-//! within several iterations, and starts with the last substep's impulses.
+//! step, unlike those that follow links round curves. An impulse of either sign holds it. The gears of a
+//! multibody are solved together with its limits and motors: see `system.rs`.
 
 use super::Moving;
 use super::rows::{ConstrainedStates, JacobianPool, Part, Row};
+use super::system::{RowSystem, SystemRow};
 use crate::dim::math::Real;
 use crate::model::params::Softness;
+use crate::step::solver::axis_law::AxisLaw;
 
 /// One coupling.
 #[derive(Debug)]
@@ -70,24 +71,29 @@ impl Gears {
         self.gears.iter_mut().for_each(|gear| gear.impulse *= factor(&gear.row));
     }
 
-    /// Solves all rows once; with `bias`, position errors are corrected.
-    pub fn solve(
-        &mut self,
+    /// Adds the laws of all rows to a system; with `bias`, position errors are corrected.
+    pub fn add_to(
+        &self,
+        system: &mut RowSystem,
         jacobians: &JacobianPool,
-        states: &mut ConstrainedStates<'_>,
+        states: &ConstrainedStates<'_>,
         bias: bool,
     ) {
-        for gear in &mut self.gears {
-            let Softness { bias_rate, mass_scale, impulse_scale } =
-                if bias { gear.softness } else { Softness::RIGID };
-            let mut wrong = jacobians.velocity(&gear.row, states);
-            if bias {
-                let error = gear.error + jacobians.displacement(&gear.row, states);
-                wrong += error * bias_rate;
-            }
-            let change = -wrong * gear.row.mass * mass_scale - gear.impulse * impulse_scale;
-            gear.impulse += change;
-            jacobians.push(&gear.row, change, states);
+        for gear in &self.gears {
+            let error = gear.error + jacobians.displacement(&gear.row, states);
+            let correction = if bias { -error * gear.softness.bias_rate } else { 0.0 };
+            let rate = f64::from(correction);
+            let law = AxisLaw { low: rate, high: rate, ..AxisLaw::FREE };
+            // An equation has one side or the other, whatever its impulse.
+            let impulses = [0.0, gear.impulse.max(Real::MIN_POSITIVE), (-gear.impulse).max(0.0)];
+            system.rows.push(SystemRow::new(gear.multibody, gear.row, law, impulses));
+        }
+    }
+
+    /// Takes the impulses of the rows, in the order of [`Self::add_to`].
+    pub fn take_from<'a>(&mut self, solved: &mut impl Iterator<Item = &'a SystemRow>) {
+        for (gear, solved) in self.gears.iter_mut().zip(solved) {
+            gear.impulse = solved.impulse as Real;
         }
     }
 

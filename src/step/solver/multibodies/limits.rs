@@ -7,17 +7,18 @@
 //! friction   q̇ = 0,  |λ| ≤ h friction
 //! ```
 //!
-//! The motor's equation, solved for the velocity, is `q̇ - v + γ λ = 0`. With `v = (k (target - q) + d target
-//! velocity)/(h k + d)` and `γ = 1/(h (h k + d))` it gives `Δλ = -(q̇ - v + γ λ)/(K + γ)`. Motors without a
-//! largest force are no rows: see `load.rs`.
+//! The motor's equation, solved for the velocity, is `q̇ - v + γ λ = 0`, with `v = (k (target - q) + d target
+//! velocity)/(h k + d)` and `γ = 1/(h (h k + d))`. Motors without a largest force are no rows: see `load.rs`. All
+//! rows of a multibody are solved together, with its gears: see `system.rs`.
 //!
 //! `q` is a coordinate. For a ball joint it is an angle as in `dim3/joint/mod.rs`, and the row is its
 //! gradient. The row rotates with the ball, and a body that moves on a cone would leave it along a tangent.
 //! Rows of angles within [`LIMIT_DISTANCE_MAX`] of a limit are therefore built in each substep. They include
 //! the curvature, as rows of impulse joints do (`joints/substep_end.rs`).
 
+use super::Moving;
 use super::rows::{ConstrainedStates, JacobianPool, Part, Row};
-use super::{Moving, solve_unilateral};
+use super::system::{RowSystem, SystemRow};
 use crate::dim::joint::{FreeRotations, angle_about};
 use crate::dim::joint_axes::JointAxis;
 use crate::dim::math::{ANG_DIM, DIM, Real, SpatialVector};
@@ -26,7 +27,8 @@ use crate::model::joint::{
     GenericJoint, ImpulseJointHandle, ImpulseJointSet, JointLimits, JointMotor, MotorModel, mask_of,
 };
 use crate::model::multibody::{MultibodyJoint, MultibodyLink};
-use crate::model::params::ContactPass;
+use crate::model::params::JointPass;
+use crate::step::solver::axis_law::AxisLaw;
 use crate::step::solver::joint_rules::CURVATURE_FRACTION_MAX;
 
 /// Owner of the axis of a row: the joint of a link, or a joint that closes a loop.
@@ -43,6 +45,9 @@ pub enum Owner {
         wrench: SpatialVector,
     },
 }
+
+/// Compliance of rigid rows: dry friction.
+const COMPLIANCE_MIN: f64 = 1.0e-30;
 
 /// Distance (rad) from which a limit of a ball's angle is updated in each substep. Joints that must stay
 /// within half a degree rotate by less in a substep.
@@ -226,28 +231,41 @@ impl JointRows {
             .for_each(|force_row| force_row.impulse *= factor(&force_row.row));
     }
 
-    /// Solves all rows once; with `bias`, position errors are corrected.
-    pub fn solve(
-        &mut self,
+    /// Adds the laws of all rows to a system; with `bias`, position errors are corrected.
+    pub fn add_to(
+        &self,
+        system: &mut RowSystem,
         jacobians: &JacobianPool,
-        states: &mut ConstrainedStates<'_>,
-        pass: &ContactPass,
+        states: &ConstrainedStates<'_>,
+        pass: &JointPass,
         bias: bool,
     ) {
-        for force_row in &mut self.force_rows {
-            force_row.solve(jacobians, states);
+        for (index, limit) in self.limits.iter().enumerate() {
+            let law = limit.law(jacobians, states, pass, bias);
+            let [lower, upper] = limit.impulses;
+            let group = limit.owner.group(states, index);
+            system.rows.push(SystemRow::new(group, limit.row, law, [0.0, lower, upper]));
         }
-        for limit in &mut self.limits {
-            let moved = jacobians.displacement(&limit.row, states);
-            let curvature = if bias { limit.curvature(states, pass.inv_substep) } else { 0.0 };
-            for (side, sign) in [1.0, -1.0].into_iter().enumerate() {
-                let velocity = (jacobians.velocity(&limit.row, states) + curvature) * sign;
-                let separation = limit.distances[side] + moved * sign;
-                let old = limit.impulses[side];
-                let new = solve_unilateral(pass, velocity, separation, limit.row.mass, old, bias);
-                limit.impulses[side] = new;
-                jacobians.push(&limit.row, (new - old) * sign, states);
-            }
+        for (index, force_row) in self.force_rows.iter().enumerate() {
+            let law = force_row.law(jacobians, states);
+            let group = force_row.owner.group(states, self.limits.len() + index);
+            system.rows.push(SystemRow::new(
+                group,
+                force_row.row,
+                law,
+                [force_row.impulse, 0.0, 0.0],
+            ));
+        }
+    }
+
+    /// Takes the impulses of the rows, in the order of [`Self::add_to`].
+    pub fn take_from<'a>(&mut self, solved: &mut impl Iterator<Item = &'a SystemRow>) {
+        for (limit, solved) in self.limits.iter_mut().zip(&mut *solved) {
+            let [_, lower, upper] = solved.parts();
+            limit.impulses = [lower, upper];
+        }
+        for (force_row, solved) in self.force_rows.iter_mut().zip(&mut *solved) {
+            [force_row.impulse, ..] = solved.parts();
         }
     }
 
@@ -306,6 +324,15 @@ impl JointRows {
 }
 
 impl Owner {
+    /// The group of rows that are solved together: those of the joints of one multibody. A joint that closes a loop
+    /// is alone, and has the number of its row.
+    fn group(&self, states: &ConstrainedStates<'_>, number: usize) -> usize {
+        match self {
+            Self::Link { multibody, .. } => *multibody,
+            Self::Loop { .. } => states.multibodies.len() + number,
+        }
+    }
+
     /// The joint.
     fn data<'a>(
         self,
@@ -325,6 +352,30 @@ impl Limit {
     /// Along the row.
     fn impulse(&self) -> Real {
         self.impulses[0] - self.impulses[1]
+    }
+
+    /// The rates that the limits allow.
+    fn law(
+        &self,
+        jacobians: &JacobianPool,
+        states: &ConstrainedStates<'_>,
+        pass: &JointPass,
+        bias: bool,
+    ) -> AxisLaw {
+        if self.row.mass == 0.0 {
+            return AxisLaw::FREE;
+        }
+        let moved = jacobians.displacement(&self.row, states);
+        let curvature = if bias { self.curvature(states, pass.inv_substep) } else { 0.0 };
+        let is_locked = self.distances[0] + self.distances[1] <= 0.0;
+        let correction = if bias { pass.softness.bias_rate } else { 0.0 };
+        let [below, above] =
+            [self.distances[0] + moved, self.distances[1] - moved].map(|distance| {
+                let is_apart = distance > 0.0 && !is_locked;
+                f64::from(distance * if is_apart { pass.inv_substep } else { correction })
+            });
+        let curvature = f64::from(curvature);
+        AxisLaw { low: -below - curvature, high: above - curvature, ..AxisLaw::FREE }
     }
 
     /// Returns whether the angle is near one of its limits, or a limit has an impulse.
@@ -404,18 +455,16 @@ impl ForceRow {
         }
     }
 
-    fn solve(&mut self, jacobians: &JacobianPool, states: &mut ConstrainedStates<'_>) {
+    /// The law of the motor or of the friction.
+    fn law(&self, jacobians: &JacobianPool, states: &ConstrainedStates<'_>) -> AxisLaw {
         if self.row.mass == 0.0 {
-            return;
+            return AxisLaw::FREE;
         }
         let moved = if self.pull > 0.0 { jacobians.displacement(&self.row, states) } else { 0.0 };
-        let wanted = self.velocity + self.pull * (self.distance - moved);
-        let error = jacobians.velocity(&self.row, states) - wanted + self.compliance * self.impulse;
-        let mass = self.row.mass / (1.0 + self.compliance * self.row.mass);
-        let new = (self.impulse - error * mass).clamp(-self.impulse_max, self.impulse_max);
-        let change = new - self.impulse;
-        self.impulse = new;
-        jacobians.push(&self.row, change, states);
+        let wanted = f64::from(self.velocity + self.pull * (self.distance - moved));
+        let damping = 1.0 / f64::from(self.compliance).max(COMPLIANCE_MIN);
+        let bound = f64::from(self.impulse_max);
+        AxisLaw { damping, pull: -wanted * damping, bound, ..AxisLaw::FREE }
     }
 }
 

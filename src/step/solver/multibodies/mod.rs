@@ -17,6 +17,7 @@ mod loops;
 mod rows;
 mod sides;
 mod store;
+mod system;
 
 use super::bodies::SolverBodies;
 use super::context::SolverPass;
@@ -30,7 +31,7 @@ use crate::model::contact::NarrowPhase;
 use crate::model::island::IslandManager;
 use crate::model::joint::ImpulseJointSet;
 use crate::model::multibody::{Multibody, MultibodyIndex, MultibodyJoint};
-use crate::model::params::{ContactPass, IntegrationParameters, Softness};
+use crate::model::params::{ContactPass, Softness};
 use crate::multibody::Motion;
 use contacts::LinkContacts;
 use gears::Gears;
@@ -38,6 +39,7 @@ use impacts::BeforeImpact;
 use limits::JointRows;
 use loops::Loops;
 use rows::{ConstrainedStates, JacobianPool};
+use system::RowSystem;
 
 /// Number of multibodies per parallel task (some ten microseconds).
 const MULTIBODIES_PER_TASK: usize = 2;
@@ -104,6 +106,7 @@ pub(super) struct SolverMultibodies {
     jacobians: JacobianPool,
     joints: JointRows,
     gears: Gears,
+    system: RowSystem,
     loops: Loops,
     contacts: LinkContacts,
 }
@@ -115,18 +118,6 @@ pub(super) struct MultibodyContext<'a> {
     pub islands: &'a IslandManager,
     pub joints: &'a ImpulseJointSet,
     pub world: &'a RigidBodySet,
-}
-
-/// Parameters of the limit rows of joints: their own softness, no allowed error, and no largest correction
-/// velocity.
-fn limit_pass(pass: &ContactPass, params: &IntegrationParameters) -> ContactPass {
-    let substep = if pass.inv_substep > 0.0 { 1.0 / pass.inv_substep } else { 0.0 };
-    ContactPass {
-        softness: Softness::new(params.joint_erp, params.joint_damping_ratio, substep),
-        allowed_error: 0.0,
-        push_velocity_max: Real::INFINITY,
-        ..*pass
-    }
 }
 
 /// The impulse of a unilateral row (`dim3/contact/mod.rs`), given `Ċ`, `C`, `1/K` and the impulse so far.
@@ -169,6 +160,7 @@ impl SolverMultibodies {
         pass: &SolverPass<'_>,
     ) {
         self.jacobians.clear();
+        self.system.reset();
         self.joints.prepare(&mut self.jacobians, &mut self.moving, pass.substep);
         self.gears.prepare(&mut self.jacobians, &mut self.moving, pass.joints.softness);
         self.prepare_loops(context, bodies, &pass.joints);
@@ -314,12 +306,16 @@ impl SolverMultibodies {
 
     /// Visits all rows but those of friction.
     fn iterate(&mut self, bodies: &mut SolverBodies, pass: &SolverPass<'_>, bias: bool) {
-        let limit = limit_pass(&pass.contacts, pass.params);
-        let Self { jacobians, joints, gears, loops, contacts, moving, .. } = self;
+        let Self { jacobians, joints, gears, system, loops, contacts, moving, .. } = self;
         let mut states = ConstrainedStates { multibodies: moving, states: &mut bodies.states };
         loops.solve(jacobians, &mut states, bias);
-        joints.solve(jacobians, &mut states, &limit, bias);
-        gears.solve(jacobians, &mut states, bias);
+        system.clear();
+        joints.add_to(system, jacobians, &states, &pass.joints, bias);
+        gears.add_to(system, jacobians, &states, bias);
+        system.solve(jacobians, &mut states);
+        let mut solved = system.rows.iter();
+        joints.take_from(&mut solved);
+        gears.take_from(&mut solved);
         contacts.solve(jacobians, &mut states, &pass.contacts, bias);
     }
 }

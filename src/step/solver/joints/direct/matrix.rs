@@ -182,9 +182,9 @@ impl DrivenAxis {
         self.equation().map_or_else(beyond, |equation| equation.missing)
     }
 
-    /// Writes its impulses and its rate, after this change.
-    fn write(&self, to: &mut DrivenRow, lane: usize, change: f64) {
-        let parts = self.law.parts(self.piece, self.impulse + change);
+    /// Writes its impulses and its rate after this change, if an impulse of 1 changes its rate by `response`.
+    fn write(&self, to: &mut DrivenRow, lane: usize, change: f64, response: f64) {
+        let parts = self.law.parts(self.piece, self.impulse + change, response);
         for (to, part) in [&mut to.motor, &mut to.lower, &mut to.upper].into_iter().zip(parts) {
             to.0[lane] = part as Real;
         }
@@ -707,7 +707,7 @@ impl<const N: usize> Matrix<N> {
             let lane = member.lane as usize;
             let index =
                 memory.blocks[member.block as usize].first_row + row - member.form.row_count();
-            driven.write(&mut memory.driven[index], lane, change);
+            driven.write(&mut memory.driven[index], lane, change, self.own[at][row]);
         }
     }
 }

@@ -2,7 +2,9 @@
 
 use super::super::block::{AxisRow, JointBlock, Wrench};
 use super::super::geometry::Geometry;
-use super::super::motors_and_limits::{FreeAxis, MotorLaw, rate_limits};
+use super::super::motors_and_limits::{
+    EXACT_LIMIT_ERROR_FRACTION, FreeAxis, MotorLaw, rate_limits,
+};
 use super::super::passes::{Locked, compliance_of, note_angvel_change, rates_here, store_couple};
 use super::super::rows::{Factored, Masses, Row};
 use super::super::substep_end::SubstepEnd;
@@ -41,6 +43,17 @@ impl Jacobians {
     pub fn clear(&mut self) {
         self.blocks.clear();
         self.driven.clear();
+    }
+
+    /// The largest velocity that corrects an error of a joint.
+    pub(super) fn largest_correction(&self, member: &DirectJoint) -> Real {
+        let (from, lane) = (&self.blocks[member.block as usize], member.lane as usize);
+        let is_spring = from.compliance.0[lane] > 0.0;
+        let locked =
+            (0..SPATIAL_DIM).filter(|axis| member.form.locked >> axis & 1 == 1 && !is_spring);
+        let locked = locked.map(|axis| from.corrections[axis].0[lane].abs());
+        let driven = self.driven_of(member).iter().flat_map(|driven| &driven.corrections);
+        locked.chain(driven.map(|correction| correction.0[lane].abs())).fold(0.0, Real::max)
     }
 
     /// Makes room for blocks with this number of driven axes.
@@ -251,14 +264,21 @@ fn write_locked<W: Wide, const BIASED: bool, const N: usize>(
     let (rows, rates) = if BIASED {
         rows_biased::<W, N>(block, memory, bodies, pass)
     } else {
-        let rows = Geometry::new(block, &bodies.displacements).rows::<N>();
+        let now = Geometry::new(block, &bodies.displacements);
+        let bias_rate = W::load(&block.bias_rate);
+        for (error, to) in now.errors::<N>().into_iter().zip(&mut memory.corrections) {
+            (error * bias_rate).store(to);
+        }
+        let rows = now.rows::<N>();
         (rows, rates_here(block, &rows, bodies))
     };
     memory.changes = [Lane::ZERO; SPATIAL_DIM];
     for k in 0..N {
         rates[k].store(&mut memory.rates[k]);
         W::load(&block.impulses[k]).store(&mut memory.impulses[k]);
-        W::load(&block.held_bias[k]).store(&mut memory.corrections[k]);
+        if BIASED {
+            W::load(&block.held_bias[k]).store(&mut memory.corrections[k]);
+        }
         store_row(&rows[k], &mut memory.rows[k]);
     }
     compliance_of::<W, BIASED>(block).store(&mut memory.compliance);
@@ -280,6 +300,7 @@ fn write_driven<'a, W: Wide, const BIASED: bool, const N: usize>(
     let locked = Locked::<W, N>::new(block, &now);
     let matrix = Factored::new(locked.coupling(&masses));
     let (zero, one) = (W::zero(), W::splat(1.0));
+    let correction_rate = W::splat(EXACT_LIMIT_ERROR_FRACTION * pass.inv_substep);
     for (row, to) in rows {
         let (mut along, position) = now.free_row(row);
         let effective = locked.effective_with_reactions(along, &masses, &matrix);
@@ -301,12 +322,10 @@ fn write_driven<'a, W: Wide, const BIASED: bool, const N: usize>(
         }
         let axis = FreeAxis { position, effective, inverse };
         let law = MotorLaw::new::<BIASED>(&mut row.motor, &axis, curvature, pass);
-        let ([low, high], corrections) = rate_limits::<W, BIASED>(row, position, &along, pass);
-        let kept = one - W::load(&memory.is_displaced);
-        let [low, high] = [
-            low - (corrections[0] - corrections[0] * kept),
-            high - (corrections[1] - corrections[1] * kept),
-        ];
+        let ([low, high], corrections) =
+            rate_limits::<W, BIASED>(row, position, correction_rate, &along, pass);
+        let apart = if BIASED { W::load(&memory.is_displaced) } else { zero };
+        let (low, high) = (low - corrections[0] * apart, high - corrections[1] * apart);
         store_row(&along, &mut to.row);
         along.rate(&bodies.velocities).store(&mut to.rate);
         law.damping.store(&mut to.damping);

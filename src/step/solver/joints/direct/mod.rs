@@ -62,6 +62,13 @@ const ROUNDS_MAX: usize = 8;
 /// The same for stiff components, whose projection starts farther away.
 const STIFF_ROUNDS_MAX: usize = 4;
 
+/// Errors that would be corrected by larger velocities (length units or radians per second) than this are
+/// corrected apart from the velocities: see [`Direct::add_corrections`].
+const CORRECTION_RATE_MAX: Real = 1.0;
+/// The same for errors that arise within a step: a tenth of a metre at 240 substeps per second. Smaller ones
+/// are those of fast and of heavily loaded joints, whose velocities correct them.
+const LATE_CORRECTION_RATE_MAX: Real = 24.0;
+
 /// Components of connected joints, and their matrices.
 #[derive(Default)]
 pub(super) struct Direct {
@@ -72,6 +79,7 @@ pub(super) struct Direct {
     solve_states: Vec<SolveState>,
     /// By component: whether a joint has a large error, which is corrected apart.
     is_displaced: Vec<bool>,
+    is_first_substep: bool,
 }
 
 /// Method for a component in a substep: see `../geometric_stiffness.rs`.
@@ -273,21 +281,28 @@ impl Direct {
         is_unfinished
     }
 
-    /// Finds the components with a joint whose error is large, as `find` returns for each joint, and notes them in
-    /// the rows.
-    pub fn note_displaced(
-        &mut self,
-        rows: &mut [JacobianBlock],
-        mut find: impl FnMut(&DirectJoint) -> bool,
-    ) {
+    /// Begins a step: `error` returns the largest error of each joint as a velocity that corrects the error in one
+    /// substep.
+    pub fn begin_step(&mut self, mut error: impl FnMut(&DirectJoint) -> Real) {
         self.is_displaced.clear();
         for index in 0..self.pattern.component_count() {
+            let errors = self.pattern.component(index).members.iter().map(&mut error);
+            self.is_displaced.push(errors.fold(0.0, Real::max) > CORRECTION_RATE_MAX);
+        }
+        self.is_first_substep = true;
+    }
+
+    /// Begins a solve pass: finds the components with large errors, and notes them in the rows. The rows hold the
+    /// errors of the last relax pass, except in the first substep.
+    pub fn find_displaced(&mut self, rows: &mut Jacobians) {
+        let is_first = core::mem::take(&mut self.is_first_substep);
+        for (index, is_displaced) in self.is_displaced.iter_mut().enumerate() {
             let members = self.pattern.component(index).members;
-            let is_displaced = members.iter().any(&mut find);
-            self.is_displaced.push(is_displaced);
+            let mut rates = members.iter().map(|member| rows.largest_correction(member));
+            *is_displaced |= !is_first && rates.any(|rate| rate > LATE_CORRECTION_RATE_MAX);
             for member in members {
-                let lanes = &mut rows[member.block as usize].is_displaced;
-                lanes.0[member.lane as usize] = if is_displaced { 1.0 } else { 0.0 };
+                let lanes = &mut rows.blocks[member.block as usize].is_displaced;
+                lanes.0[member.lane as usize] = if *is_displaced { 1.0 } else { 0.0 };
             }
         }
     }
@@ -297,7 +312,7 @@ impl Direct {
     ///
     /// Small errors are corrected by the velocities of the solve pass. The relax pass removes what is left of
     /// them along the locked axes. What is left along the free ones is energy from nothing: a hinge whose anchor
-    /// was moved by two metres kept 1,400 J in 1 kg.
+    /// was moved by two metres kept 1,400 J in 1 kg. Contacts would pass them on, too.
     pub fn add_corrections(&mut self, rows: &Jacobians, states: DisjointMut<'_, BodyState>) {
         for (index, factor) in self.factors.iter_mut().enumerate() {
             if self.is_displaced.get(index).is_some_and(|is_displaced| *is_displaced) {

@@ -1,0 +1,209 @@
+//! The rows on the degrees of freedom of one multibody, solved together: limits, motors with a largest force, dry
+//! friction and gears.
+//!
+//! Each row has a law ([`AxisLaw`]), and an impulse on one moves all links. With the rows one after the other, a
+//! strong motor pushes the next limit aside. So the rows on the active pieces of their laws are one dense system
+//!
+//! ```text
+//! (A + C) Δλ = missing rates          A_ij = J_i M⁻¹ J_jᵀ
+//! ```
+//!
+//! with the compliances `C` of motors. Few rows are active at a time: limits that hold, and motors below their
+//! largest force. The pieces are found as for impulse joints: see `../axis_law.rs`.
+
+use super::rows::{ConstrainedStates, JacobianPool, Row};
+use crate::dim::math::Real;
+use crate::step::solver::axis_law::{AxisLaw, Equation, Piece};
+
+/// Largest number of times that rows move to another piece of their laws in one solution.
+const PIECE_CHANGES_MAX: usize = 32;
+/// From this time on, one row moves at a time.
+const JOINT_PIECE_CHANGES_MAX: usize = 6;
+/// A pivot below this fraction of the row's diagonal element is rounding: the row is redundant.
+const PIVOT_MIN: f64 = 64.0 * Real::EPSILON as f64;
+
+/// A row in the system.
+#[derive(Clone, Debug)]
+pub struct SystemRow {
+    /// The rows of one group are solved together.
+    pub group: usize,
+    pub row: Row,
+    pub law: AxisLaw,
+    pub piece: Piece,
+    pub impulse: f64,
+}
+
+impl SystemRow {
+    /// Of these impulses of the motor, of the lower and of the upper limit so far.
+    pub fn new(group: usize, row: Row, law: AxisLaw, [motor, lower, upper]: [Real; 3]) -> Self {
+        let [motor, lower, upper] = [motor, lower, upper].map(f64::from);
+        let piece = law.piece_of(motor, lower, upper);
+        Self { group, row, law, piece, impulse: motor + lower - upper }
+    }
+
+    /// The impulses of the motor, of the lower and of the upper limit.
+    pub fn parts(&self) -> [Real; 3] {
+        let response = if self.row.mass > 0.0 { 1.0 / f64::from(self.row.mass) } else { 0.0 };
+        self.law.parts(self.piece, self.impulse, response).map(|part| part as Real)
+    }
+
+    /// Changes the impulse.
+    fn push(&mut self, change: f64, jacobians: &JacobianPool, states: &mut ConstrainedStates<'_>) {
+        self.impulse += change;
+        jacobians.push(&self.row, change as Real, states);
+    }
+}
+
+/// The rows of all multibodies that are solved now, and the buffers of their systems.
+#[derive(Debug, Default)]
+pub struct RowSystem {
+    pub rows: Vec<SystemRow>,
+    /// Groups and positions of the rows, those of one group together.
+    order: Vec<[usize; 2]>,
+    /// Positions of the rows with an equation.
+    active: Vec<usize>,
+    /// The lower half of the matrix, row after row; factorised, `L` and `D`.
+    matrix: Vec<f64>,
+    x: Vec<f64>,
+}
+
+impl RowSystem {
+    /// Removes all rows.
+    pub fn clear(&mut self) {
+        self.rows.clear();
+    }
+
+    /// Forgets the order of the rows: there are others in this step.
+    pub fn reset(&mut self) {
+        self.order.clear();
+    }
+
+    /// Solves all groups.
+    pub fn solve(&mut self, jacobians: &JacobianPool, states: &mut ConstrainedStates<'_>) {
+        if self.order.len() != self.rows.len() {
+            self.order.clear();
+            self.order.extend(self.rows.iter().enumerate().map(|(k, row)| [row.group, k]));
+            self.order.sort_unstable();
+        }
+        let order = core::mem::take(&mut self.order);
+        for group in order.chunk_by(|[a, _], [b, _]| a == b) {
+            self.solve_group(group, jacobians, states);
+        }
+        self.order = order;
+    }
+
+    fn solve_group(
+        &mut self,
+        group: &[[usize; 2]],
+        jacobians: &JacobianPool,
+        states: &mut ConstrainedStates<'_>,
+    ) {
+        for change in 0..PIECE_CHANGES_MAX {
+            self.push_constants(group, jacobians, states);
+            self.solve_active(group, jacobians, states);
+            let only_first = change >= JOINT_PIECE_CHANGES_MAX;
+            if !self.choose_pieces(group, only_first, jacobians, states) {
+                return;
+            }
+        }
+    }
+
+    /// Sets the impulses of rows with a constant one.
+    fn push_constants(
+        &mut self,
+        group: &[[usize; 2]],
+        jacobians: &JacobianPool,
+        states: &mut ConstrainedStates<'_>,
+    ) {
+        for &[_, position] in group {
+            let row = &mut self.rows[position];
+            if let Piece::Constant(impulse) = row.piece
+                && impulse != row.impulse
+            {
+                row.push(impulse - row.impulse, jacobians, states);
+            }
+        }
+    }
+
+    /// Solves the equations of the active rows.
+    fn solve_active(
+        &mut self,
+        group: &[[usize; 2]],
+        jacobians: &JacobianPool,
+        states: &mut ConstrainedStates<'_>,
+    ) {
+        let Self { rows, active, matrix, x, .. } = self;
+        active.clear();
+        matrix.clear();
+        x.clear();
+        for &[_, position] in group {
+            let row = &rows[position];
+            let rate = f64::from(jacobians.velocity(&row.row, states));
+            let Some(equation) = row.law.equation(row.piece, row.impulse, rate) else { continue };
+            let Equation { compliance, missing } = equation;
+            let coupling = |other: &SystemRow| f64::from(jacobians.coupling(&row.row, &other.row));
+            matrix.extend(active.iter().map(|&other| coupling(&rows[other])));
+            matrix.push(coupling(row) + compliance);
+            x.push(missing);
+            active.push(position);
+        }
+        solve_symmetric(matrix, x);
+        for (&position, &change) in active.iter().zip(&*x) {
+            rows[position].push(change, jacobians, states);
+        }
+    }
+
+    /// Moves rows to the pieces of their laws on which they are: all, or the first one only. Returns whether any
+    /// row has moved.
+    fn choose_pieces(
+        &mut self,
+        group: &[[usize; 2]],
+        only_first: bool,
+        jacobians: &JacobianPool,
+        states: &ConstrainedStates<'_>,
+    ) -> bool {
+        let mut any = false;
+        for &[_, position] in group {
+            let row = &mut self.rows[position];
+            let rate = f64::from(jacobians.velocity(&row.row, states));
+            let next = row.law.next(row.piece, row.impulse, rate);
+            any |= next != row.piece;
+            row.piece = next;
+            if any && only_first {
+                break;
+            }
+        }
+        any
+    }
+}
+
+/// Solves `A x = b` in place for the lower half of a symmetric matrix, row after row, by `A = L D Lᵀ`. Redundant
+/// rows get 0.
+fn solve_symmetric(a: &mut [f64], x: &mut [f64]) {
+    let start = |row: usize| row * (row + 1) / 2;
+    for i in 0..x.len() {
+        let own = a[start(i) + i];
+        for j in 0..i {
+            for m in 0..j {
+                a[start(i) + j] -= a[start(i) + m] * a[start(j) + m];
+            }
+        }
+        // The row holds `L D` so far. `D` is stored inverted.
+        let mut pivot = own;
+        for j in 0..i {
+            let unscaled = a[start(i) + j];
+            a[start(i) + j] *= a[start(j) + j];
+            pivot -= unscaled * a[start(i) + j];
+        }
+        a[start(i) + i] = if pivot > PIVOT_MIN * own { 1.0 / pivot } else { 0.0 };
+        for j in 0..i {
+            x[i] -= a[start(i) + j] * x[j];
+        }
+    }
+    for i in (0..x.len()).rev() {
+        x[i] *= a[start(i) + i];
+        for k in i + 1..x.len() {
+            x[i] -= a[start(k) + i] * x[k];
+        }
+    }
+}
