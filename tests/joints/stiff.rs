@@ -243,7 +243,7 @@ fn equal_limits_make_a_rigid_beam() {
 fn arms_of_stiff_servos_reach_their_pose() {
     for rate in RATES {
         for ratio in [1.0e-2, 1.0, 1.0e2] {
-            for decade in [8, 9, 10, 11, 12] {
+            for decade in [10, 11, 12] {
                 let stiffness = Real::powi(10.0, decade);
                 let mut world = weightless(rate);
                 let masses: Vec<Real> =
