@@ -1,7 +1,8 @@
 //! Motors, springs and limits of any stiffness put in no energy.
 //!
 //! Each test runs over a family: kinds of joints, stiffness over twelve decades, mass ratios, rates and
-//! numbers of substeps. The bound of the energy is that of the start, and the bound of a limit is half a degree.
+//! numbers of substeps. The bound of the energy is that of the start, and the bound of a limit is half a
+//! degree.
 
 use super::stage::{bob, post};
 use crate::dim::{about_z, ang_length, angle, cuboid, hinge, vec, z_of};

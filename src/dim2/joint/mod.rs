@@ -1,8 +1,8 @@
 //! # Joint frames in 2D
 //!
 //! Rotations of joints, lane by lane and for one joint at a time. There is one axis of rotation. The error of
-//! the locked axis is `4 tan(φ/4)` of the angle `φ` between the frames. For small angles it is the angle. Half
-//! a revolution off it is 4, and its rate is `(1 + tan²(φ/4)) φ̇`, which does not vanish.
+//! the locked axis is `4 tan(φ/4)` of the angle `φ` between the frames. For small angles it is the angle.
+//! Half a revolution off it is 4, and its rate is `(1 + tan²(φ/4)) φ̇`, which does not vanish.
 
 mod frame;
 mod angle_tracker;

@@ -4,8 +4,8 @@
 //! joint's frames on its bodies, and `q = q1* q2 = (v, w)` the second one relative to the first.
 //!
 //! ## Locked rotations
-//! The error about a locked axis `k` is twice the component `v_k`, for small angles. With the relative angular
-//! velocity `ω` in the first frame, `2 q̇ = ω q`, so
+//! The error about a locked axis `k` is twice the component `v_k`, for small angles. With the relative
+//! angular velocity `ω` in the first frame, `2 q̇ = ω q`, so
 //!
 //! ```text
 //! 2 v̇ = w ω + ω × v,      rows   r₁ = (w, v₃, -v₂)   r₂ = (-v₃, w, v₁)   r₃ = (v₂, -v₁, w)
@@ -13,8 +13,8 @@
 //!
 //! If two rotations are locked, `q` is a rotation about the third axis, `w² + v₃² = 1`. The two rows are
 //! perpendicular unit vectors for any angle, without a singularity at half a turn. But all rows shrink with
-//! the angle `φ` by which the locked axes are off, and vanish for half a turn. With the sine and the cosine of
-//! `φ/2`, `s² = Σ v_k²` over the locked axes and `c² = 1 - s²`, the error is therefore
+//! the angle `φ` by which the locked axes are off, and vanish for half a turn. With the sine and the cosine
+//! of `φ/2`, `s² = Σ v_k²` over the locked axes and `c² = 1 - s²`, the error is therefore
 //!
 //! ```text
 //! C_k = 4 v_k / (1 + c)          Ċ_k = 2/(1 + c) r_k·ω + 2 v_k/(c (1 + c)²) Σ v_l r_l·ω

@@ -17,18 +17,19 @@
 //! ```
 //!
 //! Each piece is a linear equation. A motor is a row with the compliance `1/g`, a limit that holds is a row
-//! like those of locked axes, and a constant impulse is no row. The law is monotone, so connected joints have one
-//! solution (Cottle, Pang and Stone, "The Linear Complementarity Problem", 1992, sections 3.3 and 4.2). The
-//! solver selects the pieces with Newton's method: it solves the equations of the present pieces, moves each
-//! axis to the piece on which its solution is, and repeats (Hintermüller, Ito and Kunisch, "The primal-dual
-//! active set strategy as a semismooth Newton method", 2002). The pieces of the last substep are nearly always
-//! right. Newton's method may cycle, so late changes move one axis at a time, the first one (Murty's rule).
+//! like those of locked axes, and a constant impulse is no row. The law is monotone, so connected joints have
+//! one solution (Cottle, Pang and Stone, "The Linear Complementarity Problem", 1992, sections 3.3 and 4.2).
+//! The solver selects the pieces with Newton's method: it solves the equations of the present pieces, moves
+//! each axis to the piece on which its solution is, and repeats (Hintermüller, Ito and Kunisch, "The
+//! primal-dual active set strategy as a semismooth Newton method", 2002). The pieces of the last substep are
+//! nearly always right. Newton's method may cycle, so late changes move one axis at a time, the first one
+//! (Murty's rule).
 
 use crate::dim::math::Real;
 
-/// Largest rate by which a motor and a limit that oppose each other would each change the rate of their axis. A
-/// rigid motor against a limit has an impulse of any size. Those of both are stored in the engine's precision, and
-/// their sum must keep its digits.
+/// Largest rate by which a motor and a limit that oppose each other would each change the rate of their axis.
+/// A rigid motor against a limit has an impulse of any size. Those of both are stored in the engine's
+/// precision, and their sum must keep its digits.
 pub(super) const OPPOSED_RATE_MAX: Real = 1.0e3;
 
 /// A linear piece of the law.

@@ -32,8 +32,8 @@ const ITERATED_COMPLIANCE: Real = 1.0 / 8.0;
 /// A body that rotates by less than this angle (rad) in a substep keeps its inertia for the step.
 const ROTATION_ANGLE_MIN: Real = 1.0e-4;
 
-/// Largest angle (rad) of an error that a substep corrects. A correction is linear, and would throw bodies about
-/// that have to rotate by more.
+/// Largest angle (rad) of an error that a substep corrects. A correction is linear, and would throw bodies
+/// about that have to rotate by more.
 const CORRECTION_ANGLE_MAX: Real = 0.5;
 
 /// Number of joints per parallel task.

@@ -49,9 +49,10 @@
 //! impulses would only project the old velocity: that is the method with a loss of `ω² h`.)
 //!
 //! ## Direct or iterative
-//! All axes of connected joints are solved directly (`direct/`): locked ones, motors and limits. Nets with too
-//! many loops, unattached components such as ragdolls, and single ropes and springs are solved iteratively over
-//! the colours, with some compliance. The plain ones among these have passes of their own (`point_to_point/`).
+//! All axes of connected joints are solved directly (`direct/`): locked ones, motors and limits. Nets with
+//! too many loops, unattached components such as ragdolls, and single ropes and springs are solved
+//! iteratively over the colours, with some compliance. The plain ones among these have passes of their own
+//! (`point_to_point/`).
 //!
 //! ## Order
 //! All joints are solved before all contacts, colour by colour. The constraint that is solved last has the

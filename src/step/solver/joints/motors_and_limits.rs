@@ -1,26 +1,27 @@
 //! Motors and limits of a free axis.
 //!
-//! Their forces are a law of the rate `v = Ċ` at the end of a pass. Directly solved joints solve the laws of all
-//! axes together with the locked axes (`../axis_law.rs`). Iterated joints solve one axis after the other.
+//! Their forces are a law of the rate `v = Ċ` at the end of a pass. Directly solved joints solve the laws of
+//! all axes together with the locked axes (`../axis_law.rs`). Iterated joints solve one axis after the other.
 //!
 //! ## Motors
-//! `force = k (target - C) + c (target velocity - v)`. Both forces are implicit, so each pass has a linear law for
-//! the impulse, `λ = -(g v + p)`, which is stable at any stiffness. With the stretch `x = C - target` and the rate
-//! `v₀` when the substep began, and with `K = J M⁻¹ Jᵀ` of the axis,
+//! `force = k (target - C) + c (target velocity - v)`. Both forces are implicit, so each pass has a linear
+//! law for the impulse, `λ = -(g v + p)`, which is stable at any stiffness. With the stretch `x = C - target`
+//! and the rate `v₀` when the substep began, and with `K = J M⁻¹ Jᵀ` of the axis,
 //!
 //! ```text
 //! λ = -h k (x + a h v + b h v₀) - h c (v - target velocity)
 //! ```
 //!
-//! `a = 1`, `b = 0` is the implicit Euler method, which damps a spring by the ratio `h ω / 2`. `a = 1/4`, `b = -1/4`
-//! keeps the area of the phase plane at any stiffness: a spring among others uses these while `(h ω)² = h² k K` is
-//! below [`SYMPLECTIC_SQUARE_MAX`]. The velocities of that method belong to the middle of the substep and not to
-//! its end. The energy that a program reads oscillates by `h ω / 2`, and a spring that starts from rest gets half an
-//! impulse too much, an amplitude of `√(1 + (h ω)²/4)`.
+//! `a = 1`, `b = 0` is the implicit Euler method, which damps a spring by the ratio `h ω / 2`. `a = 1/4`, `b
+//! = -1/4` keeps the area of the phase plane at any stiffness: a spring among others uses these while `(h ω)²
+//! = h² k K` is below [`SYMPLECTIC_SQUARE_MAX`]. The velocities of that method belong to the middle of the
+//! substep and not to its end. The energy that a program reads oscillates by `h ω / 2`, and a spring that
+//! starts from rest gets half an impulse too much, an amplitude of `√(1 + (h ω)²/4)`.
 //!
-//! A spring that moves its bodies alone follows the midpoint rule, which keeps the energy exactly: the axis moves
-//! by the mean of the rates at both ends of the substep, and the spring has its mean stretch. The solve pass moves
-//! the bodies. Its rate `v*` is to be that mean, and the rest of the impulse follows in the relax pass:
+//! A spring that moves its bodies alone follows the midpoint rule, which keeps the energy exactly: the axis
+//! moves by the mean of the rates at both ends of the substep, and the spring has its mean stretch. The solve
+//! pass moves the bodies. Its rate `v*` is to be that mean, and the rest of the impulse follows in the relax
+//! pass:
 //!
 //! ```text
 //! λ = -h k (x + h v*/2)             of the whole substep
@@ -28,11 +29,12 @@
 //! v* = (v₀ + v')/2        ⇒        λ* = λ - (v* - v₀)/K
 //! ```
 //!
-//! At rest `v* = v₀ = 0`, so that `λ* = λ` carries the load and the relax pass has nothing to do. `K` must be exact.
-//! One that is too small would add energy, and beside other springs the mean is no law of a single axis.
+//! At rest `v* = v₀ = 0`, so that `λ* = λ` carries the load and the relax pass has nothing to do. `K` must be
+//! exact. One that is too small would add energy, and beside other springs the mean is no law of a single
+//! axis.
 //!
-//! Springs beyond [`MIDPOINT_SQUARE_MAX`] oscillate faster than substeps can follow, and fade into the implicit
-//! method: a rigid motor reaches its target in one substep, and stays there.
+//! Springs beyond [`MIDPOINT_SQUARE_MAX`] oscillate faster than substeps can follow, and fade into the
+//! implicit method: a rigid motor reaches its target in one substep, and stays there.
 //!
 //! ## Limits
 //! A limit is a contact along the axis. It pushes only, and at a distance it lets the axis approach by that
@@ -40,17 +42,17 @@
 //! (`substep_end.rs`), and the corrections of the locked axes. A rope thus guides a body on a circle of its
 //! length, and a pendulum on it keeps its energy, as on a locked joint.
 //!
-//! Iterated limits in series have less stiffness than a load needs. A limit between bodies of the mass `m` under
-//! a load `M` responds to the load's velocity as if the load were as light. In each of the two passes of a
-//! substep its impulse is `m (v + β C)`, and the load moves by
+//! Iterated limits in series have less stiffness than a load needs. A limit between bodies of the mass `m`
+//! under a load `M` responds to the load's velocity as if the load were as light. In each of the two passes
+//! of a substep its impulse is `m (v + β C)`, and the load moves by
 //!
 //! ```text
 //! v‴ + a v″ + a/h (v′ + β v) = 0          a = 2 m / (M h)
 //! ```
 //!
-//! That is stable only for `β < a` (Routh and Hurwitz), `β h < 2 m / M`. [`LIMIT_ERROR_FRACTION`] keeps it below
-//! that for loads of a hundred times the mass. A small fraction suffices: a limit acts before the axis exceeds
-//! it, so little error remains.
+//! That is stable only for `β < a` (Routh and Hurwitz), `β h < 2 m / M`. [`LIMIT_ERROR_FRACTION`] keeps it
+//! below that for loads of a hundred times the mass. A small fraction suffices: a limit acts before the axis
+//! exceeds it, so little error remains.
 //!
 //! ## Acceleration-based motors
 //! An acceleration-based motor multiplies by the mass that it moves in its own joint: that of the two bodies,
@@ -68,8 +70,8 @@ use crate::step::solver::axis_law::OPPOSED_RATE_MAX;
 
 /// The fraction of an iterated limit's error that a substep removes: see the module's head.
 const LIMIT_ERROR_FRACTION: Real = 0.02;
-/// The same for directly solved limits. Contacts pass the velocity of a correction on: with 1, a bridge of ropes threw
-/// a load of 1,000 kg up by 30 cm.
+/// The same for directly solved limits. Contacts pass the velocity of a correction on: with 1, a bridge of
+/// ropes threw a load of 1,000 kg up by 30 cm.
 pub(super) const EXACT_LIMIT_ERROR_FRACTION: Real = 0.1;
 
 /// The `h² k K` from which on a spring beside others is implicit.

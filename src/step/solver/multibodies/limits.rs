@@ -8,8 +8,8 @@
 //! ```
 //!
 //! The motor's equation, solved for the velocity, is `q̇ - v + γ λ = 0`, with `v = (k (target - q) + d target
-//! velocity)/(h k + d)` and `γ = 1/(h (h k + d))`. Motors without a largest force are no rows: see `load.rs`. All
-//! rows of a multibody are solved together, with its gears: see `system.rs`.
+//! velocity)/(h k + d)` and `γ = 1/(h (h k + d))`. Motors without a largest force are no rows: see `load.rs`.
+//! All rows of a multibody are solved together, with its gears: see `system.rs`.
 //!
 //! `q` is a coordinate. For a ball joint it is an angle as in `dim3/joint/mod.rs`, and the row is its
 //! gradient. The row rotates with the ball, and a body that moves on a cone would leave it along a tangent.
@@ -17,6 +17,7 @@
 //! the curvature, as rows of impulse joints do (`joints/substep_end.rs`).
 
 use super::Moving;
+use super::force_rows::ForceRow;
 use super::rows::{ConstrainedStates, JacobianPool, Part, Row};
 use super::system::{RowSystem, SystemRow};
 use crate::dim::joint::{FreeRotations, angle_about};
@@ -24,7 +25,7 @@ use crate::dim::joint_axes::JointAxis;
 use crate::dim::math::{ANG_DIM, DIM, Real, SpatialVector};
 use crate::dim::spatial::{ang_components, angular, linear};
 use crate::model::joint::{
-    GenericJoint, ImpulseJointHandle, ImpulseJointSet, JointLimits, JointMotor, MotorModel, mask_of,
+    GenericJoint, ImpulseJointHandle, ImpulseJointSet, JointLimits, JointMotor, mask_of,
 };
 use crate::model::multibody::{MultibodyJoint, MultibodyLink};
 use crate::model::params::JointPass;
@@ -46,9 +47,6 @@ pub enum Owner {
     },
 }
 
-/// Compliance of rigid rows: dry friction.
-const COMPLIANCE_MIN: f64 = 1.0e-30;
-
 /// Distance (rad) from which a limit of a ball's angle is updated in each substep. Joints that must stay
 /// within half a degree rotate by less in a substep.
 const LIMIT_DISTANCE_MAX: Real = 0.25;
@@ -66,26 +64,6 @@ struct Limit {
     total: Real,
     /// Whether it belongs to a ball joint near its limit. Then its row is made anew in each substep.
     is_followed: bool,
-}
-
-/// A motor with a largest force, or friction.
-#[derive(Copy, Clone, Debug)]
-struct ForceRow {
-    owner: Owner,
-    axis: JointAxis,
-    row: Row,
-    is_friction: bool,
-    /// Stiffness over `h k + d` (1/s): the increase of the target velocity per distance from the target.
-    pull: Real,
-    /// Distance to the target at the beginning of the step.
-    distance: Real,
-    /// Target velocity at the target position.
-    velocity: Real,
-    compliance: Real,
-    impulse: Real,
-    /// Sum of the impulses of the substeps.
-    total: Real,
-    impulse_max: Real,
 }
 
 /// All rows on single joints.
@@ -324,8 +302,8 @@ impl JointRows {
 }
 
 impl Owner {
-    /// The group of rows that are solved together: those of the joints of one multibody. A joint that closes a loop
-    /// is alone, and has the number of its row.
+    /// The group of rows that are solved together: those of the joints of one multibody. A joint that closes
+    /// a loop is alone, and has the number of its row.
     fn group(&self, states: &ConstrainedStates<'_>, number: usize) -> usize {
         match self {
             Self::Link { multibody, .. } => *multibody,
@@ -402,69 +380,6 @@ impl Limit {
             CURVATURE_FRACTION_MAX * turn.iter().map(|rate| rate * rate).sum::<Real>().sqrt();
         let curvature = (then - now) * inv_substep - straight;
         curvature.min(bound).max(-bound)
-    }
-}
-
-impl ForceRow {
-    fn motor(
-        owner: Owner,
-        axis: JointAxis,
-        row: Row,
-        q: Real,
-        motor: &JointMotor,
-        h: Real,
-    ) -> Self {
-        let inertia = match motor.model {
-            MotorModel::AccelerationBased => row.mass,
-            MotorModel::ForceBased => 1.0,
-        };
-        let (stiffness, damping) = (motor.stiffness * inertia, motor.damping * inertia);
-        let resistance = h * stiffness + damping;
-        let fraction = |of: Real| if resistance > 0.0 { of / resistance } else { 0.0 };
-        let impulse_max = (motor.max_force * h).min(Real::MAX);
-        Self {
-            owner,
-            axis,
-            row: if resistance > 0.0 { row } else { Row { mass: 0.0, ..row } },
-            is_friction: false,
-            pull: fraction(stiffness),
-            distance: motor.target_pos - q,
-            velocity: fraction(damping) * motor.target_vel,
-            compliance: fraction(1.0 / h),
-            impulse: motor.impulse.clamp(-impulse_max, impulse_max),
-            total: 0.0,
-            impulse_max,
-        }
-    }
-
-    fn friction(owner: Owner, axis: JointAxis, row: Row, impulse_max: Real, impulse: Real) -> Self {
-        let impulse = impulse.clamp(-impulse_max, impulse_max);
-        let (pull, distance, velocity, compliance) = (0.0, 0.0, 0.0, 0.0);
-        Self {
-            owner,
-            axis,
-            row,
-            is_friction: true,
-            pull,
-            distance,
-            velocity,
-            compliance,
-            impulse,
-            total: 0.0,
-            impulse_max,
-        }
-    }
-
-    /// The law of the motor or of the friction.
-    fn law(&self, jacobians: &JacobianPool, states: &ConstrainedStates<'_>) -> AxisLaw {
-        if self.row.mass == 0.0 {
-            return AxisLaw::FREE;
-        }
-        let moved = if self.pull > 0.0 { jacobians.displacement(&self.row, states) } else { 0.0 };
-        let wanted = f64::from(self.velocity + self.pull * (self.distance - moved));
-        let damping = 1.0 / f64::from(self.compliance).max(COMPLIANCE_MIN);
-        let bound = f64::from(self.impulse_max);
-        AxisLaw { damping, pull: -wanted * damping, bound, ..AxisLaw::FREE }
     }
 }
 

@@ -10,6 +10,7 @@
 
 mod impacts;
 mod contacts;
+mod force_rows;
 mod gears;
 mod limits;
 mod load;

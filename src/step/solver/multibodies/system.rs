@@ -1,15 +1,16 @@
-//! The rows on the degrees of freedom of one multibody, solved together: limits, motors with a largest force, dry
-//! friction and gears.
+//! The rows on the degrees of freedom of one multibody, solved together: limits, motors with a largest force,
+//! dry friction and gears.
 //!
-//! Each row has a law ([`AxisLaw`]), and an impulse on one moves all links. With the rows one after the other, a
-//! strong motor pushes the next limit aside. So the rows on the active pieces of their laws are one dense system
+//! Each row has a law ([`AxisLaw`]), and an impulse on one moves all links. With the rows one after the
+//! other, a strong motor pushes the next limit aside. So the rows on the active pieces of their laws are one
+//! dense system
 //!
 //! ```text
 //! (A + C) Δλ = missing rates          A_ij = J_i M⁻¹ J_jᵀ
 //! ```
 //!
-//! with the compliances `C` of motors. Few rows are active at a time: limits that hold, and motors below their
-//! largest force. The pieces are found as for impulse joints: see `../axis_law.rs`.
+//! with the compliances `C` of motors. Few rows are active at a time: limits that hold, and motors below
+//! their largest force. The pieces are found as for impulse joints: see `../axis_law.rs`.
 
 use super::rows::{ConstrainedStates, JacobianPool, Row};
 use crate::dim::math::Real;
@@ -153,8 +154,8 @@ impl RowSystem {
         }
     }
 
-    /// Moves rows to the pieces of their laws on which they are: all, or the first one only. Returns whether any
-    /// row has moved.
+    /// Moves rows to the pieces of their laws on which they are: all, or the first one only. Returns whether
+    /// any row has moved.
     fn choose_pieces(
         &mut self,
         group: &[[usize; 2]],
@@ -177,8 +178,8 @@ impl RowSystem {
     }
 }
 
-/// Solves `A x = b` in place for the lower half of a symmetric matrix, row after row, by `A = L D Lᵀ`. Redundant
-/// rows get 0.
+/// Solves `A x = b` in place for the lower half of a symmetric matrix, row after row, by `A = L D Lᵀ`.
+/// Redundant rows get 0.
 fn solve_symmetric(a: &mut [f64], x: &mut [f64]) {
     let start = |row: usize| row * (row + 1) / 2;
     for i in 0..x.len() {

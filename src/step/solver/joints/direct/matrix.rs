@@ -32,14 +32,15 @@
 //! lead from the solution to zero.
 
 use super::dense::{Block, Column, add, divide_right, dot, factorise, zero};
+use super::driven::DrivenAxis;
 use super::jacobians::{JointRows, Motion, compliance_of, couple, locked_axes};
-use super::memory::{DrivenRow, Jacobians};
+use super::memory::Jacobians;
 use super::pattern::{Component, DirectJoint};
 use crate::base::disjoint::DisjointMut;
 use crate::base::wide::{Kernel, Simd, Wide};
-use crate::dim::math::{DIM, Real, SPATIAL_DIM};
+use crate::dim::math::{DIM, Real};
 use crate::dim::state::BodyState;
-use crate::step::solver::axis_law::{AxisLaw, Equation, Piece};
+use crate::step::solver::axis_law::{Equation, Piece};
 
 /// Relative increase of each diagonal element (Levenberg and Marquardt's damping). Without it, long chains
 /// under 10⁵ times the mass of a link answer to the rounding of velocities with impulses that throw their
@@ -52,22 +53,6 @@ const LOOP_DAMPING: f64 = 8.0 * Real::EPSILON as f64 + 1.0e-8;
 /// The least element of `D` as a fraction of the row's own diagonal, for bodies that rotate without
 /// translation or are far away.
 const FRACTION_MIN: f64 = 1.0e-3;
-
-/// Convergence of stiff joints: the norm of their velocity errors, an energy, as a fraction of the first
-/// round's. Convergence is quadratic: a machine of light bars goes from 1 to 10⁻⁴ and to 10⁻⁹. For a chain at
-/// rest, 10⁻⁵ is rounding.
-const STIFF_RESIDUAL_FRACTION_MAX: f64 = 1.0e-4;
-
-/// Convergence of other joints: the residual as a fraction of the total effect of their impulses (both
-/// energies).
-const CONVERGED_FRACTION_MAX: f64 = 1.0e-9;
-/// Rounding error of anchor positions, relative to the moment arms.
-const ANCHOR_ROUNDING: f64 = 4.0 * Real::EPSILON as f64;
-/// With a larger residual fraction, the joints are not converged.
-const RESIDUAL_FRACTION_MAX: f64 = 1.0e-3;
-/// The rounds diverge if the residual exceeds the total effect of the impulses, and the last residual by this
-/// factor.
-const RESIDUAL_GROWTH_MAX: f64 = 100.0;
 
 /// Largest number of times that axes move to another piece of their laws in one solution.
 const PIECE_CHANGES_MAX: usize = 64;
@@ -82,34 +67,22 @@ pub(in super::super) enum Rows {
     Locked,
 }
 
-/// Progress of the rounds of a solution.
-#[derive(Copy, Clone, Debug, PartialEq)]
-pub(super) enum Progress {
-    Done,
-    /// Sufficient; another round would reduce the error.
-    Near,
-    /// Another round is required.
-    Far,
-    /// The rounds diverge.
-    Diverging,
-}
-
 /// The matrix of a component, and the buffers of its solution, with `N` rows per joint.
 #[derive(Default)]
 pub(super) struct Matrix<const N: usize> {
     /// By direct joint.
-    rows: Vec<JointRows<N>>,
+    pub(super) rows: Vec<JointRows<N>>,
     /// By direct joint: its diagonal block; factorised, `L` below the diagonal.
     diagonal: Vec<Block<N>>,
     /// By direct joint: the inverse pivots.
     inverses: Vec<Column<N>>,
     /// By direct joint: the diagonal of `J M⁻¹ Jᵀ`.
-    own: Vec<Column<N>>,
+    pub(super) own: Vec<Column<N>>,
     /// By direct joint: the smallest pivot that is not rounding; infinite for rows with a constant impulse.
     least: Vec<Column<N>>,
-    driven: Vec<DrivenAxis>,
+    pub(super) driven: Vec<DrivenAxis>,
     /// By body of the component: the velocity changes of the solution.
-    changes: Vec<Motion>,
+    pub(super) changes: Vec<Motion>,
     /// The blocks below the diagonal, those of one column together; factorised, they are `L D`.
     below: Vec<Block<N>>,
     /// By direct joint: where the blocks of its column begin.
@@ -117,80 +90,15 @@ pub(super) struct Matrix<const N: usize> {
     /// By direct joint: `δ D` of components with loops.
     damping: Vec<Column<N>>,
     /// By direct joint: right-hand side, then solution.
-    x: Vec<Column<N>>,
+    pub(super) x: Vec<Column<N>>,
     /// By direct joint: right-hand side of the second solution.
     again: Vec<Column<N>>,
     /// Input of the first solution of a substep, of the one before the last, and of the last one.
-    first_size: f64,
-    sizes: [f64; 2],
+    pub(super) first_size: f64,
+    pub(super) sizes: [f64; 2],
     /// The sums of the compliances of locked axes and of the damping of driven ones with which the matrix was
     /// made; `None` if the bodies have moved since.
     made_with: Option<[f64; 2]>,
-}
-
-/// A driven axis in the solution.
-struct DrivenAxis {
-    /// Its joint's position in the component, and its row.
-    at: [usize; 2],
-    law: AxisLaw,
-    piece: Piece,
-    /// The parts of the law's `low` and `high` that correct an exceeded limit.
-    corrections: [f64; 2],
-    /// Before the solution.
-    impulse: f64,
-    rate: f64,
-    /// By the solution.
-    solved_rate: f64,
-}
-
-impl DrivenAxis {
-    fn new(at: [usize; 2], from: &DrivenRow, lane: usize, rows: Rows) -> Self {
-        let number = |lanes: &crate::base::wide::Lane| f64::from(lanes.0[lane]);
-        let [motor, lower, upper] = [&from.motor, &from.lower, &from.upper].map(number);
-        let law = AxisLaw {
-            damping: number(&from.damping),
-            pull: number(&from.pull),
-            bound: number(&from.bound),
-            low: number(&from.low),
-            high: number(&from.high),
-        };
-        let (impulse, rate) = (from.impulse(lane), number(&from.rate));
-        let piece = match rows {
-            Rows::All => law.piece_of(motor, lower, upper),
-            Rows::Locked => Piece::Constant(impulse),
-        };
-        let corrections = [0, 1].map(|side| number(&from.corrections[side]));
-        Self { at, law, piece, corrections, impulse, rate, solved_rate: rate }
-    }
-
-    /// The part of its rate that corrects an exceeded limit.
-    fn correction(&self) -> f64 {
-        match self.piece {
-            Piece::Lower => self.corrections[0],
-            Piece::Upper => self.corrections[1],
-            Piece::Motor | Piece::Constant(_) => 0.0,
-        }
-    }
-
-    fn equation(&self) -> Option<Equation> {
-        self.law.equation(self.piece, self.impulse, self.rate)
-    }
-
-    /// The rate by which it violates its law.
-    fn violation(&self) -> f64 {
-        let beyond = || self.rate - self.rate.min(self.law.high).max(self.law.low);
-        self.equation().map_or_else(beyond, |equation| equation.missing)
-    }
-
-    /// Writes its impulses and its rate after this change, if an impulse of 1 changes its rate by `response`.
-    fn write(&self, to: &mut DrivenRow, lane: usize, change: f64, response: f64) {
-        let parts = self.law.parts(self.piece, self.impulse + change, response);
-        for (to, part) in [&mut to.motor, &mut to.lower, &mut to.upper].into_iter().zip(parts) {
-            to.0[lane] = part as Real;
-        }
-        to.rate.0[lane] = self.solved_rate as Real;
-        to.change.0[lane] = change as Real;
-    }
 }
 
 impl<const N: usize> Matrix<N> {
@@ -276,89 +184,8 @@ impl<const N: usize> Matrix<N> {
         }
     }
 
-    /// Reads the laws of the driven axes.
-    fn load_laws(&mut self, component: Component<'_>, rows: Rows, memory: &Jacobians) {
-        self.driven.clear();
-        for (at, member) in component.members.iter().enumerate() {
-            let (first, lane) = (member.form.row_count(), member.lane as usize);
-            let axes = memory.driven_of(member).iter().enumerate();
-            let axes = axes.map(|(k, from)| DrivenAxis::new([at, first + k], from, lane, rows));
-            self.driven.extend(axes);
-        }
-    }
-
-    /// Takes the changes of constant impulses to the right-hand sides of the other rows.
-    fn add_constant_impulses(&mut self, component: Component<'_>) {
-        self.changes.clear();
-        if self.driven.is_empty() {
-            return;
-        }
-        self.changes.resize(component.body_count, [0.0; SPATIAL_DIM]);
-        let mut any = false;
-        for driven in &self.driven {
-            let Piece::Constant(impulse) = driven.piece else { continue };
-            let ([at, row], mut x) = (driven.at, [0.0; N]);
-            x[row] = impulse - driven.impulse;
-            any |= x[row] != 0.0;
-            add_changes(component, &self.rows[at], at, &x, &mut self.changes);
-        }
-        if !any {
-            return;
-        }
-        for (at, member) in component.members.iter().enumerate() {
-            for row in 0..member.row_count() {
-                self.x[at][row] -= rate_of(component, &self.rows[at], [at, row], &self.changes);
-            }
-        }
-    }
-
-    /// Finds the rates of the driven axes, and takes constant impulses into the solution.
-    fn find_rates(&mut self, component: Component<'_>) {
-        for (at, x) in self.x.iter().enumerate() {
-            add_changes(component, &self.rows[at], at, x, &mut self.changes);
-        }
-        for driven in &mut self.driven {
-            let [at, row] = driven.at;
-            if let Piece::Constant(impulse) = driven.piece {
-                self.x[at][row] = impulse - driven.impulse;
-            }
-            driven.solved_rate =
-                driven.rate + rate_of(component, &self.rows[at], driven.at, &self.changes);
-        }
-    }
-
-    /// Moves axes to the pieces of their laws on which the solution is: all, or the first one only. Returns
-    /// whether any axis has moved.
-    fn choose_pieces(&mut self, only_first: bool) -> bool {
-        let mut any = false;
-        for driven in &mut self.driven {
-            let [at, row] = driven.at;
-            let impulse = driven.impulse + self.x[at][row];
-            let next = driven.law.next(driven.piece, impulse, driven.solved_rate);
-            if next != driven.piece {
-                driven.piece = next;
-                any = true;
-                if only_first {
-                    break;
-                }
-            }
-        }
-        any
-    }
-
-    /// Keeps the impulses of driven axes at what their laws allow, if no pieces were found: the locked axes must
-    /// hold in any case.
-    fn fix_impulses(&mut self) {
-        for driven in &mut self.driven {
-            let [at, row] = driven.at;
-            let impulse = driven.impulse + self.x[at][row];
-            driven.piece = Piece::Constant(driven.law.admissible(impulse, driven.solved_rate));
-        }
-        self.invalidate();
-    }
-
-    /// Finds the velocities that correct the errors of the joints in a substep, and adds them to the bodies: see
-    /// [`Direct::add_corrections`](super::Direct::add_corrections).
+    /// Finds the velocities that correct the errors of the joints in a substep, and adds them to the bodies:
+    /// see [`Direct::add_corrections`](super::Direct::add_corrections).
     ///
     /// # Safety
     /// As [`Self::solve`].
@@ -398,17 +225,6 @@ impl<const N: usize> Matrix<N> {
         unsafe { self.push_bodies(component, states) };
     }
 
-    /// Returns whether the residual of the last stiff solution is negligible against the first one. Then no
-    /// impulses change.
-    pub fn has_converged(&mut self, component: Component<'_>, memory: &Jacobians) -> bool {
-        let is_done =
-            self.size_of_rates(component, memory) <= STIFF_RESIDUAL_FRACTION_MAX * self.first_size;
-        if is_done {
-            self.x.fill([0.0; N]);
-        }
-        is_done
-    }
-
     /// Rolls all impulses of the component back.
     ///
     /// # Safety
@@ -433,65 +249,6 @@ impl<const N: usize> Matrix<N> {
         }
         // SAFETY: the caller's promise.
         unsafe { self.push_bodies(component, states) };
-    }
-
-    /// The progress of the rounds, after at least two. The ratio of its residual to its input equals the
-    /// ratio of that input to the previous one.
-    pub fn progress(&self, component: Component<'_>, memory: &Jacobians, inv_h: Real) -> Progress {
-        let [before, last] = self.sizes;
-        let rest = if last < before { last * (last / before) } else { last };
-        let (load, noise) = self.size_of_load(component, memory, f64::from(inv_h));
-        if rest <= CONVERGED_FRACTION_MAX * load + noise {
-            Progress::Done
-        } else if last > load && last > RESIDUAL_GROWTH_MAX * before {
-            Progress::Diverging
-        } else if rest > RESIDUAL_FRACTION_MAX * load {
-            Progress::Far
-        } else {
-            Progress::Near
-        }
-    }
-
-    /// As [`Self::size_of_rates`], for the total effect of the impulses and for the rounding errors of rates.
-    fn size_of_load(&self, component: Component<'_>, memory: &Jacobians, inv_h: f64) -> (f64, f64) {
-        let (mut load, mut noise) = (0.0, 0.0);
-        for ((member, own), rows) in component.members.iter().zip(&self.own).zip(&self.rows) {
-            let (from, lane) = (&memory.blocks[member.block as usize], member.lane as usize);
-            for (row, axis) in
-                locked_axes::<N>(member).enumerate().filter(|(row, _)| own[*row] > 0.0)
-            {
-                let impulse = from.impulses[axis].0[lane] + from.changes[axis].0[lane];
-                load += own[row] * f64::from(impulse) * f64::from(impulse);
-                let rounding = ANCHOR_ROUNDING * rows.size_of(row) * inv_h;
-                noise += rounding * rounding / own[row];
-            }
-            let first = member.form.row_count();
-            for (row, from) in (first..).zip(memory.driven_of(member)) {
-                let impulse = from.impulse(lane);
-                load += own[row] * impulse * impulse;
-                let rounding = ANCHOR_ROUNDING * rows.size_of(row) * inv_h;
-                noise += if own[row] > 0.0 { rounding * rounding / own[row] } else { 0.0 };
-            }
-        }
-        (load, noise)
-    }
-
-    /// The sum of `b²/a` over all rows, with the right-hand sides `b` and the diagonal `a`: an energy.
-    fn size_of_rates(&self, component: Component<'_>, memory: &Jacobians) -> f64 {
-        let mut sum = 0.0;
-        for (member, own) in component.members.iter().zip(&self.own) {
-            let (from, lane) = (&memory.blocks[member.block as usize], member.lane as usize);
-            for (own, axis) in own.iter().zip(locked_axes::<N>(member)) {
-                let rate = f64::from(from.rates[axis].0[lane]);
-                sum += if *own > 0.0 { rate * rate / own } else { 0.0 };
-            }
-            let axes = memory.driven_of(member).iter().zip(&own[member.form.row_count()..]);
-            for (from, own) in axes.filter(|(_, own)| **own > 0.0) {
-                let violation = DrivenAxis::new([0; 2], from, lane, Rows::All).violation();
-                sum += violation * violation / own;
-            }
-        }
-        sum
     }
 
     /// Marks the matrix as outdated, because the bodies have moved.
@@ -710,33 +467,6 @@ impl<const N: usize> Matrix<N> {
             driven.write(&mut memory.driven[index], lane, change, self.own[at][row]);
         }
     }
-}
-
-/// Adds the velocity changes by impulses on the rows of the joint `at` a position to those of its bodies.
-fn add_changes<const N: usize>(
-    component: Component<'_>,
-    rows: &JointRows<N>,
-    at: usize,
-    impulses: &Column<N>,
-    changes: &mut [Motion],
-) {
-    for (side, _) in component.members[at].movable() {
-        let change = rows.push(side, impulses);
-        add(&mut changes[component.bodies[at][side] as usize], &change, 1.0);
-    }
-}
-
-/// The rate of a row (its joint's position, and its place there) at these velocities of the bodies.
-fn rate_of<const N: usize>(
-    component: Component<'_>,
-    rows: &JointRows<N>,
-    [at, row]: [usize; 2],
-    velocities: &[Motion],
-) -> f64 {
-    let sides = component.members[at].movable();
-    sides
-        .map(|(side, _)| rows.rate(side, row, &velocities[component.bodies[at][side] as usize]))
-        .sum()
 }
 
 /// See [`Matrix::find_changes`]: in the widest registers that the machine has.

@@ -2,12 +2,10 @@
 
 use super::super::block::{AxisRow, JointBlock, Wrench};
 use super::super::geometry::Geometry;
-use super::super::motors_and_limits::{
-    EXACT_LIMIT_ERROR_FRACTION, FreeAxis, MotorLaw, rate_limits,
-};
-use super::super::passes::{Locked, compliance_of, note_angvel_change, rates_here, store_couple};
-use super::super::rows::{Factored, Masses, Row};
+use super::super::passes::{compliance_of, note_angvel_change, rates_here, store_couple};
+use super::super::rows::{Masses, Row};
 use super::super::substep_end::SubstepEnd;
+use super::driven_rows::{DrivenRow, write_driven};
 use super::masses::InverseMass;
 use super::pattern::DirectJoint;
 use crate::base::disjoint::DisjointMut;
@@ -71,55 +69,6 @@ impl Jacobians {
     pub fn share(&mut self) -> SharedJacobians<'_> {
         let Self { blocks, driven } = self;
         SharedJacobians { blocks: DisjointMut::new(blocks), driven: DisjointMut::new(driven) }
-    }
-}
-
-/// One driven axis of each lane's joint: see `axis_law.rs`.
-#[derive(Clone, Debug)]
-pub(in super::super) struct DrivenRow {
-    /// By body: the row `J`, with the sign of that body.
-    pub row: [[Lane; SPATIAL_DIM]; 2],
-    /// `J v`: in before the solution, out after.
-    pub rate: Lane,
-    pub damping: Lane,
-    pub pull: Lane,
-    pub bound: Lane,
-    pub low: Lane,
-    pub high: Lane,
-    /// The parts of `low` and `high` that correct an exceeded limit.
-    pub corrections: [Lane; 2],
-    /// Impulses of the motor and at both limits: in, and out.
-    pub motor: Lane,
-    pub lower: Lane,
-    pub upper: Lane,
-    /// Out: the change of the total impulse.
-    pub change: Lane,
-}
-
-impl DrivenRow {
-    pub const EMPTY: Self = {
-        let zero = Lane::ZERO;
-        Self {
-            row: [[zero; SPATIAL_DIM]; 2],
-            rate: zero,
-            damping: zero,
-            pull: zero,
-            bound: zero,
-            low: zero,
-            high: zero,
-            corrections: [zero; 2],
-            motor: zero,
-            lower: zero,
-            upper: zero,
-            change: zero,
-        }
-    };
-
-    /// The total impulse of a lane.
-    pub(super) fn impulse(&self, lane: usize) -> f64 {
-        let [motor, lower, upper] =
-            [&self.motor, &self.lower, &self.upper].map(|lanes| f64::from(lanes.0[lane]));
-        motor + lower - upper
     }
 }
 
@@ -285,64 +234,8 @@ fn write_locked<W: Wide, const BIASED: bool, const N: usize>(
     (memory.inv_mass, memory.inv_inertia) = (block.inv_mass, *block.inertias.lanes());
 }
 
-/// Computes the driven rows of a block, and their laws.
 #[inline(always)]
-fn write_driven<'a, W: Wide, const BIASED: bool, const N: usize>(
-    block: &JointBlock,
-    memory: &JacobianBlock,
-    rows: impl Iterator<Item = (&'a mut AxisRow, &'a mut DrivenRow)>,
-    bodies: &Bodies<W>,
-    pass: &JointPass,
-) {
-    let now = Geometry::new(block, &bodies.displacements);
-    let substep_end = BIASED.then(|| SubstepEnd::new(block, bodies, pass));
-    let masses = Masses::load(block);
-    let locked = Locked::<W, N>::new(block, &now);
-    let matrix = Factored::new(locked.coupling(&masses));
-    let (zero, one) = (W::zero(), W::splat(1.0));
-    let correction_rate = W::splat(EXACT_LIMIT_ERROR_FRACTION * pass.inv_substep);
-    for (row, to) in rows {
-        let (mut along, position) = now.free_row(row);
-        let effective = locked.effective_with_reactions(along, &masses, &matrix);
-        let movable = zero.lt(effective);
-        let inverse = W::select(movable, one / W::select(movable, effective, one), zero);
-        let mut curvature = zero;
-        if let Some(end) = &substep_end {
-            let bent = end.curvature(row, &now, &along, position, pass);
-            let includes_curvature = zero.lt(W::load(&memory.includes_curvature));
-            curvature = W::select(includes_curvature, bent, zero);
-            let at_predicted_pose = zero.lt(W::load(&memory.at_predicted_pose));
-            let (then, _) = end.then.free_row(row);
-            let straight = along.rate(&bodies.velocities);
-            along = then.select(at_predicted_pose, along);
-            // The rate at the end of the substep is the same with either row.
-            curvature = curvature + (straight - along.rate(&bodies.velocities));
-        } else {
-            position.store(&mut row.position);
-        }
-        let axis = FreeAxis { position, effective, inverse };
-        let law = MotorLaw::new::<BIASED>(&mut row.motor, &axis, curvature, pass);
-        let ([low, high], corrections) =
-            rate_limits::<W, BIASED>(row, position, correction_rate, &along, pass);
-        let apart = if BIASED { W::load(&memory.is_displaced) } else { zero };
-        let (low, high) = (low - corrections[0] * apart, high - corrections[1] * apart);
-        store_row(&along, &mut to.row);
-        along.rate(&bodies.velocities).store(&mut to.rate);
-        law.damping.store(&mut to.damping);
-        law.pull.store(&mut to.pull);
-        law.bound.store(&mut to.bound);
-        (low - curvature).store(&mut to.low);
-        (high - curvature).store(&mut to.high);
-        for (correction, to) in corrections.into_iter().zip(&mut to.corrections) {
-            correction.store(to);
-        }
-        (to.motor, to.lower, to.upper) = (row.motor.impulse, row.lower, row.upper);
-        to.change = Lane::ZERO;
-    }
-}
-
-#[inline(always)]
-fn store_row<W: Wide>(row: &Row<W>, to: &mut [[Lane; SPATIAL_DIM]; 2]) {
+pub(super) fn store_row<W: Wide>(row: &Row<W>, to: &mut [[Lane; SPATIAL_DIM]; 2]) {
     store_all(components(-row.linear, -row.angular[0]), &mut to[0]);
     store_all(components(row.linear, row.angular[1]), &mut to[1]);
 }

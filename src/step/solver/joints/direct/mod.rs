@@ -31,6 +31,8 @@
 //! Limits and motors are rows of the same system, with a law in place of an equation: see `axis_law.rs`.
 
 mod dense;
+mod driven;
+mod driven_rows;
 mod factor;
 mod jacobians;
 mod masses;
@@ -38,6 +40,7 @@ mod matrix;
 mod memory;
 mod order;
 mod pattern;
+mod progress;
 #[cfg(test)]
 mod tests;
 
@@ -53,8 +56,8 @@ use crate::base::wide::Simd;
 use crate::dim::math::Real;
 use crate::dim::state::BodyState;
 use factor::Factor;
-use matrix::Progress;
 use pattern::Pattern;
+use progress::Progress;
 
 /// Largest number of Newton steps per substep towards the constrained poses. A pendulum keeps its energy with
 /// two; bodies with large rotations in a substep need more.
@@ -281,8 +284,8 @@ impl Direct {
         is_unfinished
     }
 
-    /// Begins a step: `error` returns the largest error of each joint as a velocity that corrects the error in one
-    /// substep.
+    /// Begins a step: `error` returns the largest error of each joint as a velocity that corrects the error
+    /// in one substep.
     pub fn begin_step(&mut self, mut error: impl FnMut(&DirectJoint) -> Real) {
         self.is_displaced.clear();
         for index in 0..self.pattern.component_count() {
@@ -292,8 +295,8 @@ impl Direct {
         self.is_first_substep = true;
     }
 
-    /// Begins a solve pass: finds the components with large errors, and notes them in the rows. The rows hold the
-    /// errors of the last relax pass, except in the first substep.
+    /// Begins a solve pass: finds the components with large errors, and notes them in the rows. The rows hold
+    /// the errors of the last relax pass, except in the first substep.
     pub fn find_displaced(&mut self, rows: &mut Jacobians) {
         let is_first = core::mem::take(&mut self.is_first_substep);
         for (index, is_displaced) in self.is_displaced.iter_mut().enumerate() {
@@ -307,12 +310,12 @@ impl Direct {
         }
     }
 
-    /// Adds velocities that correct large errors of joints while the bodies move. [`Self::remove_corrections`]
-    /// takes them away again.
+    /// Adds velocities that correct large errors of joints while the bodies move.
+    /// [`Self::remove_corrections`] takes them away again.
     ///
     /// Small errors are corrected by the velocities of the solve pass. The relax pass removes what is left of
-    /// them along the locked axes. What is left along the free ones is energy from nothing: a hinge whose anchor
-    /// was moved by two metres kept 1,400 J in 1 kg. Contacts would pass them on, too.
+    /// them along the locked axes. What is left along the free ones is energy from nothing: a hinge whose
+    /// anchor was moved by two metres kept 1,400 J in 1 kg. Contacts would pass them on, too.
     pub fn add_corrections(&mut self, rows: &Jacobians, states: DisjointMut<'_, BodyState>) {
         for (index, factor) in self.factors.iter_mut().enumerate() {
             if self.is_displaced.get(index).is_some_and(|is_displaced| *is_displaced) {
@@ -337,8 +340,8 @@ impl Direct {
         self.factors.iter_mut().for_each(Factor::invalidate);
     }
 
-    /// Solves `selected` rows of the components whose members `is_selected` accepts. Applies the changes of impulses to the
-    /// rows, and the resulting velocity changes to the bodies.
+    /// Solves `selected` rows of the components whose members `is_selected` accepts. Applies the changes of
+    /// impulses to the rows, and the resulting velocity changes to the bodies.
     pub fn solve(
         &mut self,
         selected: Rows,

@@ -1,8 +1,9 @@
 //! The sparse solution in its dense equations, and the selection of sparse components.
 
+use super::driven_rows::DrivenRow;
 use super::factor::Factor;
 use super::matrix::Rows;
-use super::memory::{DrivenRow, JacobianBlock, Jacobians};
+use super::memory::{JacobianBlock, Jacobians};
 use super::pattern::{DirectJoint, Pattern};
 use crate::base::disjoint::DisjointMut;
 use crate::base::wide::{LANES, Lane, Simd};
@@ -175,8 +176,8 @@ fn redundant_constraints_are_removed() {
     assert!(found < DAMPED_ERROR_MAX, "{found}");
 }
 
-/// Each driven axis ends on its law, whatever the pieces on which its neighbours end: motors from weak to rigid,
-/// with and without a bound, between limits that are wide, narrow, equal and exceeded.
+/// Each driven axis ends on its law, whatever the pieces on which its neighbours end: motors from weak to
+/// rigid, with and without a bound, between limits that are wide, narrow, equal and exceeded.
 #[test]
 fn driven_axes_end_on_their_laws() {
     let mut numbers = Numbers(3);
@@ -212,8 +213,8 @@ fn driven_axes_end_on_their_laws() {
             pieces[kind + usize::from(kind == 1 && motor.abs() < law.bound)] += 1;
         }
     }
-    // A rigid motor with a small bound beside narrow limits may leave the search without an end: its impulse is
-    // kept, and the locked axes hold.
+    // A rigid motor with a small bound beside narrow limits may leave the search without an end: its impulse
+    // is kept, and the locked axes hold.
     assert!(missed < 10, "{missed} axes of 2,700");
     // At limits, at the bound of the motor, and on its law.
     assert!(pieces.into_iter().all(|count| count > 100), "{pieces:?}");
