@@ -52,7 +52,8 @@ const WHOLE_WORLD: [(&str, &str); 2] = [
 
 /// The rooms of the solver, each with the rooms that it may use, which stand before it. The solver's `mod.rs`
 /// and its tests use all of them.
-const SOLVER: [(&str, &[&str]); 14] = [
+const SOLVER: [(&str, &[&str]); 15] = [
+    ("axis_law", &[]),
     ("blocks", &[]),
     ("context", &[]),
     ("island_sums", &[]),
@@ -64,8 +65,8 @@ const SOLVER: [(&str, &[&str]); 14] = [
     ("bodies", &["context", "groups", "links", "states"]),
     ("recovery", &["bodies", "island_sums"]),
     ("contacts", &["blocks", "bodies", "context", "links", "recovery", "states"]),
-    ("joints", &["blocks", "bodies", "context", "joint_rules", "links", "states"]),
-    ("multibodies", &["bodies", "context", "joint_rules", "links", "restitution"]),
+    ("joints", &["axis_law", "blocks", "bodies", "context", "joint_rules", "links", "states"]),
+    ("multibodies", &["axis_law", "bodies", "context", "joint_rules", "links", "restitution"]),
     (
         "impacts",
         &[
