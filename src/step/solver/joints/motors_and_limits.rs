@@ -70,10 +70,6 @@ use crate::step::solver::axis_law::OPPOSED_RATE_MAX;
 
 /// The fraction of an iterated limit's error that a substep removes: see the module's head.
 const LIMIT_ERROR_FRACTION: Real = 0.02;
-/// The same for directly solved limits. Contacts pass the velocity of a correction on: with 1, a bridge of
-/// ropes threw a load of 1,000 kg up by 30 cm.
-pub(super) const EXACT_LIMIT_ERROR_FRACTION: Real = 0.1;
-
 /// The `h² k K` from which on a spring beside others is implicit.
 const SYMPLECTIC_SQUARE_MAX: Real = 0.25;
 /// The same for a spring that moves its bodies alone.

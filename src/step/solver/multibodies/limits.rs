@@ -30,7 +30,7 @@ use crate::model::joint::{
 use crate::model::multibody::{MultibodyJoint, MultibodyLink};
 use crate::model::params::JointPass;
 use crate::step::solver::axis_law::AxisLaw;
-use crate::step::solver::joint_rules::CURVATURE_FRACTION_MAX;
+use crate::step::solver::joint_rules::{CURVATURE_FRACTION_MAX, EXACT_LIMIT_ERROR_FRACTION};
 
 /// Owner of the axis of a row: the joint of a link, or a joint that closes a loop.
 #[derive(Copy, Clone, Debug)]
@@ -346,7 +346,8 @@ impl Limit {
         let moved = jacobians.displacement(&self.row, states);
         let curvature = if bias { self.curvature(states, pass.inv_substep) } else { 0.0 };
         let is_locked = self.distances[0] + self.distances[1] <= 0.0;
-        let correction = if bias { pass.softness.bias_rate } else { 0.0 };
+        let fraction = if bias { EXACT_LIMIT_ERROR_FRACTION } else { 0.0 };
+        let correction = fraction * pass.inv_substep;
         let [below, above] =
             [self.distances[0] + moved, self.distances[1] - moved].map(|distance| {
                 let is_apart = distance > 0.0 && !is_locked;

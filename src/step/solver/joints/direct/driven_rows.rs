@@ -2,9 +2,7 @@
 
 use super::super::block::{AxisRow, JointBlock};
 use super::super::geometry::Geometry;
-use super::super::motors_and_limits::{
-    EXACT_LIMIT_ERROR_FRACTION, FreeAxis, MotorLaw, rate_limits,
-};
+use super::super::motors_and_limits::{FreeAxis, MotorLaw, rate_limits};
 use super::super::passes::Locked;
 use super::super::rows::{Factored, Masses};
 use super::super::substep_end::SubstepEnd;
@@ -12,6 +10,7 @@ use super::memory::{JacobianBlock, store_row};
 use crate::base::wide::{Lane, Wide};
 use crate::dim::math::SPATIAL_DIM;
 use crate::model::params::JointPass;
+use crate::step::solver::joint_rules::EXACT_LIMIT_ERROR_FRACTION;
 use crate::step::solver::states::Bodies;
 
 /// One driven axis of each lane's joint: see `axis_law.rs`.
