@@ -101,6 +101,11 @@ impl JointBlock {
         }
     };
 
+    /// The places of the block's rows of free axes.
+    pub fn axis_rows(&self) -> core::ops::Range<usize> {
+        self.first_row..self.first_row + self.row_count
+    }
+
     /// A body of the joint in a lane that can move, by its index: if both can, the first one.
     pub fn movable(&self, lane: usize) -> u32 {
         let [first, second] = self.bodies.map(|bodies| bodies[lane]);
@@ -131,6 +136,9 @@ pub(super) struct AxisRow {
     pub angle_tracker: AngleTracker,
     /// Joint position along or about the axis, at the last iteration with the bodies' current poses.
     pub position: Lane,
+    /// The change of its rate by an impulse of 1, with the reactions of its joint's locked axes: when the
+    /// step began, and from then on in each relax pass. (Directly solved joints alone.)
+    pub response: Lane,
     pub motor: MotorRow,
     pub min: Lane,
     pub max: Lane,
@@ -168,6 +176,7 @@ impl AxisRow {
             coupled: [zero; DIM],
             angle_tracker: AngleTracker::NONE,
             position: zero,
+            response: zero,
             motor: MotorRow {
                 stiffness: zero,
                 damping: zero,

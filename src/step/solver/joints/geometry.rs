@@ -67,36 +67,48 @@ impl<W: Wide> Geometry<W> {
         frame_between(first, second)
     }
 
-    /// Errors about the axes if they were locked, and the directions that change them.
+    /// The directions that change the errors about the axes if they were locked.
     #[inline(always)]
-    pub fn rotations(&self) -> ([W; ANG_DIM], [WideAngVector<W>; ANG_DIM]) {
-        locked_rotations(self.between(), &self.locks, &self.axes)
+    pub fn locked_directions(&self) -> [WideAngVector<W>; ANG_DIM] {
+        locked_rotations(self.between(), &self.locks, &self.axes).1
     }
 
-    /// The errors of the first axes if they were locked: of all, or of the translations alone.
+    /// The errors and the rows of the first axes if they were locked: of all, or of the translations alone.
     #[inline(always)]
-    pub fn errors<const N: usize>(&self) -> [W; N] {
-        let mut errors = [W::zero(); N];
-        errors[..DIM].copy_from_slice(&self.separation);
-        if N > DIM {
-            errors[DIM..].copy_from_slice(&self.rotations().0);
+    pub fn locked_axes<const N: usize>(&self) -> ([W; N], [Row<W>; N]) {
+        let (mut errors, mut rows) = ([W::zero(); N], [Row::zero(); N]);
+        for k in 0..DIM {
+            errors[k] = self.separation[k];
+            rows[k] = self.row_along(self.axes[k]);
         }
-        errors
+        if N > DIM {
+            let (angles, directions) = locked_rotations(self.between(), &self.locks, &self.axes);
+            for k in 0..ANG_DIM {
+                errors[DIM + k] = angles[k];
+                rows[DIM + k].angular = [directions[k]; 2];
+            }
+        }
+        (errors, rows)
     }
 
-    /// The errors of the locked axes in components along the axes of an earlier moment, along which impulses
+    /// The `errors` of the locked axes in components along the axes of an earlier moment, along which impulses
     /// act. The axes rotate with the first body, and errors along the second body's axes require impulses
     /// that are rotated relative to them. In a substep with a rotation of a quarter of a radian, a Newton
     /// step would leave a tenth instead of a thirtieth. Rotations are measured in the middle of the substep,
     /// which is the average rotation of an added impulse.
     #[cfg_attr(not(target_arch = "wasm32"), inline(always))]
-    pub fn errors_seen_from<const N: usize>(&self, earlier: &Self, block: &JointBlock) -> [W; N] {
-        let mut errors = [W::zero(); SPATIAL_DIM];
-        errors[..N].copy_from_slice(&self.errors::<N>());
-        for (error, locked) in errors.iter_mut().zip(&block.locked) {
-            *error = W::select(W::zero().lt(W::load(locked)), *error, W::zero());
+    pub fn errors_seen_from<const N: usize>(
+        &self,
+        errors: [W; N],
+        earlier: &Self,
+        block: &JointBlock,
+    ) -> [W; N] {
+        let mut of_locked = [W::zero(); SPATIAL_DIM];
+        for k in 0..N {
+            let is_locked = W::zero().lt(W::load(&block.locked[k]));
+            of_locked[k] = W::select(is_locked, errors[k], W::zero());
         }
-        let (linear, angular) = from_components(errors);
+        let (linear, angular) = from_components(of_locked);
         let (linear, mut middle) = (linear_to_world(&self.axes, linear), earlier.axes);
         let mut seen = [W::zero(); N];
         for (seen, axis) in seen.iter_mut().zip(&earlier.axes) {
@@ -112,21 +124,6 @@ impl<W: Wide> Geometry<W> {
         let angular = angular_to_frame(&middle, angular_to_world(&self.axes, angular));
         seen[DIM..].copy_from_slice(&components(linear, angular)[DIM..]);
         seen
-    }
-
-    /// The rows of the first axes if they were locked: of all, or of the translations alone.
-    #[inline(always)]
-    pub fn rows<const N: usize>(&self) -> [Row<W>; N] {
-        let mut rows = [Row::zero(); N];
-        for (row, &axis) in rows.iter_mut().zip(&self.axes) {
-            *row = self.row_along(axis);
-        }
-        if N > DIM {
-            for (row, &direction) in rows[DIM..].iter_mut().zip(&self.rotations().1) {
-                row.angular = [direction; 2];
-            }
-        }
-        rows
     }
 
     /// The row of a translation along a direction that turns with the first body.

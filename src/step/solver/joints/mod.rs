@@ -165,7 +165,7 @@ impl SolverJoints {
         let (_, states) = bodies.shared();
         let parts = Parts::new(&mut self.blocks, &mut self.rows);
         tasks.par_for(self.layout.block_count(), BLOCKS_PER_TASK, |range| {
-            simd.run(NoteRates { range, parts, states });
+            simd.run(BeginFreeAxes { range, parts, states });
         });
         for_each_color(self.layout.colors(), tasks, BLOCKS_PER_TASK, |range| {
             simd.run(WarmStart { range, parts, states });
@@ -415,12 +415,12 @@ impl<'a> Parts<'a> {
 }
 
 block_kernel! {
-    /// See [`passes::note_rates`].
-    struct NoteRates<'a> {
+    /// See [`passes::begin_free_axes`].
+    struct BeginFreeAxes<'a> {
         parts: Parts<'a>,
         states: DisjointMut<'a, BodyState>,
     }
-    |index| passes::note_rates::<W>(parts.blocks.get_mut(index), &parts.rows, &states)
+    |index| passes::begin_free_axes::<W>(parts.blocks.get_mut(index), &parts.rows, &states)
 }
 
 block_kernel! {
@@ -455,7 +455,7 @@ block_kernel! {
     |index| {
         let block = parts.blocks.get_mut(index);
         if block.is_exact {
-            let rows = block.first_row..block.first_row + block.row_count;
+            let rows = block.axis_rows();
             let (rows, driven) =
                 (parts.rows.range_mut(rows.clone()), jacobians.driven.range_mut(rows));
             let to = jacobians.blocks.get_mut(index);
@@ -474,7 +474,7 @@ block_kernel! {
     |index| {
         let block = parts.blocks.get_mut(index);
         if block.is_exact {
-            let rows = block.first_row..block.first_row + block.row_count;
+            let rows = block.axis_rows();
             let (from, driven) = (&jacobians.blocks[index], &jacobians.driven[rows.clone()]);
             direct::finish::<W>(block, parts.rows.range_mut(rows), from, driven, is_last);
         }

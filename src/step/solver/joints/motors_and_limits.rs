@@ -83,6 +83,16 @@ pub(super) struct FreeAxis<W> {
     pub inverse: W,
 }
 
+impl<W: Wide> FreeAxis<W> {
+    #[inline(always)]
+    pub fn new(position: W, effective: W) -> Self {
+        let (zero, one) = (W::zero(), W::splat(1.0));
+        let movable = zero.lt(effective);
+        let inverse = W::select(movable, one / W::select(movable, effective, one), zero);
+        Self { position, effective, inverse }
+    }
+}
+
 /// The law of a motor in a pass: its impulse is `-(damping · rate + pull)`, within the bound.
 pub(super) struct MotorLaw<W> {
     pub damping: W,
@@ -228,24 +238,20 @@ pub(super) fn rate_limits<W: Wide, const BIASED: bool>(
     pass: &JointPass,
 ) -> ([W; 2], [W; 2]) {
     let (zero, min, max) = (W::zero(), W::load(&row.min), W::load(&row.max));
-    let is_locked = max.le(min);
-    let correction = |distance: W| {
-        let rate = distance * correction_rate;
-        let most = W::select(
-            SubstepEnd::is_translation(along),
-            W::splat(pass.correction_max),
-            W::splat(LIMIT_NONE),
-        );
-        rate.min(most).max(-most)
-    };
-    let [below, above] = [position - min, max - position].map(|distance| {
-        let is_apart = zero.lt(distance);
-        let closing = distance * W::splat(pass.inv_substep);
-        let correction = correction(distance);
-        let is_apart = W::select(is_locked, zero, W::select(is_apart, W::splat(1.0), zero));
-        let is_apart = zero.lt(is_apart);
+    let is_translation = SubstepEnd::is_translation(along);
+    let correction_max =
+        W::select(is_translation, W::splat(pass.correction_max), W::splat(LIMIT_NONE));
+    let (mut rates, mut corrections) = ([zero; 2], [zero; 2]);
+    let distances = [position - min, max - position];
+    for side in 0..2 {
+        // Equal limits hold at any distance.
+        let apart = W::select(max.le(min), zero, distances[side]);
+        let is_apart = zero.lt(apart);
+        let correction = distances[side] * correction_rate;
+        let correction = correction.min(correction_max).max(-correction_max);
         let held = if BIASED { correction } else { zero };
-        (W::select(is_apart, closing, held), W::select(is_apart, zero, correction))
-    });
-    ([-below.0, above.0], [-below.1, above.1])
+        rates[side] = W::select(is_apart, apart * W::splat(pass.inv_substep), held);
+        corrections[side] = W::select(is_apart, zero, correction);
+    }
+    ([-rates[0], rates[1]], [-corrections[0], corrections[1]])
 }

@@ -18,7 +18,8 @@ use crate::step::solver::states::Bodies;
 
 /// The locked axes of a block at the moment when it is solved: as many as may be, or the translations alone.
 pub(super) struct Locked<W, const N: usize> {
-    rows: [Row<W>; N],
+    pub errors: [W; N],
+    pub rows: [Row<W>; N],
     locked: [W; N],
 }
 
@@ -29,7 +30,8 @@ impl<W: Wide, const N: usize> Locked<W, N> {
         for (locked, lane) in locked.iter_mut().zip(&block.locked) {
             *locked = W::load(lane);
         }
-        Self { rows: geometry.rows(), locked }
+        let (errors, rows) = geometry.locked_axes();
+        Self { errors, rows, locked }
     }
 
     /// The matrix `K_ll` of the locked axes.
@@ -38,19 +40,26 @@ impl<W: Wide, const N: usize> Locked<W, N> {
         masses.coupling(&self.rows, &self.locked)
     }
 
-    /// `J M⁻¹ Jᵀ` of a row whose impulses the locked axes react to.
+    /// Notes `J M⁻¹ Jᵀ` of free axes, whose impulses the locked axes react to.
     #[inline(always)]
-    pub fn effective_with_reactions(
+    pub fn note_responses(
         &self,
-        mut row: Row<W>,
+        axis_rows: &mut [AxisRow],
+        geometry: &Geometry<W>,
         masses: &Masses<W>,
-        matrix: &Factored<W, N>,
-    ) -> W {
-        let fractions = self.reactions_of(&row, masses, matrix);
-        for (locked, fraction) in self.rows.iter().zip(fractions) {
-            row = row.minus(locked, fraction);
+    ) {
+        if axis_rows.is_empty() {
+            return;
         }
-        masses.effective(&row)
+        let matrix = Factored::new(self.coupling(masses));
+        for axis_row in axis_rows {
+            let (mut along, _) = geometry.free_row(axis_row);
+            let fractions = self.reactions_of(&along, masses, &matrix);
+            for (locked, fraction) in self.rows.iter().zip(fractions) {
+                along = along.minus(locked, fraction);
+            }
+            masses.effective(&along).store(&mut axis_row.response);
+        }
     }
 
     /// The reaction of the locked axes to an impulse along a row: `K_ll⁻¹ K_lf`.
@@ -74,24 +83,29 @@ impl<W: Wide, const N: usize> Locked<W, N> {
     }
 }
 
-/// Notes the rates of the free axes when the step begins.
+/// Notes the rates of the free axes when the step begins, and their responses to impulses.
 ///
 /// # Safety
 /// The caller has exclusive access to the block's rows. No other thread writes the states of its bodies.
 #[inline(always)]
-pub(super) unsafe fn note_rates<W: Wide>(
+pub(super) unsafe fn begin_free_axes<W: Wide>(
     block: &JointBlock,
     rows: &DisjointMut<AxisRow>,
     states: &DisjointMut<BodyState>,
 ) {
+    if block.row_count == 0 {
+        return;
+    }
     // SAFETY: the caller's promise; the block's rows are in range.
-    unsafe {
-        let bodies = Bodies::<W>::gather(states, &block.bodies);
-        let geometry = Geometry::new(block, &bodies.displacements);
-        for index in block.first_row..block.first_row + block.row_count {
-            let row = rows.get_mut(index);
-            geometry.free_row(row).0.rate(&bodies.velocities).store(&mut row.motor.rate);
-        }
+    let (bodies, rows) =
+        unsafe { (Bodies::<W>::gather(states, &block.bodies), rows.range_mut(block.axis_rows())) };
+    let geometry = Geometry::new(block, &bodies.displacements);
+    for row in &mut *rows {
+        geometry.free_row(row).0.rate(&bodies.velocities).store(&mut row.motor.rate);
+    }
+    if block.is_exact {
+        let locked = Locked::<W, SPATIAL_DIM>::new(block, &geometry);
+        locked.note_responses(rows, &geometry, &Masses::load(block));
     }
 }
 
@@ -110,7 +124,7 @@ pub(super) unsafe fn warm_start<W: Wide>(
     let geometry = Geometry::new(block, &bodies.displacements);
     let locked = Locked::<W, SPATIAL_DIM>::new(block, &geometry);
     let couple = angular_to_world(&geometry.axes, load_ang::<W>(&block.couple));
-    for (k, direction) in geometry.rotations().1.iter().enumerate() {
+    for (k, direction) in geometry.locked_directions().iter().enumerate() {
         let along = ang_dot(*direction, couple) * locked.locked[DIM + k];
         let length_squared = ang_dot(*direction, *direction).max(W::splat(1.0e-6));
         (along / length_squared).store(&mut block.impulses[DIM + k]);
@@ -136,7 +150,7 @@ unsafe fn clear_stiff<W: Wide>(block: &mut JointBlock, rows: &DisjointMut<AxisRo
     for impulse in &mut block.impulses {
         (W::load(impulse) * kept).store(impulse);
     }
-    for index in block.first_row..block.first_row + block.row_count {
+    for index in block.axis_rows() {
         // SAFETY: the caller's promise; the block's rows are in range.
         let row = unsafe { rows.get_mut(index) };
         for impulse in [&mut row.motor.impulse, &mut row.lower, &mut row.upper] {
@@ -157,7 +171,7 @@ unsafe fn wrench_of<W: Wide, const N: usize>(
     locked: &Locked<W, N>,
 ) -> Wrench<W> {
     let mut wrench = locked.wrench(block);
-    for index in block.first_row..block.first_row + block.row_count {
+    for index in block.axis_rows() {
         // SAFETY: the caller's promise; the block's rows are in range.
         let row = unsafe { rows.get(index) };
         wrench.add(&geometry.free_row(row).0, impulse_of(row));
@@ -302,7 +316,7 @@ unsafe fn solve_axes<W: Wide, const BIASED: bool, const N: usize>(
     let (mut wrench, mut matrix) = (Wrench::zero(), None);
     if block.row_count > 0 {
         let factored = Factored::new(joint.coupling);
-        for index in block.first_row..block.first_row + block.row_count {
+        for index in block.axis_rows() {
             // SAFETY: the caller's promise; the block's rows are in range.
             let row = unsafe { rows.get_mut(index) };
             let added = solve_free::<W, BIASED, N>(row, block, joint, &factored, bodies, pass);
@@ -335,7 +349,10 @@ fn solve_free<W: Wide, const BIASED: bool, const N: usize>(
     let mut curvature = W::zero();
     if let Some(substep_end) = joint.substep_end {
         // Angles are excluded: most of these are limbs of ragdolls, where the curvature is invisible.
-        let of_distance = substep_end.curvature(row, joint.geometry, &along, position, pass);
+        let (_, then) = substep_end.then.free_row(row);
+        let rate = along.rate(&bodies.velocities);
+        let of_distance =
+            substep_end.curvature(joint.geometry, &along, then - position, rate, pass);
         let is_translation = SubstepEnd::is_translation(&along);
         curvature = W::select(is_translation, of_distance, curvature);
     }
@@ -346,10 +363,7 @@ fn solve_free<W: Wide, const BIASED: bool, const N: usize>(
         along = along.minus(locked, fraction);
     }
     let effective = joint.masses.effective(&along);
-    let (zero, one) = (W::zero(), W::splat(1.0));
-    let movable = zero.lt(effective);
-    let inverse = W::select(movable, one / W::select(movable, effective, one), zero);
-    let axis = FreeAxis { position, effective, inverse };
+    let axis = FreeAxis::new(position, effective);
     let rate = along.rate(&bodies.velocities);
     let added = solve_axis::<W, BIASED>(row, &axis, [rate, curvature], &along, pass);
     if !BIASED && pass.is_last_iteration {
@@ -372,9 +386,9 @@ fn solve_locked<W: Wide, const BIASED: bool, const N: usize>(
     matrix: Option<&Factored<W, N>>,
     bodies: &Bodies<W>,
 ) -> Wrench<W> {
-    let (Locked { rows, locked }, mut coupling) = (joint.locked, joint.coupling);
+    let (Locked { rows, locked, .. }, mut coupling) = (joint.locked, joint.coupling);
     let mut wanted = if BIASED {
-        rates_with_bias(block, joint.geometry, rows, bodies)
+        rates_with_bias(block, joint.locked, bodies)
     } else {
         rates_here(block, rows, bodies)
     };
@@ -407,16 +421,15 @@ fn solve_locked<W: Wide, const BIASED: bool, const N: usize>(
 #[inline(always)]
 fn rates_with_bias<W: Wide, const N: usize>(
     block: &mut JointBlock,
-    geometry: &Geometry<W>,
-    rows: &[Row<W>; N],
+    locked: &Locked<W, N>,
     bodies: &Bodies<W>,
 ) -> [W; N] {
-    let (errors, bias_rate) = (geometry.errors::<N>(), W::load(&block.bias_rate));
+    let bias_rate = W::load(&block.bias_rate);
     let mut rates = [W::zero(); N];
     for k in 0..N {
-        let bias = errors[k] * bias_rate;
+        let bias = locked.errors[k] * bias_rate;
         bias.store(&mut block.held_bias[k]);
-        rates[k] = rows[k].rate(&bodies.velocities) + bias;
+        rates[k] = locked.rows[k].rate(&bodies.velocities) + bias;
     }
     rates
 }

@@ -1,6 +1,6 @@
 //! Joint positions at the end of the substep: see the head of this folder.
 
-use super::block::{AxisRow, JointBlock};
+use super::block::JointBlock;
 use super::geometry::Geometry;
 use super::rows::Row;
 use crate::base::wide::Wide;
@@ -31,17 +31,17 @@ impl<W: Wide> SubstepEnd<W> {
     }
 
     /// The rates of locked axes by the end of the substep, from where the joints are `now`, with the bias of
-    /// the errors.
+    /// the errors: those of now and `then`.
     #[inline(always)]
     pub fn rates<const N: usize>(
         &self,
         block: &mut JointBlock,
         now: &Geometry<W>,
+        [errors, mut then]: [[W; N]; 2],
         pass: &JointPass,
     ) -> [W; N] {
         let is_stiff = W::zero().lt(W::load(&block.is_stiff));
-        let (errors, mut then) = (now.errors::<N>(), self.then.errors::<N>());
-        let seen_from_now = self.then.errors_seen_from::<N>(now, block);
+        let seen_from_now = self.then.errors_seen_from(then, now, block);
         for (then, seen) in then.iter_mut().zip(seen_from_now) {
             *then = W::select(is_stiff, *then, seen);
         }
@@ -55,20 +55,18 @@ impl<W: Wide> SubstepEnd<W> {
         rates
     }
 
-    /// Curvature of a free axis over the substep, from its `now` position: a body on a rope, or on a cone,
-    /// leaves along a tangent. No more than [`CURVATURE_FRACTION_MAX`].
-    #[cfg_attr(not(target_arch = "wasm32"), inline(always))]
+    /// Curvature of a free axis that moves by this `distance` in the substep, and has this `rate` `now`: a
+    /// body on a rope, or on a cone, leaves along a tangent. No more than [`CURVATURE_FRACTION_MAX`].
+    #[inline(always)]
     pub fn curvature(
         &self,
-        row: &AxisRow,
         now: &Geometry<W>,
         along: &Row<W>,
-        position: W,
+        distance: W,
+        rate: W,
         pass: &JointPass,
     ) -> W {
-        let (_, then) = self.then.free_row(row);
-        let curvature =
-            (then - position) * W::splat(pass.inv_substep) - along.rate(&self.velocities);
+        let curvature = distance * W::splat(pass.inv_substep) - rate;
         let is_translation = Self::is_translation(along);
         let bound = W::splat(CURVATURE_FRACTION_MAX) * self.speed(now, is_translation);
         curvature.min(bound).max(-bound)

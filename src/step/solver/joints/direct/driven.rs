@@ -79,8 +79,11 @@ impl<const N: usize> Matrix<N> {
     /// Reads the laws of the driven axes.
     pub(super) fn load_laws(&mut self, component: Component<'_>, rows: Rows, memory: &Jacobians) {
         self.driven.clear();
+        if !component.has_driven_axes {
+            return;
+        }
         for (at, member) in component.members.iter().enumerate() {
-            let (first, lane) = (member.form.row_count(), member.lane as usize);
+            let (first, lane) = (member.locked_row_count(), member.lane as usize);
             let axes = memory.driven_of(member).iter().enumerate();
             let axes = axes.map(|(k, from)| DrivenAxis::new([at, first + k], from, lane, rows));
             self.driven.extend(axes);
@@ -114,16 +117,25 @@ impl<const N: usize> Matrix<N> {
 
     /// Finds the rates of the driven axes, and takes constant impulses into the solution.
     pub(super) fn find_rates(&mut self, component: Component<'_>) {
-        for (at, x) in self.x.iter().enumerate() {
-            add_changes(component, &self.rows[at], at, x, &mut self.changes);
+        let is_held = |driven: &DrivenAxis| matches!(driven.piece, Piece::Lower | Piece::Upper);
+        if !self.driven.iter().all(is_held) {
+            for (at, x) in self.x.iter().enumerate() {
+                add_changes(component, &self.rows[at], at, x, &mut self.changes);
+            }
         }
         for driven in &mut self.driven {
             let [at, row] = driven.at;
-            if let Piece::Constant(impulse) = driven.piece {
-                self.x[at][row] = impulse - driven.impulse;
-            }
-            driven.solved_rate =
-                driven.rate + rate_of(component, &self.rows[at], driven.at, &self.changes);
+            let rate =
+                || driven.rate + rate_of(component, &self.rows[at], [at, row], &self.changes);
+            driven.solved_rate = match driven.piece {
+                Piece::Lower => driven.law.low,
+                Piece::Upper => driven.law.high,
+                Piece::Motor => rate(),
+                Piece::Constant(impulse) => {
+                    self.x[at][row] = impulse - driven.impulse;
+                    rate()
+                }
+            };
         }
     }
 

@@ -1,17 +1,11 @@
 //! The driven rows of a block of joints: rows and laws of motors and limits.
 
-use super::super::block::{AxisRow, JointBlock};
-use super::super::geometry::Geometry;
+use super::super::block::AxisRow;
 use super::super::motors_and_limits::{FreeAxis, MotorLaw, rate_limits};
-use super::super::passes::Locked;
-use super::super::rows::{Factored, Masses};
-use super::super::substep_end::SubstepEnd;
-use super::memory::{JacobianBlock, store_row};
+use super::memory::{JacobianBlock, Moment, store_row};
 use crate::base::wide::{Lane, Wide};
 use crate::dim::math::SPATIAL_DIM;
-use crate::model::params::JointPass;
 use crate::step::solver::joint_rules::EXACT_LIMIT_ERROR_FRACTION;
-use crate::step::solver::states::Bodies;
 
 /// One driven axis of each lane's joint: see `axis_law.rs`.
 #[derive(Clone, Debug)]
@@ -64,52 +58,44 @@ impl DrivenRow {
 
 /// Computes the driven rows of a block, and their laws.
 #[inline(always)]
-pub(super) fn write_driven<'a, W: Wide, const BIASED: bool, const N: usize>(
-    block: &JointBlock,
+pub(super) fn write_driven<'a, W: Wide, const BIASED: bool>(
     memory: &JacobianBlock,
     rows: impl Iterator<Item = (&'a mut AxisRow, &'a mut DrivenRow)>,
-    bodies: &Bodies<W>,
-    pass: &JointPass,
+    moment: &Moment<'_, W>,
 ) {
-    let now = Geometry::new(block, &bodies.displacements);
-    let substep_end = BIASED.then(|| SubstepEnd::new(block, bodies, pass));
-    let masses = Masses::load(block);
-    let locked = Locked::<W, N>::new(block, &now);
-    let matrix = Factored::new(locked.coupling(&masses));
-    let (zero, one) = (W::zero(), W::splat(1.0));
+    let Moment { bodies, now, substep_end, pass } = moment;
+    let zero = W::zero();
     let correction_rate = W::splat(EXACT_LIMIT_ERROR_FRACTION * pass.inv_substep);
     for (row, to) in rows {
         let (mut along, position) = now.free_row(row);
-        let effective = locked.effective_with_reactions(along, &masses, &matrix);
-        let movable = zero.lt(effective);
-        let inverse = W::select(movable, one / W::select(movable, effective, one), zero);
-        let mut curvature = zero;
-        if let Some(end) = &substep_end {
-            let bent = end.curvature(row, &now, &along, position, pass);
+        let mut rate = along.rate(&bodies.velocities);
+        let (mut curvature, mut apart) = (zero, zero);
+        if let Some(end) = substep_end {
+            let (then, position_then) = end.then.free_row(row);
+            let bent = end.curvature(now, &along, position_then - position, rate, pass);
             let includes_curvature = zero.lt(W::load(&memory.includes_curvature));
             curvature = W::select(includes_curvature, bent, zero);
             let at_predicted_pose = zero.lt(W::load(&memory.at_predicted_pose));
-            let (then, _) = end.then.free_row(row);
-            let straight = along.rate(&bodies.velocities);
             along = then.select(at_predicted_pose, along);
             // The rate at the end of the substep is the same with either row.
-            curvature = curvature + (straight - along.rate(&bodies.velocities));
+            let straight = rate;
+            rate = along.rate(&bodies.velocities);
+            curvature = curvature + (straight - rate);
+            apart = W::load(&memory.is_displaced);
         } else {
             position.store(&mut row.position);
         }
-        let axis = FreeAxis { position, effective, inverse };
+        let axis = FreeAxis::new(position, W::load(&row.response));
         let law = MotorLaw::new::<BIASED>(&mut row.motor, &axis, curvature, pass);
         let ([low, high], corrections) =
             rate_limits::<W, BIASED>(row, position, correction_rate, &along, pass);
-        let apart = if BIASED { W::load(&memory.is_displaced) } else { zero };
-        let (low, high) = (low - corrections[0] * apart, high - corrections[1] * apart);
         store_row(&along, &mut to.row);
-        along.rate(&bodies.velocities).store(&mut to.rate);
+        rate.store(&mut to.rate);
         law.damping.store(&mut to.damping);
         law.pull.store(&mut to.pull);
         law.bound.store(&mut to.bound);
-        (low - curvature).store(&mut to.low);
-        (high - curvature).store(&mut to.high);
+        (low - corrections[0] * apart - curvature).store(&mut to.low);
+        (high - corrections[1] * apart - curvature).store(&mut to.high);
         for (correction, to) in corrections.into_iter().zip(&mut to.corrections) {
             correction.store(to);
         }

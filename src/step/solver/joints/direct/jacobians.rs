@@ -83,17 +83,17 @@ impl<const N: usize> JointRows<N> {
 
     /// The smallest pivots that are not rounding, for these diagonal elements: see [`PIVOT_MIN`].
     pub fn pivots_min(&self, own: &[f64; N]) -> [f64; N] {
-        let is_rotation = |row: usize| {
+        let translates = |row: usize| {
             self.jacobians
                 .iter()
-                .all(|columns| columns[..DIM].iter().all(|column| column[row] == 0.0))
+                .any(|columns| columns[..DIM].iter().any(|column| column[row] != 0.0))
         };
-        let mut largest = [0.0; 2];
+        let mut largest = [0.0_f64; 2];
         for (row, &own) in own.iter().enumerate() {
-            let largest: &mut f64 = &mut largest[usize::from(is_rotation(row))];
+            let largest = &mut largest[usize::from(translates(row))];
             *largest = largest.max(own);
         }
-        core::array::from_fn(|row| PIVOT_MIN * largest[usize::from(is_rotation(row))])
+        core::array::from_fn(|row| PIVOT_MIN * largest[usize::from(translates(row))])
     }
 }
 

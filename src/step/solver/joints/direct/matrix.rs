@@ -31,7 +31,7 @@
 //! proximal point algorithm", 1976). Its steps lead from the last impulses to the solution. The steps here
 //! lead from the solution to zero.
 
-use super::dense::{Block, Column, add, divide_right, dot, factorise, zero};
+use super::dense::{Block, Column, PIVOT_MIN, add, divide_right, dot, factorise, zero};
 use super::driven::DrivenAxis;
 use super::jacobians::{JointRows, Motion, compliance_of, couple, locked_axes};
 use super::memory::Jacobians;
@@ -314,21 +314,25 @@ impl<const N: usize> Matrix<N> {
             let (size, mut block) = (Self::row_count(member), zero());
             couple(component.members, &self.rows, [at, at], &mut block, size);
             let compliance = compliance_of(member, memory);
-            let (mut own, mut damping) = ([0.0; N], [0.0; N]);
+            let (mut own, mut damping, mut least) = ([0.0; N], [0.0; N], [0.0; N]);
             for row in 0..size {
                 own[row] = block[row][row];
+                least[row] = PIVOT_MIN * own[row];
                 damping[row] = if component.is_redundant {
                     LOOP_DAMPING * self.rows[at].without_arms(row).max(FRACTION_MIN * own[row])
                 } else {
                     DAMPING * own[row]
                 };
-                let is_locked = row < member.form.row_count();
+                let is_locked = row < member.locked_row_count();
                 let compliance = if is_locked { compliance } else { 0.0 };
                 block[row][row] += compliance * own[row] + damping[row];
             }
             self.diagonal.push(block);
             self.own.push(own);
-            self.least.push(self.rows[at].pivots_min(&own));
+            if component.is_redundant {
+                least = self.rows[at].pivots_min(&own);
+            }
+            self.least.push(least);
             self.damping.push(damping);
             self.first_below.push(self.below.len());
             for &row in &component.columns[at] {
@@ -463,7 +467,7 @@ impl<const N: usize> Matrix<N> {
             let (member, change) = (&members[at], self.x[at][row]);
             let lane = member.lane as usize;
             let index =
-                memory.blocks[member.block as usize].first_row + row - member.form.row_count();
+                memory.blocks[member.block as usize].first_row + row - member.locked_row_count();
             driven.write(&mut memory.driven[index], lane, change, self.own[at][row]);
         }
     }

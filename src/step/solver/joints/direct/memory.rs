@@ -2,7 +2,7 @@
 
 use super::super::block::{AxisRow, JointBlock, Wrench};
 use super::super::geometry::Geometry;
-use super::super::passes::{compliance_of, note_angvel_change, rates_here, store_couple};
+use super::super::passes::{Locked, compliance_of, note_angvel_change, rates_here, store_couple};
 use super::super::rows::{Masses, Row};
 use super::super::substep_end::SubstepEnd;
 use super::driven_rows::{DrivenRow, write_driven};
@@ -188,46 +188,54 @@ pub(in super::super) unsafe fn write_rows<W: Wide, const BIASED: bool>(
 ) {
     // SAFETY: the caller's promise.
     let bodies = unsafe { Bodies::<W>::gather(states, &block.bodies) };
+    let now = Geometry::new(block, &bodies.displacements);
+    let substep_end = if BIASED { Some(SubstepEnd::new(block, &bodies, pass)) } else { None };
+    let moment = Moment { bodies, now, substep_end, pass };
     match block.locks_rotations {
-        true => write_locked::<W, BIASED, SPATIAL_DIM>(block, to, &bodies, pass),
-        false => write_locked::<W, BIASED, DIM>(block, to, &bodies, pass),
+        true => write_locked::<W, BIASED, SPATIAL_DIM>(block, axis_rows, to, &moment),
+        false => write_locked::<W, BIASED, DIM>(block, axis_rows, to, &moment),
     }
     to.first_row = block.first_row;
     if block.row_count > 0 {
-        let rows = axis_rows.iter_mut().zip(driven);
-        match block.locks_rotations {
-            true => write_driven::<W, BIASED, SPATIAL_DIM>(block, to, rows, &bodies, pass),
-            false => write_driven::<W, BIASED, DIM>(block, to, rows, &bodies, pass),
-        }
+        write_driven::<W, BIASED>(to, axis_rows.iter_mut().zip(driven), &moment);
     }
 }
 
-/// Computes the locked rows of a block whose first `N` axes alone may be locked.
+/// A block's joints at the moment when their rows are written.
+pub(super) struct Moment<'a, W> {
+    pub bodies: Bodies<W>,
+    pub now: Geometry<W>,
+    /// In the solve pass.
+    pub substep_end: Option<SubstepEnd<W>>,
+    pub pass: &'a JointPass,
+}
+
+/// Computes the locked rows of a block whose first `N` axes alone may be locked. The relax pass notes the
+/// responses of the free axes.
 #[inline(always)]
 fn write_locked<W: Wide, const BIASED: bool, const N: usize>(
     block: &mut JointBlock,
+    axis_rows: &mut [AxisRow],
     memory: &mut JacobianBlock,
-    bodies: &Bodies<W>,
-    pass: &JointPass,
+    moment: &Moment<'_, W>,
 ) {
-    let (rows, rates) = if BIASED {
-        rows_biased::<W, N>(block, memory, bodies, pass)
-    } else {
-        let now = Geometry::new(block, &bodies.displacements);
-        let bias_rate = W::load(&block.bias_rate);
-        for (error, to) in now.errors::<N>().into_iter().zip(&mut memory.corrections) {
-            (error * bias_rate).store(to);
+    let locked = Locked::<W, N>::new(block, &moment.now);
+    let (rows, rates) = match &moment.substep_end {
+        Some(end) => rows_biased(block, memory, &locked, moment, end),
+        None => {
+            locked.note_responses(axis_rows, &moment.now, &Masses::load(block));
+            let bias_rate = W::load(&block.bias_rate);
+            for k in 0..N {
+                (locked.errors[k] * bias_rate).store(&mut memory.corrections[k]);
+            }
+            let rates = rates_here(block, &locked.rows, &moment.bodies);
+            (locked.rows, rates)
         }
-        let rows = now.rows::<N>();
-        (rows, rates_here(block, &rows, bodies))
     };
     memory.changes = [Lane::ZERO; SPATIAL_DIM];
     for k in 0..N {
         rates[k].store(&mut memory.rates[k]);
         W::load(&block.impulses[k]).store(&mut memory.impulses[k]);
-        if BIASED {
-            W::load(&block.held_bias[k]).store(&mut memory.corrections[k]);
-        }
         store_row(&rows[k], &mut memory.rows[k]);
     }
     compliance_of::<W, BIASED>(block).store(&mut memory.compliance);
@@ -246,25 +254,23 @@ pub(super) fn store_row<W: Wide>(row: &Row<W>, to: &mut [[Lane; SPATIAL_DIM]; 2]
 #[inline(always)]
 fn rows_biased<W: Wide, const N: usize>(
     block: &mut JointBlock,
-    memory: &JacobianBlock,
-    bodies: &Bodies<W>,
-    pass: &JointPass,
+    memory: &mut JacobianBlock,
+    locked: &Locked<W, N>,
+    moment: &Moment<'_, W>,
+    end: &SubstepEnd<W>,
 ) -> ([Row<W>; N], [W; N]) {
     let at_predicted_pose = W::zero().lt(W::load(&memory.at_predicted_pose));
     let includes_curvature = W::zero().lt(W::load(&memory.includes_curvature));
     let is_displaced = W::zero().lt(W::load(&memory.is_displaced));
-    let now = Geometry::new(block, &bodies.displacements);
-    let substep_end = SubstepEnd::new(block, bodies, pass);
-    let (mut rows, then) = (now.rows::<N>(), substep_end.then.rows::<N>());
-    for (row, then) in rows.iter_mut().zip(&then) {
-        *row = then.select(at_predicted_pose, *row);
-    }
-    let mut rates = substep_end.rates::<N>(block, &now, pass);
-    for (k, rate) in rates.iter_mut().enumerate() {
+    let (errors, mut rows) = end.then.locked_axes::<N>();
+    let mut rates = end.rates::<N>(block, &moment.now, [locked.errors, errors], moment.pass);
+    for k in 0..N {
         let bias = W::load(&block.held_bias[k]);
-        let here = rows[k].rate(&bodies.velocities) + bias;
-        *rate =
-            W::select(includes_curvature, *rate, here) - W::select(is_displaced, bias, W::zero());
+        bias.store(&mut memory.corrections[k]);
+        rows[k] = rows[k].select(at_predicted_pose, locked.rows[k]);
+        let here = rows[k].rate(&moment.bodies.velocities) + bias;
+        rates[k] = W::select(includes_curvature, rates[k], here)
+            - W::select(is_displaced, bias, W::zero());
     }
     (rows, rates)
 }

@@ -40,6 +40,8 @@ pub(in super::super) struct DirectJoint {
     /// Whether a body has both locked and free axes of its own.
     pub has_locked_body: bool,
     pub form: JointForm,
+    /// Number of its rows of locked axes.
+    locked_row_count: u8,
 }
 
 impl DirectJoint {
@@ -52,6 +54,7 @@ impl DirectJoint {
         inv_masses: [0.0; 2],
         has_locked_body: false,
         form: JointForm { locked: 0, driven: 0, is_point_to_point: false },
+        locked_row_count: 0,
     };
 
     /// The joint in a slot between two bodies; where its rows will be is not known yet.
@@ -59,7 +62,17 @@ impl DirectJoint {
         let ends = bodies.map(|body| (body & READ_ONLY == 0).then(|| &poses[body as usize]));
         let inv_masses = ends.map(|end| end.map_or(0.0, |pose| pose.inv_mass().max_element()));
         let has_locked_body = ends.into_iter().flatten().any(BodyPose::has_locked_axis);
-        Self { slot, block: 0, lane: 0, bodies, inv_masses, has_locked_body, form }
+        let locked_row_count = form.row_count() as u8;
+        Self {
+            slot,
+            block: 0,
+            lane: 0,
+            bodies,
+            inv_masses,
+            has_locked_body,
+            form,
+            locked_row_count,
+        }
     }
 
     /// Returns whether there is a joint.
@@ -67,9 +80,14 @@ impl DirectJoint {
         self.slot != NONE
     }
 
+    /// Number of its rows of locked axes.
+    pub fn locked_row_count(&self) -> usize {
+        usize::from(self.locked_row_count)
+    }
+
     /// Number of its rows: of its locked axes, then of its driven ones.
     pub fn row_count(&self) -> usize {
-        self.form.row_count() + usize::from(self.form.driven)
+        usize::from(self.locked_row_count + self.form.driven)
     }
 
     /// The bodies that can move, with their sides.
@@ -103,6 +121,7 @@ pub(super) struct Pattern {
 struct Part {
     members: Range<usize>,
     body_count: usize,
+    has_driven_axes: bool,
     is_redundant: bool,
 }
 
@@ -115,6 +134,7 @@ pub(super) struct Component<'a> {
     /// By member: its bodies, numbered within the component.
     pub bodies: &'a [[u32; 2]],
     pub body_count: usize,
+    pub has_driven_axes: bool,
     /// Whether rows may be redundant: in a loop, including loops through immovable bodies, or at bodies that
     /// have locked axes of their own.
     pub is_redundant: bool,
@@ -165,12 +185,14 @@ impl Pattern {
     }
 
     pub fn component(&self, index: usize) -> Component<'_> {
-        let Part { members: range, body_count, is_redundant } = &self.components[index];
+        let Part { members: range, body_count, has_driven_axes, is_redundant } =
+            &self.components[index];
         Component {
             members: &self.members[range.clone()],
             columns: &self.columns[range.clone()],
             bodies: &self.bodies[range.clone()],
             body_count: *body_count,
+            has_driven_axes: *has_driven_axes,
             is_redundant: *is_redundant,
         }
     }
@@ -247,9 +269,13 @@ impl Pattern {
         };
         if fill(columns, neighbours, work) {
             let body_count = self.search.number_bodies(&self.members[start..], &mut self.bodies);
-            let is_redundant =
-                has_loops || self.members[start..].iter().any(|member| member.has_locked_body);
-            self.components.push(Part { members: start..start + count, body_count, is_redundant });
+            let members = &self.members[start..];
+            self.components.push(Part {
+                members: start..start + count,
+                body_count,
+                has_driven_axes: members.iter().any(|member| member.form.driven > 0),
+                is_redundant: has_loops || members.iter().any(|member| member.has_locked_body),
+            });
         } else {
             self.members.truncate(start);
         }

@@ -79,7 +79,10 @@ impl<const N: usize> Matrix<N> {
                 let rounding = ANCHOR_ROUNDING * rows.size_of(row) * inv_h;
                 noise += rounding * rounding / own[row];
             }
-            let first = member.form.row_count();
+            if !component.has_driven_axes {
+                continue;
+            }
+            let first = member.locked_row_count();
             for (row, from) in (first..).zip(memory.driven_of(member)) {
                 let impulse = from.impulse(lane);
                 load += own[row] * impulse * impulse;
@@ -99,7 +102,10 @@ impl<const N: usize> Matrix<N> {
                 let rate = f64::from(from.rates[axis].0[lane]);
                 sum += if *own > 0.0 { rate * rate / own } else { 0.0 };
             }
-            let axes = memory.driven_of(member).iter().zip(&own[member.form.row_count()..]);
+            if !component.has_driven_axes {
+                continue;
+            }
+            let axes = memory.driven_of(member).iter().zip(&own[member.locked_row_count()..]);
             for (from, own) in axes.filter(|(_, own)| **own > 0.0) {
                 let violation = DrivenAxis::new([0; 2], from, lane, Rows::All).violation();
                 sum += violation * violation / own;
