@@ -232,6 +232,11 @@ unsafe fn iterate_rows<W: Wide, const BIASED: bool, const N: usize>(
         wrench = turned;
     }
     let before = wrench;
+    if block.is_exact && !BIASED {
+        // SAFETY: the caller's promise; the block's rows are in range.
+        let rows = unsafe { rows.range_mut(block.axis_rows()) };
+        locked.note_responses(rows, &geometry, &masses);
+    }
     if !block.is_exact {
         let coupling = locked.coupling(&masses);
         let has_curvature = BIASED && block.has_distances;

@@ -192,8 +192,8 @@ pub(in super::super) unsafe fn write_rows<W: Wide, const BIASED: bool>(
     let substep_end = if BIASED { Some(SubstepEnd::new(block, &bodies, pass)) } else { None };
     let moment = Moment { bodies, now, substep_end, pass };
     match block.locks_rotations {
-        true => write_locked::<W, BIASED, SPATIAL_DIM>(block, axis_rows, to, &moment),
-        false => write_locked::<W, BIASED, DIM>(block, axis_rows, to, &moment),
+        true => write_locked::<W, BIASED, SPATIAL_DIM>(block, to, &moment),
+        false => write_locked::<W, BIASED, DIM>(block, to, &moment),
     }
     to.first_row = block.first_row;
     if block.row_count > 0 {
@@ -210,12 +210,10 @@ pub(super) struct Moment<'a, W> {
     pub pass: &'a JointPass,
 }
 
-/// Computes the locked rows of a block whose first `N` axes alone may be locked. The relax pass notes the
-/// responses of the free axes.
+/// Computes the locked rows of a block whose first `N` axes alone may be locked.
 #[inline(always)]
 fn write_locked<W: Wide, const BIASED: bool, const N: usize>(
     block: &mut JointBlock,
-    axis_rows: &mut [AxisRow],
     memory: &mut JacobianBlock,
     moment: &Moment<'_, W>,
 ) {
@@ -223,7 +221,6 @@ fn write_locked<W: Wide, const BIASED: bool, const N: usize>(
     let (rows, rates) = match &moment.substep_end {
         Some(end) => rows_biased(block, memory, &locked, moment, end),
         None => {
-            locked.note_responses(axis_rows, &moment.now, &Masses::load(block));
             let bias_rate = W::load(&block.bias_rate);
             for k in 0..N {
                 (locked.errors[k] * bias_rate).store(&mut memory.corrections[k]);

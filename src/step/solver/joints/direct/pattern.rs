@@ -41,7 +41,7 @@ pub(in super::super) struct DirectJoint {
     pub has_locked_body: bool,
     pub form: JointForm,
     /// Number of its rows of locked axes.
-    locked_row_count: u8,
+    pub locked_row_count: u8,
 }
 
 impl DirectJoint {

@@ -47,7 +47,17 @@ impl Net {
             let (slot, locked) = (slot as u32, locked(slot));
             let form = JointForm { locked, driven: 0, is_point_to_point: false };
             let has_locked_body = false;
-            DirectJoint { slot, block, lane, bodies, inv_masses, has_locked_body, form }
+            let locked_row_count = form.row_count() as u8;
+            DirectJoint {
+                slot,
+                block,
+                lane,
+                bodies,
+                inv_masses,
+                has_locked_body,
+                form,
+                locked_row_count,
+            }
         });
         let blocks = (0..joints.len()).map(|slot| rows(slot % LANES, &mut numbers)).collect();
         let memory = Jacobians { blocks, driven: Vec::new() };
