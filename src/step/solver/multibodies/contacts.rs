@@ -339,7 +339,7 @@ impl Point {
 
 impl JacobianPool {
     fn tangent_mass(&self, tangents: &[Row; DIM - 1]) -> PointTangentMass {
-        let coupling = || self.coupling(&tangents[0], &tangents[DIM - 2]);
+        let coupling = || self.coupling(&tangents[0], &tangents[DIM - 2]) as Real;
         PointTangentMass::of(tangents.map(|row| row.mass), coupling)
     }
 }

@@ -86,7 +86,7 @@ impl Gears {
             let law = AxisLaw { low: rate, high: rate, ..AxisLaw::FREE };
             // An equation has one side or the other, whatever its impulse.
             let impulses = [0.0, gear.impulse.max(Real::MIN_POSITIVE), (-gear.impulse).max(0.0)];
-            system.rows.push(SystemRow::new(gear.multibody, gear.row, law, impulses));
+            system.rows.push(SystemRow::new(system.group(gear.multibody), gear.row, law, impulses));
         }
     }
 

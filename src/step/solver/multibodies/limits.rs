@@ -39,9 +39,11 @@ pub enum Owner {
         multibody: usize,
         link: usize,
     },
-    /// A joint that closes a loop.
+    /// A joint that closes a loop, its position among these, and a multibody with whose rows it is solved.
     Loop {
         joint: ImpulseJointHandle,
+        position: usize,
+        solved_with: Option<usize>,
         /// Wrench of a unit impulse on the second body, at its anchor, in world space.
         wrench: SpatialVector,
     },
@@ -218,21 +220,17 @@ impl JointRows {
         pass: &JointPass,
         bias: bool,
     ) {
-        for (index, limit) in self.limits.iter().enumerate() {
+        for limit in &self.limits {
             let law = limit.law(jacobians, states, pass, bias);
             let [lower, upper] = limit.impulses;
-            let group = limit.owner.group(states, index);
+            let group = limit.owner.group(system);
             system.rows.push(SystemRow::new(group, limit.row, law, [0.0, lower, upper]));
         }
-        for (index, force_row) in self.force_rows.iter().enumerate() {
+        for force_row in &self.force_rows {
+            let (row, impulses) = (force_row.row, [force_row.impulse, 0.0, 0.0]);
             let law = force_row.law(jacobians, states);
-            let group = force_row.owner.group(states, self.limits.len() + index);
-            system.rows.push(SystemRow::new(
-                group,
-                force_row.row,
-                law,
-                [force_row.impulse, 0.0, 0.0],
-            ));
+            let group = force_row.owner.group(system);
+            system.rows.push(SystemRow::new(group, row, law, impulses));
         }
     }
 
@@ -268,7 +266,7 @@ impl JointRows {
         let limits = self.limits.iter().map(|limit| (limit.owner, limit.total));
         let force_rows = self.force_rows.iter().map(|force_row| (force_row.owner, force_row.total));
         for (owner, total) in limits.chain(force_rows) {
-            let Owner::Loop { joint, wrench } = owner else { continue };
+            let Owner::Loop { joint, wrench, .. } = owner else { continue };
             let Some(joint) = joints.get_unnoted_mut(joint) else { continue };
             joint.force += linear(&wrench) * (total * inv_dt);
             joint.torque += angular(&wrench) * (total * inv_dt);
@@ -302,12 +300,13 @@ impl JointRows {
 }
 
 impl Owner {
-    /// The group of rows that are solved together: those of the joints of one multibody. A joint that closes
-    /// a loop is alone, and has the number of its row.
-    fn group(&self, states: &ConstrainedStates<'_>, number: usize) -> usize {
+    /// The group of rows that are solved together.
+    fn group(&self, system: &RowSystem) -> usize {
         match self {
-            Self::Link { multibody, .. } => *multibody,
-            Self::Loop { .. } => states.multibodies.len() + number,
+            Self::Link { multibody, .. } => system.group(*multibody),
+            Self::Loop { position, solved_with, .. } => {
+                system.group_of_loop(*position, *solved_with)
+            }
         }
     }
 

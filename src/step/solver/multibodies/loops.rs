@@ -9,17 +9,15 @@
 //! Contacts may be frozen during a step, but rows of a swinging loop must follow its links, or they would
 //! brake it. They are made in each substep ([`SolverMultibodies::follow_loops`]).
 //!
-//! The locked axes of one joint are solved together, with the matrix `K_ij = J_i M⁻¹ J_jᵀ`, because they act
-//! on the same two links. Redundant axes (a hinge across a plane in which everything moves anyway) have no
-//! pivot in it and get no impulse. Joints are visited one after the other; the exact solution of connected
-//! joints is for ordinary bodies.
+//! All rows are solved with those of the multibody's own joints: see `system.rs`. Redundant axes (a hinge
+//! across a plane in which everything moves anyway) have no pivot there and get no impulse.
 
 use super::limits::Owner;
 use super::load::scale_impulses;
 use super::rows::{ConstrainedStates, JacobianPool, Row};
 use super::sides::Side;
+use super::system::{RowSystem, SystemRow};
 use super::{MultibodyContext, SolverMultibodies};
-use crate::base::square::SquareMatrix;
 use crate::dim::joint::{FreeRotations, angle_about};
 use crate::dim::joint_axes::{JointAxesMask, JointAxis};
 use crate::dim::math::{
@@ -34,9 +32,15 @@ use crate::model::joint::{
     GenericJoint, ImpulseJointHandle, ImpulseJointSet, mask_of, relative_rotation,
 };
 use crate::model::params::{JointPass, Softness};
+use crate::step::solver::axis_law::AxisLaw;
 use crate::step::solver::bodies::SolverBodies;
 use crate::step::solver::joint_rules::break_if_overloaded;
 use arrayvec::ArrayVec;
+
+/// Least compliance of a locked axis, as a fraction of its response to an impulse. Redundant rows share a load
+/// by it, and the rounding of nearly redundant ones stays small. It lets a load of a thousand times the links'
+/// mass sink by less than a millimetre per second, which the next correction takes back.
+const LOOP_COMPLIANCE: f64 = 1.0e-5;
 
 /// A locked axis.
 #[derive(Copy, Clone, Debug)]
@@ -46,6 +50,8 @@ struct Locked {
     /// Effect of a unit impulse on the second body, at its anchor, in world space.
     wrench: SpatialVector,
     error: Real,
+    /// The velocity that corrects the error.
+    bias: Real,
     impulse: Real,
     /// Sum of the impulses of the substeps.
     total: Real,
@@ -60,9 +66,9 @@ struct Loop {
     fraction: Real,
     joint: GenericJoint,
     softness: Softness,
+    /// A multibody with whose rows it is solved.
+    solved_with: Option<usize>,
     locked: ArrayVec<Locked, SPATIAL_DIM>,
-    /// `K⁻¹`, column by column.
-    inverse: ArrayVec<SpatialVector, SPATIAL_DIM>,
 }
 
 /// All impulse joints on links.
@@ -114,12 +120,14 @@ impl SolverMultibodies {
             let fraction = self.fraction_of(&sides);
             let mut data = joint.data;
             scale_impulses(&mut data, fraction);
-            self.add_driven(handle, &data, &sides, &frames, pass.substep);
+            let solved_with = self.connect(&sides, &data);
+            self.add_driven((handle, solved_with), &data, &sides, &frames, pass.substep);
             let softness = data.spring().map_or(pass.softness, |spring| {
                 Softness::spring(spring.angular_frequency(), spring.damping_ratio, pass.substep)
             });
-            let (locked, inverse) = (ArrayVec::new(), ArrayVec::new());
-            let joint = Loop { handle, slots, fraction, joint: data, softness, locked, inverse };
+            let locked = ArrayVec::new();
+            let joint =
+                Loop { handle, slots, fraction, joint: data, softness, solved_with, locked };
             self.loops.loops.push(joint);
         }
     }
@@ -191,9 +199,8 @@ impl SolverMultibodies {
                 ConstrainedStates { multibodies: &mut self.moving, states: &mut bodies.states };
             let error = error - self.jacobians.displacement(&row, &states);
             let (impulse, total) = known(axis);
-            locked.push(Locked { axis, row, wrench, error, impulse, total });
+            locked.push(Locked { axis, row, wrench, error, bias: 0.0, impulse, total });
         }
-        self.loops.loops[position].inverse = self.inverse_of(&locked);
         self.loops.loops[position].locked = locked;
     }
 
@@ -214,28 +221,18 @@ impl SolverMultibodies {
         side
     }
 
-    /// `K⁻¹` of locked axes.
-    fn inverse_of(&self, locked: &[Locked]) -> ArrayVec<SpatialVector, SPATIAL_DIM> {
-        let mut matrix = SquareMatrix::zeros(locked.len());
-        for (i, first) in locked.iter().enumerate() {
-            for (j, second) in locked.iter().enumerate() {
-                let (rows, jacobians) = ((&first.row, &second.row), &self.jacobians);
-                matrix[(i, j)] = jacobians.coupling(rows.0, rows.1);
-            }
-        }
-        let column = |k: usize| {
-            let mut unit = vec![0.0; locked.len()];
-            unit[k] = 1.0;
-            let mut column = [0.0; SPATIAL_DIM];
-            column[..locked.len()].copy_from_slice(&matrix.solve_symmetric(&unit));
-            column
-        };
-        (0..locked.len()).map(column).collect()
+    /// A multibody with whose rows a joint is solved.
+    fn connect(&mut self, sides: &[Side<'_>; 2], joint: &GenericJoint) -> Option<usize> {
+        let places = sides.iter().filter_map(Side::place);
+        let mut multibodies = places.map(|place| place.multibody);
+        let first = multibodies.next()?;
+        let row_count = joint.locked_axes.bits().count_ones() as usize;
+        self.system.connect([first, multibodies.next().unwrap_or(first)], row_count)
     }
 
     fn add_driven(
         &mut self,
-        handle: ImpulseJointHandle,
+        (handle, solved_with): (ImpulseJointHandle, Option<usize>),
         joint: &GenericJoint,
         sides: &[Side<'_>; 2],
         frames: &Frames,
@@ -244,7 +241,8 @@ impl SolverMultibodies {
         for axis in joint.driven_axes() {
             let (wrench, q, is_distance) = frames.free_axis(joint, axis);
             let row = self.row_at(sides, frames, &wrench);
-            let owner = Owner::Loop { joint: handle, wrench };
+            let position = self.loops.loops.len();
+            let owner = Owner::Loop { joint: handle, position, solved_with, wrench };
             if let Some(limits) = joint.limits(axis) {
                 let mut limits = *limits;
                 if is_distance && limits.min <= 0.0 {
@@ -340,14 +338,39 @@ impl Loops {
         locked.map(|axis| (&axis.row, axis.impulse))
     }
 
-    /// Solves all rows once; with `bias`, position errors are corrected.
-    pub fn solve(
+    /// Adds the laws of all locked axes to a system; with `bias`, position errors are corrected. Springs pull in
+    /// the relax pass as they did in the solve pass.
+    pub fn add_to(
         &mut self,
+        system: &mut RowSystem,
         jacobians: &JacobianPool,
-        states: &mut ConstrainedStates<'_>,
+        states: &ConstrainedStates<'_>,
         bias: bool,
     ) {
-        self.loops.iter_mut().for_each(|joint| joint.solve(jacobians, states, bias));
+        for (position, joint) in self.loops.iter_mut().enumerate() {
+            let group = system.group_of_loop(position, joint.solved_with);
+            let is_spring = joint.joint.spring().is_some();
+            for locked in &mut joint.locked {
+                if bias {
+                    let error = locked.error + jacobians.displacement(&locked.row, states);
+                    locked.bias = error * joint.softness.bias_rate;
+                } else if !is_spring {
+                    locked.bias = 0.0;
+                }
+            }
+            for locked in &joint.locked {
+                let law = joint.law(locked, bias || is_spring);
+                let impulses = [locked.impulse, 0.0, 0.0];
+                system.rows.push(SystemRow::new(group, locked.row, law, impulses));
+            }
+        }
+    }
+
+    /// Takes the impulses of the rows, in the order of [`Self::add_to`].
+    pub fn take_from<'a>(&mut self, solved: &mut impl Iterator<Item = &'a SystemRow>) {
+        for (locked, solved) in self.locked().zip(solved) {
+            locked.impulse = solved.impulse as Real;
+        }
     }
 
     /// Counts the impulses of the substep into those of the step.
@@ -388,25 +411,19 @@ impl Loops {
 }
 
 impl Loop {
-    /// Solves all locked axes together, once.
-    fn solve(&mut self, jacobians: &JacobianPool, states: &mut ConstrainedStates<'_>, bias: bool) {
-        let Softness { bias_rate, mass_scale, impulse_scale } =
-            if bias { self.softness } else { Softness::RIGID };
-        let mut changes = [0.0; SPATIAL_DIM];
-        for (locked, column) in self.locked.iter().zip(&self.inverse) {
-            let mut wrong = jacobians.velocity(&locked.row, states);
-            if bias {
-                let error = locked.error + jacobians.displacement(&locked.row, states);
-                wrong += error * bias_rate;
-            }
-            for (change, number) in changes.iter_mut().zip(column) {
-                *change -= wrong * mass_scale * number;
-            }
+    /// The law of a locked axis: an equation, with the compliance of a spring.
+    fn law(&self, locked: &Locked, with_compliance: bool) -> AxisLaw {
+        if locked.row.mass == 0.0 {
+            return AxisLaw::FREE;
         }
-        for (locked, change) in self.locked.iter_mut().zip(changes) {
-            let change = change - locked.impulse * impulse_scale;
-            locked.impulse += change;
-            jacobians.push(&locked.row, change, states);
+        let response = 1.0 / f64::from(locked.row.mass);
+        let compliance = if with_compliance { f64::from(self.softness.compliance()) } else { 0.0 };
+        let damping = 1.0 / (compliance.max(LOOP_COMPLIANCE) * response);
+        if damping > 0.0 {
+            let pull = f64::from(locked.bias) * damping;
+            AxisLaw { damping, pull, bound: f64::INFINITY, ..AxisLaw::FREE }
+        } else {
+            AxisLaw::FREE
         }
     }
 }

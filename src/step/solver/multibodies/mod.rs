@@ -161,7 +161,7 @@ impl SolverMultibodies {
         pass: &SolverPass<'_>,
     ) {
         self.jacobians.clear();
-        self.system.reset();
+        self.system.reset(self.moving.len());
         self.joints.prepare(&mut self.jacobians, &mut self.moving, pass.substep);
         self.gears.prepare(&mut self.jacobians, &mut self.moving, pass.joints.softness);
         self.prepare_loops(context, bodies, &pass.joints);
@@ -309,14 +309,15 @@ impl SolverMultibodies {
     fn iterate(&mut self, bodies: &mut SolverBodies, pass: &SolverPass<'_>, bias: bool) {
         let Self { jacobians, joints, gears, system, loops, contacts, moving, .. } = self;
         let mut states = ConstrainedStates { multibodies: moving, states: &mut bodies.states };
-        loops.solve(jacobians, &mut states, bias);
-        system.clear();
+        system.clear(bias);
         joints.add_to(system, jacobians, &states, &pass.joints, bias);
         gears.add_to(system, jacobians, &states, bias);
+        loops.add_to(system, jacobians, &states, bias);
         system.solve(jacobians, &mut states);
         let mut solved = system.rows.iter();
         joints.take_from(&mut solved);
         gears.take_from(&mut solved);
+        loops.take_from(&mut solved);
         contacts.solve(jacobians, &mut states, &pass.contacts, bias);
     }
 }

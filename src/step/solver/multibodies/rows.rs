@@ -156,10 +156,22 @@ impl JacobianPool {
         Part::Links { multibody, start, span: [first, behind], is_movable }
     }
 
+    /// Recomputes the response of a row where the links are now.
+    pub fn respond_again(&mut self, row: &Row, multibodies: &mut [Moving]) {
+        for part in &row.parts {
+            let Part::Links { multibody, start, is_movable: true, .. } = part else { continue };
+            let motion = &mut multibodies[*multibody].motion;
+            let range = *start..start + motion.rates.len();
+            let response = &mut self.responses[range.clone()];
+            response.copy_from_slice(&self.jacobians[range]);
+            motion.respond(response);
+        }
+    }
+
     /// A row of these parts.
     pub fn row(&self, parts: [Part; 2]) -> Row {
         let mut row = Row { parts, mass: 0.0 };
-        let k = self.coupling(&row, &row);
+        let k = self.coupling(&row, &row) as Real;
         let inverse = 1.0 / k;
         if k > 0.0 && inverse.is_finite() {
             row.mass = inverse;
@@ -169,21 +181,24 @@ impl JacobianPool {
 
     /// `J_i W_j`: the velocity of the first row by an impulse of 1 on the second, which must be of the same
     /// two sides.
-    pub fn coupling(&self, first: &Row, second: &Row) -> Real {
-        let of = |side: usize| match (&first.parts[side], &second.parts[side]) {
+    pub fn coupling(&self, first: &Row, second: &Row) -> f64 {
+        let of = |one: &Part, other: &Part| match (one, other) {
             (
-                Part::Links { start: i, span: [first, behind], .. },
-                Part::Links { start: j, is_movable: true, .. },
-            ) => product(
+                Part::Links { multibody, start: i, span: [first, behind], .. },
+                Part::Links { multibody: other, start: j, is_movable: true, .. },
+            ) if multibody == other => exact_product(
                 &self.jacobians[i + first..i + behind],
                 &self.responses[j + first..j + behind],
             ),
-            (Part::Body { jacobian, .. }, Part::Body { response, .. }) => {
-                product(jacobian, response)
+            (Part::Body { index, jacobian, .. }, Part::Body { index: other, response, .. })
+                if index == other =>
+            {
+                exact_product(jacobian, response)
             }
             _ => 0.0,
         };
-        of(0) + of(1)
+        let with = |one: &Part| of(one, &second.parts[0]) + of(one, &second.parts[1]);
+        with(&first.parts[0]) + with(&first.parts[1])
     }
 
     /// Adds the work that an impulse does on multibodies to the energy that contacts may leave them.
@@ -362,6 +377,11 @@ impl Moving {
 /// The place of a body's state.
 fn at(index: u32) -> usize {
     (index & !READ_ONLY) as usize
+}
+
+/// [`product`] without rounding: the small pivots of a system are differences of large couplings.
+fn exact_product(a: &[Real], b: &[Real]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| f64::from(*a) * f64::from(*b)).sum()
 }
 
 fn product(a: &[Real], b: &[Real]) -> Real {

@@ -1,5 +1,6 @@
-//! The rows on the degrees of freedom of one multibody, solved together: limits, motors with a largest force,
-//! dry friction and gears.
+//! The rows on the degrees of freedom of a multibody, solved together: limits, motors with a largest force,
+//! dry friction, gears, and the locked axes of joints that close loops. Such joints connect multibodies to one
+//! group.
 //!
 //! Each row has a law ([`AxisLaw`]), and an impulse on one moves all links. With the rows one after the
 //! other, a strong motor pushes the next limit aside. So the rows on the active pieces of their laws are one
@@ -20,6 +21,9 @@ use crate::step::solver::axis_law::{AxisLaw, Equation, Piece};
 const PIECE_CHANGES_MAX: usize = 32;
 /// From this time on, one row moves at a time.
 const JOINT_PIECE_CHANGES_MAX: usize = 6;
+/// Largest number of rows of the joints that close loops in one group. The system is dense, and its
+/// factorisation takes a millisecond for this many. Further joints are solved alone.
+const LOOP_ROWS_MAX: usize = 120;
 /// A pivot below this fraction of the row's diagonal element is rounding: the row is redundant.
 const PIVOT_MIN: f64 = 64.0 * Real::EPSILON as f64;
 
@@ -59,6 +63,11 @@ impl SystemRow {
 #[derive(Debug, Default)]
 pub struct RowSystem {
     pub rows: Vec<SystemRow>,
+    /// By multibody: its group.
+    groups: Vec<usize>,
+    is_connected: bool,
+    /// By group: the number of rows of its joints that close loops.
+    loop_rows: Vec<usize>,
     /// Groups and positions of the rows, those of one group together.
     order: Vec<[usize; 2]>,
     /// Positions of the rows with an equation.
@@ -69,18 +78,53 @@ pub struct RowSystem {
 }
 
 impl RowSystem {
-    /// Removes all rows.
-    pub fn clear(&mut self) {
+    /// Removes all rows. Those of the next solution are in one group if joints that close loops connect them,
+    /// and otherwise each joint of a loop is alone.
+    pub fn clear(&mut self, is_connected: bool) {
         self.rows.clear();
+        self.order.clear();
+        self.is_connected = is_connected;
     }
 
-    /// Forgets the order of the rows: there are others in this step.
-    pub fn reset(&mut self) {
+    /// Begins a step with this number of multibodies. Each is a group.
+    pub fn reset(&mut self, multibody_count: usize) {
         self.order.clear();
+        self.groups.clear();
+        self.groups.extend(0..multibody_count);
+        self.loop_rows.clear();
+        self.loop_rows.resize(multibody_count, 0);
+    }
+
+    /// The group of the rows of a multibody's own joints.
+    pub fn group(&self, multibody: usize) -> usize {
+        if self.is_connected { self.groups[multibody] } else { multibody }
+    }
+
+    /// The group of the rows of the joint at a position among those that close loops, which is solved with a
+    /// multibody's rows or alone.
+    pub fn group_of_loop(&self, position: usize, multibody: Option<usize>) -> usize {
+        match multibody {
+            Some(multibody) if self.is_connected => self.groups[multibody],
+            _ => self.groups.len() + position,
+        }
+    }
+
+    /// Makes one group of the multibodies on which a joint with this number of rows acts. Returns the one with
+    /// whose rows it is solved; `None` if the group would be too large.
+    pub fn connect(&mut self, multibodies: [usize; 2], row_count: usize) -> Option<usize> {
+        let [to, from] = multibodies.map(|multibody| self.groups[multibody]);
+        let others = if from == to { 0 } else { self.loop_rows[from] };
+        let count = self.loop_rows[to] + others + row_count;
+        if count > LOOP_ROWS_MAX {
+            return None;
+        }
+        self.groups.iter_mut().filter(|group| **group == from).for_each(|group| *group = to);
+        self.loop_rows[to] = count;
+        Some(multibodies[0])
     }
 
     /// Solves all groups.
-    pub fn solve(&mut self, jacobians: &JacobianPool, states: &mut ConstrainedStates<'_>) {
+    pub fn solve(&mut self, jacobians: &mut JacobianPool, states: &mut ConstrainedStates<'_>) {
         if self.order.len() != self.rows.len() {
             self.order.clear();
             self.order.extend(self.rows.iter().enumerate().map(|(k, row)| [row.group, k]));
@@ -88,6 +132,13 @@ impl RowSystem {
         }
         let order = core::mem::take(&mut self.order);
         for group in order.chunk_by(|[a, _], [b, _]| a == b) {
+            let has_loops = self.loop_rows.get(group[0][0]).is_some_and(|count| *count > 0);
+            if self.is_connected && has_loops {
+                // Rows of loops follow the links. A matrix of responses at different poses has no solution.
+                for &[_, position] in group {
+                    jacobians.respond_again(&self.rows[position].row, states.multibodies);
+                }
+            }
             self.solve_group(group, jacobians, states);
         }
         self.order = order;
@@ -142,7 +193,7 @@ impl RowSystem {
             let rate = f64::from(jacobians.velocity(&row.row, states));
             let Some(equation) = row.law.equation(row.piece, row.impulse, rate) else { continue };
             let Equation { compliance, missing } = equation;
-            let coupling = |other: &SystemRow| f64::from(jacobians.coupling(&row.row, &other.row));
+            let coupling = |other: &SystemRow| jacobians.coupling(&row.row, &other.row);
             matrix.extend(active.iter().map(|&other| coupling(&rows[other])));
             matrix.push(coupling(row) + compliance);
             x.push(missing);
