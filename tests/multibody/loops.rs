@@ -91,8 +91,8 @@ fn a_weld_between_arms_holds() {
     assert!((l - r).abs() < 0.02, "{l} and {r}");
 }
 
-/// A light bracket, welded to the world by an impulse joint, carries a heavy arm on a hinge with limits. The arm
-/// swings into its limit, and rests there.
+/// A light bracket, welded to the world by an impulse joint, carries a heavy arm on a hinge with limits. The
+/// arm swings into its limit, and rests there.
 #[test]
 fn welded_brackets_hold_arms_at_their_limits() {
     let half_degree = (0.5 as Real).to_radians();

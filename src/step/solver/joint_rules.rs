@@ -10,7 +10,8 @@ use crate::model::joint::{ImpulseJoint, ImpulseJointHandle, JointEnabled};
 pub(super) const CURVATURE_FRACTION_MAX: Real = 0.25;
 
 /// The fraction of a limit's error that a substep removes, where connected limits are solved together.
-/// Contacts pass the velocity of a correction on: with 1, a bridge of ropes threw a load of 1,000 kg up by 30 cm.
+/// Contacts pass the velocity of a correction on: with 1, a bridge of ropes threw a load of 1,000 kg up by 30
+/// cm.
 pub(super) const EXACT_LIMIT_ERROR_FRACTION: Real = 0.1;
 
 /// Returns whether the load of a joint exceeds its limit.

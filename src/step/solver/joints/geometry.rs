@@ -91,11 +91,11 @@ impl<W: Wide> Geometry<W> {
         (errors, rows)
     }
 
-    /// The `errors` of the locked axes in components along the axes of an earlier moment, along which impulses
-    /// act. The axes rotate with the first body, and errors along the second body's axes require impulses
-    /// that are rotated relative to them. In a substep with a rotation of a quarter of a radian, a Newton
-    /// step would leave a tenth instead of a thirtieth. Rotations are measured in the middle of the substep,
-    /// which is the average rotation of an added impulse.
+    /// The `errors` of the locked axes in components along the axes of an earlier moment, along which
+    /// impulses act. The axes rotate with the first body, and errors along the second body's axes require
+    /// impulses that are rotated relative to them. In a substep with a rotation of a quarter of a radian, a
+    /// Newton step would leave a tenth instead of a thirtieth. Rotations are measured in the middle of the
+    /// substep, which is the average rotation of an added impulse.
     #[cfg_attr(not(target_arch = "wasm32"), inline(always))]
     pub fn errors_seen_from<const N: usize>(
         &self,

@@ -37,9 +37,9 @@ use crate::step::solver::bodies::SolverBodies;
 use crate::step::solver::joint_rules::break_if_overloaded;
 use arrayvec::ArrayVec;
 
-/// Least compliance of a locked axis, as a fraction of its response to an impulse. Redundant rows share a load
-/// by it, and the rounding of nearly redundant ones stays small. It lets a load of a thousand times the links'
-/// mass sink by less than a millimetre per second, which the next correction takes back.
+/// Least compliance of a locked axis, as a fraction of its response to an impulse. Redundant rows share a
+/// load by it, and the rounding of nearly redundant ones stays small. It lets a load of a thousand times the
+/// links' mass sink by less than a millimetre per second, which the next correction takes back.
 const LOOP_COMPLIANCE: f64 = 1.0e-5;
 
 /// A locked axis.
@@ -338,8 +338,8 @@ impl Loops {
         locked.map(|axis| (&axis.row, axis.impulse))
     }
 
-    /// Adds the laws of all locked axes to a system; with `bias`, position errors are corrected. Springs pull in
-    /// the relax pass as they did in the solve pass.
+    /// Adds the laws of all locked axes to a system; with `bias`, position errors are corrected. Springs pull
+    /// in the relax pass as they did in the solve pass.
     pub fn add_to(
         &mut self,
         system: &mut RowSystem,

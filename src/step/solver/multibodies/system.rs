@@ -1,6 +1,6 @@
 //! The rows on the degrees of freedom of a multibody, solved together: limits, motors with a largest force,
-//! dry friction, gears, and the locked axes of joints that close loops. Such joints connect multibodies to one
-//! group.
+//! dry friction, gears, and the locked axes of joints that close loops. Such joints connect multibodies to
+//! one group.
 //!
 //! Each row has a law ([`AxisLaw`]), and an impulse on one moves all links. With the rows one after the
 //! other, a strong motor pushes the next limit aside. So the rows on the active pieces of their laws are one
@@ -109,8 +109,8 @@ impl RowSystem {
         }
     }
 
-    /// Makes one group of the multibodies on which a joint with this number of rows acts. Returns the one with
-    /// whose rows it is solved; `None` if the group would be too large.
+    /// Makes one group of the multibodies on which a joint with this number of rows acts. Returns the one
+    /// with whose rows it is solved; `None` if the group would be too large.
     pub fn connect(&mut self, multibodies: [usize; 2], row_count: usize) -> Option<usize> {
         let [to, from] = multibodies.map(|multibody| self.groups[multibody]);
         let others = if from == to { 0 } else { self.loop_rows[from] };

@@ -7,8 +7,8 @@ use crate::dim::math::Real;
 
 /// A pivot below this fraction of its value before elimination is rounding: the row is redundant. A row that
 /// differs from the others by the rounding of its numbers alone has a pivot of the square of that. (Where
-/// locked rotations of the bodies leave nearly nothing to move, that value is rounding itself. Components with
-/// redundant rows therefore use the joint's largest element of its kind.)
+/// locked rotations of the bodies leave nearly nothing to move, that value is rounding itself. Components
+/// with redundant rows therefore use the joint's largest element of its kind.)
 pub(super) const PIVOT_MIN: f64 =
     64.0 * (Real::EPSILON as f64) * (Real::EPSILON as f64) + 16.0 * f64::EPSILON;
 
