@@ -32,6 +32,10 @@ use crate::dim::math::Real;
 /// precision, and their sum must keep its digits.
 pub(super) const OPPOSED_RATE_MAX: Real = 1.0e3;
 
+/// A rigid motor that wants the rate of a limit makes both pieces right. Rounding would select one after the
+/// other. Rates that differ by less than this fraction are equal there.
+const RATE_TOLERANCE: f64 = 16.0 * Real::EPSILON as f64;
+
 /// A linear piece of the law.
 #[derive(Copy, Clone, Debug, PartialEq)]
 pub(super) enum Piece {
@@ -86,15 +90,19 @@ impl AxisLaw {
     /// this rate.
     pub fn next(&self, piece: Piece, impulse: f64, rate: f64) -> Piece {
         match piece {
-            Piece::Lower if impulse >= self.motor(self.low) => piece,
+            Piece::Lower if impulse >= self.motor(self.low + self.tolerance(self.low)) => piece,
             // Equal limits are one equation.
             Piece::Lower if self.low >= self.high => Piece::Upper,
             Piece::Lower => self.piece_of_motor(self.low),
-            Piece::Upper if impulse <= self.motor(self.high) => piece,
+            Piece::Upper if impulse <= self.motor(self.high - self.tolerance(self.high)) => piece,
             Piece::Upper if self.low >= self.high => Piece::Lower,
             Piece::Upper => self.piece_of_motor(self.high),
-            Piece::Motor | Piece::Constant(_) if rate < self.low => Piece::Lower,
-            Piece::Motor | Piece::Constant(_) if rate > self.high => Piece::Upper,
+            Piece::Motor | Piece::Constant(_) if rate < self.low - self.tolerance(self.low) => {
+                Piece::Lower
+            }
+            Piece::Motor | Piece::Constant(_) if rate > self.high + self.tolerance(self.high) => {
+                Piece::Upper
+            }
             // Only to the next piece: an axis that skipped the one between would come back for ever.
             Piece::Constant(of_piece) if self.motor(rate) == of_piece => piece,
             Piece::Constant(_) if self.damping > 0.0 => Piece::Motor,
@@ -105,6 +113,15 @@ impl AxisLaw {
         }
     }
 
+    /// The rate that is rounding at a limit of this rate, where there is a motor.
+    fn tolerance(&self, limit: f64) -> f64 {
+        if self.damping > 0.0 && limit.is_finite() {
+            RATE_TOLERANCE * (limit.abs() + self.pull.abs() / self.damping)
+        } else {
+            0.0
+        }
+    }
+
     fn piece_of_motor(&self, rate: f64) -> Piece {
         let impulse = -(self.damping * rate + self.pull);
         if self.damping > 0.0 && impulse.abs() <= self.bound {
@@ -112,16 +129,6 @@ impl AxisLaw {
         } else {
             Piece::Constant(self.bounded(impulse))
         }
-    }
-
-    /// The impulse on the law that is nearest to this one at a rate.
-    pub fn admissible(&self, impulse: f64, rate: f64) -> f64 {
-        let motor = self.motor(rate);
-        let (least, most) = (
-            if rate >= self.high { f64::NEG_INFINITY } else { motor },
-            if rate <= self.low { f64::INFINITY } else { motor },
-        );
-        impulse.min(most).max(least)
     }
 }
 

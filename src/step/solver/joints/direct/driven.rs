@@ -45,6 +45,16 @@ impl DrivenAxis {
         Self { at, law, piece, corrections, impulse, rate, solved_rate: rate }
     }
 
+    /// Begins with an exceeded limit that holds. At rest it has no impulse, and is corrected all the same.
+    fn hold_exceeded(&mut self) {
+        let is_free = matches!(self.piece, Piece::Motor | Piece::Constant(_));
+        match self.corrections {
+            [lower, _] if lower > 0.0 && is_free => self.piece = Piece::Lower,
+            [_, upper] if upper < 0.0 && is_free => self.piece = Piece::Upper,
+            _ => {}
+        }
+    }
+
     /// The part of its rate that corrects an exceeded limit.
     pub(super) fn correction(&self) -> f64 {
         match self.piece {
@@ -87,6 +97,9 @@ impl<const N: usize> Matrix<N> {
             let axes = memory.driven_of(member).iter().enumerate();
             let axes = axes.map(|(k, from)| DrivenAxis::new([at, first + k], from, lane, rows));
             self.driven.extend(axes);
+        }
+        if rows == Rows::All {
+            self.driven.iter_mut().for_each(DrivenAxis::hold_exceeded);
         }
     }
 
@@ -158,13 +171,11 @@ impl<const N: usize> Matrix<N> {
         any
     }
 
-    /// Keeps the impulses of driven axes at what their laws allow, if no pieces were found: the locked axes
-    /// must hold in any case.
+    /// Keeps the impulses of driven axes, if no pieces were found: the locked axes must hold in any case. (The
+    /// impulse of a rigid motor at a rate that is not its own has no bound.)
     pub(super) fn fix_impulses(&mut self) {
         for driven in &mut self.driven {
-            let [at, row] = driven.at;
-            let impulse = driven.impulse + self.x[at][row];
-            driven.piece = Piece::Constant(driven.law.admissible(impulse, driven.solved_rate));
+            driven.piece = Piece::Constant(driven.impulse);
         }
         self.invalidate();
     }
