@@ -111,8 +111,14 @@ impl Factor {
     }
 
     /// See [`Matrix::progress`].
-    pub fn progress(&self, component: Component<'_>, memory: &Jacobians, inv_h: Real) -> Progress {
-        of_matrix!(self, matrix => matrix.progress(component, memory, inv_h))
+    pub fn progress(
+        &self,
+        rounds: usize,
+        component: Component<'_>,
+        memory: &Jacobians,
+        inv_h: Real,
+    ) -> Progress {
+        of_matrix!(self, matrix => matrix.progress(rounds, component, memory, inv_h))
     }
 
     /// See [`Matrix::invalidate`].

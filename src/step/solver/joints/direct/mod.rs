@@ -270,7 +270,7 @@ impl Direct {
                 {
                     Next::Rollback
                 }
-                Next::Solve => match factor.progress(component, rows, inv_h) {
+                Next::Solve => match factor.progress(solve_state.rounds, component, rows, inv_h) {
                     Progress::Done => Next::Nothing,
                     Progress::Near | Progress::Far if solve_state.rounds < ROUNDS_MAX => {
                         Next::Solve

@@ -22,9 +22,13 @@ const ANCHOR_ROUNDING: f64 = 4.0 * Real::EPSILON as f64;
 /// With a larger residual fraction, the joints are not converged.
 const RESIDUAL_FRACTION_MAX: f64 = 1.0e-3;
 
-/// The rounds diverge if the residual exceeds the total effect of the impulses, and the last residual by this
-/// factor.
-const RESIDUAL_GROWTH_MAX: f64 = 100.0;
+/// The rounds diverge if a residual exceeds the last one by this factor: convergence is quadratic. The total
+/// effect of the impulses is no measure, because it grows with them.
+const RESIDUAL_GROWTH_MAX: f64 = 2.0;
+/// The same for the second round, the first that includes the curvature, if the residual exceeds the total
+/// effect of the impulses.
+const FIRST_GROWTH_MAX: f64 = 100.0;
+
 /// Progress of the rounds of a solution.
 #[derive(Copy, Clone, Debug, PartialEq)]
 pub(super) enum Progress {
@@ -51,13 +55,23 @@ impl<const N: usize> Matrix<N> {
 
     /// The progress of the rounds, after at least two. The ratio of its residual to its input equals the
     /// ratio of that input to the previous one.
-    pub fn progress(&self, component: Component<'_>, memory: &Jacobians, inv_h: Real) -> Progress {
+    pub fn progress(
+        &self,
+        rounds: usize,
+        component: Component<'_>,
+        memory: &Jacobians,
+        inv_h: Real,
+    ) -> Progress {
         let [before, last] = self.sizes;
         let rest = if last < before { last * (last / before) } else { last };
         let (load, noise) = self.size_of_load(component, memory, f64::from(inv_h));
+        let grows = match rounds {
+            ..=2 => last > load && last > FIRST_GROWTH_MAX * before,
+            _ => last > RESIDUAL_GROWTH_MAX * before,
+        };
         if rest <= CONVERGED_FRACTION_MAX * load + noise {
             Progress::Done
-        } else if last > load && last > RESIDUAL_GROWTH_MAX * before {
+        } else if grows {
             Progress::Diverging
         } else if rest > RESIDUAL_FRACTION_MAX * load {
             Progress::Far
