@@ -5,6 +5,7 @@
 
 use super::{GenericJoint, ImpulseJoint, ImpulseJointHandle, ImpulseJointSet, JointEnabled};
 use crate::base::fault::{Fault, ensure};
+use crate::base::id_set::IdSet;
 use crate::base::in_place::clone_in_place;
 use crate::dim::joint_axes::JointAxesMask;
 use crate::model::body::{RigidBodyHandle, RigidBodySet};
@@ -118,9 +119,12 @@ pub(crate) struct JointLinks {
     pub orphans: Vec<ImpulseJointHandle>,
     /// Joints that were checked, and whether one of their bodies takes no part; to be written back.
     pub blocked: Vec<(ImpulseJointHandle, bool)>,
+    /// Slots of the joints that a program made, edited, or moved a body of, since the last step.
+    #[cfg_attr(feature = "serde-serialize", serde(skip))]
+    pub edited: IdSet,
 }
 
-clone_in_place!(JointLinks { links, of_body, orphans, blocked });
+clone_in_place!(JointLinks { links, of_body, orphans, blocked, edited });
 
 impl JointLinks {
     /// The joint in a slot.
@@ -136,6 +140,13 @@ impl JointLinks {
     /// The slots of the joints of a body.
     pub fn of_body(&self, body_slot: u32) -> &[u32] {
         self.of_body.get(body_slot as usize).map_or(&[], Vec::as_slice)
+    }
+
+    /// Notes that a program moved a body: its joints may have errors.
+    pub fn note_moved(&mut self, body_slot: u32) {
+        for &slot in self.of_body.get(body_slot as usize).into_iter().flatten() {
+            self.edited.insert(slot);
+        }
     }
 
     /// All joints in the order of their slots.

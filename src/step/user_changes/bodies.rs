@@ -94,6 +94,7 @@ impl UserChanges<'_> {
         if changes.contains(RigidBodyChanges::POSITION) {
             body.update_world_mass_properties();
             self.place_colliders(handle);
+            self.structure.islands.joints.note_moved(handle.into_raw_parts().0);
         }
         if changes.intersects(RigidBodyChanges::POSITION | RigidBodyChanges::DOMINANCE) {
             self.structure.refresh_pairs_of(handle);

@@ -39,6 +39,7 @@ impl UserChanges<'_> {
         let blocked = !bodies.into_iter().all(takes_part);
         self.structure.islands.joints.blocked.push((handle, blocked));
         let slot = handle.into_raw_parts().0;
+        self.structure.islands.joints.edited.insert(slot);
         let known = self.structure.islands.joints.get_mut(slot).map(|known| {
             known.form = link.form;
             *known

@@ -41,8 +41,8 @@ pub(super) struct JointBlock {
     pub compliance: Lane,
     /// One for joints of stiff components (see `geometric_stiffness.rs`), zero for others.
     pub is_stiff: Lane,
-    /// The largest error when the step began, as a velocity that corrects the error in a substep.
-    pub error_rate: Lane,
+    /// One for joints with large errors when the step began (see `direct/mod.rs`).
+    pub is_displaced: Lane,
     /// The bias of the errors when the substep began.
     pub held_bias: [Lane; SPATIAL_DIM],
     /// Impulses of this substep on the locked axes.
@@ -84,7 +84,7 @@ impl JointBlock {
             is_spring: zero,
             compliance: zero,
             is_stiff: zero,
-            error_rate: zero,
+            is_displaced: zero,
             held_bias: [zero; SPATIAL_DIM],
             impulses: [zero; SPATIAL_DIM],
             couple: ANG_ZERO_LANES,

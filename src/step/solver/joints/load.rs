@@ -1,7 +1,7 @@
 //! From joints to constraints: once per step, on several threads.
 
 use super::block::{AxisRow, JointBlock, LIMIT_NONE};
-use super::direct::DirectJoint;
+use super::direct::{DirectJoint, is_displaced};
 use super::{BLOCKS_PER_TASK, LaneSlot, SolverJoints};
 use crate::base::disjoint::DisjointMut;
 use crate::base::tasks::Tasks;
@@ -61,7 +61,7 @@ impl SolverJoints {
         self.direct.build(&self.members, context.bodies.states.len());
         self.assign_lane_slots();
         self.fill_blocks(joints, context, pass, tasks);
-        self.note_exact_joints(context.bodies.states.len());
+        self.note_exact_joints(context);
         self.point_to_point.load(joints, context, pass, tasks);
     }
 
@@ -155,7 +155,8 @@ impl SolverJoints {
                     // SAFETY: each joint has one lane slot.
                     let Some(entry) = (unsafe { joints.get_mut(link.handle.0) }) else { continue };
                     block.is_exact = direct.contains(lane_slot.slot);
-                    load_lane(block, rows, lane, &mut entry.joint, context, pass);
+                    let is_edited = context.islands.joints.edited.contains(lane_slot.slot);
+                    load_lane(block, rows, lane, (&mut entry.joint, is_edited), context, pass);
                     if direct.is_alone(lane_slot.slot) {
                         rows.iter_mut().for_each(|row| row.motor.is_alone.0[lane] = 1.0);
                     }
@@ -165,13 +166,13 @@ impl SolverJoints {
     }
 
     /// Stores the positions of their rows in the joints that are solved directly.
-    fn note_exact_joints(&mut self, body_count: usize) {
+    fn note_exact_joints(&mut self, context: JointLoadContext<'_>) {
         if self.direct.is_empty() {
-            self.direct.begin_step(|_| 0.0);
+            self.direct.begin_step(|_| false);
             return self.jacobians.clear();
         }
         self.jacobians.resize(self.blocks.len(), self.rows.len());
-        self.geometric_stiffness.clear(body_count);
+        self.geometric_stiffness.clear(context.bodies.states.len());
         for (index, block) in self.blocks.iter().enumerate().filter(|(_, block)| block.is_exact) {
             for (lane, lane_slot) in self.layout.block(index).iter().enumerate() {
                 if !self.direct.place(lane_slot.slot, [index, lane]) {
@@ -188,8 +189,9 @@ impl SolverJoints {
             }
         }
         let blocks = &self.blocks;
-        self.direct
-            .begin_step(|member| blocks[member.block as usize].error_rate.0[member.lane as usize]);
+        self.direct.begin_step(|member| {
+            blocks[member.block as usize].is_displaced.0[member.lane as usize] > 0.0
+        });
     }
 }
 
@@ -255,7 +257,7 @@ fn load_lane(
     block: &mut JointBlock,
     rows: &mut [AxisRow],
     lane: usize,
-    joint: &mut ImpulseJoint,
+    (joint, is_edited): (&mut ImpulseJoint, bool),
     JointLoadContext { world, bodies, .. }: JointLoadContext<'_>,
     pass: &JointPass,
 ) {
@@ -286,8 +288,9 @@ fn load_lane(
     load_rows(rows, lane, joint, &between, pass);
     if block.is_exact {
         let seen_from_first = ends[0].frame.inverse() * separation;
-        let error = largest_error(joint, seen_from_first, &between);
-        block.error_rate.0[lane] = error * pass.inv_substep;
+        let errors = largest_errors(joint, seen_from_first, &between);
+        let is_displaced = is_displaced(errors.map(|error| error * pass.inv_substep), is_edited);
+        block.is_displaced.0[lane] = if is_displaced { 1.0 } else { 0.0 };
         block.bias_rate.0[lane] *= (CORRECTION_ANGLE_MAX / largest_angle(joint, &between)).min(1.0);
     }
 }
@@ -299,14 +302,15 @@ fn largest_angle(joint: &ImpulseJoint, between: &Rotation) -> Real {
     locked.map(|(_, (angle, _))| angle.abs()).fold(Real::EPSILON, Real::max)
 }
 
-/// The largest error of a locked axis, or excess over a limit (length units or radians).
-fn largest_error(joint: &ImpulseJoint, separation: Vector, between: &Rotation) -> Real {
+/// The largest error of a locked axis, and the largest excess over a limit (length units or radians).
+fn largest_errors(joint: &ImpulseJoint, separation: Vector, between: &Rotation) -> [Real; 2] {
     let (data, is_rigid) = (&joint.data, joint.data.spring().is_none());
     let distances = separation.to_array();
     let locked = JointAxis::ALL[..DIM].iter().zip(distances);
     let locked = locked.filter(|(axis, _)| data.locked_axes.contains(mask_of(**axis)));
-    let mut largest = locked.map(|(_, distance)| distance.abs()).fold(0.0, Real::max);
-    largest = if is_rigid { largest.max(largest_angle(joint, between)) } else { 0.0 };
+    let locked = locked.map(|(_, distance)| distance.abs()).fold(0.0, Real::max);
+    let locked = if is_rigid { locked.max(largest_angle(joint, between)) } else { 0.0 };
+    let mut excess: Real = 0.0;
     for axis in data.driven_axes() {
         let Some(limits) = data.limits(axis) else { continue };
         let together = data.coupled_axes & !data.locked_axes & JointAxesMask::LIN_AXES;
@@ -319,9 +323,9 @@ fn largest_error(joint: &ImpulseJoint, separation: Vector, between: &Rotation) -
             }
             None => distances[axis as usize],
         };
-        largest = largest.max(position - limits.max).max(limits.min - position);
+        excess = excess.max(position - limits.max).max(limits.min - position);
     }
-    largest
+    [locked, excess]
 }
 
 fn load_locked(block: &mut JointBlock, lane: usize, joint: &ImpulseJoint, pass: &JointPass) {

@@ -65,12 +65,21 @@ const ROUNDS_MAX: usize = 8;
 /// The same for stiff components, whose projection starts farther away.
 const STIFF_ROUNDS_MAX: usize = 4;
 
-/// Errors that would be corrected by larger velocities (length units or radians per second) than this are
-/// corrected apart from the velocities: see [`Direct::add_corrections`].
-const CORRECTION_RATE_MAX: Real = 1.0;
-/// The same for errors that arise within a step: a tenth of a metre at 240 substeps per second. Smaller ones
-/// are those of fast and of heavily loaded joints, whose velocities correct them.
-const LATE_CORRECTION_RATE_MAX: Real = 24.0;
+/// Errors of locked axes that would be corrected by larger velocities (length units or radians per second)
+/// than this are corrected apart from the velocities: see [`Direct::add_corrections`]. A tenth of a metre at
+/// 240 substeps per second: smaller ones are those of fast and of heavily loaded joints, whose velocities
+/// correct them.
+const CORRECTION_RATE_MAX: Real = 24.0;
+/// The same for the excess over a limit, and for joints that a program edited, or moved a body of. The one is
+/// a load's: heavy boxes would jump on ropes. The others are no results of motions.
+const LIMIT_CORRECTION_RATE_MAX: Real = 1.0;
+
+/// Returns whether the largest errors of locked axes and of limits, as velocities that correct them in a
+/// substep, are to be corrected apart from the velocities.
+pub(super) fn is_displaced([locked, excess]: [Real; 2], is_edited: bool) -> bool {
+    let locked_max = if is_edited { LIMIT_CORRECTION_RATE_MAX } else { CORRECTION_RATE_MAX };
+    locked > locked_max || excess > LIMIT_CORRECTION_RATE_MAX
+}
 
 /// Components of connected joints, and their matrices.
 #[derive(Default)]
@@ -284,13 +293,13 @@ impl Direct {
         is_unfinished
     }
 
-    /// Begins a step: `error` returns the largest error of each joint as a velocity that corrects the error
-    /// in one substep.
-    pub fn begin_step(&mut self, mut error: impl FnMut(&DirectJoint) -> Real) {
+    /// Begins a step: `is_displaced` returns whether a joint has large errors, as [`is_displaced`] defines
+    /// it.
+    pub fn begin_step(&mut self, is_displaced: impl Fn(&DirectJoint) -> bool) {
         self.is_displaced.clear();
         for index in 0..self.pattern.component_count() {
-            let errors = self.pattern.component(index).members.iter().map(&mut error);
-            self.is_displaced.push(errors.fold(0.0, Real::max) > CORRECTION_RATE_MAX);
+            let members = self.pattern.component(index).members;
+            self.is_displaced.push(members.iter().any(&is_displaced));
         }
         self.is_first_substep = true;
     }
@@ -302,7 +311,7 @@ impl Direct {
         for (index, is_displaced) in self.is_displaced.iter_mut().enumerate() {
             let members = self.pattern.component(index).members;
             let mut rates = members.iter().map(|member| rows.largest_correction(member));
-            *is_displaced |= !is_first && rates.any(|rate| rate > LATE_CORRECTION_RATE_MAX);
+            *is_displaced |= !is_first && rates.any(|rate| rate > CORRECTION_RATE_MAX);
             for member in members {
                 let lanes = &mut rows.blocks[member.block as usize].is_displaced;
                 lanes.0[member.lane as usize] = if *is_displaced { 1.0 } else { 0.0 };
