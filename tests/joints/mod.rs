@@ -19,5 +19,6 @@ pub mod pendulum;
 mod sliding;
 mod springs;
 mod stiff;
+mod wrecking_ball;
 mod turning;
 mod twice;

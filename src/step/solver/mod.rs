@@ -236,7 +236,7 @@ impl Constraints {
                 contacts.solve(bodies, pass);
                 multibodies.solve(bodies, pass);
             }
-            joints.add_corrections(bodies);
+            joints.add_corrections(bodies, pass.joints.substep);
             bodies.integrate_positions(pass);
             joints.remove_corrections(bodies);
             multibodies.integrate_positions(multibody_context, bodies, pass);

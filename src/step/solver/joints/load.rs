@@ -168,7 +168,7 @@ impl SolverJoints {
     /// Stores the positions of their rows in the joints that are solved directly.
     fn note_exact_joints(&mut self, context: JointLoadContext<'_>) {
         if self.direct.is_empty() {
-            self.direct.begin_step(|_| false);
+            self.direct.begin_step(&[], &mut []);
             return self.jacobians.clear();
         }
         self.jacobians.resize(self.blocks.len(), self.rows.len());
@@ -188,10 +188,7 @@ impl SolverJoints {
                 }
             }
         }
-        let blocks = &self.blocks;
-        self.direct.begin_step(|member| {
-            blocks[member.block as usize].is_displaced.0[member.lane as usize] > 0.0
-        });
+        self.direct.begin_step(&self.blocks, &mut self.jacobians.blocks);
     }
 }
 

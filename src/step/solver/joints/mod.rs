@@ -218,7 +218,6 @@ impl SolverJoints {
         if BIASED {
             let Self { jacobians, direct, geometric_stiffness, blocks, .. } = self;
             let test = stiffness_tests(geometric_stiffness, blocks, bodies, pass);
-            direct.find_displaced(jacobians);
             direct.find_large_displacements(&mut jacobians.blocks, test);
         }
         self.solve_exactly::<BIASED>(bodies, pass, simd, tasks);
@@ -228,8 +227,8 @@ impl SolverJoints {
     }
 
     /// Adds velocities that correct large errors: see [`Direct::add_corrections`].
-    pub fn add_corrections(&mut self, bodies: &mut SolverBodies) {
-        self.direct.add_corrections(&self.jacobians, bodies.shared().1);
+    pub fn add_corrections(&mut self, bodies: &mut SolverBodies, substep: Real) {
+        self.direct.add_corrections(&self.jacobians, bodies.shared().1, substep);
     }
 
     /// Takes the velocities of [`Self::add_corrections`] from the bodies, which have moved.

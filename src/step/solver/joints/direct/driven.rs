@@ -182,7 +182,7 @@ impl<const N: usize> Matrix<N> {
 }
 
 /// Adds the velocity changes by impulses on the rows of the joint `at` a position to those of its bodies.
-fn add_changes<const N: usize>(
+pub(super) fn add_changes<const N: usize>(
     component: Component<'_>,
     rows: &JointRows<N>,
     at: usize,

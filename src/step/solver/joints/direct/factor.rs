@@ -92,9 +92,12 @@ impl Factor {
         component: Component<'_>,
         memory: &Jacobians,
         states: &DisjointMut<'_, BodyState>,
+        substep: Real,
     ) {
         // SAFETY: the caller's promise.
-        of_matrix!(self, matrix => unsafe { matrix.add_corrections(component, memory, states) });
+        of_matrix!(self, matrix => unsafe {
+            matrix.add_corrections(component, memory, states, substep);
+        });
     }
 
     /// See [`Matrix::remove_corrections`].

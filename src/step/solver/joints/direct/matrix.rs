@@ -184,47 +184,6 @@ impl<const N: usize> Matrix<N> {
         }
     }
 
-    /// Finds the velocities that correct the errors of the joints in a substep, and adds them to the bodies:
-    /// see [`Direct::add_corrections`](super::Direct::add_corrections).
-    ///
-    /// # Safety
-    /// As [`Self::solve`].
-    pub unsafe fn add_corrections(
-        &mut self,
-        component: Component<'_>,
-        memory: &Jacobians,
-        states: &DisjointMut<'_, BodyState>,
-    ) {
-        for (member, x) in component.members.iter().zip(&mut self.x) {
-            let (from, lane) = (&memory.blocks[member.block as usize], member.lane as usize);
-            *x = [0.0; N];
-            for (x, axis) in x.iter_mut().zip(locked_axes::<N>(member)) {
-                *x = -f64::from(from.corrections[axis].0[lane]);
-            }
-        }
-        for driven in &self.driven {
-            let [at, row] = driven.at;
-            self.x[at][row] = driven.correction();
-        }
-        self.substitute(component);
-        // SAFETY: the caller's promise.
-        unsafe { self.push_bodies(component, states) };
-    }
-
-    /// Takes the velocities of [`Self::add_corrections`] from the bodies.
-    ///
-    /// # Safety
-    /// As [`Self::solve`].
-    pub unsafe fn remove_corrections(
-        &mut self,
-        component: Component<'_>,
-        states: &DisjointMut<'_, BodyState>,
-    ) {
-        self.x.iter_mut().flatten().for_each(|change| *change = -*change);
-        // SAFETY: the caller's promise.
-        unsafe { self.push_bodies(component, states) };
-    }
-
     /// Rolls all impulses of the component back.
     ///
     /// # Safety
@@ -403,7 +362,7 @@ impl<const N: usize> Matrix<N> {
 
     /// Forwards through `L`, divided by `D`, and back through `Lᵀ`.
     #[inline(always)]
-    fn substitute(&mut self, component: Component<'_>) {
+    pub(super) fn substitute(&mut self, component: Component<'_>) {
         for (at, column) in component.columns.iter().enumerate() {
             let size = Self::row_count(&component.members[at]);
             let (d, inverses) = (&self.diagonal[at], &self.inverses[at]);
@@ -443,7 +402,7 @@ impl<const N: usize> Matrix<N> {
     ///
     /// # Safety
     /// The caller has exclusive access to the states of the component's movable bodies.
-    unsafe fn push_bodies(&self, component: Component<'_>, states: &DisjointMut<'_, BodyState>) {
+    pub(super) unsafe fn push_bodies(&self, component: Component<'_>, states: &DisjointMut<'_, BodyState>) {
         for ((member, rows), x) in component.members.iter().zip(&self.rows).zip(&self.x) {
             for (side, body) in member.movable() {
                 let change = rows.push(side, x);

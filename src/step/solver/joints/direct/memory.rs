@@ -43,17 +43,6 @@ impl Jacobians {
         self.driven.clear();
     }
 
-    /// The largest velocity that corrects an error of a joint.
-    pub(super) fn largest_correction(&self, member: &DirectJoint) -> Real {
-        let (from, lane) = (&self.blocks[member.block as usize], member.lane as usize);
-        let is_spring = from.compliance.0[lane] > 0.0;
-        let locked =
-            (0..SPATIAL_DIM).filter(|axis| member.form.locked >> axis & 1 == 1 && !is_spring);
-        let locked = locked.map(|axis| from.corrections[axis].0[lane].abs());
-        let driven = self.driven_of(member).iter().flat_map(|driven| &driven.corrections);
-        locked.chain(driven.map(|correction| correction.0[lane].abs())).fold(0.0, Real::max)
-    }
-
     /// Makes room for blocks with this number of driven axes.
     pub fn resize(&mut self, block_count: usize, row_count: usize) {
         self.blocks.resize(block_count, JacobianBlock::EMPTY);

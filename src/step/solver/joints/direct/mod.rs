@@ -30,6 +30,7 @@
 //!
 //! Limits and motors are rows of the same system, with a law in place of an equation: see `axis_law.rs`.
 
+mod corrections;
 mod dense;
 mod driven;
 mod driven_rows;
@@ -50,9 +51,10 @@ pub(super) use memory::{
 };
 pub(super) use pattern::DirectJoint;
 
+use super::block::JointBlock;
 use crate::base::disjoint::DisjointMut;
 use crate::base::tasks::Tasks;
-use crate::base::wide::Simd;
+use crate::base::wide::{Lane, Simd};
 use crate::dim::math::Real;
 use crate::dim::state::BodyState;
 use factor::Factor;
@@ -65,20 +67,19 @@ const ROUNDS_MAX: usize = 8;
 /// The same for stiff components, whose projection starts farther away.
 const STIFF_ROUNDS_MAX: usize = 4;
 
-/// Errors of locked axes that would be corrected by larger velocities (length units or radians per second)
-/// than this are corrected apart from the velocities: see [`Direct::add_corrections`]. A tenth of a metre at
-/// 240 substeps per second: smaller ones are those of fast and of heavily loaded joints, whose velocities
-/// correct them.
-const CORRECTION_RATE_MAX: Real = 24.0;
-/// The same for the excess over a limit, and for joints that a program edited, or moved a body of. The one is
-/// a load's: heavy boxes would jump on ropes. The others are no results of motions.
-const LIMIT_CORRECTION_RATE_MAX: Real = 1.0;
+/// Errors that would be corrected by larger velocities (length units or radians per second) than this may be
+/// corrected apart from the velocities: see [`is_displaced`].
+const CORRECTION_RATE_MAX: Real = 1.0;
 
-/// Returns whether the largest errors of locked axes and of limits, as velocities that correct them in a
-/// substep, are to be corrected apart from the velocities.
+/// Returns whether the largest errors of a joint's locked axes and limits, as velocities that correct them in
+/// a substep, are to be corrected apart from the velocities (`corrections.rs`).
+///
+/// Errors of locked axes are, if a program made or edited the joint, or moved a body of it: those are no
+/// results of motions. All others are left to the velocities. A wrecking ball drags its chain open by half a
+/// metre, and corrections apart, which turn the light links instead of lifting the ball, left it open.
+/// The excess over a limit is that of a load, which would be thrown: heavy boxes jumped on ropes.
 pub(super) fn is_displaced([locked, excess]: [Real; 2], is_edited: bool) -> bool {
-    let locked_max = if is_edited { LIMIT_CORRECTION_RATE_MAX } else { CORRECTION_RATE_MAX };
-    locked > locked_max || excess > LIMIT_CORRECTION_RATE_MAX
+    (is_edited && locked > CORRECTION_RATE_MAX) || excess > CORRECTION_RATE_MAX
 }
 
 /// Components of connected joints, and their matrices.
@@ -91,7 +92,6 @@ pub(super) struct Direct {
     solve_states: Vec<SolveState>,
     /// By component: whether a joint has a large error, which is corrected apart.
     is_displaced: Vec<bool>,
-    is_first_substep: bool,
 }
 
 /// Method for a component in a substep: see `../geometric_stiffness.rs`.
@@ -293,43 +293,38 @@ impl Direct {
         is_unfinished
     }
 
-    /// Begins a step: `is_displaced` returns whether a joint has large errors, as [`is_displaced`] defines
-    /// it.
-    pub fn begin_step(&mut self, is_displaced: impl Fn(&DirectJoint) -> bool) {
+    /// Begins a step: notes the components with a joint whose errors are corrected apart, and the rows of their
+    /// joints. The bias of a spring is its force, and no error.
+    pub fn begin_step(&mut self, blocks: &[JointBlock], rows: &mut [JacobianBlock]) {
         self.is_displaced.clear();
         for index in 0..self.pattern.component_count() {
             let members = self.pattern.component(index).members;
-            self.is_displaced.push(members.iter().any(&is_displaced));
-        }
-        self.is_first_substep = true;
-    }
-
-    /// Begins a solve pass: finds the components with large errors, and notes them in the rows. The rows hold
-    /// the errors of the last relax pass, except in the first substep.
-    pub fn find_displaced(&mut self, rows: &mut Jacobians) {
-        let is_first = core::mem::take(&mut self.is_first_substep);
-        for (index, is_displaced) in self.is_displaced.iter_mut().enumerate() {
-            let members = self.pattern.component(index).members;
-            let mut rates = members.iter().map(|member| rows.largest_correction(member));
-            *is_displaced |= !is_first && rates.any(|rate| rate > CORRECTION_RATE_MAX);
+            let has = |member: &DirectJoint, lanes: fn(&JointBlock) -> &Lane| {
+                lanes(&blocks[member.block as usize]).0[member.lane as usize] > 0.0
+            };
+            let is_displaced = members.iter().any(|member| has(member, |block| &block.is_displaced));
             for member in members {
-                let lanes = &mut rows.blocks[member.block as usize].is_displaced;
-                lanes.0[member.lane as usize] = if *is_displaced { 1.0 } else { 0.0 };
+                let is_corrected = is_displaced && !has(member, |block| &block.is_spring);
+                let lanes = &mut rows[member.block as usize].is_displaced;
+                lanes.0[member.lane as usize] = if is_corrected { 1.0 } else { 0.0 };
             }
+            self.is_displaced.push(is_displaced);
         }
     }
 
-    /// Adds velocities that correct large errors of joints while the bodies move.
+    /// Adds velocities that correct large errors of joints while the bodies move: see `corrections.rs`.
     /// [`Self::remove_corrections`] takes them away again.
-    ///
-    /// Small errors are corrected by the velocities of the solve pass. The relax pass removes what is left of
-    /// them along the locked axes. What is left along the free ones is energy from nothing: a hinge whose
-    /// anchor was moved by two metres kept 1,400 J in 1 kg. Contacts would pass them on, too.
-    pub fn add_corrections(&mut self, rows: &Jacobians, states: DisjointMut<'_, BodyState>) {
+    pub fn add_corrections(
+        &mut self,
+        rows: &Jacobians,
+        states: DisjointMut<'_, BodyState>,
+        substep: Real,
+    ) {
         for (index, factor) in self.factors.iter_mut().enumerate() {
             if self.is_displaced.get(index).is_some_and(|is_displaced| *is_displaced) {
+                let component = self.pattern.component(index);
                 // SAFETY: this thread alone has access to the states.
-                unsafe { factor.add_corrections(self.pattern.component(index), rows, &states) };
+                unsafe { factor.add_corrections(component, rows, &states, substep) };
             }
         }
     }
