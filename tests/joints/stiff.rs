@@ -166,7 +166,7 @@ fn excess(world: &PhysicsWorld, bodies: &[RigidBodyHandle], bound: Real) -> Real
     bends(world, bodies).map(|bend| bend.abs() - bound).fold(-bound, Real::max)
 }
 
-pub(super) fn fastest(world: &PhysicsWorld) -> Real {
+fn fastest(world: &PhysicsWorld) -> Real {
     let speeds = world
         .bodies
         .iter()

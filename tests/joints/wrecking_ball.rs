@@ -1,8 +1,8 @@
-//! A heavy ball on a chain of light links that hits a wall: no link opens, and no energy comes in.
+//! Heavy bodies on chains of light links.
 
 use super::stage::{bob, post};
 use crate::dim::{cuboid, hinge, vec};
-use crate::suite::physics::stage::{G, RATES, steps, world};
+use crate::suite::physics::stage::{G, RATES, run, steps, world};
 use rapier::prelude::*;
 
 const LINKS: usize = 8;
@@ -64,50 +64,64 @@ fn wrecking_balls_gain_no_energy() {
             for _ in 0..steps(&world, 6.0) {
                 world.step();
                 let gain = (energy(&world) - start) / (heaviest * G * length);
-                if gain > 1.0e-3 { println!( "{rate} Hz, {angle} rad: gains {gain} of a drop"); }
+                if gain > 1.0e-3 {
+                    println!("{rate} Hz, {angle} rad: gains {gain} of a drop");
+                }
                 most = most.max(gain);
                 widest = widest.max(gap(&world));
             }
             let gap = gap(&world);
-            if gap > 0.02 { println!( "{rate} Hz, {angle} rad: open by {gap} m"); }
+            if gap > 0.02 {
+                println!("{rate} Hz, {angle} rad: open by {gap} m");
+            }
         }
     }
     println!("energy × {most} of a drop, joints open by {widest} m at most");
     assert!(widest < 0.6, "{widest} m");
 }
 
-/// The post of a hanging chain is moved by a program: each step a little, and once by more than the length
-/// of the chain.
+/// A post with a bob of this mass at the end of a hanging chain of light links.
+fn hanging_chain(rate: u32, mass: Real) -> (PhysicsWorld, RigidBodyHandle) {
+    let mut world = world(rate);
+    let post = post(&mut world, Vector::ZERO);
+    let (mut last, mut anchor) = (post, Vector::ZERO);
+    for k in 0..=LINKS {
+        let mass = if k == LINKS { mass } else { 0.1 };
+        let at = vec(0.0, -HALF * (2 * k + 1) as Real);
+        let link = world.insert_body(bob(mass, 0.175).translation(at));
+        let joint = hinge().local_anchor1(anchor).local_anchor2(vec(0.0, HALF));
+        world.insert_impulse_joint(last, link, joint);
+        (last, anchor) = (link, vec(0.0, -HALF));
+    }
+    run(&mut world, 0.5);
+    (world, post)
+}
+
+/// A program moves the post in strides, as dragging with the mouse does. The chain gains what a post of that
+/// speed gives it: at most twice the speed. A single jump leaves no joint open.
 #[test]
-fn posts_that_are_moved_keep_their_chains() {
+fn posts_may_be_moved_with_their_chains() {
     for rate in RATES {
         for mass in [0.1, 1.0, 100.0] {
-            for (stride, count) in [(0.01, 200), (0.1, 20), (3.0, 1), (20.0, 1)] {
-                let mut world = world(rate);
-                let post = post(&mut world, Vector::ZERO);
-                let (mut last, mut anchor) = (post, Vector::ZERO);
-                for k in 0..=LINKS {
-                    let mass = if k == LINKS { mass } else { 0.1 };
-                    let at = vec(0.0, -HALF * (2 * k + 1) as Real);
-                    let link = world.insert_body(bob(mass, 0.175).translation(at));
-                    let joint = hinge().local_anchor1(anchor).local_anchor2(vec(0.0, HALF));
-                    world.insert_impulse_joint(last, link, joint);
-                    (last, anchor) = (link, vec(0.0, -HALF));
-                }
-                crate::suite::physics::stage::run(&mut world, 0.5);
-                let start = energy(&world);
-                let mut gain: Real = 0.0;
-                let mut widest: Real = 0.0;
+            for (stride, count) in [(0.01, 200), (0.1, 20), (3.0, 1)] {
+                let (mut world, post) = hanging_chain(rate, mass);
+                let (start, mut gain): (_, Real) = (energy(&world), 0.0);
                 for k in 0..steps(&world, 8.0) {
                     if k < count {
-                        world.bodies[post].set_translation(vec(stride * (k + 1) as Real, 0.0), true);
+                        let at = vec(stride * (k + 1) as Real, 0.0);
+                        world.bodies[post].set_translation(at, true);
                     }
                     world.step();
                     gain = gain.max(energy(&world) - start);
-                    widest = widest.max(gap(&world));
                 }
-                let total: Real = world.bodies.iter().filter(|b| b.1.is_dynamic()).map(|b| b.1.mass()).sum();
-                println!("{rate} Hz, {mass} kg, {count} × {stride} m: gain {} J/kg, widest {widest}, at the end {}, fastest {}", gain / total, gap(&world), super::stiff::fastest(&world));
+                let case = format!("{rate} Hz, {mass} kg, {count} × {stride} m");
+                let speed = stride * rate as Real;
+                let moving = world.bodies.iter().filter(|(_, body)| body.is_dynamic());
+                let total: Real = moving.map(|(_, body)| body.mass()).sum();
+                let most = 2.0 * speed * speed * total;
+                assert!(count == 1 || gain < most, "{case}: {gain} J of {most} J");
+                let gap = gap(&world);
+                assert!(gap < 1.0e-3, "{case}: open by {gap} m");
             }
         }
     }

@@ -60,6 +60,8 @@ pub struct ImpulseJoint {
     pub(crate) torque: AngVector,
     /// The angles at the end of the last step, of which turns are counted on. `None`: not known yet.
     pub(crate) angles: Option<[crate::dim::math::Real; ANG_DIM]>,
+    /// Whether it has an error by an edit of a program, which is not corrected yet.
+    pub(crate) is_displaced: bool,
     /// Locked axes, limits and motors of the joint.
     pub data: GenericJoint,
 }
@@ -88,7 +90,8 @@ impl ImpulseJoint {
     pub(super) fn new(body1: RigidBodyHandle, body2: RigidBodyHandle, data: GenericJoint) -> Self {
         let (force, torque) = (Vector::ZERO, ANG_ZERO);
         let bodies = BodyPair { body1, body2 };
-        Self { bodies, data, impulses: [0.0; SPATIAL_DIM], force, torque, angles: None }
+        let impulses = [0.0; SPATIAL_DIM];
+        Self { bodies, data, impulses, force, torque, angles: None, is_displaced: false }
     }
 
     /// Both bodies.

@@ -11,7 +11,7 @@ pub const INFO: SceneInfo = SceneInfo {
     description: "Two bridges of planks on hinges: one carries boulders of ten times a plank's weight, some hinges of the other break under them.",
     category: Category::Joints,
     steps: 130,
-    law: Law { overlap_max: 0.05, height_min: -8.0, reach_max: 14.0, gap_max: 0.01, ..Law::NONE },
+    law: Law { overlap_max: 0.05, height_min: -8.0, reach_max: 14.0, gap_max: 0.02, ..Law::NONE },
     source: file!(),
     build,
 };

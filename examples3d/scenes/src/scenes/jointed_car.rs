@@ -11,7 +11,8 @@ pub const INFO: SceneInfo = SceneInfo {
     description: "A car on joints drives a curve over planks: hubs slide on springs and steer, motors turn the wheels.",
     category: Category::Controllers,
     steps: 300,
-    law: Law { overlap_max: 0.01, height_min: 0.0, reach_max: 23.0, gap_max: 0.005, ..Law::NONE },
+    // The car drives and throws boxes.
+    law: Law { overlap_max: 0.01, height_min: 0.0, reach_max: 40.0, gap_max: 0.005, ..Law::NONE },
     source: file!(),
     build,
 };

@@ -11,7 +11,7 @@ pub const INFO: SceneInfo = SceneInfo {
     description: "Ragdolls tumble down stairs: shoulders, hips and necks swing and twist as far as those of people, elbows and knees bend one way.",
     category: Category::Stress,
     steps: 110,
-    law: Law { overlap_max: 0.02, height_min: 0.0, reach_max: 10.0, gap_max: 0.01, ..Law::NONE },
+    law: Law { overlap_max: 0.02, height_min: 0.0, reach_max: 10.0, gap_max: 0.02, ..Law::NONE },
     source: file!(),
     build,
 };

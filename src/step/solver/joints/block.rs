@@ -41,8 +41,10 @@ pub(super) struct JointBlock {
     pub compliance: Lane,
     /// One for joints of stiff components (see `geometric_stiffness.rs`), zero for others.
     pub is_stiff: Lane,
-    /// One for joints with large errors when the step began (see `direct/mod.rs`).
+    /// One for joints with large errors of locked axes by a program's edit when the step began.
     pub is_displaced: Lane,
+    /// One for joints with a large excess over a limit when the step began.
+    pub is_overloaded: Lane,
     /// The bias of the errors when the substep began.
     pub held_bias: [Lane; SPATIAL_DIM],
     /// Impulses of this substep on the locked axes.
@@ -85,6 +87,7 @@ impl JointBlock {
             compliance: zero,
             is_stiff: zero,
             is_displaced: zero,
+            is_overloaded: zero,
             held_bias: [zero; SPATIAL_DIM],
             impulses: [zero; SPATIAL_DIM],
             couple: ANG_ZERO_LANES,

@@ -1,7 +1,7 @@
 //! From joints to constraints: once per step, on several threads.
 
 use super::block::{AxisRow, JointBlock, LIMIT_NONE};
-use super::direct::{DirectJoint, is_displaced};
+use super::direct::{CORRECTION_RATE_MAX, DirectJoint};
 use super::{BLOCKS_PER_TASK, LaneSlot, SolverJoints};
 use crate::base::disjoint::DisjointMut;
 use crate::base::tasks::Tasks;
@@ -285,9 +285,11 @@ fn load_lane(
     load_rows(rows, lane, joint, &between, pass);
     if block.is_exact {
         let seen_from_first = ends[0].frame.inverse() * separation;
-        let errors = largest_errors(joint, seen_from_first, &between);
-        let is_displaced = is_displaced(errors.map(|error| error * pass.inv_substep), is_edited);
-        block.is_displaced.0[lane] = if is_displaced { 1.0 } else { 0.0 };
+        let [error, excess] = largest_errors(joint, seen_from_first, &between);
+        let is_large = |error| error * pass.inv_substep > CORRECTION_RATE_MAX;
+        joint.is_displaced = (joint.is_displaced || is_edited) && is_large(error);
+        block.is_displaced.0[lane] = if joint.is_displaced { 1.0 } else { 0.0 };
+        block.is_overloaded.0[lane] = if is_large(excess) { 1.0 } else { 0.0 };
         block.bias_rate.0[lane] *= (CORRECTION_ANGLE_MAX / largest_angle(joint, &between)).min(1.0);
     }
 }

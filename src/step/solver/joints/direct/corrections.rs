@@ -1,13 +1,18 @@
 //! Velocities that correct large errors of joints while the bodies move.
 //!
-//! Small errors are corrected by the velocities of the solve pass. The relax pass removes what is left of them
-//! along the locked axes. What is left along the free ones is energy from nothing: a hinge whose anchor was
-//! moved by two metres kept 1,400 J in 1 kg. Contacts would pass them on, too. So these velocities exist
-//! during the integration of the positions, and no longer.
+//! Errors are corrected by the velocities of the solve pass. The relax pass removes what is left of them along
+//! the locked axes. What is left along the free ones is energy from nothing: a hinge whose anchor was moved
+//! by two metres kept 1,400 J in 1 kg. Contacts would pass them on, too. So the velocities of this file exist
+//! during the integration of the positions, and no longer. They correct
 //!
-//! They are a Newton step towards the poses without errors. The step is linear: a light link that has to
-//! turn by several radians in it ends anywhere, and a chain whose joints were open by a metre stayed so for
-//! good. Therefore a step ends where a body has turned by [`TURN_MAX`], and the next substep takes another.
+//! * errors of joints that a program made or edited, or moved a body of: those are no results of motions;
+//! * the excess over limits, which is that of a load: heavy boxes jumped on ropes.
+//!
+//! They are a Newton step towards the poses without errors, and a step is linear: a light link that has to
+//! turn by several radians in it ends anywhere. So it ends where a body has turned by [`TURN_MAX`], and the
+//! next substep takes another one. Between a post and a heavy ball, the step still turns light links where it
+//! should lift the ball: a chain that hits a wall opens by half a metre, and remained open. Errors by
+//! motion, and errors of components with large mass ratios, are therefore left to the velocities.
 
 use super::driven::add_changes;
 use super::jacobians::{Motion, locked_axes};

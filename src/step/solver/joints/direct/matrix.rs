@@ -402,7 +402,11 @@ impl<const N: usize> Matrix<N> {
     ///
     /// # Safety
     /// The caller has exclusive access to the states of the component's movable bodies.
-    pub(super) unsafe fn push_bodies(&self, component: Component<'_>, states: &DisjointMut<'_, BodyState>) {
+    pub(super) unsafe fn push_bodies(
+        &self,
+        component: Component<'_>,
+        states: &DisjointMut<'_, BodyState>,
+    ) {
         for ((member, rows), x) in component.members.iter().zip(&self.rows).zip(&self.x) {
             for (side, body) in member.movable() {
                 let change = rows.push(side, x);

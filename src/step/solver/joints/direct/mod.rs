@@ -58,7 +58,7 @@ use crate::base::wide::{Lane, Simd};
 use crate::dim::math::Real;
 use crate::dim::state::BodyState;
 use factor::Factor;
-use pattern::Pattern;
+use pattern::{Pattern, has_moderate_mass_ratio};
 use progress::Progress;
 
 /// Largest number of Newton steps per substep towards the constrained poses. A pendulum keeps its energy with
@@ -68,19 +68,8 @@ const ROUNDS_MAX: usize = 8;
 const STIFF_ROUNDS_MAX: usize = 4;
 
 /// Errors that would be corrected by larger velocities (length units or radians per second) than this may be
-/// corrected apart from the velocities: see [`is_displaced`].
-const CORRECTION_RATE_MAX: Real = 1.0;
-
-/// Returns whether the largest errors of a joint's locked axes and limits, as velocities that correct them in
-/// a substep, are to be corrected apart from the velocities (`corrections.rs`).
-///
-/// Errors of locked axes are, if a program made or edited the joint, or moved a body of it: those are no
-/// results of motions. All others are left to the velocities. A wrecking ball drags its chain open by half a
-/// metre, and corrections apart, which turn the light links instead of lifting the ball, left it open.
-/// The excess over a limit is that of a load, which would be thrown: heavy boxes jumped on ropes.
-pub(super) fn is_displaced([locked, excess]: [Real; 2], is_edited: bool) -> bool {
-    (is_edited && locked > CORRECTION_RATE_MAX) || excess > CORRECTION_RATE_MAX
-}
+/// corrected apart from the velocities: see `corrections.rs`.
+pub(super) const CORRECTION_RATE_MAX: Real = 1.0;
 
 /// Components of connected joints, and their matrices.
 #[derive(Default)]
@@ -293,20 +282,23 @@ impl Direct {
         is_unfinished
     }
 
-    /// Begins a step: notes the components with a joint whose errors are corrected apart, and the rows of their
-    /// joints. The bias of a spring is its force, and no error.
+    /// Begins a step: notes the components with errors that are corrected apart, and the rows of their joints.
+    /// The bias of a spring is its force, and no error.
     pub fn begin_step(&mut self, blocks: &[JointBlock], rows: &mut [JacobianBlock]) {
         self.is_displaced.clear();
         for index in 0..self.pattern.component_count() {
             let members = self.pattern.component(index).members;
-            let has = |member: &DirectJoint, lanes: fn(&JointBlock) -> &Lane| {
-                lanes(&blocks[member.block as usize]).0[member.lane as usize] > 0.0
+            let of = |member: &DirectJoint| (&blocks[member.block as usize], member.lane as usize);
+            let any = |lanes: fn(&JointBlock) -> &Lane| {
+                members.iter().map(of).any(|(block, lane)| lanes(block).0[lane] > 0.0)
             };
-            let is_displaced = members.iter().any(|member| has(member, |block| &block.is_displaced));
+            let is_displaced = any(|block| &block.is_overloaded)
+                || (any(|block| &block.is_displaced) && has_moderate_mass_ratio(members.iter()));
             for member in members {
-                let is_corrected = is_displaced && !has(member, |block| &block.is_spring);
-                let lanes = &mut rows[member.block as usize].is_displaced;
-                lanes.0[member.lane as usize] = if is_corrected { 1.0 } else { 0.0 };
+                let (block, lane) = of(member);
+                let is_corrected = is_displaced && block.is_spring.0[lane] == 0.0;
+                let to = &mut rows[member.block as usize].is_displaced;
+                to.0[lane] = if is_corrected { 1.0 } else { 0.0 };
             }
             self.is_displaced.push(is_displaced);
         }

@@ -158,6 +158,16 @@ struct Search {
     position: Vec<u32>,
 }
 
+/// Returns whether the masses of the bodies of these joints are within [`MASS_RATIO_MODERATE_MAX`].
+pub(super) fn has_moderate_mass_ratio<'a>(members: impl Iterator<Item = &'a DirectJoint>) -> bool {
+    let bodies =
+        members.flat_map(|member| member.movable().map(|(side, _)| member.inv_masses[side]));
+    let [least, most] = bodies.fold([Real::INFINITY, 0.0], |[least, most], inv_mass| {
+        [inv_mass.min(least), inv_mass.max(most)]
+    });
+    most <= MASS_RATIO_MODERATE_MAX * least
+}
+
 impl Pattern {
     pub fn component_count(&self) -> usize {
         self.components.len()
@@ -356,7 +366,7 @@ impl Search {
         let is_unattached = self.component(members).all(|member| member.movable().count() == 2);
         UNATTACHED_JOINT_COUNTS.contains(&self.order.len())
             && is_unattached
-            && self.has_moderate_mass_ratio(members)
+            && has_moderate_mass_ratio(self.component(members))
     }
 
     /// Returns whether there is one joint with one driven axis: the iterative solver is exact.
@@ -389,18 +399,7 @@ impl Search {
         let is_wide = self.order.len() <= NET_JOINTS_PER_BODY_MAX * self.body_count;
         is_wide
             && self.component(members).all(|member| member.form.is_point_to_point)
-            && self.has_moderate_mass_ratio(members)
-    }
-
-    /// Returns whether the masses of the component's bodies are within [`MASS_RATIO_MODERATE_MAX`].
-    fn has_moderate_mass_ratio(&self, members: &[DirectJoint]) -> bool {
-        let bodies = self
-            .component(members)
-            .flat_map(|member| member.movable().map(|(side, _)| member.inv_masses[side]));
-        let [least, most] = bodies.fold([Real::INFINITY, 0.0], |[least, most], inv_mass| {
-            [inv_mass.min(least), inv_mass.max(most)]
-        });
-        most <= MASS_RATIO_MODERATE_MAX * least
+            && has_moderate_mass_ratio(self.component(members))
     }
 
     /// Returns whether the component has loops. All that cannot move is one body here. A connected graph
