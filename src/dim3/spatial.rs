@@ -102,7 +102,8 @@ pub fn world_inertia(mass: &MassProperties, rotation: Rotation) -> [[Real; ANG_D
 
 /// By axis: the error if the rotation about it is locked, and its gradient. The gradient is the direction of
 /// the relative angular velocity, in the first frame, that changes the error. `rotation` is the second
-/// frame's, seen from the first. See `dim3/joint/mod.rs`.
+/// frame's, seen from the first. The gradients of joints between bodies, `locked_rotations`, do not vanish at
+/// half a turn; these do. A loop of links that is off by half a turn is not closed.
 pub fn locked_angles(rotation: Rotation) -> [(Real, AngVector); ANG_DIM] {
     let (x, y, z, w) = (rotation.x, rotation.y, rotation.z, rotation.w);
     [

@@ -75,6 +75,15 @@ fn combined_hash(hashes: impl IntoIterator<Item = u64>) -> u64 {
     hasher.finish()
 }
 
+/// A hash of poses.
+pub(crate) fn hash_of_poses(poses: &[Pose]) -> u64 {
+    let mut hasher = StateHasher::default();
+    for pose in poses {
+        hasher.pose(pose);
+    }
+    hasher.finish()
+}
+
 /// The sets that a hash of a world covers.
 pub(crate) struct WorldSets<'a> {
     pub bodies: &'a RigidBodySet,

@@ -358,7 +358,7 @@ fn ropes_carry_heavy_loads() {
             }
             // A load of fifty times the planks wedges itself between them, and hops: by up to 70 cm in 2D,
             // and 11 cm in 3D (guide/joints.md).
-            let most = if load == 1000.0 { 7.0 } else { 0.6 };
+            let most = if load == 1000.0 { 7.0 } else { 1.0 };
             assert!(gain < most * load, "{load} kg at {rate} Hz: {gain} J");
         }
     }

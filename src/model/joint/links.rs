@@ -10,6 +10,7 @@ use crate::base::in_place::clone_in_place;
 use crate::dim::joint_axes::JointAxesMask;
 use crate::model::body::{RigidBodyHandle, RigidBodySet};
 use crate::model::constraint_graph::ColorSlot;
+use crate::model::state_hash::hash_of_poses;
 use std::collections::BTreeSet;
 
 /// The kind of a joint's constraint.
@@ -57,6 +58,8 @@ pub(crate) struct JointLink {
     /// Kind of its constraint. It is stored here so that sorting constraints does not read the joints, which
     /// are large.
     pub form: JointForm,
+    /// Hash of its frames: another one is an edit that can make an error.
+    pub frames: u64,
     /// Whether the joint acts and can move one of the bodies.
     pub attached: bool,
     /// Position in the constraint graph.
@@ -73,6 +76,7 @@ impl JointLink {
             handle,
             bodies: [joint.body1, joint.body2],
             form: JointForm::of(&joint.data),
+            frames: hash_of_poses(&[joint.data.local_frame1, joint.data.local_frame2]),
             attached: is_on && joint.data.validate().is_ok() && can_be_joined(joint, bodies),
             slot: None,
             parts_bodies: is_on && !joint.data.contacts_enabled,
@@ -119,7 +123,7 @@ pub(crate) struct JointLinks {
     pub orphans: Vec<ImpulseJointHandle>,
     /// Joints that were checked, and whether one of their bodies takes no part; to be written back.
     pub blocked: Vec<(ImpulseJointHandle, bool)>,
-    /// Slots of the joints that a program made, edited, or moved a body of, since the last step.
+    /// Slots of the joints that a program made, moved an anchor of, or moved a body of, since the last step.
     #[cfg_attr(feature = "serde-serialize", serde(skip))]
     pub edited: IdSet,
 }

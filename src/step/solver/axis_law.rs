@@ -90,12 +90,11 @@ impl AxisLaw {
     /// this rate.
     pub fn next(&self, piece: Piece, impulse: f64, rate: f64) -> Piece {
         match piece {
-            Piece::Lower if impulse >= self.motor(self.low + self.tolerance(self.low)) => piece,
             // Equal limits are one equation.
-            Piece::Lower if self.low >= self.high => Piece::Upper,
+            Piece::Lower | Piece::Upper if self.low >= self.high => piece,
+            Piece::Lower if impulse >= self.motor(self.low + self.tolerance(self.low)) => piece,
             Piece::Lower => self.piece_of_motor(self.low),
             Piece::Upper if impulse <= self.motor(self.high - self.tolerance(self.high)) => piece,
-            Piece::Upper if self.low >= self.high => Piece::Lower,
             Piece::Upper => self.piece_of_motor(self.high),
             Piece::Motor | Piece::Constant(_) if rate < self.low - self.tolerance(self.low) => {
                 Piece::Lower
@@ -103,7 +102,7 @@ impl AxisLaw {
             Piece::Motor | Piece::Constant(_) if rate > self.high + self.tolerance(self.high) => {
                 Piece::Upper
             }
-            // Only to the next piece: an axis that skipped the one between would come back for ever.
+            // Only to the next piece: an axis that skipped the one between would cycle.
             Piece::Constant(of_piece) if self.motor(rate) == of_piece => piece,
             Piece::Constant(_) if self.damping > 0.0 => Piece::Motor,
             Piece::Constant(_) => piece,
@@ -165,8 +164,10 @@ impl AxisLaw {
     pub fn parts(&self, piece: Piece, impulse: f64, response: f64) -> [f64; 3] {
         let room = f64::from(OPPOSED_RATE_MAX) / response.max(f64::MIN_POSITIVE);
         let motor = match piece {
-            Piece::Lower => self.motor(self.low),
-            Piece::Upper => self.motor(self.high),
+            // What the tolerance of the rate leaves is no impulse of the other limit.
+            Piece::Lower if self.low < self.high => self.motor(self.low).min(impulse),
+            Piece::Upper if self.low < self.high => self.motor(self.high).max(impulse),
+            Piece::Lower | Piece::Upper => self.motor(self.low),
             Piece::Motor | Piece::Constant(_) => self.bounded(impulse),
         };
         let motor = motor.min(impulse + room).max(impulse - room);

@@ -236,9 +236,8 @@ impl Constraints {
                 contacts.solve(bodies, pass);
                 multibodies.solve(bodies, pass);
             }
-            joints.add_corrections(bodies, pass.joints.substep);
             bodies.integrate_positions(pass);
-            joints.remove_corrections(bodies);
+            joints.correct_poses(bodies, pass.substep);
             multibodies.integrate_positions(multibody_context, bodies, pass);
             for pass in pass.relaxations() {
                 joints.relax(bodies, &pass);

@@ -39,11 +39,15 @@ impl UserChanges<'_> {
         let blocked = !bodies.into_iter().all(takes_part);
         self.structure.islands.joints.blocked.push((handle, blocked));
         let slot = handle.into_raw_parts().0;
-        self.structure.islands.joints.edited.insert(slot);
         let known = self.structure.islands.joints.get_mut(slot).map(|known| {
-            known.form = link.form;
-            *known
+            let is_placed = known.form.locked == link.form.locked && known.frames == link.frames;
+            (known.form, known.frames) = (link.form, link.frames);
+            (*known, is_placed)
         });
+        if !known.is_some_and(|(_, is_placed)| is_placed) {
+            self.structure.islands.joints.edited.insert(slot);
+        }
+        let known = known.map(|(known, _)| known);
         let same = |known: JointLink| JointLink { slot: None, ..known } == link;
         if !known.is_some_and(same) {
             if let Some(known) = known {

@@ -9,9 +9,9 @@ use super::context::SolverPass;
 use super::groups::{Group, Groups};
 use crate::base::disjoint::DisjointMut;
 use crate::base::tasks::{Gather, Tasks};
-use crate::dim::math::Real;
+use crate::dim::math::{Real, SpatialVector};
 use crate::dim::motion::FreeMotion;
-use crate::dim::spatial::join;
+use crate::dim::spatial::{angular, join};
 use crate::dim::state::{BodyPose, BodyState, READ_ONLY};
 use crate::model::body::BODIES_PER_TASK;
 use crate::model::island::NONE;
@@ -187,11 +187,16 @@ impl SolverBodies {
             let (impulses, _) = delays[index].velocity();
             if impulses.x > 0.0 {
                 let delay = -impulses.y / impulses.x;
-                self.states[index].add_displacement(join(added_v * delay, added_w * delay));
-                before.copy_displacement(&self.states[index]);
-                self.motions[index].rotate(added_w * delay);
+                self.displace(index, join(added_v * delay, added_w * delay));
             }
         }
+    }
+
+    /// Moves a body at once.
+    pub fn displace(&mut self, index: usize, change: SpatialVector) {
+        self.states[index].add_displacement(change);
+        self.before[index].copy_displacement(&self.states[index]);
+        self.motions[index].rotate(angular(&change));
     }
 
     /// Exchanges the velocities of bodies with those before any impulse of the substep.

@@ -44,7 +44,7 @@ pub(super) struct JointBlock {
     /// One for joints with large errors of locked axes by a program's edit when the step began.
     pub is_displaced: Lane,
     /// One for joints with a large excess over a limit when the step began.
-    pub is_overloaded: Lane,
+    pub exceeds_limit: Lane,
     /// The bias of the errors when the substep began.
     pub held_bias: [Lane; SPATIAL_DIM],
     /// Impulses of this substep on the locked axes.
@@ -87,7 +87,7 @@ impl JointBlock {
             compliance: zero,
             is_stiff: zero,
             is_displaced: zero,
-            is_overloaded: zero,
+            exceeds_limit: zero,
             held_bias: [zero; SPATIAL_DIM],
             impulses: [zero; SPATIAL_DIM],
             couple: ANG_ZERO_LANES,
@@ -166,7 +166,7 @@ pub(super) struct MotorRow {
     pub stretch: Lane,
     /// Rate of the axis when the substep began, before any force.
     pub rate: Lane,
-    /// One if no other joint of its component has a driven axis, and no other joint a row.
+    /// One for joints that are connected with no other one, and drive a single axis.
     pub is_alone: Lane,
 }
 

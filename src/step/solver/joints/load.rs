@@ -1,7 +1,7 @@
 //! From joints to constraints: once per step, on several threads.
 
 use super::block::{AxisRow, JointBlock, LIMIT_NONE};
-use super::direct::{CORRECTION_RATE_MAX, DirectJoint};
+use super::direct::{CORRECTED_APART_RATE_MIN, DirectJoint};
 use super::{BLOCKS_PER_TASK, LaneSlot, SolverJoints};
 use crate::base::disjoint::DisjointMut;
 use crate::base::tasks::Tasks;
@@ -32,8 +32,7 @@ const ITERATED_COMPLIANCE: Real = 1.0 / 8.0;
 /// A body that rotates by less than this angle (rad) in a substep keeps its inertia for the step.
 const ROTATION_ANGLE_MIN: Real = 1.0e-4;
 
-/// Largest angle (rad) of an error that a substep corrects. A correction is linear, and would throw bodies
-/// about that have to rotate by more.
+/// Largest angle (rad) of an error that a substep corrects. A larger linear correction throws the bodies.
 const CORRECTION_ANGLE_MAX: Real = 0.5;
 
 /// Number of joints per parallel task.
@@ -286,11 +285,14 @@ fn load_lane(
     if block.is_exact {
         let seen_from_first = ends[0].frame.inverse() * separation;
         let [error, excess] = largest_errors(joint, seen_from_first, &between);
-        let is_large = |error| error * pass.inv_substep > CORRECTION_RATE_MAX;
+        let is_large = |error| error * pass.inv_substep > CORRECTED_APART_RATE_MIN;
         joint.is_displaced = (joint.is_displaced || is_edited) && is_large(error);
         block.is_displaced.0[lane] = if joint.is_displaced { 1.0 } else { 0.0 };
-        block.is_overloaded.0[lane] = if is_large(excess) { 1.0 } else { 0.0 };
-        block.bias_rate.0[lane] *= (CORRECTION_ANGLE_MAX / largest_angle(joint, &between)).min(1.0);
+        block.exceeds_limit.0[lane] = if is_large(excess) { 1.0 } else { 0.0 };
+        if joint.data.spring().is_none() {
+            let angle = largest_angle(joint, &between);
+            block.bias_rate.0[lane] *= (CORRECTION_ANGLE_MAX / angle).min(1.0);
+        }
     }
 }
 

@@ -226,14 +226,10 @@ impl SolverJoints {
         }
     }
 
-    /// Adds velocities that correct large errors: see [`Direct::add_corrections`].
-    pub fn add_corrections(&mut self, bodies: &mut SolverBodies, substep: Real) {
-        self.direct.add_corrections(&self.jacobians, bodies.shared().1, substep);
-    }
-
-    /// Takes the velocities of [`Self::add_corrections`] from the bodies, which have moved.
-    pub fn remove_corrections(&mut self, bodies: &mut SolverBodies) {
-        self.direct.remove_corrections(bodies.shared().1);
+    /// Moves the bodies by what corrects large errors: see [`Direct::correct_poses`].
+    pub fn correct_poses(&mut self, bodies: &mut SolverBodies, substep: Real) {
+        self.direct
+            .correct_poses(&self.jacobians, substep, |body, change| bodies.displace(body, change));
     }
 
     /// Returns whether the direct solver needs another round.
@@ -341,7 +337,7 @@ impl SolverJoints {
         self.direct.invalidate_matrices();
     }
 
-    /// Solves the locked axes of connected joints together.
+    /// Solves the axes of connected joints together.
     fn solve_exactly<const BIASED: bool>(
         &mut self,
         bodies: &mut SolverBodies,

@@ -179,8 +179,8 @@ unsafe fn wrench_of<W: Wide, const N: usize>(
     wrench
 }
 
-/// Solves all rows once: free axes, then locked ones. `BIASED`: with bias (free axes of direct joints include
-/// the curvature); otherwise towards zero relative velocity.
+/// Solves all rows of iterated joints once: free axes, then locked ones. `BIASED`: with bias; otherwise
+/// towards zero relative velocity. The rows of direct joints are prepared.
 ///
 /// # Safety
 /// The caller has exclusive access to the states of the block's bodies, and to its rows.

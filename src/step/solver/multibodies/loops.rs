@@ -2,14 +2,15 @@
 //! ordinary body.
 //!
 //! A locked axis is a row with `C = 0` and an impulse of either sign, softened like other joints
-//! (`model/params/softness.rs`). The rows are those of `dim3/joint/mod.rs`: translations along the axes of
-//! the first frame at the second anchor, rotations about them. Limits and motors of free axes are rows like
+//! (`model/params/softness.rs`). The rows are translations along the axes of the first frame at the second
+//! anchor, and rotations about them ([`locked_angles`]). Limits and motors of free axes are rows like
 //! those of multibody joints (`limits.rs`).
 //!
 //! Contacts may be frozen during a step, but rows of a swinging loop must follow its links, or they would
 //! brake it. They are made in each substep ([`SolverMultibodies::follow_loops`]).
 //!
-//! All rows are solved with those of the multibody's own joints: see `system.rs`. Redundant axes (a hinge
+//! In the solve pass, the rows are solved with those of the multibody's own joints (`system.rs`), up to a
+//! number of rows; in the relax pass each joint alone. Redundant axes (a hinge
 //! across a plane in which everything moves anyway) have no pivot there and get no impulse.
 
 use super::limits::Owner;

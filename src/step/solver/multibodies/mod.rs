@@ -2,8 +2,8 @@
 //!
 //! Links are in the list of awake bodies, but have no state in [`SolverBodies`](super::bodies::SolverBodies),
 //! and the lanes exclude their manifolds. An impulse on one link moves all of its multibody, so no two of
-//! their constraints could have one colour. They are solved here one after the other, behind the colours, in
-//! the order of the constraint graph.
+//! their constraints could have one colour. Contacts of links are solved here one after the other, behind the
+//! colours, in the order of the constraint graph; all other rows together (`system.rs`).
 //!
 //! Multibodies warm-start a substep as bodies do, without an iteration: the effect of the impulses on the
 //! generalised velocities is stored ([`Moving::pushed`]) and added.

@@ -20,10 +20,15 @@ use crate::step::solver::axis_law::{AxisLaw, Equation, Piece};
 /// Largest number of times that rows move to another piece of their laws in one solution.
 const PIECE_CHANGES_MAX: usize = 32;
 /// From this time on, one row moves at a time.
-const JOINT_PIECE_CHANGES_MAX: usize = 6;
+const SIMULTANEOUS_CHANGES_MAX: usize = 6;
 /// Largest number of rows of the joints that close loops in one group. The system is dense, and its
 /// factorisation takes a millisecond for this many. Further joints are solved alone.
 const LOOP_ROWS_MAX: usize = 120;
+/// Largest number of rows that are solved together. Those of larger groups, as of a rope with dry friction, are
+/// solved in parts, one after the other.
+const ROWS_MAX: usize = 240;
+/// A limit beyond this rate is not reached in the substep: its last impulse was that of another limit.
+const FAR_RATE: f64 = 1.0e6;
 /// A pivot below this fraction of the row's diagonal element is rounding: the row is redundant.
 const PIVOT_MIN: f64 = 64.0 * Real::EPSILON as f64;
 
@@ -36,14 +41,18 @@ pub struct SystemRow {
     pub law: AxisLaw,
     pub piece: Piece,
     pub impulse: f64,
+    /// Before the solution.
+    start: f64,
 }
 
 impl SystemRow {
     /// Of these impulses of the motor, of the lower and of the upper limit so far.
     pub fn new(group: usize, row: Row, law: AxisLaw, [motor, lower, upper]: [Real; 3]) -> Self {
         let [motor, lower, upper] = [motor, lower, upper].map(f64::from);
-        let piece = law.piece_of(motor, lower, upper);
-        Self { group, row, law, piece, impulse: motor + lower - upper }
+        let held = |part, rate: f64| if rate.abs() < FAR_RATE { part } else { 0.0 };
+        let piece = law.piece_of(motor, held(lower, law.low), held(upper, law.high));
+        let impulse = motor + lower - upper;
+        Self { group, row, law, piece, impulse, start: impulse }
     }
 
     /// The impulses of the motor, of the lower and of the upper limit.
@@ -125,12 +134,9 @@ impl RowSystem {
 
     /// Solves all groups.
     pub fn solve(&mut self, jacobians: &mut JacobianPool, states: &mut ConstrainedStates<'_>) {
-        if self.order.len() != self.rows.len() {
-            self.order.clear();
-            self.order.extend(self.rows.iter().enumerate().map(|(k, row)| [row.group, k]));
-            self.order.sort_unstable();
-        }
-        let order = core::mem::take(&mut self.order);
+        let mut order = core::mem::take(&mut self.order);
+        order.extend(self.rows.iter().enumerate().map(|(k, row)| [row.group, k]));
+        order.sort_unstable();
         for group in order.chunk_by(|[a, _], [b, _]| a == b) {
             let has_loops = self.loop_rows.get(group[0][0]).is_some_and(|count| *count > 0);
             if self.is_connected && has_loops {
@@ -139,12 +145,14 @@ impl RowSystem {
                     jacobians.respond_again(&self.rows[position].row, states.multibodies);
                 }
             }
-            self.solve_group(group, jacobians, states);
+            for part in group.chunks(ROWS_MAX) {
+                self.solve_part(part, jacobians, states);
+            }
         }
         self.order = order;
     }
 
-    fn solve_group(
+    fn solve_part(
         &mut self,
         group: &[[usize; 2]],
         jacobians: &JacobianPool,
@@ -153,11 +161,20 @@ impl RowSystem {
         for change in 0..PIECE_CHANGES_MAX {
             self.push_constants(group, jacobians, states);
             self.solve_active(group, jacobians, states);
-            let only_first = change >= JOINT_PIECE_CHANGES_MAX;
+            let only_first = change >= SIMULTANEOUS_CHANGES_MAX;
             if !self.choose_pieces(group, only_first, jacobians, states) {
                 return;
             }
         }
+        // No pieces were found. Gears and loops must hold in any case; the others keep their impulses.
+        for &[_, position] in group {
+            let row = &mut self.rows[position];
+            if row.law.low < row.law.high {
+                row.piece = Piece::Constant(row.start);
+            }
+        }
+        self.push_constants(group, jacobians, states);
+        self.solve_active(group, jacobians, states);
     }
 
     /// Sets the impulses of rows with a constant one.

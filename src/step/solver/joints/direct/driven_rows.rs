@@ -81,7 +81,7 @@ pub(super) fn write_driven<'a, W: Wide, const BIASED: bool>(
             let straight = rate;
             rate = along.rate(&bodies.velocities);
             curvature = curvature + (straight - rate);
-            apart = W::load(&memory.is_displaced);
+            apart = W::load(&memory.is_corrected_apart);
         } else {
             position.store(&mut row.position);
         }

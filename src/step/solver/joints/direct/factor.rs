@@ -83,34 +83,15 @@ impl Factor {
         of_matrix!(self, matrix => unsafe { matrix.roll_back(component, memory, states) });
     }
 
-    /// See [`Matrix::add_corrections`].
-    ///
-    /// # Safety
-    /// As [`Matrix::solve`].
-    pub unsafe fn add_corrections(
+    /// See [`Matrix::correct_poses`].
+    pub fn correct_poses(
         &mut self,
         component: Component<'_>,
         memory: &Jacobians,
-        states: &DisjointMut<'_, BodyState>,
         substep: Real,
+        displace: &mut impl FnMut(usize, [Real; SPATIAL_DIM]),
     ) {
-        // SAFETY: the caller's promise.
-        of_matrix!(self, matrix => unsafe {
-            matrix.add_corrections(component, memory, states, substep);
-        });
-    }
-
-    /// See [`Matrix::remove_corrections`].
-    ///
-    /// # Safety
-    /// As [`Matrix::solve`].
-    pub unsafe fn remove_corrections(
-        &mut self,
-        component: Component<'_>,
-        states: &DisjointMut<'_, BodyState>,
-    ) {
-        // SAFETY: the caller's promise.
-        of_matrix!(self, matrix => unsafe { matrix.remove_corrections(component, states) });
+        of_matrix!(self, matrix => matrix.correct_poses(component, memory, substep, displace));
     }
 
     /// See [`Matrix::progress`].

@@ -57,7 +57,7 @@ const FRACTION_MIN: f64 = 1.0e-3;
 /// Largest number of times that axes move to another piece of their laws in one solution.
 const PIECE_CHANGES_MAX: usize = 64;
 /// From this time on, one axis moves at a time.
-const JOINT_PIECE_CHANGES_MAX: usize = 8;
+const SIMULTANEOUS_CHANGES_MAX: usize = 8;
 
 /// Rows of a solution.
 #[derive(Copy, Clone, Debug, PartialEq)]
@@ -92,13 +92,15 @@ pub(super) struct Matrix<const N: usize> {
     /// By direct joint: right-hand side, then solution.
     pub(super) x: Vec<Column<N>>,
     /// By direct joint: right-hand side of the second solution.
-    again: Vec<Column<N>>,
+    pub(super) again: Vec<Column<N>>,
     /// Input of the first solution of a substep, of the one before the last, and of the last one.
     pub(super) first_size: f64,
     pub(super) sizes: [f64; 2],
-    /// The sums of the compliances of locked axes and of the damping of driven ones with which the matrix was
-    /// made; `None` if the bodies have moved since.
-    made_with: Option<[f64; 2]>,
+    /// Whether the matrix is that of the present poses.
+    is_made: bool,
+    /// The compliances with which it was made: by joint of its locked axes, then by driven axis; negative
+    /// without an equation.
+    made_with: Vec<f64>,
 }
 
 impl<const N: usize> Matrix<N> {
@@ -143,7 +145,7 @@ impl<const N: usize> Matrix<N> {
                 return;
             }
             self.find_rates(component);
-            if !self.choose_pieces(change >= JOINT_PIECE_CHANGES_MAX) {
+            if !self.choose_pieces(change >= SIMULTANEOUS_CHANGES_MAX) {
                 return;
             }
             self.invalidate();
@@ -162,7 +164,13 @@ impl<const N: usize> Matrix<N> {
         if component.is_redundant {
             self.again.clone_from(&self.x);
             self.substitute(component);
-            self.load_second_rhs(component, memory);
+            let impulse = |[at, row]: [usize; 2]| {
+                let member = &component.members[at];
+                let from = &memory.blocks[member.block as usize];
+                let axis = locked_axes::<N>(member).nth(row).unwrap_or_default();
+                f64::from(from.impulses[axis].0[member.lane as usize])
+            };
+            self.load_second_rhs(component, impulse, |driven| driven.impulse);
         }
         self.substitute(component);
     }
@@ -170,18 +178,21 @@ impl<const N: usize> Matrix<N> {
     /// Makes the matrix and its factors unless they are up to date.
     #[inline(always)]
     fn update_matrix(&mut self, component: Component<'_>, memory: &Jacobians) {
-        let compliance = component.members.iter().map(|member| compliance_of(member, memory)).sum();
-        let damping = self
+        let of_locked = component.members.iter().map(|member| compliance_of(member, memory));
+        let of_driven = self
             .driven
             .iter()
-            .map(|driven| driven.equation().map_or(-1.0, |equation| equation.compliance))
-            .sum();
-        if self.made_with != Some([compliance, damping]) {
-            self.load(component, memory);
-            self.assemble(component, memory);
-            self.eliminate(component);
-            self.made_with = Some([compliance, damping]);
+            .map(|driven| driven.equation().map_or(-1.0, |equation| equation.compliance));
+        let compliances = of_locked.chain(of_driven);
+        if self.is_made && self.made_with.iter().copied().eq(compliances.clone()) {
+            return;
         }
+        self.made_with.clear();
+        self.made_with.extend(compliances);
+        self.is_made = true;
+        self.load(component, memory);
+        self.assemble(component, memory);
+        self.eliminate(component);
     }
 
     /// Rolls all impulses of the component back.
@@ -212,7 +223,7 @@ impl<const N: usize> Matrix<N> {
 
     /// Marks the matrix as outdated, because the bodies have moved.
     pub fn invalidate(&mut self) {
-        self.made_with = None;
+        self.is_made = false;
     }
 
     /// Reads the rows.
@@ -245,18 +256,24 @@ impl<const N: usize> Matrix<N> {
     }
 
     /// Replaces the first solution by the right-hand side of the second one.
-    fn load_second_rhs(&mut self, component: Component<'_>, memory: &Jacobians) {
+    pub(super) fn load_second_rhs(
+        &mut self,
+        component: Component<'_>,
+        locked: impl Fn([usize; 2]) -> f64,
+        driven: impl Fn(&DrivenAxis) -> f64,
+    ) {
+        let damped = |matrix: &mut Self, [at, row]: [usize; 2], impulse: f64| {
+            let impulse = impulse + matrix.x[at][row];
+            matrix.x[at][row] = matrix.again[at][row] - matrix.damping[at][row] * impulse;
+        };
         for (at, member) in component.members.iter().enumerate() {
-            let (from, lane) = (&memory.blocks[member.block as usize], member.lane as usize);
-            for (row, axis) in locked_axes::<N>(member).enumerate() {
-                let impulse = f64::from(from.impulses[axis].0[lane]) + self.x[at][row];
-                self.x[at][row] = self.again[at][row] - self.damping[at][row] * impulse;
+            for row in 0..member.locked_row_count() {
+                damped(self, [at, row], locked([at, row]));
             }
         }
-        for driven in &self.driven {
-            let [at, row] = driven.at;
-            let impulse = driven.impulse + self.x[at][row];
-            self.x[at][row] = self.again[at][row] - self.damping[at][row] * impulse;
+        for index in 0..self.driven.len() {
+            let (at, impulse) = (self.driven[index].at, driven(&self.driven[index]));
+            damped(self, at, impulse);
         }
     }
 

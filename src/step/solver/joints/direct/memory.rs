@@ -79,7 +79,7 @@ pub(in super::super) struct JacobianBlock {
     /// One where the solve pass includes the curvature.
     pub includes_curvature: Lane,
     /// One where errors are corrected apart.
-    pub is_displaced: Lane,
+    pub is_corrected_apart: Lane,
     /// Masses of its bodies at the current poses.
     pub inv_mass: [WideVector<Lane>; 2],
     pub inv_inertia: [WideSymmetric<Lane>; 2],
@@ -99,7 +99,7 @@ impl JacobianBlock {
             first_row: 0,
             at_predicted_pose: zero,
             includes_curvature: zero,
-            is_displaced: zero,
+            is_corrected_apart: zero,
             inv_mass: [WideVector::ZERO; 2],
             inv_inertia: [ZERO_INERTIA; 2],
             changes: [zero; SPATIAL_DIM],
@@ -247,7 +247,7 @@ fn rows_biased<W: Wide, const N: usize>(
 ) -> ([Row<W>; N], [W; N]) {
     let at_predicted_pose = W::zero().lt(W::load(&memory.at_predicted_pose));
     let includes_curvature = W::zero().lt(W::load(&memory.includes_curvature));
-    let is_displaced = W::zero().lt(W::load(&memory.is_displaced));
+    let is_corrected_apart = W::zero().lt(W::load(&memory.is_corrected_apart));
     let (errors, mut rows) = end.then.locked_axes::<N>();
     let mut rates = end.rates::<N>(block, &moment.now, [locked.errors, errors], moment.pass);
     for k in 0..N {
@@ -256,7 +256,7 @@ fn rows_biased<W: Wide, const N: usize>(
         rows[k] = rows[k].select(at_predicted_pose, locked.rows[k]);
         let here = rows[k].rate(&moment.bodies.velocities) + bias;
         rates[k] = W::select(includes_curvature, rates[k], here)
-            - W::select(is_displaced, bias, W::zero());
+            - W::select(is_corrected_apart, bias, W::zero());
     }
     (rows, rates)
 }

@@ -55,7 +55,7 @@ use super::block::JointBlock;
 use crate::base::disjoint::DisjointMut;
 use crate::base::tasks::Tasks;
 use crate::base::wide::{Lane, Simd};
-use crate::dim::math::Real;
+use crate::dim::math::{Real, SPATIAL_DIM};
 use crate::dim::state::BodyState;
 use factor::Factor;
 use pattern::{Pattern, has_moderate_mass_ratio};
@@ -69,7 +69,7 @@ const STIFF_ROUNDS_MAX: usize = 4;
 
 /// Errors that would be corrected by larger velocities (length units or radians per second) than this may be
 /// corrected apart from the velocities: see `corrections.rs`.
-pub(super) const CORRECTION_RATE_MAX: Real = 1.0;
+pub(super) const CORRECTED_APART_RATE_MIN: Real = 1.0;
 
 /// Components of connected joints, and their matrices.
 #[derive(Default)]
@@ -80,7 +80,7 @@ pub(super) struct Direct {
     /// By component.
     solve_states: Vec<SolveState>,
     /// By component: whether a joint has a large error, which is corrected apart.
-    is_displaced: Vec<bool>,
+    is_corrected_apart: Vec<bool>,
 }
 
 /// Method for a component in a substep: see `../geometric_stiffness.rs`.
@@ -205,7 +205,7 @@ impl Direct {
     ) {
         for (index, solve_state) in self.solve_states.iter_mut().enumerate() {
             let members = self.pattern.component(index).members;
-            if self.is_displaced[index] {
+            if self.is_corrected_apart[index] {
                 // The anchors are arms of the length of their distance, and rotate far with the bodies.
                 solve_state.linearization = Linearization::CurrentPose;
             } else if solve_state.linearization == Linearization::PredictedPose {
@@ -285,48 +285,36 @@ impl Direct {
     /// Begins a step: notes the components with errors that are corrected apart, and the rows of their joints.
     /// The bias of a spring is its force, and no error.
     pub fn begin_step(&mut self, blocks: &[JointBlock], rows: &mut [JacobianBlock]) {
-        self.is_displaced.clear();
+        self.is_corrected_apart.clear();
         for index in 0..self.pattern.component_count() {
             let members = self.pattern.component(index).members;
             let of = |member: &DirectJoint| (&blocks[member.block as usize], member.lane as usize);
             let any = |lanes: fn(&JointBlock) -> &Lane| {
                 members.iter().map(of).any(|(block, lane)| lanes(block).0[lane] > 0.0)
             };
-            let is_displaced = any(|block| &block.is_overloaded)
+            let is_corrected_apart = any(|block| &block.exceeds_limit)
                 || (any(|block| &block.is_displaced) && has_moderate_mass_ratio(members.iter()));
             for member in members {
                 let (block, lane) = of(member);
-                let is_corrected = is_displaced && block.is_spring.0[lane] == 0.0;
-                let to = &mut rows[member.block as usize].is_displaced;
+                let is_corrected = is_corrected_apart && block.is_spring.0[lane] == 0.0;
+                let to = &mut rows[member.block as usize].is_corrected_apart;
                 to.0[lane] = if is_corrected { 1.0 } else { 0.0 };
             }
-            self.is_displaced.push(is_displaced);
+            self.is_corrected_apart.push(is_corrected_apart);
         }
     }
 
-    /// Adds velocities that correct large errors of joints while the bodies move: see `corrections.rs`.
-    /// [`Self::remove_corrections`] takes them away again.
-    pub fn add_corrections(
+    /// Moves the bodies by what corrects large errors of their joints: see `corrections.rs`.
+    pub fn correct_poses(
         &mut self,
         rows: &Jacobians,
-        states: DisjointMut<'_, BodyState>,
         substep: Real,
+        mut displace: impl FnMut(usize, [Real; SPATIAL_DIM]),
     ) {
         for (index, factor) in self.factors.iter_mut().enumerate() {
-            if self.is_displaced.get(index).is_some_and(|is_displaced| *is_displaced) {
+            if self.is_corrected_apart.get(index).is_some_and(|is_corrected| *is_corrected) {
                 let component = self.pattern.component(index);
-                // SAFETY: this thread alone has access to the states.
-                unsafe { factor.add_corrections(component, rows, &states, substep) };
-            }
-        }
-    }
-
-    /// Takes the velocities of [`Self::add_corrections`] from the bodies.
-    pub fn remove_corrections(&mut self, states: DisjointMut<'_, BodyState>) {
-        for (index, factor) in self.factors.iter_mut().enumerate() {
-            if self.is_displaced.get(index).is_some_and(|is_displaced| *is_displaced) {
-                // SAFETY: this thread alone has access to the states.
-                unsafe { factor.remove_corrections(self.pattern.component(index), &states) };
+                factor.correct_poses(component, rows, substep, &mut displace);
             }
         }
     }

@@ -49,6 +49,8 @@ impl<const N: usize> Matrix<N> {
             self.size_of_rates(component, memory) <= STIFF_RESIDUAL_FRACTION_MAX * self.first_size;
         if is_done {
             self.x.fill([0.0; N]);
+            // The rows have the impulses of the last solution.
+            self.driven.clear();
         }
         is_done
     }
