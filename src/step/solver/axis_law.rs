@@ -32,7 +32,7 @@ use crate::dim::math::Real;
 /// precision, and their sum must keep its digits.
 pub(super) const OPPOSED_RATE_MAX: Real = 1.0e3;
 
-/// A rigid motor that wants the rate of a limit makes both pieces right. Rounding would select one after the
+/// A rigid motor whose rate is that of a limit makes both pieces right. Rounding would select one after the
 /// other. Rates that differ by less than this fraction are equal there.
 const RATE_TOLERANCE: f64 = 16.0 * Real::EPSILON as f64;
 

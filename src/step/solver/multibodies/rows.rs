@@ -7,8 +7,9 @@
 //!
 //! `J` and `W` are lists with one number per degree of freedom, computed once a step in time proportional to
 //! the number of links. (Moment arms and inertias of contacts are frozen during a step; multibodies that
-//! rotate far or have loops are updated in each substep.) An iteration multiplies two lists over the span where `J` is not
-//! zero, which is one number for a limit. If the impulse changes, it also adds a multiple of `W`.
+//! rotate far or have loops are updated in each substep.) An iteration multiplies two lists over the span
+//! where `J` is not zero, which is one number for a limit. If the impulse changes, it also adds a multiple of
+//! `W`.
 
 use super::Moving;
 use crate::dim::math::{Real, SPATIAL_DIM, SpatialVector};

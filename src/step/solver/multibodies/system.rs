@@ -24,8 +24,8 @@ const SIMULTANEOUS_CHANGES_MAX: usize = 6;
 /// Largest number of rows of the joints that close loops in one group. The system is dense, and its
 /// factorisation takes a millisecond for this many. Further joints are solved alone.
 const LOOP_ROWS_MAX: usize = 120;
-/// Largest number of rows that are solved together. Those of larger groups, as of a rope with dry friction, are
-/// solved in parts, one after the other.
+/// Largest number of rows that are solved together. Those of larger groups, as of a rope with dry friction,
+/// are solved in parts, one after the other.
 const ROWS_MAX: usize = 240;
 /// A limit beyond this rate is not reached in the substep: its last impulse was that of another limit.
 const FAR_RATE: f64 = 1.0e6;

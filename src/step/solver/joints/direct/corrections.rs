@@ -1,19 +1,19 @@
 //! Displacements that correct large errors of joints.
 //!
-//! Errors are corrected by the velocities of the solve pass. The relax pass removes what is left of them along
-//! the locked axes. What is left along the free ones is energy from nothing: a hinge whose anchor was moved
-//! by two metres kept 1,400 J in 1 kg. Contacts would pass them on, too. The displacements of this file leave
-//! no velocity. They correct
+//! Errors are corrected by the velocities of the solve pass. The relax pass removes what is left of them
+//! along the locked axes. What is left along the free ones is energy from nothing: a hinge whose anchor was
+//! moved by two metres kept 1,400 J in 1 kg. Contacts would pass them on, too. The displacements of this file
+//! leave no velocity. They correct
 //!
 //! * errors of joints that a program made or edited, or moved a body of: those are no results of motions;
 //! * the excess over limits, which is that of a load: heavy boxes jumped on ropes.
 //!
 //! They are a Newton step towards the poses without errors, and a step is linear: a light link that has to
-//! rotate by several radians in it ends anywhere. So it ends where a body has rotated by [`ROTATION_MAX`], and
-//! the next substep takes another one. Between a post and a heavy ball, the step still rotates light links
-//! where it should lift the ball: a chain that hits a wall opens by half a metre, and remained open. Errors by
-//! motion alone, and errors by edits of components with large mass ratios, are therefore left to the
-//! velocities.
+//! rotate by several radians in it ends anywhere. So it ends where a body has rotated by [`ROTATION_MAX`],
+//! and the next substep takes another one. Between a post and a heavy ball, the step still rotates light
+//! links where it should lift the ball: a chain that hits a wall opens by half a metre, and remained open.
+//! Errors by motion alone, and errors by edits of components with large mass ratios, are therefore left to
+//! the velocities.
 
 use super::driven::add_changes;
 use super::jacobians::{Motion, locked_axes};
@@ -26,8 +26,8 @@ use crate::dim::math::{DIM, Real, SPATIAL_DIM};
 const ROTATION_MAX: f64 = 0.5;
 
 impl<const N: usize> Matrix<N> {
-    /// Moves the bodies by what corrects the errors of their joints, after they moved by their velocities in a
-    /// substep of this length. `displace` moves one body.
+    /// Moves the bodies by what corrects the errors of their joints, after they moved by their velocities in
+    /// a substep of this length. `displace` moves one body.
     pub fn correct_poses(
         &mut self,
         component: Component<'_>,

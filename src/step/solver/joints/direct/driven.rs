@@ -171,8 +171,8 @@ impl<const N: usize> Matrix<N> {
         any
     }
 
-    /// Keeps the impulses of driven axes, if no pieces were found: the locked axes must hold in any case. (The
-    /// impulse of a rigid motor at a rate that is not its own has no bound.)
+    /// Keeps the impulses of driven axes, if no pieces were found: the locked axes must hold in any case.
+    /// (The impulse of a rigid motor at a rate that is not its own has no bound.)
     pub(super) fn fix_impulses(&mut self) {
         for driven in &mut self.driven {
             driven.piece = Piece::Constant(driven.impulse);

@@ -282,8 +282,8 @@ impl Direct {
         is_unfinished
     }
 
-    /// Begins a step: notes the components with errors that are corrected apart, and the rows of their joints.
-    /// The bias of a spring is its force, and no error.
+    /// Begins a step: notes the components with errors that are corrected apart, and the rows of their
+    /// joints. The bias of a spring is its force, and no error.
     pub fn begin_step(&mut self, blocks: &[JointBlock], rows: &mut [JacobianBlock]) {
         self.is_corrected_apart.clear();
         for index in 0..self.pattern.component_count() {
