@@ -11,7 +11,7 @@ pub const INFO: SceneInfo = SceneInfo {
     description: "Theo Jansen's walking machine: six legs of bars and hinges in closed loops, and one motor.",
     category: Category::Joints,
     steps: 240,
-    law: Law { overlap_max: 0.01, height_min: 0.0, gap_max: 0.005, ..Law::NONE },
+    law: Law { overlap_max: 0.01, height_min: 0.0, gap_max: 0.03, ..Law::NONE },
     source: file!(),
     build,
 };
