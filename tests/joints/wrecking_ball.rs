@@ -51,8 +51,8 @@ fn gap(world: &PhysicsWorld) -> Real {
 }
 
 /// The chain whips where the ball hits. In that moment the links rotate by a radian per substep, and joints
-/// open by up to a metre and a half (double precision, 3D, 30 Hz). Of 192 drops in 2D and 3D and in both
-/// precisions, one gains 1.3 % of its energy.
+/// open by up to a metre and a half (double precision, 3D, 30 Hz). Seen gains: 3·10⁻⁵ in single precision,
+/// and 1.3 % in double precision (2D, 240 Hz, 0.4 rad).
 #[test]
 fn wrecking_balls_gain_no_energy() {
     let (mut most, mut widest): (Real, Real) = (Real::NEG_INFINITY, 0.0);
