@@ -94,8 +94,8 @@ fn hanging_chain(rate: u32, mass: Real) -> (PhysicsWorld, RigidBodyHandle) {
     (world, post)
 }
 
-/// A program moves the post in strides, as dragging with the mouse does. The chain gains what a post of that
-/// speed gives it: at most twice the speed. A single jump leaves no joint open.
+/// A program moves the post in strides, as dragging with the mouse does. The chain gains what a post of
+/// that speed gives: at most twice the speed. A single jump leaves no joint open.
 #[test]
 fn posts_may_be_moved_with_their_chains() {
     for rate in RATES {

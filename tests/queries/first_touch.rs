@@ -239,7 +239,7 @@ fn round_segments_touch_at_the_sum_of_their_radii() {
     assert!(hits > 200);
 }
 
-/// The point of a triangle above which a point is, if there is one.
+/// The foot of a point's perpendicular, if it lies in a triangle.
 fn foot_on_triangle(point: Triple, [a, b, c]: [Triple; 3]) -> Option<Triple> {
     let [u, v, w] = [b, c, point].map(|corner| moved(corner, a, -1.0));
     let (uu, uv, vv, uw, vw) = (dot(u, u), dot(u, v), dot(v, v), dot(u, w), dot(v, w));

@@ -48,7 +48,7 @@ pub(crate) fn frame_between<W: Wide>(
 
 /// The error about each axis if it were locked, and the direction (world space) along which the relative
 /// angular velocity changes it: see the head of this folder. `between` is the second frame as seen from the
-/// first, which has these `axes`. `locked` is one for locked axes, zero for others.
+/// first, which has these `axes`. `locked` is one for locked axes, zero for free axes.
 #[inline(always)]
 pub(crate) fn locked_rotations<W: Wide>(
     between: WideRotation<W>,

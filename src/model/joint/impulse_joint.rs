@@ -60,7 +60,7 @@ pub struct ImpulseJoint {
     pub(crate) torque: AngVector,
     /// The angles at the end of the last step, of which turns are counted on. `None`: not known yet.
     pub(crate) angles: Option<[crate::dim::math::Real; ANG_DIM]>,
-    /// Whether it has an error by an edit of a program, which is not corrected yet.
+    /// Whether a program may have separated its anchors, and the error is not corrected yet.
     pub(crate) is_displaced: bool,
     /// Locked axes, limits and motors of the joint.
     pub data: GenericJoint,

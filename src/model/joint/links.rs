@@ -5,7 +5,6 @@
 
 use super::{GenericJoint, ImpulseJoint, ImpulseJointHandle, ImpulseJointSet, JointEnabled};
 use crate::base::fault::{Fault, ensure};
-use crate::base::id_set::IdSet;
 use crate::base::in_place::clone_in_place;
 use crate::dim::joint_axes::JointAxesMask;
 use crate::model::body::{RigidBodyHandle, RigidBodySet};
@@ -123,12 +122,11 @@ pub(crate) struct JointLinks {
     pub orphans: Vec<ImpulseJointHandle>,
     /// Joints that were checked, and whether one of their bodies takes no part; to be written back.
     pub blocked: Vec<(ImpulseJointHandle, bool)>,
-    /// Slots of the joints that a program made, moved an anchor of, or moved a body of, since the last step.
-    #[cfg_attr(feature = "serde-serialize", serde(skip))]
-    pub edited: IdSet,
+    /// Joints that a program made, moved an anchor of, or moved a body of; to be written back.
+    pub displaced: Vec<ImpulseJointHandle>,
 }
 
-clone_in_place!(JointLinks { links, of_body, orphans, blocked, edited });
+clone_in_place!(JointLinks { links, of_body, orphans, blocked, displaced });
 
 impl JointLinks {
     /// The joint in a slot.
@@ -148,9 +146,9 @@ impl JointLinks {
 
     /// Notes that a program moved a body: its joints may have errors.
     pub fn note_moved(&mut self, body_slot: u32) {
-        for &slot in self.of_body.get(body_slot as usize).into_iter().flatten() {
-            self.edited.insert(slot);
-        }
+        let slots = self.of_body.get(body_slot as usize).into_iter().flatten();
+        let links = slots.filter_map(|&slot| self.links.get(slot as usize)?.as_ref());
+        self.displaced.extend(links.map(|link| link.handle));
     }
 
     /// All joints in the order of their slots.

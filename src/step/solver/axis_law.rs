@@ -22,8 +22,8 @@
 //! The solver selects the pieces with Newton's method: it solves the equations of the present pieces, moves
 //! each axis to the piece on which its solution is, and repeats (Hintermüller, Ito and Kunisch, "The
 //! primal-dual active set strategy as a semismooth Newton method", 2002). The pieces of the last substep are
-//! nearly always right. Newton's method may cycle, so late changes move one axis at a time, the first one
-//! (Murty's rule).
+//! nearly always right. Newton's method may cycle, so late changes move the first axis only (Murty's
+//! rule).
 
 use crate::dim::math::Real;
 

@@ -45,7 +45,7 @@ impl UserChanges<'_> {
             (*known, is_placed)
         });
         if !known.is_some_and(|(_, is_placed)| is_placed) {
-            self.structure.islands.joints.edited.insert(slot);
+            self.structure.islands.joints.displaced.push(handle);
         }
         let known = known.map(|(known, _)| known);
         let same = |known: JointLink| JointLink { slot: None, ..known } == link;

@@ -83,7 +83,6 @@ impl UserChanges<'_> {
     fn note_placed(&mut self, modified: &[RigidBodyHandle]) {
         let Structure { bodies, islands, .. } = &mut self.structure;
         islands.placed_asleep.clear();
-        islands.joints.edited.clear();
         let placed = RigidBodyChanges::KIND | RigidBodyChanges::POSITION;
         for &handle in modified {
             let body = bodies.get(handle).filter(|body| body.is_sleeping());

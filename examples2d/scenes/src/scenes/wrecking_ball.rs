@@ -9,7 +9,7 @@ pub const INFO: SceneInfo = SceneInfo {
     description: "A heavy ball on a chain of eight links swings into a wall of boxes.",
     category: Category::Joints,
     steps: 200,
-    // The ball presses boxes of a thirtieth of its mass against each other.
+    // The ball compresses a pile of boxes that have a thirtieth of its mass.
     law: Law { overlap_max: 0.2, height_min: 0.0, gap_max: 0.005, ..Law::NONE },
     source: file!(),
     build,

@@ -52,7 +52,8 @@ impl ImpulseJointSet {
         self.removed.iter().copied()
     }
 
-    /// Ends the step's update: removes joints without a body, and marks those with a body that takes no part.
+    /// Ends the step's update: removes joints without a body, and marks joints with a body that takes no part
+    /// and joints whose anchors a program may have separated.
     pub(crate) fn apply_changes(&mut self, links: &mut JointLinks) {
         for handle in core::mem::take(&mut links.orphans) {
             // A joint that replaced another may have other bodies, and was applied again.
@@ -68,6 +69,11 @@ impl ImpulseJointSet {
                     (JointEnabled::DisabledByAttachedBody, false) => JointEnabled::Enabled,
                     (unchanged, _) => unchanged,
                 };
+            }
+        }
+        for handle in links.displaced.drain(..) {
+            if let Some(joint) = self.get_unnoted_mut(handle) {
+                joint.is_displaced = true;
             }
         }
         self.removed.clear();

@@ -23,7 +23,7 @@ pub(super) struct Geometry<W> {
     frames: [WideRotation<W>; 2],
     /// Relative rotation of the second body since the step began.
     rotvec: WideAngVector<W>,
-    /// One for locked rotations, zero for free ones.
+    /// One for locked rotations, zero for free rotations.
     locks: [W; ANG_DIM],
 }
 

@@ -154,8 +154,7 @@ impl SolverJoints {
                     // SAFETY: each joint has one lane slot.
                     let Some(entry) = (unsafe { joints.get_mut(link.handle.0) }) else { continue };
                     block.is_exact = direct.contains(lane_slot.slot);
-                    let is_edited = context.islands.joints.edited.contains(lane_slot.slot);
-                    load_lane(block, rows, lane, (&mut entry.joint, is_edited), context, pass);
+                    load_lane(block, rows, lane, &mut entry.joint, context, pass);
                     if direct.is_alone(lane_slot.slot) {
                         rows.iter_mut().for_each(|row| row.motor.is_alone.0[lane] = 1.0);
                     }
@@ -253,7 +252,7 @@ fn load_lane(
     block: &mut JointBlock,
     rows: &mut [AxisRow],
     lane: usize,
-    (joint, is_edited): (&mut ImpulseJoint, bool),
+    joint: &mut ImpulseJoint,
     JointLoadContext { world, bodies, .. }: JointLoadContext<'_>,
     pass: &JointPass,
 ) {
@@ -286,7 +285,7 @@ fn load_lane(
         let seen_from_first = ends[0].frame.inverse() * separation;
         let [error, excess] = largest_errors(joint, seen_from_first, &between);
         let is_large = |error| error * pass.inv_substep > CORRECTED_APART_RATE_MIN;
-        joint.is_displaced = (joint.is_displaced || is_edited) && is_large(error);
+        joint.is_displaced &= is_large(error);
         block.is_displaced.0[lane] = if joint.is_displaced { 1.0 } else { 0.0 };
         block.exceeds_limit.0[lane] = if is_large(excess) { 1.0 } else { 0.0 };
         if joint.data.spring().is_none() {
@@ -296,7 +295,7 @@ fn load_lane(
     }
 }
 
-/// The largest angle by which a locked rotation is off, and at least a small one.
+/// The largest error of a locked rotation, and at least a small angle.
 fn largest_angle(joint: &ImpulseJoint, between: &Rotation) -> Real {
     let angles = JointAxis::ALL[DIM..].iter().zip(locked_angles(*between));
     let locked = angles.filter(|(axis, _)| joint.data.locked_axes.contains(mask_of(**axis)));

@@ -1,7 +1,8 @@
 //! Motors and limits of a free axis.
 //!
 //! Their forces are a law of the rate `v = Ċ` at the end of a pass. Directly solved joints solve the laws of
-//! all axes together with the locked axes (`../axis_law.rs`). Iterated joints solve one axis after the other.
+//! all axes together with the locked axes (`../axis_law.rs`). The axes of iterated joints are solved one by
+//! one.
 //!
 //! ## Motors
 //! `force = k (target - C) + c (target velocity - v)`. Both forces are implicit, so each pass has a linear
@@ -15,8 +16,8 @@
 //! `a = 1`, `b = 0` is the implicit Euler method, which damps a spring by the ratio `h ω / 2`. `a = 1/4`, `b
 //! = -1/4` keeps the area of the phase plane at any stiffness: a spring among others uses these while `(h ω)²
 //! = h² k K` is below [`SYMPLECTIC_SQUARE_MAX`]. The velocities of that method belong to the middle of the
-//! substep and not to its end. The energy that a program reads oscillates by `h ω / 2`, and a spring that
-//! starts from rest gets half an impulse too much, an amplitude of `√(1 + (h ω)²/4)`.
+//! substep and not to its end. The energy that a program reads oscillates by `h ω / 2`, and a spring at
+//! rest starts with half an impulse too much, an amplitude of `√(1 + (h ω)²/4)`.
 //!
 //! A spring that moves its bodies alone follows the midpoint rule, which keeps the energy exactly: the axis
 //! moves by the mean of the rates at both ends of the substep, and the spring has its mean stretch. The solve
@@ -50,9 +51,9 @@
 //! v‴ + a v″ + a/h (v′ + β v) = 0          a = 2 m / (M h)
 //! ```
 //!
-//! That is stable only for `β < a` (Routh and Hurwitz), `β h < 2 m / M`. [`LIMIT_ERROR_FRACTION`] keeps it
-//! below that for loads of a hundred times the mass. A small fraction suffices: a limit acts before the axis
-//! exceeds it, so little error remains.
+//! That is stable only for `β < a` (Routh and Hurwitz), `β h < 2 m / M`. [`LIMIT_ERROR_FRACTION`] keeps `β`
+//! below this bound for loads of a hundred times the mass. A small fraction suffices: a limit acts before the
+//! axis exceeds it, so little error remains.
 //!
 //! ## Acceleration-based motors
 //! An acceleration-based motor multiplies by the mass that it moves in its own joint: that of the two bodies,
@@ -179,7 +180,7 @@ struct Stretch<W> {
     ahead: W,
 }
 
-/// 0 for small values, 1 for values much above the given one.
+/// 0 for values much below the given value, 1 for values much above.
 #[inline(always)]
 fn fade_in<W: Wide>(value: W, at: Real) -> W {
     let square = value * value * W::splat(1.0 / (at * at));

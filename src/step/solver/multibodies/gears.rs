@@ -12,7 +12,6 @@ use super::Moving;
 use super::rows::{ConstrainedStates, JacobianPool, Part, Row};
 use super::system::{RowSystem, SystemRow};
 use crate::dim::math::Real;
-use crate::model::params::Softness;
 use crate::step::solver::axis_law::AxisLaw;
 
 /// One coupling.
@@ -22,7 +21,6 @@ struct Gear {
     /// Its position among the couplings of the multibody.
     position: usize,
     row: Row,
-    softness: Softness,
     error: Real,
     impulse: Real,
 }
@@ -31,6 +29,8 @@ struct Gear {
 #[derive(Debug, Default)]
 pub struct Gears {
     gears: Vec<Gear>,
+    /// Velocity per unit of error (1/s).
+    bias_rate: Real,
 }
 
 impl Gears {
@@ -39,8 +39,9 @@ impl Gears {
         &mut self,
         jacobians: &mut JacobianPool,
         moving: &mut [Moving],
-        softness: Softness,
+        bias_rate: Real,
     ) {
+        self.bias_rate = bias_rate;
         self.gears.clear();
         for multibody in 0..moving.len() {
             for position in 0..moving[multibody].multibody.couplings().len() {
@@ -54,7 +55,7 @@ impl Gears {
                 });
                 let row = jacobians.row([part, Part::Nothing]);
                 let impulse = coupling.impulse;
-                self.gears.push(Gear { multibody, position, row, softness, error, impulse });
+                self.gears.push(Gear { multibody, position, row, error, impulse });
             }
         }
     }
@@ -81,7 +82,7 @@ impl Gears {
     ) {
         for gear in &self.gears {
             let error = gear.error + jacobians.displacement(&gear.row, states);
-            let correction = if bias { -error * gear.softness.bias_rate } else { 0.0 };
+            let correction = if bias { -error * self.bias_rate } else { 0.0 };
             let rate = f64::from(correction);
             let law = AxisLaw { low: rate, high: rate, ..AxisLaw::FREE };
             // An equation has one side or the other, whatever its impulse.

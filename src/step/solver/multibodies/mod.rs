@@ -163,7 +163,7 @@ impl SolverMultibodies {
         self.jacobians.clear();
         self.system.reset(self.moving.len());
         self.joints.prepare(&mut self.jacobians, &mut self.moving, pass.substep);
-        self.gears.prepare(&mut self.jacobians, &mut self.moving, pass.joints.softness);
+        self.gears.prepare(&mut self.jacobians, &mut self.moving, pass.joints.softness.bias_rate);
         self.prepare_loops(context, bodies, &pass.joints);
         self.prepare_contacts(manifolds, context, bodies);
         self.lock_loops(context, bodies);

@@ -3,7 +3,7 @@
 //! one group.
 //!
 //! Each row has a law ([`AxisLaw`]), and an impulse on one moves all links. With the rows one after the
-//! other, a strong motor pushes the next limit aside. So the rows on the active pieces of their laws are one
+//! other, a strong motor pushes the next limit aside. So the rows on the active pieces of their laws form a
 //! dense system
 //!
 //! ```text
@@ -24,8 +24,8 @@ const SIMULTANEOUS_CHANGES_MAX: usize = 6;
 /// Largest number of rows of the joints that close loops in one group. The system is dense, and its
 /// factorisation takes a millisecond for this many. Further joints are solved alone.
 const LOOP_ROWS_MAX: usize = 120;
-/// Largest number of rows that are solved together. Those of larger groups, as of a rope with dry friction,
-/// are solved in parts, one after the other.
+/// Largest number of rows that are solved together. Larger groups, as of a rope with dry friction, are solved
+/// in consecutive parts.
 const ROWS_MAX: usize = 240;
 /// A limit beyond this rate is not reached in the substep: its last impulse was that of another limit.
 const FAR_RATE: f64 = 1.0e6;
@@ -87,8 +87,8 @@ pub struct RowSystem {
 }
 
 impl RowSystem {
-    /// Removes all rows. Those of the next solution are in one group if joints that close loops connect them,
-    /// and otherwise each joint of a loop is alone.
+    /// Removes all rows. In the next solution, rows are in one group if joints that close loops connect their
+    /// multibodies, and otherwise each joint of a loop is alone.
     pub fn clear(&mut self, is_connected: bool) {
         self.rows.clear();
         self.order.clear();
@@ -97,7 +97,6 @@ impl RowSystem {
 
     /// Begins a step with this number of multibodies. Each is a group.
     pub fn reset(&mut self, multibody_count: usize) {
-        self.order.clear();
         self.groups.clear();
         self.groups.extend(0..multibody_count);
         self.loop_rows.clear();
@@ -118,8 +117,8 @@ impl RowSystem {
         }
     }
 
-    /// Makes one group of the multibodies on which a joint with this number of rows acts. Returns the one
-    /// with whose rows it is solved; `None` if the group would be too large.
+    /// Makes one group of the multibodies on which a joint with this number of rows acts. Returns the
+    /// multibody with whose rows the joint is solved; `None` if the group would be too large.
     pub fn connect(&mut self, multibodies: [usize; 2], row_count: usize) -> Option<usize> {
         let [to, from] = multibodies.map(|multibody| self.groups[multibody]);
         let others = if from == to { 0 } else { self.loop_rows[from] };
@@ -177,7 +176,7 @@ impl RowSystem {
         self.solve_active(group, jacobians, states);
     }
 
-    /// Sets the impulses of rows with a constant one.
+    /// Sets the impulses of rows on a constant piece.
     fn push_constants(
         &mut self,
         group: &[[usize; 2]],

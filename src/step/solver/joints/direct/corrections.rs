@@ -1,9 +1,9 @@
 //! Displacements that correct large errors of joints.
 //!
-//! Errors are corrected by the velocities of the solve pass. The relax pass removes what is left of them
-//! along the locked axes. What is left along the free ones is energy from nothing: a hinge whose anchor was
-//! moved by two metres kept 1,400 J in 1 kg. Contacts would pass them on, too. The displacements of this file
-//! leave no velocity. They correct
+//! Errors are corrected by the velocities of the solve pass. The relax pass removes the rest of these
+//! velocities along the locked axes. The rest along free axes is energy from nothing: a hinge whose anchor
+//! was moved by two metres kept 1,400 J in 1 kg. Contacts would pass such velocities on, too. The
+//! displacements of this file leave no velocity. They correct
 //!
 //! * errors of joints that a program made or edited, or moved a body of: those are no results of motions;
 //! * the excess over limits, which is that of a load: heavy boxes jumped on ropes.
@@ -54,7 +54,7 @@ impl<const N: usize> Matrix<N> {
         if component.is_redundant {
             self.again.clone_from(&self.x);
             self.substitute(component);
-            self.load_second_rhs(component, |_| 0.0, |_| 0.0);
+            self.load_second_rhs(component, None);
         }
         self.substitute(component);
         self.find_velocities(component);

@@ -1,6 +1,6 @@
 //! The rows of joints in double precision, and the coupling of the rows of two joints.
 
-use super::dense::{Block, PIVOT_MIN, add};
+use super::dense::{Block, Column, PIVOT_MIN, add};
 use super::memory::Jacobians;
 use super::pattern::DirectJoint;
 use crate::dim::math::{DIM, SPATIAL_DIM};
@@ -123,6 +123,17 @@ pub(super) fn couple<const N: usize>(
 #[inline(always)]
 pub(super) fn compliance_of(member: &DirectJoint, memory: &Jacobians) -> f64 {
     f64::from(memory.blocks[member.block as usize].compliance.0[member.lane as usize])
+}
+
+/// The impulses of a joint's locked axes.
+#[inline(always)]
+pub(super) fn impulses_of<const N: usize>(member: &DirectJoint, memory: &Jacobians) -> Column<N> {
+    let (from, lane) = (&memory.blocks[member.block as usize], member.lane as usize);
+    let mut impulses = [0.0; N];
+    for (impulse, axis) in impulses.iter_mut().zip(locked_axes::<N>(member)) {
+        *impulse = f64::from(from.impulses[axis].0[lane]);
+    }
+    impulses
 }
 
 /// The locked axes of a joint that locks none but the first `N`.

@@ -33,7 +33,7 @@
 
 use super::dense::{Block, Column, PIVOT_MIN, add, divide_right, dot, factorise, zero};
 use super::driven::DrivenAxis;
-use super::jacobians::{JointRows, Motion, compliance_of, couple, locked_axes};
+use super::jacobians::{JointRows, Motion, compliance_of, couple, impulses_of, locked_axes};
 use super::memory::Jacobians;
 use super::pattern::{Component, DirectJoint};
 use crate::base::disjoint::DisjointMut;
@@ -164,13 +164,7 @@ impl<const N: usize> Matrix<N> {
         if component.is_redundant {
             self.again.clone_from(&self.x);
             self.substitute(component);
-            let impulse = |[at, row]: [usize; 2]| {
-                let member = &component.members[at];
-                let from = &memory.blocks[member.block as usize];
-                let axis = locked_axes::<N>(member).nth(row).unwrap_or_default();
-                f64::from(from.impulses[axis].0[member.lane as usize])
-            };
-            self.load_second_rhs(component, impulse, |driven| driven.impulse);
+            self.load_second_rhs(component, Some(memory));
         }
         self.substitute(component);
     }
@@ -206,10 +200,7 @@ impl<const N: usize> Matrix<N> {
         states: &DisjointMut<'_, BodyState>,
     ) {
         for (member, x) in component.members.iter().zip(&mut self.x) {
-            let (from, lane) = (&memory.blocks[member.block as usize], member.lane as usize);
-            for (x, axis) in x.iter_mut().zip(locked_axes::<N>(member)) {
-                *x = -f64::from(from.impulses[axis].0[lane]);
-            }
+            *x = impulses_of(member, memory).map(|impulse| -impulse);
         }
         self.load_laws(component, Rows::All, memory);
         for driven in &mut self.driven {
@@ -241,11 +232,12 @@ impl<const N: usize> Matrix<N> {
         self.x.clear();
         for (member, own) in component.members.iter().zip(&self.own) {
             let (from, lane) = (&memory.blocks[member.block as usize], member.lane as usize);
-            let compliance = compliance_of(member, memory);
+            let (compliance, impulses) =
+                (compliance_of(member, memory), impulses_of::<N>(member, memory));
             let mut x = [0.0; N];
             for (row, axis) in locked_axes::<N>(member).enumerate() {
-                let impulse = f64::from(from.impulses[axis].0[lane]);
-                x[row] = -f64::from(from.rates[axis].0[lane]) - compliance * own[row] * impulse;
+                let rate = f64::from(from.rates[axis].0[lane]);
+                x[row] = -rate - compliance * own[row] * impulses[row];
             }
             self.x.push(x);
         }
@@ -255,25 +247,21 @@ impl<const N: usize> Matrix<N> {
         }
     }
 
-    /// Replaces the first solution by the right-hand side of the second one.
-    pub(super) fn load_second_rhs(
-        &mut self,
-        component: Component<'_>,
-        locked: impl Fn([usize; 2]) -> f64,
-        driven: impl Fn(&DrivenAxis) -> f64,
-    ) {
-        let damped = |matrix: &mut Self, [at, row]: [usize; 2], impulse: f64| {
-            let impulse = impulse + matrix.x[at][row];
-            matrix.x[at][row] = matrix.again[at][row] - matrix.damping[at][row] * impulse;
-        };
+    /// Replaces the first solution by the right-hand side of the second solution. Displacements have no
+    /// impulses before the solution, and no `memory`.
+    pub(super) fn load_second_rhs(&mut self, component: Component<'_>, memory: Option<&Jacobians>) {
         for (at, member) in component.members.iter().enumerate() {
+            let before = memory.map_or([0.0; N], |memory| impulses_of(member, memory));
             for row in 0..member.locked_row_count() {
-                damped(self, [at, row], locked([at, row]));
+                let impulse = before[row] + self.x[at][row];
+                self.x[at][row] = self.again[at][row] - self.damping[at][row] * impulse;
             }
         }
-        for index in 0..self.driven.len() {
-            let (at, impulse) = (self.driven[index].at, driven(&self.driven[index]));
-            damped(self, at, impulse);
+        for driven in &self.driven {
+            let [at, row] = driven.at;
+            let before = if memory.is_some() { driven.impulse } else { 0.0 };
+            let impulse = before + self.x[at][row];
+            self.x[at][row] = self.again[at][row] - self.damping[at][row] * impulse;
         }
     }
 

@@ -85,7 +85,7 @@ impl DirectJoint {
         usize::from(self.locked_row_count)
     }
 
-    /// Number of its rows: of its locked axes, then of its driven ones.
+    /// Number of its rows, of locked and driven axes.
     pub fn row_count(&self) -> usize {
         usize::from(self.locked_row_count + self.form.driven)
     }
@@ -135,8 +135,8 @@ pub(super) struct Component<'a> {
     pub bodies: &'a [[u32; 2]],
     pub body_count: usize,
     pub has_driven_axes: bool,
-    /// Whether rows may be redundant: in a loop, including loops through immovable bodies, or at bodies that
-    /// have locked axes of their own.
+    /// Whether rows may be redundant: in a loop, including loops through immovable bodies, or at bodies with
+    /// locked axes of their own.
     pub is_redundant: bool,
 }
 

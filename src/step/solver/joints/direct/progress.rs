@@ -12,8 +12,8 @@ use crate::dim::math::Real;
 /// rest, 10⁻⁵ is rounding.
 const STIFF_RESIDUAL_FRACTION_MAX: f64 = 1.0e-4;
 
-/// Convergence of other joints: the residual as a fraction of the total effect of their impulses (both
-/// energies).
+/// Convergence of other joints: the residual as a fraction of the total effect of their impulses. Both
+/// are energies.
 const CONVERGED_FRACTION_MAX: f64 = 1.0e-9;
 
 /// Rounding error of anchor positions, relative to the moment arms.
@@ -23,7 +23,7 @@ const ANCHOR_ROUNDING: f64 = 4.0 * Real::EPSILON as f64;
 const RESIDUAL_FRACTION_MAX: f64 = 1.0e-3;
 
 /// The rounds diverge if a residual exceeds the last one by this factor: convergence is quadratic. The total
-/// effect of the impulses is no measure, because it grows with them.
+/// effect of the impulses is no measure, because it grows with the impulses.
 const RESIDUAL_GROWTH_MAX: f64 = 2.0;
 /// The same for the second round, the first that includes the curvature, if the residual exceeds the total
 /// effect of the impulses.
@@ -55,8 +55,8 @@ impl<const N: usize> Matrix<N> {
         is_done
     }
 
-    /// The progress of the rounds, after at least two. The ratio of its residual to its input equals the
-    /// ratio of that input to the previous one.
+    /// The progress of the rounds, after at least two. Convergence is quadratic, so the ratio of a round's
+    /// residual to its input is taken to be the ratio of this input to the previous input.
     pub fn progress(
         &self,
         rounds: usize,
