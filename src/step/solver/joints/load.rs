@@ -60,7 +60,7 @@ impl SolverJoints {
         self.direct.build(&self.members, context.bodies.states.len());
         self.assign_lane_slots();
         self.fill_blocks(joints, context, pass, tasks);
-        self.note_exact_joints(context);
+        self.note_exact_joints(context.bodies.states.len());
         self.point_to_point.load(joints, context, pass, tasks);
     }
 
@@ -164,13 +164,13 @@ impl SolverJoints {
     }
 
     /// Stores the positions of their rows in the joints that are solved directly.
-    fn note_exact_joints(&mut self, context: JointLoadContext<'_>) {
+    fn note_exact_joints(&mut self, body_count: usize) {
         if self.direct.is_empty() {
             self.direct.begin_step(&[], &mut []);
             return self.jacobians.clear();
         }
         self.jacobians.resize(self.blocks.len(), self.rows.len());
-        self.geometric_stiffness.clear(context.bodies.states.len());
+        self.geometric_stiffness.clear(body_count);
         for (index, block) in self.blocks.iter().enumerate().filter(|(_, block)| block.is_exact) {
             for (lane, lane_slot) in self.layout.block(index).iter().enumerate() {
                 if !self.direct.place(lane_slot.slot, [index, lane]) {
@@ -283,33 +283,32 @@ fn load_lane(
     load_rows(rows, lane, joint, &between, pass);
     if block.is_exact {
         let seen_from_first = ends[0].frame.inverse() * separation;
-        let [error, excess] = largest_errors(joint, seen_from_first, &between);
+        let ([distance, angle], is_rigid) =
+            (largest_errors(joint, seen_from_first, &between), joint.data.spring().is_none());
         let is_large = |error| error * pass.inv_substep > CORRECTED_APART_RATE_MIN;
-        joint.is_displaced &= is_large(error);
+        joint.is_displaced &= is_rigid && is_large(distance.max(angle));
         block.is_displaced.0[lane] = if joint.is_displaced { 1.0 } else { 0.0 };
+        let excess = largest_excess(joint, seen_from_first);
         block.exceeds_limit.0[lane] = if is_large(excess) { 1.0 } else { 0.0 };
-        if joint.data.spring().is_none() {
-            let angle = largest_angle(joint, &between);
+        if is_rigid {
             block.bias_rate.0[lane] *= (CORRECTION_ANGLE_MAX / angle).min(1.0);
         }
     }
 }
 
-/// The largest error of a locked rotation, and at least a small angle.
-fn largest_angle(joint: &ImpulseJoint, between: &Rotation) -> Real {
+/// The largest errors of the locked translations and rotations (rad; at least a small angle).
+fn largest_errors(joint: &ImpulseJoint, separation: Vector, between: &Rotation) -> [Real; 2] {
+    let is_locked = |axis: JointAxis| joint.data.locked_axes.contains(mask_of(axis));
+    let distances = JointAxis::ALL[..DIM].iter().zip(separation.to_array());
+    let distances = distances.filter(|(axis, _)| is_locked(**axis)).map(|(_, error)| error.abs());
     let angles = JointAxis::ALL[DIM..].iter().zip(locked_angles(*between));
-    let locked = angles.filter(|(axis, _)| joint.data.locked_axes.contains(mask_of(**axis)));
-    locked.map(|(_, (angle, _))| angle.abs()).fold(Real::EPSILON, Real::max)
+    let angles = angles.filter(|(axis, _)| is_locked(**axis)).map(|(_, (angle, _))| angle.abs());
+    [distances.fold(0.0, Real::max), angles.fold(Real::EPSILON, Real::max)]
 }
 
-/// The largest error of a locked axis, and the largest excess over a limit (length units or radians).
-fn largest_errors(joint: &ImpulseJoint, separation: Vector, between: &Rotation) -> [Real; 2] {
-    let (data, is_rigid) = (&joint.data, joint.data.spring().is_none());
-    let distances = separation.to_array();
-    let locked = JointAxis::ALL[..DIM].iter().zip(distances);
-    let locked = locked.filter(|(axis, _)| data.locked_axes.contains(mask_of(**axis)));
-    let locked = locked.map(|(_, distance)| distance.abs()).fold(0.0, Real::max);
-    let locked = if is_rigid { locked.max(largest_angle(joint, between)) } else { 0.0 };
+/// The largest excess over a limit (length units or radians).
+fn largest_excess(joint: &ImpulseJoint, separation: Vector) -> Real {
+    let (data, distances) = (&joint.data, separation.to_array());
     let mut excess: Real = 0.0;
     for axis in data.driven_axes() {
         let Some(limits) = data.limits(axis) else { continue };
@@ -325,7 +324,7 @@ fn largest_errors(joint: &ImpulseJoint, separation: Vector, between: &Rotation) 
         };
         excess = excess.max(position - limits.max).max(limits.min - position);
     }
-    [locked, excess]
+    excess
 }
 
 fn load_locked(block: &mut JointBlock, lane: usize, joint: &ImpulseJoint, pass: &JointPass) {
