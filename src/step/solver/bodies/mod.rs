@@ -7,6 +7,7 @@ mod divergence;
 
 use super::context::SolverPass;
 use super::groups::{Group, Groups};
+use super::restitution::ImpactTime;
 use crate::base::disjoint::DisjointMut;
 use crate::base::tasks::{Gather, Tasks};
 use crate::dim::math::{Real, SpatialVector};
@@ -164,13 +165,11 @@ impl SolverBodies {
 
     /// Commits the velocity changes of an impact since the `start`, scaled by the `fraction` of each island.
     /// The changes count from the mean time of the impacts of a body, and are no warm-start impulses.
-    /// `delays` holds the sum of a body's impact impulses, and of each times its time, in place of two
-    /// components of a velocity.
     pub fn accept_impact(
         &mut self,
         touched: &[u32],
         start: &[BodyState],
-        delays: &[BodyState],
+        times: &[ImpactTime],
         fraction: impl Fn(u32) -> Real,
     ) {
         for &index in touched {
@@ -184,10 +183,8 @@ impl SolverBodies {
             self.states[index].set_velocity(old_v + added_v, old_w + added_w);
             let before = &mut self.before[index];
             before.add_velocity(join(added_v, added_w));
-            let (impulses, _) = delays[index].velocity();
-            if impulses.x > 0.0 {
-                let delay = -impulses.y / impulses.x;
-                self.displace(index, join(added_v * delay, added_w * delay));
+            if let Some(time) = times[index].mean() {
+                self.displace(index, join(added_v * -time, added_w * -time));
             }
         }
     }

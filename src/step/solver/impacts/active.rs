@@ -11,11 +11,10 @@ use crate::base::disjoint::DisjointMut;
 use crate::base::wide::{LANES, Lane, Wide};
 use crate::dim::contact::ContactBlock;
 use crate::dim::math::{MAX_MANIFOLD_POINTS, Real};
-use crate::dim::state::BodyState;
+use crate::dim::state::{BodyState, READ_ONLY};
 use crate::step::solver::blocks::block_kernel;
 use crate::step::solver::contacts::Blocks;
-use crate::step::solver::restitution::{HitRow, POINT_ITERATIONS};
-use crate::step::solver::states::{gather_states, scatter_states};
+use crate::step::solver::restitution::{HitRow, ImpactTime, POINT_ITERATIONS};
 use core::ops::Range;
 
 /// All contacts of a round.
@@ -205,16 +204,16 @@ impl ActiveBlock {
         unsafe { normals.scatter(states) };
     }
 
-    /// Ends the round: sums up its energy, and records the hit times of bodies (see
+    /// Ends the round: sums up its energy, and records the impact times of bodies (see
     /// [`SolverBodies::accept_impact`](crate::step::solver::bodies::SolverBodies::accept_impact)).
     ///
     /// # Safety
-    /// The caller has exclusive access to the states and delays of the block's bodies.
+    /// The caller has exclusive access to the states and impact times of the block's bodies.
     #[inline(always)]
     pub unsafe fn end<W: Wide>(
         &mut self,
         states: &DisjointMut<BodyState>,
-        delays: &DisjointMut<BodyState>,
+        times: &DisjointMut<ImpactTime>,
     ) {
         // SAFETY: the caller's promise.
         let velocities = unsafe { NormalRows::<W>::gather(states, &self.contact) }.velocities();
@@ -231,13 +230,16 @@ impl ActiveBlock {
         }
         dissipated.store(&mut self.dissipated);
         energy_gain.store(&mut self.energy_gain);
-        for indices in &self.contact.bodies {
-            // SAFETY: the caller's promise.
-            unsafe {
-                let (mut motion, displacement) = gather_states::<W>(delays, indices);
-                motion.linear.x = motion.linear.x + weight;
-                motion.linear.y = motion.linear.y + moment;
-                scatter_states(delays, indices, (motion, displacement));
+        let mut sums = [Lane::ZERO; 2];
+        weight.store(&mut sums[0]);
+        moment.store(&mut sums[1]);
+        let [weight, moment] = sums;
+        for lane in self.lanes() {
+            let time = ImpactTime { weight: weight.0[lane], moment: moment.0[lane] };
+            let pair = self.contact.bodies.map(|side| side[lane]);
+            for body in pair.into_iter().filter(|body| body & READ_ONLY == 0) {
+                // SAFETY: the caller's promise.
+                unsafe { *times.get_mut(body as usize) += time };
             }
         }
     }
@@ -269,13 +271,13 @@ block_kernel! {
         phase: Phase,
         blocks: DisjointMut<'a, ActiveBlock>,
         states: DisjointMut<'a, BodyState>,
-        delays: DisjointMut<'a, BodyState>,
+        times: DisjointMut<'a, ImpactTime>,
     }
     |index| {
         let block = blocks.get_mut(index);
         match phase {
             Phase::Iterate => block.iterate::<W>(&states),
-            Phase::End => block.end::<W>(&states, &delays),
+            Phase::End => block.end::<W>(&states, &times),
         }
     }
 }

@@ -64,7 +64,7 @@
 //! late. The bodies are placed as if they had moved on at their new velocities since then: by `-τ Δv`
 //! (`accept_impact`). The correction must not violate joints, which would turn errors into velocity. Bodies
 //! of directly solved joints have one `τ`, and those of iterated joints have none
-//! (`SolverJoints::sum_delays`).
+//! (`SolverJoints::merge_impact_times`).
 //!
 //! The target velocity (`rows.rs`) is that of the middle of the substep.
 //!
@@ -328,7 +328,7 @@ impl Impacts {
             };
             context.joints.project(changes, is_moving, add_work, context.pass);
         }
-        context.multibodies.end_round(&mut bodies.states, &mut self.touched.delays);
+        context.multibodies.end_round(&mut bodies.states, &mut self.touched.times);
         self.iterate(Phase::End, bodies, context);
         let sums = &mut self.islands.sums;
         for block in &self.active.blocks {
@@ -345,7 +345,7 @@ impl Impacts {
                 [contact.impact.dissipated, contact.impact.energy_gain],
             );
         }
-        context.joints.sum_delays(&mut self.touched.delays);
+        context.joints.merge_impact_times(&mut self.touched.times);
         self.commit_round(bodies, context);
     }
 
@@ -380,8 +380,8 @@ impl Impacts {
         context: &mut ImpactContext<'_>,
         fraction: impl Fn(u32) -> Real + Copy,
     ) {
-        let Touched { bodies: touched, start, delays, .. } = &self.touched;
-        bodies.accept_impact(touched, start, delays, fraction);
+        let Touched { bodies: touched, start, times, .. } = &self.touched;
+        bodies.accept_impact(touched, start, times, fraction);
         context.multibodies.accept_impact(context.pass.substep, fraction);
     }
 
@@ -471,10 +471,10 @@ impl Impacts {
     fn iterate(&mut self, phase: Phase, bodies: &mut SolverBodies, context: &ImpactContext<'_>) {
         let (_, states) = bodies.shared();
         let Self { active: Active { blocks, colors, .. }, touched, .. } = self;
-        let (blocks, delays) = (DisjointMut::new(blocks), DisjointMut::new(&mut touched.delays));
+        let (blocks, times) = (DisjointMut::new(blocks), DisjointMut::new(&mut touched.times));
         let simd = context.pass.simd;
         for_each_color(colors, context.pass.tasks, BLOCKS_PER_TASK, |range| {
-            simd.run(Round { phase, range, blocks, states, delays });
+            simd.run(Round { phase, range, blocks, states, times });
         });
     }
 }

@@ -1,6 +1,7 @@
-//! The bodies that an impact may change, and how they moved when its round began.
+//! The bodies that an impact may change, their velocities when its round began, and the times of their impacts.
 
 use crate::dim::state::{BodyState, READ_ONLY};
+use crate::step::solver::restitution::ImpactTime;
 use core::ops::Range;
 
 /// The set is usually small. The states at the start are stored, and compared for these bodies alone.
@@ -16,8 +17,8 @@ pub(super) struct Touched {
     rounds: Vec<u32>,
     /// Velocities when the round began. At rest, for others.
     pub start: Vec<BodyState>,
-    /// In place of a velocity: the sum of impulses in this round, and of impulse times time. Zero for others.
-    pub delays: Vec<BodyState>,
+    /// By the index of a body: the time of its impacts in this round. Zero for others.
+    pub times: Vec<ImpactTime>,
 }
 
 impl Touched {
@@ -26,12 +27,12 @@ impl Touched {
         for body in self.bodies.drain(..) {
             self.rounds[body as usize] = 0;
             self.start[body as usize] = BodyState::default();
-            self.delays[body as usize] = BodyState::default();
+            self.times[body as usize] = ImpactTime::default();
         }
         self.round = 1;
         self.rounds.resize(count, 0);
         self.start.resize(count, BodyState::default());
-        self.delays.resize(count, BodyState::default());
+        self.times.resize(count, ImpactTime::default());
     }
 
     /// Makes the added bodies part of all rounds.
@@ -70,7 +71,7 @@ impl Touched {
     pub fn note_start(&mut self, states: &[BodyState]) {
         for &body in &self.bodies {
             self.start[body as usize] = states[body as usize];
-            self.delays[body as usize] = BodyState::default();
+            self.times[body as usize] = ImpactTime::default();
         }
     }
 }

@@ -76,6 +76,7 @@ mod geometric_stiffness;
 use super::blocks::{Layout, block_kernel, for_each_color};
 use super::bodies::SolverBodies;
 use super::context::SolverPass;
+use super::restitution::ImpactTime;
 use crate::base::disjoint::DisjointMut;
 use crate::base::tasks::Tasks;
 use crate::base::wide::Simd;
@@ -322,13 +323,13 @@ impl SolverJoints {
     }
 
     /// Bodies that an impact has hit are moved by their motion since then. That must not violate joints.
-    /// Bodies of directly solved joints get the sum of all their `delays` (sums over impacts): they were hit
-    /// as one. Bodies of iterated joints get none, because the impact has moved them apart.
-    pub fn sum_delays(&self, delays: &mut [BodyState]) {
-        self.direct.sum_delays(delays);
+    /// Bodies of directly solved joints get the mean time of all their impacts: they were hit as one. Bodies
+    /// of iterated joints get none, because the impact has moved them apart.
+    pub fn merge_impact_times(&self, times: &mut [ImpactTime]) {
+        self.direct.merge_impact_times(times);
         let iterated = self.members.iter().filter(|member| !self.direct.contains(member.slot));
         for member in iterated.filter(|member| member.form.locked != 0) {
-            member.movable().for_each(|(_, body)| delays[body as usize] = BodyState::default());
+            member.movable().for_each(|(_, body)| times[body as usize] = ImpactTime::default());
         }
     }
 

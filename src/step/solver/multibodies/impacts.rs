@@ -32,7 +32,7 @@ use crate::model::island::NONE;
 use crate::model::params::ImpactPass;
 use crate::step::solver::bodies::SolverBodies;
 use crate::step::solver::restitution::{
-    APPROACH_CHANGE_MIN, DEFERRED_SEPARATION, HitRow, POINT_ITERATIONS, supported,
+    APPROACH_CHANGE_MIN, DEFERRED_SEPARATION, HitRow, ImpactTime, POINT_ITERATIONS, supported,
 };
 
 /// A contact point in an impact. See `ImpactRow` in `impacts/rows.rs`.
@@ -76,8 +76,8 @@ pub struct LinkImpact {
 pub struct BeforeImpact {
     rates: Vec<Real>,
     external_impulse: SpatialVector,
-    /// The sum of the times (s) at which it is hit in this round, and the number of hits.
-    times: [Real; 2],
+    /// The time of its impacts in this round.
+    time: ImpactTime,
     /// Time (s) by which it was moved to the pose of its hit, if it has one.
     ahead: Option<Real>,
     /// Whether it may gain energy: other bodies hit it, or its restitution exceeds 1.
@@ -88,8 +88,7 @@ impl BeforeImpact {
     /// Notes the time of an impact, and whether it may add energy.
     pub fn note(&mut self, time: Real, may_gain: bool) {
         self.may_gain |= may_gain;
-        let [sum, count] = self.times;
-        self.times = [sum + time, count + 1.0];
+        self.time += ImpactTime::new(1.0, time);
     }
 }
 
@@ -220,9 +219,8 @@ impl SolverMultibodies {
         h: Real,
     ) {
         for moving in &mut self.moving {
-            let [sum, count] = core::mem::take(&mut moving.before_impact.times);
-            if count > 0.0 {
-                moving.move_on(sum / count, h);
+            if let Some(time) = core::mem::take(&mut moving.before_impact.time).mean() {
+                moving.move_on(time, h);
             }
         }
         for position in 0..self.contacts.contacts.len() {
@@ -252,8 +250,8 @@ impl SolverMultibodies {
         }
     }
 
-    /// Ends a round: sums up its energy, and records the hit times of bodies and multibodies.
-    pub fn end_round(&mut self, states: &mut [BodyState], delays: &mut [BodyState]) {
+    /// Ends a round: sums up its energy, and records the impact times of bodies.
+    pub fn end_round(&mut self, states: &mut [BodyState], times: &mut [ImpactTime]) {
         let (jacobians, contacts, states) = self.bouncing(states);
         for contact in contacts.bouncing().filter(|contact| contact.impact.active) {
             (contact.impact.dissipated, contact.impact.energy_gain) = (0.0, 0.0);
@@ -263,7 +261,8 @@ impl SolverMultibodies {
                     impact.hit.energies(velocity, impact.impulse, contact.restitution);
                 contact.impact.dissipated += of_approach;
                 contact.impact.energy_gain += gain;
-                jacobians.note_impulse(normal, [impact.impulse, impact.hit.time], delays);
+                let time = ImpactTime::new(impact.impulse, impact.hit.time);
+                jacobians.note_body_time(normal, time, times);
             }
         }
     }

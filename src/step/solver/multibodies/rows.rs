@@ -12,9 +12,10 @@
 //! `W`.
 
 use super::Moving;
-use crate::dim::math::{Real, SPATIAL_DIM, SpatialVector};
+use crate::dim::math::{Real, SpatialVector};
 use crate::dim::spatial::{angular, join, linear};
 use crate::dim::state::{BodyState, READ_ONLY};
+use crate::step::solver::restitution::ImpactTime;
 
 /// One side of a row, or two sides of the same multibody.
 #[derive(Copy, Clone, Debug)]
@@ -309,16 +310,11 @@ impl JacobianPool {
         }
     }
 
-    /// Adds an impact of a row to its bodies: its impulse and its time. They have it in `delays`, in place of
-    /// two components of a velocity.
-    pub fn note_impulse(&self, row: &Row, [impulse, time]: [Real; 2], delays: &mut [BodyState]) {
+    /// Adds an impact of a row to the impact times of its bodies.
+    pub fn note_body_time(&self, row: &Row, time: ImpactTime, times: &mut [ImpactTime]) {
         for part in &row.parts {
             match part {
-                Part::Body { index, .. } if index & READ_ONLY == 0 => {
-                    let mut impact_impulse = [0.0; SPATIAL_DIM];
-                    (impact_impulse[0], impact_impulse[1]) = (impulse, impulse * time);
-                    delays[at(*index)].add_velocity(impact_impulse);
-                }
+                Part::Body { index, .. } if index & READ_ONLY == 0 => times[at(*index)] += time,
                 _ => {}
             }
         }

@@ -14,6 +14,7 @@ use crate::model::contact::{AnchorFrame, ContactInput, ContactReport};
 use crate::model::params::{ContactPass, ImpactPass, Softness};
 use crate::step::solver::contacts::{PrepareContext, passes, prepare, store_impulses};
 use crate::step::solver::impacts::{ActiveBlock, ImpactBlock, ImpactMark, NormalRows, lanes};
+use crate::step::solver::restitution::ImpactTime;
 use parry::shape::{Cuboid, Shape};
 
 /// The lane that tests of one contact use.
@@ -354,8 +355,8 @@ unsafe fn bounce<W: Wide>(
         let mut active = ActiveBlock::EMPTY;
         lanes(mark.active).for_each(|lane| active.push(0, lane, &impact, block));
         active.iterate::<W>(states);
-        let mut delays = vec![BodyState::default(); states.len()];
-        active.end::<W>(states, &DisjointMut::new(&mut delays));
+        let mut times = vec![ImpactTime::default(); states.len()];
+        active.end::<W>(states, &DisjointMut::new(&mut times));
         active.commit(core::slice::from_mut(&mut impact), |_| 1.0);
         impact.defer(&mut mark, block);
         impact.solve_friction::<W>(block, coulomb, states);

@@ -57,6 +57,7 @@ use crate::base::tasks::Tasks;
 use crate::base::wide::{Lane, Simd};
 use crate::dim::math::{Real, SPATIAL_DIM};
 use crate::dim::state::BodyState;
+use crate::step::solver::restitution::ImpactTime;
 use factor::Factor;
 use pattern::{Pattern, has_moderate_mass_ratio};
 use progress::Progress;
@@ -215,18 +216,15 @@ impl Direct {
         }
     }
 
-    /// Sets the value of each body of a component to the sum over the component.
-    pub fn sum_delays(&self, counts: &mut [BodyState]) {
+    /// Sets the impact time of each body of a component to the mean over the component.
+    pub fn merge_impact_times(&self, times: &mut [ImpactTime]) {
         for index in 0..self.pattern.component_count() {
             let members = self.pattern.component(index).members;
             let bodies =
                 || members.iter().flat_map(DirectJoint::movable).map(|(_, body)| body as usize);
-            let (mut sum, mut angular_sum) = BodyState::default().velocity();
-            for body in bodies() {
-                let (linear, angular) = core::mem::take(&mut counts[body]).velocity();
-                (sum, angular_sum) = (sum + linear, angular_sum + angular);
-            }
-            bodies().for_each(|body| counts[body].set_velocity(sum, angular_sum));
+            let mut all = ImpactTime::default();
+            bodies().for_each(|body| all += core::mem::take(&mut times[body]));
+            bodies().for_each(|body| times[body] = all);
         }
     }
 
