@@ -33,6 +33,12 @@ impl BodyState {
         self.update_rotation();
     }
 
+    /// Returns whether a body moved exactly as another since the step began.
+    pub fn has_displacement_of(&self, other: &Self) -> bool {
+        let bits = |state: &Self| state.0.map(Real::to_bits);
+        bits(self)[MOTION_LEN..] == bits(other)[MOTION_LEN..]
+    }
+
     /// Returns whether all numbers of these states are finite and within a bound.
     ///
     /// Counts the numbers beyond the bound per component, as numbers of the same width, so that the

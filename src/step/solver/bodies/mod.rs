@@ -163,8 +163,9 @@ impl SolverBodies {
         limited.into_inner()
     }
 
-    /// Commits the velocity changes of an impact since the `start`, scaled by the `fraction` of each island.
-    /// The changes count from the mean time of the impacts of a body, and are no warm-start impulses.
+    /// Commits the changes of an impact to the velocities [before](Self::before) any impulse since the `start`,
+    /// scaled by the `fraction` of each island. The changes count from the mean time of the impacts of a body.
+    /// They are no warm-start impulses, so the states get the same changes.
     pub fn accept_impact(
         &mut self,
         touched: &[u32],
@@ -174,16 +175,16 @@ impl SolverBodies {
     ) {
         for &index in touched {
             let index = index as usize;
-            let ((old_v, old_w), (v, w)) = (start[index].velocity(), self.states[index].velocity());
+            let ((old_v, old_w), (v, w)) = (start[index].velocity(), self.before[index].velocity());
             if (v, w) == (old_v, old_w) {
                 continue;
             }
             let fraction = fraction(self.islands[index]);
             let (added_v, added_w) = ((v - old_v) * fraction, (w - old_w) * fraction);
-            self.states[index].set_velocity(old_v + added_v, old_w + added_w);
-            let before = &mut self.before[index];
-            before.add_velocity(join(added_v, added_w));
+            self.before[index].set_velocity(old_v + added_v, old_w + added_w);
+            self.states[index].add_velocity(join(added_v, added_w));
             if let Some(time) = times[index].mean() {
+                debug_assert!(self.before[index].has_displacement_of(&self.states[index]));
                 self.displace(index, join(added_v * -time, added_w * -time));
             }
         }
@@ -194,11 +195,6 @@ impl SolverBodies {
         self.states[index].add_displacement(change);
         self.before[index].copy_displacement(&self.states[index]);
         self.motions[index].rotate(angular(&change));
-    }
-
-    /// Exchanges the velocities of bodies with those before any impulse of the substep.
-    pub fn swap_before(&mut self) {
-        core::mem::swap(&mut self.states, &mut self.before);
     }
 
     /// Moves all bodies by their velocities.

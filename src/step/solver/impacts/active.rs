@@ -270,6 +270,7 @@ block_kernel! {
     pub(super) struct Round<'a> {
         phase: Phase,
         blocks: DisjointMut<'a, ActiveBlock>,
+        /// Velocities before any impulse of the substep.
         states: DisjointMut<'a, BodyState>,
         times: DisjointMut<'a, ImpactTime>,
     }

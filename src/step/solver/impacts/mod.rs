@@ -53,8 +53,8 @@
 //!
 //! ## Supported loads
 //! A substep starts with the impulses of the last one, which may be outdated. An impulse that stopped an
-//! impact would accelerate the body now. So impacts use the velocities before any impulse, after the forces
-//! and without any support. A loaded contact would then approach. The impulses of the last substep change
+//! impact would accelerate the body now. So impacts use the velocities before any impulse
+//! (`SolverBodies::before`), after the forces and without any support. A loaded contact would then approach. The impulses of the last substep change
 //! that velocity by `o_i`, from 0 up to the effect of the forces. This constant of the substep is added. With
 //! it, resting and loaded bodies are at rest. The energy added is then less than the sum above, by `Σ λ_i
 //! o_i`. Joints apply to changes alone: the changes of an impact must be admissible.
@@ -100,7 +100,7 @@ use core::ops::Range;
 use impact_islands::{ImpactIsland, IslandRestitution};
 #[cfg(test)]
 pub(super) use points::NormalRows;
-pub(super) use rows::{ImpactBlock, ImpactMark};
+pub(super) use rows::{ImpactBlock, ImpactMark, KnownVelocities};
 use touched::Touched;
 use visits::{BlockVisit, ImpactPhase};
 
@@ -174,7 +174,8 @@ impl Impacts {
         self.blocks.is_empty()
     }
 
-    /// Applies restitution to everything that hits in this substep.
+    /// Applies restitution to everything that hits in this substep. Impacts read and change the velocities
+    /// before any impulse of the substep, [`SolverBodies::before`].
     pub fn solve(
         &mut self,
         contacts: &mut SolverContacts,
@@ -186,7 +187,6 @@ impl Impacts {
         }
         let (contacts, pass) = (contacts.blocks(), &context.pass.impacts);
         let multibody_context = context.multibody_context;
-        bodies.swap_before();
         context.multibodies.begin_impact(bodies, pass);
         context.multibodies.mark_active(multibody_context, bodies, |_| true, pass);
         self.visit_blocks(ImpactPhase::Begin, contacts, bodies, &context);
@@ -207,13 +207,12 @@ impl Impacts {
         self.visit_blocks(ImpactPhase::Defer, contacts, bodies, &context);
         if hits {
             self.begin_round(bodies, context.multibodies);
-            context.multibodies.solve_active_friction(&mut bodies.states);
+            context.multibodies.solve_active_friction(&mut bodies.before);
             self.visit_blocks(ImpactPhase::Friction, contacts, bodies, &context);
             self.accept(bodies, &mut context, |_| 1.0);
             context.joints.invalidate_poses();
         }
         context.multibodies.end_impact();
-        bodies.swap_before();
     }
 
     /// Restores the points that the last substep deferred.
@@ -308,7 +307,7 @@ impl Impacts {
         context.joints.invalidate_poses();
         context.joints.begin_impact_impulses();
         for _ in 0..ROUND_ITERATIONS_MAX {
-            context.multibodies.iterate_active(&mut bodies.states);
+            context.multibodies.iterate_active(&mut bodies.before);
             self.iterate(Phase::Iterate, bodies, context);
             if !self.find_moving(context.multibodies) {
                 break;
@@ -323,12 +322,12 @@ impl Impacts {
             let changes = Changes {
                 held: &self.touched.bodies[..held],
                 start: &self.touched.start,
-                states: &mut bodies.states,
+                states: &mut bodies.before,
                 poses: &bodies.poses,
             };
             context.joints.project(changes, is_moving, add_work, context.pass);
         }
-        context.multibodies.end_round(&mut bodies.states, &mut self.touched.times);
+        context.multibodies.end_round(&mut bodies.before, &mut self.touched.times);
         self.iterate(Phase::End, bodies, context);
         let sums = &mut self.islands.sums;
         for block in &self.active.blocks {
@@ -429,7 +428,7 @@ impl Impacts {
 
     fn begin_round(&mut self, bodies: &SolverBodies, links: &mut SolverMultibodies) {
         links.begin_round();
-        self.touched.note_start(&bodies.states);
+        self.touched.note_start(&bodies.before);
     }
 
     /// Visits all blocks.
@@ -440,8 +439,8 @@ impl Impacts {
         bodies: &mut SolverBodies,
         context: &ImpactContext<'_>,
     ) {
-        let known = [&bodies.last[..], &bodies.before];
-        let states = DisjointMut::new(&mut bodies.states);
+        let known = KnownVelocities { last: &bodies.last, loaded: &bodies.states };
+        let states = DisjointMut::new(&mut bodies.before);
         let impacts = DisjointMut::new(&mut self.blocks);
         let marks = DisjointMut::new(&mut self.marks);
         let (simd, pass) = (context.pass.simd, &context.pass.impacts);
@@ -469,7 +468,7 @@ impl Impacts {
 
     /// Visits the blocks of the round.
     fn iterate(&mut self, phase: Phase, bodies: &mut SolverBodies, context: &ImpactContext<'_>) {
-        let (_, states) = bodies.shared();
+        let states = DisjointMut::new(&mut bodies.before);
         let Self { active: Active { blocks, colors, .. }, touched, .. } = self;
         let (blocks, times) = (DisjointMut::new(blocks), DisjointMut::new(&mut touched.times));
         let simd = context.pass.simd;

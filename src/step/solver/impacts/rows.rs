@@ -37,6 +37,15 @@ struct ImpactRow {
     active: HitRow<Lane>,
 }
 
+/// Velocities of all bodies that impacts do not change.
+#[derive(Copy, Clone)]
+pub(in super::super) struct KnownVelocities<'a> {
+    /// At the end of the last substep.
+    pub last: &'a [BodyState],
+    /// In this substep, with the impulses of the last one, which support the forces.
+    pub loaded: &'a [BodyState],
+}
+
 /// The contacts of one block that bounce.
 #[derive(Clone, Debug)]
 pub(in super::super) struct ImpactBlock {
@@ -110,17 +119,17 @@ impl ImpactBlock {
     }
 
     /// Begins a substep: stores the velocities of the points, and their change by forces since the end of the
-    /// last one (`last`). `loaded` are the velocities with the impulses of the last substep, which support
-    /// these forces.
+    /// last one.
     #[inline(always)]
     pub fn begin<W: Wide>(
         &mut self,
         rows: &NormalRows<'_, W>,
         block: &ContactBlock,
-        [last, loaded]: [&[BodyState]; 2],
+        known: KnownVelocities<'_>,
         pass: &ImpactPass,
     ) {
         let free = rows.velocities();
+        let KnownVelocities { last, loaded } = known;
         let [then, loaded] = [last, loaded].map(|states| points::velocities_of::<W>(states, block));
         let fall = W::splat(pass.fall);
         for (k, row) in self.rows.iter_mut().enumerate() {

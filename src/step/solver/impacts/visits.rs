@@ -1,7 +1,7 @@
 //! Phases of an impact over all blocks: hit detection, deferral, friction.
 
 use super::points::NormalRows;
-use super::rows::{ImpactBlock, ImpactMark};
+use super::rows::{ImpactBlock, ImpactMark, KnownVelocities};
 use super::touched::Touched;
 use crate::base::disjoint::DisjointMut;
 use crate::base::wide::{Kernel, Wide};
@@ -27,9 +27,9 @@ pub(super) struct BlockVisit<'a> {
     pub contacts: Blocks<'a>,
     pub impacts: DisjointMut<'a, ImpactBlock>,
     pub marks: DisjointMut<'a, ImpactMark>,
+    /// Velocities before any impulse of this substep, which impacts change.
     pub states: DisjointMut<'a, BodyState>,
-    /// Velocities of the bodies when the last substep ended, and with its impulses in this one.
-    pub known: [&'a [BodyState]; 2],
+    pub known: KnownVelocities<'a>,
     pub touched: &'a Touched,
     pub pass: &'a ImpactPass,
 }

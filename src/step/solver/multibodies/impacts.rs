@@ -126,11 +126,12 @@ impl SolverMultibodies {
     }
 
     /// Begins a substep: notes the contact velocities, with the effect of forces and their supports, and
-    /// removes the warm-start impulses from multibodies. Bodies move without theirs already.
+    /// removes the warm-start impulses from multibodies. Bodies have the velocities without them in
+    /// [`SolverBodies::before`].
     pub fn begin_impact(&mut self, bodies: &mut SolverBodies, pass: &ImpactPass) {
-        self.note_loaded(&mut bodies.before);
+        self.note_loaded(&mut bodies.states);
         self.moving.iter_mut().for_each(|moving| moving.add_pushed(-1.0));
-        let (jacobians, contacts, states) = self.bouncing(&mut bodies.states);
+        let (jacobians, contacts, states) = self.bouncing(&mut bodies.before);
         for contact in contacts.bouncing() {
             contact.impact.was_active = false;
             for Point { normal, impact, .. } in &mut contact.points {
@@ -178,7 +179,7 @@ impl SolverMultibodies {
         takes_part: impl Fn(u32) -> bool,
         pass: &ImpactPass,
     ) {
-        let (jacobians, contacts, mut states) = self.bouncing(&mut bodies.states);
+        let (jacobians, contacts, mut states) = self.bouncing(&mut bodies.before);
         for contact in contacts.bouncing() {
             contact.impact.active = false;
             let takes_part = takes_part(contact.impact.island);
@@ -198,7 +199,7 @@ impl SolverMultibodies {
             contact.impact.was_active |= contact.impact.active;
         }
         self.move_to_impact(context, bodies, pass.substep);
-        let (jacobians, contacts, states) = self.bouncing(&mut bodies.states);
+        let (jacobians, contacts, states) = self.bouncing(&mut bodies.before);
         for contact in contacts.bouncing().filter(|contact| contact.impact.active) {
             for Point { normal, impact, .. } in &mut contact.points {
                 if impact.hit.mass > 0.0 {

@@ -13,7 +13,9 @@ use crate::dim::state::{BodyPose, BodyState, READ_ONLY};
 use crate::model::contact::{AnchorFrame, ContactInput, ContactReport};
 use crate::model::params::{ContactPass, ImpactPass, Softness};
 use crate::step::solver::contacts::{PrepareContext, passes, prepare, store_impulses};
-use crate::step::solver::impacts::{ActiveBlock, ImpactBlock, ImpactMark, NormalRows, lanes};
+use crate::step::solver::impacts::{
+    ActiveBlock, ImpactBlock, ImpactMark, KnownVelocities, NormalRows, lanes,
+};
 use crate::step::solver::restitution::ImpactTime;
 use parry::shape::{Cuboid, Shape};
 
@@ -326,7 +328,7 @@ impl Kernel for Run<'_> {
                         threshold: THRESHOLD,
                         fall: 10.0 * SUBSTEP,
                     };
-                    let known = [&before[..], &loaded[..]];
+                    let known = KnownVelocities { last: &before, loaded: &loaded };
                     bounce::<W>(block, coulomb.as_mut(), input.restitution, &states, known, &pass);
                 }
             }
@@ -342,7 +344,7 @@ unsafe fn bounce<W: Wide>(
     coulomb: Option<&mut CoulombBlock>,
     restitution: Lane,
     states: &DisjointMut<BodyState>,
-    known: [&[BodyState]; 2],
+    known: KnownVelocities<'_>,
     pass: &ImpactPass,
 ) {
     let mut impact = ImpactBlock::new(0, restitution, [0; LANES]);
