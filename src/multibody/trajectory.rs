@@ -13,7 +13,7 @@ use super::{JointLoad, Motion, usable};
 use crate::dim::math::{AngVector, Real, Rotation, Vector};
 use crate::dim::spatial::{angular, linear};
 use crate::model::body::RigidBodySet;
-use crate::model::multibody::{LinkTrajectory, Multibody};
+use crate::model::multibody::{LinkTrajectory, LinkTravel, Multibody};
 
 /// The largest number of pieces of a trajectory.
 const PIECES_MAX: usize = 1024;
@@ -35,7 +35,7 @@ impl LinkTrajectory {
     /// A path of length `w` that bends by the angle `a` is within `w a / 8` of its chord. A piece of `n` is
     /// within `1/n²` of that.
     pub fn pieces(&self, deviation: Real) -> usize {
-        let [path_length, angle] = self.travel;
+        let LinkTravel { path_length, angle } = self.travel;
         let bent = (path_length * angle / (8.0 * deviation.max(Real::MIN_POSITIVE))).sqrt();
         // NaN, or a number that is too large, becomes the largest number of pieces.
         let pieces = bent.max(angle / ANGLE_PER_PIECE_MAX).ceil().min(PIECES_MAX as Real);

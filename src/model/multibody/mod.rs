@@ -27,4 +27,4 @@ pub(crate) use record::DofLists;
 pub use record::Multibody;
 pub(crate) use set::MultibodyEdits;
 pub use set::MultibodyJointSet;
-pub(crate) use trajectory::LinkTrajectory;
+pub(crate) use trajectory::{LinkTrajectory, LinkTravel};

@@ -14,6 +14,23 @@ pub(crate) struct LinkTrajectory {
     pub shift: Vec<Real>,
     /// Displacement of a root without degrees of freedom.
     pub root: SpatialVector,
-    /// The longest path of a link's centre of mass, and the largest rotation angle (rad) of a link.
-    pub travel: [Real; 2],
+    /// The longest path and the largest angle of its links.
+    pub travel: LinkTravel,
+}
+
+/// The motion of a link to and fro, which its displacement does not contain.
+#[derive(Copy, Clone, Debug, Default)]
+pub(crate) struct LinkTravel {
+    /// The path length of the centre of mass.
+    pub path_length: Real,
+    /// The angle that the link rotated (rad).
+    pub angle: Real,
+}
+
+impl LinkTravel {
+    /// The longer path and the larger angle.
+    pub fn max(self, other: &Self) -> Self {
+        let path_length = self.path_length.max(other.path_length);
+        Self { path_length, angle: self.angle.max(other.angle) }
+    }
 }

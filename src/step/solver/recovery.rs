@@ -81,6 +81,8 @@ impl IslandEnergy {
 #[derive(Default)]
 pub(super) struct Recovery {
     islands: Vec<IslandEnergy>,
+    /// By index of a body: whether it is among the [deep bodies](IslandEnergy::deep_bodies).
+    is_deep: Vec<bool>,
     /// By index of a body: the factor on its velocity in this substep.
     scales: Vec<Real>,
     /// Energy gain of bodies, and its positive part.
@@ -98,8 +100,8 @@ impl Recovery {
     pub fn begin(&mut self, bodies: &SolverBodies) {
         self.islands.clear();
         self.islands.resize(bodies.island_bound(), IslandEnergy::default());
-        self.scales.clear();
-        self.scales.resize(bodies.states.len(), 1.0);
+        self.is_deep.clear();
+        self.is_deep.resize(bodies.states.len(), false);
         self.is_active = true;
     }
 
@@ -126,9 +128,8 @@ impl Recovery {
             {
                 energy.deep_contacts += 1;
                 for body in pair.into_iter().filter(|body| body & READ_ONLY == 0) {
-                    let scale = &mut self.scales[body as usize];
-                    energy.deep_bodies += usize::from(*scale == 1.0);
-                    *scale = 0.0;
+                    let was_deep = core::mem::replace(&mut self.is_deep[body as usize], true);
+                    energy.deep_bodies += usize::from(!was_deep);
                 }
             }
             energy.is_driven |= is_driven(pair, lane, input, bodies);

@@ -6,7 +6,7 @@ use crate::dim::spatial::join;
 use crate::model::body::{RigidBodyHandle, RigidBodySet};
 use crate::model::island::NONE;
 use crate::model::joint::{GenericJoint, JointMotor, MotorModel};
-use crate::model::multibody::{Multibody, MultibodyJointSet};
+use crate::model::multibody::{LinkTravel, Multibody, MultibodyJointSet};
 use crate::multibody::{JointLoad, LinkForce, usable};
 use crate::step::solver::links::Links;
 
@@ -76,7 +76,7 @@ impl SolverMultibodies {
             moving.root_pushed.resize(moving.motion.root_dofs(), 0.0);
             let links = &moving.multibody.links;
             moving.travel.clear();
-            moving.travel.resize(links.len(), [0.0; 2]);
+            moving.travel.resize(links.len(), LinkTravel::default());
             moving.start.0.clear();
             moving.start.0.extend(links.iter().map(|link| link.joint.clone()));
             moving.start.1 = links[0].pose;

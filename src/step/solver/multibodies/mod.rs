@@ -31,7 +31,7 @@ use crate::model::constraint_graph::ManifoldRef;
 use crate::model::contact::NarrowPhase;
 use crate::model::island::IslandManager;
 use crate::model::joint::ImpulseJointSet;
-use crate::model::multibody::{Multibody, MultibodyIndex, MultibodyJoint};
+use crate::model::multibody::{LinkTravel, Multibody, MultibodyIndex, MultibodyJoint};
 use crate::model::params::{ContactPass, Softness};
 use crate::multibody::Motion;
 use contacts::LinkContacts;
@@ -64,8 +64,8 @@ pub(super) struct Moving {
     root_pushed: Vec<Real>,
     /// Displacement of the degrees of freedom since the step began.
     shift: Vec<Real>,
-    /// By link: the path length of its centre of mass, and the angle that it rotated (rad).
-    travel: Vec<[Real; 2]>,
+    /// By link: its motion since the step began.
+    travel: Vec<LinkTravel>,
     before_impact: BeforeImpact,
     /// Whether it has contacts.
     touches: bool,

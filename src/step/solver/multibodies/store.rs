@@ -7,7 +7,7 @@ use crate::dim::spatial::{angular, linear};
 use crate::model::body::{RigidBodySet, RigidBodyVelocity};
 use crate::model::check::checked_pose;
 use crate::model::island::{BodyMotion, IslandManager};
-use crate::model::multibody::{LinkTrajectory, MultibodyJointSet};
+use crate::model::multibody::{LinkTrajectory, LinkTravel, MultibodyJointSet};
 use crate::step::notes::{Diverged, FastMotion};
 use crate::step::solver::context::SolverContext;
 
@@ -83,10 +83,10 @@ fn link_is_moderate(velocity: &SpatialVector, h: Real) -> bool {
 }
 
 /// Adds the motion of `h` seconds to the path lengths and angles of links.
-pub(super) fn note_travel(travels: &mut [[Real; 2]], velocities: &[SpatialVector], h: Real) {
+pub(super) fn note_travel(travels: &mut [LinkTravel], velocities: &[SpatialVector], h: Real) {
     for (travel, velocity) in travels.iter_mut().zip(velocities) {
-        travel[0] += linear(velocity).length() * h;
-        travel[1] += ang_length_squared(angular(velocity)).sqrt() * h;
+        travel.path_length += linear(velocity).length() * h;
+        travel.angle += ang_length_squared(angular(velocity)).sqrt() * h;
     }
 }
 
@@ -120,13 +120,12 @@ impl Moving {
         if self.motion.root_dofs() == 0 {
             root = self.motion.link_velocities()[0].map(|rate| rate * dt);
         }
-        let longest = |k: usize| self.travel.iter().map(|travel| travel[k]).fold(0.0, Real::max);
         LinkTrajectory {
             index: self.index,
             start: core::mem::take(&mut self.start),
             shift: core::mem::take(&mut self.shift),
             root,
-            travel: [longest(0), longest(1)],
+            travel: self.travel.iter().fold(LinkTravel::default(), LinkTravel::max),
         }
     }
 
@@ -153,7 +152,7 @@ impl Moving {
             // As for other bodies: far from the origin a position moves by whole steps of rounding or not at
             // all.
             let rounded = (body.mprops.world_com - old_center).length();
-            let [path_length, angle] = self.travel[id];
+            let LinkTravel { path_length, angle } = self.travel[id];
             let bound = rounded.max(path_length) + angle * body.extent;
             islands.set_motion(link.body.into_raw_parts().0, BodyMotion::within(bound));
             let (shift, rotvec) = (body.mprops.world_com - old_center, ANG_ZERO);
