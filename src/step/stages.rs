@@ -7,7 +7,7 @@ use super::finalize_bodies::{self, FinalizeContext};
 use super::islands;
 use super::narrow_phase::{self, NarrowPhaseContext};
 use super::notes::StepNotes;
-use super::solver::{self, SolverContext};
+use super::solver::{self, SolverContext, SolverSettings};
 use super::trace::StepStage;
 use super::user_changes::{Resynced, UserChanges, resync_before_detection, resync_before_step};
 use super::{Step, StepScratch, World};
@@ -160,10 +160,7 @@ impl Step<'_> {
         }
         let StepScratch { notes, solver: scratch, simd, .. } = self.scratch;
         let context = SolverContext {
-            gravity: *gravity,
-            params,
-            simd: *simd,
-            tasks: self.tasks,
+            settings: SolverSettings { gravity: *gravity, params, simd: *simd, tasks: self.tasks },
             bodies: structure.bodies,
             narrow_phase: structure.narrow_phase,
             joints,

@@ -1,4 +1,8 @@
 //! Input and output of the solver, and the context of its passes.
+//!
+//! The solver has three phases. It loads from the sets, and reads them while it solves ([`SolverInput`]). If no
+//! body diverged, it stores impulses ([`ImpulseOutput`]), and then motions ([`MotionOutput`]). The functions of
+//! a phase receive its type, or single sets. The types show what a phase writes.
 
 use crate::base::tasks::Tasks;
 use crate::base::wide::Simd;
@@ -6,7 +10,7 @@ use crate::dim::math::{Real, Vector};
 use crate::model::body::RigidBodySet;
 use crate::model::contact::NarrowPhase;
 use crate::model::event::JointBreakEvent;
-use crate::model::island::IslandManager;
+use crate::model::island::{BodyMotion, IslandManager};
 use crate::model::joint::ImpulseJointSet;
 use crate::model::multibody::{LinkTrajectory, MultibodyJointSet};
 use crate::model::params::{
@@ -14,17 +18,18 @@ use crate::model::params::{
 };
 use crate::step::notes::{Diverged, FastMotion};
 
-/// Input and output of the solver.
+/// Input and output of the solver. The comments of the sets list what loading writes.
 pub(crate) struct SolverContext<'a> {
-    pub gravity: Vector,
-    pub params: &'a IntegrationParameters,
-    /// The instructions that kernels run on.
-    pub simd: Simd,
-    pub tasks: Tasks<'a>,
+    pub settings: SolverSettings<'a>,
+    /// The lengths of substeps, and the velocities of position-based kinematic bodies.
     pub bodies: &'a mut RigidBodySet,
+    /// Impulses of the last step from the lanes. The lanes are borrowed until impulses are stored.
     pub narrow_phase: &'a mut NarrowPhase,
+    /// Angles, flags of displaced joints, and impulses that are scaled to the substep.
     pub joints: &'a mut ImpulseJointSet,
+    /// Notes of multibodies with a removed body. Awake multibodies are borrowed until motions are stored.
     pub multibodies: &'a mut MultibodyJointSet,
+    /// Loading writes nothing, and storing only [`MotionOutput::motions`].
     pub islands: &'a mut IslandManager,
     /// Output: the motions of fast bodies.
     pub fast: &'a mut Vec<FastMotion>,
@@ -36,10 +41,73 @@ pub(crate) struct SolverContext<'a> {
     pub diverged: &'a mut Vec<Diverged>,
 }
 
-impl<'a> SolverContext<'a> {
+/// The settings of a step, and the registers and threads that it runs on.
+#[derive(Copy, Clone)]
+pub(crate) struct SolverSettings<'a> {
+    pub gravity: Vector,
+    pub params: &'a IntegrationParameters,
+    /// The instructions that kernels run on.
+    pub simd: Simd,
+    pub tasks: Tasks<'a>,
+}
+
+/// The sets while constraints are prepared and solved.
+#[derive(Copy, Clone)]
+pub(super) struct SolverInput<'a> {
+    pub world: &'a RigidBodySet,
+    pub narrow_phase: &'a NarrowPhase,
+    pub joints: &'a ImpulseJointSet,
+    pub islands: &'a IslandManager,
+}
+
+/// The sets that receive impulses.
+pub(super) struct ImpulseOutput<'a> {
+    pub settings: SolverSettings<'a>,
+    pub islands: &'a IslandManager,
+    /// Impulses of manifolds; the lanes return.
+    pub narrow_phase: &'a mut NarrowPhase,
+    /// Impulses, forces and angles.
+    pub joints: &'a mut ImpulseJointSet,
+    pub broken: &'a mut Vec<JointBreakEvent>,
+}
+
+/// The sets that receive poses and velocities.
+pub(super) struct MotionOutput<'a> {
+    pub settings: SolverSettings<'a>,
+    pub bodies: &'a mut RigidBodySet,
+    /// The borrowed multibodies return.
+    pub multibodies: &'a mut MultibodyJointSet,
+    /// By body slot: the motion of the body in this step.
+    pub motions: &'a mut [BodyMotion],
+    pub fast: &'a mut Vec<FastMotion>,
+    pub trajectories: &'a mut Vec<LinkTrajectory>,
+}
+
+impl SolverContext<'_> {
+    /// The sets, for reading.
+    pub(super) fn input(&self) -> SolverInput<'_> {
+        let Self { bodies: world, narrow_phase, joints, islands, .. } = self;
+        SolverInput { world, narrow_phase, joints, islands }
+    }
+
+    /// The sets that receive impulses.
+    pub(super) fn impulse_output(&mut self) -> ImpulseOutput<'_> {
+        let Self { settings, islands, narrow_phase, joints, broken, .. } = self;
+        ImpulseOutput { settings: *settings, islands, narrow_phase, joints, broken }
+    }
+
+    /// The sets that receive poses and velocities.
+    pub(super) fn motion_output(&mut self) -> MotionOutput<'_> {
+        let Self { settings, islands, bodies, multibodies, fast, trajectories, .. } = self;
+        let motions = islands.motions_mut(bodies.slot_count());
+        MotionOutput { settings: *settings, bodies, multibodies, motions, fast, trajectories }
+    }
+}
+
+impl<'a> SolverSettings<'a> {
     /// The passes of a group with this number of substeps.
     pub(super) fn pass(&self, substeps: usize) -> SolverPass<'a> {
-        let Self { gravity, params, simd, tasks, .. } = *self;
+        let Self { gravity, params, simd, tasks } = *self;
         let substep = params.dt / substeps as Real;
         SolverPass {
             params,

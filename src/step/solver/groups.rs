@@ -28,7 +28,7 @@ use crate::model::contact::NarrowPhase;
 use crate::model::island::{IslandManager, NONE};
 use crate::model::joint::ImpulseJointSet;
 use crate::model::params::IntegrationParameters;
-use crate::step::solver::context::SolverContext;
+use crate::step::solver::context::{SolverInput, SolverSettings};
 use core::ops::Range;
 
 /// Up to this ratio of masses the usual substeps are sufficient: four cubes under one of 30 times the mass
@@ -183,9 +183,9 @@ impl Groups {
     }
 
     /// Divides the awake bodies.
-    pub fn divide(&mut self, context: &SolverContext<'_>) {
-        let &SolverContext { gravity, params, tasks, .. } = context;
-        let SolverContext { islands, bodies, narrow_phase, joints, .. } = context;
+    pub fn divide(&mut self, input: SolverInput<'_>, settings: &SolverSettings<'_>) {
+        let &SolverSettings { gravity, params, tasks, .. } = settings;
+        let SolverInput { world: bodies, narrow_phase, joints, islands } = input;
         self.order.clear();
         self.groups.clear();
         self.read_bodies(islands, bodies, tasks);

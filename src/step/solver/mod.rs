@@ -39,13 +39,13 @@ use crate::model::body::{RigidBodyHandle, RigidBodySet};
 use crate::model::counters::SolverCounters;
 use bodies::SolverBodies;
 use contacts::{ContactLoadContext, SolverContacts};
-pub(crate) use context::SolverContext;
-use context::SolverPass;
+use context::{ImpulseOutput, SolverInput, SolverPass};
+pub(crate) use context::{SolverContext, SolverSettings};
 use groups::Groups;
 use impacts::{ImpactContext, Impacts};
 use joints::{JointLoadContext, SolverJoints};
 use links::Links;
-use multibodies::{MultibodyContext, SolverMultibodies};
+use multibodies::SolverMultibodies;
 use recovery::Recovery;
 
 /// Buffers that are reused from step to step.
@@ -83,7 +83,8 @@ pub(crate) fn solve(
     for index in 0..scratch.groups.len() {
         scratch.solve_group(index, &mut context, counters);
     }
-    let pass = context.pass(context.params.num_solver_iterations);
+    let settings = context.settings;
+    let pass = settings.pass(settings.params.num_solver_iterations);
     scratch.bodies.move_ungrouped(&scratch.groups, &pass);
     counters.velocity_writeback_time.resume();
     if context.diverged.is_empty() {
@@ -98,9 +99,9 @@ impl SolverScratch {
     /// Divides the awake bodies into groups, and gathers their states.
     fn load(&mut self, context: &mut SolverContext<'_>) {
         let Self { groups, links, bodies, constraints } = self;
-        groups.divide(context);
+        groups.divide(context.input(), &context.settings);
         links.register(context.multibodies, context.bodies);
-        bodies.load(groups, links, context);
+        bodies.load(groups, links, context.bodies, &context.settings);
         // All groups are solved before any is stored.
         constraints.resize_with(groups.len().max(constraints.len()), Constraints::default);
     }
@@ -114,7 +115,7 @@ impl SolverScratch {
     ) {
         let Self { groups, links, bodies, constraints } = self;
         let (group, constraints) = (groups.get(index), &mut constraints[index]);
-        let pass = context.pass(group.substeps);
+        let pass = context.settings.pass(group.substeps);
         let members = &groups.order()[group.members.clone()];
         let is_only_group = groups.len() == 1;
 
@@ -122,19 +123,13 @@ impl SolverScratch {
         bodies.enter(group, groups);
         constraints.load_links(members, links, context, &pass);
         constraints.load(is_only_group, bodies, links, context, &pass);
-        let multibody_context = MultibodyContext {
-            narrow_phase: context.narrow_phase,
-            islands: context.islands,
-            joints: context.joints,
-            world: context.bodies,
-        };
-        constraints.prepare(multibody_context, bodies, &pass);
-        constraints.record_energy(members, links, multibody_context.world, bodies, &pass);
+        let input = context.input();
+        constraints.prepare(input, bodies, &pass);
+        constraints.record_energy(members, links, input.world, bodies, &pass);
         counters.velocity_assembly_time.pause();
 
         counters.velocity_resolution_time.resume();
-        counters.nlimited_bodies +=
-            constraints.solve(group.substeps, multibody_context, bodies, &pass);
+        counters.nlimited_bodies += constraints.solve(group.substeps, input, bodies, &pass);
         counters.velocity_resolution_time.pause();
 
         counters.velocity_writeback_time.resume();
@@ -142,7 +137,7 @@ impl SolverScratch {
         let links_are_moderate = constraints.multibodies.finish(context.diverged, pass.substep);
         let is_moderate = links_are_moderate & bodies.are_moderate(pass.tasks);
         if !is_moderate || bodies.any_far {
-            bodies.find_diverged(groups, &self.links, context);
+            bodies.find_diverged(groups, links, context.bodies, context.diverged);
         }
         counters.velocity_writeback_time.pause();
     }
@@ -154,10 +149,18 @@ impl SolverScratch {
             context.narrow_phase.contacts.clear_renewed();
         }
         (counters.nconstraints, counters.ncontacts) = (0, 0);
-        for constraints in &mut constraints[..groups.len()] {
-            constraints.store(context, counters);
+        let constraints = &mut constraints[..groups.len()];
+        let mut impulses = context.impulse_output();
+        for constraints in &mut *constraints {
+            constraints.store_impulses(&mut impulses);
+            counters.nconstraints += constraints.contacts.len() + constraints.joints.len();
+            counters.ncontacts += constraints.contacts.point_count();
         }
-        bodies.store(groups, links, context);
+        let mut motions = context.motion_output();
+        for constraints in constraints {
+            counters.nlimited_bodies += constraints.multibodies.store(&mut motions);
+        }
+        bodies.store(groups, links, &mut motions);
     }
 
     /// Returns the borrowed multibodies and lanes unchanged.
@@ -180,7 +183,7 @@ impl Constraints {
         pass: &SolverPass<'_>,
     ) {
         self.multibodies.load(members, links, context.multibodies, context.bodies);
-        self.multibodies.begin(context.bodies, context.gravity, pass.substep);
+        self.multibodies.begin(context.bodies, context.settings.gravity, pass.substep);
     }
 
     /// Makes blocks of joints and contacts.
@@ -204,12 +207,12 @@ impl Constraints {
     /// Computes effective masses, and applies the impulses of the last step.
     fn prepare(
         &mut self,
-        multibody_context: MultibodyContext<'_>,
+        input: SolverInput<'_>,
         bodies: &mut SolverBodies,
         pass: &SolverPass<'_>,
     ) {
         let Self { joints, contacts, multibodies, .. } = self;
-        multibodies.prepare(contacts.of_links(), multibody_context, bodies, pass);
+        multibodies.prepare(contacts.of_links(), input, bodies, pass);
         joints.warm_start(bodies, pass);
         contacts.prepare_and_warm_start(bodies, pass);
         multibodies.warm_start(bodies);
@@ -220,16 +223,16 @@ impl Constraints {
     fn solve(
         &mut self,
         substeps: usize,
-        multibody_context: MultibodyContext<'_>,
+        input: SolverInput<'_>,
         bodies: &mut SolverBodies,
         pass: &SolverPass<'_>,
     ) -> usize {
         let mut limited = 0;
         for substep in 0..substeps {
-            let slowed = self.begin_substep(substep == 0, multibody_context, bodies, pass);
+            let slowed = self.begin_substep(substep == 0, input, bodies, pass);
             limited = limited.max(slowed);
             let Self { joints, contacts, multibodies, impacts, recovery } = self;
-            let context = ImpactContext { joints, multibodies, multibody_context, pass };
+            let context = ImpactContext { joints, multibodies, input, pass };
             impacts.solve(contacts, bodies, context);
             for _ in 0..pass.params.num_internal_pgs_iterations {
                 joints.solve(bodies, pass);
@@ -238,7 +241,7 @@ impl Constraints {
             }
             bodies.integrate_positions(pass);
             joints.correct_poses(bodies, pass.substep);
-            multibodies.integrate_positions(multibody_context, bodies, pass);
+            multibodies.integrate_positions(input, bodies, pass);
             for pass in pass.relaxations() {
                 joints.relax(bodies, &pass);
                 contacts.relax(bodies, &pass);
@@ -254,7 +257,7 @@ impl Constraints {
     fn begin_substep(
         &mut self,
         is_first: bool,
-        multibody_context: MultibodyContext<'_>,
+        input: SolverInput<'_>,
         bodies: &mut SolverBodies,
         pass: &SolverPass<'_>,
     ) -> usize {
@@ -262,7 +265,7 @@ impl Constraints {
         multibodies.note_velocities(if is_first { &mut bodies.before } else { &mut bodies.states });
         let keep_last = !impacts.is_empty();
         let limited = bodies.integrate_velocities(is_first, keep_last, pass);
-        multibodies.integrate_velocities(is_first, multibody_context, bodies, pass);
+        multibodies.integrate_velocities(is_first, input.world, bodies, pass);
         joints.begin_substep(bodies, pass);
         contacts.begin_substep(pass);
         limited
@@ -285,15 +288,12 @@ impl Constraints {
         }
     }
 
-    /// Stores impulses of contacts and joints, and the state of multibodies in their links; breaks overloaded
-    /// joints.
-    fn store(&mut self, context: &mut SolverContext<'_>, counters: &mut SolverCounters) {
+    /// Stores impulses of contacts and joints, and breaks overloaded joints.
+    fn store_impulses(&mut self, output: &mut ImpulseOutput<'_>) {
         let Self { joints, contacts, multibodies, impacts, .. } = self;
         impacts.restore(contacts);
-        contacts.store(context);
-        joints.store(context);
-        counters.nlimited_bodies += multibodies.store(context);
-        counters.nconstraints += contacts.len() + joints.len();
-        counters.ncontacts += contacts.point_count();
+        contacts.store(output);
+        joints.store(output);
+        multibodies.store_impulses(output);
     }
 }

@@ -13,9 +13,8 @@ use super::store::outcome;
 use crate::base::measure::MODERATE_MAX;
 use crate::base::tasks::Tasks;
 use crate::dim::state::BodyState;
-use crate::model::body::{RigidBody, RigidBodyType, RigidBodyVelocity};
+use crate::model::body::{RigidBody, RigidBodySet, RigidBodyType, RigidBodyVelocity};
 use crate::step::notes::Diverged;
-use crate::step::solver::context::SolverContext;
 use crate::step::solver::groups::Groups;
 use crate::step::solver::links::Links;
 use core::sync::atomic::{AtomicBool, Ordering};
@@ -39,16 +38,22 @@ impl SolverBodies {
     }
 
     /// Lists the bodies that were moved and cannot be stored.
-    pub fn find_diverged(&self, groups: &Groups, links: &Links, context: &mut SolverContext<'_>) {
+    pub fn find_diverged(
+        &self,
+        groups: &Groups,
+        links: &Links,
+        world: &RigidBodySet,
+        diverged: &mut Vec<Diverged>,
+    ) {
         for index in self.moving.clone().into_iter().flatten() {
             let handle = groups.order()[index - 1];
-            let Some(body) = context.bodies.get(handle) else { continue };
+            let Some(body) = world.get(handle) else { continue };
             if links.moves(handle.into_raw_parts().0) || self.can_be_stored(index, body) {
                 continue;
             }
             let (linvel, angvel) = self.states[index].velocity();
             let velocity = RigidBodyVelocity::new(linvel, angvel);
-            context.diverged.push(Diverged { body: handle, velocity, is_link: false });
+            diverged.push(Diverged { body: handle, velocity, is_link: false });
         }
     }
 

@@ -13,7 +13,7 @@ use crate::model::body::{RigidBody, RigidBodyHandle, RigidBodySet, RigidBodyType
 use crate::model::contact::AnchorFrame;
 use crate::model::island::NONE;
 use crate::model::params::IntegrationParameters;
-use crate::step::solver::context::SolverContext;
+use crate::step::solver::context::SolverSettings;
 use crate::step::solver::groups::Groups;
 use crate::step::solver::links::Links;
 use core::ops::Range;
@@ -21,8 +21,14 @@ use core::sync::atomic::{AtomicBool, Ordering};
 
 impl SolverBodies {
     /// Gathers all awake bodies. Links of multibodies have an index without a state.
-    pub fn load(&mut self, groups: &Groups, links: &Links, context: &mut SolverContext<'_>) {
-        let &mut SolverContext { gravity, params, tasks, ref mut bodies, .. } = context;
+    pub fn load(
+        &mut self,
+        groups: &Groups,
+        links: &Links,
+        bodies: &mut RigidBodySet,
+        settings: &SolverSettings<'_>,
+    ) {
+        let &SolverSettings { gravity, params, tasks, .. } = settings;
         self.allocate(groups.order().len(), bodies.slot_count());
         let order = groups.order();
         let context = LoadContext { links, gravity, params };

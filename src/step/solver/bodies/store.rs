@@ -10,17 +10,18 @@ use crate::model::body::{RigidBody, RigidBodyType, RigidBodyVelocity};
 use crate::model::check::checked_pose;
 use crate::model::island::BodyMotion;
 use crate::step::notes::FastMotion;
-use crate::step::solver::context::SolverContext;
+use crate::step::solver::context::MotionOutput;
 use crate::step::solver::groups::Groups;
 use crate::step::solver::links::Links;
 
 impl SolverBodies {
     /// Writes velocities and poses back to the bodies. Stores the displacement bound of each body, and the
     /// motions of fast ones.
-    pub fn store(&mut self, groups: &Groups, links: &Links, context: &mut SolverContext<'_>) {
-        let SolverContext { islands, bodies, params, fast, tasks, .. } = context;
-        let order = groups.order();
-        let moved = DisjointMut::new(islands.motions_mut(bodies.slot_count()));
+    pub fn store(&mut self, groups: &Groups, links: &Links, output: &mut MotionOutput<'_>) {
+        let MotionOutput { settings, bodies, motions: moved, fast, .. } = output;
+        let (params, order) = (settings.params, groups.order());
+        debug_assert!(order.len() < self.states.len() && bodies.slot_count() <= moved.len());
+        let moved = DisjointMut::new(moved);
         let (states, motions) = (&self.states, &self.motions);
         let store = |position: usize, body: Option<&mut RigidBody>, fast: &mut Vec<_>| {
             let slot = order[position].into_raw_parts().0;
@@ -60,7 +61,7 @@ impl SolverBodies {
             unsafe { *moved.get_mut(slot as usize) = displacement };
         };
         // SAFETY: the order names each body once.
-        unsafe { bodies.visit_gathering(order, *tasks, &mut self.fast, store, fast) };
+        unsafe { bodies.visit_gathering(order, settings.tasks, &mut self.fast, store, fast) };
     }
 }
 

@@ -8,7 +8,7 @@ mod store_impulses;
 
 use super::blocks::{Layout, OverflowOrder, block_kernel, for_each_color};
 use super::bodies::SolverBodies;
-use super::context::{SolverContext, SolverPass};
+use super::context::{ImpulseOutput, SolverPass, SolverSettings};
 use super::recovery::{Recovery, deep_overlap};
 use crate::base::disjoint::DisjointMut;
 use crate::base::tasks::Tasks;
@@ -181,8 +181,9 @@ impl SolverContacts {
     }
 
     /// Stores the impulses for the next step, and writes back the manifolds whose lanes are not indexed.
-    pub fn store(&mut self, context: &mut SolverContext<'_>) {
-        let &mut SolverContext { simd, tasks, ref mut narrow_phase, .. } = context;
+    pub fn store(&mut self, output: &mut ImpulseOutput<'_>) {
+        let ImpulseOutput { settings, narrow_phase, .. } = output;
+        let SolverSettings { simd, tasks, .. } = *settings;
         let lanes = DisjointMut::new(&mut self.lanes.blocks);
         let reports = DisjointMut::new(&mut self.lanes.reports);
         let blocks = Blocks::new(&mut self.blocks, &mut self.coulomb);

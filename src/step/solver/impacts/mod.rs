@@ -85,10 +85,10 @@ mod visits;
 use super::blocks::for_each_color;
 use super::bodies::SolverBodies;
 use super::contacts::{Blocks, SolverContacts};
-use super::context::SolverPass;
+use super::context::{SolverInput, SolverPass};
 use super::island_sums::IslandSums;
 use super::joints::{Changes, SolverJoints};
-use super::multibodies::{MultibodyContext, SolverMultibodies};
+use super::multibodies::SolverMultibodies;
 use crate::base::disjoint::DisjointMut;
 use crate::base::wide::{LANES, Lane};
 use crate::dim::math::Real;
@@ -143,7 +143,7 @@ pub(super) struct ImpactContext<'a> {
     pub joints: &'a mut SolverJoints,
     /// The contacts of links, which take part.
     pub multibodies: &'a mut SolverMultibodies,
-    pub multibody_context: MultibodyContext<'a>,
+    pub input: SolverInput<'a>,
     pub pass: &'a SolverPass<'a>,
 }
 
@@ -186,9 +186,9 @@ impl Impacts {
             return;
         }
         let (contacts, pass) = (contacts.blocks(), &context.pass.impacts);
-        let multibody_context = context.multibody_context;
+        let input = context.input;
         context.multibodies.begin_impact(bodies, pass);
-        context.multibodies.mark_active(multibody_context, bodies, |_| true, pass);
+        context.multibodies.mark_active(input, bodies, |_| true, pass);
         self.visit_blocks(ImpactPhase::Begin, contacts, bodies, &context);
         let hits = self.marks.iter().any(|mark| mark.active != 0);
         let hits = hits || context.multibodies.active().next().is_some();
@@ -199,7 +199,7 @@ impl Impacts {
                 self.solve_round(held, bodies, &mut context);
                 let impact_islands = &self.islands.impact_islands;
                 let has_iterations = |island: u32| impact_islands[island as usize].iterations > 0;
-                context.multibodies.mark_active(multibody_context, bodies, has_iterations, pass);
+                context.multibodies.mark_active(input, bodies, has_iterations, pass);
                 self.visit_blocks(ImpactPhase::Mark, contacts, bodies, &context);
             }
         }

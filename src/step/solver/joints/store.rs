@@ -9,7 +9,7 @@ use crate::model::event::JointBreakEvent;
 use crate::model::island::IslandManager;
 use crate::model::joint::{ImpulseJoint, ImpulseJointSet};
 use crate::step::solver::bodies::SolverBodies;
-use crate::step::solver::context::{SolverContext, SolverPass};
+use crate::step::solver::context::{ImpulseOutput, SolverPass};
 use crate::step::solver::joint_rules::{break_if_overloaded, is_overloaded};
 use core::sync::atomic::{AtomicBool, Ordering};
 
@@ -21,9 +21,9 @@ impl SolverJoints {
     }
 
     /// Writes impulses, forces and turn counts back to the joints, and breaks overloaded joints.
-    pub fn store(&self, context: &mut SolverContext<'_>) {
-        let SolverContext { islands, joints, params, broken, .. } = context;
-        let (inv_dt, tasks) = (params.inv_dt(), context.tasks);
+    pub fn store(&self, output: &mut ImpulseOutput<'_>) {
+        let ImpulseOutput { settings, islands, joints, broken, .. } = output;
+        let (inv_dt, tasks) = (settings.params.inv_dt(), settings.tasks);
         let overload = AtomicBool::new(false);
         self.point_to_point.store(islands, joints, inv_dt, &overload, tasks);
         let (layout, blocks, all_rows) = (&self.layout, &self.blocks, &self.rows);

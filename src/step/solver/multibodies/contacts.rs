@@ -7,13 +7,14 @@
 use super::impacts::{LinkImpact, LinkImpactRow};
 use super::rows::{ConstrainedStates, JacobianPool, Row};
 use super::sides::{Geometry, Side, normal_of};
-use super::{MultibodyContext, SolverMultibodies, solve_unilateral};
+use super::{SolverMultibodies, solve_unilateral};
 use crate::dim::contact::PointTangentMass;
 use crate::dim::math::{DIM, MAX_MANIFOLD_POINTS, Real, Vector, tangents};
 use crate::model::constraint_graph::ManifoldRef;
 use crate::model::contact::{ContactManifold, NarrowPhase};
 use crate::model::params::ContactPass;
 use crate::step::solver::bodies::SolverBodies;
+use crate::step::solver::context::SolverInput;
 use arrayvec::ArrayVec;
 
 /// The least compliance of a contact between a link and its parent, as a fraction of the value without a
@@ -70,10 +71,10 @@ impl SolverMultibodies {
     pub(super) fn prepare_contacts(
         &mut self,
         manifolds: &[ManifoldRef],
-        context: MultibodyContext<'_>,
+        input: SolverInput<'_>,
         bodies: &SolverBodies,
     ) {
-        let MultibodyContext { narrow_phase, world, .. } = context;
+        let SolverInput { world, narrow_phase, .. } = input;
         self.contacts.contacts.clear();
         self.moving.iter_mut().for_each(|moving| moving.touches = false);
         // The links of one multibody are coupled by each other's contacts, so the order matters. The order of
@@ -147,7 +148,7 @@ impl SolverMultibodies {
     pub(super) fn follow_contact(
         &mut self,
         position: usize,
-        MultibodyContext { narrow_phase, world, .. }: MultibodyContext<'_>,
+        SolverInput { world, narrow_phase, .. }: SolverInput<'_>,
         bodies: &mut SolverBodies,
     ) {
         let LinkContact { at, first_number, normal, .. } = self.contacts.contacts[position];
@@ -178,18 +179,18 @@ impl SolverMultibodies {
     }
 
     /// Recomputes the rows of contacts of far-rotating links at the current poses.
-    pub fn follow_contacts(&mut self, context: MultibodyContext<'_>, bodies: &mut SolverBodies) {
+    pub fn follow_contacts(&mut self, input: SolverInput<'_>, bodies: &mut SolverBodies) {
         if !self.any_turns_far() {
             return;
         }
         for position in 0..self.contacts.contacts.len() {
-            let contacts = &context.narrow_phase.contacts;
+            let contacts = &input.narrow_phase.contacts;
             let slots = contacts.bodies(self.contacts.contacts[position].at.pair);
             let turns_far =
                 |slot| self.place(slot).is_some_and(|place| self.moving[place.multibody].turns_far);
             if slots.into_iter().any(turns_far) {
                 self.warm_contact(position, bodies, -1.0);
-                self.follow_contact(position, context, bodies);
+                self.follow_contact(position, input, bodies);
                 self.warm_contact(position, bodies, 1.0);
             }
         }

@@ -25,12 +25,13 @@
 
 use super::contacts::{LinkContact, LinkContacts, Point};
 use super::rows::{ConstrainedStates, JacobianPool};
-use super::{Moving, MultibodyContext, SolverMultibodies};
+use super::{Moving, SolverMultibodies};
 use crate::dim::math::{DIM, Real, SpatialVector};
 use crate::dim::state::BodyState;
 use crate::model::island::NONE;
 use crate::model::params::ImpactPass;
 use crate::step::solver::bodies::SolverBodies;
+use crate::step::solver::context::SolverInput;
 use crate::step::solver::restitution::{
     APPROACH_CHANGE_MIN, DEFERRED_SEPARATION, HitRow, ImpactTime, POINT_ITERATIONS, supported,
 };
@@ -174,7 +175,7 @@ impl SolverMultibodies {
     /// other islands need another round.
     pub fn mark_active(
         &mut self,
-        context: MultibodyContext<'_>,
+        input: SolverInput<'_>,
         bodies: &mut SolverBodies,
         takes_part: impl Fn(u32) -> bool,
         pass: &ImpactPass,
@@ -198,7 +199,7 @@ impl SolverMultibodies {
             }
             contact.impact.was_active |= contact.impact.active;
         }
-        self.move_to_impact(context, bodies, pass.substep);
+        self.move_to_impact(input, bodies, pass.substep);
         let (jacobians, contacts, states) = self.bouncing(&mut bodies.before);
         for contact in contacts.bouncing().filter(|contact| contact.impact.active) {
             for Point { normal, impact, .. } in &mut contact.points {
@@ -213,12 +214,7 @@ impl SolverMultibodies {
     }
 
     /// Moves the hit multibodies to the time of their impact, and makes the impact rows there.
-    fn move_to_impact(
-        &mut self,
-        context: MultibodyContext<'_>,
-        bodies: &mut SolverBodies,
-        h: Real,
-    ) {
+    fn move_to_impact(&mut self, input: SolverInput<'_>, bodies: &mut SolverBodies, h: Real) {
         for moving in &mut self.moving {
             if let Some(time) = core::mem::take(&mut moving.before_impact.time).mean() {
                 moving.move_on(time, h);
@@ -226,7 +222,7 @@ impl SolverMultibodies {
         }
         for position in 0..self.contacts.contacts.len() {
             if self.contacts.contacts[position].impact.active {
-                self.follow_contact(position, context, bodies);
+                self.follow_contact(position, input, bodies);
             }
         }
     }

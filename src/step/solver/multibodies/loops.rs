@@ -13,12 +13,12 @@
 //! number of rows; in the relax pass each joint alone. Redundant axes (a hinge
 //! across a plane in which everything moves anyway) have no pivot there and get no impulse.
 
+use super::SolverMultibodies;
 use super::limits::Owner;
 use super::load::scale_impulses;
 use super::rows::{ConstrainedStates, JacobianPool, Row};
 use super::sides::Side;
 use super::system::{RowSystem, SystemRow};
-use super::{MultibodyContext, SolverMultibodies};
 use crate::dim::joint::{FreeRotations, angle_about};
 use crate::dim::joint_axes::{JointAxesMask, JointAxis};
 use crate::dim::math::{
@@ -35,6 +35,7 @@ use crate::model::joint::{
 use crate::model::params::{JointPass, Softness};
 use crate::step::solver::axis_law::AxisLaw;
 use crate::step::solver::bodies::SolverBodies;
+use crate::step::solver::context::SolverInput;
 use crate::step::solver::joint_rules::break_if_overloaded;
 use arrayvec::ArrayVec;
 
@@ -98,11 +99,11 @@ impl SolverMultibodies {
     /// Makes constraints of the joints that were left out of the lanes.
     pub(super) fn prepare_loops(
         &mut self,
-        context: MultibodyContext<'_>,
+        input: SolverInput<'_>,
         bodies: &SolverBodies,
         pass: &JointPass,
     ) {
-        let MultibodyContext { islands, joints, world, .. } = context;
+        let SolverInput { world, joints, islands, .. } = input;
         self.loops.loops.clear();
         if self.moving.is_empty() {
             return;
@@ -136,7 +137,7 @@ impl SolverMultibodies {
     /// Makes the rows of the locked axes. They must be the last ones.
     pub(super) fn lock_loops(
         &mut self,
-        MultibodyContext { joints, world, .. }: MultibodyContext<'_>,
+        SolverInput { world, joints, .. }: SolverInput<'_>,
         bodies: &mut SolverBodies,
     ) {
         self.loops.first_number = self.jacobians.len();

@@ -21,16 +21,13 @@ mod store;
 mod system;
 
 use super::bodies::SolverBodies;
-use super::context::SolverPass;
+use super::context::{SolverInput, SolverPass};
 use crate::base::disjoint::DisjointMut;
 use crate::base::tasks::Tasks;
 use crate::dim::math::{Pose, Real};
 use crate::dim::state::BodyState;
 use crate::model::body::RigidBodySet;
 use crate::model::constraint_graph::ManifoldRef;
-use crate::model::contact::NarrowPhase;
-use crate::model::island::IslandManager;
-use crate::model::joint::ImpulseJointSet;
 use crate::model::multibody::{LinkTravel, Multibody, MultibodyIndex, MultibodyJoint};
 use crate::model::params::{ContactPass, Softness};
 use crate::multibody::Motion;
@@ -112,15 +109,6 @@ pub(super) struct SolverMultibodies {
     contacts: LinkContacts,
 }
 
-/// Context of the constraints of links.
-#[derive(Copy, Clone)]
-pub(super) struct MultibodyContext<'a> {
-    pub narrow_phase: &'a NarrowPhase,
-    pub islands: &'a IslandManager,
-    pub joints: &'a ImpulseJointSet,
-    pub world: &'a RigidBodySet,
-}
-
 /// The impulse of a unilateral row (`dim3/contact/mod.rs`), given `Ċ`, `C`, `1/K` and the impulse so far.
 fn solve_unilateral(
     pass: &ContactPass,
@@ -156,7 +144,7 @@ impl SolverMultibodies {
     pub fn prepare(
         &mut self,
         manifolds: &[ManifoldRef],
-        context: MultibodyContext<'_>,
+        input: SolverInput<'_>,
         bodies: &mut SolverBodies,
         pass: &SolverPass<'_>,
     ) {
@@ -164,9 +152,9 @@ impl SolverMultibodies {
         self.system.reset(self.moving.len());
         self.joints.prepare(&mut self.jacobians, &mut self.moving, pass.substep);
         self.gears.prepare(&mut self.jacobians, &mut self.moving, pass.joints.softness.bias_rate);
-        self.prepare_loops(context, bodies, &pass.joints);
-        self.prepare_contacts(manifolds, context, bodies);
-        self.lock_loops(context, bodies);
+        self.prepare_loops(input, bodies, &pass.joints);
+        self.prepare_contacts(manifolds, input, bodies);
+        self.lock_loops(input, bodies);
     }
 
     /// Applies the last step's impulses to all multibodies.
@@ -183,12 +171,12 @@ impl SolverMultibodies {
     pub fn integrate_velocities(
         &mut self,
         is_first: bool,
-        context: MultibodyContext<'_>,
+        world: &RigidBodySet,
         bodies: &mut SolverBodies,
         pass: &SolverPass<'_>,
     ) {
         if !is_first {
-            self.follow_loops(context.world, bodies);
+            self.follow_loops(world, bodies);
         }
         let &SolverPass { params, substep, .. } = pass;
         let (warm_start_coefficient, speed_max) =
@@ -209,7 +197,7 @@ impl SolverMultibodies {
     /// Moves all links by their velocities, and updates the rows that this changes.
     pub fn integrate_positions(
         &mut self,
-        context: MultibodyContext<'_>,
+        input: SolverInput<'_>,
         bodies: &mut SolverBodies,
         pass: &SolverPass<'_>,
     ) {
@@ -218,7 +206,7 @@ impl SolverMultibodies {
         let mut states =
             ConstrainedStates { multibodies: &mut self.moving, states: &mut bodies.states };
         self.joints.follow_balls(&mut self.jacobians, &mut states);
-        self.follow_contacts(context, bodies);
+        self.follow_contacts(input, bodies);
     }
 
     /// Solves all constraints once, with bias.

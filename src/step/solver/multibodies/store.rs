@@ -6,20 +6,21 @@ use crate::dim::math::{ANG_ZERO, Pose, Real, SPATIAL_DIM, SpatialVector, ang_len
 use crate::dim::spatial::{angular, linear};
 use crate::model::body::{RigidBodySet, RigidBodyVelocity};
 use crate::model::check::checked_pose;
-use crate::model::island::{BodyMotion, IslandManager};
+use crate::model::island::BodyMotion;
 use crate::model::multibody::{LinkTrajectory, LinkTravel, MultibodyJointSet};
 use crate::step::notes::{Diverged, FastMotion};
-use crate::step::solver::context::SolverContext;
+use crate::step::solver::context::{ImpulseOutput, MotionOutput};
 
 impl SolverMultibodies {
     /// Writes impulses to manifolds and joints, and breaks overloaded joints.
-    fn store_constraints(&mut self, context: &mut SolverContext<'_>) {
-        let SolverContext { narrow_phase, joints, broken, params, .. } = context;
+    pub fn store_impulses(&mut self, output: &mut ImpulseOutput<'_>) {
+        let ImpulseOutput { settings, narrow_phase, joints, broken, .. } = output;
+        let inv_dt = settings.params.inv_dt();
         self.contacts.store(narrow_phase);
         self.joints.store(&mut self.moving, joints);
         self.gears.store(&mut self.moving);
-        self.loops.store(joints, params.inv_dt());
-        self.joints.add_forces(joints, params.inv_dt());
+        self.loops.store(joints, inv_dt);
+        self.joints.add_forces(joints, inv_dt);
         self.loops.break_overloaded(joints, broken);
     }
 
@@ -59,16 +60,15 @@ impl SolverMultibodies {
         }
     }
 
-    /// Writes impulses to manifolds and joints, and poses and velocities to bodies. Stores the motion of
-    /// each body, and the trajectories of fast multibodies. The multibodies return to their set. Returns the
-    /// number of multibodies that were limited to the largest speed.
-    pub fn store(&mut self, context: &mut SolverContext<'_>) -> usize {
-        self.store_constraints(context);
+    /// Writes poses and velocities to bodies. Stores the motion of each body, and the trajectories of fast
+    /// multibodies. The multibodies return to their set. Returns the number of multibodies that were limited
+    /// to the largest speed.
+    pub fn store(&mut self, output: &mut MotionOutput<'_>) -> usize {
         let mut limited = 0;
         for mut moving in self.moving.drain(..) {
             limited += usize::from(moving.motion.is_limited);
-            moving.store(context);
-            if let Some(place) = context.multibodies.get_unnoted_mut(moving.index) {
+            moving.store(output);
+            if let Some(place) = output.multibodies.get_unnoted_mut(moving.index) {
                 *place = core::mem::take(&mut moving.multibody);
             }
             self.spare.push(moving);
@@ -96,12 +96,13 @@ impl Moving {
         note_travel(&mut self.travel, self.motion.link_velocities_at(rates), h);
     }
 
-    fn store(&mut self, context: &mut SolverContext<'_>) {
-        let SolverContext { islands, bodies, params, fast, trajectories, .. } = context;
+    fn store(&mut self, output: &mut MotionOutput<'_>) {
+        let MotionOutput { settings, bodies, motions, fast, trajectories, .. } = output;
+        let params = settings.params;
         self.multibody.lists.store_velocities(&self.motion.rates);
         let (first, mut is_fast) = (fast.len(), false);
         for id in 0..self.multibody.links.len() {
-            let Some((bound, motion)) = self.store_link(id, islands, bodies) else { continue };
+            let Some((bound, motion)) = self.store_link(id, motions, bodies) else { continue };
             let Some(body) = bodies.get_unnoted_mut(motion.body) else { continue };
             body.ccd_active = FastMotion::is_fast(body, bound, params);
             is_fast |= body.ccd_active;
@@ -134,7 +135,7 @@ impl Moving {
     fn store_link(
         &mut self,
         id: usize,
-        islands: &mut IslandManager,
+        motions: &mut [BodyMotion],
         bodies: &mut RigidBodySet,
     ) -> Option<(Real, FastMotion)> {
         let velocity = self.motion.link_velocities()[id];
@@ -154,7 +155,7 @@ impl Moving {
             let rounded = (body.mprops.world_com - old_center).length();
             let LinkTravel { path_length, angle } = self.travel[id];
             let bound = rounded.max(path_length) + angle * body.extent;
-            islands.set_motion(link.body.into_raw_parts().0, BodyMotion::within(bound));
+            motions[link.body.into_raw_parts().0 as usize] = BodyMotion::within(bound);
             let (shift, rotvec) = (body.mprops.world_com - old_center, ANG_ZERO);
             let force = linear(&self.motion.forces[id].wrench);
             let acceleration = force * body.mprops.local_mprops.inv_mass;
