@@ -35,10 +35,9 @@
 //! Joints transmit impacts. Directly solved locked axes take part. After each iteration over `S`, the
 //! velocities are projected on the admissible ones. Joints resist the changes of an impact. The work of their
 //! impulses `μ` is `μ Jv`, with the velocities before the impact. That is zero where the joint held these
-//! velocities, and only forces have acted since. But in a substep that turns a body by a radian the joint's
-//! axes turn away from the velocities that it left. Then the work is arbitrary, and is added to the sum
-//! above, and to `-a`. Without it, two cubes on a hinge that fell into a heap at 250 rad/s had 10¹⁶ times
-//! their velocity after the maximum of rounds.
+//! velocities, and only forces have acted since. In a substep that rotates a body by a radian, the joint's
+//! axes rotate away from the velocities that it left. The work is then arbitrary. It is added to the sum above
+//! and to `-a`.
 //!
 //! The impulses of a round, of contacts and joints, are final when its fraction is known. Bodies, friction,
 //! reports and break limits get `s λ` and `s μ`. An island whose round has the fraction zero is unchanged,
@@ -47,17 +46,16 @@
 //! All that holds for one mass matrix `M`. The projected changes are the nearest ones in its metric, which is
 //! that of the kinetic energy. (Moreau, "Unilateral contact and dry friction in finite freedom dynamics",
 //! 1988.) In this metric they still separate the contacts that hit. Contacts use the inertias of the start of
-//! the step. If joints used the current ones, the contact of a thin board that has rotated by a radian would
-//! approach faster under any impulse. Rounds then added up to a quarter of the energy, without being
-//! detected. So in impacts joints take the inertias that contacts have.
+//! the step. In impacts, joints therefore use these too.
 //!
 //! ## Supported loads
 //! A substep starts with the impulses of the last one, which may be outdated. An impulse that stopped an
 //! impact would accelerate the body now. So impacts use the velocities before any impulse
-//! (`SolverBodies::before`), after the forces and without any support. A loaded contact would then approach. The impulses of the last substep change
-//! that velocity by `o_i`, from 0 up to the effect of the forces. This constant of the substep is added. With
-//! it, resting and loaded bodies are at rest. The energy added is then less than the sum above, by `Σ λ_i
-//! o_i`. Joints apply to changes alone: the changes of an impact must be admissible.
+//! (`SolverBodies::before`), after the forces and without any support. A loaded contact would then approach.
+//! The impulses of the last substep change that velocity by `o_i`, from 0 up to the effect of the forces. This
+//! constant of the substep is added. With it, resting and loaded bodies are at rest. The energy added is then
+//! less than the sum above, by `Σ λ_i o_i`. Joints apply to changes alone: the changes of an impact must be
+//! admissible.
 //!
 //! ## Time of impact
 //! An impact happens at a time `τ = C / |c|` within the substep, or before it if a fast body was detected
@@ -439,6 +437,7 @@ impl Impacts {
         bodies: &mut SolverBodies,
         context: &ImpactContext<'_>,
     ) {
+        debug_assert!(self.is_empty() || bodies.last.len() == bodies.states.len());
         let known = KnownVelocities { last: &bodies.last, loaded: &bodies.states };
         let states = DisjointMut::new(&mut bodies.before);
         let impacts = DisjointMut::new(&mut self.blocks);

@@ -17,9 +17,8 @@
 //! these. It returns to a time before the substep only if all its links move as one. That distance exceeds
 //! the range of the tangents of a chain. On the return, links that were not hit would end up in the ground.
 //!
-//! Impact velocities of multibodies exclude the impulses that the substep starts with. Without this rule, an
-//! impact could drive a link into the ground, and the contact there would throw it back in the next substep.
-//! That causes another impact with a larger impulse, until all links fly about.
+//! Impact velocities of multibodies exclude the impulses that the substep starts with: see *Supported loads*
+//! in `impacts/mod.rs`.
 //!
 //! Limits, motors, gears and loops take no part: the following passes undo the effect of an impact on them.
 
