@@ -1,8 +1,8 @@
 //! Input and output of the solver, and the context of its passes.
 //!
-//! The solver has three phases. It loads from the sets, and reads them while it solves ([`SolverInput`]). If no
-//! body diverged, it stores impulses ([`ImpulseOutput`]), and then motions ([`MotionOutput`]). The functions of
-//! a phase receive its type, or single sets. The types show what a phase writes.
+//! The solver has three phases. It loads from the sets, and reads them while it solves ([`SolverInput`]). If
+//! no body diverged, it stores impulses ([`ImpulseOutput`]), and then motions ([`MotionOutput`]). The
+//! functions of a phase receive its type, or single sets. The types show what a phase writes.
 
 use crate::base::tasks::Tasks;
 use crate::base::wide::Simd;

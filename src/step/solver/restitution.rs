@@ -92,8 +92,8 @@ pub(super) fn supported<N: Number>(free: N, last: N, loaded: N, pass: &ImpactPas
     (support_velocity, at_rest - N::all(pass.threshold * APPROACH_CHANGE_MIN))
 }
 
-/// The time of several impacts in a round: two sums, and the mean time is their quotient. Impacts of a body are
-/// weighted by their impulses. Those of a multibody count equally.
+/// The time of several impacts in a round: two sums, and the mean time is their quotient. Impacts of a body
+/// are weighted by their impulses. Those of a multibody count equally.
 #[derive(Copy, Clone, Debug, Default)]
 pub(super) struct ImpactTime {
     /// The sum of impulses, or the number of impacts.

@@ -163,9 +163,9 @@ impl SolverBodies {
         limited.into_inner()
     }
 
-    /// Commits the changes of an impact to the velocities [before](Self::before) any impulse since the `start`,
-    /// scaled by the `fraction` of each island. The changes count from the mean time of the impacts of a body.
-    /// They are no warm-start impulses, so the states get the same changes.
+    /// Commits the changes of the velocities [before](Self::before) any impulse by an impact since the
+    /// `start`, scaled by the `fraction` of each island. The changes count from the mean time of the impacts
+    /// of a body. They are no warm-start impulses, so the states get the same changes.
     pub fn accept_impact(
         &mut self,
         touched: &[u32],

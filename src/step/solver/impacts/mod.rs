@@ -36,8 +36,8 @@
 //! velocities are projected on the admissible ones. Joints resist the changes of an impact. The work of their
 //! impulses `μ` is `μ Jv`, with the velocities before the impact. That is zero where the joint held these
 //! velocities, and only forces have acted since. In a substep that rotates a body by a radian, the joint's
-//! axes rotate away from the velocities that it left. The work is then arbitrary. It is added to the sum above
-//! and to `-a`.
+//! axes rotate away from the velocities that it left. The work is then arbitrary. It is added to the sum
+//! above and to `-a`.
 //!
 //! The impulses of a round, of contacts and joints, are final when its fraction is known. Bodies, friction,
 //! reports and break limits get `s λ` and `s μ`. An island whose round has the fraction zero is unchanged,
@@ -52,10 +52,10 @@
 //! A substep starts with the impulses of the last one, which may be outdated. An impulse that stopped an
 //! impact would accelerate the body now. So impacts use the velocities before any impulse
 //! (`SolverBodies::before`), after the forces and without any support. A loaded contact would then approach.
-//! The impulses of the last substep change that velocity by `o_i`, from 0 up to the effect of the forces. This
-//! constant of the substep is added. With it, resting and loaded bodies are at rest. The energy added is then
-//! less than the sum above, by `Σ λ_i o_i`. Joints apply to changes alone: the changes of an impact must be
-//! admissible.
+//! The impulses of the last substep change that velocity by `o_i`, from 0 up to the effect of the forces.
+//! This constant of the substep is added. With it, resting and loaded bodies are at rest. The energy added is
+//! then less than the sum above, by `Σ λ_i o_i`. Joints apply to changes alone: the changes of an impact must
+//! be admissible.
 //!
 //! ## Time of impact
 //! An impact happens at a time `τ = C / |c|` within the substep, or before it if a fast body was detected

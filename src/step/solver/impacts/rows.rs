@@ -37,7 +37,7 @@ struct ImpactRow {
     active: HitRow<Lane>,
 }
 
-/// Velocities of all bodies that impacts do not change.
+/// Velocities of all bodies, which impacts read and do not change.
 #[derive(Copy, Clone)]
 pub(in super::super) struct KnownVelocities<'a> {
     /// At the end of the last substep.

@@ -1,4 +1,4 @@
-//! The bodies that an impact may change, their velocities when its round began, and the times of their impacts.
+//! The bodies that an impact may change: their velocities when its round began, and the times of its impacts.
 
 use crate::dim::state::{BodyState, READ_ONLY};
 use crate::step::solver::restitution::ImpactTime;
