@@ -52,21 +52,37 @@ const WHOLE_WORLD: [(&str, &str); 2] = [
 
 /// The rooms of the solver, each with the rooms that it may use, which stand before it. The solver's `mod.rs`
 /// and its tests use all of them.
-const SOLVER: [(&str, &[&str]); 15] = [
+const SOLVER: [(&str, &[&str]); 16] = [
     ("axis_law", &[]),
     ("blocks", &[]),
     ("context", &[]),
+    ("impact_time", &[]),
     ("island_sums", &[]),
     ("joint_rules", &[]),
     ("links", &[]),
     ("restitution", &[]),
     ("states", &[]),
     ("groups", &["context"]),
-    ("bodies", &["context", "groups", "links", "states"]),
+    ("bodies", &["context", "groups", "impact_time", "links", "states"]),
     ("recovery", &["bodies", "island_sums"]),
     ("contacts", &["blocks", "bodies", "context", "links", "recovery", "states"]),
-    ("joints", &["axis_law", "blocks", "bodies", "context", "joint_rules", "links", "states"]),
-    ("multibodies", &["axis_law", "bodies", "context", "joint_rules", "links", "restitution"]),
+    (
+        "joints",
+        &[
+            "axis_law",
+            "blocks",
+            "bodies",
+            "context",
+            "impact_time",
+            "joint_rules",
+            "links",
+            "states",
+        ],
+    ),
+    (
+        "multibodies",
+        &["axis_law", "bodies", "context", "impact_time", "joint_rules", "links", "restitution"],
+    ),
     (
         "impacts",
         &[
@@ -74,6 +90,7 @@ const SOLVER: [(&str, &[&str]); 15] = [
             "bodies",
             "contacts",
             "context",
+            "impact_time",
             "island_sums",
             "joints",
             "multibodies",

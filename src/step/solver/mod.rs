@@ -23,6 +23,7 @@ mod bodies;
 mod contacts;
 mod context;
 mod groups;
+mod impact_time;
 mod impacts;
 mod island_sums;
 mod joint_rules;

@@ -6,7 +6,7 @@
 use crate::base::wide::{Lane, Wide, record_of_lanes};
 use crate::dim::math::Real;
 use crate::model::params::ImpactPass;
-use core::ops::{Add, AddAssign, Mul, Neg, Sub};
+use core::ops::{Add, Mul, Neg, Sub};
 
 /// Gauss–Seidel iterations over the points of a manifold in each iteration over all manifolds. The points
 /// couple with each other more than with other manifolds.
@@ -90,35 +90,6 @@ pub(super) fn supported<N: Number>(free: N, last: N, loaded: N, pass: &ImpactPas
     let now = free + support_velocity;
     let at_rest = now.smaller(zero).where_reached(N::all(-pass.threshold), now.larger(last));
     (support_velocity, at_rest - N::all(pass.threshold * APPROACH_CHANGE_MIN))
-}
-
-/// The time of several impacts in a round: two sums, and the mean time is their quotient. Impacts of a body
-/// are weighted by their impulses. Those of a multibody count equally.
-#[derive(Copy, Clone, Debug, Default)]
-pub(super) struct ImpactTime {
-    /// The sum of impulses, or the number of impacts.
-    pub weight: Real,
-    /// The sum of weight times time since the beginning of the substep (s).
-    pub moment: Real,
-}
-
-impl ImpactTime {
-    /// One impact.
-    pub fn new(weight: Real, time: Real) -> Self {
-        Self { weight, moment: weight * time }
-    }
-
-    /// The mean time (s); `None` without an impact.
-    pub fn mean(&self) -> Option<Real> {
-        (self.weight > 0.0).then(|| self.moment / self.weight)
-    }
-}
-
-impl AddAssign for ImpactTime {
-    fn add_assign(&mut self, other: Self) {
-        self.weight += other.weight;
-        self.moment += other.moment;
-    }
 }
 
 /// Data of a hitting point.

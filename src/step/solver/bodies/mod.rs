@@ -7,7 +7,7 @@ mod divergence;
 
 use super::context::SolverPass;
 use super::groups::{Group, Groups};
-use super::restitution::ImpactTime;
+use super::impact_time::ImpactTime;
 use crate::base::disjoint::DisjointMut;
 use crate::base::tasks::{Gather, Tasks};
 use crate::dim::math::{Real, SpatialVector};

@@ -14,7 +14,8 @@ use crate::dim::math::{MAX_MANIFOLD_POINTS, Real};
 use crate::dim::state::{BodyState, READ_ONLY};
 use crate::step::solver::blocks::block_kernel;
 use crate::step::solver::contacts::Blocks;
-use crate::step::solver::restitution::{HitRow, ImpactTime, POINT_ITERATIONS};
+use crate::step::solver::impact_time::ImpactTime;
+use crate::step::solver::restitution::{HitRow, POINT_ITERATIONS};
 use core::ops::Range;
 
 /// All contacts of a round.

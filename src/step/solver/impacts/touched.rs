@@ -1,7 +1,7 @@
 //! The bodies that an impact may change: their velocities when its round began, and the times of its impacts.
 
 use crate::dim::state::{BodyState, READ_ONLY};
-use crate::step::solver::restitution::ImpactTime;
+use crate::step::solver::impact_time::ImpactTime;
 use core::ops::Range;
 
 /// The set is usually small. The states at the start are stored, and compared for these bodies alone.

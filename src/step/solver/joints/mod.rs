@@ -76,7 +76,7 @@ mod geometric_stiffness;
 use super::blocks::{Layout, block_kernel, for_each_color};
 use super::bodies::SolverBodies;
 use super::context::SolverPass;
-use super::restitution::ImpactTime;
+use super::impact_time::ImpactTime;
 use crate::base::disjoint::DisjointMut;
 use crate::base::tasks::Tasks;
 use crate::base::wide::Simd;

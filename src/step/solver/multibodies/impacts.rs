@@ -31,8 +31,9 @@ use crate::model::island::NONE;
 use crate::model::params::ImpactPass;
 use crate::step::solver::bodies::SolverBodies;
 use crate::step::solver::context::SolverInput;
+use crate::step::solver::impact_time::ImpactTime;
 use crate::step::solver::restitution::{
-    APPROACH_CHANGE_MIN, DEFERRED_SEPARATION, HitRow, ImpactTime, POINT_ITERATIONS, supported,
+    APPROACH_CHANGE_MIN, DEFERRED_SEPARATION, HitRow, POINT_ITERATIONS, supported,
 };
 
 /// A contact point in an impact. See `ImpactRow` in `impacts/rows.rs`.

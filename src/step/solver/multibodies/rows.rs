@@ -15,7 +15,7 @@ use super::Moving;
 use crate::dim::math::{Real, SpatialVector};
 use crate::dim::spatial::{angular, join, linear};
 use crate::dim::state::{BodyState, READ_ONLY};
-use crate::step::solver::restitution::ImpactTime;
+use crate::step::solver::impact_time::ImpactTime;
 
 /// One side of a row, or two sides of the same multibody.
 #[derive(Copy, Clone, Debug)]

@@ -13,10 +13,10 @@ use crate::dim::state::{BodyPose, BodyState, READ_ONLY};
 use crate::model::contact::{AnchorFrame, ContactInput, ContactReport};
 use crate::model::params::{ContactPass, ImpactPass, Softness};
 use crate::step::solver::contacts::{PrepareContext, passes, prepare, store_impulses};
+use crate::step::solver::impact_time::ImpactTime;
 use crate::step::solver::impacts::{
     ActiveBlock, ImpactBlock, ImpactMark, KnownVelocities, NormalRows, lanes,
 };
-use crate::step::solver::restitution::ImpactTime;
 use parry::shape::{Cuboid, Shape};
 
 /// The lane that tests of one contact use.
@@ -328,7 +328,7 @@ impl Kernel for Run<'_> {
                         threshold: THRESHOLD,
                         fall: 10.0 * SUBSTEP,
                     };
-                    let known = KnownVelocities { last: &before, loaded: &loaded };
+                    let known = KnownVelocities { last: before, loaded: &loaded };
                     bounce::<W>(block, coulomb.as_mut(), input.restitution, &states, known, &pass);
                 }
             }

@@ -57,7 +57,7 @@ use crate::base::tasks::Tasks;
 use crate::base::wide::{Lane, Simd};
 use crate::dim::math::{Real, SPATIAL_DIM};
 use crate::dim::state::BodyState;
-use crate::step::solver::restitution::ImpactTime;
+use crate::step::solver::impact_time::ImpactTime;
 use factor::Factor;
 use pattern::{Pattern, has_moderate_mass_ratio};
 use progress::Progress;
