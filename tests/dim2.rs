@@ -54,6 +54,16 @@ pub fn angle(rotation: &Rotation) -> Real {
     rotation.angle()
 }
 
+/// Returns gears.
+pub fn gear(ratio: Real) -> GearJointBuilder {
+    GearJointBuilder::new(ratio)
+}
+
+/// Returns a pinion, and a rack along x.
+pub fn rack(radius: Real) -> RackJointBuilder {
+    RackJointBuilder::new(Vector::X, radius)
+}
+
 /// Returns a hinge.
 pub fn hinge() -> RevoluteJointBuilder {
     RevoluteJointBuilder::new()

@@ -81,6 +81,16 @@ pub fn angle(rotation: &Rotation) -> Real {
     rotation.to_scaled_axis().z
 }
 
+/// Returns gears about the axis out of the plane.
+pub fn gear(ratio: Real) -> GearJointBuilder {
+    GearJointBuilder::new(Vector::Z, Vector::Z, ratio)
+}
+
+/// Returns a pinion about the axis out of the plane, and a rack along x.
+pub fn rack(radius: Real) -> RackJointBuilder {
+    RackJointBuilder::new(Vector::Z, Vector::X, radius)
+}
+
 /// Returns a hinge about the axis out of the plane.
 pub fn hinge() -> RevoluteJointBuilder {
     RevoluteJointBuilder::new(Vector::Z)

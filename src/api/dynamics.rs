@@ -10,10 +10,12 @@ pub use crate::model::body::{
 pub use crate::model::collider::CoefficientCombineRule;
 pub use crate::model::island::IslandManager;
 pub use crate::model::joint::{
-    BodyPair, FixedJoint, FixedJointBuilder, GenericJoint, GenericJointBuilder, ImpulseJoint,
-    ImpulseJointHandle, ImpulseJointSet, InvalidJoint, JointEnabled, JointLimits, JointMotor,
-    MotorModel, PrismaticJoint, PrismaticJointBuilder, RevoluteJoint, RevoluteJointBuilder,
-    RopeJoint, RopeJointBuilder, SpringCoefficients, SpringJoint, SpringJointBuilder,
+    BodyPair, FixedJoint, FixedJointBuilder, GearJoint, GearJointBuilder, GenericJoint,
+    GenericJointBuilder, ImpulseJoint, ImpulseJointHandle, ImpulseJointSet, InvalidJoint,
+    JointEnabled, JointLimits, JointMotor, MotorModel, PrismaticJoint, PrismaticJointBuilder,
+    PulleyJoint, PulleyJointBuilder, RackJoint, RackJointBuilder, RevoluteJoint,
+    RevoluteJointBuilder, RopeJoint, RopeJointBuilder, SpringCoefficients, SpringJoint,
+    SpringJointBuilder, Transmission, TransmissionEnd,
 };
 // A glob, because each of the two dimensions has a joint of its own.
 pub use crate::base::square::SquareMatrix;

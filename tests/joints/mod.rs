@@ -19,6 +19,7 @@ pub mod pendulum;
 mod sliding;
 mod springs;
 mod stiff;
+mod transmissions;
 mod wrecking_ball;
 mod turning;
 mod twice;

@@ -1,10 +1,13 @@
 //! Joints that exist in 2D only, or have other constructors there.
 
 use crate::dim::joint_axes::{JointAxesMask, JointAxis};
-use crate::dim::math::Vector;
+use crate::dim::math::{Real, Vector};
 use crate::model::joint::kind::{joint_axis_methods, joint_drive_methods, joint_kind};
 use crate::model::joint::views::joint_view;
-use crate::model::joint::{GenericJoint, RevoluteJoint, RevoluteJointBuilder};
+use crate::model::joint::{
+    GearJoint, GearJointBuilder, GenericJoint, RackJoint, RackJointBuilder, RevoluteJoint,
+    RevoluteJointBuilder,
+};
 
 impl Default for RevoluteJoint {
     fn default() -> Self {
@@ -61,5 +64,38 @@ impl PinSlotJointBuilder {
     /// A slot along an axis: see [`PinSlotJoint::new`].
     pub fn new(axis: Vector) -> Self {
         Self(PinSlotJoint::new(axis))
+    }
+}
+
+impl GearJoint {
+    /// Gears of this ratio: see [`Self::ratio`]. A ratio of 0, or one that is not finite, is logged and
+    /// replaced by 1.
+    pub fn new(ratio: Real) -> Self {
+        Self::of_ratio(ratio)
+    }
+}
+
+impl GearJointBuilder {
+    /// Gears of this ratio: see [`GearJoint::new`].
+    pub fn new(ratio: Real) -> Self {
+        Self(GearJoint::new(ratio))
+    }
+}
+
+impl RackJoint {
+    /// A pinion, and a rack along an axis of the second body, in that body's frame: see [`Self::radius`]. The
+    /// length of the axis does not matter. A radius of 0, or one that is not finite, is logged and replaced
+    /// by 1.
+    pub fn new(axis: Vector, radius: Real) -> Self {
+        let mut rack = Self::of_radius(radius);
+        rack.data.set_local_axis2(axis);
+        rack
+    }
+}
+
+impl RackJointBuilder {
+    /// A pinion and a rack: see [`RackJoint::new`].
+    pub fn new(axis: Vector, radius: Real) -> Self {
+        Self(RackJoint::new(axis, radius))
     }
 }

@@ -4,7 +4,10 @@ use crate::dim::joint_axes::{JointAxesMask, JointAxis};
 use crate::dim::math::{Real, Vector};
 use crate::model::joint::kind::{joint_drive_methods, joint_frame_methods, joint_kind};
 use crate::model::joint::views::joint_view;
-use crate::model::joint::{GenericJoint, RevoluteJoint, RevoluteJointBuilder};
+use crate::model::joint::{
+    GearJoint, GearJointBuilder, GenericJoint, RackJoint, RackJointBuilder, RevoluteJoint,
+    RevoluteJointBuilder,
+};
 
 impl RevoluteJoint {
     /// A hinge about an axis, which is the same in the frames of both bodies. Its length does not matter. An
@@ -99,5 +102,61 @@ impl SphericalJointBuilder {
     pub fn swing_limit(mut self, angle: Real) -> Self {
         self.0.set_swing_limit(angle);
         self
+    }
+}
+
+impl GearJoint {
+    /// Gears about these axes of the bodies, each in the body's frame: see [`Self::ratio`]. The lengths of the
+    /// axes do not matter. A ratio of 0, or one that is not finite, is logged and replaced by 1.
+    ///
+    /// ```
+    /// # use rapier3d::prelude::*;
+    /// # let mut world = PhysicsWorld::new();
+    /// # let frame = world.insert_body(RigidBodyBuilder::fixed());
+    /// # let mut wheel = |x: Real| {
+    /// #     let body = RigidBodyBuilder::dynamic().translation(vector![x, 0.0, 0.0]);
+    /// #     let (body, _) = world.insert(body, ColliderBuilder::cylinder(0.1, 0.4));
+    /// #     let axle = RevoluteJointBuilder::new(Vector::Y).local_anchor1(vector![x, 0.0, 0.0]);
+    /// #     world.insert_impulse_joint(frame, body, axle);
+    /// #     body
+    /// # };
+    /// # let (small, large) = (wheel(0.0), wheel(1.0));
+    /// // The large wheel has three times as many teeth, and rotates the other way.
+    /// let gear = GearJoint::new(Vector::Y, Vector::Y, 3.0);
+    /// world.insert_impulse_joint(small, large, gear);
+    /// # world.bodies[small].set_angvel(vector![0.0, 4.0, 0.0], true);
+    /// # for _ in 0..60 { world.step(); }
+    /// # let [first, second] = [small, large].map(|wheel| world.bodies[wheel].angvel().y);
+    /// # assert!((first + 3.0 * second).abs() < 1.0e-4);
+    /// ```
+    pub fn new(axis1: Vector, axis2: Vector, ratio: Real) -> Self {
+        let mut gear = Self::of_ratio(ratio);
+        gear.data.set_local_axis1(axis1).set_local_axis2(axis2);
+        gear
+    }
+}
+
+impl GearJointBuilder {
+    /// Gears about two axes: see [`GearJoint::new`].
+    pub fn new(axis1: Vector, axis2: Vector, ratio: Real) -> Self {
+        Self(GearJoint::new(axis1, axis2, ratio))
+    }
+}
+
+impl RackJoint {
+    /// A pinion that rotates about an axis of the first body, and a rack along an axis of the second, each in
+    /// the body's frame: see [`Self::radius`]. The lengths of the axes do not matter. A radius of 0, or one
+    /// that is not finite, is logged and replaced by 1.
+    pub fn new(axis1: Vector, axis2: Vector, radius: Real) -> Self {
+        let mut rack = Self::of_radius(radius);
+        rack.data.set_local_axis1(axis1).set_local_axis2(axis2);
+        rack
+    }
+}
+
+impl RackJointBuilder {
+    /// A pinion and a rack: see [`RackJoint::new`].
+    pub fn new(axis1: Vector, axis2: Vector, radius: Real) -> Self {
+        Self(RackJoint::new(axis1, axis2, radius))
     }
 }

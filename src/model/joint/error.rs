@@ -56,6 +56,16 @@ pub enum InvalidJoint {
         /// The admissible values.
         expected: &'static str,
     },
+    /// A transmission has locked axes, or limits or motors besides those of its sum.
+    #[error("a transmission has no axes besides LinX, but {axes:?} are locked, limited or driven")]
+    TransmissionAxes {
+        /// The axes.
+        axes: JointAxesMask,
+    },
+    /// A multibody joint must not be a transmission. Couple the degrees of freedom of the multibody, or use an
+    /// impulse joint between its links.
+    #[error("a multibody joint cannot be a transmission")]
+    TransmissionInMultibody,
     /// A link of a multibody has no degree of freedom with its own coordinate on this axis.
     #[error("link {link} has no coordinate {axis:?}: the axis is locked, or one of a ball joint")]
     Dof {

@@ -3,7 +3,7 @@
 use super::motor::check_threshold;
 use super::{
     InvalidJoint, JointLimits, JointMotor, JointSoftness, MotorModel, STIFFEST, SpringCoefficients,
-    spring_of,
+    Transmission, spring_of,
 };
 use crate::base::measure::is_point;
 use crate::dim::joint_axes::{JointAxesMask, JointAxis, frame_along};
@@ -77,6 +77,8 @@ pub struct GenericJoint {
     pub limits: [JointLimits; SPATIAL_DIM],
     /// Motors by axis.
     pub motors: [JointMotor; SPATIAL_DIM],
+    /// The transmission of gears and pulleys; `None` of other joints.
+    pub transmission: Option<Transmission>,
     /// User data.
     pub user_data: u128,
 }
@@ -92,6 +94,7 @@ impl Default for GenericJoint {
             coupled_axes: JointAxesMask::empty(),
             limits: [JointLimits::default(); SPATIAL_DIM],
             motors: [JointMotor::default(); SPATIAL_DIM],
+            transmission: None,
             softness: STIFFEST,
             break_force: Real::INFINITY,
             break_torque: Real::INFINITY,
@@ -109,7 +112,7 @@ pub(crate) fn mask_of(axis: JointAxis) -> JointAxesMask {
 
 /// Treatment of a refused value in a plain setter.
 #[cold]
-fn log_refusal(error: InvalidJoint) {
+pub(super) fn log_refusal(error: InvalidJoint) {
     log::warn!("{error}; the old value stays");
 }
 
@@ -248,6 +251,11 @@ impl GenericJoint {
     /// Positions, angles, limits and targets change their signs.
     pub fn flip(&mut self) {
         core::mem::swap(&mut self.local_frame1, &mut self.local_frame2);
+        if let Some(transmission) = &mut self.transmission {
+            transmission.ends.swap(0, 1);
+            transmission.ratios.swap(0, 1);
+            return;
+        }
         for axis in JointAxis::ALL {
             if self.coupled_axes.contains(mask_of(axis)) {
                 continue; // distances have no sign
@@ -443,6 +451,7 @@ impl GenericJoint {
             self.limits(axis).map_or(Ok(()), |limits| limits.check(axis))?;
             self.motor(axis).map_or(Ok(()), JointMotor::check)?;
         }
+        self.check_transmission()?;
         self.spring().map_or(Ok(()), |spring| spring.check())?;
         check_threshold("the force at which a joint breaks", self.break_force)?;
         check_threshold("the torque at which a joint breaks", self.break_torque)

@@ -22,17 +22,20 @@ pub(crate) struct JointForm {
     pub driven: u8,
     /// Whether it locks exactly the translations, without limits, motors and springs.
     pub is_point_to_point: bool,
+    /// Whether it is a [`Transmission`](super::Transmission).
+    pub is_transmission: bool,
 }
 
 impl JointForm {
     /// The form of a joint.
     pub fn of(joint: &GenericJoint) -> Self {
         let drives = joint.limit_axes | joint.motor_axes;
+        let is_transmission = joint.transmission.is_some();
         let is_point_to_point = joint.locked_axes == JointAxesMask::LIN_AXES
             && drives.is_empty()
             && joint.spring().is_none();
         let driven = if drives.is_empty() { 0 } else { joint.driven_axes().count() as u8 };
-        Self { locked: joint.locked_axes.bits(), driven, is_point_to_point }
+        Self { locked: joint.locked_axes.bits(), driven, is_point_to_point, is_transmission }
     }
 
     /// Returns whether it locks a rotation.

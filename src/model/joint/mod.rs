@@ -19,6 +19,7 @@ mod rope;
 mod set;
 mod spring;
 mod spring_joint;
+mod transmission;
 pub(crate) mod views;
 
 pub use builder::GenericJointBuilder;
@@ -37,3 +38,7 @@ pub use rope::{RopeJoint, RopeJointBuilder};
 pub use set::ImpulseJointSet;
 pub use spring::{JointSoftness, STIFFEST, SpringCoefficients, spring_of};
 pub use spring_joint::{SpringJoint, SpringJointBuilder};
+pub use transmission::{
+    GearJoint, GearJointBuilder, PulleyJoint, PulleyJointBuilder, RackJoint, RackJointBuilder,
+    Transmission, TransmissionEnd,
+};

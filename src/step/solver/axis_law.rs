@@ -170,7 +170,7 @@ impl AxisLaw {
             Piece::Lower | Piece::Upper => self.motor(self.low),
             Piece::Motor | Piece::Constant(_) => self.bounded(impulse),
         };
-        let motor = motor.min(impulse + room).max(impulse - room);
+        let motor = self.bounded(motor.min(impulse + room).max(impulse - room));
         let of_limits = impulse - motor;
         [motor, of_limits.max(0.0), (-of_limits).max(0.0)]
     }

@@ -33,6 +33,7 @@ mod multibodies;
 mod recovery;
 mod restitution;
 mod states;
+mod transmission_end;
 #[cfg(test)]
 mod tests;
 

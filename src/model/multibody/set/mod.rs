@@ -180,6 +180,9 @@ impl MultibodyJointSet {
         data: &GenericJoint,
     ) -> Result<(), InvalidJoint> {
         data.validate()?;
+        if data.transmission.is_some() {
+            return Err(InvalidJoint::TransmissionInMultibody);
+        }
         let axes = data.coupled_axes & !data.locked_axes & JointAxesMask::LIN_AXES;
         if axes.intersects(data.limit_axes | data.motor_axes) {
             return Err(InvalidJoint::DistanceInMultibody { axes });

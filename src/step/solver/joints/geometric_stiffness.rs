@@ -55,7 +55,7 @@ use crate::dim::math::{
     ANG_DIM, ANG_ZERO, AngularInertia, DIM, Real, Vector, ang_length_squared, cross, torque,
     zero_inertia,
 };
-use crate::dim::state::{BodyPose, BodyState};
+use crate::dim::state::{BodyPose, BodyState, READ_ONLY};
 
 /// The `(h ω)²` above which a joint is stiff: a quarter of the stability limit of a chain. Pendulums of 2 cm
 /// and double pendulums of 10 cm are below at 240 substeps per second.
@@ -130,10 +130,14 @@ impl GeometricStiffness {
         self.bodies.resize(body_count, none);
     }
 
-    /// Notes a body that a joint holds.
-    pub fn note(&mut self, body: u32, inv_mass: Real, inv_inertia: &AngularInertia) {
-        let body = &mut self.bodies[body as usize];
-        (body.inv_mass, body.inv_inertia) = (inv_mass, *inv_inertia);
+    /// Notes the body on one side of a lane, which a joint holds.
+    pub fn note(&mut self, block: &JointBlock, side: usize, lane: usize) {
+        let body = block.bodies[side][lane];
+        if body & READ_ONLY == 0 {
+            let body = &mut self.bodies[body as usize];
+            body.inv_mass = block.inv_mass[side].lane(lane).max_element();
+            body.inv_inertia = block.inertias.lane(side, lane);
+        }
     }
 
     /// Returns whether the joint forces make a component stiff.

@@ -60,6 +60,9 @@ impl SolverJoints {
         self.direct.build(&self.members, context.bodies.states.len());
         self.assign_lane_slots();
         self.fill_blocks(joints, context, pass, tasks);
+        let Self { transmissions, members, blocks, rows, direct, .. } = self;
+        transmissions.load(members, joints, context, pass, (blocks, rows));
+        transmissions.note_alone(direct, rows);
         self.note_exact_joints(context.bodies.states.len());
         self.point_to_point.load(joints, context, pass, tasks);
     }
@@ -108,7 +111,9 @@ impl SolverJoints {
             self.point_to_point.add(color, members.iter().filter(is_point_to_point).map(slots));
             for is_exact in [true, false] {
                 let of_method = members.iter().filter(|member| {
-                    self.direct.contains(member.slot) == is_exact && !is_point_to_point(member)
+                    self.direct.contains(member.slot) == is_exact
+                        && !is_point_to_point(member)
+                        && !member.form.is_transmission
                 });
                 // Blocks that lock no rotation have half of the rows.
                 let turning = of_method.clone().filter(|member| !member.form.locks_rotations());
@@ -177,15 +182,14 @@ impl SolverJoints {
                     continue;
                 }
                 for side in 0..2 {
-                    let body = block.bodies[side][lane];
-                    if body & READ_ONLY == 0 {
-                        let inv_inertia = block.inertias.lane(side, lane);
-                        let inv_mass = block.inv_mass[side].lane(lane).max_element();
-                        self.geometric_stiffness.note(body, inv_mass, &inv_inertia);
-                    }
+                    self.geometric_stiffness.note(block, side, lane);
                 }
             }
         }
+        let Self { transmissions, direct, blocks, geometric_stiffness, .. } = self;
+        transmissions.note_places(direct, blocks, |block, side, lane| {
+            geometric_stiffness.note(block, side, lane);
+        });
         self.direct.begin_step(&self.blocks, &mut self.jacobians.blocks);
     }
 }
@@ -205,17 +209,41 @@ impl JointLoadContext<'_> {
 }
 
 /// One end of a joint: the solver's data of the body, and the joint's frame on it.
-struct End {
-    index: u32,
-    center: Vector,
-    arm: Vector,
-    frame: Rotation,
+pub(super) struct End {
+    pub index: u32,
+    pub center: Vector,
+    pub arm: Vector,
+    pub frame: Rotation,
     inv_mass: Vector,
     inv_inertia: AngularInertia,
     is_gyroscopic: bool,
 }
 
 impl End {
+    /// Both ends of a joint.
+    pub fn both(
+        joint: &ImpulseJoint,
+        JointLoadContext { world, bodies, .. }: JointLoadContext<'_>,
+        pass: &JointPass,
+    ) -> Option<[Self; 2]> {
+        let (body1, body2) = (joint.body1(), joint.body2());
+        let (first, second) = (world.get(body1)?, world.get(body2)?);
+        let frames = [joint.data.local_frame1, joint.data.local_frame2];
+        Some([
+            Self::new(first, body1.into_raw_parts().0, frames[0], bodies, pass),
+            Self::new(second, body2.into_raw_parts().0, frames[1], bodies, pass),
+        ])
+    }
+
+    /// Writes the numbers of the body to one lane of a block.
+    pub fn write(&self, block: &mut JointBlock, side: usize, lane: usize) {
+        block.bodies[side][lane] = self.index;
+        block.inv_mass[side].set_lane(lane, self.inv_mass);
+        block.inertias.set_lane(side, lane, &self.inv_inertia, self.is_gyroscopic);
+        block.arms[side].set_lane(lane, self.arm);
+        block.frames[side].set_lane(lane, &self.frame);
+    }
+
     fn new(
         body: &RigidBody,
         slot: u32,
@@ -253,27 +281,17 @@ fn load_lane(
     rows: &mut [AxisRow],
     lane: usize,
     joint: &mut ImpulseJoint,
-    JointLoadContext { world, bodies, .. }: JointLoadContext<'_>,
+    context: JointLoadContext<'_>,
     pass: &JointPass,
 ) {
-    let (body1, body2) = (joint.body1(), joint.body2());
-    let (Some(first), Some(second)) = (world.get(body1), world.get(body2)) else { return };
-    let frames = [joint.data.local_frame1, joint.data.local_frame2];
-    let ends = [
-        End::new(first, body1.into_raw_parts().0, frames[0], bodies, pass),
-        End::new(second, body2.into_raw_parts().0, frames[1], bodies, pass),
-    ];
+    let Some(ends) = End::both(joint, context, pass) else { return };
     for (side, end) in ends.iter().enumerate() {
-        block.bodies[side][lane] = end.index;
-        block.inv_mass[side].set_lane(lane, end.inv_mass);
-        block.inertias.set_lane(side, lane, &end.inv_inertia, end.is_gyroscopic);
-        block.arms[side].set_lane(lane, end.arm);
-        block.frames[side].set_lane(lane, &end.frame);
+        end.write(block, side, lane);
     }
     // Differences of positions first: far from the origin these have few digits.
     let separation = (ends[1].center - ends[0].center) + (ends[1].arm - ends[0].arm);
     block.separation.set_lane(lane, separation);
-    let impulse_fraction = bodies.impulse_fraction([ends[0].index, ends[1].index]);
+    let impulse_fraction = context.bodies.impulse_fraction([ends[0].index, ends[1].index]);
     joint.scale_impulses(impulse_fraction);
     load_locked(block, lane, joint, pass);
     if joint.data.spring().is_none() {
@@ -405,7 +423,7 @@ fn load_rotation(
     angle
 }
 
-fn load_motor_and_limits(
+pub(super) fn load_motor_and_limits(
     row: &mut AxisRow,
     lane: usize,
     joint: &GenericJoint,

@@ -72,6 +72,7 @@ mod point_to_point;
 mod rows;
 mod store;
 mod geometric_stiffness;
+mod transmissions;
 
 use super::blocks::{Layout, block_kernel, for_each_color};
 use super::bodies::SolverBodies;
@@ -91,6 +92,7 @@ use direct::{
 use geometric_stiffness::{GeometricStiffness, Moving, have_large_displacement};
 pub(super) use load::JointLoadContext;
 use point_to_point::PointToPointJoints;
+use transmissions::Transmissions;
 
 /// All joint constraints of a step.
 #[derive(Default)]
@@ -108,6 +110,8 @@ pub(super) struct SolverJoints {
     impact_impulses: Vec<ImpactImpulse>,
     /// The point-to-point joints, which have their own blocks.
     point_to_point: PointToPointJoints,
+    /// The transmissions. Their blocks are behind those of the other joints.
+    transmissions: Transmissions,
     /// All joints in the order of their colours, and the number of joints per colour.
     members: Vec<DirectJoint>,
     colors: Vec<(u32, usize)>,
@@ -157,12 +161,13 @@ impl Changes<'_> {
 impl SolverJoints {
     /// Number of joints.
     pub fn len(&self) -> usize {
-        self.layout.len() + self.point_to_point.len()
+        self.layout.len() + self.point_to_point.len() + self.transmissions.len()
     }
 
     /// Gives the bodies the impulses with which the step starts.
     pub fn warm_start(&mut self, bodies: &mut SolverBodies, pass: &SolverPass<'_>) {
         let (simd, tasks) = (pass.simd, pass.tasks);
+        self.transmissions.begin(&mut self.rows, &self.blocks, &bodies.states);
         let (_, states) = bodies.shared();
         let parts = Parts::new(&mut self.blocks, &mut self.rows);
         tasks.par_for(self.layout.block_count(), BLOCKS_PER_TASK, |range| {
@@ -172,6 +177,7 @@ impl SolverJoints {
             simd.run(WarmStart { range, parts, states });
         });
         self.point_to_point.warm_start(states, simd, tasks);
+        self.transmissions.warm_start(&self.rows, &self.blocks, &mut bodies.states);
     }
 
     /// Begins a substep: finds the stiff components, and scales the warm-start impulses as those of bodies.
@@ -188,6 +194,7 @@ impl SolverJoints {
             self.blocks.iter_mut().for_each(|block| block.scale_impulses(factor));
             self.rows.iter_mut().for_each(|row| row.scale_impulses(factor));
             self.point_to_point.scale_impulses(factor);
+            self.transmissions.scale_impulses(factor);
         }
     }
 
@@ -209,7 +216,11 @@ impl SolverJoints {
             simd.run(Iterate::<BIASED> { range, parts, states, pass });
         });
         self.point_to_point.iterate::<BIASED>(states, pass, simd, tasks);
-        if !BIASED {
+        let Self { transmissions, blocks, rows, .. } = self;
+        if BIASED {
+            transmissions.begin_solve(rows, blocks, &mut bodies.states);
+        } else {
+            transmissions.begin_relax((blocks, rows), states, simd);
             self.direct.invalidate_matrices();
         }
         if self.direct.is_empty() {
@@ -346,9 +357,10 @@ impl SolverJoints {
         simd: Simd,
         tasks: Tasks<'_>,
     ) {
-        let (_, states) = bodies.shared();
         let parts = Parts::new(&mut self.blocks, &mut self.rows);
-        let jacobians = self.jacobians.share();
+        let Self { transmissions, jacobians, .. } = self;
+        transmissions.write_rows::<BIASED>(parts, jacobians, &bodies.states, pass, simd);
+        let ((_, states), jacobians) = (bodies.shared(), jacobians.share());
         tasks.par_for(parts.blocks.len(), BLOCKS_PER_TASK, |range| {
             simd.run(WriteRows::<BIASED> { range, parts, jacobians, states, pass });
         });
@@ -363,6 +375,8 @@ impl SolverJoints {
         tasks.par_for(count, BLOCKS_PER_TASK, |range| {
             simd.run(Finish { range, parts, jacobians, is_last });
         });
+        let Self { transmissions, blocks, rows, jacobians, .. } = self;
+        transmissions.finish_round((blocks, rows), jacobians, is_last);
     }
 }
 

@@ -62,8 +62,6 @@
 //! times too slowly.
 
 use super::block::{AxisRow, LIMIT_NONE, MotorRow};
-use super::rows::Row;
-use super::substep_end::SubstepEnd;
 use crate::base::wide::Wide;
 use crate::dim::math::Real;
 use crate::model::params::JointPass;
@@ -194,7 +192,7 @@ pub(super) fn solve_axis<W: Wide, const BIASED: bool>(
     row: &mut AxisRow,
     axis: &FreeAxis<W>,
     [rate, curvature]: [W; 2],
-    along: &Row<W>,
+    is_translation: W::Mask,
     pass: &JointPass,
 ) -> W {
     let law = MotorLaw::new::<BIASED>(&mut row.motor, axis, curvature, pass);
@@ -205,7 +203,7 @@ pub(super) fn solve_axis<W: Wide, const BIASED: bool>(
         W::splat(LIMIT_ERROR_FRACTION * pass.inv_substep),
     );
     let ([low, high], _) =
-        rate_limits::<W, BIASED>(row, axis.position, correction_rate, along, pass);
+        rate_limits::<W, BIASED>(row, axis.position, correction_rate, is_translation, pass);
     let old = impulse_of(row);
     let free = rate - axis.effective * old;
     let motor = -(law.damping * free + law.pull) / (W::splat(1.0) + law.damping * axis.effective);
@@ -216,6 +214,7 @@ pub(super) fn solve_axis<W: Wide, const BIASED: bool>(
     // A rigid motor against a limit has any impulse. The sum must keep its digits.
     let room = W::splat(OPPOSED_RATE_MAX) * axis.inverse;
     let motor = motor.min(new + room).max(new - room);
+    let motor = motor.min(law.bound).max(-law.bound);
     motor.store(&mut row.motor.impulse);
     (new - motor).max(W::zero()).store(&mut row.lower);
     (motor - new).max(W::zero()).store(&mut row.upper);
@@ -235,11 +234,10 @@ pub(super) fn rate_limits<W: Wide, const BIASED: bool>(
     row: &AxisRow,
     position: W,
     correction_rate: W,
-    along: &Row<W>,
+    is_translation: W::Mask,
     pass: &JointPass,
 ) -> ([W; 2], [W; 2]) {
     let (zero, min, max) = (W::zero(), W::load(&row.min), W::load(&row.max));
-    let is_translation = SubstepEnd::is_translation(along);
     let correction_max =
         W::select(is_translation, W::splat(pass.correction_max), W::splat(LIMIT_NONE));
     let (mut rates, mut corrections) = ([zero; 2], [zero; 2]);

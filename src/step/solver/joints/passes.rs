@@ -370,7 +370,8 @@ fn solve_free<W: Wide, const BIASED: bool, const N: usize>(
     let effective = joint.masses.effective(&along);
     let axis = FreeAxis::new(position, effective);
     let rate = along.rate(&bodies.velocities);
-    let added = solve_axis::<W, BIASED>(row, &axis, [rate, curvature], &along, pass);
+    let is_translation = SubstepEnd::is_translation(&along);
+    let added = solve_axis::<W, BIASED>(row, &axis, [rate, curvature], is_translation, pass);
     if !BIASED && pass.is_last_iteration {
         (rate + effective * added).store(&mut row.motor.rate);
     }

@@ -18,17 +18,19 @@ impl SolverJoints {
     pub fn finish(&mut self, bodies: &mut SolverBodies, pass: &SolverPass<'_>) {
         let (_, states) = bodies.shared();
         self.point_to_point.finish(states, pass.simd, pass.tasks);
+        self.transmissions.finish(&bodies.states);
     }
 
     /// Writes impulses, forces and turn counts back to the joints, and breaks overloaded joints.
     pub fn store(&self, output: &mut ImpulseOutput<'_>) {
         let ImpulseOutput { settings, islands, joints, broken, .. } = output;
         let (inv_dt, tasks) = (settings.params.inv_dt(), settings.tasks);
-        let overload = AtomicBool::new(false);
+        let overload =
+            AtomicBool::new(self.transmissions.store(islands, joints, &self.rows, inv_dt));
         self.point_to_point.store(islands, joints, inv_dt, &overload, tasks);
         let (layout, blocks, all_rows) = (&self.layout, &self.blocks, &self.rows);
         let shared = joints.share();
-        tasks.par_for(blocks.len(), BLOCKS_PER_TASK, |range| {
+        tasks.par_for(layout.block_count(), BLOCKS_PER_TASK, |range| {
             for index in range {
                 let block = &blocks[index];
                 let rows = &all_rows[block.first_row..block.first_row + block.row_count];
@@ -55,8 +57,8 @@ impl SolverJoints {
         joints: &mut ImpulseJointSet,
         broken: &mut Vec<JointBreakEvent>,
     ) {
-        let slots =
-            self.point_to_point.slots().chain(self.layout.iter().map(|lane_slot| lane_slot.slot));
+        let of_blocks = self.layout.iter().map(|lane_slot| lane_slot.slot);
+        let slots = self.point_to_point.slots().chain(of_blocks).chain(self.transmissions.slots());
         for handle in slots.filter_map(|slot| Some(islands.joints.get(slot)?.handle)) {
             let Some(joint) = joints.get_unnoted_mut(handle) else { continue };
             if let Some(event) = break_if_overloaded(handle, joint) {

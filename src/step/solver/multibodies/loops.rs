@@ -30,13 +30,14 @@ use crate::dim::state::READ_ONLY;
 use crate::model::body::RigidBodySet;
 use crate::model::event::JointBreakEvent;
 use crate::model::joint::{
-    GenericJoint, ImpulseJointHandle, ImpulseJointSet, mask_of, relative_rotation,
+    GenericJoint, ImpulseJointHandle, ImpulseJointSet, Transmission, mask_of, relative_rotation,
 };
 use crate::model::params::{JointPass, Softness};
 use crate::step::solver::axis_law::AxisLaw;
 use crate::step::solver::bodies::SolverBodies;
 use crate::step::solver::context::SolverInput;
 use crate::step::solver::joint_rules::break_if_overloaded;
+use crate::step::solver::transmission_end::{End, Moved};
 use arrayvec::ArrayVec;
 
 /// Least compliance of a locked axis, as a fraction of its response to an impulse. Redundant rows share a
@@ -73,10 +74,21 @@ struct Loop {
     locked: ArrayVec<Locked, SPATIAL_DIM>,
 }
 
+/// The part of a transmission that is counted and not measured: its angles and shifts.
+#[derive(Copy, Clone, Debug)]
+struct Progress {
+    handle: ImpulseJointHandle,
+    row: Row,
+    /// When the step began, and now.
+    start: Real,
+    now: Real,
+}
+
 /// All impulse joints on links.
 #[derive(Debug, Default)]
 pub struct Loops {
     loops: Vec<Loop>,
+    progress: Vec<Progress>,
     /// First Jacobian of their locked axes.
     first_number: usize,
 }
@@ -88,8 +100,8 @@ struct Frames {
     between: Rotation,
     /// From anchor to anchor.
     separation: Vector,
-    /// The second anchor.
-    anchor: Vector,
+    anchors: [Vector; 2],
+    rotations: [Rotation; 2],
 }
 
 /// The body slots of a joint, and its index.
@@ -105,6 +117,7 @@ impl SolverMultibodies {
     ) {
         let SolverInput { world, joints, islands, .. } = input;
         self.loops.loops.clear();
+        self.loops.progress.clear();
         if self.moving.is_empty() {
             return;
         }
@@ -240,10 +253,19 @@ impl SolverMultibodies {
         frames: &Frames,
         h: Real,
     ) {
+        let position = self.loops.loops.len();
         for axis in joint.driven_axes() {
-            let (wrench, q, is_distance) = frames.free_axis(joint, axis);
-            let row = self.row_at(sides, frames, &wrench);
-            let position = self.loops.loops.len();
+            let (row, wrench, q, is_distance) = match &joint.transmission {
+                Some(transmission) => {
+                    let (row, wrench, q) =
+                        self.add_transmission(handle, transmission, sides, frames);
+                    (row, wrench, q, false)
+                }
+                None => {
+                    let (wrench, q, is_distance) = frames.free_axis(joint, axis);
+                    (self.row_at(sides, frames, &wrench), wrench, q, is_distance)
+                }
+            };
             let owner = Owner::Loop { joint: handle, position, solved_with, wrench };
             if let Some(limits) = joint.limits(axis) {
                 let mut limits = *limits;
@@ -258,11 +280,38 @@ impl SolverMultibodies {
         }
     }
 
+    /// The row of a transmission, its wrench on the second body, and its sum.
+    fn add_transmission(
+        &mut self,
+        handle: ImpulseJointHandle,
+        transmission: &Transmission,
+        sides: &[Side<'_>; 2],
+        frames: &Frames,
+    ) -> (Row, SpatialVector, Real) {
+        let ends: [End; 2] = core::array::from_fn(|side| {
+            let (anchor, frame) = (frames.anchors[side], frames.rotations[side]);
+            let center = sides[side].center.unwrap_or(anchor);
+            End::new(transmission, side, center, anchor - center, frame)
+        });
+        let now = ends.map(|end| end.after(&Moved::NOWHERE));
+        let row = self.row_of_wrenches(sides, now.map(|end| end.row()));
+        let counted = |side: usize| !ends[side].is_distance();
+        if counted(0) || counted(1) {
+            let wrench =
+                |side: usize| if counted(side) { now[side].row() } else { [0.0; SPATIAL_DIM] };
+            let row = self.row_of_wrenches(sides, [wrench(0), wrench(1)]);
+            let start = transmission.progress;
+            self.loops.progress.push(Progress { handle, row, start, now: start });
+        }
+        let sum = transmission.progress + now[0].coordinate + now[1].coordinate;
+        (row, join(now[1].force, now[1].couple), sum)
+    }
+
     /// The row of a wrench on the second body, at its anchor.
     fn row_at(&mut self, sides: &[Side<'_>; 2], frames: &Frames, wrench: &SpatialVector) -> Row {
         let (force, couple) = (linear(wrench), angular(wrench));
-        let one = sides[0].wrench(frames.anchor, -force);
-        let two = sides[1].wrench(frames.anchor, force);
+        let one = sides[0].wrench(frames.anchors[1], -force);
+        let two = sides[1].wrench(frames.anchors[1], force);
         let turned =
             |of: SpatialVector, couple: AngVector| join(linear(&of), angular(&of) + couple);
         self.row_of_wrenches(sides, [turned(one, -couple), turned(two, couple)])
@@ -293,7 +342,8 @@ impl Frames {
             first: rotations[0],
             between: relative_rotation(&rotations[0], &rotations[1]),
             separation: anchors[1] - anchors[0],
-            anchor: anchors[1],
+            anchors,
+            rotations,
         })
     }
 
@@ -332,6 +382,13 @@ impl Loops {
     /// Scales the impulses with which the next substep starts, by a factor for each row.
     pub fn scale_impulses(&mut self, factor: impl Fn(&Row) -> Real) {
         self.locked().for_each(|locked| locked.impulse *= factor(&locked.row));
+    }
+
+    /// Notes the progress of transmissions, when a substep ends.
+    pub fn note_progress(&mut self, jacobians: &JacobianPool, states: &ConstrainedStates<'_>) {
+        for progress in &mut self.progress {
+            progress.now = progress.start + jacobians.displacement(&progress.row, states);
+        }
     }
 
     /// All rows, and the impulses that they have given in this substep.
@@ -389,6 +446,17 @@ impl Loops {
                 joint.impulses[*axis as usize] = *impulse;
                 joint.force += linear(wrench) * (total * inv_dt);
                 joint.torque += angular(wrench) * (total * inv_dt);
+            }
+        }
+    }
+
+    /// Writes the progress of transmissions to the joints.
+    pub fn store_progress(&self, joints: &mut ImpulseJointSet) {
+        for Progress { handle, now, .. } in &self.progress {
+            let joint = joints.get_unnoted_mut(*handle);
+            let transmission = joint.and_then(|joint| joint.data.transmission.as_mut());
+            if let Some(transmission) = transmission.filter(|_| now.is_finite()) {
+                transmission.progress = *now;
             }
         }
     }

@@ -2,9 +2,11 @@
 
 use super::super::block::AxisRow;
 use super::super::motors_and_limits::{FreeAxis, MotorLaw, rate_limits};
+use super::super::substep_end::SubstepEnd;
 use super::memory::{JacobianBlock, Moment, store_row};
 use crate::base::wide::{Lane, Wide};
 use crate::dim::math::SPATIAL_DIM;
+use crate::model::params::JointPass;
 use crate::step::solver::joint_rules::EXACT_LIMIT_ERROR_FRACTION;
 
 /// One driven axis of each lane's joint: see `axis_law.rs`.
@@ -65,11 +67,10 @@ pub(super) fn write_driven<'a, W: Wide, const BIASED: bool>(
 ) {
     let Moment { bodies, now, substep_end, pass } = moment;
     let zero = W::zero();
-    let correction_rate = W::splat(EXACT_LIMIT_ERROR_FRACTION * pass.inv_substep);
     for (row, to) in rows {
         let (mut along, position) = now.free_row(row);
         let mut rate = along.rate(&bodies.velocities);
-        let (mut curvature, mut apart) = (zero, zero);
+        let mut curvature = zero;
         if let Some(end) = substep_end {
             let (then, position_then) = end.then.free_row(row);
             let bent = end.curvature(now, &along, position_then - position, rate, pass);
@@ -81,25 +82,50 @@ pub(super) fn write_driven<'a, W: Wide, const BIASED: bool>(
             let straight = rate;
             rate = along.rate(&bodies.velocities);
             curvature = curvature + (straight - rate);
-            apart = W::load(&memory.is_corrected_apart);
         } else {
             position.store(&mut row.position);
         }
-        let axis = FreeAxis::new(position, W::load(&row.response));
-        let law = MotorLaw::new::<BIASED>(&mut row.motor, &axis, curvature, pass);
-        let ([low, high], corrections) =
-            rate_limits::<W, BIASED>(row, position, correction_rate, &along, pass);
+        let is_translation = SubstepEnd::is_translation(&along);
         store_row(&along, &mut to.row);
         rate.store(&mut to.rate);
-        law.damping.store(&mut to.damping);
-        law.pull.store(&mut to.pull);
-        law.bound.store(&mut to.bound);
-        (low - corrections[0] * apart - curvature).store(&mut to.low);
-        (high - corrections[1] * apart - curvature).store(&mut to.high);
-        for (correction, to) in corrections.into_iter().zip(&mut to.corrections) {
-            correction.store(to);
-        }
-        (to.motor, to.lower, to.upper) = (row.motor.impulse, row.lower, row.upper);
-        to.change = Lane::ZERO;
+        let axis = AxisNow { position, curvature, is_translation };
+        write_law::<W, BIASED>(memory, row, to, &axis, pass);
     }
+}
+
+/// A driven axis of each lane's joint at the moment when its law is made.
+pub(in super::super) struct AxisNow<W: Wide> {
+    pub position: W,
+    /// The rate of the substep that its velocities do not have yet.
+    pub curvature: W,
+    /// Where its position is a length.
+    pub is_translation: W::Mask,
+}
+
+/// Computes the law of a row.
+#[inline(always)]
+pub(in super::super) fn write_law<W: Wide, const BIASED: bool>(
+    memory: &JacobianBlock,
+    row: &mut AxisRow,
+    to: &mut DrivenRow,
+    now: &AxisNow<W>,
+    pass: &JointPass,
+) {
+    let &AxisNow { position, curvature, is_translation } = now;
+    let axis = FreeAxis::new(position, W::load(&row.response));
+    let law = MotorLaw::new::<BIASED>(&mut row.motor, &axis, curvature, pass);
+    let correction_rate = W::splat(EXACT_LIMIT_ERROR_FRACTION * pass.inv_substep);
+    let ([low, high], corrections) =
+        rate_limits::<W, BIASED>(row, position, correction_rate, is_translation, pass);
+    let apart = if BIASED { W::load(&memory.is_corrected_apart) } else { W::zero() };
+    law.damping.store(&mut to.damping);
+    law.pull.store(&mut to.pull);
+    law.bound.store(&mut to.bound);
+    (low - corrections[0] * apart - curvature).store(&mut to.low);
+    (high - corrections[1] * apart - curvature).store(&mut to.high);
+    for (correction, to) in corrections.into_iter().zip(&mut to.corrections) {
+        correction.store(to);
+    }
+    (to.motor, to.lower, to.upper) = (row.motor.impulse, row.lower, row.upper);
+    to.change = Lane::ZERO;
 }

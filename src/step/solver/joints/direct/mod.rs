@@ -45,6 +45,7 @@ mod progress;
 #[cfg(test)]
 mod tests;
 
+pub(super) use driven_rows::{AxisNow, write_law};
 pub(super) use matrix::Rows;
 pub(super) use memory::{
     ImpactImpulse, JacobianBlock, Jacobians, SharedJacobians, count, finish, write_rows,

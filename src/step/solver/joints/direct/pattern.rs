@@ -53,7 +53,7 @@ impl DirectJoint {
         bodies: [READ_ONLY; 2],
         inv_masses: [0.0; 2],
         has_locked_body: false,
-        form: JointForm { locked: 0, driven: 0, is_point_to_point: false },
+        form: JointForm { locked: 0, driven: 0, is_point_to_point: false, is_transmission: false },
         locked_row_count: 0,
     };
 
@@ -254,9 +254,11 @@ impl Pattern {
     fn add_component(&mut self, members: &[DirectJoint]) {
         let has_loops = self.search.has_loops(members);
         let is_net = has_loops && self.search.is_net(members);
-        let work =
-            if is_net { NET_BLOCK_PRODUCTS_PER_JOINT_MAX } else { BLOCK_PRODUCTS_PER_JOINT_MAX }
-                * self.search.order.len();
+        let work = match is_net {
+            _ if self.search.has_transmission(members) => usize::MAX,
+            true => NET_BLOCK_PRODUCTS_PER_JOINT_MAX * self.search.order.len(),
+            false => BLOCK_PRODUCTS_PER_JOINT_MAX * self.search.order.len(),
+        };
         // The last ones found are the leaves.
         self.search.order.reverse();
         if has_loops && !self.reorder(members, work) {
@@ -364,7 +366,8 @@ impl Search {
     /// Returns whether the iterative solver is as good for this component.
     fn is_easy(&self, members: &[DirectJoint]) -> bool {
         let is_unattached = self.component(members).all(|member| member.movable().count() == 2);
-        UNATTACHED_JOINT_COUNTS.contains(&self.order.len())
+        !self.has_transmission(members)
+            && UNATTACHED_JOINT_COUNTS.contains(&self.order.len())
             && is_unattached
             && has_moderate_mass_ratio(self.component(members))
     }
@@ -373,7 +376,12 @@ impl Search {
     fn is_single_row(&self, members: &[DirectJoint]) -> bool {
         let mut all = self.component(members);
         let first = all.next().map(|member| (member.form.locked, member.form.driven));
-        all.next().is_none() && first == Some((0, 1))
+        all.next().is_none() && first == Some((0, 1)) && !self.has_transmission(members)
+    }
+
+    /// Returns whether one of the joints is a transmission. These are solved directly in any case.
+    fn has_transmission(&self, members: &[DirectJoint]) -> bool {
+        self.component(members).any(|member| member.form.is_transmission)
     }
 
     /// Numbers the bodies of a component from 0 on, in the order of its members. Returns their number.

@@ -45,7 +45,7 @@ impl Net {
             let (block, lane) = place(slot);
             let inv_masses = bodies.map(|body| if body & READ_ONLY == 0 { 1.0 } else { 0.0 });
             let (slot, locked) = (slot as u32, locked(slot));
-            let form = JointForm { locked, driven: 0, is_point_to_point: false };
+            let form = JointForm { locked, ..JointForm::default() };
             let has_locked_body = false;
             let locked_row_count = form.row_count() as u8;
             DirectJoint {
