@@ -1,9 +1,9 @@
 //! Joints as lines.
 //!
 //! Two lines lead from the bodies to the anchors of the joint. A third line connects the anchors. If the
-//! joint locks all translations, the length of the third is the joint's error. The free axes are drawn in the
-//! joint's frame on the first body. A translation is a line with two ends. A rotation is an arc, and a
-//! pointer at the second body shows the angle on it.
+//! joint locks all translations, the length of the third is the joint's error. That of a pulley leads over
+//! the points of the rope. The free axes are drawn in the joint's frame on the first body. A translation is a
+//! line with two ends. A rotation is an arc, and a pointer at the second body shows the angle on it.
 
 use super::backend::{DebugRenderBackend, DebugRenderObject};
 use super::pipeline::{DebugRenderMode, DebugRenderPipeline};
@@ -13,8 +13,11 @@ use crate::dim::joint_axes::{JointAxesMask, JointAxis};
 use crate::dim::math::{ANG_DIM, DIM, Real, Vector};
 use crate::dim::spatial::rotation_about;
 use crate::model::body::{RigidBody, RigidBodyHandle, RigidBodySet};
-use crate::model::joint::{GenericJoint, ImpulseJointSet, JointLimits, mask_of};
+use crate::model::joint::{
+    GenericJoint, ImpulseJointSet, JointLimits, TransmissionEnd, mask_of,
+};
 use crate::model::multibody::MultibodyJointSet;
+use arrayvec::ArrayVec;
 
 /// A quarter turn, and half a turn (rad).
 const QUARTER_TURN: Real = core::f64::consts::FRAC_PI_2 as Real;
@@ -85,8 +88,11 @@ impl DebugRenderPipeline {
         let (p1, p2) = (frame1.translation, frame2.translation);
         backend.draw_line(object, body1.translation(), p1, times(anchor, multiplier));
         backend.draw_line(object, body2.translation(), p2, times(anchor, multiplier));
-        backend.draw_line(object, p1, p2, times(separation, multiplier));
-        if self.mode.contains(DebugRenderMode::JOINT_AXES) {
+        let way = way_between(joint, [p1, p2]);
+        for pair in way.windows(2) {
+            backend.draw_line(object, pair[0], pair[1], times(separation, multiplier));
+        }
+        if self.mode.contains(DebugRenderMode::JOINT_AXES) && joint.transmission().is_none() {
             for axis in free_axes(joint) {
                 let color = times(axis_color(axis), multiplier);
                 let sketch = self.sketch(joint, axis);
@@ -146,6 +152,19 @@ impl DebugRenderPipeline {
         }
         sketch
     }
+}
+
+/// The way from one anchor to the other: directly, or over the points of a pulley.
+fn way_between(joint: &GenericJoint, [from, to]: [Vector; 2]) -> ArrayVec<Vector, 4> {
+    let mut way: ArrayVec<Vector, 4> = ArrayVec::new();
+    way.push(from);
+    for end in joint.transmission().into_iter().flat_map(|transmission| transmission.ends) {
+        if let TransmissionEnd::Distance { from } = end {
+            way.push(from);
+        }
+    }
+    way.push(to);
+    way
 }
 
 /// The free axes that are drawn. Coupled translations are a distance, which is the line between

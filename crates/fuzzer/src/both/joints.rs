@@ -72,12 +72,30 @@ pub fn change(joint: &mut GenericJoint, choices: &mut Choices<'_>) {
         10 => drop(joint.set_local_frame2(some_pose(choices, 1.0))),
         11 => joint.set_enabled(!choices.once_in(3)),
         12 => drop(joint.set_contacts_enabled(choices.coin())),
+        13 if other > 0.0 => set_transmission(joint, axis, value, other),
         13 => joint.flip(),
         14 => {
             let axes = JointAxesMask::from_bits_truncate(choices.below(64) as u8);
             joint.lock_axes(axes);
         }
         _ => write_past_the_setters(joint, axis, value),
+    }
+}
+
+/// Makes a joint a transmission, mostly one without the axes that would prevent it from acting.
+fn set_transmission(joint: &mut GenericJoint, axis: JointAxis, value: Real, other: Real) {
+    let ends = [
+        TransmissionEnd::Angle,
+        TransmissionEnd::Shift,
+        TransmissionEnd::Distance { from: Vector::splat(value) },
+    ];
+    let ends = [ends[axis as usize % 3], ends[(value.abs() * 8.0) as usize % 3]];
+    joint.set_transmission(Transmission::new(ends, [value, other]));
+    if axis != JointAxis::LinX {
+        let keeps = (joint.local_frame1, joint.local_frame2, joint.transmission);
+        *joint = GenericJoint::new(JointAxesMask::empty());
+        (joint.local_frame1, joint.local_frame2, joint.transmission) = keeps;
+        joint.set_limits(JointAxis::LinX, [-value.abs(), other]);
     }
 }
 
