@@ -13,9 +13,7 @@ use crate::dim::joint_axes::{JointAxesMask, JointAxis};
 use crate::dim::math::{ANG_DIM, DIM, Real, Vector};
 use crate::dim::spatial::rotation_about;
 use crate::model::body::{RigidBody, RigidBodyHandle, RigidBodySet};
-use crate::model::joint::{
-    GenericJoint, ImpulseJointSet, JointLimits, TransmissionEnd, mask_of,
-};
+use crate::model::joint::{GenericJoint, ImpulseJointSet, JointLimits, TransmissionEnd, mask_of};
 use crate::model::multibody::MultibodyJointSet;
 use arrayvec::ArrayVec;
 
