@@ -43,6 +43,9 @@
 //! * `σ = 0`: a hard constraint, `mass_scale` 1 and `impulse_scale` 0; only the fraction `β` is left. It is
 //!   sensitive to unfinished iterations. One iteration over a light stack under a weight of a hundred times
 //!   its mass adds energy until the stack explodes.
+//! * A compliance that ends at some load (`impulse_scale · λ` with a bound) would let a tall stack sag like a
+//!   low one. Beyond the bound the contact is hard, with the same result: ten cubes tremble with 1.6 J/kg
+//!   instead of 10⁻⁴ with a bound of four times the weight of one, and thirty fall.
 //! * `β = 0`: no position correction, a pure damper if `σ > 0`.
 //! * `β = 1`: the whole error at once.
 //! * `σ → ∞`: `mass_scale` goes to 0 as `1/σ`, so the constraint gets weak but never goes away.
