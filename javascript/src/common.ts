@@ -42,6 +42,7 @@ export { NarrowPhase, TempContactManifold } from "./narrow_phase.js";
 export {
     FixedImpulseJoint,
     FixedMultibodyJoint,
+    GearImpulseJoint,
     GenericImpulseJoint,
     ImpulseJoint,
     type ImpulseJointHandle,
@@ -52,6 +53,8 @@ export {
     MultibodyJointSet,
     PrismaticImpulseJoint,
     PrismaticMultibodyJoint,
+    PulleyImpulseJoint,
+    RackImpulseJoint,
     RevoluteImpulseJoint,
     RevoluteMultibodyJoint,
     RopeImpulseJoint,

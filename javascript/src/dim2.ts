@@ -318,6 +318,25 @@ export enum JointType {
     Rope = 3,
     Spring = 4,
     Generic = 6,
+    Gear = 7,
+    Rack = 8,
+    Pulley = 9,
+}
+
+/** Arguments of gears. */
+export type GearArguments = [ratio: number];
+/** Arguments of a pinion and a rack: the axis of the rack, in its body's frame. */
+export type RackArguments = [axis: Vector, radius: number];
+
+/** The axes of gears, and their ratio. */
+export function gearParts([ratio]: GearArguments): [axis1: Vector, axis2: Vector, ratio: number] {
+    return [new Vector2(1, 0), new Vector2(1, 0), ratio];
+}
+
+/** The axes of a pinion and a rack, and the radius. */
+export function rackParts([axis, radius]: RackArguments): [axis1: Vector, axis2: Vector, radius: number] {
+    requireVector(axis, "axis");
+    return [axis, axis, radius];
 }
 
 /** The axis of the rotation of a revolute joint. */

@@ -445,7 +445,25 @@ export enum JointType {
     Spring = 4,
     Spherical = 5,
     Generic = 6,
+    Gear = 7,
+    Rack = 8,
+    Pulley = 9,
 }
+
+/** Arguments of gears: the axis of each wheel, in its body's frame. */
+export type GearArguments = [axis1: Vector, axis2: Vector, ratio: number];
+/** Arguments of a pinion and a rack: the axes of both, each in its body's frame. */
+export type RackArguments = [axis1: Vector, axis2: Vector, radius: number];
+
+/** The axes of gears, and their ratio. */
+export function gearParts([axis1, axis2, ratio]: GearArguments): [axis1: Vector, axis2: Vector, ratio: number] {
+    requireVector(axis1, "axis1");
+    requireVector(axis2, "axis2");
+    return [axis1, axis2, ratio];
+}
+
+/** The axes of a pinion and a rack, and the radius. */
+export const rackParts: (parts: RackArguments) => [axis1: Vector, axis2: Vector, radius: number] = gearParts;
 
 /** The axis of the rotation of a revolute joint. */
 export const ANGULAR_AXIS = JointAxis.AngX;

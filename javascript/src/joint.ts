@@ -3,18 +3,22 @@
 import {
     ANGULAR_AXIS,
     type AngVector,
+    type GearArguments,
     JointAxesMask,
     JointAxis,
     JointType,
+    type RackArguments,
     type Rotation,
     RotationOps,
     type Vector,
     VectorOps,
+    gearParts,
     getAngular,
     getRotation,
     getVector,
     putRotation,
     putVector,
+    rackParts,
 } from "#dim";
 import type { RigidBody } from "#rigid_body";
 import { integer, real, requireClass, requireFunction, requireObject } from "./arguments.js";
@@ -276,6 +280,89 @@ export class SpringImpulseJoint extends ImpulseJoint {}
 /** A joint with user-defined axes. */
 export class GenericImpulseJoint extends ImpulseJoint {}
 
+/** Two wheels whose rotations are in a constant ratio. */
+export class GearImpulseJoint extends ImpulseJoint {
+    /** Rotation of the first wheel per rotation of the second one, in the opposite direction. */
+    ratio(): number {
+        return raw.joint_ratio(this.world.id, this.handle);
+    }
+
+    /** Sets the ratio, which is not 0. A negative ratio is that of an internal gear, a belt or a chain. */
+    setRatio(ratio: number): void {
+        raw.joint_set_ratio(this.world.id, this.handle, real(ratio, "ratio"));
+    }
+
+    /** The angle (radians) by which the first wheel can rotate while the second one stands still. */
+    backlash(): number {
+        return raw.joint_backlash(this.world.id, this.handle);
+    }
+
+    /** Sets the angle (radians, default: 0) by which the first wheel can rotate while the second one stands still. */
+    setBacklash(angle: number): void {
+        raw.joint_set_backlash(this.world.id, this.handle, real(angle, "angle"));
+    }
+}
+
+/** A pinion that moves a rack. */
+export class RackImpulseJoint extends ImpulseJoint {
+    /** Displacement of the rack per radian of the pinion (length units). */
+    radius(): number {
+        return raw.joint_radius(this.world.id, this.handle);
+    }
+
+    /** Sets the displacement of the rack per radian of the pinion, which is not 0: negative if the rack moves against its axis. */
+    setRadius(radius: number): void {
+        raw.joint_set_radius(this.world.id, this.handle, real(radius, "radius"));
+    }
+}
+
+/** Two bodies on the ends of a rope that runs over two points of the world. */
+export class PulleyImpulseJoint extends ImpulseJoint {
+    /** The length of the rope: the largest `distance1 + ratio · distance2` (length units). */
+    length(): number {
+        return raw.joint_length(this.world.id, this.handle);
+    }
+
+    /** Sets the length of the rope. */
+    setLength(length: number): void {
+        raw.joint_set_length(this.world.id, this.handle, real(length, "length"));
+    }
+
+    /** Factor of the second distance. */
+    ratio(): number {
+        return raw.joint_ratio(this.world.id, this.handle);
+    }
+
+    /** Sets the factor of the second distance, which is not 0. */
+    setRatio(ratio: number): void {
+        raw.joint_set_ratio(this.world.id, this.handle, real(ratio, "ratio"));
+    }
+
+    /** The point of the world over which the rope runs to the first body. */
+    over1(target?: Vector): Vector {
+        raw.joint_over(this.world.id, this.handle, 0);
+        return getVector(0, target);
+    }
+
+    /** The point of the world over which the rope runs to the second body. */
+    over2(target?: Vector): Vector {
+        raw.joint_over(this.world.id, this.handle, 1);
+        return getVector(0, target);
+    }
+
+    /** Sets the point of the world over which the rope runs to the first body. */
+    setOver1(over: Vector): void {
+        putVector(0, over, "over");
+        raw.joint_set_over(this.world.id, this.handle, 0);
+    }
+
+    /** Sets the point of the world over which the rope runs to the second body. */
+    setOver2(over: Vector): void {
+        putVector(0, over, "over");
+        raw.joint_set_over(this.world.id, this.handle, 1);
+    }
+}
+
 /** A slider. */
 export class PrismaticImpulseJoint extends UnitImpulseJoint {
     /** The free axis. */
@@ -370,6 +457,10 @@ export class JointData {
     stiffness = 0;
     damping = 0;
     length = 0;
+    ratio = 1;
+    radius = 1;
+    over1: Vector = VectorOps.zeros();
+    over2: Vector = VectorOps.zeros();
 
     private constructor(jointType: number, anchor1: Vector, anchor2: Vector) {
         this.jointType = jointType as JointType;
@@ -405,6 +496,45 @@ export class JointData {
     static rope(length: number, anchor1: Vector, anchor2: Vector): JointData {
         const data = new JointData(JointType.Rope, anchor1, anchor2);
         data.length = length;
+        return data;
+    }
+
+    /**
+     * Two wheels whose rotations are in a constant ratio, `angle1 + ratio · angle2 = 0`, about an axis in the frame of
+     * each body (3D). The ratio is that of the teeth, second to first; a negative one is that of an internal gear, a
+     * belt or a chain. Each wheel has a joint of its own that holds it. The angles are relative to the world, so the
+     * housing must stand still. The two bodies do not collide.
+     */
+    static gear(...parts: GearArguments): JointData {
+        const [axis1, axis2, ratio] = gearParts(parts);
+        const data = new JointData(JointType.Gear, VectorOps.zeros(), VectorOps.zeros()).withAxes(axis1, axis2);
+        data.ratio = ratio;
+        return data;
+    }
+
+    /**
+     * A pinion that moves a rack, `displacement = radius · angle`: the first body rotates about its axis (3D), the
+     * second one moves along its axis, each in the body's frame. Each has a joint of its own that holds it. The
+     * coordinates are relative to the world, so the housing must stand still. The two bodies do not collide.
+     */
+    static rack(...parts: RackArguments): JointData {
+        const [axis1, axis2, radius] = rackParts(parts);
+        const data = new JointData(JointType.Rack, VectorOps.zeros(), VectorOps.zeros()).withAxes(axis1, axis2);
+        data.radius = radius;
+        return data;
+    }
+
+    /**
+     * Two bodies on the ends of a rope that runs over two points of the world, `distance1 + ratio · distance2 ≤ length`
+     * with the distances of the anchors from these points. With a ratio of 2 the second body hangs on a loop of two
+     * strands: it moves half as far as the first one, and gets twice the force.
+     */
+    static pulley(anchor1: Vector, anchor2: Vector, over1: Vector, over2: Vector, length: number, ratio: number): JointData {
+        const data = new JointData(JointType.Pulley, anchor1, anchor2);
+        data.over1 = over1;
+        data.over2 = over2;
+        data.length = length;
+        data.ratio = ratio;
         return data;
     }
 
@@ -454,6 +584,10 @@ export class JointData {
         putNumber(4, 2, real(this.damping, "damping"));
         putNumber(5, 0, this.limits[0] ?? NaN);
         putNumber(5, 1, this.limits[1] ?? NaN);
+        putNumber(4, 3, real(this.ratio, "ratio"));
+        putNumber(5, 2, real(this.radius, "radius"));
+        putVector(6, this.over1, "over1");
+        putVector(7, this.over2, "over2");
         return raw.joint_create(world, set, integer(this.jointType, "jointType"), integer(this.axesMask, "axesMask"), +this.limitsEnabled, body1, body2, +wakeUp);
     }
 }
@@ -473,6 +607,9 @@ const IMPULSE_JOINTS: Record<number, Maker<ImpulseJoint>> = {
     [JointType.Rope]: RopeImpulseJoint,
     [JointType.Spring]: SpringImpulseJoint,
     [SPHERICAL]: SphericalImpulseJoint,
+    [JointType.Gear]: GearImpulseJoint,
+    [JointType.Rack]: RackImpulseJoint,
+    [JointType.Pulley]: PulleyImpulseJoint,
 };
 
 const MULTIBODY_JOINTS: Record<number, Maker<MultibodyJoint>> = {

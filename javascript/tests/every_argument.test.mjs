@@ -21,6 +21,9 @@ const LENIENT = [
 ];
 
 const rotation = () => (DIM === 2 ? 0.5 : { x: 0, y: 0, z: 0.6, w: 0.8 });
+const gear = () => (DIM === 2 ? RAPIER.JointData.gear(2) : RAPIER.JointData.gear(v(1, 0), v(1, 0), 2));
+const rack = () => (DIM === 2 ? RAPIER.JointData.rack(v(1, 0), 2) : RAPIER.JointData.rack(v(1, 0), v(1, 0), 2));
+const pulley = () => RAPIER.JointData.pulley(v(0, 0), v(0, 0), v(0, 9), v(3, 9), 20, 1);
 const hinge = () => (DIM === 2 ? RAPIER.JointData.revolute(v(0, 0), v(0, 1)) : RAPIER.JointData.revolute(v(0, 0), v(0, 1), v(1, 0)));
 
 /** A world, and objects of each class by the names of the classes. */
@@ -33,6 +36,8 @@ function scene() {
     const objects = {
         World: [world], RigidBody: [one.body], Collider: [one.collider, voxels, round, capsule], RigidBodyDesc: [RAPIER.RigidBodyDesc.dynamic()], ColliderDesc: [box(1, 1)],
         RevoluteImpulseJoint: [world.createImpulseJoint(hinge(), one.body, other.body, true)],
+        GearImpulseJoint: [world.createImpulseJoint(gear(), one.body, other.body, true)], RackImpulseJoint: [world.createImpulseJoint(rack(), one.body, other.body, true)],
+        PulleyImpulseJoint: [world.createImpulseJoint(pulley(), one.body, other.body, true)],
         RevoluteMultibodyJoint: [world.createMultibodyJoint(hinge(), third.body, fourth.body, true)],
         KinematicCharacterController: [world.createCharacterController(0.1)], PidController: [world.createPidController(1, 1, 1, RAPIER.PidAxesMask.All)],
         BroadPhase: [world.broadPhase], IntegrationParameters: [world.integrationParameters], Ball: [new RAPIER.Ball(1)],

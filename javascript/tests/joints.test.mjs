@@ -170,3 +170,163 @@ test("a multibody never drifts apart", () => {
     world.step();
     world.free();
 });
+
+// ---- Gears, racks and pulleys ----
+
+const gear = (ratio) => (DIM === 2 ? JointData.gear(ratio) : JointData.gear(z, z, ratio));
+const rack = (radius) => (DIM === 2 ? JointData.rack(v(1, 0), radius) : JointData.rack(z, v(1, 0), radius));
+const spin = (body) => (DIM === 2 ? body.angvel() : body.angvel().z);
+const torque = (body, value) => body.addTorque(DIM === 2 ? value : { x: 0, y: 0, z: value }, true);
+/** The moment of inertia of a ball of radius 0.5. */
+const inertia = (mass) => (DIM === 2 ? 0.5 : 0.4) * mass * 0.5 ** 2;
+
+/** A body of a mass whose axle or rail is a joint with the world. */
+function held(world, x, y, mass, rail) {
+    const post = world.createRigidBody(RigidBodyDesc.fixed().setTranslation(...c(x, y)));
+    const { body } = insert(world, x, y, ColliderDesc.ball(0.5).setMass(mass));
+    const axle = DIM === 2 ? JointData.revolute(v(0, 0), v(0, 0)) : JointData.revolute(v(0, 0), v(0, 0), z);
+    world.createImpulseJoint(rail ? JointData.prismatic(v(0, 0), v(0, 0), rail) : axle, post, body, true);
+    return body;
+}
+
+/** A torque `τ` on the first wheel: `α₁ = τ / (I₁ + I₂ / r²)`, `α₂ = -α₁ / r`. */
+test("gears share a torque by their ratio", () => {
+    for (const [ratio, mass] of [[-3, 1], [0.5, 2], [1, 1000], [10, 0.1]]) {
+        const world = makeWorld(0);
+        const [first, second] = [held(world, 0, 0, 1), held(world, 2, 0, mass)];
+        const joint = world.createImpulseJoint(gear(ratio), first, second, true);
+        assert.ok(joint instanceof RAPIER.GearImpulseJoint);
+        assert.equal(joint.type(), JointType.Gear);
+        assert.equal(joint.ratio(), ratio);
+        assert.ok(!joint.contactsEnabled());
+        const total = inertia(1) + inertia(mass) / ratio ** 2;
+        torque(first, 5 * total);
+        steps(world, 60);
+        near(spin(first), 5, 0.01);
+        near(spin(second), -5 / ratio, 0.01 / Math.abs(ratio));
+        world.free();
+    }
+});
+
+test("a gear has backlash, and its ratio can change", () => {
+    const world = makeWorld(0);
+    const [first, second] = [held(world, 0, 0, 1), held(world, 2, 0, 1)];
+    const joint = world.createImpulseJoint(gear(1), first, second, true);
+    assert.equal(joint.backlash(), 0);
+    joint.setBacklash(0.5);
+    assert.equal(joint.backlash(), 0.5);
+    // Half of the backlash is on each side.
+    first.setAngvel(DIM === 2 ? 0.5 : { x: 0, y: 0, z: 0.5 }, true);
+    steps(world, 27);
+    assert.equal(spin(second), 0);
+    steps(world, 60);
+    near(spin(first), 0.25, 0.01);
+    near(spin(second), -0.25, 0.01);
+    joint.setBacklash(0);
+    joint.setRatio(2);
+    assert.equal(joint.ratio(), 2);
+    steps(world, 60);
+    near(spin(first), -2 * spin(second), 1e-3);
+    world.free();
+});
+
+/** A torque `τ` on a pinion of radius `r` moves a rack of mass `m`: `a = r τ / (I + m r²)`. */
+test("a pinion moves its rack", () => {
+    for (const [radius, mass] of [[-0.25, 1], [0.125, 100], [2, 0.1]]) {
+        const world = makeWorld(0);
+        const [pinion, bar] = [held(world, 0, 0, 1), held(world, 0, 1, mass, v(1, 0))];
+        const joint = world.createImpulseJoint(rack(1), pinion, bar, true);
+        assert.ok(joint instanceof RAPIER.RackImpulseJoint);
+        assert.equal(joint.type(), JointType.Rack);
+        assert.ok(!joint.contactsEnabled());
+        joint.setRadius(radius);
+        assert.equal(joint.radius(), radius);
+        torque(pinion, 5 * (inertia(1) + mass * radius ** 2));
+        steps(world, 60);
+        near(bar.linvel().x, 5 * radius, 0.01 * Math.abs(radius));
+        near(spin(pinion), 5, 0.01);
+        world.free();
+    }
+});
+
+/** Two weights: `a₁ = g (m₁ - m₂ / r) / (m₁ + m₂ / r²)`, and the rope pulls the first one by `m₁ (g - a₁)`. */
+test("weights on a pulley accelerate", () => {
+    for (const [ratio, mass] of [[1, 3], [2, 1], [0.5, 2]]) {
+        const world = makeWorld(-10);
+        const [first, second] = [[-1, 1], [1, mass]].map(([x, weight]) => insert(world, x, 20, ColliderDesc.ball(0.5).setMass(weight)).body);
+        const data = JointData.pulley(v(0, 0.5), v(0, 0.5), v(-1, 40), v(1, 40), 19.5 * (1 + ratio), ratio);
+        const joint = world.createImpulseJoint(data, first, second, true);
+        assert.ok(joint instanceof RAPIER.PulleyImpulseJoint);
+        assert.equal(joint.type(), JointType.Pulley);
+        assert.ok(joint.contactsEnabled());
+        near(joint.length(), 19.5 * (1 + ratio), 1e-5);
+        assert.equal(joint.ratio(), ratio);
+        assert.deepEqual([joint.over1().x, joint.over2().x, joint.over2().y], [-1, 1, 40]);
+        steps(world, 30);
+        const a = 10 * (1 - mass / ratio) / (1 + mass / ratio ** 2);
+        near(first.linvel().y, -0.5 * a, 0.02);
+        near(second.linvel().y, 0.5 * a / ratio, 0.02);
+        near(joint.force().y, ratio * (10 - a), 0.1);
+        world.free();
+    }
+});
+
+test("the rope of a pulley can be wound up, and its wheels can move", () => {
+    const world = makeWorld();
+    const [first, second] = [-1, 1].map((x) => insert(world, x, 0, ColliderDesc.ball(0.5).setMass(1)).body);
+    const joint = world.createImpulseJoint(JointData.pulley(v(0, 0), v(0, 0), v(-1, 5), v(1, 5), 10, 1), first, second, true);
+    const height = () => first.translation().y + second.translation().y;
+    joint.setLength(9);
+    joint.setRatio(1);
+    steps(world, 60);
+    near(height(), 1, 0.02);
+    joint.setOver1(v(-1, 6));
+    joint.setOver2(v(1, 7));
+    assert.deepEqual([joint.over1().y, joint.over2().y], [6, 7]);
+    steps(world, 60);
+    near(height(), 4, 0.02);
+    world.free();
+});
+
+test("gears, racks and pulleys keep their kind in snapshots", () => {
+    const world = makeWorld(0);
+    const [first, second] = [held(world, 0, 0, 1), held(world, 2, 0, 1)];
+    const pulley = JointData.pulley(v(0, 0), v(0, 0), v(0, 5), v(2, 5), 10, 2);
+    const joints = [gear(3), rack(2), pulley].map((data) => world.createImpulseJoint(data, first, second, true));
+    joints[0].setBacklash(0.25);
+    const restored = RAPIER.World.restoreSnapshot(world.takeSnapshot());
+    const [one, two, three] = joints.map(({ handle }) => restored.getImpulseJoint(handle));
+    assert.ok(one instanceof RAPIER.GearImpulseJoint && two instanceof RAPIER.RackImpulseJoint && three instanceof RAPIER.PulleyImpulseJoint);
+    assert.deepEqual([one, two, three].map((joint) => joint.type()), [JointType.Gear, JointType.Rack, JointType.Pulley]);
+    assert.deepEqual([one.ratio(), one.backlash(), two.radius(), three.length(), three.ratio()], [3, 0.25, 2, 10, 2]);
+    world.free();
+    restored.free();
+});
+
+test("unusable transmissions are refused by name", () => {
+    const world = makeWorld(0);
+    const [first, second] = [held(world, 0, 0, 1), held(world, 2, 0, 1)];
+    const create = (data) => world.createImpulseJoint(data, first, second, true);
+    const pulley = (over, length, ratio) => JointData.pulley(v(0, 0), v(0, 0), over, over, length, ratio);
+    for (const wrong of [0, NaN, Infinity, 1e-300, 1e300]) {
+        assert.throws(() => create(gear(wrong)), fails("InvalidValue", "ratio", "not 0"));
+        assert.throws(() => create(rack(wrong)), fails("InvalidValue", "radius", "not 0"));
+        assert.throws(() => create(pulley(v(0, 5), 10, wrong)), fails("InvalidValue", "ratio", "not 0"));
+    }
+    assert.throws(() => create(pulley(v(0, 5), -1, 1)), fails("InvalidValue", "length", "-1"));
+    assert.throws(() => create(pulley(v(0, NaN), 1, 1)), fails("InvalidValue", "over1", "NaN"));
+    assert.throws(() => create(DIM === 2 ? JointData.rack(v(0, 0), 1) : JointData.gear(z, v(0, 0), 1)), fails("InvalidValue", "ax", "length"));
+    assert.equal(world.impulseJoints.len(), 2);
+    const [teeth, bar, rope] = [gear(3), rack(2), pulley(v(0, 5), 10, 2)].map(create);
+    assert.throws(() => teeth.setRatio(0), fails("InvalidValue", "ratio is 0"));
+    assert.throws(() => teeth.setBacklash(-1), fails("InvalidValue", "angle is -1"));
+    assert.throws(() => teeth.setAxisLimits(RAPIER.JointAxis.AngX, -1, 1), fails("InvalidValue"));
+    assert.throws(() => bar.setRadius(NaN), fails("InvalidValue", "radius is NaN"));
+    assert.throws(() => rope.setLength(-1), fails("InvalidValue", "length is -1"));
+    assert.throws(() => rope.setRatio(Infinity), fails("InvalidValue", "ratio"));
+    assert.throws(() => rope.setOver1(v(NaN, 0)), fails("InvalidValue", "over"));
+    assert.deepEqual([teeth.ratio(), teeth.backlash(), bar.radius(), rope.length(), rope.ratio()], [3, 0, 2, 10, 2]);
+    const { body } = insert(world, 5, 5, ColliderDesc.ball(0.5));
+    assert.throws(() => world.createMultibodyJoint(gear(1), first, body, true), fails("InvalidValue"));
+    world.free();
+});

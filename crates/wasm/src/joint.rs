@@ -12,9 +12,10 @@ use crate::rapier::dynamics::{
 use crate::rapier::math::{Pose, Real};
 use crate::rapier::pipeline::PhysicsWorld;
 use crate::registry::{body, read, write};
+use crate::transmission;
 
 /// The kinds of joints: the numbers of `JointType` in TypeScript.
-mod kind {
+pub mod kind {
     pub const REVOLUTE: u32 = 0;
     pub const FIXED: u32 = 1;
     pub const PRISMATIC: u32 = 2;
@@ -22,6 +23,9 @@ mod kind {
     pub const SPRING: u32 = 4;
     pub const SPHERICAL: u32 = 5;
     pub const GENERIC: u32 = 6;
+    pub const GEAR: u32 = 7;
+    pub const RACK: u32 = 8;
+    pub const PULLEY: u32 = 9;
 }
 
 /// The axes in the order of `JointAxis` in TypeScript.
@@ -75,7 +79,8 @@ fn spherical() -> Result<GenericJoint, Fault> {
     Ok(SphericalJoint::new().data)
 }
 
-/// A joint from the scratch block: anchors, axes or frames, then length, stiffness and damping, then limits.
+/// A joint from the scratch block: anchors, axes or frames, then length, stiffness, damping and ratio, then
+/// limits and radius, then points of the world.
 fn description(kind_number: u32, mask: u32, has_limits: u32) -> Result<GenericJoint, Fault> {
     let (anchor1, anchor2) = (vector(0, "anchor1")?, vector(1, "anchor2")?);
     let [length, stiffness, damping] = [0, 1, 2].map(|component| number(4, component));
@@ -104,7 +109,8 @@ fn description(kind_number: u32, mask: u32, has_limits: u32) -> Result<GenericJo
             joint.set_local_axis1(axis).set_local_axis2(axis);
             joint
         }
-        _ => return Err(Fault::number("the joint type", kind_number.into(), "a JointType")),
+        _ => transmission::description(kind_number, length)?
+            .ok_or_else(|| Fault::number("the joint type", kind_number.into(), "a JointType"))?,
     };
     joint.try_set_local_anchor1(anchor1).map_err(Fault::invalid)?;
     joint.try_set_local_anchor2(anchor2).map_err(Fault::invalid)?;
@@ -129,9 +135,11 @@ fn set_limits(
     Ok(())
 }
 
-/// The kind of a joint, from its locked axes.
+/// The kind of a joint, from its transmission or its locked axes.
 fn kind_of(joint: &GenericJoint) -> u32 {
-    if joint.as_fixed().is_some() {
+    if let Some(transmission) = joint.transmission() {
+        transmission::kind_of(transmission)
+    } else if joint.as_fixed().is_some() {
         kind::FIXED
     } else if joint.as_revolute().is_some() {
         kind::REVOLUTE
@@ -157,14 +165,15 @@ fn is_spherical(joint: &GenericJoint) -> bool {
 }
 
 /// The sets of joints: 0 for impulse joints, 1 for multibody joints.
-const IMPULSE: u32 = 0;
+pub const IMPULSE: u32 = 0;
 
 #[cold]
 fn stale(set: u32, handle: f64) -> Fault {
     Fault::stale(if set == IMPULSE { "impulse joint" } else { "multibody joint" }, handle)
 }
 
-fn data(world: u32, set: u32, handle: f64) -> Result<&'static GenericJoint, Fault> {
+/// The joint of a world.
+pub fn data(world: u32, set: u32, handle: f64) -> Result<&'static GenericJoint, Fault> {
     let world = read(world)?;
     let data = if set == IMPULSE {
         world.impulse_joints.get(ImpulseJointHandle::of_number(handle)).map(|joint| &joint.data)
@@ -189,7 +198,7 @@ fn find_mut(world: &mut PhysicsWorld, set: u32, handle: f64) -> Option<&mut Gene
 }
 
 /// Changes a joint. An invalid change leaves it as it was.
-fn change(
+pub fn change(
     world: u32,
     set: u32,
     handle: f64,

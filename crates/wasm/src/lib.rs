@@ -42,6 +42,7 @@ mod query;
 mod subject;
 mod contact;
 mod joint;
+mod transmission;
 mod controller;
 #[cfg(not(feature = "dim2"))]
 mod vehicle;
