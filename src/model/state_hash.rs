@@ -148,13 +148,15 @@ impl Collider {
 }
 
 impl ImpulseJoint {
-    /// A hash of the joint's state: bodies, impulses, and whether it is enabled. Equal bits give equal hashes
-    /// on every machine.
+    /// A hash of the joint's state: bodies, impulses, the sum of a transmission, and whether it is enabled.
+    /// Equal bits give equal hashes on every machine.
     pub fn hash(&self) -> u64 {
+        let counted = self.count.map(|count| count.sum);
         StateHasher::default()
             .handle(self.body1.into_raw_parts())
             .handle(self.body2.into_raw_parts())
             .reals(&self.impulses)
+            .reals(counted.as_slice())
             .word(u64::from(self.data.is_enabled()))
             .finish()
     }

@@ -52,7 +52,7 @@ const WHOLE_WORLD: [(&str, &str); 2] = [
 
 /// The rooms of the solver, each with the rooms that it may use, which stand before it. The solver's `mod.rs`
 /// and its tests use all of them.
-const SOLVER: [(&str, &[&str]); 16] = [
+const SOLVER: [(&str, &[&str]); 17] = [
     ("axis_law", &[]),
     ("blocks", &[]),
     ("context", &[]),
@@ -62,6 +62,7 @@ const SOLVER: [(&str, &[&str]); 16] = [
     ("links", &[]),
     ("restitution", &[]),
     ("states", &[]),
+    ("transmission_end", &[]),
     ("groups", &["context"]),
     ("bodies", &["context", "groups", "impact_time", "links", "states"]),
     ("recovery", &["bodies", "island_sums"]),
@@ -77,11 +78,21 @@ const SOLVER: [(&str, &[&str]); 16] = [
             "joint_rules",
             "links",
             "states",
+            "transmission_end",
         ],
     ),
     (
         "multibodies",
-        &["axis_law", "bodies", "context", "impact_time", "joint_rules", "links", "restitution"],
+        &[
+            "axis_law",
+            "bodies",
+            "context",
+            "impact_time",
+            "joint_rules",
+            "links",
+            "restitution",
+            "transmission_end",
+        ],
     ),
     (
         "impacts",

@@ -68,8 +68,8 @@ impl PinSlotJointBuilder {
 }
 
 impl GearJoint {
-    /// Gears of this ratio: see [`Self::ratio`]. A ratio of 0, or one that is not finite, is logged and
-    /// replaced by 1.
+    /// Gears of this ratio: see [`Self::ratio`]. A ratio whose size is not between 1e-6 and 1e6 is logged
+    /// and replaced by 1.
     pub fn new(ratio: Real) -> Self {
         Self::of_ratio(ratio)
     }
@@ -84,8 +84,8 @@ impl GearJointBuilder {
 
 impl RackJoint {
     /// A pinion, and a rack along an axis of the second body, in that body's frame: see [`Self::radius`]. The
-    /// length of the axis does not matter. A radius of 0, or one that is not finite, is logged and replaced
-    /// by 1.
+    /// length of the axis does not matter. A radius whose size is not between 1e-6 and 1e6 is logged and
+    /// replaced by 1.
     pub fn new(axis: Vector, radius: Real) -> Self {
         let mut rack = Self::of_radius(radius);
         rack.data.set_local_axis2(axis);

@@ -107,7 +107,8 @@ impl SphericalJointBuilder {
 
 impl GearJoint {
     /// Gears about these axes of the bodies, each in the body's frame: see [`Self::ratio`]. The lengths of the
-    /// axes do not matter. A ratio of 0, or one that is not finite, is logged and replaced by 1.
+    /// axes do not matter. A ratio whose size is not between 1e-6 and 1e6 is logged and
+    /// replaced by 1.
     ///
     /// ```
     /// # use rapier3d::prelude::*;
@@ -145,8 +146,8 @@ impl GearJointBuilder {
 
 impl RackJoint {
     /// A pinion that rotates about an axis of the first body, and a rack along an axis of the second, each in
-    /// the body's frame: see [`Self::radius`]. The lengths of the axes do not matter. A radius of 0, or one
-    /// that is not finite, is logged and replaced by 1.
+    /// the body's frame: see [`Self::radius`]. The lengths of the axes do not matter. A radius
+    /// whose size is not between 1e-6 and 1e6 is logged and replaced by 1.
     pub fn new(axis1: Vector, axis2: Vector, radius: Real) -> Self {
         let mut rack = Self::of_radius(radius);
         rack.data.set_local_axis1(axis1).set_local_axis2(axis2);

@@ -1,6 +1,6 @@
 //! A joint in the world, and its handle.
 
-use super::GenericJoint;
+use super::{GenericJoint, TransmissionCount};
 use crate::base::arena::Index;
 use crate::dim::math::{
     ANG_DIM, ANG_ZERO, AngVector, Real, SPATIAL_DIM, SpatialVector, Vector, ang_is_finite,
@@ -64,6 +64,8 @@ pub struct ImpulseJoint {
     pub(crate) is_displaced: bool,
     /// Locked axes, limits and motors of the joint.
     pub data: GenericJoint,
+    /// What a transmission has counted; `None`: nothing yet.
+    pub(crate) count: Option<TransmissionCount>,
 }
 
 impl core::ops::Deref for ImpulseJoint {
@@ -91,7 +93,16 @@ impl ImpulseJoint {
         let (force, torque) = (Vector::ZERO, ANG_ZERO);
         let bodies = BodyPair { body1, body2 };
         let impulses = [0.0; SPATIAL_DIM];
-        Self { bodies, data, impulses, force, torque, angles: None, is_displaced: false }
+        Self {
+            bodies,
+            data,
+            impulses,
+            force,
+            torque,
+            angles: None,
+            is_displaced: false,
+            count: None,
+        }
     }
 
     /// Both bodies.
@@ -110,7 +121,8 @@ impl ImpulseJoint {
     }
 
     /// The force of the joint on the second body, at the joint's anchor (mass·length/s², world space, mean of
-    /// the last step). It includes locked axes, limits and motors. The first body gets the opposite force.
+    /// the last step). It includes locked axes, limits and motors. The first body gets the opposite force, unless
+    /// the joint is a [`Transmission`](super::Transmission).
     pub fn force(&self) -> Vector {
         self.force
     }
@@ -125,7 +137,15 @@ impl ImpulseJoint {
     /// Clears impulses and turns, which belonged to other bodies.
     pub(super) fn clear_history(&mut self) {
         self.angles = None;
+        self.count = None;
         self.clear_impulses();
+    }
+
+    /// Begins a new measurement of a transmission, after a program has moved a joint frame.
+    pub(super) fn forget_frames(&mut self) {
+        if let Some(count) = &mut self.count {
+            count.frames = None;
+        }
     }
 
     /// Clears all impulses, so that the next step starts with zeros.

@@ -38,6 +38,7 @@ pub use rope::{RopeJoint, RopeJointBuilder};
 pub use set::ImpulseJointSet;
 pub use spring::{JointSoftness, STIFFEST, SpringCoefficients, spring_of};
 pub use spring_joint::{SpringJoint, SpringJointBuilder};
+pub(crate) use transmission::TransmissionCount;
 pub use transmission::{
     GearJoint, GearJointBuilder, PulleyJoint, PulleyJointBuilder, RackJoint, RackJointBuilder,
     Transmission, TransmissionEnd,

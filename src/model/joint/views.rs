@@ -9,19 +9,28 @@ macro_rules! joint_view {
         impl $crate::model::joint::GenericJoint {
             #[doc = concat!("This joint as a [`", stringify!($joint), "`], if it is one.")]
             pub fn $name(&self) -> Option<&$joint> {
-                let same = self.locked_axes == $locked && self.coupled_axes == $coupled;
+                let same = $crate::model::joint::views::has_axes(self, $locked, $coupled);
                 same.then(|| $crate::model::joint::views::Named::named(self))
             }
 
             #[doc = concat!("This joint as a [`", stringify!($joint), "`], if it is one.")]
             pub fn $name_mut(&mut self) -> Option<&mut $joint> {
-                let same = self.locked_axes == $locked && self.coupled_axes == $coupled;
+                let same = $crate::model::joint::views::has_axes(self, $locked, $coupled);
                 same.then(|| $crate::model::joint::views::Named::named_mut(self))
             }
         }
     };
 }
 pub(crate) use joint_view;
+
+/// Returns whether a joint locks and couples exactly these axes, and is no transmission.
+pub(crate) fn has_axes(
+    joint: &super::GenericJoint,
+    locked: JointAxesMask,
+    coupled: JointAxesMask,
+) -> bool {
+    joint.locked_axes == locked && joint.coupled_axes == coupled && joint.transmission.is_none()
+}
 
 /// A named joint: a generic one and nothing else.
 ///

@@ -12,9 +12,11 @@
 //! ```
 //!
 //! with the axis `a` of the body's joint frame, the rotation vector `φ` of the body since the step began, the
-//! anchor `p` with the moment arm `L`, and a point `g` of the world. Angles and shifts count from the beginning
-//! of the step, along the axis of that time: a wheel with a fixed axis rotates about it, so both are exact.
-//! What was before is the transmission's progress.
+//! anchor `p` with the moment arm `L`, and a point `g` of the world. Angles and shifts begin at 0 in each step,
+//! along the axis at its start, which is exact for a fixed axis. The count of the earlier steps is added.
+//!
+//! The direction of a distance is undefined at the point `g`, and a light body that a heavy one pulls there
+//! would pass it in each substep and let the rope run out. Such an end is blocked: see [`End::is_blocked`].
 
 use crate::dim::math::{
     ANG_ZERO, AngVector, Real, Rotation, SpatialVector, Vector, ang_dot, cross, integrate_rotation,
@@ -39,7 +41,7 @@ pub(super) struct End {
 /// One end where its body is now.
 #[derive(Copy, Clone, Debug)]
 pub(super) struct EndNow {
-    /// The coordinate times its ratio, without the transmission's progress.
+    /// The coordinate times its ratio, without what was counted.
     pub coordinate: Real,
     /// The force of a unit impulse at the anchor, and the couple.
     pub force: Vector,
@@ -57,9 +59,8 @@ pub(super) struct Moved {
 }
 
 impl Moved {
-    /// Not at all.
-    pub const NOWHERE: Self =
-        Self { shift: Vector::ZERO, turn: Rotation::IDENTITY, rotvec: ANG_ZERO };
+    /// No motion.
+    pub const NONE: Self = Self { shift: Vector::ZERO, turn: Rotation::IDENTITY, rotvec: ANG_ZERO };
 
     /// By a displacement.
     pub fn by((shift, rotvec): (Vector, AngVector)) -> Self {
@@ -108,12 +109,23 @@ impl End {
         EndNow { coordinate, force, couple, arm: arm_now }
     }
 
+    /// Returns whether an anchor with this speed can reach its point of the world within the time `h`. Then the
+    /// other end alone is limited.
+    pub fn is_blocked(&self, now: &EndNow, velocity: &SpatialVector, h: Real) -> bool {
+        self.is_distance() && now.coordinate.abs() <= now.speed(velocity) * h
+    }
+
+    /// The angle (rad) by which a displacement rotates it; 0 of other coordinates.
+    pub fn angle_after(&self, (_, rotvec): (Vector, AngVector)) -> Real {
+        if self.is_angle() { ang_dot(self.about, rotvec) } else { 0.0 }
+    }
+
     /// Returns whether its coordinate is an angle.
     pub fn is_angle(&self) -> bool {
         self.kind == TransmissionEnd::Angle
     }
 
-    /// Returns whether its coordinate is measured anew in each step, and no part of the progress.
+    /// Returns whether its coordinate is measured in each step, and not counted.
     pub fn is_distance(&self) -> bool {
         matches!(self.kind, TransmissionEnd::Distance { .. })
     }

@@ -64,6 +64,7 @@ impl ImpulseJointSet {
         }
         for (handle, blocked) in links.blocked.drain(..) {
             if let Some(joint) = self.get_unnoted_mut(handle) {
+                joint.forget_frames();
                 joint.data.enabled = match (joint.data.enabled, blocked) {
                     (JointEnabled::Enabled, true) => JointEnabled::DisabledByAttachedBody,
                     (JointEnabled::DisabledByAttachedBody, false) => JointEnabled::Enabled,
@@ -74,6 +75,7 @@ impl ImpulseJointSet {
         for handle in links.displaced.drain(..) {
             if let Some(joint) = self.get_unnoted_mut(handle) {
                 joint.is_displaced = true;
+                joint.forget_frames();
             }
         }
         self.removed.clear();
@@ -82,6 +84,9 @@ impl ImpulseJointSet {
             self.refile(handle);
             if let Some(entry) = self.joints.get_mut(handle.0) {
                 entry.note = Note::default();
+                if !entry.joint.data.is_enabled() {
+                    entry.joint.forget_frames();
+                }
             }
         }
     }

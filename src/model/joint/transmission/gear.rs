@@ -32,25 +32,28 @@ impl GearJoint {
 
     /// Rotation of the first wheel per rotation of the second one, in the opposite direction.
     pub fn ratio(&self) -> Real {
-        self.data.transmission.map_or(1.0, |transmission| transmission.ratios[1])
+        self.data.transmission.map_or(1.0, |gear| gear.ratios[1] / gear.ratios[0])
     }
 
-    /// Sets the ratio. A ratio of 0, or one that is not finite, is refused with a warning in the log.
+    /// Sets the ratio. A ratio whose size is not between 1e-6 and 1e6 is refused with a warning in the log.
     pub fn set_ratio(&mut self, ratio: Real) -> &mut Self {
         if let Some(old) = self.data.transmission {
-            self.data.set_transmission(Transmission { ratios: [1.0, ratio], ..old });
+            self.data.set_transmission(Transmission {
+                ratios: [old.ratios[0], old.ratios[0] * ratio],
+                ..old
+            });
         }
         self
     }
 
-    /// The angle (radians) by which the first wheel can rotate while the second one stands still.
+    /// The angle (radians) by which the first wheel can rotate while the second one does not rotate.
     pub fn backlash(&self) -> Real {
         let limits = &self.data.limits[JointAxis::LinX as usize];
         limits.max - limits.min
     }
 
-    /// Sets the angle (radians) by which the first wheel can rotate while the second one stands still
-    /// (default: 0). Both directions get one half. A negative value is refused with a warning in the log.
+    /// Sets the angle (radians) by which the first wheel can rotate while the second one does not rotate
+    /// (default: 0): one half in each direction. A negative value is refused with a warning in the log.
     pub fn set_backlash(&mut self, angle: Real) -> &mut Self {
         self.data.set_limits(JointAxis::LinX, [-0.5 * angle, 0.5 * angle]);
         self
@@ -58,7 +61,7 @@ impl GearJoint {
 }
 
 impl GearJointBuilder {
-    /// Sets the angle (radians) by which the first wheel can rotate while the second one stands still.
+    /// Sets the angle (radians) by which the first wheel can rotate while the second one does not rotate.
     pub fn backlash(mut self, angle: Real) -> Self {
         self.0.set_backlash(angle);
         self

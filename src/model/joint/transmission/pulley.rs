@@ -26,8 +26,8 @@ joint_motor_methods!(PulleyJoint, PulleyJointBuilder, [JointAxis::LinX], ());
 
 impl PulleyJoint {
     /// A rope of this length over two points of the world, with the anchors at the origins of the bodies. A
-    /// point without usable coordinates, or a ratio that is 0 or not finite, is logged and replaced: the point
-    /// by the origin, the ratio by 1.
+    /// point without usable coordinates, a ratio that is not between 1e-6 and 1e6, or a length that is negative
+    /// or NaN is logged and replaced: the points by the origin, the ratio by 1, the length by no limit.
     pub fn new(over: [Vector; 2], length: Real, ratio: Real) -> Self {
         let mut data = GenericJoint::new(JointAxesMask::empty());
         let ends = [TransmissionEnd::Distance { from: Vector::ZERO }; 2];
@@ -64,9 +64,13 @@ impl PulleyJoint {
         self.data.limits[JointAxis::LinX as usize].max
     }
 
-    /// Sets the length of the rope (length units).
+    /// Sets the length of the rope (length units). A length that is negative or NaN is refused with a warning
+    /// in the log.
     pub fn set_length(&mut self, length: Real) -> &mut Self {
-        self.data.set_limits(JointAxis::LinX, [-Real::MAX, length]);
+        match length >= 0.0 {
+            true => drop(self.data.set_limits(JointAxis::LinX, [-Real::MAX, length])),
+            false => log::warn!("the length of a rope is {length}, but must not be negative"),
+        }
         self
     }
 
@@ -75,10 +79,12 @@ impl PulleyJoint {
         self.data.transmission.map_or(1.0, |transmission| transmission.ratios[1])
     }
 
-    /// Sets the factor of the second distance. A ratio of 0, or one that is not finite, is refused with a
+    /// Sets the factor of the second distance. A ratio that is not between 1e-6 and 1e6 is refused with a
     /// warning in the log.
     pub fn set_ratio(&mut self, ratio: Real) -> &mut Self {
-        if let Some(old) = self.data.transmission {
+        if ratio < 0.0 {
+            log::warn!("the ratio of a pulley is {ratio}, but a rope does not push");
+        } else if let Some(old) = self.data.transmission {
             self.data.set_transmission(Transmission { ratios: [1.0, ratio], ..old });
         }
         self

@@ -35,7 +35,7 @@ impl RackJoint {
     }
 
     /// Sets the displacement of the rack per radian of the pinion (length units); negative if it moves against
-    /// its axis. A radius of 0, or one that is not finite, is refused with a warning in the log.
+    /// its axis. A radius whose size is not between 1e-6 and 1e6 is refused with a warning in the log.
     pub fn set_radius(&mut self, radius: Real) -> &mut Self {
         if let Some(old) = self.data.transmission {
             self.data.set_transmission(Transmission { ratios: [radius, -1.0], ..old });

@@ -95,6 +95,14 @@ pub(super) fn have_large_displacement(
     })
 }
 
+/// Marks whether the joints of a component are stiff.
+pub(super) fn note_stiff(members: &[DirectJoint], blocks: &mut [JointBlock], is_stiff: bool) {
+    for member in members {
+        let lanes = &mut blocks[member.block as usize].is_stiff;
+        lanes.0[member.lane as usize] = if is_stiff { 1.0 } else { 0.0 };
+    }
+}
+
 /// The bodies that joints hold: by solver index.
 #[derive(Default)]
 pub(super) struct GeometricStiffness {

@@ -89,7 +89,7 @@ use direct::{
     Direct, DirectJoint, ImpactImpulse, JacobianBlock, Jacobians, Rows, SharedJacobians,
     StiffnessTest,
 };
-use geometric_stiffness::{GeometricStiffness, Moving, have_large_displacement};
+use geometric_stiffness::{GeometricStiffness, Moving, have_large_displacement, note_stiff};
 pub(super) use load::JointLoadContext;
 use point_to_point::PointToPointJoints;
 use transmissions::Transmissions;
@@ -218,9 +218,9 @@ impl SolverJoints {
         self.point_to_point.iterate::<BIASED>(states, pass, simd, tasks);
         let Self { transmissions, blocks, rows, .. } = self;
         if BIASED {
-            transmissions.begin_solve(rows, blocks, &mut bodies.states);
+            transmissions.begin_solve(rows, blocks, &mut bodies.states, pass.substep);
         } else {
-            transmissions.begin_relax((blocks, rows), states, simd);
+            transmissions.begin_relax((blocks, rows), &mut bodies.states, pass.substep, simd);
             self.direct.invalidate_matrices();
         }
         if self.direct.is_empty() {
@@ -400,14 +400,6 @@ fn stiffness_tests(
             note_stiff(members, blocks, true);
             have_large_displacement(members, moving, pass.substep)
         }
-    }
-}
-
-/// Marks whether the joints of a component are stiff.
-fn note_stiff(members: &[DirectJoint], blocks: &mut [JointBlock], is_stiff: bool) {
-    for member in members {
-        let lanes = &mut blocks[member.block as usize].is_stiff;
-        lanes.0[member.lane as usize] = if is_stiff { 1.0 } else { 0.0 };
     }
 }
 

@@ -22,7 +22,7 @@ use super::system::{RowSystem, SystemRow};
 use crate::dim::joint::{FreeRotations, angle_about};
 use crate::dim::joint_axes::{JointAxesMask, JointAxis};
 use crate::dim::math::{
-    ANG_ZERO, AngVector, DIM, Real, Rotation, SPATIAL_DIM, SpatialVector, Vector,
+    ANG_ZERO, AngVector, DIM, Pose, Real, Rotation, SPATIAL_DIM, SpatialVector, Vector,
     integrate_rotation,
 };
 use crate::dim::spatial::{angular, join, linear, locked_angles, turn_axis};
@@ -30,14 +30,15 @@ use crate::dim::state::READ_ONLY;
 use crate::model::body::RigidBodySet;
 use crate::model::event::JointBreakEvent;
 use crate::model::joint::{
-    GenericJoint, ImpulseJointHandle, ImpulseJointSet, Transmission, mask_of, relative_rotation,
+    GenericJoint, ImpulseJointHandle, ImpulseJointSet, Transmission, TransmissionCount, mask_of,
+    relative_rotation,
 };
 use crate::model::params::{JointPass, Softness};
 use crate::step::solver::axis_law::AxisLaw;
 use crate::step::solver::bodies::SolverBodies;
 use crate::step::solver::context::SolverInput;
 use crate::step::solver::joint_rules::break_if_overloaded;
-use crate::step::solver::transmission_end::{End, Moved};
+use crate::step::solver::transmission_end::{End, EndNow, Moved};
 use arrayvec::ArrayVec;
 
 /// Least compliance of a locked axis, as a fraction of its response to an impulse. Redundant rows share a
@@ -74,21 +75,12 @@ struct Loop {
     locked: ArrayVec<Locked, SPATIAL_DIM>,
 }
 
-/// The part of a transmission that is counted and not measured: its angles and shifts.
-#[derive(Copy, Clone, Debug)]
-struct Progress {
-    handle: ImpulseJointHandle,
-    row: Row,
-    /// When the step began, and now.
-    start: Real,
-    now: Real,
-}
-
 /// All impulse joints on links.
 #[derive(Debug, Default)]
 pub struct Loops {
     loops: Vec<Loop>,
-    progress: Vec<Progress>,
+    /// What their transmissions have counted.
+    counts: Vec<(ImpulseJointHandle, TransmissionCount)>,
     /// First Jacobian of their locked axes.
     first_number: usize,
 }
@@ -117,7 +109,7 @@ impl SolverMultibodies {
     ) {
         let SolverInput { world, joints, islands, .. } = input;
         self.loops.loops.clear();
-        self.loops.progress.clear();
+        self.loops.counts.clear();
         if self.moving.is_empty() {
             return;
         }
@@ -136,7 +128,11 @@ impl SolverMultibodies {
             let mut data = joint.data;
             scale_impulses(&mut data, fraction);
             let solved_with = self.connect(&sides, &data);
-            self.add_driven((handle, solved_with), &data, &sides, &frames, pass.substep);
+            let count = data.transmission.map(|of| of.count(joint.count, frames.poses()));
+            self.loops.counts.extend(count.map(|count| (handle, count)));
+            let counted = count.map_or(0.0, |count| count.sum);
+            let owner = (handle, solved_with);
+            self.add_driven(owner, &data, &sides, (&frames, counted), pass.substep);
             let softness = data.spring().map_or(pass.softness, |spring| {
                 Softness::spring(spring.angular_frequency(), spring.damping_ratio, pass.substep)
             });
@@ -250,16 +246,15 @@ impl SolverMultibodies {
         (handle, solved_with): (ImpulseJointHandle, Option<usize>),
         joint: &GenericJoint,
         sides: &[Side<'_>; 2],
-        frames: &Frames,
+        (frames, counted): (&Frames, Real),
         h: Real,
     ) {
         let position = self.loops.loops.len();
         for axis in joint.driven_axes() {
             let (row, wrench, q, is_distance) = match &joint.transmission {
                 Some(transmission) => {
-                    let (row, wrench, q) =
-                        self.add_transmission(handle, transmission, sides, frames);
-                    (row, wrench, q, false)
+                    let (row, wrench, q) = self.add_transmission(transmission, sides, frames);
+                    (row, wrench, counted + q, false)
                 }
                 None => {
                     let (wrench, q, is_distance) = frames.free_axis(joint, axis);
@@ -280,31 +275,21 @@ impl SolverMultibodies {
         }
     }
 
-    /// The row of a transmission, its wrench on the second body, and its sum.
+    /// The row of a transmission, its wrench on the second body, and its sum without what was counted.
     fn add_transmission(
         &mut self,
-        handle: ImpulseJointHandle,
         transmission: &Transmission,
         sides: &[Side<'_>; 2],
         frames: &Frames,
     ) -> (Row, SpatialVector, Real) {
-        let ends: [End; 2] = core::array::from_fn(|side| {
+        let now: [EndNow; 2] = core::array::from_fn(|side| {
             let (anchor, frame) = (frames.anchors[side], frames.rotations[side]);
             let center = sides[side].center.unwrap_or(anchor);
-            End::new(transmission, side, center, anchor - center, frame)
+            End::new(transmission, side, center, anchor - center, frame).after(&Moved::NONE)
         });
-        let now = ends.map(|end| end.after(&Moved::NOWHERE));
         let row = self.row_of_wrenches(sides, now.map(|end| end.row()));
-        let counted = |side: usize| !ends[side].is_distance();
-        if counted(0) || counted(1) {
-            let wrench =
-                |side: usize| if counted(side) { now[side].row() } else { [0.0; SPATIAL_DIM] };
-            let row = self.row_of_wrenches(sides, [wrench(0), wrench(1)]);
-            let start = transmission.progress;
-            self.loops.progress.push(Progress { handle, row, start, now: start });
-        }
-        let sum = transmission.progress + now[0].coordinate + now[1].coordinate;
-        (row, join(now[1].force, now[1].couple), sum)
+        let [first, second] = now;
+        (row, join(second.force, second.couple), first.coordinate + second.coordinate)
     }
 
     /// The row of a wrench on the second body, at its anchor.
@@ -319,6 +304,11 @@ impl SolverMultibodies {
 }
 
 impl Frames {
+    /// Both frames as poses.
+    fn poses(&self) -> [Pose; 2] {
+        core::array::from_fn(|side| Pose::from_parts(self.anchors[side], self.rotations[side]))
+    }
+
     fn of(
         joint: &GenericJoint,
         sides: &[Side<'_>; 2],
@@ -384,13 +374,6 @@ impl Loops {
         self.locked().for_each(|locked| locked.impulse *= factor(&locked.row));
     }
 
-    /// Notes the progress of transmissions, when a substep ends.
-    pub fn note_progress(&mut self, jacobians: &JacobianPool, states: &ConstrainedStates<'_>) {
-        for progress in &mut self.progress {
-            progress.now = progress.start + jacobians.displacement(&progress.row, states);
-        }
-    }
-
     /// All rows, and the impulses that they have given in this substep.
     pub fn rows(&self) -> impl Iterator<Item = (&Row, Real)> {
         let locked = self.loops.iter().flat_map(|joint| &joint.locked);
@@ -450,13 +433,11 @@ impl Loops {
         }
     }
 
-    /// Writes the progress of transmissions to the joints.
-    pub fn store_progress(&self, joints: &mut ImpulseJointSet) {
-        for Progress { handle, now, .. } in &self.progress {
-            let joint = joints.get_unnoted_mut(*handle);
-            let transmission = joint.and_then(|joint| joint.data.transmission.as_mut());
-            if let Some(transmission) = transmission.filter(|_| now.is_finite()) {
-                transmission.progress = *now;
+    /// Writes what transmissions have counted to the joints.
+    pub fn store_counts(&self, joints: &mut ImpulseJointSet) {
+        for (handle, count) in &self.counts {
+            if let Some(joint) = joints.get_unnoted_mut(*handle) {
+                joint.count = Some(*count);
             }
         }
     }

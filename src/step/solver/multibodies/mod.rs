@@ -224,7 +224,6 @@ impl SolverMultibodies {
         if pass.contacts.is_last_iteration {
             joints.count();
             loops.count();
-            loops.note_progress(jacobians, &states);
             contacts.count();
             self.limit_energy(&mut bodies.states);
         }

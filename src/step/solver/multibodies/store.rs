@@ -20,7 +20,7 @@ impl SolverMultibodies {
         self.joints.store(&mut self.moving, joints);
         self.gears.store(&mut self.moving);
         self.loops.store(joints, inv_dt);
-        self.loops.store_progress(joints);
+        self.loops.store_counts(joints);
         self.joints.add_forces(joints, inv_dt);
         self.loops.break_overloaded(joints, broken);
     }

@@ -244,25 +244,29 @@ impl Pattern {
                 let member = &members[root];
                 self.is_alone[member.slot as usize] = member.form.driven == 1;
             }
-            if !self.search.is_easy(members) && !self.search.is_single_row(members) {
+            if self.search.is_easy(members) || self.search.is_single_row(members) {
+                continue;
+            }
+            if !self.add_component(members) && self.search.keep_transmissions(members) {
                 self.add_component(members);
             }
         }
     }
 
-    /// Adds the component that the search has just collected.
-    fn add_component(&mut self, members: &[DirectJoint]) {
+    /// Adds the component that the search has just collected. Returns whether it is solved directly.
+    fn add_component(&mut self, members: &[DirectJoint]) -> bool {
         let has_loops = self.search.has_loops(members);
         let is_net = has_loops && self.search.is_net(members);
         let work = match is_net {
-            _ if self.search.has_transmission(members) => usize::MAX,
+            // Those of a net that is left to the iterative solver have no other method.
+            _ if self.search.are_transmissions(members) => usize::MAX,
             true => NET_BLOCK_PRODUCTS_PER_JOINT_MAX * self.search.order.len(),
             false => BLOCK_PRODUCTS_PER_JOINT_MAX * self.search.order.len(),
         };
         // The last ones found are the leaves.
         self.search.order.reverse();
         if has_loops && !self.reorder(members, work) {
-            return;
+            return false;
         }
         let start = self.members.len();
         for (position, &index) in self.search.order.iter().enumerate() {
@@ -279,7 +283,8 @@ impl Pattern {
         let neighbours = |at: usize, column: &mut Vec<u32>| {
             search.add_neighbours(&members_here[at], column);
         };
-        if fill(columns, neighbours, work) {
+        let is_direct = fill(columns, neighbours, work);
+        if is_direct {
             let body_count = self.search.number_bodies(&self.members[start..], &mut self.bodies);
             let members = &self.members[start..];
             self.components.push(Part {
@@ -291,6 +296,7 @@ impl Pattern {
         } else {
             self.members.truncate(start);
         }
+        is_direct
     }
 
     /// Sorts the collected joints in an order that suits loops. Returns whether elimination takes at most
@@ -345,8 +351,8 @@ impl Search {
     /// Adds the positions of all joints with a common body.
     fn add_neighbours(&self, member: &DirectJoint, list: &mut Vec<u32>) {
         for (_, body) in member.movable() {
-            let others = self.joints_of(body).iter();
-            list.extend(others.map(|&other| self.position[other as usize]));
+            let others = self.joints_of(body).iter().map(|&other| self.position[other as usize]);
+            list.extend(others.filter(|&position| position != NONE));
         }
     }
 
@@ -377,6 +383,23 @@ impl Search {
         let mut all = self.component(members);
         let first = all.next().map(|member| (member.form.locked, member.form.driven));
         all.next().is_none() && first == Some((0, 1)) && !self.has_transmission(members)
+    }
+
+    /// Leaves the transmissions in the component that was collected. Returns whether there are any. The others
+    /// have no position.
+    fn keep_transmissions(&mut self, members: &[DirectJoint]) -> bool {
+        let Self { order, position, .. } = self;
+        order.iter().for_each(|&index| position[index as usize] = NONE);
+        order.retain(|&index| members[index as usize].form.is_transmission);
+        order.sort_unstable();
+        // They may be redundant.
+        self.body_count = 0;
+        !self.order.is_empty()
+    }
+
+    /// Returns whether all joints are transmissions.
+    fn are_transmissions(&self, members: &[DirectJoint]) -> bool {
+        self.component(members).all(|member| member.form.is_transmission)
     }
 
     /// Returns whether one of the joints is a transmission. These are solved directly in any case.

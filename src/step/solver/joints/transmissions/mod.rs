@@ -8,44 +8,26 @@
 //! a gear with the hinges of both wheels. The sum is relative to the world, so the forces on the two bodies
 //! are not opposite to each other, and lanes of ordinary joints cannot hold them. There are few
 //! transmissions, and rows are computed one by one (`../transmission_end.rs`). Laws and masses have lanes: a
-//! block behind those of the other joints holds up to [`LANES`] transmissions.
+//! block after those of the other joints holds up to [`LANES`] transmissions.
+
+mod constraint;
 
 use super::block::{AxisRow, JointBlock};
 use super::direct::{AxisNow, Direct, Jacobians, write_law};
-use super::load::{End as JointEnd, load_motor_and_limits};
 use super::{DirectJoint, JointLoadContext, Parts, SharedJacobians};
 use crate::base::disjoint::DisjointMut;
 use crate::base::wide::{LANES, Lane, Simd};
 use crate::dim::joint_axes::JointAxis;
-use crate::dim::math::{
-    ANG_ZERO, AngVector, Real, SPATIAL_DIM, SpatialVector, Vector, mul_inertia,
-};
-use crate::dim::spatial::{angular, join, linear};
-use crate::dim::state::{BodyState, READ_ONLY};
+use crate::dim::math::{Real, SPATIAL_DIM};
+use crate::dim::state::BodyState;
 use crate::dim::wide::WideVector;
 use crate::model::island::IslandManager;
-use crate::model::joint::{ImpulseJoint, ImpulseJointSet};
+use crate::model::joint::ImpulseJointSet;
 use crate::model::params::JointPass;
 use crate::step::solver::blocks::block_kernel;
 use crate::step::solver::joint_rules::{CURVATURE_FRACTION_MAX, is_overloaded};
 use crate::step::solver::states::Bodies;
-use crate::step::solver::transmission_end::{End, EndNow, Moved};
-
-/// One transmission.
-#[derive(Clone, Debug)]
-struct Constraint {
-    slot: u32,
-    bodies: [u32; 2],
-    ends: [End; 2],
-    /// Sum of the angles and shifts when the step began.
-    progress: Real,
-    /// The ends in this pass.
-    now: [EndNow; 2],
-    /// The velocity changes by its impulses in this substep.
-    applied: [SpatialVector; 2],
-    /// Sums over all substeps: impulse and couple on the second body.
-    total: (Vector, AngVector),
-}
+use constraint::{Constraint, impulse, load_lane, plus, rate, response_of, speed, sum};
 
 /// All transmissions.
 #[derive(Default)]
@@ -53,11 +35,13 @@ pub(super) struct Transmissions {
     list: Vec<Constraint>,
     /// Position of their first block, and of its row.
     first: [usize; 2],
-    /// By block of theirs: the curvatures of the rows.
+    /// By block of transmissions: the curvatures of the rows.
     curvatures: Vec<Lane>,
+    /// By transmission: the angles by which the step has rotated its ends.
+    rotated: Vec<[Real; 2]>,
 }
 
-/// Where the numbers of a transmission are.
+/// Block, row and lane of a transmission.
 #[derive(Copy, Clone)]
 struct Place {
     block: usize,
@@ -71,7 +55,7 @@ impl Transmissions {
         self.list.len()
     }
 
-    /// Their slots.
+    /// The slots of all transmissions.
     pub fn slots(&self) -> impl Iterator<Item = u32> {
         self.list.iter().map(|constraint| constraint.slot)
     }
@@ -81,7 +65,7 @@ impl Transmissions {
         Place { block: self.first[0] + block, row: self.first[1] + block, lane: index % LANES }
     }
 
-    /// Makes constraints of those among these joints, and blocks behind the others.
+    /// Makes constraints of the transmissions among these joints. Their blocks follow those of the other joints.
     pub fn load(
         &mut self,
         members: &[DirectJoint],
@@ -102,7 +86,7 @@ impl Transmissions {
                 continue;
             };
             let place = self.place(self.list.len());
-            if place.lane == 0 {
+            if place.block == blocks.len() {
                 blocks.push(JointBlock { first_row: place.row, row_count: 1, ..JointBlock::EMPTY });
                 rows.push(AxisRow::EMPTY);
             }
@@ -113,7 +97,7 @@ impl Transmissions {
         self.curvatures.resize(blocks.len() - self.first[0], Lane::ZERO);
     }
 
-    /// Notes which of them are connected with no other joint.
+    /// Notes the transmissions that are connected with no other joint.
     pub fn note_alone(&self, direct: &Direct, rows: &mut [AxisRow]) {
         for (index, constraint) in self.list.iter().enumerate() {
             let Place { row, lane, .. } = self.place(index);
@@ -122,7 +106,7 @@ impl Transmissions {
         }
     }
 
-    /// Tells the direct solver where their rows are. `note` receives each body.
+    /// Notes the places of the rows in the direct solver. `note` receives each body.
     pub fn note_places(
         &self,
         direct: &mut Direct,
@@ -140,8 +124,7 @@ impl Transmissions {
     pub fn begin(&mut self, rows: &mut [AxisRow], blocks: &[JointBlock], states: &[BodyState]) {
         for index in 0..self.list.len() {
             let Place { block, row, lane } = self.place(index);
-            let constraint = &mut self.list[index];
-            constraint.move_ends(states);
+            let constraint = &self.list[index];
             rows[row].motor.rate.0[lane] = rate(&constraint.now, constraint.velocities(states));
             rows[row].response.0[lane] = constraint.response(&blocks[block], lane);
         }
@@ -173,6 +156,7 @@ impl Transmissions {
         rows: &mut [AxisRow],
         blocks: &[JointBlock],
         states: &mut [BodyState],
+        h: Real,
     ) {
         for index in 0..self.list.len() {
             let Place { block, row, lane } = self.place(index);
@@ -181,7 +165,7 @@ impl Transmissions {
                 row.motor.impulse.0[lane] = 0.0;
                 (row.lower.0[lane], row.upper.0[lane]) = (0.0, 0.0);
             }
-            self.list[index].move_ends(states);
+            self.list[index].move_ends(states, h);
             self.list[index].apply(impulse(row, lane), block, lane, states);
         }
     }
@@ -189,15 +173,17 @@ impl Transmissions {
     /// Prepares the relax pass: the inertias rotate with the bodies.
     pub fn begin_relax(
         &mut self,
-        parts: (&mut [JointBlock], &mut [AxisRow]),
-        states: DisjointMut<'_, BodyState>,
+        (blocks, rows): (&mut [JointBlock], &mut [AxisRow]),
+        states: &mut [BodyState],
+        h: Real,
         simd: Simd,
     ) {
-        let (blocks, rows) = parts;
         let range = self.first[0]..blocks.len();
-        simd.run(RotateInertias { range, blocks: DisjointMut::new(blocks), states });
+        let shared = DisjointMut::new(&mut *states);
+        simd.run(RotateInertias { range, blocks: DisjointMut::new(blocks), states: shared });
         for index in 0..self.list.len() {
             let Place { block, row, lane } = self.place(index);
+            self.list[index].move_ends(states, h);
             rows[row].response.0[lane] = self.list[index].response(&blocks[block], lane);
         }
     }
@@ -234,27 +220,26 @@ impl Transmissions {
         pass: &JointPass,
     ) {
         let constraint = &mut self.list[index];
-        constraint.move_ends(states);
         let velocities = constraint.velocities(states);
         let (to, driven) = (&mut jacobians.blocks[block], &mut jacobians.driven[row]);
         let mut used = constraint.now;
         let mut curvature = 0.0;
         if BIASED {
-            let then = constraint.ends_then(states, pass.substep);
-            let straight = rate(&constraint.now, velocities);
-            let whole = (sum(&then) - sum(&constraint.now)) * pass.inv_substep;
+            let predicted = constraint.predicted_ends(states, pass.substep);
+            let linear_rate = rate(&constraint.now, velocities);
+            let whole_rate = (sum(&predicted) - sum(&constraint.now)) * pass.inv_substep;
             if to.includes_curvature.0[lane] > 0.0 {
                 let bound = CURVATURE_FRACTION_MAX * speed(&constraint.now, velocities);
-                curvature = (whole - straight).min(bound).max(-bound);
+                curvature = (whole_rate - linear_rate).min(bound).max(-bound);
             }
             if to.at_predicted_pose.0[lane] > 0.0 {
-                used = then;
-                curvature += straight - rate(&used, velocities);
+                used = predicted;
+                curvature += linear_rate - rate(&used, velocities);
             }
         }
         // SAFETY: nothing else uses the parts, and the row is that of this transmission.
         let axis_row = unsafe { parts.rows.get_mut(row) };
-        axis_row.position.0[lane] = constraint.progress + sum(&constraint.now);
+        axis_row.position.0[lane] = constraint.counted + sum(&constraint.now);
         driven.rate.0[lane] = rate(&used, velocities);
         self.curvatures[block - self.first[0]].0[lane] = curvature;
         for (side, end) in used.iter().enumerate() {
@@ -262,7 +247,7 @@ impl Transmissions {
                 lanes.0[lane] = number;
             }
         }
-        // SAFETY: as above.
+        // SAFETY: nothing else uses the parts.
         let block = unsafe { parts.blocks.get(block) };
         to.first_row = row;
         (to.inv_mass, to.inv_inertia) = (block.inv_mass, *block.inertias.lanes());
@@ -292,28 +277,21 @@ impl Transmissions {
             }
             if is_last_of_substep {
                 row.motor.rate.0[lane] = from.rate.0[lane];
-                let (impulse, [_, second]) = (impulse(row, lane), constraint.now);
-                constraint.total.0 += second.force * impulse;
-                constraint.total.1 += second.couple * impulse;
-                // For the test of stiffness.
-                let largest = constraint.now.map(|end| end.force.length()).into_iter();
-                let pull = impulse.abs() * largest.fold(0.0, Real::max);
-                block.applied.linear.set_lane(lane, Vector::X * pull);
+                let (given, [_, second]) = (impulse(row, lane), constraint.now);
+                constraint.total.0 += second.force * given;
+                constraint.total.1 += second.couple * given;
             }
+            constraint.note_pull(block, lane, impulse(row, lane));
         }
     }
 
-    /// Ends the step, while the bodies are still where the solver has put them: notes the progress.
+    /// Ends the step, while the bodies are still where the solver has put them.
     pub fn finish(&mut self, states: &[BodyState]) {
-        for constraint in &mut self.list {
-            constraint.move_ends(states);
-            let measured = constraint.ends.iter().zip(&constraint.now);
-            let counted = measured.filter(|(end, _)| !end.is_distance());
-            constraint.progress += counted.map(|(_, now)| now.coordinate).sum::<Real>();
-        }
+        self.rotated.clear();
+        self.rotated.extend(self.list.iter().map(|constraint| constraint.rotated(states)));
     }
 
-    /// Writes impulses, forces and progress to the joints. Returns whether one is overloaded.
+    /// Writes impulses, forces and rotations to the joints. Returns whether one is overloaded.
     pub fn store(
         &self,
         islands: &IslandManager,
@@ -331,10 +309,8 @@ impl Transmissions {
             let (k, row) = (JointAxis::LinX as usize, &rows[row]);
             joint.data.limits[k].impulse = row.lower.0[lane] - row.upper.0[lane];
             joint.data.motors[k].impulse = row.motor.impulse.0[lane];
-            if let Some(transmission) = &mut joint.data.transmission
-                && constraint.progress.is_finite()
-            {
-                transmission.progress = constraint.progress;
+            if let Some(count) = &mut joint.count {
+                count.rotated = self.rotated[index];
             }
             let (force, torque) = constraint.total;
             (joint.force, joint.torque) = (force * inv_dt, torque * inv_dt);
@@ -345,125 +321,6 @@ impl Transmissions {
         }
         any_overloaded
     }
-}
-
-/// Fills one lane of a block and its row.
-fn load_lane(
-    (block, row, lane): (&mut JointBlock, &mut AxisRow, usize),
-    slot: u32,
-    joint: &mut ImpulseJoint,
-    context: JointLoadContext<'_>,
-    pass: &JointPass,
-) -> Option<Constraint> {
-    let transmission = joint.data.transmission?;
-    let [first, second] = JointEnd::both(joint, context, pass)?;
-    let bodies = [first.index, second.index];
-    joint.scale_impulses(context.bodies.impulse_fraction(bodies));
-    let ends = [(0, &first), (1, &second)].map(|(side, end)| {
-        end.write(block, side, lane);
-        End::new(&transmission, side, end.center, end.arm, end.frame)
-    });
-    let (progress, now) = (transmission.progress, ends.map(|end| end.after(&Moved::NOWHERE)));
-    load_motor_and_limits(row, lane, &joint.data, JointAxis::LinX, pass);
-    let is_angle = ends[0].is_angle() && ends[1].is_angle();
-    row.linear.set_lane(lane, if is_angle { Vector::ZERO } else { Vector::X });
-    let position = progress + sum(&now);
-    let excess = (position - row.max.0[lane]).max(row.min.0[lane] - position);
-    let is_far = excess * pass.inv_substep > super::direct::CORRECTED_APART_RATE_MIN;
-    block.exceeds_limit.0[lane] = if is_far { 1.0 } else { 0.0 };
-    let distances = ends.iter().zip(&now).filter(|(end, _)| end.is_distance());
-    let shortest = distances.map(|(_, now)| now.coordinate.abs()).fold(Real::INFINITY, Real::min);
-    if shortest.is_finite() {
-        block.separation.set_lane(lane, Vector::X * shortest);
-    }
-    let applied = [[0.0; SPATIAL_DIM]; 2];
-    Some(Constraint { slot, bodies, ends, progress, now, applied, total: (Vector::ZERO, ANG_ZERO) })
-}
-
-impl Constraint {
-    /// Moves the ends to the current poses.
-    fn move_ends(&mut self, states: &[BodyState]) {
-        for side in 0..2 {
-            let displacement = states[(self.bodies[side] & !READ_ONLY) as usize].displacement();
-            self.now[side] = self.ends[side].after(&Moved::by(displacement));
-        }
-    }
-
-    /// The ends after the time `h` with the current velocities.
-    fn ends_then(&self, states: &[BodyState], h: Real) -> [EndNow; 2] {
-        core::array::from_fn(|side| {
-            let state = &states[(self.bodies[side] & !READ_ONLY) as usize];
-            let moved = Moved::by(state.displacement()).further(state.velocity(), h);
-            self.ends[side].after(&moved)
-        })
-    }
-
-    fn velocities(&self, states: &[BodyState]) -> [SpatialVector; 2] {
-        self.bodies.map(|body| {
-            let (v, w) = states[(body & !READ_ONLY) as usize].velocity();
-            join(v, w)
-        })
-    }
-
-    /// `J M⁻¹ Jᵀ`.
-    fn response(&self, block: &JointBlock, lane: usize) -> Real {
-        let sides = self.now.iter().enumerate();
-        sides.map(|(side, end)| dot(&end.row(), &response_of(block, side, lane, &end.row()))).sum()
-    }
-
-    /// Replaces the impulse in the velocities by this one along the current rows.
-    fn apply(&mut self, impulse: Real, block: &JointBlock, lane: usize, states: &mut [BodyState]) {
-        for side in 0..2 {
-            let wrench = self.now[side].row().map(|number| number * impulse);
-            let change = response_of(block, side, lane, &wrench);
-            let added = plus(change, self.applied[side].map(|number| -number));
-            self.applied[side] = change;
-            if self.bodies[side] & READ_ONLY == 0 {
-                states[self.bodies[side] as usize].add_velocity(added);
-            }
-        }
-    }
-}
-
-/// The velocity change of a body of a lane by a wrench about its centre of mass.
-fn response_of(
-    block: &JointBlock,
-    side: usize,
-    lane: usize,
-    wrench: &SpatialVector,
-) -> SpatialVector {
-    let inv_inertia = block.inertias.lane(side, lane);
-    let change = linear(wrench) * block.inv_mass[side].lane(lane);
-    join(change, mul_inertia(&inv_inertia, angular(wrench)))
-}
-
-/// The total impulse of a lane.
-fn impulse(row: &AxisRow, lane: usize) -> Real {
-    row.motor.impulse.0[lane] + row.lower.0[lane] - row.upper.0[lane]
-}
-
-/// The coordinates of both ends together.
-fn sum(ends: &[EndNow; 2]) -> Real {
-    ends[0].coordinate + ends[1].coordinate
-}
-
-/// `J v`.
-fn rate(ends: &[EndNow; 2], velocities: [SpatialVector; 2]) -> Real {
-    dot(&ends[0].row(), &velocities[0]) + dot(&ends[1].row(), &velocities[1])
-}
-
-/// The largest rate that these speeds of the anchors could give.
-fn speed(ends: &[EndNow; 2], velocities: [SpatialVector; 2]) -> Real {
-    let sides = ends.iter().zip(velocities).map(|(end, velocity)| end.speed(&velocity));
-    sides.sum()
-}
-
-fn dot(a: &SpatialVector, b: &SpatialVector) -> Real {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
-}
-
-fn plus(a: SpatialVector, b: SpatialVector) -> SpatialVector {
-    core::array::from_fn(|k| a[k] + b[k])
 }
 
 block_kernel! {
