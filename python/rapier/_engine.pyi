@@ -17,7 +17,7 @@ _Rotation = Union[float, Sequence[float], NDArray[Any]]
 _Angular = Union[float, Sequence[float], NDArray[Any]]
 _Kind = Literal["dynamic", "fixed", "kinematic_position", "kinematic_velocity"]
 _Rule = Literal["average", "min", "multiply", "max", "clamped_sum", "geometric_mean"]
-_JointKind = Literal["fixed", "revolute", "prismatic", "spherical", "rope", "spring"]
+_JointKind = Literal["fixed", "revolute", "prismatic", "spherical", "rope", "spring", "gear", "rack", "pulley"]
 _Array = NDArray[Any]
 _Mask = Union[Sequence[bool], NDArray[np.bool_]]
 
@@ -231,8 +231,9 @@ class World:
     ) -> Collider: ...
     def add_joint(
         self, kind: _JointKind, body1: Body, body2: Body, *, anchor1: Optional[_Vector] = None, anchor2: Optional[_Vector] = None, axis: Optional[_Vector] = None,
-        limits: Optional[tuple[float, float]] = None, length: Optional[float] = None, stiffness: float = 1.0e3, damping: float = 10.0, contacts: bool = True,
-        reduced: bool = False,
+        limits: Optional[tuple[float, float]] = None, length: Optional[float] = None, stiffness: float = 1.0e3, damping: float = 10.0,
+        axis1: Optional[_Vector] = None, axis2: Optional[_Vector] = None, ratio: float = 1.0, backlash: float = 0.0, radius: Optional[float] = None,
+        over1: Optional[_Vector] = None, over2: Optional[_Vector] = None, contacts: Optional[bool] = None, reduced: bool = False,
     ) -> Joint: ...
     @property
     def bodies(self) -> list[Body]: ...

@@ -12,6 +12,7 @@ use super::rapier::dynamics::{
 use super::rapier::math::{Real, Vector};
 use super::rapier::pipeline::PhysicsWorld;
 use super::space;
+use super::transmission;
 use super::world::World;
 use crate::errors::{invalid, stale};
 use pyo3::prelude::*;
@@ -54,9 +55,13 @@ pub fn describe(kind: &str, options: &Options<'_>) -> PyResult<(GenericJoint, Op
             )
         }
         _ => {
-            return Err(invalid(format!(
-                "kind is {kind:?}, but must be fixed, revolute, prismatic, spherical, rope or spring"
-            )));
+            let unknown = || {
+                invalid(format!(
+                    "kind is {kind:?}, but must be fixed, revolute, prismatic, spherical, rope, \
+                     spring, gear, rack or pulley"
+                ))
+            };
+            (transmission::describe(kind, options)?.ok_or_else(unknown)?, None)
         }
     };
     if axis.is_some() && free.is_none() {
@@ -74,7 +79,9 @@ pub fn describe(kind: &str, options: &Options<'_>) -> PyResult<(GenericJoint, Op
             .try_set_limits(free, [finite("limits", lower)?, finite("limits", upper)?])
             .map_err(invalid)?;
     }
-    joint.set_contacts_enabled(options.take("contacts")?.unwrap_or(true));
+    if let Some(contacts) = options.take("contacts")? {
+        joint.set_contacts_enabled(contacts);
+    }
     Ok((joint, free))
 }
 

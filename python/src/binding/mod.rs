@@ -20,6 +20,7 @@ mod picture;
 mod query;
 mod shape;
 mod simulation;
+pub mod transmission;
 pub mod world;
 
 use pyo3::prelude::*;

@@ -283,7 +283,8 @@ impl World {
 
     /// Joins two bodies. Returns the joint.
     ///
-    /// kind: "fixed", "revolute", "prismatic", "spherical" (3D), "rope" or "spring".
+    /// kind: "fixed", "revolute", "prismatic", "spherical" (3D), "rope", "spring", "gear", "rack"
+    /// or "pulley".
     ///
     /// anchor1, anchor2: points in the frames of the bodies (m), by default their origins.
     /// axis: of a revolute joint (3D) or a prismatic joint, in the frames of both bodies, by
@@ -291,7 +292,16 @@ impl World {
     /// limits: (smallest, largest) coordinate of a revolute (rad) or prismatic (m) joint.
     /// length: of a rope, or of a spring at rest (m). stiffness (N/m), damping (N·s/m): of a
     /// spring, by default 1000 and 10.
-    /// contacts: whether the two bodies collide with each other, by default True.
+    /// axis1, axis2: of two gears (3D), or of a pinion (3D) and its rack, each in the frame of its
+    /// body, by default x.
+    /// ratio: of gears (teeth of the second by those of the first: angle1 + ratio · angle2 = 0) or
+    /// of a pulley (distance1 + ratio · distance2 ≤ length), by default 1.
+    /// backlash: the angle (rad) by which the first gear can rotate alone, by default 0.
+    /// radius: displacement of a rack per radian of its pinion (m).
+    /// over1, over2: points of the world (m) over which the rope of a pulley runs. Its length (m)
+    /// is required.
+    /// contacts: whether the two bodies collide with each other, by default True, but False for
+    /// gears and racks.
     /// reduced: whether the joint is a link of a multibody, which has no drift, by default False.
     #[pyo3(signature = (kind, body1, body2, **options))]
     fn add_joint(

@@ -5,7 +5,8 @@ mod no_vehicle;
 pub use no_vehicle::{Vehicles, fill};
 
 use super::binding::numbers::{array, finite};
-use super::rapier::dynamics::{GenericJoint, RevoluteJointBuilder};
+use super::binding::transmission::{Axes, along_each};
+use super::rapier::dynamics::{GearJoint, GenericJoint, RackJoint, RevoluteJointBuilder};
 use super::rapier::geometry::{ColliderBuilder, SharedShape};
 use super::rapier::math::{AngVector, Real, Rotation, Vector, rotation_from_angle};
 use crate::errors::invalid;
@@ -61,6 +62,22 @@ pub fn revolute(axis: Option<Vector>) -> PyResult<GenericJoint> {
 /// A ball and socket: 3D only.
 pub fn spherical() -> PyResult<GenericJoint> {
     Err(invalid("a spherical joint exists in 3D only: in 2D it is a revolute joint"))
+}
+
+/// Two gears. They have no axes in 2D.
+pub fn gear(axes: Axes, ratio: Real) -> PyResult<GenericJoint> {
+    match axes {
+        [None, None] => Ok(GearJoint::new(ratio).into()),
+        _ => Err(invalid("a gear joint in 2D has no axes")),
+    }
+}
+
+/// A pinion, which has no axis in 2D, and a rack along one.
+pub fn rack(axes: Axes, radius: Real) -> PyResult<GenericJoint> {
+    match axes[0] {
+        None => along_each(RackJoint::new(Vector::X, radius).into(), axes),
+        Some(_) => Err(invalid("the pinion of a rack joint in 2D has no axis1")),
+    }
 }
 
 /// The point of view of pictures. The angles are those of 3D.

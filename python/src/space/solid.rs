@@ -7,7 +7,10 @@ pub use vehicle::{Vehicles, fill};
 
 use super::binding::joint::along;
 use super::binding::numbers::{array, finite, numbers, vector};
-use super::rapier::dynamics::{GenericJoint, RevoluteJointBuilder, SphericalJointBuilder};
+use super::binding::transmission::{Axes, along_each};
+use super::rapier::dynamics::{
+    GearJoint, GenericJoint, RackJoint, RevoluteJointBuilder, SphericalJointBuilder,
+};
 use super::rapier::geometry::{ColliderBuilder, SharedShape};
 use super::rapier::math::{AngVector, Real, Rotation, Vector};
 use super::rapier::parry::utils::Array2;
@@ -66,6 +69,16 @@ pub fn revolute(axis: Option<Vector>) -> PyResult<GenericJoint> {
 /// A ball and socket.
 pub fn spherical() -> PyResult<GenericJoint> {
     Ok(SphericalJointBuilder::new().build().into())
+}
+
+/// Two gears about an axis each.
+pub fn gear(axes: Axes, ratio: Real) -> PyResult<GenericJoint> {
+    along_each(GearJoint::new(Vector::X, Vector::X, ratio).into(), axes)
+}
+
+/// A pinion about an axis, and a rack along one.
+pub fn rack(axes: Axes, radius: Real) -> PyResult<GenericJoint> {
+    along_each(RackJoint::new(Vector::X, Vector::X, radius).into(), axes)
 }
 
 /// The point of view of pictures, by the angles of the camera (degrees).
