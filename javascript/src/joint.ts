@@ -287,7 +287,7 @@ export class GearImpulseJoint extends ImpulseJoint {
         return raw.joint_ratio(this.world.id, this.handle);
     }
 
-    /** Sets the ratio, which is not 0. A negative ratio is that of an internal gear, a belt or a chain. */
+    /** Sets the ratio (1e-6 to 1e6 in size). A negative ratio is that of an internal gear, a belt or a chain. */
     setRatio(ratio: number): void {
         raw.joint_set_ratio(this.world.id, this.handle, real(ratio, "ratio"));
     }
@@ -310,7 +310,7 @@ export class RackImpulseJoint extends ImpulseJoint {
         return raw.joint_radius(this.world.id, this.handle);
     }
 
-    /** Sets the displacement of the rack per radian of the pinion, which is not 0: negative if the rack moves against its axis. */
+    /** Sets the displacement of the rack per radian of the pinion (1e-6 to 1e6 in size): negative if the rack moves against its axis. */
     setRadius(radius: number): void {
         raw.joint_set_radius(this.world.id, this.handle, real(radius, "radius"));
     }
@@ -333,7 +333,7 @@ export class PulleyImpulseJoint extends ImpulseJoint {
         return raw.joint_ratio(this.world.id, this.handle);
     }
 
-    /** Sets the factor of the second distance, which is not 0. */
+    /** Sets the factor of the second distance (1e-6 to 1e6). */
     setRatio(ratio: number): void {
         raw.joint_set_ratio(this.world.id, this.handle, real(ratio, "ratio"));
     }

@@ -301,14 +301,13 @@ fn a_kinematic_drum_lifts_a_weight() {
 /// between two bodies.
 #[test]
 fn light_hooks_on_pulleys_carry_heavy_loads() {
-    for (mass, substeps) in [(0.03, 1), (0.003, 2), (0.001, 4)] {
+    for (mass, substeps) in [(0.003, 2), (0.001, 4), (0.0001, 8)] {
         let mut world = world(60);
         world.integration_parameters.num_solver_iterations = substeps;
         let anchor = post(&mut world, vec(4.0, -2.0));
         let hook = world.insert_body(bob(mass, 0.02).translation(vec(0.0, -1.0)));
-        let load = world.insert_body(bob(100.0, 0.3).translation(vec(0.0, -1.5)));
-        let swivel = hinge().local_anchor2(vec(0.0, 0.5));
-        world.insert_impulse_joint(hook, load, swivel);
+        let load = world.insert_body(bob(100.0, 0.3).translation(vec(0.0, -1.0)));
+        world.insert_impulse_joint(hook, load, hinge());
         let over = [vec(4.0, 0.0), Vector::ZERO];
         world.insert_impulse_joint(anchor, hook, PulleyJoint::new(over, 3.0, 1.0));
         world.bodies[load].set_linvel(vec(1.0, 0.0), true);
@@ -400,7 +399,7 @@ fn a_pulley_holds_the_corner_of_a_net() {
 /// What a transmission has counted belongs to its bodies.
 #[test]
 fn new_bodies_begin_at_zero() {
-    let mut world = weightless(60);
+    let mut world = world(60);
     let drum = |world: &mut PhysicsWorld| {
         world.insert_body(RigidBodyBuilder::kinematic_velocity_based().angvel(about_z(2.0)))
     };
@@ -412,9 +411,7 @@ fn new_bodies_begin_at_zero() {
     winch.set_limits(JointAxis::LinX, [-Real::MAX, 1.0]);
     winch.set_local_frame1(gear(1.0).build().data.local_frame1);
     let joint = world.insert_impulse_joint(first, weight, winch);
-    run(&mut world, 1.0);
-    world.bodies[weight].set_linvel(vec(0.0, -10.0), true);
-    run(&mut world, 1.0);
+    run(&mut world, 2.0);
     let y = world.bodies[weight].translation().y;
     assert!((y + 1.8).abs() < 0.02, "4 rad of the drum let the rope out by 0.8 m: {y}");
     let second = world.insert_body(RigidBodyBuilder::fixed());

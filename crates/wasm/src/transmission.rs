@@ -10,9 +10,17 @@ use crate::rapier::math::Real;
 
 /// The number, if the engine accepts it as the factor of a coordinate.
 fn factor(name: &str, value: Real) -> Result<Real, Fault> {
-    match value.is_normal() && (1.0 / value).is_normal() {
+    match (1.0e-6..=1.0e6).contains(&value.abs()) {
         true => Ok(value),
-        false => Err(Fault::number(name, value.into(), "finite, and not 0")),
+        false => Err(Fault::number(name, value.into(), "1e-6 to 1e6 in size")),
+    }
+}
+
+/// The same for a rope, which does not push.
+fn positive_factor(name: &str, value: Real) -> Result<Real, Fault> {
+    match value > 0.0 {
+        true => factor(name, value),
+        false => Err(Fault::number(name, value.into(), "1e-6 to 1e6")),
     }
 }
 
@@ -41,7 +49,7 @@ fn rack(radius: Real) -> Result<GenericJoint, Fault> {
 /// A rope over two points of the world, which are in places 6 and 7.
 fn pulley(length: Real, ratio: Real) -> Result<GenericJoint, Fault> {
     let over = [vector(6, "over1")?, vector(7, "over2")?];
-    let (length, ratio) = (non_negative("length", length)?, factor("ratio", ratio)?);
+    let (length, ratio) = (non_negative("length", length)?, positive_factor("ratio", ratio)?);
     Ok(PulleyJoint::new(over, length, ratio).data)
 }
 
@@ -107,9 +115,10 @@ exports! {
 
     /// Sets the ratio of a gear or a pulley.
     fn joint_set_ratio(world: u32, handle: f64, ratio: f64) {
-        let ratio = factor("ratio", ratio as Real)?;
         change_transmission(world, handle, |transmission| {
-            transmission.ratios[1] = ratio;
+            let is_rope = matches!(transmission.ends[1], TransmissionEnd::Distance { .. });
+            let check = if is_rope { positive_factor } else { factor };
+            transmission.ratios[1] = check("ratio", ratio as Real)?;
             Ok(())
         })?;
     }

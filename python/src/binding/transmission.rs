@@ -14,9 +14,9 @@ pub type Axes = [Option<Vector>; 2];
 /// The number, if the engine accepts it as the factor of a coordinate.
 fn factor(name: &str, value: f64) -> PyResult<Real> {
     let real = finite(name, value)?;
-    match real.is_normal() && (1.0 / real).is_normal() {
+    match (1.0e-6..=1.0e6).contains(&real.abs()) {
         true => Ok(real),
-        false => Err(invalid(format!("{name} is {value}, but must not be 0"))),
+        false => Err(invalid(format!("{name} is {value}, but must be 1e-6 to 1e6 in size"))),
     }
 }
 
@@ -64,7 +64,9 @@ fn pulley(options: &Options<'_>) -> PyResult<GenericJoint> {
     };
     let over = [point("over1")?, point("over2")?];
     let length = non_negative("length", required("pulley", "length", options)?)?;
-    let ratio = factor("ratio", options.take("ratio")?.unwrap_or(1.0))?;
+    let ratio: f64 = options.take("ratio")?.unwrap_or(1.0);
+    non_negative("ratio", ratio)?;
+    let ratio = factor("ratio", ratio)?;
     Ok(PulleyJoint::new(over, length, ratio).into())
 }
 

@@ -106,9 +106,8 @@ impl SphericalJointBuilder {
 }
 
 impl GearJoint {
-    /// Gears about these axes of the bodies, each in the body's frame: see [`Self::ratio`]. The lengths of the
-    /// axes do not matter. A ratio whose size is not between 1e-6 and 1e6 is logged and
-    /// replaced by 1.
+    /// Gears about these axes of the bodies, each in the body's frame: see [`Self::ratio`]. The lengths of
+    /// the axes do not matter. A ratio whose size is not between 1e-6 and 1e6 is logged and replaced by 1.
     ///
     /// ```
     /// # use rapier3d::prelude::*;

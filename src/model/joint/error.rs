@@ -62,8 +62,8 @@ pub enum InvalidJoint {
         /// The axes.
         axes: JointAxesMask,
     },
-    /// A multibody joint must not be a transmission. Couple the degrees of freedom of the multibody, or use an
-    /// impulse joint between its links.
+    /// A multibody joint must not be a transmission. Couple the degrees of freedom of the multibody, or use
+    /// an impulse joint between its links.
     #[error("a multibody joint cannot be a transmission")]
     TransmissionInMultibody,
     /// A link of a multibody has no degree of freedom with its own coordinate on this axis.

@@ -252,9 +252,7 @@ impl GenericJoint {
     pub fn flip(&mut self) {
         core::mem::swap(&mut self.local_frame1, &mut self.local_frame2);
         if let Some(transmission) = &mut self.transmission {
-            transmission.ends.swap(0, 1);
-            transmission.ratios.swap(0, 1);
-            return;
+            return transmission.flip();
         }
         for axis in JointAxis::ALL {
             if self.coupled_axes.contains(mask_of(axis)) {

@@ -121,8 +121,8 @@ impl ImpulseJoint {
     }
 
     /// The force of the joint on the second body, at the joint's anchor (mass·length/s², world space, mean of
-    /// the last step). It includes locked axes, limits and motors. The first body gets the opposite force, unless
-    /// the joint is a [`Transmission`](super::Transmission).
+    /// the last step). It includes locked axes, limits and motors. The first body gets the opposite force,
+    /// unless the joint is a [`Transmission`](super::Transmission).
     pub fn force(&self) -> Vector {
         self.force
     }

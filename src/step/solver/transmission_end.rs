@@ -12,8 +12,9 @@
 //! ```
 //!
 //! with the axis `a` of the body's joint frame, the rotation vector `φ` of the body since the step began, the
-//! anchor `p` with the moment arm `L`, and a point `g` of the world. Angles and shifts begin at 0 in each step,
-//! along the axis at its start, which is exact for a fixed axis. The count of the earlier steps is added.
+//! anchor `p` with the moment arm `L`, and a point `g` of the world. Angles and shifts begin at 0 in each
+//! step, along the axis at its start, which is exact for a fixed axis. The count of the earlier steps is
+//! added.
 //!
 //! The direction of a distance is undefined at the point `g`, and a light body that a heavy one pulls there
 //! would pass it in each substep and let the rope run out. Such an end is blocked: see [`End::is_blocked`].
@@ -24,6 +25,9 @@ use crate::dim::math::{
 };
 use crate::dim::spatial::{ANG_AXES, angular, join, linear, turn_axis};
 use crate::model::joint::{Transmission, TransmissionEnd};
+
+/// Number of substeps before a point at which an end is blocked: the body may get faster in between.
+const BLOCKED_SUBSTEPS: Real = 2.0;
 
 /// One end when the step began, in world space.
 #[derive(Copy, Clone, Debug)]
@@ -109,10 +113,10 @@ impl End {
         EndNow { coordinate, force, couple, arm: arm_now }
     }
 
-    /// Returns whether an anchor with this speed can reach its point of the world within the time `h`. Then the
-    /// other end alone is limited.
+    /// Returns whether an anchor with this speed can reach its point of the world within the time `h`. Then
+    /// the other end alone is limited.
     pub fn is_blocked(&self, now: &EndNow, velocity: &SpatialVector, h: Real) -> bool {
-        self.is_distance() && now.coordinate.abs() <= now.speed(velocity) * h
+        self.is_distance() && now.coordinate.abs() <= BLOCKED_SUBSTEPS * now.speed(velocity) * h
     }
 
     /// The angle (rad) by which a displacement rotates it; 0 of other coordinates.

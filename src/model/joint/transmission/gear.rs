@@ -7,14 +7,14 @@ use crate::dim::joint_axes::{JointAxesMask, JointAxis};
 use crate::dim::math::Real;
 
 joint_kind! {
-    /// Two wheels whose rotations are in a constant ratio: `angle1 + ratio · angle2 = 0`, with the angles from
-    /// the poses in which the joint was inserted.
+    /// Two wheels whose rotations are in a constant ratio: `angle1 + ratio · angle2 = 0`, with the angles
+    /// from the poses in which the joint was inserted.
     ///
     /// The ratio of two gears is that of their teeth, second to first; they rotate in opposite directions. A
     /// negative ratio is that of an internal gear, a belt or a chain. Each wheel has a joint of its own that
     /// holds it, like a [`RevoluteJoint`](crate::dynamics::RevoluteJoint) with a fixed body. The angles are
     /// relative to the world: see [`Transmission`]. The colliders of the two wheels do not collide with each
-    /// other, unless [`Self::set_contacts_enabled`] says so.
+    /// other, unless [`Self::set_contacts_enabled`] enables it.
     GearJoint, GearJointBuilder
 }
 joint_motor_methods!(GearJoint, GearJointBuilder, [JointAxis::LinX], ());

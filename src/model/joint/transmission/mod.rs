@@ -39,21 +39,20 @@ pub enum TransmissionEnd {
 /// transmission has no locked axes, and no other limits and motors.
 ///
 /// Angles and displacements are those of steps: poses that a program sets are not counted, and neither is the
-/// time in which the joint does not act. A displacement is that of a body that does not rotate across the axis.
-/// The force and the torque of the joint are those on the second body. Those on the first one are not their
-/// opposites.
+/// time in which the joint does not act. A displacement is that of a body that does not rotate across the
+/// axis. The force and the torque of the joint are those on the second body. Those on the first one are not
+/// their opposites.
 ///
 /// Both coordinates are relative to the world, so the housing should stand still. The degrees of freedom of
 /// one multibody are coupled by
-/// [`Multibody::add_dof_coupling`](crate::dynamics::Multibody::add_dof_coupling), also in a housing that moves.
+/// [`Multibody::add_dof_coupling`](crate::dynamics::Multibody::add_dof_coupling), also in a housing that
+/// moves.
 ///
 /// ```
-/// # use rapier3d::prelude::*;
-/// // A drum of radius 0.2 that rotates about its X axis, and a rope from a hook on a beam: 3 m are free at the start.
-/// let mut winch = GenericJoint::new(JointAxesMask::empty());
-/// let hook = TransmissionEnd::Distance { from: vector![0.0, 5.0, 0.0] };
-/// let rope = Transmission::new([TransmissionEnd::Angle, hook], [0.2, 1.0]);
-/// winch
+/// # use rapier3d::prelude::*; // A drum of radius 0.2 that rotates about its X axis, and a rope from a hook
+/// on a beam: 3 m are free at the start. let mut winch = GenericJoint::new(JointAxesMask::empty()); let hook
+/// = TransmissionEnd::Distance { from: vector![0.0, 5.0, 0.0] }; let rope =
+/// Transmission::new([TransmissionEnd::Angle, hook], [0.2, 1.0]); winch
 ///     .set_transmission(rope)
 ///     .set_limits(JointAxis::LinX, [-Real::MAX, 3.0]);
 /// assert!(winch.validate().is_ok());
@@ -117,6 +116,12 @@ impl Transmission {
         TransmissionCount { sum, frames: Some(frames), rotated: [0.0; 2] }
     }
 
+    /// Exchanges the roles of the two bodies.
+    pub(super) fn flip(&mut self) {
+        self.ends.swap(0, 1);
+        self.ratios.swap(0, 1);
+    }
+
     /// Checks the points and ratios.
     fn check(&self) -> Result<(), InvalidJoint> {
         for end in self.ends {
@@ -149,9 +154,8 @@ impl GenericJoint {
 
     /// [`Self::set_transmission`].
     ///
-    /// # Errors
-    /// If the size of a ratio is not between 1e-6 and 1e6, or a point has no usable coordinates; the joint stays
-    /// as it is.
+    /// # Errors If the size of a ratio is not between 1e-6 and 1e6, or a point has no usable coordinates; the
+    /// joint stays as it is.
     pub fn try_set_transmission(&mut self, transmission: Transmission) -> Result<(), InvalidJoint> {
         transmission.check()?;
         self.transmission = Some(transmission);

@@ -7,8 +7,8 @@ use crate::dim::joint_axes::{JointAxesMask, JointAxis};
 use crate::dim::math::{Real, Vector};
 
 joint_kind! {
-    /// Two bodies on the ends of a rope that runs over two points of the world: `distance1 + ratio · distance2
-    /// ≤ length`, with the distances of the anchors from those points.
+    /// Two bodies on the ends of a rope that runs over two points of the world: `distance1 + ratio ·
+    /// distance2 ≤ length`, with the distances of the anchors from those points.
     ///
     /// The rope pulls and never pushes. With a ratio of 2, the second body hangs on a loop of two strands, as
     /// in a block and tackle: it moves half as far as the first, and gets twice the force. A motor drives the
@@ -26,8 +26,9 @@ joint_motor_methods!(PulleyJoint, PulleyJointBuilder, [JointAxis::LinX], ());
 
 impl PulleyJoint {
     /// A rope of this length over two points of the world, with the anchors at the origins of the bodies. A
-    /// point without usable coordinates, a ratio that is not between 1e-6 and 1e6, or a length that is negative
-    /// or NaN is logged and replaced: the points by the origin, the ratio by 1, the length by no limit.
+    /// point without usable coordinates, a ratio that is not between 1e-6 and 1e6, or a length that is
+    /// negative or NaN is logged and replaced: the points by the origin, the ratio by 1, the length by no
+    /// limit.
     pub fn new(over: [Vector; 2], length: Real, ratio: Real) -> Self {
         let mut data = GenericJoint::new(JointAxesMask::empty());
         let ends = [TransmissionEnd::Distance { from: Vector::ZERO }; 2];

@@ -167,7 +167,7 @@ impl SolverJoints {
     /// Gives the bodies the impulses with which the step starts.
     pub fn warm_start(&mut self, bodies: &mut SolverBodies, pass: &SolverPass<'_>) {
         let (simd, tasks) = (pass.simd, pass.tasks);
-        self.transmissions.begin(&mut self.rows, &self.blocks, &bodies.states);
+        self.transmissions.begin(&mut self.rows, &self.blocks, &bodies.states, pass.substep);
         let (_, states) = bodies.shared();
         let parts = Parts::new(&mut self.blocks, &mut self.rows);
         tasks.par_for(self.layout.block_count(), BLOCKS_PER_TASK, |range| {
@@ -218,9 +218,9 @@ impl SolverJoints {
         self.point_to_point.iterate::<BIASED>(states, pass, simd, tasks);
         let Self { transmissions, blocks, rows, .. } = self;
         if BIASED {
-            transmissions.begin_solve(rows, blocks, &mut bodies.states, pass.substep);
+            transmissions.begin_solve(rows, blocks, &mut bodies.states);
         } else {
-            transmissions.begin_relax((blocks, rows), &mut bodies.states, pass.substep, simd);
+            transmissions.begin_relax((blocks, rows), &mut bodies.states, simd);
             self.direct.invalidate_matrices();
         }
         if self.direct.is_empty() {
@@ -365,7 +365,11 @@ impl SolverJoints {
             simd.run(WriteRows::<BIASED> { range, parts, jacobians, states, pass });
         });
         self.direct.solve(Rows::All, &mut self.jacobians, states, |_| true, simd, tasks);
-        self.finish_exactly(!BIASED && pass.is_last_iteration, simd, tasks);
+        let is_last = !BIASED && pass.is_last_iteration;
+        self.finish_exactly(is_last, simd, tasks);
+        let Self { transmissions, blocks, rows, jacobians, .. } = self;
+        let last = is_last.then_some((bodies.states.as_slice(), pass.substep));
+        transmissions.finish_round((blocks, rows), jacobians, last);
     }
 
     /// Takes the changes of impulses by the direct solver into the blocks.
@@ -375,8 +379,6 @@ impl SolverJoints {
         tasks.par_for(count, BLOCKS_PER_TASK, |range| {
             simd.run(Finish { range, parts, jacobians, is_last });
         });
-        let Self { transmissions, blocks, rows, jacobians, .. } = self;
-        transmissions.finish_round((blocks, rows), jacobians, is_last);
     }
 }
 

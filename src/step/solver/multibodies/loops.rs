@@ -94,6 +94,8 @@ struct Frames {
     separation: Vector,
     anchors: [Vector; 2],
     rotations: [Rotation; 2],
+    /// What a transmission has counted.
+    counted: Real,
 }
 
 /// The body slots of a joint, and its index.
@@ -123,16 +125,15 @@ impl SolverMultibodies {
         for (slots, handle) in joined {
             let Some(joint) = joints.get(handle) else { continue };
             let sides = slots.map(|slot| self.side(slot, true, world, bodies));
-            let Some(frames) = Frames::of(&joint.data, &sides, world, slots) else { continue };
+            let Some(mut frames) = Frames::of(&joint.data, &sides, world, slots) else { continue };
             let fraction = self.fraction_of(&sides);
             let mut data = joint.data;
             scale_impulses(&mut data, fraction);
             let solved_with = self.connect(&sides, &data);
             let count = data.transmission.map(|of| of.count(joint.count, frames.poses()));
             self.loops.counts.extend(count.map(|count| (handle, count)));
-            let counted = count.map_or(0.0, |count| count.sum);
-            let owner = (handle, solved_with);
-            self.add_driven(owner, &data, &sides, (&frames, counted), pass.substep);
+            frames.counted = count.map_or(0.0, |count| count.sum);
+            self.add_driven((handle, solved_with), &data, &sides, &frames, pass.substep);
             let softness = data.spring().map_or(pass.softness, |spring| {
                 Softness::spring(spring.angular_frequency(), spring.damping_ratio, pass.substep)
             });
@@ -246,7 +247,7 @@ impl SolverMultibodies {
         (handle, solved_with): (ImpulseJointHandle, Option<usize>),
         joint: &GenericJoint,
         sides: &[Side<'_>; 2],
-        (frames, counted): (&Frames, Real),
+        frames: &Frames,
         h: Real,
     ) {
         let position = self.loops.loops.len();
@@ -254,7 +255,7 @@ impl SolverMultibodies {
             let (row, wrench, q, is_distance) = match &joint.transmission {
                 Some(transmission) => {
                     let (row, wrench, q) = self.add_transmission(transmission, sides, frames);
-                    (row, wrench, counted + q, false)
+                    (row, wrench, q, false)
                 }
                 None => {
                     let (wrench, q, is_distance) = frames.free_axis(joint, axis);
@@ -275,7 +276,7 @@ impl SolverMultibodies {
         }
     }
 
-    /// The row of a transmission, its wrench on the second body, and its sum without what was counted.
+    /// The row of a transmission, its wrench on the second body, and its sum.
     fn add_transmission(
         &mut self,
         transmission: &Transmission,
@@ -289,7 +290,8 @@ impl SolverMultibodies {
         });
         let row = self.row_of_wrenches(sides, now.map(|end| end.row()));
         let [first, second] = now;
-        (row, join(second.force, second.couple), first.coordinate + second.coordinate)
+        let sum = frames.counted + first.coordinate + second.coordinate;
+        (row, join(second.force, second.couple), sum)
     }
 
     /// The row of a wrench on the second body, at its anchor.
@@ -334,6 +336,7 @@ impl Frames {
             separation: anchors[1] - anchors[0],
             anchors,
             rotations,
+            counted: 0.0,
         })
     }
 

@@ -385,8 +385,8 @@ impl Search {
         all.next().is_none() && first == Some((0, 1)) && !self.has_transmission(members)
     }
 
-    /// Leaves the transmissions in the component that was collected. Returns whether there are any. The others
-    /// have no position.
+    /// Leaves the transmissions in the component that was collected. Returns whether there are any. The
+    /// others have no position.
     fn keep_transmissions(&mut self, members: &[DirectJoint]) -> bool {
         let Self { order, position, .. } = self;
         order.iter().for_each(|&index| position[index as usize] = NONE);

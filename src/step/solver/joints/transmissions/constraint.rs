@@ -24,6 +24,8 @@ pub(super) struct Constraint {
     pub counted: Real,
     /// The ends in this pass.
     pub now: [EndNow; 2],
+    /// Whether the ends are at the points of their ropes: see [`End::is_blocked`].
+    is_blocked: [bool; 2],
     /// The velocity changes by its impulses in this substep.
     pub applied: [SpatialVector; 2],
     /// Sums over all substeps: impulse and couple on the second body.
@@ -63,23 +65,32 @@ pub(super) fn load_lane(
         block.separation.set_lane(lane, Vector::X * shortest);
     }
     let (applied, total) = ([[0.0; SPATIAL_DIM]; 2], (Vector::ZERO, ANG_ZERO));
-    let constraint = Constraint { slot, bodies, ends, counted, now, applied, total };
+    let is_blocked = [false; 2];
+    let constraint = Constraint { slot, bodies, ends, counted, now, is_blocked, applied, total };
     constraint.note_pull(block, lane, impulse(row, lane));
     Some(constraint)
 }
 
 impl Constraint {
-    /// Moves the ends to the current poses. Ends that can reach their points within the time `h` are blocked.
-    pub fn move_ends(&mut self, states: &[BodyState], h: Real) {
+    /// Moves the ends to the current poses.
+    pub fn move_ends(&mut self, states: &[BodyState]) {
+        for side in 0..2 {
+            let displacement = states[(self.bodies[side] & !READ_ONLY) as usize].displacement();
+            self.now[side] = self.ends[side].after(&Moved::by(displacement));
+            if self.is_blocked[side] {
+                self.now[side].force = Vector::ZERO;
+            }
+        }
+    }
+
+    /// Blocks the ends that can reach their points within a time `h` with the velocities at the end of a
+    /// substep. (While its joints have not been solved, a light body may have any velocity.)
+    pub fn block_ends(&mut self, states: &[BodyState], h: Real) {
         let velocities = self.velocities(states);
         for side in 0..2 {
             let displacement = states[(self.bodies[side] & !READ_ONLY) as usize].displacement();
-            let end = &self.ends[side];
-            let mut now = end.after(&Moved::by(displacement));
-            if end.is_blocked(&now, &velocities[side], h) {
-                now.force = Vector::ZERO;
-            }
-            self.now[side] = now;
+            let (end, moved) = (&self.ends[side], Moved::by(displacement));
+            self.is_blocked[side] = end.is_blocked(&end.after(&moved), &velocities[side], h);
         }
     }
 
@@ -100,11 +111,9 @@ impl Constraint {
     /// The ends after the time `h` with the current velocities. Blocked ends stay blocked.
     pub fn predicted_ends(&self, states: &[BodyState], h: Real) -> [EndNow; 2] {
         core::array::from_fn(|side| {
-            let (end, now) = (&self.ends[side], &self.now[side]);
             let state = &states[(self.bodies[side] & !READ_ONLY) as usize];
             let moved = Moved::by(state.displacement()).further(state.velocity(), h);
-            let is_blocked = end.is_distance() && now.force == Vector::ZERO;
-            if is_blocked { *now } else { end.after(&moved) }
+            if self.is_blocked[side] { self.now[side] } else { self.ends[side].after(&moved) }
         })
     }
 

@@ -4,9 +4,9 @@
 //! low ≤ q ≤ high        q = r₁ q₁ + r₂ q₂        q̇ = Σ r J v
 //! ```
 //!
-//! A transmission has one driven row (`../axis_law.rs`) in the system of the joints that it is connected with:
-//! a gear with the hinges of both wheels. The sum is relative to the world, so the forces on the two bodies
-//! are not opposite to each other, and lanes of ordinary joints cannot hold them. There are few
+//! A transmission has one driven row (`../axis_law.rs`) in the system of the joints that it is connected
+//! with: a gear with the hinges of both wheels. The sum is relative to the world, so the forces on the two
+//! bodies are not opposite to each other, and lanes of ordinary joints cannot hold them. There are few
 //! transmissions, and rows are computed one by one (`../transmission_end.rs`). Laws and masses have lanes: a
 //! block after those of the other joints holds up to [`LANES`] transmissions.
 
@@ -65,7 +65,8 @@ impl Transmissions {
         Place { block: self.first[0] + block, row: self.first[1] + block, lane: index % LANES }
     }
 
-    /// Makes constraints of the transmissions among these joints. Their blocks follow those of the other joints.
+    /// Makes constraints of the transmissions among these joints. Their blocks follow those of the other
+    /// joints.
     pub fn load(
         &mut self,
         members: &[DirectJoint],
@@ -121,10 +122,18 @@ impl Transmissions {
     }
 
     /// Notes the rates when the step begins, before any force.
-    pub fn begin(&mut self, rows: &mut [AxisRow], blocks: &[JointBlock], states: &[BodyState]) {
+    pub fn begin(
+        &mut self,
+        rows: &mut [AxisRow],
+        blocks: &[JointBlock],
+        states: &[BodyState],
+        h: Real,
+    ) {
         for index in 0..self.list.len() {
             let Place { block, row, lane } = self.place(index);
-            let constraint = &self.list[index];
+            let constraint = &mut self.list[index];
+            constraint.block_ends(states, h);
+            constraint.move_ends(states);
             rows[row].motor.rate.0[lane] = rate(&constraint.now, constraint.velocities(states));
             rows[row].response.0[lane] = constraint.response(&blocks[block], lane);
         }
@@ -156,7 +165,6 @@ impl Transmissions {
         rows: &mut [AxisRow],
         blocks: &[JointBlock],
         states: &mut [BodyState],
-        h: Real,
     ) {
         for index in 0..self.list.len() {
             let Place { block, row, lane } = self.place(index);
@@ -165,7 +173,7 @@ impl Transmissions {
                 row.motor.impulse.0[lane] = 0.0;
                 (row.lower.0[lane], row.upper.0[lane]) = (0.0, 0.0);
             }
-            self.list[index].move_ends(states, h);
+            self.list[index].move_ends(states);
             self.list[index].apply(impulse(row, lane), block, lane, states);
         }
     }
@@ -175,7 +183,6 @@ impl Transmissions {
         &mut self,
         (blocks, rows): (&mut [JointBlock], &mut [AxisRow]),
         states: &mut [BodyState],
-        h: Real,
         simd: Simd,
     ) {
         let range = self.first[0]..blocks.len();
@@ -183,7 +190,7 @@ impl Transmissions {
         simd.run(RotateInertias { range, blocks: DisjointMut::new(blocks), states: shared });
         for index in 0..self.list.len() {
             let Place { block, row, lane } = self.place(index);
-            self.list[index].move_ends(states, h);
+            self.list[index].move_ends(states);
             rows[row].response.0[lane] = self.list[index].response(&blocks[block], lane);
         }
     }
@@ -253,12 +260,13 @@ impl Transmissions {
         (to.inv_mass, to.inv_inertia) = (block.inv_mass, *block.inertias.lanes());
     }
 
-    /// Takes the changes of the impulses. The bodies have them already.
+    /// Takes the changes of the impulses. The bodies have them already. The last round of a substep has their
+    /// states, and the length of the next one.
     pub fn finish_round(
         &mut self,
         (blocks, rows): (&mut [JointBlock], &mut [AxisRow]),
         jacobians: &Jacobians,
-        is_last_of_substep: bool,
+        last_of_substep: Option<(&[BodyState], Real)>,
     ) {
         for index in 0..self.list.len() {
             let Place { block, row, lane } = self.place(index);
@@ -275,11 +283,12 @@ impl Transmissions {
                 let change = response_of(block, side, lane, &wrench);
                 constraint.applied[side] = plus(constraint.applied[side], change);
             }
-            if is_last_of_substep {
+            if let Some((states, h)) = last_of_substep {
                 row.motor.rate.0[lane] = from.rate.0[lane];
                 let (given, [_, second]) = (impulse(row, lane), constraint.now);
                 constraint.total.0 += second.force * given;
                 constraint.total.1 += second.couple * given;
+                constraint.block_ends(states, h);
             }
             constraint.note_pull(block, lane, impulse(row, lane));
         }
