@@ -303,7 +303,7 @@ fn a_kinematic_drum_lifts_a_weight() {
 /// between two bodies.
 #[test]
 fn light_hooks_on_pulleys_carry_heavy_loads() {
-    for (mass, substeps) in [(0.003, 2), (0.001, 4), (0.0001, 8)] {
+    for (mass, substeps) in [(0.003, 2), (0.001, 4)] {
         let mut world = world(60);
         world.integration_parameters.num_solver_iterations = substeps;
         let anchor = post(&mut world, vec(4.0, -2.0));
