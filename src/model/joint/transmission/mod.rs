@@ -49,12 +49,12 @@ pub enum TransmissionEnd {
 /// moves.
 ///
 /// ```
-/// # use rapier3d::prelude::*; // A drum of radius 0.2 that rotates about its X axis, and a rope from a hook
-/// on a beam: 3 m are free at the start. let mut winch = GenericJoint::new(JointAxesMask::empty()); let hook
-/// = TransmissionEnd::Distance { from: vector![0.0, 5.0, 0.0] }; let rope =
-/// Transmission::new([TransmissionEnd::Angle, hook], [0.2, 1.0]); winch
-///     .set_transmission(rope)
-///     .set_limits(JointAxis::LinX, [-Real::MAX, 3.0]);
+/// # use rapier3d::prelude::*;
+/// // A drum of radius 0.2 about its X axis, and a rope from a hook: 3 m are free at the start.
+/// let mut winch = GenericJoint::new(JointAxesMask::empty());
+/// let hook = TransmissionEnd::Distance { from: vector![0.0, 5.0, 0.0] };
+/// let rope = Transmission::new([TransmissionEnd::Angle, hook], [0.2, 1.0]);
+/// winch.set_transmission(rope).set_limits(JointAxis::LinX, [-Real::MAX, 3.0]);
 /// assert!(winch.validate().is_ok());
 /// ```
 #[derive(Copy, Clone, Debug, PartialEq)]

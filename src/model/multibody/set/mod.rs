@@ -35,9 +35,10 @@ pub(crate) struct MultibodyEdits {
 /// let joint = world.multibody_joints.insert(ceiling, bob, hinge.build(), true).unwrap();
 /// for _ in 0..60 {
 ///     world.step();
-/// } let (pendulum, link) = world.multibody_joints.get(joint).unwrap(); assert_eq!((pendulum.ndofs(), link),
-/// (1, 1)); assert!((world.bodies[bob].translation().length() - 1.0).abs() < 1.0e-4, "it swings, and stays on
-/// its rod");
+/// }
+/// let (pendulum, link) = world.multibody_joints.get(joint).unwrap();
+/// assert_eq!((pendulum.ndofs(), link), (1, 1));
+/// assert!((world.bodies[bob].translation().length() - 1.0).abs() < 1.0e-4, "it swings, and stays on its rod");
 /// ```
 #[derive(Debug, Default)]
 #[cfg_attr(feature = "serde-serialize", derive(serde::Serialize, serde::Deserialize))]
