@@ -125,11 +125,11 @@ function Platforms(): ReactNode {
 
 export default function Determinism(): ReactNode {
     return (
-        <Layout title="Determinism" description="Equal bits on every platform, with hashes and a comparison in the browser.">
+        <Layout title="Determinism" description="Equal bits on x86-64, ARM, RISC-V and WebAssembly, with hashes and a comparison in the browser.">
             <main className="container margin-vert--lg">
                 <h1>Determinism</h1>
                 <p>
-                    The same calls in the same order give the same bits on every machine. The{" "}
+                    The same calls in the same order give the same bits on every little-endian machine. The{" "}
                     <Link to="/docs/guide/determinism">guide</Link> states the guarantee, its method and its limits.
                 </p>
                 <Heading as="h2" id="here">

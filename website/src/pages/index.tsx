@@ -63,8 +63,8 @@ function Hero(): ReactNode {
             <div className={styles.words}>
                 <h1>Rapier</h1>
                 <p className={styles.sentence}>
-                    Rigid-body physics for games, tools and robots, written in Rust: fast, robust, and the same bits on every
-                    machine.
+                    Rigid-body physics for games, tools and robots, written in Rust: fast, robust, and the same bits on
+                    x86-64, ARM, RISC-V and WebAssembly.
                 </p>
                 <div className={styles.buttons}>
                     <Link className="button button--primary button--lg" to="/docs/guide/getting-started">
