@@ -22,6 +22,11 @@ pub fn thickened(moment: SecondMoment, fraction: Real) -> SecondMoment {
     moment * (1.0 + 2.0 * fraction)
 }
 
+/// The moment of a distribution on a line.
+pub fn narrow_moment(moment: SecondMoment) -> Real {
+    moment.max(0.0)
+}
+
 /// Mass properties from a mass, its centre, and its second moments about the centre.
 ///
 /// The inertia is their trace.

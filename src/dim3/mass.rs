@@ -37,6 +37,16 @@ pub fn thickened(moment: SecondMoment, fraction: Real) -> SecondMoment {
     moment + Matrix::from_diagonal(Vector::splat(fraction * trace))
 }
 
+/// The lesser moment of a distribution in a plane.
+pub fn narrow_moment(moment: SecondMoment) -> Real {
+    let [x, y, z] = [moment.x_axis, moment.y_axis, moment.z_axis];
+    let trace = x.x + y.y + z.z;
+    // One principal moment is zero, so the principal minors add up to the product of the others.
+    let product = (x.x * y.y - x.y * y.x) + (y.y * z.z - y.z * z.y) + (z.z * x.x - z.x * x.z);
+    let difference = (trace * trace - 4.0 * product).max(0.0).sqrt();
+    (0.5 * (trace - difference)).max(0.0)
+}
+
 /// Mass properties from a mass, its centre, and its second moments about the centre.
 ///
 /// The inertia tensor is `tr(S) 1 − S`.

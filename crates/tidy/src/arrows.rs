@@ -52,7 +52,7 @@ const WHOLE_WORLD: [(&str, &str); 2] = [
 
 /// The rooms of the solver, each with the rooms that it may use, which stand before it. The solver's `mod.rs`
 /// and its tests use all of them.
-const SOLVER: [(&str, &[&str]); 17] = [
+const SOLVER: [(&str, &[&str]); 18] = [
     ("axis_law", &[]),
     ("blocks", &[]),
     ("context", &[]),
@@ -61,9 +61,10 @@ const SOLVER: [(&str, &[&str]); 17] = [
     ("joint_rules", &[]),
     ("links", &[]),
     ("restitution", &[]),
+    ("stacks", &[]),
     ("states", &[]),
     ("transmission_end", &[]),
-    ("groups", &["context"]),
+    ("groups", &["context", "stacks"]),
     ("bodies", &["context", "groups", "impact_time", "links", "states"]),
     ("recovery", &["bodies", "island_sums"]),
     ("contacts", &["blocks", "bodies", "context", "links", "recovery", "states"]),

@@ -15,6 +15,8 @@
 //! 1000 times the mass of a link gets twice the usual substeps at 30 steps a second. At 60 it gets the usual
 //! number.
 //!
+//! Tall stacks and those of thin bodies get more substeps for the same reason ([`Stack`]).
+//!
 //! Four cubes under one of 1000 times the mass sink in by 0.8 m with 4 substeps, by 34 mm with 16 and by 10
 //! mm with 32. Two alternatives were rejected. A direct solution of loaded contacts fails because these
 //! change within a substep. Supporting bodies with increased masses fall incorrectly.
@@ -22,13 +24,14 @@
 use crate::base::tasks::{Gather, Tasks};
 use crate::dim::joint::inertia_about;
 use crate::dim::joint_axes::JointAxesMask;
-use crate::dim::math::Real;
+use crate::dim::math::{Real, Vector};
 use crate::model::body::{BODIES_PER_TASK, RigidBody, RigidBodyHandle, RigidBodySet};
 use crate::model::contact::NarrowPhase;
 use crate::model::island::{IslandManager, NONE};
 use crate::model::joint::ImpulseJointSet;
 use crate::model::params::IntegrationParameters;
 use crate::step::solver::context::{SolverInput, SolverSettings};
+use crate::step::solver::stacks::{Stack, yielding};
 use core::ops::Range;
 
 /// Up to this ratio of masses the usual substeps are sufficient: four cubes under one of 30 times the mass
@@ -64,12 +67,14 @@ struct IslandRequirement {
     acceleration_per_force: Real,
     /// Additional substeps that its bodies request.
     extra: usize,
+    /// Its bodies as a stack, and the length (s) of the substeps of the last step.
+    stack: Option<(Stack, Real)>,
 }
 
 impl IslandRequirement {
     const NOTHING: Self = {
         let none = [Real::INFINITY, 0.0];
-        Self { masses: none, joined: none, acceleration_per_force: 0.0, extra: 0 }
+        Self { masses: none, joined: none, acceleration_per_force: 0.0, extra: 0, stack: None }
     };
 
     /// Includes a body that touches another.
@@ -95,7 +100,20 @@ impl IslandRequirement {
 
     /// The factor on the usual number of substeps for an island of this size with substeps of `h` seconds. It
     /// is a power of two, so there are few groups.
-    fn factor(&self, bodies: usize, gravity: Real, h: Real) -> usize {
+    ///
+    /// A stack keeps its substeps until half their stiffness is sufficient. Otherwise it could alternate
+    /// between two numbers of substeps, and hop.
+    fn factor(
+        &self,
+        bodies: usize,
+        gravity: Real,
+        h: Real,
+        params: &IntegrationParameters,
+    ) -> usize {
+        let (stack_stiffness, last) = self.stack.map_or((0.0, 0.0), |(stack, last)| {
+            (stack.stiffness(yielding(params, gravity, h)), last)
+        });
+        let had_more = |factor: usize| last > 0.0 && last * (factor as Real) < 0.75 * h;
         let ([lightest, heaviest], [least, most]) = (self.masses, self.joined);
         let is_ratio_large = most > MASS_RATIO_MODERATE_MAX * least;
         let stiffness =
@@ -107,7 +125,10 @@ impl IslandRequirement {
                 && heaviest > MASS_RATIO_MODERATE_MAX * lightest * square;
             let by_joints =
                 factor < JOINT_SUBSTEP_FACTOR_MAX && stiffness > GEOMETRIC_STIFFNESS_MAX * square;
-            if !by_contacts && !by_joints {
+            let by_stack = factor < SUBSTEP_FACTOR_MAX
+                && (stack_stiffness > square
+                    || 2.0 * stack_stiffness > square && had_more(factor));
+            if !by_contacts && !by_joints && !by_stack {
                 break;
             }
             factor *= 2;
@@ -189,14 +210,19 @@ impl Groups {
         self.order.clear();
         self.groups.clear();
         self.read_bodies(islands, bodies, tasks);
-        if self.are_all_alike() {
+        self.requirements.clear();
+        self.requirements.resize(islands.island_bound() as usize, IslandRequirement::NOTHING);
+        self.find_stacks(islands, bodies, gravity);
+        if !self.are_all_alike() {
+            self.find_requirements(islands, bodies.slot_count(), narrow_phase);
+            self.find_requirements_of_joints(islands, bodies, joints);
+        }
+        self.find_substeps(islands, gravity.length(), params);
+        if self.counts.iter().all(|&substeps| substeps == params.num_solver_iterations) {
             self.order.extend_from_slice(&islands.awake);
             let members = 0..self.order.len();
             return self.groups.push(Group { members, substeps: params.num_solver_iterations });
         }
-        self.find_requirements(islands, bodies.slot_count(), narrow_phase);
-        self.find_requirements_of_joints(islands, bodies, joints);
-        self.find_substeps(islands, gravity.length(), params);
         self.order.extend_from_slice(islands.awake.kinematic());
         for &substeps in &self.counts {
             let start = self.order.len();
@@ -222,6 +248,25 @@ impl Groups {
         self.gather.run(tasks, (awake.len(), BODIES_PER_TASK), read, &mut self.body_requirements);
     }
 
+    /// Reads the bodies of islands whose size admits more substeps. Bodies that joints or multibodies hold are
+    /// not part of a stack: a chain hangs.
+    fn find_stacks(&mut self, islands: &IslandManager, bodies: &RigidBodySet, gravity: Vector) {
+        let Some(up) = (-gravity).try_normalize() else { return };
+        for (id, requirement) in self.requirements.iter_mut().enumerate() {
+            let island = islands.island(id as u32);
+            if island.sleeping || !(2..=BODY_SUBSTEPS_MAX / 2).contains(&island.bodies.len()) {
+                continue;
+            }
+            let members = island.bodies.iter().filter_map(|&handle| bodies.get(handle));
+            let last = members.clone().next().map_or(0.0, |body| body.substep);
+            let free = members.filter(|body| {
+                let slot = body.link.slot;
+                islands.joints.of_body(slot).is_empty() && islands.groups.of(slot).is_empty()
+            });
+            requirement.stack = Stack::of(free, up).map(|stack| (stack, last));
+        }
+    }
+
     /// Returns whether no body requests more substeps, and no body is much heavier than another.
     fn are_all_alike(&self) -> bool {
         let mut requirement = IslandRequirement::NOTHING;
@@ -239,8 +284,6 @@ impl Groups {
         slot_count: usize,
         narrow_phase: &NarrowPhase,
     ) {
-        self.requirements.clear();
-        self.requirements.resize(islands.island_bound() as usize, IslandRequirement::NOTHING);
         // This writes new entries alone, so sleeping bodies are free.
         self.by_slot.resize(slot_count.max(self.by_slot.len()), BodyRequirement::NONE);
         let slots = islands.awake.dynamic().iter().map(|handle| handle.into_raw_parts().0 as usize);
@@ -305,7 +348,7 @@ impl Groups {
             let island = islands.island(id as u32);
             let usual = params.num_solver_iterations + requirement.extra;
             let h = params.dt / usual as Real;
-            self.substeps.push(usual * requirement.factor(island.bodies.len(), gravity, h));
+            self.substeps.push(usual * requirement.factor(island.bodies.len(), gravity, h, params));
             if !island.bodies.is_empty() && !island.sleeping {
                 self.counts.extend(self.substeps.last());
             }

@@ -32,6 +32,7 @@ mod links;
 mod multibodies;
 mod recovery;
 mod restitution;
+mod stacks;
 mod states;
 mod transmission_end;
 #[cfg(test)]

@@ -1,0 +1,136 @@
+//! Stacks: how much stiffer than usual the contacts of an island must be so that it stands.
+//!
+//! A contact yields by a length `δ` for each body that it carries ([`Softness`](crate::model::params::Softness)):
+//!
+//! ```text
+//! δ = 2 σ g h² / β        (2: the corners of a face between two cubes)
+//! ```
+//!
+//! With the default parameters that is 0.3 mm, whatever the size of the bodies. The lowest contact of a stack
+//! of `L` layers yields by `L δ`. Relative to its bodies that is little for crates, and more than the
+//! thickness of a tile. Two errors follow from it.
+//!
+//! *Sag.* A body carries `L/2` others on average. Its overlap with the next one, relative to its size `2t`,
+//! has the mean `L/2 δ ⟨1/2t⟩`. It is kept below [`SAG_MAX`].
+//!
+//! *Lean.* The contacts of a layer with half width `a` resist a rotation with the stiffness `N m g/L (a² +
+//! s²)/δ`. `N` bodies of mass `m` are in the island, and `s²` is the variance of their positions across the
+//! narrow direction. The load tips the layer by the moment `N m g H` per angle, at a mean height `H` of the
+//! bodies. The stiffness must be larger by [`LEAN_RATIO_MIN`], for the layers lean on top of each other, and
+//! a stack on a slope loads one edge of its contacts:
+//!
+//! ```text
+//! (a² + s²) / (L δ H)  >  32
+//! ```
+//!
+//! (Frozen anchors keep a level stack from buckling without that:
+//! [`AnchorFrame`](crate::model::contact::AnchorFrame). On a slope or when pushed it creeps until it falls.)
+//!
+//! The number of layers is that of a stack of equal bodies with the same thickness and mean height: `L =
+//! H/t`. It is computed from the bodies alone, not from contacts or impulses. Both change from step to step
+//! even at rest, and with them the substeps would change and the stack would hop.
+//!
+//! A compliance that depends on the load was tried, and made stacks tremble (`softness`).
+
+use crate::dim::mass::{SecondMoment, narrow_moment, second_moment};
+use crate::dim::math::{DIM, Real, Vector};
+use crate::model::body::RigidBody;
+use crate::model::params::{CONTACT_COMPLIANCE, CONTACT_ERP_SCALE, IntegrationParameters};
+
+/// Largest mean overlap of two bodies on each other, relative to the thickness of a body.
+const SAG_MAX: Real = 0.015;
+
+/// Least stiffness of a layer against rotation, relative to the moment of its load per angle.
+///
+/// Towers of 10 to 30 cubes of 1 m stand at nine tenths of the slope at which a rigid tower tips if the ratio
+/// is above some 30. At 17 a tower of ten falls at that slope, and one of twenty stands at seven tenths.
+const LEAN_RATIO_MIN: Real = 32.0;
+
+/// Compliance of a contact at the corner of a face between two cubes, relative to its fraction of the load.
+const CORNER_YIELD: Real = 2.0;
+
+/// The bodies of an island as a stack.
+#[derive(Copy, Clone, Debug)]
+pub(super) struct Stack {
+    /// Number of bodies.
+    count: Real,
+    /// Mean height of the bodies above the lowest surface (length).
+    height: Real,
+    /// Mean of one over the bodies' thicknesses `2t` (1/length).
+    inv_thickness: Real,
+    /// `a² + s²` (length²).
+    width_squared: Real,
+}
+
+/// Sums over bodies, relative to the centre of the first.
+struct Sums {
+    count: Real,
+    lowest: Real,
+    heights: Real,
+    inv_thicknesses: Real,
+    widths_squared: Real,
+    offsets: Vector,
+    moment: SecondMoment,
+}
+
+impl Sums {
+    /// Includes a body at this position.
+    fn include(&mut self, body: &RigidBody, position: Vector, up: Vector) {
+        let height = position.dot(up);
+        let offset = position - up * height;
+        self.count += 1.0;
+        self.lowest = self.lowest.min(height - body.thickness);
+        self.heights += height;
+        self.inv_thicknesses += 0.5 / body.thickness;
+        // For cubes, the square of half the width.
+        self.widths_squared += body.extent * body.extent / DIM as Real;
+        self.offsets += offset;
+        self.moment += second_moment(offset);
+    }
+}
+
+impl Stack {
+    /// The stack of these bodies; `None` for less than two that have a thickness. The unit vector `up` is
+    /// opposite to gravity.
+    pub fn of<'a>(mut bodies: impl Iterator<Item = &'a RigidBody>, up: Vector) -> Option<Self> {
+        let is_solid = |body: &&RigidBody| body.thickness > 0.0 && body.thickness.is_finite();
+        let first = bodies.find(is_solid)?;
+        let origin = first.mprops.world_com;
+        let mut sums = Sums {
+            count: 0.0,
+            lowest: Real::INFINITY,
+            heights: 0.0,
+            inv_thicknesses: 0.0,
+            widths_squared: 0.0,
+            offsets: Vector::ZERO,
+            moment: second_moment(Vector::ZERO),
+        };
+        sums.include(first, Vector::ZERO, up);
+        for body in bodies.filter(is_solid) {
+            sums.include(body, body.mprops.world_com - origin, up);
+        }
+        let share = 1.0 / sums.count;
+        let variance = sums.moment * share - second_moment(sums.offsets * share);
+        (sums.count > 1.0).then(|| Self {
+            count: sums.count,
+            height: sums.heights * share - sums.lowest,
+            inv_thickness: sums.inv_thicknesses * share,
+            width_squared: sums.widths_squared * share + narrow_moment(variance),
+        })
+    }
+
+    /// The stiffness that contacts must have, relative to the usual one, for a yield of `δ` per carried body.
+    pub fn stiffness(&self, yielding: Real) -> Real {
+        let layers = (2.0 * self.height * self.inv_thickness).min(self.count);
+        let sag = 0.5 * layers * yielding * self.inv_thickness;
+        let lean = layers * yielding * self.height / self.width_squared;
+        (sag / SAG_MAX).max(lean * LEAN_RATIO_MIN)
+    }
+}
+
+/// The yield `δ` of a contact per carried body, with substeps of `h` seconds. Zero for parameters that do
+/// not correct overlap: no number of substeps makes these contacts stiff.
+pub(super) fn yielding(params: &IntegrationParameters, gravity: Real, h: Real) -> Real {
+    let fraction = params.erp * CONTACT_ERP_SCALE;
+    if fraction > 0.0 { CORNER_YIELD * CONTACT_COMPLIANCE * gravity * h * h / fraction } else { 0.0 }
+}
