@@ -341,11 +341,18 @@ fn finish(manifold: &mut ContactManifold, view: &PairView<'_>) {
     );
     let [dominance1, dominance2] = view.bodies.map(RigidBody::dominance_of);
     data.relative_dominance = dominance1 - dominance2;
+    data.thickness = view.bodies.map(thickness_of).into_iter().fold(Real::MAX, Real::min);
     data.solver_flags = if c1.solver_groups().test(c2.solver_groups()) {
         SolverFlags::COMPUTE_RIGID_IMPULSES
     } else {
         SolverFlags::empty()
     };
+}
+
+/// The thickness of a body that contacts move. Surfaces have none, and are as large as any body.
+fn thickness_of(body: Option<&RigidBody>) -> Real {
+    let solid = body.filter(|body| body.is_dynamic() && body.thickness > 0.0);
+    solid.map_or(Real::MAX, |body| body.thickness)
 }
 
 /// Calls the user's hook for the contacts.
