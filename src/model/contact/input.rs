@@ -27,7 +27,7 @@ pub(crate) struct ContactInput {
     pub impulses: [Lane; MAX_MANIFOLD_POINTS],
     pub friction: Lane,
     pub restitution: Lane,
-    /// Thickness of the thinner dynamic body.
+    /// Thickness of the thinner slow dynamic body.
     pub thickness: Lane,
     /// Velocity of the second surface relative to the first, in world space.
     pub tangent_velocity: WideVector<Lane>,

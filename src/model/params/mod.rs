@@ -55,7 +55,8 @@ pub struct IntegrationParameters {
     /// and iterates over all constraints once with position correction and once without.
     ///
     /// The error of stiff stacks falls with its square, the cost of the solver grows in proportion; collision
-    /// detection runs once per step.
+    /// detection runs once per step. Islands of up to 512 bodies get more if their stack would sag or lean,
+    /// or if light bodies carry heavy ones.
     pub num_solver_iterations: usize,
     /// Additional iterations of all constraints without position correction, friction among them, per substep
     /// (default 0). For loads that hang on friction alone, such as a tower of cards or a gripper.
@@ -82,7 +83,8 @@ pub struct IntegrationParameters {
     pub joint_erp: Real,
     /// The same as [`Self::damping_ratio`], for joints (0 or more, default 0).
     pub joint_damping_ratio: Real,
-    /// Overlap that is not corrected (length units, default 0.001).
+    /// Overlap that is not corrected (length units, default 0.001). For bodies thinner than a length unit, it
+    /// is this fraction of the thickness of the thinner one.
     ///
     /// A resting contact that stays slightly inside does not begin and end all the time. With a value
     /// of 0 piles tremble; with a value near the size of the bodies they visibly sink in.

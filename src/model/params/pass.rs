@@ -15,7 +15,7 @@ pub(crate) struct ContactPass {
     pub push_velocity_max: Real,
     /// Largest overlap that is not corrected (length): that of bodies as large as the length unit.
     pub allowed_error: Real,
-    /// The same for thinner bodies, as a fraction of their size.
+    /// The same for slow bodies that are thinner than a length unit, as a fraction of half their size.
     pub allowed_fraction: Real,
     /// Whether this is the last iteration of the constraints in the substep. Then its impulses are the
     /// substep's, and count into those of the step.
@@ -31,12 +31,12 @@ impl ContactPass {
     /// value for cubes of 1 m.
     #[inline(always)]
     pub fn allowed_errors<W: Wide>(&self, thickness: W) -> W {
-        (thickness * W::splat(2.0 * self.allowed_fraction)).min(W::splat(self.allowed_error))
+        (thickness * W::splat(self.allowed_fraction)).min(W::splat(self.allowed_error))
     }
 
     /// The same for one pair.
     pub fn allowed_error_of(&self, thickness: Real) -> Real {
-        (thickness * (2.0 * self.allowed_fraction)).min(self.allowed_error)
+        (thickness * self.allowed_fraction).min(self.allowed_error)
     }
 
     /// For substeps of `substep` seconds.
@@ -46,7 +46,7 @@ impl ContactPass {
             softness: params.contact_softness(substep),
             push_velocity_max: params.max_corrective_velocity(),
             allowed_error: params.allowed_linear_error(),
-            allowed_fraction: params.allowed_linear_error,
+            allowed_fraction: 2.0 * params.allowed_linear_error,
             is_last_iteration: true,
         }
     }

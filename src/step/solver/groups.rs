@@ -41,6 +41,8 @@ const MASS_RATIO_MODERATE_MAX: Real = 32.0;
 const SUBSTEP_FACTOR_MAX: usize = 16;
 /// Largest factor on the usual number of substeps of an island for its joints.
 const JOINT_SUBSTEP_FACTOR_MAX: usize = 32;
+/// Largest factor on the usual number of substeps of an island for its stack.
+const STACK_SUBSTEP_FACTOR_MAX: usize = 32;
 /// Largest product of the factor and the number of bodies of an island: a load on a large heap rests on many
 /// bodies.
 const BODY_SUBSTEPS_MAX: usize = 1024;
@@ -125,9 +127,8 @@ impl IslandRequirement {
                 && heaviest > MASS_RATIO_MODERATE_MAX * lightest * square;
             let by_joints =
                 factor < JOINT_SUBSTEP_FACTOR_MAX && stiffness > GEOMETRIC_STIFFNESS_MAX * square;
-            let by_stack = factor < SUBSTEP_FACTOR_MAX
-                && (stack_stiffness > square
-                    || 2.0 * stack_stiffness > square && had_more(factor));
+            let by_stack = factor < STACK_SUBSTEP_FACTOR_MAX
+                && (stack_stiffness > square || 2.0 * stack_stiffness > square && had_more(factor));
             if !by_contacts && !by_joints && !by_stack {
                 break;
             }
@@ -248,13 +249,13 @@ impl Groups {
         self.gather.run(tasks, (awake.len(), BODIES_PER_TASK), read, &mut self.body_requirements);
     }
 
-    /// Reads the bodies of islands whose size admits more substeps. Bodies that joints or multibodies hold are
+    /// Reads the bodies of islands whose size admits more substeps. Bodies held by joints or multibodies are
     /// not part of a stack: a chain hangs.
     fn find_stacks(&mut self, islands: &IslandManager, bodies: &RigidBodySet, gravity: Vector) {
         let Some(up) = (-gravity).try_normalize() else { return };
         for (id, requirement) in self.requirements.iter_mut().enumerate() {
             let island = islands.island(id as u32);
-            if island.sleeping || !(2..=BODY_SUBSTEPS_MAX / 2).contains(&island.bodies.len()) {
+            if island.sleeping || !(3..=BODY_SUBSTEPS_MAX / 2).contains(&island.bodies.len()) {
                 continue;
             }
             let members = island.bodies.iter().filter_map(|&handle| bodies.get(handle));

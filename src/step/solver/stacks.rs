@@ -3,7 +3,7 @@
 //! A contact yields by a length `δ` for each body that it carries ([`Softness`](crate::model::params::Softness)):
 //!
 //! ```text
-//! δ = 2 σ g h² / β        (2: the corners of a face between two cubes)
+//! δ = 2 σ g h² / β        (2: the corners of a face between two cubes; 2.5 for squares)
 //! ```
 //!
 //! With the default parameters that is 0.3 mm, whatever the size of the bodies. The lowest contact of a stack
@@ -20,7 +20,7 @@
 //! a stack on a slope loads one edge of its contacts:
 //!
 //! ```text
-//! (a² + s²) / (L δ H)  >  32
+//! (a² + s²) / (L δ H)  >  32, in the plane 128
 //! ```
 //!
 //! (Frozen anchors keep a level stack from buckling without that:
@@ -32,22 +32,14 @@
 //!
 //! A compliance that depends on the load was tried, and made stacks tremble (`softness`).
 
+use crate::dim::contact::{CORNER_YIELD, LEAN_RATIO_MIN};
 use crate::dim::mass::{SecondMoment, narrow_moment, second_moment};
 use crate::dim::math::{DIM, Real, Vector};
 use crate::model::body::RigidBody;
 use crate::model::params::{CONTACT_COMPLIANCE, CONTACT_ERP_SCALE, IntegrationParameters};
 
 /// Largest mean overlap of two bodies on each other, relative to the thickness of a body.
-const SAG_MAX: Real = 0.015;
-
-/// Least stiffness of a layer against rotation, relative to the moment of its load per angle.
-///
-/// Towers of 10 to 30 cubes of 1 m stand at nine tenths of the slope at which a rigid tower tips if the ratio
-/// is above some 30. At 17 a tower of ten falls at that slope, and one of twenty stands at seven tenths.
-const LEAN_RATIO_MIN: Real = 32.0;
-
-/// Compliance of a contact at the corner of a face between two cubes, relative to its fraction of the load.
-const CORNER_YIELD: Real = 2.0;
+const SAG_MAX: Real = 0.01;
 
 /// The bodies of an island as a stack.
 #[derive(Copy, Clone, Debug)]
@@ -90,7 +82,7 @@ impl Sums {
 }
 
 impl Stack {
-    /// The stack of these bodies; `None` for less than two that have a thickness. The unit vector `up` is
+    /// The stack of these bodies; `None` for less than three that have a thickness. The unit vector `up` is
     /// opposite to gravity.
     pub fn of<'a>(mut bodies: impl Iterator<Item = &'a RigidBody>, up: Vector) -> Option<Self> {
         let is_solid = |body: &&RigidBody| body.thickness > 0.0 && body.thickness.is_finite();
@@ -111,7 +103,7 @@ impl Stack {
         }
         let share = 1.0 / sums.count;
         let variance = sums.moment * share - second_moment(sums.offsets * share);
-        (sums.count > 1.0).then(|| Self {
+        (sums.count > 2.0).then(|| Self {
             count: sums.count,
             height: sums.heights * share - sums.lowest,
             inv_thickness: sums.inv_thicknesses * share,
@@ -122,8 +114,10 @@ impl Stack {
     /// The stiffness that contacts must have, relative to the usual one, for a yield of `δ` per carried body.
     pub fn stiffness(&self, yielding: Real) -> Real {
         let layers = (2.0 * self.height * self.inv_thickness).min(self.count);
+        // Bodies of an island that are apart in the air are no taller than the stack that they would make.
+        let height = 0.5 * layers / self.inv_thickness;
         let sag = 0.5 * layers * yielding * self.inv_thickness;
-        let lean = layers * yielding * self.height / self.width_squared;
+        let lean = layers * yielding * height / self.width_squared;
         (sag / SAG_MAX).max(lean * LEAN_RATIO_MIN)
     }
 }
@@ -132,5 +126,9 @@ impl Stack {
 /// not correct overlap: no number of substeps makes these contacts stiff.
 pub(super) fn yielding(params: &IntegrationParameters, gravity: Real, h: Real) -> Real {
     let fraction = params.erp * CONTACT_ERP_SCALE;
-    if fraction > 0.0 { CORNER_YIELD * CONTACT_COMPLIANCE * gravity * h * h / fraction } else { 0.0 }
+    if fraction > 0.0 {
+        CORNER_YIELD * CONTACT_COMPLIANCE * gravity * h * h / fraction
+    } else {
+        0.0
+    }
 }

@@ -94,12 +94,7 @@ fn solve_normals<W: Wide, const BIAS: bool>(
         let place = point.place();
         let separation = W::load(&point.separation) + displacement.at(place);
         let old = W::load(&point.impulse);
-        let wanted = soft.wanted::<BIAS>(
-            rows[k],
-            [separation, allowed],
-            W::load(&point.mass),
-            old,
-        );
+        let wanted = soft.wanted::<BIAS>(rows[k], [separation, allowed], W::load(&point.mass), old);
         let new = (old - wanted).max(W::zero());
         let added = new - old;
         new.store(&mut point.impulse);

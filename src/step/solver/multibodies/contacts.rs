@@ -139,16 +139,7 @@ impl SolverMultibodies {
         let &ContactManifoldData { friction, restitution, thickness, .. } = data;
         let impact = LinkImpact::of(self.island_of(sides));
         let normal = geometry.normal;
-        LinkContact {
-            at,
-            normal,
-            first_number,
-            friction,
-            restitution,
-            thickness,
-            points,
-            impact,
-        }
+        LinkContact { at, normal, first_number, friction, restitution, thickness, points, impact }
     }
 
     /// Recomputes the rows of a contact at the current poses.

@@ -166,7 +166,7 @@ impl Scene {
                 softness: Softness::RIGID,
                 push_velocity_max: 4.0,
                 allowed_error: 0.0,
-                allowed_fraction: 0.0,
+                allowed_fraction: 1.0,
                 is_last_iteration: true,
             },
             prediction: PREDICTION,
