@@ -58,6 +58,6 @@ pub(crate) const CORNER_YIELD: Real = 2.0;
 
 /// Least stiffness of a layer of a stack against rotation, relative to the moment of its load per angle.
 ///
-/// Towers of 3 to 30 cubes stand at nine tenths of the slope at which a rigid tower tips if the ratio is
-/// above some 30. At 17 a tower of ten falls at that slope, and one of twenty stands at seven tenths.
+/// At nine tenths of the slope at which a rigid tower tips, a tower of thirty cubes of 1 m stands with a ratio
+/// of 30, and one of ten falls with 17.
 pub(crate) const LEAN_RATIO_MIN: Real = 32.0;
