@@ -58,6 +58,6 @@ pub(crate) const CORNER_YIELD: Real = 2.0;
 
 /// Least stiffness of a layer of a stack against rotation, relative to the moment of its load per angle.
 ///
-/// At nine tenths of the slope at which a rigid tower tips, a tower of thirty cubes of 1 m stands with a ratio
+/// At nine tenths of the slope at which a rigid tower tips, a tower of 30 cubes of 1 m stands with a ratio
 /// of 30, and one of ten falls with 17.
 pub(crate) const LEAN_RATIO_MIN: Real = 32.0;
