@@ -49,8 +49,6 @@ pub(crate) struct ContactBlock {
     pub inv_inertia: [WideSymmetric<Lane>; 2],
     /// `c = x1 - x2` in the contact frame.
     pub offset: WideVector<Lane>,
-    /// Overlap that is not corrected.
-    pub allowed_error: Lane,
     pub points: [PointRow; MAX_MANIFOLD_POINTS],
     /// `K_01`.
     pub coupling: [Lane; COUPLINGS],
@@ -64,7 +62,7 @@ pub(crate) struct ContactBlock {
 
 // docs/data-layout.md counts these bytes.
 const _: () =
-    assert!(size_of::<ContactBlock>() == 31 * size_of::<Lane>() + 2 * LANES * size_of::<u32>());
+    assert!(size_of::<ContactBlock>() == 30 * size_of::<Lane>() + 2 * LANES * size_of::<u32>());
 
 /// Friction of each lane: one tangential row at the friction centre.
 #[derive(Copy, Clone, Debug, Default)]
@@ -100,7 +98,6 @@ impl ContactBlock {
             inv_mass: [vector; 2],
             inv_inertia: [zero; 2],
             offset: vector,
-            allowed_error: zero,
             points: [point; MAX_MANIFOLD_POINTS],
             coupling: [zero; COUPLINGS],
             friction,

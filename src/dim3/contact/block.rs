@@ -52,8 +52,6 @@ pub(crate) struct ContactBlock {
     pub inv_mass: [WideVector<Lane>; 2],
     /// `c = x1 - x2` in the contact frame.
     pub offset: WideVector<Lane>,
-    /// Overlap that is not corrected.
-    pub allowed_error: Lane,
     pub points: [PointRow; MAX_MANIFOLD_POINTS],
     /// `K_ij` for i < j: 01 02 03 12 13 23.
     pub coupling: [Lane; COUPLINGS],
@@ -70,7 +68,7 @@ pub(crate) struct ContactBlock {
 
 // docs/data-layout.md counts these bytes.
 const _: () =
-    assert!(size_of::<ContactBlock>() == 93 * size_of::<Lane>() + 2 * LANES * size_of::<u32>());
+    assert!(size_of::<ContactBlock>() == 92 * size_of::<Lane>() + 2 * LANES * size_of::<u32>());
 
 /// Friction of each lane: two tangential rows and one about the normal, at the friction centre.
 #[derive(Copy, Clone, Debug, Default)]
@@ -113,7 +111,6 @@ impl ContactBlock {
             tangent: vector,
             inv_mass: [vector; 2],
             offset: vector,
-            allowed_error: zero,
             points: [point; MAX_MANIFOLD_POINTS],
             coupling: [zero; COUPLINGS],
             inv_inertia: [[vector; 2]; 3],

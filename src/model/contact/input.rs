@@ -27,8 +27,6 @@ pub(crate) struct ContactInput {
     pub impulses: [Lane; MAX_MANIFOLD_POINTS],
     pub friction: Lane,
     pub restitution: Lane,
-    /// Thickness of the thinner slow dynamic body.
-    pub thickness: Lane,
     /// Velocity of the second surface relative to the first, in world space.
     pub tangent_velocity: WideVector<Lane>,
     /// Friction impulse with which to start, in world space.
@@ -54,7 +52,6 @@ impl ContactInput {
             impulses: [Lane::ZERO; MAX_MANIFOLD_POINTS],
             friction: Lane::ZERO,
             restitution: Lane::ZERO,
-            thickness: Lane::ZERO,
             tangent_velocity: vector,
             friction_impulse: vector,
             torsional_impulse: Lane::ZERO,
@@ -92,7 +89,6 @@ impl ContactInput {
         }
         self.anchor_frame.clear(lane);
         (self.friction.0[lane], self.restitution.0[lane]) = (0.0, 0.0);
-        self.thickness.0[lane] = 0.0;
         self.tangent_velocity.set_lane(lane, Vector::ZERO);
         self.friction_impulse.set_lane(lane, Vector::ZERO);
         self.torsional_impulse.0[lane] = 0.0;

@@ -94,7 +94,6 @@ impl LaneBlock {
         input.mass_factors[1].0[lane] = if data.relative_dominance < 0 { 0.0 } else { 1.0 };
         input.friction.0[lane] = data.friction;
         input.restitution.0[lane] = data.restitution;
-        input.thickness.0[lane] = data.thickness;
         input.tangent_velocity.set_lane(lane, data.tangent_velocity);
         input.friction_impulse.set_lane(lane, data.warmstart_friction);
         input.torsional_impulse.0[lane] = data.warmstart_torsion;

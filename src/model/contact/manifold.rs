@@ -126,8 +126,6 @@ pub struct ContactManifoldData {
     /// Dominance group of the first body minus that of the second. Positive: the first body moves
     /// the second as if it had infinite mass.
     pub relative_dominance: i16,
-    /// Thickness of the thinner dynamic body (length) that is slow: it limits the allowed overlap.
-    pub(crate) thickness: Real,
     /// User data of the hooks. It persists as long as the manifold.
     pub user_data: u32,
     /// Friction impulse of the last substep in world space, at the manifold's friction centre.
@@ -150,7 +148,6 @@ impl Default for ContactManifoldData {
             restitution: 0.0,
             tangent_velocity: Vector::ZERO,
             relative_dominance: 0,
-            thickness: 0.0,
             user_data: 0,
             warmstart_friction: Vector::ZERO,
             warmstart_torsion: 0.0,
@@ -278,7 +275,7 @@ impl ContactManifold {
         let data = &self.data;
         let directions = [self.local_n1, self.local_n2, data.normal, data.anchor_normal];
         let vectors = [data.tangent_velocity, data.warmstart_friction];
-        let numbers = [data.friction, data.restitution, data.thickness, data.warmstart_torsion];
+        let numbers = [data.friction, data.restitution, data.warmstart_torsion];
         let is_empty = data.points.is_empty();
         let is_direction = |direction: &Vector| {
             is_saved_unit(direction.length_squared()) || is_empty && *direction == Vector::ZERO

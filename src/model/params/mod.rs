@@ -83,8 +83,8 @@ pub struct IntegrationParameters {
     pub joint_erp: Real,
     /// The same as [`Self::damping_ratio`], for joints (0 or more, default 0).
     pub joint_damping_ratio: Real,
-    /// Overlap that is not corrected (length units, default 0.001). For bodies thinner than a length unit, it
-    /// is this fraction of the thickness of the thinner one.
+    /// Overlap that is not corrected (length units, default 0.001). In islands with more substeps than usual
+    /// it is divided by the square of their ratio.
     ///
     /// A resting contact that stays slightly inside does not begin and end all the time. With a value
     /// of 0 piles tremble; with a value near the size of the bodies they visibly sink in.
@@ -222,6 +222,16 @@ impl IntegrationParameters {
     #[inline]
     pub fn substep(&self) -> Real {
         self.dt / self.num_solver_iterations.max(1) as Real
+    }
+
+    /// Overlap that is not corrected in substeps of `substep` seconds (length).
+    ///
+    /// Within it a contact has no stiffness. Islands get more substeps than usual to be stiffer, so there it
+    /// shrinks as the yield of contacts does, with the square of the substep.
+    pub(crate) fn allowed_error(&self, substep: Real) -> Real {
+        let usual = self.substep();
+        let ratio = if usual > 0.0 { substep / usual } else { 1.0 };
+        self.allowed_linear_error() * ratio * ratio
     }
 
     /// The softness of contacts in a substep of `substep` seconds.

@@ -1,7 +1,6 @@
 //! Parameters of the solver's passes over contacts and joints.
 
 use super::{IntegrationParameters, Softness};
-use crate::base::wide::Wide;
 use crate::dim::math::{Real, Vector};
 
 /// The common numbers of all contact constraints of a substep.
@@ -13,40 +12,21 @@ pub(crate) struct ContactPass {
     pub softness: Softness,
     /// Largest velocity at which overlap is corrected (length/s).
     pub push_velocity_max: Real,
-    /// Largest overlap that is not corrected (length): that of bodies as large as the length unit.
+    /// Overlap that is not corrected (length).
     pub allowed_error: Real,
-    /// The same for slow bodies that are thinner than a length unit, as a fraction of half their size.
-    pub allowed_fraction: Real,
     /// Whether this is the last iteration of the constraints in the substep. Then its impulses are the
     /// substep's, and count into those of the step.
     pub is_last_iteration: bool,
 }
 
 impl ContactPass {
-    /// Overlap that is not corrected (length) between bodies of which the thinner one has this thickness, in
-    /// each lane.
-    ///
-    /// Within that overlap a contact yields to the least load, so each layer of a stack may tilt by it. It is
-    /// therefore proportional to the size of bodies: a tower of ten cubes of 10 cm on a slope falls with the
-    /// value for cubes of 1 m.
-    #[inline(always)]
-    pub fn allowed_errors<W: Wide>(&self, thickness: W) -> W {
-        (thickness * W::splat(self.allowed_fraction)).min(W::splat(self.allowed_error))
-    }
-
-    /// The same for one pair.
-    pub fn allowed_error_of(&self, thickness: Real) -> Real {
-        (thickness * self.allowed_fraction).min(self.allowed_error)
-    }
-
     /// For substeps of `substep` seconds.
     pub fn new(params: &IntegrationParameters, substep: Real) -> Self {
         Self {
             inv_substep: if substep > 0.0 { 1.0 / substep } else { 0.0 },
             softness: params.contact_softness(substep),
             push_velocity_max: params.max_corrective_velocity(),
-            allowed_error: params.allowed_linear_error(),
-            allowed_fraction: 2.0 * params.allowed_linear_error,
+            allowed_error: params.allowed_error(substep),
             is_last_iteration: true,
         }
     }

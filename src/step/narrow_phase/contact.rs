@@ -11,7 +11,7 @@ use crate::collide::{
     Neighbor, PENETRATION_FRACTION_MAX, ShapePair, compute_manifolds, inherit_impulses,
     renew_convex_manifold,
 };
-use crate::dim::math::{Pose, Real, Vector, ang_length_squared};
+use crate::dim::math::{Pose, Real, Vector};
 use crate::model::body::{QuarantineCause, RigidBody, RigidBodyHandle};
 use crate::model::collider::{
     ActiveEvents, ActiveHooks, CoefficientCombineRule, Collider, ColliderHandle,
@@ -341,28 +341,11 @@ fn finish(manifold: &mut ContactManifold, view: &PairView<'_>) {
     );
     let [dominance1, dominance2] = view.bodies.map(RigidBody::dominance_of);
     data.relative_dominance = dominance1 - dominance2;
-    data.thickness = view
-        .bodies
-        .map(|body| thickness_of(body, view.context.params.dt))
-        .into_iter()
-        .fold(Real::MAX, Real::min);
     data.solver_flags = if c1.solver_groups().test(c2.solver_groups()) {
         SolverFlags::COMPUTE_RIGID_IMPULSES
     } else {
         SolverFlags::empty()
     };
-}
-
-/// The thickness of a body that contacts move. Surfaces have none, and are as large as any body. So are those
-/// that move by more than their thickness in a step: nothing rests on them.
-fn thickness_of(body: Option<&RigidBody>, dt: Real) -> Real {
-    let is_slow = |body: &&RigidBody| {
-        let speed =
-            body.vels.linvel.length() + ang_length_squared(body.vels.angvel).sqrt() * body.extent;
-        speed * dt < body.thickness
-    };
-    let solid = body.filter(|body| body.is_dynamic() && body.thickness > 0.0).filter(is_slow);
-    solid.map_or(Real::MAX, |body| body.thickness)
 }
 
 /// Calls the user's hook for the contacts.

@@ -31,7 +31,7 @@ use crate::model::island::{IslandManager, NONE};
 use crate::model::joint::ImpulseJointSet;
 use crate::model::params::IntegrationParameters;
 use crate::step::solver::context::{SolverInput, SolverSettings};
-use crate::step::solver::stacks::{Stack, yielding};
+use crate::step::solver::stacks::{Give, Stack};
 use core::ops::Range;
 
 /// Up to this ratio of masses the usual substeps are sufficient: four cubes under one of 30 times the mass
@@ -69,8 +69,8 @@ struct IslandRequirement {
     acceleration_per_force: Real,
     /// Additional substeps that its bodies request.
     extra: usize,
-    /// Its bodies as a stack, and the length (s) of the substeps of the last step.
-    stack: Option<(Stack, Real)>,
+    /// Its resting bodies as a stack.
+    stack: Option<Stack>,
 }
 
 impl IslandRequirement {
@@ -112,9 +112,9 @@ impl IslandRequirement {
         h: Real,
         params: &IntegrationParameters,
     ) -> usize {
-        let (stack_stiffness, last) = self.stack.map_or((0.0, 0.0), |(stack, last)| {
-            (stack.stiffness(yielding(params, gravity, h)), last)
-        });
+        let give = Give::new(params, gravity, h);
+        let (stack_stiffness, last) =
+            self.stack.map_or((0.0, 0.0), |stack| (stack.stiffness(give), stack.last_substep));
         let had_more = |factor: usize| last > 0.0 && last * (factor as Real) < 0.75 * h;
         let ([lightest, heaviest], [least, most]) = (self.masses, self.joined);
         let is_ratio_large = most > MASS_RATIO_MODERATE_MAX * least;
@@ -259,12 +259,11 @@ impl Groups {
                 continue;
             }
             let members = island.bodies.iter().filter_map(|&handle| bodies.get(handle));
-            let last = members.clone().next().map_or(0.0, |body| body.substep);
             let free = members.filter(|body| {
                 let slot = body.link.slot;
                 islands.joints.of_body(slot).is_empty() && islands.groups.of(slot).is_empty()
             });
-            requirement.stack = Stack::of(free, up).map(|stack| (stack, last));
+            requirement.stack = Stack::of(free, gravity.length(), up);
         }
     }
 

@@ -7,11 +7,12 @@
 //! ```
 //!
 //! With the default parameters that is 0.3 mm, whatever the size of the bodies. The lowest contact of a stack
-//! of `L` layers yields by `L δ`. Relative to its bodies that is little for crates, and more than the
-//! thickness of a tile. Two errors follow from it.
+//! of `L` layers yields by `L δ`. Each contact also yields freely by the allowed overlap `e`. Relative to its
+//! bodies that is little for crates, and more than the thickness of a tile. Three errors follow from it. All
+//! fall with the square of the number of substeps.
 //!
 //! *Sag.* A body carries `L/2` others on average. Its overlap with the next one, relative to its size `2t`,
-//! has the mean `L/2 δ ⟨1/2t⟩`. It is kept below [`SAG_MAX`].
+//! has the mean `(L/2 δ + e) ⟨1/2t⟩`. It is kept below [`SAG_MAX`].
 //!
 //! *Lean.* The contacts of a layer with half width `a` resist a rotation with the stiffness `N m g/L (a² +
 //! s²)/δ`. `N` bodies of mass `m` are in the island, and `s²` is the variance of their positions across the
@@ -26,20 +27,57 @@
 //! (Frozen anchors keep a level stack from buckling without that:
 //! [`AnchorFrame`](crate::model::contact::AnchorFrame). On a slope or when pushed it creeps until it falls.)
 //!
+//! *Play.* Each layer may tilt by `e/2a` relative to the next, which moves the mass by `e t L²/6a = e L H/6a`.
+//! It may be a twentieth of `a`:
+//!
+//! ```text
+//! e L H / (a² + s²)  <  0.3
+//! ```
+//!
 //! The number of layers is that of a stack of equal bodies with the same thickness and mean height: `L =
 //! H/t`. It is computed from the bodies alone, not from contacts or impulses. Both change from step to step
 //! even at rest, and with them the substeps would change and the stack would hop.
 //!
-//! A compliance that depends on the load was tried, and made stacks tremble (`softness`).
+//! Bodies that fall or fly are part of no stack ([`RESTING`]).
+//!
+//! A compliance that depends on the load was tried, and made stacks tremble (`softness`). An allowed overlap
+//! proportional to the size of bodies was tried as well: falling piles of small bodies became livelier.
 
 use crate::dim::contact::{CORNER_YIELD, LEAN_RATIO_MIN};
 use crate::dim::mass::{SecondMoment, narrow_moment, second_moment};
-use crate::dim::math::{DIM, Real, Vector};
+use crate::dim::math::{DIM, Real, Vector, ang_length_squared};
 use crate::model::body::RigidBody;
 use crate::model::params::{CONTACT_COMPLIANCE, CONTACT_ERP_SCALE, IntegrationParameters};
 
 /// Largest mean overlap of two bodies on each other, relative to the thickness of a body.
 const SAG_MAX: Real = 0.01;
+/// Largest `e L H / (a² + s²)`.
+const PLAY_MAX: Real = 0.3;
+/// Bodies are at rest up to a kinetic energy of half this fraction of `m g t`: cubes of 1 m up to 0.7 m/s.
+const RESTING: Real = 0.1;
+
+/// How far contacts give way with the usual substeps.
+#[derive(Copy, Clone, Debug)]
+pub(super) struct Give {
+    /// The yield `δ` per carried body (length).
+    yielding: Real,
+    /// The allowed overlap `e` (length).
+    play: Real,
+}
+
+impl Give {
+    /// For substeps of `h` seconds. Zero for parameters that do not correct overlap: no number of substeps
+    /// makes these contacts stiff.
+    pub fn new(params: &IntegrationParameters, gravity: Real, h: Real) -> Self {
+        let fraction = params.erp * CONTACT_ERP_SCALE;
+        if fraction > 0.0 {
+            let yielding = CORNER_YIELD * CONTACT_COMPLIANCE * gravity * h * h / fraction;
+            Self { yielding, play: params.allowed_error(h) }
+        } else {
+            Self { yielding: 0.0, play: 0.0 }
+        }
+    }
+}
 
 /// The bodies of an island as a stack.
 #[derive(Copy, Clone, Debug)]
@@ -52,6 +90,8 @@ pub(super) struct Stack {
     inv_thickness: Real,
     /// `a² + s²` (length²).
     width_squared: Real,
+    /// Length (s) of the substeps of the last step; zero if there was none.
+    pub last_substep: Real,
 }
 
 /// Sums over bodies, relative to the centre of the first.
@@ -82,11 +122,26 @@ impl Sums {
 }
 
 impl Stack {
-    /// The stack of these bodies; `None` for less than three that have a thickness. The unit vector `up` is
-    /// opposite to gravity.
-    pub fn of<'a>(mut bodies: impl Iterator<Item = &'a RigidBody>, up: Vector) -> Option<Self> {
+    /// The stack of those of these bodies that rest relative to their mean velocity; `None` for less than
+    /// three. The unit vector `up` is opposite to gravity.
+    pub fn of<'a>(
+        bodies: impl Iterator<Item = &'a RigidBody> + Clone,
+        gravity: Real,
+        up: Vector,
+    ) -> Option<Self> {
         let is_solid = |body: &&RigidBody| body.thickness > 0.0 && body.thickness.is_finite();
-        let first = bodies.find(is_solid)?;
+        let solid = bodies.filter(is_solid);
+        let (count, momentum) = solid
+            .clone()
+            .fold((0.0, Vector::ZERO), |(count, sum), body| (count + 1.0, sum + body.vels.linvel));
+        let drift = momentum / Real::max(count, 1.0);
+        let rests = |body: &&RigidBody| {
+            let spin = ang_length_squared(body.vels.angvel).sqrt();
+            let speed = (body.vels.linvel - drift).length() + spin * body.extent;
+            speed * speed <= RESTING * gravity * body.thickness
+        };
+        let mut resting = solid.filter(rests);
+        let first = resting.next()?;
         let origin = first.mprops.world_com;
         let mut sums = Sums {
             count: 0.0,
@@ -98,37 +153,31 @@ impl Stack {
             moment: second_moment(Vector::ZERO),
         };
         sums.include(first, Vector::ZERO, up);
-        for body in bodies.filter(is_solid) {
+        for body in resting {
             sums.include(body, body.mprops.world_com - origin, up);
         }
+        (sums.count > 2.0).then(|| Self::new(&sums, first.substep))
+    }
+
+    fn new(sums: &Sums, last_substep: Real) -> Self {
         let share = 1.0 / sums.count;
         let variance = sums.moment * share - second_moment(sums.offsets * share);
-        (sums.count > 2.0).then(|| Self {
+        Self {
             count: sums.count,
             height: sums.heights * share - sums.lowest,
             inv_thickness: sums.inv_thicknesses * share,
             width_squared: sums.widths_squared * share + narrow_moment(variance),
-        })
+            last_substep,
+        }
     }
 
-    /// The stiffness that contacts must have, relative to the usual one, for a yield of `δ` per carried body.
-    pub fn stiffness(&self, yielding: Real) -> Real {
+    /// The stiffness that contacts must have, relative to the usual one.
+    pub fn stiffness(&self, Give { yielding, play }: Give) -> Real {
         let layers = (2.0 * self.height * self.inv_thickness).min(self.count);
         // Bodies of an island that are apart in the air are no taller than the stack that they would make.
         let height = 0.5 * layers / self.inv_thickness;
-        let sag = 0.5 * layers * yielding * self.inv_thickness;
-        let lean = layers * yielding * height / self.width_squared;
-        (sag / SAG_MAX).max(lean * LEAN_RATIO_MIN)
-    }
-}
-
-/// The yield `δ` of a contact per carried body, with substeps of `h` seconds. Zero for parameters that do
-/// not correct overlap: no number of substeps makes these contacts stiff.
-pub(super) fn yielding(params: &IntegrationParameters, gravity: Real, h: Real) -> Real {
-    let fraction = params.erp * CONTACT_ERP_SCALE;
-    if fraction > 0.0 {
-        CORNER_YIELD * CONTACT_COMPLIANCE * gravity * h * h / fraction
-    } else {
-        0.0
+        let sag = (0.5 * layers * yielding + play) * self.inv_thickness / SAG_MAX;
+        let slenderness = layers * height / self.width_squared;
+        sag.max(slenderness * yielding * LEAN_RATIO_MIN).max(slenderness * play / PLAY_MAX)
     }
 }

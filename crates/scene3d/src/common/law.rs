@@ -20,8 +20,6 @@ pub struct Law {
     pub speed_max: f64,
     /// Largest distance of two points that a joint holds together.
     pub gap_max: f64,
-    /// Fault of the engine that breaks the law. `None` for a law that holds.
-    pub open_fault: Option<&'static str>,
 }
 
 impl Law {
@@ -33,7 +31,6 @@ impl Law {
         reach_max: f64::INFINITY,
         speed_max: f64::INFINITY,
         gap_max: f64::INFINITY,
-        open_fault: None,
     };
 
     /// Checks a scene against its start.

@@ -26,10 +26,10 @@ pub fn build() -> Scene {
         (0.0, RigidBodyBuilder::kinematic_position_based()),
         (8.0, RigidBodyBuilder::kinematic_velocity_based()),
     ] {
-        platforms.push(world.insert(body.translation(Vector::new(x, 1.5)), plate.clone()).0);
+        platforms.push(world.insert(body.translation(Vector::new(x, 3.0)), plate.clone()).0);
         for i in 0..20 {
             let [column, row] = [i % 5, i / 5].map(|n| n as Real);
-            add(&mut world, Vector::new(x - 1.8 + 0.9 * column, 2.2 + 0.85 * row), square(0.4));
+            add(&mut world, Vector::new(x - 1.8 + 0.9 * column, 3.7 + 0.85 * row), square(0.4));
         }
     }
     Scene::new(world, View::flat()).script(move |world, step| {
@@ -39,7 +39,7 @@ pub fn build() -> Scene {
             body.set_linvel(Vector::new(1.5 * time.cos(), (2.0 * time).sin()), true);
         }
         if let Some(body) = bodies.get_mut(platforms[1]) {
-            body.set_next_kinematic_translation(Vector::new(1.5 * time.sin(), 2.5 - time.cos()));
+            body.set_next_kinematic_translation(Vector::new(1.5 * time.sin(), 4.0 - time.cos()));
         }
         if let Some(body) = bodies.get_mut(platforms[2]) {
             body.set_angvel(0.3 * (1.5 * time).cos(), true);

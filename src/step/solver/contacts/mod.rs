@@ -83,9 +83,8 @@ impl SolverContacts {
         let lanes = &self.lanes.blocks[..];
         let blocks = Blocks::new(&mut self.blocks, &mut self.coulomb);
         let (deep, has_deep_overlap) = (deep_overlap(&pass.contacts), AtomicBool::new(false));
-        let pass = &pass.contacts;
         for_each_color(self.layout.colors(), tasks, BLOCKS_PER_TASK, |range| {
-            if simd.run(Prepare { range, lanes, blocks, poses, states, prediction, pass, deep }) {
+            if simd.run(Prepare { range, lanes, blocks, poses, states, prediction, deep }) {
                 has_deep_overlap.store(true, Ordering::Relaxed);
             }
         });
@@ -260,7 +259,6 @@ struct Prepare<'a> {
     poses: &'a [BodyPose],
     states: DisjointMut<'a, BodyState>,
     prediction: Real,
-    pass: &'a ContactPass,
     /// The overlap from which on contacts are reported.
     deep: Real,
 }
@@ -271,7 +269,7 @@ impl Kernel for Prepare<'_> {
 
     #[inline(always)]
     fn run<W: Wide>(self) -> bool {
-        let Self { poses, states, prediction, pass, .. } = self;
+        let Self { poses, states, prediction, .. } = self;
         let mut least = W::zero();
         for index in self.range {
             // SAFETY: each block belongs to one task, and constraints of one colour have no common dynamic
@@ -279,7 +277,7 @@ impl Kernel for Prepare<'_> {
             unsafe {
                 let (block, coulomb) = self.blocks.get(index);
                 let input = &self.lanes[index].input;
-                let context = PrepareContext { poses, states: &states, prediction, pass };
+                let context = PrepareContext { poses, states: &states, prediction };
                 prepare::<W>(input, block, coulomb, context);
                 for point in &block.points {
                     least = least.min(W::load(&point.separation));

@@ -86,7 +86,6 @@ fn solve_normals<W: Wide, const BIAS: bool>(
     let mut rows = values_at(block, NormalRow::new(&frame, c, bodies.velocities));
     let displacement = NormalRow::new(&frame, c, bodies.moved());
     let soft = SoftRow::<W>::new(pass);
-    let allowed = W::load(&block.allowed_error);
     let mut sum = NormalImpulse::zero();
     let mut coupling = 0;
     for k in 0..MAX_MANIFOLD_POINTS {
@@ -94,7 +93,7 @@ fn solve_normals<W: Wide, const BIAS: bool>(
         let place = point.place();
         let separation = W::load(&point.separation) + displacement.at(place);
         let old = W::load(&point.impulse);
-        let wanted = soft.wanted::<BIAS>(rows[k], [separation, allowed], W::load(&point.mass), old);
+        let wanted = soft.wanted::<BIAS>(rows[k], separation, W::load(&point.mass), old);
         let new = (old - wanted).max(W::zero());
         let added = new - old;
         new.store(&mut point.impulse);

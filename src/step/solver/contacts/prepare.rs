@@ -9,7 +9,6 @@ use crate::dim::math::{MAX_MANIFOLD_POINTS, Real};
 use crate::dim::state::{BodyPose, BodyState, WideMotion};
 use crate::dim::wide::WideVector;
 use crate::model::contact::{ContactInput, MotionSince, WidePoint};
-use crate::model::params::ContactPass;
 use crate::step::solver::states::{Bodies, gather_poses};
 
 /// The bodies as constraints are prepared.
@@ -19,7 +18,6 @@ pub(in crate::step::solver) struct PrepareContext<'a> {
     pub states: &'a DisjointMut<'a, BodyState>,
     /// Distance up to which points may be apart.
     pub prediction: Real,
-    pub pass: &'a ContactPass,
 }
 
 /// Fills a block from its manifolds and gives its bodies the impulses with which the step starts.
@@ -35,9 +33,8 @@ pub(in crate::step::solver) unsafe fn prepare<W: Wide>(
     coulomb: Option<&mut CoulombBlock>,
     context: PrepareContext<'_>,
 ) {
-    let PrepareContext { poses, states, prediction, pass } = context;
+    let PrepareContext { poses, states, prediction } = context;
     block.bodies = input.bodies;
-    pass.allowed_errors(W::load(&input.thickness)).store(&mut block.allowed_error);
     block.totals = [Lane::ZERO; MAX_MANIFOLD_POINTS];
     let poses =
         [gather_poses::<W>(poses, &input.bodies[0]), gather_poses::<W>(poses, &input.bodies[1])];

@@ -11,6 +11,8 @@ pub(super) struct SoftRow<W> {
     mass_scale: W,
     impulse_scale: W,
     inv_substep: W,
+    /// Overlap that is not corrected (length units).
+    allowed: W,
     /// Largest velocity that corrects overlap, downwards.
     push: W,
 }
@@ -24,19 +26,14 @@ impl<W: Wide> SoftRow<W> {
             mass_scale: W::splat(mass_scale),
             impulse_scale: W::splat(impulse_scale),
             inv_substep: W::splat(pass.inv_substep),
+            allowed: W::splat(pass.allowed_error),
             push: W::splat(-pass.push_velocity_max),
         }
     }
 
-    /// Decrease of a point's impulse. Overlap up to `allowed` is not corrected (length units).
+    /// Decrease of a point's impulse.
     #[inline(always)]
-    pub fn wanted<const BIAS: bool>(
-        &self,
-        velocity: W,
-        [separation, allowed]: [W; 2],
-        mass: W,
-        impulse: W,
-    ) -> W {
+    pub fn wanted<const BIAS: bool>(&self, velocity: W, separation: W, mass: W, impulse: W) -> W {
         let zero = W::zero();
         let apart = zero.lt(separation);
         // Separated points may close the gap within the substep, and no more.
@@ -44,7 +41,7 @@ impl<W: Wide> SoftRow<W> {
         if !BIAS {
             return mass * (velocity + W::select(apart, closing, zero));
         }
-        let error = (separation + allowed).min(zero);
+        let error = (separation + self.allowed).min(zero);
         let opening = (error * self.rate).max(self.push);
         let bias = W::select(apart, closing, opening);
         let mass_scale = W::select(apart, W::splat(1.0), self.mass_scale);

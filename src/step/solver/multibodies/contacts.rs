@@ -11,7 +11,7 @@ use super::{SolverMultibodies, solve_unilateral};
 use crate::dim::contact::PointTangentMass;
 use crate::dim::math::{DIM, MAX_MANIFOLD_POINTS, Real, Vector, tangents};
 use crate::model::constraint_graph::ManifoldRef;
-use crate::model::contact::{ContactManifold, ContactManifoldData, NarrowPhase};
+use crate::model::contact::{ContactManifold, NarrowPhase};
 use crate::model::params::ContactPass;
 use crate::step::solver::bodies::SolverBodies;
 use crate::step::solver::context::SolverInput;
@@ -56,7 +56,6 @@ pub struct LinkContact {
     first_number: usize,
     pub friction: Real,
     pub restitution: Real,
-    thickness: Real,
     pub points: ArrayVec<Point, MAX_MANIFOLD_POINTS>,
     pub impact: LinkImpact,
 }
@@ -136,10 +135,10 @@ impl SolverMultibodies {
                 }
             });
         let points = points.collect();
-        let &ContactManifoldData { friction, restitution, thickness, .. } = data;
+        let (friction, restitution) = (data.friction, data.restitution);
         let impact = LinkImpact::of(self.island_of(sides));
         let normal = geometry.normal;
-        LinkContact { at, normal, first_number, friction, restitution, thickness, points, impact }
+        LinkContact { at, normal, first_number, friction, restitution, points, impact }
     }
 
     /// Recomputes the rows of a contact at the current poses.
@@ -260,18 +259,14 @@ impl LinkContacts {
         pass: &ContactPass,
         bias: bool,
     ) {
-        for contact in &mut self.contacts {
-            let allowed = pass.allowed_error_of(contact.thickness);
-            for point in &mut contact.points {
-                let velocity = jacobians.velocity(&point.normal, states);
-                let separation =
-                    point.shown_separation() + jacobians.displacement(&point.normal, states);
-                let (mass, old) = (point.normal.mass, point.impulse);
-                let errors = [separation, allowed];
-                let new = solve_unilateral(pass, velocity, errors, mass, old, bias);
-                jacobians.push(&point.normal, new - old, states);
-                point.impulse = new;
-            }
+        for point in self.points() {
+            let velocity = jacobians.velocity(&point.normal, states);
+            let separation =
+                point.shown_separation() + jacobians.displacement(&point.normal, states);
+            let (mass, old) = (point.normal.mass, point.impulse);
+            let new = solve_unilateral(pass, velocity, separation, mass, old, bias);
+            jacobians.push(&point.normal, new - old, states);
+            point.impulse = new;
         }
     }
 

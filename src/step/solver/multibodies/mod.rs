@@ -113,7 +113,7 @@ pub(super) struct SolverMultibodies {
 fn solve_unilateral(
     pass: &ContactPass,
     velocity: Real,
-    [separation, allowed]: [Real; 2],
+    separation: Real,
     mass: Real,
     impulse: Real,
     bias: bool,
@@ -125,7 +125,7 @@ fn solve_unilateral(
         return (impulse - mass * velocity).max(0.0);
     }
     let Softness { bias_rate, mass_scale, impulse_scale } = pass.softness;
-    let error = (separation + allowed).min(0.0);
+    let error = (separation + pass.allowed_error).min(0.0);
     let opening = (error * bias_rate * mass_scale).max(-pass.push_velocity_max);
     (impulse - mass * (velocity * mass_scale + opening) - impulse * impulse_scale).max(0.0)
 }

@@ -166,7 +166,6 @@ impl Scene {
                 softness: Softness::RIGID,
                 push_velocity_max: 4.0,
                 allowed_error: 0.0,
-                allowed_fraction: 1.0,
                 is_last_iteration: true,
             },
             prediction: PREDICTION,
@@ -207,7 +206,6 @@ impl Scene {
         }
         self.input.friction.0[lane] = contact.friction;
         self.input.restitution.0[lane] = contact.restitution;
-        self.input.thickness.0[lane] = Real::MAX;
         self.input.tangent_velocity.set_lane(lane, contact.tangent_velocity);
     }
 
@@ -315,7 +313,7 @@ impl Kernel for Run<'_> {
         unsafe {
             match self.pass {
                 Pass::Prepare => {
-                    let context = PrepareContext { poses, states: &states, prediction, pass };
+                    let context = PrepareContext { poses, states: &states, prediction };
                     let coulomb = coulomb.as_mut();
                     prepare::<W>(input, block, coulomb, context);
                 }
