@@ -24,7 +24,7 @@ use crate::base::wide::{Wide, invert};
 use crate::dim2::math::{MAX_MANIFOLD_POINTS, Real};
 use crate::dim2::state::WideMotion;
 use crate::dim2::wide::WideVector;
-use crate::model::contact::{ContactInput, WidePoint};
+use crate::model::contact::{ContactInput, Turning, WidePoint};
 
 /// A [`FrictionRow`] in registers.
 #[derive(Copy, Clone)]
@@ -43,9 +43,11 @@ pub(crate) fn prepare<W: Wide>(
     pair: &Pair<W>,
     points: &[WidePoint<W>; MAX_MANIFOLD_POINTS],
     prediction: W,
+    turning: Turning<W>,
 ) -> WideFriction<W> {
     let t = pair.frame.t;
-    let height = center_height(points, prediction);
+    let center = center(points, prediction);
+    let height = center.y;
     let height2 = height + pair.offset.y;
     let [i1, i2] = pair.inv_inertia;
     let linear = t.dot(t.component_mul(pair.inv_mass[0] + pair.inv_mass[1]));
@@ -54,7 +56,8 @@ pub(crate) fn prepare<W: Wide>(
         height,
         coefficient: W::load(&input.friction),
         mass: invert(linear + angular),
-        surface_velocity: t.dot(WideVector::load(&input.tangent_velocity)),
+        surface_velocity: t.dot(WideVector::load(&input.tangent_velocity))
+            - pair.turn(center, turning),
         impulse: t.dot(WideVector::load(&input.friction_impulse)),
     }
 }
@@ -75,19 +78,19 @@ pub(crate) fn solve<W: Wide>(
     friction.apply(added, block, &frame, velocities)
 }
 
-/// The coordinate of the friction centre along the normal.
+/// The friction centre.
 #[inline(always)]
-fn center_height<W: Wide>(points: &[WidePoint<W>; MAX_MANIFOLD_POINTS], prediction: W) -> W {
+fn center<W: Wide>(points: &[WidePoint<W>; MAX_MANIFOLD_POINTS], prediction: W) -> WideVector<W> {
     // Weights decrease as points move apart; the lower bound keeps a separated manifold well defined.
     let floor = (prediction * W::splat(0.01)).max(W::splat(Real::EPSILON));
-    let (mut sum, mut height) = (W::zero(), W::zero());
+    let (mut sum, mut center) = (W::zero(), WideVector::zero());
     for point in points {
         let closeness = (prediction - point.separation).min(prediction).max(floor);
         let weight = closeness * point.present;
         sum = sum + weight;
-        height = height + weight * point.local.y;
+        center = center + point.local * weight;
     }
-    height * invert(sum)
+    center * invert(sum)
 }
 
 impl<W: Wide> WideFriction<W> {

@@ -5,7 +5,7 @@ use super::rows::Frame;
 use crate::base::wide::Wide;
 use crate::dim2::state::WidePose;
 use crate::dim2::wide::{WideSymmetric, WideVector};
-use crate::model::contact::ContactInput;
+use crate::model::contact::{ContactInput, Turning};
 
 /// The bodies of a block and the frame of its contacts.
 pub(crate) struct Pair<W> {
@@ -40,6 +40,19 @@ impl<W: Wide> Pair<W> {
             inv_inertia[side].store(&mut block.inv_inertia[side]);
         }
         Self { frame, offset, inv_mass, inv_inertia }
+    }
+
+    /// The tangential velocity of a point, relative to the first body, that the [turns](Turning) of the bodies
+    /// add.
+    #[inline(always)]
+    pub fn turn(&self, point: WideVector<W>, turning: Turning<W>) -> W {
+        let arms = [point, point + self.offset];
+        let [first, second] = [0, 1].map(|side| {
+            let (r, w) = (arms[side], turning.velocities[side].angular);
+            let [tangent, chord] = turning.factors(w * w, self.inv_mass[side]);
+            -(tangent * w * r.y) - chord * w * w * r.x
+        });
+        second - first
     }
 
     /// The angular part of `J_i M⁻¹ J_jᵀ` of two points, with `ρ × n = ρₜ`.

@@ -26,7 +26,7 @@ use crate::base::wide::{Wide, invert};
 use crate::dim3::math::{MAX_MANIFOLD_POINTS, Real};
 use crate::dim3::state::WideMotion;
 use crate::dim3::wide::{WideSymmetric, WideVector};
-use crate::model::contact::{ContactInput, WidePoint};
+use crate::model::contact::{ContactInput, Turning, WidePoint};
 
 /// A [`FrictionRow`] in registers.
 #[derive(Copy, Clone)]
@@ -48,11 +48,14 @@ pub(crate) fn prepare<W: Wide>(
     pair: &Pair<W>,
     points: &[WidePoint<W>; MAX_MANIFOLD_POINTS],
     prediction: W,
+    turning: Turning<W>,
 ) -> WideFriction<W> {
     let (center, radius) = center(points, prediction);
     let frame = &pair.frame;
     let [x, y] = frame.tangential(WideVector::load(&input.friction_impulse));
     let (tangents, torsional_coupling) = tangent_matrix(pair, center);
+    let [vx, vy] = frame.tangential(WideVector::load(&input.tangent_velocity));
+    let [tx, ty] = pair.turn(center, turning);
     WideFriction {
         center,
         coefficient: W::load(&input.friction),
@@ -60,7 +63,7 @@ pub(crate) fn prepare<W: Wide>(
         torsional_mass: invert(pair.inv_inertia[0].m33 + pair.inv_inertia[1].m33),
         radius,
         torsional_coupling,
-        surface_velocity: frame.tangential(WideVector::load(&input.tangent_velocity)),
+        surface_velocity: [vx - tx, vy - ty],
         impulse: [x, y, W::load(&input.torsional_impulse)],
     }
 }

@@ -5,7 +5,7 @@ use super::rows::Frame;
 use crate::base::wide::Wide;
 use crate::dim3::state::WidePose;
 use crate::dim3::wide::{WideSymmetric, WideVector};
-use crate::model::contact::ContactInput;
+use crate::model::contact::{ContactInput, Turning};
 
 /// The bodies of a block and the frame of its contacts.
 pub(crate) struct Pair<W> {
@@ -46,6 +46,23 @@ impl<W: Wide> Pair<W> {
         }
         let inv_inertia = [frame.local_symmetric(columns[0]), frame.local_symmetric(columns[1])];
         Self { frame, offset, inv_mass, inv_inertia }
+    }
+
+    /// The tangential velocity of a point, relative to the first body, that the [turns](Turning) of the bodies
+    /// add.
+    #[inline(always)]
+    pub fn turn(&self, point: WideVector<W>, turning: Turning<W>) -> [W; 2] {
+        let arms = [point, point + self.offset];
+        let [first, second] = [0, 1].map(|side| {
+            let (r, w) = (arms[side], self.frame.local(turning.velocities[side].angular));
+            let (along, square) = (w.dot(r), w.dot(w));
+            let [tangent, chord] = turning.factors(square, self.inv_mass[side]);
+            [
+                tangent * (w.y * r.z - w.z * r.y) + chord * (w.x * along - r.x * square),
+                tangent * (w.z * r.x - w.x * r.z) + chord * (w.y * along - r.y * square),
+            ]
+        });
+        [second[0] - first[0], second[1] - first[1]]
     }
 
     /// The angular part of `J_i M⁻¹ J_jᵀ` of two points, with `ρ × n = (ρ₂, -ρ₁, 0)`.

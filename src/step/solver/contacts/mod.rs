@@ -78,13 +78,22 @@ impl SolverContacts {
         let &SolverPass { params, simd, tasks, .. } = pass;
         let rows = if pass.has_friction_per_point() { self.blocks.len() } else { 0 };
         self.coulomb.resize(rows, CoulombBlock::EMPTY);
-        let prediction = params.prediction_distance();
+        let (prediction, half_step) = (params.prediction_distance(), 0.5 * params.dt);
         let (poses, states) = bodies.shared();
         let lanes = &self.lanes.blocks[..];
         let blocks = Blocks::new(&mut self.blocks, &mut self.coulomb);
         let (deep, has_deep_overlap) = (deep_overlap(&pass.contacts), AtomicBool::new(false));
         for_each_color(self.layout.colors(), tasks, BLOCKS_PER_TASK, |range| {
-            if simd.run(Prepare { range, lanes, blocks, poses, states, prediction, deep }) {
+            if simd.run(Prepare {
+                range,
+                lanes,
+                blocks,
+                poses,
+                states,
+                prediction,
+                half_step,
+                deep,
+            }) {
                 has_deep_overlap.store(true, Ordering::Relaxed);
             }
         });
@@ -259,6 +268,7 @@ struct Prepare<'a> {
     poses: &'a [BodyPose],
     states: DisjointMut<'a, BodyState>,
     prediction: Real,
+    half_step: Real,
     /// The overlap from which on contacts are reported.
     deep: Real,
 }
@@ -269,7 +279,7 @@ impl Kernel for Prepare<'_> {
 
     #[inline(always)]
     fn run<W: Wide>(self) -> bool {
-        let Self { poses, states, prediction, .. } = self;
+        let Self { poses, states, prediction, half_step, .. } = self;
         let mut least = W::zero();
         for index in self.range {
             // SAFETY: each block belongs to one task, and constraints of one colour have no common dynamic
@@ -277,7 +287,7 @@ impl Kernel for Prepare<'_> {
             unsafe {
                 let (block, coulomb) = self.blocks.get(index);
                 let input = &self.lanes[index].input;
-                let context = PrepareContext { poses, states: &states, prediction };
+                let context = PrepareContext { poses, states: &states, prediction, half_step };
                 prepare::<W>(input, block, coulomb, context);
                 for point in &block.points {
                     least = least.min(W::load(&point.separation));

@@ -8,7 +8,7 @@ use crate::dim::contact::{
 use crate::dim::math::{MAX_MANIFOLD_POINTS, Real};
 use crate::dim::state::{BodyPose, BodyState, WideMotion};
 use crate::dim::wide::WideVector;
-use crate::model::contact::{ContactInput, MotionSince, WidePoint};
+use crate::model::contact::{ContactInput, MotionSince, Turning, WidePoint};
 use crate::step::solver::states::{Bodies, gather_poses};
 
 /// The bodies as constraints are prepared.
@@ -18,6 +18,8 @@ pub(in crate::step::solver) struct PrepareContext<'a> {
     pub states: &'a DisjointMut<'a, BodyState>,
     /// Distance up to which points may be apart.
     pub prediction: Real,
+    /// Half the length of the step (s).
+    pub half_step: Real,
 }
 
 /// Fills a block from its manifolds and gives its bodies the impulses with which the step starts.
@@ -33,7 +35,7 @@ pub(in crate::step::solver) unsafe fn prepare<W: Wide>(
     coulomb: Option<&mut CoulombBlock>,
     context: PrepareContext<'_>,
 ) {
-    let PrepareContext { poses, states, prediction } = context;
+    let PrepareContext { poses, states, prediction, half_step } = context;
     block.bodies = input.bodies;
     block.totals = [Lane::ZERO; MAX_MANIFOLD_POINTS];
     let poses =
@@ -45,7 +47,8 @@ pub(in crate::step::solver) unsafe fn prepare<W: Wide>(
     write_points(block, &pair, &points);
     // SAFETY: the caller's promise.
     let mut bodies = unsafe { Bodies::<W>::gather(states, &block.bodies) };
-    let friction = prepare_friction(input, &pair, &points, W::splat(prediction));
+    let turning = Turning { velocities: bodies.velocities, half_step: W::splat(half_step) };
+    let friction = prepare_friction(input, &pair, &points, W::splat(prediction), turning);
     bodies.velocities = friction.begin(input, block, coulomb, &pair, &points, bodies.velocities);
     bodies.velocities = warm_start(block, &frame, &points, bodies.velocities);
     // SAFETY: the caller's promise.

@@ -313,7 +313,8 @@ impl Kernel for Run<'_> {
         unsafe {
             match self.pass {
                 Pass::Prepare => {
-                    let context = PrepareContext { poses, states: &states, prediction };
+                    let context =
+                        PrepareContext { poses, states: &states, prediction, half_step: 0.0 };
                     let coulomb = coulomb.as_mut();
                     prepare::<W>(input, block, coulomb, context);
                 }
