@@ -10,7 +10,7 @@ use crate::base::wide::{Kernel, LANES, Lane, Simd, Wide};
 use crate::dim2::math::{MAX_MANIFOLD_POINTS, Real, Rotation, Vector, cross, tangents, torque};
 use crate::dim2::state::WideMotion;
 use crate::dim2::wide::WideVector;
-use crate::model::contact::{ContactInput, WidePoint};
+use crate::model::contact::{ContactInput, Turning, WidePoint};
 
 const ROUNDING: Real = 1000.0 * Real::EPSILON;
 
@@ -81,12 +81,14 @@ impl Kernel for Iterate<'_> {
         };
         let mut input = ContactInput::EMPTY;
         input.friction = Lane::splat(0.5);
-        let mut row: WideFriction<W> = friction::prepare(&input, &pair, &points, W::splat(0.02));
         let [(v1, w1), (v2, w2)] = touch.velocities;
         let motions = [
             WideMotion { linear: WideVector::splat(v1), angular: W::splat(w1) },
             WideMotion { linear: WideVector::splat(v2), angular: W::splat(w2) },
         ];
+        let turning = Turning { velocities: motions, half_step: zero };
+        let mut row: WideFriction<W> =
+            friction::prepare(&input, &pair, &points, W::splat(0.02), turning);
         let added = row.solve(&frame, pair.offset, motions, W::splat(touch.normal_impulse));
         let mut impulse = WideVector::<Lane>::default();
         (frame.t * added).store(&mut impulse);

@@ -14,7 +14,7 @@ use crate::dim3::math::{
 };
 use crate::dim3::state::WideMotion;
 use crate::dim3::wide::{WideSymmetric, WideVector, set_symmetric_lane};
-use crate::model::contact::{ContactInput, WidePoint};
+use crate::model::contact::{ContactInput, Turning, WidePoint};
 use parry::mass_properties::MassProperties;
 
 const ROUNDING: Real = 1000.0 * Real::EPSILON;
@@ -150,12 +150,14 @@ impl Kernel for Iterate<'_> {
         };
         let mut input = ContactInput::EMPTY;
         input.friction = Lane::splat(touch.coefficient);
-        let mut rows: WideFriction<W> = friction::prepare(&input, &pair, &points, W::splat(0.02));
         let [(v1, w1), (v2, w2)] = touch.velocities;
         let motions = [
             WideMotion { linear: WideVector::splat(v1), angular: WideVector::splat(w1) },
             WideMotion { linear: WideVector::splat(v2), angular: WideVector::splat(w2) },
         ];
+        let turning = Turning { velocities: motions, half_step: zero };
+        let mut rows: WideFriction<W> =
+            friction::prepare(&input, &pair, &points, W::splat(0.02), turning);
         let [x, y, torsion] =
             rows.solve(&frame, pair.offset, motions, W::splat(touch.normal_impulse));
         let (mut impulse, mut about) = (lanes(Vector::ZERO), Lane::ZERO);
