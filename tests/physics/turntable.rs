@@ -87,7 +87,7 @@ fn kinematic_turntable() {
                         radius.to_string(),
                         format!("{:.3}", way * 1.0e3),
                     ]);
-                    // The corners of the box turn as well, and friction acts a few millimetres beside its centre.
+                    // The box turns as well, and friction acts some millimetres beside its middle.
                     let limit = 1.5e-3 * (60.0 / rate as Real).max(1.0).powi(2);
                     table.check("the way", way, 0.0, limit);
                 }

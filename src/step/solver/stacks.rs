@@ -27,8 +27,8 @@
 //! (Frozen anchors keep a level stack from buckling without that:
 //! [`AnchorFrame`](crate::model::contact::AnchorFrame). On a slope or when pushed it creeps until it falls.)
 //!
-//! *Play.* Each layer may tilt by `e/2a` relative to the next, which moves the mass by `e t L²/6a = e L H/6a`.
-//! It may be a twentieth of `a`:
+//! *Play.* Each layer may tilt by `e/2a` relative to the next. That moves the mass by `e t L²/6a = e L H/6a`,
+//! which may be a twentieth of `a`:
 //!
 //! ```text
 //! e L H / (a² + s²)  <  0.3
