@@ -47,12 +47,13 @@ impl<W: Wide> Pair<W> {
     #[inline(always)]
     pub fn turn(&self, point: WideVector<W>, turning: Turning<W>) -> W {
         let arms = [point, point + self.offset];
-        let [first, second] = [0, 1].map(|side| {
+        let mut turns = [W::zero(); 2];
+        for side in 0..2 {
             let (r, w) = (arms[side], turning.velocities[side].angular);
             let [tangent, chord] = turning.factors(w * w, self.inv_mass[side]);
-            -(tangent * w * r.y) - chord * w * w * r.x
-        });
-        second - first
+            turns[side] = -(tangent * w * r.y) - chord * w * w * r.x;
+        }
+        turns[1] - turns[0]
     }
 
     /// The angular part of `J_i M⁻¹ J_jᵀ` of two points, with `ρ × n = ρₜ`.

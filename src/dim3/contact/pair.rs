@@ -53,16 +53,17 @@ impl<W: Wide> Pair<W> {
     #[inline(always)]
     pub fn turn(&self, point: WideVector<W>, turning: Turning<W>) -> [W; 2] {
         let arms = [point, point + self.offset];
-        let [first, second] = [0, 1].map(|side| {
+        let mut turns = [[W::zero(); 2]; 2];
+        for side in 0..2 {
             let (r, w) = (arms[side], self.frame.local(turning.velocities[side].angular));
             let (along, square) = (w.dot(r), w.dot(w));
             let [tangent, chord] = turning.factors(square, self.inv_mass[side]);
-            [
+            turns[side] = [
                 tangent * (w.y * r.z - w.z * r.y) + chord * (w.x * along - r.x * square),
                 tangent * (w.z * r.x - w.x * r.z) + chord * (w.y * along - r.y * square),
-            ]
-        });
-        [second[0] - first[0], second[1] - first[1]]
+            ];
+        }
+        [turns[1][0] - turns[0][0], turns[1][1] - turns[0][1]]
     }
 
     /// The angular part of `J_i M⁻¹ J_jᵀ` of two points, with `ρ × n = (ρ₂, -ρ₁, 0)`.

@@ -32,6 +32,6 @@ impl<W: Wide> Turning<W> {
         let tangent = -angle_squared / (W::splat(6.0) + angle_squared * W::splat(0.3));
         let chord = self.half_step / (one + angle_squared * W::splat(1.0 / 12.0));
         let is_moved = W::zero().lt(inv_mass.dot(inv_mass));
-        [tangent, chord].map(|factor| W::select(is_moved, W::zero(), factor))
+        [W::select(is_moved, W::zero(), tangent), W::select(is_moved, W::zero(), chord)]
     }
 }

@@ -12,7 +12,7 @@
 //! fall with the square of the number of substeps.
 //!
 //! *Sag.* A body carries `L/2` others on average. Its overlap with the next one, relative to its size `2t`,
-//! has the mean `(L/2 δ + e) ⟨1/2t⟩`. It is kept below [`SAG_MAX`].
+//! has the mean `(L/2 δ + e) ⟨1/2t⟩`. Each of the two is kept below [`SAG_MAX`].
 //!
 //! *Lean.* The contacts of a layer with half width `a` resist a rotation with the stiffness `N m g/L (a² +
 //! s²)/δ`. `N` bodies of mass `m` are in the island, and `s²` is the variance of their positions across the
@@ -132,10 +132,10 @@ impl Stack {
     ) -> Option<Self> {
         let is_solid = |body: &&RigidBody| body.thickness > 0.0 && body.thickness.is_finite();
         let solid = bodies.filter(is_solid);
-        let (count, momentum) = solid
+        let (count, velocities) = solid
             .clone()
             .fold((0.0, Vector::ZERO), |(count, sum), body| (count + 1.0, sum + body.vels.linvel));
-        let drift = momentum / Real::max(count, 1.0);
+        let drift = velocities / Real::max(count, 1.0);
         let rests = |body: &&RigidBody| {
             let spin = ang_length_squared(body.vels.angvel).sqrt();
             let speed = (body.vels.linvel - drift).length() + spin * body.extent;
@@ -177,7 +177,7 @@ impl Stack {
         let layers = (2.0 * self.height * self.inv_thickness).min(self.count);
         // Bodies of an island that are apart in the air are no taller than the stack that they would make.
         let height = 0.5 * layers / self.inv_thickness;
-        let sag = (0.5 * layers * yielding + play) * self.inv_thickness / SAG_MAX;
+        let sag = (0.5 * layers * yielding).max(play) * self.inv_thickness / SAG_MAX;
         let slenderness = layers * height / self.width_squared;
         sag.max(slenderness * yielding * LEAN_RATIO_MIN).max(slenderness * play / PLAY_MAX)
     }
