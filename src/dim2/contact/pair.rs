@@ -49,7 +49,7 @@ impl<W: Wide> Pair<W> {
         let arms = [point, point + self.offset];
         let mut turns = [W::zero(); 2];
         for side in 0..2 {
-            let (r, w) = (arms[side], turning.velocities[side].angular);
+            let (r, w) = (arms[side], turning.angvels[side]);
             let [tangent, chord] = turning.factors(w * w, self.inv_mass[side]);
             turns[side] = -(tangent * w * r.y) - chord * w * w * r.x;
         }

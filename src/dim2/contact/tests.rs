@@ -86,7 +86,7 @@ impl Kernel for Iterate<'_> {
             WideMotion { linear: WideVector::splat(v1), angular: W::splat(w1) },
             WideMotion { linear: WideVector::splat(v2), angular: W::splat(w2) },
         ];
-        let turning = Turning { velocities: motions, half_step: zero };
+        let turning = Turning { angvels: motions.map(|motion| motion.angular), half_step: zero };
         let mut row: WideFriction<W> =
             friction::prepare(&input, &pair, &points, W::splat(0.02), turning);
         let added = row.solve(&frame, pair.offset, motions, W::splat(touch.normal_impulse));

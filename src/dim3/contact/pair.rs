@@ -55,7 +55,7 @@ impl<W: Wide> Pair<W> {
         let arms = [point, point + self.offset];
         let mut turns = [[W::zero(); 2]; 2];
         for side in 0..2 {
-            let (r, w) = (arms[side], self.frame.local(turning.velocities[side].angular));
+            let (r, w) = (arms[side], self.frame.local(turning.angvels[side]));
             let (along, square) = (w.dot(r), w.dot(w));
             let [tangent, chord] = turning.factors(square, self.inv_mass[side]);
             turns[side] = [

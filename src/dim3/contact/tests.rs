@@ -155,7 +155,7 @@ impl Kernel for Iterate<'_> {
             WideMotion { linear: WideVector::splat(v1), angular: WideVector::splat(w1) },
             WideMotion { linear: WideVector::splat(v2), angular: WideVector::splat(w2) },
         ];
-        let turning = Turning { velocities: motions, half_step: zero };
+        let turning = Turning { angvels: motions.map(|motion| motion.angular), half_step: zero };
         let mut rows: WideFriction<W> =
             friction::prepare(&input, &pair, &points, W::splat(0.02), turning);
         let [x, y, torsion] =

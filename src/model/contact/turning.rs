@@ -1,8 +1,7 @@
 //! Surfaces that turn during a step.
 
 use crate::base::wide::Wide;
-use crate::dim::state::WideMotion;
-use crate::dim::wide::WideVector;
+use crate::dim::wide::{WideAngVector, WideVector};
 
 /// How the bodies of a contact turn during a step.
 ///
@@ -17,7 +16,7 @@ use crate::dim::wide::WideVector;
 /// step, and the mean is not known at its start.
 #[derive(Copy, Clone)]
 pub(crate) struct Turning<W> {
-    pub velocities: [WideMotion<W>; 2],
+    pub angvels: [WideAngVector<W>; 2],
     /// Half the length of the step (s).
     pub half_step: W,
 }

@@ -59,7 +59,7 @@ pub struct IntegrationParameters {
     /// or if light bodies carry heavy ones.
     pub num_solver_iterations: usize,
     /// Additional iterations of all constraints without position correction, friction among them, per substep
-    /// (default 0). For loads that hang on friction alone, such as a tower of cards or a gripper.
+    /// (default 0). For loads that hang on friction alone, such as in a gripper.
     pub num_additional_friction_iterations: usize,
     /// Iterations over all constraints, with position correction, per substep (default 1, at least 1). More
     /// substeps are nearly always the better use of the same time.

@@ -31,7 +31,7 @@ use crate::model::island::{IslandManager, NONE};
 use crate::model::joint::ImpulseJointSet;
 use crate::model::params::IntegrationParameters;
 use crate::step::solver::context::{SolverInput, SolverSettings};
-use crate::step::solver::stacks::{Give, Stack};
+use crate::step::solver::stacks::{Give, Member, Stack};
 use core::ops::Range;
 
 /// Up to this ratio of masses the usual substeps are sufficient: four cubes under one of 30 times the mass
@@ -102,9 +102,6 @@ impl IslandRequirement {
 
     /// The factor on the usual number of substeps for an island of this size with substeps of `h` seconds. It
     /// is a power of two, so there are few groups.
-    ///
-    /// A stack keeps its substeps until half their stiffness is sufficient. Otherwise it could alternate
-    /// between two numbers of substeps, and hop.
     fn factor(
         &self,
         bodies: usize,
@@ -113,9 +110,6 @@ impl IslandRequirement {
         params: &IntegrationParameters,
     ) -> usize {
         let give = Give::new(params, gravity, h);
-        let (stack_stiffness, last) =
-            self.stack.map_or((0.0, 0.0), |stack| (stack.stiffness(give), stack.last_substep));
-        let had_more = |factor: usize| last > 0.0 && last * (factor as Real) < 0.75 * h;
         let ([lightest, heaviest], [least, most]) = (self.masses, self.joined);
         let is_ratio_large = most > MASS_RATIO_MODERATE_MAX * least;
         let stiffness =
@@ -128,7 +122,7 @@ impl IslandRequirement {
             let by_joints =
                 factor < JOINT_SUBSTEP_FACTOR_MAX && stiffness > GEOMETRIC_STIFFNESS_MAX * square;
             let by_stack = factor < STACK_SUBSTEP_FACTOR_MAX
-                && (stack_stiffness > square || 2.0 * stack_stiffness > square && had_more(factor));
+                && self.stack.is_some_and(|stack| stack.is_soft(factor, give, h));
             if !by_contacts && !by_joints && !by_stack {
                 break;
             }
@@ -173,6 +167,8 @@ pub(super) struct Groups {
     body_requirements: Vec<BodyRequirement>,
     /// The same by body slot. Filled only while requirements are found.
     by_slot: Vec<BodyRequirement>,
+    /// Of one island, while its stack is measured.
+    members: Vec<Member>,
     /// Substeps of each island, then those that occur.
     substeps: Vec<usize>,
     counts: Vec<usize>,
@@ -253,6 +249,7 @@ impl Groups {
     /// not part of a stack: a chain hangs.
     fn find_stacks(&mut self, islands: &IslandManager, bodies: &RigidBodySet, gravity: Vector) {
         let Some(up) = (-gravity).try_normalize() else { return };
+        let gravity = gravity.length();
         for (id, requirement) in self.requirements.iter_mut().enumerate() {
             let island = islands.island(id as u32);
             if island.sleeping || !(3..=BODY_SUBSTEPS_MAX / 2).contains(&island.bodies.len()) {
@@ -263,7 +260,9 @@ impl Groups {
                 let slot = body.link.slot;
                 islands.joints.of_body(slot).is_empty() && islands.groups.of(slot).is_empty()
             });
-            requirement.stack = Stack::of(free, gravity.length(), up);
+            self.members.clear();
+            self.members.extend(free.filter_map(Member::of));
+            requirement.stack = Stack::of(&self.members, gravity, up);
         }
     }
 

@@ -92,7 +92,40 @@ pub(super) struct Stack {
     /// `a² + s²` (length²).
     width_squared: Real,
     /// Length (s) of the substeps of the last step; zero if there was none.
-    pub last_substep: Real,
+    last_substep: Real,
+}
+
+/// What a stack depends on of a body, stored contiguously because it is read twice.
+#[derive(Copy, Clone, Debug)]
+pub(super) struct Member {
+    center: Vector,
+    linvel: Vector,
+    /// Largest speed of a point about the centre of mass (length/s).
+    spin: Real,
+    /// `t` (length).
+    thickness: Real,
+    extent: Real,
+    last_substep: Real,
+}
+
+impl Member {
+    /// `None` for a body without thickness.
+    pub fn of(body: &RigidBody) -> Option<Self> {
+        let is_solid = body.thickness > 0.0 && body.thickness.is_finite();
+        is_solid.then(|| Self {
+            center: body.mprops.world_com,
+            linvel: body.vels.linvel,
+            spin: ang_length_squared(body.vels.angvel).sqrt() * body.extent,
+            thickness: body.thickness,
+            extent: body.extent,
+            last_substep: body.substep,
+        })
+    }
+
+    fn rests(&self, drift: Vector, gravity: Real) -> bool {
+        let speed = (self.linvel - drift).length() + self.spin;
+        speed * speed <= RESTING * gravity * self.thickness
+    }
 }
 
 /// Sums over bodies, relative to the centre of the first.
@@ -108,7 +141,7 @@ struct Sums {
 
 impl Sums {
     /// Includes a body at this position.
-    fn include(&mut self, body: &RigidBody, position: Vector, up: Vector) {
+    fn include(&mut self, body: &Member, position: Vector, up: Vector) {
         let height = position.dot(up);
         let offset = position - up * height;
         self.count += 1.0;
@@ -125,25 +158,11 @@ impl Sums {
 impl Stack {
     /// The stack of those of these bodies that rest relative to their mean velocity; `None` for less than
     /// three. The unit vector `up` is opposite to gravity.
-    pub fn of<'a>(
-        bodies: impl Iterator<Item = &'a RigidBody> + Clone,
-        gravity: Real,
-        up: Vector,
-    ) -> Option<Self> {
-        let is_solid = |body: &&RigidBody| body.thickness > 0.0 && body.thickness.is_finite();
-        let solid = bodies.filter(is_solid);
-        let (count, velocities) = solid
-            .clone()
-            .fold((0.0, Vector::ZERO), |(count, sum), body| (count + 1.0, sum + body.vels.linvel));
-        let drift = velocities / Real::max(count, 1.0);
-        let rests = |body: &&RigidBody| {
-            let spin = ang_length_squared(body.vels.angvel).sqrt();
-            let speed = (body.vels.linvel - drift).length() + spin * body.extent;
-            speed * speed <= RESTING * gravity * body.thickness
-        };
-        let mut resting = solid.filter(rests);
+    pub fn of(members: &[Member], gravity: Real, up: Vector) -> Option<Self> {
+        let velocities = members.iter().fold(Vector::ZERO, |sum, body| sum + body.linvel);
+        let drift = velocities / (members.len() as Real).max(1.0);
+        let mut resting = members.iter().filter(|body| body.rests(drift, gravity));
         let first = resting.next()?;
-        let origin = first.mprops.world_com;
         let mut sums = Sums {
             count: 0.0,
             lowest: Real::INFINITY,
@@ -155,9 +174,9 @@ impl Stack {
         };
         sums.include(first, Vector::ZERO, up);
         for body in resting {
-            sums.include(body, body.mprops.world_com - origin, up);
+            sums.include(body, body.center - first.center, up);
         }
-        (sums.count > 2.0).then(|| Self::new(&sums, first.substep))
+        (sums.count > 2.0).then(|| Self::new(&sums, first.last_substep))
     }
 
     fn new(sums: &Sums, last_substep: Real) -> Self {
@@ -172,8 +191,18 @@ impl Stack {
         }
     }
 
+    /// Returns whether the stack needs more than `factor` times the usual substeps of `h` seconds.
+    ///
+    /// It keeps its substeps until half their stiffness is sufficient. Otherwise it could alternate between two
+    /// numbers of substeps, and hop.
+    pub fn is_soft(&self, factor: usize, give: Give, h: Real) -> bool {
+        let (factor, stiffness) = (factor as Real, self.stiffness(give));
+        let had_more = self.last_substep > 0.0 && self.last_substep * factor < 0.75 * h;
+        stiffness > factor * factor || had_more && 2.0 * stiffness > factor * factor
+    }
+
     /// The stiffness that contacts must have, relative to the usual one.
-    pub fn stiffness(&self, Give { yielding, play }: Give) -> Real {
+    fn stiffness(&self, Give { yielding, play }: Give) -> Real {
         let layers = (2.0 * self.height * self.inv_thickness).min(self.count);
         // Bodies of an island that are apart in the air are no taller than the stack that they would make.
         let height = 0.5 * layers / self.inv_thickness;

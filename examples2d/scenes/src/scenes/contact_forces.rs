@@ -11,7 +11,7 @@ pub const INFO: SceneInfo = SceneInfo {
     description: "Contact-force events report the crates that a heavy ball breaks into pieces.",
     category: Category::Events,
     steps: 110,
-    // Bodies still land: these overlap by up to a quarter of their size.
+    // Pieces still land: these overlap by up to half their size.
     law: Law { overlap_max: 0.3, height_min: 0.0, ..Law::NONE },
     source: file!(),
     build,

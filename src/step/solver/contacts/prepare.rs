@@ -47,7 +47,9 @@ pub(in crate::step::solver) unsafe fn prepare<W: Wide>(
     write_points(block, &pair, &points);
     // SAFETY: the caller's promise.
     let mut bodies = unsafe { Bodies::<W>::gather(states, &block.bodies) };
-    let turning = Turning { velocities: bodies.velocities, half_step: W::splat(half_step) };
+    let [first, second] = bodies.velocities;
+    let turning =
+        Turning { angvels: [first.angular, second.angular], half_step: W::splat(half_step) };
     let friction = prepare_friction(input, &pair, &points, W::splat(prediction), turning);
     bodies.velocities = friction.begin(input, block, coulomb, &pair, &points, bodies.velocities);
     bodies.velocities = warm_start(block, &frame, &points, bodies.velocities);
