@@ -193,8 +193,8 @@ impl Stack {
 
     /// Returns whether the stack needs more than `factor` times the usual substeps of `h` seconds.
     ///
-    /// It keeps its substeps until half their stiffness is sufficient. Otherwise it could alternate between two
-    /// numbers of substeps, and hop.
+    /// It keeps its substeps until half their stiffness is sufficient. Otherwise it could alternate between
+    /// two numbers of substeps, and hop.
     pub fn is_soft(&self, factor: usize, give: Give, h: Real) -> bool {
         let (factor, stiffness) = (factor as Real, self.stiffness(give));
         let had_more = self.last_substep > 0.0 && self.last_substep * factor < 0.75 * h;
